@@ -16,15 +16,15 @@ ROOMS = re.findall(r"`(\w+)`", hardcontact.__doc__)
 #: Code lines that each room may have, without docstrings, comments and blank lines. A commit that
 #: raises one says what a user gets for it.
 BUDGET = {
-    "base": 763,
+    "base": 765,
     "surfaces": 3432,
-    "contact": 1391,
+    "contact": 1417,
     "inference": 1601,
     "theory": 647,
     "paper": 1465,
     "config": 2412,
     "own": 650,
-    "report": 3505,
+    "report": 3507,
     "commands": 1521,
     "api": 215,
 }

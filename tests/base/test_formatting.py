@@ -77,6 +77,7 @@ def test_a_quantity_of_the_paper_has_its_units(value, unit, ends, printed):
         ((0.2, -0.001, 0.3), "0.20 0.00 0.30"),
         ((17.4, 17.4, 17.4), "17.40 17.40 17.40"),
         ((0.0, 0.0, 0.0), "0 0 0"),
+        ((1.234, 0.1, float("inf")), "1.2 0.1 inf"),
     ],
 )
 def test_the_width_of_an_interval_decides_the_digits(numbers, printed):

@@ -33,9 +33,12 @@ def format_interval(value: float, low: float, high: float) -> list[str]:
     """Return a number and both ends of its interval, with the same number of decimals.
 
     The last digit is about a fifth of the interval's width or of the smallest number. If the ends
-    have one sign and differ by more than three times, each number has two digits instead.
+    have one sign and differ by more than three times, or an end is infinite, each number has two
+    digits instead.
     """
     numbers = (value, low, high)
+    if not all(map(math.isfinite, numbers)):
+        return [format_number(number, 2) for number in numbers]
     smallest, _, largest = sorted(map(abs, numbers))
     has_one_sign = low > 0 or high < 0
     if has_one_sign and largest > 3 * smallest:

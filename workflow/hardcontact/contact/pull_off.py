@@ -15,8 +15,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from hardcontact.contact.bearing_area import all_lowest_gaps
 from hardcontact.contact.contact import CONTACT_AXES, Contact
+from hardcontact.contact.contact_pixels import GapsByContact
 from hardcontact.contact.geometry import Bodies, gap_map, largest_contact_gap
-from hardcontact.contact.sphere_sums import GapsByContact, outside_sums
+from hardcontact.contact.sphere_sums import outside_sums
 from hardcontact.surfaces.filters import interpolate
 
 #: Dimension, values and attributes of a coordinate.

@@ -105,7 +105,9 @@ def draw_octaves(axes: Axes, sensitivity: xr.Dataset) -> None:
         middles = positions * 2 ** (width / 2)
         draw_bars(axes, middles, curve, ls="none", ecolor="0.25", elinewidth=0.7, **symbol)
     axes.axhline(0, color="0.3", lw=0.6)
-    axes.set(xscale="log", xlabel="wavelength (nm)", ylabel="force change (%) for 1 % more amplitude")
+    axes.set(
+        xscale="log", xlabel="wavelength (nm)", ylabel="force change (%) for 1 % more amplitude"
+    )
     axes.set_xlim(octaves[0], 2 * octaves[-1])
     style.label_logarithmic(axes.xaxis, digits=(1, 2, 5))
 

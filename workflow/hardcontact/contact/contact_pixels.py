@@ -1,0 +1,88 @@
+"""Contact pixels of an array of contacts, which do not count in the sums of exp(-gap/rho)."""
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hardcontact.contact.bearing_area import LowestGaps
+from hardcontact.contact.geometry import Bodies, gaps_at
+
+Floats = NDArray[np.float64]
+
+#: Lowest gaps, those of the contact pixels, by the index (i, j) of the contact in the array.
+GapsByContact = dict[tuple[int, int], LowestGaps]
+#: Sums (contact, contact) over all pixels but contact pixels, and a function that returns the
+#: factor of the sphere at the contact pixels as seen from the contact (i, j).
+SphereTerms = tuple[Floats, Callable[[tuple[int, int]], Floats]]
+
+
+class ContactPixels:
+    """The substrate's pixels that are contact pixels of any contact of an array, each once.
+
+    They are left out of the sum of every contact; those of the other contacts are then added again.
+    `row` and `column` (pixels,) are their places on the substrate, by rows.
+    """
+
+    def __init__(self, bodies: Bodies, contacts: GapsByContact) -> None:
+        pixels = bodies.substrate.pixels
+        positions = bodies.geometry.positions
+        touching = {
+            index: np.ravel_multi_index(
+                tuple(((positions[list(index)] + offsets) % pixels).T), (pixels, pixels)
+            )
+            for index, (_, offsets) in contacts.items()
+        }
+        flat = np.unique(np.concatenate(list(touching.values())))
+        self.row, self.column = np.divmod(flat, pixels)
+        self._own = {index: np.searchsorted(flat, pixel) for index, pixel in touching.items()}
+        self._gaps = {index: gaps for index, (gaps, _) in contacts.items()}
+        self._image_gaps = {
+            index: _image_gaps(bodies, index, offsets) for index, (_, offsets) in contacts.items()
+        }
+
+    def leave_out(self, terms: NDArray[np.floating], first_row: int = 0) -> None:
+        """Set these pixels to zero in the rows of the substrate (k, n) from the first one on."""
+        block = slice(*np.searchsorted(self.row, [first_row, first_row + len(terms)]))
+        terms[self.row[block] - first_row, self.column[block]] = 0.0
+
+    def sum_outside(
+        self, index: tuple[int, int], total: float, terms: Floats, highest: float, rho: float
+    ) -> float:
+        """Return the sum of exp(-(g + m)/rho) over pixels outside a contact (i, j).
+
+        m is the height of the apex at closest approach. `total` sums all pixels but the contact
+        pixels of all contacts, whose `terms` (pixels,) are overwritten. Both are at the approach at
+        which the highest points of both bodies meet; `highest` is the sum of their heights.
+        """
+        terms[self._own[index]] = 0.0
+        largest_gap = self._gaps[index][-1]
+        image_sum = np.exp((largest_gap - self._image_gaps[index]) / rho).sum()
+        return float(np.exp((largest_gap + highest) / rho) * (total + terms.sum()) + image_sum)
+
+
+def _image_gaps(bodies: Bodies, index: tuple[int, int], offsets: NDArray[np.int_]) -> Floats:
+    """Return the gaps (k,) in nm of images, in the window, of contact pixels at offsets."""
+    pixels = bodies.substrate.pixels
+    geometry = bodies.geometry
+    if geometry.window <= pixels:
+        return np.empty(0)
+    reach = -(-geometry.window // (2 * pixels))
+    flat, inverse = np.unique(offsets % pixels @ (pixels, 1), return_inverse=True)
+    periods = pixels * np.arange(-reach, reach)
+    row, column = np.divmod(flat, pixels)
+    y = row[:, None] + periods
+    x = column[:, None] + periods
+    in_window = geometry.window_mask(y)[:, :, None] & geometry.window_mask(x)[:, None, :]
+    own_y, own_x = (offsets // pixels + reach).T
+    in_window[inverse, own_y, own_x] = False
+    images = np.stack(np.broadcast_arrays(y[:, :, None], x[:, None, :]), axis=-1)
+    return gaps_at(bodies, geometry.positions[list(index)], images[in_window])
+
+
+def exponential(heights: NDArray[np.floating], highest: float, rho: float) -> NDArray[np.floating]:
+    """Return exp((heights - highest)/rho) in the precision of the heights (nm)."""
+    attraction = heights - highest
+    attraction /= rho
+    np.exp(attraction, out=attraction)
+    return attraction

@@ -1,0 +1,118 @@
+"""Sums over a rough sphere: the correlation of exp(z/rho) with the kernel exp((u - y)/rho).
+
+Symbols as in `sphere_sums`.
+"""
+
+from collections.abc import Iterator, Sequence
+from itertools import product
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hardcontact.contact.contact_pixels import ContactPixels, Floats, SphereTerms, exponential
+from hardcontact.contact.geometry import Bodies, ContactGeometry
+
+#: Rows of the kernel that are made at once: few enough for the cache.
+ROWS = 64
+#: Smallest sum, relative to the norms of its factors, that Fourier transforms give to 1e-9.
+SMALLEST_TRANSFORMED = 1e-6
+
+
+def rough_sphere_terms(
+    bodies: Bodies, contact_pixels: ContactPixels, rhos: Sequence[float]
+) -> Iterator[SphereTerms]:
+    """Yield the terms of `smooth_sphere_terms` for a rough sphere, relative to its highest u."""
+    assert bodies.roughness is not None
+    pixels = bodies.substrate.pixels
+    positions = bodies.geometry.positions
+    heights = bodies.substrate.heights.astype(float)
+    roughness = bodies.roughness.heights.astype(float)
+    #: Rows, in units of whole rows, and columns of the contact pixels as seen from each position.
+    rows = (contact_pixels.row - positions[:, None]) % pixels * pixels
+    columns = (contact_pixels.column - positions[:, None]) % pixels
+    for rho in rhos:
+        attraction = exponential(roughness, float(roughness.max()), rho)
+        kernel = _kernel(pixels, attraction, bodies.geometry, rho)
+        terms = exponential(heights, float(heights.max()), rho)
+        contact_pixels.leave_out(terms)
+
+        def factor(index: tuple[int, int], kernel: Floats = kernel) -> Floats:
+            return np.asarray(kernel.take(rows[index[0]] + columns[index[1]]))
+
+        yield _correlation(terms, kernel, positions), factor
+
+
+def _kernel(
+    pixels: int, attraction: NDArray[np.floating], geometry: ContactGeometry, rho: float
+) -> Floats:
+    """Return exp((u - max(u) - y)/rho) on (n, n) offsets from the apex, summed over images."""
+    period = len(attraction)
+    weights = _axis_factors_by_shift(pixels, period, geometry, rho)
+    kernel = np.zeros((pixels, pixels))
+    columns = np.arange(pixels)
+    for start in range(0, pixels, ROWS):
+        rows = columns[start : start + ROWS]
+        for (shift_y, weight_y), (shift_x, weight_x) in product(weights.items(), repeat=2):
+            shifted = attraction[np.ix_((rows + shift_y) % period, (columns + shift_x) % period)]
+            kernel[rows] += weight_y[rows, None] * weight_x * shifted
+    return kernel
+
+
+def _axis_factors_by_shift(
+    pixels: int, period: int, geometry: ContactGeometry, rho: float
+) -> dict[int, Floats]:
+    """Return exp(-y/rho) along one axis, summed over images of the same shift of the roughness."""
+    weights: dict[int, Floats] = {}
+    reach = -(-geometry.window // (2 * pixels))
+    for image in range(-reach, reach):
+        offset = np.arange(pixels) + image * pixels
+        decay = np.exp(-geometry.paraboloid(offset) / rho)
+        weight = np.where(geometry.window_mask(offset), decay, 0.0)
+        shift = image * pixels % period
+        weights[shift] = weights.get(shift, np.zeros(pixels)) + weight
+    return weights
+
+
+def _correlation(
+    attraction: NDArray[np.floating], kernel: Floats, positions: NDArray[np.int_]
+) -> Floats:
+    """Return the sum (contact, contact) of attraction * kernel, shifted to each contact.
+
+    Fourier transforms take a third of the time of products, but their error is relative to the
+    norms of both factors: they give the sums if all of these are large enough.
+    """
+    total = _correlation_by_transforms(attraction, kernel, positions)
+    norm = np.linalg.norm(attraction) * np.linalg.norm(kernel)
+    if total.min() > SMALLEST_TRANSFORMED * norm:
+        return total
+    return _correlation_by_products(attraction, kernel, positions)
+
+
+def _correlation_by_transforms(
+    attraction: NDArray[np.floating], kernel: Floats, positions: NDArray[np.int_]
+) -> Floats:
+    """Return `_correlation` with an error of some 1e-16 of the norms of both factors."""
+    from scipy import fft
+
+    product = fft.rfft2(attraction)
+    product *= np.conj(fft.rfft2(kernel))
+    rows = fft.ifft(product, axis=0, overwrite_x=True)[positions]
+    return np.asarray(fft.irfft(rows, len(kernel), axis=1)[:, positions])
+
+
+def _correlation_by_products(
+    attraction: NDArray[np.floating], kernel: Floats, positions: NDArray[np.int_]
+) -> Floats:
+    """Return `_correlation` with an error relative to each sum."""
+    # Each row of the kernel times one row of the attraction for every contact: matrices again.
+    pixels = len(kernel)
+    step = 4
+    total = np.zeros((len(positions),) * 2)
+    for start in range(0, pixels, step):
+        rows = kernel[start : start + step]
+        twice = np.concatenate([rows, rows], axis=1)
+        shifted = np.lib.stride_tricks.sliding_window_view(twice, pixels, axis=1)
+        shifted_rows = np.arange(start, start + len(rows))[:, None] + positions
+        columns = shifted[:, pixels - positions]
+        total += (attraction[shifted_rows % pixels] @ columns.transpose(0, 2, 1)).sum(axis=0)
+    return total

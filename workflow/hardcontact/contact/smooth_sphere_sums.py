@@ -1,0 +1,141 @@
+"""Sums over a smooth sphere: a matrix product, because exp(-y/rho) is a product over both axes.
+
+Symbols as in `sphere_sums`; G is exp(-y/rho) along an axis for every contact.
+"""
+
+from collections.abc import Iterable, Iterator, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hardcontact.contact.contact_pixels import (
+    ContactPixels,
+    Floats,
+    GapsByContact,
+    SphereTerms,
+    exponential,
+)
+from hardcontact.contact.geometry import Bodies, ContactGeometry
+
+#: Rows of the substrate in a block: few enough for the cache.
+ROWS = 64
+
+
+def sums_by_subtraction(bodies: Bodies, contacts: GapsByContact, rhos: Sequence[float]) -> Floats:
+    """Return `outside_sums` on a smooth sphere: sums over all pixels less those in contact."""
+    heights = bodies.substrate.heights
+    precision = heights.dtype.type  # `join_bodies` permits these two.
+    highest = float(heights.max())
+    factors: list[NDArray[np.floating]] = [
+        axis_factors(len(heights), bodies.geometry, rho).astype(precision) for rho in rhos
+    ]
+    quarter, quarter_factors = _without_mirror_images(heights, factors)
+    all_sums = _contact_sums(_row_blocks(quarter, precision, highest, rhos), quarter_factors)
+    sums_outside = np.empty_like(all_sums)
+    for index, (gaps, _) in contacts.items():
+        for k, rho in enumerate(rhos):
+            contact_sum = np.exp((gaps[-1] - gaps) / rho).sum()
+            scale = np.exp((gaps[-1] + highest) / rho)
+            sums_outside[k][index] = scale * all_sums[k][index] - contact_sum
+    return sums_outside
+
+
+def smooth_sphere_terms(
+    bodies: Bodies, contact_pixels: ContactPixels, rhos: Sequence[float]
+) -> Iterator[SphereTerms]:
+    """Yield, for each range, the sums over all but contact pixels and the factor at these."""
+    pixels = bodies.substrate.pixels
+    row = contact_pixels.row
+    column = contact_pixels.column
+    factors = [axis_factors(pixels, bodies.geometry, rho) for rho in rhos]
+    blocks = _row_blocks_without_contacts(bodies.substrate.heights, contact_pixels, rhos)
+    totals = _contact_sums(blocks, factors)
+    for total, axis_factor in zip(totals, factors, strict=True):
+
+        def factor(index: tuple[int, int], axis_factor: Floats = axis_factor) -> Floats:
+            return np.asarray(axis_factor[index[0], row] * axis_factor[index[1], column])
+
+        yield total, factor
+
+
+def axis_factors(pixels: int, geometry: ContactGeometry, rho: float) -> Floats:
+    """Return G = exp(-y/rho) along one axis, summed over images in the window: (contact, n)."""
+    offset = geometry.offsets()
+    weight = np.exp(-geometry.paraboloid(offset) / rho)
+    positions = geometry.positions
+    return np.array(
+        [np.bincount((position + offset) % pixels, weight, pixels) for position in positions]
+    )
+
+
+def _contact_sums(
+    blocks: Iterable[tuple[slice, Sequence[NDArray[np.floating]]]],
+    factors: Sequence[NDArray[np.floating]],
+) -> Floats:
+    """Return G exp((z - highest)/rho) G^T, (rho, contact, contact), from blocks of rows.
+
+    A block has its rows and the exponentials (rows, n) at each range; `factors` are G at each.
+    """
+    columns = [np.ascontiguousarray(axis_factor.T) for axis_factor in factors]
+    sums = np.zeros((len(factors), *[len(factors[0])] * 2))
+    for rows, attractions in blocks:
+        for k, attraction in enumerate(attractions):
+            sums[k] += factors[k][:, rows] @ (attraction @ columns[k])
+    return sums
+
+
+def _row_blocks(
+    heights: NDArray[np.floating],
+    precision: type[np.floating],
+    highest: float,
+    rhos: Sequence[float],
+) -> Iterator[tuple[slice, list[NDArray[np.floating]]]]:
+    """Yield the rows of each block and its exponentials, in a precision."""
+    for start in range(0, len(heights), ROWS):
+        rows = slice(start, start + ROWS)
+        yield rows, _exponentials(heights[rows].astype(precision, copy=False), highest, rhos)
+
+
+def _row_blocks_without_contacts(
+    heights: NDArray[np.floating], contact_pixels: ContactPixels, rhos: Sequence[float]
+) -> Iterator[tuple[slice, list[NDArray[np.floating]]]]:
+    """Yield the rows of each block and its exponentials, zero at contact pixels."""
+    for rows, attractions in _row_blocks(heights, np.float64, float(heights.max()), rhos):
+        for attraction in attractions:
+            contact_pixels.leave_out(attraction, rows.start)
+        yield rows, attractions
+
+
+def _exponentials(
+    heights: NDArray[np.floating], highest: float, rhos: Sequence[float]
+) -> list[NDArray[np.floating]]:
+    """Return `exponential` at every range; at rho/2 it is the square of that at rho."""
+    attractions: dict[float, NDArray[np.floating]] = {}
+    for rho in sorted(rhos, reverse=True):
+        longer = attractions.get(2 * rho)
+        attractions[rho] = exponential(heights, highest, rho) if longer is None else longer**2
+    return [attractions[rho] for rho in rhos]
+
+
+def _without_mirror_images(
+    heights: NDArray[np.floating], factors: list[NDArray[np.floating]]
+) -> tuple[NDArray[np.floating], list[NDArray[np.floating]]]:
+    """Return a quarter of mirror-stitched heights (n, n) and the factors over its mirror images.
+
+    Other heights and their factors are returned as they are.
+    """
+    if len(heights) % 2 or not _is_mirrored(heights):
+        return heights, factors
+    half = len(heights) // 2
+    return heights[:half, :half], [
+        axis_factor[:, :half] + axis_factor[:, : half - 1 : -1] for axis_factor in factors
+    ]
+
+
+def _is_mirrored(heights: NDArray[np.floating]) -> bool:
+    """Return whether heights equal both their mirror images; edges of most maps differ already."""
+    return (
+        np.array_equal(heights[0], heights[-1])
+        and np.array_equal(heights, heights[::-1])
+        and np.array_equal(heights, heights[:, ::-1])
+    )
