@@ -50,7 +50,8 @@ def versions() -> dict[str, str]:
 def lineage(parameters: str, inputs: Mapping[str, str]) -> str:
     """Return a digest of all that a file is made from, by the lineage of each input.
 
-    The lineage of a file that no job made is its SHA-256. It finds changes behind missing inputs.
+    The lineage of a file that no job made is its SHA-256. So a change is found even if the
+    intermediates that it went through are gone.
     """
     return value_digest([parameters, versions(), inputs])
 

@@ -29,16 +29,16 @@ from hardcontact.surfaces.spectrum import nearest_bin
 #: the paper: 20 nm and 1000 nm on scans of 2500 nm with 512 pixels.
 TRANSITION_PIXELS = 4
 TRANSITION_SHARE = 0.4
-#: The range of adhesion relative to the shortest computed range, and the longest relative to it.
-#: Chosen: 0.7 to 45 nm around the paper's 5.6 nm; a wider span would leave larger steps between the
-#: 12 ranges, which are a factor 1.5 apart.
+#: Computed ranges go from the study's range of adhesion divided by this factor to the range times
+#: it. Chosen: 0.7 to 45 nm around the paper's 5.6 nm; a wider span would leave larger steps between
+#: the 12 ranges, which are a factor 1.5 apart.
 RANGE_SPAN = 8.0
 #: The finest pixels worth computing, in nm: half the distance of atoms.
 FINEST_PIXEL_SIZE = 0.15
 #: Numbers of contacts along a side of the array. Even ones fall evenly on the quarters of a scan.
 CONTACTS_PER_SIDE = (20, 16, 12, 10, 8, 6, 4)
 #: Seconds that the contacts of one filtered surface may take. Chosen: the 150 filtered surfaces of
-#: a scan at full effort then take 5 minutes of processor time at most.
+#: a scan at full effort then take at most 5 minutes of processor time, whatever the scan.
 CONTACT_SECONDS = 2.0
 #: Seconds for a contact pixel in an image of the cell, and for a tile in the window (measured).
 SECONDS_A_PIXEL = 4e-7
@@ -60,7 +60,8 @@ class Effort(NamedTuple):
     ranges: int  #: of adhesion
 
 
-#: A minute of processor time, for one scan of 512 x 512 pixels; and a third of it.
+#: Full effort takes a minute of processor time for a scan of 512 x 512 pixels, quick effort a
+#: third.
 FULL_EFFORT = Effort(
     pixels=4096, cutoffs=14, realizations=5, slow_realizations=3, contacts_per_side=20, ranges=12
 )

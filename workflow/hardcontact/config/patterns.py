@@ -30,9 +30,10 @@ _CONTACTS = (*SCAN_KEYS, "contact.window", "contact.count")
 _DRAWS = (*_GAUSSIAN, "sets.count", "contact.window", "adhesion.ranges")
 _TRANSITIONS = ("scales.small.transition", "scales.large.transition")
 
-#: The keys on which each kind of intermediate and its inputs depend, but for those whose values are
-#: in the path: it has a digest of theirs. The files of a surface are no key: paths have a digest of
-#: their content. Other columns of the table of surfaces replace the intermediates of a surface.
+#: For each kind of intermediate, the keys on which it and its inputs depend: its path has a digest
+#: of their values. Keys whose values stand in the path are left out. Files of a surface are no key,
+#: because paths have a digest of their content. Other columns of the table of surfaces replace the
+#: intermediates of a surface.
 STORE_KEYS = {
     "measurements": _READING,
     "measured_spectra": _MEASURED,

@@ -89,9 +89,9 @@ def add_force_on_scan(
 def obstacle_to_force(
     scans: Sequence[HeightMap], contact: Contact, sums: int = 1
 ) -> tuple[str, float]:
-    """Return the status of levelled scans without a force, or "", and the shortest range (nm).
+    """Return why levelled scans give no force, "" if they do, and the shortest range (nm).
 
-    A single map has such a range. `sums` is the number of force sums.
+    The range is the shortest that a single map resolves. `sums` is the number of force sums.
     """
     if not any(scan.kind == "map" for scan in scans):
         return NO_MAP, math.nan

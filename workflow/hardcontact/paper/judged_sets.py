@@ -99,9 +99,9 @@ def gather_sources(
 def sample_scans(pool: xr.Dataset, rng: np.random.Generator, scans: int) -> xr.Dataset:
     """Sample a set of scans of one substrate from its pool, without replacement.
 
-    The rms heights of the set get the mean and the deviation of the pool. With six scans or more a
-    height may be negative. A set with a height below all heights of the pool is therefore sampled
-    again. Raises ValueError if no set with possible heights is found.
+    The rms heights of the set get the mean and the deviation of the pool. This may give a
+    scan a height below all heights of the pool, with six scans or more even a negative one. Such a
+    set is sampled again. Raises ValueError if no set with possible heights is found.
     """
     lowest = pool["rms_height_of_force"].values.min()
     mean = pool.attrs["mean_rms_height"]

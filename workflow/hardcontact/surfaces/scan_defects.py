@@ -61,11 +61,11 @@ MAX_UNCURVED_SHARE = 0.9
 MIN_SECOND_ORDER_RATIO = 50.0
 #: Points along a side to which polynomials are fitted.
 POLYNOMIAL_POINTS = 32
-#: A lay has at least this ratio of the variance of profiles along its wavevector to that across.
-#: Smaller shares of the variance of heights are drift and noise of lines. Of 5400 self-affine maps
-#: without a roll-off (H from 0.5 to 1) two exceed both. Profiles have waves of at least four
-#: pixels, because shorter ones are noisy, and at most a quarter of the size, because longer random
-#: waves are few.
+#: A lay has at least this ratio of the variance of profiles along its wavevector to that across,
+#: and this share of the variance of heights: smaller ones are drift and noise of lines. Of 5400
+#: self-affine maps without a roll-off (H from 0.5 to 1) two exceed both. Profiles have waves of at
+#: least four pixels, because shorter ones are noisy, and at most a quarter of the size, because
+#: longer random waves are few.
 MIN_LAY_RATIO = 3.0
 MIN_LAY_SHARE = 0.1
 MIN_WAVELENGTH_PIXELS = 4

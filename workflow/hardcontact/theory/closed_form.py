@@ -14,11 +14,12 @@ not, the few highest points do, as in the random energy model (Derrida, Phys. Re
 
 A summit is itself a rough body. Waves shorter than its size, 2.5 delta (`summits`), are roughness
 on it. The same equation, with the radius delta² m/(2 sigma²) of the summit, gives its force
-relative to a smooth summit. It is applied again and again, down to the shortest waves. This share
-also multiplies the contribution of summits below the sphere to the first term (`rough_terms`). The
-area in contact flattens smaller roughness; it is at most the area pi delta² of a summit. The size
-of 2.5 delta is a choice: 2 delta, 2.5 delta and pi delta were compared on designed surfaces
-(`prediction`) that were not held out; 2 delta gives better edges and pi delta better forces.
+relative to a smooth summit, and is applied again to the summits upon it, down to the shortest
+waves. This relative force also multiplies the contribution of summits below the sphere to the first
+term (`rough_terms`). The area in contact flattens smaller roughness; it is at most the area pi
+delta² of a summit. The size of 2.5 delta is a choice: 2 delta, 2.5 delta and pi delta were compared
+on designed surfaces (`prediction`) that were not held out; 2 delta gives better edges and pi delta
+better forces.
 """
 
 from dataclasses import dataclass, replace
