@@ -114,7 +114,7 @@ def test_the_head_says_whether_each_surface_is_answered():
 
 def test_substitutes_are_a_grave_note():
     (note,) = [n for n in content("two substitutes, forces")["notes"] if n["grave"]]
-    assert note["code"] == "substitutes" and "my coating (substitute), twin" in note["text"]
+    assert note["code"] == "substitutes" and "my coating (substitute) and twin" in note["text"]
 
 
 @pytest.mark.parametrize(("paper_values", "count"), [(["work of adhesion"], 2), (["hardness"], 0)])
