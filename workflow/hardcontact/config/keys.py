@@ -165,7 +165,7 @@ class ScalesKeys(Keys):
     whole_surfaces: Realizations = 10
     """Surfaces of each substitute as large as large-scale masters, not mirrored, for octaves."""
     sphere_roughness: bool = key(False, "not stated")
-    """Whether the paper's sphere is rough on masters, as in its first scan. Own scanned ones are."""
+    """Whether the paper's sphere is rough on masters, like its first scan. Scanned own ones are."""
     small: SmallScaleKeys = SmallScaleKeys()
     large: LargeScaleKeys = LargeScaleKeys()
 
