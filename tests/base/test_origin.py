@@ -9,7 +9,7 @@ from refusals import assert_says, refusal
 
 from hardcontact.base.origin import (
     Origin,
-    canonical,
+    canonical_json,
     digests,
     keep_records,
     record_path,
@@ -18,8 +18,8 @@ from hardcontact.base.origin import (
 
 
 def test_parameters_have_one_text():
-    assert canonical({"b": [1, 2.5], "a": "µ"}) == '{"a":"µ","b":[1,2.5]}'
-    assert canonical({"a": 1}) != canonical({"a": 1.0})
+    assert canonical_json({"b": [1, 2.5], "a": "µ"}) == '{"a":"µ","b":[1,2.5]}'
+    assert canonical_json({"a": 1}) != canonical_json({"a": 1.0})
 
 
 def test_attributes_distinguish_inputs_and_code():

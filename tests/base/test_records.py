@@ -10,7 +10,14 @@ import pytest
 from refusals import assert_says, refusal
 from repository import PAPER, merged
 
-from hardcontact.base.origin import Origin, canonical, digest, digests, keep_records, record_path
+from hardcontact.base.origin import (
+    Origin,
+    canonical_json,
+    digest,
+    digests,
+    keep_records,
+    record_path,
+)
 from hardcontact.base.verification import check, traced_records
 from hardcontact.commands import command_line
 from hardcontact.commands.verify import verify, verify_arguments
@@ -136,7 +143,7 @@ HARDER = {"contact": {"hardness": "30 GPa"}}
     ],
 )
 def test_parameters_of_an_archive_are_compared_with_those_of_now(study, changes, expected):
-    make("results/paper/configuration.yaml", [], canonical(merged(PAPER, changes)))
+    make("results/paper/configuration.yaml", [], canonical_json(merged(PAPER, changes)))
     text, code = verify(verify_arguments(["paper"]))
     *lines, _ = text.splitlines()
     assert code == 0 and len(lines) == len(expected)

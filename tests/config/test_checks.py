@@ -12,7 +12,7 @@ from scan_files import heights, scan
 from studies import ROWS, SOURCES, check, numbers, own_scans
 
 from hardcontact.base import dataset
-from hardcontact.base.origin import Origin, canonical, digests, keep_records
+from hardcontact.base.origin import Origin, canonical_json, digests, keep_records
 from hardcontact.config.checks import SUBSTITUTE_RELIEF, stored_scan, surface_grid
 from hardcontact.config.configuration import reading_keys
 from hardcontact.config.grids import Grid
@@ -148,7 +148,7 @@ def store(row, arguments, heights):
     path = Path(study_patterns(numbers()).measurement.format(**row._asdict(), sources=SOURCES))
     path.parent.mkdir(parents=True)
     dataset.write(HeightMap(heights, 10.0).to_dataset(), path)
-    keep_records([path], Origin(canonical(arguments), digests([row.path]), []))
+    keep_records([path], Origin(canonical_json(arguments), digests([row.path]), []))
     return path
 
 

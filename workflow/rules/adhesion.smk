@@ -10,7 +10,7 @@ rule compute_pull_off:
     output:
         PATTERNS.pull_off,
     params:
-        canonical=parameters(
+        parameters=parameters(
             sphere_places=FILES.sphere_places,
             places_per_side=FILES.places_per_side,
             contact=STUDY["contact"] | {"count": FILES.contacts_a_place},
@@ -30,7 +30,7 @@ rule aggregate_adhesion:
     output:
         PATTERNS.dataset("adhesion"),
     params:
-        canonical=parameters(
+        parameters=parameters(
             scans=FILES.substrate_scans,
             **NAMED_SURFACES,
             sphere_radius=STUDY["sphere"]["radius"],

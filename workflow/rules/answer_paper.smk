@@ -33,6 +33,6 @@ rule answer_paper:
         },
         **ANSWER,
     params:
-        canonical=canonical(config),
+        parameters=canonical_json(config),
     script:
         "../scripts/answer_paper.py"

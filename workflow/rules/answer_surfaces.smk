@@ -23,7 +23,7 @@ rule answer_surfaces:
         **{kind: [PATTERNS.figure(name, kind) for name in DRAWN_FIGURES] for kind in FILE_KINDS},
         **ANSWER,
     params:
-        canonical=parameters(
+        parameters=parameters(
             study=STUDY["study"],
             effort=STUDY["effort"],
             contact=contact_words(STUDY),

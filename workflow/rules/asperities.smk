@@ -10,7 +10,7 @@ rule find_asperities:
     output:
         PATTERNS.asperities,
     params:
-        canonical=lambda w: parameters(
+        parameters=lambda w: parameters(
             surface=w.surface,
             scan=int(w.scan),
             contact=STUDY["contact"],
@@ -30,6 +30,6 @@ rule aggregate_asperities:
     output:
         PATTERNS.dataset("asperities"),
     params:
-        canonical=parameters(scans=FILES.substrate_scans, **NAMED_SURFACES),
+        parameters=parameters(scans=FILES.substrate_scans, **NAMED_SURFACES),
     script:
         "../scripts/aggregate_asperities.py"

@@ -14,7 +14,7 @@ rule combine_scans:
     wildcard_constraints:
         surface=COMBINED,
     params:
-        canonical=lambda w: parameters(
+        parameters=lambda w: parameters(
             surface=w.surface,
             scan=int(w.scan),
             sphere_scan=FILES.sphere_scan(w.surface, int(w.scan)),
@@ -35,7 +35,7 @@ rule combine_spectra:
     wildcard_constraints:
         surface=COMBINED,
     params:
-        canonical=lambda w: parameters(surface=w.surface),
+        parameters=lambda w: parameters(surface=w.surface),
     script:
         "../scripts/combine_spectra.py"
 
@@ -51,6 +51,6 @@ rule combine_sampled_spectra:
     wildcard_constraints:
         surface=COMBINED,
     params:
-        canonical=lambda w: parameters(surface=w.surface),
+        parameters=lambda w: parameters(surface=w.surface),
     script:
         "../scripts/combine_sampled_spectra.py"

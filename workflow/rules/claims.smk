@@ -17,7 +17,7 @@ rule evaluate_claims:
         claims=PATTERNS.result("claims.csv"),
     retries: 0  # A fault of a statement would be there again.
     params:
-        canonical=parameters(
+        parameters=parameters(
             datasets=DATASETS,
             confidence=STUDY["inference"]["confidence"],
             contact=paper_contact(STUDY),

@@ -10,6 +10,6 @@ rule apply_classical_models:
     output:
         PATTERNS.dataset("classical"),
     params:
-        canonical=canonical(SAMPLING),
+        parameters=canonical_json(SAMPLING),
     script:
         "../scripts/apply_classical_models.py"

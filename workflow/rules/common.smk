@@ -12,7 +12,7 @@
 # surfaces.smk makes those that depend on the table of surfaces.
 
 from hardcontact.base.code import code_inputs, page_templates
-from hardcontact.base.origin import canonical
+from hardcontact.base.origin import canonical_json
 from hardcontact.base.packages import PINS
 from hardcontact.config import start
 from hardcontact.config.configuration import read_yaml
@@ -38,4 +38,4 @@ ANSWER = {
 
 def parameters(**values):
     """Return the parameters of a script, by their names, as one text."""
-    return canonical(values)
+    return canonical_json(values)

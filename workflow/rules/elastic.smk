@@ -11,7 +11,7 @@ rule solve_elastic_contact:
     output:
         PATTERNS.elastic,
     params:
-        canonical=lambda w: parameters(
+        parameters=lambda w: parameters(
             surface=w.surface,
             scan=int(w.scan),
             contact=STUDY["contact"],
@@ -31,6 +31,6 @@ rule aggregate_elastic:
     output:
         PATTERNS.dataset("elastic"),
     params:
-        canonical=parameters(scans=FILES.substrate_scans, **NAMED_SURFACES),
+        parameters=parameters(scans=FILES.substrate_scans, **NAMED_SURFACES),
     script:
         "../scripts/aggregate_elastic.py"

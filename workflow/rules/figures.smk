@@ -25,7 +25,9 @@ for name in PAPER_FIGURES:
             ),
             svg=PATTERNS.figure(name, "svg"),
         params:
-            canonical=canonical({"figure": name, "title": figure.title, "inputs": figure.inputs}),
+            parameters=canonical_json(
+                {"figure": name, "title": figure.title, "inputs": figure.inputs}
+            ),
             caption="\n\n".join(caption(name, config)[:3]),
         script:
             "../scripts/draw_figure.py"

@@ -9,7 +9,7 @@ rule find_edges:
     output:
         PATTERNS.dataset("edges"),
     params:
-        canonical=parameters(tolerance=STUDY["scales"]["tolerance"], sampling=SAMPLING),
+        parameters=parameters(tolerance=STUDY["scales"]["tolerance"], sampling=SAMPLING),
     script:
         "../scripts/find_edges.py"
 
@@ -24,7 +24,7 @@ rule compare_short_edges:
         scaling=PATTERNS.dataset("scaling"),
         enhancement=PATTERNS.dataset("enhancement"),
     params:
-        canonical=parameters(
+        parameters=parameters(
             surfaces={
                 purpose: [row.surface for row in FILES.filtered_masters(purpose)]
                 for purpose in ("scaling", "enhancement")
@@ -49,6 +49,6 @@ rule fit_published:
     output:
         PATTERNS.dataset("fit"),
     params:
-        canonical=parameters(reference_surface=STUDY["reference_surface"], sampling=SAMPLING),
+        parameters=parameters(reference_surface=STUDY["reference_surface"], sampling=SAMPLING),
     script:
         "../scripts/fit_published.py"

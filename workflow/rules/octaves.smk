@@ -16,7 +16,7 @@ rule compute_whole:
     output:
         PATTERNS.whole,
     params:
-        canonical=lambda w: parameters(
+        parameters=lambda w: parameters(
             **whole_parameters(w.surface, range(int(w.first), int(w.last) + 1)),
             ranges=[rho for rho in RANGES if rho >= SHORTEST_WHOLE_RANGE],
         ),
@@ -35,7 +35,7 @@ rule amplify_octaves:
     output:
         PATTERNS.octaves,
     params:
-        canonical=lambda w: parameters(
+        parameters=lambda w: parameters(
             surface=w.surface,
             scan=int(w.scan),
             measurements=FILES.measurements_of_map(w.surface, int(w.scan)),
@@ -61,7 +61,7 @@ rule isolate_band:
     output:
         PATTERNS.band_forces,
     params:
-        canonical=lambda w: canonical(
+        parameters=lambda w: canonical_json(
             whole_parameters(w.surface, range(1, STUDY["scales"]["whole_surfaces"] + 1))
         ),
     script:
@@ -81,7 +81,7 @@ rule aggregate_sensitivity:
     output:
         PATTERNS.dataset("sensitivity"),
     params:
-        canonical=parameters(
+        parameters=parameters(
             maps=[*FILES.whole_chunks, *FILES.measured_scans],
             bands=BAND_SURFACES,
             **NAMED_SURFACES,

@@ -9,7 +9,7 @@ rule aggregate_spectra:
     output:
         PATTERNS.dataset("spectra"),
     params:
-        canonical=parameters(
+        parameters=parameters(
             surfaces=SELECTION.surfaces,  # the order of the inputs
             labels=SELECTION.labels,
             descriptions={
@@ -32,7 +32,7 @@ rule sample_spectra:
             allow_missing=True,
         ),
     params:
-        canonical=lambda w: parameters(
+        parameters=lambda w: parameters(
             surface=w.surface,
             seed=STUDY["seed"],
             contact_scan_indices=SELECTION.contact_scan_indices(w.surface),
@@ -55,7 +55,7 @@ rule predict_force:
         edges=PATTERNS.dataset("edges"),
         force=PATTERNS.dataset("force"),
     params:
-        canonical=parameters(
+        parameters=parameters(
             work=STUDY["adhesion"]["work"],
             rho=STUDY["scales"]["range"],
             radius=STUDY["sphere"]["radius"],
@@ -82,6 +82,6 @@ if STUDY["forces"] != NONE:
         output:
             PATTERNS.dataset("fit"),
         params:
-            canonical=canonical(SAMPLING),
+            parameters=canonical_json(SAMPLING),
         script:
             "../scripts/fit_measured.py"

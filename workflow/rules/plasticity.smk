@@ -12,7 +12,7 @@ rule measure_indents:
     output:
         PATTERNS.dataset("indent"),
     params:
-        canonical=parameters(
+        parameters=parameters(
             **named(INDENTED),
             scans=SELECTION.scans(INDENTED),
             sphere_scans=SELECTION.scans(SPHERE),

@@ -20,7 +20,7 @@ rule keep_records:
         surfaces=PATTERNS.result("surfaces.tsv"),
         variables=PATTERNS.result("datasets.md"),
     params:
-        canonical=canonical(config),
+        parameters=canonical_json(config),
     script:
         "../scripts/keep_records.py"
 
@@ -29,6 +29,6 @@ rule verify:
     """Check whether the files of the study match what they were made from; write nothing."""
     retries: 0
     params:
-        canonical=canonical({"results": PATTERNS.results}),
+        parameters=canonical_json({"results": PATTERNS.results}),
     script:
         "../scripts/verify.py"

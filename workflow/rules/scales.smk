@@ -20,7 +20,7 @@ rule synthesize_masters:
     resources:
         mem_mb=master_megabytes(STUDY["scales"]["small"]["pixels"], 3000),
     params:
-        canonical=lambda w: parameters(
+        parameters=lambda w: parameters(
             surface=w.surface,
             realization=int(w.realization),
             seed=STUDY["seed"],
@@ -47,7 +47,7 @@ rule filter_masters:
             3000,
         ),
     params:
-        canonical=lambda w: canonical(
+        parameters=lambda w: canonical_json(
             {
                 "surface": w.surface,
                 "realizations": list(range(int(w.first), int(w.last) + 1)),
@@ -71,7 +71,7 @@ rule aggregate_scales:
     output:
         PATTERNS.dataset("scales"),
     params:
-        canonical=parameters(
+        parameters=parameters(
             surfaces=[row.surface for row in FILES.filtered_masters()],
             sampled_surfaces=[row.surface for row in SAMPLED_MASTERS],
             realizations=STUDY["scales"]["realizations"],

@@ -31,7 +31,7 @@ rule calibrate_spectrum:
     output:
         PATTERNS.calibrated_spectrum,
     params:
-        canonical=lambda w: canonical({"surface": w.surface}),
+        parameters=lambda w: canonical_json({"surface": w.surface}),
     script:
         "../scripts/calibrate_spectrum.py"
 
@@ -44,7 +44,7 @@ rule read_scan:
     output:
         PATTERNS.measurement,
     params:
-        canonical=lambda w: canonical(
+        parameters=lambda w: canonical_json(
             reading_keys(STUDY, SELECTION.dataset(w.surface, int(w.scan)))
         ),
     script:
@@ -59,7 +59,7 @@ rule measure_spectrum:
     output:
         PATTERNS.measured_spectrum,
     params:
-        canonical=lambda w: canonical(FILES.measurement_settings(w.surface)),
+        parameters=lambda w: canonical_json(FILES.measurement_settings(w.surface)),
     script:
         "../scripts/measure_spectrum.py"
 
@@ -80,7 +80,7 @@ for scans, surfaces in FILES.scan_groups.items():
         wildcard_constraints:
             surface=any_name_pattern(surfaces),
         params:
-            canonical=lambda w, scans=scans: parameters(
+            parameters=lambda w, scans=scans: parameters(
                 surface=w.surface,
                 scans=scans,
                 scan=SCAN_GRID,
@@ -105,6 +105,6 @@ rule prepare_scan:
             name for name, basis in SELECTION.basis.items() if basis == "measured"
         ),
     params:
-        canonical=lambda w: canonical(FILES.levelling_settings(w.surface)),
+        parameters=lambda w: canonical_json(FILES.levelling_settings(w.surface)),
     script:
         "../scripts/prepare_scan.py"

@@ -11,7 +11,7 @@ rule compute_pool:
     output:
         PATTERNS.pool,
     params:
-        canonical=lambda w: parameters(
+        parameters=lambda w: parameters(
             **group_parameters(w), rms_heights=STUDY["sets"]["rms_heights"]
         ),
     script:
@@ -26,7 +26,7 @@ rule compute_draws:
     output:
         PATTERNS.draws,
     params:
-        canonical=lambda w: parameters(**group_parameters(w), features=w.features),
+        parameters=lambda w: parameters(**group_parameters(w), features=w.features),
     script:
         "../scripts/compute_draws.py"
 
@@ -46,7 +46,7 @@ rule judge_sets:
         PATTERNS.dataset("sets"),
     retries: 0  # A fault of a statement would be there again.
     params:
-        canonical=parameters(
+        parameters=parameters(
             chunks=FILES.chunks,
             draw_chunks=FILES.draw_chunks,
             pooled=SELECTION.pooled,
@@ -78,7 +78,7 @@ rule compare_features:
     output:
         PATTERNS.dataset("features"),
     params:
-        canonical=parameters(draw_chunks=FILES.draw_chunks, labels=SELECTION.labels),
+        parameters=parameters(draw_chunks=FILES.draw_chunks, labels=SELECTION.labels),
     script:
         "../scripts/compare_features.py"
 
@@ -93,6 +93,6 @@ rule fit_posterior:
     output:
         PATTERNS.dataset("posterior"),
     params:
-        canonical=parameters(whole=FILES.whole_chunks, sampling=SAMPLING),
+        parameters=parameters(whole=FILES.whole_chunks, sampling=SAMPLING),
     script:
         "../scripts/fit_posterior.py"

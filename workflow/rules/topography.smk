@@ -11,7 +11,7 @@ rule aggregate_topography:
     output:
         PATTERNS.dataset("topography"),
     params:
-        canonical=parameters(
+        parameters=parameters(
             scans=FILES.scans,
             conditioned=list(FILES.conditionings),
             **NAMED_SURFACES,

@@ -19,7 +19,7 @@ rule trace_contact:
     output:
         PATTERNS.dataset("contact"),
     params:
-        canonical=parameters(
+        parameters=parameters(
             **TRACED,
             contact_section=STUDY["contact"],
             radius=STUDY["sphere"]["radius"],

@@ -37,7 +37,7 @@ class Job(NamedTuple):
 
     input: Any  #: Paths by the names that the rule gives them, as those of the outputs.
     output: Any
-    parameters: dict[str, Any]  #: The rule's `params.canonical`, decoded.
+    parameters: dict[str, Any]  #: The rule's `params.parameters`, decoded.
     origin: Origin  #: What determines the files of the job.
 
     def write(self, dataset: xr.Dataset, title: str, output: int | str = 0) -> None:
@@ -75,7 +75,7 @@ def job(snakemake: Any) -> Iterator[Job]:
     """
     with job_log(snakemake.log[0]):
         inputs = snakemake.input
-        canonical_parameters = snakemake.params.canonical
+        canonical_parameters = snakemake.params.parameters
         input_digests = digests(inputs)
         refuse_changed(input_digests)
         for path in snakemake.output:  # Snakemake's lock keeps other runs from these files.

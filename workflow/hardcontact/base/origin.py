@@ -25,14 +25,14 @@ RECORDS = ".origin"
 Record = dict[str, Any]
 
 
-def canonical(parameters: object) -> str:
+def canonical_json(parameters: object) -> str:
     """Return parameters as one sorted JSON text: equal text means equal parameters."""
     return json.dumps(parameters, sort_keys=True, ensure_ascii=False, separators=(",", ":"))
 
 
 def value_digest(values: object) -> str:
     """Return the SHA-256 of the canonical text of values."""
-    return hashlib.sha256(canonical(values).encode()).hexdigest()
+    return hashlib.sha256(canonical_json(values).encode()).hexdigest()
 
 
 def digest(path: str | Path) -> str:
@@ -75,9 +75,9 @@ class Origin(NamedTuple):
         """
         return {
             "parameters": self.parameters,
-            "versions": canonical(versions()),
+            "versions": canonical_json(versions()),
             "code_digest": value_digest({path: self.inputs[path] for path in self.code}),
-            "input_digests": canonical(self.inputs),
+            "input_digests": canonical_json(self.inputs),
         }
 
 
@@ -101,7 +101,7 @@ def keep_records(paths: Iterable[str | Path], origin: Origin) -> None:
     for path, value in digests(paths).items():
         record = described | {"sha256": value}
         with whole_file(record_path(path)) as temporary:
-            Path(temporary).write_text(canonical(record), "utf-8")
+            Path(temporary).write_text(canonical_json(record), "utf-8")
 
 
 def read_record(path: str | Path) -> Record | None:

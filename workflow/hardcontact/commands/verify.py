@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from hardcontact.base.code import ROOT
-from hardcontact.base.origin import canonical, read_record
+from hardcontact.base.origin import canonical_json, read_record
 from hardcontact.base.verification import check
 from hardcontact.commands.parser import CommandLine
 from hardcontact.config.configuration import apply_effort, key_values, merge, read_yaml
@@ -58,6 +58,6 @@ def _other_keys(results: Path) -> Iterator[str]:
         current = merge(current, read_yaml(overlay))
     current = key_values(apply_effort(current | {"effort": recorded["effort"]}))
     for key, value in key_values(recorded).items():
-        if canonical(value) != canonical(current.get(key)):
+        if canonical_json(value) != canonical_json(current.get(key)):
             present_value = shorten(current[key]) if key in current else "no value"
             yield f"{results} was made with {key} {shorten(value)}, here {present_value}"

@@ -9,7 +9,7 @@ import numpy as np
 import pandas as pd
 
 from hardcontact.base import published
-from hardcontact.base.origin import canonical, is_current
+from hardcontact.base.origin import canonical_json, is_current
 from hardcontact.config.configuration import get_key, reading_keys
 from hardcontact.config.faults import key_fault, refuse_all, refuse_lines
 from hardcontact.config.force_table import measured_forces
@@ -131,7 +131,7 @@ def stored_scan(config: dict[str, Any], row: Any) -> HeightMap:
     pattern = escape(study_patterns(config).measurement)
     arguments = reading_keys(config, row.dataset)
     for stored in glob(pattern.format(surface=row.surface, scan=row.scan, sources="*")):
-        if is_current(stored, canonical(arguments), row.path):
+        if is_current(stored, canonical_json(arguments), row.path):
             return read_height_map(stored)
     return read_scan(row.path, **arguments)
 

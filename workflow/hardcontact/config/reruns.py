@@ -15,7 +15,7 @@ from snakemake.jobs import Job
 from snakemake.persistence import ParamsChange, PersistenceBase
 from snakemake.settings.types import RerunTrigger
 
-from hardcontact.base.origin import Record, canonical, digest, lineage, read_record, versions
+from hardcontact.base.origin import Record, canonical_json, digest, lineage, read_record, versions
 
 #: Size in bytes up to which files of earlier jobs are read; of larger ones the record counts, with
 #: which the job that uses them compares them.
@@ -33,7 +33,7 @@ class Change(NamedTuple):
 class Reruns:
     """The changes since the files of a run were made.
 
-    A job is Snakemake's: it has paths as `input` and canonical text as `params.canonical`.
+    A job is Snakemake's: it has paths as `input` and canonical text as `params.parameters`.
     """
 
     def __init__(self, dependencies: Mapping[Any, Mapping[Any, Iterable[str]]]) -> None:
@@ -50,7 +50,7 @@ class Reruns:
             recorded = _named_values(record["parameters"]) | _named_values(record["versions"])
         except (ValueError, KeyError, TypeError, AttributeError):  # whatever a damage leaves
             return Change({f"no whole record of {path}"}, set(), set())
-        current = _named_values(job.params.canonical) | _named_values(canonical(versions()))
+        current = _named_values(job.params.parameters) | _named_values(canonical_json(versions()))
         changed_inputs = self._changed_inputs(job, record)
         return Change(recorded - current, current - recorded, changed_inputs)
 
@@ -83,7 +83,7 @@ class Reruns:
                 path: self._lineage(makers[path]) if path in makers else _own_lineage(path)
                 for path in _inputs(job)
             }
-            self._lineages[job] = lineage(job.params.canonical, inputs)
+            self._lineages[job] = lineage(job.params.parameters, inputs)
         return self._lineages[job]
 
 
@@ -114,7 +114,7 @@ def _own_lineage(path: str) -> str:
 
 def _named_values(text: str) -> set[str]:
     """Return the values of a canonical JSON text with their keys."""
-    return {f"{key}={canonical(value)}" for key, value in json.loads(text).items()}
+    return {f"{key}={canonical_json(value)}" for key, value in json.loads(text).items()}
 
 
 def plan_by_records(workflow: Any) -> None:
