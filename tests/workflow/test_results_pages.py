@@ -16,6 +16,7 @@ from hardcontact.paper.evaluation import COLUMNS
 from hardcontact.paper.verdicts import VERDICTS
 from hardcontact.report.figures.listing import PAPER_FIGURES
 from hardcontact.report.paper_study.answer import ANSWER_CLAIMS
+from hardcontact.report.paper_study.paired_changes import SET_DATASETS, pairing
 
 PAGES = read_yaml("workflow/report/pages.yaml")
 
@@ -30,6 +31,12 @@ def test_every_claim_has_a_verdict_and_a_basis(results):
     replicated = published.set_index("id").loc[claims.id, "replicated"].notna()
     assert list(claims.frequency.notna()) == list(replicated)
     assert claims.frequency.dropna().between(0, 1).all()
+
+
+def test_a_study_is_paired_with_itself(results):
+    """The parameters that rules record are those by which studies are compared."""
+    study = {name: dataset.read(results / f"{name}.nc") for name in SET_DATASETS}
+    assert pairing(study, study) == "paired"
 
 
 def test_the_answer_has_the_numbers_of_the_claims_and_of_the_datasets(results):
