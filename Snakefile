@@ -1,6 +1,6 @@
 """Which scales of roughness matter for the adhesion of hard contacts: the study, end to end."""
 
-from hardcontact.config import endings, start
+from hardcontact.run import endings, start
 
 start.prepare(workflow)
 

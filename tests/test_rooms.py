@@ -16,13 +16,15 @@ ROOMS = re.findall(r"`(\w+)`", hardcontact.__doc__)
 #: Code lines that each room may have, without docstrings, comments and blank lines. A commit that
 #: raises one says what a user gets for it.
 BUDGET = {
-    "base": 765,
+    "base": 772,
     "surfaces": 3432,
     "contact": 1417,
     "inference": 1601,
     "theory": 647,
     "paper": 1465,
-    "config": 2412,
+    "config": 1503,
+    "files": 461,
+    "run": 442,
     "own": 650,
     "report": 3507,
     "commands": 1521,
@@ -90,4 +92,4 @@ def test_only_the_start_of_a_run_imports_snakemake():
         for path in LIBRARY.rglob("*.py")
         if any(name.partition(".")[0] == "snakemake" for name in imported(path))
     }
-    assert paths == {"config/reruns.py", "config/start.py"}
+    assert paths == {"run/reruns.py", "run/start.py"}

@@ -1,6 +1,6 @@
 """Draw the figures and pages of a finished study again, from its datasets: no scan, no store."""
 
-from hardcontact.config import endings, start
+from hardcontact.run import endings, start
 from hardcontact.base.packages import write_pins
 
 start.prepare(workflow)

@@ -19,7 +19,8 @@ from pathlib import Path
 import numpy as np
 from scipy import fft
 
-sys.path.insert(0, str(Path(__file__).parents[1]))  # as a script it finds the modules of tests/
+# As a script it finds the modules of tests/helpers/.
+sys.path.insert(0, str(Path(__file__).parents[1] / "helpers"))
 
 from direct_sum import direct_total
 from elastic_libraries import library_pressure, library_pull_off

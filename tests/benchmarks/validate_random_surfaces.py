@@ -3,8 +3,8 @@
     nice python tests/benchmarks/validate_random_surfaces.py [--seed 0] [--surfaces 40]
 
 Each row is a scan of 128, 192 or 256 pixels along a side of a surface with pixels four times finer,
-see tests/random_surfaces.py. Forces and their intervals are relative to the mean force on the
-finer pixels at the same contacts. A scan without reliable wavelengths is refused. The last line
+see tests/helpers/random_surfaces.py. Forces and their intervals are relative to the mean force on
+the finer pixels at the same contacts. A scan without reliable wavelengths is refused. The last line
 counts the intervals without 1.
 """
 
@@ -13,7 +13,7 @@ import sys
 import warnings
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).parents[1]))
+sys.path.insert(0, str(Path(__file__).parents[1] / "helpers"))
 
 from random_surfaces import (
     FAMILIES,

@@ -14,10 +14,10 @@ from hardcontact.commands import command_line, new, request
 from hardcontact.commands.new import overlay_text, values_by_key
 from hardcontact.commands.predict import predict, predict_arguments
 from hardcontact.commands.proposal import Choice
-from hardcontact.config import checks
 from hardcontact.config.configuration import apply_effort, assumed_quantities, set_keys
 from hardcontact.config.model import numeric_configuration
 from hardcontact.config.selected_surfaces import surface_table
+from hardcontact.run import checks
 
 NAME = "a-test.of_new"
 

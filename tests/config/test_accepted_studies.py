@@ -9,10 +9,9 @@ from hypothesis import strategies as st
 from paper_numbers import SUBSTRATES
 from repository import PAPER, merged
 
-from hardcontact.config import checks, selected_surfaces
+from hardcontact.config import selected_surfaces
 from hardcontact.config.configuration import get_key, master_keys
 from hardcontact.config.grids import realization_pixels
-from hardcontact.config.master_purposes import PRELOAD_SHARES
 from hardcontact.config.model import numeric_configuration
 from hardcontact.contact.asperities import asperities_of_pair
 from hardcontact.contact.bearing_area import all_lowest_gaps
@@ -20,7 +19,9 @@ from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies, sampled_contacts
 from hardcontact.contact.indents import indent_sizes
 from hardcontact.contact.pull_off import pull_off_dataset
+from hardcontact.files.master_purposes import PRELOAD_SHARES
 from hardcontact.inference.filtered_masters import Filters, filtered_pull_off
+from hardcontact.run import checks
 from hardcontact.surfaces import spectrum, synthesis
 from hardcontact.surfaces.height_map import flatten, level, mirror_stitch
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum

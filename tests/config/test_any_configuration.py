@@ -12,9 +12,9 @@ from paper_numbers import SUBSTRATES
 from repository import PAPER, ROOT, TINY, leaves, merged
 from studies import replace_value
 
-from hardcontact.config import checks
 from hardcontact.config.model import numeric_configuration
 from hardcontact.config.selected_surfaces import selected_scans, surface_table
+from hardcontact.run import checks
 
 pytestmark = pytest.mark.usefixtures("project_folder")
 LEAVES = sorted(leaves(PAPER))

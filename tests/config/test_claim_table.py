@@ -5,8 +5,8 @@ import pytest
 from refusals import refusal
 from repository import ROOT
 
-from hardcontact.config.checks import CLAIMS
 from hardcontact.config.claim_table import refuse_claims
+from hardcontact.run.checks import CLAIMS
 
 TABLE = pd.read_csv(ROOT / CLAIMS, dtype=str, keep_default_na=False)
 

@@ -14,7 +14,7 @@ from paper_numbers import LABELS, SUBSTRATES
 from repository import PAPER, ROOT
 
 from hardcontact.base import dataset
-from hardcontact.config.patterns import PUBLISHED_TABLES
+from hardcontact.base.published import PUBLISHED_TABLES
 from hardcontact.report.figures import drawing, style
 from hardcontact.report.figures.listing import PAPER_FIGURES, caption, describe_figure
 

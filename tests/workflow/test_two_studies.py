@@ -13,7 +13,7 @@ import yaml
 from repository import PAPER, ROOT, TINY, leaves, linked_copy, merged, plan
 
 from hardcontact.config.configuration import get_key, set_keys
-from hardcontact.config.patterns import STORE_KEYS
+from hardcontact.files.patterns import STORE_KEYS
 
 pytestmark = pytest.mark.study
 

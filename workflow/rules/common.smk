@@ -14,9 +14,10 @@
 from hardcontact.base.code import code_inputs, page_templates
 from hardcontact.base.origin import canonical_json
 from hardcontact.base.packages import PINS
-from hardcontact.config import start
+from hardcontact.run import start
 from hardcontact.config.configuration import read_yaml
-from hardcontact.config.patterns import PUBLISHED_TABLES, study_patterns
+from hardcontact.base.published import PUBLISHED_TABLES
+from hardcontact.files.patterns import study_patterns
 from hardcontact.config.model import NONE, PAPER
 
 STUDY = start.checked_configuration(workflow, config)

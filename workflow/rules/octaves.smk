@@ -1,6 +1,6 @@
 # Octaves: how the force follows the amplitude of each, and the force on the band alone.
 
-from hardcontact.config.files import SHORTEST_WHOLE_RANGE
+from hardcontact.files.study_files import SHORTEST_WHOLE_RANGE
 from hardcontact.surfaces.synthesis import SIDES
 
 # Bands need whole surfaces: scans are too small for their long waves.

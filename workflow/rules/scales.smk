@@ -1,7 +1,7 @@
 # Scales: multi-scale masters, cutoff filters, pull-off of each filtered surface.
 
 from hardcontact.config.grids import master_megabytes
-from hardcontact.config.master_purposes import PURPOSES, contact_grid, filter_settings
+from hardcontact.files.master_purposes import PURPOSES, contact_grid, filter_settings
 from hardcontact.surfaces.synthesis import SIDES
 
 #: Masters of sampled spectra, which own surfaces alone have.

@@ -7,9 +7,9 @@
 #   FILES          the paths of the files of a surface, and the lists of files of a rule
 #   CONTACT        the keys of `contact`, with the radius of the sphere and the range of adhesion (nm)
 
-from hardcontact.config.files import Files
-from hardcontact.config.patterns import any_name_pattern
-from hardcontact.config.patterns import wildcard_constraints as constraints
+from hardcontact.files.study_files import Files
+from hardcontact.files.patterns import any_name_pattern
+from hardcontact.files.patterns import wildcard_constraints as constraints
 
 SELECTION = start.checked_selection(workflow, STUDY)
 SPHERE = SELECTION.sphere

@@ -35,6 +35,11 @@ def value_digest(values: object) -> str:
     return hashlib.sha256(canonical_json(values).encode()).hexdigest()
 
 
+def short_digest(values: object) -> str:
+    """Return a short digest of values, as a part of paths."""
+    return value_digest(values)[:8]
+
+
 def digest(path: str | Path) -> str:
     """Return the SHA-256 of the content of a file."""
     with open(path, "rb") as file:

@@ -4,6 +4,13 @@ from pathlib import Path
 
 import pandas as pd
 
+#: The tables of what the paper prints, by the names under which rules and figures get them.
+PUBLISHED_TABLES = {
+    "published_constants": "resources/paper/parameters.csv",
+    "published_pull_off": "resources/paper/pull_off.csv",
+    "published_table1": "resources/paper/table1.csv",
+}
+
 
 def constants(path: str | Path) -> pd.DataFrame:
     """Read `parameters.csv`: single numbers of the paper.

@@ -1,1 +1,1 @@
-"""The configuration of a study: model, limits, paths and lists of files."""
+"""The configuration of a study: its keys, tables and limits."""

@@ -8,11 +8,11 @@ from typing import Annotated, Literal
 
 import pandas as pd
 
-from hardcontact.base.origin import digest
+from hardcontact.base.origin import digest, short_digest
+from hardcontact.base.published import PUBLISHED_TABLES
 from hardcontact.config.faults import validate
 from hardcontact.config.key_types import FilePath, Matching, Quantity, or_word
 from hardcontact.config.keys import Keys
-from hardcontact.config.patterns import PUBLISHED_TABLES, short_digest
 from hardcontact.config.tables import user_table
 from hardcontact.surfaces.spectrum import read_segments
 

@@ -26,7 +26,7 @@ class Description:
     details: str = ""
     alt: str = ""
     chapter: str = ""  #: Of the report of the paper's study.
-    inputs: tuple[str, ...] = ()  #: Final datasets, or keys of `config.patterns.PUBLISHED_TABLES`.
+    inputs: tuple[str, ...] = ()  #: Final datasets, or keys of `base.published.PUBLISHED_TABLES`.
 
 
 class Caption(NamedTuple):

@@ -13,7 +13,7 @@ import pytest
 from repository import ROOT, TINY, copy_repository, environment
 from studies import TINY_PATTERNS, TINY_SOURCES
 
-from hardcontact.config import endings
+from hardcontact.run import endings
 
 
 @pytest.mark.parametrize(
@@ -74,7 +74,7 @@ def test_a_stopped_run_reports_that_the_same_command_continues_it(tmp_path):
 CLUSTER_RUN = """
 import time
 from types import SimpleNamespace
-from hardcontact.config import endings
+from hardcontact.run import endings
 
 endings.stop_jobs_at_interrupt(SimpleNamespace(local_exec=False, persistence=None))
 for state in ("running", "cancelling"):

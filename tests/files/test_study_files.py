@@ -7,7 +7,7 @@ from paper_numbers import SUBSTRATES, SURFACES
 from studies import PATTERNS, files, numbers
 
 from hardcontact.config.configuration import study_contact
-from hardcontact.config.master_purposes import contact_grid
+from hardcontact.files.master_purposes import contact_grid
 from hardcontact.surfaces.height_map import flatten
 from hardcontact.surfaces.scans import read_scan
 

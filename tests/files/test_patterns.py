@@ -5,7 +5,7 @@ from string import Formatter
 
 import pytest
 
-from hardcontact.config.patterns import STORE_KEYS, Patterns, wildcard_constraints
+from hardcontact.files.patterns import STORE_KEYS, Patterns, wildcard_constraints
 
 DIGESTS = {kind: f"{number:08x}" for number, kind in enumerate(STORE_KEYS)}
 PATTERNS = Patterns("results/a", "results/store", "ruby", DIGESTS)

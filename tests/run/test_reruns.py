@@ -7,7 +7,7 @@ import pytest
 
 from hardcontact.base import origin
 from hardcontact.base.origin import Origin, canonical_json, digests, keep_records, record_path
-from hardcontact.config import reruns
+from hardcontact.run import reruns
 
 
 class Job:

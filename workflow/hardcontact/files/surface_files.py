@@ -8,9 +8,9 @@ from typing import Any
 
 from hardcontact.base.units import path_token
 from hardcontact.config.configuration import combines_bodies, study_contact
-from hardcontact.config.patterns import SMOOTH, Patterns
 from hardcontact.config.selected_surfaces import Selection
 from hardcontact.contact.geometry import CONTACTS_A_PLACE, SPHERE_PLACES
+from hardcontact.files.patterns import SMOOTH, Patterns
 
 # Rows of lists: their fields are wildcards of patterns.
 Scan = namedtuple("Scan", "surface scan")

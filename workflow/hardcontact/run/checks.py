@@ -16,9 +16,9 @@ from hardcontact.config.force_table import measured_forces
 from hardcontact.config.grids import PIXEL_SIZES, Grid, same_grid
 from hardcontact.config.limits import check_grids
 from hardcontact.config.model import NONE, PAPER, SMOOTH_SPHERE
-from hardcontact.config.patterns import PUBLISHED_TABLES, study_patterns
 from hardcontact.config.selected_surfaces import CONTACT
 from hardcontact.config.tables import refuse_description, refuse_paper_surface
+from hardcontact.files.patterns import study_patterns
 from hardcontact.surfaces.height_map import HeightMap, read_height_map, require_map
 from hardcontact.surfaces.scans import read_scan
 from hardcontact.surfaces.spectrum import needs_calibration, read_segments
@@ -43,7 +43,7 @@ def check_study(config: dict[str, Any], table: pd.DataFrame, compared: Collectio
     """
     contacts = table[table.use == CONTACT]
     substitutes = table[table.source == "substitute"].drop_duplicates("surface")
-    table1 = published.table1(PUBLISHED_TABLES["published_table1"])
+    table1 = published.table1(published.PUBLISHED_TABLES["published_table1"])
     rows_of_table1 = {str(name): set(rows.quantity) for name, rows in table1.groupby("surface")}
     checks: list[Callable[[], object]] = [
         partial(refuse_description, path, rows_of_table1.get(surface, set()))

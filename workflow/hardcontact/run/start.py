@@ -25,17 +25,17 @@ from hardcontact.config.configuration import (
     read_yaml,
     refuse_unreadable,
 )
-from hardcontact.config.endings import end_at_interrupt
 from hardcontact.config.faults import key_fields, refuse_all, shorten
 from hardcontact.config.model import NONE, Study, numeric_configuration
-from hardcontact.config.patterns import PUBLISHED_TABLES, Patterns
-from hardcontact.config.reruns import plan_by_records
 from hardcontact.config.selected_surfaces import (
     Selection,
     selected_scans,
     source_digests,
     surface_table,
 )
+from hardcontact.files.patterns import Patterns
+from hardcontact.run.endings import end_at_interrupt
+from hardcontact.run.reruns import plan_by_records
 
 #: Size in bytes up to which a job keeps freed memory for its next array. Returning it to the system
 #: costs some jobs a fifth of their time.
@@ -189,9 +189,9 @@ def checked_selection(workflow: Any, configuration: dict[str, Any]) -> Selection
         rows = selected_scans(surface_table(configuration["surfaces"]), configuration["scans"])
         if _plans_the_run(workflow):
             # Imported here, as the libraries that read scans would cost every job almost a second.
-            from hardcontact.config.checks import check_study
+            from hardcontact.run.checks import check_study
 
-            compared = published.pull_off(PUBLISHED_TABLES["published_pull_off"]).index
+            compared = published.pull_off(published.PUBLISHED_TABLES["published_pull_off"]).index
             check_study(configuration, rows, compared)
         write_pins()  # A run that is refused writes nothing.
     except ValueError as error:

@@ -7,10 +7,11 @@ import yaml
 from paper_numbers import SUBSTRATES
 from repository import PAPER, ROOT, ROWS, TINY, merged
 
-from hardcontact.config import checks, selected_surfaces
-from hardcontact.config.files import Files
+from hardcontact.config import selected_surfaces
 from hardcontact.config.model import numeric_configuration
-from hardcontact.config.patterns import STORE_KEYS, Patterns, store_digests
+from hardcontact.files.patterns import STORE_KEYS, Patterns, store_digests
+from hardcontact.files.study_files import Files
+from hardcontact.run import checks
 
 PATTERNS = Patterns("results/paper", "results/store", "ruby", dict.fromkeys(STORE_KEYS, "digest"))
 #: Stands for the digest of the files of a surface.

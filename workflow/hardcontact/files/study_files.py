@@ -9,16 +9,17 @@ from dataclasses import replace
 from math import ceil
 from typing import Any
 
+from hardcontact.base.origin import short_digest
 from hardcontact.base.units import path_token
 from hardcontact.config.configuration import combines_bodies, get_key
-from hardcontact.config.master_purposes import (
+from hardcontact.files.master_purposes import (
     MASTERS_CHUNK,
     PURPOSES,
     contact_grid,
     filter_settings,
 )
-from hardcontact.config.patterns import SCAN_KEYS, short_digest, values_of_keys
-from hardcontact.config.surface_files import SurfaceFiles
+from hardcontact.files.patterns import SCAN_KEYS, values_of_keys
+from hardcontact.files.surface_files import SurfaceFiles
 from hardcontact.surfaces.features import GAUSSIAN, SIGNS
 from hardcontact.surfaces.synthesis import SIDES
 

@@ -9,7 +9,7 @@ from pathlib import Path
 import yaml
 from forked_runs import run_program
 
-ROOT = Path(__file__).parents[1]
+ROOT = Path(__file__).parents[2]
 #: Files and folders that a study needs.
 PARTS = [
     "Snakefile", "environment.txt", "README.md", "CITATION.cff", "workflow", "config", "resources",

@@ -13,8 +13,8 @@ from snakemake.cli import parse_config
 from snakemake.settings.types import ExecMode
 from snakemake.utils import update_config
 
-from hardcontact.config import start
 from hardcontact.config.configuration import apply_effort
+from hardcontact.run import start
 
 
 def refusal_line(call, *arguments):

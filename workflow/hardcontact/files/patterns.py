@@ -5,17 +5,10 @@ from collections.abc import Iterable, Mapping
 from pathlib import PurePosixPath
 from typing import Any
 
-from hardcontact.base.origin import value_digest
+from hardcontact.base.origin import short_digest
 from hardcontact.config.configuration import combines_bodies, get_key
-from hardcontact.config.master_purposes import PURPOSES
+from hardcontact.files.master_purposes import PURPOSES
 from hardcontact.surfaces.features import KINDS
-
-#: The tables of what the paper prints, by the names under which rules and figures get them.
-PUBLISHED_TABLES = {
-    "published_constants": "resources/paper/parameters.csv",
-    "published_pull_off": "resources/paper/pull_off.csv",
-    "published_table1": "resources/paper/table1.csv",
-}
 
 #: Stands for the digest of the files of a sphere without scans.
 SMOOTH = "smooth"
@@ -60,11 +53,6 @@ _SURFACE = "{surface}/{sources}"
 _SCAN = f"{_SURFACE}/scan-{{scan}}-{{shape}}.nc"
 _REALIZATION = f"{_SURFACE}/realization-{{realization}}"
 _NUMBER = "[0-9.e+-]+"
-
-
-def short_digest(values: object) -> str:
-    """Return a short digest of values, as a part of paths."""
-    return value_digest(values)[:8]
 
 
 def values_of_keys(configuration: Mapping[str, Any], keys: tuple[str, ...]) -> dict[str, Any]:

@@ -13,14 +13,14 @@ from studies import ROWS, SOURCES, check, numbers, own_scans
 
 from hardcontact.base import dataset
 from hardcontact.base.origin import Origin, canonical_json, digests, keep_records
-from hardcontact.config.checks import SUBSTITUTE_RELIEF, stored_scan, surface_grid
 from hardcontact.config.configuration import reading_keys
 from hardcontact.config.grids import Grid
 from hardcontact.config.limits import check_grids
-from hardcontact.config.patterns import study_patterns
 from hardcontact.contact.bearing_area import all_lowest_gaps
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies
+from hardcontact.files.patterns import study_patterns
+from hardcontact.run.checks import SUBSTITUTE_RELIEF, stored_scan, surface_grid
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
 from hardcontact.surfaces.substitute_spectra import described_rms_height, spectrum_from_description

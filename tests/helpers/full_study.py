@@ -1,6 +1,6 @@
 """The numbers of a finished study that a study with fewer repetitions should find as well.
 
-    python tests/full_study.py results/paper > tests/full_study.csv
+    python tests/helpers/full_study.py results/paper > tests/full_study.csv
 
 makes the table of the full study, with which tests compare the quick study.
 """
@@ -12,7 +12,7 @@ from pathlib import Path
 import pandas as pd
 
 #: The table of the full study.
-TABLE = Path(__file__).with_suffix(".csv")
+TABLE = Path(__file__).parents[1] / "full_study.csv"
 #: Claims on edges, on forces at the published range and work of adhesion, and on both.
 CLAIMS = (
     "edge_small_first", "edge_small_pooled", "edge_large_first", "edge_large_pooled",
