@@ -25,7 +25,7 @@ from hardcontact.base.random import generator
 pytestmark = pytest.mark.study
 
 READMES = ("README.md", "config/README.md")
-COMMAND = re.compile(r"(?:snakemake|hardcontact|python|python3|pip|conda|source|rm)\b.*")
+COMMAND = re.compile(r"(?:snakemake|hardcontact|python|python3|pip|conda|source|sh|rm)\b.*")
 #: Words of the user, or a command that is only named.
 NOT_TYPED = re.compile(r".*\b(FILE|NAME)\b.*|hardcontact new( --overwrite)?")
 #: Notes how it was called, between separators, a line a call.
@@ -34,7 +34,8 @@ PROGRAM = """#!/bin/bash
 """
 #: Makes the environment without packages: its programs take notes.
 PYTHON3 = f"""{PROGRAM}
-[ "$*" = "-m venv .venv" ] && '{sys.executable}' -m venv --without-pip .venv
+[ "$*" = "-m venv .venv" ] || exit 0
+'{sys.executable}' -m venv --without-pip .venv
 for name in pip snakemake hardcontact python pytest
 do cp --remove-destination "$PROGRAM" .venv/bin/$name
 done
@@ -52,8 +53,8 @@ def commands(text):
     for section in re.split(r"(^```\w*\n.*?^```$)", text, flags=re.M | re.S):
         if section.startswith("```"):
             (language, content), *_ = blocks(section)
-            if not language and COMMAND.match(content):
-                typed += content.splitlines()
+            if not language:
+                typed += filter(COMMAND.match, content.splitlines())
             continue
         for line in re.split(r"\n(?=\||\n|[-#] )", section):
             cell = line.split(" | ")[0] if line.startswith("|") else line
