@@ -174,17 +174,17 @@ def test_ratios_equal_those_of_the_remaining_wave():
 
     two_waves = height_map(long + short, PIXEL)
     ratios = hc.force_ratios(
-        two_waves, {"small": [30, 200], "large": [1000, 200]}, rho=5.6, **sphere
+        two_waves, {"short": [30, 200], "long": [1000, 200]}, rho=5.6, **sphere
     )
     ratio = ratios.filtered_force_ratio.sel(cutoff_wavelength=200)
     whole_force = force(long + short)
-    assert ratio.sel(side="small").item() == pytest.approx(force(long) / whole_force, rel=1e-5)
-    assert ratio.sel(side="large").item() == pytest.approx(force(short) / whole_force, rel=1e-5)
-    assert np.isnan(ratios.filtered_force_ratio.sel(side="small", cutoff_wavelength=1000))
-    edge = ratios.sel(side="small")
+    assert ratio.sel(side="short").item() == pytest.approx(force(long) / whole_force, rel=1e-5)
+    assert ratio.sel(side="long").item() == pytest.approx(force(short) / whole_force, rel=1e-5)
+    assert np.isnan(ratios.filtered_force_ratio.sel(side="short", cutoff_wavelength=1000))
+    edge = ratios.sel(side="short")
     assert 30 < edge.edge < 200 and edge.edge_status == "found"
     # The force stays within the tolerance: the edge is open.
-    open_edge = hc.force_ratios(two_waves, {"small": [30, 60]}, rho=5.6, **sphere).sel(side="small")
+    open_edge = hc.force_ratios(two_waves, {"short": [30, 60]}, rho=5.6, **sphere).sel(side="short")
     assert np.isnan(open_edge.edge) and open_edge.edge_bound == 60
     assert open_edge.edge_status == "open_above"
 
@@ -311,7 +311,7 @@ def test_unusual_quantities_are_questioned(files):
     with pytest.warns(UserWarning, match="^hardness 25000 Pa: is the unit right?"):
         hc.pull_off_forces(scan, ranges=[5.6], work=0.05, **contact, **ARRAY)
     with pytest.warns(UserWarning, match="^rho 56 nm: is the unit right?"):
-        hc.force_ratios(scan, {"small": [50, 100]}, rho=56.0, **SPHERE, **LOAD, **ARRAY)
+        hc.force_ratios(scan, {"short": [50, 100]}, rho=56.0, **SPHERE, **LOAD, **ARRAY)
 
 
 def test_faulty_arguments_are_refused_in_one_line(files):
@@ -323,10 +323,10 @@ def test_faulty_arguments_are_refused_in_one_line(files):
     ]
     valid = {"scan": scan, "rho": 5.6} | SPHERE | LOAD | ARRAY
     cases += [
-        (hc.force_ratios, valid | {"cutoffs": {"small": [20.0]}}, ["found [20.0]"]),
-        (hc.force_ratios, valid | {"cutoffs": {"short": [20.0]}}, ["small, large or both"]),
-        (hc.force_ratios, valid | {"cutoffs": [20.0]}, ["small, large or both, found [20.0]"]),
-        (hc.force_ratios, valid | {"cutoffs": {"small": 20.0}}, ["several numbers, found 20.0"]),
+        (hc.force_ratios, valid | {"cutoffs": {"short": [20.0]}}, ["found [20.0]"]),
+        (hc.force_ratios, valid | {"cutoffs": {"small": [20.0]}}, ["short, long or both"]),
+        (hc.force_ratios, valid | {"cutoffs": [20.0]}, ["short, long or both, found [20.0]"]),
+        (hc.force_ratios, valid | {"cutoffs": {"short": 20.0}}, ["several numbers, found 20.0"]),
     ]
     values = np.random.default_rng(1).normal(size=(32, 32))
     np.savetxt("bare.txt", values)

@@ -16,8 +16,8 @@ PAPER = Path(__file__).parents[1] / "resources" / "paper"
 def test_constants_have_the_published_values():
     constants = published.constants(PAPER / "parameters.csv")
     assert constants.loc["range_of_adhesion", ["value", "uncertainty"]].tolist() == [5.6, 0.5]
-    assert constants.value["edge_small"] == 43
-    assert np.isnan(constants.uncertainty["edge_small"])
+    assert constants.value["short_edge"] == 43
+    assert np.isnan(constants.uncertainty["short_edge"])
     assert constants.index.is_unique
 
 

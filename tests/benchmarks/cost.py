@@ -63,7 +63,7 @@ def costs(study):
     results = Path("results", study)
     configuration = yaml.safe_load((results / "configuration.yaml").read_text())
     store, count = Path(configuration["store"]), configuration["scales"]["realizations"]
-    pixels = configuration["scales"]["small"]["pixels"]
+    pixels = configuration["scales"]["short"]["pixels"]
     job_costs = jobs([store, results])
     is_repeated = job_costs.rule.isin(MASTERS + FILTERED)
     fixed, per_realization = (

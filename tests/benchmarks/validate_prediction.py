@@ -164,7 +164,7 @@ def compute_row(row: dict[str, Any]) -> dict[str, Any]:
 
 def describe_edge(side: str, name: str, cutoffs: np.ndarray, ratios: np.ndarray) -> dict[str, Any]:
     """Return an edge of ratios (realization, cutoff) or its bound, with its interval."""
-    order = slice(None) if side == "small" else slice(None, None, -1)
+    order = slice(None) if side == "short" else slice(None, None, -1)
     mean, lowest, highest = np.log([ratios.mean(axis=0), ratios.min(axis=0), ratios.max(axis=0)])[
         :, order
     ]

@@ -110,7 +110,7 @@ def filtered_forces(surface: HeightMap, cutoffs: list[float], windows: Windows) 
     """
     limit = surface.size * (1 + 1e-12)
     passed_cutoffs = [cutoff for cutoff in cutoffs if cutoff <= limit]
-    surfaces = filtered_series(surface, "large", [None, *passed_cutoffs], surface.pixels)
+    surfaces = filtered_series(surface, "long", [None, *passed_cutoffs], surface.pixels)
     force, *filtered = (mean_forces(filtered_surface, windows)[0] for filtered_surface in surfaces)
     missing_ratios = [np.nan] * (len(cutoffs) - len(passed_cutoffs))
     return np.array([force, *(value / force for value in filtered), *missing_ratios])
@@ -214,7 +214,7 @@ def window_edges(forces: Mapping[str, xr.Dataset]) -> xr.Dataset:
     relative_force, relative_interval = ratio_of_means(force, force.isel(map_size=-1, drop=True))
     ratios = xr.Dataset(
         {"filtered_force_ratio": ratio, "filtered_force_ratio_interval": interval}
-    ).assign_coords(side="large")
+    ).assign_coords(side="long")
     edges = edges_of_curves(ratios, TOLERANCE)
     attributes = {"units": "1", "long_name": "force relative to that on the larger whole surface"}
     return windows.assign({f"long_{name}": edge for name, edge in edges.items()}).assign(

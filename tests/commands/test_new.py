@@ -289,11 +289,11 @@ def test_an_overlay_is_read_back_as_it_was_written():
     choices = [
         Choice("study", "1e3", "a name that YAML takes for a number"),
         Choice("contact.count", 20, "in each direction, " * 20),
-        Choice("scales.small.cutoffs", [f"{length} nm" for length in range(5, 60)], "many"),
+        Choice("scales.short.cutoffs", [f"{length} nm" for length in range(5, 60)], "many"),
         Choice("scales.range", "5.6 nm", "the paper's"),
     ]
     text = overlay_text("snakemake", choices, [Choice("study", "no", "")])
     overlay = set_keys({}, values_by_key(choices)) | {"quick": {"study": "no"}}
     assert yaml.safe_load(text) == overlay
-    base = {"scales": {"range": "1 nm", "large": {"tiles": 4}}, "seed": 1}
-    assert set_keys(base, values_by_key(choices))["scales"]["large"] == {"tiles": 4}
+    base = {"scales": {"range": "1 nm", "long": {"tiles": 4}}, "seed": 1}
+    assert set_keys(base, values_by_key(choices))["scales"]["long"] == {"tiles": 4}

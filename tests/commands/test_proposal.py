@@ -178,7 +178,7 @@ def test_any_scan_gives_a_valid_study_or_a_justified_refusal(entries, settings):
 
 def test_scans_like_the_paper_s_get_about_its_grids():
     config, _ = both_efforts(probe(), propose([entry()] * 5, None, probe()))
-    small, large = config["scales"]["small"], config["scales"]["large"]
+    small, large = config["scales"]["short"], config["scales"]["long"]
     assert config["contact"]["window"] == pytest.approx(12500, rel=0.01)
     assert small["transition"] == pytest.approx(20, rel=0.05) and large["transition"] == 1000
     assert small["pixels"] == large["pixels"] == 4096 and large["tiles"] == 4
@@ -197,7 +197,7 @@ def test_every_scan_makes_equally_many_masters(count):
 def test_roughness_is_artificial_below_the_reliable_wavelengths(shortest, transition):
     scan = entry(band=ReliableBand(shortest, 833.0, "tip"))
     choices = propose([scan], None, probe()).choices
-    assert {choice.key: choice.value for choice in choices}["scales.small.transition"] == transition
+    assert {choice.key: choice.value for choice in choices}["scales.short.transition"] == transition
 
 
 @pytest.mark.parametrize(

@@ -49,8 +49,8 @@ def tiny(draw):
     hardness, contact_pixel_count = pick(1, 25, 1000), pick(0.1, 1, 2, 17, pixels, pixels**2)
     load = f"{contact_pixel_count * hardness * pixel**2:.6g} nN"
     cutoffs = {
-        "small": draw(lengths(2 * period / small, period, 3)),
-        "large": draw(lengths(2 * pixel, domain, 3)),
+        "short": draw(lengths(2 * period / small, period, 3)),
+        "long": draw(lengths(2 * pixel, domain, 3)),
     }
     return {
         "scan": {"pixels": pixels, "size": f"{pixels * pixel:.9g} nm"},
@@ -65,16 +65,16 @@ def tiny(draw):
         "scales": {
             "range": pick("0.1 nm", "1 nm", "5.6 nm", "5.6 nm", "1 um"),
             "sphere_roughness": pick(True, False),
-            "small": {
+            "short": {
                 "pixels": small,
                 "transition": draw(lengths(2 * pixel, period, 1))[0],
-                "cutoffs": cutoffs["small"],
+                "cutoffs": cutoffs["short"],
             },
-            "large": {
+            "long": {
                 "pixels": large,
                 "tiles": tiles,
                 "transition": draw(lengths(2 * pixel, domain, 1))[0],
-                "cutoffs": cutoffs["large"],
+                "cutoffs": cutoffs["long"],
             },
         },
         "elastic": {"contacts": 1},
@@ -82,8 +82,8 @@ def tiny(draw):
         "asperities": {"contacts": 1, "ranges": ["0.1 nm", "9 nm"]},
         "sets": {
             "count": pick(1, 2),
-            "small": {"pixels": small, "cutoffs": cutoffs["small"]},
-            "large": {"pixels": large, "cutoffs": cutoffs["large"]},
+            "short": {"pixels": small, "cutoffs": cutoffs["short"]},
+            "long": {"pixels": large, "cutoffs": cutoffs["long"]},
         },
         "scaling": {"radii": [f"{pick(10, 1e3, 2.5e5):.9g} nm", "1 m"]},
     }
@@ -187,7 +187,7 @@ def test_every_accepted_study_can_be_computed(project_folder):
         stitched = stitched_scan(config, rng, ROUGH)
         sphere = stitched_scan(config, rng, SMOOTH, config["sphere"]["radius"])
         check_pair(config, rng, stitched, sphere)
-        for section, side in product(("scales", "sets"), ("small", "large")):
+        for section, side in product(("scales", "sets"), ("short", "long")):
             check_masters(config, rng, stitched, sphere, section, side)
 
     compute()

@@ -114,7 +114,7 @@ def test_missing_keys_have_their_defaults():
         assert numeric_configuration(config) == numeric_configuration(PAPER), branch
 
 
-@pytest.mark.parametrize("key", ["scans", "scales.small.cutoffs", "deep"])
+@pytest.mark.parametrize("key", ["scans", "scales.short.cutoffs", "deep"])
 def test_deeply_nested_values_are_refused(key):
     nested = reduce(lambda inner, _: [inner], range(50_000), "1 nm")
     assert outcome(replace_value(PAPER, key.split("."), nested))

@@ -98,7 +98,7 @@ SPHERES = [None, height_map(periodic_noise(96, 0.5, 5), 10.0)]
 
 
 @pytest.mark.parametrize("sphere", SPHERES)
-@pytest.mark.parametrize("side, end", [("small", 12.8), ("large", 1024.0)])
+@pytest.mark.parametrize("side, end", [("short", 12.8), ("long", 1024.0)])
 def test_the_force_on_every_filtered_master_is_the_direct_sum(sphere, side, end):
     master, cutoffs = height_map(periodic_noise(128, 20.0, 4), 8.0), [100.0, 400.0]
     filtered_forces = filtered_pull_off(master, Filters(side, 160, cutoffs), LOADS, sphere)

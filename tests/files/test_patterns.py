@@ -10,7 +10,7 @@ from hardcontact.files.patterns import STORE_KEYS, Patterns, wildcard_constraint
 DIGESTS = {kind: f"{number:08x}" for number, kind in enumerate(STORE_KEYS)}
 PATTERNS = Patterns("results/a", "results/store", "ruby", DIGESTS)
 #: Patterns of files that also belong to another pattern.
-SPECIAL_CASES = ("stitched_", "small_", "large_")
+SPECIAL_CASES = ("stitched_", "short_", "long_")
 INTERMEDIATES = {
     name: pattern
     for name, pattern in vars(PATTERNS).items()
@@ -26,7 +26,7 @@ VALUES = {
     "last": ["15", "27"],
     "shape": ["flat", "sphere-R250um"],
     "realization": ["1"],
-    "side": ["small", "large"],
+    "side": ["short", "long"],
     "probe": ["smooth", "rough", "combined"],
     "radius": ["R250um", "R0.5um"],
     "load": ["H25GPa-F10uN", "H1e-05GPa-F0.1uN"],

@@ -72,8 +72,8 @@ def test_every_realization_of_the_study_is_filtered_from_its_own_masters():
     study = files("scales.realizations", 2)
     rows = study.filtered_masters()
     assert len(set(study.paths(PATTERNS.filtered, rows))) == 2 * len(SUBSTRATES)
-    assert study.master_sources(rows[1])["small_masters"] == [
-        "results/store/masters/digest/polished_uncd/0123abcd/realization-2/small.nc"
+    assert study.master_sources(rows[1])["short_masters"] == [
+        "results/store/masters/digest/polished_uncd/0123abcd/realization-2/short.nc"
     ]
 
 

@@ -13,14 +13,14 @@ from hardcontact.surfaces.spectrum import BIN_EDGES, WAVEVECTORS
 CONFIDENCE = 0.95
 SURFACES, LABELS = ["my_coating", "twin"], ["my coating", "twin"]
 MODELS = ["rigid", "plastic"]
-SIDES = ["small", "large"]
+SIDES = ["short", "long"]
 RHOS = np.array([1.0, 2.0, 5.6, 10.0, 14.0])
 RANGE, WORK = 5.6, 0.0463
 CUTOFFS = {
-    "small": np.array([5.0, 10, 20, 40, 80, 160, 320]),
-    "large": np.array([160.0, 320, 640, 1280, 2560]),
+    "short": np.array([5.0, 10, 20, 40, 80, 160, 320]),
+    "long": np.array([160.0, 320, 640, 1280, 2560]),
 }
-EDGES = {"small": 37.0, "large": 1700.0}
+EDGES = {"short": 37.0, "long": 1700.0}
 QUANTILES = [0.05, 0.25, 0.5, 0.75, 0.95]
 SCANS, PIXELS, PIXEL_SIZE = 3, 64, 10.0
 SIZE = PIXELS * PIXEL_SIZE
@@ -158,7 +158,7 @@ def edges(count=1):
         is_computed = np.isin(cutoffs, CUTOFFS[side])
         # The change is a tenth at the edge and grows in proportion away from the unfiltered end.
         share = cutoffs[is_computed] / EDGES[side]
-        ratio[:, index, is_computed] = 1 + 0.1 * (share if side == "small" else 1 / share)
+        ratio[:, index, is_computed] = 1 + 0.1 * (share if side == "short" else 1 / share)
     edge = np.tile([EDGES[side] for side in SIDES], (count, 1))
     data = xr.Dataset(
         between_multiples("filtered_force_ratio", ("surface", "side", "cutoff_wavelength"), ratio,
@@ -176,13 +176,13 @@ def edges(count=1):
     ).assign_attrs(tolerance=0.1, confidence=CONFIDENCE)
 
 
-def move_edge(edge, low, high, side="small"):
+def move_edge(edge, low, high, side="short"):
     """Return edges with another edge on a side; the change grows fast beyond it."""
     data = edges()
     data["edge"].loc[{"side": side}] = edge
     data["edge_interval"].loc[{"side": side}] = [low, high]
     share = (
-        data["cutoff_wavelength"] / edge if side == "small" else edge / data["cutoff_wavelength"]
+        data["cutoff_wavelength"] / edge if side == "short" else edge / data["cutoff_wavelength"]
     )
     is_computed = data["filtered_force_ratio"].sel(side=side).notnull()
     data["filtered_force_ratio"].loc[{"side": side}] = (1 + 0.1 * share**4).where(is_computed)
@@ -196,7 +196,7 @@ def unresolved_edges():
     data["edge"] *= np.nan
     data["edge_interval"] *= np.nan
     return data.assign(
-        edge_bound=(("surface", "side"), [[CUTOFFS["small"][-1], CUTOFFS["large"][0]]]),
+        edge_bound=(("surface", "side"), [[CUTOFFS["short"][-1], CUTOFFS["long"][0]]]),
         edge_status=(("surface", "side"), [["open_above", "open_below"]]),
     )
 
@@ -204,13 +204,13 @@ def unresolved_edges():
 def open_edges(count=1):
     """Return edges whose long edge is open above, with intervals from parts of one scan."""
     data = edges(count)
-    large_side = {"side": "large"}
-    data["edge"].loc[large_side] = np.nan
-    data["edge_interval"].loc[large_side] = np.nan
-    data["edge_bound"].loc[large_side] = CUTOFFS["large"][-1]
-    data = data.assign(edge_status=data["edge_status"].where(data["side"] != "large", "open_above"))
-    ratio = data["filtered_force_ratio"].sel(side="large")
-    data["filtered_force_ratio"].loc[large_side] = ratio.where(ratio.isnull(), 1.2)
+    long_side = {"side": "long"}
+    data["edge"].loc[long_side] = np.nan
+    data["edge_interval"].loc[long_side] = np.nan
+    data["edge_bound"].loc[long_side] = CUTOFFS["long"][-1]
+    data = data.assign(edge_status=data["edge_status"].where(data["side"] != "long", "open_above"))
+    ratio = data["filtered_force_ratio"].sel(side="long")
+    data["filtered_force_ratio"].loc[long_side] = ratio.where(ratio.isnull(), 1.2)
     data["interval_is_conditional"][:] = 1
     return data.assign(interval_source=("surface", ["quarters"] * count))
 

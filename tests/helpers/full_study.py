@@ -15,7 +15,7 @@ import pandas as pd
 TABLE = Path(__file__).parents[1] / "full_study.csv"
 #: Claims on edges, on forces at the published range and work of adhesion, and on both.
 CLAIMS = (
-    "edge_small_first", "edge_small_pooled", "edge_large_first", "edge_large_pooled",
+    "short_edge_first", "short_edge_pooled", "long_edge_first", "long_edge_pooled",
     "mean_force_polished_uncd", "mean_force_uncd", "mean_force_ncd", "mean_force_mcd",
     "range_of_adhesion", "work_of_adhesion", "range_moves_short_edge",
     "plasticity_moves_short_edge",

@@ -34,7 +34,7 @@ def scales(curves, spread=0.0, realizations=3, seed=0, count=4):
         },
         {
             "surface": list("ab"[: len(curves)]),
-            "side": ["small", "large"],
+            "side": ["short", "long"],
             "realization": np.arange(1, realizations + 1),
             "cutoff_wavelength": CUTOFFS,
         },

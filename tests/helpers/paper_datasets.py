@@ -7,8 +7,8 @@ from intervals import between_multiples
 from paper_numbers import LABELS, SUBSTRATES, TABLE1
 
 CUTOFFS = {
-    "small": [20.0, 30, 36, 43, 52, 62, 80, 120, 250],
-    "large": [500.0, 800, 1100, 1400, 1600, 1800, 2000, 2300, 2700, 3500],
+    "short": [20.0, 30, 36, 43, 52, 62, 80, 120, 250],
+    "long": [500.0, 800, 1100, 1400, 1600, 1800, 2000, 2300, 2700, 3500],
 }
 SETS = 100
 
@@ -129,7 +129,7 @@ def scales(contacts: int = 20) -> xr.Dataset:
     transitions = ("side", [20.0, 1000.0])
     return xr.Dataset(
         {"pull_off_force": forces, "transition": transitions},
-        {"side": ["small", "large"]},
+        {"side": ["short", "long"]},
         attrs={"rho": 5.6},
     )
 

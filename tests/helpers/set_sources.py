@@ -11,7 +11,7 @@ from hardcontact.surfaces.roughness_table import scan_averages
 
 CONFIDENCE, SCANS, CONTACTS = 0.95, 5, 3
 RADIUS, RHO, MODELS = 250e3, [0.05, 2.0, 4.0, 5.6, 8.0], ["rigid", "plastic"]
-CUTOFFS = {"small": [20.0, 43.0, 120.0], "large": [500.0, 1800.0, 3500.0]}
+CUTOFFS = {"short": [20.0, 43.0, 120.0], "long": [500.0, 1800.0, 3500.0]}
 AXES = ("contact_model", "rho", "contact_y", "contact_x")
 HEIGHTS = dict(zip(SUBSTRATES, TABLE1["afm_rms_height"][0], strict=True))
 
@@ -98,9 +98,9 @@ def make_adhesion():
 
 
 def make_masters(realizations=6):
-    """Ratios that fall with the cutoff on the small side, and rise to one on the large."""
+    """Ratios that fall with the cutoff on the short side, and rise to one on the long."""
     rng = np.random.default_rng(12)
-    cutoffs = np.array([*CUTOFFS["small"], *CUTOFFS["large"]])
+    cutoffs = np.array([*CUTOFFS["short"], *CUTOFFS["long"]])
     slope = rng.uniform(0.5, 1.5, (4, realizations, 1))
     ratio = np.full((4, realizations, 2, len(cutoffs)), np.nan)
     ratio[:, :, 0, :3] = 1 + 0.1 * slope * cutoffs[:3] / 43
@@ -116,7 +116,7 @@ def make_masters(realizations=6):
         {
             "surface": SUBSTRATES,
             "realization": range(1, realizations + 1),
-            "side": ["small", "large"],
+            "side": ["short", "long"],
             "cutoff_wavelength": cutoffs,
         },
     )

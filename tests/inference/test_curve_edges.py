@@ -21,7 +21,7 @@ UNKNOWN = [np.nan] * 3
 
 def edge(side, value, lowest=UNKNOWN, highest=UNKNOWN):
     """The edge of a curve of changes, in the order of growing effect, and its interval."""
-    cutoffs = CUTOFFS if side == "small" else CUTOFFS[::-1]
+    cutoffs = CUTOFFS if side == "short" else CUTOFFS[::-1]
     curve = RatioCurve(side, cutoffs, np.array(value), (-np.inf, 0.1))
     return find_edge(curve), edge_interval(curve, np.array(lowest), np.array(highest))
 
@@ -50,7 +50,7 @@ def test_the_edge_of_a_ratio_that_crosses_one_is_where_it_leaves_the_tolerance()
     cutoffs = np.array([20e3, 5380.0, 1450.0, 389.0])
     ratio = (3e3 / cutoffs) ** 0.16
     ratio[0] = 0.95  # flat again where no roughness remains to be removed
-    value, interval = edge_of_ratios("large", cutoffs, ratio, 0.99 * ratio, 1.01 * ratio)
+    value, interval = edge_of_ratios("long", cutoffs, ratio, 0.99 * ratio, 1.01 * ratio)
     log_ratio = np.log(ratio[1:3])
     share = (np.log(1.1) - log_ratio[0]) / (log_ratio[1] - log_ratio[0])
     assert value == pytest.approx(5380 * (1450 / 5380) ** share)
@@ -68,17 +68,17 @@ def test_the_bracket_holds_the_edge_of_a_curve_that_is_not_straight(spread):
         cutoffs = 10.0 ** np.arange(1, 4.5, 0.6)
         ratio = 1 + 0.1 * (cutoffs / true_edge) ** power
         _, (low, high) = edge_of_ratios(
-            "small", cutoffs, ratio, ratio * np.exp(-spread), ratio * np.exp(spread)
+            "short", cutoffs, ratio, ratio * np.exp(-spread), ratio * np.exp(spread)
         )
         assert not low > true_edge and not high < true_edge
 
 
 def test_an_edge_and_its_interval_are_found_between_cutoffs():
-    small, interval = edge("small", [0.05, 0.15, 0.4], [0.0, 0.0, 0.2], [0.08, 0.28, 0.9])
+    small, interval = edge("short", [0.05, 0.15, 0.4], [0.0, 0.0, 0.2], [0.08, 0.28, 0.9])
     assert small.value == pytest.approx(10**1.5)
     assert small.status == "found" and np.isnan(small.bound)
     np.testing.assert_allclose(interval, [10, 1000])
-    large, interval = edge("large", [0.05, 0.15, 0.4], [0.0, 0.0, 0.2], [0.08, 0.28, 0.9])
+    large, interval = edge("long", [0.05, 0.15, 0.4], [0.0, 0.0, 0.2], [0.08, 0.28, 0.9])
     assert large.value == pytest.approx(10**2.5)
     np.testing.assert_allclose(interval, [10, 1000])
 
@@ -86,10 +86,10 @@ def test_an_edge_and_its_interval_are_found_between_cutoffs():
 @pytest.mark.parametrize(
     "side, changes, bound, status",
     [
-        ("small", [0.2, 0.3, 0.4], 10, "open_below"),
-        ("small", [0.0, 0.05, 0.1], 1000, "open_above"),
-        ("large", [0.2, 0.3, 0.4], 1000, "open_above"),
-        ("large", [0.0, 0.05, 0.1], 10, "open_below"),
+        ("short", [0.2, 0.3, 0.4], 10, "open_below"),
+        ("short", [0.0, 0.05, 0.1], 1000, "open_above"),
+        ("long", [0.2, 0.3, 0.4], 1000, "open_above"),
+        ("long", [0.0, 0.05, 0.1], 10, "open_below"),
     ],
 )
 def test_an_edge_beyond_the_cutoffs_is_open(side, changes, bound, status):
@@ -99,32 +99,32 @@ def test_an_edge_beyond_the_cutoffs_is_open(side, changes, bound, status):
 
 
 def test_an_open_edge_may_have_one_end_of_its_interval():
-    result, interval = edge("large", [0.2, 0.3, 0.4], [0.0, 0.2, 0.2], [0.3, 0.4, 0.5])
+    result, interval = edge("long", [0.2, 0.3, 0.4], [0.0, 0.2, 0.2], [0.3, 0.4, 0.5])
     assert result.bound == 1000 and np.isnan(result.value)
     np.testing.assert_allclose(interval, [100, np.nan])
 
 
 def test_an_interval_open_on_both_sides_is_left_out():
-    result, interval = edge("small", [0.2, 0.3, 0.4], [0.15, 0.2, 0.3], [0.3, 0.4, 0.5])
+    result, interval = edge("short", [0.2, 0.3, 0.4], [0.15, 0.2, 0.3], [0.3, 0.4, 0.5])
     assert result.bound == 10 and np.isnan(interval).all()
 
 
 def test_an_exact_curve_has_its_edge_between_two_cutoffs():
     changes = [0.05, 0.15, 0.4]
-    assert edge("small", changes, changes, changes)[1].tolist() == [10, 100]
+    assert edge("short", changes, changes, changes)[1].tolist() == [10, 100]
 
 
 @pytest.mark.parametrize(
     ("side", "ratio", "ripples"),
     [
-        ("small", [1.05, 0.8, 2.0], True),
-        ("small", [0.95, 1.2, 0.5], False),
-        ("small", [0.95, 1.05, 0.97], False),
-        ("large", [1.05, 0.8, 2.0], False),
+        ("short", [1.05, 0.8, 2.0], True),
+        ("short", [0.95, 1.2, 0.5], False),
+        ("short", [0.95, 1.05, 0.97], False),
+        ("long", [1.05, 0.8, 2.0], False),
     ],
 )
 def test_a_force_that_falls_without_short_waves_shows_ripples(side, ratio, ripples):
-    cutoffs = CUTOFFS if side == "small" else CUTOFFS[::-1]
+    cutoffs = CUTOFFS if side == "short" else CUTOFFS[::-1]
     limits = (np.log(0.9), np.log(1.1))
     assert shows_ripples(RatioCurve(side, cutoffs, np.log(ratio), limits)) == ripples
 
@@ -134,7 +134,7 @@ def test_pillars_have_no_short_edge_and_a_gaussian_surface_has_one():
     pillars = np.kron(generator(5).random((8, 8)) > 0.5, np.full((8, 8), 20.0))
     statuses = [
         hc.force_ratios(
-            hc.HeightMap(heights, 5.0), {"small": [20, 40, 80]}, radius=5e3, preload=1e-6,
+            hc.HeightMap(heights, 5.0), {"short": [20, 40, 80]}, radius=5e3, preload=1e-6,
             hardness=25e9, rho=5.6, window=640, count=4,
         ).edge_status.item()
         for heights in (random.heights, pillars)

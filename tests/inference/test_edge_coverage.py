@@ -51,11 +51,11 @@ def assert_held(low, high, edge, finite):
 
 #: Factors of sqrt(2), to more than a factor of three beyond both edges: ends of intervals are
 #: cutoffs, so that fewer of them would widen every interval, or bound it where they end.
-SMALL = Filters("small", 256, [43.0, 60.0, 85.0, 120.0, 170.0, 240.0, 340.0, 480.0])
-LARGE = Filters("large", 128, [200.0, 280.0, 400.0, 560.0, 800.0, 1130.0, 1600.0, 2260.0])
+SMALL = Filters("short", 256, [43.0, 60.0, 85.0, 120.0, 170.0, 240.0, 340.0, 480.0])
+LARGE = Filters("long", 128, [200.0, 280.0, 400.0, 560.0, 800.0, 1130.0, 1600.0, 2260.0])
 #: Edges in nm of the mean over 300 other scans, by `edges_of_scans` of the draws 1000 to 1299;
 #: 95 % of 2000 samples of these scans with replacement give 135 to 138 nm and 671 to 705 nm.
-TRUTH = {"small": 137.0, "large": 688.0}
+TRUTH = {"short": 137.0, "long": 688.0}
 
 
 def known_density(wavevector):
@@ -94,7 +94,7 @@ def test_the_interval_from_one_scan_contains_the_edge_of_the_mean(filters):
 
 PIXELS, TILES, REALIZATIONS = 64, 4, 4
 PIXEL_SIZE = SIZE / PIXELS
-LONG = Filters("large", 2 * TILES * PIXELS, np.geomspace(300, 14_000, 12).tolist())
+LONG = Filters("long", 2 * TILES * PIXELS, np.geomspace(300, 14_000, 12).tolist())
 WIDE = replace(CONTACT, window=5000.0, count=8)
 #: Roll-off wavelengths, a third and three times the size of a scan, with the plateau in nm⁴ and the
 #: edge in nm of the mean over 60 surfaces of the true spectrum, as large as a master.
@@ -127,7 +127,7 @@ def interval_of_one_scan(density, number):
     shifted_scales = add_spectrum_shifts(measured_scales, sampled_scales)
     masters = Masters({"a": 1}, TILES, {"a": 99})
     edges = edges_of_scans(shifted_scales, xr.Dataset(), masters, 0.1, 0.95)
-    return edges.edge_interval.sel(side="large").values.ravel()
+    return edges.edge_interval.sel(side="long").values.ravel()
 
 
 @pytest.mark.study

@@ -12,8 +12,8 @@ SMALL = [1.0, 1.2, np.nan, np.nan]
 LARGE = [np.nan, np.nan, 3.0, 1.0]
 CROSSINGS = np.log(1.1) / np.log([1.2, 3.0])  # where ln(SMALL) and ln(LARGE) cross ln(1.1)
 EDGES = {
-    "a": {"small": 10 ** (1 + CROSSINGS[0]), "large": 10 ** (4 - CROSSINGS[1])},
-    "pooled": {"small": 10**1.5, "large": 10**3.95},  # where the mean of |ratio - 1| crosses 0.1
+    "a": {"short": 10 ** (1 + CROSSINGS[0]), "long": 10 ** (4 - CROSSINGS[1])},
+    "pooled": {"short": 10**1.5, "long": 10**3.95},  # where the mean of |ratio - 1| crosses 0.1
 }
 
 
@@ -31,7 +31,7 @@ def scales(ratios):
             "label": ("surface", [f"surface {name}" for name in surfaces]),
             "basis": ("surface", ["measured"] * len(surfaces)),
         },
-        {"surface": surfaces, "side": ["small", "large"], "cutoff_wavelength": CUTOFFS},
+        {"surface": surfaces, "side": ["short", "long"], "cutoff_wavelength": CUTOFFS},
         {"sphere_radius": 0.25e6, "parameters": "those of scales"},
     )
 
@@ -57,7 +57,7 @@ def test_pooled_change_is_the_mean_of_absolute_changes():
     np.testing.assert_allclose(bands.filtered_force_ratio.sel(surface="b"), decreasing)
     edge_of_b = 10 ** (1 + np.log(0.9) / np.log(0.8))
     np.testing.assert_allclose(
-        bands.edge.sel(side="small"), [EDGES["a"]["small"], edge_of_b, 10**1.5]
+        bands.edge.sel(side="short"), [EDGES["a"]["short"], edge_of_b, 10**1.5]
     )
     assert bands.edge_interval.isnull().all()
 
@@ -70,20 +70,20 @@ def test_curves_within_the_tolerance_have_the_last_cutoff_as_interval():
     assert bands.edge.isnull().all()
     np.testing.assert_array_equal(bands.edge_bound, [[100.0] * 2, [1000.0] * 2])
     np.testing.assert_array_equal(bands.edge_status, [["open_above"] * 2, ["open_below"] * 2])
-    np.testing.assert_allclose(bands.edge_interval.sel(side="small"), 100.0)
-    np.testing.assert_allclose(bands.edge_interval.sel(side="large"), 1000.0)
+    np.testing.assert_allclose(bands.edge_interval.sel(side="short"), 100.0)
+    np.testing.assert_allclose(bands.edge_interval.sel(side="long"), 1000.0)
 
 
 def test_intervals_describe_the_scatter_of_realizations():
     rows = [[[1.0, ratio, np.nan, np.nan], LARGE] for ratio in (1.2, 1.3, 1.45)]
     bands = edges_of_realizations(scales([rows]), 0.1, Sampling(0, 4000, 0.9))
-    small = bands.sel(side="small", cutoff_wavelength=100.0)
+    short = bands.sel(side="short", cutoff_wavelength=100.0)
     ratio_interval = student_log_interval(xr.DataArray([1.2, 1.3, 1.45], dims="n"), 0.9, "n")
-    np.testing.assert_allclose(small.filtered_force_ratio_interval[0], ratio_interval, rtol=0.03)
+    np.testing.assert_allclose(short.filtered_force_ratio_interval[0], ratio_interval, rtol=0.03)
     np.testing.assert_allclose(
-        small.filtered_force_change_interval.sel(group="a"), ratio_interval - 1, rtol=0.2
+        short.filtered_force_change_interval.sel(group="a"), ratio_interval - 1, rtol=0.2
     )
-    low, high = bounds(bands.sel(side="small", group="a"), "edge")
+    low, high = bounds(bands.sel(side="short", group="a"), "edge")
     # The upper end of the change gives the lower end of the wavelength.
     edge_interval = 10 ** (1 + np.log(1.1) / np.log(ratio_interval.values))
     np.testing.assert_allclose([high, low], edge_interval, rtol=0.3)

@@ -20,16 +20,16 @@ def test_each_contact_model_has_the_edge_of_its_forces():
     forces = xr.Dataset(
         {
             "filtered_force_ratio": ratio.expand_dims(
-                surface=["a"], realization=[1, 2], side=["small"], radius=[1.0]
+                surface=["a"], realization=[1, 2], side=["short"], radius=[1.0]
             )
         }
     ).assign(unfiltered_wavelength=(("surface", "side"), [[2.0]]))
     bands = edges_by_contact(forces, 0.1, Sampling(1, 0, 0.95))
-    critical = bands["edge"].sel(group="a", side="small")
+    critical = bands["edge"].sel(group="a", side="short")
     assert bands["contact_model"].values.tolist() == CONTACT_MODELS
     for model, edge in {"plastic": edges[0], "rigid": edges[1]}.items():
         np.testing.assert_allclose(critical.sel(contact_model=model), edge, rtol=1e-9)
-    ratio = bands["edge_ratio"].sel(group="a", side="small")
+    ratio = bands["edge_ratio"].sel(group="a", side="short")
     edge_ratios = [edges[0, 0] / edges[1, 0], edges[0, 0] / edges[0, 1]]
     np.testing.assert_allclose(ratio.sel(removed_cause=["plasticity", "long_range"]), edge_ratios)
 
@@ -39,7 +39,7 @@ def test_edges_that_scatter_together_have_a_certain_ratio():
     factors = 1.1 ** (np.array([0.7, 1.0, 1.4])[:, None] * np.log(CUTOFFS / 2) / np.log(20))
     ratio = xr.DataArray(
         factors, {"realization": [1, 2, 3], "cutoff_wavelength": CUTOFFS}
-    ).expand_dims(surface=["a"], side=["small"], radius=[1.0], load=2, rho=[5.6, 1.0])
+    ).expand_dims(surface=["a"], side=["short"], radius=[1.0], load=2, rho=[5.6, 1.0])
     forces = xr.Dataset({"filtered_force_ratio": ratio}, {"area": ("load", [400.0, 1.0])}).assign(
         unfiltered_wavelength=(("surface", "side"), [[2.0]])
     )

@@ -27,7 +27,7 @@ def curves(side):
 
 
 @pytest.mark.parametrize(
-    ("side", "remaining", "end"), [("small", [1, 1, 0, 0], 20.0), ("large", [0, 0, 1, 1], 640.0)]
+    ("side", "remaining", "end"), [("short", [1, 1, 0, 0], 20.0), ("long", [0, 0, 1, 1], 640.0)]
 )
 def test_a_cutoff_keeps_the_wave_on_one_side_only(side, remaining, end):
     forces = curves(side)
@@ -67,7 +67,7 @@ def test_ratios_are_taken_of_mean_forces_over_contacts():
         )
         for surface, count in (("a", 1), ("b", 2))
         for realization in range(1, count + 1)
-        for side, cutoffs, end in (("small", [43.0, 20.0], 1.2), ("large", [500.0, 1e3], 2e4))
+        for side, cutoffs, end in (("short", [43.0, 20.0], 1.2), ("long", [500.0, 1e3], 2e4))
     }
     scales = stacked_forces(masters)
     assert scales.cutoff_wavelength.values.tolist() == [20.0, 43.0, 500.0, 1e3]
@@ -76,10 +76,10 @@ def test_ratios_are_taken_of_mean_forces_over_contacts():
         "side", "realization", ...
     )
     np.testing.assert_array_equal(
-        ratios_of_b.sel(side="small"), [[0.25, 0.5, *empty], [0.5, 0.5, *empty]]
+        ratios_of_b.sel(side="short"), [[0.25, 0.5, *empty], [0.5, 0.5, *empty]]
     )
     np.testing.assert_array_equal(
-        ratios_of_b.sel(side="large"), [[*empty, 0.5, 0.25], [*empty, 0.5, 0.5]]
+        ratios_of_b.sel(side="long"), [[*empty, 0.5, 0.25], [*empty, 0.5, 0.5]]
     )
     np.testing.assert_array_equal(scales.filtered_force_ratio.sel(load="heavy").max(), 9.0)
     assert scales.filtered_force_ratio.sel(surface="a", realization=2).isnull().all()

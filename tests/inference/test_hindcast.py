@@ -33,7 +33,7 @@ def ratios(heights, side):
     return hindcast.hindcasts(forces.expand_dims("map"), 0.1, 0.95).sel(side=side)
 
 
-@pytest.mark.parametrize("side", ["small", "large"])
+@pytest.mark.parametrize("side", ["short", "long"])
 def test_a_gaussian_scan_passes(side):
     result = ratios(SCAN.heights, side)
     low, high = result["hindcast_ratio_interval"].values
@@ -44,11 +44,11 @@ def test_a_gaussian_scan_passes(side):
 def test_a_plateau_with_pits_fails():
     """Cut off all heights above the mean: the force is higher, and no random octave has it."""
     heights = np.minimum(SCAN.heights, 0) * 2
-    result = ratios(heights, "small")
+    result = ratios(heights, "short")
     assert result["hindcast_fails"] == 1 and result["hindcast_ratio"] < 1
 
 
-@pytest.mark.parametrize("side", ["small", "large"])
+@pytest.mark.parametrize("side", ["short", "long"])
 def test_parts_differ_by_the_octave(side):
     """The force is replaced by that on a wave of the octave alone."""
     stitched = mirror_stitch(SCAN)
@@ -60,7 +60,7 @@ def test_parts_differ_by_the_octave(side):
     assert power[is_inside].sum() > 0.999 * power.sum()
     kept_power = np.abs(np.fft.fft2(rest + octave)) ** 2
     is_beyond = (
-        wavelength < OCTAVE[0] * 0.999 if side == "small" else wavelength > OCTAVE[1] * 1.001
+        wavelength < OCTAVE[0] * 0.999 if side == "short" else wavelength > OCTAVE[1] * 1.001
     )
     is_beyond[0, 0] = False
     assert kept_power[is_beyond].sum() < 1e-6 * kept_power.sum()
@@ -85,8 +85,8 @@ def test_the_interval_has_its_confidence():
 
 def test_a_scan_without_an_octave_proves_no_artificial_roughness():
     stitched = mirror_stitch(SCAN)
-    forces = hindcast.hindcast_forces(stitched, {"small": None}, [], force_function(CONTACT))
-    result = hindcast.hindcasts(forces.expand_dims("map"), 0.1, 0.95).sel(side="small")
+    forces = hindcast.hindcast_forces(stitched, {"short": None}, [], force_function(CONTACT))
+    result = hindcast.hindcasts(forces.expand_dims("map"), 0.1, 0.95).sel(side="short")
     assert np.isnan(result["hindcast_ratio"]) and result["hindcast_fails"] == 1
 
 
@@ -102,12 +102,12 @@ def test_errors_add_in_squares():
 @pytest.mark.parametrize(
     ("side", "limits", "octave"),
     [
-        ("small", (20, 10, 1000), (20, 40)),
-        ("small", (20, 30, 1000), (30, 60)),
-        ("large", (1000, 10, 2000), (500, 1000)),
-        ("large", (1000, 10, 800), (400, 800)),
-        ("small", (20, 30, 50), None),
-        ("large", (1000, 600, 2000), None),
+        ("short", (20, 10, 1000), (20, 40)),
+        ("short", (20, 30, 1000), (30, 60)),
+        ("long", (1000, 10, 2000), (500, 1000)),
+        ("long", (1000, 10, 800), (400, 800)),
+        ("short", (20, 30, 50), None),
+        ("long", (1000, 600, 2000), None),
     ],
 )
 def test_the_octave_is_the_last_that_the_scan_shows(side, limits, octave):

@@ -217,10 +217,10 @@ def test_work_with_extrapolated_roughness_is_inversely_proportional_to_the_force
             "extrapolation_matters": (sides, [[1]]),
             "transition": ("side", [20.0]),
         },
-        {"surface": ["a"], "side": ["small"], "bound": ["low", "high"]},
+        {"surface": ["a"], "side": ["short"], "bound": ["low", "high"]},
         {"work_of_adhesion": 0.05, "range_of_adhesion": 5.0},
     )
-    fit_with_work = add_extrapolated_work(fit, force).sel(surface="a", side="small")
+    fit_with_work = add_extrapolated_work(fit, force).sel(surface="a", side="short")
     assert float(fit_with_work.extrapolated_work) == pytest.approx(
         0.05 * measured_force / extrapolated_force
     )

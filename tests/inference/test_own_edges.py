@@ -24,7 +24,7 @@ def test_edges_lie_where_the_mean_ratio_leaves_the_tolerance():
     band = edges([[SMALL, LARGE]], [3]).sel(surface="a")
     interpolation = np.log(1.1 / 1.02) / np.log(1.3 / 1.02)
     np.testing.assert_allclose(band.edge, [10 ** (1 + interpolation), 4000 * 0.5**interpolation])
-    np.testing.assert_allclose(band.filtered_force_ratio.sel(side="small"), SMALL)
+    np.testing.assert_allclose(band.filtered_force_ratio.sel(side="short"), SMALL)
     # All scans have the same ratio: an interval would have no width.
     assert band.edge_interval.isnull().all() and band.filtered_force_ratio_interval.isnull().all()
 
@@ -35,7 +35,7 @@ def test_intervals_surround_the_edge_within_the_cutoffs_of_their_side(scans):
     low, high = band.edge_interval.sel(bound="low"), band.edge_interval.sel(bound="high")
     assert not (low >= band.edge).any() and not (high <= band.edge).any()
     assert band.edge_interval.notnull().any()
-    for side, ends in (("small", [10, 1000]), ("large", [1000, 4000])):
+    for side, ends in (("short", [10, 1000]), ("long", [1000, 4000])):
         bounds = band.edge_interval.sel(side=side).dropna("bound")
         assert ((bounds >= ends[0]) & (bounds <= ends[1])).all()
     assert int(band.interval_is_conditional) == (scans < 3)
@@ -45,13 +45,13 @@ def test_the_interval_of_three_scans_comes_from_the_jackknife():
     master_forces = scales([[SMALL, LARGE]], spread=0.2)
     ratio = (
         master_forces.filtered_force_ratio.isel(surface=0)
-        .sel(side="small", cutoff_wavelength=100.0)
+        .sel(side="short", cutoff_wavelength=100.0)
         .values
     )
     left_out = [np.delete(ratio, scan).mean() for scan in range(3)]
     band = edges_of_scans(master_forces, xr.Dataset(), Masters({"a": 3}, 2, {"a": 99}), 0.1, 0.95)
     interval = band.filtered_force_ratio_interval.isel(surface=0).sel(
-        side="small", cutoff_wavelength=100.0
+        side="short", cutoff_wavelength=100.0
     )
     np.testing.assert_allclose(interval, jackknife_interval(ratio.mean(), left_out, 0.95))
 
@@ -69,14 +69,14 @@ def test_curves_that_never_cross_the_tolerance_give_bounds():
 
 def test_a_ratio_without_scatter_has_no_interval():
     master_forces = scales([[[1.0, 1.3, 1.6, np.nan, np.nan], LARGE]], spread=0.1)
-    small_side = (
+    short_side = (
         edges_of_scans(master_forces, xr.Dataset(), Masters({"a": 3}, 2, {"a": 99}), 0.1, 0.95)
         .isel(surface=0)
-        .sel(side="small")
+        .sel(side="short")
     )
-    assert small_side.filtered_force_ratio_interval.isel(cutoff_wavelength=0).isnull().all()
+    assert short_side.filtered_force_ratio_interval.isel(cutoff_wavelength=0).isnull().all()
     assert (
-        small_side.edge_interval.notnull().all() and small_side.edge_interval.sel(bound="low") >= 10
+        short_side.edge_interval.notnull().all() and short_side.edge_interval.sel(bound="low") >= 10
     )
 
 
@@ -84,7 +84,7 @@ def test_the_error_of_artificial_roughness_widens_intervals():
     """It adds in squares, and is at most the change itself, so that it denies no change."""
     error = np.log(1.5)
     hindcast_ratio = xr.DataArray(
-        [[1 / 1.5, np.nan]], {"surface": ["a"], "side": ["small", "large"]}
+        [[1 / 1.5, np.nan]], {"surface": ["a"], "side": ["short", "long"]}
     )
     curves = [[SMALL, LARGE]]
     plain = edges(curves, [3], spread=0.1).sel(surface="a")
@@ -96,11 +96,11 @@ def test_the_error_of_artificial_roughness_widens_intervals():
         for band in (plain, wide)
     )
     added = np.sqrt(wide_half**2 - half**2)
-    change = np.log(plain.filtered_force_ratio.sel(side="small"))
-    np.testing.assert_allclose(added.sel(side="small"), np.minimum(change, error))
-    np.testing.assert_allclose(added.sel(side="large").dropna("cutoff_wavelength"), 0, atol=1e-7)
-    low, high = wide.edge_interval.sel(side="small").values
-    assert low < wide.edge.sel(side="small") and not high < 1000
+    change = np.log(plain.filtered_force_ratio.sel(side="short"))
+    np.testing.assert_allclose(added.sel(side="short"), np.minimum(change, error))
+    np.testing.assert_allclose(added.sel(side="long").dropna("cutoff_wavelength"), 0, atol=1e-7)
+    low, high = wide.edge_interval.sel(side="short").values
+    assert low < wide.edge.sel(side="short") and not high < 1000
 
 
 def test_scans_on_which_the_filter_ripples_have_no_short_edge():
@@ -109,6 +109,6 @@ def test_scans_on_which_the_filter_ripples_have_no_short_edge():
     plain = edges(curves, [3], spread=0.1)
     band = edges(curves, [3], xr.Dataset({"filtered_scan_ratio": ratio}), spread=0.1)
     assert band.edge_status.values.tolist() == [["ripples", "found"], ["found", "found"]]
-    assert np.isnan(band.edge.sel(surface="a", side="small"))
-    xr.testing.assert_equal(band.sel(side="large"), plain.sel(side="large"))
+    assert np.isnan(band.edge.sel(surface="a", side="short"))
+    xr.testing.assert_equal(band.sel(side="long"), plain.sel(side="long"))
     xr.testing.assert_equal(band.sel(surface="b"), plain.sel(surface="b"))

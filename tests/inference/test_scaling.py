@@ -18,7 +18,7 @@ CONTACTS = [
     Contact(radius=500.0, preload=preload, hardness=25e9, window=640.0, count=3)
     for preload in (2.5e-6, 20e-6)
 ]
-FILTERS, COMBINATIONS = Filters("small", 64, [40.0, 80.0]), ([500.0, 2000.0], [2.0, 5.0])
+FILTERS, COMBINATIONS = Filters("short", 64, [40.0, 80.0]), ([500.0, 2000.0], [2.0, 5.0])
 
 
 def master(rms):
@@ -75,7 +75,7 @@ def curves(*exponents, scatter=0.0):
     noise = xr.DataArray(scatter * (noise - noise.mean()), dims="realization")
     scattered_edge = power_law(*(exponent + noise for exponent in exponents))
     # ln(ratio) is linear in ln(cutoff) and ln(1.1) at the edge, on either side.
-    sign = xr.DataArray([1, -1], {"side": ["small", "large"]}, "side")
+    sign = xr.DataArray([1, -1], {"side": ["short", "long"]}, "side")
     distance = sign * np.log(cutoff / (scattered_edge * np.exp(noise)))
     ratio = np.exp(np.maximum(np.log(1.1) * (1 + 2 * distance), 0)).expand_dims(surface=["a"])
     return xr.Dataset(
@@ -106,10 +106,10 @@ def test_the_exponent_of_a_force_in_the_radius_is_recovered():
     radius = xr.DataArray(RADII, {"radius": RADII}, "radius")
     power = xr.DataArray([0.3, 0.4, 0.5], {"realization": [1, 2, 3]}, "realization")
     factor = xr.DataArray([[1.0, 3.0]], dims=("contact_y", "contact_x"))
-    axes = {"side": ["small", "large"], "surface": ["a"], "area": AREAS}
+    axes = {"side": ["short", "long"], "surface": ["a"], "area": AREAS}
     forces = (1e-6 * factor * (radius / 1e5) ** power).expand_dims(axes)
     # Forces at another side or contact area differ.
-    is_other = (forces["side"] == "small") | (forces["area"] != 400)
+    is_other = (forces["side"] == "short") | (forces["area"] != 400)
     data = xr.Dataset({"unfiltered_pull_off_force": forces.where(~is_other, 1.0)})
     exponent = force_exponent(data, 400.0, 0.95)
     assert exponent["force_exponent"].item() == pytest.approx(0.4)

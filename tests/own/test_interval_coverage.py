@@ -64,7 +64,7 @@ def logarithms(spectrum, edges):
         closed_form(filtered_spectrum(spectrum, side, edge), CONTACT).force / force
         if np.isfinite(edge)
         else np.nan
-        for side, edge in zip(("small", "large"), edges, strict=True)
+        for side, edge in zip(("short", "long"), edges, strict=True)
     ]
     return np.log([*np.maximum(spectrum(HELD_BACK), 1e-99), force, *changes])
 

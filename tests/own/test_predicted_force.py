@@ -145,7 +145,7 @@ def test_the_mean_over_places_is_at_most_that_of_a_smooth_sphere(pixels):
 def test_forces_are_bounded_by_that_of_a_smooth_sphere():
     prediction = forces_on_scans(adhesion([3, 1]), **PREDICTION)  # newtons: far too large
     extrapolated_forces = xr.Dataset(
-        {"extrapolated_force": ("side", [1e-9, 1.0])}, {"side": ["small", "large"]}
+        {"extrapolated_force": ("side", [1e-9, 1.0])}, {"side": ["short", "long"]}
     ).assign(extrapolated_force_interval=("side", [1e-9, 1.0]))
     bounded = bound_by_smooth_sphere(prediction.merge(extrapolated_forces), 400.0)
     rigid = 2 * np.pi * 5e-6 * 0.05
@@ -187,7 +187,7 @@ def test_the_extrapolated_force_differs_beyond_its_interval_and_the_tolerance(ra
     extrapolated_forces = extrapolated_force(master_forces(), MASTERS, 0.05, 0.95)
     # The force on the scans, relative to the force with extrapolated roughness below their pixels.
     relative = np.array([[[ratio]]]), np.array([[[[ratio - half, ratio + half]]]])
-    unit = extrapolated_forces.extrapolated_force.sel(side="small").item()
+    unit = extrapolated_forces.extrapolated_force.sel(side="short").item()
     axes = ("surface", "contact_model", "rho")
     scan_forces = xr.Dataset(
         {
@@ -198,7 +198,7 @@ def test_the_extrapolated_force_differs_beyond_its_interval_and_the_tolerance(ra
         {"range_of_adhesion": 5.0},
     )
     comparison = add_extrapolated_force(scan_forces, extrapolated_forces, 0.1).extrapolation_matters
-    assert comparison.sel(side="small").values.tolist() == [differs]
+    assert comparison.sel(side="short").values.tolist() == [differs]
 
 
 @pytest.mark.study
@@ -211,7 +211,7 @@ def test_the_interval_covers_the_scatter_between_realizations(count):
         single = 0.05 * rng.standard_normal((1, count, 2, 4, 4))
         forces = xr.zeros_like(template.unfiltered_pull_off_force) + np.exp(shared + single)
         sampled_forces = template.assign(unfiltered_pull_off_force=forces)
-        masters = forces_of_masters(sampled_forces, "a", "small", MASTERS)
+        masters = forces_of_masters(sampled_forces, "a", "short", MASTERS)
         half = half_width_over_masters(
             masters, lambda filtered, whole: whole, "log_unfiltered_force_shift", 0.95
         )

@@ -268,7 +268,7 @@ def band():
             "edge_bound": ("side", [1000.0, 200.0]),
             "edge_interval": (("side", "bound"), np.outer(critical, [0.9, 1.1])),
         },
-        {"side": ["small", "large"], "cutoff_wavelength": cutoffs, "bound": ["low", "high"]},
+        {"side": ["short", "long"], "cutoff_wavelength": cutoffs, "bound": ["low", "high"]},
         {"sphere_radius": RADIUS},
     )
 
@@ -285,7 +285,7 @@ def test_changes_are_read_outside_and_inside_the_published_band(band):
 def test_an_open_edge_is_its_bound(band):
     near(inference.band_edge(band), [46.0, 1750.0])
     ratio = inference.critical_over_interaction_radius(band, PAPER)
-    near(ratio.sel(side="large"), 1750 / 1673, rtol=1e-3)
+    near(ratio.sel(side="long"), 1750 / 1673, rtol=1e-3)
     band["edge"][:] = np.nan
     near(inference.band_edge(band), [1000.0, 200.0])
 
@@ -306,12 +306,12 @@ def test_the_first_edge_is_that_of_the_first_surface_to_leave():
                 ("side", "group", "bound"), np.multiply.outer(edges, [0.9, 1.1])
             ),
         },
-        {"side": ["small", "large"], "group": ["uncd", "mcd", "pooled"],
+        {"side": ["short", "long"], "group": ["uncd", "mcd", "pooled"],
          "cutoff_wavelength": cutoffs, "bound": ["low", "high"]},
     )  # fmt: skip
     first_edge = inference.first_edge(band)
     near(first_edge, [40.0, 1500.0])
-    np.testing.assert_allclose(first_edge["value_interval"].sel(side="small"), [36, 44])
+    np.testing.assert_allclose(first_edge["value_interval"].sel(side="short"), [36, 44])
 
 
 def test_the_force_on_a_plane_is_that_of_derjaguin():
@@ -319,7 +319,7 @@ def test_the_force_on_a_plane_is_that_of_derjaguin():
     forces = np.array([[[0.1, 1.0, np.nan]], [[np.nan, 0.1, 0.2]]])[..., None] * force_of_plane
     scales = xr.Dataset(
         {"pull_off_force": (("side", "realization", "cutoff_wavelength", "contact_y"), forces)},
-        {"side": ["small", "large"], "cutoff_wavelength": [10.0, 1000.0, 5000.0]},
+        {"side": ["short", "long"], "cutoff_wavelength": [10.0, 1000.0, 5000.0]},
         {"sphere_radius": RADIUS, "confidence": 0.95},
     )
     near(inference.flat_limit_fraction(scales), 1)
@@ -337,13 +337,13 @@ def test_edge_and_change_of_a_curve_give_the_same_verdict(seed):
             "filtered_force_ratio": (dims, np.where(has_cutoff, 1 + 0.12 * noise, np.nan)),
             "unfiltered_wavelength": (("surface", "side"), np.tile([1.0, 2e4], (40, 1))),
         },
-        {"surface": [f"s{number}" for number in range(40)], "side": ["small", "large"],
+        {"surface": [f"s{number}" for number in range(40)], "side": ["short", "long"],
          "cutoff_wavelength": cutoffs},
     )  # fmt: skip
     curves = edges_of_realizations(scales, 0.1, Sampling(0, 0, 0.95))
     edge = inference.band_edge(curves)["value"]
     change = inference.change_outside_band(curves, PAPER)["value"]
-    is_inside = {"small": edge.sel(side="small") > 43, "large": edge.sel(side="large") < 1800}
+    is_inside = {"short": edge.sel(side="short") > 43, "long": edge.sel(side="long") < 1800}
     for side, holds in is_inside.items():
         np.testing.assert_array_equal(holds, change.sel(side=side) < 0.1)
         assert 0 < int(holds.sum()) < holds.size

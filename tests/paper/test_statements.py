@@ -55,11 +55,11 @@ PUBLISHED = {
     "stitching_change": "stitching_change_upper_bound",
     "ruby_rms_height": "sphere_rms_height_upper_bound",
     "plastic_fits": "error_threshold",
-    "no_effect_small": "scale_tolerance",
-    "edge_small_first": "edge_small",
-    "edge_small_pooled": "edge_small",
-    "edge_large_first": "edge_large",
-    "edge_large_pooled": "edge_large",
+    "no_effect_short": "scale_tolerance",
+    "short_edge_first": "short_edge",
+    "short_edge_pooled": "short_edge",
+    "long_edge_first": "long_edge",
+    "long_edge_pooled": "long_edge",
 }
 #: Claims whose limits are printed as a range.
 RANGES = {
@@ -109,10 +109,10 @@ def test_edges_of_the_band_are_numbers_and_bounds():
     edges = ROWS[ROWS["quantity"].isin(["band_edge", "first_edge"])]
     # Half a unit of the last digit of 43 nm and 1.8 µm; a bound has none.
     for side, bound, column, half in (
-        ("small", "above", "low", 0.5),
-        ("large", "below", "high", 50),
+        ("short", "above", "low", 0.5),
+        ("long", "below", "high", 50),
     ):
-        rows = edges[edges.index.str.contains(f"_{side}_")]
+        rows = edges[edges.index.str.contains(f"^{side}_edge_")]
         bounds = rows.index.str.contains("_at_")
         assert list(rows["rule"]) == [bound if is_bound else "factor 1.25" for is_bound in bounds]
         distance = abs(rows[f"published_{column}"] - rows["published"])

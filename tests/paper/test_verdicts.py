@@ -172,7 +172,7 @@ def band(cutoffs):
     dims = ("side", "group", "cutoff_wavelength")
     return xr.Dataset(
         {"filtered_force_change": (dims, change[:, None])},
-        {"side": ["small", "large"], "group": ["mcd"], "cutoff_wavelength": cutoffs},
+        {"side": ["short", "long"], "group": ["mcd"], "cutoff_wavelength": cutoffs},
     )
 
 
@@ -183,21 +183,21 @@ BANDS = [band([20, 43, 120, 250, 500, 1800, 3500]), band([43, 120, 500, 1800])]
 @pytest.mark.parametrize(
     ("side", "edge", "low", "high", "end"),
     [
-        ("small", 60, 40, 119, ""),
-        ("small", 60, 40, 120, "high"),  # the last cutoff of the sets
-        ("small", 60, 40, 250, "high"),  # of the study
-        ("small", 60, 40, 200, ""),
-        ("small", 130, 100, 130, "high"),  # stretched to a number beyond the cutoffs of the sets
-        ("small", 110, 100, 110, ""),
-        ("small", 130, 120, 140, ""),
-        ("large", 900, 500, 2000, "low"),
-        ("large", 900, 501, 3500, ""),
-        ("large", 480, 480, 2000, "low"),
-        ("large", 900, nan, nan, ""),
+        ("short", 60, 40, 119, ""),
+        ("short", 60, 40, 120, "high"),  # the last cutoff of the sets
+        ("short", 60, 40, 250, "high"),  # of the study
+        ("short", 60, 40, 200, ""),
+        ("short", 130, 100, 130, "high"),  # stretched to a number beyond the cutoffs of the sets
+        ("short", 110, 100, 110, ""),
+        ("short", 130, 120, 140, ""),
+        ("long", 900, 500, 2000, "low"),
+        ("long", 900, 501, 3500, ""),
+        ("long", 480, 480, 2000, "low"),
+        ("long", 900, nan, nan, ""),
     ],
 )
 def test_an_end_at_or_beyond_the_last_cutoff_is_open(side, edge, low, high, end):
     numbers = {"computed": edge, "low": low, "high": high}
-    names = [f"edge_{side}_mcd", f"edge_{side}_pooled_at_least", "range_of_adhesion"]
+    names = [f"{side}_edge_first", f"{side}_edge_pooled_at_least", "range_of_adhesion"]
     claims = add_open_ends(pd.DataFrame([{"id": name, **numbers} for name in names]), BANDS)
     assert claims["open_end"].tolist() == [end, end, ""]

@@ -40,10 +40,10 @@ CONTRADICTIONS = [
     ("adhesion.ranges", ["1 nm", "0.001 um"], "ascending", "found 0.001 um after 1 nm"),
     # Wavelengths and pixels
     ("scan.size", "20 nm", "0.05 to 10000 nm", "found 0.0390625 nm"),
-    ("scales.small.cutoffs", ["1.2 nm"], "1.221 nm", "found 1.2"),
-    ("scales.small.cutoffs", ["6 um"], "5000 nm", "found 6000"),
-    ("scales.small.transition", "9 nm", "found 9 nm"),
-    ("scales.large.pixels", 512, "4096", "found 512"),
+    ("scales.short.cutoffs", ["1.2 nm"], "1.221 nm", "found 1.2"),
+    ("scales.short.cutoffs", ["6 um"], "5000 nm", "found 6000"),
+    ("scales.short.transition", "9 nm", "found 9 nm"),
+    ("scales.long.pixels", 512, "4096", "found 512"),
     ("sphere.radius", "2 um", "2500 nm", "found 2000 nm"),
     ("contact.window", "90 um", "16384", "found 18432"),
     # Loads
@@ -68,7 +68,7 @@ CONTRADICTING_VALUES = [
         ("contact.count", 200, "contact.preload", "0.5 mN"),
         *("contact.preload", "at most 160 µN", "found 500 µN"),
     ),
-    (("scales.large.tiles", 8), "sets.large.pixels", "8192", "found 4096"),
+    (("scales.long.tiles", 8), "sets.long.pixels", "8192", "found 4096"),
     (
         ("scaling.radii", ["30 nm", "250 um"], "scales.range", "1.4 nm"),
         *("scales.range", "at least 1.59 nm on", "at R = 30 nm", "found 1.4 nm"),
@@ -184,7 +184,7 @@ def test_a_changed_file_that_cannot_be_read_is_refused_though_it_was_stored(tmp_
 
 # How far contacts on substitutes can lie apart in height
 
-CONFIG = {"scan": {"pixels": 512, "size": 5000.0}, "scales": {"large": {"tiles": 2}}}
+CONFIG = {"scan": {"pixels": 512, "size": 5000.0}, "scales": {"long": {"tiles": 2}}}
 
 
 def rows(name):

@@ -50,7 +50,7 @@ def listen_to_ctrl_c():
 def test_a_stopped_run_reports_that_the_same_command_continues_it(tmp_path):
     study = copy_repository(tmp_path / "study")
     # Three jobs, one after the other: the first ends before the others begin.
-    master = TINY_PATTERNS.small_master.format(
+    master = TINY_PATTERNS.short_master.format(
         surface="uncd", sources=TINY_SOURCES["uncd"], realization=1
     )
     with subprocess.Popen(

@@ -101,10 +101,10 @@ def test_a_quick_study_has_its_own_folders():
 
 
 def test_values_of_the_command_line_are_read_as_in_a_file():
-    words = ["scales={sphere_roughness: true, small: {cutoffs: [30 nm, 40 nm]}}", "scans=[1, 2]"]
+    words = ["scales={sphere_roughness: true, short: {cutoffs: [30 nm, 40 nm]}}", "scans=[1, 2]"]
     numbers = start.checked_configuration(*configured(*words, "seed=7", "study=own"))
     assert numbers["scales"]["sphere_roughness"] is True
-    assert numbers["scales"]["small"]["cutoffs"] == [30, 40]
+    assert numbers["scales"]["short"]["cutoffs"] == [30, 40]
     assert (numbers["scans"], numbers["seed"]) == ([1, 2], 7)
 
 

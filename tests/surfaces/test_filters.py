@@ -51,16 +51,16 @@ def test_a_wave_at_the_cutoff_belongs_to_one_side():
     waves = np.cos(2 * np.pi * 8 * x)[None] * np.ones((64, 1))  # 80 nm
     wave = height_map(waves, 10.0)
     assert np.std(lowpass(wave, 80.0).heights) == pytest.approx(np.std(wave.heights))
-    np.testing.assert_allclose(filtered(wave, "large", 80.0, 64).heights, 0, atol=1e-6)
+    np.testing.assert_allclose(filtered(wave, "long", 80.0, 64).heights, 0, atol=1e-6)
 
 
 @pytest.mark.parametrize(
     ("side", "cutoff", "pixels", "message"),
     [
-        ("small", 20.0, 64, "more than two pixels"),
-        ("large", None, 32, "at least 64 pixels to interpolate to, found 32"),
-        ("large", 100.0, 32, "at least 64 pixels to interpolate to, found 32"),
-        ("small", 25.0, 32, "at least 52 pixels to interpolate to, found 32"),
+        ("short", 20.0, 64, "more than two pixels"),
+        ("long", None, 32, "at least 64 pixels to interpolate to, found 32"),
+        ("long", 100.0, 32, "at least 64 pixels to interpolate to, found 32"),
+        ("short", 25.0, 32, "at least 52 pixels to interpolate to, found 32"),
     ],
 )
 def test_waves_shorter_than_two_pixels_are_refused(side, cutoff, pixels, message):
@@ -69,7 +69,7 @@ def test_waves_shorter_than_two_pixels_are_refused(side, cutoff, pixels, message
 
 
 @pytest.mark.parametrize("pixels", [64, 100])
-@pytest.mark.parametrize("side", ["small", "large"])
+@pytest.mark.parametrize("side", ["short", "long"])
 def test_a_series_is_the_master_filtered_at_each_cutoff(side, pixels):
     master, cutoffs = noise(64), [None, 25.0, 640.0, 60.0, None, 333.0]
     unfiltered = interpolate(master, pixels).heights
@@ -79,12 +79,12 @@ def test_a_series_is_the_master_filtered_at_each_cutoff(side, pixels):
         heights = unfiltered
         if cutoff is not None:
             low = interpolate(lowpass(master, cutoff), pixels).heights
-            heights = low if side == "small" else unfiltered - low
+            heights = low if side == "short" else unfiltered - low
         np.testing.assert_allclose(surface.heights, heights, atol=2e-6)
         assert surface.size == pytest.approx(master.size)
 
 
 def test_a_filtered_master_needs_only_pixels_for_its_long_waves():
-    shorter = filtered(noise(64), "small", 100.0, 32)
+    shorter = filtered(noise(64), "short", 100.0, 32)
     interpolated = interpolate(lowpass(noise(64), 100.0), 32)
     np.testing.assert_allclose(shorter.heights, interpolated.heights, atol=1e-6)

@@ -167,7 +167,7 @@ HOSTILE = {
     "aliased unit": (listing(ALIASED_UNIT), "found"),
     "no text": (listing(scan_list(["a.txt"])), "lists surfaces"),
     "letters": (listing(scan_list("b\n\033[31m.txt")), "found"),
-    "size in words": (listing(scan_list(size="large")), "found"),
+    "size in words": (listing(scan_list(size="long")), "found"),
     "unit of no length": (listing(scan_list(unit="V")), "a unit of length"),
     "infinite size": (listing(scan_list(size=[float("inf")] * 2)), "2 positive numbers"),
     "large size": (listing(scan_list(size=[1e30] * 2)), "pixels and differences of height"),

@@ -106,7 +106,7 @@ def test_the_force_has_left_the_tolerance_at_the_edges():
     short, long = critical_band(spectrum, contact(), 0.1)
     assert 10 < short < 300 < long < 5000
     unfiltered = closed_form(spectrum, contact(), rough_below=False).relative
-    for side, edge in (("small", short), ("large", long)):
+    for side, edge in (("short", short), ("long", long)):
         filtered = filtered_spectrum(spectrum, side, edge)
         ratio = closed_form(filtered, contact(), rough_below=False).relative / unfiltered
         assert min(abs(np.log(ratio / limit)) for limit in (0.9, 1.1)) < 0.02
@@ -114,7 +114,7 @@ def test_the_force_has_left_the_tolerance_at_the_edges():
 
 def test_filters_add_up_to_the_spectrum():
     spectrum = rough()
-    filtered = [filtered_spectrum(spectrum, side, 300.0) for side in ("small", "large")]
+    filtered = [filtered_spectrum(spectrum, side, 300.0) for side in ("short", "long")]
     total = sum(moment(waves, 0) for waves in filtered)
-    assert total == pytest.approx(moment(filtered_spectrum(spectrum, "small", 1e-3), 0), rel=0.02)
-    assert not filtered_spectrum(spectrum, "small", 1e9).density.any()
+    assert total == pytest.approx(moment(filtered_spectrum(spectrum, "short", 1e-3), 0), rel=0.02)
+    assert not filtered_spectrum(spectrum, "short", 1e9).density.any()

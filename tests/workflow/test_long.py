@@ -92,4 +92,4 @@ def test_real_scans_give_plausible_roughness_edges_and_forces(repository):
     assert 20 < surface["short_edge"]["value"] < 100
     cautions = {note["code"] for note in numbers(results)["notes"] if note["kind"] == "caution"}
     assert "conditional_intervals" in cautions
-    assert surface["force_extrapolated_small"]["value"] < 0.7 * mean["value"]
+    assert surface["force_extrapolated_short"]["value"] < 0.7 * mean["value"]

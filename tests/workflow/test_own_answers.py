@@ -52,7 +52,7 @@ def assert_honest(results, fitted=False):
     for name, surface in quantities(results).items():
         if name:
             assert surface["force_mean"]["value"] > 0
-            for side in ("small", "large"):
+            for side in ("short", "long"):
                 assert_bounded(edges.sel(surface=name, side=side))
     assert quantities(results)[""]["range_of_adhesion"]["value"] in force["rho"]
     assert not re.search(r"\bnan\b|\binf\b|None|reproduced", page.texts["main"][0])

@@ -225,7 +225,7 @@ def overlay(key, value):
         ("scales.tolerance", 0.2, {"find_edges", "judge_sets", "compare_short_edges"}),
         ("elastic.contacts", 2, {"solve_elastic_contact"}),
         ("sets.pool", 12, {"compute_pool", "judge_sets"}),
-        ("scales.small.transition", "90 nm", {
+        ("scales.short.transition", "90 nm", {
             "synthesize_masters", "filter_masters", "aggregate_scales"}),
     ],
 )  # fmt: skip

@@ -141,7 +141,7 @@ def test_the_files_of_a_figure_are_whole(results, name):
 PLASTIC = {"contact_model": "plastic"}
 FITTED = PLASTIC | {"pair": "fitted"}
 PUBLISHED = PLASTIC | {"pair": "published"}
-RIGID = {"contact_model": "rigid", "side": "small", "rho": 1}
+RIGID = {"contact_model": "rigid", "side": "short", "rho": 1}
 MICRO, MILLI, GIGA = 1e-6, 1e-3, 1e9
 PUBLISHED_WORK = 0.0463  # J/m²
 #: A figure, one of its panels by number, and numbers of a dataset that are drawn there.
@@ -154,10 +154,10 @@ NUMBERS = [
     ("fig_fit", 1, "fit", lambda data: data.work_of_adhesion.sel(PLASTIC) / MILLI),
     ("fig5", 1, "indent", lambda data: -data.sphere_height.sel(y=0)),
     ("fig5", 3, "indent", lambda data: data.depth.groupby("preload").max(...)),
-    ("fig6", 0, "edges", lambda data: data.filtered_force_ratio.sel(side="small")),
-    ("fig6", 1, "edges", lambda data: data.filtered_force_ratio.sel(side="large")),
-    ("fig6", 3, "edges", lambda data: 100 * data.filtered_force_change.sel(side="large")),
-    ("fig6", 5, "edges", lambda data: data.edge.sel(side="large")),
+    ("fig6", 0, "edges", lambda data: data.filtered_force_ratio.sel(side="short")),
+    ("fig6", 1, "edges", lambda data: data.filtered_force_ratio.sel(side="long")),
+    ("fig6", 3, "edges", lambda data: 100 * data.filtered_force_change.sel(side="long")),
+    ("fig6", 5, "edges", lambda data: data.edge.sel(side="long")),
     ("fig_asperities", 2, "asperities", lambda data: data.patch_count.median(["scan", "contact"])),
     ("fig_asperities", 3, "asperities", lambda data: data.extent.median(["scan", "contact"]) / 1e3),
     ("fig_classical", 0, "classical", lambda data: data.computed_mean_force / MICRO),

@@ -39,11 +39,11 @@ OTHER_WORDS = {
 #: The keys of filtered masters by their purpose; a section inherits from those around it.
 _OF_SCANS = (*STORE_KEYS["scans"], "contact.window")
 FILTERED = {
-    "scales": (*_OF_SCANS, "scales.small", "scales.large", "contact.count"),
-    "sets": (*_OF_SCANS, "scales.small", "scales.large", "sets.small", "sets.large", "sets.count"),
-    "enhancement": (*_OF_SCANS, "scales.small", "sets.small", "sets.count"),
+    "scales": (*_OF_SCANS, "scales.short", "scales.long", "contact.count"),
+    "sets": (*_OF_SCANS, "scales.short", "scales.long", "sets.short", "sets.long", "sets.count"),
+    "enhancement": (*_OF_SCANS, "scales.short", "sets.short", "sets.count"),
     "scaling": (
-        *_OF_SCANS, "scales.small", "scales.large", "sets.small", "sets.large", "sets.count"
+        *_OF_SCANS, "scales.short", "scales.long", "sets.short", "sets.long", "sets.count"
     ),
 }  # fmt: skip
 #: Folders whose keys another one has, or of measured surfaces (test_own_reruns.py).

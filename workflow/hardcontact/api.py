@@ -307,7 +307,7 @@ def force_ratios(
         As for `pull_off_forces`.
     cutoffs : mapping of str to sequence of float
         Wavelengths in nm of more than two pixels. Shorter wavelengths are removed on the side
-        ``"small"``, longer wavelengths on the side ``"large"``. One side suffices.
+        ``"short"``, longer wavelengths on the side ``"long"``. One side suffices.
     rho, tolerance : float
         Range of adhesion in nm; smallest relative change of the force that counts.
     radius, preload, hardness, window : float
@@ -330,10 +330,10 @@ def force_ratios(
     --------
     >>> scan = hc.read_scan("scan.nc")
     >>> ratios = hc.force_ratios(
-    ...     scan, {"small": [40, 80, 160]}, radius=50e3, preload=10e-6, hardness=25e9, rho=5.6,
+    ...     scan, {"short": [40, 80, 160]}, radius=50e3, preload=10e-6, hardness=25e9, rho=5.6,
     ...     window=2500, count=8,
     ... )
-    >>> short_edge = float(ratios.edge.sel(side="small"))  # nm
+    >>> short_edge = float(ratios.edge.sel(side="short"))  # nm
     """
     contact = Contact(
         radius=radius, preload=preload, hardness=hardness, window=window, count=count, rho=rho

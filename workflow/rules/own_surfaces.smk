@@ -61,7 +61,7 @@ rule predict_force:
             radius=STUDY["sphere"]["radius"],
             contact=STUDY["contact"],
             scans={name: len(SELECTION.scans(name)) for name in SELECTION.substrates},
-            tiles=STUDY["scales"]["large"]["tiles"],
+            tiles=STUDY["scales"]["long"]["tiles"],
             tolerance=STUDY["scales"]["tolerance"],
             confidence=STUDY["inference"]["confidence"],
         ),

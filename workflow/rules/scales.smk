@@ -15,18 +15,18 @@ rule synthesize_masters:
         spectrum=lambda w: FILES.roughness_spectrum(w.surface),
         code=code_inputs("synthesize_masters.py"),
     output:
-        small=PATTERNS.small_master,
-        large=PATTERNS.large_master,
+        short=PATTERNS.short_master,
+        long=PATTERNS.long_master,
     resources:
-        mem_mb=master_megabytes(STUDY["scales"]["small"]["pixels"], 3000),
+        mem_mb=master_megabytes(STUDY["scales"]["short"]["pixels"], 3000),
     params:
         parameters=lambda w: parameters(
             surface=w.surface,
             realization=int(w.realization),
             seed=STUDY["seed"],
             sides={
-                "small": {key: STUDY["scales"]["small"][key] for key in ("pixels", "transition")},
-                "large": {key: STUDY["scales"]["large"][key] for key in ("tiles", "transition")},
+                "short": {key: STUDY["scales"]["short"][key] for key in ("pixels", "transition")},
+                "long": {key: STUDY["scales"]["long"][key] for key in ("tiles", "transition")},
             },
         ),
     script:

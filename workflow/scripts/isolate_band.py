@@ -14,7 +14,7 @@ with job(snakemake) as job:
     make_surface = whole_surfaces(job.input, params)
     constants = published.constants(job.input.published_constants)["value"]
     bands = {
-        "published": (constants["edge_small"], constants["edge_large"]),
+        "published": (constants["short_edge"], constants["long_edge"]),
         "found": pooled_band(read(job.input.edges)),
     }
     realizations = params["realizations"]

@@ -75,7 +75,7 @@ def test_the_answer_has_the_numbers_of_the_datasets():
     )  # fmt: skip
     assert study_rows["range_of_adhesion"]["source"] == "given"
     assert study_rows["work_of_adhesion"]["source"] == "assumed"
-    long = edges().sel(surface="my_coating", side="large")
+    long = edges().sel(surface="my_coating", side="long")
     assert surface_rows["long_edge"]["value"] == long["edge"]
     ends = [surface_rows["long_edge"][end] for end in ("low", "high")]
     assert ends == long["edge_interval"].values.tolist()

@@ -159,11 +159,11 @@ def test_a_spectrum_above_the_scans_is_named():
 def test_a_tail_of_unknown_exponent_gives_no_force():
     data = spectra().assign(tail_known=("surface", [0]))
     (surface,) = surface_answers(
-        datasets(spectra=data, force=scale_extrapolated_force(force(), small=0.5)), setting()
+        datasets(spectra=data, force=scale_extrapolated_force(force(), short=0.5)), setting()
     )
     (tail,) = [caution for caution in surface.cautions if caution.code == "tail"]
     assert tail.numbers["known"].value == 0
-    answer = surface.numbers["force_extrapolated_small"]
+    answer = surface.numbers["force_extrapolated_short"]
     assert np.isnan(answer.value) and answer.status == "no_exponent"
 
 

@@ -42,36 +42,36 @@ def test_artificial_ends_of_intervals_are_left_out(data, source):
 def test_the_change_at_an_edge_is_split_at_the_shortest_reliable_wavelength():
     # ln F is linear in ln c between 40 and 80 nm, and the scans begin at 55 nm.
     data = move_edge(80.0, 70.0, 90.0)
-    low, high = np.log(data["filtered_force_ratio"].sel(side="small", cutoff_wavelength=[40, 80]))[
+    low, high = np.log(data["filtered_force_ratio"].sel(side="short", cutoff_wavelength=[40, 80]))[
         0
     ].values
     unseen = low + (high - low) * np.log(55 / 40) / np.log(2)
     surface = datasets(edges=data).select_surface(SURFACES[0])
     np.testing.assert_allclose(
-        parts_of_change(surface, "small", 0, 80), [high - unseen, unseen], 1e-4
+        parts_of_change(surface, "short", 0, 80), [high - unseen, unseen], 1e-4
     )
     assert numbers_of(edges=data)["short_edge_measured_share"].value == pytest.approx(
         1 - unseen / high, rel=1e-4
     )
-    assert sum(parts_of_change(surface, "small")) == pytest.approx(np.log1p(0.1 * 4**4), rel=1e-4)
+    assert sum(parts_of_change(surface, "short")) == pytest.approx(np.log1p(0.1 * 4**4), rel=1e-4)
 
 
 def test_open_edges_are_bounds():
     bound = Number("long_edge", 2560.0, "nm", status="open_above", source="measured")
     assert plain(numbers_of(edges=open_edges())["long_edge"]) == plain(bound)
     lower_bound = open_edges()
-    lower_bound["edge_status"].loc[{"side": "large"}] = "open_below"
+    lower_bound["edge_status"].loc[{"side": "long"}] = "open_below"
     assert numbers_of(edges=lower_bound)["long_edge"].status == "open_below"
-    lower_bound["edge_bound"].loc[{"side": "large"}] = 30_000.0
+    lower_bound["edge_bound"].loc[{"side": "long"}] = 30_000.0
     assert (
-        classify_edge(datasets(edges=lower_bound).select_surface(SURFACES[0]), "large") == "inside"
+        classify_edge(datasets(edges=lower_bound).select_surface(SURFACES[0]), "long") == "inside"
     )
 
 
 def with_long_edge(status):
     """Return edges whose long edge is open."""
     data = open_edges()
-    data["edge_status"].loc[{"side": "large"}] = status
+    data["edge_status"].loc[{"side": "long"}] = status
     return data
 
 
@@ -99,7 +99,7 @@ def test_an_edge_whose_interval_is_artificial_names_its_cutoffs():
     # The scans are reliable from 55 nm.
     numbers = numbers_of(edges=move_edge(31.6, 20.0, 50.0))
     cutoffs = computed_cutoffs(
-        move_edge(31.6, 20.0, 50.0)["filtered_force_ratio"].sel(side="small")
+        move_edge(31.6, 20.0, 50.0)["filtered_force_ratio"].sel(side="short")
     )
     low, high = numbers["short_edge_cutoffs"].low, numbers["short_edge_cutoffs"].high
     assert numbers["short_edge"].status == "no_interval" and low < 31.6 <= high
@@ -159,25 +159,25 @@ def test_the_verdict_follows_from_the_edges_and_the_scans(data, wavelengths, ans
 
 def test_scans_that_lack_roughness_answer_in_part_at_most():
     assert (
-        answer_of(edges(), (6, 25e3), scale_extrapolated_force(force(), small=0.25))[0] == "partly"
+        answer_of(edges(), (6, 25e3), scale_extrapolated_force(force(), short=0.25))[0] == "partly"
     )
-    assert answer_of(edges(), (400, 1000), scale_extrapolated_force(force(), small=0.25))[0] == "no"
+    assert answer_of(edges(), (400, 1000), scale_extrapolated_force(force(), short=0.25))[0] == "no"
 
 
 def test_the_verdict_has_the_force_with_and_without_extrapolated_roughness():
-    numbers = numbers_of(force=scale_extrapolated_force(force(), small=0.25))
-    extrapolated = numbers["force_extrapolated_small"]
+    numbers = numbers_of(force=scale_extrapolated_force(force(), short=0.25))
+    extrapolated = numbers["force_extrapolated_short"]
     assert extrapolated.value == pytest.approx(0.16e-6) and extrapolated.source == "extrapolated"
-    assert numbers["force_extrapolated_small_start"].value == 20.0
-    assert numbers["force_extrapolated_small_end"].value == 5.0
+    assert numbers["force_extrapolated_short_start"].value == 20.0
+    assert numbers["force_extrapolated_short_end"].value == 5.0
     verdict = surface_verdict(numbers)
-    assert verdict.extrapolated == ["small"]
+    assert verdict.extrapolated == ["short"]
     assert (verdict.force.value, verdict.force.low) == pytest.approx((0.64e-6, 0.512e-6))
 
 
 def test_a_force_with_an_unknown_extrapolation_is_not_in_the_verdict():
     unknown = spectra().assign(tail_known=("surface", [0]))
-    extrapolated_force = scale_extrapolated_force(force(), small=0.25)
+    extrapolated_force = scale_extrapolated_force(force(), short=0.25)
     partial = surface_verdict(numbers_of(force=extrapolated_force, spectra=unknown))
     assert (partial.answer, partial.extrapolated) == ("partly", [])
     alike = surface_verdict(numbers_of())

@@ -30,8 +30,8 @@ def test_own_forces_have_numbers_only_for_their_surface():
     assert numbers["measured_force_tests"].value == 40
     assert numbers["measured_work"].value == pytest.approx(WORK)
     different = fit()
-    different["extrapolation_matters"].loc[{"side": "small"}] = 1
-    assert numbers_of(fit=different)["extrapolated_work_small"].value == pytest.approx(WORK / 2)
+    different["extrapolation_matters"].loc[{"side": "short"}] = 1
+    assert numbers_of(fit=different)["extrapolated_work_short"].value == pytest.approx(WORK / 2)
     assert "measured_force" not in numbers_of(fit=fit().assign_coords(surface=["other"]))
 
 

@@ -138,7 +138,7 @@ def headline_of(**changed):
 
 def test_the_headline_says_which_force_is_which():
     """Forces with roughness extrapolated at either side stand beside the force on the scans."""
-    line = headline_of(force=scale_extrapolated_force(force(), small=0.25, large=0.5))
+    line = headline_of(force=scale_extrapolated_force(force(), short=0.25, long=0.5))
     assert (
         "640 [510, 800] nN on the scans, 160 [130, 200] nN with roughness extrapolated below"
         in line
@@ -185,7 +185,7 @@ def test_a_hindcast_that_fails_or_lacks_an_octave_leaves_no_edge(ratio, lead):
     (note,) = [
         note["text"]
         for note in own_answer(datasets(force=data), setting())["notes"]
-        if note["code"] == "hindcast_small"
+        if note["code"] == "hindcast_short"
     ]
     assert_says(note, "0.30 [0.27, 0.33]" if ratio == 0.3 else "show no octave", "below 20 nm")
 
@@ -193,8 +193,8 @@ def test_a_hindcast_that_fails_or_lacks_an_octave_leaves_no_edge(ratio, lead):
 def test_ripples_of_the_filter_are_no_short_edge():
     data = edges()
     for name in ("edge", "edge_interval"):
-        data[name].loc[{"side": "small"}] = np.nan
-    data = data.assign(edge_status=data["edge_status"].where(data["side"] != "small", "ripples"))
+        data[name].loc[{"side": "short"}] = np.nan
+    data = data.assign(edge_status=data["edge_status"].where(data["side"] != "short", "ripples"))
     line = headline_of(edges=data)
     assert_says(line, "partly answered. Short edge none: the filter's ripples", ". Long edge 1.7")
     notes = [note["text"] for note in own_answer(datasets(edges=data), setting())["notes"]]
@@ -283,7 +283,7 @@ def test_all_ratios_are_shown_on_a_logarithmic_axis_if_they_differ_tenfold(large
     data = edges()
     data["filtered_force_ratio"] = data["filtered_force_ratio"].clip(max=1.2)
     data["filtered_force_ratio_interval"] = data["filtered_force_ratio_interval"].clip(0.9, 1.4)
-    data["filtered_force_ratio"].loc[{"side": "small", "cutoff_wavelength": 160}] = largest
+    data["filtered_force_ratio"].loc[{"side": "short", "cutoff_wavelength": 160}] = largest
     figure = figures.draw_cutoffs(datasets(edges=data))
     (axes,) = figure.axes
     low, high = axes.get_ylim()

@@ -99,7 +99,7 @@ def test_the_strongest_octaves_come_first():
 
 @pytest.mark.parametrize(
     ("side", "name", "status"),
-    [("small", "short_edge", "open_above"), ("large", "long_edge", "open_below")],
+    [("short", "short_edge", "open_above"), ("long", "long_edge", "open_below")],
 )
 def test_an_edge_beyond_the_cutoffs_is_a_bound(side, name, status):
     assert numbers_of(edges=move_edge(side, np.nan))[name].status == status
@@ -115,7 +115,7 @@ def test_an_end_at_the_last_cutoff_is_open(name, end, end_cutoff):
 
 
 def test_an_edge_at_wavelengths_of_artificial_roughness_says_so():
-    """Roughness is artificial below the small transition and above the large one."""
+    """Roughness is artificial below the short transition and above the large one."""
     sources = {}
     for small, large in ((20.0, 5000.0), (80.0, 1000.0)):
         moved = datasets()["scales"].assign(transition=("side", [small, large]))

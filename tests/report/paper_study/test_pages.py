@@ -89,9 +89,9 @@ def test_findings_that_only_larger_pixels_leave_untested_are_told_apart():
 
 
 def test_a_verdict_on_an_edge_from_artificial_roughness_says_so():
-    """The small transition, 20 nm or 80 nm, is shorter or longer than the edge."""
+    """The short transition, 20 nm or 80 nm, is shorter or longer than the edge."""
     table = claims()
-    table.loc[table["id"] == "edge_small_first", ["computed", "low", "high"]] = [50.0, 45.0, 55.0]
+    table.loc[table["id"] == "short_edge_first", ["computed", "low", "high"]] = [50.0, 45.0, 55.0]
     for transition, is_artificial in ((20.0, False), (80.0, True)):
         scales = datasets()["scales"].assign(transition=("side", [transition, 1e6]))
         page = Page(make_page(table, scales=scales))

@@ -36,8 +36,8 @@ def study(factor=1.0, scatter=0.0, rms=11.0, **settings):
             "work_of_adhesion": fits, "edge": edges,
         },
         {
-            "claim": ["edge_small_pooled"], "contact_model": ["rigid", "plastic"],
-            "side": ["small", "large"], "group": ["uncd"], "surface": ["uncd"],
+            "claim": ["short_edge_pooled"], "contact_model": ["rigid", "plastic"],
+            "side": ["short", "long"], "group": ["uncd"], "surface": ["uncd"],
         },
         {
             "confidence": 0.95,

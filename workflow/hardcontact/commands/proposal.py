@@ -141,9 +141,9 @@ def _choices(
 ) -> list[Choice]:
     """Return the choices of one effort, within the limits of the checks."""
     contact = window.contact
-    small_pixels = max(_small_pixels(scan, contact, effort.pixels) for scan in substrates)
+    short_pixels = max(_short_pixels(scan, contact, effort.pixels) for scan in substrates)
     contacts_per_side, is_slow = _contacts_per_side(
-        substrates, contact, small_pixels, effort.contacts_per_side
+        substrates, contact, short_pixels, effort.contacts_per_side
     )
     ranges = [_nm(rho) for rho in _ranges(contact.rho, window.shortest_range, effort.ranges)]
     permitted = f"these scans permit {window.shortest_range:.3g} nm or more"
@@ -154,7 +154,7 @@ def _choices(
         Choice("adhesion.ranges", ranges, f"for the force as a function of it; {permitted}"),
         Choice("scales.range", _nm(contact.rho), window.range_reason),
         Choice("scales.realizations", realizations, "masters on each side"),
-        *_master_choices(substrates, contact, transitions, effort, small_pixels),
+        *_master_choices(substrates, contact, transitions, effort, short_pixels),
     ]
 
 
@@ -174,13 +174,13 @@ def _master_choices(
     contact: Contact,
     transitions: Transitions,
     effort: Effort,
-    small_pixels: int,
+    short_pixels: int,
 ) -> Iterator[Choice]:
     """Yield the settings of masters and their filters."""
     tiles = count_tiles(substrates, contact.window, effort.pixels)
-    large_pixels = max(2 * scan.pixels for scan in substrates) * tiles
+    long_pixels = max(2 * scan.pixels for scan in substrates) * tiles
     size = min(scan.size for scan in substrates)
-    finest = max(2 * scan.size / small_pixels for scan in substrates)
+    finest = max(2 * scan.size / short_pixels for scan in substrates)
     coarsest = max(scan.pixel_size for scan in substrates)
     shortest = min(size / 25, math.sqrt(2 * contact.radius * contact.rho) / 16)
     short_cutoffs = _cutoffs(4 * finest, size, effort.cutoffs)
@@ -188,16 +188,16 @@ def _master_choices(
     short_transition, long_transition, reason = transitions
     long_reason = f"{TRANSITION_SHARE:g} of the size of the scan; above, roughness is artificial"
     tiles_reason = f"mirrored scans along a side, {format_length(2 * size * tiles)}"
-    yield Choice("scales.small.pixels", small_pixels, f"{format_length(finest)} a pixel")
-    yield Choice("scales.small.transition", _nm(short_transition), reason)
-    yield Choice("scales.small.cutoffs", short_cutoffs, "from four pixels to the size of the scan")
-    yield Choice("scales.large.pixels", large_pixels, "those of the scans")
-    yield Choice("scales.large.tiles", tiles, tiles_reason)
-    yield Choice("scales.large.transition", _nm(long_transition), long_reason)
-    yield Choice("scales.large.cutoffs", long_cutoffs, "to half the size of the master")
+    yield Choice("scales.short.pixels", short_pixels, f"{format_length(finest)} a pixel")
+    yield Choice("scales.short.transition", _nm(short_transition), reason)
+    yield Choice("scales.short.cutoffs", short_cutoffs, "from four pixels to the size of the scan")
+    yield Choice("scales.long.pixels", long_pixels, "those of the scans")
+    yield Choice("scales.long.tiles", tiles, tiles_reason)
+    yield Choice("scales.long.transition", _nm(long_transition), long_reason)
+    yield Choice("scales.long.cutoffs", long_cutoffs, "to half the size of the master")
 
 
-def _small_pixels(scan: Entry, contact: Contact, max_pixels: int) -> int:
+def _short_pixels(scan: Entry, contact: Contact, max_pixels: int) -> int:
     """Return the pixels of small-scale masters of one scan: stitched, halved repeatedly."""
     pixels = 2 * scan.pixels
     while 2 * pixels <= max_pixels:
@@ -217,7 +217,7 @@ def _contact_seconds(scan: Entry, contact: Contact, pixel_size: float) -> float:
 
 
 def _contacts_per_side(
-    substrates: Sequence[Entry], contact: Contact, small_pixels: int, max_per_side: int
+    substrates: Sequence[Entry], contact: Contact, short_pixels: int, max_per_side: int
 ) -> tuple[int, bool]:
     """Return the contacts along a side that time and memory permit, and whether they take long.
 
@@ -228,7 +228,7 @@ def _contacts_per_side(
     kept_pixels = 0.0
     for scan in substrates:
         periods = periods_in_window(contact.window, scan.size)
-        finest = 2 * scan.size / small_pixels
+        finest = 2 * scan.size / short_pixels
         for pixel_size, period_count in ((scan.pixel_size, periods), (finest, 1.0)):
             seconds = max(seconds, _contact_seconds(scan, contact, pixel_size))
             kept_pixels = max(kept_pixels, contact.pixel_count(pixel_size) * period_count)

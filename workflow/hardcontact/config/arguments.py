@@ -149,7 +149,7 @@ def check_cutoffs(cutoffs: Mapping[str, Sequence[float]], surface: HeightMap) ->
     """Refuse cutoffs at which a periodic surface has no waves."""
     if not isinstance(cutoffs, Mapping) or not cutoffs or not set(cutoffs) <= set(SIDES):
         raise ValueError(
-            f"cutoffs: expected a mapping with small, large or both, found {shorten(cutoffs)}"
+            f"cutoffs: expected a mapping with short, long or both, found {shorten(cutoffs)}"
         )
     for side_cutoffs in cutoffs.values():
         check_positive_numbers("cutoffs", side_cutoffs)

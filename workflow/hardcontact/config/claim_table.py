@@ -28,7 +28,7 @@ FORMS = {
     "id": (re.compile("[a-z0-9_]+"), "a name"),
     "number": (re.compile(".*\\w.*"), "words for the quantity that the numbers give"),
     "select": (
-        re.compile("(\\w+=[^;=]+(;\\w+=[^;=]+)*)?"), "labels such as surface=uncd;side=small"
+        re.compile("(\\w+=[^;=]+(;\\w+=[^;=]+)*)?"), "labels such as surface=uncd;side=short"
     ),
 }  # fmt: skip
 

@@ -124,8 +124,8 @@ class InferenceKeys(Keys):
     """Confidence of all intervals."""
 
 
-class SmallScaleKeys(Keys):
-    """Masters of small scales."""
+class ShortSideKeys(Keys):
+    """Masters whose short waves are artificial."""
 
     pixels: Pixels = key(8192, "Most Relevant Length-scales")
     """Pixels along a side of the small-scale master, which is two scans long."""
@@ -137,8 +137,8 @@ class SmallScaleKeys(Keys):
     """Short-wavelength cutoffs: all roughness below is removed."""
 
 
-class LargeScaleKeys(Keys):
-    """Masters of large scales."""
+class LongSideKeys(Keys):
+    """Masters whose long waves are artificial."""
 
     pixels: Pixels = key(8192, "Most Relevant Length-scales")
     """Pixels along a side of the large-scale master."""
@@ -166,8 +166,8 @@ class ScalesKeys(Keys):
     """Surfaces of each substitute as large as large-scale masters, not mirrored, for octaves."""
     sphere_roughness: bool = key(False, "not stated")
     """Whether the paper's sphere is rough on masters, like its first scan. Scanned own ones are."""
-    small: SmallScaleKeys = SmallScaleKeys()
-    large: LargeScaleKeys = LargeScaleKeys()
+    short: ShortSideKeys = ShortSideKeys()
+    long: LongSideKeys = LongSideKeys()
 
 
 class ElasticKeys(Keys):
@@ -195,7 +195,7 @@ class AsperitiesKeys(Keys):
     """Ranges of adhesion."""
 
 
-class SetSmallScaleKeys(Keys):
+class SetShortSideKeys(Keys):
     """Small-scale masters of the sets."""
 
     pixels: Pixels = 4096
@@ -204,7 +204,7 @@ class SetSmallScaleKeys(Keys):
     """Short-wavelength cutoffs."""
 
 
-class SetLargeScaleKeys(Keys):
+class SetLongSideKeys(Keys):
     """Large-scale masters of the sets."""
 
     pixels: Pixels = 4096
@@ -226,8 +226,8 @@ class SetsKeys(Keys):
     """Contacts along a side of the array."""
     realizations: Realizations = 20
     """Masters of each substrate on each side, from which bands are sampled."""
-    small: SetSmallScaleKeys = SetSmallScaleKeys()
-    large: SetLargeScaleKeys = SetLargeScaleKeys()
+    short: SetShortSideKeys = SetShortSideKeys()
+    long: SetLongSideKeys = SetLongSideKeys()
 
 
 class ScalingKeys(Keys):

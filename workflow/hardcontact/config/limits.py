@@ -104,7 +104,7 @@ def _scan_faults(config: dict[str, Any], surface: str, grid: Grid) -> list[str]:
         accepted = f"at least the size of its scans ({grid.size:.6g} nm)"
         faults.append(key_fault("sphere.radius", accepted, f"{radius:.6g} nm"))
     # Only the size is that of the largest master; its artificial pixels have no say in ranges.
-    master_grid = grid._replace(size=grid.size * config["scales"]["large"]["tiles"])
+    master_grid = grid._replace(size=grid.size * config["scales"]["long"]["tiles"])
     for name, named_contact in study_contacts(config).items():
         on_masters = name in ("scales", "sets") and surface != config["sphere"]["surface"]
         faults += contact_faults(named_contact, surface, master_grid if on_masters else grid)
@@ -155,7 +155,7 @@ def _master_faults(
         accepted = f"at least the {min_pixels} of {tiles} x {tiles} stitched scans of {surface}"
         faults.append(key_fault(keys["pixels"], accepted, pixels))
     master = f"a master of {section}.{side} on {surface}"
-    filtered_pixel_size = pixel_size if side == "small" else grid.pixel_size
+    filtered_pixel_size = pixel_size if side == "short" else grid.pixel_size
     shortest_wavelengths = {"transition": grid.pixel_size, "cutoffs": filtered_pixel_size}
     for name, shortest in shortest_wavelengths.items():
         faults += _wavelength_faults(config, keys[name], shortest, size, master)

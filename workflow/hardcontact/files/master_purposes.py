@@ -40,7 +40,7 @@ PURPOSES = {
     # How the edges depend on radius and load, on a smooth sphere.
     "scaling": Purpose("sets", "sets.count", "scaling.realizations"),
     # How plasticity and range enhance each other at the short edge.
-    "enhancement": Purpose("sets", "sets.count", "scaling.realizations", sides=("small",)),
+    "enhancement": Purpose("sets", "sets.count", "scaling.realizations", sides=("short",)),
 }
 
 

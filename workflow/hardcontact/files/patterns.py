@@ -21,7 +21,7 @@ _SUBSTITUTES = (*_GAUSSIAN, "scan.featured_surface")
 SCAN_KEYS = (*_SUBSTITUTES, *_MEASURED)
 _CONTACTS = (*SCAN_KEYS, "contact.window", "contact.count")
 _DRAWS = (*_GAUSSIAN, "sets.count", "contact.window", "adhesion.ranges")
-_TRANSITIONS = ("scales.small.transition", "scales.large.transition")
+_TRANSITIONS = ("scales.short.transition", "scales.long.transition")
 
 #: For each kind of intermediate, the keys on which it and its inputs depend: its path has a digest
 #: of their values. Keys whose values stand in the path are left out. Files of a surface are no key,
@@ -37,12 +37,12 @@ STORE_KEYS = {
     "pull_off": (*_CONTACTS, "adhesion.ranges"),
     "elastic": (*_CONTACTS, "elastic.contacts"),
     "asperities": (*_CONTACTS, "asperities"),
-    "whole": (*_CONTACTS, "adhesion.ranges", "scales.large.tiles"),
+    "whole": (*_CONTACTS, "adhesion.ranges", "scales.long.tiles"),
     "octaves": _CONTACTS,
     "pool": (*_DRAWS, "sets.rms_heights"),
     "draws": _DRAWS,
     "both_bodies": SCAN_KEYS,
-    "masters": (*SCAN_KEYS, *_TRANSITIONS, "scales.small.pixels", "scales.large.tiles"),
+    "masters": (*SCAN_KEYS, *_TRANSITIONS, "scales.short.pixels", "scales.long.tiles"),
 }
 
 #: Further keys on which intermediates depend that have the roughness of both bodies.
@@ -109,8 +109,8 @@ class Patterns:
         self.draws = f"{folder['draws']}/{settings}/{{features}}/draws-{{first}}-{{last}}.nc"
         self.pull_off = f"{folder['pull_off']}/{rough_sphere}/{settings}/scan-{{scan}}.nc"
         self.master = f"{folder['masters']}/{_REALIZATION}/{{side}}.nc"
-        self.small_master = self.master.replace("{side}", "small")
-        self.large_master = self.master.replace("{side}", "large")
+        self.short_master = self.master.replace("{side}", "short")
+        self.long_master = self.master.replace("{side}", "long")
         # A spectrum sampled within the uncertainty of the measurements.
         self.sampled_spectrum = f"{folder['sampled_spectra']}/{_REALIZATION}.nc"
         # Forces at lists of radii, loads and ranges; settings: a digest of those of the purpose.
@@ -178,7 +178,7 @@ def wildcard_constraints(surfaces: Iterable[str]) -> dict[str, str]:
         "features": "|".join(KINDS),
         **dict.fromkeys(("scan", "sphere_scan", "first", "last", "realization"), r"\d+"),
         "shape": f"flat|sphere-R{_NUMBER}um",
-        "side": "small|large",
+        "side": "short|long",
         "probe": "smooth|rough|combined",
         "radius": radius,
         "load": load,

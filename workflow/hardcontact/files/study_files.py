@@ -94,9 +94,9 @@ class Files(SurfaceFiles):
 
     @property
     def whole_grid(self) -> dict[str, Any]:
-        """Pixels along a side of a whole surface, and their size (nm): those of a large master."""
+        """Pixels along a side of a whole surface, and their size (nm), as of large masters."""
         scan = self._configuration["scan"]
-        tiles = self._configuration["scales"]["large"]["tiles"]
+        tiles = self._configuration["scales"]["long"]["tiles"]
         return {"pixels": 2 * tiles * scan["pixels"], "pixel_size": scan["size"] / scan["pixels"]}
 
     # Masters

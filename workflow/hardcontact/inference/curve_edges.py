@@ -14,9 +14,9 @@ RIPPLES = "ripples"
 class RatioCurve(NamedTuple):
     """A measure of the change of the force on one side, zero without a filter."""
 
-    side: str  #: small: wavelengths below the cutoff are removed; large: wavelengths above it.
-    #: (k,) in nm, in the order of growing effect: ascending on the small side, descending on the
-    #: large side.
+    side: str  #: short: wavelengths below the cutoff are removed; long: wavelengths above it.
+    #: (k,) in nm, in the order of growing effect: ascending on the short side, descending on the
+    #: long side.
     cutoffs: np.ndarray
     #: (k,) ln(ratio) for a single surface, which passes through zero where the ratio crosses one;
     #: the mean of |ratio - 1| for several.
@@ -81,7 +81,7 @@ def find_edge(curve: RatioCurve) -> Edge:
         return Edge(edge, np.nan, FOUND)
     is_outside_at_once = first_outside(curve.values, curve.values, curve.limits) == 0
     bound = float(curve.cutoffs[0 if is_outside_at_once else -1])
-    is_open_below = is_outside_at_once == (curve.side == "small")
+    is_open_below = is_outside_at_once == (curve.side == "short")
     return Edge(np.nan, bound, OPEN_BELOW if is_open_below else OPEN_ABOVE)
 
 
@@ -93,7 +93,7 @@ def shows_ripples(curve: RatioCurve) -> bool:
     its ripples beside steps.
     """
     first = first_outside(curve.values, curve.values, curve.limits)
-    return curve.side == "small" and bool((curve.values[first : first + 1] < 0).any())
+    return curve.side == "short" and bool((curve.values[first : first + 1] < 0).any())
 
 
 def edge_interval(curve: RatioCurve, lowest: np.ndarray, highest: np.ndarray) -> np.ndarray:
@@ -112,4 +112,4 @@ def edge_interval(curve: RatioCurve, lowest: np.ndarray, highest: np.ndarray) ->
     interval = np.array(
         [bounds[first_possible], bounds[last_possible + 1] if last_possible else np.nan]
     )
-    return interval if curve.side == "small" else interval[::-1]
+    return interval if curve.side == "short" else interval[::-1]

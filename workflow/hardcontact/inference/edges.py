@@ -47,11 +47,11 @@ def computed_cutoffs(values: xr.DataArray) -> np.ndarray:
 
 
 def last_cutoff(values: xr.DataArray, side: str) -> float:
-    """Return the cutoff (nm) of a side, "small" or "large", that removes most of the roughness.
+    """Return the cutoff (nm) of a side, "short" or "long", that removes most of the roughness.
 
     The values (..., cutoff_wavelength) of this side are NaN at the cutoffs of the other side.
     """
-    return float(computed_cutoffs(values)[-1 if side == "small" else 0])
+    return float(computed_cutoffs(values)[-1 if side == "short" else 0])
 
 
 def edges_or_bounds(edges: xr.Dataset) -> xr.DataArray:
@@ -62,7 +62,7 @@ def edges_or_bounds(edges: xr.Dataset) -> xr.DataArray:
 def pooled_band(edges: xr.Dataset) -> tuple[float, float]:
     """Return both edges (nm) of the mean change over all surfaces, or their bounds."""
     pooled = edges_or_bounds(edges).sel(group=POOLED)
-    return float(pooled.sel(side="small")), float(pooled.sel(side="large"))
+    return float(pooled.sel(side="short")), float(pooled.sel(side="long"))
 
 
 def describe_edges(
@@ -176,7 +176,7 @@ def _curves(
     limits = [logarithmic_limits(tolerance)] * ratio.shape[1] + [(-np.inf, tolerance)]
     for (index, side), group in product(enumerate(scales["side"].values), range(len(limits))):
         computed = np.flatnonzero(np.isfinite(curves[0, index, group]))
-        order = computed if side == "small" else computed[::-1]
+        order = computed if side == "short" else computed[::-1]
         values = np.pad(curves[:, index, group, order], ((0, 0), (1, 0)))
         ordered_cutoffs = np.append(unfiltered[index, group], cutoffs[order])
         yield RatioCurve(str(side), ordered_cutoffs, values[0], limits[group]), values[1:]

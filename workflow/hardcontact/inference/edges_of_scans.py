@@ -88,7 +88,7 @@ def _widen_ratios(curves: xr.Dataset, hindcast_ratio: xr.DataArray) -> xr.Datase
 def _without_ripples(edges: xr.Dataset, has_ripples: xr.DataArray) -> xr.Dataset:
     """Return edges without the short edges of scans on which the filter ripples (surface)."""
     is_rippled = has_ripples.reindex(surface=edges["surface"], fill_value=False)
-    is_kept = ~is_rippled | (edges["side"] != "small")
+    is_kept = ~is_rippled | (edges["side"] != "short")
     known = edges.where(is_kept)
     return known.assign(edge_status=edges["edge_status"].where(is_kept, RIPPLES)).transpose(
         "surface", "side", ...
@@ -129,7 +129,7 @@ def _curve_with_interval(
     """Return one curve with the low and the high ends (k,) of the intervals of its values."""
     side = str(ratios["side"].item())
     ratios = ratios.dropna("cutoff_wavelength", subset=["filtered_force_ratio"])
-    ratios = ratios.sortby("cutoff_wavelength", ascending=side == "small")
+    ratios = ratios.sortby("cutoff_wavelength", ascending=side == "short")
     ratio = ratios["filtered_force_ratio"].values
     interval = ratios["filtered_force_ratio_interval"].values
     if not np.isnan(interval).all():

@@ -1,6 +1,6 @@
 """Forces on a master, unfiltered and filtered below or above every cutoff wavelength.
 
-The side ``"small"`` removes wavelengths below the cutoff, ``"large"`` wavelengths above it.
+The side ``"short"`` removes wavelengths below the cutoff, ``"long"`` wavelengths above it.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -32,7 +32,7 @@ from hardcontact.surfaces.synthesis import synthesize_master
 class Filters(NamedTuple):
     """The cutoffs of one side; each cutoff filters the unfiltered master."""
 
-    side: str  #: small: wavelengths below the cutoff are removed; large: wavelengths above it.
+    side: str  #: short: wavelengths below the cutoff are removed; long: wavelengths above it.
     pixels: int  #: Along an edge of the filtered surfaces.
     cutoffs: Sequence[float]  #: In nm.
 
@@ -53,7 +53,7 @@ def forces_at_cutoffs(
     surfaces = filtered_series(master, side, [None, *cutoffs], pixels)
     results = (forces(surface) for surface in surfaces)
     unfiltered, *filtered = progress(results, 1 + len(cutoffs), "cutoffs")
-    end = 2 * master.size / pixels if side == "small" else master.size
+    end = 2 * master.size / pixels if side == "short" else master.size
     nanometres = {"units": "nm", "long_name": "last wavelength of the unfiltered spectrum"}
     cutoff_axis = (("cutoff_wavelength",), np.asarray(cutoffs, float), {"units": "nm"})
     filtered_forces = np.reshape(filtered, (len(cutoffs), *np.shape(unfiltered)))

@@ -22,7 +22,7 @@ from hardcontact.inference.octaves import ForcesOnSurface, force_function
 from hardcontact.surfaces.filters import filtered_series
 from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
 from hardcontact.surfaces.spectrum import SpectrumFunction
-from hardcontact.surfaces.synthesis import random_surface
+from hardcontact.surfaces.synthesis import SCALES, random_surface
 
 #: The shortest and the longest wavelength in nm.
 Octave = tuple[float, float]
@@ -38,7 +38,7 @@ RATIO = DIMENSIONLESS | {
 }
 FILTERED_SCAN = DIMENSIONLESS | {
     "long_name": "mean pull-off force on scans without the waves that would be artificial on the "
-    "small side, relative to that on the scans"
+    "short side, relative to that on the scans"
 }
 WIDE_PIXELS = DIMENSIONLESS | {
     "long_name": "mean pull-off force on four times wider pixels, relative to that on the scan's"
@@ -68,7 +68,7 @@ def last_octave(side: str, transition: float, shortest: float, longest: float) -
     The roughness is extrapolated beyond the transition; the scan is reliable from `shortest` to
     `longest`, all in nm. None if it shows no octave.
     """
-    if side == "small":
+    if side == "short":
         end = max(transition, shortest)
         octave = end, 2 * end
     else:
@@ -97,7 +97,7 @@ def hindcast_forces(
             near_side, scan_octave = _split_at_octave(stitched, side, octave)
             artificial_octaves = [
                 sum(
-                    _artificial_octave(body.generator(side, number), stitched, octave, body)
+                    _artificial_octave(body.generator(SCALES[side], number), stitched, octave, body)
                     for body in bodies
                 )
                 for number in range(REALIZATIONS)
@@ -150,11 +150,11 @@ def _split_at_octave(
 ) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
     """Return the heights on the near side of an octave, and its own; waves beyond it are removed.
 
-    Shorter waves are beyond an octave of the small side, longer waves of the large side.
+    Shorter waves are beyond an octave of the short side, longer waves of the long side.
     """
-    series = filtered_series(stitched, "small", list(octave), stitched.pixels)
+    series = filtered_series(stitched, "short", list(octave), stitched.pixels)
     octave_and_longer, longer = (waves.heights.copy() for waves in series)
-    near_side = longer if side == "small" else stitched.heights - octave_and_longer
+    near_side = longer if side == "short" else stitched.heights - octave_and_longer
     return near_side, octave_and_longer - longer
 
 
@@ -214,7 +214,7 @@ def all_hindcasts(
     surfaces = {}
     for surface, forces in maps.items():
         means = forces.mean(["map", *CONTACT_AXES])
-        filtered = means["scan_octave_force"].sel(side="small", drop=True) / means["scan_force"]
+        filtered = means["scan_octave_force"].sel(side="short", drop=True) / means["scan_force"]
         wide = means["wide_pixel_force"] / means["scan_force"]
         surfaces[(surface,)] = hindcasts(forces, tolerance, confidence).assign(
             filtered_scan_ratio=filtered.assign_attrs(FILTERED_SCAN),

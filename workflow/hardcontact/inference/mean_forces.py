@@ -109,7 +109,7 @@ class Masters(NamedTuple):
     """The scans of masters: realization r uses scan (r - 1) modulo the number of scans."""
 
     scans: Mapping[str, int]  #: Number of scans of each surface.
-    tiles: int  #: Mirrored scans along a side of a large master.
+    tiles: int  #: Mirrored scans along a side of a large-scale master.
     touched_places: Mapping[str, float]  #: The fewest places of a scan touched on each surface.
 
 
@@ -127,15 +127,15 @@ def forces_of_masters(
     scales: xr.Dataset, surface: str, side: str, masters: Masters
 ) -> MasterForces:
     """Return the forces, as in scales.nc, on the existing masters of one surface and side."""
-    large_master = float(scales.unfiltered_wavelength.sel(surface=surface, side="large"))
-    tiles = masters.tiles if side == "large" else 1
+    long_master = float(scales.unfiltered_wavelength.sel(surface=surface, side="long"))
+    tiles = masters.tiles if side == "long" else 1
     forces = scales.sel(surface=surface, side=side).dropna(
         "realization", how="all", subset=["filtered_force_ratio"]
     )
     scan_parts = parts_of_scans(
         (forces.realization.values - 1) % masters.scans[surface],
         quarters_of_contacts(forces.sizes["contact_y"], tiles),
-        large_master / masters.tiles / 2,
+        long_master / masters.tiles / 2,
         float(np.sqrt(scales.attrs["sphere_radius"] * scales.attrs["rho"])),
         masters.touched_places[surface],
     )

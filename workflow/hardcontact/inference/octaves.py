@@ -79,7 +79,7 @@ def split_octaves(surface: HeightMap, limits: Sequence[float] | Floats) -> Itera
 
     The next octave overwrites the heights.
     """
-    longer_waves = filtered_series(surface, "small", list(limits), surface.pixels)
+    longer_waves = filtered_series(surface, "short", list(limits), surface.pixels)
     waves = next(longer_waves).heights.copy()
     heights = np.empty_like(waves)
     for longer in longer_waves:
@@ -230,7 +230,7 @@ def band_parts(
     A band has the wavelengths (nm) from its first to below its second.
     """
     for shortest, longest in bands:
-        series = filtered_series(surface, "small", [shortest, longest], surface.pixels)
+        series = filtered_series(surface, "short", [shortest, longest], surface.pixels)
         band_and_longer = next(series).heights.copy()
         longer = next(series).heights
         heights = (band_and_longer - longer, band_and_longer, surface.heights - longer)

@@ -30,7 +30,7 @@ def force_exponent(forces: xr.Dataset, area: float, confidence: float) -> xr.Dat
     Forces come from `stacked_forces`, at the nearest area in contact (nm²). The fit is by least
     squares of ln F against ln R, the interval is over realizations.
     """
-    long_wave_forces = forces["unfiltered_pull_off_force"].sel(side="large")
+    long_wave_forces = forces["unfiltered_pull_off_force"].sel(side="long")
     means = long_wave_forces.sel(area=area, method="nearest").mean(CONTACT_AXES)
     logarithms = xr.DataArray(np.log(means)).assign_coords(radius=np.log(means["radius"]))
     slopes = logarithms.polyfit("radius", 1)["polyfit_coefficients"].sel(degree=1, drop=True)
@@ -88,7 +88,7 @@ def _edges(forces: xr.Dataset, tolerance: float) -> xr.DataArray:
     def edge(ratios: Floats, unfiltered: float, side: str) -> float:
         """Return the edge of the mean ratios (cutoff,) of a side, NaN at the other's cutoffs."""
         is_known = np.isfinite(ratios)
-        order = np.argsort(cutoffs[is_known])[:: 1 if side == "small" else -1]
+        order = np.argsort(cutoffs[is_known])[:: 1 if side == "short" else -1]
         wavelengths = np.append(unfiltered, cutoffs[is_known][order])
         values = np.append(0.0, np.log(ratios[is_known][order]))
         return find_edge(RatioCurve(side, wavelengths, values, logarithmic_limits(tolerance))).value

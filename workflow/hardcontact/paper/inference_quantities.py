@@ -128,8 +128,8 @@ def band_edge(edges: xr.Dataset) -> xr.Dataset:
 def first_edge(edges: xr.Dataset) -> xr.Dataset:
     """Return the `band_edge` of the surface whose force leaves its tolerance first (side)."""
     wavelengths = band_edge(edges).drop_sel(group=POOLED)
-    short_edge = wavelengths.sel(side="small").min("group")
-    long_edge = wavelengths.sel(side="large").max("group")
+    short_edge = wavelengths.sel(side="short").min("group")
+    long_edge = wavelengths.sel(side="long").max("group")
     return xr.concat([short_edge, long_edge], "side")
 
 
@@ -146,7 +146,7 @@ def critical_over_interaction_radius(edges: xr.Dataset, paper: xr.Dataset) -> xr
 def change_outside_band(edges: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
     """Return the largest change of the force by cutoffs outside the published band (side, group).
 
-    Cutoffs up to the published one count for the small side, from it for the large one.
+    Cutoffs up to the published one count for the short side, from it for the long one.
     """
     return _largest_change(edges, _outside_band(edges, paper))
 
@@ -160,9 +160,9 @@ def change_inside_band(edges: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
     sides = [
         change.sel(side=side)
         .dropna("cutoff_wavelength", how="all")
-        .interp(cutoff_wavelength=factor * paper[f"edge_{side}"].item())
+        .interp(cutoff_wavelength=factor * paper[f"{side}_edge"].item())
         .drop_vars("cutoff_wavelength")
-        for side, factor in (("small", 2), ("large", 1 / 2))
+        for side, factor in (("short", 2), ("long", 1 / 2))
     ]
     return xr.concat(sides, "side")
 
@@ -170,15 +170,15 @@ def change_inside_band(edges: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
 def small_scale_change(edges: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
     """Return the largest change by cutoffs among the artificial small scales of a scan (group)."""
     is_artificial = edges["cutoff_wavelength"] <= paper["small_scale_transition_wavelength"]
-    return _largest_change(edges, is_artificial).sel(side="small", drop=True)
+    return _largest_change(edges, is_artificial).sel(side="short", drop=True)
 
 
 def _outside_band(edges: xr.Dataset, paper: xr.Dataset) -> xr.DataArray:
     """Return whether each cutoff (side, cutoff_wavelength) is outside the published band."""
     cutoff = edges["cutoff_wavelength"]
-    is_short = cutoff <= paper["edge_small"]
-    is_long = cutoff >= paper["edge_large"]
-    return is_short.where(edges["side"] == "small", is_long)
+    is_short = cutoff <= paper["short_edge"]
+    is_long = cutoff >= paper["long_edge"]
+    return is_short.where(edges["side"] == "short", is_long)
 
 
 def _largest_change(edges: xr.Dataset, is_selected: xr.DataArray) -> xr.Dataset:
@@ -193,20 +193,20 @@ def _largest_change(edges: xr.Dataset, is_selected: xr.DataArray) -> xr.Dataset:
 def stylus_change(edges: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
     """Return the change of the force at the short cutoff nearest to a stylus radius (group)."""
     radius = paper["stylus_radius"].item()
-    change = _small_side_variable(edges, "filtered_force_change")
+    change = _short_side_variable(edges, "filtered_force_change")
     return change.sel(cutoff_wavelength=radius, method="nearest", drop=True)
 
 
-def _small_side_variable(edges: xr.Dataset, name: str) -> xr.Dataset:
-    """Return a variable of the small side at its cutoffs, in ascending order."""
-    values = variable_as_number(edges, name).sel(side="small", drop=True)
+def _short_side_variable(edges: xr.Dataset, name: str) -> xr.Dataset:
+    """Return a variable of the short side at its cutoffs, in ascending order."""
+    values = variable_as_number(edges, name).sel(side="short", drop=True)
     cutoffs = values["value"].dropna("cutoff_wavelength", how="all")["cutoff_wavelength"]
     return values.sel(cutoff_wavelength=np.sort(cutoffs))
 
 
 def flat_limit_fraction(scales: xr.Dataset) -> xr.Dataset:
     """Return the force at the largest short cutoff relative to 2 pi R W of a plane (surface)."""
-    force = mean_over_contacts(scales["pull_off_force"].sel(side="small"))
+    force = mean_over_contacts(scales["pull_off_force"].sel(side="short"))
     force = force.sortby("cutoff_wavelength").dropna("cutoff_wavelength", how="all")
     radius = 1e-9 * scales.attrs["sphere_radius"]  # m; the forces are those at W = 1 J/m2
     fraction = force.isel(cutoff_wavelength=-1, drop=True) / (2 * np.pi * radius)

@@ -188,7 +188,7 @@ def summary(evaluated: pd.DataFrame) -> pd.DataFrame:
 
 
 #: End of the interval that may lie beyond the cutoffs, by the side of the edge.
-OPEN_END = {"small": "high", "large": "low"}
+OPEN_END = {"short": "high", "long": "low"}
 
 
 def open_end(side: str, value: float, low: float, high: float, bands: Sequence[xr.Dataset]) -> str:
@@ -213,7 +213,7 @@ def add_open_ends(claims: pd.DataFrame, bands: Sequence[xr.Dataset]) -> pd.DataF
     study, so that the edge of the study may lie beyond theirs. An interval that is stretched to
     such an edge is open there, too. The `bands`, edges.nc and sets.nc, give the cutoffs.
     """
-    sides = claims["id"].str.extract("^edge_(small|large)_", expand=False)
+    sides = claims["id"].str.extract("^(short|long)_edge_(?:first|pooled)", expand=False)
     rows = zip(sides, claims["computed"], claims["low"], claims["high"], strict=True)
     ends = [open_end(*row, bands) if isinstance(row[0], str) else "" for row in rows]
     return claims.assign(open_end=ends)

@@ -149,7 +149,7 @@ def surface_grid(config: dict[str, Any], surface: str, rows: pd.DataFrame) -> Gr
         size = config["scan"]["size"]
         relief = SUBSTITUTE_RELIEF
         if not needs_calibration(read_segments(path)):
-            largest = 2 * size * config["scales"]["large"]["tiles"]
+            largest = 2 * size * config["scales"]["long"]["tiles"]
             relief = RELIEF_OVER_RMS * described_rms_height(path, largest)
         grid = Grid(pixels, size / pixels, size, relief)
         location = "config key scan.size"

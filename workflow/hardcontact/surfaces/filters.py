@@ -128,7 +128,7 @@ def filtered_series(
 ) -> Iterator[HeightMap]:
     """Yield a periodic, square master without the wavelengths beyond each cutoff in nm.
 
-    The side ``"small"`` removes shorter, ``"large"`` longer wavelengths, a cutoff of None none.
+    The side ``"short"`` removes shorter, ``"long"`` longer wavelengths, a cutoff of None none.
     The next surface overwrites the heights, but for the unfiltered one. Raises ValueError if
     wavelengths need more pixels, or a cutoff is two pixels or less.
     """
@@ -136,7 +136,7 @@ def filtered_series(
     limits = [None if cutoff is None else _highest_order(master, cutoff) for cutoff in cutoffs]
     highest = max((int(limit) for limit in limits if limit is not None), default=None)
     unfiltered = master
-    if side == "large" or None in cutoffs:
+    if side == "long" or None in cutoffs:
         _check_finer(master.pixels, pixels)
         if master.pixels != pixels:
             unfiltered = interpolate(master, pixels)
@@ -153,6 +153,6 @@ def filtered_series(
             continue
         for rows, band in _inverse_blocks(_pad_orders(_drop_higher_orders(waves, limit), pixels)):
             heights[rows] = band
-            if side == "large":
+            if side == "long":
                 np.subtract(unfiltered.heights[rows], heights[rows], out=heights[rows])
         yield replace(unfiltered, heights=heights)

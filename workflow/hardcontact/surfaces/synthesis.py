@@ -181,8 +181,10 @@ def large_scale_master(
 
 #: By side: the function that makes the master, and the key of its settings that has its
 #: number of pixels or of tiles.
-MASTER_MAKERS = {"small": (small_scale_master, "pixels"), "large": (large_scale_master, "tiles")}
+MASTER_MAKERS = {"short": (small_scale_master, "pixels"), "long": (large_scale_master, "tiles")}
 SIDES = tuple(MASTER_MAKERS)
+#: The paper's words for the scales that a side adds or removes. Random numbers depend on them.
+SCALES = {"short": "small", "long": "large"}
 
 
 def synthesize_master(
@@ -194,7 +196,7 @@ def synthesize_master(
 ) -> HeightMap:
     """Return the periodic master of a side from a mirror-stitched scan and artificial roughness.
 
-    `settings` has ``transition`` in nm, and ``pixels`` (small side) or ``tiles`` (large side).
+    `settings` has ``transition`` in nm, and ``pixels`` (short side) or ``tiles`` (long side).
     """
     make_master, size_key = MASTER_MAKERS[side]
     return make_master(rng, stitched, settings[size_key], settings["transition"], density)

@@ -172,13 +172,13 @@ def roughness_on_summit(
 def filtered_spectrum(spectrum: Spectrum, side: str, cutoff: float) -> Spectrum:
     """Return a spectrum without the wavelengths below or above a cutoff (nm).
 
-    The side ``"small"`` removes wavelengths below the cutoff, ``"large"`` wavelengths above it. If
+    The side ``"short"`` removes wavelengths below the cutoff, ``"long"`` wavelengths above it. If
     no wave remains, all densities are zero.
     """
     limit = 2 * np.pi / cutoff
     filtered = (
         spectrum_between(spectrum, 0.0, limit)
-        if side == "small"
+        if side == "short"
         else spectrum_between(spectrum, limit, np.inf)
     )
     return filtered or Spectrum(spectrum.wavevector, np.zeros_like(spectrum.density))
@@ -209,4 +209,4 @@ def critical_band(spectrum: Spectrum, contact: Contact, tolerance: float) -> tup
                 break
         return interpolate_edge(cutoffs[: len(curve)], np.array(curve), limits)
 
-    return edge("small", cutoffs), edge("large", cutoffs[::-1])
+    return edge("short", cutoffs), edge("long", cutoffs[::-1])

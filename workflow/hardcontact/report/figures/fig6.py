@@ -31,7 +31,7 @@ def draw(edges: xr.Dataset, scales: xr.Dataset, published_constants: pd.DataFram
     for letter, side, column in zip("ab", published_edges, grid.T, strict=True):
         _draw_side(column, edges.sel(side=side))
         transition = float(scales["transition"].sel(side=side))
-        artificial = (0.0, transition) if side == "small" else (transition, np.inf)
+        artificial = (0.0, transition) if side == "short" else (transition, np.inf)
         for axes in column:
             axes.axvline(published_edges[side], zorder=1, **PUBLISHED_LINE)
             axes.label_outer()
@@ -63,7 +63,7 @@ def _draw_side(column: np.ndarray, edges: xr.Dataset) -> None:
     end = last_cutoff(edges["filtered_force_ratio"], side)
     edge_rows = value_and_interval(edges, "edge")
     edge_rows["value"] = edge_rows["value"].fillna(end)
-    arrows = {">" if side == "small" else "<": end}
+    arrows = {">" if side == "short" else "<": end}
     panels.draw_edges(column[2], edge_rows, edges["label"], arrows)
     column[2].set_xlabel("cutoff wavelength (nm)")
 

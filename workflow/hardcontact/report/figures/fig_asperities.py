@@ -70,10 +70,10 @@ def _draw_smooth(axes: Axes, asperities: xr.Dataset) -> None:
 
 def _draw_critical(axes: Axes, edges: xr.Dataset, published_constants: pd.DataFrame) -> None:
     """Draw the long edge (µm) of the mean force, computed and published."""
-    pooled_band = edges.sel(side="large", group=POOLED)
+    pooled_band = edges.sel(side="long", group=POOLED)
     edge = value_and_bounds(pooled_band, "edge")
     value, low, high = np.array([edge["value"], edge["low"], edge["high"]]) / MICROMETRE
-    published = published_edge(published_constants, "large")
+    published = published_edge(published_constants, "long")
     confidence = format_share(edges.attrs["confidence"])
     axes.axhline(value, color="0.4", lw=1.0, label="long edge $λ_L$ (d)")
     if np.isfinite([low, high]).all():

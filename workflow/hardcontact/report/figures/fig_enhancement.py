@@ -14,13 +14,13 @@ from hardcontact.report.figures.values import published_edge, value_and_interval
 
 def draw(enhancement: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
     """Draw force ratios and short edges, a column for each contact model and range of adhesion."""
-    bands = enhancement.sel(side="small")
+    bands = enhancement.sel(side="short")
     cases = [(model, rho) for model in bands["contact_model"].values for rho in bands["rho"].values]
     figure = drawing.create(4.4, enhancement)
     grid = figure.subplots(
         2, len(cases), sharex=True, sharey="row", height_ratios=(3, 1.5), squeeze=False
     )
-    edge = published_edge(published_constants, "small")
+    edge = published_edge(published_constants, "short")
     for letter, (model, rho), (ratio_panel, edge_panel) in zip("abcd", cases, grid.T, strict=True):
         _draw_case(ratio_panel, edge_panel, bands.sel(contact_model=model, rho=rho))
         for axes in (ratio_panel, edge_panel):

@@ -19,7 +19,7 @@ PUBLISHED_BAND_LOOK: style.Look = {"color": "0.9", "lw": 0, "zorder": 0}
 def draw(sensitivity: xr.Dataset, edges: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
     """Draw the sensitivity to each octave, and the force with only a part of the roughness."""
     figure, (top, bottom) = drawing.create_rows(5.4, sensitivity, (3, [1]), (2.2, [1, 1]))
-    band = [published_edge(published_constants, side) for side in ("small", "large")]
+    band = [published_edge(published_constants, side) for side in ("short", "long")]
     top[0].axvspan(*band, **PUBLISHED_BAND_LOOK)
     panels.draw_octaves(top[0], sensitivity)
     style.label_panel(top[0], "a", "change of the force with the amplitude a of one octave")

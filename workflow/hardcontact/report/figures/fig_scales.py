@@ -45,7 +45,7 @@ class ScanMaps(NamedTuple):
 
 def draw(topography: xr.Dataset, scales: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
     """Draw (a) the spectra of all surfaces, (b-d) maps of one scan, (e) their profiles."""
-    band = [published_edge(published_constants, side) for side in ("small", "large")]
+    band = [published_edge(published_constants, side) for side in ("short", "long")]
     figure, ((spectrum_axes,), map_axes, (profile_axes,)) = drawing.create_rows(
         7.4, topography, (2.3, [1]), (2.1, [1, 1, 1]), (1.4, [1])
     )
@@ -70,8 +70,8 @@ def filtered_heights(scan: xr.Dataset, band: Sequence[float]) -> ScanMaps:
     stitched = mirror_stitch(HeightMap(heights, scan["scan_size"].item() / len(heights)))
     pixels = max(stitched.pixels, 2 * int(stitched.size / band[0]) + 4)
     surface = interpolate(stitched, pixels)
-    (without_shorter,) = filtered_series(surface, "small", [band[0]], pixels)
-    (without_longer,) = filtered_series(surface, "large", [band[1]], pixels)
+    (without_shorter,) = filtered_series(surface, "short", [band[0]], pixels)
+    (without_longer,) = filtered_series(surface, "long", [band[1]], pixels)
     surfaces = (surface, without_shorter, without_longer)
     return ScanMaps(*(part.heights[: pixels // 2, : pixels // 2] for part in surfaces))
 
@@ -94,7 +94,7 @@ def _draw_spectra(
 ) -> None:
     """Draw the spectra at all scales, dashed where roughness is artificial, and those of scans."""
     wavelengths = 2 * np.pi / topography["wavevector"]
-    shortest, longest = scales["transition"].sel(side=["small", "large"]).values
+    shortest, longest = scales["transition"].sel(side=["short", "long"]).values
     is_artificial = (wavelengths < shortest) | (wavelengths > longest)
     for surface, look in _surface_looks(topography).items():
         surface_topography = topography.sel(surface=surface)

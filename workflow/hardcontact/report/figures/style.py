@@ -41,8 +41,8 @@ Look = dict[str, Any]  # of an artist, as matplotlib takes it
 ARTIFICIAL_LOOK: Look = {"facecolor": "#FBF4E6", "edgecolor": "#EADBBB", "hatch": "//", "lw": 0.0}
 #: Title of the panel with the cutoffs of each side of the band.
 REMOVED_TITLES = {
-    "small": "roughness below the cutoff removed",
-    "large": "roughness above the cutoff removed",
+    "short": "roughness below the cutoff removed",
+    "long": "roughness above the cutoff removed",
 }
 POOLED_LOOK: Look = {"color": "black", "marker": "h"}  # of the mean of all surfaces
 PUBLISHED_RANGE: Look = {"color": "0.25", "lw": 1.0, "ls": (0, (4, 2))}

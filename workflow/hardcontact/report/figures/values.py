@@ -36,7 +36,7 @@ def summarize_sets(values: xr.DataArray) -> xr.Dataset:
 
 def published_edge(constants: pd.DataFrame, side: str) -> float:
     """Return the published edge (nm) of one side of the band."""
-    return float(constants["value"][f"edge_{side}"])
+    return float(constants["value"][f"{side}_edge"])
 
 
 def mean_free_heights(heights: xr.DataArray) -> np.ndarray:

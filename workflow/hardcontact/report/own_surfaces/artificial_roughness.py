@@ -78,7 +78,7 @@ def parts_of_change(
     side_edges = data.edges.sel(side=side)
     cutoffs = computed_cutoffs(side_edges["filtered_force_ratio"])
     logarithm = np.log(side_edges["filtered_force_ratio"].sel(cutoff_wavelength=cutoffs).values)
-    none_removed = 0 if side == "small" else len(cutoffs)
+    none_removed = 0 if side == "short" else len(cutoffs)
     end = data.force["extrapolation_end"].sel(side=side).item()
     wavelength = np.insert(cutoffs, none_removed, end)
     logarithm = np.insert(logarithm, none_removed, 0.0)
@@ -99,7 +99,7 @@ def reliable_share(parts: tuple[float, float]) -> float:
 def measured_share_at_edge(data: Datasets, side: str) -> float:
     """Return the reliable share of the change of the force at an edge, NaN for an open edge."""
     edge = data.edges["edge"].sel(side=side).item()
-    ends = (0.0, edge) if side == "small" else (edge, np.inf)
+    ends = (0.0, edge) if side == "short" else (edge, np.inf)
     return np.nan if np.isnan(edge) else reliable_share(parts_of_change(data, side, *ends))
 
 

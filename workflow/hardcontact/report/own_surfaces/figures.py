@@ -32,8 +32,8 @@ from hardcontact.surfaces.both_bodies import sphere_share
 
 #: Label and look of the curve for each side of the band.
 SIDE_LOOKS: dict[str, tuple[str, style.Look]] = {
-    "small": ("without shorter wavelengths", {"ls": "-", "marker": "o"}),
-    "large": ("without longer wavelengths", {"ls": "--", "marker": "s"}),
+    "short": ("without shorter wavelengths", {"ls": "-", "marker": "o"}),
+    "long": ("without longer wavelengths", {"ls": "--", "marker": "s"}),
 }
 #: Looks of curves: the contact model of the answer first, then other models.
 MODEL_LINES: tuple[style.Look, ...] = ({"ls": "-"}, {"ls": "--", "mfc": "white"}, {"ls": ":"})

@@ -58,7 +58,7 @@ def _change_from_smooth(data: Datasets) -> Number:
     The force decreases from that of a smooth sphere. The source is "measured" if artificial
     wavelengths change the force by no more than the tolerance.
     """
-    reliable, artificial = parts_of_change(data, "small")
+    reliable, artificial = parts_of_change(data, "short")
     share = reliable_share((reliable, artificial))
     source = "artificial" if share < 1 - NEARLY_ALL else "partly_artificial"
     if artificial <= np.log1p(data.edges.attrs["tolerance"]):
@@ -89,7 +89,7 @@ def differing_sides(data: xr.Dataset) -> list[str]:
 def extrapolated_number(side_data: xr.Dataset, variable: str, name: str, data: Datasets) -> Number:
     """Return the force, or the work of adhesion, with roughness extrapolated at one side.
 
-    It has no value if the hindcast fails or, at the small side, if the scans do not tell how the
+    It has no value if the hindcast fails or, at the short side, if the scans do not tell how the
     spectrum goes on.
     """
     number = number_of(side_data, variable, name=name, source="extrapolated")
@@ -97,7 +97,7 @@ def extrapolated_number(side_data: xr.Dataset, variable: str, name: str, data: D
     unknown = Number(name, np.nan, number.unit, source=number.source)
     if fails_hindcast(data, side):
         return unknown._replace(status="no_hindcast")
-    if side == "small" and data.spectra["tail_known"].item() != 1:
+    if side == "short" and data.spectra["tail_known"].item() != 1:
         return unknown._replace(status="no_exponent")
     return number
 

@@ -23,10 +23,10 @@ from hardcontact.report.templates import render_lines, render_text
 
 #: Claims with numbers in the answer, by the names of these numbers.
 ANSWER_CLAIMS = {
-    "short_edge": "edge_small_pooled",
-    "long_edge": "edge_large_pooled",
-    "first_short_edge": "edge_small_first",
-    "first_long_edge": "edge_large_first",
+    "short_edge": "short_edge_pooled",
+    "long_edge": "long_edge_pooled",
+    "first_short_edge": "short_edge_first",
+    "first_long_edge": "long_edge_first",
     "range_of_adhesion": "range_of_adhesion",
     "work_of_adhesion": "work_of_adhesion",
     "fit_error": "plastic_fits",
@@ -37,8 +37,8 @@ ANSWER_CLAIMS = {
 }
 #: Side of each edge of the band in the datasets, and its status if it lies beyond the cutoffs.
 EDGE_SIDES = {
-    "short_edge": ("small", "open_above"),
-    "long_edge": ("large", "open_below"),
+    "short_edge": ("short", "open_above"),
+    "long_edge": ("long", "open_below"),
 }
 #: Parameters that are fitted to the forces of each set of scans, with units.
 PAIR_UNITS = {"range_of_adhesion": "nm", "work_of_adhesion": "J/m2"}
@@ -160,7 +160,7 @@ def _judgements(claims: pd.DataFrame) -> Iterator[Number]:
 def _edge_source(scales: xr.Dataset, side: str, edge: float) -> str:
     """Return the source of an edge (nm): whether the roughness beyond it is artificial."""
     transition = scales["transition"].sel(side=side).item()
-    is_artificial = edge < transition if side == "small" else edge > transition
+    is_artificial = edge < transition if side == "short" else edge > transition
     return "artificial" if is_artificial else "computed"
 
 
