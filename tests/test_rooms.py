@@ -26,7 +26,7 @@ BUDGET = {
     "files": 461,
     "run": 442,
     "own": 650,
-    "report": 3507,
+    "report": 3516,
     "commands": 1521,
     "api": 215,
 }

@@ -68,7 +68,7 @@ def test_facts_are_the_claims_with_their_numbers_as_printed():
     assert rows["first"]["computed_text"] == "3.2 [2.8, 3.8] nm"
     assert rows["first"]["published_text"] == "3 nm"
     accepted = [row["accepted_text"] for row in rows.values()]
-    assert accepted == ["2 nm to 4 nm", "above 1", "below 0.2"]
+    assert accepted == ["2 to 4 nm", "above 1", "below 0.2"]
     assert rows["second"]["computed_text"] == "1.5" and rows["second"]["published_text"] == ""
     assert rows["third"]["computed_text"] == "" and rows["third"]["computed"] is None
     assert [row["kind"] for row in rows.values()] == ["independent", "follows", "independent"]

@@ -5,7 +5,7 @@ import hashlib
 import math
 import re
 import subprocess
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -81,7 +81,7 @@ def _environment() -> Any:
     environment.filters |= {
         "printed": quantities.printed, "words": quantities.in_words, "rounded": quantities.rounded,
         "bare": quantities.bare, "percent": format_share, "share_of_decades": _share_of_decades,
-        "unbroken": unbroken, "base64": _base64,
+        "unbroken": unbroken, "base64": _base64, "linked": _linked,
     }  # fmt: skip
     environment.globals["caption"] = caption
     environment.tests["known"] = math.isfinite
@@ -119,6 +119,15 @@ def unbroken(text: Any) -> str:
     """Return a text whose lines do not break between a number and its unit."""
     joined = NO_BREAK.sub("\N{NO-BREAK SPACE}", str(text))
     return type(text)(joined) if hasattr(text, "__html__") else joined  # stays escaped
+
+
+def _linked(text: str, names: Collection[str]) -> Any:
+    """Return a text whose words that are among the names link to their places on the page."""
+    from markupsafe import Markup, escape
+
+    words = re.split(r"(\w+)", text)
+    link = Markup('<a href="#{0}">{0}</a>')
+    return Markup("").join(link.format(word) if word in names else escape(word) for word in words)
 
 
 def _base64(data: bytes) -> str:

@@ -11,6 +11,7 @@ from hardcontact.paper.claim_selection import LARGER_PIXELS, WITHOUT_SCAN
 from hardcontact.paper.verdicts import (
     BY_CONSTRUCTION,
     NOT_REPRODUCED,
+    ONE_SIDED,
     REPRODUCED,
     REPRODUCED_SHARE,
     summary,
@@ -57,6 +58,7 @@ def claim_facts(claims: pd.DataFrame) -> dict[str, Any]:
 def _printed_claim(row: Mapping[Any, Any]) -> dict[str, Any]:
     """Return the numbers of a claim as printed, and its kind."""
     unit = row["unit"]
+    is_limit = row["rule"] in ONE_SIDED  # which the accepted range shows
     interval = (row["low"], row["high"])
     kind = "follows" if row["follows_from"] else "independent"
     computed_text = format_as_paper(row["computed"], unit, interval, open_end=row["open_end"])
@@ -65,7 +67,7 @@ def _printed_claim(row: Mapping[Any, Any]) -> dict[str, Any]:
     elif is_boundless(row["computed"], *interval, unit):
         computed_text = f"{format_as_paper(row['computed'], unit)} ({NO_INTERVAL['no_interval']})"
     return {
-        "published_text": format_as_paper(row["published"], unit),
+        "published_text": "" if is_limit else format_as_paper(row["published"], unit),
         "accepted_text": _print_accepted_range(row["accepted_low"], row["accepted_high"], unit),
         "computed_text": computed_text,
         "kind": BY_CONSTRUCTION if row["verdict"] == BY_CONSTRUCTION else kind,
@@ -78,4 +80,6 @@ def _print_accepted_range(low: float, high: float, unit: str) -> str:
         return f"below {format_as_paper(high, unit)}"
     if np.isinf(high):
         return f"above {format_as_paper(low, unit)}"
-    return f"{format_as_paper(low, unit)} to {format_as_paper(high, unit)}"
+    first, last = format_as_paper(low, unit), format_as_paper(high, unit)
+    number, _, first_unit = first.partition(" ")
+    return f"{number} to {last}" if last.endswith(f" {first_unit}") else f"{first} to {last}"
