@@ -173,7 +173,7 @@ def test_own_forces_stand_in_the_headline_with_the_work_that_they_need():
 
 def test_an_edge_without_interval_is_as_wide_as_the_cutoffs_around_it():
     line = headline_of(edges=move_edge(37.0, 20.0, 90.0))
-    assert "Waves of about 37 nm (between 20 nm and 40 nm) to 1.7" in line
+    assert "Waves of about 37 nm (20 nm to 40 nm) to 1.7" in line
 
 
 @pytest.mark.parametrize(("ratio", "lead"), [(0.3, "Its roughness is not that"), (np.nan, "Short")])
@@ -205,8 +205,8 @@ def test_ripples_of_the_filter_are_no_short_edge():
     ("edge", "interval", "words_on_edges"),
     [
         (120.0, (90.0, 150.0), ""),
-        (70.0, (40.0, 90.0), "matter; short edge partly extrapolated."),
-        (37.0, (20.0, 90.0), "matter; short edge extrapolated."),
+        (70.0, (40.0, 90.0), "matter; its short end is partly extrapolated."),
+        (37.0, (20.0, 90.0), "matter; its short end is extrapolated."),
     ],
 )
 def test_the_headline_says_which_edge_is_extrapolated(edge, interval, words_on_edges):
