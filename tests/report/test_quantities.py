@@ -39,8 +39,8 @@ def test_an_endless_interval_is_left_out():
     [
         (Number("edge", 67.0, "nm", 47.0, 74.0), "67 [47, 74] nm"),
         (Number("edge", 67.0, "nm", 47.0, 74.0, "interval_open_high"), "67 [47, 74 or more] nm"),
-        (Number("edge", 67.0, "nm", 47.0), "67 nm [above 47 nm]"),
-        (Number("edge", 67.0, "nm", high=74.0), "67 nm [below 74 nm]"),
+        (Number("edge", 67.0, "nm", 47.0), "67 nm (at least 47 nm)"),
+        (Number("edge", 67.0, "nm", high=74.0), "67 nm (at most 74 nm)"),
         (Number("edge", 67.0, "nm", status="no_interval"), "67 nm (not bounded by these scans)"),
         (Number("edge", 2560.0, "nm", status="open_above"), "at least 2.56 µm"),
         (Number("edge", 20.0, "nm", status="open_below"), "at most 20 nm"),

@@ -117,9 +117,9 @@ def _unbounded(number: Number, digits: int) -> str:
     if number.status in NO_INTERVAL:
         return f" ({NO_INTERVAL[number.status]})"
     if low and not high:
-        return f" [above {printed(number, digits, 'low')}]"
+        return f" (at least {printed(number, digits, 'low')})"
     if high and not low:
-        return f" [below {printed(number, digits, 'high')}]"
+        return f" (at most {printed(number, digits, 'high')})"
     return ""
 
 
