@@ -72,15 +72,18 @@ def read_scan(
         Any format that SurfaceTopography reads, or a container of scans.
     dataset : str
         The member of a container, or the channel of any other file; empty for the file's choice.
-    undefined_pixels, levelling : str
-        ``"refuse"``, or ``"harmonic"``, which fills them; ``"plane"``, ``"lines"``, which aligns
-        the scan lines and fills streaks first, or ``"quadratic"``, which also subtracts the bow of
-        a scanner.
+    undefined_pixels : str
+        ``"refuse"`` a scan with gaps, or fill them: ``"harmonic"``.
+    unit : str
+        For a file that states none: a unit such as ``"nm"``, or ``"mm,nm"`` for positions and
+        heights.
+    map_size : float or str
+        For a file that states none: the longer side in nm.
     mask : str
-        Of pixels under a mask in a file of Gwyddion: ``"keep"`` the heights, or ``"exclude"`` them.
-    unit, map_size : str, float or str
-        For files that do not state them: a unit such as ``"nm"`` or ``"mm,nm"``; the longer side in
-        nm.
+        ``"keep"`` or ``"exclude"`` the heights under a mask in a file of Gwyddion.
+    levelling : str
+        ``"plane"``; ``"lines"``, which aligns the scan lines and fills streaks first; or
+        ``"quadratic"``, which also subtracts the bow of a scanner.
     sphere_radius : float or None
         Radius in nm of a sphere on the scan, which is subtracted; None for a flat surface.
 

@@ -21,7 +21,8 @@ PACKAGES = ("numpy", "scipy", "xarray", "netCDF4", "SurfaceTopography", "snakema
 #: The folder of the records of files, beside them.
 RECORDS = ".origin"
 
-#: `Origin.attributes`, the digests of inputs decoded, the lineage and the `sha256` of the file.
+#: The content of a record: `Origin.attributes`, with the digests of inputs as a mapping, and the
+#: lineage and the `sha256` of the file.
 Record = dict[str, Any]
 
 
@@ -55,8 +56,8 @@ def versions() -> dict[str, str]:
 def lineage(parameters: str, inputs: Mapping[str, str]) -> str:
     """Return a digest of all that a file is made from, by the lineage of each input.
 
-    The lineage of a file that no job made is its SHA-256. So a change is found even if the
-    intermediates that it went through are gone.
+    The lineage of a file that no job made is its SHA-256. A changed scan is therefore found even if
+    the intermediates between it and a result were deleted.
     """
     return value_digest([parameters, versions(), inputs])
 

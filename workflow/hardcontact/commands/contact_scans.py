@@ -24,7 +24,7 @@ from hardcontact.own.scan_window import window_on_scans
 from hardcontact.surfaces.spectrum import BIN_CENTRES, Spectrum
 from hardcontact.theory.summits import search_size
 
-#: Fewest pixels that the interaction radius sqrt(2 R rho) spans on a scan that resolves it well, a
+#: Fewest pixels that the interaction radius sqrt(D rho) spans on a scan that resolves it well, a
 #: tenth of those in the paper (1.7 µm at 5.6 nm, on pixels of 4.9 nm: 343).
 MIN_RADIUS_PIXELS = 32
 #: The longest range of adhesion (nm) that is proposed if none is given: that of the paper's study.

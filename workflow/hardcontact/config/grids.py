@@ -10,8 +10,9 @@ from hardcontact.contact.contact import Contact
 PIXEL_SIZES = (0.05, 1e4)
 #: Largest number of pixels along a side of a map: arrays of more than 2 GiB are not validated.
 MAP_PIXELS = 16384
-#: Edge of the periodic random surface from which a substitute is cut, in edges of the substitute:
-#: a scan has waves longer than itself, and does not continue at its edges. Trade for memory.
+#: Edge of the periodic random surface from which a substitute is cut, in edges of the substitute.
+#: A real scan has waves longer than itself and does not continue at its edges; a larger surface
+#: would imitate this better, but takes more memory.
 REALIZATION_OVER_SCAN = 4
 #: Contact pixels of all contacts on a scan, with their images in the window: all are kept in memory
 #: at once, in some 24 bytes each, 1.6 GB together.
@@ -67,7 +68,7 @@ def minimum_range(radius: float, window: float, grid: Grid) -> tuple[float, str]
     if two_pixels > shortest:
         shortest = two_pixels
         reason = (
-            "an interaction radius sqrt(2 R rho) of two pixels needs it at R = "
+            "an interaction radius sqrt(D rho) of two pixels needs it at R = "
             f"{format_length(radius)}"
         )
     step = 10.0 ** (math.floor(math.log10(shortest)) - 2)

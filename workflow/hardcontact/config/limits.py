@@ -43,7 +43,7 @@ class NamedContact:
 
 
 def study_contacts(config: dict[str, Any]) -> dict[str, NamedContact]:
-    """Return the contacts that a study computes, each with the values that limits forbid first."""
+    """Return the contacts that a study computes, of each stage the one that first meets a limit."""
     contact = study_contact(config)
     scan_contact = NamedContact(replace(contact, rho=config["adhesion"]["ranges"][0]))
     master_contact = NamedContact(contact, range="config key scales.range")

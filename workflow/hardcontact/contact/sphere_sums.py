@@ -25,8 +25,8 @@ from hardcontact.contact.smooth_sphere_sums import smooth_sphere_terms, sums_by_
 
 #: Looked up once: it takes milliseconds.
 LIBRARIES = ThreadpoolController()
-#: Largest penetration of a contact relative to the range at which contact pixels are subtracted, by
-#: the precision of the heights: exp(2) of 7 digits are lost, or exp(6) of 16.
+#: Largest penetration of a contact, in ranges of adhesion, at which contact pixels are subtracted,
+#: by the precision of the heights. Of 7 digits sums then lose a factor of exp(2), of 16 exp(6).
 MAX_PENETRATION = {np.float32: 2.0, np.float64: 6.0}
 #: Largest depth of a contact below the highest point of the surface, relative to the range. Terms
 #: that round to zero are then less than exp(-47) of those of the contact.

@@ -17,8 +17,8 @@ from snakemake.settings.types import RerunTrigger
 
 from hardcontact.base.origin import Record, canonical_json, digest, lineage, read_record, versions
 
-#: Size in bytes up to which files of earlier jobs are read; of larger ones the record counts, with
-#: which the job that uses them compares them.
+#: Size in bytes up to which files of earlier jobs are read to see whether they changed. Of larger
+#: ones the record is believed here; the job that uses such a file compares it with its record.
 MAX_READ_SIZE = 1_000_000
 
 

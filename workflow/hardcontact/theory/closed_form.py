@@ -137,9 +137,9 @@ def rough_terms(sigma: float, levels: ApexLevels, rho: float, share: float) -> t
     """Return the first term of F/(2 pi R W) at each level (n,), and the mean second term.
 
     A rough summit attracts with `share` of the force of a smooth one, whether it touches or lies
-    below the sphere. Over the height sigma/t the number of summits falls by the factor e. Points
-    closer to the sphere than sigma/t are therefore on summits. The mean over the plane counts
-    mostly points on summits that rise above the sphere; such summits do not exist.
+    below the sphere. The number of summits falls by the factor e over the height sigma/t, so points
+    closer to the sphere than sigma/t are on summits. A plain mean over the plane
+    would mostly count points on summits above the sphere, which closest approach excludes.
     """
     t = levels.levels
     relief = 1 / max(levels.mean(), 1.0)
