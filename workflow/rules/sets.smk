@@ -31,7 +31,7 @@ rule compute_draws:
         "../scripts/compute_draws.py"
 
 
-rule judge_sets:
+rule sample_sets:
     """Sample all sets, and compute of each what the statements of the paper are about: sets.nc."""
     input:
         topography=rules.aggregate_topography.output[0],
@@ -41,7 +41,7 @@ rule judge_sets:
         masters=FILES.paths(PATTERNS.filtered, FILES.filtered_masters("sets")),
         published_pull_off=PUBLISHED_TABLES["published_pull_off"],
         published_constants=PUBLISHED_TABLES["published_constants"],
-        code=code_inputs("judge_sets.py"),
+        code=code_inputs("sample_sets.py"),
     output:
         PATTERNS.dataset("sets"),
     retries: 0  # A fault of a statement would be there again.
@@ -64,13 +64,13 @@ rule judge_sets:
             },
         ),
     script:
-        "../scripts/judge_sets.py"
+        "../scripts/sample_sets.py"
 
 
 rule compare_features:
     """Compare the forces of surfaces with features with the published ones: features.nc."""
     input:
-        sets=rules.judge_sets.output[0],
+        sets=rules.sample_sets.output[0],
         draws=FILES.paths(PATTERNS.draws, FILES.draw_chunks),
         published_pull_off=PUBLISHED_TABLES["published_pull_off"],
         published_constants=PUBLISHED_TABLES["published_constants"],
@@ -86,7 +86,7 @@ rule compare_features:
 rule fit_posterior:
     """Weigh all pairs of range and work by the published forces: posterior.nc."""
     input:
-        sets=rules.judge_sets.output[0],
+        sets=rules.sample_sets.output[0],
         whole=FILES.paths(PATTERNS.whole, FILES.whole_chunks),
         published_pull_off=PUBLISHED_TABLES["published_pull_off"],
         code=code_inputs("fit_posterior.py"),

@@ -21,7 +21,9 @@ from hardcontact.contact.geometry import Bodies, ContactGeometry
 ROWS = 64
 
 
-def sums_by_subtraction(bodies: Bodies, contacts: GapsByContact, rhos: Sequence[float]) -> Floats:
+def sums_by_subtraction(
+    bodies: Bodies, lowest_gaps: GapsByContact, rhos: Sequence[float]
+) -> Floats:
     """Return `outside_sums` on a smooth sphere: sums over all pixels less those in contact."""
     heights = bodies.substrate.heights
     precision = heights.dtype.type  # `join_bodies` permits these two.
@@ -31,13 +33,13 @@ def sums_by_subtraction(bodies: Bodies, contacts: GapsByContact, rhos: Sequence[
     ]
     quarter, quarter_factors = _without_mirror_images(heights, factors)
     all_sums = _contact_sums(_row_blocks(quarter, precision, highest, rhos), quarter_factors)
-    sums_outside = np.empty_like(all_sums)
-    for index, (gaps, _) in contacts.items():
+    sums = np.empty_like(all_sums)
+    for index, (gaps, _) in lowest_gaps.items():
         for k, rho in enumerate(rhos):
             contact_sum = np.exp((gaps[-1] - gaps) / rho).sum()
             scale = np.exp((gaps[-1] + highest) / rho)
-            sums_outside[k][index] = scale * all_sums[k][index] - contact_sum
-    return sums_outside
+            sums[k][index] = scale * all_sums[k][index] - contact_sum
+    return sums
 
 
 def smooth_sphere_terms(

@@ -60,7 +60,7 @@ class Pair(NamedTuple):
 class PublishedFit(NamedTuple):
     """Published forces, with the range and the work of adhesion that the paper inferred."""
 
-    forces: pd.DataFrame  #: From `published.pull_off`.
+    forces: pd.DataFrame  #: From `published.measured_forces`.
     pair: Pair  #: Published range and work of adhesion.
 
 

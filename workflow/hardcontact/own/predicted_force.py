@@ -32,7 +32,7 @@ from hardcontact.inference.scan_parts import logarithmic_interval
 from hardcontact.surfaces.spectrum import Spectrum, spectrum_of_dataset
 from hardcontact.theory.pull_off_statistics import predict_statistics
 from hardcontact.theory.summits import search_size
-from hardcontact.theory.validity import tabor
+from hardcontact.theory.validity import tabor_number
 
 #: Quantiles of the forces of single contacts.
 QUANTILES = [0.05, 0.25, 0.5, 0.75, 0.95]
@@ -95,8 +95,8 @@ def force_dataset(
         for spectrum in spectra_by_surface.values()
     ]
     force = force.merge(xr.concat(scatter, force["surface"]))
-    stiffness = tabor(contact, assumed_modulus(contact.hardness))
-    return force.assign_attrs(tabor_parameter=stiffness.value, bodies=stiffness.status)
+    tabor = tabor_number(contact, assumed_modulus(contact.hardness))
+    return force.assign_attrs(tabor_parameter=tabor.value, bodies=tabor.status)
 
 
 def force_scatter(
