@@ -10,6 +10,6 @@ rule apply_classical_models:
     output:
         PATTERNS.dataset("classical"),
     params:
-        parameters=canonical_json(SAMPLING),
+        parameters=parameters(**SAMPLING),
     script:
         "../scripts/apply_classical_models.py"

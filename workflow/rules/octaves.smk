@@ -5,13 +5,30 @@ from hardcontact.surfaces.synthesis import SIDES
 
 # Bands need whole surfaces: scans are too small for their long waves.
 BAND_SURFACES = FILES.substitutes if IS_PAPER_STUDY else []
+CONTACT = STUDY["contact"] | {
+    "radius": STUDY["sphere"]["radius"],
+    "rho": STUDY["scales"]["range"],
+}
+
+
+def whole_parameters(surface, realizations):
+    """Return the parameters of whole surfaces and of contacts on them."""
+    return {
+        "surface": surface,
+        "realizations": list(realizations),
+        "seed": STUDY["seed"],
+        "grid": FILES.whole_grid,
+        "scan": SCAN_GRID,
+        "has_features": surface in FILES.featured,
+        "contact": CONTACT,
+    }
 
 
 rule compute_whole:
     """Compute the forces on whole substitute surfaces, also with each octave amplified."""
     input:
-        **DESCRIPTION,
-        **SUBSTITUTE_SOURCES,
+        **DESCRIPTION_INPUTS,
+        **SUBSTITUTE_INPUTS,
         code=code_inputs("compute_whole.py"),
     output:
         PATTERNS.whole,
@@ -54,15 +71,15 @@ rule amplify_octaves:
 rule isolate_band:
     """Compute the forces on whole surfaces with the roughness of a band alone, and without."""
     input:
-        **DESCRIPTION,
-        **SUBSTITUTE_SOURCES,
+        **DESCRIPTION_INPUTS,
+        **SUBSTITUTE_INPUTS,
         edges=PATTERNS.dataset("edges"),
         code=code_inputs("isolate_band.py"),
     output:
         PATTERNS.band_forces,
     params:
-        parameters=lambda w: canonical_json(
-            whole_parameters(w.surface, range(1, STUDY["scales"]["whole_surfaces"] + 1))
+        parameters=lambda w: parameters(
+            **whole_parameters(w.surface, range(1, STUDY["scales"]["whole_surfaces"] + 1))
         ),
     script:
         "../scripts/isolate_band.py"

@@ -82,6 +82,6 @@ if STUDY["forces"] != NONE:
         output:
             PATTERNS.dataset("fit"),
         params:
-            parameters=canonical_json(SAMPLING),
+            parameters=parameters(**SAMPLING),
         script:
             "../scripts/fit_measured.py"

@@ -8,6 +8,12 @@ from hardcontact.surfaces.synthesis import SIDES
 SAMPLED_MASTERS = [] if IS_PAPER_STUDY else FILES.filtered_masters("sampled")
 
 
+def filter_megabytes(wildcards):
+    """Return the memory of a job that filters masters, by the larger of its two masters."""
+    sides = filter_settings(STUDY, wildcards.purpose)["sides"]
+    return master_megabytes(max(side["pixels"] for side in sides.values()), 3000)
+
+
 rule synthesize_masters:
     """Continue the roughness of a scan below its pixels and beyond its size."""
     input:
@@ -42,21 +48,16 @@ rule filter_masters:
     output:
         PATTERNS.filtered,
     resources:
-        mem_mb=lambda w: master_megabytes(
-            max(side["pixels"] for side in filter_settings(STUDY, w.purpose)["sides"].values()),
-            3000,
-        ),
+        mem_mb=filter_megabytes,
     params:
-        parameters=lambda w: canonical_json(
-            {
-                "surface": w.surface,
-                "realizations": list(range(int(w.first), int(w.last) + 1)),
-                "seed": STUDY["seed"],
-                "generator_name": PURPOSES[w.purpose].generator_name,
-                "window": STUDY["contact"]["window"],
-                **filter_settings(STUDY, w.purpose),
-                **contact_grid(STUDY, w.purpose),
-            }
+        parameters=lambda w: parameters(
+            surface=w.surface,
+            realizations=list(range(int(w.first), int(w.last) + 1)),
+            seed=STUDY["seed"],
+            generator_name=PURPOSES[w.purpose].generator_name,
+            window=STUDY["contact"]["window"],
+            **filter_settings(STUDY, w.purpose),
+            **contact_grid(STUDY, w.purpose),
         ),
     script:
         "../scripts/filter_masters.py"

@@ -3,10 +3,25 @@
 from hardcontact.paper.evaluation import replicated_statements
 
 
+def group_parameters(wildcards):
+    """Return the parameters of scans of a pool, or of surfaces with features, and of their contacts."""
+    return {
+        "surface": wildcards.surface,
+        "first": int(wildcards.first),
+        "last": int(wildcards.last),
+        "scans": len(SELECTION.scans(wildcards.surface)),
+        "scan": SCAN_GRID,
+        "contact": STUDY["contact"] | {"count": STUDY["sets"]["count"]},
+        "ranges": RANGES,
+        "radius": STUDY["sphere"]["radius"],
+        "seed": STUDY["seed"],
+    }
+
+
 rule compute_pool:
     """Compute the forces of some scans of a pool at several heights of each."""
     input:
-        **SUBSTITUTE_SOURCES,
+        **SUBSTITUTE_INPUTS,
         code=code_inputs("compute_pool.py"),
     output:
         PATTERNS.pool,
@@ -21,7 +36,7 @@ rule compute_pool:
 rule compute_draws:
     """Compute the forces on some surfaces with features that Table 1 accepts."""
     input:
-        **SUBSTITUTE_SOURCES,
+        **SUBSTITUTE_INPUTS,
         code=code_inputs("compute_draws.py"),
     output:
         PATTERNS.draws,
