@@ -8,7 +8,7 @@ rule evaluate_claims:
     """Judge statements of the paper by what was computed: claims.csv."""
     input:
         **{dataset: PATTERNS.dataset(dataset) for dataset in CLAIM_DATASETS},
-        sets=rules.judge_sets.output[0],
+        sets=PATTERNS.dataset("sets"),
         claims="resources/paper/claims.csv",
         published_constants=PUBLISHED_TABLES["published_constants"],
         published_table1=PUBLISHED_TABLES["published_table1"],

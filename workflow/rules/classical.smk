@@ -5,7 +5,7 @@ rule apply_classical_models:
     """Apply classical models of smooth and rough adhesion to the published forces: classical.nc."""
     input:
         **PUBLISHED_TABLES,
-        fit=rules.fit_published.output[0],
+        fit=PATTERNS.dataset("fit"),
         code=code_inputs("apply_classical_models.py"),
     output:
         PATTERNS.dataset("classical"),
