@@ -1,23 +1,39 @@
 # The surfaces of the study, and the lists of their files.
 #
-# Names that the rules of all files use:
-#   SELECTION      the surfaces of the table, with their labels, scans and source files
-#   SPHERE         the name of the sphere's surface
-#   NAMED_SURFACES the label of each surface, and whether it was measured or is a substitute
-#   FILES          the paths of the files of a surface, and the lists of files of a rule
-#   CONTACT        the keys of `contact`, with the radius of the sphere and the range of adhesion (nm)
+# Names that several files of rules use:
+#   SELECTION          the surfaces of the table, with their labels, scans and source files
+#   SPHERE             the name of the sphere's surface
+#   NAMED_SURFACES     the label of each surface, and whether it was measured or is a substitute
+#   FILES              the files of each surface: spectra, scans, pairs of scans
+#   CHUNKS             what one job computes together: scans of pools, masters, whole surfaces
+#   SCAN_GRID          pixels and size (nm) of a substitute scan, and the pixels of the random surface
+#                      from which it is cut
+#   DESCRIPTION_INPUTS the description of a substitute, and the tables that it names
+#   SUBSTITUTE_INPUTS  from which random surfaces like a substitute are made
 
-from hardcontact.files.study_files import Files
+from hardcontact.config.grids import realization_pixels
+from hardcontact.files.chunks import Chunks
 from hardcontact.files.patterns import any_name_pattern
 from hardcontact.files.patterns import wildcard_constraints as constraints
+from hardcontact.files.surface_files import SurfaceFiles
 
 SELECTION = start.checked_selection(workflow, STUDY)
 SPHERE = SELECTION.sphere
 NAMED_SURFACES = {"labels": SELECTION.labels, "basis": SELECTION.basis}
-FILES = Files(STUDY, SELECTION, PATTERNS)
-CONTACT = STUDY["contact"] | {
-    "radius": STUDY["sphere"]["radius"],
-    "rho": STUDY["scales"]["range"],
+FILES = SurfaceFiles(STUDY, SELECTION, PATTERNS)
+CHUNKS = Chunks(FILES)
+SCAN_GRID = {
+    **{key: STUDY["scan"][key] for key in ("pixels", "size")},
+    "realization_pixels": realization_pixels(STUDY["scan"]["pixels"]),
+}
+DESCRIPTION_INPUTS = {
+    "description": lambda w: SELECTION.description(w.surface),
+    "tables": lambda w: SELECTION.tables(w.surface),
+}
+SUBSTITUTE_INPUTS = {
+    "spectrum": lambda w: FILES.spectrum(w.surface),
+    "published_table1": PUBLISHED_TABLES["published_table1"],
+    "published_constants": PUBLISHED_TABLES["published_constants"],
 }
 
 
@@ -31,32 +47,4 @@ def named(surface):
         "surface": surface,
         "label": SELECTION.labels[surface],
         "basis": SELECTION.basis[surface],
-    }
-
-
-def group_parameters(wildcards):
-    """Return the parameters of scans of a pool, or of surfaces with features, and of their contacts."""
-    return {
-        "surface": wildcards.surface,
-        "first": int(wildcards.first),
-        "last": int(wildcards.last),
-        "scans": len(SELECTION.scans(wildcards.surface)),
-        "scan": SCAN_GRID,
-        "contact": STUDY["contact"] | {"count": STUDY["sets"]["count"]},
-        "ranges": RANGES,
-        "radius": STUDY["sphere"]["radius"],
-        "seed": STUDY["seed"],
-    }
-
-
-def whole_parameters(surface, realizations):
-    """Return the parameters of whole surfaces and of contacts on them."""
-    return {
-        "surface": surface,
-        "realizations": list(realizations),
-        "seed": STUDY["seed"],
-        "grid": FILES.whole_grid,
-        "scan": SCAN_GRID,
-        "has_features": surface in FILES.featured,
-        "contact": CONTACT,
     }
