@@ -30,9 +30,9 @@ def test_pairs_include_the_published_pair_and_their_shares_add_up_to_one():
 
 
 def test_printed_forces_keep_their_digits():
-    text = published.printed_pull_off(PAPER / "pull_off.csv")
+    text = published.printed_forces(PAPER / "pull_off.csv")
     assert text.mean_force["uncd"] == "0.4e-6"
-    numbers = published.pull_off(PAPER / "pull_off.csv")
+    numbers = published.measured_forces(PAPER / "pull_off.csv")
     assert text.astype(float).equals(numbers)
 
 

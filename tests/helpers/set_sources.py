@@ -5,7 +5,7 @@ import pandas as pd
 import xarray as xr
 from paper_numbers import MEAN_FORCE, SUBSTRATES, SURFACES, TABLE1
 
-from hardcontact.paper.judged_sets import Sources
+from hardcontact.paper.sampled_sets import Sources
 from hardcontact.surfaces.height_map import METRICS
 from hardcontact.surfaces.roughness_table import scan_averages
 

@@ -1,101 +1,183 @@
-"""Sampled sets: exact heights, forces against direct computation, sampled means."""
-
-from dataclasses import replace
+"""Sets: their datasets but for the scans those of the study, a number for every claim."""
 
 import numpy as np
+import pandas as pd
 import pytest
 import xarray as xr
-from refusals import assert_says, refusal
-from small_pool import CONTACT, SOURCES, pool_of, raw_scan
+from paper_numbers import CONSTANTS, MEAN_FORCE, STATEMENTS, SUBSTRATES
+from set_sources import CONFIDENCE, SCANS, make_adhesion, make_masters, make_pool, make_sources
 
-from hardcontact.base.random import generator
-from hardcontact.base.statistics import student_log_interval
-from hardcontact.contact.geometry import join_bodies
-from hardcontact.contact.pull_off import pull_off_dataset
-from hardcontact.paper.judged_sets import sample_scans, scale_to_sampled_mean
-from hardcontact.surfaces.conditioning import scale_rms_heights
-from hardcontact.surfaces.height_map import TABLE1_METRICS, metrics, mirror_stitch
+from hardcontact.base.statistics import Sampling
+from hardcontact.inference.edges import edges_of_realizations
+from hardcontact.inference.published_fit import Pair, PublishedFit, fit_published
+from hardcontact.paper.sampled_sets import (
+    SetSettings,
+    gather_sources,
+    sample_set_scans,
+    sample_sets,
+    set_adhesion,
+    set_edges,
+    set_topography,
+)
+from hardcontact.surfaces.height_map import TABLE1_METRICS
 
-POOL = range(1, 7)
+SETTINGS = SetSettings(
+    seed=1,
+    replicates=3,
+    realizations=5,
+    reference_surface="uncd",
+    tolerance=0.1,
+    confidence=CONFIDENCE,
+)
+FORCES = pd.DataFrame({"mean_force": MEAN_FORCE}, index=SUBSTRATES)
+REPLICATED = STATEMENTS[STATEMENTS["replicated"] == "yes"]
+PAPER = REPLICATED, CONSTANTS, PublishedFit(FORCES, Pair(5.6, 46.3e-3))
 
 
-def test_sampled_heights_have_the_exact_mean_and_deviation():
-    sampled_heights = np.array([3.0, 2.8, 3.3, 3.1, 2.9])
-    heights = scale_rms_heights(sampled_heights, 3.2, 1.6)
-    assert heights.mean() == pytest.approx(3.2, rel=1e-12)
-    assert heights.std(ddof=1) == pytest.approx(1.6, rel=1e-12)
-    np.testing.assert_array_equal(np.argsort(heights), np.argsort(sampled_heights))
-    np.testing.assert_array_equal(scale_rms_heights(sampled_heights[:1], 3.2, 1.6), [3.2])
+@pytest.fixture(scope="module")
+def sets():
+    return sample_sets(make_sources(), *PAPER, SETTINGS)
 
 
-def test_a_set_has_the_forces_and_roughness_of_its_scans_at_the_sampled_heights():
-    sampled_set = sample_scans(pool_of(*POOL), generator(1, "draw"), 5)
-    assert len(set(sampled_set["number"].values)) == 5
-    assert sampled_set["rms_height"].mean().item() == pytest.approx(10.0, rel=1e-12)
-    assert sampled_set["rms_height"].std(ddof=1).item() == pytest.approx(4.0, rel=1e-12)
-    for _, sampled_scan in sampled_set.groupby("scan"):
-        scan = raw_scan(sampled_scan["number"].item())
-        height = sampled_scan["rms_height"].item()
-        scaled = replace(scan, heights=scan.heights * height / scan.heights.std())
-        values = metrics(scaled)
-        for name in TABLE1_METRICS.values():
-            assert sampled_scan[name].item() == pytest.approx(values[name], rel=1e-9)
-        pair = join_bodies(mirror_stitch(scaled), None, CONTACT)
-        direct = pull_off_dataset(pair, CONTACT, SOURCES.ranges)["pull_off_force"].values
-        np.testing.assert_allclose(
-            sampled_scan["pull_off_force"].squeeze("scan"), direct, rtol=0.15
+def test_every_replicated_claim_has_a_number_of_every_set(sets):
+    replicated = REPLICATED["id"]
+    assert sets["value"].dims == ("set", "claim")
+    assert sets["claim"].values.tolist() == replicated.tolist()
+    unfitted_claims = sets["claim"].values[np.isnan(sets["value"]).any("set")]
+    assert set(unfitted_claims) <= {
+        "half_width_of_range",
+        "half_width_of_work",
+    }  # no fit is good enough
+    height = sets["value"].sel(claim="afm_rms_height_uncd")
+    np.testing.assert_allclose(height, 17.4, rtol=1e-12)
+
+
+def test_numbers_are_those_of_each_set(sets):
+    sources = make_sources()
+    models = ["rigid", "plastic"]
+    for number in (1, 3):
+        numbers = sets["value"].sel(set=number)
+        sampled_scans = sample_set_scans(sources, 1, number)
+        adhesion = set_adhesion(sources, sampled_scans, 1, number)
+        inference = fit_published(
+            adhesion, PAPER[2], "uncd", 0.1, 30e-9, Sampling(1, 0, CONFIDENCE)
         )
-        means = sampled_scan["pull_off_force"].mean(["contact_y", "contact_x"]).squeeze("scan")
-        np.testing.assert_allclose(means.sel(rho=5.6), direct[:, 2].mean(axis=(1, 2)), rtol=1e-3)
-        np.testing.assert_allclose(means, direct.mean(axis=(2, 3)), rtol=0.03)
+        ranges = sets["range_of_adhesion"].sel(set=number, contact_model=models)
+        np.testing.assert_allclose(inference["range_of_adhesion"].sel(contact_model=models), ranges)
+        gradient = sampled_scans["ncd"]["rms_gradient"].mean().item()
+        assert numbers.sel(claim="afm_rms_slope_ncd").item() == pytest.approx(gradient)
 
 
-def test_every_scan_of_the_pool_is_sampled_equally_often():
-    pool, draws = pool_of(*POOL), 300
-    numbers = [sample_scans(pool, generator(2, n), 2)["number"].values for n in range(draws)]
-    _, counts = np.unique(numbers, return_counts=True)
-    assert (np.abs(counts - draws / 3) < 4 * np.sqrt(draws * 2 / 9)).all()
-
-
-def test_sets_that_would_need_a_flatter_scan_are_sampled_again_or_refused():
-    wide = pool_of(*POOL).assign_attrs(rms_height_deviation=6.5)
-    lowest = wide["rms_height_of_force"].min().item()
-    heights = np.array([sample_scans(wide, generator(3, n), 3)["rms_height"] for n in range(20)])
-    assert (heights >= lowest * (1 - 1e-9)).all()
-    np.testing.assert_allclose(heights.std(axis=1, ddof=1), 6.5)
-    message = refusal(sample_scans, wide.assign_attrs(rms_height_deviation=30.0), generator(3), 5)
-    assert_says(message, "expected sets of 5 scans", "10 +- 30 nm", "found none")
-
-
-def measured_forces(scans):
-    """Forces of measured scans on two spheres: log-normal, correlated along the range."""
-    rng = np.random.default_rng(scans)
-    scan_effect = rng.normal(size=(scans, 1, 1, 1, 1, 1)) * np.array([0.3, 0.6])[:, None, None]
-    contact_effect = 0.5 * rng.normal(size=(scans, 2, 1, 1, 3, 3))
-    forces = np.exp(scan_effect + contact_effect + np.log([1.0, 2.0])[:, None, None, None])
-    axes = ("scan", "sphere_scan", "contact_model", "rho", "contact_y", "contact_x")
-    return xr.DataArray(
-        forces, {"contact_model": ["rigid", "plastic"], "rho": [1.0, 5.6]}, axes, name="forces"
+def test_a_set_depends_on_its_number_and_the_seed_alone(sets):
+    fewer = sample_sets(make_sources(), *PAPER, SETTINGS._replace(replicates=1))
+    xr.testing.assert_identical(fewer.isel(set=0), sets.isel(set=0))
+    other_seed = sample_sets(make_sources(), *PAPER, SETTINGS._replace(replicates=1, seed=2))
+    assert not np.allclose(
+        other_seed["value"].isel(set=0), sets["value"].isel(set=0), equal_nan=True
     )
+    assert len(np.unique(sets["range_of_adhesion"])) > 2
 
 
-def test_sampled_means_of_measured_scans_spread_over_their_interval():
-    forces = measured_forces(5)
-    scans = forces.mean(["sphere_scan", "contact_y", "contact_x"])
-    low, high = np.moveaxis(student_log_interval(scans, 0.9, "scan").values, -1, 0)
-    means = np.array(
-        [
-            scale_to_sampled_mean(forces, generator(5, n)).mean(
-                ["scan", "sphere_scan", "contact_y", "contact_x"]
+def test_the_factor_of_the_sphere_is_the_ratio_of_mean_forces():
+    adhesion = make_adhesion()
+    means = adhesion["pull_off_force"].mean(["sphere_scan", "contact_y", "contact_x"])
+    adhesion["smooth_sphere_force"] = 2 * means
+    pools = {name: make_pool(name) for name in SUBSTRATES}
+    chunks = {
+        (name, first, first + 5): pool.sel(scan=slice(first, first + 5))
+        for name, pool in pools.items()
+        for first in (1, 7)
+    }
+    study = {"topography": make_sources().topography, "adhesion": adhesion}
+    sources = gather_sources(study, chunks, {}, SUBSTRATES, make_masters())
+    np.testing.assert_allclose(sources.sphere_factor, 0.5, rtol=1e-12)
+    assert set(sources.sphere_factor.dims) == {"contact_model", "surface", "rho"}
+    for name, pool in pools.items():
+        xr.testing.assert_identical(sources.pools[name], pool)
+
+
+def test_measured_surfaces_make_sets_too():
+    sources = make_sources(measured_surfaces=SUBSTRATES)
+    sets = sample_sets(sources, *PAPER, SETTINGS._replace(replicates=2))
+    gradient = sources.topography["rms_gradient_mean"].sel(surface="ncd")
+    assert sets["value"].isel(set=0).sel(claim="afm_rms_slope_ncd") == gradient
+    ranges = sets["range_of_adhesion"].sel(contact_model="plastic")
+    assert ranges[0] != ranges[1]
+
+
+#: Seed of the study and number of the set.
+DRAW = 1, 3
+NO_SAMPLES = Sampling(1, 0, CONFIDENCE)
+CONTACTS = ["contact_y", "contact_x"]
+
+
+def test_topography_of_a_set_replaces_only_sampled_scans():
+    sources = make_sources(measured_surfaces=["mcd"])
+    sampled_scans = sample_set_scans(sources, *DRAW)
+    study = sources.topography
+    topography = set_topography(study, sampled_scans, CONFIDENCE)
+    for name in TABLE1_METRICS.values():
+        uncd_metric = topography[name].sel(surface="uncd")
+        np.testing.assert_allclose(uncd_metric, sampled_scans["uncd"][name], rtol=1e-12)
+        mean = topography[f"{name}_mean"].sel(surface="uncd").item()
+        assert mean == pytest.approx(sampled_scans["uncd"][name].mean().item(), rel=1e-12)
+        for surface in ("mcd", "ruby"):
+            np.testing.assert_array_equal(
+                topography[name].sel(surface=surface), study[name].sel(surface=surface)
             )
-            for n in range(400)
-        ]
-    )
-    share = ((means > low) & (means < high)).mean(axis=0)
-    np.testing.assert_allclose(share, 0.9, atol=4 * np.sqrt(0.09 / 400))
+    heights = topography["rms_height_mean"].sel(surface="uncd").item()
+    assert heights == pytest.approx(17.4, rel=1e-12)
+    assert topography["rms_height_std"].sel(surface="uncd").item() == pytest.approx(3.48)
+    xr.testing.assert_identical(topography["basis"], study["basis"])
+    assert topography.attrs == study.attrs
 
 
-def test_a_single_measured_scan_keeps_its_forces():
-    xr.testing.assert_identical(
-        scale_to_sampled_mean(measured_forces(1), generator(6)), measured_forces(1)
+def test_forces_of_sampled_scans_are_scaled_to_the_rough_sphere():
+    sources = make_sources()
+    sampled_scans = sample_set_scans(sources, *DRAW)
+    adhesion = set_adhesion(sources, sampled_scans, *DRAW)
+    assert adhesion["pull_off_force"].dims == sources.adhesion["pull_off_force"].dims
+    assert adhesion.attrs == sources.adhesion.attrs
+    for surface, scans in sampled_scans.items():
+        ratio = adhesion["pull_off_force"].sel(surface=surface) / scans["pull_off_force"]
+        np.testing.assert_allclose(ratio.sel(contact_model="rigid"), 0.9, rtol=1e-12)
+        np.testing.assert_allclose(ratio.sel(contact_model="plastic"), 0.95, rtol=1e-12)
+
+
+def test_forces_on_measured_scans_change_by_one_factor_per_range():
+    sources = make_sources(measured_surfaces=["mcd"])
+    adhesion = set_adhesion(sources, sample_set_scans(sources, *DRAW), *DRAW)
+    set_forces = adhesion["pull_off_force"].transpose("contact_model", "rho", ...)
+    study_forces = sources.adhesion["pull_off_force"].transpose("contact_model", "rho", ...)
+    ranges = study_forces.sizes["rho"]
+    ratio = (set_forces / study_forces).sel(surface="mcd").values.reshape(2, ranges, -1)
+    np.testing.assert_allclose(ratio, ratio[..., :1] * np.ones(ratio.shape[-1]), rtol=1e-12)
+    assert not np.isclose(ratio, 1).any()
+    # Arrays of sampled scans have fewer contacts; they are padded with NaN.
+    uncd_forces = adhesion["pull_off_force"].sel(surface="uncd")
+    assert np.isfinite(uncd_forces).sum() == SCANS * 2 * ranges * 9
+
+
+def test_equal_masters_have_the_band_of_one():
+    masters = make_masters()
+    alike = masters.isel(realization=[0] * 6).assign_coords(realization=range(1, 7))
+    band = set_edges(alike, 5, 0.1, NO_SAMPLES, 3)
+    single_band = edges_of_realizations(alike.isel(realization=[0]), 0.1, NO_SAMPLES)
+    for name in ("filtered_force_ratio", "filtered_force_change", "edge"):
+        np.testing.assert_allclose(band[name], single_band[name], rtol=1e-12)
+
+
+def test_masters_are_sampled_again_for_every_set_and_surface():
+    masters = make_masters().isel(surface=slice(2))
+    bands = [set_edges(masters, 5, 0.1, NO_SAMPLES, n) for n in range(300)]
+    ratio = np.array([band["filtered_force_ratio"].values for band in bands])
+    mean = (
+        masters["filtered_force_ratio"].mean("realization").transpose("side", "surface", ...).values
     )
+    deviation = (
+        masters["filtered_force_ratio"].std("realization").transpose("side", "surface", ...).values
+    )
+    error = deviation / np.sqrt(5)
+    np.testing.assert_allclose(ratio.std(axis=0), error, rtol=0.14)
+    assert (np.abs(ratio.mean(axis=0) - mean) < 4 * error / np.sqrt(300))[~np.isnan(mean)].all()
+    assert abs(np.corrcoef(ratio[:, 0, 0, 0], ratio[:, 0, 1, 0])[0, 1]) < 0.2

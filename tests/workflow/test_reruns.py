@@ -202,7 +202,7 @@ def test_a_pin_that_is_not_installed_is_refused_in_one_line(finished, tmp_path):
 def test_records_decide_without_the_metadata_of_snakemake(dry, graph):
     assert dry(change=lambda folder: (lose_metadata(folder), said_otherwise(folder))) == []
     jobs = dry(overlay("scales.tolerance", 0.2), empty_metadata)
-    concerned = {"find_edges", "judge_sets", "compare_short_edges"} | KEPT
+    concerned = {"find_edges", "sample_sets", "compare_short_edges"} | KEPT
     assert rules_of(jobs) == graph.following(graph.files_of_rules(concerned))
 
 
@@ -222,9 +222,9 @@ def overlay(key, value):
 @pytest.mark.parametrize(
     ("key", "value", "concerned"),
     [
-        ("scales.tolerance", 0.2, {"find_edges", "judge_sets", "compare_short_edges"}),
+        ("scales.tolerance", 0.2, {"find_edges", "sample_sets", "compare_short_edges"}),
         ("elastic.contacts", 2, {"solve_elastic_contact"}),
-        ("sets.pool", 12, {"compute_pool", "judge_sets"}),
+        ("sets.pool", 12, {"compute_pool", "sample_sets"}),
         ("scales.short.transition", "90 nm", {
             "synthesize_masters", "filter_masters", "aggregate_scales"}),
     ],
@@ -287,7 +287,7 @@ def reworded(folder):
 
 def test_rewording_a_statement_computes_no_sets(dry):
     jobs = rules_of(dry(change=reworded))
-    assert "evaluate_claims" in jobs and "judge_sets" not in jobs
+    assert "evaluate_claims" in jobs and "sample_sets" not in jobs
 
 
 def append_line(path):

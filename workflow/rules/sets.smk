@@ -46,7 +46,7 @@ rule compute_draws:
         "../scripts/compute_draws.py"
 
 
-rule judge_sets:
+rule sample_sets:
     """Sample all sets, and compute of each what the statements of the paper are about: sets.nc."""
     input:
         topography=PATTERNS.dataset("topography"),
@@ -56,7 +56,7 @@ rule judge_sets:
         masters=FILES.paths(PATTERNS.filtered, CHUNKS.filtered_masters("sets")),
         published_pull_off=PUBLISHED_TABLES["published_pull_off"],
         published_constants=PUBLISHED_TABLES["published_constants"],
-        code=code_inputs("judge_sets.py"),
+        code=code_inputs("sample_sets.py"),
     output:
         PATTERNS.dataset("sets"),
     retries: 0  # A fault of a statement would be there again.
@@ -79,7 +79,7 @@ rule judge_sets:
             },
         ),
     script:
-        "../scripts/judge_sets.py"
+        "../scripts/sample_sets.py"
 
 
 rule compare_features:

@@ -29,13 +29,17 @@ from hardcontact.contact.smooth_sphere import assumed_modulus
 from hardcontact.inference.hindcast import WIDE_PIXEL
 from hardcontact.own.own_spectrum import OwnSpectrum, own_spectrum
 from hardcontact.own.predicted_octaves import predicted_octaves
-from hardcontact.own.rough_sphere import combine_bodies
+from hardcontact.own.rough_sphere import combined_spectrum
 from hardcontact.own.scan_force import add_force_on_scan
 from hardcontact.surfaces.both_bodies import sphere_share
 from hardcontact.surfaces.joined_spectrum import ScanSpectrum
 from hardcontact.surfaces.scan_heights import TAKE_CARE
 from hardcontact.theory.prediction import prediction
-from hardcontact.theory.validity import MAX_NEGLIGIBLE_CHANGE, tabor, wide_contact_message
+from hardcontact.theory.validity import (
+    MAX_NEGLIGIBLE_CHANGE,
+    tabor_number,
+    wide_contact_message,
+)
 
 USAGE = """\
 Compute the pull-off force of a smooth sphere on a height map, or predict it in closed form
@@ -120,7 +124,7 @@ def read_inputs(arguments: Namespace) -> Inputs:
     readers = _spectrum_readers(arguments, quantities)
     _, spectrum, *sphere_spectra = refuse_all([partial(refuse_lines, faults), *readers])
     for sphere_spectrum in sphere_spectra:
-        spectrum = combine_bodies(spectrum, sphere_spectrum)
+        spectrum = combined_spectrum(spectrum, sphere_spectrum)
     cautions += one_pixel_touches(contact.area, [scan.pixel_size for scan in spectrum.scans])
     notes = [*(f"{TAKE_CARE}{line}" for line in cautions), *spectrum.notes]
     return Inputs(quantities, contact, spectrum, notes)
@@ -164,7 +168,7 @@ def compute_numbers(inputs: Inputs, arguments: Namespace) -> dict[str, Number]:
     numbers["modulus"] = Number("modulus", assumed_modulus(contact.hardness), "Pa", status="paper")
     if "modulus" in quantities:
         numbers["modulus"] = _quantity_number("modulus", quantities["modulus"])
-    numbers["tabor_parameter"] = tabor(contact, numbers["modulus"].value)
+    numbers["tabor_parameter"] = tabor_number(contact, numbers["modulus"].value)
     return numbers
 
 

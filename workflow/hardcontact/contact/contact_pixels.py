@@ -24,21 +24,22 @@ class ContactPixels:
     `row` and `column` (pixels,) are their places on the substrate, by rows.
     """
 
-    def __init__(self, bodies: Bodies, contacts: GapsByContact) -> None:
+    def __init__(self, bodies: Bodies, lowest_gaps: GapsByContact) -> None:
         pixels = bodies.substrate.pixels
         positions = bodies.geometry.positions
         touching = {
             index: np.ravel_multi_index(
                 tuple(((positions[list(index)] + offsets) % pixels).T), (pixels, pixels)
             )
-            for index, (_, offsets) in contacts.items()
+            for index, (_, offsets) in lowest_gaps.items()
         }
         flat = np.unique(np.concatenate(list(touching.values())))
         self.row, self.column = np.divmod(flat, pixels)
         self._own = {index: np.searchsorted(flat, pixel) for index, pixel in touching.items()}
-        self._gaps = {index: gaps for index, (gaps, _) in contacts.items()}
+        self._gaps = {index: gaps for index, (gaps, _) in lowest_gaps.items()}
         self._image_gaps = {
-            index: _image_gaps(bodies, index, offsets) for index, (_, offsets) in contacts.items()
+            index: _image_gaps(bodies, index, offsets)
+            for index, (_, offsets) in lowest_gaps.items()
         }
 
     def leave_out(self, terms: NDArray[np.floating], first_row: int = 0) -> None:

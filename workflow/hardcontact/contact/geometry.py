@@ -82,14 +82,14 @@ def contact_positions(pixels: int, contacts_per_side: int) -> NDArray[np.int_]:
 
 
 def sampled_contacts(
-    rng: np.random.Generator, contacts_per_side: int, contacts: int
+    rng: np.random.Generator, contacts_per_side: int, count: int
 ) -> NDArray[np.int_]:
-    """Sample places (contacts, 2) from the array of all contacts, each at most once.
+    """Sample the indices (count, 2) of contacts from the array of all, each at most once.
 
-    All places if there are fewer than the sample asks for. With the same generator a larger sample
+    All contacts if there are fewer than `count`. With the same generator a larger sample
     contains the smaller one.
     """
-    numbers = rng.permutation(contacts_per_side**2)[:contacts]
+    numbers = rng.permutation(contacts_per_side**2)[:count]
     return np.stack(np.divmod(numbers, contacts_per_side), axis=1)
 
 

@@ -33,9 +33,11 @@ WORK_OF_ADHESION = 1.0
 FORCE = {"units": "N", "long_name": "pull-off force at W = 1 J/m2"}
 
 
-def load_axis(contacts: Sequence[Contact]) -> dict[str, Axis]:
+def load_axis(loaded_contacts: Sequence[Contact]) -> dict[str, Axis]:
     """Return the coordinate of the loads of contacts, by name."""
-    return {"load": (("load",), [contact.load for contact in contacts], {"long_name": "load"})}
+    return {
+        "load": (("load",), [contact.load for contact in loaded_contacts], {"long_name": "load"})
+    }
 
 
 def range_axis(ranges: Sequence[float]) -> dict[str, Axis]:
@@ -66,17 +68,16 @@ def attraction_totals(
     bodies: Bodies,
     lowest_gaps: GapsByContact,
     pixel_counts: Sequence[int],
-    rhos: Sequence[float] | Floats,
+    ranges: Sequence[float],
 ) -> Floats:
     """Return the sums (pixel count, rho, contact, contact) of exp(-gap/rho) at closest approach.
 
     A pixel count is the number of pixels that touch, at most the number of lowest gaps.
     """
     gaps = _stacked_gaps(lowest_gaps)
-    sums_outside = list(zip(outside_sums(bodies, lowest_gaps, rhos), rhos, strict=True))
+    sums = list(zip(outside_sums(bodies, lowest_gaps, ranges), ranges, strict=True))
     totals = [
-        [_total_of_lowest(sums, gaps, count, rho) for sums, rho in sums_outside]
-        for count in pixel_counts
+        [_total_of_lowest(sums, gaps, count, rho) for sums, rho in sums] for count in pixel_counts
     ]
     return np.array(totals)
 
@@ -103,24 +104,26 @@ def _stacked_gaps(lowest_gaps: GapsByContact) -> Floats:
     return gaps.reshape(contacts_per_side, contacts_per_side, -1)
 
 
-def forces_at_loads(bodies: Bodies, contacts: Sequence[Contact], ranges: Sequence[float]) -> Floats:
+def forces_at_loads(
+    bodies: Bodies, loaded_contacts: Sequence[Contact], ranges: Sequence[float]
+) -> Floats:
     """Return the forces (load, rho, contact, contact) of a pair in N at 1 J/m².
 
     The contacts differ in their loads alone; ranges of adhesion are in nm.
     """
-    return _gaps_and_forces(bodies, contacts, ranges)[1]
+    return _gaps_and_forces(bodies, loaded_contacts, ranges)[1]
 
 
 def _gaps_and_forces(
-    bodies: Bodies, contacts: Sequence[Contact], ranges: Sequence[float]
+    bodies: Bodies, loaded_contacts: Sequence[Contact], ranges: Sequence[float]
 ) -> tuple[GapsByContact, Floats]:
     """Return the lowest gaps of each contact, and the forces of `forces_at_loads` from them."""
     pixel_size = bodies.geometry.pixel_size
-    rhos = np.asarray(ranges, float)
-    pixel_counts = [contact.pixel_count(pixel_size) for contact in contacts]
+    pixel_counts = [contact.pixel_count(pixel_size) for contact in loaded_contacts]
     lowest_gaps = all_lowest_gaps(bodies, max(pixel_counts))
-    totals = attraction_totals(bodies, lowest_gaps, pixel_counts, rhos)
-    forces = pull_off_force(totals, rhos[:, None, None], pixel_size, WORK_OF_ADHESION)
+    totals = attraction_totals(bodies, lowest_gaps, pixel_counts, ranges)
+    rho = np.asarray(ranges, float)[:, None, None]
+    forces = pull_off_force(totals, rho, pixel_size, WORK_OF_ADHESION)
     return lowest_gaps, forces
 
 
@@ -132,9 +135,9 @@ def pull_off_dataset(bodies: Bodies, contact: Contact, ranges: Sequence[float]) 
     range (nm) is too short for the relief of the surface.
     """
     pixel_size = bodies.geometry.pixel_size
-    contacts = [replace(contact, plastic=False), contact]
-    lowest_gaps, forces = _gaps_and_forces(bodies, contacts, ranges)
-    pixel_counts = [contact.pixel_count(pixel_size) for contact in contacts]
+    loaded_contacts = [replace(contact, plastic=False), contact]
+    lowest_gaps, forces = _gaps_and_forces(bodies, loaded_contacts, ranges)
+    pixel_counts = [contact.pixel_count(pixel_size) for contact in loaded_contacts]
     gaps = _stacked_gaps(lowest_gaps)
     # At closest approach the largest gap of the touching pixels has become zero.
     apex_heights = -np.stack([gaps[..., 0], gaps[..., -1]])
@@ -184,8 +187,8 @@ def mean_pull_off_dataset(bodies: Bodies, contact: Contact, ranges: Sequence[flo
     The ranges of adhesion are in nm. Returns ``pull_off_force`` (contact_model, rho) in N at
     1 J/m².
     """
-    contacts = [replace(contact, plastic=False), contact]
-    forces = forces_at_loads(bodies, contacts, ranges).mean(axis=(-2, -1))
+    loaded_contacts = [replace(contact, plastic=False), contact]
+    forces = forces_at_loads(bodies, loaded_contacts, ranges).mean(axis=(-2, -1))
     return xr.Dataset(
         {"pull_off_force": (("contact_model", "rho"), forces, FORCE)},
         {"contact_model": ["rigid", "plastic"]} | range_axis(ranges),

@@ -71,7 +71,7 @@ def forces_at_cutoffs(
 def filtered_pull_off(
     master: HeightMap,
     filters: Filters,
-    contacts: Sequence[Contact],
+    loaded_contacts: Sequence[Contact],
     sphere: HeightMap | None = None,
     radii: Sequence[float] | None = None,
     ranges: Sequence[float] | None = None,
@@ -82,21 +82,21 @@ def filtered_pull_off(
     default. Forces are at 1 J/m². ``contact_area`` (load) is the area of the touching pixels, the
     coordinate ``area`` (load) the preload divided by the hardness, both in nm².
     """
-    contact = contacts[0]
+    contact = loaded_contacts[0]
     pixel_size = master.size / filters.pixels
     spheres = [replace(contact, radius=radius) for radius in radii or [contact.radius]]
-    rhos = list(ranges or [contact.rho])
+    ranges = ranges or [contact.rho]
 
     def forces(surface: HeightMap) -> np.ndarray:
         pairs = [join_bodies(surface, sphere, sphere_contact) for sphere_contact in spheres]
-        return np.array([forces_at_loads(pair, contacts, rhos) for pair in pairs])
+        return np.array([forces_at_loads(pair, loaded_contacts, ranges) for pair in pairs])
 
     nm = {"units": "nm"}
     axes: dict[str, Axis] = {"radius": (("radius",), [probe.radius for probe in spheres], nm)}
-    axes |= load_axis(contacts) | range_axis(rhos)
+    axes |= load_axis(loaded_contacts) | range_axis(ranges)
     axes |= {axis: ((axis,), np.arange(contact.count), {}) for axis in CONTACT_AXES}
-    areas = ("load", [load.area for load in contacts], {"units": "nm2"})
-    touching = [load.pixel_count(pixel_size) * pixel_size**2 for load in contacts]
+    areas = ("load", [loaded.area for loaded in loaded_contacts], {"units": "nm2"})
+    touching = [loaded.pixel_count(pixel_size) * pixel_size**2 for loaded in loaded_contacts]
     contact_area = ("load", touching, {"units": "nm2", "long_name": "touching pixels"})
     filtered = forces_at_cutoffs(master, filters, forces, axes)
     return filtered.assign(contact_area=contact_area).assign_coords(area=areas)

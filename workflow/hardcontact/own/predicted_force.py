@@ -32,7 +32,7 @@ from hardcontact.inference.scan_parts import logarithmic_interval
 from hardcontact.surfaces.spectrum import Spectrum, spectrum_of_dataset
 from hardcontact.theory.pull_off_statistics import predict_statistics
 from hardcontact.theory.summits import search_size
-from hardcontact.theory.validity import tabor
+from hardcontact.theory.validity import tabor_number
 
 #: Quantiles of the forces of single contacts.
 QUANTILES = [0.05, 0.25, 0.5, 0.75, 0.95]
@@ -69,17 +69,7 @@ def force_dataset(
     )
     extrapolated_forces = extrapolated_force(scales, masters, contact.work, confidence)
     force = add_extrapolated_force(force, extrapolated_forces, tolerance)
-    if "place_factor" in force:
-        at_range = force["place_factor"].sel(contact_model=PLASTIC, drop=True)
-        factor = at_range.sel(rho=contact.rho, method="nearest", drop=True)
-        force = widen_interval(force, "extrapolated_force", factor)
-    if "hindcast_ratio" in sensitivity:
-        hindcast = sensitivity[
-            ["hindcast_ratio", "hindcast_ratio_interval", "hindcast_fails", "wide_pixel_ratio"]
-        ]
-        force = force.merge(hindcast, join="left")
-        force = widen_interval(force, "extrapolated_force", force["hindcast_ratio"])
-        force = include_finer_pixels(force)
+    force = _widened(force, sensitivity, contact.rho)
     force = bound_by_smooth_sphere(force, contact.area)
     spectra_by_surface = {
         name: spectrum_of_dataset(spectra.sel(surface=name))
@@ -95,8 +85,24 @@ def force_dataset(
         for spectrum in spectra_by_surface.values()
     ]
     force = force.merge(xr.concat(scatter, force["surface"]))
-    stiffness = tabor(contact, assumed_modulus(contact.hardness))
-    return force.assign_attrs(tabor_parameter=stiffness.value, bodies=stiffness.status)
+    tabor = tabor_number(contact, assumed_modulus(contact.hardness))
+    return force.assign_attrs(tabor_parameter=tabor.value, bodies=tabor.status)
+
+
+def _widened(force: xr.Dataset, sensitivity: xr.Dataset, rho: float) -> xr.Dataset:
+    """Widen intervals by the place on the sphere, the hindcast and finer pixels, where known."""
+    if "place_factor" in force:
+        at_range = force["place_factor"].sel(contact_model=PLASTIC, drop=True)
+        factor = at_range.sel(rho=rho, method="nearest", drop=True)
+        force = widen_interval(force, "extrapolated_force", factor)
+    if "hindcast_ratio" in sensitivity:
+        hindcast = sensitivity[
+            ["hindcast_ratio", "hindcast_ratio_interval", "hindcast_fails", "wide_pixel_ratio"]
+        ]
+        force = force.merge(hindcast, join="left")
+        force = widen_interval(force, "extrapolated_force", force["hindcast_ratio"])
+        force = include_finer_pixels(force)
+    return force
 
 
 def force_scatter(

@@ -11,7 +11,7 @@ from hardcontact.surfaces.height_map import HeightMap, metrics
 from hardcontact.surfaces.joined_spectrum import ScanSpectrum, reliable_spectrum
 
 
-def combine_bodies(surface: OwnSpectrum, sphere: OwnSpectrum) -> OwnSpectrum:
+def combined_spectrum(surface: OwnSpectrum, sphere: OwnSpectrum) -> OwnSpectrum:
     """Return the sum of both spectra, and of both maps if each body has a single one.
 
     Raises ValueError for a table.

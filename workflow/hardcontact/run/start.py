@@ -191,7 +191,9 @@ def checked_selection(workflow: Any, configuration: dict[str, Any]) -> Selection
             # Imported here, as the libraries that read scans would cost every job almost a second.
             from hardcontact.run.checks import check_study
 
-            compared = published.pull_off(published.PUBLISHED_TABLES["published_pull_off"]).index
+            compared = published.measured_forces(
+                published.PUBLISHED_TABLES["published_pull_off"]
+            ).index
             check_study(configuration, rows, compared)
         write_pins()  # A run that is refused writes nothing.
     except ValueError as error:

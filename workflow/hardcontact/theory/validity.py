@@ -139,7 +139,7 @@ def validated_ranges(waves: Spectrum, contact: Contact, form: ClosedForm) -> Ite
         yield Number(f"validated_{name}", values[name], unit, lowest, highest, status)
 
 
-def tabor(contact: Contact, modulus: float) -> Number:
+def tabor_number(contact: Contact, modulus: float) -> Number:
     """Return the Tabor parameter, with the range of adhesion as spacing, and its status.
 
     The effective modulus is in Pa, NaN if it is UNKNOWN. Bodies are SOFT if elasticity reduces the

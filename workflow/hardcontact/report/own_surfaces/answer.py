@@ -23,7 +23,7 @@ from hardcontact.report.own_surfaces.datasets import (
     Datasets,
     Setting,
     preferred_model,
-    tabor_number,
+    stored_tabor_number,
 )
 from hardcontact.report.own_surfaces.edges import (
     EDGES,
@@ -164,7 +164,7 @@ def _study_numbers(datasets: Datasets, setting: Setting) -> list[Number]:
         numbers.append(Number(name, datasets.force.attrs[name], unit, source=source))
     for name in ("tolerance", "confidence"):
         numbers.append(Number(name, datasets.edges.attrs[name], source="given"))
-    numbers.append(tabor_number(datasets.force))
+    numbers.append(stored_tabor_number(datasets.force))
     if datasets.fit is not None:
         numbers += fit_numbers(preferred_fit(datasets.fit))
     return numbers

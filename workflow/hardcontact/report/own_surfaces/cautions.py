@@ -20,7 +20,7 @@ from hardcontact.report.own_surfaces.artificial_roughness import (
     measurements,
     split_measurements,
 )
-from hardcontact.report.own_surfaces.datasets import Datasets, forces_at_range, tabor_number
+from hardcontact.report.own_surfaces.datasets import Datasets, forces_at_range, stored_tabor_number
 from hardcontact.report.quantities import ends_only, number_of
 from hardcontact.surfaces.mean_spectrum import contradictions
 from hardcontact.surfaces.reliable_band import OTHER_BODY
@@ -152,7 +152,7 @@ def _few_places(force: xr.Dataset) -> Caution | None:
 
 def _soft_bodies(force: xr.Dataset) -> Caution | None:
     """Return a caution if the bodies are, or may be, too soft for a hard contact."""
-    number = tabor_number(force)
+    number = stored_tabor_number(force)
     if number.status == HARD:
         return None
     return Caution("soft_bodies", grave=True, numbers={"tabor": number})

@@ -60,7 +60,7 @@ def preferred_model(force: xr.Dataset) -> str:
     return PREFERRED_MODEL if PREFERRED_MODEL in models else models[0]
 
 
-def tabor_number(force: xr.Dataset) -> Number:
+def stored_tabor_number(force: xr.Dataset) -> Number:
     """Return the Tabor parameter of the contacts, NaN where the modulus is not known."""
     return Number("tabor_parameter", force.attrs["tabor_parameter"], status=force.attrs["bodies"])
 

@@ -228,7 +228,7 @@ def set_edges(
     )
 
 
-def judge_sets(
+def sample_sets(
     sources: Sources,
     statements: pd.DataFrame,
     constants: pd.DataFrame,

@@ -7,7 +7,7 @@ from hardcontact.base.dataset import read, read_all
 from hardcontact.base.job import job
 from hardcontact.contact.stacked_datasets import read_masters
 from hardcontact.inference.published_fit import Pair, PublishedFit
-from hardcontact.paper.judged_sets import SetSettings, gather_sources, judge_sets
+from hardcontact.paper.sampled_sets import SetSettings, gather_sources, sample_sets
 
 with job(snakemake) as job:
     params = job.parameters
@@ -22,11 +22,11 @@ with job(snakemake) as job:
             params["master_surfaces"], job.input.masters, params["realizations"], params["load"]
         ),
     )
-    set_numbers = judge_sets(
+    set_numbers = sample_sets(
         sources,
         pd.DataFrame(params["statements"]),
         constants,
-        PublishedFit(published.pull_off(job.input.published_pull_off), pair),
+        PublishedFit(published.measured_forces(job.input.published_pull_off), pair),
         SetSettings(**params["settings"]),
     )
     job.write(
