@@ -51,7 +51,7 @@ for scans, surfaces in FILES.scan_groups.items():
     rule:
         """Condition a group of substitute scans on Table 1, make them, and prepare them."""
         name:
-            f"make_scans_{'_'.join(map(str, scans))}"
+            f"make_scans_{'_'.join(str(scan) for scan in scans)}"
         input:
             **SUBSTITUTE_INPUTS,
             code=code_inputs("make_scans.py"),
@@ -62,6 +62,7 @@ for scans, surfaces in FILES.scan_groups.items():
         wildcard_constraints:
             surface=any_name_pattern(surfaces),
         params:
+            # `scans=scans` keeps the scans of this rule for when the loop has gone on.
             parameters=lambda w, scans=scans: parameters(
                 surface=w.surface,
                 scans=scans,

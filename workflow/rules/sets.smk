@@ -3,8 +3,8 @@
 from hardcontact.paper.evaluation import replicated_statements
 
 
-def group_parameters(wildcards):
-    """Return the parameters of scans of a pool, or of surfaces with features, and of their contacts."""
+def chunk_parameters(wildcards):
+    """Return the parameters of the surfaces of a pool or of draws, and of contacts on them."""
     return {
         "surface": wildcards.surface,
         "first": int(wildcards.first),
@@ -27,7 +27,7 @@ rule compute_pool:
         PATTERNS.pool,
     params:
         parameters=lambda w: parameters(
-            **group_parameters(w), rms_heights=STUDY["sets"]["rms_heights"]
+            **chunk_parameters(w), rms_heights=STUDY["sets"]["rms_heights"]
         ),
     script:
         "../scripts/compute_pool.py"
@@ -41,7 +41,7 @@ rule compute_draws:
     output:
         PATTERNS.draws,
     params:
-        parameters=lambda w: parameters(**group_parameters(w), features=w.features),
+        parameters=lambda w: parameters(**chunk_parameters(w), features=w.features),
     script:
         "../scripts/compute_draws.py"
 
