@@ -95,7 +95,7 @@ def test_a_verdict_on_an_edge_from_artificial_roughness_says_so():
     for transition, is_artificial in ((20.0, False), (80.0, True)):
         scales = datasets()["scales"].assign(transition=("side", [transition, 1e6]))
         page = Page(make_page(table, scales=scales))
-        (line,) = re.findall("Short waves:.*Long waves:", answer_words(page))
+        (line,) = re.findall("waves shorter than.*waves longer than", answer_words(page))
         assert ("where roughness is extrapolated" in line) == is_artificial, line
         (row,) = [
             row
