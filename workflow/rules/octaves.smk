@@ -9,23 +9,6 @@ SHORTEST_WHOLE_RANGE = 0.7
 BAND_SURFACES = FILES.substitutes if IS_PAPER_STUDY else []
 #: The scan of the sphere that touches scans, unless its roughness is part of theirs.
 SPHERE_SCAN = FILES.first_sphere if SELECTION.scans(SPHERE) and not FILES.combined_surfaces else []
-CONTACT = STUDY["contact"] | {
-    "radius": STUDY["sphere"]["radius"],
-    "rho": STUDY["scales"]["range"],
-}
-
-
-def whole_parameters(surface, realizations):
-    """Return the parameters of whole surfaces and of contacts on them."""
-    return {
-        "surface": surface,
-        "realizations": list(realizations),
-        "seed": STUDY["seed"],
-        "grid": FILES.whole_grid,
-        "scan": SCAN_GRID,
-        "has_features": surface in FILES.featured,
-        "contact": CONTACT,
-    }
 
 
 rule compute_whole:
@@ -64,7 +47,7 @@ rule amplify_octaves:
             measurements=FILES.measurements_of_map(w.surface, int(w.scan)),
             sphere_scan=FILES.rough_bodies(w.surface, int(w.scan))[1:],
             seed=STUDY["seed"],
-            contact=CONTACT,
+            contact=CONTACT_AT_RANGE,
             transitions={side: STUDY["scales"][side]["transition"] for side in SIDES},
         ),
     script:

@@ -8,12 +8,6 @@ from hardcontact.surfaces.synthesis import SIDES
 SAMPLED_MASTERS = [] if IS_PAPER_STUDY else CHUNKS.filtered_masters("sampled")
 
 
-def filter_megabytes(wildcards):
-    """Return the memory of a job that filters masters, by the larger of its two masters."""
-    sides = filter_settings(STUDY, wildcards.purpose)["sides"]
-    return master_megabytes(max(side["pixels"] for side in sides.values()), 3000)
-
-
 rule synthesize_masters:
     """Continue the roughness of a scan below its pixels and beyond its size."""
     input:

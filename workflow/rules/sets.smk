@@ -3,21 +3,6 @@
 from hardcontact.paper.evaluation import replicated_statements
 
 
-def chunk_parameters(wildcards):
-    """Return the parameters of the surfaces of a pool or of draws, and of contacts on them."""
-    return {
-        "surface": wildcards.surface,
-        "first": int(wildcards.first),
-        "last": int(wildcards.last),
-        "scans": len(SELECTION.scans(wildcards.surface)),
-        "scan": SCAN_GRID,
-        "contact": STUDY["contact"] | {"count": STUDY["sets"]["count"]},
-        "ranges": RANGES,
-        "radius": STUDY["sphere"]["radius"],
-        "seed": STUDY["seed"],
-    }
-
-
 rule compute_pool:
     """Compute the forces of some scans of a pool at several heights of each."""
     input:
