@@ -9,7 +9,7 @@ from hardcontact.config.configuration import contact_words
 from hardcontact.config.model import CONTACT_QUANTITIES, Study
 
 #: The name of `scales.sphere_roughness` among the inputs of contacts.
-SPHERE_ON_MASTERS = "sphere on masters"
+SPHERE_AT_CUTOFFS = "sphere where waves are removed"
 
 
 def paper_contact(configuration: Mapping[str, Any]) -> dict[str, str]:
@@ -20,7 +20,7 @@ def paper_contact(configuration: Mapping[str, Any]) -> dict[str, str]:
     words = contact_words(configuration)
     del words[CONTACT_QUANTITIES["work"][1]]
     sphere = "rough" if configuration["scales"]["sphere_roughness"] else "smooth"
-    return words | {SPHERE_ON_MASTERS: sphere}
+    return words | {SPHERE_AT_CUTOFFS: sphere}
 
 
 def changed_inputs(
