@@ -77,7 +77,7 @@ def chunk_parameters(wildcards):
         "last": int(wildcards.last),
         "scans": len(SELECTION.scans(wildcards.surface)),
         "scan": SCAN_GRID,
-        "contact": STUDY["contact"] | {"count": STUDY["sets"]["count"]},
+        "contact": STUDY["contact"] | {"contacts_per_side": STUDY["sets"]["contacts_per_side"]},
         "ranges": RANGES,
         "radius": STUDY["sphere"]["radius"],
         "seed": STUDY["seed"],

@@ -197,7 +197,7 @@ class SurfaceFiles:
     @property
     def contacts_a_place(self) -> int:
         """Contacts along a side of their array at each place on the sphere."""
-        count = int(self.configuration["contact"]["count"])
+        count = int(self.configuration["contact"]["contacts_per_side"])
         return count if self.places_per_side == 1 else min(count, CONTACTS_A_PLACE)
 
     # Scans
