@@ -26,12 +26,12 @@ def combined_spectrum(surface: OwnSpectrum, sphere: OwnSpectrum, seed: int) -> O
     if len(scans) > 2 or any(scan.kind != "map" for scan in scans):
         skewness = max(substrate_spectrum.skewness, sphere_spectrum.skewness, key=abs)
         return OwnSpectrum(reliable_spectrum(joined, skewness), notes, scans)
-    combined_map = _sum_of_maps(*scans, seed)
+    combined_map = _sum_of_maps(*scans, seed=seed)
     spectrum = reliable_spectrum(joined, metrics(combined_map)["skewness"])
     return OwnSpectrum(spectrum, notes, (combined_map,), scans)
 
 
-def _sum_of_maps(substrate: HeightMap, sphere: HeightMap, seed: int) -> HeightMap:
+def _sum_of_maps(substrate: HeightMap, sphere: HeightMap, *, seed: int) -> HeightMap:
     """Return the levelled map of a substrate with the roughness of the sphere."""
     rng = generator(seed, "both bodies")
     stitched = combine_maps(rng, stitched_map(substrate), stitched_map(sphere))
