@@ -78,7 +78,9 @@ FILTERS = WindowFilters(
         sizes=[1250.0, 2500.0, 5000.0, 10e3],
         per_size=3,
         ranges=[RANGE],
-        contact=Contact(radius=250e3, preload=10e-6, hardness=25e9, window=12.5e3, count=10),
+        contact=Contact(
+            radius=250e3, preload=10e-6, hardness=25e9, window=12.5e3, contacts_per_side=10
+        ),
     ),
 )  # fmt: skip
 
@@ -169,7 +171,9 @@ def _realization_forces(
 ) -> list[Floats]:
     """Return the mean `filtered_forces` of windows of every size, then those of whole surfaces."""
     windows, cutoffs, pixel_size = filters.windows, filters.cutoffs, filters.pixel_size
-    half_as_many = replace(windows.contact, count=-(-windows.contact.count // 2))
+    half_as_many = replace(
+        windows.contact, contacts_per_side=-(-windows.contact.contacts_per_side // 2)
+    )
     fewer_contacts = replace(windows, contact=half_as_many)
     surfaces = []
     for size in filters.sizes:

@@ -33,9 +33,21 @@ from hardcontact.config.model import Study
         ("scales.short.cutoffs", ["1e300 nm"], ["cutoffs.0:", "10 pm to 1 m", "'1e300 nm'"]),
         ("scales.short.cutoffs", [], ["scales.short.cutoffs:", "at least 1 item,"]),
         ("scans", "some", ["scans:", "expected a list", "'some'"]),
-        ("contact.count", 0, ["contact.count:", "greater than or equal to 1,", "found 0"]),
-        ("contact.count", 20.0, ["contact.count:", "a whole number", "found 20.0"]),
-        ("contact.count", datetime.date(2026, 1, 2), ["a whole number", "found 2026-01-02"]),
+        (
+            "contact.contacts_per_side",
+            0,
+            ["contact.contacts_per_side:", "greater than or equal to 1,", "found 0"],
+        ),
+        (
+            "contact.contacts_per_side",
+            20.0,
+            ["contact.contacts_per_side:", "a whole number", "found 20.0"],
+        ),
+        (
+            "contact.contacts_per_side",
+            datetime.date(2026, 1, 2),
+            ["a whole number", "found 2026-01-02"],
+        ),
         ("scales.short.pixels", 8191, ["scales.short.pixels:", "a multiple of 2", "found 8191"]),
         ("inference.confidence", float("nan"), ["inference.confidence:", "a finite number", "nan"]),
         ("store", "results/../a", ["store:", "letters", "'results/../a'"]),
@@ -70,8 +82,11 @@ def test_only_a_similar_key_is_suggested():
         (b"a: 1\0", "#x0000"),
         (b"a: 1\nb:\n\t- 1", "line 3"),
         (b"a: 1\n---\nb: 2", "line 2"),
-        (b"scan: {size: 1 nm}\ncontact: {count: 1}\nscan: {pixels: 2}", "key scan again"),
-        (b"contact:\n  count: 1\n  count: 2", "line 3"),
+        (
+            b"scan: {size: 1 nm}\ncontact: {contacts_per_side: 1}\nscan: {pixels: 2}",
+            "key scan again",
+        ),
+        (b"contact:\n  contacts_per_side: 1\n  contacts_per_side: 2", "line 3"),
         (b"a: 2026-13-45", "month"),
         (b"a: " + b"9" * 5000, "4300 digits"),
         (b"a: " + b"[" * 50_000, "maximum recursion depth"),
@@ -105,7 +120,7 @@ def test_a_missing_configuration_is_named(tmp_path):
 @pytest.mark.parametrize(
     "text",
     [
-        "contact: {count: 1}\nsets: {count: 1}",
+        "contact: {contacts_per_side: 1}\nsets: {contacts_per_side: 1}",
         "scan: &a {size: 1 nm, again: *a}\ncontact: *a",  # an alias that holds itself
     ],
 )

@@ -27,14 +27,14 @@ def bodies_of(case, seed, rough=True):
 @pytest.mark.parametrize("contact_pixel_count", [1, 17])
 @pytest.mark.parametrize("rough", [False, True])
 def test_the_force_at_every_range_is_the_direct_sum(case, contact_pixel_count, rough):
-    bodies, rhos = bodies_of(case, 3, rough), [0.5, 2.0, 10.0]
+    bodies, ranges = bodies_of(case, 3, rough), [0.5, 2.0, 10.0]
     contacts = all_lowest_gaps(bodies, contact_pixel_count)
     counts = [contact_pixel_count, 1]
-    totals = attraction_totals(bodies, contacts, counts, rhos)
+    totals = attraction_totals(bodies, contacts, counts, ranges)
     for contact in contacts:
         gap = gap_map(bodies, contact)
         sums = totals[..., *contact].flat
-        for (count, rho), total in zip(product(counts, rhos), sums, strict=True):
+        for (count, rho), total in zip(product(counts, ranges), sums, strict=True):
             assert total == pytest.approx(direct_total(gap, count, rho), rel=1e-9)
 
 
@@ -53,9 +53,9 @@ def test_the_force_keeps_its_digits_if_little_attracts_outside_contact(case, rou
 
 @pytest.mark.parametrize("rough", [False, True])
 def test_the_force_at_a_range_does_not_depend_on_the_other_ranges(rough):
-    bodies, rhos = bodies_of(CASES[2], 3, rough), [0.35, 20.0, 0.7, 1.4, 5.0, 2.8, 5.6, 10.0]
+    bodies, ranges = bodies_of(CASES[2], 3, rough), [0.35, 20.0, 0.7, 1.4, 5.0, 2.8, 5.6, 10.0]
     contacts = all_lowest_gaps(bodies, 17)
-    for rho, sums in zip(rhos, outside_sums(bodies, contacts, rhos), strict=True):
+    for rho, sums in zip(ranges, outside_sums(bodies, contacts, ranges), strict=True):
         np.testing.assert_allclose(sums, outside_sums(bodies, contacts, [rho])[0], rtol=1e-12)
 
 

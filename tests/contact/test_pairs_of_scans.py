@@ -20,7 +20,13 @@ from hardcontact.contact.indents import (
 from hardcontact.contact.smooth_sphere import hertz_contact
 
 CONTACT = Contact(
-    radius=RADIUS, preload=10e-6, hardness=25e9, window=4000.0, count=3, rho=5.6, work=46.3e-3
+    radius=RADIUS,
+    preload=10e-6,
+    hardness=25e9,
+    window=4000.0,
+    contacts_per_side=3,
+    rho=5.6,
+    work=46.3e-3,
 )
 SHAPE = {"scan": 2, "sphere_scan": 2, "preload": 2, "contact_y": 3, "contact_x": 3}
 

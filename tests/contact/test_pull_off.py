@@ -21,7 +21,13 @@ from hardcontact.inference.filtered_masters import Filters, filtered_pull_off
 from hardcontact.surfaces.filters import filtered_series
 
 LOAD = Contact(
-    radius=RADIUS, preload=10e-6, hardness=25e9, window=4000.0, count=3, rho=5.6, work=46.3e-3
+    radius=RADIUS,
+    preload=10e-6,
+    hardness=25e9,
+    window=4000.0,
+    contacts_per_side=3,
+    rho=5.6,
+    work=46.3e-3,
 )
 LOADS = [LOAD, replace(LOAD, preload=40e-6)]
 RHOS = [1.0, 5.6]

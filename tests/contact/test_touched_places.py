@@ -12,7 +12,13 @@ from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
 
 PIXEL, PIXELS = 40.0, 128
 CONTACT = Contact(
-    radius=250e3, preload=10e-6, hardness=25e9, window=12500.0, count=8, rho=5.6, work=0.05
+    radius=250e3,
+    preload=10e-6,
+    hardness=25e9,
+    window=12500.0,
+    contacts_per_side=8,
+    rho=5.6,
+    work=0.05,
 )
 Y, X = np.indices((PIXELS, PIXELS)) * PIXEL
 
@@ -52,7 +58,13 @@ def test_neighbouring_pixels_of_one_cap_are_one_place():
     distance = (X - 2560) ** 2 + (Y - 2560) ** 2
     cap = np.maximum(150.0 - distance / 40e3, 0)
     one_pixel = Contact(
-        radius=250e3, preload=1e-9, hardness=25e9, window=12500.0, count=32, rho=5.6, work=0.05
+        radius=250e3,
+        preload=1e-9,
+        hardness=25e9,
+        window=12500.0,
+        contacts_per_side=32,
+        rho=5.6,
+        work=0.05,
     )
     assert places(cap, one_pixel) == 1
 

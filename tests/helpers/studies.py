@@ -10,7 +10,7 @@ from repository import PAPER, ROOT, ROWS, TINY, merged
 from hardcontact.config import selected_surfaces
 from hardcontact.config.model import numeric_configuration
 from hardcontact.files.patterns import STORE_KEYS, Patterns, store_digests
-from hardcontact.files.study_files import Files
+from hardcontact.files.surface_files import SurfaceFiles
 from hardcontact.run import checks
 
 PATTERNS = Patterns("results/paper", "results/store", "ruby", dict.fromkeys(STORE_KEYS, "digest"))
@@ -79,4 +79,5 @@ def files(*values, scans=(1, 2), measured_surfaces=()):
         f"{row.surface}-{row.scan}.nc" for row in rows[is_measured].itertuples()
     ]
     sources = dict.fromkeys(rows.surface, SOURCES)
-    return Files(numbers(*values), selected_surfaces.Selection(rows, "ruby", sources), PATTERNS)
+    selection = selected_surfaces.Selection(rows, "ruby", sources)
+    return SurfaceFiles(numbers(*values), selection, PATTERNS)

@@ -73,11 +73,11 @@ def test_the_region_contains_exactly_the_small_errors():
 
 def two_ranges():
     """Forces on two surfaces with the published ratio at 1 nm and at 8 nm, both for W = 0.05."""
-    rhos = np.geomspace(0.5, 16, 11)
-    ratio = np.exp(0.5 * np.log(rhos) * np.log(rhos / 8))
+    ranges = np.geomspace(0.5, 16, 11)
+    ratio = np.exp(0.5 * np.log(ranges) * np.log(ranges / 8))
     forces = np.stack([20 * ratio, np.ones_like(ratio)])[:, None, None, :, None, None]
     dims = ("surface", "scan", "sphere_scan", "rho", "contact_y", "contact_x")
-    return xr.DataArray(forces, {"surface": ["a", "b"], "rho": rhos}, dims)
+    return xr.DataArray(forces, {"surface": ["a", "b"], "rho": ranges}, dims)
 
 
 def test_ratios_met_at_two_ranges_give_two_minima():

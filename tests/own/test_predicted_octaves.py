@@ -44,7 +44,7 @@ def log_force_sum(heights, window):
     forces = hc.pull_off_forces(
         hc.HeightMap(heights, PIXEL_SIZE), radius=CONTACT.radius, preload=CONTACT.preload,
         hardness=CONTACT.hardness, ranges=[CONTACT.rho], work=CONTACT.work, window=window,
-        count=predicted_octaves.CONTACTS,
+        contacts_per_side=predicted_octaves.CONTACTS,
     )  # fmt: skip
     return np.log(forces.pull_off_force.sel(contact_model="plastic").mean().item())
 

@@ -58,14 +58,19 @@ CONTRADICTIONS = [
 CONTRADICTING_VALUES = [
     (("quick", {"seed": 1}, "study", "my-quick"), "config key study", "the end -quick", "my-quick"),
     (("quick", {"seed": 1}, "store", "results/my-quick"), "config key store", "the end -quick"),
-    (("scan.pixels", 64, "contact.count", 129), "contact.count", "128", "found 129"),
+    (
+        ("scan.pixels", 64, "contact.contacts_per_side", 129),
+        "contact.contacts_per_side",
+        "128",
+        "found 129",
+    ),
     (
         ("scan.pixels", 32, "sphere.radius", "2500 nm"),
         *("adhesion.ranges", "at least 4.89 nm on", "two pixels", "found 0.05 nm"),
     ),
     (("contact.window", "10 nm"), "contact.preload", "4 pixels", "at most 596 nN", "10 µN"),
     (
-        ("contact.count", 200, "contact.preload", "0.5 mN"),
+        ("contact.contacts_per_side", 200, "contact.preload", "0.5 mN"),
         *("contact.preload", "at most 160 µN", "found 500 µN"),
     ),
     (("scales.long.tiles", 8), "sets.long.pixels", "8192", "found 4096"),
@@ -197,7 +202,7 @@ def test_contacts_on_a_described_surface_lie_within_its_relief(name):
     table = rows(name)
     relief = surface_grid(CONFIG, name, table).relief
     density = Spectrum(WAVEVECTORS, spectrum_from_description(table.path[0], None, None)[0])
-    contact = Contact(radius=250e3, preload=1e-5, hardness=25e9, window=12.5e3, count=8)
+    contact = Contact(radius=250e3, preload=1e-5, hardness=25e9, window=12.5e3, contacts_per_side=8)
     for seed in range(2):
         surface = random_surface(np.random.default_rng(seed), 256, 20e3 / 256, density)
         lowest = all_lowest_gaps(join_bodies(surface, None, contact), 1).values()

@@ -39,11 +39,15 @@ OTHER_WORDS = {
 #: The keys of filtered masters by their purpose; a section inherits from those around it.
 _OF_SCANS = (*STORE_KEYS["scans"], "contact.window")
 FILTERED = {
-    "scales": (*_OF_SCANS, "scales.short", "scales.long", "contact.count"),
-    "sets": (*_OF_SCANS, "scales.short", "scales.long", "sets.short", "sets.long", "sets.count"),
-    "enhancement": (*_OF_SCANS, "scales.short", "sets.short", "sets.count"),
+    "scales": (*_OF_SCANS, "scales.short", "scales.long", "contact.contacts_per_side"),
+    "sets": (
+        *_OF_SCANS, "scales.short", "scales.long", "sets.short", "sets.long",
+        "sets.contacts_per_side"
+    ),
+    "enhancement": (*_OF_SCANS, "scales.short", "sets.short", "sets.contacts_per_side"),
     "scaling": (
-        *_OF_SCANS, "scales.short", "scales.long", "sets.short", "sets.long", "sets.count"
+        *_OF_SCANS, "scales.short", "scales.long", "sets.short", "sets.long",
+        "sets.contacts_per_side"
     ),
 }  # fmt: skip
 #: Folders whose keys another one has, or of measured surfaces (test_own_reruns.py).

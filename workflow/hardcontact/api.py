@@ -232,7 +232,7 @@ def pull_off_forces(
     ranges: Sequence[float],
     work: float,
     window: float = 12500.0,
-    count: int = 20,
+    contacts_per_side: int = 20,
     sphere: HeightMap | None = None,
 ) -> xr.Dataset:
     """Return the pull-off forces of a sphere at an array of contacts on a scan, Eq. 3 of the paper.
@@ -245,7 +245,7 @@ def pull_off_forces(
         Radius of the sphere in nm, load on a contact in N, hardness of the softer body in Pa.
     ranges, work : sequence of float, float
         Ranges of adhesion in nm; work of adhesion in J/m².
-    window, count : float, int
+    window, contacts_per_side : float, int
         Edge in nm of the square around each contact over which the force is summed; number of
         contacts along a side of the array.
     sphere : HeightMap or None
@@ -264,11 +264,17 @@ def pull_off_forces(
     >>> scan = hc.read_scan("scan.nc")
     >>> forces = hc.pull_off_forces(
     ...     scan, radius=50e3, preload=10e-6, hardness=25e9, ranges=[5.6], work=0.05,
-    ...     window=2500, count=8,
+    ...     window=2500, contacts_per_side=8,
     ... )
     >>> mean = forces.pull_off_force.sel(contact_model="plastic").mean()  # N
     """
-    contact = Contact(radius=radius, preload=preload, hardness=hardness, window=window, count=count)
+    contact = Contact(
+        radius=radius,
+        preload=preload,
+        hardness=hardness,
+        window=window,
+        contacts_per_side=contacts_per_side,
+    )
     check_quantities(radius=radius, preload=preload, hardness=hardness, work=work)
     check_positive_numbers("ranges", ranges)
     surface = make_periodic(scan)
@@ -296,7 +302,7 @@ def force_ratios(
     rho: float,
     tolerance: float = 0.1,
     window: float = 12500.0,
-    count: int = 20,
+    contacts_per_side: int = 20,
     sphere: HeightMap | None = None,
 ) -> xr.Dataset:
     """Compute the relative force if roughness beyond cutoffs is removed from the scan itself.
@@ -315,7 +321,7 @@ def force_ratios(
         Range of adhesion in nm; smallest relative change of the force that counts.
     radius, preload, hardness, window : float
         As for `pull_off_forces`.
-    count : int
+    contacts_per_side : int
         As for `pull_off_forces`.
     sphere : HeightMap or None
         As for `pull_off_forces`.
@@ -334,12 +340,17 @@ def force_ratios(
     >>> scan = hc.read_scan("scan.nc")
     >>> ratios = hc.force_ratios(
     ...     scan, {"short": [40, 80, 160]}, radius=50e3, preload=10e-6, hardness=25e9, rho=5.6,
-    ...     window=2500, count=8,
+    ...     window=2500, contacts_per_side=8,
     ... )
     >>> short_edge = float(ratios.edge.sel(side="short"))  # nm
     """
     contact = Contact(
-        radius=radius, preload=preload, hardness=hardness, window=window, count=count, rho=rho
+        radius=radius,
+        preload=preload,
+        hardness=hardness,
+        window=window,
+        contacts_per_side=contacts_per_side,
+        rho=rho,
     )
     check_quantities(radius=radius, preload=preload, hardness=hardness, rho=rho)
     check_positive(tolerance=tolerance)

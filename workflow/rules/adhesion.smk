@@ -13,7 +13,7 @@ rule compute_pull_off:
         parameters=parameters(
             sphere_places=FILES.sphere_places,
             places_per_side=FILES.places_per_side,
-            contact=STUDY["contact"] | {"count": FILES.contacts_a_place},
+            contact=STUDY["contact"] | {"contacts_per_side": FILES.contacts_a_place},
             ranges=RANGES,
             reference_rho=STUDY["scales"]["range"],
             radius=STUDY["sphere"]["radius"],

@@ -33,6 +33,6 @@ rule answer_paper:
         },
         **ANSWER,
     params:
-        parameters=canonical_json(config),
+        parameters=parameters(**config),
     script:
         "../scripts/answer_paper.py"

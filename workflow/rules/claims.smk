@@ -1,14 +1,14 @@
 # Claims: each statement of the paper beside what was computed.
 
-from hardcontact.paper.evaluation import DATASETS
+from hardcontact.paper.evaluation import CLAIM_DATASETS
 from hardcontact.report.paper_study.changed_inputs import paper_contact
 
 
 rule evaluate_claims:
     """Judge statements of the paper by what was computed: claims.csv."""
     input:
-        **{dataset: PATTERNS.dataset(dataset) for dataset in DATASETS},
-        sets=rules.sample_sets.output[0],
+        **{dataset: PATTERNS.dataset(dataset) for dataset in CLAIM_DATASETS},
+        sets=PATTERNS.dataset("sets"),
         claims="resources/paper/claims.csv",
         published_constants=PUBLISHED_TABLES["published_constants"],
         published_table1=PUBLISHED_TABLES["published_table1"],
@@ -18,7 +18,7 @@ rule evaluate_claims:
     retries: 0  # A fault of a statement would be there again.
     params:
         parameters=parameters(
-            datasets=DATASETS,
+            datasets=CLAIM_DATASETS,
             confidence=STUDY["inference"]["confidence"],
             contact=paper_contact(STUDY),
         ),

@@ -5,11 +5,11 @@ rule apply_classical_models:
     """Apply classical models of smooth and rough adhesion to the published forces: classical.nc."""
     input:
         **PUBLISHED_TABLES,
-        fit=rules.fit_published.output[0],
+        fit=PATTERNS.dataset("fit"),
         code=code_inputs("apply_classical_models.py"),
     output:
         PATTERNS.dataset("classical"),
     params:
-        parameters=canonical_json(SAMPLING),
+        parameters=parameters(**SAMPLING),
     script:
         "../scripts/apply_classical_models.py"

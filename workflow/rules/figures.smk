@@ -25,9 +25,7 @@ for name in PAPER_FIGURES:
             ),
             svg=PATTERNS.figure(name, "svg"),
         params:
-            parameters=canonical_json(
-                {"figure": name, "title": figure.title, "inputs": figure.inputs}
-            ),
+            parameters=parameters(figure=name, title=figure.title, inputs=figure.inputs),
             caption="\n\n".join(caption(name, config)[:3]),
         script:
             "../scripts/draw_figure.py"

@@ -4,7 +4,7 @@
 rule find_edges:
     """Find the wavelengths whose removal changes the force: edges.nc."""
     input:
-        scales=rules.aggregate_scales.output[0],
+        scales=PATTERNS.dataset("scales"),
         code=code_inputs("find_edges.py"),
     output:
         PATTERNS.dataset("edges"),
@@ -17,8 +17,8 @@ rule find_edges:
 rule compare_short_edges:
     """Compare short edges and forces by radius and load (scaling.nc), by range and plasticity (enhancement.nc)."""
     input:
-        scaling=FILES.paths(PATTERNS.filtered, FILES.filtered_masters("scaling")),
-        enhancement=FILES.paths(PATTERNS.filtered, FILES.filtered_masters("enhancement")),
+        scaling=FILES.paths(PATTERNS.filtered, CHUNKS.filtered_masters("scaling")),
+        enhancement=FILES.paths(PATTERNS.filtered, CHUNKS.filtered_masters("enhancement")),
         code=code_inputs("compare_short_edges.py"),
     output:
         scaling=PATTERNS.dataset("scaling"),
@@ -26,7 +26,7 @@ rule compare_short_edges:
     params:
         parameters=parameters(
             surfaces={
-                purpose: [row.surface for row in FILES.filtered_masters(purpose)]
+                purpose: [row.surface for row in CHUNKS.filtered_masters(purpose)]
                 for purpose in ("scaling", "enhancement")
             },
             realizations=STUDY["scaling"]["realizations"],
@@ -42,7 +42,7 @@ rule compare_short_edges:
 rule fit_published:
     """Fit range and work of adhesion to the published forces: fit.nc."""
     input:
-        adhesion=rules.aggregate_adhesion.output[0],
+        adhesion=PATTERNS.dataset("adhesion"),
         published_pull_off=PUBLISHED_TABLES["published_pull_off"],
         published_constants=PUBLISHED_TABLES["published_constants"],
         code=code_inputs("fit_published.py"),

@@ -1,17 +1,21 @@
 # Octaves: how the force follows the amplitude of each, and the force on the band alone.
 
-from hardcontact.files.study_files import SHORTEST_WHOLE_RANGE
 from hardcontact.surfaces.synthesis import SIDES
 
-# Bands need whole surfaces: scans are too small for their long waves.
+#: The shortest range of adhesion (nm) on whole surfaces. They may rise several hundred shorter
+#: ranges above a contact, more than the exponential of a floating-point number holds.
+SHORTEST_WHOLE_RANGE = 0.7
+#: Bands need whole surfaces: scans are too small for their long waves.
 BAND_SURFACES = FILES.substitutes if IS_PAPER_STUDY else []
+#: The scan of the sphere that touches scans, unless its roughness is part of theirs.
+SPHERE_SCAN = FILES.first_sphere if SELECTION.scans(SPHERE) and not FILES.combined_surfaces else []
 
 
 rule compute_whole:
     """Compute the forces on whole substitute surfaces, also with each octave amplified."""
     input:
-        **DESCRIPTION,
-        **SUBSTITUTE_SOURCES,
+        **DESCRIPTION_INPUTS,
+        **SUBSTITUTE_INPUTS,
         code=code_inputs("compute_whole.py"),
     output:
         PATTERNS.whole,
@@ -29,8 +33,10 @@ rule amplify_octaves:
     input:
         stitched=lambda w: FILES.roughness(w.surface, int(w.scan)),
         spectrum=lambda w: FILES.roughness_spectrum(w.surface),
-        body_spectra=lambda w: [FILES.spectrum(body) for body in FILES.rough_bodies(w.surface)],
-        sphere=FILES.first_sphere if SELECTION.scans(SPHERE) and not FILES.combined_surfaces else [],
+        body_spectra=lambda w: [
+            FILES.spectrum(body.surface) for body in FILES.rough_bodies(w.surface, int(w.scan))
+        ],
+        sphere=SPHERE_SCAN,
         code=code_inputs("amplify_octaves.py"),
     output:
         PATTERNS.octaves,
@@ -39,12 +45,9 @@ rule amplify_octaves:
             surface=w.surface,
             scan=int(w.scan),
             measurements=FILES.measurements_of_map(w.surface, int(w.scan)),
-            sphere_scan=[
-                (body, FILES.sphere_scan(w.surface, int(w.scan)))
-                for body in FILES.rough_bodies(w.surface)[1:]
-            ],
+            sphere_scan=FILES.rough_bodies(w.surface, int(w.scan))[1:],
             seed=STUDY["seed"],
-            contact=CONTACT,
+            contact=CONTACT_AT_RANGE,
             transitions={side: STUDY["scales"][side]["transition"] for side in SIDES},
         ),
     script:
@@ -54,15 +57,15 @@ rule amplify_octaves:
 rule isolate_band:
     """Compute the forces on whole surfaces with the roughness of a band alone, and without."""
     input:
-        **DESCRIPTION,
-        **SUBSTITUTE_SOURCES,
+        **DESCRIPTION_INPUTS,
+        **SUBSTITUTE_INPUTS,
         edges=PATTERNS.dataset("edges"),
         code=code_inputs("isolate_band.py"),
     output:
         PATTERNS.band_forces,
     params:
-        parameters=lambda w: canonical_json(
-            whole_parameters(w.surface, range(1, STUDY["scales"]["whole_surfaces"] + 1))
+        parameters=lambda w: parameters(
+            **whole_parameters(w.surface, range(1, STUDY["scales"]["whole_surfaces"] + 1))
         ),
     script:
         "../scripts/isolate_band.py"
@@ -72,17 +75,17 @@ rule aggregate_sensitivity:
     """Gather how the force follows each octave, and the forces on the band: sensitivity.nc."""
     input:
         maps=[
-            *FILES.paths(PATTERNS.whole, FILES.whole_chunks),
+            *FILES.paths(PATTERNS.whole, CHUNKS.whole_surfaces),
             *FILES.paths(PATTERNS.octaves, FILES.measured_scans),
         ],
         bands=[FILES.path(PATTERNS.band_forces, surface) for surface in BAND_SURFACES],
-        adhesion=rules.aggregate_adhesion.output[0] if FILES.measured_scans else [],
+        adhesion=PATTERNS.dataset("adhesion") if FILES.measured_scans else [],
         code=code_inputs("aggregate_sensitivity.py"),
     output:
         PATTERNS.dataset("sensitivity"),
     params:
         parameters=parameters(
-            maps=[*FILES.whole_chunks, *FILES.measured_scans],
+            maps=[*CHUNKS.whole_surfaces, *FILES.measured_scans],
             bands=BAND_SURFACES,
             **NAMED_SURFACES,
             radius=STUDY["sphere"]["radius"],

@@ -45,11 +45,11 @@ rule sample_spectra:
 rule predict_force:
     """Find the edges of the band, and predict the pull-off force: edges.nc, force.nc."""
     input:
-        adhesion=rules.aggregate_adhesion.output[0],
-        scales=rules.aggregate_scales.output[0],
-        topography=rules.aggregate_topography.output[0],
-        spectra=rules.aggregate_spectra.output[0],
-        sensitivity=rules.aggregate_sensitivity.output[0],
+        adhesion=PATTERNS.dataset("adhesion"),
+        scales=PATTERNS.dataset("scales"),
+        topography=PATTERNS.dataset("topography"),
+        spectra=PATTERNS.dataset("spectra"),
+        sensitivity=PATTERNS.dataset("sensitivity"),
         code=code_inputs("predict_force.py"),
     output:
         edges=PATTERNS.dataset("edges"),
@@ -74,14 +74,14 @@ if STUDY["forces"] != NONE:
     rule fit_measured:
         """Fit range and work of adhesion to own pull-off forces: fit.nc."""
         input:
-            adhesion=rules.aggregate_adhesion.output[0],
-            force=rules.predict_force.output.force,
-            topography=rules.aggregate_topography.output[0],
+            adhesion=PATTERNS.dataset("adhesion"),
+            force=PATTERNS.dataset("force"),
+            topography=PATTERNS.dataset("topography"),
             forces=STUDY["forces"],
             code=code_inputs("fit_measured.py"),
         output:
             PATTERNS.dataset("fit"),
         params:
-            parameters=canonical_json(SAMPLING),
+            parameters=parameters(**SAMPLING),
         script:
             "../scripts/fit_measured.py"

@@ -17,7 +17,9 @@ rule measure_indents:
             scans=SELECTION.scans(INDENTED),
             sphere_scans=SELECTION.scans(SPHERE),
             preloads=STUDY["indent"]["preloads"],
-            contact={key: STUDY["contact"][key] for key in ("hardness", "window", "count")},
+            contact={
+                key: STUDY["contact"][key] for key in ("hardness", "window", "contacts_per_side")
+            },
             radius=STUDY["sphere"]["radius"],
         ),
     script:

@@ -1,10 +1,10 @@
 # Records of a study: its configuration, the list of its variables, and the check of its files.
 
-#: The datasets that the rules above make in the results, whole.
-DATASETS = [
+#: The final datasets of the study: those of all rules before, except the parts of a dataset.
+FINAL_DATASETS = [
     path
-    for stage in workflow.rules
-    for path in stage.output
+    for dataset_rule in workflow.rules
+    for path in dataset_rule.output
     if path.startswith(f"{PATTERNS.results}/") and path.endswith(".nc") and "{" not in path
 ]
 
@@ -13,14 +13,14 @@ rule keep_records:
     """Keep the configuration and the table of surfaces, and list the variables of all datasets."""
     input:
         surfaces=STUDY["surfaces"],
-        datasets=sorted(DATASETS),
+        datasets=sorted(FINAL_DATASETS),
         code=code_inputs("keep_records.py"),
     output:
         configuration=PATTERNS.result("configuration.yaml"),
         surfaces=PATTERNS.result("surfaces.tsv"),
         variables=PATTERNS.result("datasets.md"),
     params:
-        parameters=canonical_json(config),
+        parameters=parameters(**config),
     script:
         "../scripts/keep_records.py"
 
@@ -29,6 +29,6 @@ rule verify:
     """Check whether the files of the study match what they were made from; write nothing."""
     retries: 0
     params:
-        parameters=canonical_json({"results": PATTERNS.results}),
+        parameters=parameters(results=PATTERNS.results),
     script:
         "../scripts/verify.py"

@@ -5,7 +5,7 @@ from hardcontact.files.master_purposes import PURPOSES, contact_grid, filter_set
 from hardcontact.surfaces.synthesis import SIDES
 
 #: Masters of sampled spectra, which own surfaces alone have.
-SAMPLED_MASTERS = [] if IS_PAPER_STUDY else FILES.filtered_masters("sampled")
+SAMPLED_MASTERS = [] if IS_PAPER_STUDY else CHUNKS.filtered_masters("sampled")
 
 
 rule synthesize_masters:
@@ -36,27 +36,22 @@ rule synthesize_masters:
 rule filter_masters:
     """Compute the forces of masters with all scales, and without those beyond each cutoff."""
     input:
-        unpack(FILES.master_sources),
+        unpack(CHUNKS.master_sources),
         sphere=lambda w: FILES.first_sphere if w.probe == "rough" else [],
         code=code_inputs("filter_masters.py"),
     output:
         PATTERNS.filtered,
     resources:
-        mem_mb=lambda w: master_megabytes(
-            max(side["pixels"] for side in filter_settings(STUDY, w.purpose)["sides"].values()),
-            3000,
-        ),
+        mem_mb=filter_megabytes,
     params:
-        parameters=lambda w: canonical_json(
-            {
-                "surface": w.surface,
-                "realizations": list(range(int(w.first), int(w.last) + 1)),
-                "seed": STUDY["seed"],
-                "generator_name": PURPOSES[w.purpose].generator_name,
-                "window": STUDY["contact"]["window"],
-                **filter_settings(STUDY, w.purpose),
-                **contact_grid(STUDY, w.purpose),
-            }
+        parameters=lambda w: parameters(
+            surface=w.surface,
+            realizations=list(range(int(w.first), int(w.last) + 1)),
+            seed=STUDY["seed"],
+            generator_name=PURPOSES[w.purpose].generator_name,
+            window=STUDY["contact"]["window"],
+            **filter_settings(STUDY, w.purpose),
+            **contact_grid(STUDY, w.purpose),
         ),
     script:
         "../scripts/filter_masters.py"
@@ -65,14 +60,14 @@ rule filter_masters:
 rule aggregate_scales:
     """Gather the forces of all filtered surfaces: scales.nc."""
     input:
-        masters=FILES.paths(PATTERNS.filtered, FILES.filtered_masters()),
+        masters=FILES.paths(PATTERNS.filtered, CHUNKS.filtered_masters()),
         sampled=FILES.paths(PATTERNS.filtered, SAMPLED_MASTERS),
         code=code_inputs("aggregate_scales.py"),
     output:
         PATTERNS.dataset("scales"),
     params:
         parameters=parameters(
-            surfaces=[row.surface for row in FILES.filtered_masters()],
+            surfaces=[row.surface for row in CHUNKS.filtered_masters()],
             sampled_surfaces=[row.surface for row in SAMPLED_MASTERS],
             realizations=STUDY["scales"]["realizations"],
             load=FILES.contact.load,

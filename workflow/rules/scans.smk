@@ -1,37 +1,19 @@
 # Scans: substitutes where none was measured; all scans are then prepared in the same way.
 
 from hardcontact.config.configuration import reading_keys
-from hardcontact.config.grids import realization_pixels
-
-SCAN_GRID = {
-    **{key: STUDY["scan"][key] for key in ("pixels", "size")},
-    "realization_pixels": realization_pixels(STUDY["scan"]["pixels"]),
-}
-
-#: The description of a substitute, and the tables that it names.
-DESCRIPTION = {
-    "description": lambda w: SELECTION.description(w.surface),
-    "tables": lambda w: SELECTION.tables(w.surface),
-}
-#: The inputs from which scans of a substitute are made.
-SUBSTITUTE_SOURCES = {
-    "spectrum": lambda w: FILES.spectrum(w.surface),
-    "published_table1": PUBLISHED_TABLES["published_table1"],
-    "published_constants": PUBLISHED_TABLES["published_constants"],
-}
 
 
 rule calibrate_spectrum:
     """Make the spectrum of a substitute from its description and Table 1."""
     input:
-        **DESCRIPTION,
+        **DESCRIPTION_INPUTS,
         published_table1=PUBLISHED_TABLES["published_table1"],
         published_constants=PUBLISHED_TABLES["published_constants"],
         code=code_inputs("calibrate_spectrum.py"),
     output:
         PATTERNS.calibrated_spectrum,
     params:
-        parameters=lambda w: canonical_json({"surface": w.surface}),
+        parameters=lambda w: parameters(surface=w.surface),
     script:
         "../scripts/calibrate_spectrum.py"
 
@@ -44,8 +26,8 @@ rule read_scan:
     output:
         PATTERNS.measurement,
     params:
-        parameters=lambda w: canonical_json(
-            reading_keys(STUDY, SELECTION.dataset(w.surface, int(w.scan)))
+        parameters=lambda w: parameters(
+            **reading_keys(STUDY, SELECTION.dataset(w.surface, int(w.scan)))
         ),
     script:
         "../scripts/read_scan.py"
@@ -59,7 +41,7 @@ rule measure_spectrum:
     output:
         PATTERNS.measured_spectrum,
     params:
-        parameters=lambda w: canonical_json(FILES.measurement_settings(w.surface)),
+        parameters=lambda w: parameters(**FILES.measurement_settings(w.surface)),
     script:
         "../scripts/measure_spectrum.py"
 
@@ -69,9 +51,9 @@ for scans, surfaces in FILES.scan_groups.items():
     rule:
         """Condition a group of substitute scans on Table 1, make them, and prepare them."""
         name:
-            f"make_scans_{'_'.join(map(str, scans))}"
+            f"make_scans_{'_'.join(str(scan) for scan in scans)}"
         input:
-            **SUBSTITUTE_SOURCES,
+            **SUBSTITUTE_INPUTS,
             code=code_inputs("make_scans.py"),
         output:
             scans=expand(PATTERNS.levelled, scan=scans, allow_missing=True),
@@ -80,6 +62,7 @@ for scans, surfaces in FILES.scan_groups.items():
         wildcard_constraints:
             surface=any_name_pattern(surfaces),
         params:
+            # `scans=scans` keeps the scans of this rule for when the loop has gone on.
             parameters=lambda w, scans=scans: parameters(
                 surface=w.surface,
                 scans=scans,
@@ -105,6 +88,6 @@ rule prepare_scan:
             name for name, basis in SELECTION.basis.items() if basis == "measured"
         ),
     params:
-        parameters=lambda w: canonical_json(FILES.levelling_settings(w.surface)),
+        parameters=lambda w: parameters(**FILES.levelling_settings(w.surface)),
     script:
         "../scripts/prepare_scan.py"

@@ -6,13 +6,13 @@ from hardcontact.paper.evaluation import replicated_statements
 rule compute_pool:
     """Compute the forces of some scans of a pool at several heights of each."""
     input:
-        **SUBSTITUTE_SOURCES,
+        **SUBSTITUTE_INPUTS,
         code=code_inputs("compute_pool.py"),
     output:
         PATTERNS.pool,
     params:
         parameters=lambda w: parameters(
-            **group_parameters(w), rms_heights=STUDY["sets"]["rms_heights"]
+            **chunk_parameters(w), rms_heights=STUDY["sets"]["rms_heights"]
         ),
     script:
         "../scripts/compute_pool.py"
@@ -21,12 +21,12 @@ rule compute_pool:
 rule compute_draws:
     """Compute the forces on some surfaces with features that Table 1 accepts."""
     input:
-        **SUBSTITUTE_SOURCES,
+        **SUBSTITUTE_INPUTS,
         code=code_inputs("compute_draws.py"),
     output:
         PATTERNS.draws,
     params:
-        parameters=lambda w: parameters(**group_parameters(w), features=w.features),
+        parameters=lambda w: parameters(**chunk_parameters(w), features=w.features),
     script:
         "../scripts/compute_draws.py"
 
@@ -34,11 +34,11 @@ rule compute_draws:
 rule sample_sets:
     """Sample all sets, and compute of each what the statements of the paper are about: sets.nc."""
     input:
-        topography=rules.aggregate_topography.output[0],
-        adhesion=rules.aggregate_adhesion.output[0],
-        pools=FILES.paths(PATTERNS.pool, FILES.chunks),
-        draws=FILES.paths(PATTERNS.draws, FILES.draw_chunks),
-        masters=FILES.paths(PATTERNS.filtered, FILES.filtered_masters("sets")),
+        topography=PATTERNS.dataset("topography"),
+        adhesion=PATTERNS.dataset("adhesion"),
+        pools=FILES.paths(PATTERNS.pool, CHUNKS.pools),
+        draws=FILES.paths(PATTERNS.draws, CHUNKS.draws),
+        masters=FILES.paths(PATTERNS.filtered, CHUNKS.filtered_masters("sets")),
         published_pull_off=PUBLISHED_TABLES["published_pull_off"],
         published_constants=PUBLISHED_TABLES["published_constants"],
         code=code_inputs("sample_sets.py"),
@@ -47,10 +47,10 @@ rule sample_sets:
     retries: 0  # A fault of a statement would be there again.
     params:
         parameters=parameters(
-            chunks=FILES.chunks,
-            draw_chunks=FILES.draw_chunks,
+            chunks=CHUNKS.pools,
+            draw_chunks=CHUNKS.draws,
             pooled=SELECTION.pooled,
-            master_surfaces=[row.surface for row in FILES.filtered_masters("sets")],
+            master_surfaces=[row.surface for row in CHUNKS.filtered_masters("sets")],
             realizations=STUDY["sets"]["realizations"],
             load=FILES.contact.load,
             statements=replicated_statements("resources/paper/claims.csv"),
@@ -70,15 +70,15 @@ rule sample_sets:
 rule compare_features:
     """Compare the forces of surfaces with features with the published ones: features.nc."""
     input:
-        sets=rules.sample_sets.output[0],
-        draws=FILES.paths(PATTERNS.draws, FILES.draw_chunks),
+        sets=PATTERNS.dataset("sets"),
+        draws=FILES.paths(PATTERNS.draws, CHUNKS.draws),
         published_pull_off=PUBLISHED_TABLES["published_pull_off"],
         published_constants=PUBLISHED_TABLES["published_constants"],
         code=code_inputs("compare_features.py"),
     output:
         PATTERNS.dataset("features"),
     params:
-        parameters=parameters(draw_chunks=FILES.draw_chunks, labels=SELECTION.labels),
+        parameters=parameters(draw_chunks=CHUNKS.draws, labels=SELECTION.labels),
     script:
         "../scripts/compare_features.py"
 
@@ -86,13 +86,13 @@ rule compare_features:
 rule fit_posterior:
     """Weigh all pairs of range and work by the published forces: posterior.nc."""
     input:
-        sets=rules.sample_sets.output[0],
-        whole=FILES.paths(PATTERNS.whole, FILES.whole_chunks),
+        sets=PATTERNS.dataset("sets"),
+        whole=FILES.paths(PATTERNS.whole, CHUNKS.whole_surfaces),
         published_pull_off=PUBLISHED_TABLES["published_pull_off"],
         code=code_inputs("fit_posterior.py"),
     output:
         PATTERNS.dataset("posterior"),
     params:
-        parameters=parameters(whole=FILES.whole_chunks, sampling=SAMPLING),
+        parameters=parameters(whole=CHUNKS.whole_surfaces, sampling=SAMPLING),
     script:
         "../scripts/fit_posterior.py"

@@ -1,23 +1,45 @@
 # The surfaces of the study, and the lists of their files.
 #
-# Names that the rules of all files use:
-#   SELECTION      the surfaces of the table, with their labels, scans and source files
-#   SPHERE         the name of the sphere's surface
-#   NAMED_SURFACES the label of each surface, and whether it was measured or is a substitute
-#   FILES          the paths of the files of a surface, and the lists of files of a rule
-#   CONTACT        the keys of `contact`, with the radius of the sphere and the range of adhesion (nm)
+# Names that several files of rules use:
+#   SELECTION          the surfaces of the table, with their labels, scans and source files
+#   SPHERE             the name of the sphere's surface
+#   NAMED_SURFACES     the label of each surface, and whether it was measured or is a substitute
+#   FILES              the files of each surface: spectra, scans, pairs of scans
+#   CHUNKS             what one job computes together: scans of pools, masters, whole surfaces
+#   CONTACT_AT_RANGE   the contact at the range of adhesion of the band
+#   SCAN_GRID          pixels and size (nm) of a substitute scan, and the pixels of the random surface
+#                      from which it is cut
+#   DESCRIPTION_INPUTS the description of a substitute, and the tables that it names
+#   SUBSTITUTE_INPUTS  from which random surfaces like a substitute are made
 
-from hardcontact.files.study_files import Files
+from hardcontact.config.grids import master_megabytes, realization_pixels
+from hardcontact.files.chunks import Chunks
+from hardcontact.files.master_purposes import filter_settings
 from hardcontact.files.patterns import any_name_pattern
 from hardcontact.files.patterns import wildcard_constraints as constraints
+from hardcontact.files.surface_files import SurfaceFiles
 
 SELECTION = start.checked_selection(workflow, STUDY)
 SPHERE = SELECTION.sphere
 NAMED_SURFACES = {"labels": SELECTION.labels, "basis": SELECTION.basis}
-FILES = Files(STUDY, SELECTION, PATTERNS)
-CONTACT = STUDY["contact"] | {
+FILES = SurfaceFiles(STUDY, SELECTION, PATTERNS)
+CHUNKS = Chunks(FILES)
+CONTACT_AT_RANGE = STUDY["contact"] | {
     "radius": STUDY["sphere"]["radius"],
     "rho": STUDY["scales"]["range"],
+}
+SCAN_GRID = {
+    **{key: STUDY["scan"][key] for key in ("pixels", "size")},
+    "realization_pixels": realization_pixels(STUDY["scan"]["pixels"]),
+}
+DESCRIPTION_INPUTS = {
+    "description": lambda w: SELECTION.description(w.surface),
+    "tables": lambda w: SELECTION.tables(w.surface),
+}
+SUBSTITUTE_INPUTS = {
+    "spectrum": lambda w: FILES.spectrum(w.surface),
+    "published_table1": PUBLISHED_TABLES["published_table1"],
+    "published_constants": PUBLISHED_TABLES["published_constants"],
 }
 
 
@@ -34,21 +56,6 @@ def named(surface):
     }
 
 
-def group_parameters(wildcards):
-    """Return the parameters of scans of a pool, or of surfaces with features, and of their contacts."""
-    return {
-        "surface": wildcards.surface,
-        "first": int(wildcards.first),
-        "last": int(wildcards.last),
-        "scans": len(SELECTION.scans(wildcards.surface)),
-        "scan": SCAN_GRID,
-        "contact": STUDY["contact"] | {"count": STUDY["sets"]["count"]},
-        "ranges": RANGES,
-        "radius": STUDY["sphere"]["radius"],
-        "seed": STUDY["seed"],
-    }
-
-
 def whole_parameters(surface, realizations):
     """Return the parameters of whole surfaces and of contacts on them."""
     return {
@@ -58,5 +65,26 @@ def whole_parameters(surface, realizations):
         "grid": FILES.whole_grid,
         "scan": SCAN_GRID,
         "has_features": surface in FILES.featured,
-        "contact": CONTACT,
+        "contact": CONTACT_AT_RANGE,
     }
+
+
+def chunk_parameters(wildcards):
+    """Return the parameters of the surfaces of a pool or of draws, and of contacts on them."""
+    return {
+        "surface": wildcards.surface,
+        "first": int(wildcards.first),
+        "last": int(wildcards.last),
+        "scans": len(SELECTION.scans(wildcards.surface)),
+        "scan": SCAN_GRID,
+        "contact": STUDY["contact"] | {"contacts_per_side": STUDY["sets"]["contacts_per_side"]},
+        "ranges": RANGES,
+        "radius": STUDY["sphere"]["radius"],
+        "seed": STUDY["seed"],
+    }
+
+
+def filter_megabytes(wildcards):
+    """Return the memory of a job that filters masters, by the larger of its two masters."""
+    sides = filter_settings(STUDY, wildcards.purpose)["sides"]
+    return master_megabytes(max(side["pixels"] for side in sides.values()), 3000)

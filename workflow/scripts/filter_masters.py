@@ -17,7 +17,7 @@ with job(snakemake) as job:
         Contact(
             radius=params["radii"][0],
             window=params["window"],
-            count=params["contacts_per_side"],
+            contacts_per_side=params["contacts_per_side"],
             **load,
         )
         for load in params["loads"]

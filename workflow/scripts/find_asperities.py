@@ -17,7 +17,7 @@ with job(snakemake) as job:
         asperities_of_pair(
             read_bodies(job.input.substrate, job.input.sphere, contact),
             contact,
-            sampled_contacts(rng, contact.count, settings["contacts"]),
+            sampled_contacts(rng, contact.contacts_per_side, settings["contacts"]),
             SHARE,
             settings["ranges"],
         ),

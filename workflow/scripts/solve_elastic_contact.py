@@ -24,7 +24,7 @@ with job(snakemake) as job:
         elastic_contacts_of_pair(
             read_bodies(job.input.substrate, job.input.sphere, contact),
             contact,
-            sampled_contacts(rng, contact.count, params["contacts"]),
+            sampled_contacts(rng, contact.contacts_per_side, params["contacts"]),
             PAPER_MODULUS,
             PULL_OFF_WINDOW,
         ),

@@ -150,7 +150,9 @@ def _choices(
     realizations = _realizations(substrates, effort, is_slow)
     return [
         Choice("contact.window", _nm(contact.window), window.window_reason),
-        Choice("contact.count", contacts_per_side, "contacts along a side of their array"),
+        Choice(
+            "contact.contacts_per_side", contacts_per_side, "contacts along a side of their array"
+        ),
         Choice("adhesion.ranges", ranges, f"for the force as a function of it; {permitted}"),
         Choice("scales.range", _nm(contact.rho), window.range_reason),
         Choice("scales.realizations", realizations, "masters on each side"),

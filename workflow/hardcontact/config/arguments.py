@@ -135,13 +135,19 @@ def check_contact(surface: HeightMap, contact: Contact, ranges: Sequence[float])
             f"{surface.pixel_size:g} nm: is the unit right?"
         )
     shortest = replace(contact, rho=min(ranges, default=math.nan))
-    check_positive(window=contact.window, count=contact.count, ranges=shortest.rho)
-    if contact.count != int(contact.count):
-        raise ValueError(f"count: expected a whole number, found {contact.count:g}")
+    check_positive(
+        window=contact.window, contacts_per_side=contact.contacts_per_side, ranges=shortest.rho
+    )
+    if contact.contacts_per_side != int(contact.contacts_per_side):
+        raise ValueError(
+            f"contacts_per_side: expected a whole number, found {contact.contacts_per_side:g}"
+        )
     # Limits are stated for a scan, which is half as large as its periodic map.
     relief = float(np.ptp(surface.heights))
     grid = Grid(surface.pixels // 2, surface.pixel_size, surface.size / 2, relief)
-    named_contact = NamedContact(shortest, preload="preload", count="count", range="ranges")
+    named_contact = NamedContact(
+        shortest, preload="preload", contacts_per_side="contacts_per_side", range="ranges"
+    )
     refuse_lines(contact_faults(named_contact, "the map", grid)[:1])
 
 

@@ -8,7 +8,7 @@ from hardcontact.base.dataset import read_meanings
 from hardcontact.config.faults import quote_key, refuse_lines
 from hardcontact.config.tables import Row, parse_number, user_table
 from hardcontact.paper.claim_selection import WITHOUT_SCAN
-from hardcontact.paper.evaluation import DATASETS, DERIVED_QUANTITIES, NUMBER_COLUMNS
+from hardcontact.paper.evaluation import CLAIM_DATASETS, DERIVED_QUANTITIES, NUMBER_COLUMNS
 from hardcontact.paper.verdicts import accepted_range
 from hardcontact.surfaces.roughness_table import TABLE1_VARIABLES
 
@@ -70,8 +70,8 @@ def _cell_faults(row: Row) -> Iterator[str]:
     for name, words in COLUMNS.items():
         if words and row[name] not in words:
             yield f"{name}: expected {_join_words(words)}, found {quote_key(row[name])}"
-    if not set(row["dataset"].split("+")) <= {*DATASETS, "paper"}:
-        datasets = _join_words((*DATASETS, "paper"))
+    if not set(row["dataset"].split("+")) <= {*CLAIM_DATASETS, "paper"}:
+        datasets = _join_words((*CLAIM_DATASETS, "paper"))
         yield f"dataset: expected {datasets}, with + between, found {quote_key(row['dataset'])}"
     for name in NUMBER_COLUMNS:
         if row[name] and not abs(parse_number(row[name])) >= 0:

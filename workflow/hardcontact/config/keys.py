@@ -99,7 +99,7 @@ class ContactKeys(Keys):
     """Load that the contact pixels carry."""
     window: Length = key("12500 nm", "Intrinsic Work of Adhesion")
     """Side of the square around a contact over which the force is summed."""
-    count: Count = key(20, "Intrinsic Work of Adhesion")
+    contacts_per_side: Count = key(20, "Intrinsic Work of Adhesion")
     """Contacts along a side of the array, over one period of the stitched scan."""
 
 
@@ -222,7 +222,7 @@ class SetsKeys(Keys):
     """Scans of each substrate from which sets are sampled."""
     rms_heights: Annotated[int, Field(ge=4, le=50)] = 7
     """Rms heights at which forces on the pool are computed; other forces are interpolated."""
-    count: Count = 10
+    contacts_per_side: Count = 10
     """Contacts along a side of the array."""
     realizations: Realizations = 20
     """Masters of each substrate on each side, from which bands are sampled."""

@@ -38,7 +38,7 @@ class NamedContact:
 
     contact: Contact
     preload: str = "config key contact.preload"
-    count: str = "config key contact.count"
+    contacts_per_side: str = "config key contact.contacts_per_side"
     range: str = "config key adhesion.ranges"
 
 
@@ -51,12 +51,18 @@ def study_contacts(config: dict[str, Any]) -> dict[str, NamedContact]:
         return {"scans": scan_contact, "scales": master_contact}
     largest = replace(scan_contact.contact, preload=config["indent"]["preloads"][-1])
     radius = min(contact.radius, config["scaling"]["radii"][0])
-    set_contact = replace(contact, radius=radius, count=config["sets"]["count"])
+    set_contact = replace(
+        contact, radius=radius, contacts_per_side=config["sets"]["contacts_per_side"]
+    )
     return {
         "scans": scan_contact,
         "indents": replace(scan_contact, contact=largest, preload="config key indent.preloads"),
         "scales": master_contact,
-        "sets": replace(master_contact, contact=set_contact, count="config key sets.count"),
+        "sets": replace(
+            master_contact,
+            contact=set_contact,
+            contacts_per_side="config key sets.contacts_per_side",
+        ),
     }
 
 
@@ -86,9 +92,12 @@ def contact_faults(named_contact: NamedContact, surface: str, grid: Grid) -> lis
     seen_pixels = min(window_pixels(contact.window, grid.pixel_size), stitched_pixels) ** 2
     reason = f"which a quarter of the {seen_pixels // 4 * 4} pixels of {surface} can carry"
     faults = _load_faults(named_contact.preload, contact, seen_pixels // 4, grid.pixel_size, reason)
-    if contact.count > stitched_pixels:
+    if contact.contacts_per_side > stitched_pixels:
         accepted = f"at most the {stitched_pixels} pixels along the stitched scan of {surface}"
-        faults.append(f"{named_contact.count}: expected {accepted}, found {contact.count}")
+        faults.append(
+            f"{named_contact.contacts_per_side}: expected {accepted}, "
+            f"found {contact.contacts_per_side}"
+        )
     min_rho, reason = minimum_range(contact.radius, contact.window, grid)
     if contact.rho < min_rho:
         accepted = f"at least {min_rho:g} nm on {surface}, where {reason}"
@@ -216,12 +225,12 @@ def _memory_faults(
     Each pixel (side in nm) lies `periods` times in the window.
     """
     contact = named_contact.contact
-    count_key = named_contact.count.removeprefix("config key ")
+    count_key = named_contact.contacts_per_side.removeprefix("config key ")
     reason = (
         f"with which the contact pixels of {pixel_size:.4g} nm on {surface} fit into memory at "
-        f"{count_key} = {contact.count} and contact.window = {contact.window:.6g} nm"
+        f"{count_key} = {contact.contacts_per_side} and contact.window = {contact.window:.6g} nm"
     )
-    available_pixels = int(CONTACT_PIXELS / contact.count**2 / periods)
+    available_pixels = int(CONTACT_PIXELS / contact.contacts_per_side**2 / periods)
     return _load_faults(named_contact.preload, contact, available_pixels, pixel_size, reason)
 
 

@@ -25,7 +25,7 @@ class Contact:
     hardness: float  #: Hardness of the softer body in Pa.
     plastic: bool = True  #: Whether contact pixels yield; in rigid contact a single pixel touches.
     window: float = math.nan  #: Edge in nm of the square around each contact that attracts.
-    count: int = 1  #: Contacts along a side of the array; there are count x count.
+    contacts_per_side: int = 1  #: Along a side of the square array of contacts.
     rho: float = math.nan  #: Range of adhesion in nm.
     work: float = math.nan  #: Work of adhesion in J/m².
 

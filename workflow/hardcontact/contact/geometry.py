@@ -114,7 +114,7 @@ def join_bodies(substrate: HeightMap, sphere: HeightMap | None, contact: Contact
         contact.radius,
         substrate.pixel_size,
         window_pixels(contact.window, substrate.pixel_size),
-        contact_positions(substrate.pixels, contact.count),
+        contact_positions(substrate.pixels, contact.contacts_per_side),
     )
     return Bodies(substrate, roughness, geometry)
 

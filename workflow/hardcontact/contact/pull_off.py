@@ -68,14 +68,14 @@ def attraction_totals(
     bodies: Bodies,
     lowest_gaps: GapsByContact,
     pixel_counts: Sequence[int],
-    rhos: Sequence[float] | Floats,
+    ranges: Sequence[float],
 ) -> Floats:
     """Return the sums (pixel count, rho, contact, contact) of exp(-gap/rho) at closest approach.
 
     A pixel count is the number of pixels that touch, at most the number of lowest gaps.
     """
     gaps = _stacked_gaps(lowest_gaps)
-    sums = list(zip(outside_sums(bodies, lowest_gaps, rhos), rhos, strict=True))
+    sums = list(zip(outside_sums(bodies, lowest_gaps, ranges), ranges, strict=True))
     totals = [
         [_total_of_lowest(sums, gaps, count, rho) for sums, rho in sums] for count in pixel_counts
     ]
@@ -119,11 +119,11 @@ def _gaps_and_forces(
 ) -> tuple[GapsByContact, Floats]:
     """Return the lowest gaps of each contact, and the forces of `forces_at_loads` from them."""
     pixel_size = bodies.geometry.pixel_size
-    rhos = np.asarray(ranges, float)
     pixel_counts = [contact.pixel_count(pixel_size) for contact in loaded_contacts]
     lowest_gaps = all_lowest_gaps(bodies, max(pixel_counts))
-    totals = attraction_totals(bodies, lowest_gaps, pixel_counts, rhos)
-    forces = pull_off_force(totals, rhos[:, None, None], pixel_size, WORK_OF_ADHESION)
+    totals = attraction_totals(bodies, lowest_gaps, pixel_counts, ranges)
+    rho = np.asarray(ranges, float)[:, None, None]
+    forces = pull_off_force(totals, rho, pixel_size, WORK_OF_ADHESION)
     return lowest_gaps, forces
 
 

@@ -19,7 +19,7 @@ SMALLEST_TRANSFORMED = 1e-6
 
 
 def rough_sphere_terms(
-    bodies: Bodies, contact_pixels: ContactPixels, rhos: Sequence[float]
+    bodies: Bodies, contact_pixels: ContactPixels, ranges: Sequence[float]
 ) -> Iterator[SphereTerms]:
     """Yield the terms of `smooth_sphere_terms` for a rough sphere, relative to its highest u."""
     assert bodies.roughness is not None
@@ -30,7 +30,7 @@ def rough_sphere_terms(
     #: Rows, in units of whole rows, and columns of the contact pixels as seen from each position.
     rows = (contact_pixels.row - positions[:, None]) % pixels * pixels
     columns = (contact_pixels.column - positions[:, None]) % pixels
-    for rho in rhos:
+    for rho in ranges:
         attraction = exponential(roughness, float(roughness.max()), rho)
         kernel = _kernel(pixels, attraction, bodies.geometry, rho)
         terms = exponential(heights, float(heights.max()), rho)

@@ -22,20 +22,20 @@ ROWS = 64
 
 
 def sums_by_subtraction(
-    bodies: Bodies, lowest_gaps: GapsByContact, rhos: Sequence[float]
+    bodies: Bodies, lowest_gaps: GapsByContact, ranges: Sequence[float]
 ) -> Floats:
     """Return `outside_sums` on a smooth sphere: sums over all pixels less those in contact."""
     heights = bodies.substrate.heights
     precision = heights.dtype.type  # `join_bodies` permits these two.
     highest = float(heights.max())
     factors: list[NDArray[np.floating]] = [
-        axis_factors(len(heights), bodies.geometry, rho).astype(precision) for rho in rhos
+        axis_factors(len(heights), bodies.geometry, rho).astype(precision) for rho in ranges
     ]
     quarter, quarter_factors = _without_mirror_images(heights, factors)
-    all_sums = _contact_sums(_row_blocks(quarter, precision, highest, rhos), quarter_factors)
+    all_sums = _contact_sums(_row_blocks(quarter, precision, highest, ranges), quarter_factors)
     sums = np.empty_like(all_sums)
     for index, (gaps, _) in lowest_gaps.items():
-        for k, rho in enumerate(rhos):
+        for k, rho in enumerate(ranges):
             contact_sum = np.exp((gaps[-1] - gaps) / rho).sum()
             scale = np.exp((gaps[-1] + highest) / rho)
             sums[k][index] = scale * all_sums[k][index] - contact_sum
@@ -43,14 +43,14 @@ def sums_by_subtraction(
 
 
 def smooth_sphere_terms(
-    bodies: Bodies, contact_pixels: ContactPixels, rhos: Sequence[float]
+    bodies: Bodies, contact_pixels: ContactPixels, ranges: Sequence[float]
 ) -> Iterator[SphereTerms]:
     """Yield, for each range, the sums over all but contact pixels and the factor at these."""
     pixels = bodies.substrate.pixels
     row = contact_pixels.row
     column = contact_pixels.column
-    factors = [axis_factors(pixels, bodies.geometry, rho) for rho in rhos]
-    blocks = _row_blocks_without_contacts(bodies.substrate.heights, contact_pixels, rhos)
+    factors = [axis_factors(pixels, bodies.geometry, rho) for rho in ranges]
+    blocks = _row_blocks_without_contacts(bodies.substrate.heights, contact_pixels, ranges)
     totals = _contact_sums(blocks, factors)
     for total, axis_factor in zip(totals, factors, strict=True):
 
@@ -90,33 +90,33 @@ def _row_blocks(
     heights: NDArray[np.floating],
     precision: type[np.floating],
     highest: float,
-    rhos: Sequence[float],
+    ranges: Sequence[float],
 ) -> Iterator[tuple[slice, list[NDArray[np.floating]]]]:
     """Yield the rows of each block and its exponentials, in a precision."""
     for start in range(0, len(heights), ROWS):
         rows = slice(start, start + ROWS)
-        yield rows, _exponentials(heights[rows].astype(precision, copy=False), highest, rhos)
+        yield rows, _exponentials(heights[rows].astype(precision, copy=False), highest, ranges)
 
 
 def _row_blocks_without_contacts(
-    heights: NDArray[np.floating], contact_pixels: ContactPixels, rhos: Sequence[float]
+    heights: NDArray[np.floating], contact_pixels: ContactPixels, ranges: Sequence[float]
 ) -> Iterator[tuple[slice, list[NDArray[np.floating]]]]:
     """Yield the rows of each block and its exponentials, zero at contact pixels."""
-    for rows, attractions in _row_blocks(heights, np.float64, float(heights.max()), rhos):
+    for rows, attractions in _row_blocks(heights, np.float64, float(heights.max()), ranges):
         for attraction in attractions:
             contact_pixels.leave_out(attraction, rows.start)
         yield rows, attractions
 
 
 def _exponentials(
-    heights: NDArray[np.floating], highest: float, rhos: Sequence[float]
+    heights: NDArray[np.floating], highest: float, ranges: Sequence[float]
 ) -> list[NDArray[np.floating]]:
     """Return `exponential` at every range; at rho/2 it is the square of that at rho."""
     attractions: dict[float, NDArray[np.floating]] = {}
-    for rho in sorted(rhos, reverse=True):
+    for rho in sorted(ranges, reverse=True):
         longer = attractions.get(2 * rho)
         attractions[rho] = exponential(heights, highest, rho) if longer is None else longer**2
-    return [attractions[rho] for rho in rhos]
+    return [attractions[rho] for rho in ranges]
 
 
 def _without_mirror_images(

@@ -34,40 +34,43 @@ MAX_DEPTH = {np.float32: 40.0, np.float64: 660.0}
 
 
 def outside_sums(
-    bodies: Bodies, lowest_gaps: GapsByContact, rhos: Sequence[float] | Floats
+    bodies: Bodies, lowest_gaps: GapsByContact, ranges: Sequence[float] | Floats
 ) -> Floats:
     """Return the sum (rho, contact, contact) of exp(-(g + m)/rho) outside plastic contact.
 
     m is the height of the apex at closest approach. `lowest_gaps` are those of its
     pixels in contact, by the index (i, j) of a contact in the array.
     """
-    ranges = np.asarray(rhos, float)
-    sums = np.empty((len(ranges), *[len(bodies.geometry.positions)] * 2))
-    subtract = _are_shallow(bodies, lowest_gaps, ranges)
+    all_ranges = np.asarray(ranges, float)
+    sums = np.empty((len(all_ranges), *[len(bodies.geometry.positions)] * 2))
+    subtract = _are_shallow(bodies, lowest_gaps, all_ranges)
     with LIBRARIES.limit(limits=1, user_api="blas"):
         for is_chosen, method in ((subtract, sums_by_subtraction), (~subtract, _sums_by_omission)):
             if is_chosen.any():
-                sums[is_chosen] = method(bodies, lowest_gaps, ranges[is_chosen].tolist())
+                sums[is_chosen] = method(bodies, lowest_gaps, all_ranges[is_chosen].tolist())
     return sums
 
 
-def _are_shallow(bodies: Bodies, lowest_gaps: GapsByContact, rhos: Floats) -> NDArray[np.bool_]:
+def _are_shallow(bodies: Bodies, lowest_gaps: GapsByContact, ranges: Floats) -> NDArray[np.bool_]:
     """Return at which ranges (rho,) contact pixels can be subtracted from the sum over all.
 
     A rough sphere has a kernel for each range, and its maps are small: its sums stay exact.
     """
     if bodies.roughness is not None:
-        return np.zeros(len(rhos), bool)
+        return np.zeros(len(ranges), bool)
     lowest, largest = np.array([gaps[[0, -1]] for gaps, _ in lowest_gaps.values()]).T
     penetration = (largest - lowest).max()
     depth = (largest + bodies.substrate.heights.max()).max()
     precision = bodies.substrate.heights.dtype.type
     return np.asarray(
-        (penetration <= MAX_PENETRATION[precision] * rhos) & (depth <= MAX_DEPTH[precision] * rhos)
+        (penetration <= MAX_PENETRATION[precision] * ranges)
+        & (depth <= MAX_DEPTH[precision] * ranges)
     )
 
 
-def _sums_by_omission(bodies: Bodies, lowest_gaps: GapsByContact, rhos: Sequence[float]) -> Floats:
+def _sums_by_omission(
+    bodies: Bodies, lowest_gaps: GapsByContact, ranges: Sequence[float]
+) -> Floats:
     """Return `outside_sums` where no sum contains contact pixels, in double precision."""
     substrate = bodies.substrate
     roughness = bodies.roughness
@@ -76,10 +79,10 @@ def _sums_by_omission(bodies: Bodies, lowest_gaps: GapsByContact, rhos: Sequence
     highest_substrate = float(substrate.heights.max())
     highest_roughness = 0.0 if roughness is None else float(roughness.heights.max())
     highest = highest_substrate + highest_roughness
-    sums = np.empty((len(rhos), *[len(bodies.geometry.positions)] * 2))
+    sums = np.empty((len(ranges), *[len(bodies.geometry.positions)] * 2))
     sphere_terms = smooth_sphere_terms if roughness is None else rough_sphere_terms
-    terms = sphere_terms(bodies, contact_pixels, rhos)
-    for k, (rho, (total, factor)) in enumerate(zip(rhos, terms, strict=True)):
+    terms = sphere_terms(bodies, contact_pixels, ranges)
+    for k, (rho, (total, factor)) in enumerate(zip(ranges, terms, strict=True)):
         attraction = exponential(touching, highest_substrate, rho)
         for index in lowest_gaps:
             sums[k][index] = contact_pixels.sum_outside(

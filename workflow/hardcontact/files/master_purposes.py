@@ -32,15 +32,17 @@ class Purpose(NamedTuple):
 #: By the name in the paths of their forces.
 PURPOSES = {
     # The band of the study.
-    "scales": Purpose("scales", "contact.count", "scales.realizations", None, 1),
+    "scales": Purpose("scales", "contact.contacts_per_side", "scales.realizations", None, 1),
     # The same with sampled spectra, of measured surfaces only. It shares its random numbers.
-    "sampled": Purpose("scales", "contact.count", "scales.realizations", "master", 1),
+    "sampled": Purpose("scales", "contact.contacts_per_side", "scales.realizations", "master", 1),
     # The edges of each set of substitutes.
-    "sets": Purpose("sets", "sets.count", "sets.realizations"),
+    "sets": Purpose("sets", "sets.contacts_per_side", "sets.realizations"),
     # How the edges depend on radius and load, on a smooth sphere.
-    "scaling": Purpose("sets", "sets.count", "scaling.realizations"),
+    "scaling": Purpose("sets", "sets.contacts_per_side", "scaling.realizations"),
     # How plasticity and range enhance each other at the short edge.
-    "enhancement": Purpose("sets", "sets.count", "scaling.realizations", sides=("short",)),
+    "enhancement": Purpose(
+        "sets", "sets.contacts_per_side", "scaling.realizations", sides=("short",)
+    ),
 }
 
 

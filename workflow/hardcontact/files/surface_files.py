@@ -23,24 +23,25 @@ class SurfaceFiles:
     def __init__(
         self, configuration: Mapping[str, Any], selection: Selection, patterns: Patterns
     ) -> None:
-        self._configuration = configuration
-        self._selection = selection
-        self._patterns = patterns
+        self.configuration = configuration
+        self.selection = selection
+        self.patterns = patterns
         self.contact = study_contact(configuration)
+        self.sphere_sources = selection.sources.get(selection.sphere, SMOOTH)
         self._defaults = {
             "radius": f"R{path_token(configuration['sphere']['radius'], 'um')}",
             "load": self.contact.load,
             "range": f"rho{path_token(configuration['scales']['range'], 'nm')}",
-            "sphere_sources": selection.sources.get(selection.sphere, SMOOTH),
+            "sphere_sources": self.sphere_sources,
         }
         self._combines_bodies = combines_bodies(configuration)
 
     def path(self, pattern: str, surface: str, **wildcards: object) -> str:
         """Return the path of a pattern for a surface; wildcards default to values of the study."""
-        is_sphere = surface == self._selection.sphere
+        is_sphere = surface == self.selection.sphere
         surface_values = {
             "shape": f"sphere-{self._defaults['radius']}" if is_sphere else "flat",
-            "sources": self._selection.sources[surface],
+            "sources": self.selection.sources[surface],
         }
         return pattern.format(surface=surface, **self._defaults | surface_values | wildcards)
 
@@ -52,50 +53,50 @@ class SurfaceFiles:
 
     def spectrum(self, surface: str) -> str:
         """Return the spectrum of a surface at all scales."""
-        is_measured = self._selection.basis[surface] == "measured"
-        patterns = self._patterns
+        is_measured = self.selection.basis[surface] == "measured"
+        patterns = self.patterns
         pattern = patterns.measured_spectrum if is_measured else patterns.calibrated_spectrum
         return self.path(pattern, surface)
 
     def measurements(self, surface: str) -> list[str]:
         """Return the files of all scans of a measured surface; an empty list for a substitute."""
-        if self._selection.basis[surface] != "measured":
+        if self.selection.basis[surface] != "measured":
             return []
-        scans = self._selection.all_scans(surface)
-        return [self.path(self._patterns.measurement, surface, scan=scan) for scan in scans]
+        scans = self.selection.all_scans(surface)
+        return [self.path(self.patterns.measurement, surface, scan=scan) for scan in scans]
 
     def levelling_settings(self, surface: str) -> dict[str, Any]:
         """Return the levelling of the scans of a surface, with the radius (nm) of a sphere."""
-        radius = self._configuration["sphere"]["radius"]
+        radius = self.configuration["sphere"]["radius"]
         return {
-            "levelling": self._configuration["scan"]["levelling"],
-            "sphere_radius": radius if surface == self._selection.sphere else None,
+            "levelling": self.configuration["scan"]["levelling"],
+            "sphere_radius": radius if surface == self.selection.sphere else None,
         }
 
     def measurement_settings(self, surface: str) -> dict[str, Any]:
         """Return the levelling and the tip radii (nm) of the measurements of a surface."""
-        return {"tip_radii": self._selection.tip_radii(surface), **self.levelling_settings(surface)}
+        return {"tip_radii": self.selection.tip_radii(surface), **self.levelling_settings(surface)}
 
     def conditioning(self, surface: str, scan: int) -> str:
         """Return the gain and factors that a substitute scan shares with its group."""
-        group = self._selection.group(surface, scan)
-        first_scan = self._selection.scans_of_group(surface, group)[0]
-        return self.path(self._patterns.conditioning, surface, scan=first_scan)
+        group = self.selection.group(surface, scan)
+        first_scan = self.selection.scans_of_group(surface, group)[0]
+        return self.path(self.patterns.conditioning, surface, scan=first_scan)
 
     @property
     def conditionings(self) -> dict[str, str]:
         """The conditioning of the study's own scans of each substitute, by surface."""
         return {
-            surface: self.conditioning(surface, self._selection.scans(surface)[0])
-            for surface, basis in self._selection.basis.items()
+            surface: self.conditioning(surface, self.selection.scans(surface)[0])
+            for surface, basis in self.selection.basis.items()
             if basis == "substitute"
         }
 
     @property
     def scan_groups(self) -> dict[tuple[int, ...], list[str]]:
         """The numbers of scans that are made together, and the substitutes that have such scans."""
-        realizations = max(self._configuration[key]["realizations"] for key in ("sets", "scaling"))
-        selection = self._selection
+        realizations = max(self.configuration[key]["realizations"] for key in ("sets", "scaling"))
+        selection = self.selection
         groups = defaultdict[tuple[int, ...], list[str]](list)
         for surface in self.conditionings:
             last_group = selection.group(surface, selection.separate_scan(surface, realizations))
@@ -105,53 +106,64 @@ class SurfaceFiles:
 
     def stitched(self, surface: str, scan: int) -> str:
         """Return a levelled scan with its mirror images."""
-        return self.path(self._patterns.stitched, surface, scan=scan)
+        return self.path(self.patterns.stitched, surface, scan=scan)
 
-    def stitched_of_realization(
-        self, surface: str, realization: int, separate_scans: bool = False
-    ) -> str:
-        """Return the scan that a realization builds on, in turn where there are fewer scans.
+    def stitched_of_realization(self, surface: str, realization: int) -> str:
+        """Return the scan that a realization builds on, in turn where there are fewer scans."""
+        scans = self.selection.scans(surface)
+        return self.roughness(surface, scans[(realization - 1) % len(scans)])
 
-        With `separate_scans` a realization of a substitute has a scan of its own.
-        """
-        scans = self._selection.scans(surface)
-        scan = scans[(realization - 1) % len(scans)]
-        if separate_scans and self._selection.basis[surface] == "substitute":
-            scan = self._selection.separate_scan(surface, realization)
-        return self.roughness(surface, scan)
+    def separate_stitched(self, surface: str, realization: int) -> str:
+        """Return the scan of a realization alone, which a substitute has; in turn if measured."""
+        if self.selection.basis[surface] == "measured":
+            return self.stitched_of_realization(surface, realization)
+        return self.roughness(surface, self.selection.separate_scan(surface, realization))
+
+    def master(self, surface: str, realization: int, side: str) -> str:
+        """Return the master of a realization on one side."""
+        return self.path(self.patterns.master, surface, realization=realization, side=side)
 
     @property
     def first_sphere(self) -> str:
         """The scan of the sphere that roughens the sphere of all masters."""
-        sphere = self._selection.sphere
-        return self.stitched(sphere, self._selection.scans(sphere)[0])
+        sphere = self.selection.sphere
+        return self.stitched(sphere, self.selection.scans(sphere)[0])
 
     # Both bodies
 
     @property
     def combined_surfaces(self) -> list[str]:
         """The measured substrates to whose roughness that of a measured sphere is added."""
-        basis = self._selection.basis
-        if not self._combines_bodies or basis[self._selection.sphere] != "measured":
+        basis = self.selection.basis
+        if not self._combines_bodies or basis[self.selection.sphere] != "measured":
             return []
-        return [name for name in self._selection.substrates if basis[name] == "measured"]
+        return [name for name in self.selection.substrates if basis[name] == "measured"]
 
-    def rough_bodies(self, surface: str) -> list[str]:
-        """Return the surfaces whose roughness is in a map of a substrate."""
-        is_combined = surface in self.combined_surfaces
-        return [surface, self._selection.sphere] if is_combined else [surface]
+    def rough_bodies(self, surface: str, scan: int) -> list[Scan]:
+        """Return the scan of a substrate, and that of the sphere if its roughness is added."""
+        bodies = [Scan(surface, scan)]
+        if surface in self.combined_surfaces:
+            bodies.append(Scan(self.selection.sphere, self.sphere_scan(surface, scan)))
+        return bodies
 
     def roughness(self, surface: str, scan: int) -> str:
         """Return the stitched scan of a substrate, with the sphere's roughness if that is added."""
         if surface not in self.combined_surfaces:
             return self.stitched(surface, scan)
-        return self.path(self._patterns.both_stitched, surface, scan=scan)
+        return self.path(self.patterns.both_stitched, surface, scan=scan)
 
     def roughness_spectrum(self, surface: str) -> str:
         """Return the spectrum of a surface, with the sphere's if its roughness is added."""
         if surface not in self.combined_surfaces:
             return self.spectrum(surface)
-        return self.path(self._patterns.both_spectrum, surface)
+        return self.path(self.patterns.both_spectrum, surface)
+
+    def sampled_spectrum(self, surface: str, realization: int) -> str:
+        """Return a sampled spectrum of a surface, with the sphere's if its roughness is added."""
+        is_combined = surface in self.combined_surfaces
+        patterns = self.patterns
+        pattern = patterns.both_sampled_spectrum if is_combined else patterns.sampled_spectrum
+        return self.path(pattern, surface, realization=realization)
 
     def sphere_scan(self, surface: str, scan: int) -> int:
         """Return the scan of the sphere that meets a scan of a substrate, in turn."""
@@ -160,10 +172,10 @@ class SurfaceFiles:
 
     def measurements_of_map(self, surface: str, scan: int) -> list[int]:
         """Return the measurements of the spectrum of a surface that show a map of its roughness."""
-        scans = self._selection.all_scans(surface)
+        scans = self.selection.all_scans(surface)
         numbers = [scans.index(scan)]
         if surface in self.combined_surfaces:
-            sphere_scans = self._selection.all_scans(self._selection.sphere)
+            sphere_scans = self.selection.all_scans(self.selection.sphere)
             numbers.append(len(scans) + sphere_scans.index(self.sphere_scan(surface, scan)))
         return numbers
 
@@ -172,20 +184,20 @@ class SurfaceFiles:
         """Places along a side of each scan of the sphere at which it touches, of own surfaces."""
         if not self._combines_bodies:
             return 1
-        return ceil(sqrt(SPHERE_PLACES / len(self._selection.sphere_scans)))
+        return ceil(sqrt(SPHERE_PLACES / len(self.selection.sphere_scans)))
 
     @property
     def sphere_places(self) -> list[int]:
         """The numbers of the places on the sphere: those of its scans if each has one."""
         if self.places_per_side == 1:
-            return self._selection.sphere_scans
-        count = len(self._selection.sphere_scans) * self.places_per_side**2
+            return self.selection.sphere_scans
+        count = len(self.selection.sphere_scans) * self.places_per_side**2
         return list(range(1, count + 1))
 
     @property
     def contacts_a_place(self) -> int:
         """Contacts along a side of their array at each place on the sphere."""
-        count = int(self._configuration["contact"]["count"])
+        count = int(self.configuration["contact"]["contacts_per_side"])
         return count if self.places_per_side == 1 else min(count, CONTACTS_A_PLACE)
 
     # Scans
@@ -193,16 +205,16 @@ class SurfaceFiles:
     @property
     def scans(self) -> list[Scan]:
         """Every scan."""
-        return self._scans_of(self._selection.surfaces)
+        return self._scans_of(self.selection.surfaces)
 
     @property
     def substrate_scans(self) -> list[Scan]:
         """Every scan of a substrate."""
-        return self._scans_of(self._selection.substrates)
+        return self._scans_of(self.selection.substrates)
 
     def _scans_of(self, surfaces: Iterable[str]) -> list[Scan]:
         """Return every scan of surfaces."""
-        scans = self._selection.scans
+        scans = self.selection.scans
         return [Scan(surface, scan) for surface in surfaces for scan in scans(surface)]
 
     @property
@@ -210,19 +222,32 @@ class SurfaceFiles:
         """One scan of the sphere for each scan of a substrate, in turn."""
         return [
             ScanPair(surface, scan, sphere_scan)
-            for surface in self._selection.substrates
+            for surface in self.selection.substrates
             for scan, sphere_scan in zip(
-                self._selection.scans(surface), cycle(self._selection.sphere_scans), strict=False
+                self.selection.scans(surface), cycle(self.selection.sphere_scans), strict=False
             )
         ]
 
     @property
     def substitutes(self) -> list[str]:
         """The substitute substrates."""
-        basis = self._selection.basis
-        return [name for name in self._selection.substrates if basis[name] == "substitute"]
+        basis = self.selection.basis
+        return [name for name in self.selection.substrates if basis[name] == "substitute"]
 
     @property
     def measured_scans(self) -> list[Scan]:
         """Every scan of a measured substrate."""
         return [scan for scan in self.substrate_scans if scan.surface not in self.substitutes]
+
+    @property
+    def featured(self) -> list[str]:
+        """The substrate whose scans have features, if it is a substitute of a published surface."""
+        surface = self.configuration["scan"]["featured_surface"]
+        return [name for name in self.selection.pooled if name == surface]
+
+    @property
+    def whole_grid(self) -> dict[str, Any]:
+        """Pixels along a side of a whole surface, and their size (nm), as of long masters."""
+        scan = self.configuration["scan"]
+        tiles = self.configuration["scales"]["long"]["tiles"]
+        return {"pixels": 2 * tiles * scan["pixels"], "pixel_size": scan["size"] / scan["pixels"]}

@@ -85,16 +85,16 @@ def filtered_pull_off(
     contact = loaded_contacts[0]
     pixel_size = master.size / filters.pixels
     spheres = [replace(contact, radius=radius) for radius in radii or [contact.radius]]
-    rhos = list(ranges or [contact.rho])
+    ranges = ranges or [contact.rho]
 
     def forces(surface: HeightMap) -> np.ndarray:
         pairs = [join_bodies(surface, sphere, sphere_contact) for sphere_contact in spheres]
-        return np.array([forces_at_loads(pair, loaded_contacts, rhos) for pair in pairs])
+        return np.array([forces_at_loads(pair, loaded_contacts, ranges) for pair in pairs])
 
     nm = {"units": "nm"}
     axes: dict[str, Axis] = {"radius": (("radius",), [probe.radius for probe in spheres], nm)}
-    axes |= load_axis(loaded_contacts) | range_axis(rhos)
-    axes |= {axis: ((axis,), np.arange(contact.count), {}) for axis in CONTACT_AXES}
+    axes |= load_axis(loaded_contacts) | range_axis(ranges)
+    axes |= {axis: ((axis,), np.arange(contact.contacts_per_side), {}) for axis in CONTACT_AXES}
     areas = ("load", [loaded.area for loaded in loaded_contacts], {"units": "nm2"})
     touching = [loaded.pixel_count(pixel_size) * pixel_size**2 for loaded in loaded_contacts]
     contact_area = ("load", touching, {"units": "nm2", "long_name": "touching pixels"})

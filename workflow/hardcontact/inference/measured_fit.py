@@ -205,11 +205,11 @@ def _fit_model(
         bound), the lowest and highest work in J/m² that all surfaces allow, or NaN, with its
         `_extent`; and the variables of `_best_pair`.
     """
-    rhos = next(iter(computed.values())).ranges
+    computed_ranges = next(iter(computed.values())).ranges
     # The computed ranges are among those of the curves, so that their works are exact.
-    ranges = np.union1d(fine_ranges(rhos), rhos)
+    ranges = np.union1d(fine_ranges(computed_ranges), computed_ranges)
     means = np.array([surface_forces.mean for surface_forces in computed.values()])
-    curves = interpolate_to_ranges(means, rhos, ranges)
+    curves = interpolate_to_ranges(means, computed_ranges, ranges)
     force_curves = [
         _sampled_forces(surface_forces, name, sampling) for name, surface_forces in computed.items()
     ]
@@ -218,11 +218,13 @@ def _fit_model(
     confidence = sampling.confidence
     # Forces that finer pixels divide need more work.
     factors = np.stack([np.ones(len(computed)), [pixel_factors[name] for name in computed]], -1)
-    intervals = factors[:, None] * _work_intervals(sampled_works, rhos, ranges, confidence)
+    intervals = factors[:, None] * _work_intervals(
+        sampled_works, computed_ranges, ranges, confidence
+    )
     # All intervals of n independent surfaces contain the true pair with the confidence c if each
     # has the confidence c^(1/n).
     joint_confidence = confidence ** (1 / len(computed))
-    joint_intervals = _work_intervals(sampled_works, rhos, ranges, joint_confidence)
+    joint_intervals = _work_intervals(sampled_works, computed_ranges, ranges, joint_confidence)
     region = _common_region(factors[:, None] * joint_intervals)
     return xr.Dataset(
         with_interval(
@@ -236,11 +238,11 @@ def _fit_model(
 
 
 def _work_intervals(
-    sampled_works: np.ndarray, rhos: np.ndarray, ranges: np.ndarray, confidence: float
+    sampled_works: np.ndarray, computed_ranges: np.ndarray, ranges: np.ndarray, confidence: float
 ) -> np.ndarray:
     """Return the central intervals (surface, range, 2) of sampled works (sample, surface, rho)."""
     ends = np.moveaxis(percentile_interval(sampled_works, confidence), -1, 0)
-    return np.moveaxis(interpolate_to_ranges(ends, rhos, ranges), 0, -1)
+    return np.moveaxis(interpolate_to_ranges(ends, computed_ranges, ranges), 0, -1)
 
 
 def _common_region(intervals: np.ndarray) -> np.ndarray:

@@ -146,14 +146,14 @@ def fit_model(
     each range the error has local minima along the range; ``minimum`` numbers them, the smallest
     first.
     """
-    rhos = forces.rho.values
-    ranges = fine_ranges(rhos)
+    computed_ranges = forces.rho.values
+    ranges = fine_ranges(computed_ranges)
     means, mean_samples = mean_forces(forces, sampling)
     is_published = np.isfinite(published_forces)
     targets = published_forces[is_published]
     fitted_reference_index = int(is_published[:reference_index].sum())
-    curves = interpolate_to_ranges(means[is_published], rhos, ranges)
-    curve_samples = interpolate_to_ranges(mean_samples[:, is_published], rhos, ranges)
+    curves = interpolate_to_ranges(means[is_published], computed_ranges, ranges)
+    curve_samples = interpolate_to_ranges(mean_samples[:, is_published], computed_ranges, ranges)
     fits = _fit_curves(curves, targets, fitted_reference_index, ranges)
     sampled_fits = _fit_curves(curve_samples, targets, fitted_reference_index, ranges)
     variables: dict[str, Any] = {
@@ -239,7 +239,7 @@ def fit_ratios(
 
 
 def error_region(
-    errors: np.ndarray, rhos: np.ndarray, works: np.ndarray, threshold: float
+    errors: np.ndarray, computed_ranges: np.ndarray, works: np.ndarray, threshold: float
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return the smallest and largest range (2,) and work (2,) of the pairs that fit, or NaN.
 
@@ -248,4 +248,4 @@ def error_region(
     rows, columns = np.nonzero(errors < threshold)
     if not rows.size:
         return np.full(2, np.nan), np.full(2, np.nan)
-    return rhos[[rows.min(), rows.max()]], works[[columns.min(), columns.max()]]
+    return computed_ranges[[rows.min(), rows.max()]], works[[columns.min(), columns.max()]]

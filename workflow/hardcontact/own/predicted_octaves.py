@@ -54,7 +54,7 @@ def derivatives_on_scan(scan: HeightMap, octaves: Floats, contact: Contact) -> F
 
     The octaves follow each other; they are given by their shortest wavelengths (nm).
     """
-    contact = replace(contact, window=window_of_scan(scan, contact), count=CONTACTS)
+    contact = replace(contact, window=window_of_scan(scan, contact), contacts_per_side=CONTACTS)
     limits = [*octaves, 2 * octaves[-1]]
     forces = octave_forces(stitched_map(scan), limits, force_function(contact)).mean(axis=(-2, -1))
     return np.asarray(np.log(forces[:, 1] / forces[:, 0]) / (2 * STEP))

@@ -125,7 +125,7 @@ def _forces(surface: HeightMap, body_maps: Sequence[HeightMap], contact: Contact
     pairs = [join_bodies(surface, None, contact)]
     if body_maps:
         substrate, sphere = (stitched_map(body) for body in body_maps)
-        contact = replace(contact, count=CONTACTS_A_PLACE)
+        contact = replace(contact, contacts_per_side=CONTACTS_A_PLACE)
         places = places_on_sphere(sphere, math.isqrt(SPHERE_PLACES))
         pairs = [join_bodies(substrate, place, contact) for place in places]
     return stack_sphere_scans(
@@ -149,7 +149,7 @@ def _force_numbers(
     Like those of `bound_by_smooth_sphere`, mean and interval never exceed a smooth sphere's force.
     """
     surface = stitched_map(scan)
-    contact = replace(contact, window=window_of_scan(scan, contact), count=CONTACTS)
+    contact = replace(contact, window=window_of_scan(scan, contact), contacts_per_side=CONTACTS)
     pull_off = _forces(surface, body_maps, contact)
     touched_places = float(pull_off["touched_places"].max())
     forces = contact.work * pull_off["pull_off_force"].sel(contact_model=PLASTIC, drop=True)

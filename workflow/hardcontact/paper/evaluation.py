@@ -51,7 +51,7 @@ def estimate(quantity: str, dataset: xr.Dataset, *others: xr.Dataset) -> xr.Data
 
 
 #: Datasets that claims may name, besides `paper`.
-DATASETS = (
+CLAIM_DATASETS = (
     "topography", "adhesion", "scales", "edges", "sensitivity", "fit", "posterior", "scaling",
     "elastic", "indent", "asperities", "classical", "enhancement",
 )  # fmt: skip

@@ -1,0 +1,104 @@
+"""Jobs compute their files in chunks, and different files for different swept values."""
+
+import pytest
+from paper_numbers import SUBSTRATES
+from studies import PATTERNS, files, numbers
+
+from hardcontact.config.configuration import study_contact
+from hardcontact.files.chunks import Chunks
+from hardcontact.files.master_purposes import contact_grid
+
+pytestmark = pytest.mark.usefixtures("project_folder")
+
+# Masters and pools
+
+
+def test_every_realization_of_the_study_is_filtered_from_its_own_masters():
+    study = files("scales.realizations", 2)
+    chunks = Chunks(study)
+    rows = chunks.filtered_masters()
+    assert len(set(study.paths(PATTERNS.filtered, rows))) == 2 * len(SUBSTRATES)
+    assert chunks.master_sources(rows[1])["short_masters"] == [
+        "results/store/masters/digest/polished_uncd/0123abcd/realization-2/short.nc"
+    ]
+
+
+def test_masters_of_sets_are_filtered_in_chunks():
+    chunks = Chunks(files("sets.realizations", 12))
+    rows = chunks.filtered_masters("sets")
+    assert [(row.first, row.last) for row in rows] == [(1, 5), (6, 10), (11, 12)] * len(SUBSTRATES)
+    sources = chunks.master_sources(rows[0])
+    assert len(sources["scans"]) == len(sources["spectra"]) == 5
+
+
+def test_only_substitutes_have_pools_computed_in_chunks():
+    chunks = Chunks(files("sets.pool", 32, measured_surfaces=["mcd"]))
+    scans = [(1, 15), (16, 30), (31, 32)]
+    assert chunks.pools == [(surface, *ends) for surface in ("uncd", "ncd") for ends in scans]
+
+
+def test_each_set_has_a_draw_of_the_surface_with_features():
+    chunks = Chunks(files("sets.replicates", 25))
+    kinds = {"bumps": ((1, 10), (11, 13)), "pits": ((1, 10), (11, 13)), "gaussian": ((1, 10),)}
+    assert chunks.draws == [
+        ("polished_uncd", kind, *ends) for kind, draws in kinds.items() for ends in draws
+    ]
+    assert "polished_uncd" not in {chunk.surface for chunk in chunks.pools}
+
+
+def test_no_surface_may_have_features():
+    assert Chunks(files("scan.featured_surface", "none")).draws == []
+    assert Chunks(files(measured_surfaces=["polished_uncd"])).draws == []
+
+
+# Swept values
+
+SWEPT = {
+    "sphere.radius": "300 um",
+    "contact.preload": "12 uN",
+    "contact.hardness": "30 GPa",
+    "scales.range": "3 nm",
+    "scaling.radii": ["5 um", "7 um"],
+}
+
+
+def lists_of_files(*values):
+    """Return the radii, loads and ranges that each file is computed at, by its path."""
+    study = files(*values)
+    chunks = Chunks(study)
+    filtered = [
+        *chunks.filtered_masters(),
+        *chunks.filtered_masters("scaling"),
+        *chunks.filtered_masters("sets"),
+        *chunks.filtered_masters("enhancement"),
+    ]
+    study_values = (study.contact.radius, study.contact.load, study.contact.rho)
+    computed_at = {
+        path: contact_grid(numbers(*values), row.purpose)
+        for row, path in zip(filtered, study.paths(PATTERNS.filtered, filtered), strict=True)
+    }
+    for pattern, rows in (
+        (PATTERNS.pull_off, study.substrate_scans),
+        (PATTERNS.pool, chunks.pools),
+    ):
+        computed_at |= dict.fromkeys(study.paths(pattern, rows), study_values)
+    for pattern in (PATTERNS.elastic, PATTERNS.asperities):
+        computed_at |= dict.fromkeys(study.paths(pattern, study.pairs_in_turn), study_values[:2])
+    return computed_at
+
+
+@pytest.mark.parametrize("key", SWEPT)
+def test_two_values_of_a_swept_key_have_different_files(key):
+    study_files, swept_files = lists_of_files(), lists_of_files(key, SWEPT[key])
+    assert study_files != swept_files
+    for path in study_files.keys() & swept_files.keys():
+        assert study_files[path] == swept_files[path], path
+
+
+def test_paths_do_not_depend_on_the_units_of_a_value():
+    written_otherwise = [
+        *("sphere.radius", "0.25 mm", "contact.preload", "0.01 mN"),
+        *("contact.hardness", "25000 MPa", "scales.range", "0.0056 um"),
+    ]
+    assert lists_of_files(*written_otherwise) == lists_of_files()
+    assert study_contact(numbers()).load == "H25GPa-F10uN"

@@ -1,0 +1,147 @@
+"""Chunks: the pools, draws, whole surfaces and filtered masters that one job computes together.
+
+A chunk is a row, whose fields are the wildcards of a pattern: `SurfaceFiles.paths` makes its file.
+"""
+
+from collections import namedtuple
+from dataclasses import replace
+from math import ceil
+from typing import Any
+
+from hardcontact.base.origin import short_digest
+from hardcontact.base.units import path_token
+from hardcontact.config.configuration import combines_bodies, get_key
+from hardcontact.files.master_purposes import MASTERS_CHUNK, PURPOSES, contact_grid, filter_settings
+from hardcontact.files.patterns import SCAN_KEYS, values_of_keys
+from hardcontact.files.surface_files import SurfaceFiles
+from hardcontact.surfaces.features import GAUSSIAN, SIGNS
+from hardcontact.surfaces.synthesis import SIDES
+
+#: Scans of a pool, and draws of surfaces with features, in one job: a trade, as MASTERS_CHUNK is.
+#: Jobs stay as they are if a study has more of them.
+POOL_CHUNK = 15
+DRAWS_CHUNK = 10
+
+Chunk = namedtuple("Chunk", "surface first last")
+DrawChunk = namedtuple("DrawChunk", "surface features first last")
+FilteredMasters = namedtuple(
+    "FilteredMasters", "purpose settings surface probe first last radii loads ranges"
+)
+
+
+def _spans(count: int, step: int) -> list[tuple[int, int]]:
+    """Return the first and the last of each span of the numbers from 1 to a count."""
+    return [(start, min(start + step - 1, count)) for start in range(1, count + 1, step)]
+
+
+class Chunks:
+    """The chunks of one study, by what is computed in them."""
+
+    def __init__(self, files: SurfaceFiles) -> None:
+        self._files = files
+        self._configuration = files.configuration
+        self._selection = files.selection
+
+    # Pools, draws and whole surfaces
+
+    @property
+    def pools(self) -> list[Chunk]:
+        """The scans of all pools, for the sets: what compute_pool makes."""
+        chunks = _spans(self._configuration["sets"]["pool"], POOL_CHUNK)
+        pooled = [name for name in self._selection.pooled if name not in self._files.featured]
+        return [Chunk(surface, *chunk) for surface in pooled for chunk in chunks]
+
+    @property
+    def draws(self) -> list[DrawChunk]:
+        """The draws of surfaces with features, for the sets: what compute_draws makes.
+
+        Each set takes one draw, of bumps and pits in turn. Gaussian surfaces make one chunk.
+        """
+        draws = ceil(self._configuration["sets"]["replicates"] / len(SIGNS))
+        counts = dict.fromkeys(SIGNS, draws) | {GAUSSIAN: min(draws, DRAWS_CHUNK)}
+        return [
+            DrawChunk(surface, kind, *chunk)
+            for surface in self._files.featured
+            for kind, count in counts.items()
+            for chunk in _spans(count, DRAWS_CHUNK)
+        ]
+
+    @property
+    def whole_surfaces(self) -> list[Chunk]:
+        """The whole surfaces of all substitute substrates: what compute_whole makes."""
+        chunks = _spans(self._configuration["scales"]["whole_surfaces"], MASTERS_CHUNK)
+        return [Chunk(surface, *chunk) for surface in self._files.substitutes for chunk in chunks]
+
+    # Masters
+
+    def filtered_masters(self, purpose: str = "scales") -> list[FilteredMasters]:
+        """Return the masters of a purpose: what filter_masters makes of their `master_sources`."""
+        count = get_key(self._configuration, PURPOSES[purpose].realizations)
+        chunks = _spans(count, PURPOSES[purpose].realizations_in_job)
+        same_fields = {
+            "purpose": purpose,
+            "settings": self._settings_digest(purpose),
+            **self._grid_names(purpose),
+        }
+        return [
+            FilteredMasters(
+                surface=surface,
+                probe=self._probe(purpose, surface),
+                first=first,
+                last=last,
+                **same_fields,
+            )
+            for surface in self._master_surfaces(purpose)
+            for first, last in chunks
+        ]
+
+    def _master_surfaces(self, purpose: str) -> list[str]:
+        """Return the substrates with masters; only spectra of measured surfaces are sampled."""
+        substrates = self._selection.substrates
+        if purpose == "sampled":
+            return [name for name in substrates if self._selection.basis[name] == "measured"]
+        return substrates
+
+    def _probe(self, purpose: str, surface: str) -> str:
+        """Return which sphere touches the masters; combined if they have its roughness, too."""
+        if surface in self._files.combined_surfaces:
+            return "combined"
+        is_rough = self._configuration["scales"]["sphere_roughness"] and purpose != "scaling"
+        return "rough" if is_rough else "smooth"
+
+    def _grid_names(self, purpose: str) -> dict[str, str]:
+        """Return radii, loads and ranges of a purpose as parts of paths."""
+        grid = contact_grid(self._configuration, purpose)
+        return {
+            "radii": "+".join(f"R{path_token(radius, 'um')}" for radius in grid["radii"]),
+            "loads": "+".join(replace(self._files.contact, **load).load for load in grid["loads"]),
+            "ranges": "+".join(f"rho{path_token(rho, 'nm')}" for rho in grid["ranges"]),
+        }
+
+    def _settings_digest(self, purpose: str) -> str:
+        """Return a digest of all that the forces of a purpose depend on, but for the path."""
+        configuration = self._configuration
+        values = values_of_keys(configuration, (*SCAN_KEYS, "contact.window", "sphere.surface"))
+        if configuration["scales"]["sphere_roughness"] or combines_bodies(configuration):
+            values["sphere"] = self._files.sphere_sources
+        return short_digest([filter_settings(configuration, purpose), values])
+
+    def master_sources(self, row: Any) -> dict[str, list[str]]:
+        """Return what rule filter_masters reads for a row, one file a realization.
+
+        Masters of the study are files; others are made from scans and spectra.
+        """
+        files, surface = self._files, row.surface
+        realizations = range(int(row.first), int(row.last) + 1)
+        if PURPOSES[row.purpose].generator_name is None:
+            return {
+                f"{side}_masters": [files.master(surface, number, side) for number in realizations]
+                for side in SIDES
+            }
+        if row.purpose == "sampled":
+            scans = [files.stitched_of_realization(surface, number) for number in realizations]
+            spectra = [files.sampled_spectrum(surface, number) for number in realizations]
+        else:
+            scans = [files.separate_stitched(surface, number) for number in realizations]
+            spectra = [files.spectrum(surface)] * len(scans)
+        return {"scans": scans, "spectra": spectra}
