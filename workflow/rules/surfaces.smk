@@ -6,11 +6,12 @@
 #   NAMED_SURFACES     the label of each surface, and whether it was measured or is a substitute
 #   FILES              the files of each surface: spectra, scans, pairs of scans
 #   CHUNKS             what one job computes together: scans of pools, masters, whole surfaces
-#   CONTACT_AT_RANGE   the contact at the range of adhesion of the band
+#   CONTACT_AT_RANGE   the keys of `contact`, the sphere's radius and the range of adhesion (nm)
 #   SCAN_GRID          pixels and size (nm) of a substitute scan, and the pixels of the random surface
 #                      from which it is cut
 #   DESCRIPTION_INPUTS the description of a substitute, and the tables that it names
 #   SUBSTITUTE_INPUTS  from which random surfaces like a substitute are made
+# Functions are here, because the linter of Snakemake wants them apart from rules.
 
 from hardcontact.config.grids import master_megabytes, realization_pixels
 from hardcontact.files.chunks import Chunks

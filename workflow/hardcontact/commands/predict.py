@@ -124,7 +124,7 @@ def read_inputs(arguments: Namespace) -> Inputs:
     readers = _spectrum_readers(arguments, quantities)
     _, spectrum, *sphere_spectra = refuse_all([partial(refuse_lines, faults), *readers])
     for sphere_spectrum in sphere_spectra:
-        spectrum = combined_spectrum(spectrum, sphere_spectrum)
+        spectrum = combined_spectrum(spectrum, sphere_spectrum, Study().seed)
     cautions += one_pixel_touches(contact.area, [scan.pixel_size for scan in spectrum.scans])
     notes = [*(f"{TAKE_CARE}{line}" for line in cautions), *spectrum.notes]
     return Inputs(quantities, contact, spectrum, notes)

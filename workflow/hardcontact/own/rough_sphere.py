@@ -3,7 +3,6 @@
 from dataclasses import replace
 
 from hardcontact.base.random import generator
-from hardcontact.config.model import Study
 from hardcontact.own.own_spectrum import OwnSpectrum
 from hardcontact.own.scan_force import stitched_map
 from hardcontact.surfaces.both_bodies import combine_maps, combine_spectra
@@ -11,10 +10,10 @@ from hardcontact.surfaces.height_map import HeightMap, metrics
 from hardcontact.surfaces.joined_spectrum import ScanSpectrum, reliable_spectrum
 
 
-def combined_spectrum(surface: OwnSpectrum, sphere: OwnSpectrum) -> OwnSpectrum:
+def combined_spectrum(surface: OwnSpectrum, sphere: OwnSpectrum, seed: int) -> OwnSpectrum:
     """Return the sum of both spectra, and of both maps if each body has a single one.
 
-    Raises ValueError for a table.
+    The seed decides which places of the maps meet. Raises ValueError for a table.
     """
     substrate_spectrum, sphere_spectrum = surface.spectrum, sphere.spectrum
     if not isinstance(substrate_spectrum, ScanSpectrum) or not isinstance(
@@ -27,14 +26,14 @@ def combined_spectrum(surface: OwnSpectrum, sphere: OwnSpectrum) -> OwnSpectrum:
     if len(scans) > 2 or any(scan.kind != "map" for scan in scans):
         skewness = max(substrate_spectrum.skewness, sphere_spectrum.skewness, key=abs)
         return OwnSpectrum(reliable_spectrum(joined, skewness), notes, scans)
-    combined_map = _sum_of_maps(*scans)
+    combined_map = _sum_of_maps(*scans, seed)
     spectrum = reliable_spectrum(joined, metrics(combined_map)["skewness"])
     return OwnSpectrum(spectrum, notes, (combined_map,), scans)
 
 
-def _sum_of_maps(substrate: HeightMap, sphere: HeightMap) -> HeightMap:
+def _sum_of_maps(substrate: HeightMap, sphere: HeightMap, seed: int) -> HeightMap:
     """Return the levelled map of a substrate with the roughness of the sphere."""
-    rng = generator(Study().seed, "both bodies")
+    rng = generator(seed, "both bodies")
     stitched = combine_maps(rng, stitched_map(substrate), stitched_map(sphere))
     heights = stitched.heights[: substrate.pixels, : substrate.pixels]
     return replace(substrate, heights=heights, defects={**sphere.defects, **substrate.defects})
