@@ -23,6 +23,7 @@ from hardcontact.config.model import Study
         ("studdy", "a", ["(top level)", "found studdy (did you mean study?)"]),
         ("hardness", "3 GPa", ["found hardness (did you mean contact: {hardness: ...}?)"]),
         ("a\nb", 1, ["(top level)", "found 'a\\nb'"]),
+        ("scales.small", {}, ["scales:", "found small (did you mean short?)"]),
         ("scan.pixel", 5, ["scan:", "found pixel (did you mean pixels?)"]),
         ("sphere", "ruby", ["sphere:", "a mapping", "found 'ruby'"]),
         ("effort", "quik", ["effort: expected full or quick, found 'quik'"]),

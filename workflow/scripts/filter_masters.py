@@ -8,7 +8,7 @@ from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact
 from hardcontact.inference.filtered_masters import Filters, filtered_pull_off, master_from_files
 from hardcontact.surfaces.height_map import read_height_map
-from hardcontact.surfaces.synthesis import SCALES, SIDES
+from hardcontact.surfaces.synthesis import SEED_WORDS, SIDES
 
 with job(snakemake) as job:
     params = job.parameters
@@ -30,7 +30,7 @@ with job(snakemake) as job:
         if params["generator_name"] is None:
             master = read_height_map(sources[f"{side}_masters"][index])
         else:
-            generator_name = f"{SCALES[side]}-scale {params['generator_name']}"
+            generator_name = f"{SEED_WORDS[side]}-scale {params['generator_name']}"
             names = params["seed"], params["surface"], realization, generator_name
             master = master_from_files(
                 side, generator(*names), sources.scans[index], sources.spectra[index], settings

@@ -27,6 +27,8 @@ MAX_LINES = 30
 #: Similarity from which an unknown key is taken for a known key, 1 if equal: one letter in four may
 #: differ.
 SIMILARITY = 0.75
+#: Names of keys by their former names.
+RENAMED_KEYS = {"small": "short", "large": "long"}
 
 Model = TypeVar("Model", bound=BaseModel)
 
@@ -136,7 +138,8 @@ def _describe_unknown(model: type[BaseModel], section: type[BaseModel], names: l
     written = {key: _key_in_yaml(key) for key, _ in key_fields(model)}
     written |= {key.rpartition(".")[2]: text for key, text in written.items()}
     written |= {key: key for key in known_keys}
-    matches = [difflib.get_close_matches(name, written, 1, SIMILARITY) for name in names]
+    current = [RENAMED_KEYS.get(name, name) for name in names]
+    matches = [difflib.get_close_matches(name, written, 1, SIMILARITY) for name in current]
     suggestions = ", ".join(dict.fromkeys(written[key] for keys in matches for key in keys))
     expected = "a key that exists" if all(matches) else f"one of {', '.join(known_keys)}"
     question = f" (did you mean {suggestions}?)" if suggestions else ""

@@ -22,7 +22,7 @@ from hardcontact.inference.octaves import ForcesOnSurface, force_function
 from hardcontact.surfaces.filters import filtered_series
 from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
 from hardcontact.surfaces.spectrum import SpectrumFunction
-from hardcontact.surfaces.synthesis import SCALES, random_surface
+from hardcontact.surfaces.synthesis import SEED_WORDS, random_surface
 
 #: The shortest and the longest wavelength in nm.
 Octave = tuple[float, float]
@@ -97,7 +97,9 @@ def hindcast_forces(
             near_side, scan_octave = _split_at_octave(stitched, side, octave)
             artificial_octaves = [
                 sum(
-                    _artificial_octave(body.generator(SCALES[side], number), stitched, octave, body)
+                    _artificial_octave(
+                        body.generator(SEED_WORDS[side], number), stitched, octave, body
+                    )
                     for body in bodies
                 )
                 for number in range(REALIZATIONS)
