@@ -13,7 +13,7 @@ from hardcontact.surfaces.synthesis import SEED_WORDS, SIDES
 with job(snakemake) as job:
     params = job.parameters
     sources = job.input
-    contacts = [
+    loaded_contacts = [
         Contact(
             radius=params["radii"][0],
             window=params["window"],
@@ -38,7 +38,7 @@ with job(snakemake) as job:
         forces[realization, side] = filtered_pull_off(
             master,
             Filters(side, settings["pixels"], settings["cutoffs"]),
-            contacts,
+            loaded_contacts,
             sphere,
             params["radii"],
             params["ranges"],

@@ -9,7 +9,7 @@ import numpy as np
 
 from hardcontact.base.formatting import format_length
 from hardcontact.commands.inventory import Entry, entries_by_surface
-from hardcontact.config.faults import refuse_lines
+from hardcontact.config.faults import raise_faults
 from hardcontact.config.grids import (
     MAP_PIXELS,
     PENETRATION_OVER_RANGE,
@@ -105,7 +105,7 @@ def _groups(entries: Sequence[Entry]) -> dict[str, list[Group]]:
                     groups[surface].append([entry])
                 else:
                     group.append(entry)
-    refuse_lines(
+    raise_faults(
         f"surface {surface}: expected a height map, on which contacts are made, with pixels of "
         f"{low:g} to {high:g} nm, found none; for line scans alone, `hardcontact predict` gives "
         "force and band"

@@ -39,7 +39,7 @@ def key_fault(key: str, accepted: object, value: object) -> str:
     return f"config {keys} {key}: expected {accepted}, found {value}"
 
 
-def refuse_lines(lines: Iterable[str]) -> None:
+def raise_faults(lines: Iterable[str]) -> None:
     """Raise ValueError if there are lines, each of which reports a fault.
 
     If there are more than MAX_LINES, the last line counts the faults that are not reported.
@@ -52,7 +52,7 @@ def refuse_lines(lines: Iterable[str]) -> None:
         raise ValueError("\n".join(reported))
 
 
-def refuse_all(checks: Iterable[Callable[[], Any]]) -> list[Any]:
+def run_checks(checks: Iterable[Callable[[], Any]]) -> list[Any]:
     """Carry out all checks; return their results, or raise ValueError with each fault once."""
     results = []
     faults = list[str]()
@@ -61,7 +61,7 @@ def refuse_all(checks: Iterable[Callable[[], Any]]) -> list[Any]:
             results.append(check())
         except ValueError as error:
             faults += str(error).splitlines()
-    refuse_lines(dict.fromkeys(faults))
+    raise_faults(dict.fromkeys(faults))
     return results
 
 
@@ -90,7 +90,7 @@ def validate(model: type[Model], value: object, prefix: str = "") -> Model:
     try:
         return model.model_validate(value)
     except ValidationError as error:
-        refuse_lines(_fault_lines(model, error, prefix))
+        raise_faults(_fault_lines(model, error, prefix))
         raise  # Only a validation error without any fault would come here.
 
 
