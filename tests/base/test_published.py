@@ -10,7 +10,7 @@ import pytest
 
 from hardcontact.base import published
 
-PAPER = Path(__file__).parents[1] / "resources" / "paper"
+PAPER = Path(__file__).parents[2] / "resources" / "paper"
 
 
 def test_constants_have_the_published_values():
