@@ -22,7 +22,7 @@ BUDGET = {
     "inference": 1603,
     "theory": 647,
     "paper": 1465,
-    "config": 1518,
+    "config": 1520,
     "files": 461,
     "run": 444,
     "own": 653,

@@ -8,7 +8,7 @@ from repository import PAPER, ROOT, leaves
 from studies import numbers
 
 from hardcontact.config import configuration, key_tables, model
-from hardcontact.config.faults import refuse_all, refuse_lines
+from hardcontact.config.faults import raise_faults, run_checks
 from hardcontact.config.model import Study
 
 # Keys
@@ -23,6 +23,7 @@ from hardcontact.config.model import Study
         ("studdy", "a", ["(top level)", "found studdy (did you mean study?)"]),
         ("hardness", "3 GPa", ["found hardness (did you mean contact: {hardness: ...}?)"]),
         ("a\nb", 1, ["(top level)", "found 'a\\nb'"]),
+        ("scales.small", {}, ["scales:", "found small (did you mean short?)"]),
         ("scan.pixel", 5, ["scan:", "found pixel (did you mean pixels?)"]),
         ("sphere", "ruby", ["sphere:", "a mapping", "found 'ruby'"]),
         ("effort", "quik", ["effort: expected full or quick, found 'quik'"]),
@@ -135,16 +136,16 @@ def test_repeated_names_in_different_sections_are_accepted(tmp_path, text):
 
 def test_each_fault_is_reported_once_in_order():
     checks = [["b: expected"], [], ["a: expected", "b: expected"]]
-    message = refusal(refuse_all, [lambda lines=lines: refuse_lines(lines) for lines in checks])
+    message = refusal(run_checks, [lambda lines=lines: raise_faults(lines) for lines in checks])
     assert message == "b: expected\na: expected"
     with pytest.raises(ZeroDivisionError):  # a fault of the study, not of its input
-        refuse_all([lambda: 1 / 0])
+        run_checks([lambda: 1 / 0])
 
 
 def test_only_the_first_of_many_faults_are_reported():
-    message = refusal(lambda: refuse_lines(f"line {k}: expected" for k in range(100_000)))
+    message = refusal(lambda: raise_faults(f"line {k}: expected" for k in range(100_000)))
     assert message.startswith("line 0: expected\n") and "99971 more" in message.splitlines()[-1]
-    assert refusal(refuse_all, [lambda: refuse_lines(message.splitlines())]) == message
+    assert refusal(run_checks, [lambda: raise_faults(message.splitlines())]) == message
 
 
 # Words

@@ -4,8 +4,8 @@ import numpy as np
 import xarray as xr
 
 CUTOFFS = np.array([10.0, 100.0, 1000.0, 2000.0, 4000.0])
-SMALL = [1.02, 1.3, 1.6, np.nan, np.nan]
-LARGE = [np.nan, np.nan, 2.0, 1.3, 1.02]
+SHORT = [1.02, 1.3, 1.6, np.nan, np.nan]
+LONG = [np.nan, np.nan, 2.0, 1.3, 1.02]
 SURFACE = ("surface", "realization", "side")
 
 

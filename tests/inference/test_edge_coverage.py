@@ -18,9 +18,9 @@ from hardcontact.surfaces.joined_spectrum import joined_spectrum, sample_spectra
 from hardcontact.surfaces.spectrum import self_affine, smooth_rolloff, spectrum_of_dataset
 from hardcontact.surfaces.synthesis import (
     cut_scan,
-    large_scale_master,
+    long_edge_master,
     random_surface,
-    small_scale_master,
+    short_edge_master,
 )
 
 SIZE = 2500.0
@@ -53,8 +53,8 @@ def assert_held(low, high, edge, finite):
 
 #: Factors of sqrt(2), to more than a factor of three beyond both edges: ends of intervals are
 #: cutoffs, so that fewer of them would widen every interval, or bound it where they end.
-SMALL = Filters("short", 256, [43.0, 60.0, 85.0, 120.0, 170.0, 240.0, 340.0, 480.0])
-LARGE = Filters("long", 128, [200.0, 280.0, 400.0, 560.0, 800.0, 1130.0, 1600.0, 2260.0])
+SHORT_FILTERS = Filters("short", 256, [43.0, 60.0, 85.0, 120.0, 170.0, 240.0, 340.0, 480.0])
+LONG_FILTERS = Filters("long", 128, [200.0, 280.0, 400.0, 560.0, 800.0, 1130.0, 1600.0, 2260.0])
 #: Edges in nm of the mean over 300 other scans, by `edges_of_scans` of the draws 1000 to 1299;
 #: 95 % of 2000 samples of these scans with replacement give 135 to 138 nm and 671 to 705 nm.
 TRUTH = {"short": 137.0, "long": 688.0}
@@ -71,14 +71,14 @@ def edges_of_draw(draw):
     rng = generator(11, draw)
     surface = random_surface(rng, 256, SIZE / 64, known_density)
     stitched = mirror_stitch(level(cut_scan(surface, 64)))
-    small = small_scale_master(rng, stitched, 256, 160.0, known_density)
-    large = large_scale_master(rng, stitched, 1, 1000.0, known_density)
-    scales = forces([(1, SMALL, small), (1, LARGE, large)], CONTACT)
+    short = short_edge_master(rng, stitched, 256, 160.0, known_density)
+    long = long_edge_master(rng, stitched, 1, 1000.0, known_density)
+    scales = forces([(1, SHORT_FILTERS, short), (1, LONG_FILTERS, long)], CONTACT)
     masters = Masters({"a": 1}, 1, {"a": 99})
     return edges_of_scans(scales, xr.Dataset(), masters, 0.1, 0.95).isel(surface=0)
 
 
-@pytest.mark.parametrize("filters", [SMALL, LARGE], ids=TRUTH)
+@pytest.mark.parametrize("filters", [SHORT_FILTERS, LONG_FILTERS], ids=TRUTH)
 def test_the_interval_from_one_scan_contains_the_edge_of_the_mean(filters):
     truth = TRUTH[filters.side]
     edges = [edges_of_draw(draw).sel(side=filters.side) for draw in range(20)]
@@ -115,7 +115,7 @@ def interval_of_one_scan(density, number):
     def scales(spectra):
         """Return the forces on masters of spectra, each with a factor on the heights."""
         masters = (
-            large_scale_master(
+            long_edge_master(
                 generator(4, number, draw),
                 mirror_stitch(replace(scan, heights=scan.heights * factor)),
                 TILES, 0.4 * SIZE, master_spectrum,

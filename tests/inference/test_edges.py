@@ -8,9 +8,9 @@ from hardcontact.base.statistics import Sampling, bounds, student_log_interval
 from hardcontact.inference.edges import edges_of_realizations
 
 CUTOFFS = [10.0, 100.0, 1000.0, 10000.0]
-SMALL = [1.0, 1.2, np.nan, np.nan]
-LARGE = [np.nan, np.nan, 3.0, 1.0]
-CROSSINGS = np.log(1.1) / np.log([1.2, 3.0])  # where ln(SMALL) and ln(LARGE) cross ln(1.1)
+SHORT = [1.0, 1.2, np.nan, np.nan]
+LONG = [np.nan, np.nan, 3.0, 1.0]
+CROSSINGS = np.log(1.1) / np.log([1.2, 3.0])  # where ln(SHORT) and ln(LONG) cross ln(1.1)
 EDGES = {
     "a": {"short": 10 ** (1 + CROSSINGS[0]), "long": 10 ** (4 - CROSSINGS[1])},
     "pooled": {"short": 10**1.5, "long": 10**3.95},  # where the mean of |ratio - 1| crosses 0.1
@@ -37,7 +37,7 @@ def scales(ratios):
 
 
 def test_each_edge_is_the_first_cutoff_from_the_unfiltered_end():
-    bands = edges_of_realizations(scales([[[SMALL, LARGE]] * 3]), 0.1, Sampling(0, 20, 0.95))
+    bands = edges_of_realizations(scales([[[SHORT, LONG]] * 3]), 0.1, Sampling(0, 20, 0.95))
     for group, sides in EDGES.items():
         for side, wavelength in sides.items():
             selected = bands.sel(side=side, group=group)
@@ -75,7 +75,7 @@ def test_curves_within_the_tolerance_have_the_last_cutoff_as_interval():
 
 
 def test_intervals_describe_the_scatter_of_realizations():
-    rows = [[[1.0, ratio, np.nan, np.nan], LARGE] for ratio in (1.2, 1.3, 1.45)]
+    rows = [[[1.0, ratio, np.nan, np.nan], LONG] for ratio in (1.2, 1.3, 1.45)]
     bands = edges_of_realizations(scales([rows]), 0.1, Sampling(0, 4000, 0.9))
     short = bands.sel(side="short", cutoff_wavelength=100.0)
     ratio_interval = student_log_interval(xr.DataArray([1.2, 1.3, 1.45], dims="n"), 0.9, "n")

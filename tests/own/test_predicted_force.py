@@ -5,7 +5,7 @@ import pytest
 import xarray as xr
 from direct_sum import direct_total
 from known_forces import FORCE_DIMS
-from known_masters import LARGE, SMALL, scales
+from known_masters import LONG, SHORT, scales
 from known_spectra import contact_of_area, rough
 from refusals import assert_says, refusal
 from scipy import stats
@@ -169,7 +169,7 @@ MASTERS = Masters({"a": 1}, 2, {"a": 99})
 
 
 def master_forces(**options):
-    return scales([[SMALL, LARGE]], **options).assign(transition=("side", [20.0, 4e3]))
+    return scales([[SHORT, LONG]], **options).assign(transition=("side", [20.0, 4e3]))
 
 
 def test_the_extrapolated_force_is_the_mean_over_contacts_and_masters():

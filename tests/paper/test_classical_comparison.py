@@ -31,7 +31,7 @@ def apply_models(inference, seed=1):
         inference,
         published.constants(TABLES / "parameters.csv"),
         published.table1(TABLES / "table1.csv"),
-        published.printed_forces(TABLES / "pull_off.csv"),
+        published.printed_statistics(TABLES / "pull_off.csv"),
         Sampling(seed, 20, 0.9, ("classical",)),
     )
 

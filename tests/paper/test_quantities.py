@@ -278,7 +278,7 @@ def test_changes_are_read_outside_and_inside_the_published_band(band):
     # At 86 and 900 nm, between the cutoffs of 43 and 200 nm, and of 200 and 1000 nm.
     octaves = [0.05 + 0.95 * 43 / 157, 0.6 - 0.3 * 700 / 800]
     near(inference.change_inside_band(band, PAPER), octaves)
-    near(inference.small_scale_change(band, PAPER), 0.0)
+    near(inference.short_cutoff_change(band, PAPER), 0.0)
     near(inference.stylus_change(band, PAPER), 3.0)
 
 

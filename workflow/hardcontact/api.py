@@ -27,7 +27,7 @@ from hardcontact.config.arguments import (
     check_read_arguments,
     make_periodic,
 )
-from hardcontact.config.faults import refuse_lines
+from hardcontact.config.faults import raise_faults
 from hardcontact.config.model import NONE, Study
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies
@@ -432,7 +432,7 @@ def predict(
             f"found {type(spectrum).__name__}"
         )
     contact = Contact(radius=radius, rho=rho, work=work, preload=preload, hardness=hardness)
-    refuse_lines(filter(None, [wide_contact_message(contact)]))
+    raise_faults(filter(None, [wide_contact_message(contact)]))
     numbers = prediction(spectrum, contact, tolerance)
     confidence = Study().inference.confidence
     return add_force_on_scan(numbers, scans, contact, confidence)

@@ -13,10 +13,8 @@ rule compute_pull_off:
         parameters=parameters(
             sphere_places=FILES.sphere_places,
             places_per_side=FILES.places_per_side,
-            contact=STUDY["contact"] | {"contacts_per_side": FILES.contacts_a_place},
+            contact=CONTACT_AT_RANGE | {"contacts_per_side": FILES.contacts_a_place},
             ranges=RANGES,
-            reference_rho=STUDY["scales"]["range"],
-            radius=STUDY["sphere"]["radius"],
         ),
     script:
         "../scripts/compute_pull_off.py"

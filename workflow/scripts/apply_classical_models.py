@@ -12,7 +12,7 @@ with job(snakemake) as job:
             read(job.input.fit),
             published.constants(job.input.published_constants),
             published.table1(job.input.published_table1),
-            published.printed_forces(job.input.published_pull_off),
+            published.printed_statistics(job.input.published_pull_off),
             Sampling.from_parameters(job.parameters, "classical"),
         ),
         title="effective work of adhesion, and classical models of rough adhesion",

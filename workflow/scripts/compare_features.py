@@ -10,7 +10,7 @@ from hardcontact.paper.featured_draws import compare_with_published, draws_by_su
 with job(snakemake) as job:
     constants = published.constants(job.input.published_constants)["value"]
     published_fit = PublishedFit(
-        published.measured_forces(job.input.published_pull_off),
+        published.measured_statistics(job.input.published_pull_off),
         Pair(constants["range_of_adhesion"], constants["work_of_adhesion"]),
     )
     factor = read(job.input.sets)["sphere_factor"].sel(contact_model=PLASTIC, drop=True)

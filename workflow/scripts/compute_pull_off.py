@@ -16,12 +16,12 @@ from hardcontact.surfaces.height_map import read_height_map
 
 with job(snakemake) as job:
     params = job.parameters
-    contact = Contact(radius=params["radius"], rho=params["reference_rho"], **params["contact"])
+    contact = Contact(**params["contact"])
     substrate = read_height_map(job.input.substrate)
     spheres = [
-        place
+        sphere
         for path in job.input.spheres
-        for place in places_on_sphere(read_height_map(path), params["places_per_side"])
+        for sphere in places_on_sphere(read_height_map(path), params["places_per_side"])
     ]
     pairs = {
         number: join_bodies(substrate, sphere, contact)

@@ -8,12 +8,12 @@ from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact
 from hardcontact.inference.filtered_masters import Filters, filtered_pull_off, master_from_files
 from hardcontact.surfaces.height_map import read_height_map
-from hardcontact.surfaces.synthesis import SCALES, SIDES
+from hardcontact.surfaces.synthesis import SEED_WORDS, SIDES
 
 with job(snakemake) as job:
     params = job.parameters
     sources = job.input
-    contacts = [
+    loaded_contacts = [
         Contact(
             radius=params["radii"][0],
             window=params["window"],
@@ -30,7 +30,7 @@ with job(snakemake) as job:
         if params["generator_name"] is None:
             master = read_height_map(sources[f"{side}_masters"][index])
         else:
-            generator_name = f"{SCALES[side]}-scale {params['generator_name']}"
+            generator_name = f"{SEED_WORDS[side]}-scale {params['generator_name']}"
             names = params["seed"], params["surface"], realization, generator_name
             master = master_from_files(
                 side, generator(*names), sources.scans[index], sources.spectra[index], settings
@@ -38,7 +38,7 @@ with job(snakemake) as job:
         forces[realization, side] = filtered_pull_off(
             master,
             Filters(side, settings["pixels"], settings["cutoffs"]),
-            contacts,
+            loaded_contacts,
             sphere,
             params["radii"],
             params["ranges"],

@@ -12,7 +12,7 @@ with job(snakemake) as job:
         fit_published(
             dataset.read(job.input.adhesion),
             PublishedFit(
-                published.measured_forces(job.input.published_pull_off),
+                published.measured_statistics(job.input.published_pull_off),
                 Pair(constants["range_of_adhesion"], constants["work_of_adhesion"]),
             ),
             params["reference_surface"],

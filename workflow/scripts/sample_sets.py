@@ -26,7 +26,7 @@ with job(snakemake) as job:
         sources,
         pd.DataFrame(params["statements"]),
         constants,
-        PublishedFit(published.measured_forces(job.input.published_pull_off), pair),
+        PublishedFit(published.measured_statistics(job.input.published_pull_off), pair),
         SetSettings(**params["settings"]),
     )
     job.write(

@@ -4,7 +4,7 @@ from hardcontact.base.job import job
 from hardcontact.base.random import generator
 from hardcontact.surfaces.height_map import read_height_map
 from hardcontact.surfaces.spectrum import read_spectrum
-from hardcontact.surfaces.synthesis import SCALES, synthesize_master
+from hardcontact.surfaces.synthesis import SEED_WORDS, synthesize_master
 
 with job(snakemake) as job:
     params = job.parameters
@@ -13,10 +13,10 @@ with job(snakemake) as job:
     scan = read_height_map(job.input.scan)
     spectrum = read_spectrum(job.input.spectrum)
     for side, settings in params["sides"].items():
-        rng = generator(params["seed"], surface, realization, f"{SCALES[side]}-scale master")
+        rng = generator(params["seed"], surface, realization, f"{SEED_WORDS[side]}-scale master")
         master = synthesize_master(side, rng, scan, settings, spectrum)
         job.write(
             master.to_dataset(),
-            title=f"{SCALES[side]}-scale master: realization {realization} of {surface}",
+            title=f"{side}-edge master: realization {realization} of {surface}",
             output=side,
         )

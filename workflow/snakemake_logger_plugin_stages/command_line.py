@@ -58,13 +58,13 @@ def refuse_faults() -> None:
     Snakemake names neither file, line nor key, and copies nested aliases until memory is full.
     """
     from hardcontact.config.configuration import refuse_unreadable
-    from hardcontact.config.faults import refuse_all
+    from hardcontact.config.faults import run_checks
 
     options = _options()
     checks = [partial(refuse_unreadable, path) for path in options.configfile]
     checks += [partial(_refuse_pair, word) for word in options.config]
     try:
-        refuse_all(checks)
+        run_checks(checks)
     except ValueError as error:
         sys.exit("\n".join(f"error: {fault}" for fault in str(error).splitlines()))
 

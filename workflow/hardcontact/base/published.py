@@ -21,7 +21,7 @@ def constants(path: str | Path) -> pd.DataFrame:
     return pd.read_csv(path, index_col="quantity")
 
 
-def measured_forces(path: str | Path) -> pd.DataFrame:
+def measured_statistics(path: str | Path) -> pd.DataFrame:
     """Read `pull_off.csv`: statistics of the measured pull-off forces.
 
     Returns by surface: mean_force and median_force in N, effective_work_of_adhesion in J/m²; NaN if
@@ -30,10 +30,10 @@ def measured_forces(path: str | Path) -> pd.DataFrame:
     return pd.read_csv(path).pivot(index="surface", columns="quantity", values="value")
 
 
-def printed_forces(path: str | Path) -> pd.DataFrame:
-    """Read the table of `measured_forces` as text with the printed digits.
+def printed_statistics(path: str | Path) -> pd.DataFrame:
+    """Read the table of `measured_statistics` as text with the printed digits.
 
-    Returns as from `measured_forces`, as text.
+    Returns as from `measured_statistics`, as text.
     """
     rows = pd.read_csv(path, dtype=str)
     return rows.pivot(index="surface", columns="quantity", values="value")

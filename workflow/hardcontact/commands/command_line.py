@@ -5,14 +5,14 @@ import sys
 
 from hardcontact.commands.new import new_study
 from hardcontact.commands.request import parse_arguments
-from hardcontact.config.faults import refuse_lines
+from hardcontact.config.faults import raise_faults
 
 
 def main() -> int:
     """Carry out the command line: `new`, `predict`, `verify`, `compare`; return the exit code."""
     try:
         # A terminal would obey control characters, and tables are written in UTF-8.
-        refuse_lines(
+        raise_faults(
             f"{word!r}: expected printable characters in UTF-8, found others"
             for word in sys.argv[1:]
             if not word.isprintable()

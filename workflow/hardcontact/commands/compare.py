@@ -14,7 +14,7 @@ import xarray as xr
 from hardcontact.base.dataset import read
 from hardcontact.commands.output import output_faults, write_output
 from hardcontact.commands.parser import CommandLine
-from hardcontact.config.faults import refuse_all, refuse_lines
+from hardcontact.config.faults import raise_faults, run_checks
 from hardcontact.report.paper_study.paired_changes import (
     SET_DATASETS,
     add_paired_intervals,
@@ -45,8 +45,8 @@ def compare(arguments: Namespace) -> str:
     paths = [_answer_path(path) for path in (arguments.first, arguments.second)]
     inputs = dict.fromkeys(paths, "those compared")
     faults = [*output_faults({"html": arguments.html}, inputs, arguments.overwrite)]
-    _, *answers = refuse_all(
-        [partial(refuse_lines, faults), *(partial(_read_answer, path) for path in paths)]
+    _, *answers = run_checks(
+        [partial(raise_faults, faults), *(partial(_read_answer, path) for path in paths)]
     )
     names = [answer["study"] for answer in answers]
     if names[0] == names[1]:

@@ -9,7 +9,7 @@ import numpy as np
 
 from hardcontact.base.formatting import format_length
 from hardcontact.commands.inventory import Entry, entries_by_surface
-from hardcontact.config.faults import refuse_lines
+from hardcontact.config.faults import raise_faults
 from hardcontact.config.grids import (
     MAP_PIXELS,
     PENETRATION_OVER_RANGE,
@@ -29,7 +29,7 @@ from hardcontact.theory.summits import search_size
 MIN_RADIUS_PIXELS = 32
 #: The longest range of adhesion (nm) that is proposed if none is given: that of the paper's study.
 LONGEST_RANGE = 40.0
-#: Edge of the large-scale master relative to that of a scan, and to the window.
+#: Edge of the long-edge master relative to that of a scan, and to the window.
 MASTER_SCANS = 8
 MASTER_WINDOWS = 1.6
 #: Scans of one surface on the same pixels.
@@ -105,7 +105,7 @@ def _groups(entries: Sequence[Entry]) -> dict[str, list[Group]]:
                     groups[surface].append([entry])
                 else:
                     group.append(entry)
-    refuse_lines(
+    raise_faults(
         f"surface {surface}: expected a height map, on which contacts are made, with pixels of "
         f"{low:g} to {high:g} nm, found none; for line scans alone, `hardcontact predict` gives "
         "force and band"
@@ -223,7 +223,7 @@ def _shortest_range(
 
 
 def count_tiles(substrates: Sequence[Entry], window: float, pixels: int) -> int:
-    """Return the number of stitched scans along a side of large-scale masters.
+    """Return the number of stitched scans along a side of long-edge masters.
 
     The master is eight scans long, as in the paper, and longer than the window (nm), if its number
     of pixels suffices.

@@ -32,7 +32,7 @@ from hardcontact.commands.request import (
 )
 from hardcontact.commands.scan_cautions import refuse_unreliable
 from hardcontact.config.configuration import read_yaml, set_keys
-from hardcontact.config.faults import refuse_all, refuse_lines, validate
+from hardcontact.config.faults import raise_faults, run_checks, validate
 from hardcontact.config.force_table import measured_forces
 from hardcontact.config.key_tables import commented_yaml
 from hardcontact.config.limits import check_grids
@@ -61,7 +61,7 @@ def new_study(arguments: Namespace) -> str:
     )
     faults += [*file_faults, *scan_faults]
     checks: list[Callable[[], Any]] = [
-        partial(refuse_lines, [*name_faults(arguments), *faults]),
+        partial(raise_faults, [*name_faults(arguments), *faults]),
         *_input_checks(
             arguments,
             table_rows(entries, contact_entries=[], tip_radius=tip_text),
@@ -72,11 +72,11 @@ def new_study(arguments: Namespace) -> str:
     if not faults:  # Faults of the input can cause faults of the proposal.
         checks.append(partial(_propose_study, arguments, quantities, entries))
     try:
-        results = refuse_all(checks)
+        results = run_checks(checks)
     except ValueError as error:
         lines = [str(error), *implausible_quantities(quantities)]
         raise ValueError("\n".join(lines)) from None
-    # With faults, `refuse_all` raises. The last result is therefore that of `_propose_study`.
+    # With faults, `run_checks` raises. The last result is therefore that of `_propose_study`.
     proposal, choices = results[-1]
     overlay = f"config/{arguments.name}.yaml"
     table = f"config/{arguments.name}.tsv"

@@ -22,7 +22,7 @@ from hardcontact.commands.request import (
     one_pixel_touches,
     parse_quantities,
 )
-from hardcontact.config.faults import refuse_all, refuse_lines
+from hardcontact.config.faults import raise_faults, run_checks
 from hardcontact.config.model import CONTACT_QUANTITIES, NONE, Study
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.smooth_sphere import assumed_modulus
@@ -122,7 +122,7 @@ def read_inputs(arguments: Namespace) -> Inputs:
     outputs = {name: getattr(arguments, name) for name in WRITERS}
     faults += output_faults(outputs, {arguments.file: "that of the surface"}, arguments.overwrite)
     readers = _spectrum_readers(arguments, quantities)
-    _, spectrum, *sphere_spectra = refuse_all([partial(refuse_lines, faults), *readers])
+    _, spectrum, *sphere_spectra = run_checks([partial(raise_faults, faults), *readers])
     for sphere_spectrum in sphere_spectra:
         spectrum = combined_spectrum(spectrum, sphere_spectrum, Study().seed)
     cautions += one_pixel_touches(contact.area, [scan.pixel_size for scan in spectrum.scans])

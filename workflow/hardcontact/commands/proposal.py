@@ -200,7 +200,7 @@ def _master_choices(
 
 
 def _short_pixels(scan: Entry, contact: Contact, max_pixels: int) -> int:
-    """Return the pixels of small-scale masters of one scan: stitched, halved repeatedly."""
+    """Return the pixels of short-edge masters of one scan: stitched, halved repeatedly."""
     pixels = 2 * scan.pixels
     while 2 * pixels <= max_pixels:
         pixel_size = scan.size / pixels

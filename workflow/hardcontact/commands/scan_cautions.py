@@ -8,7 +8,7 @@ from hardcontact.base.formatting import format_length, format_quantity
 from hardcontact.commands.contact_scans import WindowChoice
 from hardcontact.commands.inventory import Entry, entries_by_surface, entry_contradiction_lines
 from hardcontact.commands.request import one_pixel_touches
-from hardcontact.config.faults import refuse_lines
+from hardcontact.config.faults import raise_faults
 from hardcontact.contact.finite_scan import (
     LARGE_ENOUGH,
     MIN_WINDOW_SHARE,
@@ -44,7 +44,7 @@ def refuse_unreliable(entries: Sequence[Entry]) -> None:
                 for scan in scans
                 for code, numbers in scan.defects.items()
             ]
-    refuse_lines(faults)
+    raise_faults(faults)
 
 
 def scan_cautions(

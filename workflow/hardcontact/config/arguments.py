@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from hardcontact.base.units import parse_quantity
-from hardcontact.config.faults import refuse_lines, shorten
+from hardcontact.config.faults import raise_faults, shorten
 from hardcontact.config.grids import PIXEL_SIZES, Grid
 from hardcontact.config.limits import NamedContact, contact_faults
 from hardcontact.config.model import CONTACT_QUANTITIES, quantity_type
@@ -79,7 +79,7 @@ def check_read_arguments(files: Sequence[object], **texts: object) -> None:
             faults.append(f"{name}: expected a text, found {shorten(text)}")
     if texts.get("mask", MASKS[0]) not in MASKS:
         faults.append(f"mask: expected {' or '.join(MASKS)}, found {shorten(texts['mask'])}")
-    refuse_lines(faults)
+    raise_faults(faults)
 
 
 def check_optional_lengths(**lengths: object) -> None:
@@ -97,7 +97,7 @@ def check_positive_numbers(name: str, numbers: object) -> None:
 
 def check_positive(**numbers: object) -> None:
     """Refuse numbers that are not positive and finite; messages name them."""
-    refuse_lines(
+    raise_faults(
         f"{name}: expected a positive number, found {value!r}"
         for name, value in numbers.items()
         if not (isinstance(value, int | float | np.number) and 0 < value < math.inf)
@@ -115,7 +115,7 @@ def check_quantities(**numbers: Any) -> None:
         name: quantity_type(CONTACT_QUANTITIES[quantity][0])
         for name, quantity in quantities.items()
     }
-    refuse_lines(
+    raise_faults(
         f"{name}: expected {kind.expects}, found {numbers[name]:g} {kind.unit}: is the unit right?"
         for name, kind in kinds.items()
         if not kind.low <= numbers[name] <= kind.high
@@ -148,7 +148,7 @@ def check_contact(surface: HeightMap, contact: Contact, ranges: Sequence[float])
     named_contact = NamedContact(
         shortest, preload="preload", contacts_per_side="contacts_per_side", range="ranges"
     )
-    refuse_lines(contact_faults(named_contact, "the map", grid)[:1])
+    raise_faults(contact_faults(named_contact, "the map", grid)[:1])
 
 
 def check_cutoffs(cutoffs: Mapping[str, Sequence[float]], surface: HeightMap) -> None:
@@ -160,7 +160,7 @@ def check_cutoffs(cutoffs: Mapping[str, Sequence[float]], surface: HeightMap) ->
     for side_cutoffs in cutoffs.values():
         check_positive_numbers("cutoffs", side_cutoffs)
     shortest, longest = 2 * surface.pixel_size * (1 + 1e-9), surface.size
-    refuse_lines(
+    raise_faults(
         f"cutoffs: expected wavelengths of more than two pixels ({shortest:.4g} nm) and at most "
         f"the {longest:.6g} nm of the stitched scan on the {side} side, found {[*side_cutoffs]}"
         for side, side_cutoffs in cutoffs.items()

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from hardcontact.base.dataset import read_meanings
-from hardcontact.config.faults import quote_key, refuse_lines
+from hardcontact.config.faults import quote_key, raise_faults
 from hardcontact.config.tables import Row, parse_number, user_table
 from hardcontact.paper.claim_selection import WITHOUT_SCAN
 from hardcontact.paper.evaluation import CLAIM_DATASETS, DERIVED_QUANTITIES, NUMBER_COLUMNS
@@ -49,12 +49,12 @@ def refuse_claims(path: str | Path) -> None:
             origin = quote_key(row["follows_from"])
             faults.append(f"{path}: line {line}: follows_from: expected an id, found {origin}")
         names.add(row["id"])
-    refuse_lines(faults)
+    raise_faults(faults)
 
 
 def _checked_claim(row: Row) -> Row:
     """Return a row; raise ValueError with a line for each faulty cell."""
-    refuse_lines(_cell_faults(row))
+    raise_faults(_cell_faults(row))
     return row
 
 

@@ -27,6 +27,8 @@ MAX_LINES = 30
 #: Similarity from which an unknown key is taken for a known key, 1 if equal: one letter in four may
 #: differ.
 SIMILARITY = 0.75
+#: Names of keys by their former names.
+RENAMED_KEYS = {"small": "short", "large": "long"}
 
 Model = TypeVar("Model", bound=BaseModel)
 
@@ -37,7 +39,7 @@ def key_fault(key: str, accepted: object, value: object) -> str:
     return f"config {keys} {key}: expected {accepted}, found {value}"
 
 
-def refuse_lines(lines: Iterable[str]) -> None:
+def raise_faults(lines: Iterable[str]) -> None:
     """Raise ValueError if there are lines, each of which reports a fault.
 
     If there are more than MAX_LINES, the last line counts the faults that are not reported.
@@ -50,7 +52,7 @@ def refuse_lines(lines: Iterable[str]) -> None:
         raise ValueError("\n".join(reported))
 
 
-def refuse_all(checks: Iterable[Callable[[], Any]]) -> list[Any]:
+def run_checks(checks: Iterable[Callable[[], Any]]) -> list[Any]:
     """Carry out all checks; return their results, or raise ValueError with each fault once."""
     results = []
     faults = list[str]()
@@ -59,7 +61,7 @@ def refuse_all(checks: Iterable[Callable[[], Any]]) -> list[Any]:
             results.append(check())
         except ValueError as error:
             faults += str(error).splitlines()
-    refuse_lines(dict.fromkeys(faults))
+    raise_faults(dict.fromkeys(faults))
     return results
 
 
@@ -88,7 +90,7 @@ def validate(model: type[Model], value: object, prefix: str = "") -> Model:
     try:
         return model.model_validate(value)
     except ValidationError as error:
-        refuse_lines(_fault_lines(model, error, prefix))
+        raise_faults(_fault_lines(model, error, prefix))
         raise  # Only a validation error without any fault would come here.
 
 
@@ -136,7 +138,8 @@ def _describe_unknown(model: type[BaseModel], section: type[BaseModel], names: l
     written = {key: _key_in_yaml(key) for key, _ in key_fields(model)}
     written |= {key.rpartition(".")[2]: text for key, text in written.items()}
     written |= {key: key for key in known_keys}
-    matches = [difflib.get_close_matches(name, written, 1, SIMILARITY) for name in names]
+    current = [RENAMED_KEYS.get(name, name) for name in names]
+    matches = [difflib.get_close_matches(name, written, 1, SIMILARITY) for name in current]
     suggestions = ", ".join(dict.fromkeys(written[key] for keys in matches for key in keys))
     expected = "a key that exists" if all(matches) else f"one of {', '.join(known_keys)}"
     question = f" (did you mean {suggestions}?)" if suggestions else ""

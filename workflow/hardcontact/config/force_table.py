@@ -7,7 +7,7 @@ from pathlib import Path
 import pandas as pd
 
 from hardcontact.base.units import parse_quantity
-from hardcontact.config.faults import quote_key, refuse_lines
+from hardcontact.config.faults import quote_key, raise_faults
 from hardcontact.config.key_types import Quantity
 from hardcontact.config.tables import Row, decode_utf8, parse_number, user_table
 
@@ -50,7 +50,7 @@ def measured_forces(
     names = ["surface", "mean", "median", "count", "place"]
     forces = pd.DataFrame.from_dict(rows, orient="index", columns=names).rename_axis("line")
     if columns == SUMMARIES:
-        refuse_lines(
+        raise_faults(
             f"{path}: line {line}: expected each surface once, found again {quote_key(surface)}"
             for line, surface in forces.surface[forces.duplicated("surface")].items()
         )

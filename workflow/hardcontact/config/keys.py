@@ -128,7 +128,7 @@ class ShortSideKeys(Keys):
     """Masters whose short waves are artificial."""
 
     pixels: Pixels = key(8192, "Most Relevant Length-scales")
-    """Pixels along a side of the small-scale master, which is two scans long."""
+    """Pixels along a side of the short-edge master, which is two scans long."""
     transition: Length = key("20 nm", "Most Relevant Length-scales")
     """Wavelength below which roughness is artificial."""
     cutoffs: Lengths = key(
@@ -141,9 +141,9 @@ class LongSideKeys(Keys):
     """Masters whose long waves are artificial."""
 
     pixels: Pixels = key(8192, "Most Relevant Length-scales")
-    """Pixels along a side of the large-scale master."""
+    """Pixels along a side of the long-edge master."""
     tiles: TileCount = key(4, "Most Relevant Length-scales: 20 µm")
-    """Stitched scans along a side of the large-scale master."""
+    """Stitched scans along a side of the long-edge master."""
     transition: Length = key("1000 nm", "Most Relevant Length-scales")
     """Wavelength above which roughness is artificial."""
     cutoffs: Lengths = key(
@@ -163,7 +163,7 @@ class ScalesKeys(Keys):
     realizations: Realizations = 5
     """Masters of each substrate on each side of the band, built on its scans in turn."""
     whole_surfaces: Realizations = 10
-    """Surfaces of each substitute as large as large-scale masters, not mirrored, for octaves."""
+    """Surfaces of each substitute as large as long-edge masters, not mirrored, for octaves."""
     sphere_roughness: bool = key(False, "not stated")
     """Whether the paper's sphere is rough on masters, like its first scan. Scanned own ones are."""
     short: ShortSideKeys = ShortSideKeys()
@@ -196,19 +196,19 @@ class AsperitiesKeys(Keys):
 
 
 class SetShortSideKeys(Keys):
-    """Small-scale masters of the sets."""
+    """Short-edge masters of the sets."""
 
     pixels: Pixels = 4096
-    """Pixels along a side of the small-scale masters."""
+    """Pixels along a side of the short-edge masters."""
     cutoffs: Lengths = key(nm(20, 30, 36, 43, 52, 62, 80, 120, 250))
     """Short-wavelength cutoffs."""
 
 
 class SetLongSideKeys(Keys):
-    """Large-scale masters of the sets."""
+    """Long-edge masters of the sets."""
 
     pixels: Pixels = 4096
-    """Pixels along a side of the large-scale masters."""
+    """Pixels along a side of the long-edge masters."""
     cutoffs: Lengths = key(nm(500, 800, 1100, 1400, 1600, 1800, 2000, 2300, 2700, 3500))
     """Long-wavelength cutoffs."""
 

@@ -13,7 +13,7 @@ import numpy as np
 
 from hardcontact.base.formatting import format_quantity
 from hardcontact.config.configuration import get_key, master_keys, study_contact
-from hardcontact.config.faults import key_fault, refuse_lines
+from hardcontact.config.faults import key_fault, raise_faults
 from hardcontact.config.grids import (
     CONTACT_PIXELS,
     MAP_PIXELS,
@@ -82,7 +82,7 @@ def check_grids(config: dict[str, Any], grids: Mapping[str, Grid]) -> None:
             for section, side in product(("scales", "sets"), SIDES):
                 if section in study_contacts(config):
                     faults += _master_faults(config, section, side, surface, grid, sphere_grid)[:1]
-    refuse_lines(dict.fromkeys(faults))
+    raise_faults(dict.fromkeys(faults))
 
 
 def contact_faults(named_contact: NamedContact, surface: str, grid: Grid) -> list[str]:

@@ -7,7 +7,7 @@ from typing import Any
 from pydantic import model_validator
 from pydantic.fields import FieldInfo
 
-from hardcontact.config.faults import key_fault, refuse_lines, section_model, validate
+from hardcontact.config.faults import key_fault, raise_faults, section_model, validate
 from hardcontact.config.key_types import Quantity
 from hardcontact.config.keys import StudyKeys
 
@@ -36,7 +36,7 @@ class Study(StudyKeys):
     def _check_rules_across_keys(self) -> "Study":
         faults = self._effort_faults() + self._folder_faults()
         faults += self._paper_faults() if self.published == PAPER else self._sphere_faults()
-        refuse_lines(faults)
+        raise_faults(faults)
         return self
 
     def _effort_faults(self) -> list[str]:

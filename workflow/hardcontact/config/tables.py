@@ -14,7 +14,7 @@ from functools import partial
 from pathlib import Path
 from typing import NamedTuple, TypeVar
 
-from hardcontact.config.faults import quote_key, refuse_lines
+from hardcontact.config.faults import quote_key, raise_faults
 from hardcontact.surfaces.spectrum import (
     CALIBRATION_ROWS,
     DATA_BASES,
@@ -82,7 +82,7 @@ class UserTable(NamedTuple):
             except ValueError as error:
                 for text in str(error).splitlines():
                     faults.setdefault(text.partition(", found ")[0], []).append((line, text))
-        refuse_lines(
+        raise_faults(
             f"{self.path}: line {rows[0][0]}{f' and {len(rows) - 1} more' if rows[1:] else ''}: "
             f"{rows[0][1]}"
             for rows in faults.values()

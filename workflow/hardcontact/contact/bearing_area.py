@@ -278,18 +278,18 @@ def _lowest(gaps: Floats, offsets: NDArray[np.int_], contact_pixel_count: int) -
 
 
 def all_lowest_gaps(bodies: Bodies, contact_pixel_count: int) -> dict[tuple[int, int], LowestGaps]:
-    """Return `lowest_gaps` of every contact, by its place (i, j) in the array."""
+    """Return `lowest_gaps` of every contact, by its index (i, j) in the array."""
     substrate = as_tiles(bodies.substrate)
     roughness = None if bodies.roughness is None else as_tiles(bodies.roughness)
     geometry = bodies.geometry
     numbers = range(len(geometry.positions))
-    places = [(i, j) for i in numbers for j in numbers]
-    positions = geometry.positions[np.array(places)]
-    starts = range(0, len(places), CONTACT_BATCH)
+    indices = [(i, j) for i in numbers for j in numbers]
+    positions = geometry.positions[np.array(indices)]
+    starts = range(0, len(indices), CONTACT_BATCH)
     batches = [positions[start : start + CONTACT_BATCH] for start in starts]
-    contacts = [
-        contact
+    gaps = [
+        contact_gaps
         for batch in batches
-        for contact in lowest_gaps(substrate, roughness, geometry, batch, contact_pixel_count)
+        for contact_gaps in lowest_gaps(substrate, roughness, geometry, batch, contact_pixel_count)
     ]
-    return dict(zip(places, contacts, strict=True))
+    return dict(zip(indices, gaps, strict=True))

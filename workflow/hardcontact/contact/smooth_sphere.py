@@ -109,8 +109,8 @@ def transition_coefficient(maugis: Values) -> Values:
     Sci. Technol. 19 (2005) 291. Unverified against the primary source; it keeps within 1.7 % of the
     exact pair it was fitted to (Maugis, J. Colloid Interface Sci. 150 (1992) 243, section 6).
     """
-    stiffness = 4.04 * np.asarray(maugis) ** 1.4
-    return 7 / 4 - (stiffness - 1) / (stiffness + 1) / 4
+    scaled_maugis = 4.04 * np.asarray(maugis) ** 1.4
+    return 7 / 4 - (scaled_maugis - 1) / (scaled_maugis + 1) / 4
 
 
 def effective_work_of_adhesion(force: Values, radius: Values, coefficient: Values) -> Values:

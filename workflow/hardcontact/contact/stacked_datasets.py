@@ -78,9 +78,9 @@ def stacked_forces(masters: Parts) -> xr.Dataset:
     ``filtered_force_ratio`` of means over contacts; ``unfiltered_wavelength`` is in nm.
     """
     forces = stack(masters, ["surface", "realization", "side"]).sortby("cutoff_wavelength")
-    contacts = [axis for axis in CONTACT_AXES if axis in forces.dims]
-    filtered = forces["pull_off_force"].mean(contacts)
-    unfiltered = forces["unfiltered_pull_off_force"].mean(contacts)
+    contact_axes = [axis for axis in CONTACT_AXES if axis in forces.dims]
+    filtered = forces["pull_off_force"].mean(contact_axes)
+    unfiltered = forces["unfiltered_pull_off_force"].mean(contact_axes)
     ratio = (filtered / unfiltered).assign_attrs(
         units="1",
         long_name="mean pull-off force with roughness beyond the cutoff removed, relative to the "

@@ -22,7 +22,7 @@ from hardcontact.inference.octaves import ForcesOnSurface, force_function
 from hardcontact.surfaces.filters import filtered_series
 from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
 from hardcontact.surfaces.spectrum import SpectrumFunction
-from hardcontact.surfaces.synthesis import SCALES, random_surface
+from hardcontact.surfaces.synthesis import SEED_WORDS, random_surface
 
 #: The shortest and the longest wavelength in nm.
 Octave = tuple[float, float]
@@ -94,19 +94,18 @@ def hindcast_forces(
         if octave is None:
             octave_forces = np.full((1 + REALIZATIONS, *forces(stitched).shape), np.nan)
         else:
+            seed_word = SEED_WORDS[side]
             near_side, scan_octave = _split_at_octave(stitched, side, octave)
             artificial_octaves = [
                 sum(
-                    _artificial_octave(body.generator(SCALES[side], number), stitched, octave, body)
+                    _artificial_octave(body.generator(seed_word, number), stitched, octave, body)
                     for body in bodies
                 )
                 for number in range(REALIZATIONS)
             ]
+            all_octaves = scan_octave, *artificial_octaves
             octave_forces = np.array(
-                [
-                    forces(replace(stitched, heights=near_side + waves))
-                    for waves in (scan_octave, *artificial_octaves)
-                ]
+                [forces(replace(stitched, heights=near_side + waves)) for waves in all_octaves]
             )
         side_forces[(side,)] = xr.Dataset(
             {

@@ -60,7 +60,7 @@ class Pair(NamedTuple):
 class PublishedFit(NamedTuple):
     """Published forces, with the range and the work of adhesion that the paper inferred."""
 
-    forces: pd.DataFrame  #: From `published.measured_forces`.
+    forces: pd.DataFrame  #: From `published.measured_statistics`.
     pair: Pair  #: Published range and work of adhesion.
 
 
@@ -122,10 +122,10 @@ def _forces_at_pair(
     means, mean_samples = mean_forces(pair_forces.expand_dims("rho"), sampling)
     ratio = means[:, 0] / means[reference_index, 0]
     ratio_samples = mean_samples[:, :, 0] / mean_samples[:, [reference_index], 0]
-    contacts = pair_forces.transpose("surface", "scan", "sphere_scan", *CONTACT_AXES).values
-    contacts = contacts.reshape(*contacts.shape[:3], -1)
+    contact_forces = pair_forces.transpose("surface", "scan", "sphere_scan", *CONTACT_AXES).values
+    contact_forces = contact_forces.reshape(*contact_forces.shape[:3], -1)
     statistics = [
-        force_statistics(surface_forces, force_floor, sampling) for surface_forces in contacts
+        force_statistics(surface_forces, force_floor, sampling) for surface_forces in contact_forces
     ]
     return xr.concat(statistics, pd.Index(forces.surface.values, name="surface")).assign(
         sampling.with_interval("ratio_at_pair", "surface", ratio, ratio_samples, DIMENSIONLESS)

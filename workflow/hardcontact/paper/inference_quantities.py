@@ -167,9 +167,9 @@ def change_inside_band(edges: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
     return xr.concat(sides, "side")
 
 
-def small_scale_change(edges: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
+def short_cutoff_change(edges: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
     """Return the largest change by cutoffs among the artificial small scales of a scan (group)."""
-    is_artificial = edges["cutoff_wavelength"] <= paper["small_scale_transition_wavelength"]
+    is_artificial = edges["cutoff_wavelength"] <= paper["short_transition_wavelength"]
     return _largest_change(edges, is_artificial).sel(side="short", drop=True)
 
 
@@ -233,5 +233,5 @@ QUANTITIES = (
     strength_over_casimir, least_ratio_error, half_width_of_range, half_width_of_work,
     interaction_radius, interaction_radius_at_fit, interaction_share, sinusoid_share, band_edge,
     first_edge, critical_over_interaction_radius, change_outside_band, change_inside_band,
-    small_scale_change, stylus_change, flat_limit_fraction, mean_band_ratio,
+    short_cutoff_change, stylus_change, flat_limit_fraction, mean_band_ratio,
 )  # fmt: skip

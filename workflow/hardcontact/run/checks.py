@@ -11,7 +11,7 @@ import pandas as pd
 from hardcontact.base import published
 from hardcontact.base.origin import canonical_json, is_current
 from hardcontact.config.configuration import get_key, reading_keys
-from hardcontact.config.faults import key_fault, refuse_all, refuse_lines
+from hardcontact.config.faults import key_fault, raise_faults, run_checks
 from hardcontact.config.force_table import measured_forces
 from hardcontact.config.grids import PIXEL_SIZES, Grid, same_grid
 from hardcontact.config.limits import check_grids
@@ -60,9 +60,9 @@ def check_study(config: dict[str, Any], table: pd.DataFrame, compared: Collectio
         if config["sphere"]["surface"] != SMOOTH_SPHERE:
             faults = _name_faults(config, "sphere.surface", list(contacts.surface.unique()))
         checks += _own_surface_checks(config, table, substitutes, rows_of_table1)
-    refuse_all([partial(refuse_lines, faults), *checks])
+    run_checks([partial(raise_faults, faults), *checks])
     rows_of = {str(name): rows for name, rows in contacts.groupby("surface", sort=False)}
-    grids = refuse_all(partial(surface_grid, config, *item) for item in rows_of.items())
+    grids = run_checks(partial(surface_grid, config, *item) for item in rows_of.items())
     check_grids(config, dict(zip(rows_of, grids, strict=True)))
 
 

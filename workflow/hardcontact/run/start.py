@@ -25,7 +25,7 @@ from hardcontact.config.configuration import (
     read_yaml,
     refuse_unreadable,
 )
-from hardcontact.config.faults import key_fields, refuse_all, shorten
+from hardcontact.config.faults import key_fields, run_checks, shorten
 from hardcontact.config.model import NONE, Study, numeric_configuration
 from hardcontact.config.selected_surfaces import (
     Selection,
@@ -123,7 +123,7 @@ def checked_configuration(workflow: Any, config: dict[str, Any]) -> dict[str, An
     try:
         if _plans_the_run(workflow):
             files = map(os.path.relpath, workflow.configfiles)
-            refuse_all(partial(refuse_unreadable, path) for path in files)
+            run_checks(partial(refuse_unreadable, path) for path in files)
             _refuse_grids_of_paper(workflow, config)
         command_line = workflow.config_settings.config
         nested = {key: item for key, item in command_line.items() if not isinstance(item, str)}
@@ -191,7 +191,7 @@ def checked_selection(workflow: Any, configuration: dict[str, Any]) -> Selection
             # Imported here, as the libraries that read scans would cost every job almost a second.
             from hardcontact.run.checks import check_study
 
-            compared = published.measured_forces(
+            compared = published.measured_statistics(
                 published.PUBLISHED_TABLES["published_pull_off"]
             ).index
             check_study(configuration, rows, compared)

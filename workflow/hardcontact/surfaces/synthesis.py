@@ -100,7 +100,7 @@ def whole_surface(
     pixels: int,
     pixel_size: float,
 ) -> HeightMap:
-    """Return a periodic substitute surface (pixels, pixels), as large as a large-scale master."""
+    """Return a periodic substitute surface (pixels, pixels), as large as a long-edge master."""
     return random_surface(
         generator(seed, surface, realization, "whole surface"), pixels, pixel_size, density
     )
@@ -130,7 +130,7 @@ def add_sphere(rng: np.random.Generator, roughness: HeightMap, radius: float) ->
     return replace(roughness, heights=heights)
 
 
-def small_scale_master(
+def short_edge_master(
     rng: np.random.Generator,
     stitched: HeightMap,
     pixels: int,
@@ -152,7 +152,7 @@ def small_scale_master(
     return replace(master, basis=stitched.basis)
 
 
-def large_scale_master(
+def long_edge_master(
     rng: np.random.Generator,
     stitched: HeightMap,
     tiles: int,
@@ -162,7 +162,7 @@ def large_scale_master(
     """Return a mirror-stitched scan whose wavelengths above the transition (nm) are artificial.
 
     The scan is repeated `tiles` times along each side. A random surface with the C_iso `density`
-    replaces the wavelengths above the transition. Source: as for `small_scale_master`.
+    replaces the wavelengths above the transition. Source: as for `short_edge_master`.
     """
     repeated = replace(stitched, heights=np.tile(stitched.heights, (tiles, tiles)))
     long_waves = lowpass(repeated, transition)
@@ -181,10 +181,10 @@ def large_scale_master(
 
 #: By side: the function that makes the master, and the key of its settings that has its
 #: number of pixels or of tiles.
-MASTER_MAKERS = {"short": (small_scale_master, "pixels"), "long": (large_scale_master, "tiles")}
+MASTER_MAKERS = {"short": (short_edge_master, "pixels"), "long": (long_edge_master, "tiles")}
 SIDES = tuple(MASTER_MAKERS)
-#: The paper's words for the scales that a side adds or removes. Random numbers depend on them.
-SCALES = {"short": "small", "long": "large"}
+#: By side: the word that names its random numbers. Other words would change all numbers of results.
+SEED_WORDS = {"short": "small", "long": "large"}
 
 
 def synthesize_master(

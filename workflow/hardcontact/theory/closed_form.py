@@ -120,36 +120,40 @@ def _terms(
 ) -> tuple[float, float]:
     """Return the first and the second term of F/(2 pi R W), averaged over levels of the apex."""
     sigma = np.sqrt(moment(waves, 0))
-    share = 1.0
+    summit_ratio = 1.0
     summit = roughness_on_summit(waves, levels, contact)
     if summit is not None and generations:
         finer, summit_contact = summit
         finer_levels = apex_levels(finer, summit_contact.radius, summit_contact.area)
         terms = _terms(finer, finer_levels, summit_contact, generations - 1, rough_below)
-        share = min(sum(terms), 1.0)
-    first_term, summit_term = rough_terms(sigma, levels, contact.rho, share)
+        summit_ratio = min(sum(terms), 1.0)
+    first_term, summit_term = rough_terms(sigma, levels, contact.rho, summit_ratio)
     if not rough_below:
         first_term = gaussian_share(sigma, levels.levels * sigma, contact.rho)
     return levels.mean(first_term), summit_term
 
 
-def rough_terms(sigma: float, levels: ApexLevels, rho: float, share: float) -> tuple[Floats, float]:
+def rough_terms(
+    sigma: float, levels: ApexLevels, rho: float, summit_ratio: float
+) -> tuple[Floats, float]:
     """Return the first term of F/(2 pi R W) at each level (n,), and the mean second term.
 
-    A rough summit attracts with `share` of the force of a smooth one, whether it touches or lies
-    below the sphere. The number of summits falls by the factor e over the height sigma/t, so points
-    closer to the sphere than sigma/t are on summits. A plain mean over the plane
-    would mostly count points on summits above the sphere, which closest approach excludes.
+    A rough summit attracts with `summit_ratio` times the force of a smooth one, whether it touches
+    or lies below the sphere. The number of summits falls by the factor e over the height sigma/t,
+    so points closer to the sphere than sigma/t are on summits. A plain mean over the plane would
+    mostly count points on summits above the sphere, which closest approach excludes.
     """
     t = levels.levels
-    relief = 1 / max(levels.mean(), 1.0)
+    decay_level = 1 / max(levels.mean(), 1.0)
 
     def both_terms(level: Floats) -> Floats:
         return gaussian_share(sigma, level * sigma, rho) + special.ndtr(-level)
 
-    summit_share = 1 - np.exp(-relief * sigma / rho) * both_terms(t - relief) / both_terms(t)
-    first_term = gaussian_share(sigma, t * sigma, rho) * (1 - (1 - share) * summit_share)
-    return first_term, share * levels.mean(special.ndtr(-t))
+    summit_share = 1 - np.exp(-decay_level * sigma / rho) * both_terms(
+        t - decay_level
+    ) / both_terms(t)
+    first_term = gaussian_share(sigma, t * sigma, rho) * (1 - (1 - summit_ratio) * summit_share)
+    return first_term, summit_ratio * levels.mean(special.ndtr(-t))
 
 
 def roughness_on_summit(

@@ -128,17 +128,17 @@ def _attraction(waves: Spectrum, contact: Contact, generations: int) -> _Attract
     sigma = np.sqrt(moment(waves, 0))
     t = levels.levels
     # Force of a rough summit relative to a smooth summit.
-    share = 1.0
+    summit_ratio = 1.0
     scatter = 1.0
     growth = 1.0
     summit = roughness_on_summit(waves, levels, contact)
     if summit is not None and generations:
         rough_summit = _attraction(*summit, generations - 1)
         if rough_summit.mean < 1:
-            share = rough_summit.mean
+            summit_ratio = rough_summit.mean
             scatter = rough_summit.scatter
             growth = rough_summit.growth
-    first, touching = rough_terms(sigma, levels, rho, share)
+    first, touching = rough_terms(sigma, levels, rho, summit_ratio)
     number = np.interp(t, LEVELS, clumps_above(waves, radius)[1])
     clumps = max(levels.mean(number), 1.0)
     cover = levels.mean(special.ndtr(-t))
@@ -146,8 +146,10 @@ def _attraction(waves: Spectrum, contact: Contact, generations: int) -> _Attract
     # a summit counts only as far as its force grows with the radius.
     square = (1 + (growth * summit_variation(waves, levels)) ** 2) * scatter
     crowded = number_variance(cover)
-    clump_force = share * special.ndtr(-t) / np.maximum(number, 1e-300)
-    clump_variance = crowded * square * clump_force * rough_terms(sigma, levels, rho / 2, share)[0]
+    clump_force = summit_ratio * special.ndtr(-t) / np.maximum(number, 1e-300)
+    clump_variance = (
+        crowded * square * clump_force * rough_terms(sigma, levels, rho / 2, summit_ratio)[0]
+    )
     field_variance = first**2 * field_variation(waves, contact) ** 2
     # Of the n clumps that touch, all but the last have Poisson's number. If they cover the plane,
     # they are one flat contact, and only its rim scatters.
@@ -155,7 +157,7 @@ def _attraction(waves: Spectrum, contact: Contact, generations: int) -> _Attract
     variance = np.minimum(field_variance, clump_variance) + (touching / clumps) ** 2 * scattered
     attraction = _Attraction(levels, first, touching, clumps, variance, 1.0)
     wider = apex_levels(waves, WIDER * radius, contact.area)
-    wider_first, wider_touching = rough_terms(sigma, wider, rho, share)
+    wider_first, wider_touching = rough_terms(sigma, wider, rho, summit_ratio)
     ratio = (wider.mean(wider_first) + wider_touching) / attraction.mean
     return attraction._replace(growth=float(np.clip(1 + np.log(ratio) / np.log(WIDER), 0, 1)))
 

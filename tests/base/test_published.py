@@ -10,7 +10,7 @@ import pytest
 
 from hardcontact.base import published
 
-PAPER = Path(__file__).parents[1] / "resources" / "paper"
+PAPER = Path(__file__).parents[2] / "resources" / "paper"
 
 
 def test_constants_have_the_published_values():
@@ -29,10 +29,10 @@ def test_pairs_include_the_published_pair_and_their_shares_add_up_to_one():
     assert pairs.share_of_sets.sum() == pytest.approx(1)
 
 
-def test_printed_forces_keep_their_digits():
-    text = published.printed_forces(PAPER / "pull_off.csv")
+def test_printed_statistics_keep_their_digits():
+    text = published.printed_statistics(PAPER / "pull_off.csv")
     assert text.mean_force["uncd"] == "0.4e-6"
-    numbers = published.measured_forces(PAPER / "pull_off.csv")
+    numbers = published.measured_statistics(PAPER / "pull_off.csv")
     assert text.astype(float).equals(numbers)
 
 

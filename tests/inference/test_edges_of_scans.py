@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 import xarray as xr
-from known_masters import LARGE, SMALL, scales
+from known_masters import LONG, SHORT, scales
 
 from hardcontact.base.statistics import jackknife_interval
 from hardcontact.inference.edges_of_scans import edges_of_scans
@@ -21,17 +21,17 @@ def edges(curves, scans, sensitivity=None, **options):
 
 
 def test_edges_lie_where_the_mean_ratio_leaves_the_tolerance():
-    band = edges([[SMALL, LARGE]], [3]).sel(surface="a")
+    band = edges([[SHORT, LONG]], [3]).sel(surface="a")
     interpolation = np.log(1.1 / 1.02) / np.log(1.3 / 1.02)
     np.testing.assert_allclose(band.edge, [10 ** (1 + interpolation), 4000 * 0.5**interpolation])
-    np.testing.assert_allclose(band.filtered_force_ratio.sel(side="short"), SMALL)
+    np.testing.assert_allclose(band.filtered_force_ratio.sel(side="short"), SHORT)
     # All scans have the same ratio: an interval would have no width.
     assert band.edge_interval.isnull().all() and band.filtered_force_ratio_interval.isnull().all()
 
 
 @pytest.mark.parametrize("scans", [1, 2, 3])
 def test_intervals_surround_the_edge_within_the_cutoffs_of_their_side(scans):
-    band = edges([[SMALL, LARGE]], [scans], spread=0.2).sel(surface="a")
+    band = edges([[SHORT, LONG]], [scans], spread=0.2).sel(surface="a")
     low, high = band.edge_interval.sel(bound="low"), band.edge_interval.sel(bound="high")
     assert not (low >= band.edge).any() and not (high <= band.edge).any()
     assert band.edge_interval.notnull().any()
@@ -42,7 +42,7 @@ def test_intervals_surround_the_edge_within_the_cutoffs_of_their_side(scans):
 
 
 def test_the_interval_of_three_scans_comes_from_the_jackknife():
-    master_forces = scales([[SMALL, LARGE]], spread=0.2)
+    master_forces = scales([[SHORT, LONG]], spread=0.2)
     ratio = (
         master_forces.filtered_force_ratio.isel(surface=0)
         .sel(side="short", cutoff_wavelength=100.0)
@@ -57,9 +57,9 @@ def test_the_interval_of_three_scans_comes_from_the_jackknife():
 
 
 def test_curves_that_never_cross_the_tolerance_give_bounds():
-    flat_small = [1.0, 1.01, 1.02, np.nan, np.nan]
-    steep_large = [np.nan, np.nan, 5.0, 3.0, 2.0]
-    band = edges([[flat_small, steep_large]], [1], spread=0.05).sel(surface="a")
+    flat_short = [1.0, 1.01, 1.02, np.nan, np.nan]
+    steep_long = [np.nan, np.nan, 5.0, 3.0, 2.0]
+    band = edges([[flat_short, steep_long]], [1], spread=0.05).sel(surface="a")
     assert band.edge.isnull().all()
     np.testing.assert_array_equal(band.edge_bound, [1000, 4000])
     assert band.edge_status.values.tolist() == ["open_above", "open_above"]
@@ -68,7 +68,7 @@ def test_curves_that_never_cross_the_tolerance_give_bounds():
 
 
 def test_a_ratio_without_scatter_has_no_interval():
-    master_forces = scales([[[1.0, 1.3, 1.6, np.nan, np.nan], LARGE]], spread=0.1)
+    master_forces = scales([[[1.0, 1.3, 1.6, np.nan, np.nan], LONG]], spread=0.1)
     short_side = (
         edges_of_scans(master_forces, xr.Dataset(), Masters({"a": 3}, 2, {"a": 99}), 0.1, 0.95)
         .isel(surface=0)
@@ -86,7 +86,7 @@ def test_the_error_of_artificial_roughness_widens_intervals():
     hindcast_ratio = xr.DataArray(
         [[1 / 1.5, np.nan]], {"surface": ["a"], "side": ["short", "long"]}
     )
-    curves = [[SMALL, LARGE]]
+    curves = [[SHORT, LONG]]
     plain = edges(curves, [3], spread=0.1).sel(surface="a")
     wide = edges(curves, [3], xr.Dataset({"hindcast_ratio": hindcast_ratio}), spread=0.1).sel(
         surface="a"
@@ -105,7 +105,7 @@ def test_the_error_of_artificial_roughness_widens_intervals():
 
 def test_scans_on_which_the_filter_ripples_have_no_short_edge():
     ratio = xr.DataArray([0.5, 0.95], {"surface": ["a", "b"]})
-    curves = [[SMALL, LARGE]] * 2
+    curves = [[SHORT, LONG]] * 2
     plain = edges(curves, [3], spread=0.1)
     band = edges(curves, [3], xr.Dataset({"filtered_scan_ratio": ratio}), spread=0.1)
     assert band.edge_status.values.tolist() == [["ripples", "found"], ["found", "found"]]
