@@ -205,8 +205,8 @@ def test_ripples_of_the_filter_are_no_short_edge():
     ("edge", "interval", "words_on_edges"),
     [
         (120.0, (90.0, 150.0), ""),
-        (70.0, (40.0, 90.0), "matter; its short end is partly extrapolated."),
-        (37.0, (20.0, 90.0), "matter; its short end is extrapolated."),
+        (70.0, (40.0, 90.0), "matter; the short end is partly extrapolated."),
+        (37.0, (20.0, 90.0), "matter; the short end is extrapolated."),
     ],
 )
 def test_the_headline_says_which_edge_is_extrapolated(edge, interval, words_on_edges):
