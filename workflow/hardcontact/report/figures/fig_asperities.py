@@ -56,13 +56,13 @@ def draw(asperities: xr.Dataset, edges: xr.Dataset, published_constants: pd.Data
 def _draw_smooth(axes: Axes, asperities: xr.Dataset) -> None:
     """Draw lengths (µm) against rho for a smooth sphere on a plane.
 
-    The attraction there falls with the distance r from the apex as exp(-r²/(2Rρ)).
+    The attraction there falls with the distance r from the apex as exp(-r²/(Dρ)).
     """
     radius = np.sqrt(2 * asperities.attrs["sphere_radius"] * asperities["rho"])
     extent = 2 * radius * np.sqrt(-np.log(1 - asperities.attrs["share"]))
     for lengths, label, dashes in (
         (extent, "smooth sphere (d)", "-"),
-        (radius, r"interaction radius $(2R\rho)^{1/2}$ (d)", "-."),
+        (radius, r"interaction radius $(D\rho)^{1/2}$ (d)", "-."),
     ):
         look: style.Look = {"color": "black", "lw": 0.9, "ls": dashes, "label": label}
         axes.plot(lengths["rho"], lengths / MICROMETRE, **look)
