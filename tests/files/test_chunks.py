@@ -40,15 +40,15 @@ def test_only_substitutes_have_pools_computed_in_chunks():
 def test_each_set_has_a_draw_of_the_surface_with_features():
     chunks = Chunks(files("sets.replicates", 25))
     kinds = {"bumps": ((1, 10), (11, 13)), "pits": ((1, 10), (11, 13)), "gaussian": ((1, 10),)}
-    assert chunks.draws == [
-        ("polished_uncd", kind, *ends) for kind, draws in kinds.items() for ends in draws
+    assert chunks.featured_samples == [
+        ("polished_uncd", kind, *ends) for kind, samples in kinds.items() for ends in samples
     ]
     assert "polished_uncd" not in {chunk.surface for chunk in chunks.pools}
 
 
 def test_no_surface_may_have_features():
-    assert Chunks(files("scan.featured_surface", "none")).draws == []
-    assert Chunks(files(measured_surfaces=["polished_uncd"])).draws == []
+    assert Chunks(files("scan.featured_surface", "none")).featured_samples == []
+    assert Chunks(files(measured_surfaces=["polished_uncd"])).featured_samples == []
 
 
 # Swept values

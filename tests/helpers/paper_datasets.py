@@ -159,8 +159,8 @@ def fits_without_surfaces() -> dict[str, xr.Variable]:
 
 
 def features() -> xr.Dataset:
-    """Return forces on draws of features; one of two draws with bumps has the published forces."""
-    axes = ("features", "draw")
+    """Return forces on samples of features; one of two with bumps has the published forces."""
+    axes = ("features", "sample")
     forces = np.array([[8e-6, 20e-6], [30e-6, 40e-6], [20e-6, 25e-6]])
     return xr.Dataset(
         {
@@ -169,7 +169,7 @@ def features() -> xr.Dataset:
             "log_force_std": (axes, [[1.8, 2.0], [0.2, 0.3], [0.4, 0.4]]),
             "agrees": (axes, [[1.0, 0.0], [0.0, 0.0], [0.0, 0.0]]),
         },
-        {"features": ["bumps", "pits", "gaussian"], "draw": [1, 2]},
+        {"features": ["bumps", "pits", "gaussian"], "sample": [1, 2]},
         {
             "surface": SUBSTRATES[0],
             "label": LABELS[0],

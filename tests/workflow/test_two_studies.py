@@ -56,7 +56,7 @@ LEFT_OUT = {
     "sampled_spectra", "octaves", "both_bodies",
 }  # fmt: skip
 FOLDERS = {kind: keys for kind, keys in STORE_KEYS.items() if kind not in LEFT_OUT}
-FOLDERS["draws"] += ("scan.featured_surface",)  # It names their surface, in the path.
+FOLDERS["featured_samples"] += ("scan.featured_surface",)  # It names their surface, in the path.
 FOLDERS |= {f"filtered/{purpose}": keys for purpose, keys in FILTERED.items()}
 
 

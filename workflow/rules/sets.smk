@@ -18,17 +18,17 @@ rule compute_pool:
         "../scripts/compute_pool.py"
 
 
-rule compute_draws:
+rule compute_featured_samples:
     """Compute the forces on some surfaces with features that Table 1 accepts."""
     input:
         **SUBSTITUTE_INPUTS,
-        code=code_inputs("compute_draws.py"),
+        code=code_inputs("compute_featured_samples.py"),
     output:
-        PATTERNS.draws,
+        PATTERNS.featured_samples,
     params:
         parameters=lambda w: parameters(**chunk_parameters(w), features=w.features),
     script:
-        "../scripts/compute_draws.py"
+        "../scripts/compute_featured_samples.py"
 
 
 rule sample_sets:
@@ -37,7 +37,7 @@ rule sample_sets:
         topography=PATTERNS.dataset("topography"),
         adhesion=PATTERNS.dataset("adhesion"),
         pools=FILES.paths(PATTERNS.pool, CHUNKS.pools),
-        draws=FILES.paths(PATTERNS.draws, CHUNKS.draws),
+        samples=FILES.paths(PATTERNS.featured_samples, CHUNKS.featured_samples),
         masters=FILES.paths(PATTERNS.filtered, CHUNKS.filtered_masters("sets")),
         published_pull_off=PUBLISHED_TABLES["published_pull_off"],
         published_constants=PUBLISHED_TABLES["published_constants"],
@@ -48,7 +48,7 @@ rule sample_sets:
     params:
         parameters=parameters(
             chunks=CHUNKS.pools,
-            draw_chunks=CHUNKS.draws,
+            sample_chunks=CHUNKS.featured_samples,
             pooled=SELECTION.pooled,
             master_surfaces=[row.surface for row in CHUNKS.filtered_masters("sets")],
             realizations=STUDY["sets"]["realizations"],
@@ -71,14 +71,14 @@ rule compare_features:
     """Compare the forces of surfaces with features with the published ones: features.nc."""
     input:
         sets=PATTERNS.dataset("sets"),
-        draws=FILES.paths(PATTERNS.draws, CHUNKS.draws),
+        samples=FILES.paths(PATTERNS.featured_samples, CHUNKS.featured_samples),
         published_pull_off=PUBLISHED_TABLES["published_pull_off"],
         published_constants=PUBLISHED_TABLES["published_constants"],
         code=code_inputs("compare_features.py"),
     output:
         PATTERNS.dataset("features"),
     params:
-        parameters=parameters(draw_chunks=CHUNKS.draws, labels=SELECTION.labels),
+        parameters=parameters(sample_chunks=CHUNKS.featured_samples, labels=SELECTION.labels),
     script:
         "../scripts/compare_features.py"
 

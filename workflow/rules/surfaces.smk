@@ -71,7 +71,7 @@ def whole_parameters(surface, realizations):
 
 
 def chunk_parameters(wildcards):
-    """Return the parameters of the surfaces of a pool or of draws, and of contacts on them."""
+    """Return the parameters of the surfaces of a pool or of samples, and of contacts on them."""
     return {
         "surface": wildcards.surface,
         "first": int(wildcards.first),

@@ -5,7 +5,11 @@ from hardcontact.base.dataset import read, read_all
 from hardcontact.base.job import job
 from hardcontact.contact.contact import PLASTIC
 from hardcontact.inference.published_fit import Pair, PublishedFit
-from hardcontact.paper.featured_draws import compare_with_published, draws_by_surface, no_draws
+from hardcontact.paper.featured_samples import (
+    compare_with_published,
+    no_samples,
+    samples_by_surface,
+)
 
 with job(snakemake) as job:
     constants = published.constants(job.input.published_constants)["value"]
@@ -14,10 +18,10 @@ with job(snakemake) as job:
         Pair(constants["range_of_adhesion"], constants["work_of_adhesion"]),
     )
     factor = read(job.input.sets)["sphere_factor"].sel(contact_model=PLASTIC, drop=True)
-    surfaces = draws_by_surface(read_all(job.parameters["draw_chunks"], job.input.draws))
+    surfaces = samples_by_surface(read_all(job.parameters["sample_chunks"], job.input.samples))
     comparisons = [
         compare_with_published(
-            {kind: draws.sel(contact_model=PLASTIC) for kind, draws in kinds.items()},
+            {kind: samples.sel(contact_model=PLASTIC) for kind, samples in kinds.items()},
             factor.sel(surface=surface, drop=True),
             published_fit,
             surface,
@@ -25,7 +29,7 @@ with job(snakemake) as job:
         for surface, kinds in surfaces.items()
     ]
     job.write(
-        # Without substitutes of the surface there are no draws.
-        comparisons[0] if comparisons else no_draws(),
+        # Without substitutes of the surface there are no samples.
+        comparisons[0] if comparisons else no_samples(),
         title="forces on surfaces with features at the published range and work of adhesion",
     )

@@ -12,7 +12,7 @@ with job(snakemake) as job:
     sampling = Sampling.from_parameters(params["sampling"], "posterior")
     published_forces = published.measured_statistics(job.input.published_pull_off)
     sets = read(job.input.sets).sel(contact_model=PLASTIC)
-    forces = {"scans": sets["mean_force"].rename(set="draw")}
+    forces = {"scans": sets["mean_force"].rename(set="replicate")}
     files = read_all(params["whole"], job.input.whole)
     if files:
         surfaces = {

@@ -16,7 +16,7 @@ with job(snakemake) as job:
     sources = gather_sources(
         {name: read(job.input[name]) for name in ("topography", "adhesion")},
         read_all(params["chunks"], job.input.pools),
-        read_all(params["draw_chunks"], job.input.draws),
+        read_all(params["sample_chunks"], job.input.samples),
         params["pooled"],
         read_masters(
             params["master_surfaces"], job.input.masters, params["realizations"], params["load"]

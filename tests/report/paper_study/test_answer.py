@@ -12,7 +12,7 @@ from repository import PAPER, ROOT, merged
 
 from hardcontact.base.number import Number
 from hardcontact.config.model import numeric_configuration
-from hardcontact.paper.featured_draws import no_draws
+from hardcontact.paper.featured_samples import no_samples
 from hardcontact.report.paper_study.answer import ANSWER_CLAIMS
 from hardcontact.report.paper_study.changed_inputs import changed_inputs, paper_contact
 from hardcontact.report.paper_study.table1 import decimals_of, table1_rows
@@ -165,13 +165,13 @@ def test_computed_values_keep_two_digits_of_their_uncertainty(value, uncertainty
     assert decimals_of(value, uncertainty) == decimals
 
 
-def test_forces_on_features_are_medians_over_draws():
+def test_forces_on_features_are_medians_over_samples():
     numbers = numbers_of()
     number = numbers["bumps_mean_force"]
     assert number.value == pytest.approx(14e-6)
     assert 8e-6 < number.low < number.value < number.high < 20e-6
-    assert numbers["bumps_draws_that_agree"].value == 0.5
-    assert numbers["pits_draws_that_agree"].value == 0
+    assert numbers["bumps_samples_that_agree"].value == 0.5
+    assert numbers["pits_samples_that_agree"].value == 0
     assert numbers["featured_mean_force_published"].value == 8.8e-6
 
 
@@ -184,7 +184,7 @@ def test_the_note_names_the_features_that_the_forces_ask_for():
     forces = datasets()["features"]
     swapped = forces.assign_coords(features=["pits", "bumps", "gaussian"])
     assert "it asks for pits." in note_of(features=swapped)
-    assert note_of(features=no_draws()) == ""
+    assert note_of(features=no_samples()) == ""
 
 
 def test_the_fit_without_the_decisive_surface_has_the_interval_of_the_sets():

@@ -15,8 +15,8 @@ from hardcontact.surfaces.height_map import TABLE1_METRICS
 SETS = 20_000
 SCATTER = 0.01
 SAMPLING = {
-    "chunks": [["uncd", 1, 15]], "draw_chunks": [], "pooled": ["uncd"], "master_surfaces": ["uncd"],
-    "realizations": 20, "load": "H25GPa-F10uN",
+    "chunks": [["uncd", 1, 15]], "sample_chunks": [], "pooled": ["uncd"],
+    "master_surfaces": ["uncd"], "realizations": 20, "load": "H25GPa-F10uN",
     "settings": {"seed": 2021, "realizations": 5, "tolerance": 0.1},
 }  # fmt: skip
 
@@ -53,7 +53,7 @@ def study(factor=1.0, scatter=0.0, rms=11.0, **settings):
         "topography": xr.Dataset(metrics | labels, coordinates),
         "scales": xr.Dataset(masters, coordinates),
         "features": xr.Dataset(
-            {name: (("features", "draw"), numbers[None]) for name in FORCE_UNITS},
+            {name: (("features", "sample"), numbers[None]) for name in FORCE_UNITS},
             {"features": ["bumps"]},
         ),
     }

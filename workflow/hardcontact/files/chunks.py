@@ -1,4 +1,4 @@
-"""Chunks: the pools, draws, whole surfaces and filtered masters that one job computes together.
+"""Chunks: the pools, samples, whole surfaces and filtered masters that one job computes together.
 
 A chunk is a row, whose fields are the wildcards of a pattern: `SurfaceFiles.paths` makes its file.
 """
@@ -17,13 +17,13 @@ from hardcontact.files.surface_files import SurfaceFiles
 from hardcontact.surfaces.features import GAUSSIAN, SIGNS
 from hardcontact.surfaces.synthesis import SIDES
 
-#: Scans of a pool, and draws of surfaces with features, in one job: a trade, as MASTERS_CHUNK is.
+#: Scans of a pool, and samples of surfaces with features, in one job: a trade, as MASTERS_CHUNK is.
 #: Jobs stay as they are if a study has more of them.
 POOL_CHUNK = 15
-DRAWS_CHUNK = 10
+FEATURED_SAMPLES_CHUNK = 10
 
 Chunk = namedtuple("Chunk", "surface first last")
-DrawChunk = namedtuple("DrawChunk", "surface features first last")
+SampleChunk = namedtuple("SampleChunk", "surface features first last")
 FilteredMasters = namedtuple(
     "FilteredMasters", "purpose settings surface probe first last radii loads ranges"
 )
@@ -42,7 +42,7 @@ class Chunks:
         self._configuration = files.configuration
         self._selection = files.selection
 
-    # Pools, draws and whole surfaces
+    # Pools, samples and whole surfaces
 
     @property
     def pools(self) -> list[Chunk]:
@@ -52,18 +52,18 @@ class Chunks:
         return [Chunk(surface, *chunk) for surface in pooled for chunk in chunks]
 
     @property
-    def draws(self) -> list[DrawChunk]:
-        """The draws of surfaces with features, for the sets: what compute_draws makes.
+    def featured_samples(self) -> list[SampleChunk]:
+        """The samples of surfaces with features, for the sets: what compute_featured_samples makes.
 
-        Each set takes one draw, of bumps and pits in turn. Gaussian surfaces make one chunk.
+        Each set takes one sample, of bumps and pits in turn. Gaussian surfaces make one chunk.
         """
-        draws = ceil(self._configuration["sets"]["replicates"] / len(SIGNS))
-        counts = dict.fromkeys(SIGNS, draws) | {GAUSSIAN: min(draws, DRAWS_CHUNK)}
+        samples = ceil(self._configuration["sets"]["replicates"] / len(SIGNS))
+        counts = dict.fromkeys(SIGNS, samples) | {GAUSSIAN: min(samples, FEATURED_SAMPLES_CHUNK)}
         return [
-            DrawChunk(surface, kind, *chunk)
+            SampleChunk(surface, kind, *chunk)
             for surface in self._files.featured
             for kind, count in counts.items()
-            for chunk in _spans(count, DRAWS_CHUNK)
+            for chunk in _spans(count, FEATURED_SAMPLES_CHUNK)
         ]
 
     @property

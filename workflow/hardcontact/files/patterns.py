@@ -20,7 +20,7 @@ _SUBSTITUTES = (*_GAUSSIAN, "scan.featured_surface")
 #: Keys on which every scan, measured or substitute, and everything computed from scans depend.
 SCAN_KEYS = (*_SUBSTITUTES, *_MEASURED)
 _CONTACTS = (*SCAN_KEYS, "contact.window", "contact.contacts_per_side")
-_DRAWS = (*_GAUSSIAN, "sets.contacts_per_side", "contact.window", "adhesion.ranges")
+_GAUSSIAN_FORCES = (*_GAUSSIAN, "sets.contacts_per_side", "contact.window", "adhesion.ranges")
 _TRANSITIONS = ("scales.short.transition", "scales.long.transition")
 
 #: For each kind of intermediate, the keys on which it and its inputs depend: its path has a digest
@@ -39,8 +39,8 @@ STORE_KEYS = {
     "asperities": (*_CONTACTS, "asperities"),
     "whole": (*_CONTACTS, "adhesion.ranges", "scales.long.tiles"),
     "octaves": _CONTACTS,
-    "pool": (*_DRAWS, "sets.rms_heights"),
-    "draws": _DRAWS,
+    "pool": (*_GAUSSIAN_FORCES, "sets.rms_heights"),
+    "featured_samples": _GAUSSIAN_FORCES,
     "both_bodies": SCAN_KEYS,
     "masters": (*SCAN_KEYS, *_TRANSITIONS, "scales.short.pixels", "scales.long.tiles"),
 }
@@ -106,7 +106,9 @@ class Patterns:
         self.octaves = f"{folder['octaves']}/{rough_sphere}/{settings}/scan-{{scan}}.nc"
         # The band found here is the study's own.
         self.band_forces = f"{results}/band/{{surface}}.nc"
-        self.draws = f"{folder['draws']}/{settings}/{{features}}/draws-{{first}}-{{last}}.nc"
+        self.featured_samples = (
+            f"{folder['featured_samples']}/{settings}/{{features}}/samples-{{first}}-{{last}}.nc"
+        )
         self.pull_off = f"{folder['pull_off']}/{rough_sphere}/{settings}/scan-{{scan}}.nc"
         self.master = f"{folder['masters']}/{_REALIZATION}/{{side}}.nc"
         self.short_master = self.master.replace("{side}", "short")

@@ -1,7 +1,7 @@
 """Posterior of range and work of adhesion: pairs that explain published mean forces, by weight.
 
-A draw is one possible computation of the mean forces, such as a set of scans. All draws have the
-same prior weight, range and work a uniform prior of their logarithms.
+A replicate is one possible computation of the mean forces, such as a set of scans. All replicates
+have the same prior weight, range and work a uniform prior of their logarithms.
 """
 
 from collections.abc import Mapping
@@ -50,8 +50,8 @@ def posterior_samples(
 ) -> tuple[NDArray[np.int_], Floats]:
     """Return samples of the index of the range, and of the logarithm of the work of adhesion.
 
-    `log_curves` are logarithms of computed forces (draw, surface, range) at 1 J/m²; the ranges are
-    evenly spaced in their logarithm. `log_targets` are logarithms of measured mean forces
+    `log_curves` are logarithms of computed forces (replicate, surface, range) at 1 J/m²; the ranges
+    are evenly spaced in their logarithm. `log_targets` are logarithms of measured mean forces
     (surface,), `errors` their errors.
     """
     precision = 1 / errors**2
@@ -67,13 +67,13 @@ def posterior_samples(
 
 
 def posterior(mean_forces: xr.DataArray, published: pd.DataFrame, sampling: Sampling) -> xr.Dataset:
-    """Return samples of range (nm) and work (J/m²) over all draws, their medians and intervals.
+    """Return samples of range (nm) and work (J/m²), their medians and intervals.
 
-    The computed mean forces (draw, surface, rho) are in N at 1 J/m². The published mean and median
-    forces are in N by surface; surfaces without a mean do not enter.
+    The computed mean forces (replicate, surface, rho) are in N at 1 J/m². The published mean and
+    median forces are in N by surface; surfaces without a mean do not enter.
     """
     targets = published.reindex(mean_forces["surface"].values).dropna(subset="mean_force")
-    forces = mean_forces.sel(surface=targets.index).transpose("draw", "surface", "rho")
+    forces = mean_forces.sel(surface=targets.index).transpose("replicate", "surface", "rho")
     ranges = fine_ranges(forces["rho"].values)
     curves = interpolate_to_ranges(forces.values, forces["rho"].values, ranges)
     shapes = lognormal_shape(targets["mean_force"], targets["median_force"])
@@ -101,7 +101,7 @@ def posteriors_without_each_surface(
 def means_on_whole_surfaces(
     surfaces: Mapping[str, xr.DataArray], sphere_factor: xr.DataArray, sampling: Sampling
 ) -> xr.DataArray:
-    """Return samples (draw, surface, rho) of the mean forces of the rough sphere on whole surfaces.
+    """Sample mean forces (replicate, surface, rho) of the rough sphere on whole surfaces.
 
     Each surface has the forces of a smooth sphere (map, rho) in N. The sphere factor (surface, rho)
     is the force of the rough sphere relative to a smooth sphere.
@@ -116,7 +116,7 @@ def means_on_whole_surfaces(
     ]
     rho = next(iter(surfaces.values()))["rho"]
     coordinates = {"surface": list(surfaces), "rho": rho}
-    means = xr.DataArray(np.stack(samples, axis=1), coordinates, ("draw", "surface", "rho"))
+    means = xr.DataArray(np.stack(samples, axis=1), coordinates, ("replicate", "surface", "rho"))
     return means * sphere_factor.sel(rho=rho)
 
 

@@ -1,7 +1,7 @@
 """Sets of scans, sampled from a pool and judged like the scans of the study.
 
 A set consists of scans of a pool. Each scan gets a new rms height, from which its forces follow.
-Scans of a surface with features are a draw of that surface, which no set shares.
+Scans of a surface with features are a sample of that surface, which no set shares.
 """
 
 from collections.abc import Mapping, Sequence
@@ -20,7 +20,7 @@ from hardcontact.inference.edges import edges_of_realizations
 from hardcontact.inference.fit import WITHOUT_SURFACE
 from hardcontact.inference.published_fit import PublishedFit, fit_published
 from hardcontact.paper.evaluation import claim_values
-from hardcontact.paper.featured_draws import draw_of_set, draws_by_surface
+from hardcontact.paper.featured_samples import sample_of_set, samples_by_surface
 from hardcontact.paper.pool import height_weights
 from hardcontact.surfaces.conditioning import scale_rms_heights
 from hardcontact.surfaces.height_map import TABLE1_METRICS
@@ -47,9 +47,9 @@ class Sources(NamedTuple):
 
     topography: xr.Dataset  #: topography.nc of the study.
     adhesion: xr.Dataset  #: adhesion.nc of the study.
-    #: By substrate; a substrate without a pool or draws keeps its scans.
+    #: By substrate; a substrate without a pool or samples keeps its scans.
     pools: Mapping[str, xr.Dataset]
-    draws: Mapping[str, Mapping[str, xr.Dataset]]  #: By substrate with features and their kind.
+    samples: Mapping[str, Mapping[str, xr.Dataset]]  #: By substrate with features and their kind.
     #: (contact_model, surface, rho) force on the rough sphere relative to a smooth one.
     sphere_factor: xr.DataArray
     masters: xr.Dataset  #: From `stacked_datasets.stacked_forces` at one load.
@@ -69,15 +69,15 @@ class SetSettings(NamedTuple):
 def gather_sources(
     study: Mapping[str, xr.Dataset],
     chunks: Mapping[tuple[Any, ...], xr.Dataset],
-    draw_chunks: Mapping[tuple[Any, ...], xr.Dataset],
+    sample_chunks: Mapping[tuple[Any, ...], xr.Dataset],
     pooled: Sequence[str],
     masters: xr.Dataset,
 ) -> Sources:
-    """Join the chunks of pools and draws, and compute the factor of the rough sphere.
+    """Join the chunks of pools and samples, and compute the factor of the rough sphere.
 
-    `chunks` come from `pool.compute_pool`, by substrate, first and last scan; `draw_chunks` from
-    `featured_draws.compute_draws`, by substrate, kind, first and last draw. `pooled` are the
-    substrates with a pool or draws.
+    `chunks` come from `pool.compute_pool`, by substrate, first and last scan; `sample_chunks` from
+    `featured_samples.compute_samples`, by substrate, kind, first and last sample. `pooled` are the
+    substrates with a pool or samples.
     """
     pools = concatenate(chunks, "scan", 1)
     forces = study["adhesion"]["pull_off_force"]
@@ -90,7 +90,7 @@ def gather_sources(
         study["topography"],
         study["adhesion"],
         {surface: pool for (surface,), pool in pools.items()},
-        draws_by_surface(draw_chunks),
+        samples_by_surface(sample_chunks),
         factor,
         masters,
     )
@@ -154,14 +154,14 @@ def scale_to_sampled_mean(forces: xr.DataArray, rng: np.random.Generator) -> xr.
 
 
 def sample_set_scans(sources: Sources, seed: int, set_number: int) -> dict[str, xr.Dataset]:
-    """Sample the scans of a set for every substrate with a pool or draws; as many as the study."""
+    """Sample the scans of a set for substrates with a pool or samples, as many as the study."""
     counts = sources.topography["rms_height"].count("scan").to_series()
     sampled_scans = {
         name: sample_scans(pool, generator(seed, name, set_number, "set", "scans"), counts[name])
         for name, pool in sources.pools.items()
     }
     return sampled_scans | {
-        name: draw_of_set(draws, set_number) for name, draws in sources.draws.items()
+        name: sample_of_set(samples, set_number) for name, samples in sources.samples.items()
     }
 
 

@@ -31,8 +31,8 @@ from hardcontact.surfaces.spectrum import Spectrum, spectrum_of_dataset
 from hardcontact.surfaces.substitute_spectra import rows_of_surface, sample_permitted_spectrum
 from hardcontact.surfaces.synthesis import ScanGrid, sample_scan, whole_surface
 
-#: Draws of features among which that of the study's scans is the nearest to Table 1: enough for all
-#: of its numbers to be within half of a standard error.
+#: Samples of features among which that of the study's scans is the nearest to Table 1: enough for
+#: all of its numbers to be within half of a standard error.
 CANDIDATES = 100
 
 
@@ -153,9 +153,9 @@ def sample_group(
 def nearest_group(
     source: FeaturedSurface, scans: Sequence[int]
 ) -> tuple[Features, list[HeightMap]]:
-    """Return the group of scans whose features are the nearest to Table 1 of CANDIDATES draws.
+    """Return the group of scans whose features are the nearest to Table 1 of CANDIDATES samples.
 
-    Bumps and pits alternate among the draws. No force enters.
+    Bumps and pits alternate among the samples. No force enters.
     """
     groups = []
     for candidate in range(CANDIDATES):

@@ -43,9 +43,9 @@ SEARCHED_PARAMETERS = {
 }
 LOGARITHMIC_PARAMETERS = ("plateau_nm4", "rolloff_nm")
 #: Factor by which an assumed roll-off may differ: that of NCD and MCD reaches up to their longest
-#: wave. And draws among which one can be calibrated: one in two of NCD and MCD can.
+#: wave. And samples among which one can be calibrated: one in two of NCD and MCD can.
 ROLLOFF_FACTOR = 1.5
-MAX_DRAWS = 100
+MAX_SAMPLES = 100
 #: Bounds of the Hurst exponent of a tail.
 TAIL_HURST_BOUNDS = (-6.0, 5.0)
 
@@ -272,13 +272,13 @@ def sample_permitted_spectrum(
     """Sample a spectrum that Table 1 permits. A description without blanks permits only itself.
 
     AFM rows get the errors of means over the paper's scans. A given roll-off is multiplied by a
-    factor up to ROLLOFF_FACTOR or its inverse. Raises ValueError if no draw can be calibrated.
+    factor up to ROLLOFF_FACTOR or its inverse. Raises ValueError if no sample can be calibrated.
     """
     segments = read_segments(description)
     weights = paper_weights(constants)
     rows = list(AFM_ROWS)
     is_free = segments.hurst.isna() & segments.model.isin(SPECTRAL_MODELS)
-    for _ in range(MAX_DRAWS):
+    for _ in range(MAX_SAMPLES):
         drawn_rows, drawn_segments = table1.copy(), segments.copy()
         if is_free.any():
             errors = table1.loc[rows, "uncertainty"] / np.sqrt(
@@ -288,7 +288,7 @@ def sample_permitted_spectrum(
             factor = ROLLOFF_FACTOR ** rng.uniform(-1, 1)
             drawn_segments.loc[is_free, "rolloff_nm"] *= factor
         try:
-            with np.errstate(over="ignore"):  # of a form that no draw of the rows has
+            with np.errstate(over="ignore"):  # of a form that no sample of the rows has
                 density, *_ = _spectrum_of_segments(
                     drawn_segments, Path(description), drawn_rows, weights
                 )

@@ -21,14 +21,14 @@ EQUALITY_LOOK: style.Look = {"color": "0.6", "lw": 0.8}
 
 
 def draw(features: xr.Dataset, published_pull_off: pd.DataFrame) -> Figure:
-    """Draw (a) median and (b) scatter of the forces on each draw against their mean."""
+    """Draw (a) median and (b) scatter of the forces on each sample against their mean."""
     figure = drawing.create(3.2, features)
     median_axes, scatter_axes = figure.subplots(1, 2)
     for kind, look in KIND_LOOKS.items():
-        draws = features.sel(features=kind)
-        mean = draws["mean_force"] / style.MICRONEWTON
-        median_axes.scatter(mean, draws["median_force"] / style.MICRONEWTON, s=14, **look)
-        scatter_axes.scatter(mean, draws["log_force_std"], s=14, **look)
+        samples = features.sel(features=kind)
+        mean = samples["mean_force"] / style.MICRONEWTON
+        median_axes.scatter(mean, samples["median_force"] / style.MICRONEWTON, s=14, **look)
+        scatter_axes.scatter(mean, samples["log_force_std"], s=14, **look)
     measured = published_pull_off.reindex([features.attrs["surface"]]).iloc[0]
     mean, median = (measured[name] / style.MICRONEWTON for name in ("mean_force", "median_force"))
     shape = lognormal_shape(measured["mean_force"], measured["median_force"])

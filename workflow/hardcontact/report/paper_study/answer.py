@@ -238,19 +238,19 @@ def _fit_samples(datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame) ->
 
 def _feature_numbers(features: xr.Dataset, confidence: float) -> Iterator[Number]:
     """Yield the forces on surfaces with bumps, with pits, and Gaussian, and the published ones."""
-    if features.sizes["draw"] == 0:
+    if features.sizes["sample"] == 0:
         return
-    for kind, draws in features.groupby("features"):
-        yield Number(f"{kind}_draws_that_agree", draws["agrees"].mean().item())
+    for kind, samples in features.groupby("features"):
+        yield Number(f"{kind}_samples_that_agree", samples["agrees"].mean().item())
         for name in FORCE_UNITS:
-            yield _median(str(kind), name, draws[name].values.ravel(), confidence)
+            yield _median(str(kind), name, samples[name].values.ravel(), confidence)
     for name, unit in FORCE_UNITS.items():
         published_value = features.attrs[f"published_{name}"]
         yield Number(f"featured_{name}_published", published_value, unit, source="published")
 
 
 def _median(prefix: str, name: str, sample: np.ndarray, confidence: float) -> Number:
-    """Return the median over sets or draws of a number, with the interval of the claims."""
+    """Return the median over sets or samples of a number, with the interval of the claims."""
     tail = (1 - confidence) / 2
     low, median, high = np.quantile(sample, [tail, 0.5, 1 - tail])
     return Number(f"{prefix}_{name}", median, (PAIR_UNITS | FORCE_UNITS)[name], low, high)

@@ -24,7 +24,7 @@ from hardcontact.surfaces.height_map import TABLE1_METRICS
 
 SET_DATASETS = ("sets", "topography", "scales", "features")
 #: Parameters of sets.nc that decide which scans and masters a set has.
-SAMPLING_PARAMETERS = ("chunks", "draw_chunks", "pooled", "master_surfaces", "realizations")
+SAMPLING_PARAMETERS = ("chunks", "sample_chunks", "pooled", "master_surfaces", "realizations")
 SAMPLING_SETTINGS = ("seed", "realizations")
 #: Relative difference of equal surfaces: far more than other processors cause, 7e-16.
 TOLERANCE = 1e-6
@@ -85,7 +85,7 @@ def add_paired_intervals(
 
 
 def _set_numbers(study: Mapping[str, xr.Dataset]) -> dict[tuple[str, str], xr.DataArray]:
-    """Return the numbers (set,) or (draw,) of all sets by the label of the surface and their name.
+    """Return the numbers (set,) or (sample,) by the label of the surface and their name.
 
     The label is empty for the whole study, and names are those of answer.json.
     """

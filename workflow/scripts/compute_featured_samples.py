@@ -1,13 +1,13 @@
 """Pull-off forces on scans of some surfaces with features, whose roughness is that of Table 1."""
 
 from hardcontact.base.job import job
-from hardcontact.paper.featured_draws import compute_draws, read_draw_sources
+from hardcontact.paper.featured_samples import compute_samples, read_sample_sources
 
 with job(snakemake) as job:
     params = job.parameters
     numbers = range(params["first"], params["last"] + 1)
     job.write(
-        compute_draws(params["features"], numbers, read_draw_sources(job.input, params)),
+        compute_samples(params["features"], numbers, read_sample_sources(job.input, params)),
         title=f"pull-off forces on surfaces of {params['surface']} with features: "
         f"{params['features']}",
     )
