@@ -18,7 +18,7 @@ ROOMS = re.findall(r"`(\w+)`", hardcontact.__doc__)
 BUDGET = {
     "base": 772,
     "surfaces": 3432,
-    "contact": 1428,
+    "contact": 1429,
     "inference": 1603,
     "theory": 647,
     "paper": 1465,

@@ -53,8 +53,9 @@ class ContactPixels:
         """Return the sum of exp(-(g + m)/rho) over pixels outside a contact (i, j).
 
         m is the height of the apex at closest approach. `total` sums all pixels but the contact
-        pixels of all contacts, whose `terms` (pixels,) are overwritten. Both are at the approach at
-        which the highest points of both bodies meet; `highest` is the sum of their heights.
+        pixels of all contacts, whose `terms` (pixels,) are overwritten. Both are as if the highest
+        points of both bodies touched, `highest` being the sum of their heights; the result is at
+        the real approach.
         """
         terms[self._own[index]] = 0.0
         largest_gap = self._gaps[index][-1]

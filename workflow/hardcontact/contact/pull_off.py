@@ -75,9 +75,10 @@ def attraction_totals(
     A pixel count is the number of pixels that touch, at most the number of lowest gaps.
     """
     gaps = _stacked_gaps(lowest_gaps)
-    sums = list(zip(outside_sums(bodies, lowest_gaps, ranges), ranges, strict=True))
+    sums_by_range = list(zip(outside_sums(bodies, lowest_gaps, ranges), ranges, strict=True))
     totals = [
-        [_total_of_lowest(sums, gaps, count, rho) for sums, rho in sums] for count in pixel_counts
+        [_total_of_lowest(outside_sum, gaps, count, rho) for outside_sum, rho in sums_by_range]
+        for count in pixel_counts
     ]
     return np.array(totals)
 

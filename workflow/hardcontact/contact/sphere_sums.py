@@ -8,8 +8,9 @@ exp((u - y)/rho).
 
 Contact pixels do not count. `sums_by_subtraction` subtracts them from the sum over all pixels: it
 is fast, but loses the digits of exp(penetration/rho). At short ranges and on rough spheres
-`_sums_by_omission` therefore sets them to zero before it sums. Exponentials are relative to the
-highest points of z and u, so that none overflows.
+`_sums_by_omission` therefore leaves the pixels of all contacts out, and then adds those of the
+others to the sum of each contact. Exponentials are relative to the highest points of z and u, so
+that none overflows.
 """
 
 from collections.abc import Sequence
@@ -38,8 +39,8 @@ def outside_sums(
 ) -> Floats:
     """Return the sum (rho, contact, contact) of exp(-(g + m)/rho) outside plastic contact.
 
-    m is the height of the apex at closest approach. `lowest_gaps` are those of its
-    pixels in contact, by the index (i, j) of a contact in the array.
+    m is the height of the apex at closest approach. `lowest_gaps[i, j]` has the gaps of the pixels
+    that touch in the contact (i, j) of the array.
     """
     all_ranges = np.asarray(ranges, float)
     sums = np.empty((len(all_ranges), *[len(bodies.geometry.positions)] * 2))
