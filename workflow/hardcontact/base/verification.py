@@ -43,7 +43,7 @@ def check(folder: str | Path) -> tuple[list[str], list[str]]:
     """
     records = traced_records(folder)
     if not records:
-        raise ValueError(f"{folder}: expected files of a study, found none")
+        raise ValueError(f"{folder}: expected files of a study, found none: was it run?")
     inputs = {path for record in records.values() for path in record["input_digests"]}
     current = {path: digest(path) for path in inputs | records.keys() if Path(path).is_file()}
     absent = inputs - current.keys()
