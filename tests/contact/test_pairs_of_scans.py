@@ -5,10 +5,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from paper_numbers import MODULUS
-from periodic_maps import RADIUS, height_map, make_bodies, periodic_noise
+from periodic_maps import CONTACT, RADIUS, height_map, make_bodies, periodic_noise
 
 from hardcontact.contact.bearing_area import LowestGaps, all_lowest_gaps
-from hardcontact.contact.contact import Contact
 from hardcontact.contact.elastic import ELASTIC_UNITS, elastic_contacts_of_pair
 from hardcontact.contact.geometry import join_bodies, sampled_contacts
 from hardcontact.contact.indents import (
@@ -19,15 +18,6 @@ from hardcontact.contact.indents import (
 )
 from hardcontact.contact.smooth_sphere import hertz_contact
 
-CONTACT = Contact(
-    radius=RADIUS,
-    preload=10e-6,
-    hardness=25e9,
-    window=4000.0,
-    contacts_per_side=3,
-    rho=5.6,
-    work=46.3e-3,
-)
 SHAPE = {"scan": 2, "sphere_scan": 2, "preload": 2, "contact_y": 3, "contact_x": 3}
 
 

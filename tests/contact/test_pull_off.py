@@ -6,9 +6,8 @@ import numpy as np
 import pytest
 import xarray as xr
 from direct_sum import direct_total
-from periodic_maps import RADIUS, height_map, make_bodies, periodic_noise
+from periodic_maps import CONTACT, height_map, make_bodies, periodic_noise
 
-from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import gap_map, join_bodies
 from hardcontact.contact.pull_off import (
     force_on_finer_pixels,
@@ -20,16 +19,7 @@ from hardcontact.contact.pull_off import (
 from hardcontact.inference.filtered_masters import Filters, filtered_pull_off
 from hardcontact.surfaces.filters import filtered_series
 
-LOAD = Contact(
-    radius=RADIUS,
-    preload=10e-6,
-    hardness=25e9,
-    window=4000.0,
-    contacts_per_side=3,
-    rho=5.6,
-    work=46.3e-3,
-)
-LOADS = [LOAD, replace(LOAD, preload=40e-6)]
+LOADED_CONTACTS = [CONTACT, replace(CONTACT, preload=40e-6)]
 RHOS = [1.0, 5.6]
 
 
@@ -46,10 +36,10 @@ def direct_force(gap, contact_pixel_count, rho, pixel_size, work=1.0):
 
 
 def test_the_pull_off_force_of_a_pair_is_the_direct_sum_at_every_contact_and_range():
-    arrays, bodies_of_pair = pull_off_dataset(pair(), LOAD, RHOS), pair()
+    arrays, bodies_of_pair = pull_off_dataset(pair(), CONTACT, RHOS), pair()
     forces = arrays["pull_off_force"].values
     apex_heights = arrays["apex_height"].values
-    count = LOAD.pixel_count(8.0)
+    count = CONTACT.pixel_count(8.0)
     assert forces.shape == (2, 2, 3, 3) and count == 7
     assert arrays["contact_pixel_count"].values.tolist() == [1, count]
     for contact in np.ndindex(3, 3):
@@ -65,7 +55,7 @@ def test_the_pull_off_force_of_a_pair_is_the_direct_sum_at_every_contact_and_ran
 
 
 def test_mean_pull_off_of_a_pair_is_the_mean_over_its_contacts():
-    for load in LOADS:
+    for load in LOADED_CONTACTS:
         means = mean_pull_off_dataset(pair(), load, RHOS)["pull_off_force"].values
         forces = pull_off_dataset(pair(), load, RHOS)["pull_off_force"].values
         np.testing.assert_allclose(means, forces.mean(axis=(2, 3)), rtol=1e-12)
@@ -73,7 +63,7 @@ def test_mean_pull_off_of_a_pair_is_the_mean_over_its_contacts():
 
 def test_the_change_by_a_wider_window_matches_the_direct_sum():
     pairs = [pair(seed) for seed in (1, 3)]
-    count, rho, changes = LOAD.pixel_count(8.0), 5.6, []
+    count, rho, changes = CONTACT.pixel_count(8.0), 5.6, []
     for narrow_pair in pairs:
         wider_pair = replace(
             narrow_pair, geometry=replace(narrow_pair.geometry, window=320 + 2 * 128)
@@ -84,16 +74,16 @@ def test_the_change_by_a_wider_window_matches_the_direct_sum():
                 for bodies_of_pair in (narrow_pair, wider_pair)
             )
             changes.append(abs(wide / narrow - 1))
-    forces = [pull_off_dataset(narrow_pair, LOAD, [rho]).pull_off_force for narrow_pair in pairs]
+    forces = [pull_off_dataset(narrow_pair, CONTACT, [rho]).pull_off_force for narrow_pair in pairs]
     plastic_forces = xr.concat(forces, "pair").sel(contact_model="plastic", rho=rho)
-    arrays = wider_window_change(iter(pairs), LOAD, plastic_forces)
+    arrays = wider_window_change(iter(pairs), CONTACT, plastic_forces)
     assert arrays["wider_window_change"].values == pytest.approx(max(changes), rel=1e-6)
 
 
 @pytest.mark.parametrize(("pixels", "area_ratio"), [(1, 1 / 4), (4, 1), (40, 1)])
 def test_finer_pixels_change_only_the_contact_area_at_a_small_range(pixels, area_ratio):
     """One pixel of any size touches at least; a larger area is the same on all pixels."""
-    load = replace(LOAD, preload=pixels / 4 * 25e9 * 64e-18, rho=0.02)
+    load = replace(CONTACT, preload=pixels / 4 * 25e9 * 64e-18, rho=0.02)
     forces = pull_off_dataset(pair(), load, [load.rho]).pull_off_force
     change = force_on_finer_pixels(pair(), load, forces.sel(contact_model="plastic"))
     change = change["finer_pixel_ratio"]
@@ -107,7 +97,9 @@ SPHERES = [None, height_map(periodic_noise(96, 0.5, 5), 10.0)]
 @pytest.mark.parametrize("side, end", [("short", 12.8), ("long", 1024.0)])
 def test_the_force_on_every_filtered_master_is_the_direct_sum(sphere, side, end):
     master, cutoffs = height_map(periodic_noise(128, 20.0, 4), 8.0), [100.0, 400.0]
-    filtered_forces = filtered_pull_off(master, Filters(side, 160, cutoffs), LOADS, sphere)
+    filtered_forces = filtered_pull_off(
+        master, Filters(side, 160, cutoffs), LOADED_CONTACTS, sphere
+    )
     assert filtered_forces["unfiltered_wavelength"].item() == pytest.approx(end)
     filtered_forces = filtered_forces.isel(radius=0, rho=0)
     forces_by_cutoff = [
@@ -116,9 +108,9 @@ def test_the_force_on_every_filtered_master_is_the_direct_sum(sphere, side, end)
     ]
     for cutoff, forces in zip([None, *cutoffs], forces_by_cutoff, strict=True):
         (surface,) = filtered_series(master, side, [cutoff], 160)
-        pair_on_filtered = join_bodies(surface, sphere, LOAD)
+        pair_on_filtered = join_bodies(surface, sphere, CONTACT)
         pixel_size = pair_on_filtered.geometry.pixel_size
-        for load in LOADS:
+        for load in LOADED_CONTACTS:
             count = load.pixel_count(pixel_size)
             for contact in np.ndindex(3, 3):
                 direct_sum = direct_force(
@@ -130,8 +122,8 @@ def test_the_force_on_every_filtered_master_is_the_direct_sum(sphere, side, end)
 
 
 def test_a_traced_contact_has_the_force_of_its_pair():
-    traced = traced_contact(pair(), (1, 2), LOAD)
-    arrays = pull_off_dataset(pair(), LOAD, [5.6])
+    traced = traced_contact(pair(), (1, 2), CONTACT)
+    arrays = pull_off_dataset(pair(), CONTACT, [5.6])
     force = 46.3e-3 * arrays["pull_off_force"].values[1, 0, 1, 2]
     assert traced.attrs["pull_off_force"] == pytest.approx(force, rel=1e-9)
     gap, pressure = (traced[name].values for name in ("gap", "adhesive_pressure"))

@@ -1,5 +1,7 @@
 """How many places contacts touch: one on a particle, many on rough surfaces."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from measurements import self_affine_heights
@@ -57,15 +59,7 @@ def test_neighbouring_pixels_of_one_cap_are_one_place():
     """The point of contact moves over a cap of 20 µm by 8 % as far as the apex of the sphere."""
     distance = (X - 2560) ** 2 + (Y - 2560) ** 2
     cap = np.maximum(150.0 - distance / 40e3, 0)
-    one_pixel = Contact(
-        radius=250e3,
-        preload=1e-9,
-        hardness=25e9,
-        window=12500.0,
-        contacts_per_side=32,
-        rho=5.6,
-        work=0.05,
-    )
+    one_pixel = replace(CONTACT, preload=1e-9, contacts_per_side=32)
     assert places(cap, one_pixel) == 1
 
 

@@ -26,20 +26,16 @@ def topography(pixels: int = 512) -> xr.Dataset:
     """Return surfaces with the published rms values; scans have them by construction."""
     names = [*SUBSTRATES, "ruby"]
     printed = {name: np.array(values) for name, (values, _) in TABLE1.items()}
-    scan_rms = {
-        "rms_height": printed["afm_rms_height"],
-        "rms_gradient": printed["afm_rms_slope"],
-        "rms_profile_slope": printed["afm_rms_slope"] / np.sqrt(2),
-        "rms_half_laplacian": printed["afm_rms_curvature"],
-        "rms_laplacian": printed["afm_rms_curvature"] * 2,
-    }
-    all_scales = {
-        "rms_height": printed["all_rms_height"],
-        "rms_gradient": printed["all_rms_slope"],
-        "rms_profile_slope": printed["all_rms_slope"] / np.sqrt(2),
-        "rms_half_laplacian": printed["all_rms_curvature"],
-        "rms_laplacian": printed["all_rms_curvature"] * 2,
-    }
+    scan_rms, all_scales = (
+        {
+            "rms_height": printed[f"{source}_rms_height"],
+            "rms_gradient": printed[f"{source}_rms_slope"],
+            "rms_profile_slope": printed[f"{source}_rms_slope"] / np.sqrt(2),
+            "rms_half_laplacian": printed[f"{source}_rms_curvature"],
+            "rms_laplacian": printed[f"{source}_rms_curvature"] * 2,
+        }
+        for source in ("afm", "all")
+    )
     rms_values = {f"{name}_mean": [*values, 0.7] for name, values in scan_rms.items()}
     rms_values |= {f"{name}_std": [*(0.1 * values), 0.07] for name, values in scan_rms.items()}
     rms_values |= {f"all_scales_{name}": [*values, np.nan] for name, values in all_scales.items()}

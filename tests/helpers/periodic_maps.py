@@ -2,10 +2,20 @@
 
 import numpy as np
 
+from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import Bodies, ContactGeometry, contact_positions
 from hardcontact.surfaces.height_map import HeightMap
 
 RADIUS = 250e3  # nm
+CONTACT = Contact(
+    radius=RADIUS,
+    preload=10e-6,
+    hardness=25e9,
+    window=4000.0,
+    contacts_per_side=3,
+    rho=5.6,
+    work=46.3e-3,
+)
 #: Pixels, pixel size (nm), rms height (nm), pixels of the sphere's roughness and pixels of the
 #: window; tiles of the map fit the window or not.
 CASES = [

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from hardcontact.inference.posterior import describe_samples, log_mean_error, posterior_samples
+from hardcontact.inference.posterior import log_mean_error, posterior_samples, samples_dataset
 
 COUNT = 40_000
 LOG_RANGES = np.linspace(np.log(0.01), np.log(1000.0), 2001)
@@ -49,7 +49,7 @@ def test_the_error_of_a_mean_is_that_of_a_log_normal():
 
 
 def test_samples_are_described_by_median_and_interval():
-    described = describe_samples(np.arange(1.0, 202.0), np.arange(201.0), 0.95)
+    described = samples_dataset(np.arange(1.0, 202.0), np.arange(201.0), 0.95)
     assert described.range_of_adhesion == 101
     np.testing.assert_allclose(described.work_of_adhesion_interval, [5, 195])
     assert described.sampled_work_of_adhesion.attrs["units"] == "J m-2"

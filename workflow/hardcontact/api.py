@@ -277,9 +277,7 @@ def pull_off_forces(
     )
     check_quantities(radius=radius, preload=preload, hardness=hardness, work=work)
     check_positive_numbers("ranges", ranges)
-    surface = make_periodic(scan)
-    rough = None if sphere is None else make_periodic(sphere, "sphere")
-    check_contact(surface, contact, ranges)
+    surface, rough = _periodic_maps(scan, sphere, contact, ranges)
     contact_bodies = join_bodies(surface, rough, contact)
     longest = replace(contact, rho=max(ranges))
     forces = pull_off_dataset(contact_bodies, contact, ranges)
@@ -290,6 +288,16 @@ def pull_off_forces(
     return forces.assign(pull_off_force=force_at_work.assign_attrs(attributes)).assign_attrs(
         work_of_adhesion=work
     )
+
+
+def _periodic_maps(
+    scan: HeightMap, sphere: HeightMap | None, contact: Contact, ranges: Sequence[float]
+) -> tuple[HeightMap, HeightMap | None]:
+    """Return the stitched maps of both bodies, if the contact on them is within the limits."""
+    surface = make_periodic(scan)
+    rough = None if sphere is None else make_periodic(sphere, "sphere")
+    check_contact(surface, contact, ranges)
+    return surface, rough
 
 
 def force_ratios(
@@ -319,11 +327,7 @@ def force_ratios(
         ``"short"``, longer wavelengths on the side ``"long"``. One side suffices.
     rho, tolerance : float
         Range of adhesion in nm; smallest relative change of the force that counts.
-    radius, preload, hardness, window : float
-        As for `pull_off_forces`.
-    contacts_per_side : int
-        As for `pull_off_forces`.
-    sphere : HeightMap or None
+    radius, preload, hardness, window, contacts_per_side, sphere : float, int, HeightMap or None
         As for `pull_off_forces`.
 
     Returns
@@ -354,9 +358,7 @@ def force_ratios(
     )
     check_quantities(radius=radius, preload=preload, hardness=hardness, rho=rho)
     check_positive(tolerance=tolerance)
-    surface = make_periodic(scan)
-    rough = None if sphere is None else make_periodic(sphere, "sphere")
-    check_contact(surface, contact, [rho])
+    surface, rough = _periodic_maps(scan, sphere, contact, [rho])
     check_cutoffs(cutoffs, surface)
     forces = {}
     for side, side_cutoffs in cutoffs.items():

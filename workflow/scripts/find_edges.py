@@ -3,7 +3,7 @@
 from hardcontact.base import dataset
 from hardcontact.base.job import job
 from hardcontact.base.statistics import Sampling
-from hardcontact.inference.edges import describe_edges, edges_of_realizations
+from hardcontact.inference.edges import edges_of_realizations, labelled_edges
 
 with job(snakemake) as job:
     params = job.parameters
@@ -11,6 +11,6 @@ with job(snakemake) as job:
     sampling = Sampling.from_parameters(params["sampling"])
     edges = edges_of_realizations(scales, params["tolerance"], sampling)
     job.write(
-        describe_edges(edges, scales, params["tolerance"], sampling.confidence),
+        labelled_edges(edges, scales, params["tolerance"], sampling.confidence),
         title="pull-off force against cutoff wavelength, and the edges of the band",
     )

@@ -3,7 +3,7 @@
 from hardcontact.base.dataset import read
 from hardcontact.base.job import job
 from hardcontact.contact.contact import Contact
-from hardcontact.inference.edges import describe_edges
+from hardcontact.inference.edges import labelled_edges
 from hardcontact.inference.edges_of_scans import edges_of_scans
 from hardcontact.inference.mean_forces import Masters, fewest_places
 from hardcontact.own.predicted_force import force_dataset
@@ -16,7 +16,7 @@ with job(snakemake) as job:
     masters = Masters(params["scans"], params["tiles"], fewest_places(adhesion))
     limits = {name: params[name] for name in ("tolerance", "confidence")}
     job.write(
-        describe_edges(edges_of_scans(scales, sensitivity, masters, **limits), scales, **limits),
+        labelled_edges(edges_of_scans(scales, sensitivity, masters, **limits), scales, **limits),
         title="pull-off force against cutoff wavelength, and the edges of the band",
         output="edges",
     )

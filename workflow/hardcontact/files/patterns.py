@@ -20,7 +20,7 @@ _SUBSTITUTES = (*_GAUSSIAN, "scan.featured_surface")
 #: Keys on which every scan, measured or substitute, and everything computed from scans depend.
 SCAN_KEYS = (*_SUBSTITUTES, *_MEASURED)
 _CONTACTS = (*SCAN_KEYS, "contact.window", "contact.contacts_per_side")
-_GAUSSIAN_FORCES = (*_GAUSSIAN, "sets.contacts_per_side", "contact.window", "adhesion.ranges")
+_FORCES_OF_SETS = (*_GAUSSIAN, "sets.contacts_per_side", "contact.window", "adhesion.ranges")
 _TRANSITIONS = ("scales.short.transition", "scales.long.transition")
 
 #: For each kind of intermediate, the keys on which it and its inputs depend: its path has a digest
@@ -39,8 +39,8 @@ STORE_KEYS = {
     "asperities": (*_CONTACTS, "asperities"),
     "whole": (*_CONTACTS, "adhesion.ranges", "scales.long.tiles"),
     "octaves": _CONTACTS,
-    "pool": (*_GAUSSIAN_FORCES, "sets.rms_heights"),
-    "featured_samples": _GAUSSIAN_FORCES,
+    "pool": (*_FORCES_OF_SETS, "sets.rms_heights"),
+    "featured_samples": _FORCES_OF_SETS,
     "both_bodies": SCAN_KEYS,
     "masters": (*SCAN_KEYS, *_TRANSITIONS, "scales.short.pixels", "scales.long.tiles"),
 }

@@ -65,7 +65,7 @@ def pooled_band(edges: xr.Dataset) -> tuple[float, float]:
     return float(pooled.sel(side="short")), float(pooled.sel(side="long"))
 
 
-def describe_edges(
+def labelled_edges(
     edges: xr.Dataset, scales: xr.Dataset, tolerance: float, confidence: float
 ) -> xr.Dataset:
     """Return edges.nc: edges with the names of the surfaces and the settings that they hold for."""

@@ -127,7 +127,7 @@ def forces_of_masters(
     scales: xr.Dataset, surface: str, side: str, masters: Masters
 ) -> MasterForces:
     """Return the forces, as in scales.nc, on the existing masters of one surface and side."""
-    long_master = float(scales.unfiltered_wavelength.sel(surface=surface, side="long"))
+    master_size = float(scales.unfiltered_wavelength.sel(surface=surface, side="long"))
     tiles = masters.tiles if side == "long" else 1
     forces = scales.sel(surface=surface, side=side).dropna(
         "realization", how="all", subset=["filtered_force_ratio"]
@@ -135,7 +135,7 @@ def forces_of_masters(
     scan_parts = parts_of_scans(
         (forces.realization.values - 1) % masters.scans[surface],
         quarters_of_contacts(forces.sizes["contact_y"], tiles),
-        long_master / masters.tiles / 2,
+        master_size / masters.tiles / 2,
         float(np.sqrt(scales.attrs["sphere_radius"] * scales.attrs["rho"])),
         masters.touched_places[surface],
     )

@@ -84,7 +84,7 @@ def posterior(mean_forces: xr.DataArray, published: pd.DataFrame, sampling: Samp
         sampling.generator(*forces["surface"].values.tolist()),
         sampling.samples,
     )
-    return describe_samples(ranges[index], np.exp(log_works), sampling.confidence)
+    return samples_dataset(ranges[index], np.exp(log_works), sampling.confidence)
 
 
 def posteriors_without_each_surface(
@@ -120,7 +120,7 @@ def means_on_whole_surfaces(
     return means * sphere_factor.sel(rho=rho)
 
 
-def describe_samples(ranges: Floats, works: Floats, confidence: float) -> xr.Dataset:
+def samples_dataset(ranges: Floats, works: Floats, confidence: float) -> xr.Dataset:
     """Return samples of range (nm) and work (J/m²), their medians and intervals."""
     variables = {}
     for name, samples, units in (

@@ -224,14 +224,14 @@ def local_minima(errors: np.ndarray, count: int) -> np.ndarray:
 
 
 def fit_ratios(
-    mean_forces: np.ndarray, measured_forces: np.ndarray, reference: int
+    computed_means: np.ndarray, measured_forces: np.ndarray, reference: int
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return the index (...) of the range that fits force ratios to a reference surface best.
 
     The work of adhesion cancels in these ratios. Computed forces are (..., surface, rho), measured
     forces (surface,). The second result are the mean relative errors (..., rho) of the ratios.
     """
-    ratios = mean_forces / mean_forces[..., [reference], :]
+    ratios = computed_means / computed_means[..., [reference], :]
     measured_ratios = (measured_forces / measured_forces[reference])[:, None]
     is_other = np.arange(len(measured_forces)) != reference
     errors = np.abs(ratios / measured_ratios - 1)[..., is_other, :].mean(axis=-2)
@@ -239,7 +239,7 @@ def fit_ratios(
 
 
 def error_region(
-    errors: np.ndarray, computed_ranges: np.ndarray, works: np.ndarray, threshold: float
+    errors: np.ndarray, ranges: np.ndarray, works: np.ndarray, threshold: float
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return the smallest and largest range (2,) and work (2,) of the pairs that fit, or NaN.
 
@@ -248,4 +248,4 @@ def error_region(
     rows, columns = np.nonzero(errors < threshold)
     if not rows.size:
         return np.full(2, np.nan), np.full(2, np.nan)
-    return computed_ranges[[rows.min(), rows.max()]], works[[columns.min(), columns.max()]]
+    return ranges[[rows.min(), rows.max()]], works[[columns.min(), columns.max()]]

@@ -69,7 +69,7 @@ def force_dataset(
     )
     extrapolated_forces = extrapolated_force(scales, masters, contact.work, confidence)
     force = add_extrapolated_force(force, extrapolated_forces, tolerance)
-    force = _widened(force, sensitivity, contact.rho)
+    force = _widen_intervals(force, sensitivity, contact.rho)
     force = bound_by_smooth_sphere(force, contact.area)
     spectra_by_surface = {
         name: spectrum_of_dataset(spectra.sel(surface=name))
@@ -89,7 +89,7 @@ def force_dataset(
     return force.assign_attrs(tabor_parameter=tabor.value, bodies=tabor.status)
 
 
-def _widened(force: xr.Dataset, sensitivity: xr.Dataset, rho: float) -> xr.Dataset:
+def _widen_intervals(force: xr.Dataset, sensitivity: xr.Dataset, rho: float) -> xr.Dataset:
     """Widen intervals by the place on the sphere, the hindcast and finer pixels, where known."""
     if "place_factor" in force:
         at_range = force["place_factor"].sel(contact_model=PLASTIC, drop=True)

@@ -43,9 +43,10 @@ class Measurement(NamedTuple):
 class Verdict(NamedTuple):
     """The answer of one surface in short; printed intervals have both ends.
 
-    answer: "yes" if there is one force, neither edge is a bound, and all three come from
-        wavelengths at which a scan is reliable. "no" if none of them does, if contacts touch too
-        few places, or if there is no band. Otherwise "partly".
+    answer: "yes" if both edges are found, no second force has extrapolated roughness, and force
+        and edges come from wavelengths at which a scan is reliable. "no" if none of the three comes
+        from such wavelengths, if contacts touch too few places, or if there is no band. Otherwise
+        "partly".
     band: "few_places", "none" if no resolved wavelength changes the force, "unknown" if a hindcast
         fails or the short edge shows ripples of the filter, "overlapping" if the short edge is the
         longer one, otherwise "found".
