@@ -172,7 +172,7 @@ def test_unknown_quantities_have_a_status_and_no_number(table):
     """An almost smooth surface has no edge; the prediction reports where its error is unknown."""
     numbers = numbers_of(table(*rows_of(rough(0.02, 1000, 0.8, 20))), "--radius", "5um")
     assert numbers["short_edge"] == {"value": None, "unit": "nm", "status": "none"}
-    assert numbers["freezing"]["status"] == "smooth"
+    assert numbers["weibull_modulus"]["status"] == "smooth"
     assert numbers["pull_off_force"]["status"] == "outside"
     assert "interval" not in numbers["pull_off_force"]
 

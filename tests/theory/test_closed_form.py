@@ -17,7 +17,7 @@ from hardcontact.theory.closed_form import (
     closed_form,
     critical_band,
     filtered_spectrum,
-    gaussian_share,
+    surface_term,
 )
 from hardcontact.theory.summits import moment
 
@@ -36,14 +36,14 @@ def test_both_terms_equal_the_integral_over_gaps_and_heights(sigma, m, rho):
     attraction = stats.norm.pdf(height, 0, sigma) * np.exp(-(gap - height) / rho)
     attraction_at_gap = np.trapezoid(attraction, height_share, axis=0) * (gap + 10 * sigma)
     force = np.trapezoid(attraction_at_gap, gap) / rho
-    both_terms = gaussian_share(sigma, m, rho) + stats.norm.sf(m / sigma)
+    both_terms = surface_term(sigma, m, rho) + stats.norm.sf(m / sigma)
     assert both_terms == pytest.approx(force, rel=3e-4)
 
 
 def test_the_first_term_freezes_at_short_range():
     sigma, m, rho = 100.0, 300.0, 0.5
     frozen = stats.norm.pdf(m / sigma) / (sigma / rho - m / sigma)
-    assert gaussian_share(sigma, m, rho) == pytest.approx(frozen, rel=1e-3)
+    assert surface_term(sigma, m, rho) == pytest.approx(frozen, rel=1e-3)
 
 
 def test_without_roughness_the_closed_form_is_the_force_of_a_smooth_sphere():
@@ -53,7 +53,7 @@ def test_without_roughness_the_closed_form_is_the_force_of_a_smooth_sphere():
     relative = 1 + contact().area / (2 * np.pi * RADIUS * contact().rho)
     assert form.force == pytest.approx(2 * np.pi * RADIUS * 1e-9 * relative)
     assert form.relative == pytest.approx(relative, rel=1e-12)
-    assert (form.regime, form.freezing) == (SMOOTH, 0.0)
+    assert (form.regime, form.weibull_modulus) == (SMOOTH, np.inf)
     nearly_smooth = closed_form(rough(0.02), contact())
     assert nearly_smooth.regime == SMOOTH and nearly_smooth.relative == pytest.approx(1, abs=0.03)
     assert np.isnan(critical_band(flat, contact(), 0.1)).all()

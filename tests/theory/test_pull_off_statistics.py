@@ -8,7 +8,7 @@ from known_spectra import contact_of_area, rough, rounded
 from scipy import special, stats
 
 from hardcontact.base.random import generator
-from hardcontact.theory.closed_form import closed_form, contact_share, smooth_force
+from hardcontact.theory.closed_form import closed_form, contact_term, smooth_force
 from hardcontact.theory.pull_off_statistics import (
     ForceStatistics,
     field_variation,
@@ -98,7 +98,7 @@ def test_n_clumps_attract_like_the_mean_power_of_a_gamma_variable(clumps):
     plastic = predict_statistics(SURFACE, contact)
     rigid = predict_statistics(SURFACE, replace(contact, preload=0.0))
     # The contact area itself attracts, too.
-    area_force = smooth_force(contact) * (1 - 1 / (1 + contact_share(contact)))
+    area_force = smooth_force(contact) * (1 - 1 / (1 + contact_term(contact)))
     power, number = 2 / (plastic.modulus + rigid.modulus), 1 + np.arange(200)
     chance = stats.poisson.pmf(number - 1, plastic.clumps - 1)
     mean_power = chance @ np.exp(special.gammaln(number + power) - special.gammaln(number))

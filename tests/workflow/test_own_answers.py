@@ -16,7 +16,7 @@ from repository import ROOT
 from scipy import stats
 
 from hardcontact.report.figures.listing import FILE_KINDS, OWN_FIGURES
-from hardcontact.theory.closed_form import gaussian_share
+from hardcontact.theory.closed_form import surface_term
 
 pytestmark = pytest.mark.study
 
@@ -142,7 +142,7 @@ def mean_over_contacts(values):
 def gaussian_relative(adhesion, rms_height):
     """Return the mean over contacts of F/(2 pi R W) in closed form (model, range)."""
     summits = xr.apply_ufunc(stats.norm.sf, adhesion.apex_height / rms_height)
-    relative = xr.apply_ufunc(gaussian_share, rms_height, adhesion.apex_height, adhesion.rho)
+    relative = xr.apply_ufunc(surface_term, rms_height, adhesion.apex_height, adhesion.rho)
     relative = relative + summits
     return mean_over_contacts(relative)
 

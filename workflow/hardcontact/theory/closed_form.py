@@ -1,25 +1,13 @@
 """The pull-off force of a sphere on a Gaussian surface, in closed form from its spectrum.
 
-The heights of the surface about its mean plane have the rms sigma, the sphere has the radius R. At
-closest approach its apex is at the height m above that plane. Eq. 2 of the paper, averaged over the
-heights, is
+The force relative to 2 pi R W is the sum of three terms, each a mean over positions of the sphere:
 
-    F/(2 pi R W) = exp(sigma²/2rho² - m/rho) Phi(m/sigma - sigma/rho) + Q(m/sigma) + A/(2 pi R rho)
+1. surface term: the attraction of all points below the sphere,
+2. summit term: the attraction of the summits that touch,
+3. contact term: the attraction of the area in contact, A/(2 pi R rho).
 
-(workflow/report/theory.md). Phi is the normal distribution, Q = 1 - Phi, and A = load/hardness is
-the area in contact. The first term is the mean over all points of the surface, the second is the
-force of the summits that touch. If sigma/rho < m/sigma, many points below the sphere attract; if
-not, the few highest points do, as in the random energy model (Derrida, Phys. Rev. B 24 (1981)
-2613).
-
-A summit is itself a rough body. Waves shorter than its size, 2.5 delta (`summits`), are roughness
-on it. The same equation, with the radius delta² m/(2 sigma²) of the summit, gives its force
-relative to a smooth summit, and is applied again to the summits upon it, down to the shortest
-waves. This relative force also multiplies the contribution of summits below the sphere to the first
-term (`rough_terms`). The area in contact flattens smaller roughness; it is at most the area pi
-delta² of a summit. The size of 2.5 delta is a choice: 2 delta, 2.5 delta and pi delta were compared
-on designed surfaces (`prediction`) that were not held out; 2 delta gives better edges and pi delta
-better forces.
+A summit is a rough body itself, so the same equation gives its force relative to a smooth summit.
+workflow/report/theory.md (The mean force) has the derivation and defines the symbols.
 """
 
 from dataclasses import dataclass, replace
@@ -65,23 +53,23 @@ class ClosedForm:
     relative: float  #: Force relative to 2 pi R W.
     rms_height: float  #: sigma in nm.
     apex_height: float  #: The mean of m in nm, positive above the mean plane.
-    #: (sigma/rho)/(m/sigma): above one single peaks decide; infinite if m is not above zero.
-    freezing: float
+    #: k = rho m/sigma²; 0 if m is below the mean plane, infinite without roughness.
+    weibull_modulus: float
     regime: str  #: SMOOTH, MANY_POINTS or SINGLE_PEAKS.
 
 
-def contact_share(contact: Contact) -> float:
-    """Return A/(2 pi R rho), the force of the area in contact relative to 2 pi R W."""
+def contact_term(contact: Contact) -> float:
+    """Return A/(2 pi R rho), the contact term."""
     return contact.area / (2 * np.pi * contact.radius * contact.rho)
 
 
 def smooth_force(contact: Contact) -> float:
     """Return the force (N) on a smooth surface: 2 pi R W and the force of the area in contact."""
-    return float(dmt_pull_off(contact.work, contact.radius)) * (1 + contact_share(contact))
+    return float(dmt_pull_off(contact.work, contact.radius)) * (1 + contact_term(contact))
 
 
-def gaussian_share(rms_height: ArrayLike, apex_height: ArrayLike, rho: ArrayLike) -> Floats:
-    """Return exp(sigma²/2rho² - m/rho) Phi(m/sigma - sigma/rho): the first term of F/(2 pi R W).
+def surface_term(rms_height: ArrayLike, apex_height: ArrayLike, rho: ArrayLike) -> Floats:
+    """Return exp(sigma²/2rho² - m/rho) Phi(m/sigma - sigma/rho), the surface term.
 
     All arguments (rms height sigma, apex height m and range rho) are in nm; they broadcast.
     """
@@ -102,23 +90,23 @@ def closed_form(spectrum: Spectrum, contact: Contact, *, rough_below: bool = Tru
     waves = rough_waves(spectrum, contact.radius)
     if waves is None:  # The limit of an rms height of zero.
         force = smooth_force(contact)
-        return ClosedForm(force, force / smooth, 0.0, 0.0, 0.0, SMOOTH)
+        return ClosedForm(force, force / smooth, 0.0, 0.0, np.inf, SMOOTH)
     sigma = float(np.sqrt(moment(waves, 0)))
     levels = apex_levels(waves, contact.radius, contact.area)
-    first_term, summit_term = _terms(waves, levels, contact, GENERATIONS, rough_below)
-    relative = first_term + summit_term + contact_share(contact)
+    mean_surface_term, summit_term = _terms(waves, levels, contact, GENERATIONS, rough_below)
+    relative = mean_surface_term + summit_term + contact_term(contact)
     m = float(sigma * levels.mean())
-    freezing = float(sigma**2 / (contact.rho * m)) if m > 0 else np.inf
-    regime = SINGLE_PEAKS if freezing > 1 else MANY_POINTS
-    if first_term + summit_term > SMOOTH_SHARE:
+    weibull_modulus = max(contact.rho * m / sigma**2, 0.0)
+    regime = SINGLE_PEAKS if weibull_modulus < 1 else MANY_POINTS
+    if mean_surface_term + summit_term > SMOOTH_SHARE:
         regime = SMOOTH
-    return ClosedForm(smooth * relative, relative, sigma, m, freezing, regime)
+    return ClosedForm(smooth * relative, relative, sigma, m, weibull_modulus, regime)
 
 
 def _terms(
     waves: Spectrum, levels: ApexLevels, contact: Contact, generations: int, rough_below: bool
 ) -> tuple[float, float]:
-    """Return the first and the second term of F/(2 pi R W), averaged over levels of the apex."""
+    """Return the surface term and the summit term, averaged over levels of the apex."""
     sigma = np.sqrt(moment(waves, 0))
     summit_ratio = 1.0
     summit = roughness_on_summit(waves, levels, contact)
@@ -127,33 +115,30 @@ def _terms(
         finer_levels = apex_levels(finer, summit_contact.radius, summit_contact.area)
         terms = _terms(finer, finer_levels, summit_contact, generations - 1, rough_below)
         summit_ratio = min(sum(terms), 1.0)
-    first_term, summit_term = rough_terms(sigma, levels, contact.rho, summit_ratio)
+    surface_terms, summit_term = rough_terms(sigma, levels, contact.rho, summit_ratio)
     if not rough_below:
-        first_term = gaussian_share(sigma, levels.levels * sigma, contact.rho)
-    return levels.mean(first_term), summit_term
+        surface_terms = surface_term(sigma, levels.levels * sigma, contact.rho)
+    return levels.mean(surface_terms), summit_term
 
 
 def rough_terms(
     sigma: float, levels: ApexLevels, rho: float, summit_ratio: float
 ) -> tuple[Floats, float]:
-    """Return the first term of F/(2 pi R W) at each level (n,), and the mean second term.
+    """Return the surface term at each level (n,) and the mean summit term, with rough summits.
 
-    A rough summit attracts with `summit_ratio` times the force of a smooth one, whether it touches
-    or lies below the sphere. The number of summits falls by the factor e over the height sigma/t,
-    so points closer to the sphere than sigma/t are on summits. A plain mean over the plane would
-    mostly count points on summits above the sphere, which closest approach excludes.
+    A rough summit attracts with `summit_ratio` times the force of a smooth one. This also holds
+    for the points with a gap below sigma/t, which lie on summits (theory.md, Close points).
     """
     t = levels.levels
-    decay_level = 1 / max(levels.mean(), 1.0)
+    summit_height = 1 / max(levels.mean(), 1.0)  # relative to sigma
 
     def both_terms(level: Floats) -> Floats:
-        return gaussian_share(sigma, level * sigma, rho) + special.ndtr(-level)
+        return surface_term(sigma, level * sigma, rho) + special.ndtr(-level)
 
-    summit_share = 1 - np.exp(-decay_level * sigma / rho) * both_terms(
-        t - decay_level
-    ) / both_terms(t)
-    first_term = gaussian_share(sigma, t * sigma, rho) * (1 - (1 - summit_ratio) * summit_share)
-    return first_term, summit_ratio * levels.mean(special.ndtr(-t))
+    remaining = np.exp(-summit_height * sigma / rho) * both_terms(t - summit_height)
+    close_share = 1 - remaining / both_terms(t)
+    surface_terms = surface_term(sigma, t * sigma, rho) * (1 - (1 - summit_ratio) * close_share)
+    return surface_terms, summit_ratio * levels.mean(special.ndtr(-t))
 
 
 def roughness_on_summit(

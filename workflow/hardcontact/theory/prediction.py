@@ -111,7 +111,7 @@ def prediction(
         Number("force_scatter", predict_statistics(waves, contact).log_force_std),
         Number("force_ratio", form.force / smooth),
         Number("apex_height", form.apex_height, "nm"),
-        Number("freezing", form.freezing, status=form.regime.replace(" ", "_")),
+        Number("weibull_modulus", form.weibull_modulus, status=form.regime.replace(" ", "_")),
         *(_edge_number(end, end, edge, point, validated) for end, edge in ends),
         *checks,
     ]

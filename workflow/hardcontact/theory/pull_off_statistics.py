@@ -24,7 +24,7 @@ from hardcontact.surfaces.spectrum import Floats, Spectrum
 from hardcontact.theory.closed_form import (
     GENERATIONS,
     SUMMIT_SIZE,
-    contact_share,
+    contact_term,
     rough_terms,
     roughness_on_summit,
 )
@@ -83,11 +83,11 @@ def predict_statistics(spectrum: Spectrum, contact: Contact) -> ForceStatistics:
     smooth = float(dmt_pull_off(contact.work, contact.radius))
     waves = rough_waves(spectrum, contact.radius)
     if waves is None:
-        force = smooth * (1 + contact_share(contact))
+        force = smooth * (1 + contact_term(contact))
         return ForceStatistics(np.inf, 0.0, np.array([force]), np.ones(1), np.zeros(1))
     attraction = _attraction(waves, contact, GENERATIONS)
     levels = attraction.levels
-    means = attraction.first + attraction.touching + contact_share(contact)
+    means = attraction.first + attraction.touching + contact_term(contact)
     modulus = contact.rho * levels.mean() / np.sqrt(moment(waves, 0))
     log_force_stds = np.sqrt(np.log1p(attraction.variance / means**2))
     possible = levels.weights > 0

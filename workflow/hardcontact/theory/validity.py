@@ -22,7 +22,7 @@ from hardcontact.contact.smooth_sphere import (
     transition_coefficient,
 )
 from hardcontact.surfaces.spectrum import Spectrum, roll_off
-from hardcontact.theory.closed_form import ClosedForm, contact_share
+from hardcontact.theory.closed_form import ClosedForm, contact_term
 
 #: Designed surfaces, computed and predicted; resources/validation/README.md describes the columns.
 VALIDATION = Path(__file__).with_name("designed_surfaces.csv")
@@ -74,12 +74,11 @@ def validation() -> pd.DataFrame:
 def table_coordinates(waves: Spectrum, contact: Contact, form: ClosedForm) -> dict[str, Any]:
     """Return the coordinates of a spectrum and a contact in the table of designed surfaces.
 
-    The waves come from `trim_spectrum`. ``weibull_modulus`` is k = rho m/sigma², the inverse of the
-    freezing, infinite without roughness.
+    The waves come from `trim_spectrum`. ``weibull_modulus`` is k = rho m/sigma².
     """
     mean_hurst, bend = hurst_and_bend(waves, math.sqrt(contact.area))
     return {
-        "weibull_modulus": 1 / form.freezing if form.freezing else math.inf,
+        "weibull_modulus": form.weibull_modulus,
         "contact_over_rolloff": math.sqrt(contact.area) / roll_off(waves),
         "mean_hurst": mean_hurst,
         "mean_hurst_change": bend,
@@ -159,7 +158,7 @@ def wide_contact_message(contact: Contact) -> str:
 
     It names the largest preload (N) that is valid.
     """
-    share = contact_share(contact)
+    share = contact_term(contact)
     if share < 1:
         return ""
     return (
