@@ -7,7 +7,7 @@ from repository import ROWS
 from scan_files import scan
 from studies import own_scans, surfaces
 
-from hardcontact.config.selected_surfaces import source_digests, surface_table
+from hardcontact.config.selected_surfaces import digest_files, surface_table
 
 FIRST = ROWS.splitlines()[1]
 HEADER = ROWS.partition("\n")[0]
@@ -52,6 +52,6 @@ def test_another_scan_of_the_same_name_has_another_folder_in_the_store(tmp_path,
     digests = []
     for pixels in (16, 17):
         path = scan(tmp_path / "a.nc", np.zeros((pixels, pixels)))
-        digests.append(source_digests(surfaces(own_scans(path), tmp_path)))
+        digests.append(digest_files(surfaces(own_scans(path), tmp_path)))
     first, second = digests
     assert {surface for surface in first if first[surface] != second[surface]} == {"uncd"}

@@ -18,7 +18,7 @@ def test_every_realization_of_the_study_is_filtered_from_its_own_masters():
     chunks = Chunks(study)
     rows = chunks.filtered_masters()
     assert len(set(study.paths(PATTERNS.filtered, rows))) == 2 * len(SUBSTRATES)
-    assert chunks.master_sources(rows[1])["short_masters"] == [
+    assert chunks.master_inputs(rows[1])["short_masters"] == [
         "results/store/masters/digest/polished_uncd/0123abcd/realization-2/short.nc"
     ]
 
@@ -27,7 +27,7 @@ def test_masters_of_sets_are_filtered_in_chunks():
     chunks = Chunks(files("sets.realizations", 12))
     rows = chunks.filtered_masters("sets")
     assert [(row.first, row.last) for row in rows] == [(1, 5), (6, 10), (11, 12)] * len(SUBSTRATES)
-    sources = chunks.master_sources(rows[0])
+    sources = chunks.master_inputs(rows[0])
     assert len(sources["scans"]) == len(sources["spectra"]) == 5
 
 
@@ -72,7 +72,7 @@ def lists_of_files(*values):
         *chunks.filtered_masters("sets"),
         *chunks.filtered_masters("enhancement"),
     ]
-    study_values = (study.contact.radius, study.contact.load, study.contact.rho)
+    study_values = (study.contact.radius, study.contact.load_name, study.contact.rho)
     computed_at = {
         path: contact_grid(numbers(*values), row.purpose)
         for row, path in zip(filtered, study.paths(PATTERNS.filtered, filtered), strict=True)
@@ -101,4 +101,4 @@ def test_paths_do_not_depend_on_the_units_of_a_value():
         *("contact.hardness", "25000 MPa", "scales.range", "0.0056 um"),
     ]
     assert lists_of_files(*written_otherwise) == lists_of_files()
-    assert study_contact(numbers()).load == "H25GPa-F10uN"
+    assert study_contact(numbers()).load_name == "H25GPa-F10uN"

@@ -36,8 +36,8 @@ VALUES = {
     "ranges": ["rho5.6nm", "rho1.4nm+rho5.6nm"],
     "purpose": ["scales", "sampled", "sets", "scaling"],
     "settings": ["0123abcd", "01234567"],
-    "sources": ["0123abcd", "01234567"],
-    "sphere_sources": ["0123abcd", "smooth"],
+    "digest": ["0123abcd", "01234567"],
+    "sphere_digest": ["0123abcd", "smooth"],
 }
 
 
@@ -80,7 +80,7 @@ def test_every_wildcard_has_a_constraint():
 def test_intermediates_of_a_surface_are_in_a_folder_of_its_files():
     stored = [path for path in INTERMEDIATES.values() if path.startswith(PATTERNS.store)]
     of_surfaces = [path for path in stored if "{surface}" in path]
-    assert of_surfaces and all("{surface}/{sources}/" in path for path in of_surfaces)
+    assert of_surfaces and all("{surface}/{digest}/" in path for path in of_surfaces)
 
 
 def test_wildcards_exclude_other_values():

@@ -20,9 +20,9 @@ def test_each_scan_is_paired_with_one_scan_of_the_sphere():
 
 def test_measured_surfaces_have_measurements_and_their_spectrum():
     study = files(measured_surfaces=["mcd"])
-    assert len(study.measurements("mcd")) == 2 and study.measurements("uncd") == []
-    assert study.spectrum("mcd").endswith("mcd/0123abcd/measured-flat.nc")
-    assert study.spectrum("uncd").endswith("uncd/0123abcd/calibrated.nc")
+    assert len(study.measurement_paths("mcd")) == 2 and study.measurement_paths("uncd") == []
+    assert study.spectrum_path("mcd").endswith("mcd/0123abcd/measured-flat.nc")
+    assert study.spectrum_path("uncd").endswith("uncd/0123abcd/calibrated.nc")
 
 
 def test_the_shape_of_a_rough_sphere_is_subtracted(tmp_path):
@@ -41,17 +41,17 @@ def test_the_shape_of_a_rough_sphere_is_subtracted(tmp_path):
     [
         (
             "uncd",
-            SurfaceFiles.stitched_of_realization,
+            SurfaceFiles.realization_scan_path,
             [2, 5, 2],
         ),  # in turn; below, a scan for each
-        ("uncd", SurfaceFiles.separate_stitched, [2, 5, 6, 7, 8]),
-        ("mcd", SurfaceFiles.separate_stitched, [2, 5, 2]),
+        ("uncd", SurfaceFiles.separate_scan_path, [2, 5, 6, 7, 8]),
+        ("mcd", SurfaceFiles.separate_scan_path, [2, 5, 2]),
     ],
 )
 def test_a_realization_uses_its_scan(surface, function, scans):
     study = files(scans=[2, 5], measured_surfaces=["mcd"])
     for realization, scan in enumerate(scans, start=1):
-        assert function(study, surface, realization) == study.stitched(surface, scan)
+        assert function(study, surface, realization) == study.stitched_path(surface, scan)
 
 
 def test_scans_are_made_in_groups_that_share_their_conditioning():
@@ -60,6 +60,6 @@ def test_scans_are_made_in_groups_that_share_their_conditioning():
     assert study.scan_groups == {(1, 3): substitutes, (4, 5): substitutes, (6, 7): substitutes}
     for group in study.scan_groups:
         for scan in group:
-            assert study.conditioning("uncd", scan).endswith(
+            assert study.conditioning_path("uncd", scan).endswith(
                 f"uncd/0123abcd/scan-{group[0]}-flat.nc"
             )

@@ -15,11 +15,11 @@ from hardcontact.run import checks
 
 PATTERNS = Patterns("results/paper", "results/store", "ruby", dict.fromkeys(STORE_KEYS, "digest"))
 #: Stands for the digest of the files of a surface.
-SOURCES = "0123abcd"
+FILES_DIGEST = "0123abcd"
 #: The paths of the tiny study.
 TINY_NUMBERS = numeric_configuration(merged(PAPER, yaml.safe_load((ROOT / TINY).read_text())))
 TINY_PATTERNS = Patterns("results/tiny", "results/store-tiny", "ruby", store_digests(TINY_NUMBERS))
-TINY_SOURCES = selected_surfaces.source_digests(
+TINY_DIGESTS = selected_surfaces.digest_files(
     pd.read_csv(ROOT / "config/surfaces.tsv", sep="\t", keep_default_na=False).assign(
         path=lambda table: [str(ROOT / path) for path in table.path]
     )
@@ -78,6 +78,6 @@ def files(*values, scans=(1, 2), measured_surfaces=()):
     rows.loc[is_measured, "path"] = [
         f"{row.surface}-{row.scan}.nc" for row in rows[is_measured].itertuples()
     ]
-    sources = dict.fromkeys(rows.surface, SOURCES)
+    sources = dict.fromkeys(rows.surface, FILES_DIGEST)
     selection = selected_surfaces.Selection(rows, "ruby", sources)
     return SurfaceFiles(numbers(*values), selection, PATTERNS)

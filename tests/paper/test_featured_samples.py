@@ -5,13 +5,13 @@ import pandas as pd
 import pytest
 import xarray as xr
 from paper_numbers import POLISHED
-from small_pool import CONTACT, GRID, SOURCES
+from small_pool import CONTACT, GRID, POOL_INPUTS
 
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import pull_off_dataset
 from hardcontact.inference.published_fit import Pair, PublishedFit
 from hardcontact.paper.featured_samples import (
-    SampleSources,
+    SampleInputs,
     compare_with_published,
     compute_samples,
     no_samples,
@@ -21,8 +21,10 @@ from hardcontact.paper.featured_samples import (
 from hardcontact.surfaces.featured_scans import FeaturedSurface, sample_group
 from hardcontact.surfaces.height_map import level, metrics, mirror_stitch
 
-FEATURED = FeaturedSurface("uncd", SOURCES.spectrum, POLISHED, GRID._replace(size=2500.0), seed=3)
-SAMPLE_SOURCES = SampleSources(FEATURED, 2, CONTACT, [1.0, 5.6])
+FEATURED = FeaturedSurface(
+    "uncd", POOL_INPUTS.spectrum, POLISHED, GRID._replace(size=2500.0), seed=3
+)
+SAMPLE_SOURCES = SampleInputs(FEATURED, 2, CONTACT, [1.0, 5.6])
 PAIR = Pair(5.6, 0.05)
 
 

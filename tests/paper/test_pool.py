@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from direct_sum import direct_total
-from small_pool import CONTACT, GRID, HEIGHTS, SOURCES, TARGETS, pool_of, raw_scan
+from small_pool import CONTACT, GRID, HEIGHTS, POOL_INPUTS, TARGETS, pool_of, raw_scan
 
 from hardcontact.contact.geometry import gap_map, join_bodies
 from hardcontact.paper.pool import height_weights, pool_heights
@@ -51,7 +51,7 @@ def test_forces_are_the_direct_sum_over_the_scan_at_each_height(pool):
     forces = np.exp(pool["log_force"].sel(scan=4).values.astype(float))
     for i in (0, 6):
         factor = HEIGHTS[i] / scan.heights.std()
-        for k, rho in enumerate(SOURCES.ranges):
+        for k, rho in enumerate(POOL_INPUTS.ranges):
             for model, pixels in enumerate((1, count)):
                 force = direct_force(scan, factor, pixels, rho, (0, 1))
                 assert forces[i, model, k, 0, 1] == pytest.approx(force, rel=1e-5)

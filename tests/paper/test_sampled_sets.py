@@ -5,14 +5,14 @@ import pandas as pd
 import pytest
 import xarray as xr
 from paper_numbers import CONSTANTS, MEAN_FORCE, STATEMENTS, SUBSTRATES
-from set_sources import CONFIDENCE, SCANS, make_adhesion, make_masters, make_pool, make_sources
+from set_inputs import CONFIDENCE, SCANS, make_adhesion, make_inputs, make_masters, make_pool
 
 from hardcontact.base.statistics import Sampling
 from hardcontact.inference.edges import edges_of_realizations
 from hardcontact.inference.published_fit import Pair, PublishedFit, fit_published
 from hardcontact.paper.sampled_sets import (
     SetSettings,
-    gather_sources,
+    gather_inputs,
     sample_set_scans,
     sample_sets,
     set_adhesion,
@@ -36,7 +36,7 @@ PAPER = REPLICATED, CONSTANTS, PublishedFit(FORCES, Pair(5.6, 46.3e-3))
 
 @pytest.fixture(scope="module")
 def sets():
-    return sample_sets(make_sources(), *PAPER, SETTINGS)
+    return sample_sets(make_inputs(), *PAPER, SETTINGS)
 
 
 def test_every_replicated_claim_has_a_number_of_every_set(sets):
@@ -53,12 +53,12 @@ def test_every_replicated_claim_has_a_number_of_every_set(sets):
 
 
 def test_numbers_are_those_of_each_set(sets):
-    sources = make_sources()
+    inputs = make_inputs()
     models = ["rigid", "plastic"]
     for number in (1, 3):
         numbers = sets["value"].sel(set=number)
-        sampled_scans = sample_set_scans(sources, 1, number)
-        adhesion = set_adhesion(sources, sampled_scans, 1, number)
+        sampled_scans = sample_set_scans(inputs, 1, number)
+        adhesion = set_adhesion(inputs, sampled_scans, 1, number)
         inference = fit_published(
             adhesion, PAPER[2], "uncd", 0.1, 30e-9, Sampling(1, 0, CONFIDENCE)
         )
@@ -69,9 +69,9 @@ def test_numbers_are_those_of_each_set(sets):
 
 
 def test_a_set_depends_on_its_number_and_the_seed_alone(sets):
-    fewer = sample_sets(make_sources(), *PAPER, SETTINGS._replace(replicates=1))
+    fewer = sample_sets(make_inputs(), *PAPER, SETTINGS._replace(replicates=1))
     xr.testing.assert_identical(fewer.isel(set=0), sets.isel(set=0))
-    other_seed = sample_sets(make_sources(), *PAPER, SETTINGS._replace(replicates=1, seed=2))
+    other_seed = sample_sets(make_inputs(), *PAPER, SETTINGS._replace(replicates=1, seed=2))
     assert not np.allclose(
         other_seed["value"].isel(set=0), sets["value"].isel(set=0), equal_nan=True
     )
@@ -88,18 +88,18 @@ def test_the_factor_of_the_sphere_is_the_ratio_of_mean_forces():
         for name, pool in pools.items()
         for first in (1, 7)
     }
-    study = {"topography": make_sources().topography, "adhesion": adhesion}
-    sources = gather_sources(study, chunks, {}, SUBSTRATES, make_masters())
-    np.testing.assert_allclose(sources.sphere_factor, 0.5, rtol=1e-12)
-    assert set(sources.sphere_factor.dims) == {"contact_model", "surface", "rho"}
+    study = {"topography": make_inputs().topography, "adhesion": adhesion}
+    inputs = gather_inputs(study, chunks, {}, SUBSTRATES, make_masters())
+    np.testing.assert_allclose(inputs.sphere_factor, 0.5, rtol=1e-12)
+    assert set(inputs.sphere_factor.dims) == {"contact_model", "surface", "rho"}
     for name, pool in pools.items():
-        xr.testing.assert_identical(sources.pools[name], pool)
+        xr.testing.assert_identical(inputs.pools[name], pool)
 
 
 def test_measured_surfaces_make_sets_too():
-    sources = make_sources(measured_surfaces=SUBSTRATES)
-    sets = sample_sets(sources, *PAPER, SETTINGS._replace(replicates=2))
-    gradient = sources.topography["rms_gradient_mean"].sel(surface="ncd")
+    inputs = make_inputs(measured_surfaces=SUBSTRATES)
+    sets = sample_sets(inputs, *PAPER, SETTINGS._replace(replicates=2))
+    gradient = inputs.topography["rms_gradient_mean"].sel(surface="ncd")
     assert sets["value"].isel(set=0).sel(claim="afm_rms_slope_ncd") == gradient
     ranges = sets["range_of_adhesion"].sel(contact_model="plastic")
     assert ranges[0] != ranges[1]
@@ -112,9 +112,9 @@ CONTACTS = ["contact_y", "contact_x"]
 
 
 def test_topography_of_a_set_replaces_only_sampled_scans():
-    sources = make_sources(measured_surfaces=["mcd"])
-    sampled_scans = sample_set_scans(sources, *DRAW)
-    study = sources.topography
+    inputs = make_inputs(measured_surfaces=["mcd"])
+    sampled_scans = sample_set_scans(inputs, *DRAW)
+    study = inputs.topography
     topography = set_topography(study, sampled_scans, CONFIDENCE)
     for name in TABLE1_METRICS.values():
         uncd_metric = topography[name].sel(surface="uncd")
@@ -133,11 +133,11 @@ def test_topography_of_a_set_replaces_only_sampled_scans():
 
 
 def test_forces_of_sampled_scans_are_scaled_to_the_rough_sphere():
-    sources = make_sources()
-    sampled_scans = sample_set_scans(sources, *DRAW)
-    adhesion = set_adhesion(sources, sampled_scans, *DRAW)
-    assert adhesion["pull_off_force"].dims == sources.adhesion["pull_off_force"].dims
-    assert adhesion.attrs == sources.adhesion.attrs
+    inputs = make_inputs()
+    sampled_scans = sample_set_scans(inputs, *DRAW)
+    adhesion = set_adhesion(inputs, sampled_scans, *DRAW)
+    assert adhesion["pull_off_force"].dims == inputs.adhesion["pull_off_force"].dims
+    assert adhesion.attrs == inputs.adhesion.attrs
     for surface, scans in sampled_scans.items():
         ratio = adhesion["pull_off_force"].sel(surface=surface) / scans["pull_off_force"]
         np.testing.assert_allclose(ratio.sel(contact_model="rigid"), 0.9, rtol=1e-12)
@@ -145,10 +145,10 @@ def test_forces_of_sampled_scans_are_scaled_to_the_rough_sphere():
 
 
 def test_forces_on_measured_scans_change_by_one_factor_per_range():
-    sources = make_sources(measured_surfaces=["mcd"])
-    adhesion = set_adhesion(sources, sample_set_scans(sources, *DRAW), *DRAW)
+    inputs = make_inputs(measured_surfaces=["mcd"])
+    adhesion = set_adhesion(inputs, sample_set_scans(inputs, *DRAW), *DRAW)
     set_forces = adhesion["pull_off_force"].transpose("contact_model", "rho", ...)
-    study_forces = sources.adhesion["pull_off_force"].transpose("contact_model", "rho", ...)
+    study_forces = inputs.adhesion["pull_off_force"].transpose("contact_model", "rho", ...)
     ranges = study_forces.sizes["rho"]
     ratio = (set_forces / study_forces).sel(surface="mcd").values.reshape(2, ranges, -1)
     np.testing.assert_allclose(ratio, ratio[..., :1] * np.ones(ratio.shape[-1]), rtol=1e-12)

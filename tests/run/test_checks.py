@@ -9,7 +9,7 @@ import pytest
 from refusals import assert_says, refusal
 from repository import BANDS, ROOT
 from scan_files import heights, scan
-from studies import ROWS, SOURCES, check, numbers, own_scans
+from studies import FILES_DIGEST, ROWS, check, numbers, own_scans
 
 from hardcontact.base import dataset
 from hardcontact.base.origin import Origin, canonical_json, digests, keep_records
@@ -150,7 +150,7 @@ def test_unusable_scans_are_refused(tmp_path, project_folder):
 
 def store(row, arguments, heights):
     """Store heights as the scan of a row, as if the rule read_scan had read its file so."""
-    path = Path(study_patterns(numbers()).measurement.format(**row._asdict(), sources=SOURCES))
+    path = Path(study_patterns(numbers()).measurement.format(**row._asdict(), digest=FILES_DIGEST))
     path.parent.mkdir(parents=True)
     dataset.write(HeightMap(heights, 10.0).to_dataset(), path)
     keep_records([path], Origin(canonical_json(arguments), digests([row.path]), []))

@@ -11,7 +11,7 @@ from types import SimpleNamespace
 
 import pytest
 from repository import ROOT, TINY, copy_repository, environment
-from studies import TINY_PATTERNS, TINY_SOURCES
+from studies import TINY_DIGESTS, TINY_PATTERNS
 
 from hardcontact.run import endings
 
@@ -51,7 +51,7 @@ def test_a_stopped_run_reports_that_the_same_command_continues_it(tmp_path):
     study = copy_repository(tmp_path / "study")
     # Three jobs, one after the other: the first ends before the others begin.
     master = TINY_PATTERNS.short_master.format(
-        surface="uncd", sources=TINY_SOURCES["uncd"], realization=1
+        surface="uncd", digest=TINY_DIGESTS["uncd"], realization=1
     )
     with subprocess.Popen(
         [sys.executable, "-m", "snakemake", master, "--configfile", TINY],

@@ -7,7 +7,7 @@ from own_studies import rough
 from paper_numbers import SUBSTRATES
 from repository import copy_repository, run_snakemake
 from scan_files import scan
-from studies import TINY_PATTERNS, TINY_SOURCES
+from studies import TINY_DIGESTS, TINY_PATTERNS
 
 from hardcontact.base import dataset
 from hardcontact.base.random import generator
@@ -61,7 +61,7 @@ def test_the_same_seed_gives_the_same_values(finished, tmp_path):
     rows = {"uncd": (1, "flat"), "ruby": (2, "sphere-R250um")}
     scans = [
         TINY_PATTERNS.stitched.format(
-            surface=surface, sources=TINY_SOURCES[surface], scan=scan, shape=shape
+            surface=surface, digest=TINY_DIGESTS[surface], scan=scan, shape=shape
         )
         for surface, (scan, shape) in rows.items()
     ]

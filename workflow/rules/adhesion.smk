@@ -5,7 +5,7 @@ rule compute_pull_off:
     """Compute rigid and plastic pull-off of one scan on all scans of the sphere, or places on it."""
     input:
         substrate=PATTERNS.stitched_substrate,
-        spheres=[FILES.stitched(SPHERE, scan) for scan in SELECTION.scans(SPHERE)],
+        spheres=[FILES.stitched_path(SPHERE, scan) for scan in SELECTION.scans(SPHERE)],
         code=code_inputs("compute_pull_off.py"),
     output:
         PATTERNS.pull_off,
@@ -13,7 +13,7 @@ rule compute_pull_off:
         parameters=parameters(
             sphere_places=FILES.sphere_places,
             places_per_side=FILES.places_per_side,
-            contact=CONTACT_AT_RANGE | {"contacts_per_side": FILES.contacts_a_place},
+            contact=CONTACT_AT_RANGE | {"contacts_per_side": FILES.place_contacts_per_side},
             ranges=RANGES,
         ),
     script:

@@ -7,7 +7,7 @@ rule combine_scans:
     """Add the roughness of a scan of the sphere, at a random place, to that of a substrate."""
     input:
         substrate=PATTERNS.stitched_substrate,
-        sphere=lambda w: FILES.stitched(SPHERE, FILES.sphere_scan(w.surface, int(w.scan))),
+        sphere=lambda w: FILES.stitched_path(SPHERE, FILES.sphere_scan(w.surface, int(w.scan))),
         code=code_inputs("combine_scans.py"),
     output:
         PATTERNS.both_stitched,
@@ -27,8 +27,8 @@ rule combine_scans:
 rule combine_spectra:
     """Add the spectrum of the sphere to that of a substrate."""
     input:
-        substrate=lambda w: FILES.spectrum(w.surface),
-        sphere=lambda w: FILES.spectrum(SPHERE),
+        substrate=lambda w: FILES.spectrum_path(w.surface),
+        sphere=lambda w: FILES.spectrum_path(SPHERE),
         code=code_inputs("combine_spectra.py"),
     output:
         PATTERNS.both_spectrum,

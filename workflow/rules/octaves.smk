@@ -8,7 +8,9 @@ SHORTEST_WHOLE_RANGE = 0.7
 #: Bands need whole surfaces: scans are too small for their long waves.
 BAND_SURFACES = FILES.substitutes if IS_PAPER_STUDY else []
 #: The scan of the sphere that touches scans, unless its roughness is part of theirs.
-SPHERE_SCAN = FILES.first_sphere if SELECTION.scans(SPHERE) and not FILES.combined_surfaces else []
+SPHERE_SCAN = (
+    FILES.first_sphere_path if SELECTION.scans(SPHERE) and not FILES.combined_surfaces else []
+)
 
 
 rule compute_whole:
@@ -31,10 +33,11 @@ rule compute_whole:
 rule amplify_octaves:
     """Compute the forces on a measured scan with each octave amplified, or the last replaced."""
     input:
-        stitched=lambda w: FILES.roughness(w.surface, int(w.scan)),
-        spectrum=lambda w: FILES.roughness_spectrum(w.surface),
+        stitched=lambda w: FILES.roughness_path(w.surface, int(w.scan)),
+        spectrum=lambda w: FILES.roughness_spectrum_path(w.surface),
         body_spectra=lambda w: [
-            FILES.spectrum(body.surface) for body in FILES.rough_bodies(w.surface, int(w.scan))
+            FILES.spectrum_path(body.surface)
+            for body in FILES.rough_bodies(w.surface, int(w.scan))
         ],
         sphere=SPHERE_SCAN,
         code=code_inputs("amplify_octaves.py"),

@@ -4,7 +4,7 @@
 rule aggregate_spectra:
     """Gather the spectra of all surfaces, measured or described: spectra.nc."""
     input:
-        spectra=[FILES.roughness_spectrum(surface) for surface in SELECTION.surfaces],
+        spectra=[FILES.roughness_spectrum_path(surface) for surface in SELECTION.surfaces],
         code=code_inputs("aggregate_spectra.py"),
     output:
         PATTERNS.dataset("spectra"),
@@ -13,7 +13,7 @@ rule aggregate_spectra:
             surfaces=SELECTION.surfaces,  # the order of the inputs
             labels=SELECTION.labels,
             descriptions={
-                surface: SELECTION.description(surface) for surface in FILES.conditionings
+                surface: SELECTION.description(surface) for surface in FILES.conditioning_paths
             },
         ),
     script:
@@ -23,7 +23,7 @@ rule aggregate_spectra:
 rule sample_spectra:
     """Sample a spectrum for each realization, within what the measurements of a surface leave open."""
     input:
-        measurements=lambda w: FILES.measurements(w.surface),
+        measurements=lambda w: FILES.measurement_paths(w.surface),
         code=code_inputs("sample_spectra.py"),
     output:
         expand(

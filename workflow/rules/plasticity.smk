@@ -6,8 +6,8 @@ INDENTED = STUDY["indent"]["surface"]
 rule measure_indents:
     """Measure the indents that contacts on one surface leave in the sphere: indent.nc."""
     input:
-        substrates=[FILES.stitched(INDENTED, scan) for scan in SELECTION.scans(INDENTED)],
-        spheres=[FILES.stitched(SPHERE, scan) for scan in SELECTION.scans(SPHERE)],
+        substrates=[FILES.stitched_path(INDENTED, scan) for scan in SELECTION.scans(INDENTED)],
+        spheres=[FILES.stitched_path(SPHERE, scan) for scan in SELECTION.scans(SPHERE)],
         code=code_inputs("measure_indents.py"),
     output:
         PATTERNS.dataset("indent"),

@@ -11,8 +11,8 @@ SAMPLED_MASTERS = [] if IS_PAPER_STUDY else CHUNKS.filtered_masters("sampled")
 rule synthesize_masters:
     """Continue the roughness of a scan below its pixels and beyond its size."""
     input:
-        scan=lambda w: FILES.stitched_of_realization(w.surface, int(w.realization)),
-        spectrum=lambda w: FILES.roughness_spectrum(w.surface),
+        scan=lambda w: FILES.realization_scan_path(w.surface, int(w.realization)),
+        spectrum=lambda w: FILES.roughness_spectrum_path(w.surface),
         code=code_inputs("synthesize_masters.py"),
     output:
         short=PATTERNS.short_master,
@@ -36,8 +36,8 @@ rule synthesize_masters:
 rule filter_masters:
     """Compute the forces of masters with all scales, and without those beyond each cutoff."""
     input:
-        unpack(CHUNKS.master_sources),
-        sphere=lambda w: FILES.first_sphere if w.probe == "rough" else [],
+        unpack(CHUNKS.master_inputs),
+        sphere=lambda w: FILES.first_sphere_path if w.probe == "rough" else [],
         code=code_inputs("filter_masters.py"),
     output:
         PATTERNS.filtered,
@@ -70,7 +70,7 @@ rule aggregate_scales:
             surfaces=[row.surface for row in CHUNKS.filtered_masters()],
             sampled_surfaces=[row.surface for row in SAMPLED_MASTERS],
             realizations=STUDY["scales"]["realizations"],
-            load=FILES.contact.load,
+            load=FILES.contact.load_name,
             **NAMED_SURFACES,
             rho=STUDY["scales"]["range"],
             sphere_radius=STUDY["sphere"]["radius"],

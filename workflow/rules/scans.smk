@@ -36,7 +36,7 @@ rule read_scan:
 rule measure_spectrum:
     """Join the spectra of all scans of a measured surface, each within its reliable band."""
     input:
-        measurements=lambda w: FILES.measurements(w.surface),
+        measurements=lambda w: FILES.measurement_paths(w.surface),
         code=code_inputs("measure_spectrum.py"),
     output:
         PATTERNS.measured_spectrum,
@@ -69,7 +69,7 @@ for scans, surfaces in FILES.scan_groups.items():
                 scan=SCAN_GRID,
                 seed=STUDY["seed"],
                 sphere_radius=STUDY["sphere"]["radius"] if w.surface == SPHERE else None,
-                has_features=w.surface in FILES.featured,
+                has_features=w.surface in FILES.featured_surfaces,
             ),
         script:
             "../scripts/make_scans.py"

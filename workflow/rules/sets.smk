@@ -52,7 +52,7 @@ rule sample_sets:
             pooled=SELECTION.pooled,
             master_surfaces=[row.surface for row in CHUNKS.filtered_masters("sets")],
             realizations=STUDY["sets"]["realizations"],
-            load=FILES.contact.load,
+            load=FILES.contact.load_name,
             statements=replicated_statements("resources/paper/claims.csv"),
             settings={
                 "seed": STUDY["seed"],

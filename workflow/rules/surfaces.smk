@@ -38,7 +38,7 @@ DESCRIPTION_INPUTS = {
     "tables": lambda w: SELECTION.tables(w.surface),
 }
 SUBSTITUTE_INPUTS = {
-    "spectrum": lambda w: FILES.spectrum(w.surface),
+    "spectrum": lambda w: FILES.spectrum_path(w.surface),
     "published_table1": PUBLISHED_TABLES["published_table1"],
     "published_constants": PUBLISHED_TABLES["published_constants"],
 }
@@ -65,7 +65,7 @@ def whole_parameters(surface, realizations):
         "seed": STUDY["seed"],
         "grid": FILES.whole_grid,
         "scan": SCAN_GRID,
-        "has_features": surface in FILES.featured,
+        "has_features": surface in FILES.featured_surfaces,
         "contact": CONTACT_AT_RANGE,
     }
 

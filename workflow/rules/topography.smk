@@ -5,15 +5,15 @@ rule aggregate_topography:
     """Measure rms metrics and power spectra of all scans, with averages: topography.nc."""
     input:
         scans=FILES.paths(PATTERNS.levelled, FILES.scans),
-        spectra=[FILES.spectrum(surface) for surface in SELECTION.surfaces],
-        conditionings=FILES.conditionings.values(),
+        spectra=[FILES.spectrum_path(surface) for surface in SELECTION.surfaces],
+        conditionings=FILES.conditioning_paths.values(),
         code=code_inputs("aggregate_topography.py"),
     output:
         PATTERNS.dataset("topography"),
     params:
         parameters=parameters(
             scans=FILES.scans,
-            conditioned=list(FILES.conditionings),
+            conditioned=list(FILES.conditioning_paths),
             **NAMED_SURFACES,
             sphere_surface=SPHERE,
             reference_surface=STUDY["reference_surface"],

@@ -12,8 +12,8 @@ TRACED = {
 rule trace_contact:
     """Trace gap, adhesive pressure and force over separation of one contact: contact.nc."""
     input:
-        substrate=FILES.stitched(TRACED["surface"], TRACED["scan"]),
-        sphere=FILES.stitched(SPHERE, TRACED["sphere_scan"]),
+        substrate=FILES.stitched_path(TRACED["surface"], TRACED["scan"]),
+        sphere=FILES.stitched_path(SPHERE, TRACED["sphere_scan"]),
         published_constants=PUBLISHED_TABLES["published_constants"],
         code=code_inputs("trace_contact.py"),
     output:

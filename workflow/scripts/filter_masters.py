@@ -12,7 +12,7 @@ from hardcontact.surfaces.synthesis import SEED_WORDS, SIDES
 
 with job(snakemake) as job:
     params = job.parameters
-    sources = job.input
+    inputs = job.input
     loaded_contacts = [
         Contact(
             radius=params["radii"][0],
@@ -22,18 +22,18 @@ with job(snakemake) as job:
         )
         for load in params["loads"]
     ]
-    sphere = read_height_map(sources.sphere) if sources.sphere else None
+    sphere = read_height_map(inputs.sphere) if inputs.sphere else None
     sides = [side for side in SIDES if side in params["sides"]]
     forces = {}
     for (index, realization), side in product(enumerate(params["realizations"]), sides):
         settings = params["sides"][side]
         if params["generator_name"] is None:
-            master = read_height_map(sources[f"{side}_masters"][index])
+            master = read_height_map(inputs[f"{side}_masters"][index])
         else:
             generator_name = f"{SEED_WORDS[side]}-scale {params['generator_name']}"
             names = params["seed"], params["surface"], realization, generator_name
             master = master_from_files(
-                side, generator(*names), sources.scans[index], sources.spectra[index], settings
+                side, generator(*names), inputs.scans[index], inputs.spectra[index], settings
             )
         forces[realization, side] = filtered_pull_off(
             master,

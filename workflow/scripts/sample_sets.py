@@ -7,13 +7,13 @@ from hardcontact.base.dataset import read, read_all
 from hardcontact.base.job import job
 from hardcontact.contact.stacked_datasets import read_masters
 from hardcontact.inference.published_fit import Pair, PublishedFit
-from hardcontact.paper.sampled_sets import SetSettings, gather_sources, sample_sets
+from hardcontact.paper.sampled_sets import SetSettings, gather_inputs, sample_sets
 
 with job(snakemake) as job:
     params = job.parameters
     constants = published.constants(job.input.published_constants)
     pair = Pair(*constants.loc[["range_of_adhesion", "work_of_adhesion"], "value"])
-    sources = gather_sources(
+    inputs = gather_inputs(
         {name: read(job.input[name]) for name in ("topography", "adhesion")},
         read_all(params["chunks"], job.input.pools),
         read_all(params["sample_chunks"], job.input.samples),
@@ -23,7 +23,7 @@ with job(snakemake) as job:
         ),
     )
     set_numbers = sample_sets(
-        sources,
+        inputs,
         pd.DataFrame(params["statements"]),
         constants,
         PublishedFit(published.measured_statistics(job.input.published_pull_off), pair),

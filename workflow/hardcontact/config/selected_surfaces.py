@@ -66,12 +66,12 @@ class Selection:
     The rows, one a scan, come from `selected_scans`. A sphere that is not in the table is smooth.
     `surfaces` are in the order of the table; `substrates` are all surfaces except the sphere's. By
     surface, `labels` has the name to print, `basis` has ``"measured"`` or ``"substitute"``, and
-    `sources` the digest of its files from `source_digests`.
+    `file_digests` the digest of its files from `digest_files`.
     """
 
-    def __init__(self, rows: pd.DataFrame, sphere: str, sources: Mapping[str, str]) -> None:
+    def __init__(self, rows: pd.DataFrame, sphere: str, file_digests: Mapping[str, str]) -> None:
         self._all_rows = rows
-        self.sources = sources
+        self.file_digests = file_digests
         self._rows = rows[rows.use == CONTACT]
         self._cells = rows.set_index(["surface", "scan"])
         self.sphere = sphere
@@ -183,13 +183,13 @@ def surface_table(path: str | Path) -> pd.DataFrame:
     return table
 
 
-def source_digests(rows: pd.DataFrame) -> dict[str, str]:
+def digest_files(rows: pd.DataFrame) -> dict[str, str]:
     """Return a digest of the files of each surface, in their order: a part of paths."""
-    sources: dict[str, dict[tuple[str, str, str], None]] = {}
+    surface_files: dict[str, dict[tuple[str, str, str], None]] = {}
     for row in rows.itertuples():
-        source = (str(row.source), str(row.dataset), digest(str(row.path)))
-        sources.setdefault(str(row.surface), {})[source] = None
-    return {surface: short_digest([*files]) for surface, files in sources.items()}
+        file = (str(row.source), str(row.dataset), digest(str(row.path)))
+        surface_files.setdefault(str(row.surface), {})[file] = None
+    return {surface: short_digest([*files]) for surface, files in surface_files.items()}
 
 
 def selected_scans(table: pd.DataFrame, scans: Literal["all"] | list[int]) -> pd.DataFrame:

@@ -30,7 +30,7 @@ class Contact:
     work: float = math.nan  #: Work of adhesion in J/m².
 
     @property
-    def load(self) -> str:
+    def load_name(self) -> str:
         """The load by its name, as it stands in paths: ``"H25GPa-F10uN"``, ``"rigid-F10uN"``."""
         hardness = f"H{self.hardness / 1e9:.12g}GPa" if self.plastic else "rigid"
         return f"{hardness}-F{self.preload * 1e6:.12g}uN"

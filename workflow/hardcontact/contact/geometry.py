@@ -19,7 +19,7 @@ Floats = NDArray[np.float64]
 #: places is 1.1 times as wide as from many, and each place costs the force sums of its contacts.
 SPHERE_PLACES = 16
 #: Contacts along a side at each of several places.
-CONTACTS_A_PLACE = 6
+PLACE_CONTACTS_PER_SIDE = 6
 
 
 @dataclass(frozen=True, eq=False)

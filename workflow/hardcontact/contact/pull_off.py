@@ -35,9 +35,8 @@ FORCE = {"units": "N", "long_name": "pull-off force at W = 1 J/m2"}
 
 def load_axis(loaded_contacts: Sequence[Contact]) -> dict[str, Axis]:
     """Return the coordinate of the loads of contacts, by name."""
-    return {
-        "load": (("load",), [contact.load for contact in loaded_contacts], {"long_name": "load"})
-    }
+    names = [contact.load_name for contact in loaded_contacts]
+    return {"load": (("load",), names, {"long_name": "load"})}
 
 
 def range_axis(ranges: Sequence[float]) -> dict[str, Axis]:

@@ -48,7 +48,8 @@ class Chunks:
     def pools(self) -> list[Chunk]:
         """The scans of all pools, for the sets: what compute_pool makes."""
         chunks = _spans(self._configuration["sets"]["pool"], POOL_CHUNK)
-        pooled = [name for name in self._selection.pooled if name not in self._files.featured]
+        featured = self._files.featured_surfaces
+        pooled = [name for name in self._selection.pooled if name not in featured]
         return [Chunk(surface, *chunk) for surface in pooled for chunk in chunks]
 
     @property
@@ -61,7 +62,7 @@ class Chunks:
         counts = dict.fromkeys(SIGNS, samples) | {GAUSSIAN: min(samples, FEATURED_SAMPLES_CHUNK)}
         return [
             SampleChunk(surface, kind, *chunk)
-            for surface in self._files.featured
+            for surface in self._files.featured_surfaces
             for kind, count in counts.items()
             for chunk in _spans(count, FEATURED_SAMPLES_CHUNK)
         ]
@@ -75,7 +76,7 @@ class Chunks:
     # Masters
 
     def filtered_masters(self, purpose: str = "scales") -> list[FilteredMasters]:
-        """Return the masters of a purpose: what filter_masters makes of their `master_sources`."""
+        """Return the masters of a purpose: what filter_masters makes of their `master_inputs`."""
         count = get_key(self._configuration, PURPOSES[purpose].realizations)
         chunks = _spans(count, PURPOSES[purpose].realizations_in_job)
         same_fields = {
@@ -114,7 +115,9 @@ class Chunks:
         grid = contact_grid(self._configuration, purpose)
         return {
             "radii": "+".join(f"R{path_token(radius, 'um')}" for radius in grid["radii"]),
-            "loads": "+".join(replace(self._files.contact, **load).load for load in grid["loads"]),
+            "loads": "+".join(
+                replace(self._files.contact, **load).load_name for load in grid["loads"]
+            ),
             "ranges": "+".join(f"rho{path_token(rho, 'nm')}" for rho in grid["ranges"]),
         }
 
@@ -123,10 +126,10 @@ class Chunks:
         configuration = self._configuration
         values = values_of_keys(configuration, (*SCAN_KEYS, "contact.window", "sphere.surface"))
         if configuration["scales"]["sphere_roughness"] or combines_bodies(configuration):
-            values["sphere"] = self._files.sphere_sources
+            values["sphere"] = self._files.sphere_digest
         return short_digest([filter_settings(configuration, purpose), values])
 
-    def master_sources(self, row: Any) -> dict[str, list[str]]:
+    def master_inputs(self, row: Any) -> dict[str, list[str]]:
         """Return what rule filter_masters reads for a row, one file a realization.
 
         Masters of the study are files; others are made from scans and spectra.
@@ -135,13 +138,13 @@ class Chunks:
         realizations = range(int(row.first), int(row.last) + 1)
         if PURPOSES[row.purpose].generator_name is None:
             return {
-                f"{side}_masters": [files.master(surface, number, side) for number in realizations]
+                f"{side}_masters": [files.master_path(surface, k, side) for k in realizations]
                 for side in SIDES
             }
         if row.purpose == "sampled":
-            scans = [files.stitched_of_realization(surface, number) for number in realizations]
-            spectra = [files.sampled_spectrum(surface, number) for number in realizations]
+            scans = [files.realization_scan_path(surface, k) for k in realizations]
+            spectra = [files.sampled_spectrum_path(surface, k) for k in realizations]
         else:
-            scans = [files.separate_stitched(surface, number) for number in realizations]
-            spectra = [files.spectrum(surface)] * len(scans)
+            scans = [files.separate_scan_path(surface, k) for k in realizations]
+            spectra = [files.spectrum_path(surface)] * len(scans)
         return {"scans": scans, "spectra": spectra}

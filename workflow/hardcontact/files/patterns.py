@@ -49,7 +49,7 @@ STORE_KEYS = {
 BOTH_BODIES_KEYS = ("published", "sphere.surface", "sphere.radius", "seed")
 BOTH_BODIES = frozenset({"both_bodies", "octaves", "masters", "pull_off"})
 
-_SURFACE = "{surface}/{sources}"
+_SURFACE = "{surface}/{digest}"
 _SCAN = f"{_SURFACE}/scan-{{scan}}-{{shape}}.nc"
 _REALIZATION = f"{_SURFACE}/realization-{{realization}}"
 _NUMBER = "[0-9.e+-]+"
@@ -83,7 +83,7 @@ class Patterns:
         self.store = store
         folder = {kind: f"{store}/{kind}/{digest}" for kind, digest in digests.items()}
 
-        rough_sphere = f"{sphere}/{{sphere_sources}}"
+        rough_sphere = f"{sphere}/{{sphere_digest}}"
 
         self.calibrated_spectrum = f"{store}/spectra/{_SURFACE}/calibrated.nc"
         self.measured_spectrum = f"{folder['measured_spectra']}/{_SURFACE}/measured-{{shape}}.nc"
@@ -100,16 +100,16 @@ class Patterns:
         self.elastic = f"{folder['elastic']}/{pair}/scan-{{sphere_scan}}.nc"
         self.asperities = f"{folder['asperities']}/{pair}/scan-{{sphere_scan}}.nc"
 
-        settings = f"{{radius}}/{{load}}/{{range}}/{_SURFACE}"
-        self.pool = f"{folder['pool']}/{settings}/scans-{{first}}-{{last}}.nc"
-        self.whole = f"{folder['whole']}/{settings}/surfaces-{{first}}-{{last}}.nc"
-        self.octaves = f"{folder['octaves']}/{rough_sphere}/{settings}/scan-{{scan}}.nc"
+        contact = f"{{radius}}/{{load}}/{{range}}/{_SURFACE}"
+        self.pool = f"{folder['pool']}/{contact}/scans-{{first}}-{{last}}.nc"
+        self.whole = f"{folder['whole']}/{contact}/surfaces-{{first}}-{{last}}.nc"
+        self.octaves = f"{folder['octaves']}/{rough_sphere}/{contact}/scan-{{scan}}.nc"
         # The band found here is the study's own.
         self.band_forces = f"{results}/band/{{surface}}.nc"
         self.featured_samples = (
-            f"{folder['featured_samples']}/{settings}/{{features}}/samples-{{first}}-{{last}}.nc"
+            f"{folder['featured_samples']}/{contact}/{{features}}/samples-{{first}}-{{last}}.nc"
         )
-        self.pull_off = f"{folder['pull_off']}/{rough_sphere}/{settings}/scan-{{scan}}.nc"
+        self.pull_off = f"{folder['pull_off']}/{rough_sphere}/{contact}/scan-{{scan}}.nc"
         self.master = f"{folder['masters']}/{_REALIZATION}/{{side}}.nc"
         self.short_master = self.master.replace("{side}", "short")
         self.long_master = self.master.replace("{side}", "long")
@@ -190,6 +190,6 @@ def wildcard_constraints(surfaces: Iterable[str]) -> dict[str, str]:
         "ranges": list_pattern(rho),
         "purpose": "|".join(PURPOSES),
         "settings": "[0-9a-f]+",
-        "sources": "[0-9a-f]+",
-        "sphere_sources": f"[0-9a-f]+|{SMOOTH}",
+        "digest": "[0-9a-f]+",
+        "sphere_digest": f"[0-9a-f]+|{SMOOTH}",
     }

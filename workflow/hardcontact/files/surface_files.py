@@ -9,7 +9,7 @@ from typing import Any
 from hardcontact.base.units import path_token
 from hardcontact.config.configuration import combines_bodies, study_contact
 from hardcontact.config.selected_surfaces import Selection
-from hardcontact.contact.geometry import CONTACTS_A_PLACE, SPHERE_PLACES
+from hardcontact.contact.geometry import PLACE_CONTACTS_PER_SIDE, SPHERE_PLACES
 from hardcontact.files.patterns import SMOOTH, Patterns
 
 # Rows of lists: their fields are wildcards of patterns.
@@ -27,12 +27,12 @@ class SurfaceFiles:
         self.selection = selection
         self.patterns = patterns
         self.contact = study_contact(configuration)
-        self.sphere_sources = selection.sources.get(selection.sphere, SMOOTH)
+        self.sphere_digest = selection.file_digests.get(selection.sphere, SMOOTH)
         self._defaults = {
             "radius": f"R{path_token(configuration['sphere']['radius'], 'um')}",
-            "load": self.contact.load,
+            "load": self.contact.load_name,
             "range": f"rho{path_token(configuration['scales']['range'], 'nm')}",
-            "sphere_sources": self.sphere_sources,
+            "sphere_digest": self.sphere_digest,
         }
         self._combines_bodies = combines_bodies(configuration)
 
@@ -41,7 +41,7 @@ class SurfaceFiles:
         is_sphere = surface == self.selection.sphere
         surface_values = {
             "shape": f"sphere-{self._defaults['radius']}" if is_sphere else "flat",
-            "sources": self.selection.sources[surface],
+            "digest": self.selection.file_digests[surface],
         }
         return pattern.format(surface=surface, **self._defaults | surface_values | wildcards)
 
@@ -51,14 +51,14 @@ class SurfaceFiles:
 
     # Surfaces
 
-    def spectrum(self, surface: str) -> str:
+    def spectrum_path(self, surface: str) -> str:
         """Return the spectrum of a surface at all scales."""
         is_measured = self.selection.basis[surface] == "measured"
         patterns = self.patterns
         pattern = patterns.measured_spectrum if is_measured else patterns.calibrated_spectrum
         return self.path(pattern, surface)
 
-    def measurements(self, surface: str) -> list[str]:
+    def measurement_paths(self, surface: str) -> list[str]:
         """Return the files of all scans of a measured surface; an empty list for a substitute."""
         if self.selection.basis[surface] != "measured":
             return []
@@ -77,17 +77,17 @@ class SurfaceFiles:
         """Return the levelling and the tip radii (nm) of the measurements of a surface."""
         return {"tip_radii": self.selection.tip_radii(surface), **self.levelling_settings(surface)}
 
-    def conditioning(self, surface: str, scan: int) -> str:
+    def conditioning_path(self, surface: str, scan: int) -> str:
         """Return the gain and factors that a substitute scan shares with its group."""
         group = self.selection.group(surface, scan)
         first_scan = self.selection.scans_of_group(surface, group)[0]
         return self.path(self.patterns.conditioning, surface, scan=first_scan)
 
     @property
-    def conditionings(self) -> dict[str, str]:
+    def conditioning_paths(self) -> dict[str, str]:
         """The conditioning of the study's own scans of each substitute, by surface."""
         return {
-            surface: self.conditioning(surface, self.selection.scans(surface)[0])
+            surface: self.conditioning_path(surface, self.selection.scans(surface)[0])
             for surface, basis in self.selection.basis.items()
             if basis == "substitute"
         }
@@ -98,36 +98,36 @@ class SurfaceFiles:
         realizations = max(self.configuration[key]["realizations"] for key in ("sets", "scaling"))
         selection = self.selection
         groups = defaultdict[tuple[int, ...], list[str]](list)
-        for surface in self.conditionings:
+        for surface in self.conditioning_paths:
             last_group = selection.group(surface, selection.separate_scan(surface, realizations))
             for group in range(last_group + 1):
                 groups[tuple(selection.scans_of_group(surface, group))].append(surface)
         return groups
 
-    def stitched(self, surface: str, scan: int) -> str:
+    def stitched_path(self, surface: str, scan: int) -> str:
         """Return a levelled scan with its mirror images."""
         return self.path(self.patterns.stitched, surface, scan=scan)
 
-    def stitched_of_realization(self, surface: str, realization: int) -> str:
+    def realization_scan_path(self, surface: str, realization: int) -> str:
         """Return the scan that a realization builds on, in turn where there are fewer scans."""
         scans = self.selection.scans(surface)
-        return self.roughness(surface, scans[(realization - 1) % len(scans)])
+        return self.roughness_path(surface, scans[(realization - 1) % len(scans)])
 
-    def separate_stitched(self, surface: str, realization: int) -> str:
+    def separate_scan_path(self, surface: str, realization: int) -> str:
         """Return the scan of a realization alone, which a substitute has; in turn if measured."""
         if self.selection.basis[surface] == "measured":
-            return self.stitched_of_realization(surface, realization)
-        return self.roughness(surface, self.selection.separate_scan(surface, realization))
+            return self.realization_scan_path(surface, realization)
+        return self.roughness_path(surface, self.selection.separate_scan(surface, realization))
 
-    def master(self, surface: str, realization: int, side: str) -> str:
+    def master_path(self, surface: str, realization: int, side: str) -> str:
         """Return the master of a realization on one side."""
         return self.path(self.patterns.master, surface, realization=realization, side=side)
 
     @property
-    def first_sphere(self) -> str:
+    def first_sphere_path(self) -> str:
         """The scan of the sphere that roughens the sphere of all masters."""
         sphere = self.selection.sphere
-        return self.stitched(sphere, self.selection.scans(sphere)[0])
+        return self.stitched_path(sphere, self.selection.scans(sphere)[0])
 
     # Both bodies
 
@@ -146,19 +146,19 @@ class SurfaceFiles:
             bodies.append(Scan(self.selection.sphere, self.sphere_scan(surface, scan)))
         return bodies
 
-    def roughness(self, surface: str, scan: int) -> str:
+    def roughness_path(self, surface: str, scan: int) -> str:
         """Return the stitched scan of a substrate, with the sphere's roughness if that is added."""
         if surface not in self.combined_surfaces:
-            return self.stitched(surface, scan)
+            return self.stitched_path(surface, scan)
         return self.path(self.patterns.both_stitched, surface, scan=scan)
 
-    def roughness_spectrum(self, surface: str) -> str:
+    def roughness_spectrum_path(self, surface: str) -> str:
         """Return the spectrum of a surface, with the sphere's if its roughness is added."""
         if surface not in self.combined_surfaces:
-            return self.spectrum(surface)
+            return self.spectrum_path(surface)
         return self.path(self.patterns.both_spectrum, surface)
 
-    def sampled_spectrum(self, surface: str, realization: int) -> str:
+    def sampled_spectrum_path(self, surface: str, realization: int) -> str:
         """Return a sampled spectrum of a surface, with the sphere's if its roughness is added."""
         is_combined = surface in self.combined_surfaces
         patterns = self.patterns
@@ -195,10 +195,10 @@ class SurfaceFiles:
         return list(range(1, count + 1))
 
     @property
-    def contacts_a_place(self) -> int:
+    def place_contacts_per_side(self) -> int:
         """Contacts along a side of their array at each place on the sphere."""
         count = int(self.configuration["contact"]["contacts_per_side"])
-        return count if self.places_per_side == 1 else min(count, CONTACTS_A_PLACE)
+        return count if self.places_per_side == 1 else min(count, PLACE_CONTACTS_PER_SIDE)
 
     # Scans
 
@@ -240,7 +240,7 @@ class SurfaceFiles:
         return [scan for scan in self.substrate_scans if scan.surface not in self.substitutes]
 
     @property
-    def featured(self) -> list[str]:
+    def featured_surfaces(self) -> list[str]:
         """The substrate whose scans have features, if it is a substitute of a published surface."""
         surface = self.configuration["scan"]["featured_surface"]
         return [name for name in self.selection.pooled if name == surface]

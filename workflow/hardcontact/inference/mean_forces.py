@@ -184,12 +184,12 @@ def half_width_over_masters(
         "realization",
         lambda kept_contacts: contact_statistic(kept_contacts).mean("realization"),
     )
-    sources = [jackknife_variance(logarithms, masters.scan_parts)]
+    variances = [jackknife_variance(logarithms, masters.scan_parts)]
     count = masters.forces.sizes["realization"]
     if masters.scan_parts.are_quarters and count > 1:
         logarithms = np.log(contact_statistic(xr.DataArray(True)).values)
-        sources.append(Variance(logarithms.var(axis=0, ddof=1) / count, count - 1))
+        variances.append(Variance(logarithms.var(axis=0, ddof=1) / count, count - 1))
     shifts = masters.forces.get(shift)
     if shifts is not None and shifts.notnull().any():
-        sources.append(Variance((shifts**2).mean("realization").values, count))
-    return half_width(sources, confidence)
+        variances.append(Variance((shifts**2).mean("realization").values, count))
+    return half_width(variances, confidence)

@@ -172,18 +172,18 @@ def jackknife_variance(logarithms: np.ndarray, scan_parts: ScanParts) -> Varianc
     return Variance((len(logarithms) - 1) * logarithms.var(axis=0) * factor, freedom)
 
 
-def half_width(sources: Sequence[Variance], confidence: float) -> np.ndarray:
-    """Return the half width of the interval of a logarithm whose variance has several sources.
+def half_width(variances: Sequence[Variance], confidence: float) -> np.ndarray:
+    """Return the half width of the interval of a logarithm with several causes of variance.
 
-    It follows from Student's t with the sum of the variances v_i (...) of independent sources and
-    the degrees of freedom (sum v_i)²/sum(v_i²/f_i) of Welch and Satterthwaite. NaN if a variance is
+    It follows from Student's t with the sum of the independent variances v_i (...) and the
+    degrees of freedom (sum v_i)²/sum(v_i²/f_i) of Welch and Satterthwaite. NaN if a variance is
     NaN, or if all variances are rounding.
     """
     from scipy import special
 
-    total = np.asarray(sum(source.value for source in sources))
+    total = np.asarray(sum(variance.value for variance in variances))
     positive = np.where(total > 0, total, 1.0)
-    inverse = sum((source.value / positive) ** 2 / source.freedom for source in sources)
+    inverse = sum((variance.value / positive) ** 2 / variance.freedom for variance in variances)
     inverse = np.where(total > 0, inverse, 1.0)
     quantile = special.stdtrit(1 / inverse, (1 + confidence) / 2)
     half = np.minimum(quantile * np.sqrt(total), MAX_HALF_WIDTH)

@@ -12,7 +12,7 @@ from hardcontact.config.grids import Grid, minimum_range, periods_in_window
 from hardcontact.contact.contact import PLASTIC, Contact
 from hardcontact.contact.finite_scan import LARGE_ENOUGH, finite_scan_ratio
 from hardcontact.contact.geometry import (
-    CONTACTS_A_PLACE,
+    PLACE_CONTACTS_PER_SIDE,
     SPHERE_PLACES,
     join_bodies,
     places_on_sphere,
@@ -125,7 +125,7 @@ def _forces(surface: HeightMap, body_maps: Sequence[HeightMap], contact: Contact
     pairs = [join_bodies(surface, None, contact)]
     if body_maps:
         substrate, sphere = (stitched_map(body) for body in body_maps)
-        contact = replace(contact, contacts_per_side=CONTACTS_A_PLACE)
+        contact = replace(contact, contacts_per_side=PLACE_CONTACTS_PER_SIDE)
         places = places_on_sphere(sphere, math.isqrt(SPHERE_PLACES))
         pairs = [join_bodies(substrate, place, contact) for place in places]
     return stack_sphere_scans(

@@ -41,7 +41,7 @@ SAMPLE_STATISTICS = {
 Floats = NDArray[np.float64]
 
 
-class SampleSources(NamedTuple):
+class SampleInputs(NamedTuple):
     """Everything from which the forces of samples are computed."""
 
     featured: FeaturedSurface
@@ -50,39 +50,39 @@ class SampleSources(NamedTuple):
     ranges: list[float]  #: Ranges of adhesion in nm.
 
 
-def read_sample_sources(inputs: Any, parameters: Mapping[str, Any]) -> SampleSources:
-    """Read the sources of samples: spectrum, Table 1 and constants at the paths of the inputs."""
-    featured = read_featured_surface(inputs, parameters)
+def read_sample_inputs(paths: Any, parameters: Mapping[str, Any]) -> SampleInputs:
+    """Read the spectrum, Table 1 and constants from their paths."""
+    featured = read_featured_surface(paths, parameters)
     contact = Contact(radius=parameters["radius"], **parameters["contact"])
-    return SampleSources(featured, parameters["scans"], contact, parameters["ranges"])
+    return SampleInputs(featured, parameters["scans"], contact, parameters["ranges"])
 
 
-def compute_samples(kind: str, numbers: Sequence[int], sources: SampleSources) -> xr.Dataset:
+def compute_samples(kind: str, numbers: Sequence[int], inputs: SampleInputs) -> xr.Dataset:
     """Return forces (sample, scan, contact_model, rho, contact) in N at 1 J/m², and metrics.
 
     The kind of surface is bumps, pits or gaussian.
     """
     samples = [
-        _compute_sample(kind, number, sources)
+        _compute_sample(kind, number, inputs)
         for number in progress(numbers, len(numbers), "surfaces with features")
     ]
     return xr.concat(samples, pd.Index(list(numbers), name="sample"))
 
 
-def _compute_sample(kind: str, number: int, sources: SampleSources) -> xr.Dataset:
+def _compute_sample(kind: str, number: int, inputs: SampleInputs) -> xr.Dataset:
     """Return forces, roughness and features of one sample."""
-    scans = range(1, sources.scans + 1)
-    features, group = sample_group(sources.featured, kind, scans, number)
-    forces = {(scan,): _scan_forces(level(group[scan - 1]), sources) for scan in scans}
-    base_rms_height = sources.featured.mean_rms_height
+    scans = range(1, inputs.scans + 1)
+    features, group = sample_group(inputs.featured, kind, scans, number)
+    forces = {(scan,): _scan_forces(level(group[scan - 1]), inputs) for scan in scans}
+    base_rms_height = inputs.featured.mean_rms_height
     return stack(forces, ["scan"]).assign(describe_features(features, base_rms_height))
 
 
-def _scan_forces(scan: HeightMap, sources: SampleSources) -> xr.Dataset:
+def _scan_forces(scan: HeightMap, inputs: SampleInputs) -> xr.Dataset:
     """Return the forces of a smooth sphere on a levelled scan, and its metrics of Table 1."""
     roughness = measured_metrics(scan, TABLE1_METRICS.values())
     return roughness.assign(
-        pull_off_force=smooth_sphere_forces(scan, sources.contact, sources.ranges)
+        pull_off_force=smooth_sphere_forces(scan, inputs.contact, inputs.ranges)
     )
 
 

@@ -29,7 +29,7 @@ from hardcontact.surfaces.synthesis import ScanGrid, sample_scan
 MIN_HEIGHT_RATIO = 0.05
 
 
-class PoolSources(NamedTuple):
+class PoolInputs(NamedTuple):
     """Everything from which the scans of a pool are made."""
 
     surface: str  #: Name of the substrate.
@@ -42,20 +42,20 @@ class PoolSources(NamedTuple):
     seed: int  #: Seed of the study.
 
 
-def read_pool_sources(inputs: Any, parameters: Mapping[str, Any]) -> PoolSources:
-    """Read the sources of a pool: the spectrum, Table 1 and constants at the paths of the inputs.
+def read_pool_inputs(paths: Any, parameters: Mapping[str, Any]) -> PoolInputs:
+    """Read the spectrum, Table 1 and constants from their paths, the inputs of a job.
 
     Raises ValueError if the paper has no rms height of the surface.
     """
-    spectrum = dataset.read(inputs.spectrum)
+    spectrum = dataset.read(paths.spectrum)
     surface = parameters["surface"]
-    rows = rows_of_surface(published.table1(inputs.published_table1), surface)
-    constants = published.constants(inputs.published_constants)
+    rows = rows_of_surface(published.table1(paths.published_table1), surface)
+    constants = published.constants(paths.published_constants)
     grid = ScanGrid(**parameters["scan"])
     targets = scan_targets(spectrum, rows, constants, grid)
     if targets is None:
         raise ValueError(f"{surface}: expected a published rms height, found none")
-    return PoolSources(
+    return PoolInputs(
         surface,
         spectrum_of_dataset(spectrum),
         targets,
@@ -93,22 +93,22 @@ def height_weights(heights: Floats, targets: Floats) -> Floats:
     return np.asarray(spline(np.sqrt(targets)))
 
 
-def compute_pool(numbers: Sequence[int], sources: PoolSources) -> xr.Dataset:
+def compute_pool(numbers: Sequence[int], inputs: PoolInputs) -> xr.Dataset:
     """Return the `forces_at_heights` of some scans of a pool, by number of the scan."""
     scans = [
-        forces_at_heights(pool_scan(number, sources), sources)
+        forces_at_heights(pool_scan(number, inputs), inputs)
         for number in progress(numbers, len(numbers), "scans of the pool")
     ]
-    targets = sources.targets
+    targets = inputs.targets
     return xr.concat(scans, pd.Index(list(numbers), name="scan")).assign_attrs(
         mean_rms_height=targets.means["rms_height"], rms_height_deviation=targets.rms_height_std
     )
 
 
-def pool_scan(number: int, sources: PoolSources) -> HeightMap:
+def pool_scan(number: int, inputs: PoolInputs) -> HeightMap:
     """Return a levelled scan of the pool, with the rms height of its sample."""
-    rng = generator(sources.seed, sources.surface, number, "pool")
-    return level(sample_scan(rng, sources.spectrum, sources.grid))
+    rng = generator(inputs.seed, inputs.surface, number, "pool")
+    return level(sample_scan(rng, inputs.spectrum, inputs.grid))
 
 
 def smooth_sphere_forces(scan: HeightMap, contact: Contact, ranges: list[float]) -> xr.DataArray:
@@ -117,19 +117,19 @@ def smooth_sphere_forces(scan: HeightMap, contact: Contact, ranges: list[float])
     return pull_off_dataset(contact_bodies, contact, ranges)["pull_off_force"]
 
 
-def forces_at_heights(scan: HeightMap, sources: PoolSources) -> xr.Dataset:
+def forces_at_heights(scan: HeightMap, inputs: PoolInputs) -> xr.Dataset:
     """Return the forces on a levelled scan at several rms heights, and its unscaled metrics.
 
     ``log_force`` (rms_height_of_force, contact_model, rho, contact_y, contact_x) is ln(force in N).
     """
-    contact = sources.contact
+    contact = inputs.contact
     roughness = measured_metrics(scan, TABLE1_METRICS.values())
     forces = []
-    for rms_height in sources.rms_heights:
+    for rms_height in inputs.rms_heights:
         factor = rms_height / roughness["rms_height"].item()
         scaled = replace(scan, heights=factor * scan.heights)
-        forces.append(smooth_sphere_forces(scaled, contact, sources.ranges))
-    axis = xr.Variable("rms_height_of_force", sources.rms_heights, {"units": "nm"})
+        forces.append(smooth_sphere_forces(scaled, contact, inputs.ranges))
+    axis = xr.Variable("rms_height_of_force", inputs.rms_heights, {"units": "nm"})
     height_forces = xr.concat(forces, xr.DataArray(axis, name="rms_height_of_force"))
     log_force: xr.DataArray = xr.apply_ufunc(np.log, height_forces).astype("float32")
     log_force.attrs = {"units": "1", "long_name": "logarithm of the pull-off force in N at 1 J/m2"}

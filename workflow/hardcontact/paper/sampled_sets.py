@@ -42,7 +42,7 @@ SET_FIT_VARIABLES = [
 SET_EDGE_VARIABLES = ["filtered_force_ratio", "filtered_force_change", "edge", "edge_bound"]
 
 
-class Sources(NamedTuple):
+class SetInputs(NamedTuple):
     """Datasets from which all sets are made."""
 
     topography: xr.Dataset  #: topography.nc of the study.
@@ -66,13 +66,13 @@ class SetSettings(NamedTuple):
     confidence: float  #: Confidence of the intervals.
 
 
-def gather_sources(
+def gather_inputs(
     study: Mapping[str, xr.Dataset],
     chunks: Mapping[tuple[Any, ...], xr.Dataset],
     sample_chunks: Mapping[tuple[Any, ...], xr.Dataset],
     pooled: Sequence[str],
     masters: xr.Dataset,
-) -> Sources:
+) -> SetInputs:
     """Join the chunks of pools and samples, and compute the factor of the rough sphere.
 
     `chunks` come from `pool.compute_pool`, by substrate, first and last scan; `sample_chunks` from
@@ -86,7 +86,7 @@ def gather_sources(
     smooth = study["adhesion"]["smooth_sphere_force"].mean("scan")
     for surface in pooled:
         factor.loc[{"surface": surface}] = (rough / smooth).sel(surface=surface, drop=True)
-    return Sources(
+    return SetInputs(
         study["topography"],
         study["adhesion"],
         {surface: pool for (surface,), pool in pools.items()},
@@ -153,15 +153,15 @@ def scale_to_sampled_mean(forces: xr.DataArray, rng: np.random.Generator) -> xr.
     return (forces * factor).transpose(*forces.dims)
 
 
-def sample_set_scans(sources: Sources, seed: int, set_number: int) -> dict[str, xr.Dataset]:
+def sample_set_scans(inputs: SetInputs, seed: int, set_number: int) -> dict[str, xr.Dataset]:
     """Sample the scans of a set for substrates with a pool or samples, as many as the study."""
-    counts = sources.topography["rms_height"].count("scan").to_series()
+    counts = inputs.topography["rms_height"].count("scan").to_series()
     sampled_scans = {
         name: sample_scans(pool, generator(seed, name, set_number, "set", "scans"), counts[name])
-        for name, pool in sources.pools.items()
+        for name, pool in inputs.pools.items()
     }
     return sampled_scans | {
-        name: sample_of_set(samples, set_number) for name, samples in sources.samples.items()
+        name: sample_of_set(samples, set_number) for name, samples in inputs.samples.items()
     }
 
 
@@ -181,18 +181,18 @@ def set_topography(study: xr.Dataset, sampled_scans: SampledScans, confidence: f
 
 
 def set_adhesion(
-    sources: Sources, sampled_scans: SampledScans, seed: int, set_number: int
+    inputs: SetInputs, sampled_scans: SampledScans, seed: int, set_number: int
 ) -> xr.Dataset:
     """Return the pull-off forces of a set, as in adhesion.nc.
 
     Forces of sampled scans are their forces on a smooth sphere times the factor of the rough
     sphere. Other substrates keep their scans and get another mean.
     """
-    study = sources.adhesion
+    study = inputs.adhesion
     surface_forces = []
     for surface in study["surface"].values.tolist():
         if surface in sampled_scans:
-            factor = sources.sphere_factor.sel(surface=surface, drop=True)
+            factor = inputs.sphere_factor.sel(surface=surface, drop=True)
             forces = (sampled_scans[surface]["pull_off_force"] * factor).expand_dims(
                 sphere_scan=[1]
             )
@@ -229,7 +229,7 @@ def set_edges(
 
 
 def sample_sets(
-    sources: Sources,
+    inputs: SetInputs,
     statements: pd.DataFrame,
     constants: pd.DataFrame,
     published: PublishedFit,
@@ -243,7 +243,7 @@ def sample_sets(
     numbers = range(1, settings.replicates + 1)
     sets = []
     for set_number in progress(numbers, len(numbers), "sets"):
-        datasets = _set_datasets(sources, constants["value"], published, settings, set_number)
+        datasets = _set_datasets(inputs, constants["value"], published, settings, set_number)
         value = claim_values(statements, datasets, constants)
         claims = xr.Dataset({"value": ("claim", value)}, {"claim": value.index.to_list()})
         variables = [
@@ -253,14 +253,14 @@ def sample_sets(
         ]
         sets.append(xr.merge(variables, join="exact", combine_attrs="drop_conflicts"))
     return xr.concat(sets, pd.Index(numbers, name="set")).assign(
-        sphere_factor=sources.sphere_factor.assign_attrs(
+        sphere_factor=inputs.sphere_factor.assign_attrs(
             units="1", long_name="pull-off force of the rough sphere relative to a smooth sphere"
         )
     )
 
 
 def _set_datasets(
-    sources: Sources,
+    inputs: SetInputs,
     constants: "pd.Series[float]",
     published: PublishedFit,
     settings: SetSettings,
@@ -268,13 +268,13 @@ def _set_datasets(
 ) -> dict[str, xr.Dataset]:
     """Return the datasets of one set by the names that claims give them."""
     sampling = Sampling(settings.seed, 0, settings.confidence)
-    sampled_scans = sample_set_scans(sources, settings.seed, set_number)
-    adhesion = set_adhesion(sources, sampled_scans, settings.seed, set_number)
+    sampled_scans = sample_set_scans(inputs, settings.seed, set_number)
+    adhesion = set_adhesion(inputs, sampled_scans, settings.seed, set_number)
     edges = set_edges(
-        sources.masters, settings.realizations, settings.tolerance, sampling, set_number
+        inputs.masters, settings.realizations, settings.tolerance, sampling, set_number
     )
     return {
-        "topography": set_topography(sources.topography, sampled_scans, settings.confidence),
+        "topography": set_topography(inputs.topography, sampled_scans, settings.confidence),
         "adhesion": adhesion,
         "fit": fit_published(
             adhesion,

@@ -130,7 +130,7 @@ def stored_scan(config: dict[str, Any], row: Any) -> HeightMap:
     """
     pattern = escape(study_patterns(config).measurement)
     arguments = reading_keys(config, row.dataset)
-    for stored in glob(pattern.format(surface=row.surface, scan=row.scan, sources="*")):
+    for stored in glob(pattern.format(surface=row.surface, scan=row.scan, digest="*")):
         if is_current(stored, canonical_json(arguments), row.path):
             return read_height_map(stored)
     return read_scan(row.path, **arguments)

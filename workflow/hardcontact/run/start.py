@@ -29,8 +29,8 @@ from hardcontact.config.faults import key_fields, run_checks, shorten
 from hardcontact.config.model import NONE, Study, numeric_configuration
 from hardcontact.config.selected_surfaces import (
     Selection,
+    digest_files,
     selected_scans,
-    source_digests,
     surface_table,
 )
 from hardcontact.files.patterns import Patterns
@@ -198,7 +198,7 @@ def checked_selection(workflow: Any, configuration: dict[str, Any]) -> Selection
         write_pins()  # A run that is refused writes nothing.
     except ValueError as error:
         _refuse(error)
-    return Selection(rows, configuration["sphere"]["surface"], source_digests(rows))
+    return Selection(rows, configuration["sphere"]["surface"], digest_files(rows))
 
 
 def keep_logs(workflow: Any, patterns: Patterns) -> None:

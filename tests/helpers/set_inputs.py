@@ -5,7 +5,7 @@ import pandas as pd
 import xarray as xr
 from paper_numbers import MEAN_FORCE, SUBSTRATES, SURFACES, TABLE1
 
-from hardcontact.paper.sampled_sets import Sources
+from hardcontact.paper.sampled_sets import SetInputs
 from hardcontact.surfaces.height_map import METRICS
 from hardcontact.surfaces.roughness_table import scan_averages
 
@@ -122,14 +122,14 @@ def make_masters(realizations=6):
     )
 
 
-def make_sources(measured_surfaces=()):
-    """Sources of sets; measured surfaces have no pool."""
+def make_inputs(measured_surfaces=()):
+    """Inputs of sets; measured surfaces have no pool."""
     factor = xr.DataArray(
         np.full((2, 4, len(RHO)), [[[0.9]], [[0.95]]]),
         {"contact_model": MODELS, "surface": SUBSTRATES, "rho": RHO},
         ("contact_model", "surface", "rho"),
     )
     pools = {name: make_pool(name) for name in SUBSTRATES if name not in measured_surfaces}
-    return Sources(
+    return SetInputs(
         make_topography(measured_surfaces), make_adhesion(), pools, {}, factor, make_masters()
     )
