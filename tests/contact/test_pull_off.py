@@ -116,7 +116,7 @@ def test_the_force_on_every_filtered_master_is_the_direct_sum(sphere, side, end)
                 direct_sum = direct_force(
                     gap_map(pair_on_filtered, contact), count, 5.6, pixel_size
                 )
-                force = forces.sel(load=load.load).values[contact]
+                force = forces.sel(load=load.load_name).values[contact]
                 # Sums on a smooth sphere are in single precision.
                 assert force == pytest.approx(direct_sum, rel=1e-6 if sphere is None else 1e-9)
 
