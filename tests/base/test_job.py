@@ -13,7 +13,7 @@ from refusals import assert_says
 from repository import ROOT, environment
 
 from hardcontact.base import dataset
-from hardcontact.base.job import job, job_log, progress
+from hardcontact.base.job import job_log, progress, run_job
 from hardcontact.base.origin import canonical_json, digest, read_record
 
 PARAMETERS = {"surface": "uncd", "range": 5.6}
@@ -47,10 +47,8 @@ def snakemake(tmp_path, monkeypatch):
 
 
 def test_a_dataset_is_written_with_its_origin(snakemake):
-    with job(snakemake) as running_job:
-        running_job.write(
-            xr.Dataset({"a": ("x", [1.0])}, attrs={"basis": "measured"}), "a title", "data"
-        )
+    with run_job(snakemake) as job:
+        job.write(xr.Dataset({"a": ("x", [1.0])}, attrs={"basis": "measured"}), "a title", "data")
     written = dataset.read("made/data.nc")
     assert written.a.values.tolist() == [1.0] and written.attrs["basis"] == "measured"
     assert written.attrs["title"] == "a title" and written.attrs["Conventions"].startswith("CF-")
@@ -60,9 +58,9 @@ def test_a_dataset_is_written_with_its_origin(snakemake):
 
 
 def test_every_file_has_a_record(snakemake, tmp_path):
-    with job(snakemake) as running_job:
-        running_job.write_text("µ\n", "text")
-        running_job.copy(running_job.input.scan, "data")
+    with run_job(snakemake) as job:
+        job.write_text("µ\n", "text")
+        job.copy(job.input.scan, "data")
     assert (tmp_path / "made/text.txt").read_bytes() == "µ\n".encode()
     assert (tmp_path / "made/data.nc").read_text() == "scan.txt"
     for path in snakemake.output:
@@ -84,19 +82,19 @@ def errors(monkeypatch, capsys):
 
 
 def test_a_changed_input_stops_the_job(snakemake, tmp_path, errors):
-    with job(snakemake) as running_job:
-        running_job.write_text("made", "text")
+    with run_job(snakemake) as job:
+        job.write_text("made", "text")
     snakemake.input, snakemake.output = Named(text="made/text.txt"), Named(data="made/data.nc")
     (tmp_path / "made/text.txt").write_text("madf")
-    with pytest.raises(SystemExit), job(snakemake):
+    with pytest.raises(SystemExit), run_job(snakemake):
         pytest.fail("computed with a changed input")
     assert_says(errors(), "error: made/text.txt: expected", "run again")
 
 
 @pytest.mark.parametrize("path", ["scan.txt", "script.py"])
 def test_an_input_that_changes_while_the_job_runs_fails_it(snakemake, tmp_path, errors, path):
-    with pytest.raises(SystemExit), job(snakemake) as running_job:
-        running_job.write_text("made", "text")
+    with pytest.raises(SystemExit), run_job(snakemake) as job:
+        job.write_text("made", "text")
         (tmp_path / path).write_text("another")
     assert_says(errors(), f"error: {path}: expected", "its inputs changed")
     assert read_record("made/text.txt") is None
@@ -105,9 +103,9 @@ def test_an_input_that_changes_while_the_job_runs_fails_it(snakemake, tmp_path, 
 def test_a_job_that_is_killed_leaves_no_record_of_an_earlier_file(snakemake):
     """The record is gone before the file is replaced."""
     for text in ("first", "second"):
-        with job(snakemake) as running_job:
+        with run_job(snakemake) as job:
             assert read_record("made/text.txt") is None
-            running_job.write_text(text, "text")
+            job.write_text(text, "text")
 
 
 @pytest.mark.parametrize(

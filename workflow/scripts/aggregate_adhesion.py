@@ -1,10 +1,10 @@
 """Pull-off forces of all surfaces, pairs of scans, contact models and ranges of adhesion."""
 
 from hardcontact.base.dataset import read_all
-from hardcontact.base.job import job
+from hardcontact.base.job import run_job
 from hardcontact.contact.stacked_datasets import stacked_pull_off_forces
 
-with job(snakemake) as job:
+with run_job(snakemake) as job:
     params = job.parameters
     forces = stacked_pull_off_forces(read_all(params["scans"], job.input.scans), params)
     job.write(

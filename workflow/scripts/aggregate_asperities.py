@@ -1,10 +1,10 @@
 """Asperities that carry the force, of all surfaces and scans."""
 
 from hardcontact.base.dataset import read_all, stack
-from hardcontact.base.job import job
+from hardcontact.base.job import run_job
 from hardcontact.contact.stacked_datasets import add_names
 
-with job(snakemake) as job:
+with run_job(snakemake) as job:
     params = job.parameters
     scans = read_all(params["scans"], job.input.scans)
     job.write(

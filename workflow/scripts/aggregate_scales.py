@@ -1,6 +1,6 @@
 """Pull-off forces of every filtered master, and their ratio to the unfiltered force."""
 
-from hardcontact.base.job import job
+from hardcontact.base.job import run_job
 from hardcontact.contact.stacked_datasets import (
     add_names,
     add_spectrum_shifts,
@@ -8,7 +8,7 @@ from hardcontact.contact.stacked_datasets import (
     read_masters,
 )
 
-with job(snakemake) as job:
+with run_job(snakemake) as job:
     params = job.parameters
     limits = params["realizations"], params["load"]
     forces = read_masters(params["surfaces"], job.input.masters, *limits)

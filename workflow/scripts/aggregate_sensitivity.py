@@ -3,13 +3,13 @@
 import xarray as xr
 
 from hardcontact.base.dataset import concatenate, read, read_all
-from hardcontact.base.job import job
+from hardcontact.base.job import run_job
 from hardcontact.contact.stacked_datasets import add_names
 from hardcontact.inference.hindcast import all_hindcasts
 from hardcontact.inference.mean_forces import fewest_places
 from hardcontact.inference.octaves import band_ratios_by_surface, sensitivities_by_surface
 
-with job(snakemake) as job:
+with run_job(snakemake) as job:
     params = job.parameters
     files = read_all(params["maps"], job.input.maps)
     maps = {surface: forces for (surface,), forces in concatenate(files, "map", 1).items()}

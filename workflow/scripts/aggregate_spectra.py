@@ -1,10 +1,10 @@
 """Spectra of all surfaces: joined from measured scans, or described for substitutes."""
 
 from hardcontact.base import dataset
-from hardcontact.base.job import job
+from hardcontact.base.job import run_job
 from hardcontact.surfaces.spectrum_datasets import convert_described_spectrum, stack_spectra
 
-with job(snakemake) as job:
+with run_job(snakemake) as job:
     params = job.parameters
     paths = zip(params["surfaces"], job.input.spectra, strict=True)
     spectra = {surface: dataset.read(path) for surface, path in paths}

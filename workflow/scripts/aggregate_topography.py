@@ -1,11 +1,11 @@
 """Table 1 and the PSDs: every scan, and their averages."""
 
 from hardcontact.base import dataset
-from hardcontact.base.job import job
+from hardcontact.base.job import run_job
 from hardcontact.surfaces.height_map import read_height_map
 from hardcontact.surfaces.roughness_table import measured_roughness, roughness_table
 
-with job(snakemake) as job:
+with run_job(snakemake) as job:
     params = job.parameters
     keys = [tuple(key) for key in params.pop("scans")]
     paths = dict(zip(keys, job.input.scans, strict=True))

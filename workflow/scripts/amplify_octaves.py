@@ -5,7 +5,7 @@ from functools import partial
 import xarray as xr
 
 from hardcontact.base.dataset import read
-from hardcontact.base.job import job
+from hardcontact.base.job import run_job
 from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact
 from hardcontact.inference.hindcast import (
@@ -19,7 +19,7 @@ from hardcontact.inference.octaves import force_function, octave_force_dataset, 
 from hardcontact.surfaces.height_map import read_height_map
 from hardcontact.surfaces.spectrum import read_spectrum
 
-with job(snakemake) as job:
+with run_job(snakemake) as job:
     params = job.parameters
     stitched = read_height_map(job.input.stitched)
     sphere = read_height_map(job.input.sphere) if job.input.sphere else None

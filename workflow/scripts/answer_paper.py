@@ -6,7 +6,7 @@ import yaml
 
 from hardcontact.base import published
 from hardcontact.base.dataset import read
-from hardcontact.base.job import job
+from hardcontact.base.job import run_job
 from hardcontact.base.packages import read_pins
 from hardcontact.paper.verdicts import add_open_ends, read_verdicts
 from hardcontact.report.figures.listing import caption
@@ -20,7 +20,7 @@ DATASETS = (
     "topography", "scales", "edges", "sensitivity", "sets", "features", "scan_size",
 )  # fmt: skip
 
-with job(snakemake) as job:
+with run_job(snakemake) as job:
     datasets = {name: read(job.input[name]) for name in DATASETS}
     claims = read_verdicts(job.input.claims)
     claims = add_open_ends(claims, [datasets["edges"], datasets["sets"]])

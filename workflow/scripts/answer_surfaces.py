@@ -6,7 +6,7 @@ import pandas as pd
 import yaml
 
 from hardcontact.base import dataset
-from hardcontact.base.job import job
+from hardcontact.base.job import run_job
 from hardcontact.report.figures.listing import FILE_KINDS
 from hardcontact.report.own_surfaces.answer import own_answer
 from hardcontact.report.own_surfaces.datasets import Datasets, Setting
@@ -15,7 +15,7 @@ from hardcontact.report.own_surfaces.page import own_page
 from hardcontact.report.quantities import answer_text
 from hardcontact.report.templates import Frame
 
-with job(snakemake) as job:
+with run_job(snakemake) as job:
     paths = {name: getattr(job.input, name, None) for name in Datasets._fields}
     datasets = Datasets(
         **{name: dataset.read(path) if path else None for name, path in paths.items()}

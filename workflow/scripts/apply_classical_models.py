@@ -2,11 +2,11 @@
 
 from hardcontact.base import published
 from hardcontact.base.dataset import read
-from hardcontact.base.job import job
+from hardcontact.base.job import run_job
 from hardcontact.base.statistics import Sampling
 from hardcontact.paper.classical_comparison import apply_classical_models
 
-with job(snakemake) as job:
+with run_job(snakemake) as job:
     job.write(
         apply_classical_models(
             read(job.input.fit),

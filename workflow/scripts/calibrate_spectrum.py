@@ -1,10 +1,10 @@
 """C_iso of a substitute surface, from its description and the published Table 1."""
 
 from hardcontact.base import published
-from hardcontact.base.job import job
+from hardcontact.base.job import run_job
 from hardcontact.surfaces.substitute_spectra import rows_of_surface, substitute_spectrum
 
-with job(snakemake) as job:
+with run_job(snakemake) as job:
     surface = job.parameters["surface"]
     job.write(
         substitute_spectrum(

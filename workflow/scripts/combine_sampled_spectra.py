@@ -1,10 +1,10 @@
 """A spectrum of both bodies, sampled within the uncertainty of the measurements of each."""
 
 from hardcontact.base.dataset import read
-from hardcontact.base.job import job
+from hardcontact.base.job import run_job
 from hardcontact.surfaces.both_bodies import combine_sampled_spectra
 
-with job(snakemake) as job:
+with run_job(snakemake) as job:
     job.write(
         combine_sampled_spectra(read(job.input.substrate), read(job.input.sphere)),
         title=f"a spectrum that the measurements of {job.parameters['surface']} and sphere allow",

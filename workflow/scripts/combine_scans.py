@@ -1,11 +1,11 @@
 """The roughness of both bodies in one stitched map, on which a smooth sphere makes contacts."""
 
-from hardcontact.base.job import job
+from hardcontact.base.job import run_job
 from hardcontact.base.random import generator
 from hardcontact.surfaces.both_bodies import combine_maps
 from hardcontact.surfaces.height_map import read_height_map
 
-with job(snakemake) as job:
+with run_job(snakemake) as job:
     params = job.parameters
     key = [params[name] for name in ("surface", "scan", "sphere_scan")]
     bodies = [read_height_map(path) for path in (job.input.substrate, job.input.sphere)]

@@ -1,10 +1,10 @@
 """C_iso of both bodies: the sum of that of a substrate and that of the sphere."""
 
 from hardcontact.base.dataset import read
-from hardcontact.base.job import job
+from hardcontact.base.job import run_job
 from hardcontact.surfaces.both_bodies import combine_spectra
 
-with job(snakemake) as job:
+with run_job(snakemake) as job:
     job.write(
         combine_spectra(read(job.input.substrate), read(job.input.sphere)),
         title=f"power spectral density of {job.parameters['surface']} and of the sphere",

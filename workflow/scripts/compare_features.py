@@ -2,7 +2,7 @@
 
 from hardcontact.base import published
 from hardcontact.base.dataset import read, read_all
-from hardcontact.base.job import job
+from hardcontact.base.job import run_job
 from hardcontact.contact.contact import PLASTIC
 from hardcontact.inference.published_fit import Pair, PublishedFit
 from hardcontact.paper.featured_samples import (
@@ -11,7 +11,7 @@ from hardcontact.paper.featured_samples import (
     samples_by_surface,
 )
 
-with job(snakemake) as job:
+with run_job(snakemake) as job:
     constants = published.constants(job.input.published_constants)["value"]
     published_fit = PublishedFit(
         published.measured_statistics(job.input.published_pull_off),

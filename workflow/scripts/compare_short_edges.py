@@ -2,13 +2,13 @@
 
 import xarray as xr
 
-from hardcontact.base.job import job
+from hardcontact.base.job import run_job
 from hardcontact.base.statistics import Sampling
 from hardcontact.contact.stacked_datasets import add_names, read_masters
 from hardcontact.inference.enhancement import edges_by_contact
 from hardcontact.inference.scaling import edge_exponents, force_exponent
 
-with job(snakemake) as job:
+with run_job(snakemake) as job:
     params = job.parameters
     area, tolerance = params["area"], params["tolerance"]
     sampling = Sampling.from_parameters(params["sampling"])

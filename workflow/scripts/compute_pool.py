@@ -1,9 +1,9 @@
 """Pull-off forces of some scans of the pool of one substrate, at several heights of each."""
 
-from hardcontact.base.job import job
+from hardcontact.base.job import run_job
 from hardcontact.paper.pool import compute_pool, read_pool_inputs
 
-with job(snakemake) as job:
+with run_job(snakemake) as job:
     params = job.parameters
     surface = params["surface"]
     numbers = range(params["first"], params["last"] + 1)

@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from hardcontact.base.job import job
+from hardcontact.base.job import run_job
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies, places_on_sphere
 from hardcontact.contact.pull_off import (
@@ -14,7 +14,7 @@ from hardcontact.contact.pull_off import (
 from hardcontact.contact.stacked_datasets import stack_sphere_scans
 from hardcontact.surfaces.height_map import read_height_map
 
-with job(snakemake) as job:
+with run_job(snakemake) as job:
     params = job.parameters
     contact = Contact(**params["contact"])
     substrate = read_height_map(job.input.substrate)

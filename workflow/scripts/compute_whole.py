@@ -1,14 +1,14 @@
 """Forces on whole substitute surfaces: at all ranges, and with each octave amplified."""
 
 from hardcontact.base.dataset import stack
-from hardcontact.base.job import job, progress
+from hardcontact.base.job import progress, run_job
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import mean_pull_off_dataset
 from hardcontact.inference.octaves import force_function, octave_force_dataset, octave_limits
 from hardcontact.surfaces.featured_scans import whole_surfaces
 
-with job(snakemake) as job:
+with run_job(snakemake) as job:
     params = job.parameters
     contact = Contact(**params["contact"])
     make_surface = whole_surfaces(job.input, params)

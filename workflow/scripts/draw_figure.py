@@ -1,8 +1,8 @@
 """One figure as PDF, PNG and SVG."""
 
-from hardcontact.base.job import job
+from hardcontact.base.job import run_job
 from hardcontact.report.figures.drawing import draw_figure
 
-with job(snakemake) as job:
+with run_job(snakemake) as job:
     inputs = {name: job.input[name] for name in job.parameters["inputs"]}
     draw_figure(job.parameters["figure"], job.parameters["title"], inputs, job.output)

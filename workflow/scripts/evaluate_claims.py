@@ -2,12 +2,12 @@
 
 from hardcontact.base import published
 from hardcontact.base.dataset import read
-from hardcontact.base.job import job
+from hardcontact.base.job import run_job
 from hardcontact.paper.evaluation import evaluate, read_statements
 from hardcontact.paper.verdicts import without_verdicts
 from hardcontact.report.paper_study.changed_inputs import changed_inputs
 
-with job(snakemake) as job:
+with run_job(snakemake) as job:
     params = job.parameters
     datasets = {name: read(job.input[name]) for name in params["datasets"]}
     claims = evaluate(

@@ -3,14 +3,14 @@
 from itertools import product
 
 from hardcontact.base.dataset import stack
-from hardcontact.base.job import job
+from hardcontact.base.job import run_job
 from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact
 from hardcontact.inference.filtered_masters import Filters, filtered_pull_off, master_from_files
 from hardcontact.surfaces.height_map import read_height_map
 from hardcontact.surfaces.synthesis import SEED_WORDS, SIDES
 
-with job(snakemake) as job:
+with run_job(snakemake) as job:
     params = job.parameters
     inputs = job.input
     loaded_contacts = [

@@ -1,12 +1,12 @@
 """Which asperities carry the force of some plastic contacts on one scan, by range of adhesion."""
 
-from hardcontact.base.job import job
+from hardcontact.base.job import run_job
 from hardcontact.base.random import generator
 from hardcontact.contact.asperities import SHARE, asperities_of_pair
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import read_bodies, sampled_contacts
 
-with job(snakemake) as job:
+with run_job(snakemake) as job:
     params = job.parameters
     settings = params["asperities"]
     surface = params["surface"]

@@ -1,11 +1,11 @@
 """The wavelengths whose removal changes the pull-off force, with their intervals."""
 
 from hardcontact.base import dataset
-from hardcontact.base.job import job
+from hardcontact.base.job import run_job
 from hardcontact.base.statistics import Sampling
 from hardcontact.inference.edges import edges_of_realizations, labelled_edges
 
-with job(snakemake) as job:
+with run_job(snakemake) as job:
     params = job.parameters
     scales = dataset.read(job.input.scales)
     sampling = Sampling.from_parameters(params["sampling"])

@@ -1,13 +1,13 @@
 """Range and work of adhesion that the user's own forces allow."""
 
 from hardcontact.base import dataset
-from hardcontact.base.job import job
+from hardcontact.base.job import run_job
 from hardcontact.base.statistics import Sampling
 from hardcontact.config.force_table import measured_forces
 from hardcontact.inference.hindcast import pixel_factors
 from hardcontact.inference.measured_fit import add_extrapolated_work, fit_measured
 
-with job(snakemake) as job:
+with run_job(snakemake) as job:
     adhesion = dataset.read(job.input.adhesion)
     surfaces = adhesion["surface"].values.tolist()
     force = dataset.read(job.input.force)

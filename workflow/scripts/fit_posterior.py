@@ -2,12 +2,12 @@
 
 from hardcontact.base import published
 from hardcontact.base.dataset import concatenate, read, read_all, stack
-from hardcontact.base.job import job
+from hardcontact.base.job import run_job
 from hardcontact.base.statistics import Sampling
 from hardcontact.contact.contact import PLASTIC
 from hardcontact.inference.posterior import means_on_whole_surfaces, posteriors_without_each_surface
 
-with job(snakemake) as job:
+with run_job(snakemake) as job:
     params = job.parameters
     sampling = Sampling.from_parameters(params["sampling"], "posterior")
     published_forces = published.measured_statistics(job.input.published_pull_off)

@@ -1,11 +1,11 @@
 """Range and work of adhesion and force statistics of every contact model."""
 
 from hardcontact.base import dataset, published
-from hardcontact.base.job import job
+from hardcontact.base.job import run_job
 from hardcontact.base.statistics import Sampling
 from hardcontact.inference.published_fit import Pair, PublishedFit, fit_published
 
-with job(snakemake) as job:
+with run_job(snakemake) as job:
     params = job.parameters
     constants = published.constants(job.input.published_constants)["value"]
     job.write(

@@ -2,13 +2,13 @@
 
 from hardcontact.base import published
 from hardcontact.base.dataset import read, stack
-from hardcontact.base.job import job, progress
+from hardcontact.base.job import progress, run_job
 from hardcontact.contact.contact import Contact
 from hardcontact.inference.edges import pooled_band
 from hardcontact.inference.octaves import band_force_dataset, force_function
 from hardcontact.surfaces.featured_scans import whole_surfaces
 
-with job(snakemake) as job:
+with run_job(snakemake) as job:
     params = job.parameters
     forces = force_function(Contact(**params["contact"]))
     make_surface = whole_surfaces(job.input, params)

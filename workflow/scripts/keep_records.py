@@ -5,10 +5,10 @@ from pathlib import Path
 import yaml
 
 from hardcontact.base.dataset import read
-from hardcontact.base.job import job
+from hardcontact.base.job import run_job
 from hardcontact.report.dataset_dictionary import page
 
-with job(snakemake) as job:
+with run_job(snakemake) as job:
     job.write_text(yaml.safe_dump(job.parameters, allow_unicode=True), "configuration")
     job.copy(job.input.surfaces, "surfaces")
     datasets = {Path(path).stem: read(path) for path in job.input.datasets}

@@ -3,7 +3,7 @@
 from functools import partial
 
 from hardcontact.base import dataset, published
-from hardcontact.base.job import job
+from hardcontact.base.job import run_job
 from hardcontact.base.random import generator
 from hardcontact.surfaces.conditioning import condition_group, conditioned_scan, scan_targets
 from hardcontact.surfaces.featured_scans import describe_group, nearest_group, read_featured_surface
@@ -11,7 +11,7 @@ from hardcontact.surfaces.height_map import LEVELLED, STITCHED, level_and_stitch
 from hardcontact.surfaces.substitute_spectra import rows_of_surface
 from hardcontact.surfaces.synthesis import ScanGrid
 
-with job(snakemake) as job:
+with run_job(snakemake) as job:
     params = job.parameters
     surface = params["surface"]
     numbers = params["scans"]

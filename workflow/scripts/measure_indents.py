@@ -1,11 +1,11 @@
 """Indents that plastic contact leaves in the sphere: the sizes of all, and a map of one."""
 
-from hardcontact.base.job import job
+from hardcontact.base.job import run_job
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.indents import indents_of_scans
 from hardcontact.surfaces.height_map import read_height_map
 
-with job(snakemake) as job:
+with run_job(snakemake) as job:
     params = job.parameters
     substrate_paths = zip(params["scans"], job.input.substrates, strict=True)
     sphere_paths = zip(params["sphere_scans"], job.input.spheres, strict=True)

@@ -1,11 +1,11 @@
 """C_iso of a measured surface: joined from all its measurements, and extrapolated beyond them."""
 
-from hardcontact.base.job import job
+from hardcontact.base.job import run_job
 from hardcontact.surfaces.height_map import read_height_map
 from hardcontact.surfaces.joined_spectrum import joined_spectrum
 from hardcontact.surfaces.scan_defects import examine
 
-with job(snakemake) as job:
+with run_job(snakemake) as job:
     params = job.parameters
     measurements = [
         examine(read_height_map(file), params["sphere_radius"], params["levelling"])

@@ -1,14 +1,14 @@
 """The edges of the band of own surfaces, and the force that a work and a range predict."""
 
 from hardcontact.base.dataset import read
-from hardcontact.base.job import job
+from hardcontact.base.job import run_job
 from hardcontact.contact.contact import Contact
 from hardcontact.inference.edges import labelled_edges
 from hardcontact.inference.edges_of_scans import edges_of_scans
 from hardcontact.inference.mean_forces import Masters, fewest_places
 from hardcontact.own.predicted_force import force_dataset
 
-with job(snakemake) as job:
+with run_job(snakemake) as job:
     params = job.parameters
     adhesion = read(job.input.adhesion)
     scales = read(job.input.scales)

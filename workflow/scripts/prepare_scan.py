@@ -1,9 +1,9 @@
 """A measured scan: levelled, the sphere subtracted if there is one; stitched."""
 
-from hardcontact.base.job import job
+from hardcontact.base.job import run_job
 from hardcontact.surfaces.height_map import LEVELLED, STITCHED, level_and_stitch, read_height_map
 
-with job(snakemake) as job:
+with run_job(snakemake) as job:
     scan = read_height_map(job.input.measurement)
     levelled, stitched = level_and_stitch(scan, **job.parameters)
     job.write(levelled, LEVELLED, "scan")

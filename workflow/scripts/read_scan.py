@@ -1,9 +1,9 @@
 """A measured scan as its file has it, in nm: a map on square pixels, or a line scan."""
 
-from hardcontact.base.job import job
+from hardcontact.base.job import run_job
 from hardcontact.surfaces.scans import read_scan
 
-with job(snakemake) as job:
+with run_job(snakemake) as job:
     job.write(
         read_scan(job.input.scan, **job.parameters).to_dataset(),
         title="heights of a measured scan, as read",

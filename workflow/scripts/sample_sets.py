@@ -4,12 +4,12 @@ import pandas as pd
 
 from hardcontact.base import published
 from hardcontact.base.dataset import read, read_all
-from hardcontact.base.job import job
+from hardcontact.base.job import run_job
 from hardcontact.contact.stacked_datasets import read_masters
 from hardcontact.inference.published_fit import Pair, PublishedFit
 from hardcontact.paper.sampled_sets import SetSettings, gather_inputs, sample_sets
 
-with job(snakemake) as job:
+with run_job(snakemake) as job:
     params = job.parameters
     constants = published.constants(job.input.published_constants)
     pair = Pair(*constants.loc[["range_of_adhesion", "work_of_adhesion"], "value"])

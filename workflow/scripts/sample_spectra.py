@@ -1,12 +1,12 @@
 """Spectra sampled within the uncertainty of the measurements of a surface, one per realization."""
 
-from hardcontact.base.job import job
+from hardcontact.base.job import run_job
 from hardcontact.base.random import generator
 from hardcontact.surfaces.height_map import flatten, read_height_map
 from hardcontact.surfaces.joined_spectrum import sample_spectra
 from hardcontact.surfaces.spectrum import spectrum_dataset
 
-with job(snakemake) as job:
+with run_job(snakemake) as job:
     params = job.parameters
     surface = params["surface"]
     contact_scan_indices = params["contact_scan_indices"]

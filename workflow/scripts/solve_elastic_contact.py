@@ -1,14 +1,14 @@
 """Elastic contact of one pair of scans at some contacts: pressure at the preload, and pull-off."""
 
 from hardcontact.base import published
-from hardcontact.base.job import job
+from hardcontact.base.job import run_job
 from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.elastic import PULL_OFF_WINDOW, elastic_contacts_of_pair
 from hardcontact.contact.geometry import read_bodies, sampled_contacts
 from hardcontact.contact.smooth_sphere import PAPER_MODULUS
 
-with job(snakemake) as job:
+with run_job(snakemake) as job:
     params = job.parameters
     surface = params["surface"]
     scan = params["scan"]

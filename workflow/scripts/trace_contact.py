@@ -1,14 +1,14 @@
 """One contact: its gap, the adhesive pressure after plastic contact, and the force on parting."""
 
 from hardcontact.base import published
-from hardcontact.base.job import job
+from hardcontact.base.job import run_job
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import read_bodies
 from hardcontact.contact.pull_off import traced_contact
 
 ATTRIBUTES = "surface", "scan", "sphere_scan", "label", "basis"
 
-with job(snakemake) as job:
+with run_job(snakemake) as job:
     params = job.parameters
     constants = published.constants(job.input.published_constants)["value"]
     contact = Contact(

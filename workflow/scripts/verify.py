@@ -2,10 +2,10 @@
 
 import sys
 
-from hardcontact.base.job import job
+from hardcontact.base.job import run_job
 from hardcontact.base.verification import check
 
-with job(snakemake) as job:
+with run_job(snakemake) as job:
     faults, summary = check(job.parameters["results"])
     print(*faults, *summary, sep="\n")
     sys.exit(1 if faults else 0)

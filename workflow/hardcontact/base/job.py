@@ -13,7 +13,7 @@ from typing import Any, NamedTuple, TypeVar
 
 import xarray as xr
 
-from hardcontact.base import dataset as labelled
+from hardcontact.base import dataset
 from hardcontact.base.origin import (
     Origin,
     digests,
@@ -40,17 +40,17 @@ class Job(NamedTuple):
     parameters: dict[str, Any]  #: The rule's `params.parameters`, decoded.
     origin: Origin  #: What determines the files of the job.
 
-    def write(self, dataset: xr.Dataset, title: str, output: int | str = 0) -> None:
-        """Write a labelled dataset, with its origin and the meanings of its variables."""
+    def write(self, results: xr.Dataset, title: str, output: int | str = 0) -> None:
+        """Write results, with their origin and the meanings of their variables."""
         path = self._path(output)
-        described = labelled.describe(dataset, labelled.read_meanings(Path(path).stem))
+        described = dataset.describe(results, dataset.read_meanings(Path(path).stem))
         complete = described.assign_attrs(
             title=title,
             Conventions="CF-1.11",
             history=f"made by the hardcontact study: {title}",
             **self.origin.attributes(),
         )
-        labelled.write(complete, path)
+        dataset.write(complete, path)
 
     def write_text(self, text: str, output: int | str = 0) -> None:
         """Write a text whole."""
@@ -67,7 +67,7 @@ class Job(NamedTuple):
 
 
 @contextmanager
-def job(snakemake: Any) -> Iterator[Job]:
+def run_job(snakemake: Any) -> Iterator[Job]:
     """Keep the log of a script and yield its `Job`.
 
     Raises ValueError before anything is computed, if an input is not as the study wrote it, and
