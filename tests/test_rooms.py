@@ -22,11 +22,11 @@ BUDGET = {
     "inference": 1603,
     "theory": 647,
     "paper": 1465,
-    "config": 1520,
+    "config": 1522,
     "files": 463,
     "run": 444,
     "own": 653,
-    "report": 3520,
+    "report": 3523,
     "commands": 1527,
     "api": 229,
 }

@@ -39,10 +39,10 @@ def claims():
         computed=1.01 * numbers,
         low=np.where(numbers % 3, 0.9 * numbers, np.nan),
         high=np.where(numbers % 3, 1.1 * numbers, np.nan),
-        limits=STATEMENTS["basis"],
+        evidence=STATEMENTS["evidence"],
         accepted_low=0.8 * numbers,
         accepted_high=np.where(numbers % 2, 1.25 * numbers, np.inf),
-        frequency=np.where(numbers % 3, 0.58, np.nan),
+        agreeing_share=np.where(numbers % 3, 0.58, np.nan),
         verdict=[VERDICTS[number % len(VERDICTS)] for number in range(len(STATEMENTS))],
         basis="substitute scans",
     )[list(COLUMNS)]

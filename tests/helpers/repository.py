@@ -21,7 +21,7 @@ PAPER = yaml.safe_load((ROOT / "config/config.yaml").read_text())
 ROWS = (ROOT / "config/surfaces.tsv").read_text()
 #: The header of a description of a substitute.
 BANDS = (
-    "longest_nm,shortest_nm,model,plateau_nm4,rolloff_nm,hurst,hurst_change,table,basis,source\n"
+    "longest_nm,shortest_nm,model,plateau_nm4,rolloff_nm,hurst,hurst_change,table,evidence,source\n"
 )
 #: Folders that tools leave in the repository.
 CACHES = shutil.ignore_patterns("__pycache__", "*.egg-info")

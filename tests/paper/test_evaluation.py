@@ -13,8 +13,8 @@ CONSTANTS = pd.DataFrame({"value": {"spacing": 2.0, "scan_size": 5e3, "scan_pixe
 CLAIM = {
     "id": "claim", "section": "Results", "statement": "It is two.", "published": 2.0,
     "published_low": 1.5, "published_high": 2.5, "unit": "1", "rule": "interval",
-    "basis": "published", "dataset": "forces", "quantity": "force", "select": "surface=middle",
-    "needs": "", "follows_from": "", "replicated": "", "note": "",
+    "evidence": "published", "dataset": "forces", "quantity": "force", "select": "surface=middle",
+    "needs": "", "follows_from": "", "samples_from": "", "note": "",
 }  # fmt: skip
 
 
@@ -72,7 +72,7 @@ def test_a_number_is_judged_with_its_interval():
     row = table.iloc[0]
     assert (row.computed, row.low, row.high) == pytest.approx((2.0, 1.8, 2.2))
     assert (row.verdict, row.basis) == ("reproduced", "measured")
-    assert np.isnan(row.frequency)
+    assert np.isnan(row.agreeing_share)
     assert judge(published_high=2.1).verdict == "undecided"
 
 
@@ -115,7 +115,7 @@ def test_slopes_on_pixels_larger_than_the_papers_are_not_judged(pixel_size, verd
 
 
 @pytest.mark.parametrize(
-    ("replicas", "ends", "frequency", "verdict"),
+    ("replicas", "ends", "agreeing_share", "verdict"),
     [
         (np.linspace(1.7, 2.3, 101), (1.715, 2.285), 1, "reproduced"),
         (np.linspace(1.3, 2.3, 101), (1.325, 2.275), 81 / 101, "undecided"),
@@ -125,20 +125,20 @@ def test_slopes_on_pixels_larger_than_the_papers_are_not_judged(pixel_size, verd
         ([*np.linspace(1.7, 2.3, 18), np.nan, np.nan], (np.nan, np.nan), 0.9, "undecided"),
     ],
 )
-def test_sets_give_interval_and_frequency(replicas, ends, frequency, verdict):
-    row = judge(make_datasets(), replicas, replicated="yes")
+def test_sets_give_interval_and_agreeing_share(replicas, ends, agreeing_share, verdict):
+    row = judge(make_datasets(), replicas, samples_from="sets")
     np.testing.assert_allclose([row.low, row.high], ends, atol=3e-3)
-    assert (row.frequency, row.verdict) == (pytest.approx(frequency), verdict)
+    assert (row.agreeing_share, row.verdict) == (pytest.approx(agreeing_share), verdict)
 
 
 def test_sets_decide_only_what_is_not_fixed_and_differs_between_them():
     marginal = [1.4, 1.4, *np.linspace(1.9, 2.1, 98)]
-    assert judge(make_datasets(), marginal, replicated="yes").verdict == "reproduced"
-    fixed = judge(make_datasets(), marginal, replicated="yes", needs="construction")
+    assert judge(make_datasets(), marginal, samples_from="sets").verdict == "reproduced"
+    fixed = judge(make_datasets(), marginal, samples_from="sets", needs="construction")
     assert fixed.verdict == "by construction"
     # Equal sets say nothing about scatter: the number keeps the verdict of its own interval.
-    equal = judge(make_datasets(), [2.1] * 9, replicated="yes", published_high=2.15)
-    assert (equal.frequency, equal.verdict) == (1, "undecided")
+    equal = judge(make_datasets(), [2.1] * 9, samples_from="sets", published_high=2.15)
+    assert (equal.agreeing_share, equal.verdict) == (1, "undecided")
 
 
 @pytest.mark.parametrize(
@@ -189,7 +189,7 @@ def test_a_claim_without_a_number_is_undecided():
         ({"dataset": "colours"}, "no dataset named 'colours'"),
         ({"select": "phase=solid"}, ".*phase"),
         ({"select": ""}, "rule 'interval' needs one number"),
-        ({"id": "two", "replicated": "yes"}, "expected its numbers in sets.nc"),
+        ({"id": "two", "samples_from": "sets"}, "expected its numbers in sets.nc"),
     ],
 )
 def test_errors_name_the_claim(change, message):

@@ -30,7 +30,7 @@ SETTINGS = SetSettings(
     confidence=CONFIDENCE,
 )
 FORCES = pd.DataFrame({"mean_force": MEAN_FORCE}, index=SUBSTRATES)
-REPLICATED = STATEMENTS[STATEMENTS["replicated"] == "yes"]
+REPLICATED = STATEMENTS[STATEMENTS["samples_from"] == "sets"]
 PAPER = REPLICATED, CONSTANTS, PublishedFit(FORCES, Pair(5.6, 46.3e-3))
 
 
@@ -39,7 +39,7 @@ def sets():
     return sample_sets(make_inputs(), *PAPER, SETTINGS)
 
 
-def test_every_replicated_claim_has_a_number_of_every_set(sets):
+def test_every_claim_of_the_sets_has_a_number_of_every_set(sets):
     replicated = REPLICATED["id"]
     assert sets["value"].dims == ("set", "claim")
     assert sets["claim"].values.tolist() == replicated.tolist()

@@ -20,8 +20,8 @@ def test_a_claim_follows_only_from_an_independent_claim():
     assert (ROWS["follows_from"][origins] == "").all() and (origins.index != origins).all()
 
 
-def test_replicated_claims_use_datasets_of_the_sets():
-    replicated = STATEMENTS[STATEMENTS["replicated"] == "yes"]
+def test_claims_of_the_sets_use_datasets_of_the_sets():
+    replicated = STATEMENTS[STATEMENTS["samples_from"] == "sets"]
     names = set(replicated["dataset"].str.split("+").explode())
     assert names == {"topography", "adhesion", "fit", "edges", "paper"}
     assert replicated["needs"].isin(["", "construction", "experiment", "measured"]).all()

@@ -103,7 +103,7 @@ def test_a_truncated_table_is_refused(tmp_path):
 
 def test_claims_without_verdicts_are_read_back_and_counted_as_none(tmp_path):
     path = tmp_path / "claims.csv"
-    path.write_text("id,frequency,verdict,follows_from,note\nfirst,0.99,reproduced,,\n")
+    path.write_text("id,agreeing_share,verdict,follows_from,note\nfirst,0.99,reproduced,,\n")
     without_verdicts(read_verdicts(path)).to_csv(path, index=False)
     assert path.read_text().splitlines()[1].startswith("first,,,")
     assert summary(read_verdicts(path))["claims"].sum() == 0

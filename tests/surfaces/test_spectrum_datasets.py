@@ -16,7 +16,7 @@ SEGMENTS = pd.DataFrame(
     {
         "longest_nm": [np.inf, 1e4, 1e3, 100.0, 10.0],
         "shortest_nm": [1e4, 1e3, 100.0, 10.0, 0.1],
-        "basis": ["published", "published", "assumed", "measured", "inferred"],
+        "evidence": ["published", "published", "assumed", "measured", "inferred"],
         "source": ["a", "a", "none", "b", "c"],
     }
 )

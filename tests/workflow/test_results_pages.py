@@ -28,9 +28,9 @@ def test_every_claim_has_a_verdict_and_a_basis(results):
     assert set(claims.basis) == {"substitute scans", *WITHOUT_SCAN}
     published = pd.read_csv(ROOT / "resources/paper/claims.csv")
     assert list(claims.id) == list(published.id) and claims.id.is_unique
-    replicated = published.set_index("id").loc[claims.id, "replicated"].notna()
-    assert list(claims.frequency.notna()) == list(replicated)
-    assert claims.frequency.dropna().between(0, 1).all()
+    replicated = published.set_index("id").loc[claims.id, "samples_from"].notna()
+    assert list(claims.agreeing_share.notna()) == list(replicated)
+    assert claims.agreeing_share.dropna().between(0, 1).all()
 
 
 def test_a_study_is_paired_with_itself(results):

@@ -1,6 +1,6 @@
 # Sets of substitute scans, sampled from pools, and the numbers of each.
 
-from hardcontact.paper.evaluation import replicated_statements
+from hardcontact.paper.evaluation import statements_of_sets
 
 
 rule compute_pool:
@@ -53,7 +53,7 @@ rule sample_sets:
             master_surfaces=[row.surface for row in CHUNKS.filtered_masters("sets")],
             realizations=STUDY["sets"]["realizations"],
             load=FILES.contact.load_name,
-            statements=replicated_statements("resources/paper/claims.csv"),
+            statements=statements_of_sets("resources/paper/claims.csv"),
             settings={
                 "seed": STUDY["seed"],
                 "replicates": STUDY["sets"]["replicates"],

@@ -80,7 +80,7 @@ def test_a_study_of_other_contacts_names_what_is_not_the_paper_s(overlay, inputs
     judgements = [
         row["name"]
         for row in content["quantities"]
-        if "verdicts_" in row["name"] or "_frequency" in row["name"]
+        if "verdicts_" in row["name"] or "_agreeing_share" in row["name"]
     ]
     assert bool(judgements) == (inputs == [])
 

@@ -29,6 +29,7 @@ def evaluated(**values):
     table = pd.DataFrame(
         {
             "id": ["first", "second", "third"],
+            "main": ["", "1", ""],
             "section": ["Table 1", "Results", "Results"],
             "statement": ["The rms height is 3 nm.", "A > B & C.", "It is so."],
             "number": ["rms height", "ratio", "share"],
@@ -38,10 +39,10 @@ def evaluated(**values):
             "high": [3.75, np.nan, np.nan],
             "unit": ["nm", "1", "1"],
             "rule": ["interval", "above", "below"],
-            "limits": ["published", "published", "assumed"],
+            "evidence": ["published", "published", "assumed"],
             "accepted_low": [2.0, 1.0, -np.inf],
             "accepted_high": [4.0, np.inf, 0.2],
-            "frequency": [0.87, np.nan, np.nan],
+            "agreeing_share": [0.87, np.nan, np.nan],
             "verdict": ["undecided", "not reproduced", "not testable"],
             "follows_from": ["", "first", ""],
             "basis": ["substitute scans", "no scan", "substitute scans"],
@@ -122,7 +123,7 @@ def test_the_page_of_claims_has_a_row_for_each_and_counts_verdicts():
 
 
 def test_the_page_of_claims_opens_with_what_is_not_reproduced_and_names_limits_of_the_study():
-    table = evaluated(verdict="not reproduced", limits="assumed")
+    table = evaluated(verdict="not reproduced", evidence="assumed")
     page = Page(make_pages(table)["claims"])
     (item,) = page.texts["li"][-1:]
     printed = " ".join(item.split())

@@ -15,7 +15,7 @@ PUBLISHED_TABLES = {
 def constants(path: str | Path) -> pd.DataFrame:
     """Read `parameters.csv`: single numbers of the paper.
 
-    Returns by quantity: value and uncertainty (NaN if none is printed), both in `unit`; basis;
+    Returns by quantity: value and uncertainty (NaN if none is printed), both in `unit`; evidence;
         source.
     """
     return pd.read_csv(path, index_col="quantity")
@@ -42,7 +42,7 @@ def printed_statistics(path: str | Path) -> pd.DataFrame:
 def table1(path: str | Path) -> pd.DataFrame:
     """Read `table1.csv`: the roughness metrics of Table 1, one row per number.
 
-    Returns columns surface; quantity; value and uncertainty, both in `unit`; basis; source.
+    Returns columns surface; quantity; value and uncertainty, both in `unit`; evidence; source.
     """
     return pd.read_csv(path)
 

@@ -14,18 +14,19 @@ from hardcontact.surfaces.roughness_table import TABLE1_VARIABLES
 
 #: Columns, and the words that each may have; any text where there are none.
 COLUMNS: dict[str, tuple[str, ...]] = {
-    "id": (), "section": (), "statement": (), "number": (), "unit": (), "rule": (),
+    "id": (), "main": (), "section": (), "statement": (), "number": (), "unit": (), "rule": (),
     **dict.fromkeys(NUMBER_COLUMNS, ()),
-    "basis": ("published", "inferred", "assumed"),
+    "evidence": ("published", "inferred", "assumed"),
     "dataset": (), "quantity": (), "select": (),
     "needs": ("", "measured", *WITHOUT_SCAN, "construction", "experiment"),
     "follows_from": (),
-    "replicated": ("", "yes", "samples"),
+    "samples_from": ("", "sets", "posterior"),
     "note": (),
 }  # fmt: skip
 #: The form of a cell, and how a message describes it.
 FORMS = {
     "id": (re.compile("[a-z0-9_]+"), "a name"),
+    "main": (re.compile("([1-9][0-9]*)?"), "the rank of a main finding or nothing"),
     "number": (re.compile(".*\\w.*"), "words for the quantity that the numbers give"),
     "select": (
         re.compile("(\\w+=[^;=]+(;\\w+=[^;=]+)*)?"), "labels such as surface=uncd;side=short"

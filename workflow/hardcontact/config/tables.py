@@ -17,7 +17,7 @@ from typing import NamedTuple, TypeVar
 from hardcontact.config.faults import quote_key, raise_faults
 from hardcontact.surfaces.spectrum import (
     CALIBRATION_ROWS,
-    DATA_BASES,
+    DATA_EVIDENCE,
     NUMBER_COLUMNS,
     needs_calibration,
     read_segments,
@@ -186,10 +186,11 @@ def refuse_paper_surface(path: str | Path, surface: str, published: Collection[s
             "config key published: expected paper in a study with substitutes for its surfaces "
             f"({surface}), found none"
         )
-    if not segments.basis.isin(DATA_BASES).any():
+    if not segments.evidence.isin(DATA_EVIDENCE).any():
+        found = ", ".join(map(quote_key, segments.evidence.unique()))
         raise ValueError(
-            f"{path}: expected, in a study of own surfaces, a segment whose basis is "
-            f"{' or '.join(DATA_BASES)}, found {', '.join(map(quote_key, segments.basis.unique()))}"
+            f"{path}: expected, in a study of own surfaces, a segment whose evidence is "
+            f"{' or '.join(DATA_EVIDENCE)}, found {found}"
         )
 
 

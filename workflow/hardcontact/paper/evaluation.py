@@ -56,9 +56,9 @@ CLAIM_DATASETS = (
     "elastic", "indent", "asperities", "classical", "enhancement",
 )  # fmt: skip
 COLUMNS = (
-    "id", "section", "statement", "number", "published", "computed", "low", "high", "unit", "rule",
-    "limits", "accepted_low", "accepted_high", "frequency", "verdict", "follows_from", "basis",
-    "note",
+    "id", "main", "section", "statement", "number", "published", "computed", "low", "high", "unit",
+    "rule", "evidence", "accepted_low", "accepted_high", "agreeing_share", "verdict",
+    "follows_from", "basis", "note",
 )  # fmt: skip
 NUMBER_COLUMNS = ("published", "published_low", "published_high")
 
@@ -72,12 +72,12 @@ def read_statements(path: str | Path) -> pd.DataFrame:
     return table.assign(**{name: pd.to_numeric(table[name]) for name in NUMBER_COLUMNS})
 
 
-def replicated_statements(path: str | Path) -> list[dict[str, str]]:
-    """Return the replicated statements, with the columns that determine their numbers."""
+def statements_of_sets(path: str | Path) -> list[dict[str, str]]:
+    """Return the columns that determine the numbers of the statements that sets.nc has."""
     table = read_statements(path)
-    replicated = table[table["replicated"] == "yes"]
+    of_sets = table[table["samples_from"] == "sets"]
     columns = ["id", "dataset", "quantity", "select", "rule"]
-    return [dict(zip(columns, row, strict=True)) for row in replicated[columns].values.tolist()]
+    return [dict(zip(columns, row, strict=True)) for row in of_sets[columns].values.tolist()]
 
 
 def claim_values(
@@ -104,8 +104,8 @@ def evaluate(
 ) -> pd.DataFrame:
     """Compare every claim with its computed number; return one row per claim with `COLUMNS`.
 
-    ``value`` (set, claim) of sets.nc gives the frequency of a replicated claim and, if it varies,
-    its interval and verdict. A claim about a surface or a contact model that the study lacks is
+    ``value`` (set, claim) of sets.nc gives the agreeing share and, if it varies, the interval and
+    the verdict of a claim. A claim about a surface or a contact model that the study lacks is
     left out. Raises ValueError if a claim needs a dataset, a variable or an attribute that is
     missing.
     """
@@ -201,19 +201,18 @@ def _row(claim: Any, claim_number: _ClaimNumber, common: _Common) -> dict[str, A
     return {
         **claim._asdict(),
         **judgement,
-        "limits": claim.basis,
         "basis": claim_basis(claim, surfaces, common.topography),
         "note": " ".join(filter(None, (claim.note, reason, no_value))),
     }
 
 
 def _judge(claim: Any, claim_number: _ClaimNumber, fixed: str, common: _Common) -> dict[str, Any]:
-    """Return number, interval, frequency and verdict of a claim; `fixed` is a verdict or ``""``."""
+    """Return number, interval, agreeing share and verdict; `fixed` is a verdict or ``""``."""
     value = float(claim_number.number["value"])
     replicas = _claim_replicas(claim, claim_number, common.sets)
     low, high = _claim_interval(claim, claim_number.number, replicas, common.confidence)
     accepted = accepted_range(claim.rule, claim.published_low, claim.published_high)
-    if claim.replicated == "samples":
+    if claim.samples_from == "posterior":
         verdict = accepted.verdict_of_samples(replicas, low, high)
     elif replicas_vary(replicas):
         verdict = accepted.verdict_of_sets(replicas)
@@ -225,7 +224,7 @@ def _judge(claim: Any, claim_number: _ClaimNumber, fixed: str, common: _Common) 
         "high": high,
         "accepted_low": accepted.low,
         "accepted_high": accepted.high,
-        "frequency": accepted.accepts(replicas).mean() if len(replicas) else np.nan,
+        "agreeing_share": accepted.accepts(replicas).mean() if len(replicas) else np.nan,
         "verdict": fixed or verdict,
     }
 
@@ -233,14 +232,14 @@ def _judge(claim: Any, claim_number: _ClaimNumber, fixed: str, common: _Common) 
 def _claim_replicas(claim: Any, claim_number: _ClaimNumber, sets: xr.Dataset) -> np.ndarray:
     """Return the numbers of a claim by set, or its samples; empty if it has neither.
 
-    The column `replicated` is ``"yes"`` if sets.nc has the numbers, and ``"samples"`` if the
+    The column `samples_from` is ``"sets"`` if sets.nc has the numbers, and ``"posterior"`` if the
     claim's dataset has them in a variable ``sampled_`` and the quantity.
     """
-    if claim.replicated == "samples":
+    if claim.samples_from == "posterior":
         samples = next(iter(claim_number.datasets.values()))[f"sampled_{claim.quantity}"]
         labels = {dimension: groups[0][0] for dimension, groups in claim_number.labels.items()}
         return np.asarray(samples.sel(labels))
-    if claim.replicated != "yes":
+    if claim.samples_from != "sets":
         return np.empty(0)
     if claim.id not in sets["claim"]:
         raise KeyError("expected its numbers in sets.nc, found none")

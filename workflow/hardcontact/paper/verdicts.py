@@ -161,13 +161,13 @@ def read_verdicts(path: str | Path) -> pd.DataFrame:
         raise ValueError(
             f"{path}: expected a whole table, found one that is cut short; delete it and run again"
         )
-    text = dict.fromkeys(["unit", "follows_from", "note", "verdict"], str)
-    return pd.read_csv(path, dtype=text).fillna({"follows_from": "", "note": "", "verdict": ""})
+    text = dict.fromkeys(["main", "unit", "follows_from", "note", "verdict"], str)
+    return pd.read_csv(path, dtype=text).fillna(dict.fromkeys(text, ""))
 
 
 def without_verdicts(evaluated: pd.DataFrame) -> pd.DataFrame:
     """Return the claims of a study whose inputs are not the paper's: it judges no statement."""
-    return evaluated.assign(verdict="", frequency=np.nan)
+    return evaluated.assign(verdict="", agreeing_share=np.nan)
 
 
 def summary(evaluated: pd.DataFrame) -> pd.DataFrame:

@@ -203,8 +203,8 @@ AFM_ROWS = ("afm_rms_height", "afm_rms_slope", "afm_rms_curvature")
 TAIL_ROWS = ("all_rms_slope", "all_rms_curvature")
 #: Rows of Table 1 to which a model is calibrated if its Hurst exponent is blank.
 CALIBRATION_ROWS = {"self-affine": AFM_ROWS, "varying Hurst": AFM_ROWS, "power law": TAIL_ROWS}
-#: Values of `basis` for segments that come from data; other segments are inferred or assumed.
-DATA_BASES = ("published", "measured")
+#: Values of `evidence` for segments that come from data; other segments are inferred or assumed.
+DATA_EVIDENCE = ("published", "measured")
 
 
 def read_segments(path: str | Path) -> pd.DataFrame:

@@ -16,7 +16,7 @@ from hardcontact.surfaces.same_place import earlier_scans_of_places
 from hardcontact.surfaces.scan_defects import DEFECT_UNITS
 from hardcontact.surfaces.spectrum import (
     BIN_CENTRES,
-    DATA_BASES,
+    DATA_EVIDENCE,
     WAVEVECTORS,
     Floats,
     spectrum_of_dataset,
@@ -107,11 +107,11 @@ def add_measurements(
 def convert_described_spectrum(substitute: xr.Dataset, path: str) -> xr.Dataset:
     """Return a substitute spectrum in the form of a joined spectrum.
 
-    Its segments with DATA_BASES replace measurements; adjacent segments from one source count as
+    Its segments with DATA_EVIDENCE replace measurements; adjacent segments from one source count as
     one. Variables that only measurements have are NaN or empty.
     """
     segments = pd.read_csv(io.StringIO(substitute.attrs["segments"]))
-    data_segments = segments[segments.basis.isin(DATA_BASES)]
+    data_segments = segments[segments.evidence.isin(DATA_EVIDENCE)]
     previous = data_segments.shift()
     has_gap = data_segments.longest_nm != previous.shortest_nm
     begins = has_gap | (data_segments.source != previous.source)

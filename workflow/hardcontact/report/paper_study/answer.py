@@ -150,10 +150,10 @@ def study_numbers(
 
 def _judgements(claims: pd.DataFrame) -> Iterator[Number]:
     """Yield the share of sets in which each claim holds, and how often each verdict was reached."""
-    frequencies = claims.dropna(subset="computed").set_index("id")["frequency"]
+    agreeing_shares = claims.dropna(subset="computed").set_index("id")["agreeing_share"]
     for name, claim in ANSWER_CLAIMS.items():
-        if claim in frequencies:
-            yield Number(f"{name}_frequency", frequencies[claim])
+        if claim in agreeing_shares:
+            yield Number(f"{name}_agreeing_share", agreeing_shares[claim])
     for row in summary(claims).to_dict("records"):
         name = "verdicts_" + row["verdict"].replace(" ", "_")
         yield Number(name, row["claims"])

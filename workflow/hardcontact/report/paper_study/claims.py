@@ -27,18 +27,22 @@ def plain_rows(table: pd.DataFrame) -> list[dict[Any, Any]]:
 def claim_facts(claims: pd.DataFrame) -> dict[str, Any]:
     """Return the facts about claims that templates show.
 
-    `claims` has rows by their ids, with printed numbers, `contradicted` those of independent
-    findings that are not reproduced, and `counts` rows of `verdicts.summary`.
+    `claims` has rows by their ids, with printed numbers, `main_findings` the ids of these by rank,
+    `contradicted` the rows of independent findings that are not reproduced, main ones first, and
+    `counts` rows of `verdicts.summary`.
     The numbers of findings: `without_scan` reproduced without any scan, `larger_pixels` testable
     only with the paper's pixels.
     """
     pairs = zip(plain_rows(claims), claims.to_dict("records"), strict=True)
     facts = {str(row["id"]): plain | _printed_claim(row) for plain, row in pairs}
+    ranks = {name: int(row["main"]) for name, row in facts.items() if row["main"]}
+    main_findings = sorted(ranks, key=lambda name: ranks[name])
     return {
         "claims": facts,
+        "main_findings": main_findings,
         "contradicted": [
             row
-            for row in facts.values()
+            for row in sorted(facts.values(), key=lambda row: row["main"] == "")
             if (row["kind"], row["verdict"]) == ("independent", NOT_REPRODUCED)
         ],
         "counts": summary(claims).to_dict("records"),
