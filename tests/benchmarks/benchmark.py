@@ -26,7 +26,7 @@ from direct_sum import direct_total
 from elastic_libraries import library_pressure, library_pull_off
 
 from hardcontact.base.random import generator
-from hardcontact.contact.bearing_area import all_lowest_gaps
+from hardcontact.contact.bearing_area import all_contact_pixels
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.elastic import adhesive_pull_off, pressure_at_load
 from hardcontact.contact.geometry import gap_map, join_bodies, part_around_lowest
@@ -88,7 +88,7 @@ def times_as_long(ratio):
 def pull_off(substrate):
     """Plastic totals (contact, contact) of a smooth sphere, closest approach included."""
     pair, contact_pixel_count = pair_under_sphere(substrate)
-    contacts = all_lowest_gaps(pair, contact_pixel_count)
+    contacts = all_contact_pixels(pair, contact_pixel_count)
     return attraction_totals(pair, contacts, [contact_pixel_count], [RHO])[0, 0]
 
 
@@ -131,7 +131,7 @@ def rough_sphere():
 
     def fast():
         return contact_pixel_count + outside_sums(
-            pair, all_lowest_gaps(pair, contact_pixel_count), RHOS
+            pair, all_contact_pixels(pair, contact_pixel_count), RHOS
         )
 
     def direct(contact, rho):

@@ -14,7 +14,7 @@ from hardcontact.config.configuration import get_key, master_keys
 from hardcontact.config.grids import realization_pixels
 from hardcontact.config.model import numeric_configuration
 from hardcontact.contact.asperities import asperities_of_pair
-from hardcontact.contact.bearing_area import all_lowest_gaps
+from hardcontact.contact.bearing_area import all_contact_pixels
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies, sampled_contacts
 from hardcontact.contact.indents import indent_sizes
@@ -132,7 +132,7 @@ def check_pair(config, rng, substrate, sphere):
     assert_forces(pull_off_dataset(pair, contact, config["adhesion"]["ranges"]))
     for preload in config["indent"]["preloads"]:
         contact_pixel_count = replace(contact, preload=preload).pixel_count(pixel_size)
-        for lowest in all_lowest_gaps(pair, contact_pixel_count).values():
+        for lowest in all_contact_pixels(pair, contact_pixel_count).values():
             assert len(lowest.gaps) == contact_pixel_count
             depth, *_ = indent_sizes(lowest, pixel_size)
             assert 0 < depth < np.inf

@@ -5,7 +5,7 @@ import pytest
 from periodic_maps import CASES, make_bodies, periodic_noise
 from scipy.stats import norm
 
-from hardcontact.contact.bearing_area import all_lowest_gaps
+from hardcontact.contact.bearing_area import all_contact_pixels
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import gap_map, part_around_lowest
 
@@ -13,11 +13,11 @@ from hardcontact.contact.geometry import gap_map, part_around_lowest
 @pytest.mark.parametrize("case", CASES)
 @pytest.mark.parametrize("contact_pixel_count", [1, 9, 4097, 9000])
 @pytest.mark.parametrize("rough", [False, True])
-def test_lowest_gaps_equal_those_of_the_whole_window(case, contact_pixel_count, rough):
+def test_contact_pixels_equal_those_of_the_whole_window(case, contact_pixel_count, rough):
     pixels, pixel_size, rms, period, window = case
     roughness = periodic_noise(period, 0.5, 2) if rough else None
     bodies = make_bodies(periodic_noise(pixels, rms, 1), roughness, pixel_size, window, 3)
-    for contact, (gaps, offsets) in all_lowest_gaps(bodies, contact_pixel_count).items():
+    for contact, (gaps, offsets) in all_contact_pixels(bodies, contact_pixel_count).items():
         window_gaps = gap_map(bodies, contact)
         np.testing.assert_allclose(
             gaps, np.sort(window_gaps.ravel())[:contact_pixel_count], atol=1e-9
@@ -33,7 +33,7 @@ def test_the_bearing_area_of_a_gaussian_surface_is_its_quantile(share):
     sigma, pixels = 3.0, 512
     heights = np.random.default_rng(8).normal(0, sigma, (pixels, pixels))
     bodies = make_bodies(heights, None, 5.0, pixels, 1, radius=1e15)
-    ((gaps, _),) = all_lowest_gaps(bodies, round(share * pixels**2)).values()
+    ((gaps, _),) = all_contact_pixels(bodies, round(share * pixels**2)).values()
     quantile = norm.isf(share)
     error = sigma * np.sqrt(share * (1 - share)) / pixels / norm.pdf(quantile)
     assert -gaps[-1] == pytest.approx(sigma * quantile, abs=4 * error)

@@ -7,14 +7,14 @@ import pytest
 from paper_numbers import MODULUS
 from periodic_maps import CONTACT, RADIUS, height_map, make_bodies, periodic_noise
 
-from hardcontact.contact.bearing_area import LowestGaps, all_lowest_gaps
+from hardcontact.contact.bearing_area import ContactPixels, all_contact_pixels
 from hardcontact.contact.elastic import ELASTIC_UNITS, elastic_contacts_of_pair
 from hardcontact.contact.geometry import join_bodies, sampled_contacts
 from hardcontact.contact.indents import (
     MAP_HALF_WIDTH,
     indent_sizes,
+    indentation_map,
     indents_of_scans,
-    penetration_map,
 )
 from hardcontact.contact.smooth_sphere import hertz_contact
 
@@ -27,7 +27,7 @@ def test_indents_of_scans_equal_those_of_each_pair():
     indents = indents_of_scans(substrates, spheres, CONTACT, [10e-6, 40e-6])
     assert {name: indents.depth.sizes[name] for name in indents.depth.dims} == SHAPE
     pair = join_bodies(substrates[4], spheres[2], CONTACT)
-    contacts = all_lowest_gaps(pair, replace(CONTACT, preload=40e-6).pixel_count(8.0))
+    contacts = all_contact_pixels(pair, replace(CONTACT, preload=40e-6).pixel_count(8.0))
     depth = indents.depth.sel(scan=4, sphere_scan=2, preload=40e-6).values
     for contact, (gaps, _) in contacts.items():
         assert depth[contact] == pytest.approx(gaps[-1] - gaps[0], abs=1e-12)
@@ -56,12 +56,12 @@ def test_elastic_contacts_carry_the_preload():
 def test_indents_drawn_by_hand_have_known_sizes():
     # A row of three pixels with one more at a corner, and a lone pixel: 0 is the deepest.
     offsets = np.array([[10, 10], [10, 11], [40, 40], [10, 12], [11, 13]])
-    contact = LowestGaps(np.array([-3.0, -2.5, -2.0, -1.5, -1.0]), offsets)
+    contact = ContactPixels(np.array([-3.0, -2.5, -2.0, -1.5, -1.0]), offsets)
     depth, equal_area_side, longer_side, count = indent_sizes(contact, 5.0)
     assert (depth, count) == (2.0, 2)
     assert equal_area_side == pytest.approx(2 * 5.0)  # four pixels
     assert longer_side == 4 * 5.0
-    depth = penetration_map(contact, 3)
+    depth = indentation_map(contact, 3)
     assert depth.shape == (7, 7)
     assert depth[3, 3:6].tolist() == [2.0, 1.5, 0.5]
     assert depth.sum() == 4.0  # the lone pixel lies outside, the last one is not flattened

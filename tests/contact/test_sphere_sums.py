@@ -8,7 +8,7 @@ from direct_sum import direct_total, plastic_totals
 from periodic_maps import CASES, RADIUS, make_bodies, periodic_noise
 from scipy.special import ive
 
-from hardcontact.contact.bearing_area import all_lowest_gaps
+from hardcontact.contact.bearing_area import all_contact_pixels
 from hardcontact.contact.geometry import gap_map
 from hardcontact.contact.pull_off import attraction_totals, pull_off_force
 from hardcontact.contact.sphere_sums import MAX_DEPTH, MAX_PENETRATION, outside_sums
@@ -28,7 +28,7 @@ def bodies_of(case, seed, rough=True):
 @pytest.mark.parametrize("rough", [False, True])
 def test_the_force_at_every_range_is_the_direct_sum(case, contact_pixel_count, rough):
     bodies, ranges = bodies_of(case, 3, rough), [0.5, 2.0, 10.0]
-    contacts = all_lowest_gaps(bodies, contact_pixel_count)
+    contacts = all_contact_pixels(bodies, contact_pixel_count)
     counts = [contact_pixel_count, 1]
     totals = attraction_totals(bodies, contacts, counts, ranges)
     for contact in contacts:
@@ -43,7 +43,7 @@ def test_the_force_at_every_range_is_the_direct_sum(case, contact_pixel_count, r
 def test_the_force_keeps_its_digits_if_little_attracts_outside_contact(case, rough):
     # At a small range the other pixels attract many orders less than the contact pixels.
     bodies, rho = bodies_of(case, 3, rough), 0.1
-    contacts = all_lowest_gaps(bodies, 17)
+    contacts = all_contact_pixels(bodies, 17)
     (sums,) = outside_sums(bodies, contacts, [rho])
     for contact in contacts:
         ordered = np.sort(gap_map(bodies, contact), axis=None)
@@ -54,7 +54,7 @@ def test_the_force_keeps_its_digits_if_little_attracts_outside_contact(case, rou
 @pytest.mark.parametrize("rough", [False, True])
 def test_the_force_at_a_range_does_not_depend_on_the_other_ranges(rough):
     bodies, ranges = bodies_of(CASES[2], 3, rough), [0.35, 20.0, 0.7, 1.4, 5.0, 2.8, 5.6, 10.0]
-    contacts = all_lowest_gaps(bodies, 17)
+    contacts = all_contact_pixels(bodies, 17)
     for rho, sums in zip(ranges, outside_sums(bodies, contacts, ranges), strict=True):
         np.testing.assert_allclose(sums, outside_sums(bodies, contacts, [rho])[0], rtol=1e-12)
 
@@ -74,7 +74,7 @@ def test_contact_pixels_are_subtracted_exactly_at_the_ends_of_its_use(
     bodies = make_bodies(heights, None, pixel_size, 40, 1)
     (position,) = bodies.geometry.positions
     heights[:] = np.roll(heights, position - 12, axis=(0, 1))
-    contacts = all_lowest_gaps(bodies, 4)
+    contacts = all_contact_pixels(bodies, 4)
     gaps, _ = contacts[0, 0]
     assert gaps[-1] - gaps[0] > 0.9 * penetration * max_penetration * rho
     assert gaps[-1] + heights.max() > 0.9 * raised * max_depth * rho
@@ -89,7 +89,7 @@ def test_the_force_on_mirrored_heights_is_the_direct_sum(axes):
     for axis in axes:
         heights = (heights + np.flip(heights, axis)) / 2
     bodies = make_bodies(heights, None, 50.0, 140, 3)
-    contacts = all_lowest_gaps(bodies, 4)
+    contacts = all_contact_pixels(bodies, 4)
     totals = attraction_totals(bodies, contacts, [4], [5.6])
     for contact in contacts:
         direct = direct_total(gap_map(bodies, contact), 4, 5.6)

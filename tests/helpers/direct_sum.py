@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from hardcontact.contact.bearing_area import all_lowest_gaps
+from hardcontact.contact.bearing_area import all_contact_pixels
 from hardcontact.contact.geometry import flattened_gaps
 from hardcontact.contact.pull_off import attraction_totals
 
@@ -14,5 +14,5 @@ def direct_total(gap, contact_pixel_count, rho):
 
 def plastic_totals(bodies, pixel_counts, rho):
     """Sums of exp(-gap/rho) of an array of plastic contacts: (load, contact, contact)."""
-    contacts = all_lowest_gaps(bodies, max(pixel_counts))
+    contacts = all_contact_pixels(bodies, max(pixel_counts))
     return attraction_totals(bodies, contacts, pixel_counts, [rho])[:, 0]

@@ -16,7 +16,7 @@ from hardcontact.base.origin import Origin, canonical_json, digests, keep_record
 from hardcontact.config.configuration import reading_keys
 from hardcontact.config.grids import Grid
 from hardcontact.config.limits import check_grids
-from hardcontact.contact.bearing_area import all_lowest_gaps
+from hardcontact.contact.bearing_area import all_contact_pixels
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.files.patterns import study_patterns
@@ -205,7 +205,7 @@ def test_contacts_on_a_described_surface_lie_within_its_relief(name):
     contact = Contact(radius=250e3, preload=1e-5, hardness=25e9, window=12.5e3, contacts_per_side=8)
     for seed in range(2):
         surface = random_surface(np.random.default_rng(seed), 256, 20e3 / 256, density)
-        lowest = all_lowest_gaps(join_bodies(surface, None, contact), 1).values()
+        lowest = all_contact_pixels(join_bodies(surface, None, contact), 1).values()
         height_difference = float(surface.heights.max() + max(gaps.gaps[0] for gaps in lowest))
         assert 0.2 * relief < height_difference < relief
 

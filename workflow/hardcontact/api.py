@@ -278,11 +278,11 @@ def pull_off_forces(
     check_quantities(radius=radius, preload=preload, hardness=hardness, work=work)
     check_positive_numbers("ranges", ranges)
     surface, rough = _periodic_maps(scan, sphere, contact, ranges)
-    contact_bodies = join_bodies(surface, rough, contact)
+    bodies = join_bodies(surface, rough, contact)
     longest = replace(contact, rho=max(ranges))
-    forces = pull_off_dataset(contact_bodies, contact, ranges)
+    forces = pull_off_dataset(bodies, contact, ranges)
     plastic_forces = forces["pull_off_force"].sel(contact_model=["plastic"], rho=longest.rho)
-    forces = forces.merge(wider_window_change([contact_bodies], longest, plastic_forces))
+    forces = forces.merge(wider_window_change([bodies], longest, plastic_forces))
     force_at_work = forces.pull_off_force * (work / WORK_OF_ADHESION)
     attributes = {"units": "N", "long_name": "pull-off force"}
     return forces.assign(pull_off_force=force_at_work.assign_attrs(attributes)).assign_attrs(

@@ -8,7 +8,7 @@ read.
 """
 
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import chain, pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -90,13 +90,17 @@ def as_tiles(surface: HeightMap) -> Tiles:
     return Tiles(surface.pixels, blocks, maxima, _maxima_of_squares(maxima, GROUP))
 
 
-class LowestGaps(NamedTuple):
+class ContactPixels(NamedTuple):
     """The contact pixels of one contact."""
 
     #: (contact_pixel_count,) nm, ascending. The first is minus the height of the apex at rigid
     #: closest approach, the last minus that at plastic closest approach.
     gaps: Floats
     offsets: NDArray[np.int_]  #: (contact_pixel_count, 2) pixels from the apex: row, column.
+
+
+#: Contact pixels by the index (i, j) of the contact in the array.
+PixelsByContact = dict[tuple[int, int], ContactPixels]
 
 
 class WindowTiles(NamedTuple):
@@ -191,13 +195,13 @@ class _Windows:
         return np.where(geometry.window_mask(offset), geometry.paraboloid(offset), np.inf)
 
 
-def lowest_gaps(
+def find_contact_pixels(
     substrate: Tiles,
     roughness: Tiles | None,
     geometry: ContactGeometry,
     positions: NDArray[np.int_],
     contact_pixel_count: int,
-) -> list[LowestGaps]:
+) -> list[ContactPixels]:
     """Return the smallest gaps of contacts and the pixels that they belong to.
 
     Only tiles with a lower bound on their gaps below the largest gap of the contact are read. The
@@ -267,18 +271,18 @@ def _gaps_up_to(
     return tiles.contact[number], gaps.ravel()[low], offsets
 
 
-def _lowest(gaps: Floats, offsets: NDArray[np.int_], contact_pixel_count: int) -> LowestGaps:
+def _lowest(gaps: Floats, offsets: NDArray[np.int_], contact_pixel_count: int) -> ContactPixels:
     """Return the smallest of gaps, ascending; equal ones in the order of offsets."""
     if gaps.size > contact_pixel_count:
         # Few are left to sort, and equal gaps at the end are all among them.
         low = gaps <= largest_contact_gap(gaps, contact_pixel_count)
         gaps, offsets = gaps[low], offsets[low]
     order = np.lexsort((offsets[:, 1], offsets[:, 0], gaps))[:contact_pixel_count]
-    return LowestGaps(gaps[order], offsets[order])
+    return ContactPixels(gaps[order], offsets[order])
 
 
-def all_lowest_gaps(bodies: Bodies, contact_pixel_count: int) -> dict[tuple[int, int], LowestGaps]:
-    """Return `lowest_gaps` of every contact, by its index (i, j) in the array."""
+def all_contact_pixels(bodies: Bodies, contact_pixel_count: int) -> PixelsByContact:
+    """Return `find_contact_pixels` of every contact, by its index (i, j) in the array."""
     substrate = as_tiles(bodies.substrate)
     roughness = None if bodies.roughness is None else as_tiles(bodies.roughness)
     geometry = bodies.geometry
@@ -287,9 +291,8 @@ def all_lowest_gaps(bodies: Bodies, contact_pixel_count: int) -> dict[tuple[int,
     positions = geometry.positions[np.array(indices)]
     starts = range(0, len(indices), CONTACT_BATCH)
     batches = [positions[start : start + CONTACT_BATCH] for start in starts]
-    gaps = [
-        contact_gaps
+    pixels = chain.from_iterable(
+        find_contact_pixels(substrate, roughness, geometry, batch, contact_pixel_count)
         for batch in batches
-        for contact_gaps in lowest_gaps(substrate, roughness, geometry, batch, contact_pixel_count)
-    ]
-    return dict(zip(indices, gaps, strict=True))
+    )
+    return dict(zip(indices, pixels, strict=True))

@@ -5,41 +5,39 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from hardcontact.contact.bearing_area import LowestGaps
+from hardcontact.contact.bearing_area import PixelsByContact
 from hardcontact.contact.geometry import Bodies, gaps_at
 
 Floats = NDArray[np.float64]
 
-#: Lowest gaps, those of the contact pixels, by the index (i, j) of the contact in the array.
-GapsByContact = dict[tuple[int, int], LowestGaps]
 #: Sums (contact, contact) over all pixels but contact pixels, and a function that returns the
 #: factor of the sphere at the contact pixels as seen from the contact (i, j).
 SphereTerms = tuple[Floats, Callable[[tuple[int, int]], Floats]]
 
 
-class ContactPixels:
+class TouchedPixels:
     """The substrate's pixels that are contact pixels of any contact of an array, each once.
 
     They are left out of the sum of every contact; those of the other contacts are then added again.
     `row` and `column` (pixels,) are their places on the substrate, by rows.
     """
 
-    def __init__(self, bodies: Bodies, lowest_gaps: GapsByContact) -> None:
+    def __init__(self, bodies: Bodies, pixels_by_contact: PixelsByContact) -> None:
         pixels = bodies.substrate.pixels
         positions = bodies.geometry.positions
         touching = {
             index: np.ravel_multi_index(
                 tuple(((positions[list(index)] + offsets) % pixels).T), (pixels, pixels)
             )
-            for index, (_, offsets) in lowest_gaps.items()
+            for index, (_, offsets) in pixels_by_contact.items()
         }
         flat = np.unique(np.concatenate(list(touching.values())))
         self.row, self.column = np.divmod(flat, pixels)
         self._own = {index: np.searchsorted(flat, pixel) for index, pixel in touching.items()}
-        self._gaps = {index: gaps for index, (gaps, _) in lowest_gaps.items()}
+        self._gaps = {index: gaps for index, (gaps, _) in pixels_by_contact.items()}
         self._image_gaps = {
             index: _image_gaps(bodies, index, offsets)
-            for index, (_, offsets) in lowest_gaps.items()
+            for index, (_, offsets) in pixels_by_contact.items()
         }
 
     def leave_out(self, terms: NDArray[np.floating], first_row: int = 0) -> None:

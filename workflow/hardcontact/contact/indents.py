@@ -13,7 +13,7 @@ from scipy.sparse.csgraph import connected_components
 
 from hardcontact.base.dataset import stack
 from hardcontact.base.job import progress
-from hardcontact.contact.bearing_area import LowestGaps, all_lowest_gaps
+from hardcontact.contact.bearing_area import ContactPixels, PixelsByContact, all_contact_pixels
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import Bodies, join_bodies
 from hardcontact.surfaces.height_map import HeightMap
@@ -24,14 +24,14 @@ MAP_HALF_WIDTH = 32
 INDENT_UNITS = {"depth": "nm", "equal_area_side": "nm", "longer_side": "nm", "indent_count": "1"}
 
 
-def indent_sizes(lowest_gaps: LowestGaps, pixel_size: float) -> tuple[float, float, float, int]:
+def indent_sizes(pixels: ContactPixels, pixel_size: float) -> tuple[float, float, float, int]:
     """Return depth, two sizes (nm) and number of the indents of one contact, as INDENT_UNITS.
 
     The depth is the penetration of the deepest pixel. The sizes are the side of a square with the
     area of the largest indent, and the longer side of its bounding box.
     """
     # The gaps ascend; the sphere comes down until the last of them is zero.
-    gaps, offsets = lowest_gaps
+    gaps, offsets = pixels
     are_neighbours = np.abs(offsets[:, None] - offsets).max(axis=-1) <= 1
     count, labels = connected_components(are_neighbours, directed=False)
     pixel_counts = np.bincount(labels)
@@ -41,12 +41,12 @@ def indent_sizes(lowest_gaps: LowestGaps, pixel_size: float) -> tuple[float, flo
     return gaps[-1] - gaps[0], equal_area_side, longer_side, count
 
 
-def penetration_map(lowest_gaps: LowestGaps, half_width: int) -> NDArray[np.float64]:
+def indentation_map(contact_pixels: ContactPixels, half_width: int) -> NDArray[np.float64]:
     """Return the penetration (nm) of pixels up to `half_width` pixels from the deepest.
 
     It is (2 half_width + 1, 2 half_width + 1), and zero out of contact.
     """
-    gaps, offsets = lowest_gaps
+    gaps, offsets = contact_pixels
     penetration = np.zeros((2 * half_width + 1,) * 2)
     y, x = (offsets - offsets[0] + half_width).T
     inside = (abs(y - half_width) <= half_width) & (abs(x - half_width) <= half_width)
@@ -84,34 +84,30 @@ def indents_of_scans(
     )
 
 
-def _pixels_by_load(
-    contact_bodies: Bodies, loaded_contacts: Sequence[Contact]
-) -> list[dict[tuple[int, int], LowestGaps]]:
+def _pixels_by_load(bodies: Bodies, loaded_contacts: Sequence[Contact]) -> list[PixelsByContact]:
     """Return the contact pixels at each load, by the indices of the contact."""
-    counts = [
-        contact.pixel_count(contact_bodies.geometry.pixel_size) for contact in loaded_contacts
-    ]
-    lowest_gaps_by_index = all_lowest_gaps(contact_bodies, max(counts))
+    counts = [contact.pixel_count(bodies.geometry.pixel_size) for contact in loaded_contacts]
+    pixels_by_contact = all_contact_pixels(bodies, max(counts))
     return [
         {
-            index: LowestGaps(gaps[:count], offsets[:count])
-            for index, (gaps, offsets) in lowest_gaps_by_index.items()
+            index: ContactPixels(gaps[:count], offsets[:count])
+            for index, (gaps, offsets) in pixels_by_contact.items()
         }
         for count in counts
     ]
 
 
-def _sizes_of_bodies(contact_bodies: Bodies, loaded_contacts: Sequence[Contact]) -> xr.Dataset:
+def _sizes_of_bodies(bodies: Bodies, loaded_contacts: Sequence[Contact]) -> xr.Dataset:
     """Return the sizes of indents (preload, contact_y, contact_x) of one pair of scans."""
     sizes = np.array(
         [
             [
-                indent_sizes(lowest_gaps, contact_bodies.geometry.pixel_size)
-                for lowest_gaps in pixels_by_index.values()
+                indent_sizes(contact_pixels, bodies.geometry.pixel_size)
+                for contact_pixels in pixels_by_contact.values()
             ]
-            for pixels_by_index in _pixels_by_load(contact_bodies, loaded_contacts)
+            for pixels_by_contact in _pixels_by_load(bodies, loaded_contacts)
         ]
-    ).reshape(len(loaded_contacts), *[len(contact_bodies.geometry.positions)] * 2, -1)
+    ).reshape(len(loaded_contacts), *[len(bodies.geometry.positions)] * 2, -1)
     dimensions = ("preload", "contact_y", "contact_x")
     return xr.Dataset(
         {
@@ -132,25 +128,25 @@ def _median_contact(sizes: xr.Dataset) -> tuple[tuple[int, int], tuple[int, int]
 
 def _add_height_maps(
     sizes: xr.Dataset,
-    contact_bodies: Bodies,
+    bodies: Bodies,
     loaded_contacts: Sequence[Contact],
     index: tuple[int, int],
 ) -> xr.Dataset:
     """Add maps of the indents of one contact at every preload, and of the sphere there."""
-    pixels_by_load = [pixels[index] for pixels in _pixels_by_load(contact_bodies, loaded_contacts)]
+    pixels_by_load = [pixels[index] for pixels in _pixels_by_load(bodies, loaded_contacts)]
     offsets = np.arange(-MAP_HALF_WIDTH, MAP_HALF_WIDTH + 1)
     row, column = pixels_by_load[0].offsets[0]
-    position = offsets * contact_bodies.geometry.pixel_size
+    position = offsets * bodies.geometry.pixel_size
     axis = {"units": "nm", "long_name": "position from the deepest point"}
     return sizes.assign(
         indentation=(
             ("preload", "y", "x"),
-            np.array([penetration_map(pixels, MAP_HALF_WIDTH) for pixels in pixels_by_load]),
-            {"units": "nm", "long_name": "flattening of the sphere"},
+            np.array([indentation_map(pixels, MAP_HALF_WIDTH) for pixels in pixels_by_load]),
+            {"units": "nm", "long_name": "indentation of the sphere"},
         ),
         sphere_height=(
             ("y", "x"),
-            contact_bodies.sphere(row + offsets, column + offsets),
+            bodies.sphere(row + offsets, column + offsets),
             {"units": "nm", "long_name": "undeformed sphere, up from its apex"},
         ),
     ).assign_coords(y=("y", position, axis), x=("x", position, axis))

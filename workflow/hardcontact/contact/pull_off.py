@@ -13,9 +13,8 @@ import numpy as np
 import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
-from hardcontact.contact.bearing_area import all_lowest_gaps
+from hardcontact.contact.bearing_area import PixelsByContact, all_contact_pixels
 from hardcontact.contact.contact import CONTACT_AXES, Contact
-from hardcontact.contact.contact_pixels import GapsByContact
 from hardcontact.contact.geometry import Bodies, gap_map, largest_contact_gap
 from hardcontact.contact.sphere_sums import outside_sums
 from hardcontact.surfaces.filters import interpolate
@@ -65,7 +64,7 @@ def pull_off_force(
 
 def attraction_totals(
     bodies: Bodies,
-    lowest_gaps: GapsByContact,
+    pixels_by_contact: PixelsByContact,
     pixel_counts: Sequence[int],
     ranges: Sequence[float],
 ) -> Floats:
@@ -73,8 +72,8 @@ def attraction_totals(
 
     A pixel count is the number of pixels that touch, at most the number of lowest gaps.
     """
-    gaps = _stacked_gaps(lowest_gaps)
-    sums_by_range = list(zip(outside_sums(bodies, lowest_gaps, ranges), ranges, strict=True))
+    gaps = _stacked_gaps(pixels_by_contact)
+    sums_by_range = list(zip(outside_sums(bodies, pixels_by_contact, ranges), ranges, strict=True))
     totals = [
         [_total_of_lowest(outside_sum, gaps, count, rho) for outside_sum, rho in sums_by_range]
         for count in pixel_counts
@@ -97,10 +96,10 @@ def _total_of_lowest(
     )
 
 
-def _stacked_gaps(lowest_gaps: GapsByContact) -> Floats:
+def _stacked_gaps(pixels_by_contact: PixelsByContact) -> Floats:
     """Return the gaps (contact, contact, k) of all contacts in nm."""
-    contacts_per_side = math.isqrt(len(lowest_gaps))
-    gaps = np.array([contact_pixels.gaps for contact_pixels in lowest_gaps.values()])
+    contacts_per_side = math.isqrt(len(pixels_by_contact))
+    gaps = np.array([contact_pixels.gaps for contact_pixels in pixels_by_contact.values()])
     return gaps.reshape(contacts_per_side, contacts_per_side, -1)
 
 
@@ -116,15 +115,15 @@ def forces_at_loads(
 
 def _gaps_and_forces(
     bodies: Bodies, loaded_contacts: Sequence[Contact], ranges: Sequence[float]
-) -> tuple[GapsByContact, Floats]:
+) -> tuple[PixelsByContact, Floats]:
     """Return the lowest gaps of each contact, and the forces of `forces_at_loads` from them."""
     pixel_size = bodies.geometry.pixel_size
     pixel_counts = [contact.pixel_count(pixel_size) for contact in loaded_contacts]
-    lowest_gaps = all_lowest_gaps(bodies, max(pixel_counts))
-    totals = attraction_totals(bodies, lowest_gaps, pixel_counts, ranges)
+    pixels_by_contact = all_contact_pixels(bodies, max(pixel_counts))
+    totals = attraction_totals(bodies, pixels_by_contact, pixel_counts, ranges)
     rho = np.asarray(ranges, float)[:, None, None]
     forces = pull_off_force(totals, rho, pixel_size, WORK_OF_ADHESION)
-    return lowest_gaps, forces
+    return pixels_by_contact, forces
 
 
 def pull_off_dataset(bodies: Bodies, contact: Contact, ranges: Sequence[float]) -> xr.Dataset:
@@ -136,9 +135,9 @@ def pull_off_dataset(bodies: Bodies, contact: Contact, ranges: Sequence[float]) 
     """
     pixel_size = bodies.geometry.pixel_size
     loaded_contacts = [replace(contact, plastic=False), contact]
-    lowest_gaps, forces = _gaps_and_forces(bodies, loaded_contacts, ranges)
+    pixels_by_contact, forces = _gaps_and_forces(bodies, loaded_contacts, ranges)
     pixel_counts = [contact.pixel_count(pixel_size) for contact in loaded_contacts]
-    gaps = _stacked_gaps(lowest_gaps)
+    gaps = _stacked_gaps(pixels_by_contact)
     # At closest approach the largest gap of the touching pixels has become zero.
     apex_heights = -np.stack([gaps[..., 0], gaps[..., -1]])
     positions = bodies.geometry.positions * pixel_size
@@ -149,7 +148,7 @@ def pull_off_dataset(bodies: Bodies, contact: Contact, ranges: Sequence[float]) 
             "pull_off_force": (("contact_model", "rho", *CONTACT_AXES), forces, FORCE),
             "apex_height": (model_axes, apex_heights, height_attributes),
             "contact_pixel_count": ("contact_model", pixel_counts, {"units": "1"}),
-            "touched_places": ((), touched_places(bodies, lowest_gaps), {"units": "1"}),
+            "touched_places": ((), touched_places(bodies, pixels_by_contact), {"units": "1"}),
         },
         {"contact_model": ["rigid", "plastic"]}
         | range_axis(ranges)
@@ -158,7 +157,7 @@ def pull_off_dataset(bodies: Bodies, contact: Contact, ranges: Sequence[float]) 
     )
 
 
-def touched_places(bodies: Bodies, lowest_gaps: GapsByContact) -> int:
+def touched_places(bodies: Bodies, pixels_by_contact: PixelsByContact) -> int:
     """Return the number of places of a mirrored scan that hold the deepest pixel of some contact.
 
     A place is a patch of contact pixels that share edges or corners. If one particle on a flat
@@ -169,7 +168,7 @@ def touched_places(bodies: Bodies, lowest_gaps: GapsByContact) -> int:
     pixels = bodies.substrate.pixels
     contact_points = [
         (bodies.geometry.positions[list(index)] + offsets) % pixels
-        for index, (_, offsets) in lowest_gaps.items()
+        for index, (_, offsets) in pixels_by_contact.items()
     ]
     # Fold the mirror images back onto the scan, a quarter of the map.
     scan_pixels = [tuple(np.minimum(points, pixels - 1 - points).T) for points in contact_points]

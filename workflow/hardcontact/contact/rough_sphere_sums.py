@@ -9,7 +9,7 @@ from itertools import product
 import numpy as np
 from numpy.typing import NDArray
 
-from hardcontact.contact.contact_pixels import ContactPixels, Floats, SphereTerms, exponential
+from hardcontact.contact.contact_pixels import Floats, SphereTerms, TouchedPixels, exponential
 from hardcontact.contact.geometry import Bodies, ContactGeometry
 
 #: Rows of the kernel that are made at once: few enough for the cache.
@@ -19,7 +19,7 @@ SMALLEST_TRANSFORMED = 1e-6
 
 
 def rough_sphere_terms(
-    bodies: Bodies, contact_pixels: ContactPixels, ranges: Sequence[float]
+    bodies: Bodies, touched_pixels: TouchedPixels, ranges: Sequence[float]
 ) -> Iterator[SphereTerms]:
     """Yield the terms of `smooth_sphere_terms` for a rough sphere, relative to its highest u."""
     assert bodies.roughness is not None
@@ -28,13 +28,13 @@ def rough_sphere_terms(
     heights = bodies.substrate.heights.astype(float)
     roughness = bodies.roughness.heights.astype(float)
     #: Rows, in units of whole rows, and columns of the contact pixels as seen from each position.
-    rows = (contact_pixels.row - positions[:, None]) % pixels * pixels
-    columns = (contact_pixels.column - positions[:, None]) % pixels
+    rows = (touched_pixels.row - positions[:, None]) % pixels * pixels
+    columns = (touched_pixels.column - positions[:, None]) % pixels
     for rho in ranges:
         attraction = exponential(roughness, float(roughness.max()), rho)
         kernel = _kernel(pixels, attraction, bodies.geometry, rho)
         terms = exponential(heights, float(heights.max()), rho)
-        contact_pixels.leave_out(terms)
+        touched_pixels.leave_out(terms)
 
         def factor(index: tuple[int, int], kernel: Floats = kernel) -> Floats:
             return np.asarray(kernel.take(rows[index[0]] + columns[index[1]]))

@@ -8,11 +8,11 @@ from collections.abc import Iterable, Iterator, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from hardcontact.contact.bearing_area import PixelsByContact
 from hardcontact.contact.contact_pixels import (
-    ContactPixels,
     Floats,
-    GapsByContact,
     SphereTerms,
+    TouchedPixels,
     exponential,
 )
 from hardcontact.contact.geometry import Bodies, ContactGeometry
@@ -22,7 +22,7 @@ ROWS = 64
 
 
 def sums_by_subtraction(
-    bodies: Bodies, lowest_gaps: GapsByContact, ranges: Sequence[float]
+    bodies: Bodies, pixels_by_contact: PixelsByContact, ranges: Sequence[float]
 ) -> Floats:
     """Return `outside_sums` on a smooth sphere: sums over all pixels less those in contact."""
     heights = bodies.substrate.heights
@@ -34,7 +34,7 @@ def sums_by_subtraction(
     quarter, quarter_factors = _without_mirror_images(heights, factors)
     all_sums = _contact_sums(_row_blocks(quarter, precision, highest, ranges), quarter_factors)
     sums = np.empty_like(all_sums)
-    for index, (gaps, _) in lowest_gaps.items():
+    for index, (gaps, _) in pixels_by_contact.items():
         for k, rho in enumerate(ranges):
             contact_sum = np.exp((gaps[-1] - gaps) / rho).sum()
             scale = np.exp((gaps[-1] + highest) / rho)
@@ -43,14 +43,14 @@ def sums_by_subtraction(
 
 
 def smooth_sphere_terms(
-    bodies: Bodies, contact_pixels: ContactPixels, ranges: Sequence[float]
+    bodies: Bodies, touched_pixels: TouchedPixels, ranges: Sequence[float]
 ) -> Iterator[SphereTerms]:
     """Yield, for each range, the sums over all but contact pixels and the factor at these."""
     pixels = bodies.substrate.pixels
-    row = contact_pixels.row
-    column = contact_pixels.column
+    row = touched_pixels.row
+    column = touched_pixels.column
     factors = [axis_factors(pixels, bodies.geometry, rho) for rho in ranges]
-    blocks = _row_blocks_without_contacts(bodies.substrate.heights, contact_pixels, ranges)
+    blocks = _row_blocks_without_contacts(bodies.substrate.heights, touched_pixels, ranges)
     totals = _contact_sums(blocks, factors)
     for total, axis_factor in zip(totals, factors, strict=True):
 
@@ -99,12 +99,12 @@ def _row_blocks(
 
 
 def _row_blocks_without_contacts(
-    heights: NDArray[np.floating], contact_pixels: ContactPixels, ranges: Sequence[float]
+    heights: NDArray[np.floating], touched_pixels: TouchedPixels, ranges: Sequence[float]
 ) -> Iterator[tuple[slice, list[NDArray[np.floating]]]]:
     """Yield the rows of each block and its exponentials, zero at contact pixels."""
     for rows, attractions in _row_blocks(heights, np.float64, float(heights.max()), ranges):
         for attraction in attractions:
-            contact_pixels.leave_out(attraction, rows.start)
+            touched_pixels.leave_out(attraction, rows.start)
         yield rows, attractions
 
 

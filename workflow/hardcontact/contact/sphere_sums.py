@@ -19,7 +19,8 @@ import numpy as np
 from numpy.typing import NDArray
 from threadpoolctl import ThreadpoolController
 
-from hardcontact.contact.contact_pixels import ContactPixels, Floats, GapsByContact, exponential
+from hardcontact.contact.bearing_area import PixelsByContact
+from hardcontact.contact.contact_pixels import Floats, TouchedPixels, exponential
 from hardcontact.contact.geometry import Bodies
 from hardcontact.contact.rough_sphere_sums import rough_sphere_terms
 from hardcontact.contact.smooth_sphere_sums import smooth_sphere_terms, sums_by_subtraction
@@ -35,31 +36,33 @@ MAX_DEPTH = {np.float32: 40.0, np.float64: 660.0}
 
 
 def outside_sums(
-    bodies: Bodies, lowest_gaps: GapsByContact, ranges: Sequence[float] | Floats
+    bodies: Bodies, pixels_by_contact: PixelsByContact, ranges: Sequence[float] | Floats
 ) -> Floats:
     """Return the sum (rho, contact, contact) of exp(-(g + m)/rho) outside plastic contact.
 
-    m is the height of the apex at closest approach. `lowest_gaps[i, j]` has the gaps of the pixels
-    that touch in the contact (i, j) of the array.
+    m is the height of the apex at closest approach. `pixels_by_contact[i, j]` has the pixels that
+    touch in the contact (i, j) of the array.
     """
     all_ranges = np.asarray(ranges, float)
     sums = np.empty((len(all_ranges), *[len(bodies.geometry.positions)] * 2))
-    subtract = _are_shallow(bodies, lowest_gaps, all_ranges)
+    subtract = _are_shallow(bodies, pixels_by_contact, all_ranges)
     with LIBRARIES.limit(limits=1, user_api="blas"):
         for is_chosen, method in ((subtract, sums_by_subtraction), (~subtract, _sums_by_omission)):
             if is_chosen.any():
-                sums[is_chosen] = method(bodies, lowest_gaps, all_ranges[is_chosen].tolist())
+                sums[is_chosen] = method(bodies, pixels_by_contact, all_ranges[is_chosen].tolist())
     return sums
 
 
-def _are_shallow(bodies: Bodies, lowest_gaps: GapsByContact, ranges: Floats) -> NDArray[np.bool_]:
+def _are_shallow(
+    bodies: Bodies, pixels_by_contact: PixelsByContact, ranges: Floats
+) -> NDArray[np.bool_]:
     """Return at which ranges (rho,) contact pixels can be subtracted from the sum over all.
 
     A rough sphere has a kernel for each range, and its maps are small: its sums stay exact.
     """
     if bodies.roughness is not None:
         return np.zeros(len(ranges), bool)
-    lowest, largest = np.array([gaps[[0, -1]] for gaps, _ in lowest_gaps.values()]).T
+    lowest, largest = np.array([gaps[[0, -1]] for gaps, _ in pixels_by_contact.values()]).T
     penetration = (largest - lowest).max()
     depth = (largest + bodies.substrate.heights.max()).max()
     precision = bodies.substrate.heights.dtype.type
@@ -70,23 +73,23 @@ def _are_shallow(bodies: Bodies, lowest_gaps: GapsByContact, ranges: Floats) -> 
 
 
 def _sums_by_omission(
-    bodies: Bodies, lowest_gaps: GapsByContact, ranges: Sequence[float]
+    bodies: Bodies, pixels_by_contact: PixelsByContact, ranges: Sequence[float]
 ) -> Floats:
     """Return `outside_sums` where no sum contains contact pixels, in double precision."""
     substrate = bodies.substrate
     roughness = bodies.roughness
-    contact_pixels = ContactPixels(bodies, lowest_gaps)
-    touching = substrate.heights[contact_pixels.row, contact_pixels.column].astype(float)
+    touched_pixels = TouchedPixels(bodies, pixels_by_contact)
+    touching = substrate.heights[touched_pixels.row, touched_pixels.column].astype(float)
     highest_substrate = float(substrate.heights.max())
     highest_roughness = 0.0 if roughness is None else float(roughness.heights.max())
     highest = highest_substrate + highest_roughness
     sums = np.empty((len(ranges), *[len(bodies.geometry.positions)] * 2))
     sphere_terms = smooth_sphere_terms if roughness is None else rough_sphere_terms
-    terms = sphere_terms(bodies, contact_pixels, ranges)
+    terms = sphere_terms(bodies, touched_pixels, ranges)
     for k, (rho, (total, factor)) in enumerate(zip(ranges, terms, strict=True)):
         attraction = exponential(touching, highest_substrate, rho)
-        for index in lowest_gaps:
-            sums[k][index] = contact_pixels.sum_outside(
+        for index in pixels_by_contact:
+            sums[k][index] = touched_pixels.sum_outside(
                 index, total[index], attraction * factor(index), highest, rho
             )
     return sums

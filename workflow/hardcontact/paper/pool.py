@@ -113,8 +113,8 @@ def pool_scan(number: int, inputs: PoolInputs) -> HeightMap:
 
 def smooth_sphere_forces(scan: HeightMap, contact: Contact, ranges: list[float]) -> xr.DataArray:
     """Return the pull-off forces of a smooth sphere on a levelled scan, mirror-stitched."""
-    contact_bodies = join_bodies(mirror_stitch(scan), None, contact)
-    return pull_off_dataset(contact_bodies, contact, ranges)["pull_off_force"]
+    bodies = join_bodies(mirror_stitch(scan), None, contact)
+    return pull_off_dataset(bodies, contact, ranges)["pull_off_force"]
 
 
 def forces_at_heights(scan: HeightMap, inputs: PoolInputs) -> xr.Dataset:
