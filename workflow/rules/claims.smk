@@ -15,7 +15,7 @@ rule evaluate_claims:
         code=code_inputs("evaluate_claims.py"),
     output:
         claims=PATTERNS.result("claims.csv"),
-    retries: 0  # A fault of a statement would be there again.
+    retries: 0  # A wrong statement fails the same way twice.
     params:
         parameters=parameters(
             datasets=CLAIM_DATASETS,

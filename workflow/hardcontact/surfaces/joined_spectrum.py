@@ -136,7 +136,7 @@ def sample_spectra(
 ) -> Iterator[tuple[Spectrum, Floats]]:
     """Yield, by generator, a spectrum of a surface within the uncertainty of its measurements.
 
-    A draw varies the power in each bin, the bends between bins, the calibrations, the Hurst
+    A sample varies the power in each bin, the bends between bins, the calibrations, the Hurst
     exponent of the tail and the roll-off. Unknown tip radii are uniform in their logarithm. Also
     yields the factors (measurement,) of measured relative to true heights.
     """
