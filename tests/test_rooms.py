@@ -16,8 +16,8 @@ ROOMS = re.findall(r"`(\w+)`", hardcontact.__doc__)
 #: Code lines that each room may have, without docstrings, comments and blank lines. A commit that
 #: raises one says what a user gets for it.
 BUDGET = {
-    "base": 772,
-    "surfaces": 3432,
+    "base": 778,
+    "surfaces": 3425,
     "contact": 1430,
     "inference": 1603,
     "theory": 647,
@@ -26,7 +26,7 @@ BUDGET = {
     "files": 463,
     "run": 444,
     "own": 653,
-    "report": 3523,
+    "report": 3524,
     "commands": 1527,
     "api": 229,
 }

@@ -20,6 +20,7 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.base import dataset, published
+from hardcontact.base.arrays import Floats
 from hardcontact.base.dataset import stack
 from hardcontact.base.random import generator
 from hardcontact.base.statistics import student_log_interval
@@ -29,7 +30,7 @@ from hardcontact.contact.pull_off import FORCE, mean_pull_off_dataset
 from hardcontact.inference.edges_of_scans import edges_of_curves
 from hardcontact.surfaces.filters import filtered_series
 from hardcontact.surfaces.height_map import HeightMap, level, mirror_stitch
-from hardcontact.surfaces.spectrum import Floats, Spectrum, SpectrumFunction, spectrum_of_dataset
+from hardcontact.surfaces.spectrum import Spectrum, SpectrumFunction, spectrum_of_dataset
 from hardcontact.surfaces.substitute_spectra import rows_of_surface, substitute_spectrum
 from hardcontact.surfaces.synthesis import cut_scan, random_surface
 

@@ -34,7 +34,10 @@ FACTORS = {
 FACTORS["N"] |= {f"{prefix}gf": 9.80665e-3 * 10.0**power for prefix, power in PREFIXES.items()}
 #: Attributes of variables of datasets, by their unit.
 NM = {"units": "nm"}
+NM4 = {"units": "nm4"}
+RAD_PER_NM = {"units": "rad nm-1"}
 NEWTON = {"units": "N"}
+PASCAL = {"units": "Pa"}
 JOULE_PER_M2 = {"units": "J m-2"}
 DIMENSIONLESS = {"units": "1"}
 _QUANTITY = re.compile(

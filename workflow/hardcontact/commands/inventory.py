@@ -7,6 +7,7 @@ from pathlib import PurePath
 
 import numpy as np
 
+from hardcontact.base.arrays import Floats
 from hardcontact.base.formatting import format_length
 from hardcontact.commands.request import Source
 from hardcontact.config.grids import Grid
@@ -19,7 +20,6 @@ from hardcontact.surfaces.same_place import coarse_map, repeated_places
 from hardcontact.surfaces.scan_defects import examine
 from hardcontact.surfaces.scan_heights import split_notes
 from hardcontact.surfaces.scans import list_scans, read_scan
-from hardcontact.surfaces.spectrum import Floats
 
 #: The use of scans that only enter the spectrum of their surface.
 SPECTRUM = "spectrum"

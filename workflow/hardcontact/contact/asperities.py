@@ -11,11 +11,10 @@ import xarray as xr
 from numpy.typing import NDArray
 from scipy import ndimage
 
+from hardcontact.base.arrays import Floats
 from hardcontact.base.job import progress
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import Bodies, flattened_gaps, gap_map
-
-Floats = NDArray[np.float64]
 
 ASPERITY_UNITS = {
     "largest_share": "1",

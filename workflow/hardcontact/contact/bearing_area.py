@@ -14,10 +14,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from hardcontact.base.arrays import Floats
 from hardcontact.contact.geometry import Bodies, ContactGeometry, largest_contact_gap
 from hardcontact.surfaces.height_map import HeightMap
-
-Floats = NDArray[np.float64]
 
 #: Pixels along a side of a tile, tiles along a side of a group, tiles that are read at once, and
 #: contacts that are searched at once. They change the time alone.

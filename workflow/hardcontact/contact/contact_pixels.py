@@ -5,10 +5,9 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
+from hardcontact.base.arrays import Floats
 from hardcontact.contact.bearing_area import PixelsByContact
 from hardcontact.contact.geometry import Bodies, gaps_at
-
-Floats = NDArray[np.float64]
 
 #: Sums (contact, contact) over all pixels but contact pixels, and a function that returns the
 #: factor of the sphere at the contact pixels as seen from the contact (i, j).

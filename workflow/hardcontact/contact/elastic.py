@@ -14,7 +14,9 @@ from scipy import fft
 from scipy.optimize import minimize_scalar
 from threadpoolctl import threadpool_limits
 
+from hardcontact.base.arrays import Floats
 from hardcontact.base.job import progress
+from hardcontact.base.units import NM, PASCAL
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import (
     Bodies,
@@ -24,8 +26,6 @@ from hardcontact.contact.geometry import (
     window_pixels,
 )
 from hardcontact.contact.smooth_sphere import hertz_contact
-
-Floats = NDArray[np.float64]
 
 PASCAL_PER_GPA = 1e9
 NEWTON_PER_NN = 1e-9
@@ -230,9 +230,9 @@ def elastic_contacts_of_pair(
     pixels = min(PRESSURE_MAP_PIXELS, period_pixels)
     # The highest pressure is the lowest negative pressure.
     map_of_peak = -part_around_lowest(-pressures[0], pixels)
-    pressure_attributes = {"units": "Pa", "long_name": "pressure in one contact"}
+    pressure_attributes = PASCAL | {"long_name": "pressure in one contact"}
     position = (np.arange(pixels) - pixels // 2) * pixel_size
-    from_peak = {"units": "nm", "long_name": "position from the peak"}
+    from_peak = NM | {"long_name": "position from the peak"}
     hertz = hertz_contact(contact.preload, geometry.radius, modulus)
     return xr.Dataset(
         variables | {"pressure": (("y", "x"), map_of_peak, pressure_attributes)},

@@ -12,6 +12,7 @@ import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 from scipy.special import erf
 
+from hardcontact.base.units import DIMENSIONLESS, NM
 from hardcontact.contact.contact import Contact
 
 #: By the size of a window relative to the search size: the smallest and the largest mean force on
@@ -58,8 +59,8 @@ def add_sizes(
         "long_name": "share of the attraction of a smooth sphere within the window",
     }
     return force.assign(
-        search_size=("surface", lengths, {"units": "nm"}),
-        finite_scan_ratio=(("surface", "bound"), ratios, {"units": "1"}),
+        search_size=("surface", lengths, NM),
+        finite_scan_ratio=(("surface", "bound"), ratios, DIMENSIONLESS),
         pixel_area=("surface", scans["pixel_size"].values ** 2, {"units": "nm2"}),
         window_share=("rho", window_share(contact, force["rho"].values), share_attributes),
     ).assign_attrs(window=contact.window, contact_area=contact.area)

@@ -15,6 +15,7 @@ from hardcontact.base.statistics import (
     student_log_samples,
     with_interval,
 )
+from hardcontact.base.units import DIMENSIONLESS, NEWTON
 from hardcontact.contact.contact import CONTACT_DIMENSIONS
 
 
@@ -63,9 +64,9 @@ def force_curves(
     interval = student_log_interval(mean_of_each_scan(forces), sampling.confidence, "scan")
     return {
         **with_interval(
-            "mean_force", dimensions, means, interval.values, {"units": "N"}, sampling.confidence
+            "mean_force", dimensions, means, interval.values, NEWTON, sampling.confidence
         ),
-        **sampling.with_interval("force_ratio", dimensions, ratio, ratio_samples, {"units": "1"}),
+        **sampling.with_interval("force_ratio", dimensions, ratio, ratio_samples, DIMENSIONLESS),
     }
 
 

@@ -10,11 +10,11 @@ from itertools import product
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from hardcontact.base.arrays import Floats
 from hardcontact.contact.contact import Contact
 from hardcontact.surfaces.filters import interpolate
 from hardcontact.surfaces.height_map import HeightMap, read_height_map
 
-Floats = NDArray[np.float64]
 #: Places on a rough sphere at which own surfaces touch it, the fewest. A trade: an interval from 16
 #: places is 1.1 times as wide as from many, and each place costs the force sums of its contacts.
 SPHERE_PLACES = 16

@@ -13,6 +13,7 @@ from scipy.sparse.csgraph import connected_components
 
 from hardcontact.base.dataset import stack
 from hardcontact.base.job import progress
+from hardcontact.base.units import NEWTON, NM
 from hardcontact.contact.bearing_area import ContactPixels, PixelsByContact, all_contact_pixels
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import Bodies, join_bodies
@@ -77,7 +78,7 @@ def indents_of_scans(
         for key in progress(keys, len(keys), "pairs of scans")
     }
     sizes = stack(pair_sizes, ["scan", "sphere_scan"])
-    sizes = sizes.assign_coords(preload=("preload", list(preloads), {"units": "N"}))
+    sizes = sizes.assign_coords(preload=("preload", list(preloads), NEWTON))
     key, index = _median_contact(sizes)
     return _add_height_maps(sizes, make_bodies(*key), loaded_contacts, index).assign_attrs(
         hardness=contact.hardness, sphere_radius=contact.radius
@@ -127,26 +128,23 @@ def _median_contact(sizes: xr.Dataset) -> tuple[tuple[int, int], tuple[int, int]
 
 
 def _add_height_maps(
-    sizes: xr.Dataset,
-    bodies: Bodies,
-    loaded_contacts: Sequence[Contact],
-    index: tuple[int, int],
+    sizes: xr.Dataset, bodies: Bodies, loaded_contacts: Sequence[Contact], index: tuple[int, int]
 ) -> xr.Dataset:
     """Add maps of the indents of one contact at every preload, and of the sphere there."""
     pixels_by_load = [pixels[index] for pixels in _pixels_by_load(bodies, loaded_contacts)]
     offsets = np.arange(-MAP_HALF_WIDTH, MAP_HALF_WIDTH + 1)
     row, column = pixels_by_load[0].offsets[0]
     position = offsets * bodies.geometry.pixel_size
-    axis = {"units": "nm", "long_name": "position from the deepest point"}
+    axis = NM | {"long_name": "position from the deepest point"}
     return sizes.assign(
         indentation=(
             ("preload", "y", "x"),
             np.array([indentation_map(pixels, MAP_HALF_WIDTH) for pixels in pixels_by_load]),
-            {"units": "nm", "long_name": "indentation of the sphere"},
+            NM | {"long_name": "indentation of the sphere"},
         ),
         sphere_height=(
             ("y", "x"),
             bodies.sphere(row + offsets, column + offsets),
-            {"units": "nm", "long_name": "undeformed sphere, up from its apex"},
+            NM | {"long_name": "undeformed sphere, up from its apex"},
         ),
     ).assign_coords(y=("y", position, axis), x=("x", position, axis))

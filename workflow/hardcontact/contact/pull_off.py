@@ -11,8 +11,10 @@ from typing import Any
 
 import numpy as np
 import xarray as xr
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from hardcontact.base.arrays import Floats
+from hardcontact.base.units import DIMENSIONLESS, NEWTON, NM, PASCAL
 from hardcontact.contact.bearing_area import PixelsByContact, all_contact_pixels
 from hardcontact.contact.contact import CONTACT_AXES, Contact
 from hardcontact.contact.geometry import Bodies, gap_map, largest_contact_gap
@@ -22,14 +24,13 @@ from hardcontact.surfaces.filters import interpolate
 #: Dimension, values and attributes of a coordinate.
 Axis = tuple[tuple[str], Any, dict[str, str]]
 
-Floats = NDArray[np.float64]
 
 #: An energy per area of 1 J/m² times a length of 1 nm is a force of 1e-9 N.
 NEWTON_PER_JOULE_M2_NM = 1e-9
 #: Work of adhesion (J/m²) of all stored forces, which are proportional to it.
 WORK_OF_ADHESION = 1.0
 #: Attributes of a stored force.
-FORCE = {"units": "N", "long_name": "pull-off force at W = 1 J/m2"}
+FORCE = NEWTON | {"long_name": "pull-off force at W = 1 J/m2"}
 
 
 def load_axis(loaded_contacts: Sequence[Contact]) -> dict[str, Axis]:
@@ -40,7 +41,7 @@ def load_axis(loaded_contacts: Sequence[Contact]) -> dict[str, Axis]:
 
 def range_axis(ranges: Sequence[float]) -> dict[str, Axis]:
     """Return the coordinate of ranges of adhesion."""
-    attributes = {"units": "nm", "long_name": "range of adhesion"}
+    attributes = NM | {"long_name": "range of adhesion"}
     return {"rho": (("rho",), np.asarray(ranges, float), attributes)}
 
 
@@ -141,18 +142,18 @@ def pull_off_dataset(bodies: Bodies, contact: Contact, ranges: Sequence[float]) 
     # At closest approach the largest gap of the touching pixels has become zero.
     apex_heights = -np.stack([gaps[..., 0], gaps[..., -1]])
     positions = bodies.geometry.positions * pixel_size
-    height_attributes = {"units": "nm", "long_name": "height of the apex above the mean plane"}
+    height_attributes = NM | {"long_name": "height of the apex above the mean plane"}
     model_axes = ("contact_model", *CONTACT_AXES)
     return xr.Dataset(
         {
             "pull_off_force": (("contact_model", "rho", *CONTACT_AXES), forces, FORCE),
             "apex_height": (model_axes, apex_heights, height_attributes),
-            "contact_pixel_count": ("contact_model", pixel_counts, {"units": "1"}),
-            "touched_places": ((), touched_places(bodies, pixels_by_contact), {"units": "1"}),
+            "contact_pixel_count": ("contact_model", pixel_counts, DIMENSIONLESS),
+            "touched_places": ((), touched_places(bodies, pixels_by_contact), DIMENSIONLESS),
         },
         {"contact_model": ["rigid", "plastic"]}
         | range_axis(ranges)
-        | {axis: (axis, positions, {"units": "nm"}) for axis in CONTACT_AXES},
+        | {axis: (axis, positions, NM) for axis in CONTACT_AXES},
         {"work_of_adhesion": WORK_OF_ADHESION, "pixel_size": pixel_size},
     )
 
@@ -263,18 +264,18 @@ def traced_contact(bodies: Bodies, index: tuple[int, int], contact: Contact) -> 
     # The bodies keep their deformed shape: all gaps grow by the same length.
     separation = np.linspace(0, 10 * rho, 201)
     position = geometry.offsets() * geometry.pixel_size
-    from_apex: dict[str, Any] = {"units": "nm", "long_name": "position from the apex"}
-    gap_attributes = {"units": "nm", "long_name": "gap before flattening"}
+    from_apex: dict[str, Any] = NM | {"long_name": "position from the apex"}
+    gap_attributes = NM | {"long_name": "gap before flattening"}
     return xr.Dataset(
         {
             "gap": (("y", "x"), gap.astype(np.float32), gap_attributes),
-            "adhesive_pressure": (("y", "x"), pressure.astype(np.float32), {"units": "Pa"}),
-            "force": ("separation", -pull_off * np.exp(-separation / rho), {"units": "N"}),
+            "adhesive_pressure": (("y", "x"), pressure.astype(np.float32), PASCAL),
+            "force": ("separation", -pull_off * np.exp(-separation / rho), NEWTON),
         },
         {
             "y": ("y", position, from_apex),
             "x": ("x", position, from_apex),
-            "separation": ("separation", separation, {"units": "nm"}),
+            "separation": ("separation", separation, NM),
         },
         {"rho": rho, "work_of_adhesion": work, "pull_off_force": pull_off},
     )

@@ -9,7 +9,8 @@ from itertools import product
 import numpy as np
 from numpy.typing import NDArray
 
-from hardcontact.contact.contact_pixels import Floats, SphereTerms, TouchedPixels, exponential
+from hardcontact.base.arrays import Floats
+from hardcontact.contact.contact_pixels import SphereTerms, TouchedPixels, exponential
 from hardcontact.contact.geometry import Bodies, ContactGeometry
 
 #: Rows of the kernel that are made at once: few enough for the cache.

@@ -8,13 +8,9 @@ from collections.abc import Iterable, Iterator, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from hardcontact.base.arrays import Floats
 from hardcontact.contact.bearing_area import PixelsByContact
-from hardcontact.contact.contact_pixels import (
-    Floats,
-    SphereTerms,
-    TouchedPixels,
-    exponential,
-)
+from hardcontact.contact.contact_pixels import SphereTerms, TouchedPixels, exponential
 from hardcontact.contact.geometry import Bodies, ContactGeometry
 
 #: Rows of the substrate in a block: few enough for the cache.

@@ -19,8 +19,9 @@ import numpy as np
 from numpy.typing import NDArray
 from threadpoolctl import ThreadpoolController
 
+from hardcontact.base.arrays import Floats
 from hardcontact.contact.bearing_area import PixelsByContact
-from hardcontact.contact.contact_pixels import Floats, TouchedPixels, exponential
+from hardcontact.contact.contact_pixels import TouchedPixels, exponential
 from hardcontact.contact.geometry import Bodies
 from hardcontact.contact.rough_sphere_sums import rough_sphere_terms
 from hardcontact.contact.smooth_sphere_sums import smooth_sphere_terms, sums_by_subtraction

@@ -7,6 +7,7 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.base.dataset import read, stack
+from hardcontact.base.units import DIMENSIONLESS, NM
 from hardcontact.contact.contact import CONTACT_AXES
 
 #: Datasets by their labels: the surface first.
@@ -88,7 +89,7 @@ def stacked_forces(masters: Parts) -> xr.Dataset:
     )
     ends = forces["unfiltered_wavelength"].max("realization", keep_attrs=True)  # all are the same
     scales = forces.assign(filtered_force_ratio=ratio, unfiltered_wavelength=ends)
-    scales["cutoff_wavelength"].attrs = {"units": "nm", "long_name": "cutoff wavelength"}
+    scales["cutoff_wavelength"].attrs = NM | {"long_name": "cutoff wavelength"}
     return scales
 
 
@@ -128,12 +129,12 @@ def add_spectrum_shifts(scales: xr.Dataset, sampled: xr.Dataset) -> xr.Dataset:
         {"log_ratio_shift": np.log(ratio), "log_unfiltered_force_shift": np.log(mean)}
     )
     for name in shifts.data_vars:
-        shifts[name].attrs = {"units": "1"}
+        shifts[name].attrs = DIMENSIONLESS
     return scales.merge(shifts, join="left", compat="no_conflicts")
 
 
 def add_transitions(scales: xr.Dataset, transitions: Mapping[str, float]) -> xr.Dataset:
     """Return forces of masters with the ``transition`` (side) in nm to artificial roughness."""
-    attributes = {"units": "nm", "long_name": "wavelength at which artificial roughness begins"}
+    attributes = NM | {"long_name": "wavelength at which artificial roughness begins"}
     lengths = [transitions[str(side)] for side in scales["side"].values]
     return scales.assign(transition=("side", lengths, attributes))

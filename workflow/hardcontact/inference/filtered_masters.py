@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from hardcontact.base import dataset
 from hardcontact.base.job import progress
+from hardcontact.base.units import NM
 from hardcontact.contact.contact import CONTACT_AXES, Contact
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import (
@@ -54,8 +55,8 @@ def forces_at_cutoffs(
     results = (forces(surface) for surface in surfaces)
     unfiltered, *filtered = progress(results, 1 + len(cutoffs), "cutoffs")
     end = 2 * master.size / pixels if side == "short" else master.size
-    nanometres = {"units": "nm", "long_name": "last wavelength of the unfiltered spectrum"}
-    cutoff_axis = (("cutoff_wavelength",), np.asarray(cutoffs, float), {"units": "nm"})
+    nanometres = NM | {"long_name": "last wavelength of the unfiltered spectrum"}
+    cutoff_axis = (("cutoff_wavelength",), np.asarray(cutoffs, float), NM)
     filtered_forces = np.reshape(filtered, (len(cutoffs), *np.shape(unfiltered)))
     return xr.Dataset(
         {
@@ -91,8 +92,7 @@ def filtered_pull_off(
         pairs = [join_bodies(surface, sphere, sphere_contact) for sphere_contact in spheres]
         return np.array([forces_at_loads(pair, loaded_contacts, ranges) for pair in pairs])
 
-    nm = {"units": "nm"}
-    axes: dict[str, Axis] = {"radius": (("radius",), [probe.radius for probe in spheres], nm)}
+    axes: dict[str, Axis] = {"radius": (("radius",), [probe.radius for probe in spheres], NM)}
     axes |= load_axis(loaded_contacts) | range_axis(ranges)
     axes |= {axis: ((axis,), np.arange(contact.contacts_per_side), {}) for axis in CONTACT_AXES}
     areas = ("load", [loaded.area for loaded in loaded_contacts], {"units": "nm2"})

@@ -11,6 +11,7 @@ import pandas as pd
 import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
+from hardcontact.base.arrays import Floats
 from hardcontact.base.dataset import stack
 from hardcontact.base.statistics import (
     Sampling,
@@ -22,8 +23,6 @@ from hardcontact.base.statistics import (
 from hardcontact.base.units import JOULE_PER_M2, NM
 from hardcontact.contact.force_curves import interpolate_to_ranges
 from hardcontact.inference.fit import fine_ranges
-
-Floats = NDArray[np.float64]
 
 #: Independent tests that a published mean averages: the paper used at least six spheres, and two
 #: tests with one sphere share its summits. Each sphere then scatters as much as a single test.

@@ -8,11 +8,11 @@ proportional to it.
 import numpy as np
 import xarray as xr
 
+from hardcontact.base.arrays import Floats
 from hardcontact.base.statistics import jackknife_interval, student_interval, with_interval
 from hardcontact.base.units import DIMENSIONLESS
 from hardcontact.contact.contact import CONTACT_AXES
 from hardcontact.inference.curve_edges import RatioCurve, find_edge, logarithmic_limits
-from hardcontact.surfaces.spectrum import Floats
 
 #: Quantities whose square roots are the lengths, in the order of their exponents.
 SCALED_QUANTITIES = ["radius", "contact"]

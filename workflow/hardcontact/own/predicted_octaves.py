@@ -6,6 +6,7 @@ from dataclasses import replace
 import numpy as np
 import xarray as xr
 
+from hardcontact.base.arrays import Floats
 from hardcontact.base.number import Number
 from hardcontact.contact.contact import Contact
 from hardcontact.inference.octaves import (
@@ -20,7 +21,7 @@ from hardcontact.inference.octaves import (
 from hardcontact.own.own_spectrum import OwnSpectrum
 from hardcontact.own.scan_force import CONTACTS, obstacle_to_force, stitched_map, window_of_scan
 from hardcontact.surfaces.height_map import HeightMap
-from hardcontact.surfaces.spectrum import Floats, Spectrum
+from hardcontact.surfaces.spectrum import Spectrum
 from hardcontact.theory.closed_form import closed_form
 from hardcontact.theory.prediction import trim_spectrum
 

@@ -14,7 +14,7 @@ import xarray as xr
 
 from hardcontact.base.dataset import stack
 from hardcontact.base.statistics import Sampling, with_interval
-from hardcontact.base.units import DIMENSIONLESS, JOULE_PER_M2, NEWTON
+from hardcontact.base.units import DIMENSIONLESS, JOULE_PER_M2, NEWTON, PASCAL
 from hardcontact.contact import smooth_sphere
 from hardcontact.contact.smooth_sphere import Material
 from hardcontact.paper.classical_fits import compare_models, power_laws, sample_roughness
@@ -101,7 +101,7 @@ def _smooth_contact(sphere: ElasticSphere, constants: Mapping[Any, float]) -> xr
     return xr.Dataset(
         {
             "tabor_parameter": ((), tabor, DIMENSIONLESS),
-            "hertz_peak_pressure": ((), hertz.peak_pressure, {"units": "Pa"}),
+            "hertz_peak_pressure": ((), hertz.peak_pressure, PASCAL),
         }
     )
 

@@ -10,8 +10,8 @@ from typing import Any, NamedTuple
 import numpy as np
 import pandas as pd
 import xarray as xr
-from numpy.typing import NDArray
 
+from hardcontact.base.arrays import Floats
 from hardcontact.base.dataset import concatenate, stack
 from hardcontact.base.job import progress
 from hardcontact.base.statistics import lognormal_shape
@@ -38,7 +38,6 @@ SAMPLE_STATISTICS = {
     "mean_force": NEWTON, "median_force": NEWTON, "log_force_std": DIMENSIONLESS,
     "agrees": DIMENSIONLESS,
 }  # fmt: skip
-Floats = NDArray[np.float64]
 
 
 class SampleInputs(NamedTuple):

@@ -13,15 +13,17 @@ import pandas as pd
 import xarray as xr
 
 from hardcontact.base import dataset, published
+from hardcontact.base.arrays import Floats
 from hardcontact.base.job import progress
 from hardcontact.base.random import generator
+from hardcontact.base.units import NM
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import pull_off_dataset
 from hardcontact.surfaces.conditioning import Targets, scan_targets
 from hardcontact.surfaces.height_map import TABLE1_METRICS, HeightMap, level, mirror_stitch
 from hardcontact.surfaces.roughness_table import measured_metrics
-from hardcontact.surfaces.spectrum import Floats, Spectrum, spectrum_of_dataset
+from hardcontact.surfaces.spectrum import Spectrum, spectrum_of_dataset
 from hardcontact.surfaces.substitute_spectra import rows_of_surface
 from hardcontact.surfaces.synthesis import ScanGrid, sample_scan
 
@@ -129,7 +131,7 @@ def forces_at_heights(scan: HeightMap, inputs: PoolInputs) -> xr.Dataset:
         factor = rms_height / roughness["rms_height"].item()
         scaled = replace(scan, heights=factor * scan.heights)
         forces.append(smooth_sphere_forces(scaled, contact, inputs.ranges))
-    axis = xr.Variable("rms_height_of_force", inputs.rms_heights, {"units": "nm"})
+    axis = xr.Variable("rms_height_of_force", inputs.rms_heights, NM)
     height_forces = xr.concat(forces, xr.DataArray(axis, name="rms_height_of_force"))
     log_force: xr.DataArray = xr.apply_ufunc(np.log, height_forces).astype("float32")
     log_force.attrs = {"units": "1", "long_name": "logarithm of the pull-off force in N at 1 J/m2"}

@@ -10,12 +10,13 @@ from typing import Any, NamedTuple
 import numpy as np
 import pandas as pd
 import xarray as xr
-from numpy.typing import NDArray
 
+from hardcontact.base.arrays import Floats
 from hardcontact.base.dataset import concatenate
 from hardcontact.base.job import progress
 from hardcontact.base.random import generator
 from hardcontact.base.statistics import Sampling, student_log_samples
+from hardcontact.base.units import NEWTON
 from hardcontact.inference.edges import edges_of_realizations
 from hardcontact.inference.fit import WITHOUT_SURFACE
 from hardcontact.inference.published_fit import PublishedFit, fit_published
@@ -25,8 +26,6 @@ from hardcontact.paper.pool import height_weights
 from hardcontact.surfaces.conditioning import scale_rms_heights
 from hardcontact.surfaces.height_map import TABLE1_METRICS
 from hardcontact.surfaces.roughness_table import scan_averages
-
-Floats = NDArray[np.float64]
 
 #: Scans of one set, by substrate.
 SampledScans = Mapping[str, xr.Dataset]
@@ -131,7 +130,7 @@ def _scale_scans(pool_scans: xr.Dataset, heights: Floats) -> xr.Dataset:
         )
         for name in TABLE1_METRICS.values()
     } | {
-        "pull_off_force": (axes, np.exp(log_forces), {"units": "N"}),
+        "pull_off_force": (axes, np.exp(log_forces), NEWTON),
         "number": ("scan", pool_scans["scan"].values),
     }
     coordinates = {"scan": np.arange(1, len(heights) + 1)}

@@ -10,6 +10,7 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
+from hardcontact.base.units import DIMENSIONLESS
 from hardcontact.surfaces.extrapolated_spectrum import Tail
 from hardcontact.surfaces.filters import interpolate, lowpass
 from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
@@ -73,7 +74,7 @@ def combine_spectra(substrate: xr.Dataset, sphere: xr.Dataset) -> xr.Dataset:
     short_body, long_body = (
         sphere if is_sphere[nearest_bin(end)] else substrate for end in (shortest, longest)
     )
-    share_labels = {"units": "1", "long_name": "share of the sphere in the power of both bodies"}
+    share_labels = DIMENSIONLESS | {"long_name": "share of the sphere in the power of both bodies"}
     joined_psd = np.where(reliable.any(axis=0), total, np.nan)
     return measurements.assign(
         spectrum=_sum_of_spectra(substrate, sphere),

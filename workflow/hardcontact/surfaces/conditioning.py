@@ -13,12 +13,13 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
+from hardcontact.base.arrays import Floats
 from hardcontact.base.published import rows_met
+from hardcontact.base.units import DIMENSIONLESS, RAD_PER_NM
 from hardcontact.surfaces.height_map import TABLE1_METRICS, HeightMap, level, metrics
 from hardcontact.surfaces.spectrum import (
     AFM_ROWS,
     WAVEVECTORS,
-    Floats,
     SpectrumFunction,
     spectrum_of_dataset,
 )
@@ -47,10 +48,7 @@ class Targets(NamedTuple):
 
 
 def scan_targets(
-    spectrum_data: xr.Dataset,
-    table1: pd.DataFrame,
-    constants: pd.DataFrame,
-    grid: ScanGrid,
+    spectrum_data: xr.Dataset, table1: pd.DataFrame, constants: pd.DataFrame, grid: ScanGrid
 ) -> Targets | None:
     """Return the targets of substitute scans on the study's pixels.
 
@@ -226,14 +224,11 @@ def condition_group(
             "amplitude_gain": (
                 "wavevector",
                 amplitude_gain,
-                {"units": "1", "long_name": "factor of the amplitudes"},
+                DIMENSIONLESS | {"long_name": "factor of the amplitudes"},
             ),
-            "factor": ("scan", factors, {"units": "1", "long_name": "factor of heights"}),
+            "factor": ("scan", factors, DIMENSIONLESS | {"long_name": "factor of heights"}),
         },
-        {
-            "wavevector": ("wavevector", WAVEVECTORS, {"units": "rad nm-1"}),
-            "scan": list(generator_functions),
-        },
+        {"wavevector": ("wavevector", WAVEVECTORS, RAD_PER_NM), "scan": list(generator_functions)},
         {"basis": "substitute", "table1_rows_met": ",".join(met_rows)},
     )
 

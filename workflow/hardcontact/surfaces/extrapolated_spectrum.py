@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from hardcontact.base.arrays import Floats
 from hardcontact.surfaces.height_map import HeightMap, level
 from hardcontact.surfaces.reliable_band import ReliableBand
 from hardcontact.surfaces.spectrum import (
@@ -18,7 +19,6 @@ from hardcontact.surfaces.spectrum import (
     BIN_WIDTH,
     MIN_BINS,
     WAVEVECTORS,
-    Floats,
     Spectrum,
     power_law_tail,
 )

@@ -12,8 +12,8 @@ import numpy as np
 import pandas as pd
 from numpy.typing import ArrayLike
 
+from hardcontact.base.arrays import Floats
 from hardcontact.surfaces.height_map import TABLE1_METRICS, HeightMap
-from hardcontact.surfaces.spectrum import Floats
 
 #: Signs of the heights of features, by their names.
 SIGNS = {"bumps": 1, "pits": -1}

@@ -9,6 +9,7 @@ import xarray as xr
 
 from hardcontact.base import dataset
 from hardcontact.base.formatting import format_length
+from hardcontact.base.units import NM
 from hardcontact.surfaces.streaks import fill_streaks
 
 if TYPE_CHECKING:
@@ -96,7 +97,7 @@ class HeightMap:
             axis: (
                 (axis,),
                 (0.5 + np.arange(count)) * self.pixel_size,
-                {"units": "nm", "long_name": f"{axis} position"},
+                NM | {"long_name": f"{axis} position"},
             )
             for axis, count in zip(axes, self.heights.shape, strict=True)
         }
@@ -243,7 +244,7 @@ def level_and_stitch(
     flat = replace(flat, heights=flat.heights.astype("float32"))
     levelled = flat.to_dataset()
     if sphere_radius is not None:
-        labels = {"units": "nm", "long_name": "height of the sphere as scanned"}
+        labels = NM | {"long_name": "height of the sphere as scanned"}
         levelled["as_scanned"] = (("y", "x"), scan.heights.astype("float32"), labels)
     return levelled, mirror_stitch(flat).to_dataset()
 

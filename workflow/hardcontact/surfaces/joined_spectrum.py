@@ -8,6 +8,7 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
+from hardcontact.base.arrays import Floats
 from hardcontact.surfaces.extrapolated_spectrum import (
     HurstFit,
     LongWaves,
@@ -37,7 +38,6 @@ from hardcontact.surfaces.spectrum import (
     BIN_CENTRES,
     MIN_BINS,
     WAVEVECTORS,
-    Floats,
     Spectrum,
     spectrum_dataset,
     spectrum_of_dataset,

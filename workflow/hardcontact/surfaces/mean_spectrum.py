@@ -11,6 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from hardcontact.base.arrays import Floats
 from hardcontact.base.formatting import format_length
 from hardcontact.surfaces.measured_spectrum import (
     CALIBRATION_SCATTER,
@@ -18,7 +19,7 @@ from hardcontact.surfaces.measured_spectrum import (
     variance_of_log,
     waves_in_bins,
 )
-from hardcontact.surfaces.spectrum import BIN_CENTRES, BIN_WIDTH, HALF_DECADE_BINS, Floats, Spectrum
+from hardcontact.surfaces.spectrum import BIN_CENTRES, BIN_WIDTH, HALF_DECADE_BINS, Spectrum
 
 #: Standard deviation of the change of the slope d ln C/d ln q over a decade; it grows with the root
 #: of the decades. A roll-off changes the slope by 2 + 2H, some 3.6, once in three measured decades.

@@ -8,8 +8,9 @@ from dataclasses import replace
 
 import numpy as np
 
+from hardcontact.base.arrays import Floats
 from hardcontact.surfaces.height_map import HeightMap, level
-from hardcontact.surfaces.spectrum import BIN_CENTRES, BIN_EDGES, Floats, measured_psds, profile_psd
+from hardcontact.surfaces.spectrum import BIN_CENTRES, BIN_EDGES, measured_psds, profile_psd
 
 #: Share of independent waves under a Hann window, along one axis:
 #: (mean w²)² / mean w⁴ = (3/8)² / (35/128).

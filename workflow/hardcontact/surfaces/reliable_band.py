@@ -13,6 +13,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from hardcontact.base.arrays import Floats
 from hardcontact.base.formatting import format_length
 from hardcontact.surfaces.height_map import HeightMap, level, library_topography
 from hardcontact.surfaces.measured_spectrum import (
@@ -22,7 +23,7 @@ from hardcontact.surfaces.measured_spectrum import (
     measured_psd,
     variance_of_log,
 )
-from hardcontact.surfaces.spectrum import BIN_CENTRES, HALF_DECADE_BINS, Floats
+from hardcontact.surfaces.spectrum import BIN_CENTRES, HALF_DECADE_BINS
 
 #: The shortest wavelength in pixels, and the ratio of the size to the longest wavelength. Longer
 #: waves are few, and levelling and the window change them: for self-affine surfaces without a

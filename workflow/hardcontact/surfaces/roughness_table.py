@@ -6,10 +6,12 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
+from hardcontact.base.arrays import Floats
 from hardcontact.base.dataset import stack
 from hardcontact.base.statistics import student_interval, with_interval
+from hardcontact.base.units import DIMENSIONLESS, NM, NM4, RAD_PER_NM
 from hardcontact.surfaces.height_map import METRICS, TABLE1_METRICS, HeightMap, metrics
-from hardcontact.surfaces.spectrum import Floats, all_scales_rms, measured_psds, spectrum_of_dataset
+from hardcontact.surfaces.spectrum import all_scales_rms, measured_psds, spectrum_of_dataset
 
 #: The variables of topography.nc by the rows of Table 1.
 TABLE1_VARIABLES = {row: f"{metric}_mean" for row, metric in TABLE1_METRICS.items()} | {
@@ -30,10 +32,10 @@ def measured_metrics(scan: HeightMap, names: Iterable[str]) -> xr.Dataset:
 def measured_roughness(scan: HeightMap) -> xr.Dataset:
     """Return the METRICS of a scan, and its PSD over wavevector in nm⁴."""
     wavevector, _, isotropic = measured_psds(scan)
-    attributes = {"units": "nm4", "long_name": "C_iso"}
+    attributes = NM4 | {"long_name": "C_iso"}
     return measured_metrics(scan, METRICS).assign(
         psd_isotropic=("wavevector", isotropic, attributes),
-        wavevector=("wavevector", wavevector, {"units": "rad nm-1"}),
+        wavevector=("wavevector", wavevector, RAD_PER_NM),
     )
 
 
@@ -88,9 +90,7 @@ def roughness_table(
         basis=("surface", [basis[name] for name in names]),
         table1_rows_met=("surface", calibrated),
     ).assign_attrs(
-        sphere_surface=sphere_surface,
-        reference_surface=reference_surface,
-        confidence=confidence,
+        sphere_surface=sphere_surface, reference_surface=reference_surface, confidence=confidence
     )
 
 
@@ -102,10 +102,10 @@ def _spectra(datasets: list[xr.Dataset], wavevector: Floats) -> xr.Dataset:
     density = np.array([spectrum(wavevector) for spectrum in spectra])
     return xr.Dataset(
         {
-            "spectrum": (("surface", "wavevector"), density, {"units": "nm4"}),
-            "all_scales_rms_height": ("surface", height, {"units": "nm"}),
-            "all_scales_rms_gradient": ("surface", gradient, {"units": "1"}),
-            "all_scales_rms_profile_slope": ("surface", gradient / np.sqrt(2), {"units": "1"}),
+            "spectrum": (("surface", "wavevector"), density, NM4),
+            "all_scales_rms_height": ("surface", height, NM),
+            "all_scales_rms_gradient": ("surface", gradient, DIMENSIONLESS),
+            "all_scales_rms_profile_slope": ("surface", gradient / np.sqrt(2), DIMENSIONLESS),
             "all_scales_rms_half_laplacian": ("surface", half_laplacian, {"units": "nm-1"}),
             "all_scales_rms_laplacian": ("surface", 2 * half_laplacian, {"units": "nm-1"}),
         }
@@ -125,13 +125,13 @@ def _maps(examples: list[xr.Dataset]) -> xr.Dataset:
     heights = np.array([thin(example["heights"]) for example in examples])
     maps = xr.Dataset(
         {
-            "example_heights": (("surface", "row", "column"), heights, {"units": "nm"}),
-            "scan_size": ("surface", sizes, {"units": "nm"}),
-            "pixel_size": ("surface", pixel_sizes, {"units": "nm"}),
+            "example_heights": (("surface", "row", "column"), heights, NM),
+            "scan_size": ("surface", sizes, NM),
+            "pixel_size": ("surface", pixel_sizes, NM),
         }
     )
     for example in examples:
         if "as_scanned" in example:
             scanned = thin(example["as_scanned"])
-            maps["sphere_as_scanned"] = (("row", "column"), scanned, {"units": "nm"})
+            maps["sphere_as_scanned"] = (("row", "column"), scanned, NM)
     return maps

@@ -5,8 +5,8 @@ from dataclasses import replace
 
 import numpy as np
 
+from hardcontact.base.arrays import Floats
 from hardcontact.surfaces.height_map import HeightMap
-from hardcontact.surfaces.spectrum import Floats
 
 #: Correlation of heights, after the best shift, above which two maps show the same place.
 SAME_PLACE_CORRELATION = 0.5

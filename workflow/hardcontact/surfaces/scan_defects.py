@@ -14,10 +14,10 @@ import numpy as np
 import yaml
 from numpy.typing import NDArray
 
+from hardcontact.base.arrays import Floats
 from hardcontact.base.formatting import format_length, format_share
 from hardcontact.surfaces.height_map import HeightMap, flatten
 from hardcontact.surfaces.reliable_band import FLATTEST_SLOPE, MIN_STANDARD_ERRORS
-from hardcontact.surfaces.spectrum import Floats
 from hardcontact.surfaces.streaks import MIN_STREAK_STEPS, fill_streaks
 
 #: The defects by their code: the units of their numbers. scan_defects.yaml has their sentences.

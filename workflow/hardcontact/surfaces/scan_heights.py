@@ -8,12 +8,10 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from hardcontact.base.arrays import Floats
 from hardcontact.base.formatting import format_length, format_share
 from hardcontact.surfaces.refused_file import RefusedFile
-
-Floats = NDArray[np.float64]
 
 #: Pixels along a side of a map: substitutes have no fewer, and masters at least twice as many.
 PIXEL_BOUNDS = (16, 8192)

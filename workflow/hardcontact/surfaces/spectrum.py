@@ -13,16 +13,17 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pandas as pd
 import xarray as xr
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from hardcontact.base import dataset
+from hardcontact.base.arrays import Floats
 from hardcontact.base.formatting import format_length
+from hardcontact.base.units import NM4, RAD_PER_NM
 from hardcontact.surfaces.height_map import HeightMap, library_topography
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-Floats = NDArray[np.float64]
 #: C_iso in nm⁴ as a function of wavevectors in rad/nm, of any shape.
 SpectrumFunction = Callable[[Floats], Floats]
 #: The grid on which joined spectra are tabulated: 40 points a decade, wavelengths 1 mm to 0.1 nm.
@@ -106,8 +107,8 @@ def spectrum_of_dataset(spectrum_data: xr.Dataset) -> Spectrum:
 def spectrum_dataset(density: Floats) -> xr.Dataset:
     """Return C_iso (nm⁴) on WAVEVECTORS as a dataset: ``spectrum`` (wavevector)."""
     return xr.Dataset(
-        {"spectrum": ("wavevector", density, {"units": "nm4", "long_name": "C_iso"})},
-        {"wavevector": ("wavevector", WAVEVECTORS, {"units": "rad nm-1"})},
+        {"spectrum": ("wavevector", density, NM4 | {"long_name": "C_iso"})},
+        {"wavevector": ("wavevector", WAVEVECTORS, RAD_PER_NM)},
     )
 
 

@@ -9,6 +9,8 @@ import pandas as pd
 import xarray as xr
 from numpy.typing import NDArray
 
+from hardcontact.base.arrays import Floats
+from hardcontact.base.units import NM4, RAD_PER_NM
 from hardcontact.surfaces.extrapolated_spectrum import Tail
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.reliable_band import ReliableBand
@@ -18,7 +20,6 @@ from hardcontact.surfaces.spectrum import (
     BIN_CENTRES,
     DATA_EVIDENCE,
     WAVEVECTORS,
-    Floats,
     spectrum_of_dataset,
 )
 
@@ -29,9 +30,7 @@ END_UNITS = dict.fromkeys(("shortest_measured", "longest_measured", "rolloff"), 
 
 
 def measurement_descriptions(
-    measurements: Sequence[HeightMap],
-    radii: Sequence[float | None],
-    bands: Sequence[ReliableBand],
+    measurements: Sequence[HeightMap], radii: Sequence[float | None], bands: Sequence[ReliableBand]
 ) -> list[dict[str, Any]]:
     """Return the properties of measurements, such as sizes and bands in nm, defects and paths.
 
@@ -88,7 +87,7 @@ def add_measurements(
     }
     return spectrum.assign(
         {
-            "psd": (axes, psds, {"units": "nm4", "long_name": "C_iso of each measurement"}),
+            "psd": (axes, psds, NM4 | {"long_name": "C_iso of each measurement"}),
             "reliable": (
                 axes,
                 reliable.astype("int8"),
@@ -98,10 +97,10 @@ def add_measurements(
             "joined_psd": (
                 axis,
                 joined_density,
-                {"units": "nm4", "long_name": "mean C_iso of the reliable measurements"},
+                NM4 | {"long_name": "mean C_iso of the reliable measurements"},
             ),
         }
-    ).assign_coords({axis: (axis, BIN_CENTRES, {"units": "rad nm-1"})})
+    ).assign_coords({axis: (axis, BIN_CENTRES, RAD_PER_NM)})
 
 
 def convert_described_spectrum(substitute: xr.Dataset, path: str) -> xr.Dataset:

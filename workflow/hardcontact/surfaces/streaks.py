@@ -5,7 +5,8 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
+from hardcontact.base.arrays import Floats
+
 Mask = NDArray[np.bool_]
 
 #: Least distance of a streak to both lines beside it, in typical steps from line to line; Gaussian

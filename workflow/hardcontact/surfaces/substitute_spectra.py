@@ -11,13 +11,13 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
+from hardcontact.base.arrays import Floats
 from hardcontact.surfaces.spectrum import (
     AFM_ROWS,
     CALIBRATION_ROWS,
     SPECTRAL_MODELS,
     TAIL_ROWS,
     WAVEVECTORS,
-    Floats,
     Spectrum,
     SpectrumFunction,
     all_scales_rms,
@@ -161,10 +161,7 @@ def calibrate_tail(
     from scipy.optimize import brentq
 
     _, *longer_rms = all_scales_rms(Spectrum(WAVEVECTORS, longer_waves))
-    missing_squares = [
-        gradient**2 - longer_rms[0] ** 2,
-        half_laplacian**2 - longer_rms[1] ** 2,
-    ]
+    missing_squares = [gradient**2 - longer_rms[0] ** 2, half_laplacian**2 - longer_rms[1] ** 2]
     ends = 2 * np.pi / WAVEVECTORS[longer_waves.nonzero()[0][-1] + 1 :]
     refusal = ValueError(
         f"expected an all-scales slope and curvature that a power law below {ends[0]:.3g} nm can "
@@ -264,10 +261,7 @@ def paper_weights(constants: pd.DataFrame) -> Weights:
 
 
 def sample_permitted_spectrum(
-    rng: np.random.Generator,
-    description: str | Path,
-    table1: pd.DataFrame,
-    constants: pd.DataFrame,
+    rng: np.random.Generator, description: str | Path, table1: pd.DataFrame, constants: pd.DataFrame
 ) -> Spectrum:
     """Sample a spectrum that Table 1 permits. A description without blanks permits only itself.
 

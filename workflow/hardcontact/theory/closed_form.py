@@ -16,10 +16,11 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy import special
 
+from hardcontact.base.arrays import Floats
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.smooth_sphere import dmt_pull_off
 from hardcontact.inference.curve_edges import interpolate_edge, logarithmic_limits
-from hardcontact.surfaces.spectrum import Floats, Spectrum
+from hardcontact.surfaces.spectrum import Spectrum
 from hardcontact.theory.summits import (
     ApexLevels,
     apex_levels,

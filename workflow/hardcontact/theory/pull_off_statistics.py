@@ -18,9 +18,10 @@ from typing import NamedTuple
 import numpy as np
 from scipy import special
 
+from hardcontact.base.arrays import Floats
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.smooth_sphere import dmt_pull_off
-from hardcontact.surfaces.spectrum import Floats, Spectrum
+from hardcontact.surfaces.spectrum import Spectrum
 from hardcontact.theory.closed_form import (
     GENERATIONS,
     SUMMIT_SIZE,

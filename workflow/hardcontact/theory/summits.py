@@ -20,7 +20,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy import special
 
-from hardcontact.surfaces.spectrum import Floats, Spectrum
+from hardcontact.base.arrays import Floats
+from hardcontact.surfaces.spectrum import Spectrum
 
 #: Number of points of a spectrum, and of distances of its autocorrelation.
 WAVES = 300

@@ -10,12 +10,13 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from hardcontact.base.arrays import Floats
 from hardcontact.base.number import Number
 from hardcontact.inference.octaves import OCTAVES_NAMED
 from hardcontact.report.own_surfaces.artificial_roughness import shown_octaves
 from hardcontact.report.own_surfaces.datasets import Datasets, forces_at_range
 from hardcontact.report.quantities import number_of
-from hardcontact.surfaces.spectrum import Floats, spectrum_of_dataset
+from hardcontact.surfaces.spectrum import spectrum_of_dataset
 
 #: Wavevectors of an octave, at which its power is summed.
 POINTS = 33

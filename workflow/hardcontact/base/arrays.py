@@ -1,0 +1,7 @@
+"""Types of arrays."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+#: An array of floats; docstrings tell its shape and unit.
+Floats = NDArray[np.float64]
