@@ -33,7 +33,7 @@ def test_the_coarser_map_is_interpolated():
     # The apex lies in the middle of the sphere's scan, a quarter of its stitched period in.
     np.testing.assert_array_equal(pair.roughness.heights, np.roll(fine, (-30, -30), axis=(0, 1)))
     np.testing.assert_array_equal(pair.geometry.positions, geometry.contact_positions(150, 4))
-    assert pair.geometry.window == 300
+    assert pair.geometry.window_pixels == 300
 
 
 def test_a_period_is_stretched_by_at_most_half_a_pixel():

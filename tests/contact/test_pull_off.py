@@ -66,7 +66,7 @@ def test_the_change_by_a_wider_window_matches_the_direct_sum():
     count, rho, changes = CONTACT.pixel_count(8.0), 5.6, []
     for narrow_pair in pairs:
         wider_pair = replace(
-            narrow_pair, geometry=replace(narrow_pair.geometry, window=320 + 2 * 128)
+            narrow_pair, geometry=replace(narrow_pair.geometry, window_pixels=320 + 2 * 128)
         )
         for contact in np.ndindex(3, 3):
             narrow, wide = (

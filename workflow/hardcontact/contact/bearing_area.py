@@ -105,19 +105,19 @@ PixelsByContact = dict[tuple[int, int], ContactPixels]
 class WindowTiles(NamedTuple):
     """Tiles in the windows of contacts, in the order of these."""
 
-    contact: NDArray[np.int_]  #: (k,)
+    contact_numbers: NDArray[np.int_]  #: (k,)
     row: NDArray[np.int_]  #: (k,) within the window.
     column: NDArray[np.int_]
     bounds: Floats  #: (k,) nm, at most the smallest gap of each.
 
     def select(self, index: slice | NDArray[np.int_] | NDArray[np.bool_]) -> "WindowTiles":
         """Return some of the tiles."""
-        contact, row, column, bounds = self
-        return WindowTiles(contact[index], row[index], column[index], bounds[index])
+        numbers, row, column, bounds = self
+        return WindowTiles(numbers[index], row[index], column[index], bounds[index])
 
     def up_to(self, limits: Floats) -> "WindowTiles":
         """Return the tiles whose bounds are at most the limits (contact,) in nm."""
-        return self.select(self.bounds <= limits[self.contact])
+        return self.select(self.bounds <= limits[self.contact_numbers])
 
 
 class _Windows:
@@ -137,13 +137,13 @@ class _Windows:
         self.substrate = substrate
         self.roughness = roughness
         self.geometry = geometry
-        offset, index, meets = substrate.in_window(positions, geometry.window)
+        offset, index, meets = substrate.in_window(positions, geometry.window_pixels)
         # The lowest point of the sphere over the TILE pixels that begin at each offset.
         nearest = np.maximum(np.maximum(offset, -(offset + TILE - 1)), 0)
         low = np.where(meets, geometry.paraboloid(nearest), np.inf)
         padding = ((0, 0), (0, 0), (0, -low.shape[-1] % GROUP))
         #: (contact, axis, tiles along the axis), whole groups.
-        self.offset = np.pad(offset, padding, constant_values=geometry.window)  # outside it
+        self.offset = np.pad(offset, padding, constant_values=geometry.window_pixels)  # outside it
         self.index = np.pad(index, padding)
         self.low = np.pad(low, padding, constant_values=np.inf)
 
@@ -158,12 +158,12 @@ class _Windows:
             bounds -= self.roughness.maxima.max()
         return np.asarray(bounds.reshape(contacts, -1))
 
-    def tiles_of_groups(self, contact: NDArray[np.int_], group: NDArray[np.int_]) -> WindowTiles:
-        """Return the tiles of groups (k,), ordered as these."""
+    def tiles_of_groups(self, numbers: NDArray[np.int_], group: NDArray[np.int_]) -> WindowTiles:
+        """Return the tiles of groups (k,) of contacts by number (k,), ordered as these."""
         group_row, group_column = np.divmod(group, self.low.shape[-1] // GROUP)
         row = (group_row[:, None] * GROUP + np.arange(GROUP))[:, :, None]
         column = (group_column[:, None] * GROUP + np.arange(GROUP))[:, None, :]
-        number = contact[:, None, None]
+        number = numbers[:, None, None]
         bounds = self.low[number, 0, row] + self.low[number, 1, column]
         bounds -= self.substrate.maxima[self.index[number, 0, row], self.index[number, 1, column]]
         if self.roughness is not None:
@@ -178,10 +178,10 @@ class _Windows:
 
         With them come the offsets from the apex of their rows and of their columns: (k, TILE).
         """
-        contact, row, column, _ = tiles
-        y = self.offset[contact, 0, row][:, None] + np.arange(TILE)
-        x = self.offset[contact, 1, column][:, None] + np.arange(TILE)
-        tile_y, tile_x = self.index[contact, 0, row], self.index[contact, 1, column]
+        number, row, column, _ = tiles
+        y = self.offset[number, 0, row][:, None] + np.arange(TILE)
+        x = self.offset[number, 1, column][:, None] + np.arange(TILE)
+        tile_y, tile_x = self.index[number, 0, row], self.index[number, 1, column]
         gaps: Floats = self._sphere_in_window(y)[:, :, None] + self._sphere_in_window(x)[:, None, :]
         gaps -= self.substrate.blocks[tile_y, :, tile_x, :]
         if self.roughness is not None:
@@ -211,17 +211,17 @@ def find_contact_pixels(
     group_bounds = windows.group_bounds()
     tile_count = -(-contact_pixel_count // TILE**2)
     best_groups = _lowest_columns(group_bounds, -(-tile_count // GROUP**2))
-    contact = np.repeat(np.arange(len(positions)), best_groups.shape[1])
-    tiles = windows.tiles_of_groups(contact, best_groups.ravel())
+    numbers = np.repeat(np.arange(len(positions)), best_groups.shape[1])
+    tiles = windows.tiles_of_groups(numbers, best_groups.ravel())
     limits = _limits_of_gaps(windows, tiles, contact_pixel_count)
     tiles = windows.tiles_of_groups(*np.nonzero(group_bounds <= limits[:, None])).up_to(limits)
     # The lowest bounds of all tiles that are left give a lower limit.
     limits = _limits_of_gaps(windows, tiles, contact_pixel_count)
     tiles = tiles.up_to(limits)
-    batches = [slice(start, start + BATCH) for start in range(0, len(tiles.contact), BATCH)]
+    batches = [slice(start, start + BATCH) for start in range(0, len(tiles.contact_numbers), BATCH)]
     low = [_gaps_up_to(windows, tiles.select(batch), limits) for batch in batches]
-    contact, gaps, offsets = (np.concatenate(parts) for parts in zip(*low, strict=True))
-    ends = np.searchsorted(contact, np.arange(1, len(positions)))
+    numbers, gaps, offsets = (np.concatenate(parts) for parts in zip(*low, strict=True))
+    ends = np.searchsorted(numbers, np.arange(1, len(positions)))
     return [
         _lowest(*candidates, contact_pixel_count)
         for candidates in zip(np.split(gaps, ends), np.split(offsets, ends), strict=True)
@@ -234,7 +234,7 @@ def _limits_of_gaps(windows: _Windows, tiles: WindowTiles, contact_pixel_count: 
     It is the N-th smallest gap of the tiles with the lowest bounds, as many as have N pixels.
     """
     tile_count = -(-contact_pixel_count // TILE**2)
-    ends = np.searchsorted(tiles.contact, np.arange(tiles.contact[-1] + 2))
+    ends = np.searchsorted(tiles.contact_numbers, np.arange(tiles.contact_numbers[-1] + 2))
     best = [
         start + _lowest_columns(tiles.bounds[None, start:end], tile_count)[0]
         for start, end in pairwise(ends.tolist())
@@ -264,10 +264,10 @@ def _gaps_up_to(
     Returns three arrays: the number of the contact of each gap, the gaps, their offsets (gap, 2).
     """
     gaps, rows, columns = windows.gaps(tiles)
-    low = np.flatnonzero(gaps <= limits[tiles.contact, None, None])
+    low = np.flatnonzero(gaps <= limits[tiles.contact_numbers, None, None])
     number, y, x = np.unravel_index(low, gaps.shape)
     offsets = np.stack([rows[number, y], columns[number, x]], axis=1)
-    return tiles.contact[number], gaps.ravel()[low], offsets
+    return tiles.contact_numbers[number], gaps.ravel()[low], offsets
 
 
 def _lowest(gaps: Floats, offsets: NDArray[np.int_], contact_pixel_count: int) -> ContactPixels:

@@ -15,7 +15,7 @@ CONTACT_DIMENSIONS = ("sphere_scan", "contact", *CONTACT_AXES)
 
 @dataclass(frozen=True, kw_only=True)
 class Contact:
-    """A sphere pressed onto a surface at an array of contacts.
+    """Sphere, load, adhesion and array that all contacts of a computation share.
 
     Window, range and work may be left out if nothing uses them.
     """
@@ -24,7 +24,7 @@ class Contact:
     preload: float  #: Load in N.
     hardness: float  #: Hardness of the softer body in Pa.
     plastic: bool = True  #: Whether contact pixels yield; in rigid contact a single pixel touches.
-    window: float = math.nan  #: Edge in nm of the square around each contact that attracts.
+    window: float = math.nan  #: Width in nm of the square around each contact that attracts.
     contacts_per_side: int = 1  #: Along a side of the square array of contacts.
     rho: float = math.nan  #: Range of adhesion in nm.
     work: float = math.nan  #: Work of adhesion in J/m².

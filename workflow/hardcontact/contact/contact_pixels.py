@@ -64,9 +64,9 @@ def _image_gaps(bodies: Bodies, index: tuple[int, int], offsets: NDArray[np.int_
     """Return the gaps (k,) in nm of images, in the window, of contact pixels at offsets."""
     pixels = bodies.substrate.pixels
     geometry = bodies.geometry
-    if geometry.window <= pixels:
+    if geometry.window_pixels <= pixels:
         return np.empty(0)
-    reach = -(-geometry.window // (2 * pixels))
+    reach = -(-geometry.window_pixels // (2 * pixels))
     flat, inverse = np.unique(offsets % pixels @ (pixels, 1), return_inverse=True)
     periods = pixels * np.arange(-reach, reach)
     row, column = np.divmod(flat, pixels)

@@ -208,7 +208,7 @@ def elastic_contacts_of_pair(
     """
     geometry = bodies.geometry
     pixel_size = geometry.pixel_size
-    period_pixels = min(bodies.substrate.pixels, geometry.window)
+    period_pixels = min(bodies.substrate.pixels, geometry.window_pixels)
     pull_off_pixels = min(window_pixels(pull_off_window, pixel_size), period_pixels)
     solved: list[dict[str, float]] = []
     pressures = []

@@ -1,7 +1,7 @@
 """The sphere over a surface: its paraboloid, the array of contacts, their gaps in a window.
 
 A contact at the pixel c sees the substrate at the unfolded indices c + k along one axis, k from
--window/2 to window/2 - 1; the substrate continues itself periodically.
+-n/2 to n/2 - 1 in a window of n pixels; the substrate continues itself periodically.
 """
 
 from dataclasses import dataclass, replace
@@ -28,7 +28,7 @@ class ContactGeometry:
 
     radius: float  #: Of the sphere, in nm.
     pixel_size: float  #: Side of a pixel in nm.
-    window: int  #: Pixels along a side of the analysis window, even.
+    window_pixels: int  #: Pixels along a side of the analysis window, even.
     #: (contact,) pixels along either axis; the contacts are all pairs of them.
     positions: NDArray[np.int_]
 
@@ -41,11 +41,11 @@ class ContactGeometry:
 
     def window_mask(self, offsets: NDArray[np.int_]) -> NDArray[np.bool_]:
         """Return the mask of offsets (pixels) from the apex that lie in the analysis window."""
-        return (offsets >= -(self.window // 2)) & (offsets < self.window // 2)
+        return (offsets >= -(self.window_pixels // 2)) & (offsets < self.window_pixels // 2)
 
     def offsets(self) -> NDArray[np.int_]:
-        """Return all offsets (window,) from the apex along one axis, in pixels."""
-        return np.arange(self.window) - self.window // 2
+        """Return all offsets (window_pixels,) from the apex along one axis, in pixels."""
+        return np.arange(self.window_pixels) - self.window_pixels // 2
 
 
 @dataclass(frozen=True, eq=False)
@@ -67,7 +67,7 @@ class Bodies:
 
 
 def window_pixels(window: float, pixel_size: float) -> int:
-    """Return the even number of pixels along the edge of an analysis window (both in nm)."""
+    """Return the even number of pixels along a side of an analysis window (both in nm)."""
     return 2 * int(round(window / pixel_size / 2))
 
 
@@ -164,18 +164,18 @@ def gaps_at(bodies: Bodies, position: NDArray[np.int_], offsets: NDArray[np.int_
 
 
 def gap_map(
-    bodies: Bodies, contact: tuple[int, int] | NDArray[np.int_], sphere: Floats | None = None
+    bodies: Bodies, index: tuple[int, int] | NDArray[np.int_], sphere: Floats | None = None
 ) -> Floats:
-    """Return the gap (window, window) in nm of one contact of the array, at the apex height 0.
+    """Return the gap (n, n) in nm of one contact of the array, by its index, at the apex height 0.
 
-    The apex stands at the pixel (window/2, window/2). The `sphere` is the same for all contacts;
+    The apex stands at the pixel (n/2, n/2). The `sphere` is the same for all contacts;
     None computes it.
     """
     geometry = bodies.geometry
     offset = geometry.offsets()
     if sphere is None:
         sphere = bodies.sphere(offset, offset)
-    apex = geometry.positions[list(contact)]
+    apex = geometry.positions[list(index)]
     rows, columns = (apex[:, None] + offset) % bodies.substrate.pixels
     return np.asarray(sphere - bodies.substrate.heights[rows].take(columns, axis=1))
 

@@ -211,7 +211,7 @@ def force_on_finer_pixels(bodies: Bodies, contact: Contact, forces: xr.DataArray
         replace(
             geometry,
             pixel_size=geometry.pixel_size / 2,
-            window=2 * geometry.window,
+            window_pixels=2 * geometry.window_pixels,
             positions=2 * geometry.positions,
         ),
     )
@@ -234,8 +234,8 @@ def wider_window_change(
     """
     changes = []
     for bodies, pair_forces in zip(pairs, forces.values, strict=True):
-        window = bodies.geometry.window + 2 * bodies.substrate.pixels
-        wider = replace(bodies, geometry=replace(bodies.geometry, window=window))
+        window_pixels = bodies.geometry.window_pixels + 2 * bodies.substrate.pixels
+        wider = replace(bodies, geometry=replace(bodies.geometry, window_pixels=window_pixels))
         wide = forces_at_loads(wider, [contact], [contact.rho])[0, 0]
         changes.append(float(np.abs(wide / pair_forces - 1).max()))
     attributes = {

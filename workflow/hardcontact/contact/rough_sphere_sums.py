@@ -64,7 +64,7 @@ def _axis_factors_by_shift(
 ) -> dict[int, Floats]:
     """Return exp(-y/rho) along one axis, summed over images of the same shift of the roughness."""
     weights: dict[int, Floats] = {}
-    reach = -(-geometry.window // (2 * pixels))
+    reach = -(-geometry.window_pixels // (2 * pixels))
     for image in range(-reach, reach):
         offset = np.arange(pixels) + image * pixels
         decay = np.exp(-geometry.paraboloid(offset) / rho)

@@ -28,10 +28,10 @@ def edges_by_contact(forces: xr.Dataset, tolerance: float, sampling: Sampling) -
     ranges = sorted_forces["rho"].values.tolist()
     datasets = {}
     edge_samples = {}
-    for (load, model), (column, rho) in product(enumerate(CONTACT_MODELS), enumerate(ranges)):
-        contact = sorted_forces.isel(load=load, rho=column, drop=True)
+    for (load_index, model), (column, rho) in product(enumerate(CONTACT_MODELS), enumerate(ranges)):
+        model_forces = sorted_forces.isel(load=load_index, rho=column, drop=True)
         datasets[model, rho], edge_samples[model, rho] = edges_with_samples(
-            contact, tolerance, sampling
+            model_forces, tolerance, sampling
         )
     edges = stack(datasets, ["contact_model", "rho"])
     complete = "plastic", max(ranges)
