@@ -18,8 +18,8 @@ ROOMS = re.findall(r"`(\w+)`", hardcontact.__doc__)
 BUDGET = {
     "base": 778,
     "surfaces": 3425,
-    "contact": 1430,
-    "inference": 1603,
+    "contact": 1381,
+    "inference": 1652,
     "theory": 647,
     "paper": 1465,
     "config": 1522,

@@ -31,7 +31,7 @@ def test_forces_of_all_pairs_are_stacked_with_nan_for_missing_pairs():
         ).assign(wider_window_change=((), change, {"units": "1"}))
         for scan, change in changes.items()
     }
-    forces = stacked_datasets.stacked_pull_off_forces(scans, DESCRIBED)
+    forces = stacked_datasets.stack_pull_off_forces(scans, DESCRIBED)
     for k, (surface, scan, sphere_scan) in enumerate(keys):
         pair_labels = {"surface": surface, "scan": scan, "sphere_scan": sphere_scan}
         np.testing.assert_array_equal(forces.pull_off_force.sel(pair_labels), k)

@@ -9,10 +9,10 @@ import xarray as xr
 
 from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact
-from hardcontact.contact.stacked_datasets import add_spectrum_shifts, stacked_forces
 from hardcontact.inference.edges_of_scans import edges_of_scans
 from hardcontact.inference.filtered_masters import Filters, filtered_pull_off
-from hardcontact.inference.mean_forces import Masters
+from hardcontact.inference.master_datasets import add_spectrum_shifts, stack_masters
+from hardcontact.inference.mean_forces import MasterScans
 from hardcontact.surfaces.height_map import HeightMap, level, mirror_stitch
 from hardcontact.surfaces.joined_spectrum import joined_spectrum, sample_spectra
 from hardcontact.surfaces.spectrum import self_affine, smooth_rolloff, spectrum_of_dataset
@@ -37,7 +37,7 @@ def forces(masters, contact):
         )
         for number, filters, master in masters
     }
-    scales = stacked_forces(filtered)
+    scales = stack_masters(filtered)
     named_scales = scales.assign(label=("surface", ["A"]), basis=("surface", ["measured"]))
     return named_scales.assign_attrs(rho=contact.rho, sphere_radius=contact.radius)
 
@@ -74,8 +74,8 @@ def edges_of_draw(draw):
     short = short_edge_master(rng, stitched, 256, 160.0, known_density)
     long = long_edge_master(rng, stitched, 1, 1000.0, known_density)
     scales = forces([(1, SHORT_FILTERS, short), (1, LONG_FILTERS, long)], CONTACT)
-    masters = Masters({"a": 1}, 1, {"a": 99})
-    return edges_of_scans(scales, xr.Dataset(), masters, 0.1, 0.95).isel(surface=0)
+    master_scans = MasterScans({"a": 1}, 1, {"a": 99})
+    return edges_of_scans(scales, xr.Dataset(), master_scans, 0.1, 0.95).isel(surface=0)
 
 
 @pytest.mark.parametrize("filters", [SHORT_FILTERS, LONG_FILTERS], ids=TRUTH)
@@ -127,8 +127,8 @@ def interval_of_one_scan(density, number):
     measured_scales = scales([(spectrum, np.ones(1))] * REALIZATIONS)
     sampled_scales = scales(sample_spectra(rngs, measurements, [None]))
     shifted_scales = add_spectrum_shifts(measured_scales, sampled_scales)
-    masters = Masters({"a": 1}, TILES, {"a": 99})
-    edges = edges_of_scans(shifted_scales, xr.Dataset(), masters, 0.1, 0.95)
+    master_scans = MasterScans({"a": 1}, TILES, {"a": 99})
+    edges = edges_of_scans(shifted_scales, xr.Dataset(), master_scans, 0.1, 0.95)
     return edges.edge_interval.sel(side="long").values.ravel()
 
 

@@ -7,14 +7,14 @@ from known_masters import LONG, SHORT, scales
 
 from hardcontact.base.statistics import jackknife_interval
 from hardcontact.inference.edges_of_scans import edges_of_scans
-from hardcontact.inference.mean_forces import Masters
+from hardcontact.inference.mean_forces import MasterScans
 
 
 def edges(curves, scans, sensitivity=None, **options):
     return edges_of_scans(
         scales(curves, **options),
         xr.Dataset() if sensitivity is None else sensitivity,
-        Masters({"a": scans[0], "b": scans[-1]}, 2, {"a": 99, "b": 99}),
+        MasterScans({"a": scans[0], "b": scans[-1]}, 2, {"a": 99, "b": 99}),
         0.1,
         0.95,
     )
@@ -49,7 +49,8 @@ def test_the_interval_of_three_scans_comes_from_the_jackknife():
         .values
     )
     left_out = [np.delete(ratio, scan).mean() for scan in range(3)]
-    band = edges_of_scans(master_forces, xr.Dataset(), Masters({"a": 3}, 2, {"a": 99}), 0.1, 0.95)
+    master_scans = MasterScans({"a": 3}, 2, {"a": 99})
+    band = edges_of_scans(master_forces, xr.Dataset(), master_scans, 0.1, 0.95)
     interval = band.filtered_force_ratio_interval.isel(surface=0).sel(
         side="short", cutoff_wavelength=100.0
     )
@@ -70,7 +71,7 @@ def test_curves_that_never_cross_the_tolerance_give_bounds():
 def test_a_ratio_without_scatter_has_no_interval():
     master_forces = scales([[[1.0, 1.3, 1.6, np.nan, np.nan], LONG]], spread=0.1)
     short_side = (
-        edges_of_scans(master_forces, xr.Dataset(), Masters({"a": 3}, 2, {"a": 99}), 0.1, 0.95)
+        edges_of_scans(master_forces, xr.Dataset(), MasterScans({"a": 3}, 2, {"a": 99}), 0.1, 0.95)
         .isel(surface=0)
         .sel(side="short")
     )

@@ -5,8 +5,8 @@ import pytest
 import xarray as xr
 from periodic_maps import height_map
 
-from hardcontact.contact.stacked_datasets import stacked_forces
 from hardcontact.inference.filtered_masters import Filters, forces_at_cutoffs
+from hardcontact.inference.master_datasets import stack_masters
 
 #: Wavelength in nm and amplitude of the only wave of a master of 640 nm.
 WAVELENGTH, AMPLITUDE = 80.0, 2.0
@@ -69,7 +69,7 @@ def test_ratios_are_taken_of_mean_forces_over_contacts():
         for realization in range(1, count + 1)
         for side, cutoffs, end in (("short", [43.0, 20.0], 1.2), ("long", [500.0, 1e3], 2e4))
     }
-    scales = stacked_forces(masters)
+    scales = stack_masters(masters)
     assert scales.cutoff_wavelength.values.tolist() == [20.0, 43.0, 500.0, 1e3]
     empty = [np.nan, np.nan]
     ratios_of_b = scales.filtered_force_ratio.sel(surface="b", load="light").transpose(

@@ -12,7 +12,11 @@ from scipy import stats
 
 from hardcontact.base.random import generator
 from hardcontact.base.statistics import student_interval
-from hardcontact.inference.mean_forces import Masters, forces_of_masters, half_width_over_masters
+from hardcontact.inference.mean_forces import (
+    MasterScans,
+    forces_of_masters,
+    half_width_over_masters,
+)
 from hardcontact.own.predicted_force import (
     add_extrapolated_force,
     bound_by_smooth_sphere,
@@ -116,8 +120,8 @@ def test_contacts_that_touch_few_places_give_no_interval():
         assert prediction.force_interval.sel(surface="b").notnull().all() == (places == 4)
         assert prediction.force_interval.sel(surface="a").notnull().all()
         assert prediction.contacts.values.tolist() == [16, 16]
-        masters = Masters({"a": 1}, 2, {"a": places})
-        extrapolated_forces = extrapolated_force(master_forces(), masters, 0.05, 0.95)
+        master_scans = MasterScans({"a": 1}, 2, {"a": places})
+        extrapolated_forces = extrapolated_force(master_forces(), master_scans, 0.05, 0.95)
         assert extrapolated_forces.extrapolated_force_interval.notnull().all() == (places == 4)
 
 
@@ -165,7 +169,7 @@ def test_forces_are_bounded_by_that_of_a_smooth_sphere():
 
 # With extrapolated roughness
 
-MASTERS = Masters({"a": 1}, 2, {"a": 99})
+MASTERS = MasterScans({"a": 1}, 2, {"a": 99})
 
 
 def master_forces(**options):
@@ -211,11 +215,11 @@ def test_the_interval_covers_the_scatter_between_realizations(count):
         single = 0.05 * rng.standard_normal((1, count, 2, 4, 4))
         forces = xr.zeros_like(template.unfiltered_pull_off_force) + np.exp(shared + single)
         sampled_forces = template.assign(unfiltered_pull_off_force=forces)
-        masters = forces_of_masters(sampled_forces, "a", "short", MASTERS)
+        forces = forces_of_masters(sampled_forces, "a", "short", MASTERS)
         half = half_width_over_masters(
-            masters, lambda filtered, whole: whole, "log_unfiltered_force_shift", 0.95
+            forces, lambda filtered, whole: whole, "log_unfiltered_force_shift", 0.95
         )
-        mean = float(masters.forces.unfiltered_pull_off_force.mean())
+        mean = float(forces.forces.unfiltered_pull_off_force.mean())
         contained.append(abs(np.log(mean) - (0.3**2 + 0.05**2) / 2) < half)
     assert np.mean(contained) >= 0.9
 

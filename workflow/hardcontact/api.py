@@ -32,9 +32,9 @@ from hardcontact.config.model import NONE, Study
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import WORK_OF_ADHESION, pull_off_dataset, wider_window_change
-from hardcontact.contact.stacked_datasets import stacked_forces
 from hardcontact.inference.edges_of_scans import edges_of_curves
 from hardcontact.inference.filtered_masters import Filters, filtered_pull_off
+from hardcontact.inference.master_datasets import stack_masters
 from hardcontact.own.own_spectrum import own_spectrum
 from hardcontact.own.scan_force import add_force_on_scan
 from hardcontact.surfaces.height_map import HeightMap, flatten, require_map
@@ -367,7 +367,7 @@ def force_ratios(
             surface, Filters(side, surface.pixels, wavelengths), [contact], rough
         )
         forces["scan", 0, side] = side_forces.isel(radius=0, load=0, rho=0, drop=True)
-    ratio = stacked_forces(forces).filtered_force_ratio.isel(surface=0, realization=0, drop=True)
+    ratio = stack_masters(forces).filtered_force_ratio.isel(surface=0, realization=0, drop=True)
     ratios = xr.Dataset(
         {
             "filtered_force_ratio": ratio,

@@ -2,11 +2,11 @@
 
 from hardcontact.base.dataset import read_all
 from hardcontact.base.job import run_job
-from hardcontact.contact.stacked_datasets import stacked_pull_off_forces
+from hardcontact.contact.stacked_datasets import stack_pull_off_forces
 
 with run_job(snakemake) as job:
     params = job.parameters
-    forces = stacked_pull_off_forces(read_all(params["scans"], job.input.scans), params)
+    forces = stack_pull_off_forces(read_all(params["scans"], job.input.scans), params)
     job.write(
         forces.assign_attrs({name: params[name] for name in ("reference_rho", "sphere_radius")}),
         title="pull-off forces at a work of adhesion of 1 J/m2",

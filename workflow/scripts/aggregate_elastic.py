@@ -2,12 +2,12 @@
 
 from hardcontact.base.dataset import read_all
 from hardcontact.base.job import run_job
-from hardcontact.contact.stacked_datasets import stacked_elastic_contacts
+from hardcontact.contact.stacked_datasets import stack_elastic_contacts
 
 with run_job(snakemake) as job:
     params = job.parameters
     scans = read_all(params["scans"], job.input.scans)
     job.write(
-        stacked_elastic_contacts(scans, params),
+        stack_elastic_contacts(scans, params),
         title="elastic contacts: pressure at the preload, and pull-off beside that of rigid bodies",
     )

@@ -4,8 +4,9 @@ import xarray as xr
 
 from hardcontact.base.job import run_job
 from hardcontact.base.statistics import Sampling
-from hardcontact.contact.stacked_datasets import add_names, read_masters
+from hardcontact.contact.stacked_datasets import add_names
 from hardcontact.inference.enhancement import edges_by_contact
+from hardcontact.inference.master_datasets import read_master_forces
 from hardcontact.inference.scaling import edge_exponents, force_exponent
 
 with run_job(snakemake) as job:
@@ -14,7 +15,7 @@ with run_job(snakemake) as job:
     sampling = Sampling.from_parameters(params["sampling"])
     confidence = sampling.confidence
     forces = {
-        purpose: read_masters(surfaces, job.input[purpose], params["realizations"])
+        purpose: read_master_forces(surfaces, job.input[purpose], params["realizations"])
         for purpose, surfaces in params["surfaces"].items()
     }
     scaled = forces["scaling"].squeeze("rho", drop=True).swap_dims(load="area").drop_vars("load")

@@ -5,7 +5,7 @@ from hardcontact.base.job import run_job
 from hardcontact.contact.contact import Contact
 from hardcontact.inference.edges import labelled_edges
 from hardcontact.inference.edges_of_scans import edges_of_scans
-from hardcontact.inference.mean_forces import Masters, fewest_places
+from hardcontact.inference.mean_forces import MasterScans, fewest_places
 from hardcontact.own.predicted_force import force_dataset
 
 with run_job(snakemake) as job:
@@ -13,10 +13,11 @@ with run_job(snakemake) as job:
     adhesion = read(job.input.adhesion)
     scales = read(job.input.scales)
     sensitivity = read(job.input.sensitivity)
-    masters = Masters(params["scans"], params["tiles"], fewest_places(adhesion))
+    master_scans = MasterScans(params["scans"], params["tiles"], fewest_places(adhesion))
     limits = {name: params[name] for name in ("tolerance", "confidence")}
+    edges = edges_of_scans(scales, sensitivity, master_scans, **limits)
     job.write(
-        labelled_edges(edges_of_scans(scales, sensitivity, masters, **limits), scales, **limits),
+        labelled_edges(edges, scales, **limits),
         title="pull-off force against cutoff wavelength, and the edges of the band",
         output="edges",
     )
@@ -31,7 +32,7 @@ with run_job(snakemake) as job:
             read(job.input.spectra),
             sensitivity,
             contact=contact,
-            masters=masters,
+            master_scans=master_scans,
             **limits,
         ),
         title="predicted pull-off forces",

@@ -5,7 +5,7 @@ import pandas as pd
 from hardcontact.base import published
 from hardcontact.base.dataset import read, read_all
 from hardcontact.base.job import run_job
-from hardcontact.contact.stacked_datasets import read_masters
+from hardcontact.inference.master_datasets import read_master_forces
 from hardcontact.inference.published_fit import Pair, PublishedFit
 from hardcontact.paper.sampled_sets import SetSettings, gather_inputs, sample_sets
 
@@ -18,7 +18,7 @@ with run_job(snakemake) as job:
         read_all(params["chunks"], job.input.pools),
         read_all(params["sample_chunks"], job.input.samples),
         params["pooled"],
-        read_masters(
+        read_master_forces(
             params["master_surfaces"], job.input.masters, params["realizations"], params["load"]
         ),
     )

@@ -4,6 +4,8 @@ The roughness of the surface goes on beyond the ends of the scans, so an edge be
 cutoff is open. Intervals come from parts of the scans.
 """
 
+from operator import truediv
+
 import numpy as np
 import xarray as xr
 
@@ -21,7 +23,7 @@ from hardcontact.inference.edges import EDGE, RATIO, edge_variables
 from hardcontact.inference.hindcast import widen_interval
 from hardcontact.inference.mean_forces import (
     MasterForces,
-    Masters,
+    MasterScans,
     half_width_over_masters,
     summarize_masters,
 )
@@ -31,7 +33,7 @@ from hardcontact.inference.scan_parts import logarithmic_interval
 def edges_of_scans(
     scales: xr.Dataset,
     sensitivity: xr.Dataset,
-    masters: Masters,
+    master_scans: MasterScans,
     tolerance: float,
     confidence: float,
 ) -> xr.Dataset:
@@ -41,7 +43,7 @@ def edges_of_scans(
     zero to infinity if it is not bounded; ``interval_is_conditional`` is 1 if it is conditional on
     one or two scans. The error of the hindcast in sensitivity.nc widens the intervals.
     """
-    curves = summarize_masters(scales, masters, lambda forces: _ratios(forces, confidence))
+    curves = summarize_masters(scales, master_scans, lambda forces: _ratios(forces, confidence))
     if "hindcast_ratio" in sensitivity:
         curves = _widen_ratios(curves, sensitivity["hindcast_ratio"])
     edges = edges_of_curves(curves, tolerance)
@@ -56,22 +58,20 @@ def edges_of_scans(
     )
 
 
-def _ratios(masters: MasterForces, confidence: float) -> xr.Dataset:
+def _ratios(master_forces: MasterForces, confidence: float) -> xr.Dataset:
     """Return the ratios of one surface and side, their intervals, and the source of these."""
-    half = half_width_over_masters(
-        masters, lambda filtered, unfiltered: filtered / unfiltered, "log_ratio_shift", confidence
-    )
-    ratio = masters.forces.filtered_force_ratio.mean("realization").values
+    half = half_width_over_masters(master_forces, truediv, "log_ratio_shift", confidence)
+    ratio = master_forces.forces.filtered_force_ratio.mean("realization").values
     interval = logarithmic_interval(ratio, half)
     axis = "cutoff_wavelength"
     return xr.Dataset(
         with_interval("filtered_force_ratio", axis, ratio, interval, RATIO, confidence)
         | {
-            "interval_is_conditional": int(masters.scan_parts.are_quarters),
-            "interval_source": masters.scan_parts.source,
-            "interval_scans": masters.scan_parts.scans,
+            "interval_is_conditional": int(master_forces.scan_parts.are_quarters),
+            "interval_source": master_forces.scan_parts.source,
+            "interval_scans": master_forces.scan_parts.scans,
         },
-        {axis: masters.forces[axis].variable},
+        {axis: master_forces.forces[axis].variable},
     )
 
 

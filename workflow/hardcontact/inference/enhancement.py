@@ -20,7 +20,7 @@ CONTACT_MODELS = ["rigid", "plastic"]
 def edges_by_contact(forces: xr.Dataset, tolerance: float, sampling: Sampling) -> xr.Dataset:
     """Return the edges of the band of plastic and rigid contact at each range of adhesion.
 
-    Forces come from `stacked_forces`, with one radius and two loads. ``edge_ratio`` (removed_cause,
+    Forces come from `stack_masters`, with one radius and two loads. ``edge_ratio`` (removed_cause,
     side, group) is the edge in plastic contact at the longest range, relative to rigid contact at
     this range (``"plasticity"``) or to plastic contact at the shortest range (``"long_range"``).
     """

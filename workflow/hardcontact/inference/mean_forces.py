@@ -105,7 +105,7 @@ def mean_intervals(surface_forces: SurfaceForces, confidence: float) -> np.ndarr
     return logarithmic_interval(surface_forces.mean, half)
 
 
-class Masters(NamedTuple):
+class MasterScans(NamedTuple):
     """The scans of masters: realization r uses scan (r - 1) modulo the number of scans."""
 
     scans: Mapping[str, int]  #: Number of scans of each surface.
@@ -124,30 +124,30 @@ class MasterForces(NamedTuple):
 
 
 def forces_of_masters(
-    scales: xr.Dataset, surface: str, side: str, masters: Masters
+    scales: xr.Dataset, surface: str, side: str, master_scans: MasterScans
 ) -> MasterForces:
     """Return the forces, as in scales.nc, on the existing masters of one surface and side."""
     master_size = float(scales.unfiltered_wavelength.sel(surface=surface, side="long"))
-    tiles = masters.tiles if side == "long" else 1
+    tiles = master_scans.tiles if side == "long" else 1
     forces = scales.sel(surface=surface, side=side).dropna(
         "realization", how="all", subset=["filtered_force_ratio"]
     )
     scan_parts = parts_of_scans(
-        (forces.realization.values - 1) % masters.scans[surface],
+        (forces.realization.values - 1) % master_scans.scans[surface],
         quarters_of_contacts(forces.sizes["contact_y"], tiles),
-        master_size / masters.tiles / 2,
+        master_size / master_scans.tiles / 2,
         float(np.sqrt(scales.attrs["sphere_radius"] * scales.attrs["rho"])),
-        masters.touched_places[surface],
+        master_scans.touched_places[surface],
     )
     return MasterForces(forces, scan_parts)
 
 
 def summarize_masters(
-    scales: xr.Dataset, masters: Masters, summary: Callable[[MasterForces], xr.Dataset]
+    scales: xr.Dataset, master_scans: MasterScans, summary: Callable[[MasterForces], xr.Dataset]
 ) -> xr.Dataset:
     """Return a summary of the forces, as in scales.nc, over surface and side."""
     summaries = {
-        (surface, side): summary(forces_of_masters(scales, surface, side, masters))
+        (surface, side): summary(forces_of_masters(scales, surface, side, master_scans))
         for surface in scales.surface.values.tolist()
         for side in scales.side.values.tolist()
     }
@@ -155,41 +155,38 @@ def summarize_masters(
 
 
 def half_width_over_masters(
-    masters: MasterForces,
+    master_forces: MasterForces,
     statistic: Callable[[xr.DataArray, xr.DataArray], xr.DataArray],
     shift: str,
     confidence: float,
 ) -> np.ndarray:
     """Return the half width (...) of the interval of the logarithm of a mean over masters.
 
-    The statistic (realization, ...) takes the mean forces on a master with and without a filter.
-    Three scans or more also differ in their realizations, so that their scatter includes the
-    scatter of the artificial roughness. The quarters of one or two scans share their realizations:
-    another seed moves all of them at once. The variance of a mean over realizations is therefore
-    added. Since the quarters already contain a share of it, the interval is rather too wide.
-    Another spectrum that the measurements also allow moves all realizations at once, too. If
-    spectra were sampled, the mean square of their shifts (realization, ...) is added.
+    The statistic (realization, ...) takes the mean forces with and without a filter. Sources of
+    variance: (1) the jackknife over parts of scans; (2) if the parts are quarters, which share
+    their realizations, the variance of the mean over realizations; (3) if spectra were sampled, the
+    mean square of `shift`, because another spectrum moves all realizations at once.
     """
 
     def contact_statistic(kept_contacts: xr.DataArray) -> xr.DataArray:
         """Return the statistic (realization, ...) over the kept contacts (realization, y, x)."""
-        filtered = masters.forces.pull_off_force.where(kept_contacts).mean(CONTACT_AXES)
-        unfiltered = masters.forces.unfiltered_pull_off_force.where(kept_contacts).mean(
+        filtered = master_forces.forces.pull_off_force.where(kept_contacts).mean(CONTACT_AXES)
+        unfiltered = master_forces.forces.unfiltered_pull_off_force.where(kept_contacts).mean(
             CONTACT_AXES
         )
         return statistic(filtered, unfiltered).transpose("realization", ...)
 
     logarithms = delete_one_logarithms(
-        masters.scan_parts,
+        master_forces.scan_parts,
         "realization",
         lambda kept_contacts: contact_statistic(kept_contacts).mean("realization"),
     )
-    variances = [jackknife_variance(logarithms, masters.scan_parts)]
-    count = masters.forces.sizes["realization"]
-    if masters.scan_parts.are_quarters and count > 1:
+    variances = [jackknife_variance(logarithms, master_forces.scan_parts)]
+    count = master_forces.forces.sizes["realization"]
+    if master_forces.scan_parts.are_quarters and count > 1:
         logarithms = np.log(contact_statistic(xr.DataArray(True)).values)
         variances.append(Variance(logarithms.var(axis=0, ddof=1) / count, count - 1))
-    shifts = masters.forces.get(shift)
+    shifts = master_forces.forces.get(shift)
     if shifts is not None and shifts.notnull().any():
         variances.append(Variance((shifts**2).mean("realization").values, count))
     return half_width(variances, confidence)

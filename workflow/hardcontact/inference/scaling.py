@@ -27,7 +27,7 @@ EDGE_EXPONENT = DIMENSIONLESS | {
 def force_exponent(forces: xr.Dataset, area: float, confidence: float) -> xr.Dataset:
     """Return the exponent of the mean force on masters with long waves against the radius.
 
-    Forces come from `stacked_forces`, at the nearest area in contact (nm²). The fit is by least
+    Forces come from `stack_masters`, at the nearest area in contact (nm²). The fit is by least
     squares of ln F against ln R, the interval is over realizations.
     """
     long_wave_forces = forces["unfiltered_pull_off_force"].sel(side="long")
@@ -45,7 +45,7 @@ def force_exponent(forces: xr.Dataset, area: float, confidence: float) -> xr.Dat
 def edge_exponents(forces: xr.Dataset, tolerance: float, confidence: float) -> xr.Dataset:
     """Return the exponents of both edges against the square roots of SCALED_QUANTITIES.
 
-    Forces come from `stacked_forces`. ``edge_exponent`` (surface, side, exponent_of) is fitted by
+    Forces come from `stack_masters`. ``edge_exponent`` (surface, side, exponent_of) is fitted by
     least squares to all edges that are found; its interval is the jackknife's over realizations.
     """
     exponents = _fit_all_exponents(forces, tolerance)

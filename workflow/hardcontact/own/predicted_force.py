@@ -19,7 +19,7 @@ from hardcontact.contact.smooth_sphere import assumed_modulus
 from hardcontact.inference.hindcast import pixel_factors, widen_interval
 from hardcontact.inference.mean_forces import (
     MasterForces,
-    Masters,
+    MasterScans,
     SurfaceForces,
     fewest_places,
     forces_of_surface,
@@ -50,7 +50,7 @@ def force_dataset(
     sensitivity: xr.Dataset,
     *,
     contact: Contact,
-    masters: Masters,
+    master_scans: MasterScans,
     tolerance: float,
     confidence: float,
 ) -> xr.Dataset:
@@ -67,7 +67,7 @@ def force_dataset(
         sizes={str(name): size for name, size in topography["scan_size"].to_series().items()},
         confidence=confidence,
     )
-    extrapolated_forces = extrapolated_force(scales, masters, contact.work, confidence)
+    extrapolated_forces = extrapolated_force(scales, master_scans, contact.work, confidence)
     force = add_extrapolated_force(force, extrapolated_forces, tolerance)
     force = _widen_intervals(force, sensitivity, contact.rho)
     force = bound_by_smooth_sphere(force, contact.area)
@@ -202,7 +202,7 @@ def _place_factor(forces_by_model: Sequence[SurfaceForces], confidence: float) -
 
 
 def extrapolated_force(
-    scales: xr.Dataset, masters: Masters, work: float, confidence: float
+    scales: xr.Dataset, master_scans: MasterScans, work: float, confidence: float
 ) -> xr.Dataset:
     """Return the mean force on masters with all their roughness, in plastic contact.
 
@@ -234,7 +234,7 @@ def extrapolated_force(
             }
         )
 
-    return summarize_masters(scales, masters, summary).assign(transition=scales.transition)
+    return summarize_masters(scales, master_scans, summary).assign(transition=scales.transition)
 
 
 def add_extrapolated_force(

@@ -51,7 +51,7 @@ class SetInputs(NamedTuple):
     samples: Mapping[str, Mapping[str, xr.Dataset]]  #: By substrate with features and their kind.
     #: (contact_model, surface, rho) force on the rough sphere relative to a smooth one.
     sphere_factor: xr.DataArray
-    masters: xr.Dataset  #: From `stacked_datasets.stacked_forces` at one load.
+    masters: xr.Dataset  #: From `stack_masters` at one load.
 
 
 class SetSettings(NamedTuple):

@@ -1,0 +1,81 @@
+"""Forces on the filtered masters of all surfaces, stacked, with the shifts of sampled spectra."""
+
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from hardcontact.base.dataset import read, stack
+from hardcontact.base.units import DIMENSIONLESS, NM
+from hardcontact.contact.contact import CONTACT_AXES
+from hardcontact.contact.stacked_datasets import DatasetsByLabels
+
+
+def stack_masters(master_datasets: DatasetsByLabels) -> xr.Dataset:
+    """Stack the forces on all filtered masters, and add their ratios to the unfiltered forces.
+
+    `master_datasets` has the dataset of `forces_at_cutoffs` by (surface, realization, side).
+    Returns the same variables over these dimensions, NaN at cutoffs of the other side, and
+    ``filtered_force_ratio`` of means over contacts; ``unfiltered_wavelength`` is in nm.
+    """
+    forces = stack(master_datasets, ["surface", "realization", "side"]).sortby("cutoff_wavelength")
+    contact_axes = [axis for axis in CONTACT_AXES if axis in forces.dims]
+    filtered = forces["pull_off_force"].mean(contact_axes)
+    unfiltered = forces["unfiltered_pull_off_force"].mean(contact_axes)
+    ratio = (filtered / unfiltered).assign_attrs(
+        units="1",
+        long_name="mean pull-off force with roughness beyond the cutoff removed, relative to the "
+        "force with all roughness",
+    )
+    ends = forces["unfiltered_wavelength"].max("realization", keep_attrs=True)  # all are the same
+    scales = forces.assign(filtered_force_ratio=ratio, unfiltered_wavelength=ends)
+    scales["cutoff_wavelength"].attrs = NM | {"long_name": "cutoff wavelength"}
+    return scales
+
+
+def read_master_forces(
+    surfaces: Iterable[str], paths: Iterable[str], realizations: int, load: str | None = None
+) -> xr.Dataset:
+    """Read files of `filtered_pull_off` and stack the forces, as `stack_masters` does.
+
+    Realizations after the given number are left out. `load` is the only load, at the single radius
+    and range of the files; None for all.
+    """
+    master_datasets: dict[tuple[Any, ...], xr.Dataset] = {}
+    for surface, path in zip(surfaces, paths, strict=True):
+        forces = read(path)
+        if load is not None:
+            forces = forces.sel(load=load, drop=True).squeeze(["radius", "rho"], drop=True)
+            forces = forces.drop_vars("contact_area")
+        for number in forces["realization"].values.tolist():
+            if number <= realizations:
+                for side in forces["side"].values.tolist():
+                    master = forces.sel(realization=number, side=side, drop=True)
+                    master_datasets[surface, number, side] = master
+    return stack_masters(master_datasets)
+
+
+def add_spectrum_shifts(scales: xr.Dataset, sampled: xr.Dataset) -> xr.Dataset:
+    """Return forces of masters with the changes that another spectrum makes.
+
+    `scales` has masters with the most likely spectra; `sampled` those with sampled spectra and the
+    same random numbers. The changes ``log_ratio_shift`` and ``log_unfiltered_force_shift`` of the
+    logarithms of ratio and mean force are NaN if there is no sampled spectrum.
+    """
+    unfiltered = "unfiltered_pull_off_force"
+    ratio = sampled["filtered_force_ratio"] / scales["filtered_force_ratio"]
+    mean = sampled[unfiltered].mean(CONTACT_AXES) / scales[unfiltered].mean(CONTACT_AXES)
+    shifts = xr.Dataset(
+        {"log_ratio_shift": np.log(ratio), "log_unfiltered_force_shift": np.log(mean)}
+    )
+    for name in shifts.data_vars:
+        shifts[name].attrs = DIMENSIONLESS
+    return scales.merge(shifts, join="left", compat="no_conflicts")
+
+
+def add_transitions(scales: xr.Dataset, transitions: Mapping[str, float]) -> xr.Dataset:
+    """Return forces of masters with the ``transition`` (side) in nm to artificial roughness."""
+    attributes = NM | {"long_name": "wavelength at which artificial roughness begins"}
+    lengths = [transitions[str(side)] for side in scales["side"].values]
+    return scales.assign(transition=("side", lengths, attributes))
