@@ -64,30 +64,28 @@ class SphereKeys(Keys):
     surface: SurfaceId = key("ruby", "Methods")
     """Surface of the sphere; with `published: none` also `smooth`."""
     radius: Radius = key("250 um", "Methods: diameter 0.5 mm")
-    """Radius; it is subtracted from the scans of the sphere."""
+    """Radius; a sphere of this radius is subtracted from scans of the sphere."""
 
 
 class ScanKeys(Keys):
     """Scans."""
 
     pixels: ScanPixels = key(512, "Methods")
-    """Pixels along a side of a substitute scan."""
+    """Pixels per row of a substitute scan."""
     size: Length = key("2500 nm", "Methods")
-    """Side of a substitute scan."""
+    """Width of a substitute scan."""
     featured_surface: SurfaceId = "polished_uncd"
     """Substrate whose substitutes have bumps or pits on a Gaussian base, or `none`."""
     undefined_pixels: Literal["refuse", "harmonic"] = "refuse"
-    """Measured scans with undefined pixels: `refuse`, or fill with a `harmonic` function."""
+    """`refuse` measured scans with undefined pixels, or fill these with a `harmonic` function."""
     unit: Annotated[str, UNIT] = "none"
     """Unit, or units of positions and heights, of files that state none; `none`: refuse them."""
     map_size: Annotated[Length, or_word("none")] = key("none")
     """Longer side of scans whose files state no size; `none`: refuse them."""
     mask: Literal["keep", "exclude"] = "keep"
-    """Pixels under a mask in a file of Gwyddion: `keep` their heights, or `exclude` them as
-    undefined."""
+    """Pixels under a mask of Gwyddion: `keep` their heights, or `exclude` them as undefined."""
     levelling: Literal["plane", "lines", "quadratic"] = "plane"
-    """Form that is removed from measured scans: a `plane`, streaks and offsets of `lines` and a
-    `plane`, or a `quadratic` polynomial."""
+    """Removed from scans: a `plane`, also streaks and offsets of `lines`, or a `quadratic` form."""
 
 
 class ContactKeys(Keys):
@@ -98,9 +96,9 @@ class ContactKeys(Keys):
     preload: Force = key("10 uN", "Numerical Analysis (`5 uN` is also printed, in Methods)")
     """Load that the contact pixels carry."""
     window: Length = key("12500 nm", "Intrinsic Work of Adhesion")
-    """Side of the square around a contact over which the force is summed."""
+    """Width of the square around a contact over which the force is summed."""
     contacts_per_side: Count = key(20, "Intrinsic Work of Adhesion")
-    """Contacts along a side of the array, over one period of the stitched scan."""
+    """Contacts per row of a square array over one period of the stitched scan."""
 
 
 class AdhesionKeys(Keys):
@@ -119,16 +117,16 @@ class InferenceKeys(Keys):
     """Inference."""
 
     samples: Annotated[int, Field(ge=20, le=10000)] = 1000
-    """Random samples of each mean over scans or realizations, for its interval."""
+    """Random samples of each mean over scans or realizations, from which its interval follows."""
     confidence: Fraction = 0.95
     """Confidence of all intervals."""
 
 
 class ShortSideKeys(Keys):
-    """Masters whose short waves are artificial."""
+    """Masters with artificial roughness at short wavelengths."""
 
     pixels: Pixels = key(8192, "Most Relevant Length-scales")
-    """Pixels along a side of the short-edge master, which is two scans long."""
+    """Pixels per row of the short-edge master, which is as wide as two scans."""
     transition: Length = key("20 nm", "Most Relevant Length-scales")
     """Wavelength below which roughness is artificial."""
     cutoffs: Lengths = key(
@@ -138,12 +136,12 @@ class ShortSideKeys(Keys):
 
 
 class LongSideKeys(Keys):
-    """Masters whose long waves are artificial."""
+    """Masters with artificial roughness at long wavelengths."""
 
     pixels: Pixels = key(8192, "Most Relevant Length-scales")
-    """Pixels along a side of the long-edge master."""
+    """Pixels per row of the long-edge master, on which the force is summed."""
     tiles: TileCount = key(4, "Most Relevant Length-scales: 20 µm")
-    """Stitched scans along a side of the long-edge master."""
+    """Stitched scans per row of the long-edge master."""
     transition: Length = key("1000 nm", "Most Relevant Length-scales")
     """Wavelength above which roughness is artificial."""
     cutoffs: Lengths = key(
@@ -157,15 +155,17 @@ class ScalesKeys(Keys):
     """Scales."""
 
     range: Range = key("5.6 nm", "Most Relevant Length-scales")
-    """Range of adhesion of masters and of the predicted force."""
+    """Range of adhesion at which the band is found and the force predicted."""
     tolerance: Fraction = key(0.1, "Most Relevant Length-scales")
     """Relative change up to which a force counts as unchanged."""
     realizations: Realizations = 5
-    """Masters of each substrate on each side of the band, built on its scans in turn."""
+    """Masters of each substrate for each edge of the band, built on its scans in turn."""
     whole_surfaces: Realizations = 10
-    """Surfaces of each substitute as large as long-edge masters, not mirrored, for octaves."""
+    """Random surfaces per substrate, as wide as long-edge masters, neither mirrored nor tiled: for
+    octaves, the band alone, and the posterior."""
     sphere_roughness: bool = key(False, "not stated")
-    """Whether the paper's sphere is rough on masters, like its first scan. Scanned own ones are."""
+    """Paper's study: give the sphere the roughness of its first scan in the cutoff computations. (A
+    scanned sphere of your own is always rough.)"""
     short: ShortSideKeys = ShortSideKeys()
     long: LongSideKeys = LongSideKeys()
 
@@ -174,7 +174,7 @@ class ElasticKeys(Keys):
     """Elastic contact."""
 
     contacts: ContactCount = 2
-    """Contacts solved on each scan, sampled at random."""
+    """Contacts solved on each scan, chosen at random."""
 
 
 class IndentKeys(Keys):
@@ -183,14 +183,14 @@ class IndentKeys(Keys):
     surface: SurfaceId = key("ncd", "The Role of Plasticity")
     """Substrate whose contacts indent the sphere."""
     preloads: Forces = key(["10 uN", "20 uN"], "The Role of Plasticity: `20 uN`")
-    """Loads; figures show the contact of median depth at the largest."""
+    """Loads; the figure shows the contact of median depth at the largest."""
 
 
 class AsperitiesKeys(Keys):
     """Asperities."""
 
     contacts: ContactCount = 16
-    """Contacts examined on each scan, sampled at random."""
+    """Contacts examined on each scan, chosen at random."""
     ranges: Ranges = key(["1 nm", "2 nm", "5.6 nm", "10 nm"])
     """Ranges of adhesion."""
 
@@ -199,7 +199,7 @@ class SetShortSideKeys(Keys):
     """Short-edge masters of the sets."""
 
     pixels: Pixels = 4096
-    """Pixels along a side of the short-edge masters."""
+    """Pixels per row of the short-edge masters."""
     cutoffs: Lengths = key(nm(20, 30, 36, 43, 52, 62, 80, 120, 250))
     """Short-wavelength cutoffs."""
 
@@ -208,7 +208,7 @@ class SetLongSideKeys(Keys):
     """Long-edge masters of the sets."""
 
     pixels: Pixels = 4096
-    """Pixels along a side of the long-edge masters."""
+    """Pixels per row of the long-edge masters."""
     cutoffs: Lengths = key(nm(500, 800, 1100, 1400, 1600, 1800, 2000, 2300, 2700, 3500))
     """Long-wavelength cutoffs."""
 
@@ -217,15 +217,15 @@ class SetsKeys(Keys):
     """Sets."""
 
     replicates: Annotated[int, Field(ge=1, le=10000)] = 100
-    """Number of sets of scans, all equal in the mean and the ± of the rms height."""
+    """Number of sets of scans, all with the same mean and ± of the rms height."""
     pool: Annotated[int, Field(ge=2, le=10000)] = 60
     """Scans of each substrate from which sets are sampled."""
     rms_heights: Annotated[int, Field(ge=4, le=50)] = 7
-    """Rms heights at which forces on the pool are computed; other forces are interpolated."""
+    """Rms heights at which forces on the pool are computed; forces between are interpolated."""
     contacts_per_side: Count = 10
-    """Contacts along a side of the array."""
+    """Contacts per row of the array."""
     realizations: Realizations = 20
-    """Masters of each substrate on each side, from which bands are sampled."""
+    """Masters of each substrate for each edge, from which the bands of sets are sampled."""
     short: SetShortSideKeys = SetShortSideKeys()
     long: SetLongSideKeys = SetLongSideKeys()
 
@@ -234,7 +234,7 @@ class ScalingKeys(Keys):
     """Scaling: exponents of the force and of the short edge with radius and load."""
 
     realizations: Realizations = 3
-    """Masters of the sets on each side that exponents are fitted to, and of `enhancement.nc`."""
+    """Masters of the sets for each edge from which exponents and `enhancement.nc` follow."""
     radii: Radii = key(["5 um", "62.5 um", "250 um", "1000 um"])
     """Radii of the spheres."""
 
@@ -257,7 +257,7 @@ class StudyKeys(Keys):
     given: list[Literal["radius", "hardness", "preload", "range", "work"]] = []
     """With `published: none`: known quantities; others that equal the paper's count as assumed."""
     reference_surface: SurfaceId = key("uncd", "Fig. 4b")
-    """Substrate in the denominator of ratios of forces."""
+    """Substrate whose force is the denominator of ratios of forces."""
     seed: Annotated[int, Field(ge=0, le=4294967295)] = 2021
     """Seed of all random numbers."""
     effort: Literal["full", "quick"] = "full"
