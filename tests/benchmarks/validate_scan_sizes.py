@@ -26,7 +26,7 @@ from hardcontact.base.random import generator
 from hardcontact.base.statistics import student_log_interval
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies, window_pixels
-from hardcontact.contact.pull_off import FORCE, mean_pull_off_dataset
+from hardcontact.contact.pull_off import FORCE_ATTRS, mean_pull_off_dataset
 from hardcontact.inference.edges_of_scans import edges_of_curves
 from hardcontact.surfaces.filters import filtered_series
 from hardcontact.surfaces.height_map import HeightMap, level, mirror_stitch
@@ -143,7 +143,7 @@ def filtered_window_forces(
     cutoff_attributes = nm | {"long_name": "wavelength above which roughness is removed"}
     return xr.Dataset(
         {
-            "pull_off_force": (axes, means[..., 0], FORCE),
+            "pull_off_force": (axes, means[..., 0], FORCE_ATTRS),
             "filtered_force_ratio": (
                 (*axes, "cutoff_wavelength"),
                 means[..., 1:],

@@ -16,7 +16,7 @@ from hardcontact.config.model import numeric_configuration
 from hardcontact.contact.asperities import asperities_of_pair
 from hardcontact.contact.bearing_area import all_contact_pixels
 from hardcontact.contact.contact import Contact
-from hardcontact.contact.geometry import join_bodies, sampled_contacts
+from hardcontact.contact.geometry import join_bodies, sample_contacts
 from hardcontact.contact.indents import indent_sizes
 from hardcontact.contact.pull_off import pull_off_dataset
 from hardcontact.files.master_purposes import PRELOAD_SHARES
@@ -137,7 +137,7 @@ def check_pair(config, rng, substrate, sphere):
             depth, *_ = indent_sizes(lowest, pixel_size)
             assert 0 < depth < np.inf
     carried = config["asperities"]
-    places = sampled_contacts(rng, contact.contacts_per_side, carried["contacts"])
+    places = sample_contacts(rng, contact.contacts_per_side, carried["contacts"])
     for share in (0.001, 0.5, 0.999):
         carriers = asperities_of_pair(pair, contact, places, share, carried["ranges"])
         assert all(np.isfinite(values).all() for values in carriers.data_vars.values())

@@ -46,14 +46,14 @@ def test_a_period_is_stretched_by_at_most_half_a_pixel():
 
 def test_more_sampled_contacts_include_the_fewer_and_never_repeat():
     five, twenty, all_contacts, no_more = (
-        geometry.sampled_contacts(np.random.default_rng(3), 6, contacts)
+        geometry.sample_contacts(np.random.default_rng(3), 6, contacts)
         for contacts in (5, 20, 36, 37)
     )
     np.testing.assert_array_equal(no_more, all_contacts)
     np.testing.assert_array_equal(five, all_contacts[:5])
     np.testing.assert_array_equal(twenty, all_contacts[:20])
     assert {tuple(contact) for contact in all_contacts.tolist()} == set(np.ndindex(6, 6))
-    other_draw = geometry.sampled_contacts(np.random.default_rng(4), 6, 36)
+    other_draw = geometry.sample_contacts(np.random.default_rng(4), 6, 36)
     assert (other_draw != all_contacts).any()
 
 

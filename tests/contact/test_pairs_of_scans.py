@@ -9,7 +9,7 @@ from periodic_maps import CONTACT, RADIUS, height_map, make_bodies, periodic_noi
 
 from hardcontact.contact.bearing_area import ContactPixels, all_contact_pixels
 from hardcontact.contact.elastic import ELASTIC_UNITS, elastic_contacts_of_pair
-from hardcontact.contact.geometry import join_bodies, sampled_contacts
+from hardcontact.contact.geometry import join_bodies, sample_contacts
 from hardcontact.contact.indents import (
     MAP_HALF_WIDTH,
     indent_sizes,
@@ -40,7 +40,7 @@ def test_indents_of_scans_equal_those_of_each_pair():
 
 def test_elastic_contacts_carry_the_preload():
     pair = make_bodies(periodic_noise(96, 2.0, 1), periodic_noise(96, 0.3, 2), 8.0, 512, 3)
-    places = sampled_contacts(np.random.default_rng(1), 3, 2)
+    places = sample_contacts(np.random.default_rng(1), 3, 2)
     solved = elastic_contacts_of_pair(pair, CONTACT, places, MODULUS, 600.0)
     assert {name: solved[name].units for name in ELASTIC_UNITS} == ELASTIC_UNITS
     assert solved.sizes["contact"] == 2

@@ -13,7 +13,7 @@ from hardcontact.contact.pull_off import (
     force_on_finer_pixels,
     mean_pull_off_dataset,
     pull_off_dataset,
-    traced_contact,
+    trace_contact,
     wider_window_change,
 )
 from hardcontact.inference.filtered_masters import Filters, filtered_pull_off
@@ -122,7 +122,7 @@ def test_the_force_on_every_filtered_master_is_the_direct_sum(sphere, side, end)
 
 
 def test_a_traced_contact_has_the_force_of_its_pair():
-    traced = traced_contact(pair(), (1, 2), CONTACT)
+    traced = trace_contact(pair(), (1, 2), CONTACT)
     arrays = pull_off_dataset(pair(), CONTACT, [5.6])
     force = 46.3e-3 * arrays["pull_off_force"].values[1, 0, 1, 2]
     assert traced.attrs["pull_off_force"] == pytest.approx(force, rel=1e-9)

@@ -4,7 +4,6 @@ Random are rms height, roll-off, Hurst exponent, number, width and heights of fe
 radius, preload, and whether a pixel of the scan has a mean or a single height.
 """
 
-from dataclasses import replace
 from functools import partial
 from typing import NamedTuple
 
@@ -17,7 +16,7 @@ from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import mean_pull_off_dataset
 from hardcontact.inference.hindcast import WIDE_PIXEL
-from hardcontact.own.scan_force import CONTACTS, stitched_map, window_of_scan
+from hardcontact.own.scan_force import contact_on_scan, stitched_map
 from hardcontact.surfaces.height_map import HeightMap, level
 from hardcontact.surfaces.spectrum import smooth_rolloff
 from hardcontact.surfaces.synthesis import random_surface
@@ -91,9 +90,7 @@ def _features(rng, pixels, width, are_flat):
 
 def true_force(case):
     """Return the mean plastic force (N) on the fine pixels, at the contacts on the scan."""
-    contact = replace(
-        case.contact, window=window_of_scan(case.scan, case.contact), contacts_per_side=CONTACTS
-    )
+    contact = contact_on_scan(case.scan, case.contact)
     pair = join_bodies(stitched_map(case.fine), None, contact)
     forces = mean_pull_off_dataset(pair, contact, [contact.rho])["pull_off_force"]
     return contact.work * forces.sel(contact_model="plastic").item()

@@ -9,8 +9,8 @@ from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import forces_at_loads
 from hardcontact.inference.octaves import (
+    AMPLITUDE_FACTORS,
     BAND_PARTS,
-    FACTORS,
     STEP,
     band_force_dataset,
     band_parts,
@@ -87,7 +87,7 @@ def test_the_octaves_add_up_to_the_derivative_for_all_roughness():
     limits = [80.0, 160.0, 320.0, 640.0, 1280.0, 2561.0]
     weak, strong = octave_forces(surface, limits, mean_force).T
     total = np.log(strong / weak).sum() / (2 * STEP)
-    low, high = (mean_force(height_map(surface.heights * f, PIXEL_SIZE)) for f in FACTORS)
+    low, high = (mean_force(height_map(surface.heights * f, PIXEL_SIZE)) for f in AMPLITUDE_FACTORS)
     assert total == pytest.approx(np.log(high / low) / (2 * STEP), rel=0.02)
     assert abs(total) > 0.3
 
@@ -96,7 +96,7 @@ def test_the_central_difference_converges(monkeypatch):
     surface = rough_map()
 
     def derivative(step):
-        monkeypatch.setattr("hardcontact.inference.octaves.FACTORS", (1 - step, 1 + step))
+        monkeypatch.setattr("hardcontact.inference.octaves.AMPLITUDE_FACTORS", (1 - step, 1 + step))
         ((weak, strong),) = octave_forces(surface, [640.0, 1280.0], mean_force)
         return np.log(strong / weak) / (2 * step)
 

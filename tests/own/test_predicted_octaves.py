@@ -12,11 +12,11 @@ import hardcontact as hc
 from hardcontact.base.random import generator
 from hardcontact.commands.predict import predict, predict_arguments
 from hardcontact.contact.contact import Contact
-from hardcontact.inference.octaves import FACTORS, STEP
-from hardcontact.own import predicted_octaves
+from hardcontact.inference.octaves import AMPLITUDE_FACTORS, STEP
+from hardcontact.own import predicted_octaves, scan_force
 from hardcontact.own.own_spectrum import OwnSpectrum, own_spectrum
 from hardcontact.own.predicted_octaves import derivatives_in_closed_form, derivatives_on_scan
-from hardcontact.own.scan_force import SHORT_RANGE, TOO_LARGE, obstacle_to_force
+from hardcontact.own.scan_force import RANGE_TOO_SHORT, TOO_LARGE, obstacle_to_force
 from hardcontact.own.scan_window import window_on_scans
 from hardcontact.surfaces.spectrum import Spectrum
 from hardcontact.theory.closed_form import closed_form
@@ -44,7 +44,7 @@ def log_force_sum(heights, window):
     forces = hc.pull_off_forces(
         hc.HeightMap(heights, PIXEL_SIZE), radius=CONTACT.radius, preload=CONTACT.preload,
         hardness=CONTACT.hardness, ranges=[CONTACT.rho], work=CONTACT.work, window=window,
-        contacts_per_side=predicted_octaves.CONTACTS,
+        contacts_per_side=scan_force.CONTACTS_PER_SIDE,
     )  # fmt: skip
     return np.log(forces.pull_off_force.sel(contact_model="plastic").mean().item())
 
@@ -52,7 +52,7 @@ def log_force_sum(heights, window):
 def test_octaves_on_a_scan_add_up_to_the_derivative_for_all_roughness():
     scan = band_limited_map()
     window, _ = window_on_scans(4.0, PIXEL_SIZE, scan.size, CONTACT.radius, CONTACT.rho)
-    weak, strong = (log_force_sum(factor * scan.heights, window) for factor in FACTORS)
+    weak, strong = (log_force_sum(factor * scan.heights, window) for factor in AMPLITUDE_FACTORS)
     total = derivatives_on_scan(scan, OCTAVES, CONTACT).sum()
     assert total == pytest.approx((strong - weak) / (2 * STEP), rel=0.02)
     assert abs(total) > 0.3
@@ -64,7 +64,7 @@ def test_octaves_in_closed_form_add_up_to_the_derivative_for_all_roughness():
     octaves = 10 * 2.0 ** np.arange(np.ceil(np.log2(longest / 10)) + 1)
     weak, strong = (
         closed_form(Spectrum(spectrum.wavevector, factor**2 * spectrum.density), CONTACT).force
-        for factor in FACTORS
+        for factor in AMPLITUDE_FACTORS
     )
     total = derivatives_in_closed_form(spectrum, octaves, CONTACT).sum()
     assert total == pytest.approx(np.log(strong / weak) / (2 * STEP), rel=0.02)
@@ -74,10 +74,10 @@ def test_octaves_in_closed_form_add_up_to_the_derivative_for_all_roughness():
 def test_central_differences_converge(method, monkeypatch):
     def derivative(step):
         for module in ("inference.octaves", "own.predicted_octaves"):
-            monkeypatch.setattr(f"hardcontact.{module}.FACTORS", (1 - step, 1 + step))
+            monkeypatch.setattr(f"hardcontact.{module}.AMPLITUDE_FACTORS", (1 - step, 1 + step))
             monkeypatch.setattr(f"hardcontact.{module}.STEP", step)
         # With 20 contacts, a single pixel cancels the error of one of the steps.
-        monkeypatch.setattr("hardcontact.own.predicted_octaves.CONTACTS", 12)
+        monkeypatch.setattr("hardcontact.own.scan_force.CONTACTS_PER_SIDE", 12)
         if method == "scan":
             return derivatives_on_scan(band_limited_map(), OCTAVES[2:], CONTACT).sum()
         return derivatives_in_closed_form(rough(17, 1000, 0.8, 20), OCTAVES, CONTACT).sum()
@@ -114,6 +114,6 @@ def test_large_maps_and_ranges_that_a_map_does_not_resolve_have_no_force_sum():
     scan = band_limited_map()
     large = hc.HeightMap(np.tile(scan.heights, (20, 20)), PIXEL_SIZE)
     assert obstacle_to_force([scan], CONTACT, 8)[0] == ""
-    assert obstacle_to_force([scan], replace(CONTACT, rho=0.001), 8)[0] == SHORT_RANGE
+    assert obstacle_to_force([scan], replace(CONTACT, rho=0.001), 8)[0] == RANGE_TOO_SHORT
     assert obstacle_to_force([large], CONTACT, 8)[0] == TOO_LARGE
     assert obstacle_to_force([scan], CONTACT, 10**6)[0] == TOO_LARGE

@@ -17,7 +17,7 @@ from hardcontact.commands.predict import predict, predict_arguments
 from hardcontact.config.model import Study
 from hardcontact.contact.geometry import contact_positions, window_pixels
 from hardcontact.own import scan_force
-from hardcontact.own.scan_force import add_force_on_scan, stitched_map, window_of_scan
+from hardcontact.own.scan_force import add_force_on_scan, contact_on_scan, stitched_map
 from hardcontact.surfaces.height_map import level
 
 PIXELS, PIXEL_SIZE = 128, 40.0
@@ -30,7 +30,7 @@ CONTACT = contact_of_area(RADIUS, RANGE, WORK, AREA)
 @pytest.fixture(autouse=True, scope="module")
 def few_contacts():
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(scan_force, "CONTACTS", CONTACTS)
+        patch.setattr(scan_force, "CONTACTS_PER_SIDE", CONTACTS)
         yield
 
 
@@ -47,7 +47,7 @@ def heights_of(kind):
 def direct_force(scan):
     """The mean plastic force (N) over the contacts of a levelled map, pixel by pixel."""
     heights = stitched_map(scan).heights.astype(float)
-    pixels = window_pixels(window_of_scan(scan, CONTACT), scan.pixel_size)
+    pixels = window_pixels(contact_on_scan(scan, CONTACT).window, scan.pixel_size)
     offsets = np.arange(pixels) - pixels // 2
     paraboloid = (offsets * scan.pixel_size) ** 2 / (2 * RADIUS)
     positions = contact_positions(len(heights), CONTACTS)

@@ -8,7 +8,7 @@ from scipy import constants, stats
 from scipy.integrate import quad
 
 from hardcontact.base.statistics import Sampling, bounds
-from hardcontact.inference.edges import edges_of_realizations
+from hardcontact.inference.edges import edges_with_samples
 from hardcontact.paper import contact_quantities as contact
 from hardcontact.paper import force_quantities as force
 from hardcontact.paper import inference_quantities as inference
@@ -340,7 +340,7 @@ def test_edge_and_change_of_a_curve_give_the_same_verdict(seed):
         {"surface": [f"s{number}" for number in range(40)], "side": ["short", "long"],
          "cutoff_wavelength": cutoffs},
     )  # fmt: skip
-    curves = edges_of_realizations(scales, 0.1, Sampling(0, 0, 0.95))
+    curves, _ = edges_with_samples(scales, 0.1, Sampling(0, 0, 0.95))
     edge = inference.band_edge(curves)["value"]
     change = inference.change_outside_band(curves, PAPER)["value"]
     is_inside = {"short": edge.sel(side="short") > 43, "long": edge.sel(side="long") < 1800}

@@ -8,7 +8,7 @@ from paper_numbers import CONSTANTS, MEAN_FORCE, STATEMENTS, SUBSTRATES
 from set_inputs import CONFIDENCE, SCANS, make_adhesion, make_inputs, make_masters, make_pool
 
 from hardcontact.base.statistics import Sampling
-from hardcontact.inference.edges import edges_of_realizations
+from hardcontact.inference.edges import edges_with_samples
 from hardcontact.inference.published_fit import Pair, PublishedFit, fit_published
 from hardcontact.paper.sampled_sets import (
     SetSettings,
@@ -162,7 +162,7 @@ def test_equal_masters_have_the_band_of_one():
     masters = make_masters()
     alike = masters.isel(realization=[0] * 6).assign_coords(realization=range(1, 7))
     band = set_edges(alike, 5, 0.1, NO_SAMPLES, 3)
-    single_band = edges_of_realizations(alike.isel(realization=[0]), 0.1, NO_SAMPLES)
+    single_band, _ = edges_with_samples(alike.isel(realization=[0]), 0.1, NO_SAMPLES)
     for name in ("filtered_force_ratio", "filtered_force_change", "edge"):
         np.testing.assert_allclose(band[name], single_band[name], rtol=1e-12)
 

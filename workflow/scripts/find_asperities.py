@@ -2,9 +2,9 @@
 
 from hardcontact.base.job import run_job
 from hardcontact.base.random import generator
-from hardcontact.contact.asperities import SHARE, asperities_of_pair
+from hardcontact.contact.asperities import CARRIED_SHARE, asperities_of_pair
 from hardcontact.contact.contact import Contact
-from hardcontact.contact.geometry import read_bodies, sampled_contacts
+from hardcontact.contact.geometry import read_bodies, sample_contacts
 
 with run_job(snakemake) as job:
     params = job.parameters
@@ -17,8 +17,8 @@ with run_job(snakemake) as job:
         asperities_of_pair(
             read_bodies(job.input.substrate, job.input.sphere, contact),
             contact,
-            sampled_contacts(rng, contact.contacts_per_side, settings["contacts"]),
-            SHARE,
+            sample_contacts(rng, contact.contacts_per_side, settings["contacts"]),
+            CARRIED_SHARE,
             settings["ranges"],
         ),
         title=f"asperities of scan {scan} of {surface}",

@@ -3,13 +3,13 @@
 from hardcontact.base import dataset
 from hardcontact.base.job import run_job
 from hardcontact.base.statistics import Sampling
-from hardcontact.inference.edges import edges_of_realizations, labelled_edges
+from hardcontact.inference.edges import edges_with_samples, labelled_edges
 
 with run_job(snakemake) as job:
     params = job.parameters
     scales = dataset.read(job.input.scales)
     sampling = Sampling.from_parameters(params["sampling"])
-    edges = edges_of_realizations(scales, params["tolerance"], sampling)
+    edges, _ = edges_with_samples(scales, params["tolerance"], sampling)
     job.write(
         labelled_edges(edges, scales, params["tolerance"], sampling.confidence),
         title="pull-off force against cutoff wavelength, and the edges of the band",

@@ -5,7 +5,7 @@ from hardcontact.base.job import run_job
 from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.elastic import PULL_OFF_WINDOW, elastic_contacts_of_pair
-from hardcontact.contact.geometry import read_bodies, sampled_contacts
+from hardcontact.contact.geometry import read_bodies, sample_contacts
 from hardcontact.contact.smooth_sphere import PAPER_MODULUS
 
 with run_job(snakemake) as job:
@@ -24,7 +24,7 @@ with run_job(snakemake) as job:
         elastic_contacts_of_pair(
             read_bodies(job.input.substrate, job.input.sphere, contact),
             contact,
-            sampled_contacts(rng, contact.contacts_per_side, params["contacts"]),
+            sample_contacts(rng, contact.contacts_per_side, params["contacts"]),
             PAPER_MODULUS,
             PULL_OFF_WINDOW,
         ),

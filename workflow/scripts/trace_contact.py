@@ -4,7 +4,7 @@ from hardcontact.base import published
 from hardcontact.base.job import run_job
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import read_bodies
-from hardcontact.contact.pull_off import traced_contact
+from hardcontact.contact.pull_off import trace_contact
 
 ATTRIBUTES = "surface", "scan", "sphere_scan", "label", "basis"
 
@@ -21,7 +21,7 @@ with run_job(snakemake) as job:
     bodies = read_bodies(job.input.substrate, job.input.sphere, contact)
     attributes = {name: params[name] for name in ATTRIBUTES}
     job.write(
-        traced_contact(bodies, contact_index, contact).assign_attrs(
+        trace_contact(bodies, contact_index, contact).assign_attrs(
             attributes, contact=contact_index
         ),
         title=f"contact {contact_index} on {params['label']}",

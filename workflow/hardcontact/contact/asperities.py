@@ -23,7 +23,7 @@ ASPERITY_UNITS = {
     "extent": "nm",
 }
 #: Share of the force that the patches of the fewest pixels carry.
-SHARE = 0.9
+CARRIED_SHARE = 0.9
 #: Bins of the histogram of attractions: one bin then holds few attractions to sort.
 BIN_COUNT = 4096
 

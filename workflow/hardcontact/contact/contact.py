@@ -7,6 +7,9 @@ import numpy as np
 
 #: The contact model on which the conclusions of the paper are based.
 PLASTIC = "plastic"
+RIGID = "rigid"
+#: Contact models in the order of their areas, the smallest first.
+CONTACT_MODELS = [RIGID, PLASTIC]
 #: Axes of the array of contacts.
 CONTACT_AXES = ("contact_y", "contact_x")
 #: Dimensions of single contacts, and of the scans of the sphere with which they are made.
@@ -32,7 +35,7 @@ class Contact:
     @property
     def load_name(self) -> str:
         """The load by its name, as it stands in paths: ``"H25GPa-F10uN"``, ``"rigid-F10uN"``."""
-        hardness = f"H{self.hardness / 1e9:.12g}GPa" if self.plastic else "rigid"
+        hardness = f"H{self.hardness / 1e9:.12g}GPa" if self.plastic else RIGID
         return f"{hardness}-F{self.preload * 1e6:.12g}uN"
 
     @property

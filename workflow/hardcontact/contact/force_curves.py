@@ -25,19 +25,17 @@ def mean_of_each_scan(forces: xr.DataArray) -> xr.DataArray:
     return forces.mean(contact_dimensions).transpose("surface", "scan", "rho")
 
 
-def mean_forces(
-    forces: xr.DataArray, sampling: Sampling, purpose: str = "adhesion"
-) -> tuple[np.ndarray, np.ndarray]:
+def mean_forces(forces: xr.DataArray, sampling: Sampling) -> tuple[np.ndarray, np.ndarray]:
     """Average forces over all scans of each surface, and sample this mean.
 
     Forces (surface, scan, rho, ...) are in N, NaN for a missing scan. Returns means (surface, rho)
     and samples (sample, surface, rho) in N, NaN for a surface with a single scan. Random numbers
-    depend on purpose and surface alone: contact models share them.
+    depend on the surface alone: contact models share them.
     """
     scans = mean_of_each_scan(forces)
     samples = [
         student_log_samples(
-            sampling.generator(purpose, str(surface)),
+            sampling.generator("adhesion", str(surface)),
             scans.sel(surface=surface).dropna("scan").values,
             sampling.samples,
         )

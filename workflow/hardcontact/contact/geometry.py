@@ -81,7 +81,7 @@ def contact_positions(pixels: int, contacts_per_side: int) -> NDArray[np.int_]:
     return np.floor(steps * pixels / contacts_per_side).astype(int)
 
 
-def sampled_contacts(
+def sample_contacts(
     rng: np.random.Generator, contacts_per_side: int, count: int
 ) -> NDArray[np.int_]:
     """Sample the indices (count, 2) of contacts from the array of all, each at most once.

@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike
 from hardcontact.base.arrays import Floats
 from hardcontact.base.units import DIMENSIONLESS, NEWTON, NM, PASCAL
 from hardcontact.contact.bearing_area import PixelsByContact, all_contact_pixels
-from hardcontact.contact.contact import CONTACT_AXES, Contact
+from hardcontact.contact.contact import CONTACT_AXES, CONTACT_MODELS, Contact
 from hardcontact.contact.geometry import Bodies, gap_map, largest_contact_gap
 from hardcontact.contact.sphere_sums import outside_sums
 from hardcontact.surfaces.filters import interpolate
@@ -30,7 +30,7 @@ NEWTON_PER_JOULE_M2_NM = 1e-9
 #: Work of adhesion (J/m²) of all stored forces, which are proportional to it.
 WORK_OF_ADHESION = 1.0
 #: Attributes of a stored force.
-FORCE = NEWTON | {"long_name": "pull-off force at W = 1 J/m2"}
+FORCE_ATTRS = NEWTON | {"long_name": "pull-off force at W = 1 J/m2"}
 
 
 def load_axis(loaded_contacts: Sequence[Contact]) -> dict[str, Axis]:
@@ -111,20 +111,20 @@ def forces_at_loads(
 
     The contacts differ in their loads alone; ranges of adhesion are in nm.
     """
-    return _gaps_and_forces(bodies, loaded_contacts, ranges)[1]
+    return _pixels_and_forces(bodies, loaded_contacts, ranges)[2]
 
 
-def _gaps_and_forces(
+def _pixels_and_forces(
     bodies: Bodies, loaded_contacts: Sequence[Contact], ranges: Sequence[float]
-) -> tuple[PixelsByContact, Floats]:
-    """Return the lowest gaps of each contact, and the forces of `forces_at_loads` from them."""
+) -> tuple[list[int], PixelsByContact, Floats]:
+    """Return numbers of contact pixels (load,), these pixels, and `forces_at_loads` of them."""
     pixel_size = bodies.geometry.pixel_size
     pixel_counts = [contact.pixel_count(pixel_size) for contact in loaded_contacts]
     pixels_by_contact = all_contact_pixels(bodies, max(pixel_counts))
     totals = attraction_totals(bodies, pixels_by_contact, pixel_counts, ranges)
     rho = np.asarray(ranges, float)[:, None, None]
     forces = pull_off_force(totals, rho, pixel_size, WORK_OF_ADHESION)
-    return pixels_by_contact, forces
+    return pixel_counts, pixels_by_contact, forces
 
 
 def pull_off_dataset(bodies: Bodies, contact: Contact, ranges: Sequence[float]) -> xr.Dataset:
@@ -136,8 +136,7 @@ def pull_off_dataset(bodies: Bodies, contact: Contact, ranges: Sequence[float]) 
     """
     pixel_size = bodies.geometry.pixel_size
     loaded_contacts = [replace(contact, plastic=False), contact]
-    pixels_by_contact, forces = _gaps_and_forces(bodies, loaded_contacts, ranges)
-    pixel_counts = [contact.pixel_count(pixel_size) for contact in loaded_contacts]
+    counts, pixels_by_contact, forces = _pixels_and_forces(bodies, loaded_contacts, ranges)
     gaps = _stacked_gaps(pixels_by_contact)
     # At closest approach the largest gap of the touching pixels has become zero.
     apex_heights = -np.stack([gaps[..., 0], gaps[..., -1]])
@@ -146,12 +145,12 @@ def pull_off_dataset(bodies: Bodies, contact: Contact, ranges: Sequence[float]) 
     model_axes = ("contact_model", *CONTACT_AXES)
     return xr.Dataset(
         {
-            "pull_off_force": (("contact_model", "rho", *CONTACT_AXES), forces, FORCE),
+            "pull_off_force": (("contact_model", "rho", *CONTACT_AXES), forces, FORCE_ATTRS),
             "apex_height": (model_axes, apex_heights, height_attributes),
-            "contact_pixel_count": ("contact_model", pixel_counts, DIMENSIONLESS),
+            "contact_pixel_count": ("contact_model", counts, DIMENSIONLESS),
             "touched_places": ((), touched_places(bodies, pixels_by_contact), DIMENSIONLESS),
         },
-        {"contact_model": ["rigid", "plastic"]}
+        {"contact_model": CONTACT_MODELS}
         | range_axis(ranges)
         | {axis: (axis, positions, NM) for axis in CONTACT_AXES},
         {"work_of_adhesion": WORK_OF_ADHESION, "pixel_size": pixel_size},
@@ -190,8 +189,8 @@ def mean_pull_off_dataset(bodies: Bodies, contact: Contact, ranges: Sequence[flo
     loaded_contacts = [replace(contact, plastic=False), contact]
     forces = forces_at_loads(bodies, loaded_contacts, ranges).mean(axis=(-2, -1))
     return xr.Dataset(
-        {"pull_off_force": (("contact_model", "rho"), forces, FORCE)},
-        {"contact_model": ["rigid", "plastic"]} | range_axis(ranges),
+        {"pull_off_force": (("contact_model", "rho"), forces, FORCE_ATTRS)},
+        {"contact_model": CONTACT_MODELS} | range_axis(ranges),
         {"work_of_adhesion": WORK_OF_ADHESION},
     )
 
@@ -247,8 +246,8 @@ def wider_window_change(
     )
 
 
-def traced_contact(bodies: Bodies, index: tuple[int, int], contact: Contact) -> xr.Dataset:
-    """Return the gap, the adhesive pressure and the force of one plastic contact of the array.
+def trace_contact(bodies: Bodies, index: tuple[int, int], contact: Contact) -> xr.Dataset:
+    """Trace the gap, adhesive pressure and force of one plastic contact of the array.
 
     The index is row and column in the array. Returns ``gap`` (y, x) in nm before flattening,
     ``adhesive_pressure`` (y, x) in Pa and ``force`` (separation) in N.

@@ -8,7 +8,7 @@ from hardcontact.config.configuration import get_key, master_keys, study_contact
 from hardcontact.surfaces.synthesis import SIDES
 
 #: A range of adhesion (nm) that is much shorter than the published range.
-SHORT_RANGE = 1.0
+SHORT_ADHESION_RANGE = 1.0
 #: Loads of the scaling relative to the preload. An eighth makes the side of the contact 2.8 times
 #: shorter and leaves some 30 pixels; larger loads move short edges beyond the cutoffs of the sets.
 PRELOAD_SHARES = (1 / 8, 1)
@@ -58,7 +58,7 @@ def contact_grid(configuration: Mapping[str, Any], purpose: str) -> dict[str, li
         radii = configuration["scaling"]["radii"]
     elif purpose == "enhancement":
         contacts = [contact, replace(contact, plastic=False)]
-        ranges = [SHORT_RANGE, contact.rho]
+        ranges = [SHORT_ADHESION_RANGE, contact.rho]
     load_keys = ("preload", "hardness", "plastic")
     loads = [{key: getattr(load, key) for key in load_keys} for load in contacts]
     return {"radii": radii, "loads": loads, "ranges": ranges}

@@ -24,16 +24,16 @@ from hardcontact.inference.curve_edges import (
 #: The group of all surfaces.
 POOLED = "pooled"
 AXES = ("side", "surface", "cutoff_wavelength")
-RATIO = DIMENSIONLESS | {
+RATIO_ATTRS = DIMENSIONLESS | {
     "long_name": "mean pull-off force with roughness beyond the cutoff removed, relative to the "
     "force with all roughness",
 }
-CHANGE = DIMENSIONLESS | {
+CHANGE_ATTRS = DIMENSIONLESS | {
     "long_name": "magnitude of the relative change of the force without roughness beyond the cutoff"
 }
-EDGE = NM | {"long_name": "cutoff at which the change of the force exceeds the tolerance"}
-BOUND = NM | {"long_name": "cutoff beyond which an open edge lies"}
-STATUS = {
+EDGE_ATTRS = NM | {"long_name": "cutoff at which the change of the force exceeds the tolerance"}
+BOUND_ATTRS = NM | {"long_name": "cutoff beyond which an open edge lies"}
+STATUS_ATTRS = {
     "long_name": "found; open_above or open_below: the edge lies above or below its bound; "
     "ripples: no edge, the force falls by the ripples of the filter"
 }
@@ -82,9 +82,9 @@ def edge_variables(
 ) -> dict[str, Any]:
     """Return ``edge``, ``edge_bound`` and ``edge_status`` as variables of this shape."""
     columns: dict[str, tuple[list[Any], dict[str, str]]] = {
-        "edge": ([edge.value for edge in edges], EDGE),
-        "edge_bound": ([edge.bound for edge in edges], BOUND),
-        "edge_status": ([edge.status for edge in edges], STATUS),
+        "edge": ([edge.value for edge in edges], EDGE_ATTRS),
+        "edge_bound": ([edge.bound for edge in edges], BOUND_ATTRS),
+        "edge_status": ([edge.status for edge in edges], STATUS_ATTRS),
     }
     return {
         name: (dimensions, np.reshape(values, shape), attributes)
@@ -92,23 +92,15 @@ def edge_variables(
     }
 
 
-def edges_of_realizations(scales: xr.Dataset, tolerance: float, sampling: Sampling) -> xr.Dataset:
-    """Return ratio curves, changes of the force and edges, by side; mean ratios are sampled.
-
-    `scales` has ``filtered_force_ratio`` (surface, realization, side, cutoff_wavelength), NaN at
-    cutoffs of the other side, and ``unfiltered_wavelength`` (surface, side) in nm. The group POOLED
-    of ``filtered_force_change``, |ratio - 1|, is its mean over surfaces. Open edges are NaN.
-    """
-    return edges_with_samples(scales, tolerance, sampling)[0]
-
-
 def edges_with_samples(
     scales: xr.Dataset, tolerance: float, sampling: Sampling
 ) -> tuple[xr.Dataset, np.ndarray]:
-    """Return the dataset of `edges_of_realizations`, and sampled edges (sample, side, group) in nm.
+    """Return ratio curves, changes of the force and edges, and sampled edges (sample, side, group).
 
-    Each surface has its own random numbers. Other forces on the same masters share them. The sample
-    of an open edge is its bound.
+    `scales` has ``filtered_force_ratio`` (surface, realization, side, cutoff_wavelength), NaN at
+    cutoffs of the other side, and ``unfiltered_wavelength`` (surface, side) in nm. The group POOLED
+    of ``filtered_force_change``, |ratio - 1|, is its mean over surfaces. An open edge is NaN, its
+    sample the bound. Random numbers depend on the surface alone.
     """
     ratio, ratio_samples = _mean_ratios(scales, sampling)
     edges = []
@@ -122,11 +114,13 @@ def edges_with_samples(
     change, change_samples = _changes(ratio), _changes(ratio_samples)
     variables = edge_variables(edges, axes, shape)
     _, edge, _ = variables["edge"]
-    variables |= sampling.with_interval("edge", axes, edge, edge_samples, EDGE)
+    variables |= sampling.with_interval("edge", axes, edge, edge_samples, EDGE_ATTRS)
     variables |= sampling.with_interval(
-        "filtered_force_change", (*axes, "cutoff_wavelength"), change, change_samples, CHANGE
+        "filtered_force_change", (*axes, AXES[-1]), change, change_samples, CHANGE_ATTRS
     )
-    variables |= sampling.with_interval("filtered_force_ratio", AXES, ratio, ratio_samples, RATIO)
+    variables |= sampling.with_interval(
+        "filtered_force_ratio", AXES, ratio, ratio_samples, RATIO_ATTRS
+    )
     coordinates = {
         "side": scales["side"].values,
         "surface": scales["surface"].values,

@@ -19,7 +19,7 @@ from hardcontact.inference.curve_edges import (
     logarithmic_limits,
     shows_ripples,
 )
-from hardcontact.inference.edges import EDGE, RATIO, edge_variables
+from hardcontact.inference.edges import EDGE_ATTRS, RATIO_ATTRS, edge_variables
 from hardcontact.inference.hindcast import widen_interval
 from hardcontact.inference.mean_forces import (
     MasterForces,
@@ -65,7 +65,7 @@ def _ratios(master_forces: MasterForces, confidence: float) -> xr.Dataset:
     interval = logarithmic_interval(ratio, half)
     axis = "cutoff_wavelength"
     return xr.Dataset(
-        with_interval("filtered_force_ratio", axis, ratio, interval, RATIO, confidence)
+        with_interval("filtered_force_ratio", axis, ratio, interval, RATIO_ATTRS, confidence)
         | {
             "interval_is_conditional": int(master_forces.scan_parts.are_quarters),
             "interval_source": master_forces.scan_parts.source,
@@ -119,7 +119,7 @@ def edges_of_curves(ratios: xr.Dataset, tolerance: float) -> xr.Dataset:
             intervals.append(edge_interval(curve, lowest, highest))
     variables = edge_variables(edges, dimensions, shape)
     interval = np.reshape(intervals, (*shape, 2))
-    variables["edge_interval"] = ((*dimensions, "bound"), interval, EDGE)
+    variables["edge_interval"] = ((*dimensions, "bound"), interval, EDGE_ATTRS)
     return xr.Dataset(variables, {dim: ratios[dim] for dim in dimensions} | {"bound": BOUNDS})
 
 

@@ -11,10 +11,8 @@ import xarray as xr
 from hardcontact.base.dataset import stack
 from hardcontact.base.statistics import Sampling
 from hardcontact.base.units import DIMENSIONLESS
+from hardcontact.contact.contact import CONTACT_MODELS, PLASTIC, RIGID
 from hardcontact.inference.edges import edges_with_samples
-
-#: Contact models in the order of their areas, the smallest first.
-CONTACT_MODELS = ["rigid", "plastic"]
 
 
 def edges_by_contact(forces: xr.Dataset, tolerance: float, sampling: Sampling) -> xr.Dataset:
@@ -34,8 +32,8 @@ def edges_by_contact(forces: xr.Dataset, tolerance: float, sampling: Sampling) -
             model_forces, tolerance, sampling
         )
     edges = stack(datasets, ["contact_model", "rho"])
-    complete = "plastic", max(ranges)
-    reduced = {"plasticity": ("rigid", max(ranges)), "long_range": ("plastic", min(ranges))}
+    complete = PLASTIC, max(ranges)
+    reduced = {"plasticity": (RIGID, max(ranges)), "long_range": (PLASTIC, min(ranges))}
     ratios = [datasets[complete]["edge"] / datasets[key]["edge"] for key in reduced.values()]
     samples = [edge_samples[complete] / edge_samples[key] for key in reduced.values()]
     attributes = DIMENSIONLESS | {

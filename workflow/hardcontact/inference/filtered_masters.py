@@ -17,7 +17,7 @@ from hardcontact.base.units import NM
 from hardcontact.contact.contact import CONTACT_AXES, Contact
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import (
-    FORCE,
+    FORCE_ATTRS,
     WORK_OF_ADHESION,
     Axis,
     forces_at_loads,
@@ -60,8 +60,8 @@ def forces_at_cutoffs(
     filtered_forces = np.reshape(filtered, (len(cutoffs), *np.shape(unfiltered)))
     return xr.Dataset(
         {
-            "unfiltered_pull_off_force": (tuple(axes), unfiltered, FORCE),
-            "pull_off_force": (("cutoff_wavelength", *axes), filtered_forces, FORCE),
+            "unfiltered_pull_off_force": (tuple(axes), unfiltered, FORCE_ATTRS),
+            "pull_off_force": (("cutoff_wavelength", *axes), filtered_forces, FORCE_ATTRS),
             "unfiltered_wavelength": ((), end, nanometres),
         },
         {"cutoff_wavelength": cutoff_axis, **axes},

@@ -17,7 +17,7 @@ from hardcontact.base.dataset import stack
 from hardcontact.base.statistics import bounds, with_interval
 from hardcontact.base.units import DIMENSIONLESS
 from hardcontact.contact.contact import CONTACT_AXES, Contact
-from hardcontact.contact.pull_off import FORCE
+from hardcontact.contact.pull_off import FORCE_ATTRS
 from hardcontact.inference.octaves import ForcesOnSurface, force_function
 from hardcontact.surfaces.filters import filtered_series
 from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
@@ -33,7 +33,7 @@ REALIZATIONS = 12
 #: Pixels along a side of the blocks of `widen_pixels`.
 WIDE_PIXEL = 4
 
-RATIO = DIMENSIONLESS | {
+HINDCAST_ATTRS = DIMENSIONLESS | {
     "long_name": "mean pull-off force with an artificial octave, relative to that with the scan's"
 }
 FILTERED_SCAN = DIMENSIONLESS | {
@@ -43,7 +43,7 @@ FILTERED_SCAN = DIMENSIONLESS | {
 WIDE_PIXELS = DIMENSIONLESS | {
     "long_name": "mean pull-off force on four times wider pixels, relative to that on the scan's"
 }
-FAILS = DIMENSIONLESS | {
+FAILURE_ATTRS = DIMENSIONLESS | {
     "long_name": "1 where artificial roughness changes the force, or is not tested"
 }
 
@@ -109,9 +109,9 @@ def hindcast_forces(
             )
         side_forces[(side,)] = xr.Dataset(
             {
-                "scan_octave_force": (CONTACT_AXES, octave_forces[0], FORCE),
+                "scan_octave_force": (CONTACT_AXES, octave_forces[0], FORCE_ATTRS),
                 "artificial_octave_force": (
-                    ("realization", *CONTACT_AXES), octave_forces[1:], FORCE,
+                    ("realization", *CONTACT_AXES), octave_forces[1:], FORCE_ATTRS,
                 ),
             }
         )  # fmt: skip
@@ -141,7 +141,7 @@ def pixel_forces(surface: HeightMap, sphere: HeightMap | None, contact: Contact)
         "scan_force": force_function(contact, sphere)(surface),
         "wide_pixel_force": force_function(contact, wide_sphere)(widen_pixels(surface)),
     }
-    return xr.Dataset({name: (CONTACT_AXES, values, FORCE) for name, values in forces.items()})
+    return xr.Dataset({name: (CONTACT_AXES, force, FORCE_ATTRS) for name, force in forces.items()})
 
 
 def _split_at_octave(
@@ -195,10 +195,10 @@ def hindcasts(forces: xr.Dataset, tolerance: float, confidence: float) -> xr.Dat
     interval = np.exp(np.stack([log_ratio - half, log_ratio + half], axis=-1))
     passes = (np.abs(log_ratio) <= half) | (np.abs(log_ratio) <= np.log1p(tolerance))
     variables = with_interval(
-        "hindcast_ratio", "side", np.exp(log_ratio.values), interval, RATIO, confidence
+        "hindcast_ratio", "side", np.exp(log_ratio.values), interval, HINDCAST_ATTRS, confidence
     )
     return xr.Dataset(
-        variables | {"hindcast_fails": ("side", (~passes).values.astype(int), FAILS)},
+        variables | {"hindcast_fails": ("side", (~passes).values.astype(int), FAILURE_ATTRS)},
         {"side": forces["side"]},
     )
 

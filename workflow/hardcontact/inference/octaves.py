@@ -18,7 +18,7 @@ from hardcontact.base.statistics import with_interval
 from hardcontact.base.units import DIMENSIONLESS, NM
 from hardcontact.contact.contact import CONTACT_AXES, Contact
 from hardcontact.contact.geometry import join_bodies
-from hardcontact.contact.pull_off import FORCE, forces_at_loads
+from hardcontact.contact.pull_off import FORCE_ATTRS, forces_at_loads
 from hardcontact.inference.scan_parts import (
     ScanParts,
     delete_one_logarithms,
@@ -40,7 +40,7 @@ OCTAVE_LIMITS: Floats = np.ldexp(10.0, np.arange(-7, 18))
 #: ones leave the central difference in error by their square.
 STEP = 0.05
 #: Factors on the amplitude of an octave.
-FACTORS = (1 - STEP, 1 + STEP)
+AMPLITUDE_FACTORS = (1 - STEP, 1 + STEP)
 #: Octaves that an answer names.
 OCTAVES_NAMED = 3
 #: Parts of the roughness whose forces are compared with the force on all of it.
@@ -91,7 +91,7 @@ def split_octaves(surface: HeightMap, limits: Sequence[float] | Floats) -> Itera
 def octave_forces(
     surface: HeightMap, limits: Sequence[float] | Floats, forces: ForcesOnSurface
 ) -> Floats:
-    """Return the forces (octave, factor, ...) with each octave times each of FACTORS."""
+    """Return the forces (octave, factor, ...) with each octave times each of AMPLITUDE_FACTORS."""
     amplified = replace(surface, heights=np.empty_like(surface.heights))
 
     def force(octave: HeightMap, factor: float) -> Floats:
@@ -100,9 +100,8 @@ def octave_forces(
         np.add(amplified.heights, surface.heights, out=amplified.heights)
         return forces(amplified)
 
-    return np.array(
-        [[force(octave, factor) for factor in FACTORS] for octave in split_octaves(surface, limits)]
-    )
+    octaves = split_octaves(surface, limits)
+    return np.array([[force(octave, factor) for factor in AMPLITUDE_FACTORS] for octave in octaves])
 
 
 def octave_force_dataset(
@@ -111,10 +110,10 @@ def octave_force_dataset(
     """Return ``octave_force`` (octave, factor, contact_y, contact_x) in N at 1 J/m²."""
     dimensions = ("octave", "factor", *CONTACT_AXES)
     return xr.Dataset(
-        {"octave_force": (dimensions, octave_forces(surface, limits, forces), FORCE)},
+        {"octave_force": (dimensions, octave_forces(surface, limits, forces), FORCE_ATTRS)},
         {
             "octave": ("octave", np.asarray(limits[:-1]), OCTAVE),
-            "factor": ("factor", list(FACTORS), FACTOR),
+            "factor": ("factor", list(AMPLITUDE_FACTORS), FACTOR),
         },
     )
 
@@ -210,7 +209,7 @@ def octave_sensitivities(
     `octave_force` (map, octave, factor, contact_y, contact_x) is that of `octave_force_dataset`.
     The derivative is the central difference of the logarithms of the mean forces.
     """
-    weak, strong = (octave_force.sel(factor=factor, drop=True) for factor in FACTORS)
+    weak, strong = (octave_force.sel(factor=factor, drop=True) for factor in AMPLITUDE_FACTORS)
     log_ratio, half = log_force_ratio(strong, weak, scan_parts, confidence)
     interval = np.stack([log_ratio - half, log_ratio + half], axis=-1) / (2 * STEP)
     variables = with_interval(
@@ -254,8 +253,8 @@ def band_force_dataset(
     ]
     return xr.Dataset(
         {
-            "force": (CONTACT_AXES, forces(surface), FORCE),
-            "band_force": (("band", "band_part", *CONTACT_AXES), np.array(part_forces), FORCE),
+            "force": (CONTACT_AXES, forces(surface), FORCE_ATTRS),
+            "band_force": (("band", "band_part", *CONTACT_AXES), part_forces, FORCE_ATTRS),
             "band_end": (("band", "side"), np.array(list(bands.values())), BAND_END),
         },
         {"band": list(bands), "band_part": list(BAND_PARTS), "side": list(SIDES)},

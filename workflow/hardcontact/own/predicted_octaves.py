@@ -1,7 +1,6 @@
 """The octaves of wavelengths that the force follows most, on a scan or from a spectrum."""
 
 from collections.abc import Iterator
-from dataclasses import replace
 
 import numpy as np
 import xarray as xr
@@ -10,7 +9,7 @@ from hardcontact.base.arrays import Floats
 from hardcontact.base.number import Number
 from hardcontact.contact.contact import Contact
 from hardcontact.inference.octaves import (
-    FACTORS,
+    AMPLITUDE_FACTORS,
     OCTAVE_LIMITS,
     STEP,
     force_function,
@@ -19,7 +18,7 @@ from hardcontact.inference.octaves import (
     strongest_octaves,
 )
 from hardcontact.own.own_spectrum import OwnSpectrum
-from hardcontact.own.scan_force import CONTACTS, obstacle_to_force, stitched_map, window_of_scan
+from hardcontact.own.scan_force import contact_on_scan, obstacle_to_force, stitched_map
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import Spectrum
 from hardcontact.theory.closed_form import closed_form
@@ -36,7 +35,7 @@ def predicted_octaves(user_spectrum: OwnSpectrum, contact: Contact) -> Iterator[
     longest, shortest = 2 * np.pi / spectrum.wavevector[[0, -1]]
     octaves = OCTAVE_LIMITS[middles_within(OCTAVE_LIMITS, shortest, longest)]
     scans = user_spectrum.scans
-    obstacle, _ = obstacle_to_force(scans, contact, len(FACTORS) * len(octaves))
+    obstacle, _ = obstacle_to_force(scans, contact, len(AMPLITUDE_FACTORS) * len(octaves))
     if len(octaves) and not obstacle:
         derivatives = derivatives_on_scan(scans[0], octaves, contact)
         status = "on_scan"
@@ -55,9 +54,9 @@ def derivatives_on_scan(scan: HeightMap, octaves: Floats, contact: Contact) -> F
 
     The octaves follow each other; they are given by their shortest wavelengths (nm).
     """
-    contact = replace(contact, window=window_of_scan(scan, contact), contacts_per_side=CONTACTS)
     limits = [*octaves, 2 * octaves[-1]]
-    forces = octave_forces(stitched_map(scan), limits, force_function(contact)).mean(axis=(-2, -1))
+    compute_forces = force_function(contact_on_scan(scan, contact))
+    forces = octave_forces(stitched_map(scan), limits, compute_forces).mean(axis=(-2, -1))
     return np.asarray(np.log(forces[:, 1] / forces[:, 0]) / (2 * STEP))
 
 
@@ -71,5 +70,6 @@ def derivatives_in_closed_form(spectrum: Spectrum, octaves: Floats, contact: Con
         density = spectrum.density * np.where(is_inside, factor**2, 1.0)
         return float(np.log(closed_form(Spectrum(spectrum.wavevector, density), contact).force))
 
-    weak, strong = ([log_force(octave, factor) for octave in octaves] for factor in FACTORS)
-    return np.subtract(strong, weak) / (2 * STEP)
+    weak, strong = AMPLITUDE_FACTORS
+    changes = [log_force(octave, strong) - log_force(octave, weak) for octave in octaves]
+    return np.array(changes) / (2 * STEP)

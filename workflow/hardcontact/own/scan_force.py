@@ -31,19 +31,17 @@ from hardcontact.theory.summits import search_size
 from hardcontact.theory.validity import OUTSIDE, is_validated, nearest_errors, table_coordinates
 
 #: Contacts along a side of their array, as in the paper.
-CONTACTS = 20
+CONTACTS_PER_SIDE = 20
 #: Most pixels along a side of a scan, and most contact pixels of all contacts and force sums, with
 #: their images in the window: both keep the time below a few seconds.
 MAX_PIXELS = 2048
 MAX_CONTACT_PIXELS = 2**23
 #: Statuses of a force that is not computed: there is no map or more than one, it is too large, or
 #: the range of adhesion is too short for its pixels or its relief.
-NO_MAP, SEVERAL_SCANS, TOO_LARGE, SHORT_RANGE = (
-    "no_map",
-    "several_scans",
-    "too_large",
-    "short_range",
-)
+NO_MAP = "no_map"
+SEVERAL_SCANS = "several_scans"
+TOO_LARGE = "too_large"
+RANGE_TOO_SHORT = "short_range"
 #: Statuses of the closed form for the spectrum of a map, by its force relative to that on the map.
 AGREES, NOT_GAUSSIAN = "agrees", "not_gaussian"
 #: Status of a scan that is smaller than twice the search size, and of a larger one.
@@ -73,7 +71,7 @@ def add_force_on_scan(
     status, shortest_range = obstacle_to_force(scans, contact)
     if status:
         scan_numbers = [Number("force_on_scan", math.nan, "N", status=status)]
-        if status == SHORT_RANGE:
+        if status == RANGE_TOO_SHORT:
             scan_numbers.append(Number("shortest_range", shortest_range, "nm"))
     else:
         scan_numbers = list(_force_numbers(scans[0], contact, confidence, body_maps))
@@ -98,21 +96,22 @@ def obstacle_to_force(
     if len(scans) > 1:
         return SEVERAL_SCANS, math.nan
     (scan,) = scans
-    window = window_of_scan(scan, contact)
+    window = contact_on_scan(scan, contact).window
     contact_pixels = contact.pixel_count(scan.pixel_size) * periods_in_window(window, scan.size)
-    if scan.pixels > MAX_PIXELS or contact_pixels * CONTACTS**2 * sums > MAX_CONTACT_PIXELS:
+    contact_pixels *= CONTACTS_PER_SIDE**2 * sums
+    if scan.pixels > MAX_PIXELS or contact_pixels > MAX_CONTACT_PIXELS:
         return TOO_LARGE, math.nan
     grid = Grid(scan.pixels, scan.pixel_size, scan.size, float(np.ptp(scan.heights)))
     shortest_range, _ = minimum_range(contact.radius, window, grid)
-    return SHORT_RANGE if contact.rho < shortest_range else "", shortest_range
+    return RANGE_TOO_SHORT if contact.rho < shortest_range else "", shortest_range
 
 
-def window_of_scan(scan: HeightMap, contact: Contact) -> float:
-    """Return the side (nm) of the window that a study of a scan would have."""
+def contact_on_scan(scan: HeightMap, contact: Contact) -> Contact:
+    """Return a contact with the window and the array that a study of a scan would have."""
     window, _ = window_on_scans(
         float(scan.heights.std()), scan.pixel_size, scan.size, contact.radius, contact.rho
     )
-    return window
+    return replace(contact, window=window, contacts_per_side=CONTACTS_PER_SIDE)
 
 
 def stitched_map(scan: HeightMap) -> HeightMap:
@@ -149,7 +148,7 @@ def _force_numbers(
     Like those of `bound_by_smooth_sphere`, mean and interval never exceed a smooth sphere's force.
     """
     surface = stitched_map(scan)
-    contact = replace(contact, window=window_of_scan(scan, contact), contacts_per_side=CONTACTS)
+    contact = contact_on_scan(scan, contact)
     pull_off = _forces(surface, body_maps, contact)
     touched_places = float(pull_off["touched_places"].max())
     forces = contact.work * pull_off["pull_off_force"].sel(contact_model=PLASTIC, drop=True)

@@ -17,7 +17,7 @@ from hardcontact.base.job import progress
 from hardcontact.base.random import generator
 from hardcontact.base.statistics import Sampling, student_log_samples
 from hardcontact.base.units import NEWTON
-from hardcontact.inference.edges import edges_of_realizations
+from hardcontact.inference.edges import edges_with_samples
 from hardcontact.inference.fit import WITHOUT_SURFACE
 from hardcontact.inference.published_fit import PublishedFit, fit_published
 from hardcontact.paper.evaluation import claim_values
@@ -222,9 +222,8 @@ def set_edges(
         ratio = ratio.assign_coords(realization=range(realizations))
         surface_ratios.append(ratio.drop_vars("surface"))
     ratio = xr.concat(surface_ratios, masters["surface"])
-    return edges_of_realizations(
-        masters.drop_dims("realization").assign(filtered_force_ratio=ratio), tolerance, sampling
-    )
+    set_masters = masters.drop_dims("realization").assign(filtered_force_ratio=ratio)
+    return edges_with_samples(set_masters, tolerance, sampling)[0]
 
 
 def sample_sets(

@@ -6,9 +6,7 @@ from typing import Any, NamedTuple
 import xarray as xr
 
 from hardcontact.base.number import Number
-
-#: The contact model whose force is the answer, if it was computed.
-PREFERRED_MODEL = "plastic"
+from hardcontact.contact.contact import PLASTIC
 
 
 class Datasets(NamedTuple):
@@ -57,7 +55,7 @@ class Setting(NamedTuple):
 def preferred_model(force: xr.Dataset) -> str:
     """Return the name of the contact model whose force is the answer."""
     models = [str(name) for name in force["contact_model"].values]
-    return PREFERRED_MODEL if PREFERRED_MODEL in models else models[0]
+    return PLASTIC if PLASTIC in models else models[0]
 
 
 def stored_tabor_number(force: xr.Dataset) -> Number:

@@ -11,7 +11,7 @@ from hardcontact.base.number import Number
 from hardcontact.base.statistics import bounds
 from hardcontact.config.model import numeric_configuration
 from hardcontact.contact.contact import PLASTIC
-from hardcontact.files.master_purposes import SHORT_RANGE
+from hardcontact.files.master_purposes import SHORT_ADHESION_RANGE
 from hardcontact.inference.edges import POOLED, edges_or_bounds
 from hardcontact.inference.fit import WITHOUT_SURFACE
 from hardcontact.inference.octaves import strongest_octaves
@@ -273,7 +273,7 @@ def _settings(datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame) -> It
         published = float(constants["value"][name])
         yield Number(f"{name}_published", published, unit, source="published")
     yield Number("range_of_band", float(scales.attrs["rho"]), "nm", source="given")
-    yield Number("short_range", SHORT_RANGE, "nm", source="given")
+    yield Number("short_range", SHORT_ADHESION_RANGE, "nm", source="given")
     for name in ("tolerance", "confidence"):
         yield Number(name, float(datasets["edges"].attrs[name]), source="given")
     yield Number("sets", datasets["sets"].sizes["set"], source="given")
