@@ -28,7 +28,7 @@ def test_the_pressure_of_hertz_carries_the_load():
 
 
 def test_transition_leads_from_dmt_to_jkr():
-    coefficient = smooth_sphere.transition_coefficient(LAMBDAS)
+    coefficient = smooth_sphere.pull_off_coefficient(LAMBDAS)
     assert (np.diff(coefficient) < 0).all()
     assert coefficient[0] == pytest.approx(2, abs=5e-3)
     assert coefficient[-1] == pytest.approx(1.5, abs=5e-4)
@@ -37,7 +37,7 @@ def test_transition_leads_from_dmt_to_jkr():
 
 
 @pytest.mark.parametrize("maugis", [0.03, 0.3, 0.937, 5.0])
-def test_the_transition_coefficient_matches_maugis_exact_pair(maugis):
+def test_the_pull_off_coefficient_matches_maugis_exact_pair(maugis):
     """The pair as printed: the first equation gives m for a radius, the second the force."""
 
     def root_and_angle(m):
@@ -54,4 +54,4 @@ def test_the_transition_coefficient_matches_maugis_exact_pair(maugis):
         return radius**3 - maugis * radius**2 * (root + m**2 * angle)
 
     exact = -min(force(radius) for radius in np.linspace(0.01, 2.0, 800))
-    assert smooth_sphere.transition_coefficient(maugis) == pytest.approx(exact, rel=0.017)
+    assert smooth_sphere.pull_off_coefficient(maugis) == pytest.approx(exact, rel=0.017)

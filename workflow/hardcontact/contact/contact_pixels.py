@@ -49,10 +49,10 @@ class TouchedPixels:
     ) -> float:
         """Return the sum of exp(-(g + m)/rho) over pixels outside a contact (i, j).
 
-        m is the height of the apex at closest approach. `total` sums all pixels but the contact
-        pixels of all contacts, whose `terms` (pixels,) are overwritten. Both are as if the highest
-        points of both bodies touched, `highest` being the sum of their heights; the result is at
-        the real approach.
+        m is the height of the apex at closest approach. `total` is the sum over all pixels except
+        the contact pixels of all contacts, `terms` (pixels,) those of the contact pixels
+        (overwritten). Both are taken at zero gap between the highest points, whose heights add up
+        to `highest`; the result is at closest approach.
         """
         terms[self._own[index]] = 0.0
         largest_gap = self._gaps[index][-1]

@@ -103,11 +103,11 @@ class Wall(NamedTuple):
     gap: Floats
 
 
-def press(body: HalfSpace, gap: Floats, load: float) -> Wall:
-    """Press a body of a gap (n, n) in nm at any approach onto a half space by a load (nN).
+def press(half_space: HalfSpace, gap: Floats, load: float) -> Wall:
+    """Press a rough body, with this gap (n, n) in nm at any approach, onto a half space.
 
-    The lowest pixels touch first; pixels that would overlap join them. Raises ValueError if more
-    than MAX_CONTACT_PIXELS do.
+    The load is in nN. The lowest pixels touch first; pixels that would overlap join them. Raises
+    ValueError if more than MAX_CONTACT_PIXELS do.
     """
     if load == 0:  # The lowest pixel touches without a force.
         return Wall(np.zeros_like(gap), gap - gap.min())
@@ -116,10 +116,10 @@ def press(body: HalfSpace, gap: Floats, load: float) -> Wall:
         pixels = np.argwhere(is_candidate)
         if len(pixels) > MAX_CONTACT_PIXELS:
             raise ValueError(f"{EXPECTED}, found more than {MAX_CONTACT_PIXELS} touching pixels")
-        forces, approach = wall_forces(body.influence(pixels), gap[is_candidate], load)
+        forces, approach = wall_forces(half_space.influence(pixels), gap[is_candidate], load)
         all_forces = np.zeros_like(gap)
         all_forces[is_candidate] = forces
-        gap_left = gap + body.displacement(all_forces) - approach
+        gap_left = gap + half_space.displacement(all_forces) - approach
         overlaps = gap_left < -MAX_OVERLAP
         if not overlaps.any():
             return Wall(all_forces, gap_left)
@@ -135,8 +135,8 @@ def pressure_at_load(gap: Floats, pixel_size: float, modulus: float, load: float
     The gap (n, n) at any approach and the pixel size are in nm, the effective modulus in Pa and the
     load in N. Raises ValueError if too many pixels touch.
     """
-    body = HalfSpace(len(gap), pixel_size, modulus)
-    return press(body, gap, load / NEWTON_PER_NN).forces / pixel_size**2 * PASCAL_PER_GPA
+    half_space = HalfSpace(len(gap), pixel_size, modulus)
+    return press(half_space, gap, load / NEWTON_PER_NN).forces / pixel_size**2 * PASCAL_PER_GPA
 
 
 def adhesive_pull_off(
@@ -152,16 +152,19 @@ def adhesive_pull_off(
     strength = work_of_adhesion / rho * pixel_size**2
     attraction = strength * np.exp(-rigid_gap / rho)
     rigid = float(attraction.sum())
-    body = HalfSpace(len(gap), pixel_size, modulus)
-    elongation = body.displacement(attraction).max()
+    half_space = HalfSpace(len(gap), pixel_size, modulus)
+    elongation = half_space.displacement(attraction).max()
     if elongation > rho / 10:
         raise ValueError(f"{EXPECTED}, found bodies stretched by {elongation:.2g} nm")
 
     def force(wall_load: float) -> float:
-        """Return minus the total attraction (nN) where the wall carries a load (nN)."""
+        """Return the load of the wall less the attraction (nN): minus the pull on the bodies.
+
+        The iteration starts from the attraction of the previous call.
+        """
         nonlocal attraction
         while True:
-            wall = press(body, rigid_gap - body.displacement(attraction), wall_load)
+            wall = press(half_space, rigid_gap - half_space.displacement(attraction), wall_load)
             former_attraction = attraction
             # The wall leaves no overlap but that of the tolerance.
             attraction = strength * np.exp(-np.maximum(wall.gap, 0) / rho)

@@ -15,8 +15,8 @@ from hardcontact.contact.contact import Contact
 from hardcontact.surfaces.filters import interpolate
 from hardcontact.surfaces.height_map import HeightMap, read_height_map
 
-#: Places on a rough sphere at which own surfaces touch it, the fewest. A trade: an interval from 16
-#: places is 1.1 times as wide as from many, and each place costs the force sums of its contacts.
+#: Fewest places at which a rough sphere is let touch own surfaces: with 16 an interval is 1.1 times
+#: as wide as with many; each costs force sums.
 SPHERE_PLACES = 16
 #: Contacts along a side at each of several places.
 PLACE_CONTACTS_PER_SIDE = 6

@@ -101,7 +101,7 @@ def maugis_parameter(tabor: Values) -> Values:
     return 32 / (9 * np.sqrt(3)) / np.cbrt(16 * np.pi / 9) * tabor
 
 
-def transition_coefficient(maugis: Values) -> Values:
+def pull_off_coefficient(maugis: Values) -> Values:
     """Return the pull-off force relative to πWR for Maugis parameters, by the fit of Carpick et al.
 
     7/4 - ¼ (4.04 λ^1.4 - 1)/(4.04 λ^1.4 + 1): 2 (DMT) to 3/2 (JKR). Carpick, Ogletree and Salmeron,

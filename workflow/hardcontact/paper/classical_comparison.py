@@ -50,7 +50,7 @@ def apply_classical_models(
         "computed": _forces_at_published_pair(fit.sel(surface=surfaces)),
     }
     maugis = smooth_sphere.maugis_parameter(value["tabor_parameter"])
-    coefficient = smooth_sphere.transition_coefficient(maugis)
+    coefficient = smooth_sphere.pull_off_coefficient(maugis)
     works = {
         source: smooth_sphere.effective_work_of_adhesion(ends, sphere.radius, coefficient)
         for source, ends in forces.items()

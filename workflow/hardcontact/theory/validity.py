@@ -18,8 +18,8 @@ from hardcontact.base.number import Number
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.smooth_sphere import (
     maugis_parameter,
+    pull_off_coefficient,
     tabor_parameter,
-    transition_coefficient,
 )
 from hardcontact.surfaces.spectrum import Spectrum, roll_off
 from hardcontact.theory.closed_form import ClosedForm, contact_term
@@ -147,7 +147,7 @@ def tabor_number(contact: Contact, modulus: float) -> Number:
     if math.isnan(modulus):
         return Number("tabor_parameter", modulus, status=UNKNOWN)
     value = float(tabor_parameter(contact.work, contact.radius, modulus, contact.rho))
-    softening = 1 - float(transition_coefficient(maugis_parameter(value))) / 2
+    softening = 1 - float(pull_off_coefficient(maugis_parameter(value))) / 2
     return Number(
         "tabor_parameter", value, status=SOFT if softening > MAX_NEGLIGIBLE_CHANGE else HARD
     )
