@@ -41,7 +41,7 @@ def jobs(folders):
             row = pd.read_csv(path, sep="\t").iloc[-1]
             rule, *wildcards = path.relative_to(Path(folder, "benchmarks")).with_suffix("").parts
             rule = re.sub(r"(_\d+)+$", "", rule)  # the numbers of scans that are made together
-            if rule == "filter_masters":  # by their purpose: scales, sets, enhancement, scaling
+            if rule == "filter_masters":  # by their purpose: scales, sets, enhancement, exponents
                 rule = f"{rule}/{wildcards[0]}"
             rows.append(
                 {"rule": rule, "seconds": processor(row), "memory": row.max_rss * 2**20 / 1e6}

@@ -85,7 +85,7 @@ def tiny(draw):
             "short": {"pixels": small, "cutoffs": cutoffs["short"]},
             "long": {"pixels": large, "cutoffs": cutoffs["long"]},
         },
-        "scaling": {"radii": [f"{pick(10, 1e3, 2.5e5):.9g} nm", "1 m"]},
+        "exponents": {"radii": [f"{pick(10, 1e3, 2.5e5):.9g} nm", "1 m"]},
     }
 
 
@@ -160,7 +160,7 @@ def check_masters(config, rng, stitched, sphere, section, side):
     if section == "scales":
         return
     contacts = [replace(contact, preload=share * contact.preload) for share in PRELOAD_SHARES]
-    radii = config["scaling"]["radii"]
+    radii = config["exponents"]["radii"]
     assert_forces(filtered_pull_off(master, filters, contacts, None, radii))
 
 

@@ -32,13 +32,13 @@ def test_masters_of_sets_are_filtered_in_chunks():
 
 
 def test_only_substitutes_have_pools_computed_in_chunks():
-    chunks = Chunks(files("sets.pool", 32, measured_surfaces=["mcd"]))
+    chunks = Chunks(files("sets.pool_size", 32, measured_surfaces=["mcd"]))
     scans = [(1, 15), (16, 30), (31, 32)]
     assert chunks.pools == [(surface, *ends) for surface in ("uncd", "ncd") for ends in scans]
 
 
 def test_each_set_has_a_draw_of_the_surface_with_features():
-    chunks = Chunks(files("sets.replicates", 25))
+    chunks = Chunks(files("sets.count", 25))
     kinds = {"bumps": ((1, 10), (11, 13)), "pits": ((1, 10), (11, 13)), "gaussian": ((1, 10),)}
     assert chunks.featured_samples == [
         ("polished_uncd", kind, *ends) for kind, samples in kinds.items() for ends in samples
@@ -58,7 +58,7 @@ SWEPT = {
     "contact.preload": "12 uN",
     "contact.hardness": "30 GPa",
     "scales.range": "3 nm",
-    "scaling.radii": ["5 um", "7 um"],
+    "exponents.radii": ["5 um", "7 um"],
 }
 
 
@@ -68,7 +68,7 @@ def lists_of_files(*values):
     chunks = Chunks(study)
     filtered = [
         *chunks.filtered_masters(),
-        *chunks.filtered_masters("scaling"),
+        *chunks.filtered_masters("exponents"),
         *chunks.filtered_masters("sets"),
         *chunks.filtered_masters("enhancement"),
     ]

@@ -34,7 +34,7 @@ VALUES = {
     "radii": ["R250um", "R5um+R0.5um"],
     "loads": ["H25GPa-F10uN", "H25GPa-F10uN+H16GPa-F10uN"],
     "ranges": ["rho5.6nm", "rho1.4nm+rho5.6nm"],
-    "purpose": ["scales", "sampled", "sets", "scaling"],
+    "purpose": ["scales", "sampled", "sets", "exponents"],
     "settings": ["0123abcd", "01234567"],
     "digest": ["0123abcd", "01234567"],
     "sphere_digest": ["0123abcd", "smooth"],

@@ -51,19 +51,17 @@ def make_datasets(substitutes=(), surfaces=SURFACES):
     }
 
 
-def judge_all(datasets, replicas=(), confidence=0.95, **changes):
+def judge_all(datasets, samples=(), confidence=0.95, **changes):
     sets = xr.Dataset(
-        {"value": (("set", "claim"), np.reshape(replicas, (-1, 1)))}, {"claim": ["claim"]}
+        {"value": (("set", "claim"), np.reshape(samples, (-1, 1)))}, {"claim": ["claim"]}
     )
     statements = pd.DataFrame([CLAIM | changes])
     return evaluate(statements, datasets, CONSTANTS, confidence, sets)
 
 
-def judge(datasets=None, *replicas, **changes):
+def judge(datasets=None, *samples, **changes):
     """Return the row of the claim after changes of some of its columns."""
-    return judge_all(make_datasets() if datasets is None else datasets, *replicas, **changes).iloc[
-        0
-    ]
+    return judge_all(make_datasets() if datasets is None else datasets, *samples, **changes).iloc[0]
 
 
 def test_a_number_is_judged_with_its_interval():
@@ -115,7 +113,7 @@ def test_slopes_on_pixels_larger_than_the_papers_are_not_judged(pixel_size, verd
 
 
 @pytest.mark.parametrize(
-    ("replicas", "ends", "agreeing_share", "verdict"),
+    ("samples", "ends", "agreeing_share", "verdict"),
     [
         (np.linspace(1.7, 2.3, 101), (1.715, 2.285), 1, "reproduced"),
         (np.linspace(1.3, 2.3, 101), (1.325, 2.275), 81 / 101, "undecided"),
@@ -125,8 +123,8 @@ def test_slopes_on_pixels_larger_than_the_papers_are_not_judged(pixel_size, verd
         ([*np.linspace(1.7, 2.3, 18), np.nan, np.nan], (np.nan, np.nan), 0.9, "undecided"),
     ],
 )
-def test_sets_give_interval_and_agreeing_share(replicas, ends, agreeing_share, verdict):
-    row = judge(make_datasets(), replicas, samples_from="sets")
+def test_sets_give_interval_and_agreeing_share(samples, ends, agreeing_share, verdict):
+    row = judge(make_datasets(), samples, samples_from="sets")
     np.testing.assert_allclose([row.low, row.high], ends, atol=3e-3)
     assert (row.agreeing_share, row.verdict) == (pytest.approx(agreeing_share), verdict)
 

@@ -23,7 +23,7 @@ from hardcontact.surfaces.height_map import TABLE1_METRICS
 
 SETTINGS = SetSettings(
     seed=1,
-    replicates=3,
+    set_count=3,
     realizations=5,
     reference_surface="uncd",
     tolerance=0.1,
@@ -69,9 +69,9 @@ def test_numbers_are_those_of_each_set(sets):
 
 
 def test_a_set_depends_on_its_number_and_the_seed_alone(sets):
-    fewer = sample_sets(make_inputs(), *PAPER, SETTINGS._replace(replicates=1))
+    fewer = sample_sets(make_inputs(), *PAPER, SETTINGS._replace(set_count=1))
     xr.testing.assert_identical(fewer.isel(set=0), sets.isel(set=0))
-    other_seed = sample_sets(make_inputs(), *PAPER, SETTINGS._replace(replicates=1, seed=2))
+    other_seed = sample_sets(make_inputs(), *PAPER, SETTINGS._replace(set_count=1, seed=2))
     assert not np.allclose(
         other_seed["value"].isel(set=0), sets["value"].isel(set=0), equal_nan=True
     )
@@ -98,7 +98,7 @@ def test_the_factor_of_the_sphere_is_the_ratio_of_mean_forces():
 
 def test_measured_surfaces_make_sets_too():
     inputs = make_inputs(measured_surfaces=SUBSTRATES)
-    sets = sample_sets(inputs, *PAPER, SETTINGS._replace(replicates=2))
+    sets = sample_sets(inputs, *PAPER, SETTINGS._replace(set_count=2))
     gradient = inputs.topography["rms_gradient_mean"].sel(surface="ncd")
     assert sets["value"].isel(set=0).sel(claim="afm_rms_slope_ncd") == gradient
     ranges = sets["range_of_adhesion"].sel(contact_model="plastic")

@@ -113,8 +113,8 @@ def test_claims_without_verdicts_are_read_back_and_counted_as_none(tmp_path):
 
 
 def test_the_interval_of_sets_leaves_out_the_tails_and_needs_enough_numbers():
-    replicas = np.arange(201.0)
-    intervals = sets_interval(np.stack([replicas, replicas + 1], 1), 0.95)
+    samples = np.arange(201.0)
+    intervals = sets_interval(np.stack([samples, samples + 1], 1), 0.95)
     np.testing.assert_allclose(intervals, [[5, 195], [6, 196]])
     incomplete = np.append(np.arange(18.0), [nan, nan])
     assert (
@@ -140,8 +140,8 @@ def test_an_interval_is_stretched_to_its_number(ends, value, stretched):
      (1, "not reproduced"), (0, "not reproduced")],
 )  # fmt: skip
 def test_the_share_of_sets_that_agree_decides(agreeing, verdict):
-    replicas = np.array([5.0] * agreeing + [7.0] * (20 - agreeing))
-    assert accepted_range("interval", 4.0, 6.0).verdict_of_sets(replicas) == verdict
+    samples = np.array([5.0] * agreeing + [7.0] * (20 - agreeing))
+    assert accepted_range("interval", 4.0, 6.0).verdict_of_sets(samples) == verdict
 
 
 @pytest.mark.parametrize(
@@ -159,8 +159,8 @@ def test_samples_of_one_number_are_judged_with_its_interval(samples, verdict):
 
 
 def test_a_set_without_a_number_does_not_agree():
-    replicas = np.array([5.0] * 17 + [nan] * 3)
-    assert accepted_range("interval", 4.0, 6.0).verdict_of_sets(replicas) == "undecided"
+    samples = np.array([5.0] * 17 + [nan] * 3)
+    assert accepted_range("interval", 4.0, 6.0).verdict_of_sets(samples) == "undecided"
 
 
 # --- open ends --------------------------------------------------------------------------------

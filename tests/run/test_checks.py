@@ -35,7 +35,7 @@ CONTRADICTIONS = [
     ("scan.featured_surface", "brass", "found brass"),
     ("scans", [1, 7], "[1, 2, 3, 4, 5]", "found [7]"),
     ("quick", {"study": "mine"}, "neither study nor store", "found study"),
-    ("sets.pool", 4, "the 5 scans of polished_uncd", "found 4"),
+    ("sets.pool_size", 4, "the 5 scans of polished_uncd", "found 4"),
     # Several values
     ("adhesion.ranges", ["1 nm", "0.001 um"], "ascending", "found 0.001 um after 1 nm"),
     # Wavelengths and pixels
@@ -75,7 +75,7 @@ CONTRADICTING_VALUES = [
     ),
     (("scales.long.tiles", 8), "sets.long.pixels", "8192", "found 4096"),
     (
-        ("scaling.radii", ["30 nm", "250 um"], "scales.range", "1.4 nm"),
+        ("exponents.radii", ["30 nm", "250 um"], "scales.range", "1.4 nm"),
         *("scales.range", "at least 1.59 nm on", "at R = 30 nm", "found 1.4 nm"),
     ),
 ]
@@ -98,7 +98,7 @@ def test_keys_that_contradict_each_other_or_the_table_are_refused(
 def test_values_at_their_limits_are_accepted(tmp_path, project_folder):
     config = numbers(
         *("elastic.contacts", 401, "asperities.contacts", 401),  # all, if there are fewer
-        *("scaling.radii", ["50 nm"], "scales.range", "1 nm"),
+        *("exponents.radii", ["50 nm"], "scales.range", "1 nm"),
     )
     check(config, tmp_path)
 
@@ -113,7 +113,7 @@ def test_a_substrate_without_a_published_force_is_refused_beside_the_paper(
 
 def test_a_study_without_scaling_ignores_its_keys(project_folder):
     grids = {"glass": Grid(512, 4.883, 2500.0, 500.0)}
-    config = numbers("scaling.radii", ["10 nm"], "scales.range", "1 nm")
+    config = numbers("exponents.radii", ["10 nm"], "scales.range", "1 nm")
     assert_says(refusal(check_grids, config, grids), "config key scales.range: expected")
     check_grids(config | {"published": "none"}, grids)
 

@@ -224,7 +224,7 @@ def overlay(key, value):
     [
         ("scales.tolerance", 0.2, {"find_edges", "sample_sets", "compare_short_edges"}),
         ("elastic.contacts", 2, {"solve_elastic_contact"}),
-        ("sets.pool", 12, {"compute_pool", "sample_sets"}),
+        ("sets.pool_size", 12, {"compute_pool", "sample_sets"}),
         ("scales.short.transition", "90 nm", {
             "synthesize_masters", "filter_masters", "aggregate_scales"}),
     ],
@@ -249,9 +249,9 @@ def test_swept_values_share_masters(dry):
     }
     jobs = dry(values)
     assert not any("/masters/" in output for _, output in jobs)
-    # Masters for scaling have radii of their own.
+    # Masters for exponents have radii of their own.
     filtered = [
-        output for rule, output in jobs if rule == "filter_masters" and "/scaling/" not in output
+        output for rule, output in jobs if rule == "filter_masters" and "/exponents/" not in output
     ]
     assert filtered
     for token in ("F12uN", "R300um", "rho3nm"):

@@ -26,8 +26,8 @@ FIXED = {
 #: Keys whose values, or the numbers that they count, are part of paths.
 IN_PATHS = {
     "sphere.radius", "contact.preload", "contact.hardness", "scales.range",
-    "scales.sphere_roughness", "scales.realizations", "sets.pool", "sets.replicates",
-    "sets.realizations", "scaling.realizations", "scaling.radii", "scales.whole_surfaces",
+    "scales.sphere_roughness", "scales.realizations", "sets.pool_size", "sets.count",
+    "sets.realizations", "exponents.realizations", "exponents.radii", "scales.whole_surfaces",
 }  # fmt: skip
 #: Other values of keys that are no numbers.
 OTHER_WORDS = {
@@ -45,7 +45,7 @@ FILTERED = {
         "sets.contacts_per_side"
     ),
     "enhancement": (*_OF_SCANS, "scales.short", "sets.short", "sets.contacts_per_side"),
-    "scaling": (
+    "exponents": (
         *_OF_SCANS, "scales.short", "scales.long", "sets.short", "sets.long",
         "sets.contacts_per_side"
     ),
@@ -132,7 +132,7 @@ def test_keys_outside_paths_change_no_file(plans, folder):
     "keys",
     [
         ("scales.sphere_roughness",),
-        ("scales.realizations", "scaling.realizations", "sets.pool", "sets.realizations"),
+        ("scales.realizations", "exponents.realizations", "sets.pool_size", "sets.realizations"),
     ],
 )
 def test_values_in_paths_change_no_file(plans, keys):

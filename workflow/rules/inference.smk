@@ -15,21 +15,21 @@ rule find_edges:
 
 
 rule compare_short_edges:
-    """Compare short edges and forces by radius and load (scaling.nc), by range and plasticity (enhancement.nc)."""
+    """Compare short edges and forces by radius and load (exponents.nc), by range and plasticity (enhancement.nc)."""
     input:
-        scaling=FILES.paths(PATTERNS.filtered, CHUNKS.filtered_masters("scaling")),
+        exponents=FILES.paths(PATTERNS.filtered, CHUNKS.filtered_masters("exponents")),
         enhancement=FILES.paths(PATTERNS.filtered, CHUNKS.filtered_masters("enhancement")),
         code=code_inputs("compare_short_edges.py"),
     output:
-        scaling=PATTERNS.dataset("scaling"),
+        exponents=PATTERNS.dataset("exponents"),
         enhancement=PATTERNS.dataset("enhancement"),
     params:
         parameters=parameters(
             surfaces={
                 purpose: [row.surface for row in CHUNKS.filtered_masters(purpose)]
-                for purpose in ("scaling", "enhancement")
+                for purpose in ("exponents", "enhancement")
             },
-            realizations=STUDY["scaling"]["realizations"],
+            realizations=STUDY["exponents"]["realizations"],
             tolerance=STUDY["scales"]["tolerance"],
             area=FILES.contact.area,
             sampling=SAMPLING,

@@ -12,7 +12,7 @@ rule compute_pool:
         PATTERNS.pool,
     params:
         parameters=lambda w: parameters(
-            **chunk_parameters(w), rms_heights=STUDY["sets"]["rms_heights"]
+            **chunk_parameters(w), rms_height_count=STUDY["sets"]["rms_height_count"]
         ),
     script:
         "../scripts/compute_pool.py"
@@ -56,7 +56,7 @@ rule sample_sets:
             statements=statements_of_sets("resources/paper/claims.csv"),
             settings={
                 "seed": STUDY["seed"],
-                "replicates": STUDY["sets"]["replicates"],
+                "set_count": STUDY["sets"]["count"],
                 "realizations": STUDY["scales"]["realizations"],
                 "reference_surface": STUDY["reference_surface"],
                 "tolerance": STUDY["scales"]["tolerance"],

@@ -10,7 +10,7 @@ if IS_PAPER_STUDY:
         "elastic": ["elastic"],
         "plasticity": ["indent", "enhancement"],
         "asperities": ["asperities"],
-        "scales": ["scales", "edges", "sensitivity", "scaling"],
+        "scales": ["scales", "edges", "sensitivity", "exponents"],
         "classical": ["classical"],
         "sets": ["sets", "posterior", "features"],
     }

@@ -1,4 +1,4 @@
-"""Exponents of forces and edges (scaling.nc), and causes of short edges (enhancement.nc)."""
+"""Exponents of forces and edges (exponents.nc), and causes of short edges (enhancement.nc)."""
 
 import xarray as xr
 
@@ -6,8 +6,8 @@ from hardcontact.base.job import run_job
 from hardcontact.base.statistics import Sampling
 from hardcontact.contact.stacked_datasets import add_names
 from hardcontact.inference.enhancement import edges_by_contact
+from hardcontact.inference.exponents import edge_exponents, force_exponent
 from hardcontact.inference.master_datasets import read_master_forces
-from hardcontact.inference.scaling import edge_exponents, force_exponent
 
 with run_job(snakemake) as job:
     params = job.parameters
@@ -18,7 +18,7 @@ with run_job(snakemake) as job:
         purpose: read_master_forces(surfaces, job.input[purpose], params["realizations"])
         for purpose, surfaces in params["surfaces"].items()
     }
-    scaled = forces["scaling"].squeeze("rho", drop=True).swap_dims(load="area").drop_vars("load")
+    scaled = forces["exponents"].squeeze("rho", drop=True).swap_dims(load="area").drop_vars("load")
     exponents = xr.merge(
         [
             force_exponent(scaled, area, confidence),
@@ -30,7 +30,7 @@ with run_job(snakemake) as job:
             area=area, tolerance=tolerance, confidence=confidence
         ),
         title="exponents of the pull-off force and of the edges of the critical band",
-        output="scaling",
+        output="exponents",
     )
     edges = edges_by_contact(forces["enhancement"], tolerance, sampling)
     job.write(

@@ -216,11 +216,11 @@ class SetLongSideKeys(Keys):
 class SetsKeys(Keys):
     """Sets."""
 
-    replicates: Annotated[int, Field(ge=1, le=10000)] = 100
+    count: Annotated[int, Field(ge=1, le=10000)] = 100
     """Number of sets of scans, all with the same mean and ± of the rms height."""
-    pool: Annotated[int, Field(ge=2, le=10000)] = 60
+    pool_size: Annotated[int, Field(ge=2, le=10000)] = 60
     """Scans of each substrate from which sets are sampled."""
-    rms_heights: Annotated[int, Field(ge=4, le=50)] = 7
+    rms_height_count: Annotated[int, Field(ge=4, le=50)] = 7
     """Rms heights at which forces on the pool are computed; forces between are interpolated."""
     contacts_per_side: Count = 10
     """Contacts per row of the array."""
@@ -230,8 +230,8 @@ class SetsKeys(Keys):
     long: SetLongSideKeys = SetLongSideKeys()
 
 
-class ScalingKeys(Keys):
-    """Scaling: exponents of the force and of the short edge with radius and load."""
+class ExponentKeys(Keys):
+    """Exponents of the force and of the short edge with radius and load."""
 
     realizations: Realizations = 3
     """Masters of the sets for each edge from which exponents and `enhancement.nc` follow."""
@@ -274,4 +274,4 @@ class StudyKeys(Keys):
     indent: IndentKeys = IndentKeys()
     asperities: AsperitiesKeys = AsperitiesKeys()
     sets: SetsKeys = SetsKeys()
-    scaling: ScalingKeys = ScalingKeys()
+    exponents: ExponentKeys = ExponentKeys()

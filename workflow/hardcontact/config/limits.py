@@ -50,7 +50,7 @@ def study_contacts(config: dict[str, Any]) -> dict[str, NamedContact]:
     if config["published"] != PAPER:
         return {"scans": scan_contact, "scales": master_contact}
     largest = replace(scan_contact.contact, preload=config["indent"]["preloads"][-1])
-    radius = min(contact.radius, config["scaling"]["radii"][0])
+    radius = min(contact.radius, config["exponents"]["radii"][0])
     set_contact = replace(
         contact, radius=radius, contacts_per_side=config["sets"]["contacts_per_side"]
     )

@@ -47,7 +47,7 @@ class Chunks:
     @property
     def pools(self) -> list[Chunk]:
         """The scans of all pools, for the sets: what compute_pool makes."""
-        chunks = _spans(self._configuration["sets"]["pool"], POOL_CHUNK)
+        chunks = _spans(self._configuration["sets"]["pool_size"], POOL_CHUNK)
         featured = self._files.featured_surfaces
         pooled = [name for name in self._selection.pooled if name not in featured]
         return [Chunk(surface, *chunk) for surface in pooled for chunk in chunks]
@@ -58,7 +58,7 @@ class Chunks:
 
         Each set takes one sample, of bumps and pits in turn. Gaussian surfaces make one chunk.
         """
-        samples = ceil(self._configuration["sets"]["replicates"] / len(SIGNS))
+        samples = ceil(self._configuration["sets"]["count"] / len(SIGNS))
         counts = dict.fromkeys(SIGNS, samples) | {GAUSSIAN: min(samples, FEATURED_SAMPLES_CHUNK)}
         return [
             SampleChunk(surface, kind, *chunk)
@@ -107,7 +107,7 @@ class Chunks:
         """Return which sphere touches the masters; combined if they have its roughness, too."""
         if surface in self._files.combined_surfaces:
             return "combined"
-        is_rough = self._configuration["scales"]["sphere_roughness"] and purpose != "scaling"
+        is_rough = self._configuration["scales"]["sphere_roughness"] and purpose != "exponents"
         return "rough" if is_rough else "smooth"
 
     def _grid_names(self, purpose: str) -> dict[str, str]:

@@ -9,11 +9,11 @@ from hardcontact.surfaces.synthesis import SIDES
 
 #: A range of adhesion (nm) that is much shorter than the published range.
 SHORT_ADHESION_RANGE = 1.0
-#: Loads of the scaling relative to the preload. An eighth makes the side of the contact 2.8 times
-#: shorter and leaves some 30 pixels; larger loads move short edges beyond the cutoffs of the sets.
+#: Loads to which exponents are fitted, relative to the preload. An eighth makes the contact area
+#: 2.8 times narrower, of some 30 pixels; larger loads move short edges beyond the cutoffs of sets.
 PRELOAD_SHARES = (1 / 8, 1)
-#: Realizations in one job. A trade: long beside the half second in which a job starts, and enough
-#: jobs to share out among cores.
+#: Realizations in one job: few enough to keep all cores busy, and so many that a job takes much
+#: longer than the half second in which it starts.
 MASTERS_CHUNK = 5
 
 
@@ -38,10 +38,10 @@ PURPOSES = {
     # The edges of each set of substitutes.
     "sets": Purpose("sets", "sets.contacts_per_side", "sets.realizations"),
     # How the edges depend on radius and load, on a smooth sphere.
-    "scaling": Purpose("sets", "sets.contacts_per_side", "scaling.realizations"),
+    "exponents": Purpose("sets", "sets.contacts_per_side", "exponents.realizations"),
     # How plasticity and range enhance each other at the short edge.
     "enhancement": Purpose(
-        "sets", "sets.contacts_per_side", "scaling.realizations", sides=("short",)
+        "sets", "sets.contacts_per_side", "exponents.realizations", sides=("short",)
     ),
 }
 
@@ -49,13 +49,13 @@ PURPOSES = {
 def contact_grid(configuration: Mapping[str, Any], purpose: str) -> dict[str, list[Any]]:
     """Return the radii (nm), loads (N, Pa) and ranges (nm) at which forces on masters are computed.
 
-    ``"scaling"`` varies radius and preload, ``"enhancement"`` plasticity and range.
+    ``"exponents"`` varies radius and preload, ``"enhancement"`` plasticity and range.
     """
     contact = study_contact(configuration)
     contacts, radii, ranges = [contact], [contact.radius], [contact.rho]
-    if purpose == "scaling":
+    if purpose == "exponents":
         contacts = [replace(contact, preload=share * contact.preload) for share in PRELOAD_SHARES]
-        radii = configuration["scaling"]["radii"]
+        radii = configuration["exponents"]["radii"]
     elif purpose == "enhancement":
         contacts = [contact, replace(contact, plastic=False)]
         ranges = [SHORT_ADHESION_RANGE, contact.rho]

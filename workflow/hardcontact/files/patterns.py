@@ -39,7 +39,7 @@ STORE_KEYS = {
     "asperities": (*_CONTACTS, "asperities"),
     "whole": (*_CONTACTS, "adhesion.ranges", "scales.long.tiles"),
     "octaves": _CONTACTS,
-    "pool": (*_FORCES_OF_SETS, "sets.rms_heights"),
+    "pool": (*_FORCES_OF_SETS, "sets.rms_height_count"),
     "featured_samples": _FORCES_OF_SETS,
     "both_bodies": SCAN_KEYS,
     "masters": (*SCAN_KEYS, *_TRANSITIONS, "scales.short.pixels", "scales.long.tiles"),

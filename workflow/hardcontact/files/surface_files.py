@@ -95,7 +95,7 @@ class SurfaceFiles:
     @property
     def scan_groups(self) -> dict[tuple[int, ...], list[str]]:
         """The numbers of scans that are made together, and the substitutes that have such scans."""
-        realizations = max(self.configuration[key]["realizations"] for key in ("sets", "scaling"))
+        realizations = max(self.configuration[key]["realizations"] for key in ("sets", "exponents"))
         selection = self.selection
         groups = defaultdict[tuple[int, ...], list[str]](list)
         for surface in self.conditioning_paths:

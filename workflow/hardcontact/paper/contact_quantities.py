@@ -132,17 +132,17 @@ def deformation_over_adhesion(topography: xr.Dataset, elastic: xr.Dataset) -> xr
     return mean_over_scans(ratio, elastic.attrs["confidence"])
 
 
-def median_force_exponent(scaling: xr.Dataset) -> xr.Dataset:
+def median_force_exponent(exponents: xr.Dataset) -> xr.Dataset:
     """Return d ln(force)/d ln(radius), the median over the surfaces (no dimensions)."""
-    return variable_as_number(scaling, "force_exponent").median("surface", skipna=False)
+    return variable_as_number(exponents, "force_exponent").median("surface", skipna=False)
 
 
-def median_edge_exponent(scaling: xr.Dataset) -> xr.Dataset:
+def median_edge_exponent(exponents: xr.Dataset) -> xr.Dataset:
     """Return d ln(edge)/d ln(root of a quantity), the median over surfaces (side, exponent_of).
 
     The interval is that of the surfaces whose edges determine one.
     """
-    exponent = variable_as_number(scaling, "edge_exponent")
+    exponent = variable_as_number(exponents, "edge_exponent")
     is_known = exponent["value"].notnull().all("surface")
     return exponent.median("surface").where(is_known)
 

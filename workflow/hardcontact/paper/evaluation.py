@@ -26,7 +26,7 @@ from hardcontact.paper.claim_selection import (
     parse_selection,
     select_number,
 )
-from hardcontact.paper.verdicts import accepted_range, interval_with_sets, replicas_vary
+from hardcontact.paper.verdicts import accepted_range, interval_with_sets, samples_vary
 from hardcontact.surfaces.roughness_table import TABLE1_VARIABLES
 
 #: Functions of one or several datasets, which claims name.
@@ -52,7 +52,7 @@ def estimate(quantity: str, dataset: xr.Dataset, *others: xr.Dataset) -> xr.Data
 
 #: Datasets that claims may name, besides `paper`.
 CLAIM_DATASETS = (
-    "topography", "adhesion", "scales", "edges", "sensitivity", "fit", "posterior", "scaling",
+    "topography", "adhesion", "scales", "edges", "sensitivity", "fit", "posterior", "exponents",
     "elastic", "indent", "asperities", "classical", "enhancement",
 )  # fmt: skip
 COLUMNS = (
@@ -209,13 +209,13 @@ def _row(claim: Any, claim_number: _ClaimNumber, common: _Common) -> dict[str, A
 def _judge(claim: Any, claim_number: _ClaimNumber, fixed: str, common: _Common) -> dict[str, Any]:
     """Return number, interval, agreeing share and verdict; `fixed` is a verdict or ``""``."""
     value = float(claim_number.number["value"])
-    replicas = _claim_replicas(claim, claim_number, common.sets)
-    low, high = _claim_interval(claim, claim_number.number, replicas, common.confidence)
+    samples = _claim_samples(claim, claim_number, common.sets)
+    low, high = _claim_interval(claim, claim_number.number, samples, common.confidence)
     accepted = accepted_range(claim.rule, claim.published_low, claim.published_high)
     if claim.samples_from == "posterior":
-        verdict = accepted.verdict_of_samples(replicas, low, high)
-    elif replicas_vary(replicas):
-        verdict = accepted.verdict_of_sets(replicas)
+        verdict = accepted.verdict_of_samples(samples, low, high)
+    elif samples_vary(samples):
+        verdict = accepted.verdict_of_sets(samples)
     else:
         verdict = accepted.verdict(value, low, high)
     return {
@@ -224,36 +224,35 @@ def _judge(claim: Any, claim_number: _ClaimNumber, fixed: str, common: _Common) 
         "high": high,
         "accepted_low": accepted.low,
         "accepted_high": accepted.high,
-        "agreeing_share": accepted.accepts(replicas).mean() if len(replicas) else np.nan,
+        "agreeing_share": accepted.accepts(samples).mean() if len(samples) else np.nan,
         "verdict": fixed or verdict,
     }
 
 
-def _claim_replicas(claim: Any, claim_number: _ClaimNumber, sets: xr.Dataset) -> np.ndarray:
-    """Return the numbers of a claim by set, or its samples; empty if it has neither.
+def _claim_samples(claim: Any, claim_number: _ClaimNumber, sets: xr.Dataset) -> np.ndarray:
+    """Return the samples of the number of a claim, one a set or of the posterior; empty if none.
 
     The column `samples_from` is ``"sets"`` if sets.nc has the numbers, and ``"posterior"`` if the
     claim's dataset has them in a variable ``sampled_`` and the quantity.
     """
     if claim.samples_from == "posterior":
-        samples = next(iter(claim_number.datasets.values()))[f"sampled_{claim.quantity}"]
+        posterior = next(iter(claim_number.datasets.values()))
         labels = {dimension: groups[0][0] for dimension, groups in claim_number.labels.items()}
-        return np.asarray(samples.sel(labels))
+        return np.asarray(posterior[f"sampled_{claim.quantity}"].sel(labels))
     if claim.samples_from != "sets":
         return np.empty(0)
     if claim.id not in sets["claim"]:
         raise KeyError("expected its numbers in sets.nc, found none")
-    replicas: np.ndarray = sets["value"].sel(claim=claim.id).values
-    return replicas
+    return np.asarray(sets["value"].sel(claim=claim.id))
 
 
 def _claim_interval(
-    claim: Any, number: xr.Dataset, replicas: np.ndarray, confidence: float
+    claim: Any, number: xr.Dataset, samples: np.ndarray, confidence: float
 ) -> tuple[float, float]:
     """Return the ends of the interval of a number, NaN if no interval exists.
 
     The interval is that of `interval_with_sets`. A number that needs no scan has zero width.
     """
     value = float(number["value"])
-    ends = interval_with_sets(value, bounds(number, "value"), replicas, confidence)
+    ends = interval_with_sets(value, bounds(number, "value"), samples, confidence)
     return (value, value) if claim.needs in WITHOUT_SCAN and np.isnan(ends[0]) else ends

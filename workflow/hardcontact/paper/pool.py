@@ -61,7 +61,7 @@ def read_pool_inputs(paths: Any, parameters: Mapping[str, Any]) -> PoolInputs:
         surface,
         spectrum_of_dataset(spectrum),
         targets,
-        pool_heights(targets, parameters["scans"], parameters["rms_heights"]),
+        pool_heights(targets, parameters["scans"], parameters["rms_height_count"]),
         grid,
         Contact(radius=parameters["radius"], **parameters["contact"]),
         parameters["ranges"],

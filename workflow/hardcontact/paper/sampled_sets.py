@@ -58,7 +58,7 @@ class SetSettings(NamedTuple):
     """Settings of the sampling and of the judgement."""
 
     seed: int  #: Seed of the study.
-    replicates: int  #: Number of sets.
+    set_count: int  #: Number of sets.
     realizations: int  #: Number of masters of each substrate in a set.
     reference_surface: str  #: Surface to which force ratios are taken.
     tolerance: float  #: Relative change of the force that defines an edge.
@@ -238,7 +238,7 @@ def sample_sets(
     By set: ``value`` (claim), SET_FIT_VARIABLES (contact_model, ...) and SET_EDGE_VARIABLES (side,
     ...). ``sphere_factor`` (contact_model, surface, rho) is NaN for a surface without a pool.
     """
-    numbers = range(1, settings.replicates + 1)
+    numbers = range(1, settings.set_count + 1)
     sets = []
     for set_number in progress(numbers, len(numbers), "sets"):
         datasets = _set_datasets(inputs, constants["value"], published, settings, set_number)

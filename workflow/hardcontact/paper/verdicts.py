@@ -48,12 +48,12 @@ class AcceptedRange:
             return (self.low <= values) & (values <= self.high)
         return (self.low < values) & (values < self.high)
 
-    def verdict_of_sets(self, replicas: np.ndarray) -> str:
+    def verdict_of_sets(self, samples: np.ndarray) -> str:
         """Judge the numbers (set,) of sets of scans by the share of sets that agree.
 
         A set without a number does not agree.
         """
-        share = self.accepts(replicas).mean()
+        share = self.accepts(samples).mean()
         if share >= REPRODUCED_SHARE:
             return REPRODUCED
         return NOT_REPRODUCED if share <= 1 - REPRODUCED_SHARE else UNDECIDED
@@ -111,14 +111,14 @@ def accepted_range(rule: str, published_low: float, published_high: float) -> Ac
     return AcceptedRange(*limits, with_limits=rule not in ONE_SIDED)
 
 
-def sets_interval(replicas: np.ndarray, confidence: float) -> np.ndarray:
+def sets_interval(samples: np.ndarray, confidence: float) -> np.ndarray:
     """Return the central intervals (..., 2) of the numbers (set, ...) of many sets.
 
     A set without a number has NaN. The interval is NaN if fewer sets than the confidence have a
     number.
     """
-    enough = np.isfinite(replicas).sum(axis=0) >= confidence * len(replicas)
-    return np.where(enough[..., None], percentile_interval(replicas, confidence), np.nan)
+    enough = np.isfinite(samples).sum(axis=0) >= confidence * len(samples)
+    return np.where(enough[..., None], percentile_interval(samples, confidence), np.nan)
 
 
 def stretch_interval(ends: ArrayLike, value: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
@@ -133,21 +133,21 @@ def stretch_interval(ends: ArrayLike, value: ArrayLike) -> tuple[np.ndarray, np.
     return stretched_low, stretched_high
 
 
-def replicas_vary(replicas: np.ndarray) -> bool:
+def samples_vary(samples: np.ndarray) -> bool:
     """Return whether the numbers (set,) of the sets differ; NaN does not count."""
-    finite = replicas[np.isfinite(replicas)]
+    finite = samples[np.isfinite(samples)]
     return len(finite) > 0 and np.ptp(finite) > 0
 
 
 def interval_with_sets(
-    value: float, interval: tuple[ArrayLike, ArrayLike], replicas: np.ndarray, confidence: float
+    value: float, interval: tuple[ArrayLike, ArrayLike], samples: np.ndarray, confidence: float
 ) -> tuple[float, float]:
     """Return both ends of the interval of a number, stretched to contain it; NaN if none.
 
     If the numbers (set,) of all sets vary, their spread is the interval. Otherwise it is the
     number's own interval.
     """
-    ends = sets_interval(replicas, confidence) if replicas_vary(replicas) else np.array(interval)
+    ends = sets_interval(samples, confidence) if samples_vary(samples) else np.array(interval)
     low, high = stretch_interval(ends, value)
     return float(low), float(high)
 

@@ -93,12 +93,12 @@ def _paper_faults(
             "none` a study has any"
         )
         faults.append(key_fault("surfaces", accepted, ", ".join(unpublished)))
-    pool = config["sets"]["pool"]
+    pool = config["sets"]["pool_size"]
     pooled = contacts[(contacts.source == "substitute") & (contacts.surface != sphere)]
     scans = pooled.surface.value_counts(sort=False)
     if len(scans) and scans.max() > pool:
         accepted = f"at least the {scans.max()} scans of {scans.idxmax()}"
-        faults.append(key_fault("sets.pool", accepted, pool))
+        faults.append(key_fault("sets.pool_size", accepted, pool))
     return faults
 
 

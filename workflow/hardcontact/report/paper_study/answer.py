@@ -191,9 +191,9 @@ def surface_numbers(surface: str, datasets: Mapping[str, xr.Dataset]) -> dict[st
     for name, (side, _) in EDGE_SIDES.items():
         labels = {"side": side, "group": surface}
         value = edges_or_bounds(band).sel(labels).item()
-        replicas = edges_or_bounds(sets).sel(labels).values
+        samples = edges_or_bounds(sets).sel(labels).values
         interval = bounds(band.sel(labels), "edge")
-        low, high = interval_with_sets(value, interval, replicas, band.attrs["confidence"])
+        low, high = interval_with_sets(value, interval, samples, band.attrs["confidence"])
         end = open_end(side, value, low, high, [band, sets])
         status = f"interval_open_{end}" if end else ""
         source = _edge_source(datasets["scales"], side, value)

@@ -11,8 +11,8 @@ from scipy.special import erf
 
 from hardcontact.base.statistics import bounds
 from hardcontact.contact.contact import Contact
+from hardcontact.inference.exponents import edge_exponents, force_exponent
 from hardcontact.inference.filtered_masters import Filters, filtered_pull_off
-from hardcontact.inference.scaling import edge_exponents, force_exponent
 
 CONTACTS = [
     Contact(radius=500.0, preload=preload, hardness=25e9, window=640.0, contacts_per_side=3)
@@ -89,10 +89,10 @@ def curves(*exponents, scatter=0.0):
 
 @pytest.mark.parametrize("exponents", [(1.0, 0.0), (0.2, 0.9), (0.0, -0.8)])
 def test_exponents_of_a_known_power_law_are_recovered(exponents):
-    scaling = edge_exponents(curves(*exponents, scatter=0.02), 0.1, 0.95).sel(surface="a")
-    exponent = scaling["edge_exponent"]
+    fitted = edge_exponents(curves(*exponents, scatter=0.02), 0.1, 0.95).sel(surface="a")
+    exponent = fitted["edge_exponent"]
     np.testing.assert_allclose(exponent, [exponents] * 2, atol=0.02)
-    low, high = bounds(scaling, "edge_exponent")
+    low, high = bounds(fitted, "edge_exponent")
     assert (low <= exponent).all() and (exponent <= high).all()
 
 
