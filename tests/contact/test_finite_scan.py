@@ -14,7 +14,7 @@ from hardcontact.contact.pull_off import pull_off_dataset
 from hardcontact.surfaces.height_map import level, mirror_stitch
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, smooth_rolloff
 from hardcontact.surfaces.synthesis import cut_scan, random_surface
-from hardcontact.theory.summits import moment, search_size, spectrum_between
+from hardcontact.theory.summits import search_size, spectral_moment, spectrum_between
 
 RADIUS, PIXEL = 250e3, 10e3 / 256
 
@@ -45,7 +45,7 @@ def test_forces_on_windows_exceed_those_on_large_surfaces_as_measured(rms_height
     sampled_spectrum = spectrum_between(spectrum, 2 * np.pi / 10e3, np.pi / PIXEL)
     scaled = Spectrum(
         sampled_spectrum.wavevector,
-        sampled_spectrum.density * rms_height**2 / moment(sampled_spectrum, 0),
+        sampled_spectrum.density * rms_height**2 / spectral_moment(sampled_spectrum, 0),
     )
     minimum, maximum = finite_scan_ratio(pixels * PIXEL, search_size(scaled, RADIUS, 400.0))
     # Twenty windows, whose forces scatter by a factor of two about their mean.

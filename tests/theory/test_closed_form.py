@@ -19,7 +19,7 @@ from hardcontact.theory.closed_form import (
     filtered_spectrum,
     surface_term,
 )
-from hardcontact.theory.summits import moment
+from hardcontact.theory.summits import spectral_moment
 
 RADIUS = 250e3
 
@@ -52,10 +52,10 @@ def test_without_roughness_the_closed_form_is_the_force_of_a_smooth_sphere():
     # The area in contact attracts, too, with A/(2 pi R rho) of this force.
     relative = 1 + contact().area / (2 * np.pi * RADIUS * contact().rho)
     assert form.force == pytest.approx(2 * np.pi * RADIUS * 1e-9 * relative)
-    assert form.relative == pytest.approx(relative, rel=1e-12)
+    assert form.dmt_ratio == pytest.approx(relative, rel=1e-12)
     assert (form.regime, form.weibull_modulus) == (SMOOTH, np.inf)
     nearly_smooth = closed_form(rough(0.02), contact())
-    assert nearly_smooth.regime == SMOOTH and nearly_smooth.relative == pytest.approx(1, abs=0.03)
+    assert nearly_smooth.regime == SMOOTH and nearly_smooth.dmt_ratio == pytest.approx(1, abs=0.03)
     assert np.isnan(critical_band(flat, contact(), 0.1)).all()
 
 
@@ -63,7 +63,9 @@ def test_the_force_of_a_wide_contact_reaches_its_smooth_limit():
     wide = contact(area=0.57 * 2 * np.pi * RADIUS * contact().rho)
     nearly_smooth = closed_form(rough(0.02), wide)
     smooth = closed_form(rough(0.0), wide)
-    assert smooth.relative == pytest.approx(1.57) == pytest.approx(nearly_smooth.relative, abs=0.03)
+    assert (
+        smooth.dmt_ratio == pytest.approx(1.57) == pytest.approx(nearly_smooth.dmt_ratio, abs=0.03)
+    )
     assert np.isnan(critical_band(rough(0.02), wide, 0.1)).all()
 
 
@@ -74,7 +76,7 @@ def test_a_single_smooth_summit_attracts_like_a_sphere_of_its_radius():
     level = form.apex_height / sigma
     summit = length**2 / (sigma * level)  # its curvature is t m2/sigma
     assert form.regime == SINGLE_PEAKS
-    assert form.relative == pytest.approx(summit / flat, rel=0.1)
+    assert form.dmt_ratio == pytest.approx(summit / flat, rel=0.1)
 
 
 def test_force_is_linear_in_work_and_area_of_contact_attracts():
@@ -105,16 +107,18 @@ def test_the_force_has_left_the_tolerance_at_the_edges():
     spectrum = rough(17, 1000, 0.8, 10.0)
     short, long = critical_band(spectrum, contact(), 0.1)
     assert 10 < short < 300 < long < 5000
-    unfiltered = closed_form(spectrum, contact(), rough_below=False).relative
+    unfiltered = closed_form(spectrum, contact(), all_rough=False).dmt_ratio
     for side, edge in (("short", short), ("long", long)):
         filtered = filtered_spectrum(spectrum, side, edge)
-        ratio = closed_form(filtered, contact(), rough_below=False).relative / unfiltered
+        ratio = closed_form(filtered, contact(), all_rough=False).dmt_ratio / unfiltered
         assert min(abs(np.log(ratio / limit)) for limit in (0.9, 1.1)) < 0.02
 
 
 def test_filters_add_up_to_the_spectrum():
     spectrum = rough()
     filtered = [filtered_spectrum(spectrum, side, 300.0) for side in ("short", "long")]
-    total = sum(moment(waves, 0) for waves in filtered)
-    assert total == pytest.approx(moment(filtered_spectrum(spectrum, "short", 1e-3), 0), rel=0.02)
+    total = sum(spectral_moment(waves, 0) for waves in filtered)
+    assert total == pytest.approx(
+        spectral_moment(filtered_spectrum(spectrum, "short", 1e-3), 0), rel=0.02
+    )
     assert not filtered_spectrum(spectrum, "short", 1e9).density.any()

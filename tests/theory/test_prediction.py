@@ -17,9 +17,9 @@ from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, varying_hurst
 from hardcontact.surfaces.synthesis import random_surface
 from hardcontact.theory import prediction, validity
 from hardcontact.theory.closed_form import closed_form
-from hardcontact.theory.summits import moment
+from hardcontact.theory.summits import spectral_moment
 
-TABLE = pd.read_csv(validity.VALIDATION)
+TABLE = pd.read_csv(validity.DESIGNED_SURFACES)
 
 
 def test_the_spectrum_of_a_grid_has_the_rms_height_of_its_surfaces():
@@ -27,7 +27,7 @@ def test_the_spectrum_of_a_grid_has_the_rms_height_of_its_surfaces():
     heights = [random_surface(generator(2, k), 256, 10.0, spectrum).heights for k in range(8)]
     waves = validate_prediction.spectrum_of_grid(spectrum, 2560.0, 256)
     rms_height = np.sqrt(np.mean(np.square(heights)))
-    assert np.sqrt(moment(waves, 0)) == pytest.approx(rms_height, rel=0.03)
+    assert np.sqrt(spectral_moment(waves, 0)) == pytest.approx(rms_height, rel=0.03)
     with pytest.raises(ValueError, match="expected waves between"):
         validate_prediction.spectrum_of_grid(spectrum, 1e-3, 4)
 

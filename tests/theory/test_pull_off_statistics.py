@@ -1,4 +1,4 @@
-"""The distribution of forces over places, against closed forms and sampled sums."""
+"""The distribution of forces over positions, against closed forms and sampled sums."""
 
 from dataclasses import replace
 
@@ -11,12 +11,12 @@ from hardcontact.base.random import generator
 from hardcontact.theory.closed_form import closed_form, contact_term, smooth_force
 from hardcontact.theory.pull_off_statistics import (
     ForceStatistics,
+    clump_dispersion_index,
     field_variation,
-    number_variance,
     predict_statistics,
-    summit_variation,
+    summit_radius_variation,
 )
-from hardcontact.theory.summits import LEVELS, apex_levels, clumps_above, spectrum_between
+from hardcontact.theory.summits import LEVELS, apex_distribution, clumps_above, spectrum_between
 
 SPHERE = contact_of_area(250e3, 5.6, 1.0, 400.0)
 #: A sphere so flat that its highest summits obey the laws of high levels.
@@ -29,17 +29,17 @@ def flat_contact(modulus, clumps=0.0):
     """Return a contact of a modulus with the area of a number of mean clumps."""
     waves = spectrum_between(SURFACE, 0, np.inf)
     _, number, bearing = clumps_above(waves, FLAT)
-    highest = apex_levels(waves, FLAT, 0.0).mean()
+    highest = apex_distribution(waves, FLAT, 0.0).mean()
     area = clumps * np.interp(highest, LEVELS, bearing / np.maximum(number, 1e-99))
-    level = apex_levels(waves, FLAT, area).mean()
+    level = apex_distribution(waves, FLAT, area).mean()
     return contact_of_area(FLAT, modulus * SIGMA / level, 1.0, area)
 
 
 def sampled_sums(modulus, places=4000, points=400):
-    """Return sums of clumps over places: Σ R_i (G_1/G_i)^(1/k), R_i the radii of summits."""
+    """Return sums of clumps over positions: Σ R_i (G_1/G_i)^(1/k), R_i the radii of summits."""
     rng = generator(1, "clumps")
     arrivals = rng.exponential(size=(places, points)).cumsum(axis=1)
-    level = apex_levels(spectrum_between(SURFACE, 0, np.inf), FLAT, 0.0).mean()
+    level = apex_distribution(spectrum_between(SURFACE, 0, np.inf), FLAT, 0.0).mean()
     radii = rng.choice(sampled_radii(rng, level), (places, points))
     return (radii * (arrivals[:, :1] / arrivals) ** (1 / modulus)).sum(axis=1)
 
@@ -61,24 +61,26 @@ def test_the_mean_force_equals_the_closed_form(rho, low, high):
     contact, spectrum = replace(SPHERE, rho=rho), rough(30, 1000, 0.8, 5.0)
     force = closed_form(spectrum, contact).force
     assert predict_statistics(spectrum, contact).force == pytest.approx(force)
-    assert low < force / closed_form(spectrum, contact, rough_below=False).force < high
+    assert low < force / closed_form(spectrum, contact, all_rough=False).force < high
 
 
 def test_radii_of_summits_scatter_like_sampled_radii():
     waves = spectrum_between(SURFACE, 0, np.inf)
-    levels = apex_levels(waves, FLAT, 0.0)
-    radii = sampled_radii(generator(1, "radii"), levels.mean())
-    assert summit_variation(waves, levels) == pytest.approx(radii.std() / radii.mean(), rel=0.05)
+    apex = apex_distribution(waves, FLAT, 0.0)
+    radii = sampled_radii(generator(1, "radii"), apex.mean())
+    assert summit_radius_variation(waves, apex) == pytest.approx(
+        radii.std() / radii.mean(), rel=0.05
+    )
 
 
 @pytest.mark.parametrize("modulus", [2.0, 4.0, 8.0])
 def test_many_points_follow_weibull_s_law(modulus):
     law = predict_statistics(SURFACE, flat_contact(modulus))
-    assert law.modulus == pytest.approx(modulus, rel=1e-3)
-    weibull = stats.weibull_min(law.modulus)
+    assert law.weibull_modulus == pytest.approx(modulus, rel=1e-3)
+    weibull = stats.weibull_min(law.weibull_modulus)
     assert law.relative_std == pytest.approx(weibull.std() / weibull.mean(), rel=0.08)
     # ln F follows Gumbel's law.
-    assert law.log_force_std == pytest.approx(np.pi / np.sqrt(6) / law.modulus, rel=0.08)
+    assert law.log_force_std == pytest.approx(np.pi / np.sqrt(6) / law.weibull_modulus, rel=0.08)
 
 
 @pytest.mark.parametrize("clumps", [3.0, 30.0])
@@ -89,7 +91,7 @@ def test_the_level_of_n_clumps_scatters_like_a_gamma_variable(clumps):
     chance = stats.poisson.pmf(number - 1, law.clumps - 1)
     centre = chance @ special.digamma(number)
     spread = chance @ (special.polygamma(1, number) + (special.digamma(number) - centre) ** 2)
-    assert law.log_force_std == pytest.approx(np.sqrt(spread) / law.modulus, rel=0.1)
+    assert law.log_force_std == pytest.approx(np.sqrt(spread) / law.weibull_modulus, rel=0.1)
 
 
 @pytest.mark.parametrize("clumps", [3.0, 30.0])
@@ -99,7 +101,7 @@ def test_n_clumps_attract_like_the_mean_power_of_a_gamma_variable(clumps):
     rigid = predict_statistics(SURFACE, replace(contact, preload=0.0))
     # The contact area itself attracts, too.
     area_force = smooth_force(contact) * (1 - 1 / (1 + contact_term(contact)))
-    power, number = 2 / (plastic.modulus + rigid.modulus), 1 + np.arange(200)
+    power, number = 2 / (plastic.weibull_modulus + rigid.weibull_modulus), 1 + np.arange(200)
     chance = stats.poisson.pmf(number - 1, plastic.clumps - 1)
     mean_power = chance @ np.exp(special.gammaln(number + power) - special.gammaln(number))
     force_ratio = (plastic.force - area_force) / rigid.force
@@ -112,7 +114,7 @@ def test_numbers_of_hard_discs_scatter_by_their_compressibility(cover):
         return share / (1 - share) ** 2
 
     slope = (pressure(cover + 1e-5) - pressure(cover - 1e-5)) / 2e-5
-    assert number_variance(cover) == pytest.approx(1 / slope, rel=1e-6)
+    assert clump_dispersion_index(cover) == pytest.approx(1 / slope, rel=1e-6)
 
 
 @pytest.mark.parametrize("modulus", [0.1, 0.3, 0.5])

@@ -11,10 +11,10 @@ from hardcontact.base.random import generator
 from hardcontact.surfaces.spectrum import Spectrum, smooth_rolloff
 from hardcontact.surfaces.synthesis import random_surface
 from hardcontact.theory import summits
-from hardcontact.theory.summits import moment, search_size, spectrum_between
+from hardcontact.theory.summits import search_size, spectral_moment, spectrum_between
 
 RADIUS = 250e3
-#: Radius of a sphere so flat that its highest summits obey the laws of high levels.
+#: Radius of a sphere so flat that its highest summits obey the laws of high apex.
 FLAT = 1e9
 
 
@@ -24,9 +24,9 @@ def full_band(spectrum):
 
 def test_a_gaussian_autocorrelation_has_known_moments():
     waves = full_band(rounded(4, 100))
-    assert moment(waves, 0) == pytest.approx(16, rel=0.01)
-    assert moment(waves, 2) == pytest.approx(2 * (4 / 100) ** 2, rel=0.01)
-    assert moment(waves, 4) == pytest.approx(8 * 16 / 100**4, rel=0.02)
+    assert spectral_moment(waves, 0) == pytest.approx(16, rel=0.01)
+    assert spectral_moment(waves, 2) == pytest.approx(2 * (4 / 100) ** 2, rel=0.01)
+    assert spectral_moment(waves, 4) == pytest.approx(8 * 16 / 100**4, rel=0.02)
 
 
 def test_a_gaussian_autocorrelation_has_clumps_of_known_radius():
@@ -40,7 +40,9 @@ def test_a_gaussian_autocorrelation_has_clumps_of_known_radius():
 def test_clumps_at_high_levels_are_as_dense_as_summits_of_a_smooth_surface():
     waves, level = full_band(rounded(4, 100)), 5.0
     density = stats.norm.sf(level) / (np.pi * summits.clump_radius(waves, [level])[0] ** 2)
-    euler = level * np.exp(-(level**2) / 2) * moment(waves, 2) / 2 / moment(waves, 0)
+    euler = (
+        level * np.exp(-(level**2) / 2) * spectral_moment(waves, 2) / 2 / spectral_moment(waves, 0)
+    )
     assert density == pytest.approx(euler / (2 * np.pi) ** 1.5, rel=0.08)
 
 
@@ -50,7 +52,9 @@ def test_short_waves_of_no_height_make_no_clumps():
     fine = np.where(q > 2 * np.pi / 3, 2 * np.pi * 0.1**2 / np.pi / (q[-1] / 3) ** 2, 0)
     all_waves = full_band(Spectrum(q, long + fine))
     long_waves = full_band(Spectrum(q, long + 1e-9))
-    assert moment(all_waves, 2) > 1.5 * moment(long_waves, 2)  # slopes would count many summits
+    assert spectral_moment(all_waves, 2) > 1.5 * spectral_moment(
+        long_waves, 2
+    )  # slopes would count many summits
     assert summits.clump_radius(all_waves, [3.5]) == pytest.approx(
         summits.clump_radius(long_waves, [3.5]), rel=0.03
     )
@@ -58,13 +62,13 @@ def test_short_waves_of_no_height_make_no_clumps():
 
 def test_the_highest_point_follows_gumbel_s_law():
     waves = full_band(rounded(4, 100))
-    levels = summits.apex_levels(waves, FLAT, 0.0)
+    apex = summits.apex_distribution(waves, FLAT, 0.0)
     # Lambda(t) = R m2/(sigma sqrt(2 pi)) exp(-t²/2) is one at the location.
-    location = np.sqrt(2 * np.log(FLAT * moment(waves, 2) / 2 / (4 * np.sqrt(2 * np.pi))))
+    location = np.sqrt(2 * np.log(FLAT * spectral_moment(waves, 2) / 2 / (4 * np.sqrt(2 * np.pi))))
     gumbel = stats.gumbel_r(location, 1 / location)
-    assert levels.weights.sum() == pytest.approx(1)
-    assert levels.mean() == pytest.approx(gumbel.mean(), rel=0.03)
-    deviation = np.sqrt(levels.mean(levels.levels**2) - levels.mean() ** 2)
+    assert apex.weights.sum() == pytest.approx(1)
+    assert apex.mean() == pytest.approx(gumbel.mean(), rel=0.03)
+    deviation = np.sqrt(apex.mean(apex.levels**2) - apex.mean() ** 2)
     assert deviation == pytest.approx(gumbel.std(), rel=0.2)
 
 
@@ -80,10 +84,10 @@ def test_exponential_areas_of_poisson_clumps_have_a_known_distribution(area):
 
 def test_a_large_contact_area_is_the_bearing_area():
     waves, area = full_band(rounded(4, 100)), 3e6
-    level = summits.apex_levels(waves, FLAT, area).mean()
+    level = summits.apex_distribution(waves, FLAT, area).mean()
     bearing = 2 * np.pi * FLAT * 4 * integrate.quad(stats.norm.sf, level, 10)[0]
     assert bearing == pytest.approx(area, rel=0.05)
-    assert level < summits.apex_levels(waves, FLAT, 400).mean()
+    assert level < summits.apex_distribution(waves, FLAT, 400).mean()
 
 
 def test_the_highest_point_matches_random_surfaces():
@@ -95,7 +99,9 @@ def test_the_highest_point_matches_random_surfaces():
         (random_surface(generator(3, k), pixels, 10.0, spectrum).heights - sphere).max()
         for k in range(120)
     ]
-    mean_height = summits.apex_levels(waves, radius, 0.0).mean() * np.sqrt(moment(waves, 0))
+    mean_height = summits.apex_distribution(waves, radius, 0.0).mean() * np.sqrt(
+        spectral_moment(waves, 0)
+    )
     assert mean_height == pytest.approx(np.mean(highest), rel=0.08)
 
 
@@ -104,7 +110,7 @@ def test_a_sphere_follows_waves_flatter_than_itself():
     rough_waves = summits.rough_waves(spectrum, RADIUS)
     assert rough_waves.wavevector[0] > 10 * spectrum.wavevector[0]
     followed_waves = spectrum_between(spectrum, 0, rough_waves.wavevector[0])
-    assert np.sqrt(moment(followed_waves, 4)) / 2 == pytest.approx(0.1 / RADIUS, rel=0.1)
+    assert np.sqrt(spectral_moment(followed_waves, 4)) / 2 == pytest.approx(0.1 / RADIUS, rel=0.1)
     assert summits.rough_waves(spectrum, 1.0) is None
     assert summits.rough_waves(Spectrum(spectrum.wavevector, 0 * spectrum.density), RADIUS) is None
 
@@ -114,7 +120,7 @@ def test_the_highest_points_lie_within_the_search_size_of_the_apex(rms_height, r
     pixels, pixel = 256, 40.0
     q = np.geomspace(2 * np.pi / (pixels * pixel), np.pi / pixel, 300)
     spectrum = Spectrum(q, smooth_rolloff(q, 1.0, 930.0, 0.84))
-    spectrum = Spectrum(q, spectrum.density * rms_height**2 / moment(spectrum, 0))
+    spectrum = Spectrum(q, spectrum.density * rms_height**2 / spectral_moment(spectrum, 0))
     position = pixel * (np.arange(pixels) - pixels // 2)
     squares = position[:, None] ** 2 + position**2
     distances = []

@@ -155,10 +155,10 @@ def compute_numbers(inputs: Inputs, arguments: Namespace) -> dict[str, Number]:
     spectrum = user_spectrum.spectrum
     numbers = {name: _quantity_number(name, quantities[name]) for name in CONTACT_QUANTITIES}
     study = Study()
-    form = prediction(spectrum, contact, study.scales.tolerance, arguments.file)
+    predicted_numbers = prediction(spectrum, contact, study.scales.tolerance, arguments.file)
     confidence = study.inference.confidence
     numbers |= add_force_on_scan(
-        form, user_spectrum.scans, contact, confidence, user_spectrum.bodies
+        predicted_numbers, user_spectrum.scans, contact, confidence, user_spectrum.bodies
     )
     numbers |= {number.name: number for number in predicted_octaves(user_spectrum, contact)}
     if arguments.sphere and isinstance(spectrum, ScanSpectrum) and "octave_1" in numbers:

@@ -108,7 +108,7 @@ def _widen_intervals(force: xr.Dataset, sensitivity: xr.Dataset, rho: float) -> 
 def force_scatter(
     spectrum: Spectrum, contact: Contact, tolerance: float, confidence: float
 ) -> xr.Dataset:
-    """Return the scatter of the force over the places of a surface.
+    """Return the scatter of the force over the positions of the sphere.
 
     Returns ``weibull_modulus``, the standard deviation of ln F, ``log_force_std``, and
     ``contacts_needed`` for a mean that is within the relative tolerance with the confidence.
@@ -116,7 +116,7 @@ def force_scatter(
     statistics = predict_statistics(spectrum, contact)
     quantile = special.ndtri((1 + confidence) / 2)
     numbers = {
-        "weibull_modulus": statistics.modulus,
+        "weibull_modulus": statistics.weibull_modulus,
         "log_force_std": statistics.log_force_std,
         "contacts_needed": (quantile * statistics.relative_std / tolerance) ** 2,
     }

@@ -22,10 +22,10 @@ from hardcontact.contact.smooth_sphere import dmt_pull_off
 from hardcontact.inference.curve_edges import interpolate_edge, logarithmic_limits
 from hardcontact.surfaces.spectrum import Spectrum
 from hardcontact.theory.summits import (
-    ApexLevels,
-    apex_levels,
-    moment,
+    ApexDistribution,
+    apex_distribution,
     rough_waves,
+    spectral_moment,
     spectrum_between,
 )
 
@@ -51,7 +51,7 @@ class ClosedForm:
     """The mean pull-off force, its terms and its regime."""
 
     force: float  #: In N.
-    relative: float  #: Force relative to 2 pi R W.
+    dmt_ratio: float  #: Force relative to 2 pi R W, the force of DMT.
     rms_height: float  #: sigma in nm.
     apex_height: float  #: The mean of m in nm, positive above the mean plane.
     #: k = rho m/sigma²; 0 if m is below the mean plane, infinite without roughness.
@@ -81,10 +81,10 @@ def surface_term(rms_height: ArrayLike, apex_height: ArrayLike, rho: ArrayLike) 
     return np.asarray(np.exp(sigma**2 / (2 * rho**2) - m / rho + log_phi))
 
 
-def closed_form(spectrum: Spectrum, contact: Contact, *, rough_below: bool = True) -> ClosedForm:
+def closed_form(spectrum: Spectrum, contact: Contact, *, all_rough: bool = True) -> ClosedForm:
     """Return the mean pull-off force over contacts of a sphere on a Gaussian surface.
 
-    Roughness at other wavelengths than those of the spectrum does not exist. Without `rough_below`
+    Roughness at other wavelengths than those of the spectrum does not exist. Without `all_rough`
     only the summits that touch are rough; summits below the sphere attract as smooth ones.
     """
     smooth = float(dmt_pull_off(contact.work, contact.radius))
@@ -92,46 +92,46 @@ def closed_form(spectrum: Spectrum, contact: Contact, *, rough_below: bool = Tru
     if waves is None:  # The limit of an rms height of zero.
         force = smooth_force(contact)
         return ClosedForm(force, force / smooth, 0.0, 0.0, np.inf, SMOOTH)
-    sigma = float(np.sqrt(moment(waves, 0)))
-    levels = apex_levels(waves, contact.radius, contact.area)
-    mean_surface_term, summit_term = _terms(waves, levels, contact, GENERATIONS, rough_below)
-    relative = mean_surface_term + summit_term + contact_term(contact)
-    m = float(sigma * levels.mean())
+    sigma = float(np.sqrt(spectral_moment(waves, 0)))
+    apex = apex_distribution(waves, contact.radius, contact.area)
+    mean_surface_term, summit_term = _terms(waves, apex, contact, GENERATIONS, all_rough)
+    dmt_ratio = mean_surface_term + summit_term + contact_term(contact)
+    m = float(sigma * apex.mean())
     weibull_modulus = max(contact.rho * m / sigma**2, 0.0)
     regime = SINGLE_PEAKS if weibull_modulus < 1 else MANY_POINTS
     if mean_surface_term + summit_term > SMOOTH_SHARE:
         regime = SMOOTH
-    return ClosedForm(smooth * relative, relative, sigma, m, weibull_modulus, regime)
+    return ClosedForm(smooth * dmt_ratio, dmt_ratio, sigma, m, weibull_modulus, regime)
 
 
 def _terms(
-    waves: Spectrum, levels: ApexLevels, contact: Contact, generations: int, rough_below: bool
+    waves: Spectrum, apex: ApexDistribution, contact: Contact, generations: int, all_rough: bool
 ) -> tuple[float, float]:
     """Return the surface term and the summit term, averaged over levels of the apex."""
-    sigma = np.sqrt(moment(waves, 0))
+    sigma = np.sqrt(spectral_moment(waves, 0))
     summit_ratio = 1.0
-    summit = roughness_on_summit(waves, levels, contact)
+    summit = roughness_on_summit(waves, apex, contact)
     if summit is not None and generations:
         finer, summit_contact = summit
-        finer_levels = apex_levels(finer, summit_contact.radius, summit_contact.area)
-        terms = _terms(finer, finer_levels, summit_contact, generations - 1, rough_below)
+        finer_apex = apex_distribution(finer, summit_contact.radius, summit_contact.area)
+        terms = _terms(finer, finer_apex, summit_contact, generations - 1, all_rough)
         summit_ratio = min(sum(terms), 1.0)
-    surface_terms, summit_term = rough_terms(sigma, levels, contact.rho, summit_ratio)
-    if not rough_below:
-        surface_terms = surface_term(sigma, levels.levels * sigma, contact.rho)
-    return levels.mean(surface_terms), summit_term
+    surface_terms, summit_term = rough_terms(sigma, apex, contact.rho, summit_ratio)
+    if not all_rough:
+        surface_terms = surface_term(sigma, apex.levels * sigma, contact.rho)
+    return apex.mean(surface_terms), summit_term
 
 
 def rough_terms(
-    sigma: float, levels: ApexLevels, rho: float, summit_ratio: float
+    sigma: float, apex: ApexDistribution, rho: float, summit_ratio: float
 ) -> tuple[Floats, float]:
     """Return the surface term at each level (n,) and the mean summit term, with rough summits.
 
     A rough summit attracts with `summit_ratio` times the force of a smooth one. This also holds
     for the points with a gap below sigma/t, which lie on summits (theory.md, Close points).
     """
-    t = levels.levels
-    summit_height = 1 / max(levels.mean(), 1.0)  # relative to sigma
+    t = apex.levels
+    summit_height = 1 / max(apex.mean(), 1.0)  # relative to sigma
 
     def both_terms(level: Floats) -> Floats:
         return surface_term(sigma, level * sigma, rho) + special.ndtr(-level)
@@ -139,23 +139,22 @@ def rough_terms(
     remaining = np.exp(-summit_height * sigma / rho) * both_terms(t - summit_height)
     close_share = 1 - remaining / both_terms(t)
     surface_terms = surface_term(sigma, t * sigma, rho) * (1 - (1 - summit_ratio) * close_share)
-    return surface_terms, summit_ratio * levels.mean(special.ndtr(-t))
+    return surface_terms, summit_ratio * apex.mean(special.ndtr(-t))
 
 
 def roughness_on_summit(
-    waves: Spectrum, levels: ApexLevels, contact: Contact
+    waves: Spectrum, apex: ApexDistribution, contact: Contact
 ) -> tuple[Spectrum, Contact] | None:
     """Return the spectrum of the roughness on a touching summit, and the contact of the summit.
 
     None if the roughness on the summit is negligible.
     """
-    finer = spectrum_between(waves, 2 * np.pi / (SUMMIT_SIZE * levels.radius), np.inf)
-    if finer is None or moment(finer, 0) < (MIN_SUMMIT_ROUGHNESS * contact.rho) ** 2:
+    finer = spectrum_between(waves, 2 * np.pi / (SUMMIT_SIZE * apex.clump_radius), np.inf)
+    if finer is None or spectral_moment(finer, 0) < (MIN_SUMMIT_ROUGHNESS * contact.rho) ** 2:
         return None
-    sigma = np.sqrt(moment(waves, 0))
-    level = levels.mean()
-    radius = min(levels.radius**2 * max(level, 1.0) / (2 * sigma), contact.radius)
-    summit_load = contact.hardness * np.pi * levels.radius**2 * 1e-18
+    sigma = np.sqrt(spectral_moment(waves, 0))
+    radius = min(apex.clump_radius**2 * max(apex.mean(), 1.0) / (2 * sigma), contact.radius)
+    summit_load = contact.hardness * np.pi * apex.clump_radius**2 * 1e-18
     return finer, replace(contact, radius=radius, preload=min(contact.preload, summit_load))
 
 
@@ -186,15 +185,15 @@ def critical_band(spectrum: Spectrum, contact: Contact, tolerance: float) -> tup
         return np.nan, np.nan
     cutoffs = np.geomspace(wavelengths[-1], wavelengths[0], CUTOFFS)
     limits = logarithmic_limits(tolerance)
-    unfiltered = closed_form(spectrum, contact, rough_below=False).relative
+    unfiltered = closed_form(spectrum, contact, all_rough=False).dmt_ratio
 
     def edge(side: str, cutoffs: Floats) -> float:
         """Return the edge (nm) of a side; no wave is removed at the first cutoff."""
         curve = [0.0]
         for cutoff in cutoffs[1:]:
             filtered = filtered_spectrum(spectrum, side, cutoff)
-            relative = closed_form(filtered, contact, rough_below=False).relative
-            curve.append(np.log(relative / unfiltered))
+            dmt_ratio = closed_form(filtered, contact, all_rough=False).dmt_ratio
+            curve.append(np.log(dmt_ratio / unfiltered))
             if not limits[0] <= curve[-1] <= limits[1]:
                 break
         return interpolate_edge(cutoffs[: len(curve)], np.array(curve), limits)

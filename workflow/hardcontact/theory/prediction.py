@@ -1,7 +1,7 @@
 """Predictions of the closed form for a spectrum: numbers with units, intervals and statuses.
 
-The errors come from designed surfaces with computed forces and edges (`validation`). Only the half
-of these surfaces counts that was held out while the closed form was developed.
+The errors come from designed surfaces with computed forces and edges. Only the half of these
+surfaces counts that was held out while the closed form was developed (`held_out_surfaces`).
 """
 
 import math

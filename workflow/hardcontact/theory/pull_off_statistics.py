@@ -1,4 +1,4 @@
-"""The distribution of the pull-off force over places, from the spectrum of a surface.
+"""The distribution of the pull-off force over positions of the sphere, from a spectrum.
 
 Clumps of points (`summits`) are a Poisson process: Lambda(t) of them rise above the level t =
 z/sigma under the sphere, n touch. With G_i, the Poisson process of unit rate in ascending order,
@@ -8,8 +8,8 @@ the attraction of alike clumps is
 
 for k > 1 and n = 1 Weibull's law of modulus k; for k < 1 n/(1 - k) clumps carry the force. At a
 given level the force is taken as log-normal, with a mean of the terms of `closed_form` and the
-variance of a sum of Poisson clumps; over places it is their mixture over the levels of
-`apex_levels`. workflow/report/theory.md has the derivation. No number is fitted to a force.
+variance of a sum of Poisson clumps; over positions it is their mixture over the levels of
+`apex_distribution`. workflow/report/theory.md has the derivation. No number is fitted to a force.
 """
 
 from dataclasses import dataclass
@@ -31,27 +31,27 @@ from hardcontact.theory.closed_form import (
 )
 from hardcontact.theory.summits import (
     LEVELS,
-    ApexLevels,
-    apex_levels,
+    ApexDistribution,
+    apex_distribution,
     clumps_above,
-    lost_correlation,
-    moment,
     rough_waves,
+    spectral_moment,
     spectrum_between,
+    structure_function,
 )
 
 #: Standard deviations of curvature, and their probabilities, that a summit is averaged over.
 DEVIATIONS = np.linspace(-8, 8, 801)
 PROBABILITIES = np.exp(-(DEVIATIONS**2) / 2) / np.sqrt(2 * np.pi) * (DEVIATIONS[1] - DEVIATIONS[0])
 #: Factor by which the radius grows to find the exponent of the force against the radius.
-WIDER = 1.2
+RADIUS_FACTOR = 1.2
 
 
 @dataclass(frozen=True)
 class ForceStatistics:
-    """The distribution of the pull-off force over places: a mixture of log-normal ones."""
+    """The distribution of the pull-off force over positions: a mixture of log-normal ones."""
 
-    modulus: float  #: k = rho m/sigma²; infinite without roughness.
+    weibull_modulus: float  #: k = rho m/sigma²; infinite without roughness.
     clumps: float  #: Mean number of clumps in contact, n; 0 without roughness.
     means: Floats  #: (n,) at the levels of the apex, in N.
     weights: Floats  #: (n,) probabilities of the levels.
@@ -64,7 +64,7 @@ class ForceStatistics:
 
     @property
     def relative_std(self) -> float:
-        """Standard deviation over mean."""
+        """Coefficient of variation."""
         square = self.weights @ (self.means**2 * np.exp(self.log_force_stds**2))
         return float(np.sqrt(max(float(square) / self.force**2 - 1, 0.0)))
 
@@ -77,7 +77,7 @@ class ForceStatistics:
 
 
 def predict_statistics(spectrum: Spectrum, contact: Contact) -> ForceStatistics:
-    """Return the distribution of the pull-off force of a sphere over places of a Gaussian surface.
+    """Return the distribution of the pull-off force over positions on a Gaussian surface.
 
     Only the wavelengths of the spectrum count. The mean is that of `closed_form`.
     """
@@ -87,16 +87,16 @@ def predict_statistics(spectrum: Spectrum, contact: Contact) -> ForceStatistics:
         force = smooth * (1 + contact_term(contact))
         return ForceStatistics(np.inf, 0.0, np.array([force]), np.ones(1), np.zeros(1))
     attraction = _attraction(waves, contact, GENERATIONS)
-    levels = attraction.levels
-    means = attraction.first + attraction.touching + contact_term(contact)
-    modulus = contact.rho * levels.mean() / np.sqrt(moment(waves, 0))
+    apex = attraction.apex
+    means = attraction.surface_terms + attraction.summit_term + contact_term(contact)
+    weibull_modulus = contact.rho * apex.mean() / np.sqrt(spectral_moment(waves, 0))
     log_force_stds = np.sqrt(np.log1p(attraction.variance / means**2))
-    possible = levels.weights > 0
+    possible = apex.weights > 0
     return ForceStatistics(
-        float(max(modulus, 0.0)),
+        float(max(weibull_modulus, 0.0)),
         attraction.clumps,
         smooth * means[possible],
-        levels.weights[possible],
+        apex.weights[possible],
         log_force_stds[possible],
     )
 
@@ -104,66 +104,68 @@ def predict_statistics(spectrum: Spectrum, contact: Contact) -> ForceStatistics:
 class _Attraction(NamedTuple):
     """The attraction in 2 pi R W, without that of the area in contact, by level (n,)."""
 
-    levels: ApexLevels
-    first: Floats  #: (n,) mean attraction by the clumps below the sphere.
-    touching: float  #: Mean attraction by the clumps that touch.
+    apex: ApexDistribution
+    surface_terms: Floats  #: (n,) mean attraction by the clumps below the sphere.
+    summit_term: float  #: Mean attraction by the clumps that touch.
     clumps: float  #: Mean number of the clumps that touch.
     variance: Floats  #: (n,) of the sum.
     growth: float  #: Exponent of the force against the radius of the sphere, 0 to 1.
 
     @property
     def mean(self) -> float:
-        return self.levels.mean(self.first) + self.touching
+        return self.apex.mean(self.surface_terms) + self.summit_term
 
     @property
     def scatter(self) -> float:
         """Mean square over squared mean."""
-        return self.levels.mean((self.first + self.touching) ** 2 + self.variance) / self.mean**2
+        square = (self.surface_terms + self.summit_term) ** 2 + self.variance
+        return self.apex.mean(square) / self.mean**2
 
 
 def _attraction(waves: Spectrum, contact: Contact, generations: int) -> _Attraction:
     """Return the attraction of a sphere by summits, which are rough themselves."""
     radius = contact.radius
     rho = contact.rho
-    levels = apex_levels(waves, radius, contact.area)
-    sigma = np.sqrt(moment(waves, 0))
-    t = levels.levels
+    apex = apex_distribution(waves, radius, contact.area)
+    sigma = np.sqrt(spectral_moment(waves, 0))
+    t = apex.levels
     # Force of a rough summit relative to a smooth summit.
     summit_ratio = 1.0
     scatter = 1.0
     growth = 1.0
-    summit = roughness_on_summit(waves, levels, contact)
+    summit = roughness_on_summit(waves, apex, contact)
     if summit is not None and generations:
         rough_summit = _attraction(*summit, generations - 1)
         if rough_summit.mean < 1:
             summit_ratio = rough_summit.mean
             scatter = rough_summit.scatter
             growth = rough_summit.growth
-    first, touching = rough_terms(sigma, levels, rho, summit_ratio)
+    surface_terms, summit_term = rough_terms(sigma, apex, rho, summit_ratio)
     number = np.interp(t, LEVELS, clumps_above(waves, radius)[1])
-    clumps = max(levels.mean(number), 1.0)
-    cover = levels.mean(special.ndtr(-t))
+    clumps = max(apex.mean(number), 1.0)
+    cover = apex.mean(special.ndtr(-t))
     # Mean of the squared force of a clump, relative to the square of its mean force. The radius of
     # a summit counts only as far as its force grows with the radius.
-    square = (1 + (growth * summit_variation(waves, levels)) ** 2) * scatter
-    crowded = number_variance(cover)
+    square = (1 + (growth * summit_radius_variation(waves, apex)) ** 2) * scatter
+    crowded = clump_dispersion_index(cover)
     clump_force = summit_ratio * special.ndtr(-t) / np.maximum(number, 1e-300)
     clump_variance = (
-        crowded * square * clump_force * rough_terms(sigma, levels, rho / 2, summit_ratio)[0]
+        crowded * square * clump_force * rough_terms(sigma, apex, rho / 2, summit_ratio)[0]
     )
-    field_variance = first**2 * field_variation(waves, contact) ** 2
+    field_variance = surface_terms**2 * field_variation(waves, contact) ** 2
     # Of the n clumps that touch, all but the last have Poisson's number. If they cover the plane,
     # they are one flat contact, and only its rim scatters.
     scattered = (1 - cover) * clumps * (square - 1) + crowded * (clumps - 1)
-    variance = np.minimum(field_variance, clump_variance) + (touching / clumps) ** 2 * scattered
-    attraction = _Attraction(levels, first, touching, clumps, variance, 1.0)
-    wider = apex_levels(waves, WIDER * radius, contact.area)
-    wider_first, wider_touching = rough_terms(sigma, wider, rho, summit_ratio)
-    ratio = (wider.mean(wider_first) + wider_touching) / attraction.mean
-    return attraction._replace(growth=float(np.clip(1 + np.log(ratio) / np.log(WIDER), 0, 1)))
+    variance = np.minimum(field_variance, clump_variance) + (summit_term / clumps) ** 2 * scattered
+    attraction = _Attraction(apex, surface_terms, summit_term, clumps, variance, 1.0)
+    wider_apex = apex_distribution(waves, RADIUS_FACTOR * radius, contact.area)
+    wider_surface_terms, wider_summit_term = rough_terms(sigma, wider_apex, rho, summit_ratio)
+    ratio = (wider_apex.mean(wider_surface_terms) + wider_summit_term) / attraction.mean
+    exponent = 1 + np.log(ratio) / np.log(RADIUS_FACTOR)
+    return attraction._replace(growth=float(np.clip(exponent, 0, 1)))
 
 
-def number_variance(cover: float) -> float:
+def clump_dispersion_index(cover: float) -> float:
     """Return the variance over the mean of the number of clumps that cover a share of the plane.
 
     Clumps do not overlap. Their number scatters like the number of hard discs, whose pressure is
@@ -172,22 +174,22 @@ def number_variance(cover: float) -> float:
     return (1 - cover) ** 3 / (1 + cover)
 
 
-def summit_variation(waves: Spectrum, levels: ApexLevels) -> float:
-    """Return the standard deviation over the mean of the radius 1/sqrt(K) of summits.
+def summit_radius_variation(waves: Spectrum, apex: ApexDistribution) -> float:
+    """Return the coefficient of variation of the radius 1/sqrt(K) of summits.
 
     K = a² - b² is their Gaussian curvature. On a Gaussian surface at the level t the mean curvature
     a is normal about t g²/2 sigma with the variance L²/4 - g⁴/4 sigma², b² is exponential about
     L²/4, with the rms gradient g and the rms Laplacian L; summits are as dense as K where a > b.
     Waves shorter than a summit are roughness on it.
     """
-    longer = spectrum_between(waves, 0, 2 * np.pi / (SUMMIT_SIZE * levels.radius))
+    longer = spectrum_between(waves, 0, 2 * np.pi / (SUMMIT_SIZE * apex.clump_radius))
     if longer is None:
         return 0.0
-    sigma = np.sqrt(moment(waves, 0))
-    gradient = moment(longer, 2)
-    laplacian = moment(longer, 4)
+    sigma = np.sqrt(spectral_moment(waves, 0))
+    gradient = spectral_moment(longer, 2)
+    laplacian = spectral_moment(longer, 4)
     deviation = np.sqrt(max(laplacian - gradient**2 / sigma**2, 0.0)) / 2
-    a = max(levels.mean(), 1.0) * gradient / (2 * sigma) + deviation * DEVIATIONS
+    a = max(apex.mean(), 1.0) * gradient / (2 * sigma) + deviation * DEVIATIONS
     a = np.maximum(a, 0)
     b = np.sqrt(laplacian) / 2
     summits = -np.expm1(-((a / b) ** 2))  # the probability of a > b
@@ -197,7 +199,7 @@ def summit_variation(waves: Spectrum, levels: ApexLevels) -> float:
 
 
 def field_variation(waves: Spectrum, contact: Contact) -> float:
-    """Return the standard deviation over the mean of ∫ exp((z - y)/rho) over the plane.
+    """Return the coefficient of variation of ∫ exp((z - y)/rho) over the plane.
 
     Heights z are normal and y = r²/2R: its square is ∫ [exp(r(d)/rho²) - 1] exp(-d²/4 R rho) over
     all distances d, r the autocorrelation, over 4 pi R rho. Its part that is linear in r is the
@@ -207,7 +209,7 @@ def field_variation(waves: Spectrum, contact: Contact) -> float:
     reach = 4 * contact.radius * contact.rho
     height_density = waves.density * q**2 * np.exp(-(q**2) * reach / 4)
     linear = np.trapezoid(height_density, np.log(q)) / (2 * np.pi * contact.rho**2)
-    distances, lost = lost_correlation(waves)
-    exponent = np.minimum(moment(waves, 0) * (1 - lost) / contact.rho**2, 500)
+    distances, structure = structure_function(waves)
+    exponent = np.minimum(spectral_moment(waves, 0) * (1 - structure) / contact.rho**2, 500)
     beyond_linear = (np.expm1(exponent) - exponent) * np.exp(-(distances**2) / reach)
     return float(np.sqrt(linear + 2 * np.trapezoid(beyond_linear * distances, distances) / reach))

@@ -24,8 +24,8 @@ from hardcontact.base.arrays import Floats
 from hardcontact.surfaces.spectrum import Spectrum
 
 #: Number of points of a spectrum, and of distances of its autocorrelation.
-WAVES = 300
-DISTANCES = 120
+WAVE_COUNT = 300
+DISTANCE_COUNT = 120
 #: Levels t of the apex at closest approach: a contact wider than the roughness goes below the mean
 #: plane.
 LEVELS = np.linspace(-6, 8, 701)
@@ -46,12 +46,12 @@ LOWEST_CLUMP_LEVEL = 1.2
 MAX_FOLLOWED_CURVATURE = 0.1
 
 
-class ApexLevels(NamedTuple):
+class ApexDistribution(NamedTuple):
     """Distribution of the level t of the sphere's apex at closest approach."""
 
     levels: Floats  #: Levels t (n,).
     weights: Floats  #: Probabilities (n,), which add up to one.
-    radius: float  #: Radius in nm of the clump about a summit at the mean level.
+    clump_radius: float  #: Radius in nm of the clump about a summit at the mean level.
 
     def mean(self, values: ArrayLike | None = None) -> float:
         """Return the mean of values (n,) at the levels, or of the levels themselves."""
@@ -69,11 +69,11 @@ def spectrum_between(spectrum: Spectrum, lowest: float, highest: float) -> Spect
     low, high = max(lowest, rough[0]), min(highest, rough[-1])
     if high <= low * (1 + 1e-9):
         return None
-    wavevector = np.geomspace(low, high, WAVES)
+    wavevector = np.geomspace(low, high, WAVE_COUNT)
     return Spectrum(wavevector, spectrum(np.minimum(wavevector, rough[-1])))
 
 
-def moment(waves: Spectrum, order: int) -> float:
+def spectral_moment(waves: Spectrum, order: int) -> float:
     """Return the moment (1/2 pi) ∫ q^(1 + order) C_iso dq of a spectrum.
 
     The order 0 gives the squared rms height, 2 the squared rms gradient, 4 the squared rms
@@ -100,13 +100,13 @@ def rough_waves(spectrum: Spectrum, radius: float) -> Spectrum | None:
 
 
 @lru_cache(maxsize=4)
-def lost_correlation(waves: Spectrum) -> tuple[Floats, Floats]:
-    """Return distances d (n,) in nm and the lost correlation 1 - r(d)/sigma² (n,) of heights."""
+def structure_function(waves: Spectrum) -> tuple[Floats, Floats]:
+    """Return distances d (n,) in nm and 1 - r(d)/sigma² (n,), the structure function/2 sigma²."""
     q = waves.wavevector
-    distances = np.geomspace(0.05 / q[-1], 10 / q[0], DISTANCES)
-    lost = waves.density * q**2 * (1 - special.j0(distances[:, None] * q))
-    variance = 2 * np.pi * moment(waves, 0)
-    return distances, np.asarray(np.trapezoid(lost, np.log(q), axis=1) / variance)
+    distances = np.geomspace(0.05 / q[-1], 10 / q[0], DISTANCE_COUNT)
+    integrand = waves.density * q**2 * (1 - special.j0(distances[:, None] * q))
+    variance = 2 * np.pi * spectral_moment(waves, 0)
+    return distances, np.asarray(np.trapezoid(integrand, np.log(q), axis=1) / variance)
 
 
 def clump_radius(waves: Spectrum, levels: ArrayLike) -> Floats:
@@ -114,13 +114,13 @@ def clump_radius(waves: Spectrum, levels: ArrayLike) -> Floats:
 
     The radius solves 1 - r(delta)/sigma² = 1/t².
     """
-    distances, share = lost_correlation(waves)
+    distances, share = structure_function(waves)
     log_share = -2 * np.log(np.maximum(levels, LOWEST_CLUMP_LEVEL))
     log_ascending_share = np.log(np.maximum.accumulate(share))
     return np.asarray(np.exp(np.interp(log_share, log_ascending_share, np.log(distances))))
 
 
-def apex_levels(waves: Spectrum, radius: float, area: float) -> ApexLevels:
+def apex_distribution(waves: Spectrum, radius: float, area: float) -> ApexDistribution:
     """Return the distribution of the level of the apex of a sphere that touches a given area.
 
     Between the heights z and z + dz the sphere is above the area 2 pi R dz of the plane. If its
@@ -139,11 +139,10 @@ def apex_levels(waves: Spectrum, radius: float, area: float) -> ApexLevels:
     # No clump rises above the last level; there a clump has its own area.
     clump = np.append(bearing[:-1] / clumps[:-1], np.pi * radii[-1] ** 2)
     probability = _probability_of_smaller_area(clumps, area / clump)
-    middle = (LEVELS[1:] + LEVELS[:-1]) / 2
     weights = np.append(probability[0], np.maximum(np.diff(probability), 0))
     weights /= weights.sum()
-    levels = np.append(LEVELS[0], middle)
-    return ApexLevels(levels, weights, float(np.interp(weights @ levels, LEVELS, radii)))
+    levels = np.append(LEVELS[0], (LEVELS[1:] + LEVELS[:-1]) / 2)
+    return ApexDistribution(levels, weights, float(np.interp(weights @ levels, LEVELS, radii)))
 
 
 def clumps_above(waves: Spectrum, radius: float) -> tuple[Floats, Floats, Floats]:
@@ -155,7 +154,7 @@ def clumps_above(waves: Spectrum, radius: float) -> tuple[Floats, Floats, Floats
     """
     radii = clump_radius(waves, LEVELS)
     tail = special.ndtr(-LEVELS)
-    reach = 2 * np.pi * radius * np.sqrt(moment(waves, 0))
+    reach = 2 * np.pi * radius * np.sqrt(spectral_moment(waves, 0))
     return (
         radii,
         reach * _integral_to_last_level(tail / (np.pi * radii**2)),
@@ -174,8 +173,8 @@ def search_size(spectrum: Spectrum, radius: float, area: float) -> float:
     waves = rough_waves(spectrum, radius)
     if waves is None:
         return 0.0
-    level = max(apex_levels(waves, radius, area).mean(), 1.0)
-    return float(2 * np.sqrt(2 * radius * np.sqrt(moment(waves, 0)) / level))
+    level = max(apex_distribution(waves, radius, area).mean(), 1.0)
+    return float(2 * np.sqrt(2 * radius * np.sqrt(spectral_moment(waves, 0)) / level))
 
 
 def _integral_to_last_level(density: Floats) -> Floats:

@@ -25,12 +25,12 @@ from hardcontact.surfaces.spectrum import Spectrum, roll_off
 from hardcontact.theory.closed_form import ClosedForm, contact_term
 
 #: Designed surfaces, computed and predicted; resources/validation/README.md describes the columns.
-VALIDATION = Path(__file__).with_name("designed_surfaces.csv")
+DESIGNED_SURFACES = Path(__file__).with_name("designed_surfaces.csv")
 #: Number of surfaces nearest to an input whose errors count. Another error of the same distribution
 #: lies between the smallest and the largest of n errors with the probability (n - 1)/(n + 1): 0.9.
 NEAREST_SURFACES = 19
 #: A smaller modulus counts as this one. It is 0 where the sphere goes below the mean plane.
-MIN_MODULUS = 1e-3
+MIN_WEIBULL_MODULUS = 1e-3
 #: Predicted and computed quantities: columns of the table.
 VALIDATED_QUANTITIES = ("force", "short_edge", "long_edge")
 #: Parameters on which an error depends, with their units. An input must lie within their ranges in
@@ -55,13 +55,13 @@ HARD, SOFT, UNKNOWN = "hard", "soft", "unknown"
 
 
 @cache
-def validation() -> pd.DataFrame:
-    """Return the surfaces of the table VALIDATION that were held out, with their errors.
+def held_out_surfaces() -> pd.DataFrame:
+    """Return the surfaces of the table DESIGNED_SURFACES that were held out, with their errors.
 
     The column ``<name>_error``, for each of VALIDATED_QUANTITIES, is the computed value relative to
     the predicted value, NaN if an edge is open or not predicted.
     """
-    table = pd.read_csv(VALIDATION)
+    table = pd.read_csv(DESIGNED_SURFACES)
     held_out = table[table["held_out"] == 1].copy()
     for name in VALIDATED_QUANTITIES:
         error = held_out[name] / held_out[f"predicted_{name}"]
@@ -110,11 +110,11 @@ def nearest_errors(point: Mapping[str, Any], name: str) -> tuple[float, float]:
     another regime is farther by one. A point outside the table is moved to its border. An error of
     a quantity, one of VALIDATED_QUANTITIES, is the computed relative to the predicted value.
     """
-    surfaces = validation().dropna(subset=f"{name}_error")
+    surfaces = held_out_surfaces().dropna(subset=f"{name}_error")
     axes = ["weibull_modulus", "contact_over_rolloff"]
-    rows = surfaces[axes].to_numpy()
+    rows = np.maximum(surfaces[axes].to_numpy(), MIN_WEIBULL_MODULUS)
     nearest_inside = np.clip([point[axis] for axis in axes], rows.min(axis=0), rows.max(axis=0))
-    log_distances = np.log(np.maximum(rows, MIN_MODULUS) / np.maximum(nearest_inside, MIN_MODULUS))
+    log_distances = np.log(rows / nearest_inside)
     distance = np.hypot(*log_distances.T) + (surfaces["regime"] != point["regime"]).to_numpy()
     errors = surfaces[f"{name}_error"].iloc[np.argsort(distance)[:NEAREST_SURFACES]]
     return float(errors.min()), float(errors.max())
@@ -133,20 +133,20 @@ def validated_ranges(waves: Spectrum, contact: Contact, form: ClosedForm) -> Ite
         **table_coordinates(waves, contact, form),
     }
     for name, unit in VALIDATED_PARAMETERS.items():
-        lowest, highest = validation()[name].agg(["min", "max"])
+        lowest, highest = held_out_surfaces()[name].agg(["min", "max"])
         status = INSIDE if lowest <= values[name] <= highest else OUTSIDE
         yield Number(f"validated_{name}", values[name], unit, lowest, highest, status)
 
 
-def tabor_number(contact: Contact, modulus: float) -> Number:
+def tabor_number(contact: Contact, effective_modulus: float) -> Number:
     """Return the Tabor parameter, with the range of adhesion as spacing, and its status.
 
     The effective modulus is in Pa, NaN if it is UNKNOWN. Bodies are SOFT if elasticity reduces the
     force of a smooth sphere by more than MAX_NEGLIGIBLE_CHANGE, otherwise HARD.
     """
-    if math.isnan(modulus):
-        return Number("tabor_parameter", modulus, status=UNKNOWN)
-    value = float(tabor_parameter(contact.work, contact.radius, modulus, contact.rho))
+    if math.isnan(effective_modulus):
+        return Number("tabor_parameter", effective_modulus, status=UNKNOWN)
+    value = float(tabor_parameter(contact.work, contact.radius, effective_modulus, contact.rho))
     softening = 1 - float(pull_off_coefficient(maugis_parameter(value))) / 2
     return Number(
         "tabor_parameter", value, status=SOFT if softening > MAX_NEGLIGIBLE_CHANGE else HARD
