@@ -120,7 +120,7 @@ def filtered_forces(surface: HeightMap, cutoffs: list[float], windows: Windows) 
 
 
 def filtered_window_forces(
-    name: str, density: SpectrumFunction, filters: WindowFilters
+    name: str, spectrum: SpectrumFunction, filters: WindowFilters
 ) -> xr.Dataset:
     """Return the forces on windows and whole surfaces of a spectrum, with and without long waves.
 
@@ -128,7 +128,7 @@ def filtered_window_forces(
     the cutoffs are means over windows, those of windows before those of whole surfaces.
     """
     realizations = range(filters.realizations)
-    means = np.array([_realization_forces(name, density, filters, k) for k in realizations])
+    means = np.array([_realization_forces(name, spectrum, filters, k) for k in realizations])
     window_sizes, surface_sizes = filters.windows.sizes, filters.sizes
     nm, axes = {"units": "nm"}, ("realization", "map_size")
     periods = [*(2 * size for size in window_sizes), *surface_sizes]
@@ -168,7 +168,7 @@ def filtered_window_forces(
 
 
 def _realization_forces(
-    name: str, density: SpectrumFunction, filters: WindowFilters, realization: int
+    name: str, spectrum: SpectrumFunction, filters: WindowFilters, realization: int
 ) -> list[Floats]:
     """Return the mean `filtered_forces` of windows of every size, then those of whole surfaces."""
     windows, cutoffs, pixel_size = filters.windows, filters.cutoffs, filters.pixel_size
@@ -180,7 +180,7 @@ def _realization_forces(
     for size in filters.sizes:
         rng = generator(filters.seed, name, realization, f"window edges {size:g} nm")
         pixels = window_pixels(size, pixel_size)
-        surfaces.append(random_surface(rng, pixels, pixel_size, density))
+        surfaces.append(random_surface(rng, pixels, pixel_size, spectrum))
     means = []
     for size in windows.sizes:
         scans = mirrored_windows(surfaces[-1], size, windows.per_size)

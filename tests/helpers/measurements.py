@@ -35,27 +35,27 @@ def measurement(heights, pixel_size, tip_radius=None, path="a.spm"):
     return HeightMap(heights, pixel_size, path=path, channel="Height", tip_radius=tip_radius)
 
 
-def map_of(rng, pixels, pixel_size, density=uncd, **stated):
+def map_of(rng, pixels, pixel_size, spectrum=uncd, **stated):
     """Return a map, cut out of a random surface of twice its size."""
-    surface = random_surface(rng, 2 * pixels, pixel_size, density)
+    surface = random_surface(rng, 2 * pixels, pixel_size, spectrum)
     return measurement(surface.heights[:pixels, :pixels].astype(float), pixel_size, **stated)
 
 
 def self_affine_heights(rng, pixels, pixel_size, rms_height, hurst=0.8, rolloff=800.0):
     """Return heights (y, x) of a self-affine map with an rms height; all lengths in nm."""
-    density = partial(smooth_rolloff, plateau=1e6, rolloff=rolloff, hurst=hurst)
-    heights = map_of(rng, pixels, pixel_size, density).heights
+    spectrum = partial(smooth_rolloff, plateau=1e6, rolloff=rolloff, hurst=hurst)
+    heights = map_of(rng, pixels, pixel_size, spectrum).heights
     return heights * (rms_height / heights.std())
 
 
-def line_of(rng, points, spacing, density=uncd, **stated):
+def line_of(rng, points, spacing, spectrum=uncd, **stated):
     """A line scan of a surface with waves below and above the range of the scan.
 
     A sum of waves of random phases on a profile of four times the length, with the C_1D of the
     surface.
     """
     count, length = 4 * points, 4 * points * spacing
-    profile = periodic_profile(density, count, spacing)
+    profile = periodic_profile(spectrum, count, spacing)
     amplitudes = rng.normal(size=(2, len(profile))) / np.sqrt(2)
     waves = (amplitudes[0] + 1j * amplitudes[1]) * np.sqrt(profile * length) / spacing
     orders = np.append(0, waves)
@@ -72,14 +72,14 @@ def two_sizes_and_a_line(seed):
 
 
 @cache
-def periodic_profile(density, count, spacing):
+def periodic_profile(spectrum, count, spacing):
     """C_1D in nm³ at the wavevectors of a periodic profile, without zero."""
-    return profile_of(density, 2 * np.pi * np.fft.rfftfreq(count, spacing)[1:])
+    return profile_of(spectrum, 2 * np.pi * np.fft.rfftfreq(count, spacing)[1:])
 
 
-def profile_of(density, wavevector):
+def profile_of(spectrum, wavevector):
     """C_1D in nm³ by numerical integration of (1/pi) ∫ C_iso dq_y."""
     ratio = np.logspace(-5, 4, 1001)
     q_y = wavevector[:, None] * ratio
-    values = density(np.hypot(wavevector[:, None], q_y)) * q_y
+    values = spectrum(np.hypot(wavevector[:, None], q_y)) * q_y
     return np.trapezoid(values, np.log(ratio), axis=1) / np.pi

@@ -103,16 +103,19 @@ def filtered_pull_off(
 
 
 def master_from_files(
-    side: str, rng: np.random.Generator, scan: str, spectrum: str, settings: Mapping[str, Any]
+    side: str,
+    rng: np.random.Generator,
+    scan_path: str,
+    spectrum_path: str,
+    settings: Mapping[str, Any],
 ) -> HeightMap:
     """Return the master of one side, from the files of a scan and of its spectrum.
 
     A spectrum sampled within its uncertainty has the attribute ``height_factor``, by which the
     heights of the scan are multiplied.
     """
-    density = dataset.read(spectrum)
-    stitched = read_height_map(scan)
-    if "height_factor" in density.attrs:
-        heights = stitched.heights * density.attrs["height_factor"]
-        stitched = replace(stitched, heights=heights)
-    return synthesize_master(side, rng, stitched, settings, spectrum_of_dataset(density))
+    spectrum_data = dataset.read(spectrum_path)
+    stitched = read_height_map(scan_path)
+    factor = spectrum_data.attrs.get("height_factor", 1.0)
+    scaled = replace(stitched, heights=stitched.heights * factor)
+    return synthesize_master(side, rng, scaled, settings, spectrum_of_dataset(spectrum_data))

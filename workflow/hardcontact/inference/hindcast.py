@@ -51,7 +51,7 @@ FAILURE_ATTRS = DIMENSIONLESS | {
 class RandomBody(NamedTuple):
     """Random roughness in place of that on the scan of a body."""
 
-    density: SpectrumFunction  #: C_iso in nm⁴.
+    spectrum: SpectrumFunction  #: C_iso in nm⁴.
     pixels: int  #: Along a side of the scan, on the pixels of the map.
     generator: Callable[[str, int], np.random.Generator]  #: Takes side and realization.
 
@@ -163,12 +163,12 @@ def _artificial_octave(
     """Return heights of one octave of waves, random on one scan of a body and mirrored like it."""
     longest_wavevector, shortest_wavevector = (2 * np.pi / end for end in octave)
 
-    def octave_density(wavevector: NDArray[np.float64]) -> NDArray[np.float64]:
+    def octave_spectrum(wavevector: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return C_iso (nm⁴) within the octave, zero outside."""
         is_inside = (shortest_wavevector < wavevector) & (wavevector <= longest_wavevector)
-        return np.where(is_inside, body.density(wavevector), 0.0)
+        return np.where(is_inside, body.spectrum(wavevector), 0.0)
 
-    surface = random_surface(rng, 2 * body.pixels, stitched.pixel_size, octave_density)
+    surface = random_surface(rng, 2 * body.pixels, stitched.pixel_size, octave_spectrum)
     # A smaller scan of the sphere is continued by its mirror images, as that of the map is.
     pixel = np.arange(stitched.pixels // 2) % (2 * body.pixels)
     pixel = np.minimum(pixel, 2 * body.pixels - 1 - pixel)

@@ -108,18 +108,18 @@ def component_shares(grid: ScanGrid) -> Floats:
     return np.array([1 - long_step, long_step - short_step, short_step])
 
 
-def multiply_amplitudes(density: SpectrumFunction, amplitude_gain: Floats) -> SpectrumFunction:
+def multiply_amplitudes(spectrum: SpectrumFunction, amplitude_gain: Floats) -> SpectrumFunction:
     """Return a spectrum whose amplitudes are multiplied by a gain, and C_iso by its square.
 
     The gain (points of WAVEVECTORS) is interpolated between them.
     """
 
-    def amplified_density(wavevector: Floats) -> Floats:
+    def amplified_spectrum(wavevector: Floats) -> Floats:
         with np.errstate(divide="ignore"):
             factors = np.interp(np.log(wavevector), np.log(WAVEVECTORS), amplitude_gain)
-        return density(wavevector) * factors**2
+        return spectrum(wavevector) * factors**2
 
-    return amplified_density
+    return amplified_spectrum
 
 
 def metric_matrices(components: Sequence[HeightMap], names: Sequence[str]) -> Floats:
@@ -244,8 +244,8 @@ def conditioned_scan(
 
     `sphere_radius` in nm is that of a sphere that the scan shows; None for a flat surface.
     """
-    density = multiply_amplitudes(
+    spectrum = multiply_amplitudes(
         spectrum_of_dataset(spectrum_data), conditioning["amplitude_gain"].values
     )
-    scan = sample_scan(rng, density, grid, conditioning["factor"].item())
+    scan = sample_scan(rng, spectrum, grid, conditioning["factor"].item())
     return scan if sphere_radius is None else add_sphere(rng, scan, sphere_radius)

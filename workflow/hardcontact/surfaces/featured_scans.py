@@ -78,7 +78,7 @@ class FeaturedSurface(NamedTuple):
         )
         base = replace(base, heights=np.float32(features.base_factor) * base.heights)
         rng = generator(self.seed, self.surface, realization, "whole surface", "features")
-        count = rng.poisson(features.density * (base.size / 1e3) ** 2)
+        count = rng.poisson(features.number_density * (base.size / 1e3) ** 2)
         return add_features(rng, base, features, count)
 
 
@@ -169,7 +169,7 @@ def nearest_group(
 def describe_features(features: Features, base_rms_height: float) -> dict[str, xr.Variable]:
     """Return the numbers of features as variables; `base_rms_height` (nm) is that of factor 1."""
     return {
-        "feature_density": xr.Variable((), features.density, {"units": "um-2"}),
+        "feature_density": xr.Variable((), features.number_density, {"units": "um-2"}),
         "feature_height": xr.Variable((), features.height, NM),
         "feature_width": xr.Variable((), features.width, NM),
         "base_rms_height": xr.Variable((), features.base_factor * base_rms_height, NM),

@@ -46,7 +46,7 @@ class ScanStatistics(NamedTuple):
 class Features(NamedTuple):
     """The features of a surface and the amplitude of the base under them."""
 
-    density: float  #: Per µm².
+    number_density: float  #: Per µm².
     height: float  #: In nm, negative for pits.
     width: float  #: Standard deviation of the Gaussian shape in nm.
     base_factor: float  #: Factor on the heights of the base.
@@ -129,8 +129,8 @@ def sample_features(
     bounds = (DENSITY_BOUNDS, HEIGHT_BOUNDS, (min_width, WIDTH_BOUNDS[1]), BASE_BOUNDS)
     low, high = np.log(bounds).T
     for _ in range(MAX_BATCHES):
-        density, relative_height, width, base = np.exp(rng.uniform(low, high, (BATCH, 4))).T
-        counts = rng.poisson(density[:, None] * (size / 1e3) ** 2, (BATCH, scans))
+        number_density, relative_height, width, base = np.exp(rng.uniform(low, high, (BATCH, 4))).T
+        counts = rng.poisson(number_density[:, None] * (size / 1e3) ** 2, (BATCH, scans))
         height = sign * relative_height * statistics.means[0]
         added = feature_squares(height, width, size)
         rms_values = expected_rms(base, counts, added, statistics)
@@ -138,7 +138,7 @@ def sample_features(
         if errors.min() <= 1:
             index = int(np.argmax(errors <= 1))
             return Features(
-                density=density[index].item(),
+                number_density=number_density[index].item(),
                 height=height[index].item(),
                 width=width[index].item(),
                 base_factor=base[index].item(),

@@ -88,10 +88,10 @@ def transfer_weights(pixels: int, pixel_size: float, window_pixels: int) -> Weig
     return np.sqrt(edges[1:] * edges[:-1]), weights / (pixels * pixel_size) ** 2
 
 
-def expected_scan_rms(density: SpectrumFunction, weights: Weights) -> Floats:
+def expected_scan_rms(spectrum: SpectrumFunction, weights: Weights) -> Floats:
     """Return the expected rms height (nm), gradient and half-Laplacian (1/nm) of a scan: (3,)."""
     wavevector, factors = weights
-    return np.sqrt(factors @ density(wavevector))
+    return np.sqrt(factors @ spectrum(wavevector))
 
 
 def rows_of_surface(table1: pd.DataFrame, surface: str) -> pd.DataFrame:
@@ -246,8 +246,8 @@ def _segment_density(segment: pd.Series, longer_waves: Floats, folder: Path) -> 
         wavelengths, profile = points.to_numpy().T
         model = isotropic_through_points(WAVEVECTORS, wavelengths, profile)
     else:
-        density, parameters = SPECTRAL_MODELS[segment.model]
-        model = density(WAVEVECTORS, *(segment[name] for name in parameters))
+        model_function, names = SPECTRAL_MODELS[segment.model]
+        model = model_function(WAVEVECTORS, *(segment[name] for name in names))
     wavelength = 2 * np.pi / WAVEVECTORS
     return np.where(
         (wavelength <= segment.longest_nm) & (wavelength > segment.shortest_nm), model, 0.0

@@ -40,7 +40,7 @@ def white_noise(rng: np.random.Generator, pixels: int) -> Transform:
     return np.asarray(fft.rfft2(rng.standard_normal((pixels, pixels), dtype=np.float32)))
 
 
-def scale_noise(noise: Transform, pixel_size: float, density: SpectrumFunction) -> None:
+def scale_noise(noise: Transform, pixel_size: float, spectrum: SpectrumFunction) -> None:
     """Scale the transform of white noise, in place, to that of a surface with a C_iso.
 
     White noise of unit variance has C_iso = pixel area; its transform is scaled by the root of the
@@ -51,7 +51,7 @@ def scale_noise(noise: Transform, pixel_size: float, density: SpectrumFunction) 
     wave = 2 * np.pi * np.fft.rfftfreq(pixels, pixel_size)
     for start in range(0, half, BLOCK_ROWS):
         rows = np.arange(start, min(start + BLOCK_ROWS, half))
-        amplitudes = np.sqrt(density(np.hypot(wave[rows, None], wave))) / pixel_size
+        amplitudes = np.sqrt(spectrum(np.hypot(wave[rows, None], wave))) / pixel_size
         noise[rows] *= amplitudes
         is_paired = (rows > 0) & (2 * rows < pixels)
         noise[pixels - rows[is_paired]] *= amplitudes[is_paired]
@@ -59,19 +59,19 @@ def scale_noise(noise: Transform, pixel_size: float, density: SpectrumFunction) 
 
 
 def random_surface(
-    rng: np.random.Generator, pixels: int, pixel_size: float, density: SpectrumFunction
+    rng: np.random.Generator, pixels: int, pixel_size: float, spectrum: SpectrumFunction
 ) -> HeightMap:
     """Return a Gaussian random surface with a power spectral density, of mean zero, in float32."""
     from scipy import fft
 
     transform = white_noise(rng, pixels)
-    scale_noise(transform, pixel_size, density)
+    scale_noise(transform, pixel_size, spectrum)
     heights = fft.irfft2(transform, s=(pixels, pixels), overwrite_x=True)
     return HeightMap(heights, pixel_size, periodic=True, basis="substitute")
 
 
 def random_corner(
-    noise: Transform, corner_pixels: int, pixel_size: float, density: SpectrumFunction
+    noise: Transform, corner_pixels: int, pixel_size: float, spectrum: SpectrumFunction
 ) -> HeightMap:
     """Return the corner of the random surface of the transform of white noise, in float32.
 
@@ -80,7 +80,7 @@ def random_corner(
     from scipy import fft
 
     transform = noise.copy()
-    scale_noise(transform, pixel_size, density)
+    scale_noise(transform, pixel_size, spectrum)
     rows = fft.ifft(transform, axis=0, overwrite_x=True)[:corner_pixels]
     heights = fft.irfft(rows, len(noise), axis=1)[:, :corner_pixels]
     return HeightMap(heights, pixel_size, basis="substitute")
@@ -96,28 +96,28 @@ def whole_surface(
     seed: int,
     surface: str,
     realization: int,
-    density: SpectrumFunction,
+    spectrum: SpectrumFunction,
     pixels: int,
     pixel_size: float,
 ) -> HeightMap:
     """Return a periodic substitute surface (pixels, pixels), as large as a long-edge master."""
     return random_surface(
-        generator(seed, surface, realization, "whole surface"), pixels, pixel_size, density
+        generator(seed, surface, realization, "whole surface"), pixels, pixel_size, spectrum
     )
 
 
 def sample_scan(
-    rng: np.random.Generator, density: SpectrumFunction, grid: ScanGrid, factor: float = 1.0
+    rng: np.random.Generator, spectrum: SpectrumFunction, grid: ScanGrid, factor: float = 1.0
 ) -> HeightMap:
-    """Sample a scan with C_iso `density` in nm⁴, its heights times a factor."""
-    return scan_of_noise(white_noise(rng, grid.realization_pixels), density, grid, factor)
+    """Sample a scan with C_iso `spectrum` in nm⁴, its heights times a factor."""
+    return scan_of_noise(white_noise(rng, grid.realization_pixels), spectrum, grid, factor)
 
 
 def scan_of_noise(
-    noise: Transform, density: SpectrumFunction, grid: ScanGrid, factor: float = 1.0
+    noise: Transform, spectrum: SpectrumFunction, grid: ScanGrid, factor: float = 1.0
 ) -> HeightMap:
     """Return the scan of the transform of white noise: the corner of a random surface."""
-    surface = random_corner(noise, grid.pixels, grid.pixel_size, density)
+    surface = random_corner(noise, grid.pixels, grid.pixel_size, spectrum)
     return cut_scan(surface, grid.pixels, factor)
 
 
@@ -135,18 +135,18 @@ def short_edge_master(
     stitched: HeightMap,
     pixels: int,
     transition: float,
-    density: SpectrumFunction,
+    spectrum: SpectrumFunction,
 ) -> HeightMap:
     """Return a mirror-stitched scan whose wavelengths below the transition (nm) are artificial.
 
-    Below the transition, the C_iso of the random surface that is added is `density`. Above, it is
+    Below the transition, the C_iso of the random surface that is added is `spectrum`. Above, it is
     constant, so that some long waves are added, too. Source: the paper, section Determining the
     Most Relevant Length-scales of Roughness.
     """
     long_waves = lowpass(stitched, transition)
-    transition_wavevector = 2 * np.pi / transition
+    transition_q = 2 * np.pi / transition
     master = random_surface(
-        rng, pixels, stitched.size / pixels, lambda q: density(np.maximum(q, transition_wavevector))
+        rng, pixels, stitched.size / pixels, lambda q: spectrum(np.maximum(q, transition_q))
     )
     master.heights[...] += interpolate(long_waves, pixels).heights
     return replace(master, basis=stitched.basis)
@@ -157,22 +157,22 @@ def long_edge_master(
     stitched: HeightMap,
     tiles: int,
     transition: float,
-    density: SpectrumFunction,
+    spectrum: SpectrumFunction,
 ) -> HeightMap:
     """Return a mirror-stitched scan whose wavelengths above the transition (nm) are artificial.
 
-    The scan is repeated `tiles` times along each side. A random surface with the C_iso `density`
+    The scan is repeated `tiles` times along each side. A random surface with the C_iso `spectrum`
     replaces the wavelengths above the transition. Source: as for `short_edge_master`.
     """
     repeated = replace(stitched, heights=np.tile(stitched.heights, (tiles, tiles)))
     long_waves = lowpass(repeated, transition)
     # The margin keeps waves exactly at the transition artificial in spite of rounding.
-    transition_wavevector = 2 * np.pi / transition * (1 + 1e-12)
+    transition_q = 2 * np.pi / transition * (1 + 1e-12)
     artificial = random_surface(
         rng,
         long_waves.pixels,
         long_waves.pixel_size,
-        lambda q: np.where(q <= transition_wavevector, density(q), 0.0),
+        lambda q: np.where(q <= transition_q, spectrum(q), 0.0),
     )
     change = replace(long_waves, heights=artificial.heights - long_waves.heights)
     heights = repeated.heights + interpolate(change, repeated.pixels).heights
@@ -192,11 +192,11 @@ def synthesize_master(
     rng: np.random.Generator,
     stitched: HeightMap,
     settings: Mapping[str, Any],
-    density: SpectrumFunction,
+    spectrum: SpectrumFunction,
 ) -> HeightMap:
     """Return the periodic master of a side from a mirror-stitched scan and artificial roughness.
 
     `settings` has ``transition`` in nm, and ``pixels`` (short side) or ``tiles`` (long side).
     """
     make_master, size_key = MASTER_MAKERS[side]
-    return make_master(rng, stitched, settings[size_key], settings["transition"], density)
+    return make_master(rng, stitched, settings[size_key], settings["transition"], spectrum)
