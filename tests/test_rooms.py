@@ -16,10 +16,10 @@ ROOMS = re.findall(r"`(\w+)`", hardcontact.__doc__)
 #: Code lines that each room may have, without docstrings, comments and blank lines. A commit that
 #: raises one says what a user gets for it.
 BUDGET = {
-    "base": 778,
-    "surfaces": 3425,
+    "base": 779,
+    "surfaces": 3431,
     "contact": 1381,
-    "inference": 1652,
+    "inference": 1653,
     "theory": 647,
     "paper": 1465,
     "config": 1522,

@@ -51,7 +51,7 @@ def test_an_unreadable_member_of_a_container_is_skipped(tmp_path):
     files = {"good.nc": sound_scan, "bad.txt": tmp_path / "bad.txt"}
     twin = container(tmp_path / "twin.zip", members, files)
     ((entry,), (line,), problems) = inventory([source(twin)], None)
-    assert entry.dataset == "good.nc" and not problems
+    assert entry.member == "good.nc" and not problems
     assert_says(line, "twin.zip: bad.txt: expected")
     unusable_container = container(tmp_path / "bad.zip", members[1:], files)
     entries, unreadable, problems = inventory([source(unusable_container)], None)

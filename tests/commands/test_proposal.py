@@ -40,10 +40,11 @@ def density(size, pixel, rms):
 def entry(size=2500.0, pixels=512, rms=17.0, surface="a", **others):
     """Return a height map of a surface; lengths in nm."""
     fields = {
-        "dataset": "", "channel": "height", "file_unit": "nm", "kind": "map",
+        "member": "", "channel": "height", "file_unit": "nm", "kind": "map",
         "peak_to_valley": 6 * rms, "relief": 8 * rms, "tip_radius": None, "tip_given": False,
         "band": ReliableBand(4 * size / pixels, size / 3, "pixels"),
-        "density": density(size, size / pixels, rms), "undefined": 0, "notes": (), "defects": {},
+        "density": density(size, size / pixels, rms), "undefined_count": 0, "notes": (),
+        "defects": {},
         "coarse": HeightMap(np.zeros((2, 2)), size / 2),
     }  # fmt: skip
     return Entry(
@@ -214,13 +215,13 @@ def test_roughness_is_artificial_below_the_reliable_wavelengths(shortest, transi
         ),
         # 20 nm² are less than a pixel of 19.5 nm.
         (entry(10000), probe(5e3, 100e-9, 5e9, 2.0), ["less than a pixel"]),
-        (entry(10000, 512, 14, undefined=512**2 * 3 // 10), probe(), ["30% of its pixels"]),
+        (entry(10000, 512, 14, undefined_count=512**2 * 3 // 10), probe(), ["30% of its pixels"]),
         (entry(defects={"highest": {"highest_share": 0.1}}), probe(), ["one.nc: 10 % of"]),
     ],
 )  # fmt: skip
 def test_scans_that_spoil_the_forces_have_a_caution_with_numbers(scan, settings, message_parts):
     assert_says(" ".join(propose([scan], None, settings).cautions), *message_parts)
-    assert not propose([entry(10000, 512, 14, undefined=99)], None, probe()).cautions
+    assert not propose([entry(10000, 512, 14, undefined_count=99)], None, probe()).cautions
 
 
 @pytest.mark.parametrize(("radius", "stated"), [(50e3, 250e3), (50e3, 60e3), (50e3, 40e3)])

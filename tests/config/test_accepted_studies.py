@@ -11,7 +11,7 @@ from repository import PAPER, merged
 
 from hardcontact.config import selected_surfaces
 from hardcontact.config.configuration import get_key, master_keys
-from hardcontact.config.grids import realization_pixels
+from hardcontact.config.grids import random_surface_pixels
 from hardcontact.config.model import numeric_configuration
 from hardcontact.contact.asperities import asperities_of_pair
 from hardcontact.contact.bearing_area import all_contact_pixels
@@ -111,7 +111,8 @@ def stitched_scan(config, rng, density, radius=None):
     """Make a substitute scan as masters and contacts use it."""
     scan = config["scan"]
     pixel_size = scan["size"] / scan["pixels"]
-    surface = synthesis.random_surface(rng, realization_pixels(scan["pixels"]), pixel_size, density)
+    surface_pixels = random_surface_pixels(scan["pixels"])
+    surface = synthesis.random_surface(rng, surface_pixels, pixel_size, density)
     substitute = cut_scan(surface, scan["pixels"])
     if radius is None:
         return mirror_stitch(level(substitute))

@@ -35,7 +35,7 @@ AFM, UNCERTAINTY = (
 )
 #: Polished UNCD in Table 1.
 POLISHED = ScanStatistics(
-    np.array([3.2, 0.04, 2e-3]), np.array([1.6, 0.01, 1.3e-3]), scans=5, all_rms_height=4.2
+    np.array([3.2, 0.04, 2e-3]), np.array([1.6, 0.01, 1.3e-3]), scan_count=5, all_rms_height=4.2
 )
 TABLES = ROOT / "resources/paper"
 STATEMENTS = read_statements(TABLES / "claims.csv")

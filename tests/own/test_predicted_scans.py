@@ -133,7 +133,7 @@ def test_members_of_a_container_are_joined_or_chosen(tmp_path):
         files[path.name] = scan_files.scan(path, heights, (640.0, 640.0))
     members = [{"name": f"scan {file}", "datafile": {"original": file}} for file in files]
     path = scan_files.container(tmp_path / "twin.zip", members, files)
-    joined_members, second_member = own_spectrum([path]), own_spectrum([path], dataset="scan 2.nc")
+    joined_members, second_member = own_spectrum([path]), own_spectrum([path], member="scan 2.nc")
     densities = [own_spectrum([file]).spectrum.density for file in files.values()]
     assert second_member.spectrum.density == pytest.approx(densities[1])
     assert joined_members.spectrum.density == pytest.approx(

@@ -12,7 +12,7 @@ from repository import PAPER, ROOT
 
 from hardcontact.base import published
 from hardcontact.base.random import generator
-from hardcontact.config.grids import realization_pixels
+from hardcontact.config.grids import random_surface_pixels
 from hardcontact.surfaces import conditioning
 from hardcontact.surfaces.conditioning import Targets
 from hardcontact.surfaces.height_map import level, metrics
@@ -76,7 +76,9 @@ def test_conditioned_scans_have_the_given_statistics(spectrum, numbers):
     assert_met(targets, synthesized_metrics(spectrum, group, GRID))
 
 
-PAPER_GRID = ScanGrid(PAPER["scan"]["pixels"], 2500.0, realization_pixels(PAPER["scan"]["pixels"]))
+PAPER_GRID = ScanGrid(
+    PAPER["scan"]["pixels"], 2500.0, random_surface_pixels(PAPER["scan"]["pixels"])
+)
 
 
 # Plain runs look at the smaller scans of the tiny study.

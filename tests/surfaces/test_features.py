@@ -13,12 +13,12 @@ from hardcontact.surfaces.featured_scans import FeaturedSurface, nearest_group, 
 from hardcontact.surfaces.features import (
     Features,
     add_features,
-    deviations_from_published,
     expected_rms,
     feature_squares,
     no_features,
     published_statistics,
     sample_features,
+    standardized_differences,
 )
 from hardcontact.surfaces.height_map import TABLE1_METRICS, level, metrics
 from hardcontact.surfaces.synthesis import ScanGrid
@@ -96,10 +96,10 @@ def test_scans_have_the_expected_statistics():
 
 def test_deviations_are_in_standard_errors():
     values = np.array([1.6, 4.8])[:, None] * [1, 0.0125, 0.000625]
-    deviations = deviations_from_published(values, POLISHED)
+    deviations = standardized_differences(values, POLISHED)
     np.testing.assert_allclose(deviations[:3], 0, atol=1e-12)
     np.testing.assert_allclose(deviations[3], (np.sqrt(2) - 1) * np.sqrt(8))
-    shifted = deviations_from_published(values + POLISHED.deviations / np.sqrt(5), POLISHED)
+    shifted = standardized_differences(values + POLISHED.deviations / np.sqrt(5), POLISHED)
     np.testing.assert_allclose(shifted[:3], 1)
 
 
@@ -151,7 +151,7 @@ def test_the_nearest_group_is_one_of_bumps_or_pits(monkeypatch):
         for candidate, kind in enumerate(["bumps", "pits", "bumps", "pits"])
     ]
     distances = [
-        np.linalg.norm(deviations_from_published(expected_rms_of(candidate), POLISHED))
+        np.linalg.norm(standardized_differences(expected_rms_of(candidate), POLISHED))
         for candidate in candidates
     ]
     assert features == candidates[int(np.argmin(distances))]

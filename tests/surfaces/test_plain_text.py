@@ -79,7 +79,7 @@ def test_empty_cells_and_words_are_undefined_pixels(tmp_path, word):
     rows[3] = rows[3].replace(rows[3].split(";")[5], word, 1)
     path = written(tmp_path / "a.csv", rows)
     measurement = read_scan(path, "", "harmonic", "nm", 240.0)
-    assert measurement.undefined == 1
+    assert measurement.undefined_count == 1
     defined = np.ones((PIXELS, PIXELS), bool)
     defined[3, 5] = False
     np.testing.assert_allclose(measurement.heights[defined], MAP[defined], atol=1e-4)
@@ -102,7 +102,7 @@ def test_missing_points_are_undefined_pixels(tmp_path, separator, order):
     path = coordinates(tmp_path / "a.xyz", points, separator)
     assert_says(refusal(read_scan, path, "", "refuse", "nm"), "undefined", "found 30")
     measurement = read_scan(path, "", "harmonic", "nm")
-    assert measurement.pixel_size == pytest.approx(10.0) and measurement.undefined == 30
+    assert measurement.pixel_size == pytest.approx(10.0) and measurement.undefined_count == 30
     defined = np.delete(np.arange(len(POINTS)), GAPS)
     np.testing.assert_allclose(measurement.heights.ravel()[defined], POINTS[defined, 2], atol=1e-5)
     assert (
@@ -135,7 +135,7 @@ def test_points_beside_a_grid_are_interpolated_on_it(tmp_path, gaps):
     points[:, 2] = 5 * np.sin(points[:, 0] / 40) * np.cos(points[:, 1] / 50)
     path = coordinates(tmp_path / "a.xyz", rng.permutation(np.delete(points, gaps, axis=0)))
     measurement = read_scan(path, "", "harmonic", "nm")
-    assert measurement.heights.shape == MAP.shape and measurement.undefined == len(gaps)
+    assert measurement.heights.shape == MAP.shape and measurement.undefined_count == len(gaps)
     assert measurement.pixel_size == pytest.approx(10.0, rel=0.01)
     truth = (5 * np.sin(X / 40) * np.cos(Y / 50)).reshape(MAP.shape)
     inner = np.s_[2:-2, 2:-2]

@@ -38,7 +38,7 @@ def test_the_real_container_is_read_whole():
     assert any("resampled" in note for note in tem.notes)
     assert len(stylus.heights) == 3001 and stylus.pixel_size == pytest.approx(99.6, abs=0.05)
     assert not any("resampled" in note for note in stylus.notes)
-    assert [measurement.undefined for measurement in measurements] == [0, 0, 0]
+    assert [measurement.undefined_count for measurement in measurements] == [0, 0, 0]
 
 
 def test_real_scans_have_no_defect():

@@ -47,7 +47,8 @@ def test_a_map_is_read_as_its_central_square(tmp_path, form, shape, square, note
     measurement = read_scan(*file)
     np.testing.assert_allclose(measurement.heights, values[square].T, atol=1e-12)
     assert measurement.pixel_size == pytest.approx(10.0)
-    assert (measurement.kind, measurement.undefined, measurement.tip_radius) == ("map", 0, None)
+    assert measurement.kind == "map" and measurement.undefined_count == 0
+    assert measurement.tip_radius is None
     assert [note for note in measurement.notes if "cropped" in note] == notes
 
 
@@ -61,7 +62,7 @@ def test_gaps_of_a_map_are_filled_harmonically(tmp_path, form):
     assert_says(refusal(read_scan, *file), "found 21", "scan.undefined_pixels: harmonic")
     measurement = read_scan(*file, "harmonic")
     np.testing.assert_allclose(measurement.heights, plane.T, atol=1e-9)
-    assert measurement.undefined == 21
+    assert measurement.undefined_count == 21
     assert "21 undefined pixels of 1024 filled" in measurement.notes
 
 
@@ -70,7 +71,7 @@ def test_a_round_aperture_is_cropped_to_the_square_inside(tmp_path):
     heights = np.ma.masked_array(np.arange(64.0**2).reshape(64, 64), np.hypot(y, x) > 32)
     heights[30, 30] = np.ma.masked  # a gap inside is filled
     measurement = read_scan(scan(tmp_path / "a.nc", heights, (640.0, 640.0)), "", "harmonic")
-    assert (measurement.pixels, measurement.undefined) == (45, 1)
+    assert (measurement.pixels, measurement.undefined_count) == (45, 1)
     assert measurement.pixels == pytest.approx(64 / np.sqrt(2), abs=1)
 
 
@@ -86,13 +87,13 @@ def test_heights_under_a_mask_count_unless_it_is_excluded(tmp_path):
     kept = read_scan(path)
     np.testing.assert_allclose(kept.heights, values.T, atol=1e-12)
     assert_says(kept.notes[0], "take care", "marks 19 of 1024 pixels", "--mask exclude")
-    assert read_scan(path, "", "harmonic", mask="exclude").undefined == 19
+    assert read_scan(path, "", "harmonic", mask="exclude").undefined_count == 19
 
 
 def test_only_gaps_in_the_square_are_filled_and_at_most_half_of_it(tmp_path):
     values = np.ma.masked_array(heights(48, 32), False)
     values[:8] = values[40:] = np.ma.masked
-    assert read_scan(scan(tmp_path / "a.nc", values, (480.0, 320.0))).undefined == 0
+    assert read_scan(scan(tmp_path / "a.nc", values, (480.0, 320.0))).undefined_count == 0
     values[:25] = np.ma.masked
     path = scan(tmp_path / "a.nc", values, (480.0, 320.0))
     message = refusal(read_scan, path, "", "harmonic")
@@ -105,7 +106,7 @@ def test_pixels_that_are_not_square_are_resampled_on_the_longer_edge(tmp_path):
     values[20, 31] = np.ma.masked
     file = scan(tmp_path / "a.nc", values, (960.0, 640.0))  # 20 nm x 10 nm
     measurement = read_scan(file, "", "harmonic")
-    assert measurement.pixel_size == pytest.approx(20.0) and measurement.undefined == 0
+    assert measurement.pixel_size == pytest.approx(20.0) and measurement.undefined_count == 0
     heights_on_grid = (0.3 * x - 0.2 * y)[8:40, ::2].T
     np.testing.assert_allclose(measurement.heights, heights_on_grid, atol=1e-9)
     assert measurement.notes[0] == "resampled from pixels of 20 nm x 10 nm to 20 nm"
@@ -165,7 +166,7 @@ def test_a_line_scan_is_read_and_its_gaps_are_filled_linearly(tmp_path, form):
     file = write_and_list(MAPS_AND_LINES[form], tmp_path / f"a.{form}", profile)
     assert_says(refusal(read_scan, *file), "found 4", "undefined_pixels")
     measurement = read_scan(*file, "harmonic")
-    assert (measurement.kind, measurement.file_unit, measurement.undefined) == (
+    assert (measurement.kind, measurement.file_unit, measurement.undefined_count) == (
         "line scan",
         "nm",
         4,

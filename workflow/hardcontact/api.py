@@ -55,7 +55,7 @@ if TYPE_CHECKING:
 
 def read_scan(
     path: str | Path,
-    dataset: str = "",
+    member: str = "",
     *,
     undefined_pixels: str = "refuse",
     unit: str = NONE,
@@ -70,8 +70,8 @@ def read_scan(
     ----------
     path : str or Path
         Any format that SurfaceTopography reads, or a container of scans.
-    dataset : str
-        The member of a container, or the channel of any other file; empty for the file's choice.
+    member : str
+        The scan in a container, or the channel of any other file; empty for the file's choice.
     undefined_pixels : str
         ``"refuse"`` a scan with gaps, or fill them: ``"harmonic"``.
     unit : str
@@ -98,13 +98,13 @@ def read_scan(
     >>> size = scan.size  # nm
     """
     check_read_arguments(
-        [path], dataset=dataset, unit=unit, undefined_pixels=undefined_pixels, mask=mask
+        [path], member=member, unit=unit, undefined_pixels=undefined_pixels, mask=mask
     )
     check_optional_lengths(
         map_size=map_size if map_size != NONE else None, sphere_radius=sphere_radius
     )
     with arguments_in_messages():
-        scan = require_map(read_any_scan(path, dataset, undefined_pixels, unit, map_size, mask))
+        scan = require_map(read_any_scan(path, member, undefined_pixels, unit, map_size, mask))
     return _prepare(scan, sphere_radius, levelling)
 
 
@@ -160,7 +160,7 @@ def _prepare(scan: HeightMap, sphere_radius: float | None, levelling: str) -> He
 
 def read_spectrum(
     *files: str | Path,
-    dataset: str = "",
+    member: str = "",
     tip_radius: float | None = None,
     undefined_pixels: str = "harmonic",
     unit: str = NONE,
@@ -176,8 +176,8 @@ def read_spectrum(
     ----------
     *files : str or Path
         One table in the format of `hardcontact predict`; or height maps, line scans and containers.
-    dataset : str
-        The only member of a container to read; empty: all members.
+    member : str
+        Name of the only scan in a container to read; empty: all scans.
     tip_radius : float or None
         Radius of the tip in nm for scans whose files do not state it.
     undefined_pixels, unit, mask, levelling : str
@@ -199,7 +199,7 @@ def read_spectrum(
     >>> shortest = 2 * np.pi / spectrum.wavevector[-1]  # nm
     """
     check_read_arguments(
-        files, dataset=dataset, unit=unit, undefined_pixels=undefined_pixels, mask=mask
+        files, member=member, unit=unit, undefined_pixels=undefined_pixels, mask=mask
     )
     check_optional_lengths(
         map_size=map_size if map_size != NONE else None,
@@ -209,7 +209,7 @@ def read_spectrum(
     with arguments_in_messages():
         spectrum = own_spectrum(
             files,
-            dataset=dataset,
+            member=member,
             tip_radius=tip_radius,
             undefined_pixels=undefined_pixels,
             unit=unit,

@@ -13,7 +13,7 @@
 #   SUBSTITUTE_INPUTS  from which random surfaces like a substitute are made
 # Functions are here, because the linter of Snakemake wants them apart from rules.
 
-from hardcontact.config.grids import master_megabytes, realization_pixels
+from hardcontact.config.grids import master_megabytes, random_surface_pixels
 from hardcontact.files.chunks import Chunks
 from hardcontact.files.master_purposes import filter_settings
 from hardcontact.files.patterns import any_name_pattern
@@ -31,7 +31,7 @@ CONTACT_AT_RANGE = STUDY["contact"] | {
 }
 SCAN_GRID = {
     **{key: STUDY["scan"][key] for key in ("pixels", "size")},
-    "realization_pixels": realization_pixels(STUDY["scan"]["pixels"]),
+    "surface_pixels": random_surface_pixels(STUDY["scan"]["pixels"]),
 }
 DESCRIPTION_INPUTS = {
     "description": lambda w: SELECTION.description(w.surface),

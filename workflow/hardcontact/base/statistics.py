@@ -13,6 +13,7 @@ import numpy as np
 import xarray as xr
 from numpy.typing import ArrayLike
 
+from hardcontact.base.arrays import Floats
 from hardcontact.base.random import generator
 
 #: Largest deviation of the logarithm of a sample from that of the mean; larger ones are clipped.
@@ -103,7 +104,7 @@ def interval_between(low: xr.DataArray, high: xr.DataArray) -> xr.DataArray:
     return xr.DataArray(ends, {**low.coords, "bound": BOUNDS}, (*low.dims, "bound"))
 
 
-def student_log_samples(rng: np.random.Generator, values: np.ndarray, samples: int) -> np.ndarray:
+def student_log_samples(rng: np.random.Generator, values: Floats, sample_count: int) -> Floats:
     """Return random means (samples, ...) of positive values of n independent scans (n, ...).
 
     The logarithm of a sample is ln(mean x) + sum_i z_i d_i/sqrt(n (n - 1))/sqrt(c/(n - 1)), with
@@ -112,11 +113,11 @@ def student_log_samples(rng: np.random.Generator, values: np.ndarray, samples: i
     """
     count = len(values)
     if count < 2:
-        return np.full((samples, *values.shape[1:]), np.nan)
+        return np.full((sample_count, *values.shape[1:]), np.nan)
     logarithms = np.log(values)
     deviations = (logarithms - logarithms.mean(axis=0)) / np.sqrt(count * (count - 1))
-    normal = rng.standard_normal((samples, count))
-    share = np.sqrt(rng.chisquare(count - 1, samples) / (count - 1))
+    normal = rng.standard_normal((sample_count, count))
+    share = np.sqrt(rng.chisquare(count - 1, sample_count) / (count - 1))
     deviation = np.tensordot(normal / share[:, None], deviations, axes=1)
     return np.asarray(
         values.mean(axis=0) * np.exp(np.clip(deviation, -MAX_LOG_DEVIATION, MAX_LOG_DEVIATION))
@@ -204,7 +205,7 @@ class Sampling:
     """
 
     seed: int  #: The seed of the study.
-    samples: int  #: Number of samples; without any, all intervals are NaN.
+    sample_count: int  #: Number of samples; without any, all intervals are NaN.
     confidence: float  #: Of the intervals.
     #: Purpose of the random numbers, put before the names of `generator`.
     stream: tuple[str, ...] = ("sampling",)
@@ -212,8 +213,8 @@ class Sampling:
     @classmethod
     def from_parameters(cls, parameters: Mapping[str, Any], *stream: str) -> "Sampling":
         """Return the sampling of a job, whose parameters may have other keys, too."""
-        seed, samples, confidence = (parameters[name] for name in ("seed", "samples", "confidence"))
-        return cls(seed, samples, confidence, stream or cls.stream)
+        seed, sample_count = parameters["seed"], parameters["samples"]
+        return cls(seed, sample_count, parameters["confidence"], stream or cls.stream)
 
     def generator(self, *names: str) -> np.random.Generator:
         """Return the random generator of one sampled quantity."""

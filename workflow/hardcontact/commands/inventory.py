@@ -37,7 +37,7 @@ class Entry:
     """One topography: the statements of its file, and measured properties; lengths in nm."""
 
     source: Source
-    dataset: str
+    member: str
     channel: str
     file_unit: str
     kind: str
@@ -50,7 +50,7 @@ class Entry:
     tip_given: bool  #: by the user, as the file does not state it
     band: ReliableBand
     density: Floats  #: C_iso (bins,) in nm⁴
-    undefined: int  #: pixels, which were filled
+    undefined_count: int  #: pixels, which were filled
     notes: tuple[str, ...]  #: what was done in reading
     defects: Mapping[str, Mapping[str, float]]  #: of `scan_defects`
     coarse: HeightMap  #: levelled, to find scans of the same place
@@ -58,7 +58,7 @@ class Entry:
     @property
     def undefined_share(self) -> float:
         """Share of undefined pixels of a map, or points of a line scan."""
-        return self.undefined / (self.pixels**2 if self.kind == "map" else self.pixels)
+        return self.undefined_count / (self.pixels**2 if self.kind == "map" else self.pixels)
 
     @property
     def size(self) -> float:
@@ -79,7 +79,7 @@ class Entry:
     def name(self) -> str:
         """The file without its folder, and for a container the data file in it."""
         file = PurePath(self.source.path).name
-        return f"{file}/{self.dataset}" if self.dataset else file
+        return f"{file}/{self.member}" if self.member else file
 
 
 def inventory(
@@ -105,14 +105,14 @@ def inventory(
         file_entries = []
         faults = []
         try:
-            for dataset in list_scans(source.file):
+            for member in list_scans(source.file):
                 try:
-                    scan = read_scan(source.file, dataset or channel, FILLING, unit, map_size, mask)
+                    scan = read_scan(source.file, member or channel, FILLING, unit, map_size, mask)
                     file_entries.append(_entry(source, scan, tip_radius, levelling))
                 except ValueError as error:
                     file = f"{source.file}: "
                     faults += [
-                        f"{file}{dataset}: {line.removeprefix(file)}" if dataset else line
+                        f"{file}{member}: {line.removeprefix(file)}" if member else line
                         for line in str(error).splitlines()
                     ]
         except ValueError as error:
@@ -182,7 +182,7 @@ def _entry(source: Source, scan: HeightMap, tip_radius: float | None, levelling:
     radius = tip_radius if stated_radius is None else stated_radius
     return Entry(
         source=source,
-        dataset=scan.dataset,
+        member=scan.member,
         channel=scan.channel,
         file_unit=scan.file_unit,
         kind=scan.kind,
@@ -195,7 +195,7 @@ def _entry(source: Source, scan: HeightMap, tip_radius: float | None, levelling:
         tip_given=radius is not stated_radius,
         band=reliable_band(flat, radius, density),
         density=density,
-        undefined=scan.undefined,
+        undefined_count=scan.undefined_count,
         notes=flat.notes,
         defects=flat.defects,
         coarse=coarse_map(flat),
@@ -252,7 +252,7 @@ def table_rows(
             "scan": str(number),
             "source": "measured",
             "path": entry.source.path,
-            "dataset": entry.dataset,
+            "dataset": entry.member,
             "use": CONTACT if id(entry) in contact_ids else SPECTRUM,
             "tip_radius": tip_radius if entry.tip_given else "",
         }

@@ -129,7 +129,7 @@ def propose(
         for choice in _choices(substrates, window, transitions, QUICK_EFFORT)
         if choice.value != usual[choice.key]
     ]
-    if gaps := sum(entry.undefined > 0 for entry in entries):
+    if gaps := sum(entry.undefined_count > 0 for entry in entries):
         reason = f"{gaps} of the files have undefined pixels"
         full.insert(0, Choice("scan.undefined_pixels", FILLING, reason))
     cautions = [*scan_cautions(entries, substrates, probe.rho, window, sizes)]

@@ -13,7 +13,7 @@ MAP_PIXELS = 16384
 #: Edge of the periodic random surface from which a substitute is cut, in edges of the substitute.
 #: A real scan has waves longer than itself and does not continue at its edges; a larger surface
 #: would imitate this better, but takes more memory.
-REALIZATION_OVER_SCAN = 4
+RANDOM_SURFACE_OVER_SCAN = 4
 #: Contact pixels of all contacts on a scan, with their images in the window: all are kept in memory
 #: at once, in some 24 bytes each, 1.6 GB together.
 CONTACT_PIXELS = 2**26
@@ -42,9 +42,9 @@ class Grid(NamedTuple):
     relief: float
 
 
-def realization_pixels(pixels: int) -> int:
+def random_surface_pixels(pixels: int) -> int:
     """Return the pixels along a side of the random surface from which a substitute is cut."""
-    return min(REALIZATION_OVER_SCAN * pixels, MAP_PIXELS)
+    return min(RANDOM_SURFACE_OVER_SCAN * pixels, MAP_PIXELS)
 
 
 def same_grid(grid: Grid, reference: Grid) -> bool:

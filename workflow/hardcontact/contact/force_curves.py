@@ -37,7 +37,7 @@ def mean_forces(forces: xr.DataArray, sampling: Sampling) -> tuple[np.ndarray, n
         student_log_samples(
             sampling.generator("adhesion", str(surface)),
             scans.sel(surface=surface).dropna("scan").values,
-            sampling.samples,
+            sampling.sample_count,
         )
         for surface in scans.surface.values
     ]
@@ -120,7 +120,7 @@ def force_statistics(forces: np.ndarray, force_floor: float, sampling: Sampling)
 
     Forces (scan, sphere_scan, contact) are in N, censored below the floor, NaN for a missing scan.
     Returns FORCE_STATISTICS with intervals over substrate scans: JACKKNIFE_STATISTICS by the
-    jackknife, the others by Student's t. Intervals are NaN if `sampling.samples` is 0.
+    jackknife, the others by Student's t. Intervals are NaN if `sampling.sample_count` is 0.
     """
     is_finite = np.isfinite(forces)
     scan_exists = is_finite.any(axis=(1, 2))
@@ -139,7 +139,7 @@ def force_statistics(forces: np.ndarray, force_floor: float, sampling: Sampling)
         "censored_fraction": float(censored.mean()),
     }
     intervals = dict.fromkeys(FORCE_STATISTICS, np.full(2, np.nan))
-    if sampling.samples:
+    if sampling.sample_count:
         without_one_scan = [
             _jackknife_statistics(np.delete(finite_forces, scan, axis=0), force_floor)
             for scan in range(len(finite_forces))

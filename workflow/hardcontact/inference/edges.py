@@ -137,7 +137,7 @@ def _mean_ratios(scales: xr.Dataset, sampling: Sampling) -> tuple[np.ndarray, np
         student_log_samples(
             sampling.generator("scales", str(surface)),
             realizations.sel(surface=surface).dropna("realization", how="all").values,
-            sampling.samples,
+            sampling.sample_count,
         )
         for surface in scales["surface"].values
     ]

@@ -29,7 +29,7 @@ Octave = tuple[float, float]
 
 #: Artificial octaves of a side. A trade: each costs a force sum. With six, the outcome on one scan
 #: depended on the seed; with twelve, the interval is 1.15 times as wide as with many.
-REALIZATIONS = 12
+ARTIFICIAL_OCTAVES = 12
 #: Pixels along a side of the blocks of `widen_pixels`.
 WIDE_PIXEL = 4
 
@@ -92,7 +92,7 @@ def hindcast_forces(
     side_forces = {}
     for side, octave in octaves.items():
         if octave is None:
-            octave_forces = np.full((1 + REALIZATIONS, *forces(stitched).shape), np.nan)
+            octave_forces = np.full((1 + ARTIFICIAL_OCTAVES, *forces(stitched).shape), np.nan)
         else:
             seed_word = SEED_WORDS[side]
             near_side, scan_octave = _split_at_octave(stitched, side, octave)
@@ -101,7 +101,7 @@ def hindcast_forces(
                     _artificial_octave(body.generator(seed_word, number), stitched, octave, body)
                     for body in bodies
                 )
-                for number in range(REALIZATIONS)
+                for number in range(ARTIFICIAL_OCTAVES)
             ]
             all_octaves = scan_octave, *artificial_octaves
             octave_forces = np.array(

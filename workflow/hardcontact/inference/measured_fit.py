@@ -123,7 +123,7 @@ def fit_measured(
     tests = [measured_tests(rows) for rows in surface_forces]
     repeated = [int(look_repeated(rows)) for rows in surface_forces]
     samples = [
-        sampled_means(sampling.generator("tests", name), test, sampling.samples)
+        sampled_means(sampling.generator("tests", name), test, sampling.sample_count)
         for name, test in zip(surfaces, tests, strict=True)
     ]
     force_samples = np.stack(samples, axis=1)
@@ -176,18 +176,17 @@ def _sampled_forces(surface_forces: SurfaceForces, surface: str, sampling: Sampl
 
     The place at which a rough sphere touches is the same on all surfaces.
     """
+    count = sampling.sample_count
     deviations = [
         sampled_deviations(
-            sampling.generator("scans", surface), delete_one_log_means, scan_parts, sampling.samples
+            sampling.generator("scans", surface), delete_one_log_means, scan_parts, count
         )
         for delete_one_log_means, scan_parts in zip(
             surface_forces.delete_one_log_means.T, surface_forces.scan_parts, strict=True
         )
     ]
     for index, variance in enumerate(surface_forces.place_variances):
-        samples = sampling.generator("place on the sphere").standard_t(
-            variance.freedom, sampling.samples
-        )
+        samples = sampling.generator("place on the sphere").standard_t(variance.freedom, count)
         deviations[index] = deviations[index] + samples * np.sqrt(variance.value)
     return np.asarray(surface_forces.mean * np.exp(np.stack(deviations, axis=1)))
 

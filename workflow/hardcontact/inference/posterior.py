@@ -81,7 +81,7 @@ def posterior(mean_forces: xr.DataArray, published: pd.DataFrame, sampling: Samp
         np.log(targets["mean_force"].to_numpy()),
         log_mean_error(shapes, SPHERE_COUNT),
         sampling.generator(*forces["surface"].values.tolist()),
-        sampling.samples,
+        sampling.sample_count,
     )
     return samples_dataset(ranges[index], np.exp(log_works), sampling.confidence)
 
@@ -109,7 +109,7 @@ def means_on_whole_surfaces(
         student_log_samples(
             sampling.generator("whole surfaces", surface),
             forces.transpose("map", "rho").values,
-            sampling.samples,
+            sampling.sample_count,
         )
         for surface, forces in surfaces.items()
     ]

@@ -41,18 +41,18 @@ class ScanParts:
     #: (map, contact_y, contact_x), the number of the part in which a contact of a map lies.
     part_of_contact: np.ndarray
     correlation: np.ndarray  #: (part, part), of mean forces of parts.
-    scans: int  #: Number of these scans.
+    scan_count: int  #: Number of these scans.
     touched_places: float = np.inf  #: The fewest places that the contacts of a scan touch.
 
     @property
     def are_quarters(self) -> bool:
         """Whether the parts are quarters, so that an interval is conditional on these scans."""
-        return self.scans < ENOUGH_SCANS
+        return self.scan_count < ENOUGH_SCANS
 
     @property
     def touches_few_places(self) -> bool:
         """Whether the contacts of a scan touch fewer places than it has quarters."""
-        return self.are_quarters and self.touched_places * self.scans < len(self.correlation)
+        return self.are_quarters and self.touched_places * self.scan_count < len(self.correlation)
 
     @property
     def mean_correlation(self) -> float:

@@ -70,7 +70,7 @@ class OwnSpectrum(NamedTuple):
 def own_spectrum(
     files: Sequence[str | Path],
     *,
-    dataset: str = "",
+    member: str = "",
     tip_radius: float | None = None,
     undefined_pixels: str = "harmonic",
     unit: str = "none",
@@ -81,7 +81,7 @@ def own_spectrum(
 ) -> OwnSpectrum:
     """Return the spectrum of a table, or of scans of one surface at their reliable wavelengths.
 
-    `dataset` is the only member to read. Tip radius and `map_size`, the longer side, are in nm;
+    `member` is the only scan to read. Tip radius and `map_size`, the longer side, are in nm;
     with `unit` they serve files that state none. `sphere_radius` is in nm. Raises ValueError, with
     a line for each fault, if a file is invalid.
     """
@@ -97,17 +97,17 @@ def own_spectrum(
         return OwnSpectrum(spectrum, (note,) if zeros else ())
     scans = [
         examine(
-            read_scan(path, member, undefined_pixels, unit, map_size, mask),
+            read_scan(path, name, undefined_pixels, unit, map_size, mask),
             sphere_radius,
             levelling,
         )
         for path in files
-        for member in ([dataset] if dataset else list_scans(path))
+        for name in ([member] if member else list_scans(path))
     ]
     for scan in scans:
         if np.ptp(scan.heights) < LENGTH_BOUNDS[0]:
             raise ValueError(f"{scan.path}: expected a rough surface, found constant height")
-    names = [f"{scan.path} {scan.dataset}".strip() for scan in scans]
+    names = [f"{scan.path} {scan.member}".strip() for scan in scans]
     repeated = repeated_places(scans, names)
     scans = [scan for number, scan in enumerate(scans) if number not in repeated]
     names = [name for number, name in enumerate(names) if number not in repeated]

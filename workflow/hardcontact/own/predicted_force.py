@@ -178,7 +178,7 @@ def _force_variables(
             "force_quantile": ((*dimensions, "quantile"), quantiles.values, NEWTON),
             "interval_is_conditional": int(scan_parts.are_quarters),
             "interval_source": scan_parts.source,
-            "interval_scans": scan_parts.scans,
+            "interval_scans": scan_parts.scan_count,
             "contacts": (
                 (),
                 np.prod([adhesion.sizes[axis] for axis in CONTACT_AXES]),

@@ -60,7 +60,7 @@ def apply_classical_models(
         mean = _roughness(rows.loc[surfaces], "value", prefix)
         uncertainty = _roughness(rows.loc[surfaces], "uncertainty", prefix)
         rng = sampling.generator(metrics)
-        samples = sample_roughness(rng, mean, uncertainty, sampling.samples)
+        samples = sample_roughness(rng, mean, uncertainty, sampling.sample_count)
         comparison = compare_models(
             mean, samples, sphere, value["work_of_adhesion"], _values(forces), sampling
         )

@@ -44,7 +44,7 @@ class SampleInputs(NamedTuple):
     """Everything from which the forces of samples are computed."""
 
     featured: FeaturedSurface
-    scans: int  #: Number of scans of a sample.
+    scan_count: int  #: Number of scans of a sample.
     contact: Contact  #: Contact with a smooth sphere.
     ranges: list[float]  #: Ranges of adhesion in nm.
 
@@ -70,7 +70,7 @@ def compute_samples(kind: str, numbers: Sequence[int], inputs: SampleInputs) -> 
 
 def _compute_sample(kind: str, number: int, inputs: SampleInputs) -> xr.Dataset:
     """Return forces, roughness and features of one sample."""
-    scans = range(1, inputs.scans + 1)
+    scans = range(1, inputs.scan_count + 1)
     features, group = sample_group(inputs.featured, kind, scans, number)
     forces = {(scan,): _scan_forces(level(group[scan - 1]), inputs) for scan in scans}
     base_rms_height = inputs.featured.mean_rms_height

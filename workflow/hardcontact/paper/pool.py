@@ -69,7 +69,7 @@ def read_pool_inputs(paths: Any, parameters: Mapping[str, Any]) -> PoolInputs:
     )
 
 
-def pool_heights(targets: Targets, scans: int, count: int) -> Floats:
+def pool_heights(targets: Targets, scan_count: int, count: int) -> Floats:
     """Return the ascending rms heights (count,) in nm at which the forces of a pool are computed.
 
     No value of a sample of n is farther from its mean than (n - 1)/sqrt(n) of its standard
@@ -77,9 +77,9 @@ def pool_heights(targets: Targets, scans: int, count: int) -> Floats:
     heights. A set of one scan has no deviation and needs a single height.
     """
     mean = targets.means["rms_height"]
-    if scans == 1:
+    if scan_count == 1:
         return np.array([mean])
-    reach = targets.rms_height_std * (scans - 1) / np.sqrt(scans)
+    reach = targets.rms_height_std * (scan_count - 1) / np.sqrt(scan_count)
     lowest = max(mean - reach, MIN_HEIGHT_RATIO * mean)
     return np.asarray(np.linspace(lowest**0.5, (mean + reach) ** 0.5, count) ** 2)
 

@@ -95,7 +95,7 @@ def gather_inputs(
     )
 
 
-def sample_scans(pool: xr.Dataset, rng: np.random.Generator, scans: int) -> xr.Dataset:
+def sample_scans(pool: xr.Dataset, rng: np.random.Generator, scan_count: int) -> xr.Dataset:
     """Sample a set of scans of one substrate from its pool, without replacement.
 
     The rms heights of the set get the mean and the deviation of the pool. This may give a
@@ -106,13 +106,13 @@ def sample_scans(pool: xr.Dataset, rng: np.random.Generator, scans: int) -> xr.D
     mean = pool.attrs["mean_rms_height"]
     deviation = pool.attrs["rms_height_deviation"]
     for _ in range(MAX_TRIES):
-        pool_scans = pool.isel(scan=rng.choice(pool.sizes["scan"], scans, replace=False))
+        pool_scans = pool.isel(scan=rng.choice(pool.sizes["scan"], scan_count, replace=False))
         heights = scale_rms_heights(pool_scans["rms_height"].values, mean, deviation)
         if heights.min() >= lowest * (1 - 1e-9):
             return _scale_scans(pool_scans, heights)
     raise ValueError(
-        f"expected sets of {scans} scans with rms heights of {mean:.3g} +- {deviation:.3g} nm, "
-        f"found none above {lowest:.3g} nm in {MAX_TRIES} tries"
+        f"expected sets of {scan_count} scans with rms heights of {mean:.3g} +- {deviation:.3g} "
+        f"nm, found none above {lowest:.3g} nm in {MAX_TRIES} tries"
     )
 
 

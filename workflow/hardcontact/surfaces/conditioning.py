@@ -205,7 +205,7 @@ def condition_group(
         component_spectra = [multiply_amplitudes(spectrum, share) for share in shares]
         matrices = []
         for make_generator in generator_functions.values():
-            noise = white_noise(make_generator(), grid.realization_pixels)
+            noise = white_noise(make_generator(), grid.surface_pixels)
             components = [
                 level(scan_of_noise(noise, component_spectrum, grid))
                 for component_spectrum in component_spectra

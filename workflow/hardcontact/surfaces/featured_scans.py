@@ -19,12 +19,12 @@ from hardcontact.surfaces.features import (
     Features,
     ScanStatistics,
     add_features,
-    deviations_from_published,
     expected_rms,
     feature_squares,
     no_features,
     published_statistics,
     sample_features,
+    standardized_differences,
 )
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import Spectrum, spectrum_of_dataset
@@ -50,19 +50,19 @@ class FeaturedSurface(NamedTuple):
         """The published mean rms height of scans in nm."""
         return float(self.statistics.means[0])
 
-    def sample_features(self, kind: str, scans: int, *names: object) -> Features:
+    def sample_features(self, kind: str, scan_count: int, *names: object) -> Features:
         """Sample the features of a surface of a kind: bumps, pits or gaussian."""
         if kind == GAUSSIAN:
-            return no_features(self.statistics, scans)
+            return no_features(self.statistics, scan_count)
         rng = generator(self.seed, self.surface, kind, *names, "features")
         size, pixel_size = self.grid.size, self.grid.pixel_size
-        return sample_features(rng, self.statistics, scans, size, pixel_size, SIGNS[kind])
+        return sample_features(rng, self.statistics, scan_count, size, pixel_size, SIGNS[kind])
 
     def distance_from_table1(self, features: Features) -> float:
-        """Return the root sum of squares of the `deviations_from_published` that are expected."""
+        """Return the root sum of squares of the `standardized_differences` that are expected."""
         added = feature_squares(features.height, features.width, self.grid.size)
         rms_values = expected_rms(features.base_factor, features.counts, added, self.statistics)
-        return float(np.linalg.norm(deviations_from_published(rms_values, self.statistics)))
+        return float(np.linalg.norm(standardized_differences(rms_values, self.statistics)))
 
     def scan(self, rng: np.random.Generator, features: Features, count: int) -> HeightMap:
         """Return a scan with a number of features."""
@@ -72,7 +72,9 @@ class FeaturedSurface(NamedTuple):
     def whole_surface(self, realization: int, pixels: int, pixel_size: float) -> HeightMap:
         """Return a periodic surface; odd realizations have bumps, even ones pits."""
         kind = list(SIGNS)[(realization - 1) % len(SIGNS)]
-        features = self.sample_features(kind, self.statistics.scans, realization, "whole surface")
+        features = self.sample_features(
+            kind, self.statistics.scan_count, realization, "whole surface"
+        )
         base = whole_surface(
             self.seed, self.surface, realization, self.spectrum, pixels, pixel_size
         )

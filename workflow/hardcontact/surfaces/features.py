@@ -39,7 +39,7 @@ class ScanStatistics(NamedTuple):
 
     means: Floats
     deviations: Floats
-    scans: int  #: Number of the published scans.
+    scan_count: int  #: Number of the published scans.
     all_rms_height: float  #: Published rms height (nm) over all scales.
 
 
@@ -98,30 +98,30 @@ def expected_rms(
     return np.sqrt(squares)
 
 
-def deviations_from_published(rms_values: Floats, statistics: ScanStatistics) -> Floats:
+def standardized_differences(rms_values: Floats, statistics: ScanStatistics) -> Floats:
     """Return the differences of scans (..., scan, 3) from published statistics, in standard errors.
 
     The means come first, then the deviations of rms height and slope over two or more scans. The
     relative standard error of a deviation over n normal values is 1/sqrt(2(n - 1)).
     """
-    mean_errors = statistics.deviations / np.sqrt(statistics.scans)
+    mean_errors = statistics.deviations / np.sqrt(statistics.scan_count)
     differences = (rms_values.mean(axis=-2) - statistics.means) / mean_errors
     if rms_values.shape[-2] < 2:
         return np.asarray(differences)
     ratios = rms_values.std(axis=-2, ddof=1)[..., :2] / statistics.deviations[:2]
-    spread = (ratios - 1) * np.sqrt(2 * (statistics.scans - 1))
+    spread = (ratios - 1) * np.sqrt(2 * (statistics.scan_count - 1))
     return np.concatenate([differences, spread], axis=-1)
 
 
 def sample_features(
     rng: np.random.Generator,
     statistics: ScanStatistics,
-    scans: int,
+    scan_count: int,
     size: float,
     pixel_size: float,
     sign: int,
 ) -> Features:
-    """Sample features from the prior until all `deviations_from_published` are below one.
+    """Sample features from the prior until all `standardized_differences` are below one.
 
     size, pixel_size: of a scan in nm. sign: of the heights.
     """
@@ -130,11 +130,11 @@ def sample_features(
     low, high = np.log(bounds).T
     for _ in range(MAX_BATCHES):
         number_density, relative_height, width, base = np.exp(rng.uniform(low, high, (BATCH, 4))).T
-        counts = rng.poisson(number_density[:, None] * (size / 1e3) ** 2, (BATCH, scans))
+        counts = rng.poisson(number_density[:, None] * (size / 1e3) ** 2, (BATCH, scan_count))
         height = sign * relative_height * statistics.means[0]
         added = feature_squares(height, width, size)
         rms_values = expected_rms(base, counts, added, statistics)
-        errors = np.abs(deviations_from_published(rms_values, statistics)).max(axis=-1)
+        errors = np.abs(standardized_differences(rms_values, statistics)).max(axis=-1)
         if errors.min() <= 1:
             index = int(np.argmax(errors <= 1))
             return Features(
@@ -151,10 +151,10 @@ def sample_features(
     )
 
 
-def no_features(statistics: ScanStatistics, scans: int) -> Features:
+def no_features(statistics: ScanStatistics, scan_count: int) -> Features:
     """Return a Gaussian base alone, with the published rms height over all scales."""
     factor = statistics.all_rms_height / float(statistics.means[0])
-    return Features(0.0, 0.0, np.nan, factor, (0,) * scans)
+    return Features(0.0, 0.0, np.nan, factor, (0,) * scan_count)
 
 
 def add_features(

@@ -30,12 +30,12 @@ class HeightMap:
     periodic: bool = False
     basis: str = "measured"
     path: str = "scan"  #: Of the file, as messages name it.
-    dataset: str = ""  #: The data file in a container, the channel of any other file, or empty.
+    member: str = ""  #: Data file in a container, the channel of any other file, or empty.
     channel: str = ""  #: Name of the channel that was read.
     file_unit: str = "nm"  #: Unit of length that the file, or its container, states.
     tip_radius: float | None = None  #: In nm, if the file or its container states one.
     notes: tuple[str, ...] = ()  #: What was changed or chosen in reading, in words for the user.
-    undefined: int = 0  #: Undefined pixels among those kept, before they were filled.
+    undefined_count: int = 0  #: Undefined pixels among those kept, before they were filled.
     #: The result of `scan_defects`, after `examine`.
     defects: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
 
@@ -51,7 +51,7 @@ class HeightMap:
     @property
     def name(self) -> str:
         """The path of the file and, if the file has several scans, the name of this one in it."""
-        return f"{self.path}: {self.dataset}" if self.dataset else self.path
+        return f"{self.path}: {self.member}" if self.member else self.path
 
     @property
     def kind(self) -> str:
@@ -108,16 +108,17 @@ class HeightMap:
         }
         attributes = {
             **{name: getattr(self, name) for name in TEXT_FIELDS},
+            "dataset": self.member,
             "periodic": int(self.periodic),
             "tip_radius": np.nan if self.tip_radius is None else self.tip_radius,
             "notes": "; ".join(self.notes),
-            "undefined": self.undefined,
+            "undefined": self.undefined_count,
         }
         return xr.Dataset({"heights": (axes, self.heights, labels)}, coordinates, attributes)
 
 
-#: Fields of a height map that are texts.
-TEXT_FIELDS = ("basis", "path", "dataset", "channel", "file_unit")
+#: Fields of a height map that are texts and attributes of the same name.
+TEXT_FIELDS = ("basis", "path", "channel", "file_unit")
 
 
 def read_height_map(path: str) -> HeightMap:
@@ -133,9 +134,10 @@ def read_height_map(path: str) -> HeightMap:
         float(heights.attrs["pixel_size"]),
         bool(attributes["periodic"]),
         **texts,
+        member=str(attributes["dataset"]),
         tip_radius=None if np.isnan(tip_radius) else tip_radius,
         notes=tuple(notes.split("; ")) if notes else (),
-        undefined=int(attributes["undefined"]),
+        undefined_count=int(attributes["undefined"]),
     )
 
 

@@ -68,7 +68,7 @@ def unit_in_nm(unit: str) -> float:
         raise RefusedFile(f"expected a unit of length, found {unit!r}") from None
 
 
-def _fields(heights: Floats, pixel_size: float, notes: list[str], undefined: int) -> dict[str, Any]:
+def _fields(heights: Floats, pixel_size: float, notes: list[str]) -> dict[str, Any]:
     """Return these fields of a `HeightMap`; refuse impossible heights and pixel sizes."""
     minimum, maximum = LENGTH_BOUNDS
     # An offset larger than any relief is the position of a stage; heights need digits below it.
@@ -89,7 +89,7 @@ def _fields(heights: Floats, pixel_size: float, notes: list[str], undefined: int
     slope = np.abs(np.diff(heights)).mean() / pixel_size
     if slope > SLOPE_LIMIT:
         raise RefusedFile(f"expected a mean slope of at most {SLOPE_LIMIT}, found {slope:.3g}")
-    return {"heights": heights, "pixel_size": pixel_size, "notes": notes, "undefined": undefined}
+    return {"heights": heights, "pixel_size": pixel_size, "notes": notes}
 
 
 def map_values(topography: Any, factor: float, undefined_pixels: str) -> dict[str, Any]:
@@ -109,12 +109,13 @@ def map_values(topography: Any, factor: float, undefined_pixels: str) -> dict[st
             share = format_share(side / max(rows, columns))
             caution = f"{TAKE_CARE}only {share} of this strip is used: "
         notes.append(f"{caution}cropped from {columns} x {rows} to {side} x {side} pixels")
-    undefined, gaps = _undefined(heights, undefined_pixels)
+    undefined_count, undefined_notes = _count_undefined(heights, undefined_pixels)
     values = heights.data
-    if undefined:
+    if undefined_count:
         holed = Topography(heights, heights.shape)
         values = np.asarray(holed.interpolate_undefined_data(undefined_pixels).heights())
-    return _fields(values.T * factor, pixel_size, notes + gaps, undefined)
+    fields = _fields(values.T * factor, pixel_size, notes + undefined_notes)
+    return fields | {"undefined_count": undefined_count}
 
 
 def _largest_square(heights: np.ma.MaskedArray) -> np.ma.MaskedArray:
@@ -177,7 +178,7 @@ def _masked(heights: Floats) -> np.ma.MaskedArray:
     return np.ma.masked_array(values, np.ma.getmaskarray(heights) | ~np.isfinite(values))
 
 
-def _undefined(heights: np.ma.MaskedArray, undefined_pixels: str) -> tuple[int, list[str]]:
+def _count_undefined(heights: np.ma.MaskedArray, undefined_pixels: str) -> tuple[int, list[str]]:
     """Return the number of undefined pixels and a note on them; refuse too many or unfillable."""
     count = int(heights.mask.sum())
     if count > MAX_UNDEFINED_SHARE * heights.size:
@@ -199,12 +200,13 @@ def profile_values(line_scan: Any, factor: float, undefined_pixels: str) -> dict
     positions = np.asarray(line_scan.positions(), float) * factor
     if positions[-1] < positions[0]:
         positions, heights = positions[::-1], heights[::-1]
-    undefined, gaps = _undefined(heights, undefined_pixels)
+    undefined_count, undefined_notes = _count_undefined(heights, undefined_pixels)
     grid, notes = _uniform_grid(positions)
     defined = ~heights.mask
     values = np.interp(grid, positions[defined], heights.data[defined]) * factor
     pixel_size = float((grid[-1] - grid[0]) / (len(grid) - 1))
-    return _fields(values, pixel_size, notes + gaps, undefined)
+    fields = _fields(values, pixel_size, notes + undefined_notes)
+    return fields | {"undefined_count": undefined_count}
 
 
 def _uniform_grid(positions: Floats) -> tuple[Floats, list[str]]:

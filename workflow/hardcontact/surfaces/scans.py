@@ -45,7 +45,7 @@ MAX_MESSAGE = 2000
 
 def read_scan(
     path: str | Path,
-    dataset: str = "",
+    member: str = "",
     undefined_pixels: str = "refuse",
     unit: str = "none",
     map_size: float | str = "none",
@@ -53,14 +53,14 @@ def read_scan(
 ) -> HeightMap:
     """Read the central square of a map, or a line scan, in nm, not levelled.
 
-    `dataset` names a member of a container, or a channel. `unit` (two: of positions, heights) and
+    `member` names a scan of a container, or a channel. `unit` (two: of positions, heights) and
     `map_size`, the longer side in nm, serve files that state none. Pixels under a mask that the
     user drew stay, or ``"exclude"`` takes them for undefined. Raises ValueError, in one line,
     if the scan cannot be used, or has undefined pixels and their interpolation is ``"refuse"``.
     """
     from hardcontact.surfaces.scan_formats import read_fields
 
-    fields = read_in_child(read_fields, Path(path), dataset, undefined_pixels, unit, map_size, mask)
+    fields = read_in_child(read_fields, Path(path), member, undefined_pixels, unit, map_size, mask)
     fields["notes"] = tuple(fields["notes"])
     return HeightMap(path=str(path), **fields)
 

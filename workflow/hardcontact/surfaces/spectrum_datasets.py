@@ -46,7 +46,7 @@ def measurement_descriptions(
             "longest_reliable": band.longest,
             "limited_by": band.limited_by,
             "path": measurement.path,
-            "dataset": measurement.dataset,
+            "dataset": measurement.member,
             "tip_radius": np.nan if radius is None else radius,
             "notes": "; ".join(measurement.notes),
             "same_place": "" if earlier is None else measurements[earlier].name,

@@ -25,7 +25,7 @@ class ScanGrid(NamedTuple):
 
     pixels: int  #: Pixels along a side of a scan.
     size: float  #: Side of a scan in nm.
-    realization_pixels: int  #: Pixels along a side of the random surfaces.
+    surface_pixels: int  #: Pixels along a side of the random surfaces.
 
     @property
     def pixel_size(self) -> float:
@@ -110,7 +110,7 @@ def sample_scan(
     rng: np.random.Generator, spectrum: SpectrumFunction, grid: ScanGrid, factor: float = 1.0
 ) -> HeightMap:
     """Sample a scan with C_iso `spectrum` in nm⁴, its heights times a factor."""
-    return scan_of_noise(white_noise(rng, grid.realization_pixels), spectrum, grid, factor)
+    return scan_of_noise(white_noise(rng, grid.surface_pixels), spectrum, grid, factor)
 
 
 def scan_of_noise(
