@@ -60,7 +60,7 @@ def test_the_answer_follows_its_schema(case):
 
 
 def test_the_headline_has_a_range_that_the_scans_forced():
-    assert content("one")["chosen"] == [] and len(content("one")["headline"]) == 2
+    assert content("one")["chosen"] == [] and len(content("one")["headline"]) == 3
     shortest = force().sel(rho=[RANGE, 10.0], method="nearest")
     inputs = setting()._replace(contact={"range of adhesion": "5.6 nm"})
     raised = own_answer(datasets(force=shortest), inputs)

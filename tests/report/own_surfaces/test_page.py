@@ -157,7 +157,7 @@ def test_the_headline_says_which_force_is_which():
 )
 def test_the_headline_says_whether_range_and_work_are_the_paper_s(paper_values, words_on_force):
     headline = own_answer(datasets(), setting()._replace(assumed=paper_values))["headline"]
-    assert words_on_force in headline[1]
+    assert words_on_force in headline[2]
 
 
 def test_own_forces_stand_in_the_headline_with_the_work_that_they_need():
@@ -173,7 +173,7 @@ def test_own_forces_stand_in_the_headline_with_the_work_that_they_need():
 
 def test_an_edge_without_interval_is_as_wide_as_the_cutoffs_around_it():
     line = headline_of(edges=move_edge(37.0, 20.0, 90.0))
-    assert "Waves of about 37 nm (20 nm to 40 nm) to 1.7" in line
+    assert "of 37 nm to 1.7 µm decide the force. Short edge: about 37 nm (20 nm to 40 nm)" in line
 
 
 @pytest.mark.parametrize(("ratio", "lead"), [(0.3, "Its roughness is not that"), (np.nan, "Short")])
@@ -205,8 +205,8 @@ def test_ripples_of_the_filter_are_no_short_edge():
     ("edge", "interval", "words_on_edges"),
     [
         (120.0, (90.0, 150.0), ""),
-        (70.0, (40.0, 90.0), "matter; the short end is partly extrapolated."),
-        (37.0, (20.0, 90.0), "matter; the short end is extrapolated."),
+        (70.0, (40.0, 90.0), "Short edge: 70 nm (at most 90 nm), partly extrapolated;"),
+        (37.0, (20.0, 90.0), "(20 nm to 40 nm), extrapolated;"),
     ],
 )
 def test_the_headline_says_which_edge_is_extrapolated(edge, interval, words_on_edges):
@@ -217,11 +217,11 @@ def test_the_headline_says_which_edge_is_extrapolated(edge, interval, words_on_e
 @pytest.mark.parametrize(
     ("factor", "begin", "end", "effect"),
     [
-        (1, "Waves", "matter most", "more amplitude lowers the force by 0.90 [0.40, 1.4] %."),
-        (-1, "Waves", "matter most", "more amplitude raises the force by 0.90 [0.40, 1.4] %."),
+        (1, "Wavelengths", "matter most", "more amplitude lowers the force by 0.90 [0.40, 1.4] %."),
+        (-1, "Wavelengths", "matter most", "more amplitude raises the force by 0.90 [0.40, 1.4] %."),
         (
             0.4,
-            "Whether waves",
+            "Whether wavelengths",
             "matter most is not certain",
             "more amplitude lowers the force by 0.4 [-0.1, 0.9] %.",
         ),
