@@ -20,7 +20,7 @@ from scipy.stats import qmc
 from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact
 from hardcontact.inference.curve_edges import (
-    RatioCurve,
+    ChangeCurve,
     edge_interval,
     find_edge,
     logarithmic_limits,
@@ -168,7 +168,7 @@ def describe_edge(side: str, name: str, cutoffs: np.ndarray, ratios: np.ndarray)
     mean, lowest, highest = np.log([ratios.mean(axis=0), ratios.min(axis=0), ratios.max(axis=0)])[
         :, order
     ]
-    curve = RatioCurve(side, cutoffs[order], mean, logarithmic_limits(TOLERANCE))
+    curve = ChangeCurve(side, cutoffs[order], mean, logarithmic_limits(TOLERANCE))
     edge = find_edge(curve)
     low, high = edge_interval(curve, lowest, highest)
     status = {"found": "found", "open_above": "at least", "open_below": "at most"}[edge.status]

@@ -11,7 +11,7 @@ from hardcontact.contact.contact import CONTACT_AXES, Contact
 from hardcontact.contact.geometry import join_bodies, places_on_sphere
 from hardcontact.contact.pull_off import forces_at_loads, pull_off_force
 from hardcontact.inference.mean_forces import forces_of_surface, mean_intervals
-from hardcontact.inference.octaves import STEP, force_function, octave_forces
+from hardcontact.inference.octaves import STEP, make_force_function, octave_forces
 from hardcontact.surfaces.both_bodies import combine_maps, combine_spectra
 from hardcontact.surfaces.height_map import mirror_stitch
 from hardcontact.surfaces.joined_spectrum import joined_spectrum
@@ -70,7 +70,7 @@ def test_octaves_are_those_of_the_rougher_body(wafer, sphere):
     stitched[0].heights[...] = 0
     alone = combine_maps(generator(1), *stitched)
     mean_forces = [
-        octave_forces(surface, limits, force_function(CONTACT)).mean(axis=(-2, -1))
+        octave_forces(surface, limits, make_force_function(CONTACT)).mean(axis=(-2, -1))
         for surface in (both, alone)
     ]
     sensitivities = [np.diff(np.log(forces))[:, 0] / (2 * STEP) for forces in mean_forces]

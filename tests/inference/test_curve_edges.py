@@ -7,7 +7,7 @@ from measurements import UNCD
 import hardcontact as hc
 from hardcontact.base.random import generator
 from hardcontact.inference.curve_edges import (
-    RatioCurve,
+    ChangeCurve,
     edge_interval,
     find_edge,
     interpolate_edge,
@@ -22,13 +22,13 @@ UNKNOWN = [np.nan] * 3
 def edge(side, value, lowest=UNKNOWN, highest=UNKNOWN):
     """The edge of a curve of changes, in the order of growing effect, and its interval."""
     cutoffs = CUTOFFS if side == "short" else CUTOFFS[::-1]
-    curve = RatioCurve(side, cutoffs, np.array(value), (-np.inf, 0.1))
+    curve = ChangeCurve(side, cutoffs, np.array(value), (-np.inf, 0.1))
     return find_edge(curve), edge_interval(curve, np.array(lowest), np.array(highest))
 
 
 def edge_of_ratios(side, cutoffs, ratio, low, high):
     """The edge of one surface, whose ratios have a sign, and its interval."""
-    curve = RatioCurve(side, cutoffs, np.log(ratio), (np.log(0.9), np.log(1.1)))
+    curve = ChangeCurve(side, cutoffs, np.log(ratio), (np.log(0.9), np.log(1.1)))
     return find_edge(curve).value, edge_interval(curve, np.log(low), np.log(high))
 
 
@@ -126,7 +126,7 @@ def test_an_exact_curve_has_its_edge_between_two_cutoffs():
 def test_a_force_that_falls_without_short_waves_shows_ripples(side, ratio, ripples):
     cutoffs = CUTOFFS if side == "short" else CUTOFFS[::-1]
     limits = (np.log(0.9), np.log(1.1))
-    assert shows_ripples(RatioCurve(side, cutoffs, np.log(ratio), limits)) == ripples
+    assert shows_ripples(ChangeCurve(side, cutoffs, np.log(ratio), limits)) == ripples
 
 
 def test_pillars_have_no_short_edge_and_a_gaussian_surface_has_one():

@@ -11,7 +11,7 @@ from hardcontact.base.random import generator
 from hardcontact.contact.contact import CONTACT_AXES, Contact
 from hardcontact.inference import hindcast
 from hardcontact.inference.hindcast import RandomBody
-from hardcontact.inference.octaves import force_function
+from hardcontact.inference.octaves import make_force_function
 from hardcontact.surfaces.height_map import mirror_stitch
 from hardcontact.surfaces.synthesis import random_surface
 
@@ -30,7 +30,7 @@ def ratios(heights, side):
         stitched,
         {side: OCTAVE},
         [RandomBody(UNCD, PIXELS, lambda side, number: generator(1, side, number))],
-        force_function(CONTACT),
+        make_force_function(CONTACT),
     )
     return hindcast.hindcasts(forces.expand_dims("map"), 0.1, 0.95).sel(side=side)
 
@@ -87,7 +87,7 @@ def test_the_interval_has_its_confidence():
 
 def test_a_scan_without_an_octave_proves_no_artificial_roughness():
     stitched = mirror_stitch(SCAN)
-    forces = hindcast.hindcast_forces(stitched, {"short": None}, [], force_function(CONTACT))
+    forces = hindcast.hindcast_forces(stitched, {"short": None}, [], make_force_function(CONTACT))
     result = hindcast.hindcasts(forces.expand_dims("map"), 0.1, 0.95).sel(side="short")
     assert np.isnan(result["hindcast_ratio"]) and result["hindcast_fails"] == 1
 

@@ -15,7 +15,7 @@ from hardcontact.inference.hindcast import (
     pixel_forces,
     reliable_wavelengths,
 )
-from hardcontact.inference.octaves import force_function, octave_force_dataset, octave_limits
+from hardcontact.inference.octaves import make_force_function, octave_force_dataset, octave_limits
 from hardcontact.surfaces.height_map import read_height_map
 from hardcontact.surfaces.spectrum import read_spectrum
 
@@ -24,7 +24,7 @@ with run_job(snakemake) as job:
     stitched = read_height_map(job.input.stitched)
     sphere = read_height_map(job.input.sphere) if job.input.sphere else None
     contact = Contact(**params["contact"])
-    forces = force_function(contact, sphere)
+    forces = make_force_function(contact, sphere)
     # A stitched scan is twice as long as the scan, whose mirror images add no longer waves.
     limits = octave_limits(2 * stitched.pixel_size, stitched.size / 2)
     octave_forces = octave_force_dataset(stitched, limits, forces)

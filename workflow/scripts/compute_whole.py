@@ -5,7 +5,7 @@ from hardcontact.base.job import progress, run_job
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import mean_pull_off_dataset
-from hardcontact.inference.octaves import force_function, octave_force_dataset, octave_limits
+from hardcontact.inference.octaves import make_force_function, octave_force_dataset, octave_limits
 from hardcontact.surfaces.featured_scans import whole_surfaces
 
 with run_job(snakemake) as job:
@@ -20,7 +20,7 @@ with run_job(snakemake) as job:
         means = mean_pull_off_dataset(
             join_bodies(surface, None, contact), contact, params["ranges"]
         )
-        octave_forces = octave_force_dataset(surface, limits, force_function(contact))
+        octave_forces = octave_force_dataset(surface, limits, make_force_function(contact))
         surfaces[(number,)] = octave_forces.merge(means)
     job.write(
         stack(surfaces, ["map"]).assign_attrs(map_size=surface.size),

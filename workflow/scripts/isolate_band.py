@@ -5,12 +5,12 @@ from hardcontact.base.dataset import read, stack
 from hardcontact.base.job import progress, run_job
 from hardcontact.contact.contact import Contact
 from hardcontact.inference.edges import pooled_band
-from hardcontact.inference.octaves import band_force_dataset, force_function
+from hardcontact.inference.octaves import band_force_dataset, make_force_function
 from hardcontact.surfaces.featured_scans import whole_surfaces
 
 with run_job(snakemake) as job:
     params = job.parameters
-    forces = force_function(Contact(**params["contact"]))
+    forces = make_force_function(Contact(**params["contact"]))
     make_surface = whole_surfaces(job.input, params)
     constants = published.constants(job.input.published_constants)["value"]
     bands = {

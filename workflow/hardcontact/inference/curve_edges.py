@@ -11,7 +11,7 @@ OPEN_BELOW = "open_below"
 RIPPLES = "ripples"
 
 
-class RatioCurve(NamedTuple):
+class ChangeCurve(NamedTuple):
     """A measure of the change of the force on one side, zero without a filter."""
 
     side: str  #: short: wavelengths below the cutoff are removed; long: wavelengths above it.
@@ -70,7 +70,7 @@ def interpolate_edge(cutoffs: np.ndarray, curve: np.ndarray, limits: tuple[float
     return float(np.exp(np.log(cutoffs[crossing - 1]) + share * step))
 
 
-def find_edge(curve: RatioCurve) -> Edge:
+def find_edge(curve: ChangeCurve) -> Edge:
     """Return the edge of a curve.
 
     It is open if the curve is outside its limits at the first cutoff already, or within them up to
@@ -85,7 +85,7 @@ def find_edge(curve: RatioCurve) -> Edge:
     return Edge(np.nan, bound, OPEN_BELOW if is_open_below else OPEN_ABOVE)
 
 
-def shows_ripples(curve: RatioCurve) -> bool:
+def shows_ripples(curve: ChangeCurve) -> bool:
     """Return whether a curve of ln(ratio) shows the ripples of the filter, not the roughness.
 
     Without its short waves a random surface has lower summits, and the force rises. If the force
@@ -96,7 +96,7 @@ def shows_ripples(curve: RatioCurve) -> bool:
     return curve.side == "short" and bool((curve.values[first : first + 1] < 0).any())
 
 
-def edge_interval(curve: RatioCurve, lowest: np.ndarray, highest: np.ndarray) -> np.ndarray:
+def edge_interval(curve: ChangeCurve, lowest: np.ndarray, highest: np.ndarray) -> np.ndarray:
     """Return the cutoffs (2,) in nm between which the edge lies, from the intervals of a curve.
 
     lowest, highest: ends (k,) of the intervals of the values. One end is the last cutoff before any

@@ -14,8 +14,8 @@ import xarray as xr
 from hardcontact.base.statistics import Sampling, student_log_samples
 from hardcontact.base.units import DIMENSIONLESS, NM
 from hardcontact.inference.curve_edges import (
+    ChangeCurve,
     Edge,
-    RatioCurve,
     find_edge,
     interpolate_edge,
     logarithmic_limits,
@@ -155,7 +155,7 @@ def _changes(ratios: np.ndarray) -> np.ndarray:
 
 def _curves(
     scales: xr.Dataset, ratio: np.ndarray, ratio_samples: np.ndarray, tolerance: float
-) -> Iterator[tuple[RatioCurve, np.ndarray]]:
+) -> Iterator[tuple[ChangeCurve, np.ndarray]]:
     """Yield the curve of each side and group, and samples (sample, k) of its values.
 
     Mean ratios (AXES) and their samples (sample, AXES) come from `_mean_ratios`. The curve of a
@@ -173,10 +173,10 @@ def _curves(
         order = computed if side == "short" else computed[::-1]
         values = np.pad(curves[:, index, group, order], ((0, 0), (1, 0)))
         ordered_cutoffs = np.append(unfiltered[index, group], cutoffs[order])
-        yield RatioCurve(str(side), ordered_cutoffs, values[0], limits[group]), values[1:]
+        yield ChangeCurve(str(side), ordered_cutoffs, values[0], limits[group]), values[1:]
 
 
-def _sampled_edges(curve: RatioCurve, sampled_values: np.ndarray) -> np.ndarray:
+def _sampled_edges(curve: ChangeCurve, sampled_values: np.ndarray) -> np.ndarray:
     """Return the edges (sample,) in nm of a curve with other values (sample, k).
 
     The last cutoff stands for an open edge. NaN if the values are NaN.

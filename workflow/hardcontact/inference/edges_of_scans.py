@@ -12,8 +12,8 @@ import xarray as xr
 from hardcontact.base.statistics import BOUNDS, with_interval
 from hardcontact.inference.curve_edges import (
     RIPPLES,
+    ChangeCurve,
     Edge,
-    RatioCurve,
     edge_interval,
     find_edge,
     logarithmic_limits,
@@ -125,7 +125,7 @@ def edges_of_curves(ratios: xr.Dataset, tolerance: float) -> xr.Dataset:
 
 def _curve_with_interval(
     ratios: xr.Dataset, tolerance: float
-) -> tuple[RatioCurve, np.ndarray, np.ndarray]:
+) -> tuple[ChangeCurve, np.ndarray, np.ndarray]:
     """Return one curve with the low and the high ends (k,) of the intervals of its values."""
     side = str(ratios["side"].item())
     ratios = ratios.dropna("cutoff_wavelength", subset=["filtered_force_ratio"])
@@ -138,5 +138,5 @@ def _curve_with_interval(
     with np.errstate(divide="ignore"):  # the lower end of an interval without bounds is zero
         lowest, highest = np.log(interval).T
     cutoffs = ratios["cutoff_wavelength"].values
-    curve = RatioCurve(side, cutoffs, np.log(ratio), logarithmic_limits(tolerance))
+    curve = ChangeCurve(side, cutoffs, np.log(ratio), logarithmic_limits(tolerance))
     return curve, lowest, highest

@@ -12,7 +12,7 @@ from hardcontact.base.arrays import Floats
 from hardcontact.base.statistics import jackknife_interval, student_interval, with_interval
 from hardcontact.base.units import DIMENSIONLESS
 from hardcontact.contact.contact import CONTACT_AXES
-from hardcontact.inference.curve_edges import RatioCurve, find_edge, logarithmic_limits
+from hardcontact.inference.curve_edges import ChangeCurve, find_edge, logarithmic_limits
 
 #: Quantities whose square roots are the lengths, in the order of their exponents.
 SCALED_QUANTITIES = ["radius", "contact"]
@@ -91,7 +91,8 @@ def _edges(forces: xr.Dataset, tolerance: float) -> xr.DataArray:
         order = np.argsort(cutoffs[is_known])[:: 1 if side == "short" else -1]
         wavelengths = np.append(unfiltered, cutoffs[is_known][order])
         values = np.append(0.0, np.log(ratios[is_known][order]))
-        return find_edge(RatioCurve(side, wavelengths, values, logarithmic_limits(tolerance))).value
+        curve = ChangeCurve(side, wavelengths, values, logarithmic_limits(tolerance))
+        return find_edge(curve).value
 
     edges: xr.DataArray = xr.apply_ufunc(
         edge,

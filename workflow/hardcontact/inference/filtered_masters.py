@@ -41,18 +41,18 @@ class Filters(NamedTuple):
 def forces_at_cutoffs(
     master: HeightMap,
     filters: Filters,
-    forces: Callable[[HeightMap], NDArray[np.float64]],
+    compute_forces: Callable[[HeightMap], NDArray[np.float64]],
     axes: Mapping[str, Axis],
 ) -> xr.Dataset:
     """Return the forces on a periodic master, unfiltered and filtered at every cutoff of a side.
 
-    `forces` returns the forces (...) in N on a filtered surface; `axes` are their dimensions and
+    `compute_forces` returns the forces (...) in N on a surface; `axes` are their dimensions and
     coordinates. Returns ``pull_off_force`` (cutoff_wavelength, ...), ``unfiltered_pull_off_force``
     (...) and ``unfiltered_wavelength``, the end of the unfiltered spectrum in nm.
     """
     side, pixels, cutoffs = filters
     surfaces = filtered_series(master, side, [None, *cutoffs], pixels)
-    results = (forces(surface) for surface in surfaces)
+    results = (compute_forces(surface) for surface in surfaces)
     unfiltered, *filtered = progress(results, 1 + len(cutoffs), "cutoffs")
     end = 2 * master.size / pixels if side == "short" else master.size
     nanometres = NM | {"long_name": "last wavelength of the unfiltered spectrum"}
@@ -88,7 +88,7 @@ def filtered_pull_off(
     spheres = [replace(contact, radius=radius) for radius in radii or [contact.radius]]
     ranges = ranges or [contact.rho]
 
-    def forces(surface: HeightMap) -> np.ndarray:
+    def compute_forces(surface: HeightMap) -> np.ndarray:
         pairs = [join_bodies(surface, sphere, sphere_contact) for sphere_contact in spheres]
         return np.array([forces_at_loads(pair, loaded_contacts, ranges) for pair in pairs])
 
@@ -98,7 +98,7 @@ def filtered_pull_off(
     areas = ("load", [loaded.area for loaded in loaded_contacts], {"units": "nm2"})
     touching = [loaded.pixel_count(pixel_size) * pixel_size**2 for loaded in loaded_contacts]
     contact_area = ("load", touching, {"units": "nm2", "long_name": "touching pixels"})
-    filtered = forces_at_cutoffs(master, filters, forces, axes)
+    filtered = forces_at_cutoffs(master, filters, compute_forces, axes)
     return filtered.assign(contact_area=contact_area).assign_coords(area=areas)
 
 

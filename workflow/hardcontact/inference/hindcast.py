@@ -18,7 +18,7 @@ from hardcontact.base.statistics import bounds, with_interval
 from hardcontact.base.units import DIMENSIONLESS
 from hardcontact.contact.contact import CONTACT_AXES, Contact
 from hardcontact.contact.pull_off import FORCE_ATTRS
-from hardcontact.inference.octaves import ForcesOnSurface, force_function
+from hardcontact.inference.octaves import ForcesOnSurface, make_force_function
 from hardcontact.surfaces.filters import filtered_series
 from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
 from hardcontact.surfaces.spectrum import SpectrumFunction
@@ -81,7 +81,7 @@ def hindcast_forces(
     stitched: HeightMap,
     octaves: Mapping[str, Octave | None],
     bodies: Sequence[RandomBody],
-    forces: ForcesOnSurface,
+    compute_forces: ForcesOnSurface,
 ) -> xr.Dataset:
     """Return forces on a stitched scan that ends with an octave, in N, for each side.
 
@@ -92,7 +92,8 @@ def hindcast_forces(
     side_forces = {}
     for side, octave in octaves.items():
         if octave is None:
-            octave_forces = np.full((1 + ARTIFICIAL_OCTAVES, *forces(stitched).shape), np.nan)
+            shape = 1 + ARTIFICIAL_OCTAVES, *compute_forces(stitched).shape
+            octave_forces = np.full(shape, np.nan)
         else:
             seed_word = SEED_WORDS[side]
             near_side, scan_octave = _split_at_octave(stitched, side, octave)
@@ -104,9 +105,8 @@ def hindcast_forces(
                 for number in range(ARTIFICIAL_OCTAVES)
             ]
             all_octaves = scan_octave, *artificial_octaves
-            octave_forces = np.array(
-                [forces(replace(stitched, heights=near_side + waves)) for waves in all_octaves]
-            )
+            surfaces = (replace(stitched, heights=near_side + waves) for waves in all_octaves)
+            octave_forces = np.array([compute_forces(surface) for surface in surfaces])
         side_forces[(side,)] = xr.Dataset(
             {
                 "scan_octave_force": (CONTACT_AXES, octave_forces[0], FORCE_ATTRS),
@@ -138,8 +138,8 @@ def pixel_forces(surface: HeightMap, sphere: HeightMap | None, contact: Contact)
     """
     wide_sphere = None if sphere is None else widen_pixels(sphere)
     forces = {
-        "scan_force": force_function(contact, sphere)(surface),
-        "wide_pixel_force": force_function(contact, wide_sphere)(widen_pixels(surface)),
+        "scan_force": make_force_function(contact, sphere)(surface),
+        "wide_pixel_force": make_force_function(contact, wide_sphere)(widen_pixels(surface)),
     }
     return xr.Dataset({name: (CONTACT_AXES, force, FORCE_ATTRS) for name, force in forces.items()})
 

@@ -64,8 +64,9 @@ def measured_tests(forces: pd.DataFrame) -> MeasuredTests:
 def look_repeated(forces: pd.DataFrame) -> bool:
     """Return whether tests on one surface without places look as if several share a place.
 
-    Either at most half of the values differ, or tests some rows apart resemble each other: half
-    their mean square difference, in logarithms, over the variance is one for independent values.
+    True if at most half of the values are distinct, or if von Neumann's ratio is significantly
+    below one at some lag: half the mean squared difference of the logarithms of tests so many rows
+    apart, over their variance. It is one for independent tests.
     """
     logs = np.log(forces["mean"].to_numpy(float))
     if (forces["place"] != "").any() or len(logs) < 3:
@@ -90,16 +91,14 @@ def sampled_means(rng: np.random.Generator, tests: MeasuredTests, samples: int) 
     """
     if tests.place_count < 2:
         return np.full(samples, np.nan)
-    freedom = tests.place_count - 1
+    degrees_of_freedom = tests.place_count - 1
     variance = tests.log_std**2
-    sampled_variance = variance * freedom / rng.chisquare(freedom, samples)
+    sampled_variance = variance * degrees_of_freedom / rng.chisquare(degrees_of_freedom, samples)
     normal = rng.standard_normal(samples)
-    deviation = (sampled_variance - variance) / 2 - normal * np.sqrt(
-        sampled_variance / tests.place_count
-    )
-    return np.asarray(
-        tests.mean * np.exp(np.clip(deviation, -MAX_MEAN_DEVIATION, MAX_MEAN_DEVIATION))
-    )
+    errors = normal * np.sqrt(sampled_variance / tests.place_count)
+    deviation = (sampled_variance - variance) / 2 - errors
+    deviation = np.clip(deviation, -MAX_MEAN_DEVIATION, MAX_MEAN_DEVIATION)
+    return np.asarray(tests.mean * np.exp(deviation))
 
 
 def fit_measured(
@@ -119,9 +118,9 @@ def fit_measured(
     """
     measured_surfaces = set(forces.surface)
     surfaces = [name for name in adhesion.surface.values.tolist() if name in measured_surfaces]
-    surface_forces = [forces[forces.surface == name] for name in surfaces]
-    tests = [measured_tests(rows) for rows in surface_forces]
-    repeated = [int(look_repeated(rows)) for rows in surface_forces]
+    measured_rows = [forces[forces.surface == name] for name in surfaces]
+    tests = [measured_tests(rows) for rows in measured_rows]
+    repeated = [int(look_repeated(rows)) for rows in measured_rows]
     samples = [
         sampled_means(sampling.generator("tests", name), test, sampling.sample_count)
         for name, test in zip(surfaces, tests, strict=True)
@@ -186,7 +185,8 @@ def _sampled_forces(surface_forces: SurfaceForces, surface: str, sampling: Sampl
         )
     ]
     for index, variance in enumerate(surface_forces.place_variances):
-        samples = sampling.generator("place on the sphere").standard_t(variance.freedom, count)
+        rng = sampling.generator("place on the sphere")
+        samples = rng.standard_t(variance.degrees_of_freedom, count)
         deviations[index] = deviations[index] + samples * np.sqrt(variance.value)
     return np.asarray(surface_forces.mean * np.exp(np.stack(deviations, axis=1)))
 
@@ -209,10 +209,10 @@ def _fit_model(
     ranges = np.union1d(fine_ranges(computed_ranges), computed_ranges)
     means = np.array([surface_forces.mean for surface_forces in computed.values()])
     curves = interpolate_to_ranges(means, computed_ranges, ranges)
-    force_curves = [
+    force_samples_by_range = [
         _sampled_forces(surface_forces, name, sampling) for name, surface_forces in computed.items()
     ]
-    sampled_works = force_samples[:, :, None] / np.stack(force_curves, axis=1)
+    sampled_works = force_samples[:, :, None] / np.stack(force_samples_by_range, axis=1)
     works = measured_forces[:, None] / curves
     confidence = sampling.confidence
     # Forces that finer pixels divide need more work.

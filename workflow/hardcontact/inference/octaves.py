@@ -59,14 +59,14 @@ BAND_RATIO = DIMENSIONLESS | {
 }
 
 
-def force_function(contact: Contact, sphere: HeightMap | None = None) -> ForcesOnSurface:
+def make_force_function(contact: Contact, sphere: HeightMap | None = None) -> ForcesOnSurface:
     """Return the function of a surface that gives its forces (contact, contact) in N at 1 J/m²."""
 
-    def forces(surface: HeightMap) -> Floats:
+    def compute_forces(surface: HeightMap) -> Floats:
         pair = join_bodies(surface, sphere, contact)
         return np.asarray(forces_at_loads(pair, [contact], [contact.rho])[0, 0])
 
-    return forces
+    return compute_forces
 
 
 def octave_limits(shortest: float, longest: float) -> Floats:
@@ -89,7 +89,7 @@ def split_octaves(surface: HeightMap, limits: Sequence[float] | Floats) -> Itera
 
 
 def octave_forces(
-    surface: HeightMap, limits: Sequence[float] | Floats, forces: ForcesOnSurface
+    surface: HeightMap, limits: Sequence[float] | Floats, compute_forces: ForcesOnSurface
 ) -> Floats:
     """Return the forces (octave, factor, ...) with each octave times each of AMPLITUDE_FACTORS."""
     amplified = replace(surface, heights=np.empty_like(surface.heights))
@@ -98,19 +98,19 @@ def octave_forces(
         """Return the forces with one octave times a factor."""
         np.multiply(octave.heights, factor - 1, out=amplified.heights)
         np.add(amplified.heights, surface.heights, out=amplified.heights)
-        return forces(amplified)
+        return compute_forces(amplified)
 
     octaves = split_octaves(surface, limits)
     return np.array([[force(octave, factor) for factor in AMPLITUDE_FACTORS] for octave in octaves])
 
 
 def octave_force_dataset(
-    surface: HeightMap, limits: Sequence[float] | Floats, forces: ForcesOnSurface
+    surface: HeightMap, limits: Sequence[float] | Floats, compute_forces: ForcesOnSurface
 ) -> xr.Dataset:
     """Return ``octave_force`` (octave, factor, contact_y, contact_x) in N at 1 J/m²."""
     dimensions = ("octave", "factor", *CONTACT_AXES)
     return xr.Dataset(
-        {"octave_force": (dimensions, octave_forces(surface, limits, forces), FORCE_ATTRS)},
+        {"octave_force": (dimensions, octave_forces(surface, limits, compute_forces), FORCE_ATTRS)},
         {
             "octave": ("octave", np.asarray(limits[:-1]), OCTAVE),
             "factor": ("factor", list(AMPLITUDE_FACTORS), FACTOR),
@@ -240,7 +240,7 @@ def band_parts(
 
 
 def band_force_dataset(
-    surface: HeightMap, bands: Mapping[str, tuple[float, float]], forces: ForcesOnSurface
+    surface: HeightMap, bands: Mapping[str, tuple[float, float]], compute_forces: ForcesOnSurface
 ) -> xr.Dataset:
     """Return the forces on a surface with all roughness, and with parts of it, for some bands.
 
@@ -248,12 +248,11 @@ def band_force_dataset(
     ``band_force`` (band, band_part, contact_y, contact_x) are in N at 1 J/m²; ``band_end`` (band,
     side) are the wavelengths.
     """
-    part_forces = [
-        [forces(part) for part in parts.values()] for parts in band_parts(surface, bands.values())
-    ]
+    all_parts = band_parts(surface, bands.values())
+    part_forces = [[compute_forces(part) for part in parts.values()] for parts in all_parts]
     return xr.Dataset(
         {
-            "force": (CONTACT_AXES, forces(surface), FORCE_ATTRS),
+            "force": (CONTACT_AXES, compute_forces(surface), FORCE_ATTRS),
             "band_force": (("band", "band_part", *CONTACT_AXES), part_forces, FORCE_ATTRS),
             "band_end": (("band", "side"), np.array(list(bands.values())), BAND_END),
         },

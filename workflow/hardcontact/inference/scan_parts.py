@@ -31,7 +31,7 @@ class Variance(NamedTuple):
     """Variance of the logarithm of a statistic from one source."""
 
     value: np.ndarray  #: (...), NaN where the variance is unknown.
-    freedom: float  #: Degrees of freedom of the variance.
+    degrees_of_freedom: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,8 +74,8 @@ class ScanParts:
         if count < 2 or correlation > SAME_CORRELATION or self.touches_few_places:
             return np.nan, np.nan
         centred = (np.eye(count) - 1 / count) @ self.correlation
-        freedom = np.trace(centred) ** 2 / np.trace(centred @ centred)
-        return (1 + (count - 1) * correlation) / (1 - correlation), float(freedom)
+        degrees_of_freedom = np.trace(centred) ** 2 / np.trace(centred @ centred)
+        return (1 + (count - 1) * correlation) / (1 - correlation), float(degrees_of_freedom)
 
     @property
     def source(self) -> str:
@@ -168,8 +168,8 @@ def jackknife_variance(logarithms: np.ndarray, scan_parts: ScanParts) -> Varianc
 
     `logarithms` (part, ...) come from `delete_one_logarithms`.
     """
-    factor, freedom = scan_parts.variance_correction
-    return Variance((len(logarithms) - 1) * logarithms.var(axis=0) * factor, freedom)
+    factor, degrees_of_freedom = scan_parts.variance_correction
+    return Variance((len(logarithms) - 1) * logarithms.var(axis=0) * factor, degrees_of_freedom)
 
 
 def half_width(variances: Sequence[Variance], confidence: float) -> np.ndarray:
@@ -183,7 +183,7 @@ def half_width(variances: Sequence[Variance], confidence: float) -> np.ndarray:
 
     total = np.asarray(sum(variance.value for variance in variances))
     positive = np.where(total > 0, total, 1.0)
-    inverse = sum((variance.value / positive) ** 2 / variance.freedom for variance in variances)
+    inverse = sum((cause.value / positive) ** 2 / cause.degrees_of_freedom for cause in variances)
     inverse = np.where(total > 0, inverse, 1.0)
     quantile = special.stdtrit(1 / inverse, (1 + confidence) / 2)
     half = np.minimum(quantile * np.sqrt(total), MAX_HALF_WIDTH)
@@ -213,10 +213,10 @@ def sampled_deviations(
     from scipy import special
 
     count = len(logarithms)
-    factor, freedom = scan_parts.variance_correction
+    factor, degrees_of_freedom = scan_parts.variance_correction
     normal = rng.standard_normal((samples, count))
-    level = rng.uniform(size=samples)
-    chi_squared = 2 * special.gammaincinv(freedom / 2, level)
-    scale = np.sqrt(factor * (count - 1) / count * freedom / chi_squared)
+    probability = rng.uniform(size=samples)
+    chi_squared = 2 * special.gammaincinv(degrees_of_freedom / 2, probability)
+    scale = np.sqrt(factor * (count - 1) / count * degrees_of_freedom / chi_squared)
     deviations = np.tensordot(scale[:, None] * normal, logarithms - logarithms.mean(axis=0), axes=1)
     return np.asarray(np.clip(deviations, -MAX_HALF_WIDTH, MAX_HALF_WIDTH))

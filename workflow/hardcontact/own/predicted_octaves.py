@@ -12,7 +12,7 @@ from hardcontact.inference.octaves import (
     AMPLITUDE_FACTORS,
     OCTAVE_LIMITS,
     STEP,
-    force_function,
+    make_force_function,
     middles_within,
     octave_forces,
     strongest_octaves,
@@ -55,7 +55,7 @@ def derivatives_on_scan(scan: HeightMap, octaves: Floats, contact: Contact) -> F
     The octaves follow each other; they are given by their shortest wavelengths (nm).
     """
     limits = [*octaves, 2 * octaves[-1]]
-    compute_forces = force_function(contact_on_scan(scan, contact))
+    compute_forces = make_force_function(contact_on_scan(scan, contact))
     forces = octave_forces(stitched_map(scan), limits, compute_forces).mean(axis=(-2, -1))
     return np.asarray(np.log(forces[:, 1] / forces[:, 0]) / (2 * STEP))
 

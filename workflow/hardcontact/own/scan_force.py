@@ -21,7 +21,7 @@ from hardcontact.contact.pull_off import pull_off_dataset
 from hardcontact.contact.stacked_datasets import stack_sphere_scans
 from hardcontact.inference.hindcast import widen_pixels
 from hardcontact.inference.mean_forces import forces_of_surface, mean_intervals, place_half_widths
-from hardcontact.inference.octaves import force_function
+from hardcontact.inference.octaves import make_force_function
 from hardcontact.own.scan_window import window_on_scans
 from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
 from hardcontact.surfaces.spectrum import Spectrum, measured_psds
@@ -161,7 +161,7 @@ def _force_numbers(
     bounded = np.where(np.isinf(values[-1]), values, np.minimum(values, smooth))
     mean, low, high = bounded.tolist()
     force = Number("force_on_scan", mean, "N", low, high, surface_forces.scan_parts[0].source)
-    forces_on_map = force_function(contact)
+    forces_on_map = make_force_function(contact)
     wide_pixel_force = forces_on_map(stitched_map(widen_pixels(scan))).mean()
     wide_pixel_ratio = float(wide_pixel_force / forces_on_map(surface).mean())
     force = extend_low_end(force, wide_pixel_ratio)
