@@ -151,7 +151,8 @@ def test_a_rough_sphere_sticks_less_as_in_the_closed_form(own_study, several):
     assert numbers(several)["contact"]["sphere"] == "sphere"
     adhesion = xr.load_dataset(several / "adhesion.nc").sel(surface="twin")
     assert adhesion.sizes["sphere_scan"] == 2 * 3**2  # places on its scans
-    assert (several / "answer.html").read_text("utf-8").count("The wavelengths that matter most") == 2
+    page = (several / "answer.html").read_text("utf-8")
+    assert page.count("The wavelengths that matter most") == 2
     # The sphere's shape is subtracted before its roughness is measured.
     rms_height = xr.load_dataset(several / "topography.nc").rms_height
     flat, ball = (rms_height.sel(surface=name, drop=True) for name in ("twin", "sphere"))

@@ -217,19 +217,19 @@ def test_the_headline_says_which_edge_is_extrapolated(edge, interval, words_on_e
 @pytest.mark.parametrize(
     ("factor", "begin", "end", "effect"),
     [
-        (1, "Wavelengths", "matter most", "more amplitude lowers the force by 0.90 [0.40, 1.4] %."),
-        (-1, "Wavelengths", "matter most", "more amplitude raises the force by 0.90 [0.40, 1.4] %."),
+        (1, "Wavelengths", "matter most", "amplitude lowers the force by 0.90 [0.40, 1.4] %."),
+        (-1, "Wavelengths", "matter most", "amplitude raises the force by 0.90 [0.40, 1.4] %."),
         (
             0.4,
             "Whether wavelengths",
             "matter most is not certain",
-            "more amplitude lowers the force by 0.4 [-0.1, 0.9] %.",
+            "amplitude lowers the force by 0.4 [-0.1, 0.9] %.",
         ),
     ],
 )
 def test_the_page_says_which_octave_matters_most(factor, begin, end, effect):
     text = page_of(datasets(sensitivity=sensitivity(factor=factor))).replace("\u00a0", " ")
-    sentence = f"{begin} of 80 nm to 160 nm {end}: 1 % {effect}"
+    sentence = f"{begin} of 80 nm to 160 nm {end}: 1 % more {effect}"
     positions = [text.index(part) for part in (sentence, 'id="octaves-figure"', 'id="numbers"')]
     assert positions == sorted(positions)
 
