@@ -9,7 +9,7 @@ from refusals import assert_says
 
 from hardcontact.base.random import generator
 from hardcontact.surfaces.joined_spectrum import joined_spectrum
-from hardcontact.surfaces.mean_spectrum import contradiction_lines, contradictions, smooth_curve
+from hardcontact.surfaces.mean_spectrum import contradictions, describe_contradictions, smooth_curve
 from hardcontact.surfaces.measured_spectrum import CALIBRATION_SCATTER, variance_of_log
 from hardcontact.surfaces.spectrum import BIN_CENTRES, smooth_rolloff
 
@@ -108,5 +108,5 @@ def test_a_scan_of_other_heights_is_named_with_the_square_of_their_factor(height
     assert (
         320 <= large_and_small.shortest < large_and_small.longest <= 2048 / 3
     )  # four pixels, a third of the size
-    (line,) = contradiction_lines([large_and_small, pairs[1]], NAMES)
+    line = describe_contradictions([large_and_small, pairs[1]], NAMES)
     assert_says(line, "large.spm", "small.spm", "contradict", "times", "more pairs that do: 1")

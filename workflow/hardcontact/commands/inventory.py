@@ -13,8 +13,8 @@ from hardcontact.commands.request import Source
 from hardcontact.config.grids import Grid
 from hardcontact.config.selected_surfaces import CONTACT
 from hardcontact.surfaces.height_map import HeightMap
-from hardcontact.surfaces.mean_spectrum import contradiction_lines, contradictions
-from hardcontact.surfaces.measured_spectrum import measured_psd
+from hardcontact.surfaces.mean_spectrum import contradictions, describe_contradictions
+from hardcontact.surfaces.measured_spectrum import isotropic_psd
 from hardcontact.surfaces.reliable_band import LIMIT_NAMES, ReliableBand, reliable_band
 from hardcontact.surfaces.same_place import coarse_map, repeated_places
 from hardcontact.surfaces.scan_defects import examine
@@ -167,7 +167,8 @@ def entry_contradiction_lines(entries: Sequence[Entry]) -> Iterator[str]:
             [scan.kind for scan in scans],
             [scan.size for scan in scans],
         )
-        yield from contradiction_lines(differences, [scan.name for scan in scans])
+        if differences:
+            yield describe_contradictions(differences, [scan.name for scan in scans])
 
 
 def _entry(source: Source, scan: HeightMap, tip_radius: float | None, levelling: str) -> Entry:
@@ -177,7 +178,7 @@ def _entry(source: Source, scan: HeightMap, tip_radius: float | None, levelling:
         raise ValueError(f"{source.file}: expected a rough surface, found constant height")
     flat = examine(scan, source.sphere_radius, levelling)
     peak_to_valley = float(np.ptp(flat.heights))
-    _, density = measured_psd(flat)
+    density = isotropic_psd(flat)
     stated_radius = scan.tip_radius
     radius = tip_radius if stated_radius is None else stated_radius
     return Entry(

@@ -18,7 +18,7 @@ from hardcontact.config.faults import quote_key
 from hardcontact.config.tables import Row, UserTable, parse_number, user_table
 from hardcontact.surfaces.height_map import HeightMap, metrics
 from hardcontact.surfaces.joined_spectrum import joined_spectrum, reliable_spectrum
-from hardcontact.surfaces.mean_spectrum import contradiction_lines, contradictions
+from hardcontact.surfaces.mean_spectrum import contradictions, describe_contradictions
 from hardcontact.surfaces.measured_spectrum import ENOUGH_WAVES, isotropic_from_profile
 from hardcontact.surfaces.plain_text import ROW
 from hardcontact.surfaces.reliable_band import ReliableBand
@@ -132,8 +132,8 @@ def own_spectrum(
         notes.append("; ".join([f"{name}: reliable {ReliableBand(*band)}", *changes]))
         notes += [f"{TAKE_CARE}{name}: {line}" for line in cautions]
     columns = (joined[name].values for name in ("psd", "reliable", "kind", "size"))
-    differing = contradiction_lines(contradictions(*columns), names)
-    notes += [f"{TAKE_CARE}{line}" for line in differing]
+    if pairs := contradictions(*columns):
+        notes.append(f"{TAKE_CARE}{describe_contradictions(pairs, names)}")
     notes += [f"{TAKE_CARE}{name}: {line}" for name, line in defects]
     skewnesses = [metrics(scan)["skewness"] for scan in scans if scan.kind == "map"]
     spectrum = reliable_spectrum(joined, max(skewnesses, key=abs, default=0.0))

@@ -22,16 +22,16 @@ from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.mean_spectrum import (
     Curve,
     MeanBins,
-    find_line_bins,
+    find_peak_bins,
     match_height_variance,
     mean_bins,
-    smooth_curve_without_lines,
+    smooth_curve_without_peaks,
 )
 from hardcontact.surfaces.measured_spectrum import (
     CALIBRATION_SCATTER,
     independent_waves,
+    isotropic_psd,
     local_slopes,
-    measured_psd,
 )
 from hardcontact.surfaces.reliable_band import ReliableBand, limit_by_tip, reliable_band
 from hardcontact.surfaces.spectrum import (
@@ -57,9 +57,10 @@ class _MeasuredSpectra(NamedTuple):
     bands: Sequence[ReliableBand]
     long_waves: LongWaves
 
-    def reliable(self, bands: Sequence[ReliableBand]) -> NDArray[np.bool_]:
-        """Return the mask (measurement, bins) of nonempty bins within one band a measurement."""
-        return np.array([band.bins for band in bands]) & np.isfinite(self.densities)
+
+def _reliable_mask(densities: Floats, bands: Sequence[ReliableBand]) -> NDArray[np.bool_]:
+    """Return the mask (measurement, bins) of nonempty bins within one band a measurement."""
+    return np.array([band.bins for band in bands]) & np.isfinite(densities)
 
 
 def _measured_spectra(
@@ -70,7 +71,7 @@ def _measured_spectra(
         measurement.tip_radius if radius is None else radius
         for measurement, radius in zip(measurements, tip_radii, strict=True)
     ]
-    densities = np.array([measured_psd(measurement)[1] for measurement in measurements])
+    densities = np.array([isotropic_psd(measurement) for measurement in measurements])
     bands = [
         reliable_band(*arguments) for arguments in zip(measurements, radii, densities, strict=True)
     ]
@@ -78,7 +79,7 @@ def _measured_spectra(
     spectra = _MeasuredSpectra(
         radii, densities, waves, bands, LongWaves(measurements, densities, bands)
     )
-    count = int(spectra.reliable(bands).any(axis=0).sum())
+    count = int(_reliable_mask(densities, bands).any(axis=0).sum())
     if count < MIN_BINS:
         listing = "; ".join(
             f"{measurement.path} {measurement.member}".strip() + f" {band}"
@@ -103,13 +104,13 @@ def joined_spectrum(
     Raises ValueError, in one line, if fewer than MIN_BINS bins are reliable.
     """
     spectra = _measured_spectra(measurements, tip_radii)
-    reliable = spectra.reliable(spectra.bands)
+    reliable = _reliable_mask(spectra.densities, spectra.bands)
     bins = mean_bins(reliable, spectra.densities, spectra.waves)
-    lines = find_line_bins(bins)
-    curve = match_height_variance(smooth_curve_without_lines(bins, lines), bins.power)
+    peaks = find_peak_bins(bins)
+    curve = match_height_variance(smooth_curve_without_peaks(bins, peaks), bins.power)
     density = Spectrum(curve.wavevector, curve.density)(BIN_CENTRES)
     joined_density = np.where(reliable.any(axis=0), density, np.nan)
-    hurst = _fit_hurst_without_lines(bins, lines)
+    hurst = _fit_hurst_without_peaks(bins, peaks)
     spectrum, tail, rolloff = _extrapolate_curve(curve, hurst, spectra.long_waves)
     used_bands = [band for band, mask in zip(spectra.bands, reliable, strict=True) if mask.any()]
     return add_measurements(
@@ -146,16 +147,16 @@ def sample_spectra(
             _sample_band(rng, *properties)
             for properties in zip(measurements, spectra.radii, spectra.bands, strict=True)
         ]
-        reliable = spectra.reliable(bands)
+        reliable = _reliable_mask(spectra.densities, bands)
         if reliable.any(axis=0).sum() < MIN_BINS:
-            reliable = spectra.reliable(spectra.bands)
+            reliable = _reliable_mask(spectra.densities, spectra.bands)
         calibration = CALIBRATION_SCATTER * rng.standard_normal(len(bands))
         mean_calibration = calibration.mean()
         densities = spectra.densities * np.exp(calibration - mean_calibration)[:, None]
         bins = mean_bins(reliable, densities, spectra.waves)
-        lines = find_line_bins(bins)
-        curve = smooth_curve_without_lines(bins, lines, rng)
-        hurst = _fit_hurst_without_lines(bins, lines)
+        peaks = find_peak_bins(bins)
+        curve = smooth_curve_without_peaks(bins, peaks, rng)
+        hurst = _fit_hurst_without_peaks(bins, peaks)
         hurst_change = hurst.error * rng.standard_normal()
         spectrum, *_ = _extrapolate_curve(
             curve, hurst, spectra.long_waves, rng.uniform(), hurst_change
@@ -173,9 +174,9 @@ def _sample_band(
     return limit_by_tip(band, measurement, tip_radius)
 
 
-def _fit_hurst_without_lines(bins: MeanBins, lines: NDArray[np.bool_]) -> HurstFit:
-    """Return the Hurst exponent, fitted to the bins without lines."""
-    is_fitted = np.isfinite(bins.density) & ~lines
+def _fit_hurst_without_peaks(bins: MeanBins, peaks: NDArray[np.bool_]) -> HurstFit:
+    """Return the Hurst exponent, fitted to the bins without peaks."""
+    is_fitted = np.isfinite(bins.density) & ~peaks
     return fit_hurst_exponent(
         BIN_CENTRES[is_fitted], bins.density[is_fitted], bins.variance[is_fitted]
     )

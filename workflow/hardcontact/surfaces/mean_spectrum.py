@@ -4,7 +4,7 @@ If two measurements contradict each other, because of a wrong unit or another sp
 describes neither.
 """
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from itertools import combinations
 from typing import NamedTuple
 
@@ -24,9 +24,9 @@ from hardcontact.surfaces.spectrum import BIN_CENTRES, BIN_WIDTH, HALF_DECADE_BI
 #: Standard deviation of the change of the slope d ln C/d ln q over a decade; it grows with the root
 #: of the decades. A roll-off changes the slope by 2 + 2H, some 3.6, once in three measured decades.
 SLOPE_CHANGE = 2.0
-#: Probability of so much power by chance below which a bin holds a line, such as a grating's: among
-#: 60 bins, one in 170 spectra has a false line.
-LINE_PROBABILITY = 1e-4
+#: Probability of so much power by chance below which a bin holds a peak, such as a grating's: among
+#: 60 bins, one in 170 spectra has a false peak.
+PEAK_PROBABILITY = 1e-4
 #: The largest change of ln C with which a curve may match the variance of the bins: it only bounds
 #: the search for a root, beyond any ratio of densities in a spectrum.
 MAX_LOG_CHANGE = 20.0
@@ -64,21 +64,21 @@ def mean_bins(reliable: NDArray[np.bool_], density: Floats, waves: Floats) -> Me
     return MeanBins(np.exp((weight * logs).sum(axis=0)), variance, power)
 
 
-def find_line_bins(bins: MeanBins) -> NDArray[np.bool_]:
-    """Return the mask of bins with a line: more power than chance adds to a smooth spectrum."""
+def find_peak_bins(bins: MeanBins) -> NDArray[np.bool_]:
+    """Return the mask of bins with a peak: more power than chance adds to a smooth spectrum."""
     from scipy.special import gammaincc
 
     inner = np.flatnonzero(np.isfinite(bins.density))[1:-1]
     waves = 1 / bins.variance[inner] + 0.5  # variance: trigamma of the number
-    lines = np.zeros(len(bins.power), bool)
+    peaks = np.zeros(len(bins.power), bool)
     while True:
-        curve = smooth_curve(np.where(lines, np.nan, bins.density), bins.variance)
+        curve = smooth_curve(np.where(peaks, np.nan, bins.density), bins.variance)
         smooth_power = Spectrum(curve.wavevector, curve.density)(BIN_CENTRES[inner])
         chance = gammaincc(waves, waves * bins.power[inner] / smooth_power)
-        new_lines = inner[(chance < LINE_PROBABILITY) & ~lines[inner]]
-        if not len(new_lines):
-            return lines
-        lines[new_lines] = True
+        new_peaks = inner[(chance < PEAK_PROBABILITY) & ~peaks[inner]]
+        if not len(new_peaks):
+            return peaks
+        peaks[new_peaks] = True
 
 
 def smooth_curve(
@@ -107,13 +107,13 @@ def smooth_curve(
     return Curve(BIN_CENTRES[bins], np.exp(smooth), np.diag(posterior) + CALIBRATION_SCATTER**2)
 
 
-def smooth_curve_without_lines(
-    bins: MeanBins, lines: NDArray[np.bool_], rng: np.random.Generator | None = None
+def smooth_curve_without_peaks(
+    bins: MeanBins, peaks: NDArray[np.bool_], rng: np.random.Generator | None = None
 ) -> Curve:
-    """Return a smooth curve through the bins without `lines` (bins,); lines keep their power."""
-    curve = smooth_curve(np.where(lines, np.nan, bins.density), bins.variance, rng)
+    """Return a smooth curve through the bins without `peaks` (bins,); peaks keep their power."""
+    curve = smooth_curve(np.where(peaks, np.nan, bins.density), bins.variance, rng)
     is_in_curve = np.isin(BIN_CENTRES, curve.wavevector)
-    density = np.where(lines[is_in_curve], bins.power[is_in_curve], curve.density)
+    density = np.where(peaks[is_in_curve], bins.power[is_in_curve], curve.density)
     return curve._replace(density=density)
 
 
@@ -150,15 +150,15 @@ class Contradiction(NamedTuple):
     longest: float
 
 
-def contradiction_lines(pairs: Sequence[Contradiction], names: Sequence[str]) -> Iterator[str]:
-    """Yield a line on the first of some contradictions, with the names of the measurements."""
-    for pair in pairs[:1]:
-        remainder = f"; more pairs that do: {len(pairs) - 1}" if pairs[1:] else ""
-        yield (
-            f"{names[pair.higher]} and {names[pair.lower]} contradict each other: at wavelengths "
-            f"from {format_length(pair.shortest)} to {format_length(pair.longest)} the power "
-            f"spectral density of the first is {pair.factor:.2g} times that of the other{remainder}"
-        )
+def describe_contradictions(pairs: Sequence[Contradiction], names: Sequence[str]) -> str:
+    """Return a line on the first of some contradictions, with the names of the measurements."""
+    pair = pairs[0]
+    remainder = f"; more pairs that do: {len(pairs) - 1}" if pairs[1:] else ""
+    return (
+        f"{names[pair.higher]} and {names[pair.lower]} contradict each other: at wavelengths "
+        f"from {format_length(pair.shortest)} to {format_length(pair.longest)} the power "
+        f"spectral density of the first is {pair.factor:.2g} times that of the other{remainder}"
+    )
 
 
 def contradictions(

@@ -33,14 +33,13 @@ INTEGRATION_POINTS = np.linspace(0, 7.6, 400)
 FLATTEST_PROFILE_SLOPE = -1.0
 
 
-def measured_psd(scan: HeightMap) -> tuple[Floats, Floats]:
-    """Return BIN_CENTRES and C_iso (nm⁴), NaN in empty bins, of a scan, which is levelled."""
+def isotropic_psd(scan: HeightMap) -> Floats:
+    """Return C_iso (nm⁴) at BIN_CENTRES of a scan, which is levelled; NaN in empty bins."""
     levelled = level(scan)
     if scan.kind == "map":
-        wavevector, _, density = measured_psds(levelled)
-        return wavevector, density
+        return measured_psds(levelled)[2]
     waves = independent_waves(scan)
-    return BIN_CENTRES, isotropic_from_profile(BIN_CENTRES, profile_psd(levelled), waves)
+    return isotropic_from_profile(BIN_CENTRES, profile_psd(levelled), waves)
 
 
 def axis_ratio(scan: HeightMap) -> Floats:

@@ -19,8 +19,8 @@ from hardcontact.surfaces.height_map import HeightMap, level, library_topography
 from hardcontact.surfaces.measured_spectrum import (
     axis_ratio,
     independent_waves,
+    isotropic_psd,
     local_slopes,
-    measured_psd,
     variance_of_log,
 )
 from hardcontact.surfaces.spectrum import BIN_CENTRES, HALF_DECADE_BINS
@@ -84,10 +84,10 @@ def reliable_band(
     """Return the reliable wavelengths of a scan, with their limits.
 
     The radius of the tip is in nm, None if unknown. `density` (bins,) in nm⁴ comes from
-    `measured_psd`; None to compute it.
+    `isotropic_psd`; None to compute it.
     """
     if density is None:
-        _, density = measured_psd(scan)
+        density = isotropic_psd(scan)
     pixels = MIN_PIXELS * scan.pixel_size, "pixels"
     shortest, limit = max([pixels, *_spectral_ends(scan, density)])
     band = ReliableBand(shortest, scan.size / MIN_WAVES_IN_SIZE, limit)
