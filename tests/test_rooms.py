@@ -25,7 +25,7 @@ BUDGET = {
     "config": 1522,
     "files": 463,
     "run": 444,
-    "own": 653,
+    "own": 655,
     "report": 3524,
     "commands": 1528,
     "api": 229,

@@ -23,7 +23,7 @@ from hardcontact.files.master_purposes import PRELOAD_SHARES
 from hardcontact.inference.filtered_masters import Filters, filtered_pull_off
 from hardcontact.run import checks
 from hardcontact.surfaces import spectrum, synthesis
-from hardcontact.surfaces.height_map import flatten, level, mirror_stitch
+from hardcontact.surfaces.height_map import level, mirror_stitch, remove_form
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
 from hardcontact.surfaces.synthesis import add_sphere, cut_scan, synthesize_master
 
@@ -116,7 +116,7 @@ def stitched_scan(config, rng, density, radius=None):
     substitute = cut_scan(surface, scan["pixels"])
     if radius is None:
         return mirror_stitch(level(substitute))
-    return mirror_stitch(flatten(add_sphere(rng, substitute, radius), radius))
+    return mirror_stitch(remove_form(add_sphere(rng, substitute, radius), radius))
 
 
 def assert_forces(arrays):

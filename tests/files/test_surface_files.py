@@ -7,7 +7,7 @@ from paper_numbers import SUBSTRATES, SURFACES
 from studies import files
 
 from hardcontact.files.surface_files import SurfaceFiles
-from hardcontact.surfaces.height_map import flatten
+from hardcontact.surfaces.height_map import remove_form
 from hardcontact.surfaces.scans import read_scan
 
 pytestmark = pytest.mark.usefixtures("project_folder")
@@ -31,7 +31,7 @@ def test_the_shape_of_a_rough_sphere_is_subtracted(tmp_path):
     rough = np.random.default_rng(1).standard_normal((64, 64))
     path = scan_files.scan(tmp_path / "ball.nc", ball + rough, (640.0, 640.0))
     levelling = files(scans=[1], measured_surfaces=["ruby"]).levelling_settings("ruby")
-    levelled = flatten(read_scan(path), **levelling)
+    levelled = remove_form(read_scan(path), **levelling)
     assert levelled.heights.std() == pytest.approx(rough.std(), rel=0.01)
     assert files(measured_surfaces=["uncd"]).levelling_settings("uncd")["sphere_radius"] is None
 

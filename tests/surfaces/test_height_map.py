@@ -9,13 +9,13 @@ from scipy import stats
 from hardcontact.base import dataset
 from hardcontact.surfaces.height_map import (
     HeightMap,
-    flatten,
     level,
     level_lines,
-    library_topography,
     metrics,
     mirror_stitch,
     read_height_map,
+    remove_form,
+    to_surface_topography,
 )
 
 RADIUS = 250e3
@@ -44,7 +44,7 @@ def test_a_map_is_read_back_as_it_was_written(tmp_path):
 @pytest.mark.parametrize("dtype", [np.float32, float])
 def test_levelling_equals_that_of_surface_topography(shape, dtype):
     scan = scan_of(np.random.default_rng(0).standard_normal(shape).cumsum(0).astype(dtype))
-    library_heights = library_topography(scan).detrend("height").heights().T
+    library_heights = to_surface_topography(scan).detrend("height").heights().T
     np.testing.assert_array_equal(level(scan).heights, library_heights)
 
 
@@ -61,7 +61,7 @@ def test_a_sphere_is_removed_wherever_its_apex_lies():
     wave = np.cos(2 * np.pi * np.arange(64) * 8 / 64) * np.ones((64, 1))
     y, x = (np.mgrid[:64, :64] - 20.3) * 40.0
     sphere = scan_of(wave - (x**2 + (y - 500) ** 2) / (2 * RADIUS), 40.0)
-    flat = flatten(sphere, RADIUS)
+    flat = remove_form(sphere, RADIUS)
     np.testing.assert_allclose(flat.heights, level(scan_of(wave)).heights, atol=1e-8)
 
 
@@ -91,7 +91,7 @@ def test_a_wave_has_the_metrics_in_closed_form():
 @pytest.mark.parametrize("shape", [(64, 64), (30, 47)])
 def test_metrics_equal_those_of_surface_topography_and_scipy(shape):
     scan = scan_of(np.random.default_rng(3).standard_normal(shape).cumsum(axis=0), 4.9)
-    values, topography = metrics(scan), library_topography(scan)
+    values, topography = metrics(scan), to_surface_topography(scan)
     for name, value in (
         ("rms_height", topography.Sq()),
         ("rms_gradient", topography.rms_gradient()),

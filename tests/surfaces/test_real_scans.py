@@ -4,7 +4,7 @@ import pytest
 from repository import ROOT
 
 from hardcontact.surfaces.height_map import level
-from hardcontact.surfaces.scan_defects import examine
+from hardcontact.surfaces.scan_defects import scan_with_defects
 from hardcontact.surfaces.scans import list_scans, read_scan
 
 SCANS = ROOT / "../shared/scans"
@@ -43,4 +43,4 @@ def test_the_real_container_is_read_whole():
 
 def test_real_scans_have_no_defect():
     files = [(AFM, ""), *((CONTAINER, dataset) for dataset in list_scans(CONTAINER))]
-    assert not any(examine(read_scan(*file)).defects for file in files)
+    assert not any(scan_with_defects(read_scan(*file)).defects for file in files)

@@ -6,7 +6,7 @@ from measurements import line_of, map_of, measurement, uncd
 from scipy.ndimage import gaussian_filter, gaussian_filter1d, grey_dilation
 
 from hardcontact.base.random import generator
-from hardcontact.surfaces.height_map import level, library_topography
+from hardcontact.surfaces.height_map import level, to_surface_topography
 from hardcontact.surfaces.measured_spectrum import isotropic_psd
 from hardcontact.surfaces.reliable_band import reliable_band
 from hardcontact.surfaces.spectrum import BIN_CENTRES, smooth_rolloff
@@ -45,7 +45,7 @@ def test_a_tip_limits_the_band_where_its_image_leaves_the_surface():
     true = measurement(heights[32:-32, 32:-32].astype(float), pixel)
     imaged = measurement(image[32:-32, 32:-32].astype(float), pixel)
     band = reliable_band(imaged, radius)
-    cutoff = library_topography(level(imaged)).scanning_probe_reliability_cutoff(radius)
+    cutoff = to_surface_topography(level(imaged)).scanning_probe_reliability_cutoff(radius)
     assert band.shortest == pytest.approx(cutoff, rel=0.01)
     assert band.limited_by == "tip"
     wavevector = BIN_CENTRES

@@ -9,7 +9,7 @@ from measurements import PIXEL, UNCD, levelled_scan, measurement
 
 from hardcontact.base.random import generator
 from hardcontact.base.statistics import bounds
-from hardcontact.surfaces.height_map import METRICS, flatten, level_and_stitch, metrics
+from hardcontact.surfaces.height_map import METRICS, level_and_stitch, metrics, remove_form
 from hardcontact.surfaces.roughness_table import measured_roughness, roughness_table, scan_averages
 from hardcontact.surfaces.spectrum import measured_psds, spectrum_dataset
 from hardcontact.surfaces.synthesis import add_sphere
@@ -83,5 +83,5 @@ def test_a_prepared_scan_is_levelled_and_stitched_and_keeps_its_notes(maps, radi
     assert levelled.attrs["notes"] == stitched.attrs["notes"] == "cropped; filled"
     assert (levelled.attrs["periodic"], stitched.attrs["periodic"]) == (0, 1)
     assert ("as_scanned" in levelled) == (radius is not None)
-    heights = flatten(maps["ruby", 1], radius, "lines").heights
+    heights = remove_form(maps["ruby", 1], radius, "lines").heights
     np.testing.assert_allclose(levelled.heights, heights, atol=1e-4)

@@ -10,7 +10,7 @@ from scipy.ndimage import gaussian_filter
 from hardcontact.base.random import generator
 from hardcontact.surfaces.features import Features, add_features
 from hardcontact.surfaces.height_map import level_quadratic
-from hardcontact.surfaces.scan_defects import DEFECTS, defect_sentence, examine
+from hardcontact.surfaces.scan_defects import DEFECTS, defect_sentence, scan_with_defects
 from hardcontact.surfaces.spectrum import smooth_rolloff
 
 PIXEL, PIXELS = 20.0, 128
@@ -25,7 +25,7 @@ def rough(seed, rms_height, hurst=0.7, rolloff=SIZE / 10):
 
 
 def defects_of(heights, pixel_size=PIXEL, **options):
-    return examine(measurement(heights, pixel_size), **options).defects
+    return scan_with_defects(measurement(heights, pixel_size), **options).defects
 
 
 def add_spikes(seed, share):
@@ -148,8 +148,8 @@ def test_curvature_has_the_share_of_the_rms_height_without_it():
 
 
 def test_levelling_of_lines_fills_streaks():
-    flat = examine(measurement(add_streaks(14, 1), PIXEL), levelling="lines")
-    sound = examine(measurement(rough(14, 3.0), PIXEL), levelling="lines")
+    flat = scan_with_defects(measurement(add_streaks(14, 1), PIXEL), levelling="lines")
+    sound = scan_with_defects(measurement(rough(14, 3.0), PIXEL), levelling="lines")
     is_equal = np.isclose(flat.heights, sound.heights, atol=0.2)
     assert is_equal.mean() > 0.99 and np.abs(flat.heights - sound.heights).max() < 25 / 5
     assert not flat.defects and "3 lines" in flat.notes[-1] and not sound.notes
@@ -157,7 +157,7 @@ def test_levelling_of_lines_fills_streaks():
 
 def test_quadratic_levelling_leaves_the_roughness_of_a_curved_scan():
     scan = measurement(curved(34, 1.0, 30e3, 90e3), PIXEL)
-    flat = examine(scan, levelling="quadratic")
+    flat = scan_with_defects(scan, levelling="quadratic")
     plain = level_quadratic(measurement(rough(34, 1.0), PIXEL))
     np.testing.assert_allclose(flat.heights, plain.heights, atol=1e-6)
     assert not flat.defects
@@ -170,7 +170,7 @@ def test_no_self_affine_surface_has_a_defect(batch):
     for _ in range(10):
         hurst, rolloff = rng.uniform(0.3, 1), 64 * PIXEL * np.exp(rng.uniform(*np.log([0.05, 2])))
         density = partial(smooth_rolloff, plateau=1e6, rolloff=rolloff, hurst=hurst)
-        assert not examine(map_of(rng, 64, PIXEL, density)).defects
+        assert not scan_with_defects(map_of(rng, 64, PIXEL, density)).defects
 
 
 def with_bumps(seed):

@@ -5,7 +5,7 @@ import pytest
 from measurements import PIXEL, uncd
 
 from hardcontact.base.random import generator
-from hardcontact.surfaces.height_map import HeightMap, flatten, level
+from hardcontact.surfaces.height_map import HeightMap, level, remove_form
 from hardcontact.surfaces.synthesis import (
     ScanGrid,
     add_sphere,
@@ -23,7 +23,7 @@ def test_the_apex_of_a_sphere_lies_in_the_middle_half_of_its_scan():
         scan = add_sphere(generator(k), flat, SPHERE_RADIUS)
         row, column = np.unravel_index(scan.heights.argmax(), scan.heights.shape)
         assert 15 <= row <= 48 and 15 <= column <= 48
-        np.testing.assert_allclose(flatten(scan, SPHERE_RADIUS).heights, 0, atol=1e-9)
+        np.testing.assert_allclose(remove_form(scan, SPHERE_RADIUS).heights, 0, atol=1e-9)
 
 
 def test_a_scan_is_the_corner_of_a_random_surface_and_a_sphere_is_added_to_it():
@@ -35,5 +35,5 @@ def test_a_scan_is_the_corner_of_a_random_surface_and_a_sphere_is_added_to_it():
     corner = cut_scan(random_surface(generator(1), 128, PIXEL, uncd), 64, 0.7)
     np.testing.assert_array_equal(scan.heights, corner.heights)
     sphere = add_sphere(rng, scan, SPHERE_RADIUS)
-    flat = flatten(sphere, SPHERE_RADIUS).heights
+    flat = remove_form(sphere, SPHERE_RADIUS).heights
     np.testing.assert_allclose(flat, level(scan).heights, atol=1e-9)

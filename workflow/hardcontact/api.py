@@ -37,11 +37,11 @@ from hardcontact.inference.filtered_masters import Filters, filtered_pull_off
 from hardcontact.inference.master_datasets import stack_masters
 from hardcontact.own.own_spectrum import own_spectrum
 from hardcontact.own.scan_force import add_force_on_scan
-from hardcontact.surfaces.height_map import HeightMap, flatten, require_map
+from hardcontact.surfaces.height_map import HeightMap, remove_form, require_map
 from hardcontact.surfaces.height_map import metrics as metrics
 from hardcontact.surfaces.joined_spectrum import ScanSpectrum, joined_spectrum, reliable_spectrum
 from hardcontact.surfaces.refused_file import RefusedFile
-from hardcontact.surfaces.scan_defects import examine
+from hardcontact.surfaces.scan_defects import scan_with_defects
 from hardcontact.surfaces.scan_heights import map_values, unit_in_nm
 from hardcontact.surfaces.scans import read_scan as read_any_scan
 from hardcontact.surfaces.spectrum import Spectrum
@@ -154,7 +154,7 @@ def from_topography(
 
 def _prepare(scan: HeightMap, sphere_radius: float | None, levelling: str) -> HeightMap:
     """Return a height map levelled and in float32, like in the study's files."""
-    flat = flatten(scan, sphere_radius, levelling)
+    flat = remove_form(scan, sphere_radius, levelling)
     return replace(flat, heights=flat.heights.astype(np.float32))
 
 
@@ -424,7 +424,7 @@ def predict(
     scans = []
     if isinstance(spectrum, HeightMap):
         check_heights(spectrum.heights, "spectrum")
-        scan = examine(HeightMap(spectrum.heights.astype(float), spectrum.pixel_size))
+        scan = scan_with_defects(HeightMap(spectrum.heights.astype(float), spectrum.pixel_size))
         joined = joined_spectrum([scan], [None])
         spectrum = reliable_spectrum(joined, metrics(spectrum)["skewness"])
         scans = [scan]

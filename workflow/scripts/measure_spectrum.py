@@ -3,12 +3,12 @@
 from hardcontact.base.job import run_job
 from hardcontact.surfaces.height_map import read_height_map
 from hardcontact.surfaces.joined_spectrum import joined_spectrum
-from hardcontact.surfaces.scan_defects import examine
+from hardcontact.surfaces.scan_defects import scan_with_defects
 
 with run_job(snakemake) as job:
     params = job.parameters
     measurements = [
-        examine(read_height_map(file), params["sphere_radius"], params["levelling"])
+        scan_with_defects(read_height_map(file), params["sphere_radius"], params["levelling"])
         for file in job.input.measurements
     ]
     job.write(

@@ -2,7 +2,7 @@
 
 from hardcontact.base.job import run_job
 from hardcontact.base.random import generator
-from hardcontact.surfaces.height_map import flatten, read_height_map
+from hardcontact.surfaces.height_map import read_height_map, remove_form
 from hardcontact.surfaces.joined_spectrum import sample_spectra
 from hardcontact.surfaces.spectrum import spectrum_dataset
 
@@ -16,7 +16,7 @@ with run_job(snakemake) as job:
             for realization in range(1, len(job.output) + 1)
         ),
         [
-            flatten(read_height_map(file), params["sphere_radius"], params["levelling"])
+            remove_form(read_height_map(file), params["sphere_radius"], params["levelling"])
             for file in job.input.measurements
         ],
         params["tip_radii"],

@@ -11,7 +11,7 @@ from hardcontact.base.formatting import format_length
 from hardcontact.commands.inventory import Entry, entries_by_surface
 from hardcontact.config.faults import raise_faults
 from hardcontact.config.grids import (
-    MAP_PIXELS,
+    MAX_MAP_PIXELS,
     PENETRATION_OVER_RANGE,
     PIXEL_SIZES,
     minimum_range,
@@ -144,7 +144,7 @@ def _sphere_group(groups: list[Group], substrates: Sequence[Entry], radius: floa
         scan = group[0]
         is_too_large = any(
             2 * max(scan.size, substrate.size) / min(scan.pixel_size, substrate.pixel_size)
-            > MAP_PIXELS
+            > MAX_MAP_PIXELS
             for substrate in substrates
         )
         matches = all(same_grid(scan.grid, substrate.grid) for substrate in substrates)

@@ -17,7 +17,7 @@ from hardcontact.surfaces.mean_spectrum import contradictions, describe_contradi
 from hardcontact.surfaces.measured_spectrum import isotropic_psd
 from hardcontact.surfaces.reliable_band import LIMIT_NAMES, ReliableBand, reliable_band
 from hardcontact.surfaces.same_place import coarse_map, repeated_places
-from hardcontact.surfaces.scan_defects import examine
+from hardcontact.surfaces.scan_defects import scan_with_defects
 from hardcontact.surfaces.scan_heights import split_notes
 from hardcontact.surfaces.scans import list_scans, read_scan
 
@@ -176,7 +176,7 @@ def _entry(source: Source, scan: HeightMap, tip_radius: float | None, levelling:
     relief = np.ptp(scan.heights)
     if relief == 0:
         raise ValueError(f"{source.file}: expected a rough surface, found constant height")
-    flat = examine(scan, source.sphere_radius, levelling)
+    flat = scan_with_defects(scan, source.sphere_radius, levelling)
     peak_to_valley = float(np.ptp(flat.heights))
     density = isotropic_psd(flat)
     stated_radius = scan.tip_radius

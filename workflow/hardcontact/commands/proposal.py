@@ -18,7 +18,7 @@ from hardcontact.commands.contact_scans import (
 from hardcontact.commands.inventory import FILLING, Entry
 from hardcontact.commands.scan_cautions import scan_cautions
 from hardcontact.config import model
-from hardcontact.config.grids import CONTACT_PIXELS, periods_in_window
+from hardcontact.config.grids import MAX_CONTACT_PIXELS, periods_in_window
 from hardcontact.contact.bearing_area import TILE
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import window_pixels
@@ -237,7 +237,7 @@ def _contacts_per_side(
     for contacts_per_side in CONTACTS_PER_SIDE:
         contacts = contacts_per_side**2
         slow = contacts * seconds > CONTACT_SECONDS
-        fits = contacts_per_side <= max_per_side and contacts * kept_pixels <= CONTACT_PIXELS
+        fits = contacts_per_side <= max_per_side and contacts * kept_pixels <= MAX_CONTACT_PIXELS
         if fits and not slow:
             break
     return contacts_per_side, slow

@@ -9,14 +9,14 @@ from hardcontact.contact.contact import Contact
 #: Pixel sizes in nm at which spectra are known: tables and bins end at 0.1 nm and 100 um.
 PIXEL_SIZES = (0.05, 1e4)
 #: Largest number of pixels along a side of a map: arrays of more than 2 GiB are not validated.
-MAP_PIXELS = 16384
+MAX_MAP_PIXELS = 16384
 #: Edge of the periodic random surface from which a substitute is cut, in edges of the substitute.
 #: A real scan has waves longer than itself and does not continue at its edges; a larger surface
 #: would imitate this better, but takes more memory.
 RANDOM_SURFACE_OVER_SCAN = 4
 #: Contact pixels of all contacts on a scan, with their images in the window: all are kept in memory
 #: at once, in some 24 bytes each, 1.6 GB together.
-CONTACT_PIXELS = 2**26
+MAX_CONTACT_PIXELS = 2**26
 #: Largest difference in height relative to the range of adhesion: exponentials overflow beyond 700.
 RELIEF_OVER_RANGE = 500.0
 #: Largest penetration relative to the range of adhesion, for a smooth sphere: its force sums lose
@@ -44,7 +44,7 @@ class Grid(NamedTuple):
 
 def random_surface_pixels(pixels: int) -> int:
     """Return the pixels along a side of the random surface from which a substitute is cut."""
-    return min(RANDOM_SURFACE_OVER_SCAN * pixels, MAP_PIXELS)
+    return min(RANDOM_SURFACE_OVER_SCAN * pixels, MAX_MAP_PIXELS)
 
 
 def same_grid(grid: Grid, reference: Grid) -> bool:

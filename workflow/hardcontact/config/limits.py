@@ -15,8 +15,8 @@ from hardcontact.base.formatting import format_quantity
 from hardcontact.config.configuration import get_key, master_keys, study_contact
 from hardcontact.config.faults import key_fault, raise_faults
 from hardcontact.config.grids import (
-    CONTACT_PIXELS,
-    MAP_PIXELS,
+    MAX_CONTACT_PIXELS,
+    MAX_MAP_PIXELS,
     PENETRATION_OVER_RANGE,
     Grid,
     minimum_range,
@@ -126,8 +126,8 @@ def _pair_faults(config: dict[str, Any], surface: str, grid: Grid, sphere_grid: 
     window = config["contact"]["window"]
     pixel_size = min(grid.pixel_size, sphere_grid.pixel_size)
     bodies = f"{surface} and the sphere"
-    if window_pixels(window, pixel_size) > MAP_PIXELS:
-        accepted = f"at most {MAP_PIXELS} pixels of {pixel_size:.4g} nm, on {bodies}"
+    if window_pixels(window, pixel_size) > MAX_MAP_PIXELS:
+        accepted = f"at most {MAX_MAP_PIXELS} pixels of {pixel_size:.4g} nm, on {bodies}"
         faults.append(key_fault("contact.window", accepted, window_pixels(window, pixel_size)))
     faults += _map_faults(bodies, pixel_size, grid, sphere_grid)
     contacts = study_contacts(config)
@@ -208,10 +208,10 @@ def _wavelength_faults(
 def _map_faults(bodies: str, pixel_size: float, *grids: Grid) -> list[str]:
     """Return the fault of stitched maps that are too large on the pixels (nm) of the finest map."""
     pixels = round(max(2 * grid.size for grid in grids) / pixel_size)
-    if pixels <= MAP_PIXELS:
+    if pixels <= MAX_MAP_PIXELS:
         return []
     accepted = (
-        f"at most {MAP_PIXELS} pixels along a side of {bodies} on common pixels of "
+        f"at most {MAX_MAP_PIXELS} pixels along a side of {bodies} on common pixels of "
         f"{pixel_size:.4g} nm"
     )
     return [key_fault("surfaces and scan", accepted, pixels)]
@@ -230,7 +230,7 @@ def _memory_faults(
         f"with which the contact pixels of {pixel_size:.4g} nm on {surface} fit into memory at "
         f"{count_key} = {contact.contacts_per_side} and contact.window = {contact.window:.6g} nm"
     )
-    available_pixels = int(CONTACT_PIXELS / contact.contacts_per_side**2 / periods)
+    available_pixels = int(MAX_CONTACT_PIXELS / contact.contacts_per_side**2 / periods)
     return _load_faults(named_contact.preload, contact, available_pixels, pixel_size, reason)
 
 

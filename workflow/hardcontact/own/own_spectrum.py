@@ -23,7 +23,7 @@ from hardcontact.surfaces.measured_spectrum import ENOUGH_WAVES, isotropic_from_
 from hardcontact.surfaces.plain_text import ROW
 from hardcontact.surfaces.reliable_band import ReliableBand
 from hardcontact.surfaces.same_place import repeated_places
-from hardcontact.surfaces.scan_defects import defect_sentence, examine
+from hardcontact.surfaces.scan_defects import defect_sentence, scan_with_defects
 from hardcontact.surfaces.scan_heights import LENGTH_BOUNDS, TAKE_CARE, split_notes
 from hardcontact.surfaces.scans import list_scans, read_scan
 from hardcontact.surfaces.spectrum import Spectrum
@@ -96,7 +96,7 @@ def own_spectrum(
         note = f"left out: {zeros} rows of the table with a density of 0, no roughness there"
         return OwnSpectrum(spectrum, (note,) if zeros else ())
     scans = [
-        examine(
+        scan_with_defects(
             read_scan(path, name, undefined_pixels, unit, map_size, mask),
             sphere_radius,
             levelling,

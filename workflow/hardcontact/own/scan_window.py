@@ -2,7 +2,7 @@
 
 import math
 
-from hardcontact.config.grids import MAP_PIXELS
+from hardcontact.config.grids import MAX_MAP_PIXELS
 
 #: Height of the sphere above its apex at the border of the window, relative to the range of
 #: adhesion (14 in the paper) and to the rms height.
@@ -30,7 +30,10 @@ def window_on_scans(
             2 * math.sqrt(2 * radius * height),
             f"at its border the sphere is {height_words} above its apex",
         ),
-        (MAP_PIXELS * finest, f"{MAP_PIXELS} pixels of the scans, the most that are computed"),
+        (
+            MAX_MAP_PIXELS * finest,
+            f"{MAX_MAP_PIXELS} pixels of the scans, the most that are computed",
+        ),
         (
             2 * MAX_IMAGES * smallest,
             f"{MAX_IMAGES} mirrored scans, which all have the same summits",

@@ -36,7 +36,7 @@ class HeightMap:
     tip_radius: float | None = None  #: In nm, if the file or its container states one.
     notes: tuple[str, ...] = ()  #: What was changed or chosen in reading, in words for the user.
     undefined_count: int = 0  #: Undefined pixels among those kept, before they were filled.
-    #: The result of `scan_defects`, after `examine`.
+    #: The result of `scan_defects`, after `scan_with_defects`.
     defects: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
 
     def __repr__(self) -> str:
@@ -141,7 +141,7 @@ def read_height_map(path: str) -> HeightMap:
     )
 
 
-def library_topography(scan: HeightMap) -> "Topography | UniformLineScan":
+def to_surface_topography(scan: HeightMap) -> "Topography | UniformLineScan":
     """Return a scan as an object of SurfaceTopography, whose first axis is x."""
     from SurfaceTopography import Topography, UniformLineScan
 
@@ -176,13 +176,13 @@ def level_lines(scan: HeightMap) -> HeightMap:
     if streak_lines:
         note = f"streaks along {streak_lines} lines filled from the lines beside them"
         scan = replace(scan, notes=(*scan.notes, note))
-    aligned = library_topography(scan).scan_line_align(direction="x", mode="median", degree=1)
+    aligned = to_surface_topography(scan).scan_line_align(direction="x", mode="median", degree=1)
     return level(replace(scan, heights=aligned.heights().T))
 
 
 def level_quadratic(scan: HeightMap) -> HeightMap:
     """Return a scan minus its least-squares polynomial of second order, to remove a bow."""
-    return replace(scan, heights=library_topography(scan).detrend("curvature").heights().T)
+    return replace(scan, heights=to_surface_topography(scan).detrend("curvature").heights().T)
 
 
 #: Ways to level a scan, by their names in the configuration.
@@ -193,7 +193,7 @@ LEVELLING: dict[str, Callable[[HeightMap], HeightMap]] = {
 }
 
 
-def flatten(
+def remove_form(
     scan: HeightMap, sphere_radius: float | None = None, levelling: str = "plane"
 ) -> HeightMap:
     """Return a scan levelled, after subtracting the sphere that a map shows (radius in nm), if any.
@@ -242,7 +242,7 @@ def level_and_stitch(
 
     The levelled scan of a sphere (radius in nm) also has ``as_scanned``, the heights as read.
     """
-    flat = flatten(require_map(scan), sphere_radius, levelling)
+    flat = remove_form(require_map(scan), sphere_radius, levelling)
     flat = replace(flat, heights=flat.heights.astype("float32"))
     levelled = flat.to_dataset()
     if sphere_radius is not None:

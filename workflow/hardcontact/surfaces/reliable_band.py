@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from hardcontact.base.arrays import Floats
 from hardcontact.base.formatting import format_length
-from hardcontact.surfaces.height_map import HeightMap, level, library_topography
+from hardcontact.surfaces.height_map import HeightMap, level, to_surface_topography
 from hardcontact.surfaces.measured_spectrum import (
     axis_ratio,
     independent_waves,
@@ -96,7 +96,7 @@ def reliable_band(
 
 def limit_by_tip(band: ReliableBand, scan: HeightMap, tip_radius: float) -> ReliableBand:
     """Return a band that ends at the cutoff of a tip with a radius in nm, if that is longer."""
-    topography = library_topography(level(scan))
+    topography = to_surface_topography(level(scan))
     cutoff = topography.scanning_probe_reliability_cutoff(tip_radius, rtol=TIP_CUTOFF_ERROR)
     if cutoff is None or cutoff <= band.shortest:
         return band

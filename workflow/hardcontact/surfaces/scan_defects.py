@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from hardcontact.base.arrays import Floats
 from hardcontact.base.formatting import format_length, format_share
-from hardcontact.surfaces.height_map import HeightMap, flatten
+from hardcontact.surfaces.height_map import HeightMap, remove_form
 from hardcontact.surfaces.reliable_band import FLATTEST_SLOPE, MIN_STANDARD_ERRORS
 from hardcontact.surfaces.streaks import MIN_STREAK_STEPS, fill_streaks
 
@@ -75,8 +75,8 @@ MIN_WAVES = 4
 MIN_STEP_CORRELATION = -0.25
 #: Share of pixels that are edges, and their least share of the squared slopes. In rough surfaces
 #: 5 % of the pixels have 0.2 to 0.45 of the squared slopes; with pillars and steps, 0.8 to 1.
-EDGE_PIXELS = 0.05
-MIN_EDGE_SHARE = 0.7
+EDGE_PIXEL_SHARE = 0.05
+MIN_EDGE_SLOPE_SHARE = 0.7
 #: Least share of noise in the variance of heights: it changes the rms height by one per cent.
 MIN_NOISE_SHARE = 0.02
 #: Value in place of an infinite ratio, which a pattern without noise has.
@@ -121,11 +121,11 @@ def scan_defects(
     }
 
 
-def examine(
+def scan_with_defects(
     scan: HeightMap, sphere_radius: float | None = None, levelling: str = "plane"
 ) -> HeightMap:
-    """Return a scan from `flatten`, with its defects."""
-    flat = flatten(scan, sphere_radius, levelling)
+    """Return a scan from `remove_form`, with its defects."""
+    flat = remove_form(scan, sphere_radius, levelling)
     return replace(flat, defects=scan_defects(scan.heights, flat.heights, scan.pixel_size))
 
 
@@ -276,9 +276,9 @@ def _edge_numbers(heights: Floats) -> list[float]:
     else:
         squares = np.diff(heights) ** 2
     squares = np.sort(squares, axis=None)
-    steepest = squares[-max(1, round(EDGE_PIXELS * squares.size)) :]
+    steepest = squares[-max(1, round(EDGE_PIXEL_SHARE * squares.size)) :]
     share = float(steepest.sum() / squares.sum())
-    return [share] if share > MIN_EDGE_SHARE else []
+    return [share] if share > MIN_EDGE_SLOPE_SHARE else []
 
 
 def _noise_numbers(heights: Floats) -> list[float]:
@@ -292,11 +292,11 @@ def _noise_numbers(heights: Floats) -> list[float]:
     power = np.abs(np.fft.fft2(heights * np.outer(window, window))) ** 2
     waves = np.fft.fftfreq(pixels, 1 / pixels)
     half_octave = np.round(2 * np.log2(pixels / np.maximum(np.hypot(waves, waves[:, None]), 1)))
-    octaves = np.arange(3, 2 * np.log2(pixels / MIN_WAVES))
-    if len(octaves) < 2:
+    half_octaves = np.arange(3, 2 * np.log2(pixels / MIN_WAVES))
+    if len(half_octaves) < 2:
         return []
-    density = [power[half_octave == octave].mean() for octave in octaves]
-    counts = [np.count_nonzero(half_octave == octave) for octave in octaves]
+    density = [power[half_octave == number].mean() for number in half_octaves]
+    counts = [np.count_nonzero(half_octave == number) for number in half_octaves]
     slopes = -2 * np.diff(np.log2(np.maximum(density, np.finfo(float).tiny)))
     # The window makes one independent wave of four, and opposite wavevectors have the same power.
     relative_errors = np.sqrt(8 / np.array(counts))
@@ -319,7 +319,7 @@ def defect_sentence(code: str, numbers: Mapping[str, float]) -> str:
         **words,
         streak=MIN_STREAK_STEPS,
         spike=MIN_SPIKE_DISTANCE,
-        edge_pixels=format_share(EDGE_PIXELS),
+        edge_pixels=format_share(EDGE_PIXEL_SHARE),
     )
 
 

@@ -30,7 +30,7 @@ from hardcontact.surfaces.scan_heights import (
     stated_tip_radius,
     unit_in_nm,
 )
-from hardcontact.surfaces.unread_files import OTHER_KINDS, describe_unread, kind_in_words
+from hardcontact.surfaces.unread_files import KINDS_WITHOUT_HEIGHTS, describe_unread, kind_in_words
 
 #: Modules that readers import while they read.
 IMPORTED_LATE = (
@@ -149,7 +149,7 @@ def _decompressed(content: bytes) -> bytes:
 
 def _open(content: bytes) -> Any:
     """Return a reader whose channels can be listed; refuse other files with the remedy."""
-    kind = kind_in_words(content, OTHER_KINDS)
+    kind = kind_in_words(content, KINDS_WITHOUT_HEIGHTS)
     if kind:
         raise RefusedFile(f"expected a scan of heights, found {kind}")
     try:

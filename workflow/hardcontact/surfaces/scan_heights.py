@@ -28,7 +28,7 @@ MAX_UNDEFINED_SHARE = 0.5
 MIN_STRIP_SIDES = 2
 #: The largest mean slope: no tip follows 84 degrees; heights read from a wrong place in a file
 #: are steeper.
-SLOPE_LIMIT = 10
+MAX_MEAN_SLOPE = 10
 #: Begins a note that is a caution.
 TAKE_CARE = "take care: "
 #: How far points of a line scan may lie from uniform spacing, in spacings: files round positions.
@@ -87,8 +87,8 @@ def _fields(heights: Floats, pixel_size: float, notes: list[str]) -> dict[str, A
             f"found pixels of {pixel_size:.6g} nm and heights from {low:.6g} to {high:.6g} nm"
         )
     slope = np.abs(np.diff(heights)).mean() / pixel_size
-    if slope > SLOPE_LIMIT:
-        raise RefusedFile(f"expected a mean slope of at most {SLOPE_LIMIT}, found {slope:.3g}")
+    if slope > MAX_MEAN_SLOPE:
+        raise RefusedFile(f"expected a mean slope of at most {MAX_MEAN_SLOPE}, found {slope:.3g}")
     return {"heights": heights, "pixel_size": pixel_size, "notes": notes}
 
 

@@ -36,11 +36,11 @@ MAX_SECONDS = 120
 SMALL_FILE_SECONDS = 2
 SECONDS_PER_MEGABYTE = 10
 #: Elapsed time in s, with waits for a processor: five times the longest computing time.
-MAX_WAIT = 600
+MAX_WAIT_SECONDS = 600
 #: What pixels under a mask in a file are: heights, or undefined.
 MASKS = ("keep", "exclude")
 #: The longest message in characters.
-MAX_MESSAGE = 2000
+MAX_MESSAGE_LENGTH = 2000
 
 
 def read_scan(
@@ -110,7 +110,7 @@ def read_in_child(
         child.start()
         sender.close()
         try:
-            if not receiver.poll(MAX_WAIT):
+            if not receiver.poll(MAX_WAIT_SECONDS):
                 raise EOFError
             answer: dict[str, Any] = json.loads(receiver.recv_bytes())
             answer["heights"] = np.load(io.BytesIO(receiver.recv_bytes()))
@@ -159,7 +159,7 @@ def _run_child(
     if "refused" in answer:
         answer = {
             "refused": " ".join(
-                _replace_control_characters(answer["refused"][:MAX_MESSAGE]).split()
+                _replace_control_characters(answer["refused"][:MAX_MESSAGE_LENGTH]).split()
             )
         }
     array = io.BytesIO()

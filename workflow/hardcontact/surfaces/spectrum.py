@@ -19,7 +19,7 @@ from hardcontact.base import dataset
 from hardcontact.base.arrays import Floats
 from hardcontact.base.formatting import format_length
 from hardcontact.base.units import NM4, RAD_PER_NM
-from hardcontact.surfaces.height_map import HeightMap, library_topography
+from hardcontact.surfaces.height_map import HeightMap, to_surface_topography
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -132,13 +132,13 @@ def measured_psds(scan: HeightMap) -> tuple[Floats, Floats, Floats]:
     >>> scan = hc.read_scan("scan.nc")
     >>> wavevector, profile, isotropic = hc.measured_psds(scan)
     """
-    isotropic = library_topography(scan).power_spectrum_from_area(**PSD_ARGUMENTS)[1]
+    isotropic = to_surface_topography(scan).power_spectrum_from_area(**PSD_ARGUMENTS)[1]
     return BIN_CENTRES, profile_psd(scan), _mark_empty_bins(isotropic)
 
 
 def profile_psd(scan: HeightMap) -> Floats:
     """Return C_1D along x (bins,) in nm³, measured with a Hann window; NaN in empty bins."""
-    profile = library_topography(scan).power_spectrum_from_profile(**PSD_ARGUMENTS)[1]
+    profile = to_surface_topography(scan).power_spectrum_from_profile(**PSD_ARGUMENTS)[1]
     return _mark_empty_bins(profile)
 
 

@@ -20,13 +20,13 @@ PICTURE = f"a picture, whose grey values are no heights: {EXPORT}"
 ARCHIVE = "an archive: unpack it, and give the scans in it"
 MODEL = "a model of triangles or points: save its points as a text of x, y, height"
 #: Kinds of files that no reader knows, with the remedy, and how they begin.
-UNKNOWN_KINDS = {
+UNREADABLE_KINDS = {
     "a compressed file of MountainsMap: save it without compression": (b"DSCOMPRESSED",),
     ARCHIVE: (b"PK\3\4", b"BZh", b"\xfd7zXZ", b"7z\xbc\xaf", b"Rar!"),
     PICTURE: (b"BM", b"II*\0", b"MM\0*"),
 }
 #: The same for files without heights on a grid: no reader is tried.
-OTHER_KINDS = {
+KINDS_WITHOUT_HEIGHTS = {
     PICTURE: (b"P2\n", b"P5\n", b"\x89PNG", b"\xff\xd8\xff", b"GIF8"),
     MODEL: (b"#VRML", b"ply\n"),
     f"a document: {EXPORT}": (b"%PDF",),
@@ -49,7 +49,7 @@ def describe_unread(content: bytes, reader_messages: str) -> str:
     reader_names = [
         reader.__name__ for reader in readers if reader.can_read(start) == MagicMatch.YES
     ]
-    kind = kind_in_words(content, UNKNOWN_KINDS)
+    kind = kind_in_words(content, UNREADABLE_KINDS)
     if zipfile.is_zipfile(io.BytesIO(content)):
         with zipfile.ZipFile(io.BytesIO(content)) as archive:
             if "[Content_Types].xml" in archive.namelist():
