@@ -16,10 +16,10 @@ ROOMS = re.findall(r"`(\w+)`", hardcontact.__doc__)
 #: Code lines that each room may have, without docstrings, comments and blank lines. A commit that
 #: raises one says what a user gets for it.
 BUDGET = {
-    "base": 779,
+    "base": 788,
     "surfaces": 3430,
     "contact": 1381,
-    "inference": 1653,
+    "inference": 1662,
     "theory": 647,
     "paper": 1465,
     "config": 1522,

@@ -15,7 +15,7 @@ from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import mean_pull_off_dataset
-from hardcontact.inference.hindcast import WIDE_PIXEL
+from hardcontact.inference.wide_pixels import WIDE_PIXEL
 from hardcontact.own.scan_force import contact_on_scan, stitched_map
 from hardcontact.surfaces.height_map import HeightMap, level
 from hardcontact.surfaces.spectrum import smooth_rolloff

@@ -8,8 +8,9 @@ import xarray as xr
 from measurements import PIXEL, UNCD
 
 from hardcontact.base.random import generator
+from hardcontact.base.statistics import widen_interval
 from hardcontact.contact.contact import CONTACT_AXES, Contact
-from hardcontact.inference import hindcast
+from hardcontact.inference import hindcast, wide_pixels
 from hardcontact.inference.hindcast import RandomBody
 from hardcontact.inference.octaves import make_force_function
 from hardcontact.surfaces.height_map import mirror_stitch
@@ -95,9 +96,9 @@ def test_a_scan_without_an_octave_proves_no_artificial_roughness():
 def test_errors_add_in_squares():
     interval = ("bound", np.exp([-0.3, 0.4]))
     force = xr.Dataset({"force": 1.0, "force_interval": interval}, {"bound": ["low", "high"]})
-    wide = hindcast.widen_interval(force, "force", xr.DataArray(np.exp(-0.4)))
+    wide = widen_interval(force, "force", xr.DataArray(np.exp(-0.4)))
     np.testing.assert_allclose(np.log(wide["force_interval"]), [-0.5, np.hypot(0.4, 0.4)])
-    same = hindcast.widen_interval(force, "force", xr.DataArray(np.nan))
+    same = widen_interval(force, "force", xr.DataArray(np.nan))
     np.testing.assert_allclose(same["force_interval"], force["force_interval"])
 
 
@@ -118,7 +119,7 @@ def test_the_octave_is_the_last_that_the_scan_shows(side, limits, octave):
 
 def test_wide_pixels_have_the_mean_heights_of_their_blocks():
     heights = np.arange(100.0).reshape(10, 10)
-    wide = hindcast.widen_pixels(replace(SCAN, heights=heights)).heights
+    wide = wide_pixels.widen_pixels(replace(SCAN, heights=heights)).heights
     for block in (np.s_[:4, :4], np.s_[4:8, 8:], np.s_[8:, 8:]):
         np.testing.assert_allclose(wide[block], heights[block].mean())
 
@@ -130,9 +131,9 @@ def test_wide_pixels_hide_summits():
     ratios = [
         float(forces["wide_pixel_force"].mean() / forces["scan_force"].mean())
         for forces in (
-            hindcast.pixel_forces(mirror_stitch(flat), None, CONTACT),
-            hindcast.pixel_forces(rough, None, CONTACT),
-            hindcast.pixel_forces(mirror_stitch(flat), rough, CONTACT),
+            wide_pixels.pixel_forces(mirror_stitch(flat), None, CONTACT),
+            wide_pixels.pixel_forces(rough, None, CONTACT),
+            wide_pixels.pixel_forces(mirror_stitch(flat), rough, CONTACT),
         )
     ]
     assert ratios[0] == pytest.approx(1) and min(ratios[1:]) > 1.02

@@ -8,13 +8,15 @@ from periodic_maps import height_map, periodic_noise
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import forces_at_loads
-from hardcontact.inference.octaves import (
-    AMPLITUDE_FACTORS,
+from hardcontact.inference.band_forces import (
     BAND_PARTS,
-    STEP,
     band_force_dataset,
     band_parts,
     band_ratios,
+)
+from hardcontact.inference.octaves import (
+    AMPLITUDE_FACTORS,
+    STEP,
     octave_force_dataset,
     octave_forces,
     octave_limits,

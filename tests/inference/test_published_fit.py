@@ -10,7 +10,7 @@ from hardcontact.base.statistics import Sampling
 from hardcontact.contact.force_curves import interpolate_to_ranges
 from hardcontact.inference import published_fit as fit
 from hardcontact.inference.fit import fit_range_and_work, mean_relative_error
-from hardcontact.inference.published_fit import Pair, PublishedFit
+from hardcontact.inference.published_fit import Pair, PublishedForces
 
 SAMPLING = Sampling(1, 50, 0.95)
 
@@ -114,7 +114,7 @@ def make_adhesion(plastic):
     )
 
 
-PUBLISHED = PublishedFit(TABLE.iloc[::-1], Pair(5.0, 0.04))  # in any order
+PUBLISHED = PublishedForces(TABLE.iloc[::-1], Pair(5.0, 0.04))  # in any order
 
 
 def fit_published(plastic, sampling=SAMPLING):

@@ -9,7 +9,7 @@ from small_pool import CONTACT, GRID, POOL_INPUTS
 
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import pull_off_dataset
-from hardcontact.inference.published_fit import Pair, PublishedFit
+from hardcontact.inference.published_fit import Pair, PublishedForces
 from hardcontact.paper.featured_samples import (
     SampleInputs,
     compare_with_published,
@@ -73,7 +73,7 @@ def test_the_comparison_has_the_forces_at_the_published_pair(samples):
         "mean_force": [1.9 * forces.mean().item()],
         "median_force": [forces.median().item()],
     }
-    measured = PublishedFit(pd.DataFrame(published, index=["uncd"]), PAIR)
+    measured = PublishedForces(pd.DataFrame(published, index=["uncd"]), PAIR)
     factor = xr.DataArray([0.5, 0.5], {"rho": [1.0, 5.6]})
     comparison = compare_with_published(plastic, factor, measured, "uncd")
     sample = comparison.sel(features="pits", sample=1)

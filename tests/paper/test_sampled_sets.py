@@ -9,7 +9,7 @@ from set_inputs import CONFIDENCE, SCANS, make_adhesion, make_inputs, make_maste
 
 from hardcontact.base.statistics import Sampling
 from hardcontact.inference.edges import edges_with_samples
-from hardcontact.inference.published_fit import Pair, PublishedFit, fit_published
+from hardcontact.inference.published_fit import Pair, PublishedForces, fit_published
 from hardcontact.paper.sampled_sets import (
     SetSettings,
     gather_inputs,
@@ -31,7 +31,7 @@ SETTINGS = SetSettings(
 )
 FORCES = pd.DataFrame({"mean_force": MEAN_FORCE}, index=SUBSTRATES)
 REPLICATED = STATEMENTS[STATEMENTS["samples_from"] == "sets"]
-PAPER = REPLICATED, CONSTANTS, PublishedFit(FORCES, Pair(5.6, 46.3e-3))
+PAPER = REPLICATED, CONSTANTS, PublishedForces(FORCES, Pair(5.6, 46.3e-3))
 
 
 @pytest.fixture(scope="module")

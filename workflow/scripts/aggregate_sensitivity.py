@@ -5,9 +5,10 @@ import xarray as xr
 from hardcontact.base.dataset import concatenate, read, read_all
 from hardcontact.base.job import run_job
 from hardcontact.contact.stacked_datasets import add_names
+from hardcontact.inference.band_forces import band_ratios_by_surface
 from hardcontact.inference.hindcast import all_hindcasts
 from hardcontact.inference.mean_forces import fewest_places
-from hardcontact.inference.octaves import band_ratios_by_surface, sensitivities_by_surface
+from hardcontact.inference.octaves import sensitivities_by_surface
 
 with run_job(snakemake) as job:
     params = job.parameters

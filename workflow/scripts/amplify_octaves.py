@@ -12,10 +12,10 @@ from hardcontact.inference.hindcast import (
     RandomBody,
     hindcast_forces,
     last_octave,
-    pixel_forces,
     reliable_wavelengths,
 )
 from hardcontact.inference.octaves import make_force_function, octave_force_dataset, octave_limits
+from hardcontact.inference.wide_pixels import pixel_forces
 from hardcontact.surfaces.height_map import read_height_map
 from hardcontact.surfaces.spectrum import read_spectrum
 

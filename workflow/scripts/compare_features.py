@@ -4,7 +4,7 @@ from hardcontact.base import published
 from hardcontact.base.dataset import read, read_all
 from hardcontact.base.job import run_job
 from hardcontact.contact.contact import PLASTIC
-from hardcontact.inference.published_fit import Pair, PublishedFit
+from hardcontact.inference.published_fit import Pair, PublishedForces
 from hardcontact.paper.featured_samples import (
     compare_with_published,
     no_samples,
@@ -13,7 +13,7 @@ from hardcontact.paper.featured_samples import (
 
 with run_job(snakemake) as job:
     constants = published.constants(job.input.published_constants)["value"]
-    published_fit = PublishedFit(
+    published_forces = PublishedForces(
         published.measured_statistics(job.input.published_pull_off),
         Pair(constants["range_of_adhesion"], constants["work_of_adhesion"]),
     )
@@ -23,7 +23,7 @@ with run_job(snakemake) as job:
         compare_with_published(
             {kind: samples.sel(contact_model=PLASTIC) for kind, samples in kinds.items()},
             factor.sel(surface=surface, drop=True),
-            published_fit,
+            published_forces,
             surface,
         ).assign_attrs(label=job.parameters["labels"][surface])
         for surface, kinds in surfaces.items()

@@ -3,7 +3,7 @@
 from hardcontact.base import dataset, published
 from hardcontact.base.job import run_job
 from hardcontact.base.statistics import Sampling
-from hardcontact.inference.published_fit import Pair, PublishedFit, fit_published
+from hardcontact.inference.published_fit import Pair, PublishedForces, fit_published
 
 with run_job(snakemake) as job:
     params = job.parameters
@@ -11,7 +11,7 @@ with run_job(snakemake) as job:
     job.write(
         fit_published(
             dataset.read(job.input.adhesion),
-            PublishedFit(
+            PublishedForces(
                 published.measured_statistics(job.input.published_pull_off),
                 Pair(constants["range_of_adhesion"], constants["work_of_adhesion"]),
             ),

@@ -4,8 +4,9 @@ from hardcontact.base import published
 from hardcontact.base.dataset import read, stack
 from hardcontact.base.job import progress, run_job
 from hardcontact.contact.contact import Contact
+from hardcontact.inference.band_forces import band_force_dataset
 from hardcontact.inference.edges import pooled_band
-from hardcontact.inference.octaves import band_force_dataset, make_force_function
+from hardcontact.inference.octaves import make_force_function
 from hardcontact.surfaces.featured_scans import whole_surfaces
 
 with run_job(snakemake) as job:

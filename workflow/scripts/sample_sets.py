@@ -6,7 +6,7 @@ from hardcontact.base import published
 from hardcontact.base.dataset import read, read_all
 from hardcontact.base.job import run_job
 from hardcontact.inference.master_datasets import read_master_forces
-from hardcontact.inference.published_fit import Pair, PublishedFit
+from hardcontact.inference.published_fit import Pair, PublishedForces
 from hardcontact.paper.sampled_sets import SetSettings, gather_inputs, sample_sets
 
 with run_job(snakemake) as job:
@@ -26,7 +26,7 @@ with run_job(snakemake) as job:
         inputs,
         pd.DataFrame(params["statements"]),
         constants,
-        PublishedFit(published.measured_statistics(job.input.published_pull_off), pair),
+        PublishedForces(published.measured_statistics(job.input.published_pull_off), pair),
         SetSettings(**params["settings"]),
     )
     job.write(

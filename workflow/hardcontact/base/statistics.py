@@ -70,6 +70,21 @@ def percentile_interval(samples: ArrayLike, confidence: float) -> np.ndarray:
     return np.moveaxis(ends, 0, -1)
 
 
+def widen_interval(dataset: xr.Dataset, name: str, error: xr.DataArray) -> xr.Dataset:
+    """Return a dataset whose interval of a positive variable also contains an error, a factor.
+
+    The logarithms of the interval's half width and of the error add in squares.
+    """
+    value = dataset[name]
+    log_error = abs(np.log(error.fillna(1)))
+    low, high = bounds(dataset, name)
+    low = value * np.exp(-np.hypot(np.log(value / low), log_error))
+    high = value * np.exp(np.hypot(np.log(high / value), log_error))
+    interval = dataset[f"{name}_interval"]
+    ends = xr.concat([low, high], interval["bound"]).transpose(*interval.dims)
+    return dataset.assign({f"{name}_interval": ends.assign_attrs(interval.attrs)})
+
+
 def student_interval(values: xr.DataArray, confidence: float, dim: str) -> xr.DataArray:
     """Return the interval of a mean of independent values along a dimension by Student's t.
 

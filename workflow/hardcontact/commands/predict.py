@@ -26,7 +26,7 @@ from hardcontact.config.faults import raise_faults, run_checks
 from hardcontact.config.model import CONTACT_QUANTITIES, NONE, Study
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.smooth_sphere import assumed_modulus
-from hardcontact.inference.hindcast import WIDE_PIXEL
+from hardcontact.inference.wide_pixels import WIDE_PIXEL
 from hardcontact.own.own_spectrum import OwnSpectrum, own_spectrum
 from hardcontact.own.predicted_octaves import predicted_octaves
 from hardcontact.own.rough_sphere import combined_spectrum

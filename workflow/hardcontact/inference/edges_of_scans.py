@@ -9,7 +9,7 @@ from operator import truediv
 import numpy as np
 import xarray as xr
 
-from hardcontact.base.statistics import BOUNDS, with_interval
+from hardcontact.base.statistics import BOUNDS, widen_interval, with_interval
 from hardcontact.inference.curve_edges import (
     RIPPLES,
     ChangeCurve,
@@ -20,7 +20,6 @@ from hardcontact.inference.curve_edges import (
     shows_ripples,
 )
 from hardcontact.inference.edges import EDGE_ATTRS, RATIO_ATTRS, edge_variables
-from hardcontact.inference.hindcast import widen_interval
 from hardcontact.inference.mean_forces import (
     MasterForces,
     MasterScans,

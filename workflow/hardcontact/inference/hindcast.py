@@ -1,8 +1,7 @@
 """Hindcast: artificial roughness replaces the last octave of wavelengths that a scan shows.
 
 If the force then changes, a random surface cannot extrapolate the roughness of this scan. On a
-Gaussian surface the octave of the scan is as random as the artificial octaves. Wider pixels
-show by how much the pixels of the scan change the force on it.
+Gaussian surface the octave of the scan is as random as the artificial octaves.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -14,11 +13,11 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from hardcontact.base.dataset import stack
-from hardcontact.base.statistics import bounds, with_interval
+from hardcontact.base.statistics import with_interval
 from hardcontact.base.units import DIMENSIONLESS
-from hardcontact.contact.contact import CONTACT_AXES, Contact
+from hardcontact.contact.contact import CONTACT_AXES
 from hardcontact.contact.pull_off import FORCE_ATTRS
-from hardcontact.inference.octaves import ForcesOnSurface, make_force_function
+from hardcontact.inference.octaves import ForcesOnSurface
 from hardcontact.surfaces.filters import filtered_series
 from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
 from hardcontact.surfaces.spectrum import SpectrumFunction
@@ -27,11 +26,10 @@ from hardcontact.surfaces.synthesis import SEED_WORDS, random_surface
 #: The shortest and the longest wavelength in nm.
 Octave = tuple[float, float]
 
-#: Artificial octaves of a side. A trade: each costs a force sum. With six, the outcome on one scan
-#: depended on the seed; with twelve, the interval is 1.15 times as wide as with many.
+#: Artificial octaves of a side. Compromise between time (one force sum each) and an outcome that
+#: hardly depends on the seed. With six, it depended on the seed on one scan; with twelve, the
+#: interval is 1.15 times as wide as with many.
 ARTIFICIAL_OCTAVES = 12
-#: Pixels along a side of the blocks of `widen_pixels`.
-WIDE_PIXEL = 4
 
 HINDCAST_ATTRS = DIMENSIONLESS | {
     "long_name": "mean pull-off force with an artificial octave, relative to that with the scan's"
@@ -118,32 +116,6 @@ def hindcast_forces(
     return stack(side_forces, ["side"])
 
 
-def widen_pixels(surface: HeightMap) -> HeightMap:
-    """Return a map on the same grid whose blocks of WIDE_PIXEL x WIDE_PIXEL have their mean height.
-
-    Blocks at the last rows and columns may be smaller.
-    """
-    starts = np.arange(0, surface.pixels, WIDE_PIXEL)
-    counts = np.diff(starts, append=surface.pixels)
-    sums = np.add.reduceat(np.add.reduceat(surface.heights.astype(float), starts, 0), starts, 1)
-    means = sums / np.outer(counts, counts)
-    heights = means.repeat(counts, 0).repeat(counts, 1)
-    return replace(surface, heights=heights.astype(surface.heights.dtype))
-
-
-def pixel_forces(surface: HeightMap, sphere: HeightMap | None, contact: Contact) -> xr.Dataset:
-    """Return ``scan_force`` and ``wide_pixel_force`` (contact_y, contact_x) in N.
-
-    The latter is that on wider pixels of both bodies. A smooth sphere is None.
-    """
-    wide_sphere = None if sphere is None else widen_pixels(sphere)
-    forces = {
-        "scan_force": make_force_function(contact, sphere)(surface),
-        "wide_pixel_force": make_force_function(contact, wide_sphere)(widen_pixels(surface)),
-    }
-    return xr.Dataset({name: (CONTACT_AXES, force, FORCE_ATTRS) for name, force in forces.items()})
-
-
 def _split_at_octave(
     stitched: HeightMap, side: str, octave: Octave
 ) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
@@ -220,29 +192,3 @@ def all_hindcasts(
             wide_pixel_ratio=wide.assign_attrs(WIDE_PIXELS),
         )
     return stack(surfaces, ["surface"])
-
-
-def widen_interval(dataset: xr.Dataset, name: str, error: xr.DataArray) -> xr.Dataset:
-    """Return a dataset whose interval of a positive variable also contains an error, a factor.
-
-    The logarithms of the interval's half width and of the error add in squares.
-    """
-    value = dataset[name]
-    log_error = abs(np.log(error.fillna(1)))
-    low, high = bounds(dataset, name)
-    low = value * np.exp(-np.hypot(np.log(value / low), log_error))
-    high = value * np.exp(np.hypot(np.log(high / value), log_error))
-    interval = dataset[f"{name}_interval"]
-    ends = xr.concat([low, high], interval["bound"]).transpose(*interval.dims)
-    return dataset.assign({f"{name}_interval": ends.assign_attrs(interval.attrs)})
-
-
-def pixel_factors(force: xr.Dataset) -> xr.DataArray:
-    """Return the factor (surface) by which finer pixels may divide the force on the scans.
-
-    It is at most that by which wider pixels multiply it
-    (tests/benchmarks/validate_random_surfaces.py); 1 for substitutes.
-    """
-    unchanged = xr.ones_like(force["surface"], dtype=float)
-    factors: xr.DataArray = force.get("wide_pixel_ratio", unchanged).fillna(1).clip(min=1)
-    return factors

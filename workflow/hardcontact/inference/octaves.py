@@ -4,7 +4,7 @@ The waves of one octave are amplified and attenuated on the same surface. Both f
 other waves, so that their ratio scatters little. F is the mean force over contacts.
 """
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -29,7 +29,6 @@ from hardcontact.inference.scan_parts import (
 )
 from hardcontact.surfaces.filters import filtered_series
 from hardcontact.surfaces.height_map import HeightMap
-from hardcontact.surfaces.synthesis import SIDES
 
 #: Forces on one surface, of any shape.
 ForcesOnSurface = Callable[[HeightMap], Floats]
@@ -43,19 +42,11 @@ STEP = 0.05
 AMPLITUDE_FACTORS = (1 - STEP, 1 + STEP)
 #: Octaves that an answer names.
 OCTAVES_NAMED = 3
-#: Parts of the roughness whose forces are compared with the force on all of it.
-BAND_PARTS = ("only the band", "no shorter waves", "no longer waves")
-
 OCTAVE = NM | {"long_name": "shortest wavelength of the octave, which ends at twice this length"}
 FACTOR = DIMENSIONLESS | {"long_name": "factor on the amplitude of the octave"}
 SENSITIVITY = DIMENSIONLESS | {
     "long_name": "d ln F / d ln a: relative change of the mean pull-off force per relative change "
     "of the amplitude of one octave"
-}
-BAND_END = NM | {"long_name": "wavelength at which the band begins and ends"}
-BAND_RATIO = DIMENSIONLESS | {
-    "long_name": "mean pull-off force with only a part of the roughness, relative to the force "
-    "with all roughness"
 }
 
 
@@ -159,7 +150,7 @@ def log_force_ratio(
     return np.log(ratio(xr.DataArray(True)).values), half
 
 
-def _parts_of_maps(
+def parts_of_maps(
     forces: xr.Dataset, radius: float, rho: float, touched_places: float = np.inf
 ) -> ScanParts:
     """Return the parts of the maps: the maps if there are three, otherwise their quarters."""
@@ -183,22 +174,10 @@ def sensitivities_by_surface(
     """
     surfaces = {}
     for surface, forces in maps.items():
-        scan_parts = _parts_of_maps(forces, radius, rho, touched_places.get(surface, np.inf))
+        scan_parts = parts_of_maps(forces, radius, rho, touched_places.get(surface, np.inf))
         sensitivity = octave_sensitivities(forces["octave_force"], scan_parts, confidence)
         surfaces[(surface,)] = sensitivity.assign(map_size=((), forces.attrs["map_size"], NM))
     return stack(surfaces, ["surface"]).sortby("octave")
-
-
-def band_ratios_by_surface(
-    bands: Mapping[str, xr.Dataset], radius: float, rho: float, confidence: float
-) -> xr.Dataset:
-    """Return ``band_force_ratio`` (surface, band, band_part) and ``band_end`` (band, side)."""
-    surfaces = {
-        (surface,): band_ratios(forces, _parts_of_maps(forces, radius, rho), confidence)
-        for surface, forces in bands.items()
-    }
-    ends = next(iter(bands.values()))["band_end"].isel(map=0, drop=True)
-    return stack(surfaces, ["surface"]).assign(band_end=ends)
 
 
 def octave_sensitivities(
@@ -216,59 +195,3 @@ def octave_sensitivities(
         "octave_sensitivity", "octave", log_ratio / (2 * STEP), interval, SENSITIVITY, confidence
     )
     return xr.Dataset(variables, {"octave": octave_force["octave"]})
-
-
-# The band alone
-
-
-def band_parts(
-    surface: HeightMap, bands: Iterable[tuple[float, float]]
-) -> Iterator[dict[str, HeightMap]]:
-    """Yield BAND_PARTS of a periodic surface, by name, for each band.
-
-    A band has the wavelengths (nm) from its first to below its second.
-    """
-    for shortest, longest in bands:
-        series = filtered_series(surface, "short", [shortest, longest], surface.pixels)
-        band_and_longer = next(series).heights.copy()
-        longer = next(series).heights
-        heights = (band_and_longer - longer, band_and_longer, surface.heights - longer)
-        yield {
-            name: replace(surface, heights=part_heights)
-            for name, part_heights in zip(BAND_PARTS, heights, strict=True)
-        }
-
-
-def band_force_dataset(
-    surface: HeightMap, bands: Mapping[str, tuple[float, float]], compute_forces: ForcesOnSurface
-) -> xr.Dataset:
-    """Return the forces on a surface with all roughness, and with parts of it, for some bands.
-
-    A band has its shortest and its longest wavelength in nm. ``force`` (contact_y, contact_x) and
-    ``band_force`` (band, band_part, contact_y, contact_x) are in N at 1 J/m²; ``band_end`` (band,
-    side) are the wavelengths.
-    """
-    all_parts = band_parts(surface, bands.values())
-    part_forces = [[compute_forces(part) for part in parts.values()] for parts in all_parts]
-    return xr.Dataset(
-        {
-            "force": (CONTACT_AXES, compute_forces(surface), FORCE_ATTRS),
-            "band_force": (("band", "band_part", *CONTACT_AXES), part_forces, FORCE_ATTRS),
-            "band_end": (("band", "side"), np.array(list(bands.values())), BAND_END),
-        },
-        {"band": list(bands), "band_part": list(BAND_PARTS), "side": list(SIDES)},
-    )
-
-
-def band_ratios(forces: xr.Dataset, scan_parts: ScanParts, confidence: float) -> xr.Dataset:
-    """Return ``band_force_ratio`` (band, band_part), relative to the force with all roughness.
-
-    `forces` come from `band_force_dataset`, over (map, ...).
-    """
-    log_ratio, half = log_force_ratio(forces["band_force"], forces["force"], scan_parts, confidence)
-    interval = np.exp(np.stack([log_ratio - half, log_ratio + half], axis=-1))
-    dimensions = ("band", "band_part")
-    variables = with_interval(
-        "band_force_ratio", dimensions, np.exp(log_ratio), interval, BAND_RATIO, confidence
-    )
-    return xr.Dataset(variables, {name: forces[name] for name in dimensions})

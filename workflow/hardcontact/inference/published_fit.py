@@ -57,7 +57,7 @@ class Pair(NamedTuple):
     work_of_adhesion: float
 
 
-class PublishedFit(NamedTuple):
+class PublishedForces(NamedTuple):
     """Published forces, with the range and the work of adhesion that the paper inferred."""
 
     forces: pd.DataFrame  #: From `published.measured_statistics`.
@@ -66,7 +66,7 @@ class PublishedFit(NamedTuple):
 
 def fit_published(
     adhesion: xr.Dataset,
-    published: PublishedFit,
+    published: PublishedForces,
     reference_surface: str,
     error_threshold: float,
     force_floor: float,
@@ -79,12 +79,12 @@ def fit_published(
     is the smallest error of rigid contact relative to plastic contact.
     """
     surfaces = adhesion.surface.values.tolist()
-    targets = published.forces.mean_force.reindex(surfaces).to_numpy()
+    published_forces = published.forces.mean_force.reindex(surfaces).to_numpy()
     reference_index = surfaces.index(reference_surface)
     fits = {}
     for model in adhesion.contact_model.values.tolist():
         forces = adhesion.pull_off_force.sel(contact_model=model)
-        fit = fit_model(forces, targets, reference_index, error_threshold, sampling)
+        fit = fit_model(forces, published_forces, reference_index, error_threshold, sampling)
         fitted = Pair(float(fit.range_of_adhesion), float(fit.work_of_adhesion))
         statistics = [
             _forces_at_pair(forces, pair, reference_index, force_floor, sampling)
@@ -150,20 +150,20 @@ def fit_model(
     ranges = fine_ranges(computed_ranges)
     means, mean_samples = mean_forces(forces, sampling)
     is_published = np.isfinite(published_forces)
-    targets = published_forces[is_published]
+    published_forces = published_forces[is_published]
     fitted_reference_index = int(is_published[:reference_index].sum())
     curves = interpolate_to_ranges(means[is_published], computed_ranges, ranges)
     curve_samples = interpolate_to_ranges(mean_samples[:, is_published], computed_ranges, ranges)
-    fits = _fit_curves(curves, targets, fitted_reference_index, ranges)
-    sampled_fits = _fit_curves(curve_samples, targets, fitted_reference_index, ranges)
+    fits = _fit_curves(curves, published_forces, fitted_reference_index, ranges)
+    sampled_fits = _fit_curves(curve_samples, published_forces, fitted_reference_index, ranges)
     variables: dict[str, Any] = {
         f"sampled_{name}": ("sample", sampled_fits[variable], FITTED_UNITS[variable])
         for name, variable in SAMPLED_VARIABLES.items()
     }
     for name, attributes in FITTED_UNITS.items():
         variables |= sampling.with_interval(name, (), fits[name], sampled_fits[name], attributes)
-    variables |= _error_variables(curves, targets, ranges, threshold)
-    _, ratio_errors = fit_ratios(curves, targets, fitted_reference_index)
+    variables |= _error_variables(curves, published_forces, ranges, threshold)
+    _, ratio_errors = fit_ratios(curves, published_forces, fitted_reference_index)
     variables["ratio_error"] = ("rho_fine", ratio_errors, DIMENSIONLESS)
     variables |= force_curves(forces, means, mean_samples, reference_index, sampling)
     coordinates = {
@@ -175,22 +175,22 @@ def fit_model(
 
 
 def _fit_curves(
-    curves: np.ndarray, targets: np.ndarray, reference_index: int, ranges: np.ndarray
+    curves: np.ndarray, published_forces: np.ndarray, reference_index: int, ranges: np.ndarray
 ) -> dict[str, np.ndarray]:
     """Return the variables (...) of FITTED_UNITS, as `best_fit` returns its variables."""
-    fit = best_fit(curves, targets, ranges)
-    best_index, _ = fit_ratios(curves, targets, reference_index)
+    fit = best_fit(curves, published_forces, ranges)
+    best_index, _ = fit_ratios(curves, published_forces, reference_index)
     is_fitted = np.isfinite(fit["best_error"])
     return fit | {"range_from_ratios": np.where(is_fitted, ranges[best_index], np.nan)}
 
 
 def _error_variables(
-    curves: np.ndarray, targets: np.ndarray, ranges: np.ndarray, threshold: float
+    curves: np.ndarray, published_forces: np.ndarray, ranges: np.ndarray, threshold: float
 ) -> dict[str, Any]:
     """Return the error map, its local minima, and the region of small error."""
-    errors = mean_relative_error(curves, targets, MAPPED_WORKS)
+    errors = mean_relative_error(curves, published_forces, MAPPED_WORKS)
     region_range, region_work = error_region(errors, ranges, MAPPED_WORKS, threshold)
-    work, smallest_errors = fit_work(curves, targets)
+    work, smallest_errors = fit_work(curves, published_forces)
     minima = local_minima(smallest_errors, MAX_MINIMA)
     padding = (0, MAX_MINIMA - len(minima))
     return {
@@ -224,17 +224,17 @@ def local_minima(errors: np.ndarray, count: int) -> np.ndarray:
 
 
 def fit_ratios(
-    computed_means: np.ndarray, measured_forces: np.ndarray, reference: int
+    computed_forces: np.ndarray, published_forces: np.ndarray, reference_index: int
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return the index (...) of the range that fits force ratios to a reference surface best.
 
-    The work of adhesion cancels in these ratios. Computed forces are (..., surface, rho), measured
+    The work of adhesion cancels in these ratios. Computed forces are (..., surface, rho), published
     forces (surface,). The second result are the mean relative errors (..., rho) of the ratios.
     """
-    ratios = computed_means / computed_means[..., [reference], :]
-    measured_ratios = (measured_forces / measured_forces[reference])[:, None]
-    is_other = np.arange(len(measured_forces)) != reference
-    errors = np.abs(ratios / measured_ratios - 1)[..., is_other, :].mean(axis=-2)
+    ratios = computed_forces / computed_forces[..., [reference_index], :]
+    published_ratios = (published_forces / published_forces[reference_index])[:, None]
+    is_other = np.arange(len(published_forces)) != reference_index
+    errors = np.abs(ratios / published_ratios - 1)[..., is_other, :].mean(axis=-2)
     return errors.argmin(axis=-1), errors
 
 

@@ -11,12 +11,11 @@ import xarray as xr
 from scipy import special
 
 from hardcontact.base.dataset import stack
-from hardcontact.base.statistics import bounds, with_interval
+from hardcontact.base.statistics import bounds, widen_interval, with_interval
 from hardcontact.base.units import DIMENSIONLESS, NEWTON
 from hardcontact.contact.contact import CONTACT_AXES, PLASTIC, Contact
 from hardcontact.contact.finite_scan import add_sizes
 from hardcontact.contact.smooth_sphere import assumed_modulus
-from hardcontact.inference.hindcast import pixel_factors, widen_interval
 from hardcontact.inference.mean_forces import (
     MasterForces,
     MasterScans,
@@ -29,6 +28,7 @@ from hardcontact.inference.mean_forces import (
     summarize_masters,
 )
 from hardcontact.inference.scan_parts import logarithmic_interval
+from hardcontact.inference.wide_pixels import pixel_factors
 from hardcontact.surfaces.spectrum import Spectrum, spectrum_of_dataset
 from hardcontact.theory.pull_off_statistics import predict_statistics
 from hardcontact.theory.summits import search_size

@@ -18,7 +18,7 @@ from hardcontact.base.statistics import lognormal_shape
 from hardcontact.base.units import DIMENSIONLESS, NEWTON
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.force_curves import interpolate_to_ranges
-from hardcontact.inference.published_fit import PublishedFit
+from hardcontact.inference.published_fit import PublishedForces
 from hardcontact.paper.pool import smooth_sphere_forces
 from hardcontact.surfaces.featured_scans import (
     FeaturedSurface,
@@ -108,7 +108,7 @@ def samples_by_surface(
 def compare_with_published(
     samples: Mapping[str, xr.Dataset],
     sphere_factor: xr.DataArray,
-    published_fit: PublishedFit,
+    published: PublishedForces,
     surface: str,
 ) -> xr.Dataset:
     """Return the plastic forces (features, sample) of samples at the published pair.
@@ -116,8 +116,8 @@ def compare_with_published(
     sphere_factor: (rho) force on the rough sphere relative to a smooth one. ``agrees`` is 1 if mean
     and median force are within MAX_FORCE_FACTOR of the published ones.
     """
-    targets: dict[Any, float] = published_fit.forces.loc[surface].to_dict()
-    rho, work = published_fit.pair
+    targets: dict[Any, float] = published.forces.loc[surface].to_dict()
+    rho, work = published.pair
     kinds = []
     for kind_samples in samples.values():
         forces = kind_samples["pull_off_force"] * sphere_factor

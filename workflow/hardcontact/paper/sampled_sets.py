@@ -19,7 +19,7 @@ from hardcontact.base.statistics import Sampling, student_log_samples
 from hardcontact.base.units import NEWTON
 from hardcontact.inference.edges import edges_with_samples
 from hardcontact.inference.fit import WITHOUT_SURFACE
-from hardcontact.inference.published_fit import PublishedFit, fit_published
+from hardcontact.inference.published_fit import PublishedForces, fit_published
 from hardcontact.paper.evaluation import claim_values
 from hardcontact.paper.featured_samples import sample_of_set, samples_by_surface
 from hardcontact.paper.pool import height_weights
@@ -230,7 +230,7 @@ def sample_sets(
     inputs: SetInputs,
     statements: pd.DataFrame,
     constants: pd.DataFrame,
-    published: PublishedFit,
+    published: PublishedForces,
     settings: SetSettings,
 ) -> xr.Dataset:
     """Sample all sets and compute the numbers of each.
@@ -260,7 +260,7 @@ def sample_sets(
 def _set_datasets(
     inputs: SetInputs,
     constants: "pd.Series[float]",
-    published: PublishedFit,
+    published: PublishedForces,
     settings: SetSettings,
     set_number: int,
 ) -> dict[str, xr.Dataset]:

@@ -1,0 +1,92 @@
+"""The force on the critical band alone, and without the waves on either side of it."""
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import replace
+
+import numpy as np
+import xarray as xr
+
+from hardcontact.base.dataset import stack
+from hardcontact.base.statistics import with_interval
+from hardcontact.base.units import DIMENSIONLESS, NM
+from hardcontact.contact.contact import CONTACT_AXES
+from hardcontact.contact.pull_off import FORCE_ATTRS
+from hardcontact.inference.octaves import ForcesOnSurface, log_force_ratio, parts_of_maps
+from hardcontact.inference.scan_parts import ScanParts
+from hardcontact.surfaces.filters import filtered_series
+from hardcontact.surfaces.height_map import HeightMap
+from hardcontact.surfaces.synthesis import SIDES
+
+#: Parts of the roughness whose forces are compared with the force on all of it.
+BAND_PARTS = ("only the band", "no shorter waves", "no longer waves")
+
+BAND_END = NM | {"long_name": "wavelength at which the band begins and ends"}
+BAND_RATIO = DIMENSIONLESS | {
+    "long_name": "mean pull-off force with only a part of the roughness, relative to the force "
+    "with all roughness"
+}
+
+
+def band_parts(
+    surface: HeightMap, bands: Iterable[tuple[float, float]]
+) -> Iterator[dict[str, HeightMap]]:
+    """Yield BAND_PARTS of a periodic surface, by name, for each band.
+
+    A band has the wavelengths (nm) from its first to below its second.
+    """
+    for shortest, longest in bands:
+        series = filtered_series(surface, "short", [shortest, longest], surface.pixels)
+        band_and_longer = next(series).heights.copy()
+        longer = next(series).heights
+        heights = (band_and_longer - longer, band_and_longer, surface.heights - longer)
+        yield {
+            name: replace(surface, heights=part_heights)
+            for name, part_heights in zip(BAND_PARTS, heights, strict=True)
+        }
+
+
+def band_force_dataset(
+    surface: HeightMap, bands: Mapping[str, tuple[float, float]], compute_forces: ForcesOnSurface
+) -> xr.Dataset:
+    """Return the forces on a surface with all roughness, and with parts of it, for some bands.
+
+    A band has its shortest and its longest wavelength in nm. ``force`` (contact_y, contact_x) and
+    ``band_force`` (band, band_part, contact_y, contact_x) are in N at 1 J/m²; ``band_end`` (band,
+    side) are the wavelengths.
+    """
+    all_parts = band_parts(surface, bands.values())
+    part_forces = [[compute_forces(part) for part in parts.values()] for parts in all_parts]
+    return xr.Dataset(
+        {
+            "force": (CONTACT_AXES, compute_forces(surface), FORCE_ATTRS),
+            "band_force": (("band", "band_part", *CONTACT_AXES), part_forces, FORCE_ATTRS),
+            "band_end": (("band", "side"), np.array(list(bands.values())), BAND_END),
+        },
+        {"band": list(bands), "band_part": list(BAND_PARTS), "side": list(SIDES)},
+    )
+
+
+def band_ratios(forces: xr.Dataset, scan_parts: ScanParts, confidence: float) -> xr.Dataset:
+    """Return ``band_force_ratio`` (band, band_part), relative to the force with all roughness.
+
+    `forces` come from `band_force_dataset`, over (map, ...).
+    """
+    log_ratio, half = log_force_ratio(forces["band_force"], forces["force"], scan_parts, confidence)
+    interval = np.exp(np.stack([log_ratio - half, log_ratio + half], axis=-1))
+    dimensions = ("band", "band_part")
+    variables = with_interval(
+        "band_force_ratio", dimensions, np.exp(log_ratio), interval, BAND_RATIO, confidence
+    )
+    return xr.Dataset(variables, {name: forces[name] for name in dimensions})
+
+
+def band_ratios_by_surface(
+    bands: Mapping[str, xr.Dataset], radius: float, rho: float, confidence: float
+) -> xr.Dataset:
+    """Return ``band_force_ratio`` (surface, band, band_part) and ``band_end`` (band, side)."""
+    surfaces = {
+        (surface,): band_ratios(forces, parts_of_maps(forces, radius, rho), confidence)
+        for surface, forces in bands.items()
+    }
+    ends = next(iter(bands.values()))["band_end"].isel(map=0, drop=True)
+    return stack(surfaces, ["surface"]).assign(band_end=ends)

@@ -1,0 +1,51 @@
+"""Wider pixels: they show by how much the pixels of a scan change the force on it."""
+
+from dataclasses import replace
+
+import numpy as np
+import xarray as xr
+
+from hardcontact.contact.contact import CONTACT_AXES, Contact
+from hardcontact.contact.pull_off import FORCE_ATTRS
+from hardcontact.inference.octaves import make_force_function
+from hardcontact.surfaces.height_map import HeightMap
+
+#: Pixels along a side of the blocks of `widen_pixels`.
+WIDE_PIXEL = 4
+
+
+def widen_pixels(surface: HeightMap) -> HeightMap:
+    """Return a map on the same grid whose blocks of WIDE_PIXEL x WIDE_PIXEL have their mean height.
+
+    Blocks at the last rows and columns may be smaller.
+    """
+    starts = np.arange(0, surface.pixels, WIDE_PIXEL)
+    counts = np.diff(starts, append=surface.pixels)
+    sums = np.add.reduceat(np.add.reduceat(surface.heights.astype(float), starts, 0), starts, 1)
+    means = sums / np.outer(counts, counts)
+    heights = means.repeat(counts, 0).repeat(counts, 1)
+    return replace(surface, heights=heights.astype(surface.heights.dtype))
+
+
+def pixel_forces(surface: HeightMap, sphere: HeightMap | None, contact: Contact) -> xr.Dataset:
+    """Return ``scan_force`` and ``wide_pixel_force`` (contact_y, contact_x) in N.
+
+    The latter is that on wider pixels of both bodies. A smooth sphere is None.
+    """
+    wide_sphere = None if sphere is None else widen_pixels(sphere)
+    forces = {
+        "scan_force": make_force_function(contact, sphere)(surface),
+        "wide_pixel_force": make_force_function(contact, wide_sphere)(widen_pixels(surface)),
+    }
+    return xr.Dataset({name: (CONTACT_AXES, force, FORCE_ATTRS) for name, force in forces.items()})
+
+
+def pixel_factors(force: xr.Dataset) -> xr.DataArray:
+    """Return the factor (surface) by which finer pixels may divide the force on the scans.
+
+    It is at most that by which wider pixels multiply it
+    (tests/benchmarks/validate_random_surfaces.py); 1 for substitutes.
+    """
+    unchanged = xr.ones_like(force["surface"], dtype=float)
+    factors: xr.DataArray = force.get("wide_pixel_ratio", unchanged).fillna(1).clip(min=1)
+    return factors
