@@ -16,8 +16,8 @@ ROOMS = re.findall(r"`(\w+)`", hardcontact.__doc__)
 #: Code lines that each room may have, without docstrings, comments and blank lines. A commit that
 #: raises one says what a user gets for it.
 BUDGET = {
-    "base": 788,
-    "surfaces": 3430,
+    "base": 792,
+    "surfaces": 3432,
     "contact": 1381,
     "inference": 1662,
     "theory": 647,
@@ -27,7 +27,7 @@ BUDGET = {
     "run": 444,
     "own": 655,
     "report": 3524,
-    "commands": 1528,
+    "commands": 1529,
     "api": 229,
 }
 NO_CODE = {

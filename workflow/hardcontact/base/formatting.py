@@ -1,7 +1,7 @@
 """Numbers as a reader takes them: few digits, the fitting prefix, intervals as 67 [47, 74] nm."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 #: Printed units by the unit of a dataset, the largest first, each in that unit.
 PRINTED_UNITS = {
@@ -27,6 +27,12 @@ MAX_END_RATIO = 100
 def format_number(value: float, digits: int = 3) -> str:
     """Return a number with this many significant digits, without exponent below a million."""
     return f"{float(f'{value:.{digits}g}'):g}"
+
+
+def round_with(rounding: Callable[[float], int], value: float) -> float:
+    """Return a positive number rounded to three digits by `math.floor` or `math.ceil`."""
+    step = 10.0 ** (math.floor(math.log10(value)) - 2)
+    return float(f"{rounding(value / step) * step:.3g}")
 
 
 def format_interval(value: float, low: float, high: float) -> list[str]:

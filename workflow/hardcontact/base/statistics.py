@@ -21,6 +21,8 @@ from hardcontact.base.random import generator
 #: of them, would leave the range of floating-point numbers. No end of an interval comes near.
 MAX_LOG_DEVIATION = 150.0
 
+#: Median distance of normal values from their mean, in standard deviations.
+MEDIAN_DEVIATION = 0.6745
 #: The ends of an interval, in their order along the dimension `bound`.
 BOUNDS = ["low", "high"]
 

@@ -12,7 +12,7 @@ from typing import Any
 import xarray as xr
 
 from hardcontact.base.dataset import read
-from hardcontact.commands.output import output_faults, write_output
+from hardcontact.commands.output import align_cells, output_faults, write_output
 from hardcontact.commands.parser import CommandLine
 from hardcontact.config.faults import raise_faults, run_checks
 from hardcontact.report.paper_study.paired_changes import (
@@ -63,7 +63,9 @@ def compare(arguments: Namespace) -> str:
         if arguments.html == "-":
             return page
         write_output(arguments.html, page)
-    return "\n".join(_aligned(render_lines("compare.txt", **facts)))
+    return "\n".join(
+        align_cells([line.split("|") for line in render_lines("compare.txt", **facts)])
+    )
 
 
 def _answer_path(path: str) -> str:
@@ -96,15 +98,3 @@ def _read_sets(path: str) -> dict[str, xr.Dataset]:
     if not all(dataset_path.is_file() for dataset_path in paths.values()):
         return {}
     return {name: read(dataset_path) for name, dataset_path in paths.items()}
-
-
-def _aligned(lines: Sequence[str]) -> list[str]:
-    """Return lines whose cells, separated by |, stand below each other."""
-    rows = [line.split("|") for line in lines]
-    columns = max(map(len, rows))
-    padded = [row + [""] * (columns - len(row)) for row in rows]
-    widths = [
-        max((len(row[column]) for row in rows if len(row) > column + 1), default=0)
-        for column in range(columns)
-    ]
-    return ["  ".join(map(str.ljust, row, widths)).rstrip() for row in padded]

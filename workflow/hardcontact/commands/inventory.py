@@ -9,6 +9,7 @@ import numpy as np
 
 from hardcontact.base.arrays import Floats
 from hardcontact.base.formatting import format_length
+from hardcontact.commands.output import align_cells
 from hardcontact.commands.request import Source
 from hardcontact.config.grids import Grid
 from hardcontact.config.selected_surfaces import CONTACT
@@ -234,8 +235,7 @@ def printed_table(entries: Sequence[Entry], uses: Sequence[str]) -> str:
         if band.limited_by != "pixels":
             limit = LIMIT_NAMES[band.limited_by]
             notes.append(f"{number}: shorter wavelengths are not reliable: {limit}")
-    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
-    return "\n".join([*("  ".join(map(str.ljust, row, widths)).rstrip() for row in rows), *notes])
+    return "\n".join([*align_cells(rows), *notes])
 
 
 def table_rows(

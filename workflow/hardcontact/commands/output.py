@@ -1,7 +1,7 @@
 """Files that commands write: none replaces an input, or another file unasked."""
 
 import os
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 from hardcontact.base.whole_file import whole_file
@@ -31,6 +31,17 @@ def output_faults(
                 "--overwrite"
             )
         reserved[real_path] = f"another file than that of --{option}"
+
+
+def align_cells(rows: Sequence[Sequence[str]]) -> list[str]:
+    """Return a line for each row, whose cells stand below each other; the last may be long."""
+    columns = max(map(len, rows))
+    padded = [[*row, *[""] * (columns - len(row))] for row in rows]
+    widths = [
+        max((len(row[column]) for row in rows if len(row) > column + 1), default=0)
+        for column in range(columns)
+    ]
+    return ["  ".join(map(str.ljust, row, widths)).rstrip() for row in padded]
 
 
 def write_output(path: str, text: str) -> None:

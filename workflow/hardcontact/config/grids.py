@@ -3,7 +3,7 @@
 import math
 from typing import NamedTuple
 
-from hardcontact.base.formatting import format_length
+from hardcontact.base.formatting import format_length, round_with
 from hardcontact.contact.contact import Contact
 
 #: Pixel sizes in nm at which spectra are known: tables and bins end at 0.1 nm and 100 um.
@@ -71,8 +71,7 @@ def minimum_range(radius: float, window: float, grid: Grid) -> tuple[float, str]
             "an interaction radius sqrt(D rho) of two pixels needs it at R = "
             f"{format_length(radius)}"
         )
-    step = 10.0 ** (math.floor(math.log10(shortest)) - 2)
-    return float(f"{math.ceil(shortest / step) * step:.3g}"), reason
+    return round_with(math.ceil, shortest), reason
 
 
 def master_megabytes(pixels: int, minimum: int) -> int:

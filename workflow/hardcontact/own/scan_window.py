@@ -2,6 +2,7 @@
 
 import math
 
+from hardcontact.base.formatting import round_with
 from hardcontact.config.grids import MAX_MAP_PIXELS
 
 #: Height of the sphere above its apex at the border of the window, relative to the range of
@@ -39,5 +40,4 @@ def window_on_scans(
             f"{MAX_IMAGES} mirrored scans, which all have the same summits",
         ),
     )
-    digit = 10.0 ** (math.floor(math.log10(window)) - 2)
-    return float(f"{math.floor(window / digit) * digit:.3g}"), reason
+    return round_with(math.floor, window), reason

@@ -13,7 +13,7 @@ import numpy as np
 
 from hardcontact.base.arrays import Floats
 from hardcontact.surfaces.height_map import HeightMap, level
-from hardcontact.surfaces.reliable_band import ReliableBand
+from hardcontact.surfaces.reliable_band import STEEPEST_SELF_AFFINE_SLOPE, ReliableBand
 from hardcontact.surfaces.spectrum import (
     BIN_CENTRES,
     BIN_WIDTH,
@@ -32,14 +32,12 @@ MAX_GRADIENT = 1.45
 MAX_HALF_LAPLACIAN = 7.52
 #: Ratio of the longest possible roll-off wavelength to the size of the scan: a scan shows longer
 #: waves as slopes, which levelling removes.
-MAX_ROLLOFF = 10.0
+MAX_ROLLOFF_OVER_SIZE = 10.0
 #: Fewest decades to which the Hurst exponent is fitted: five bins.
 MIN_FITTED_DECADES = 0.39
 #: Directions that waves are averaged over: more change a share by less than 0.5 % (line scan) or
 #: 1e-6 (map).
 DIRECTION_COUNT = 64
-#: The steepest rise toward long wavelengths: that of a self-affine surface with H = 1.
-STEEPEST_SLOPE = -4.0
 LOG_WAVEVECTORS = np.log(WAVEVECTORS)
 #: Exponents s of C0 (1 + (q/q_r)^2s)^(-(1 + H)/s): from a gradual to a sharp roll-off at q_r.
 SHARPNESS = (1.0, 2.0, 4.0)
@@ -205,10 +203,12 @@ def _find_tail_end(density: Floats) -> tuple[int, str]:
 def extrapolate_long_waves(density: Floats, longest: float, slope: float, rolloff: float) -> Floats:
     """Return C_iso (nm⁴) on WAVEVECTORS that rises above the longest wavelength measured (nm).
 
-    It rises with d ln C/d ln q = `slope`, clipped to STEEPEST_SLOPE and 0, up to the roll-off (nm).
+    It rises up to the roll-off (nm) with d ln C/d ln q = `slope`, clipped to 0 and to the
+    STEEPEST_SELF_AFFINE_SLOPE.
     """
     relative = np.maximum(2 * np.pi / WAVEVECTORS / longest, 1.0)
-    rise = np.minimum(relative, max(rolloff / longest, 1.0)) ** -np.clip(slope, STEEPEST_SLOPE, 0.0)
+    exponent = -np.clip(slope, STEEPEST_SELF_AFFINE_SLOPE, 0.0)
+    rise = np.minimum(relative, max(rolloff / longest, 1.0)) ** exponent
     return np.asarray(density * rise)
 
 
@@ -234,7 +234,7 @@ def _squared_projections(half: Floats) -> tuple[Floats, Floats]:
     return (np.sin(half) / half) ** 2, slope**2
 
 
-class LongWaves:
+class RolloffEvidence:
     """The farthest-reaching scans of a surface, and the evidence of their rms height."""
 
     def __init__(
@@ -254,25 +254,27 @@ class LongWaves:
         self._unreliable = 2 * np.pi / BIN_CENTRES < shortest
         self._share = levelled_share(WAVEVECTORS, self.size, self.kind)
 
-    def rolloff(self, density: Floats, longest: float, slope: float, probability: float) -> float:
+    def rolloff_quantile(
+        self, density: Floats, longest: float, slope: float, probability: float
+    ) -> float:
         """Return the quantile, for a probability, of the roll-off wavelength in nm.
 
         The prior is uniform in the logarithm of the roll-off, from the longest wavelength measured
-        (nm) to MAX_ROLLOFF times the size of the scan. `slope` is d ln C/d ln q at this
+        (nm) to MAX_ROLLOFF_OVER_SIZE times the size of the scan. `slope` is d ln C/d ln q at this
         wavelength. The result is this wavelength if the slope is not negative.
         """
         if slope >= 0:
             return longest
         rolloffs = np.geomspace(
-            longest, max(MAX_ROLLOFF * self.size, 1.01 * longest), ROLLOFF_COUNT
+            longest, max(MAX_ROLLOFF_OVER_SIZE * self.size, 1.01 * longest), ROLLOFF_COUNT
         )
-        likelihood = np.array(
+        log_likelihoods = np.array(
             [
                 self._log_likelihood(extrapolate_long_waves(density, longest, slope, rolloff))
                 for rolloff in rolloffs
             ]
         )
-        posterior = np.exp(likelihood - likelihood.max())
+        posterior = np.exp(log_likelihoods - log_likelihoods.max())
         cumulative = (np.cumsum(posterior) - posterior / 2) / posterior.sum()
         return float(np.exp(np.interp(probability, cumulative, np.log(rolloffs))))
 

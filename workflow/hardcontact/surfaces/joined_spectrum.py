@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from hardcontact.base.arrays import Floats
 from hardcontact.surfaces.extrapolated_spectrum import (
     HurstFit,
-    LongWaves,
+    RolloffEvidence,
     Tail,
     extrapolate_long_waves,
     extrapolate_short_waves,
@@ -55,7 +55,7 @@ class _MeasuredSpectra(NamedTuple):
     densities: Floats  #: (measurement, bins) C_iso in nm⁴, NaN in empty bins.
     waves: Floats  #: (measurement, bins) numbers of independent waves.
     bands: Sequence[ReliableBand]
-    long_waves: LongWaves
+    rolloff_evidence: RolloffEvidence
 
 
 def _reliable_mask(densities: Floats, bands: Sequence[ReliableBand]) -> NDArray[np.bool_]:
@@ -77,7 +77,7 @@ def _measured_spectra(
     ]
     waves = np.array([independent_waves(measurement) for measurement in measurements])
     spectra = _MeasuredSpectra(
-        radii, densities, waves, bands, LongWaves(measurements, densities, bands)
+        radii, densities, waves, bands, RolloffEvidence(measurements, densities, bands)
     )
     count = int(_reliable_mask(densities, bands).any(axis=0).sum())
     if count < MIN_BINS:
@@ -111,7 +111,7 @@ def joined_spectrum(
     density = Spectrum(curve.wavevector, curve.density)(BIN_CENTRES)
     joined_density = np.where(reliable.any(axis=0), density, np.nan)
     hurst = _fit_hurst_without_peaks(bins, peaks)
-    spectrum, tail, rolloff = _extrapolate_curve(curve, hurst, spectra.long_waves)
+    spectrum, tail, rolloff = _extrapolate_curve(curve, hurst, spectra.rolloff_evidence)
     used_bands = [band for band, mask in zip(spectra.bands, reliable, strict=True) if mask.any()]
     return add_measurements(
         spectrum_dataset(spectrum),
@@ -159,7 +159,7 @@ def sample_spectra(
         hurst = _fit_hurst_without_peaks(bins, peaks)
         hurst_change = hurst.error * rng.standard_normal()
         spectrum, *_ = _extrapolate_curve(
-            curve, hurst, spectra.long_waves, rng.uniform(), hurst_change
+            curve, hurst, spectra.rolloff_evidence, rng.uniform(), hurst_change
         )
         yield Spectrum(WAVEVECTORS, spectrum * np.exp(mean_calibration)), np.exp(calibration / 2)
 
@@ -185,7 +185,7 @@ def _fit_hurst_without_peaks(bins: MeanBins, peaks: NDArray[np.bool_]) -> HurstF
 def _extrapolate_curve(
     curve: Curve,
     hurst: HurstFit,
-    long_waves: LongWaves,
+    rolloff_evidence: RolloffEvidence,
     probability: float = 0.5,
     hurst_change: float = 0.0,
 ) -> tuple[Floats, Tail, float]:
@@ -194,7 +194,7 @@ def _extrapolate_curve(
     slopes, _ = local_slopes(*curve)
     slope = float(slopes[0])
     longest = float(2 * np.pi / curve.wavevector[0])
-    rolloff = long_waves.rolloff(density, longest, slope, probability)
+    rolloff = rolloff_evidence.rolloff_quantile(density, longest, slope, probability)
     return extrapolate_long_waves(density, longest, slope, rolloff), tail, rolloff
 
 

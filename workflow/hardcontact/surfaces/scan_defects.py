@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from hardcontact.base.arrays import Floats
 from hardcontact.base.formatting import format_length, format_share
+from hardcontact.base.statistics import MEDIAN_DEVIATION
 from hardcontact.surfaces.height_map import HeightMap, remove_form
 from hardcontact.surfaces.reliable_band import FLATTEST_SLOPE, MIN_STANDARD_ERRORS
 from hardcontact.surfaces.streaks import MIN_STREAK_STEPS, fill_streaks
@@ -44,8 +45,6 @@ DEFECT_UNITS = {name: unit for units in DEFECTS.values() for name, unit in units
 
 #: Least distance of a spike to its neighbours in rms heights; Gaussian: once in 10⁹ pixels.
 MIN_SPIKE_DISTANCE = 6.0
-#: Median distance of Gaussian heights from their median, in rms heights.
-MEDIAN_DISTANCE = 0.6745
 #: Largest share of equal lines: so few lines change a mean force little.
 MAX_EQUAL_LINE_SHARE = 0.01
 #: Largest share and number of pixels at an end of an unclipped range, and their ratio to the pixels
@@ -147,7 +146,7 @@ def _spike_numbers(heights: Floats) -> list[float]:
     isolation = _isolation(heights)
     # Spikes raise the rms height: leave out suspects, by the median distance.
     distance = np.median(np.abs(heights - np.median(heights)))
-    rms_height = float(heights[isolation <= MIN_SPIKE_DISTANCE * distance / MEDIAN_DISTANCE].std())
+    rms_height = float(heights[isolation <= MIN_SPIKE_DISTANCE * distance / MEDIAN_DEVIATION].std())
     share = float((isolation > MIN_SPIKE_DISTANCE * rms_height).mean())
     return [share, rms_height] if share else []
 

@@ -158,7 +158,7 @@ def all_scales_rms(spectrum: Spectrum) -> Floats:
     return np.sqrt(np.array(squares) / [1, 1, 4] / (2 * np.pi))
 
 
-def roll_off(spectrum: Spectrum) -> float:
+def peak_wavelength(spectrum: Spectrum) -> float:
     """Return the wavelength (nm) at which q² C_iso, the variance of heights per ln q, is largest.
 
     It is the roll-off of a self-affine surface.

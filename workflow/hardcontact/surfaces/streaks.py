@@ -6,14 +6,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hardcontact.base.arrays import Floats
+from hardcontact.base.statistics import MEDIAN_DEVIATION
 
 Mask = NDArray[np.bool_]
 
 #: Least distance of a streak to both lines beside it, in typical steps from line to line; Gaussian
 #: steps are so large once in 10⁹ pixels.
 MIN_STREAK_STEPS = 6.0
-#: Median distance of Gaussian steps from zero, in rms steps.
-MEDIAN_STEP = 0.6745
 #: Least number of pixels along a line: fewer may be a particle. A streak is also more than twice as
 #: long as the longest such row of pixels across the lines, which the surface itself makes.
 MIN_STREAK_PIXELS = 8
@@ -69,7 +68,7 @@ def _distances(heights: Floats, width: int) -> tuple[Floats, Floats]:
     padded = np.pad(heights, ((width, width), (0, 0)), constant_values=np.nan)
     before, after = padded[: -2 * width], padded[2 * width :]
     lower, upper = (np.fmin, np.fmax) if width == 1 else (np.minimum, np.maximum)
-    typical_step = np.median(np.abs(heights[width:] - heights[:-width])) / MEDIAN_STEP
+    typical_step = np.median(np.abs(heights[width:] - heights[:-width])) / MEDIAN_DEVIATION
     scale = max(typical_step, np.finfo(np.float32).tiny)
     return (heights - upper(before, after)) / scale, (lower(before, after) - heights) / scale
 

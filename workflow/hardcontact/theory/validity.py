@@ -21,7 +21,7 @@ from hardcontact.contact.smooth_sphere import (
     pull_off_coefficient,
     tabor_parameter,
 )
-from hardcontact.surfaces.spectrum import Spectrum, roll_off
+from hardcontact.surfaces.spectrum import Spectrum, peak_wavelength
 from hardcontact.theory.closed_form import ClosedForm, contact_term
 
 #: Designed surfaces, computed and predicted; resources/validation/README.md describes the columns.
@@ -79,7 +79,7 @@ def table_coordinates(waves: Spectrum, contact: Contact, form: ClosedForm) -> di
     mean_hurst, bend = hurst_and_bend(waves, math.sqrt(contact.area))
     return {
         "weibull_modulus": form.weibull_modulus,
-        "contact_over_rolloff": math.sqrt(contact.area) / roll_off(waves),
+        "contact_over_rolloff": math.sqrt(contact.area) / peak_wavelength(waves),
         "mean_hurst": mean_hurst,
         "mean_hurst_change": bend,
         "regime": form.regime,
@@ -93,7 +93,7 @@ def hurst_and_bend(waves: Spectrum, contact_length: float) -> tuple[float, float
     length of the contact (nm), or at the shortest wave if that is longer. Both numbers are NaN if
     the roll-off is shorter than the length of the contact.
     """
-    lowest, highest = 2 * np.pi / roll_off(waves), waves.wavevector[-1]
+    lowest, highest = 2 * np.pi / peak_wavelength(waves), waves.wavevector[-1]
     decades = math.log10(min(highest, 2 * np.pi / contact_length) / lowest)
     if decades <= 0:
         return math.nan, math.nan
