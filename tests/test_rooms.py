@@ -20,7 +20,7 @@ BUDGET = {
     "surfaces": 3432,
     "contact": 1381,
     "inference": 1662,
-    "theory": 647,
+    "theory": 642,
     "paper": 1465,
     "config": 1522,
     "files": 463,

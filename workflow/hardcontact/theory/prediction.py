@@ -6,10 +6,11 @@ surfaces counts that was held out while the closed form was developed (`held_out
 
 import math
 from collections.abc import Iterator, Mapping
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
+from hardcontact.base.arrays import Floats
 from hardcontact.base.formatting import format_length
 from hardcontact.base.number import Number
 from hardcontact.contact.contact import Contact
@@ -63,56 +64,36 @@ def prediction(
     ValueError if `trim_spectrum` refuses the spectrum, which messages call `name`.
     """
     waves = trim_spectrum(spectrum, name)
-    height, gradient, _ = all_scales_rms(waves)
-    longest, shortest = 2 * np.pi / waves.wavevector[[0, -1]]
-    smooth = smooth_force(contact)
-    inputs = [
-        Number("shortest_wavelength", float(shortest), "nm"),
-        Number("longest_wavelength", float(longest), "nm"),
-        Number("rms_height", float(height), "nm"),
-        Number("rms_gradient", float(gradient)),
-        Number("smooth_force", smooth, "N"),
-        Number("tolerance", tolerance),
-    ]
+    inputs = _input_numbers(waves, contact, tolerance)
     scans = spectrum if isinstance(spectrum, ScanSpectrum) else None
     if scans is not None and scans.joined["edge_slope_share"].notnull().any():
         force = Number("pull_off_force", math.nan, "N", status=STEEP_EDGES)
         return {number.name: number for number in (*inputs, force)}
     form = closed_form(waves, contact)
-    skewness = 0.0 if scans is None else scans.skewness
-    widest_gap = float((waves.wavevector[1:] / waves.wavevector[:-1]).max())
-    checks = [
-        _longest_octave(waves, contact, form),
-        Number(
-            "widest_gap",
-            widest_gap,
-            status=UNKNOWN if widest_gap > MAX_WAVELENGTH_RATIO else NEGLIGIBLE,
-        ),
-        Number(
-            "skewness", skewness, status=MATTERS if abs(skewness) > MAX_SKEWNESS else NEGLIGIBLE
-        ),
-    ]
-    is_known_inside = all(number.status == NEGLIGIBLE for number in checks)
+    checks = _spectrum_checks(waves, contact, form, 0.0 if scans is None else scans.skewness)
+    error_is_known = all(number.status == NEGLIGIBLE for number in checks)
     if scans is not None and scans.is_extrapolated:
-        measured_numbers = prediction(scans.measured(), contact, tolerance, name)
-        force = measured_numbers.get("extrapolated_force", measured_numbers["pull_off_force"])
-        is_known_inside = is_known_inside and force.status == INSIDE
-    *extrapolated, change = _extrapolated_numbers(
-        spectrum, contact, form.force, tolerance, is_known_inside
-    )
+        error_is_known &= _is_measured_error_known(scans, contact, tolerance, name)
+    tail = _short_wave_tail(spectrum, waves)
+    is_unknown = tail is None and spectrum.density[-1] > 0
+    change = Number("extrapolated_change", math.nan, status=UNKNOWN if is_unknown else NEGLIGIBLE)
+    extrapolated: list[Number] = []
+    # Without an exponent no waves are added: slope or curvature are at their bounds already.
+    if tail is not None and (math.isfinite(tail.hurst) or tail.rolloff > _longest(waves)):
+        extrapolated = _extrapolated_numbers(tail, contact, tolerance, error_is_known)
+        change = _force_change("extrapolated_change", extrapolated[0].value, form)
     checks += [change, *validated_ranges(waves, contact, form)]
-    validated = is_known_inside and all(number.status in (NEGLIGIBLE, INSIDE) for number in checks)
+    validated = error_is_known and all(number.status in (NEGLIGIBLE, INSIDE) for number in checks)
     point = table_coordinates(waves, contact, form)
-    ends = zip(EDGE_NAMES, critical_band(waves, contact, tolerance), strict=True)
     numbers = [
         *inputs,
         _force_number("pull_off_force", form, point, validated),
         *extrapolated,
         Number("force_scatter", predict_statistics(waves, contact).log_force_std),
-        Number("force_ratio", form.force / smooth),
+        Number("force_ratio", form.force / smooth_force(contact)),
         Number("apex_height", form.apex_height, "nm"),
         Number("weibull_modulus", form.weibull_modulus, status=form.regime.replace(" ", "_")),
-        *(_edge_number(end, end, edge, point, validated) for end, edge in ends),
+        *_edge_numbers("", critical_band(waves, contact, tolerance), point, validated),
         *checks,
     ]
     return {number.name: number for number in numbers}
@@ -153,6 +134,46 @@ def trim_spectrum(spectrum: Spectrum, name: str = "spectrum") -> Spectrum:
     return rough
 
 
+def _longest(waves: Spectrum) -> float:
+    """Return the longest wavelength of a spectrum in nm."""
+    return float(2 * np.pi / waves.wavevector[0])
+
+
+def _input_numbers(waves: Spectrum, contact: Contact, tolerance: float) -> list[Number]:
+    """Return the properties of a spectrum, the force on a smooth surface and the tolerance."""
+    height, gradient, _ = all_scales_rms(waves)
+    return [
+        Number("shortest_wavelength", float(2 * np.pi / waves.wavevector[-1]), "nm"),
+        Number("longest_wavelength", _longest(waves), "nm"),
+        Number("rms_height", float(height), "nm"),
+        Number("rms_gradient", float(gradient)),
+        Number("smooth_force", smooth_force(contact), "N"),
+        Number("tolerance", tolerance),
+    ]
+
+
+def _spectrum_checks(
+    waves: Spectrum, contact: Contact, form: ClosedForm, skewness: float
+) -> list[Number]:
+    """Return the longest octave, the widest gap and the skewness: NEGLIGIBLE if the form holds."""
+    gap = float((waves.wavevector[1:] / waves.wavevector[:-1]).max())
+    gap_status = UNKNOWN if gap > MAX_WAVELENGTH_RATIO else NEGLIGIBLE
+    skewness_status = MATTERS if abs(skewness) > MAX_SKEWNESS else NEGLIGIBLE
+    return [
+        _longest_octave(waves, contact, form),
+        Number("widest_gap", gap, status=gap_status),
+        Number("skewness", skewness, status=skewness_status),
+    ]
+
+
+def _is_measured_error_known(
+    scans: ScanSpectrum, contact: Contact, tolerance: float, name: str
+) -> bool:
+    """Return whether the error of the force is known for the measured wavelengths of scans."""
+    numbers = prediction(scans.measured(), contact, tolerance, name)
+    return numbers.get("extrapolated_force", numbers["pull_off_force"]).status == INSIDE
+
+
 def _validated_interval(
     name: str, value: float, point: Mapping[str, Any], validated: bool
 ) -> tuple[float, float]:
@@ -170,71 +191,73 @@ def _force_number(name: str, form: ClosedForm, point: Mapping[str, Any], validat
     return Number(name, form.force, "N", *interval, INSIDE if validated else OUTSIDE)
 
 
-def _edge_number(
-    name: str, edge_name: str, edge: float, point: Mapping[str, Any], validated: bool
-) -> Number:
-    """Return an edge (nm) with its interval; `edge_name` is that in EDGE_NAMES."""
-    if not math.isfinite(edge):
-        return Number(name, edge, "nm", status=NO_EDGE)
-    interval = _validated_interval(edge_name, edge, point, validated)
-    return Number(name, edge, "nm", *interval, EDGE_FOUND)
+def _edge_numbers(
+    prefix: str, band: tuple[float, float], point: Mapping[str, Any], validated: bool
+) -> Iterator[Number]:
+    """Yield the edges (nm) of a band with their intervals, named by a prefix and EDGE_NAMES."""
+    for name, edge in zip(EDGE_NAMES, band, strict=True):
+        if math.isfinite(edge):
+            interval = _validated_interval(name, edge, point, validated)
+            yield Number(f"{prefix}{name}", edge, "nm", *interval, EDGE_FOUND)
+        else:
+            yield Number(f"{prefix}{name}", edge, "nm", status=NO_EDGE)
+
+
+class _Tail(NamedTuple):
+    """A spectrum that is extrapolated to short waves."""
+
+    density: Floats  #: C_iso in nm⁴ at WAVEVECTORS.
+    rolloff: float  #: In nm.
+    hurst: float  #: Exponent of the extrapolation; NaN without one.
+    ended_by: str  #: What limits the exponent.
+
+
+def _short_wave_tail(spectrum: Spectrum, waves: Spectrum) -> _Tail | None:
+    """Return a spectrum with its extrapolation to short waves; None if that is not known.
+
+    The waves come from `trim_spectrum`. A spectrum is not extrapolated below a density of zero at
+    its end, nor if it has a zero within.
+    """
+    if isinstance(spectrum, ScanSpectrum):
+        known = spectrum.joined.attrs
+        if not known["tail_known"]:
+            return None
+        density = spectrum.joined["spectrum"].values
+        return _Tail(density, known["rolloff"], known["tail_hurst"], known["tail_ended_by"])
+    if spectrum.density[-1] == 0 or len(waves.density) < MIN_BINS or not waves.density.all():
+        return None
+    variance = np.full(waves.density.shape, CALIBRATION_SCATTER**2)
+    fit = fit_hurst_exponent(waves.wavevector, waves.density, variance)
+    density, tail = extrapolate_short_waves(waves.wavevector, waves.density, fit)
+    return _Tail(density, _longest(waves), tail.tail_hurst, tail.tail_ended_by)
 
 
 def _extrapolated_numbers(
-    spectrum: Spectrum,
-    contact: Contact,
-    force: float,
-    tolerance: float,
-    is_known_inside: bool,
-) -> Iterator[Number]:
-    """Yield the force and both edges of the extrapolated spectrum, and the change of the force.
+    tail: _Tail, contact: Contact, tolerance: float, error_is_known: bool
+) -> list[Number]:
+    """Return the force and both edges of an extrapolated spectrum, and how it was extrapolated.
 
-    The change is relative to the force (N) without extrapolation; the tolerance defines the edges.
-    A spectrum is not extrapolated below a density of zero at its end, nor if it has a zero within.
-    The error of the force is known only if it is known inside the spectrum.
+    The tolerance defines the edges. The error of the force is known only if it is known without
+    the extrapolation.
     """
-    joined = spectrum.joined if isinstance(spectrum, ScanSpectrum) else None
-    rough = trim_spectrum(spectrum)
-    change = hurst = math.nan
-    status = NEGLIGIBLE if spectrum.density[-1] == 0 else UNKNOWN
-    longest = rolloff = float(2 * np.pi / rough.wavevector[0])
-    density = None
-    ended_by = ""
-    if joined is not None and joined.attrs["tail_known"]:
-        density = joined["spectrum"].values
-        rolloff = joined.attrs["rolloff"]
-        hurst = joined.attrs["tail_hurst"]
-        ended_by = joined.attrs["tail_ended_by"]
-    elif (
-        joined is None
-        and status == UNKNOWN
-        and len(rough.density) >= MIN_BINS
-        and rough.density.all()
-    ):
-        variance = np.full(rough.density.shape, CALIBRATION_SCATTER**2)
-        fit = fit_hurst_exponent(rough.wavevector, rough.density, variance)
-        density, tail = extrapolate_short_waves(rough.wavevector, rough.density, fit)
-        hurst = tail.tail_hurst
-        ended_by = tail.tail_ended_by
-    # Without an exponent no waves are added: slope or curvature are at their bounds already.
-    if density is not None and math.isnan(hurst) and rolloff <= longest:
-        status = NEGLIGIBLE
-    elif density is not None:
-        extrapolated = trim_spectrum(Spectrum(WAVEVECTORS, density))
-        form = closed_form(extrapolated, contact)
-        validated = is_known_inside and is_validated(extrapolated, contact, form)
-        point = table_coordinates(extrapolated, contact, form)
-        yield _force_number("extrapolated_force", form, point, validated)
-        for end, edge in zip(
-            EDGE_NAMES, critical_band(extrapolated, contact, tolerance), strict=True
-        ):
-            yield _edge_number(f"extrapolated_{end}", end, edge, point, validated)
-        yield Number("extrapolated_to", float(2 * np.pi / extrapolated.wavevector[-1]), "nm")
-        yield Number("extrapolated_rolloff", rolloff, "nm")
-        yield Number("extrapolated_hurst", hurst, status=ended_by)
-        change = abs(form.force / force - 1)
-        status = MATTERS if change > MAX_NEGLIGIBLE_CHANGE else NEGLIGIBLE
-    yield Number("extrapolated_change", change, status=status)
+    waves = trim_spectrum(Spectrum(WAVEVECTORS, tail.density))
+    form = closed_form(waves, contact)
+    validated = error_is_known and is_validated(waves, contact, form)
+    point = table_coordinates(waves, contact, form)
+    band = critical_band(waves, contact, tolerance)
+    return [
+        _force_number("extrapolated_force", form, point, validated),
+        *_edge_numbers("extrapolated_", band, point, validated),
+        Number("extrapolated_to", float(2 * np.pi / waves.wavevector[-1]), "nm"),
+        Number("extrapolated_rolloff", tail.rolloff, "nm"),
+        Number("extrapolated_hurst", tail.hurst, status=tail.ended_by),
+    ]
+
+
+def _force_change(name: str, changed_force: float, form: ClosedForm) -> Number:
+    """Return the relative change of the force (N) of a closed form, and whether it matters."""
+    change = abs(changed_force / form.force - 1)
+    return Number(name, change, status=MATTERS if change > MAX_NEGLIGIBLE_CHANGE else NEGLIGIBLE)
 
 
 def _longest_octave(waves: Spectrum, contact: Contact, form: ClosedForm) -> Number:
@@ -243,10 +266,7 @@ def _longest_octave(waves: Spectrum, contact: Contact, form: ClosedForm) -> Numb
     The change is unknown for a spectrum that has hardly more than this octave.
     """
     is_shorter = waves.wavevector >= 2 * waves.wavevector[0]
-    change = math.nan
-    status = UNKNOWN
-    if is_shorter.sum() >= 2:
-        shorter_waves = Spectrum(waves.wavevector[is_shorter], waves.density[is_shorter])
-        change = abs(closed_form(shorter_waves, contact).force / form.force - 1)
-        status = MATTERS if change > MAX_NEGLIGIBLE_CHANGE else NEGLIGIBLE
-    return Number("longest_octave_change", change, status=status)
+    if is_shorter.sum() < 2:
+        return Number("longest_octave_change", math.nan, status=UNKNOWN)
+    shorter_waves = Spectrum(waves.wavevector[is_shorter], waves.density[is_shorter])
+    return _force_change("longest_octave_change", closed_form(shorter_waves, contact).force, form)
