@@ -1,6 +1,7 @@
 # The configuration and the paths of all rules, and the code that a script really uses.
 #
 # Names that the rules of all files use:
+#   config         the configuration as written, with units: for records and captions
 #   STUDY          the configuration: nested dictionaries, with quantities in nm, N, Pa and J/m²
 #   PATTERNS       the path of each kind of file, with wildcards in braces
 #   RANGES         the ranges of adhesion (nm) at which forces on scans are computed

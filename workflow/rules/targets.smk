@@ -11,6 +11,7 @@ if IS_PAPER_STUDY:
         "plasticity": ["indent", "enhancement"],
         "asperities": ["asperities"],
         "scales": ["scales", "edges", "sensitivity", "exponents"],
+        "fit": ["fit"],
         "classical": ["classical"],
         "sets": ["sets", "posterior", "features"],
     }

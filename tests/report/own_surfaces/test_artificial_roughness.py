@@ -6,9 +6,8 @@ from answer_inputs import MEASUREMENTS, SURFACES, spectra
 
 from hardcontact.report.own_surfaces.artificial_roughness import (
     artificial_bands,
-    measurements,
     overlaps_any,
-    reliable_measurements,
+    reliable_scans,
 )
 
 
@@ -32,13 +31,13 @@ def test_an_unreliable_scan_closes_no_gap():
     coarse = data["path"].values == "scans/coarse.spm"
     data["reliable"] = data["reliable"].where(~coarse[:, None], 0)
     assert (320.0, 800.0) in artificial_bands(data)
-    assert reliable_measurements(data).sizes["measurement"] == len(MEASUREMENTS) - 1
+    assert reliable_scans(data).sizes["measurement"] == len(MEASUREMENTS) - 1
 
 
 def test_empty_entries_are_no_measurements():
     twin = spectra(2).sel(surface=SURFACES[1])
     assert twin.sizes["measurement"] == 3
-    assert measurements(twin)["path"].values.tolist() == ["scans/fine.spm", "scans/coarse.spm"]
+    assert scans_of(twin)["path"].values.tolist() == ["scans/fine.spm", "scans/coarse.spm"]
     assert artificial_bands(twin)[-1] == (5000.0, np.inf)
 
 

@@ -13,9 +13,9 @@ from hardcontact.report.notes import note, substitutes_note
 from hardcontact.report.own_surfaces.artificial_roughness import (
     MEASUREMENT_LENGTHS,
     measurement_name,
-    measurements,
+    scans_of,
     shown_octaves,
-    split_measurements,
+    split_scans,
 )
 from hardcontact.report.own_surfaces.cautions import Caution, cautions
 from hardcontact.report.own_surfaces.comparison import comparison_numbers
@@ -27,10 +27,10 @@ from hardcontact.report.own_surfaces.datasets import (
 )
 from hardcontact.report.own_surfaces.edges import (
     EDGES,
-    Measurement,
+    NextScan,
     Verdict,
     edge_numbers,
-    next_measurements,
+    next_scans,
     surface_verdict,
 )
 from hardcontact.report.own_surfaces.forces import (
@@ -67,7 +67,7 @@ class SurfaceAnswer(NamedTuple):
     numbers: dict[str, Number]
     verdict: Verdict
     cautions: list[Caution]
-    next: list[Measurement]
+    next_scans: list[NextScan]
 
 
 def own_answer(datasets: Datasets, setting: Setting) -> dict[str, Any]:
@@ -135,16 +135,18 @@ def _surface_answer(
     named_numbers = {number.name: number for number in numbers}
     surface_cautions = cautions(data, named_numbers)
     edges = [named_numbers[name] for name in EDGES.values()]
-    measurements = next_measurements(edges, data.spectra)
+    scans_to_make = next_scans(edges, data.spectra)
     numbers += [
         *_caution_numbers(surface_cautions),
-        *[number._replace(name=f"{edge}_{code}_limit") for edge, code, number, _ in measurements],
+        *[number._replace(name=f"{edge}_{code}_limit") for edge, code, number, _ in scans_to_make],
         *_scan_numbers(data),
     ]
     named_numbers = {number.name: number for number in numbers}
     basis = str(data.topography["basis"].item())
     verdict = surface_verdict(named_numbers)
-    return SurfaceAnswer(name, label, basis, named_numbers, verdict, surface_cautions, measurements)
+    return SurfaceAnswer(
+        name, label, basis, named_numbers, verdict, surface_cautions, scans_to_make
+    )
 
 
 def _octave_numbers(data: Datasets) -> Iterator[Number]:
@@ -218,7 +220,7 @@ def _scan_numbers(data: Datasets) -> Iterator[Number]:
     for name, unit in METRIC_UNITS.items():
         if f"all_scales_{name}" in topography:
             yield number_of(topography, f"all_scales_{name}", unit)
-    for index, measurement in enumerate(split_measurements(measurements(data.spectra)), start=1):
+    for index, measurement in enumerate(split_scans(scans_of(data.spectra)), start=1):
         for name in MEASUREMENT_LENGTHS:
             number = number_of(measurement, name, "nm", source="file")
             yield number._replace(name=f"measurement_{index}_{name}")
@@ -235,7 +237,7 @@ def _shortest_by(scan: xr.Dataset) -> str:
 
 def _surface_head(surface: SurfaceAnswer, spectra: xr.Dataset) -> dict[str, Any]:
     """Return the head of one surface in answer.json: its name, verdict and measurements."""
-    scans = split_measurements(measurements(spectra.sel(surface=surface.name)))
+    scans = split_scans(scans_of(spectra.sel(surface=surface.name)))
     return {
         "name": surface.name,
         "label": surface.label,

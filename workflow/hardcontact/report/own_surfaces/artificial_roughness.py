@@ -18,14 +18,14 @@ NEARLY_ALL = 0.9
 MEASUREMENT_LENGTHS = ("size", "pixel_size", "shortest_reliable", "longest_reliable", "tip_radius")
 
 
-def measurements(spectra: xr.Dataset) -> xr.Dataset:
+def scans_of(spectra: xr.Dataset) -> xr.Dataset:
     """Return the spectra of one surface without the padding along `measurement`."""
     return spectra.isel(measurement=np.isin(spectra["kind"].values.astype(str), MEASUREMENT_KINDS))
 
 
-def reliable_measurements(spectra: xr.Dataset) -> xr.Dataset:
+def reliable_scans(spectra: xr.Dataset) -> xr.Dataset:
     """Return the spectra of one surface without measurements that are reliable nowhere."""
-    reliable = measurements(spectra)
+    reliable = scans_of(spectra)
     return reliable.isel(measurement=(reliable["reliable"].values == 1).any(axis=1))
 
 
@@ -35,7 +35,7 @@ def artificial_bands(spectra: xr.Dataset) -> list[tuple[float, float]]:
     A band is a pair of its shortest and its longest wavelength (nm). The first begins at 0, the
     last ends at infinity; between them lie gaps between scans.
     """
-    reliable = reliable_measurements(spectra)
+    reliable = reliable_scans(spectra)
     ends = zip(
         reliable["shortest_reliable"].values, reliable["longest_reliable"].values, strict=True
     )
@@ -129,7 +129,7 @@ def measurement_name(measurement: xr.Dataset) -> str:
     return f"{path}: {dataset}" if dataset else path
 
 
-def split_measurements(measurements: xr.Dataset) -> list[xr.Dataset]:
+def split_scans(measurements: xr.Dataset) -> list[xr.Dataset]:
     """Return a dataset for each measurement."""
     count = measurements.sizes["measurement"]
     return [measurements.isel(measurement=number) for number in range(count)]

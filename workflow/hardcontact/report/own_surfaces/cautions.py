@@ -17,8 +17,8 @@ from hardcontact.inference.curve_edges import RIPPLES
 from hardcontact.report.own_surfaces.artificial_roughness import (
     fails_hindcast,
     measurement_name,
-    measurements,
-    split_measurements,
+    scans_of,
+    split_scans,
 )
 from hardcontact.report.own_surfaces.datasets import Datasets, forces_at_range, stored_tabor_number
 from hardcontact.report.quantities import ends_only, number_of
@@ -88,7 +88,7 @@ def cautions(data: Datasets, numbers: Mapping[str, Number]) -> list[Caution]:
 
 def _blind_scans(data: Datasets) -> Caution | None:
     """Return a caution if the scans in contact, known by their pixels, are reliable nowhere."""
-    scans = measurements(data.spectra)
+    scans = scans_of(data.spectra)
     makes_contacts = (scans["kind"].values.astype(str) == "map") & np.isclose(
         scans["pixel_size"].values ** 2, data.force["pixel_area"].item()
     )
@@ -101,7 +101,7 @@ def _blind_scans(data: Datasets) -> Caution | None:
 def _defects(spectra: xr.Dataset, codes: Collection[str], *, grave: bool) -> list[Caution]:
     """Return the defects with these codes in the measurements of a surface, with sentences."""
     defects = []
-    for index, measurement in enumerate(split_measurements(measurements(spectra)), start=1):
+    for index, measurement in enumerate(split_scans(scans_of(spectra)), start=1):
         for code in codes:
             units = DEFECTS[code]
             values = {name: measurement[name].item() for name in units}
@@ -120,7 +120,7 @@ def _reading(spectra: xr.Dataset) -> list[Caution]:
     """Return the cautions of the reader of each measurement, as sentences."""
     return [
         Caution("reading", texts={"sentence": f"{measurement_name(measurement)}: {line}"})
-        for measurement in split_measurements(measurements(spectra))
+        for measurement in split_scans(scans_of(spectra))
         for line in split_notes(str(measurement["notes"].item()).split("; "))[1]
     ]
 
@@ -136,7 +136,7 @@ def _same_places(spectra: xr.Dataset) -> list[Caution]:
                 "first": str(measurement["same_place"].item()),
             },
         )
-        for measurement in split_measurements(measurements(spectra))
+        for measurement in split_scans(scans_of(spectra))
         if measurement["same_place"].item()
     ]
 
@@ -268,7 +268,7 @@ def _sphere_places(numbers: Mapping[str, Number]) -> Caution | None:
 
 def _contradiction(spectra: xr.Dataset) -> Caution | None:
     """Return a caution about the two measurements that contradict each other most, if any do."""
-    scans = measurements(spectra)
+    scans = scans_of(spectra)
     arrays = [scans[name].values for name in ("psd", "reliable", "kind", "size")]
     pairs = contradictions(*arrays)
     if not pairs:
@@ -290,7 +290,7 @@ def _excess_roughness(spectra: xr.Dataset) -> Caution | None:
     """Return a caution if the added roughness exceeds that in the scans, which may be smoothed."""
     q = spectra["bin_wavevector"].values
     wavelength = 2 * np.pi / q
-    scans = measurements(spectra)
+    scans = scans_of(spectra)
     is_resolved = wavelength >= MIN_WAVELENGTH_PIXELS * scans["pixel_size"].values[:, None]
     densities = np.where(is_resolved & np.isfinite(scans["psd"].values), scans["psd"].values, 0.0)
     scan_density = densities.max(axis=0, initial=0.0)

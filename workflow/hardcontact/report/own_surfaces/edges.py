@@ -17,7 +17,7 @@ from hardcontact.report.own_surfaces.artificial_roughness import (
     overlaps_any,
 )
 from hardcontact.report.own_surfaces.datasets import Datasets
-from hardcontact.report.quantities import BOUND, bare, ends, ends_only
+from hardcontact.report.quantities import BOUND_WORDS, bare, ends, ends_only
 from hardcontact.surfaces.both_bodies import sphere_share
 from hardcontact.surfaces.synthesis import SIDES
 
@@ -31,7 +31,7 @@ EDGE_SOURCES = {
 }
 
 
-class Measurement(NamedTuple):
+class NextScan(NamedTuple):
     """A measurement to make next: scans beyond `limit` (nm) would find the edge."""
 
     edge: str  #: short_edge or long_edge.
@@ -129,16 +129,17 @@ def _cutoffs_around(edge: Number, side_edges: xr.Dataset) -> Number:
     return ends_only(f"{edge.name}_cutoffs", cutoffs[index - 1], cutoffs[index], "nm")
 
 
-def next_measurements(edges: Iterable[Number], spectra: xr.Dataset) -> list[Measurement]:
+def next_scans(edges: Iterable[Number], spectra: xr.Dataset) -> list[NextScan]:
     """Return one measurement to make next for each edge that is open or extrapolated."""
     return [
-        _next_measurement(edge, spectra)
+        _next_scan(edge, spectra)
         for edge in edges
-        if edge.status in (*BOUND, "no_band") or edge.source in ("artificial", "partly_artificial")
+        if edge.status in (*BOUND_WORDS, "no_band")
+        or edge.source in ("artificial", "partly_artificial")
     ]
 
 
-def _next_measurement(edge: Number, spectra: xr.Dataset) -> Measurement:
+def _next_scan(edge: Number, spectra: xr.Dataset) -> NextScan:
     """Return the measurement that would find an edge.
 
     Its limit is the edge, or its bound, or the nearest wavelength beyond it at which no scan is
@@ -150,7 +151,7 @@ def _next_measurement(edge: Number, spectra: xr.Dataset) -> Measurement:
     if np.isnan(wavelength):
         measured_end = "shortest_measured" if is_finer else "longest_measured"
         wavelength = spectra[measured_end].item()
-    if edge.status in BOUND:
+    if edge.status in BOUND_WORDS:
         is_finer = edge.status == "open_below"
     if is_finer:
         _, longest_below = max(band for band in bands if band[0] < wavelength)
@@ -161,7 +162,7 @@ def _next_measurement(edge: Number, spectra: xr.Dataset) -> Measurement:
     share = sphere_share(spectra, limit)
     body = "" if np.isnan(share) else "sphere" if share > 0.5 else "surface"
     number = Number("limit", limit, "nm")
-    return Measurement(edge.name, "finer" if is_finer else "larger", number, body)
+    return NextScan(edge.name, "finer" if is_finer else "larger", number, body)
 
 
 def surface_verdict(numbers: Mapping[str, Number]) -> Verdict:
