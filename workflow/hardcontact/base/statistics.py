@@ -1,6 +1,8 @@
 """Intervals of means over whole scans, samples of uncertain quantities, and log-normal fits.
 
-Uncertainty comes from scans, not from contacts: contacts on one scan see the same peaks. A variable
+Uncertainty comes from scans, not from contacts: contacts on one scan see the same peaks. The study
+of the paper takes whole scans, and samples for what follows from several means; own surfaces may
+have one scan or two, so that theirs come from parts of scans (`inference.scan_parts`). A variable
 `name` has its interval in a second variable, `name_interval`, of one more dimension `bound`.
 """
 

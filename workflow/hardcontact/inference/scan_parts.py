@@ -1,5 +1,8 @@
 """Parts of scans, which give the interval of a mean over a few scans.
 
+They serve own surfaces, which may have one scan or two; the surfaces of the paper have several
+independent scans, whose means suffice (`base.statistics`).
+
 If a surface has three scans or more, the parts are the scans. Otherwise the parts are the quarters
 of each scan: contacts of a mirrored scan are grouped by their quarter. Quarters are not
 independent. A contact feels the surface around it with the weight exp(-r²/(2 R rho)), since the

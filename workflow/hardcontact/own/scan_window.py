@@ -14,7 +14,7 @@ MAX_IMAGES = 10
 
 
 def window_on_scans(
-    rms_height: float, finest: float, smallest: float, radius: float, rho: float
+    rms_height: float, min_pixel_size: float, min_scan_size: float, radius: float, rho: float
 ) -> tuple[float, str]:
     """Return the side of a window (nm), and the reason.
 
@@ -32,11 +32,11 @@ def window_on_scans(
             f"at its border the sphere is {height_words} above its apex",
         ),
         (
-            MAX_MAP_PIXELS * finest,
+            MAX_MAP_PIXELS * min_pixel_size,
             f"{MAX_MAP_PIXELS} pixels of the scans, the most that are computed",
         ),
         (
-            2 * MAX_IMAGES * smallest,
+            2 * MAX_IMAGES * min_scan_size,
             f"{MAX_IMAGES} mirrored scans, which all have the same summits",
         ),
     )
