@@ -25,7 +25,7 @@ BUDGET = {
     "config": 1522,
     "files": 463,
     "run": 444,
-    "own": 655,
+    "own": 660,
     "report": 3524,
     "commands": 1529,
     "api": 229,

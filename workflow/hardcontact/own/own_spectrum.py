@@ -6,12 +6,13 @@ wavelengths.
 
 import math
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from functools import partial
 from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
+import xarray as xr
 
 from hardcontact.base.units import parse_quantity
 from hardcontact.config.faults import quote_key
@@ -91,19 +92,13 @@ def own_spectrum(
     if tables and len(files) > 1:
         raise ValueError(f"{tables[0]}: expected one table, or scans alone, found other files, too")
     if tables:
-        spectrum = table_spectrum(tables[0])
-        zeros = np.count_nonzero(spectrum.density == 0)
-        note = f"left out: {zeros} rows of the table with a density of 0, no roughness there"
-        return OwnSpectrum(spectrum, (note,) if zeros else ())
-    scans = [
-        scan_with_defects(
-            read_scan(path, name, undefined_pixels, unit, map_size, mask),
-            sphere_radius,
-            levelling,
-        )
+        return _spectrum_of_table(tables[0])
+    read_scans = (
+        read_scan(path, name, undefined_pixels, unit, map_size, mask)
         for path in files
         for name in ([member] if member else list_scans(path))
-    ]
+    )
+    scans = [scan_with_defects(scan, sphere_radius, levelling) for scan in read_scans]
     for scan in scans:
         if np.ptp(scan.heights) < LENGTH_BOUNDS[0]:
             raise ValueError(f"{scan.path}: expected a rough surface, found constant height")
@@ -111,26 +106,34 @@ def own_spectrum(
     repeated = repeated_places(scans, names)
     scans = [scan for number, scan in enumerate(scans) if number not in repeated]
     names = [name for number, name in enumerate(names) if number not in repeated]
+    return _spectrum_of_scans(scans, names, tip_radius, [*repeated.values()])
+
+
+def _spectrum_of_table(path: str | Path) -> OwnSpectrum:
+    """Return the spectrum of a table, with a note on rows without roughness."""
+    spectrum = table_spectrum(path)
+    zeros = np.count_nonzero(spectrum.density == 0)
+    note = f"left out: {zeros} rows of the table with a density of 0, no roughness there"
+    return OwnSpectrum(spectrum, (note,) if zeros else ())
+
+
+def _spectrum_of_scans(
+    scans: Sequence[HeightMap], names: Sequence[str], tip_radius: float | None, cautions: list[str]
+) -> OwnSpectrum:
+    """Return the joined spectrum of scans of different places, with cautions and other notes."""
     defects = [
         (name, defect_sentence(code, numbers))
         for name, scan in zip(names, scans, strict=True)
         for code, numbers in scan.defects.items()
     ]
+    tips = [tip_radius if scan.tip_radius is None else None for scan in scans]
     try:
-        joined = joined_spectrum(
-            scans, [tip_radius if scan.tip_radius is None else None for scan in scans]
-        )
+        joined = joined_spectrum(scans, tips)
     except ValueError as error:  # Spikes, for example, look like a noise floor.
         lines = [f"{name}: expected a sound scan, found: {line}" for name, line in defects]
         raise ValueError("\n".join([str(error), *lines])) from None
-    limits = ("shortest_reliable", "longest_reliable", "limited_by")
-    notes = [f"{TAKE_CARE}{line}" for line in repeated.values()]
-    for name, scan, *band in zip(
-        names, scans, *(joined[limit].values for limit in limits), strict=True
-    ):
-        changes, cautions = split_notes(scan.notes)
-        notes.append("; ".join([f"{name}: reliable {ReliableBand(*band)}", *changes]))
-        notes += [f"{TAKE_CARE}{name}: {line}" for line in cautions]
+    notes = [f"{TAKE_CARE}{line}" for line in cautions]
+    notes += _reading_notes(scans, names, joined)
     columns = (joined[name].values for name in ("psd", "reliable", "kind", "size"))
     if pairs := contradictions(*columns):
         notes.append(f"{TAKE_CARE}{describe_contradictions(pairs, names)}")
@@ -138,6 +141,17 @@ def own_spectrum(
     skewnesses = [metrics(scan)["skewness"] for scan in scans if scan.kind == "map"]
     spectrum = reliable_spectrum(joined, max(skewnesses, key=abs, default=0.0))
     return OwnSpectrum(spectrum, tuple(notes), tuple(scans))
+
+
+def _reading_notes(
+    scans: Sequence[HeightMap], names: Sequence[str], joined: xr.Dataset
+) -> Iterator[str]:
+    """Yield notes on the reliable band of each scan, on changes in reading it and cautions."""
+    bands = (joined[key].values for key in ("shortest_reliable", "longest_reliable", "limited_by"))
+    for name, scan, *band in zip(names, scans, *bands, strict=True):
+        changes, cautions = split_notes(scan.notes)
+        yield "; ".join([f"{name}: reliable {ReliableBand(*band)}", *changes])
+        yield from (f"{TAKE_CARE}{name}: {line}" for line in cautions)
 
 
 def _is_table(path: str | Path) -> bool:
