@@ -8,6 +8,7 @@ from hardcontact.report.own_surfaces.artificial_roughness import (
     artificial_bands,
     overlaps_any,
     reliable_scans,
+    scans_of,
 )
 
 

@@ -91,7 +91,7 @@ SHORT_ADVICE = ("short_edge", "finer", 37.0)
 )
 def test_open_and_extrapolated_edges_recommend_a_measurement(data, advice):
     # The scans are reliable from 55 nm to 25 µm.
-    measurements = surface_answers(datasets(edges=data), setting())[0].next
+    measurements = surface_answers(datasets(edges=data), setting())[0].next_scans
     assert [(scan.edge, scan.code, scan.limit.value) for scan in measurements] == advice
 
 

@@ -135,18 +135,16 @@ def _surface_answer(
     named_numbers = {number.name: number for number in numbers}
     surface_cautions = cautions(data, named_numbers)
     edges = [named_numbers[name] for name in EDGES.values()]
-    scans_to_make = next_scans(edges, data.spectra)
+    to_scan = next_scans(edges, data.spectra)
     numbers += [
         *_caution_numbers(surface_cautions),
-        *[number._replace(name=f"{edge}_{code}_limit") for edge, code, number, _ in scans_to_make],
+        *[number._replace(name=f"{edge}_{code}_limit") for edge, code, number, _ in to_scan],
         *_scan_numbers(data),
     ]
     named_numbers = {number.name: number for number in numbers}
     basis = str(data.topography["basis"].item())
     verdict = surface_verdict(named_numbers)
-    return SurfaceAnswer(
-        name, label, basis, named_numbers, verdict, surface_cautions, scans_to_make
-    )
+    return SurfaceAnswer(name, label, basis, named_numbers, verdict, surface_cautions, to_scan)
 
 
 def _octave_numbers(data: Datasets) -> Iterator[Number]:
@@ -184,7 +182,7 @@ def _notes(
             text = render_text("own_caution.txt", caution=caution, **facts)
             notes.append(note("caution", text, caution.code, surface.name, grave=caution.grave))
         limits = {"min_pixels": MIN_PIXELS, "min_waves": MIN_WAVES_IN_SIZE}
-        for measurement in surface.next:
+        for measurement in surface.next_scans:
             text = render_text("own_next.txt", measurement=measurement, **facts, **limits)
             notes.append(note("next", text, measurement.code, surface.name))
     if fit_text:
