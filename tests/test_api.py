@@ -337,9 +337,9 @@ def test_faulty_arguments_are_refused_in_one_line(files):
     holed = Topography(np.ma.masked_greater(values, 3), (320, 320), unit="nm")
     wavevector, _, density = hc.measured_psds(scan)
     table_spectrum, gaps = hc.read_spectrum("my-psd.csv"), hc.Spectrum(wavevector, density)
-    valid = {"spectrum": table_spectrum, "rho": 5.6, "work": 0.05} | SPHERE | LOAD
+    valid = {"roughness": table_spectrum, "rho": 5.6, "work": 0.05} | SPHERE | LOAD
     cases += [
-        (hc.predict, valid | {"spectrum": gaps}, ["spectrum: expected growing wavevectors"]),
+        (hc.predict, valid | {"roughness": gaps}, ["spectrum: expected growing wavevectors"]),
         (hc.predict, valid | {"hardness": 1e6}, ["preload: expected less than"]),
         (hc.predict, valid | {"hardness": 25}, ["hardness: expected 1 kPa to 10000 GPa, found 25"]),
         (hc.read_spectrum, {}, ["files: expected a table of a spectrum or scans"]),

@@ -379,7 +379,7 @@ def force_ratios(
 
 
 def predict(
-    spectrum: Spectrum | HeightMap,
+    roughness: Spectrum | HeightMap,
     *,
     radius: float,
     preload: float,
@@ -392,7 +392,7 @@ def predict(
 
     Parameters
     ----------
-    spectrum : Spectrum or HeightMap
+    roughness : Spectrum or HeightMap
         C_iso in nm⁴ over growing wavevectors in rad/nm, without gaps; or a levelled map, whose
         spectrum is measured at its reliable wavelengths. Steep edges of scans leave the closed form
         unanswered.
@@ -422,16 +422,17 @@ def predict(
     check_quantities(radius=radius, preload=preload, hardness=hardness, rho=rho, work=work)
     check_positive(tolerance=tolerance)
     scans = []
-    if isinstance(spectrum, HeightMap):
-        check_heights(spectrum.heights, "spectrum")
-        scan = scan_with_defects(HeightMap(spectrum.heights.astype(float), spectrum.pixel_size))
+    spectrum = roughness
+    if isinstance(roughness, HeightMap):
+        check_heights(roughness.heights, "roughness")
+        scan = scan_with_defects(HeightMap(roughness.heights.astype(float), roughness.pixel_size))
         joined = joined_spectrum([scan], [None])
-        spectrum = reliable_spectrum(joined, metrics(spectrum)["skewness"])
+        spectrum = reliable_spectrum(joined, metrics(roughness)["skewness"])
         scans = [scan]
     if not isinstance(spectrum, Spectrum):
         raise ValueError(
-            "spectrum: expected that of hc.read_spectrum(FILE), or a scan of hc.read_scan(FILE), "
-            f"found {type(spectrum).__name__}"
+            "roughness: expected a scan of hc.read_scan(FILE), or a spectrum of "
+            f"hc.read_spectrum(FILE), found {type(roughness).__name__}"
         )
     contact = Contact(radius=radius, rho=rho, work=work, preload=preload, hardness=hardness)
     raise_faults(filter(None, [wide_contact_message(contact)]))
