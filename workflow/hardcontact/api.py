@@ -246,7 +246,7 @@ def pull_off_forces(
     ranges, work : sequence of float, float
         Ranges of adhesion in nm; work of adhesion in J/m².
     window, contacts_per_side : float, int
-        Edge in nm of the square around each contact over which the force is summed; number of
+        Width in nm of the square around each contact over which the force is summed; number of
         contacts along a side of the array.
     sphere : HeightMap or None
         Levelled roughness of the sphere where it touches; None for a smooth sphere.
