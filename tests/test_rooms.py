@@ -16,7 +16,7 @@ ROOMS = re.findall(r"`(\w+)`", hardcontact.__doc__)
 #: Code lines that each room may have, without docstrings, comments and blank lines. A commit that
 #: raises one says what a user gets for it.
 BUDGET = {
-    "base": 792,
+    "base": 793,
     "surfaces": 3432,
     "contact": 1381,
     "inference": 1662,
@@ -26,7 +26,7 @@ BUDGET = {
     "files": 463,
     "run": 444,
     "own": 660,
-    "report": 3524,
+    "report": 3527,
     "commands": 1529,
     "api": 230,
 }

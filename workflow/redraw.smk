@@ -36,7 +36,7 @@ start.keep_logs(workflow, PATTERNS)
 
 
 onstart:
-    start.check_folders(PATTERNS.results)
+    start.refuse_unwritable_folders(PATTERNS.results)
 
 
 onsuccess:

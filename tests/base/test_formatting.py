@@ -6,9 +6,9 @@ import pytest
 
 from hardcontact.base.formatting import (
     format_as_paper,
-    format_interval,
     format_number,
     format_quantity,
+    format_value_and_ends,
     format_with_interval,
     is_boundless,
 )
@@ -81,7 +81,7 @@ def test_a_quantity_of_the_paper_has_its_units(value, unit, ends, printed):
     ],
 )
 def test_the_width_of_an_interval_decides_the_digits(numbers, printed):
-    assert " ".join(format_interval(*numbers)) == printed
+    assert " ".join(format_value_and_ends(*numbers)) == printed
 
 
 def test_digits_are_as_asked_and_without_exponent():

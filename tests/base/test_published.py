@@ -14,7 +14,7 @@ PAPER = Path(__file__).parents[2] / "resources" / "paper"
 
 
 def test_constants_have_the_published_values():
-    constants = published.constants(PAPER / "parameters.csv")
+    constants = published.read_constants(PAPER / "parameters.csv")
     assert constants.loc["range_of_adhesion", ["value", "uncertainty"]].tolist() == [5.6, 0.5]
     assert constants.value["short_edge"] == 43
     assert np.isnan(constants.uncertainty["short_edge"])
@@ -23,16 +23,16 @@ def test_constants_have_the_published_values():
 
 def test_pairs_include_the_published_pair_and_their_shares_add_up_to_one():
     pairs = pd.read_csv(PAPER.parent / "adhesion/pairs.csv", index_col="pair")
-    constants = published.constants(PAPER / "parameters.csv").value
+    constants = published.read_constants(PAPER / "parameters.csv").value
     assert pairs.range_of_adhesion_nm["published"] == constants["range_of_adhesion"]
     assert pairs.work_of_adhesion_J_m2["published"] == constants["work_of_adhesion"]
     assert pairs.share_of_sets.sum() == pytest.approx(1)
 
 
 def test_printed_statistics_keep_their_digits():
-    text = published.printed_statistics(PAPER / "pull_off.csv")
+    text = published.read_printed_statistics(PAPER / "pull_off.csv")
     assert text.mean_force["uncd"] == "0.4e-6"
-    numbers = published.measured_statistics(PAPER / "pull_off.csv")
+    numbers = published.read_measured_statistics(PAPER / "pull_off.csv")
     assert text.astype(float).equals(numbers)
 
 

@@ -117,7 +117,7 @@ def test_mean_and_median_of_a_lognormal_give_its_shape():
 
 
 def test_equal_forces_have_shape_zero_without_an_interval():
-    assert statistics.lognormal_fit(np.full(9, 5e-8), 3e-8)[0] == pytest.approx(0, abs=1e-12)
+    assert statistics.fit_lognormal(np.full(9, 5e-8), 3e-8)[0] == pytest.approx(0, abs=1e-12)
     assert np.isnan(statistics.jackknife_interval(0.0, np.zeros(5), 0.95)).all()
 
 
@@ -125,7 +125,7 @@ def test_equal_forces_have_shape_zero_without_an_interval():
 def test_censored_fit_has_the_greatest_likelihood(floor):
     forces = stats.lognorm(0.9, scale=6e-8).rvs(size=300, random_state=np.random.default_rng(1))
     is_below = forces < floor
-    shape, median, share = statistics.lognormal_fit(forces, floor)
+    shape, median, share = statistics.fit_lognormal(forces, floor)
     data = stats.CensoredData(uncensored=forces[~is_below], left=np.full(is_below.sum(), floor))
     scipy_shape, _, scipy_scale = stats.lognorm.fit(data, floc=0)
     assert share == is_below.mean()
@@ -146,9 +146,9 @@ def test_censored_fit_has_the_greatest_likelihood(floor):
 def test_censored_fit_recovers_the_distribution_below_the_floor():
     distribution = stats.lognorm(0.9, scale=6e-8)
     forces = distribution.rvs(size=20000, random_state=np.random.default_rng(0))
-    shape, median, share_below = statistics.lognormal_fit(forces, 3e-8)
+    shape, median, share_below = statistics.fit_lognormal(forces, 3e-8)
     assert shape == pytest.approx(0.9, rel=0.03)
     assert median == pytest.approx(6e-8, rel=0.03)
     assert share_below == pytest.approx(distribution.cdf(3e-8), abs=0.01)
-    shape, median, share_below = statistics.lognormal_fit(forces * 1e-3, 3e-8)
+    shape, median, share_below = statistics.fit_lognormal(forces * 1e-3, 3e-8)
     assert np.isnan(shape) and np.isnan(median) and share_below == 1

@@ -18,7 +18,7 @@ from hardcontact.base.origin import (
     keep_records,
     record_path,
 )
-from hardcontact.base.verification import check, traced_records
+from hardcontact.base.verification import traced_records, verify_study
 from hardcontact.commands import command_line
 from hardcontact.commands.verify import verify, verify_arguments
 
@@ -52,12 +52,14 @@ def test_files_are_traced_to_all_that_led_to_them(study):
 
 
 def test_a_folder_without_records_is_refused(study):
-    assert_says(refusal(check, "workflow"), "workflow: expected files of a study, found none")
+    assert_says(
+        refusal(verify_study, "workflow"), "workflow: expected files of a study, found none"
+    )
 
 
 def test_an_unchanged_study_has_no_faults(study):
     counts = "results: 3 files checked, 0 faults, 0 inputs not at hand"
-    assert check("results") == ([], [counts])
+    assert verify_study("results") == ([], [counts])
 
 
 @pytest.mark.parametrize(
@@ -73,13 +75,13 @@ def test_a_changed_file_is_a_fault_of_its_outputs(study, path, altered_outputs, 
     (study / path).write_text("other")
     fault_lines = {f"{output}: does not match its input {path}" for output in outputs}
     fault_lines |= {f"{output}: is not the file that the study wrote" for output in altered_outputs}
-    assert set(check("results")[0]) == fault_lines
+    assert set(verify_study("results")[0]) == fault_lines
 
 
 def test_missing_inputs_are_counted_and_missing_outputs_are_faults(study):
     (study / "store/a.nc").unlink()
     (study / "results/table.csv").unlink()
-    faults, (counts,) = check("results")
+    faults, (counts,) = verify_study("results")
     assert counts == "results: 3 files checked, 1 faults, 1 inputs not at hand"
     assert faults == ["results/table.csv: expected a file of the study, found none"]
 
@@ -92,21 +94,21 @@ def test_a_file_without_a_record_is_a_fault(study, path):
     record_path(study / path).unlink(missing_ok=True)
     (study / "results/logs").mkdir()
     (study / "results/logs/make.log").touch()
-    assert check("results")[0] == [f"{path}: expected a record of its origin, found none"]
+    assert verify_study("results")[0] == [f"{path}: expected a record of its origin, found none"]
 
 
 def test_a_lost_folder_of_records_is_a_fault(study):
     make("results/store/b.nc", ["source.txt"])
     make("results/first/final.nc", ["results/store/b.nc"])
     shutil.rmtree("results/store/.origin")
-    faults, _ = check("results/first")
+    faults, _ = verify_study("results/first")
     assert faults == ["results/store/b.nc: expected a record of its origin, found none"]
 
 
 def test_files_made_with_other_versions_are_no_faults_but_said(study):
     path = record_path("results/table.csv")
     path.write_text(path.read_text().replace('\\"scipy\\":\\"', '\\"scipy\\":\\"0.'))
-    faults, (versions, _) = check("results")
+    faults, (versions, _) = verify_study("results")
     assert faults == []
     assert versions.startswith("1 files, such as results/table.csv, were made with scipy 0.")
 
@@ -159,7 +161,7 @@ FINAL = "results/tiny"
 @pytest.mark.study
 def test_a_finished_study_has_no_faults(finished, monkeypatch):
     monkeypatch.chdir(finished)
-    faults, (counts,) = check(FINAL)
+    faults, (counts,) = verify_study(FINAL)
     assert faults == [] and counts.endswith("0 faults, 0 inputs not at hand")
     # All files of the store were checked, and the results.
     store_count = len(list((finished / "results/store-tiny").rglob("*.nc")))

@@ -234,9 +234,9 @@ def window_edges(forces: Mapping[str, xr.Dataset]) -> xr.Dataset:
 
 def study_spectrum(surface: str) -> Spectrum:
     """Return the spectrum of the substitute for a surface, as the paper's study calibrates it."""
-    table1 = published.table1(RESOURCES / "paper/table1.csv")
+    table1 = published.read_table1(RESOURCES / "paper/table1.csv")
     rows = rows_of_surface(table1, surface)
-    constants = published.constants(RESOURCES / "paper/parameters.csv")
+    constants = published.read_constants(RESOURCES / "paper/parameters.csv")
     stored_spectrum = substitute_spectrum(RESOURCES / f"spectra/{surface}.csv", rows, constants)
     return spectrum_of_dataset(stored_spectrum)
 

@@ -18,7 +18,7 @@ from hardcontact.commands.new import values_by_key
 from hardcontact.commands.proposal import propose
 from hardcontact.commands.request import Source
 from hardcontact.config.configuration import set_keys
-from hardcontact.config.limits import check_grids
+from hardcontact.config.limits import refuse_unfit_grids
 from hardcontact.config.model import numeric_configuration
 from hardcontact.contact.contact import Contact
 from hardcontact.surfaces.height_map import HeightMap
@@ -122,7 +122,7 @@ def check_study(settings, proposal):
     """Check a proposal for a smooth sphere at both efforts, as the study does."""
     grids = {scan.source.surface: scan.grid for scan in proposal.contact_entries}
     for config in both_efforts(settings, proposal):
-        check_grids(config, grids)
+        refuse_unfit_grids(config, grids)
 
 
 def random_between(low, high):

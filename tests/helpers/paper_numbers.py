@@ -39,5 +39,5 @@ POLISHED = ScanStatistics(
 )
 TABLES = ROOT / "resources/paper"
 STATEMENTS = read_statements(TABLES / "claims.csv")
-CONSTANTS = published.constants(TABLES / "parameters.csv")
+CONSTANTS = published.read_constants(TABLES / "parameters.csv")
 PARAMETERS = CONSTANTS["value"]

@@ -29,9 +29,9 @@ def make_inference(surfaces=SUBSTRATES, forces=MEAN_FORCE):
 def apply_models(inference, seed=1):
     return apply_classical_models(
         inference,
-        published.constants(TABLES / "parameters.csv"),
-        published.table1(TABLES / "table1.csv"),
-        published.printed_statistics(TABLES / "pull_off.csv"),
+        published.read_constants(TABLES / "parameters.csv"),
+        published.read_table1(TABLES / "table1.csv"),
+        published.read_printed_statistics(TABLES / "pull_off.csv"),
         Sampling(seed, 20, 0.9, ("classical",)),
     )
 

@@ -15,7 +15,7 @@ from hardcontact.base import dataset
 from hardcontact.base.origin import Origin, canonical_json, digests, keep_records
 from hardcontact.config.configuration import reading_keys
 from hardcontact.config.grids import Grid
-from hardcontact.config.limits import check_grids
+from hardcontact.config.limits import refuse_unfit_grids
 from hardcontact.contact.bearing_area import all_contact_pixels
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies
@@ -114,8 +114,8 @@ def test_a_substrate_without_a_published_force_is_refused_beside_the_paper(
 def test_a_study_without_scaling_ignores_its_keys(project_folder):
     grids = {"glass": Grid(512, 4.883, 2500.0, 500.0)}
     config = numbers("exponents.radii", ["10 nm"], "scales.range", "1 nm")
-    assert_says(refusal(check_grids, config, grids), "config key scales.range: expected")
-    check_grids(config | {"published": "none"}, grids)
+    assert_says(refusal(refuse_unfit_grids, config, grids), "config key scales.range: expected")
+    refuse_unfit_grids(config | {"published": "none"}, grids)
 
 
 # Measured scans

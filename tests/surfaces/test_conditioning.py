@@ -91,9 +91,9 @@ PAPER_GRID = ScanGrid(
 )
 @pytest.mark.parametrize("surface", SUBSTRATES)
 def test_scans_of_the_default_study_keep_table_1(surface, count, grid, rows):
-    table1 = published.table1(ROOT / "resources/paper/table1.csv")
+    table1 = published.read_table1(ROOT / "resources/paper/table1.csv")
     table1 = rows_of_surface(table1, surface)
-    constants = published.constants(ROOT / "resources/paper/parameters.csv")
+    constants = published.read_constants(ROOT / "resources/paper/parameters.csv")
     spectrum = substitute_spectrum(ROOT / f"resources/spectra/{surface}.csv", table1, constants)
     targets = conditioning.scan_targets(spectrum, table1, constants, grid)
     assert targets.met_rows == tuple(rows)

@@ -49,7 +49,7 @@ def test_calibration_recovers_the_spectrum_of_its_scans(weights, model, rolloff,
 
 
 def test_no_self_affine_spectrum_has_the_scans_of_ncd(project_folder):
-    table = published.table1("resources/paper/table1.csv")
+    table = published.read_table1("resources/paper/table1.csv")
     ncd = substitute_spectra.rows_of_surface(table, "ncd")
     with pytest.raises(ValueError, match="expected three numbers .* missed by .* %"):
         substitute_spectra.calibrate_model(
@@ -135,9 +135,9 @@ def test_bands_with_all_parameters_follow_their_models(write_description, tmp_pa
 @cache
 def default_spectrum(surface):
     """Rows of Table 1 and the stored spectrum of a default substitute."""
-    table1 = published.table1(ROOT / "resources/paper/table1.csv")
+    table1 = published.read_table1(ROOT / "resources/paper/table1.csv")
     table1 = substitute_spectra.rows_of_surface(table1, surface)
-    constants = published.constants(ROOT / "resources/paper/parameters.csv")
+    constants = published.read_constants(ROOT / "resources/paper/parameters.csv")
     path = ROOT / f"resources/spectra/{surface}.csv"
     return table1, substitute_spectra.substitute_spectrum(path, table1, constants)
 
@@ -192,9 +192,9 @@ def test_a_band_that_cannot_be_made_is_named(write_description, band, message_pa
 
 
 def test_permitted_spectra_scatter_like_the_means_of_table_1(write_description):
-    table1 = published.table1(ROOT / "resources/paper/table1.csv")
+    table1 = published.read_table1(ROOT / "resources/paper/table1.csv")
     table1 = substitute_spectra.rows_of_surface(table1, "uncd")
-    constants = published.constants(ROOT / "resources/paper/parameters.csv")
+    constants = published.read_constants(ROOT / "resources/paper/parameters.csv")
     rows = list(spectrum.AFM_ROWS)
     mean_errors = table1.uncertainty[rows] / np.sqrt(5)
     weights = substitute_spectra.paper_weights(constants)
@@ -212,7 +212,7 @@ def test_permitted_spectra_scatter_like_the_means_of_table_1(write_description):
 
 def test_a_description_without_blanks_permits_itself_alone(write_description):
     path = write_description("inf,6.5,self-affine,5e7,1000,0.8,,")
-    constants = published.constants(ROOT / "resources/paper/parameters.csv")
+    constants = published.read_constants(ROOT / "resources/paper/parameters.csv")
     drawn = substitute_spectra.sample_permitted_spectrum(generator(3), path, NO_TABLE1, constants)
     described, *_ = substitute_spectra.spectrum_from_description(path, NO_TABLE1, WEIGHTS)
     np.testing.assert_array_equal(drawn.density, described)

@@ -24,9 +24,9 @@ with run_job(snakemake) as job:
     datasets = {name: read(job.input[name]) for name in DATASETS}
     claims = read_verdicts(job.input.claims)
     claims = add_open_ends(claims, [datasets["edges"], datasets["sets"]])
-    constants = published.constants(job.input.published_constants)
+    constants = published.read_constants(job.input.published_constants)
     citation = yaml.safe_load(Path(job.input.citation).read_text("utf-8"))
-    published_table1 = published.table1(job.input.published_table1)
+    published_table1 = published.read_table1(job.input.published_table1)
     answer = paper_answer(
         claims, datasets, constants, published_table1, job.parameters, citation["version"]
     )

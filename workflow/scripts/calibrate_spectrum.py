@@ -9,8 +9,8 @@ with run_job(snakemake) as job:
     job.write(
         substitute_spectrum(
             job.input.description,
-            rows_of_surface(published.table1(job.input.published_table1), surface),
-            published.constants(job.input.published_constants),
+            rows_of_surface(published.read_table1(job.input.published_table1), surface),
+            published.read_constants(job.input.published_constants),
         ),
         title=f"power spectral density of the substitute for {surface}",
     )

@@ -12,9 +12,9 @@ from hardcontact.paper.featured_samples import (
 )
 
 with run_job(snakemake) as job:
-    constants = published.constants(job.input.published_constants)["value"]
+    constants = published.read_constants(job.input.published_constants)["value"]
     published_forces = PublishedForces(
-        published.measured_statistics(job.input.published_pull_off),
+        published.read_measured_statistics(job.input.published_pull_off),
         Pair(constants["range_of_adhesion"], constants["work_of_adhesion"]),
     )
     factor = read(job.input.sets)["sphere_factor"].sel(contact_model=PLASTIC, drop=True)

@@ -13,12 +13,12 @@ with run_job(snakemake) as job:
     claims = evaluate(
         read_statements(job.input.claims),
         datasets,
-        published.constants(job.input.published_constants),
+        published.read_constants(job.input.published_constants),
         params["confidence"],
         read(job.input.sets),
     )
     substrates = datasets["edges"]["surface"].values.tolist()
-    table1 = published.table1(job.input.published_table1)
+    table1 = published.read_table1(job.input.published_table1)
     if changed_inputs(params["contact"], substrates, table1):
         claims = without_verdicts(claims)
     job.write_text(claims.to_csv(index=False, float_format="%.6g"), "claims")

@@ -10,7 +10,7 @@ from hardcontact.inference.posterior import means_on_whole_surfaces, posteriors_
 with run_job(snakemake) as job:
     params = job.parameters
     sampling = Sampling.from_parameters(params["sampling"], "posterior")
-    published_forces = published.measured_statistics(job.input.published_pull_off)
+    published_forces = published.read_measured_statistics(job.input.published_pull_off)
     sets = read(job.input.sets).sel(contact_model=PLASTIC)
     forces = {"scans": sets["mean_force"].rename(set="replicate")}
     files = read_all(params["whole"], job.input.whole)

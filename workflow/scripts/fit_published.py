@@ -7,12 +7,12 @@ from hardcontact.inference.published_fit import Pair, PublishedForces, fit_publi
 
 with run_job(snakemake) as job:
     params = job.parameters
-    constants = published.constants(job.input.published_constants)["value"]
+    constants = published.read_constants(job.input.published_constants)["value"]
     job.write(
         fit_published(
             dataset.read(job.input.adhesion),
             PublishedForces(
-                published.measured_statistics(job.input.published_pull_off),
+                published.read_measured_statistics(job.input.published_pull_off),
                 Pair(constants["range_of_adhesion"], constants["work_of_adhesion"]),
             ),
             params["reference_surface"],

@@ -13,7 +13,7 @@ with run_job(snakemake) as job:
     params = job.parameters
     forces = make_force_function(Contact(**params["contact"]))
     make_surface = whole_surfaces(job.input, params)
-    constants = published.constants(job.input.published_constants)["value"]
+    constants = published.read_constants(job.input.published_constants)["value"]
     bands = {
         "published": (constants["short_edge"], constants["long_edge"]),
         "found": pooled_band(read(job.input.edges)),

@@ -22,8 +22,8 @@ with run_job(snakemake) as job:
         conditioning = describe_group(features, numbers, spectrum, source.mean_rms_height)
     else:
         grid = ScanGrid(**params["scan"])
-        rows = rows_of_surface(published.table1(job.input.published_table1), surface)
-        constants = published.constants(job.input.published_constants)
+        rows = rows_of_surface(published.read_table1(job.input.published_table1), surface)
+        constants = published.read_constants(job.input.published_constants)
         targets = scan_targets(spectrum, rows, constants, grid)
         generator_functions = {
             number: partial(generator, params["seed"], surface, number, "scan")

@@ -11,7 +11,7 @@ from hardcontact.paper.sampled_sets import SetSettings, gather_inputs, sample_se
 
 with run_job(snakemake) as job:
     params = job.parameters
-    constants = published.constants(job.input.published_constants)
+    constants = published.read_constants(job.input.published_constants)
     pair = Pair(*constants.loc[["range_of_adhesion", "work_of_adhesion"], "value"])
     inputs = gather_inputs(
         {name: read(job.input[name]) for name in ("topography", "adhesion")},
@@ -26,7 +26,7 @@ with run_job(snakemake) as job:
         inputs,
         pd.DataFrame(params["statements"]),
         constants,
-        PublishedForces(published.measured_statistics(job.input.published_pull_off), pair),
+        PublishedForces(published.read_measured_statistics(job.input.published_pull_off), pair),
         SetSettings(**params["settings"]),
     )
     job.write(

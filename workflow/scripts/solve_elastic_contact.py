@@ -12,7 +12,7 @@ with run_job(snakemake) as job:
     params = job.parameters
     surface = params["surface"]
     scan = params["scan"]
-    constants = published.constants(job.input.published_constants)["value"]
+    constants = published.read_constants(job.input.published_constants)["value"]
     contact = Contact(
         radius=params["radius"],
         rho=constants["range_of_adhesion"],

@@ -10,7 +10,7 @@ ATTRIBUTES = "surface", "scan", "sphere_scan", "label", "basis"
 
 with run_job(snakemake) as job:
     params = job.parameters
-    constants = published.constants(job.input.published_constants)["value"]
+    constants = published.read_constants(job.input.published_constants)["value"]
     contact = Contact(
         radius=params["radius"],
         rho=constants["range_of_adhesion"],

@@ -3,9 +3,9 @@
 import sys
 
 from hardcontact.base.job import run_job
-from hardcontact.base.verification import check
+from hardcontact.base.verification import verify_study
 
 with run_job(snakemake) as job:
-    faults, summary = check(job.parameters["results"])
+    faults, summary = verify_study(job.parameters["results"])
     print(*faults, *summary, sep="\n")
     sys.exit(1 if faults else 0)

@@ -86,12 +86,12 @@ def read_all(
 
 
 def concatenate(
-    datasets: Mapping[tuple[Any, ...], xr.Dataset], dimension: str, labels: int
+    datasets: Mapping[tuple[Any, ...], xr.Dataset], dimension: str, shared_labels: int
 ) -> dict[tuple[Any, ...], xr.Dataset]:
     """Join the datasets whose keys begin with the same labels along a dimension that they have."""
     groups: dict[tuple[Any, ...], list[xr.Dataset]] = {}
     for key, dataset in datasets.items():
-        groups.setdefault(key[:labels], []).append(dataset)
+        groups.setdefault(key[:shared_labels], []).append(dataset)
     return {key: xr.concat(group, dimension) for key, group in groups.items()}
 
 

@@ -35,7 +35,7 @@ def round_with(rounding: Callable[[float], int], value: float) -> float:
     return float(f"{rounding(value / step) * step:.3g}")
 
 
-def format_interval(value: float, low: float, high: float) -> list[str]:
+def format_value_and_ends(value: float, low: float, high: float) -> list[str]:
     """Return a number and both ends of its interval, with the same number of decimals.
 
     The last digit is about a fifth of the interval's width or of the smallest number. If the ends
@@ -82,7 +82,8 @@ def _format(
     name = next(fitting, list(units)[-1])
     if any(map(math.isnan, interval)):
         return f"{format_number(value / units[name], digits)} {name}".rstrip()
-    number, low, high = format_interval(*(amount / units[name] for amount in (value, *interval)))
+    size = units[name]
+    number, low, high = format_value_and_ends(*(end / size for end in (value, *interval)))
     low += " or less" if open_end == "low" else ""
     high += " or more" if open_end == "high" else ""
     return _bracketed(number, low, high, name)

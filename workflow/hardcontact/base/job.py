@@ -20,7 +20,7 @@ from hardcontact.base.origin import (
     keep_records,
     record_path,
     refuse_changed,
-    refuse_changed_inputs,
+    refuse_changed_since,
 )
 from hardcontact.base.whole_file import remove_parts, whole_file
 
@@ -86,7 +86,7 @@ def run_job(snakemake: Any) -> Iterator[Job]:
         origin = Origin(canonical_parameters, input_digests, list(code))
         parameters = json.loads(canonical_parameters)
         yield Job(inputs, snakemake.output, parameters, origin)
-        refuse_changed_inputs(input_digests)
+        refuse_changed_since(input_digests)
         keep_records((path for path in snakemake.output if Path(path).is_file()), origin)
 
 

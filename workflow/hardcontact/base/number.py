@@ -10,14 +10,9 @@ class Number(NamedTuple):
     name: name of the quantity.
     value, low, high: the number and the ends of its interval, in `unit`.
     unit: of the datasets: "nm", "N", "J m-2", "1".
-    status: a code, whose words are in `report.quantities` and in templates. "open_above",
-        "open_below": `value` is a bound. "interval_open_low", "interval_open_high": an end of the
-        interval is a bound. "ends": only `low`, `high` or both are known. "no_interval": scans do
-        not bound the number. "few_places": contacts touch too few places to do so. "no_band",
-        "no_hindcast", "ripples", "no_exponent", "no_agreement", "one_force": why there is no
-        value.
-    source: a code for the origin: "computed", "measured", "extrapolated", "artificial", "given",
-        "file", "assumed".
+    status: a code, whose words are in `report.quantities` and in templates; often empty.
+    source: a code for the origin: "computed", "measured", "from_measured", "extrapolated",
+        "partly" (artificial), "artificial", "published", "given", "file", "assumed".
     """
 
     name: str

@@ -158,7 +158,7 @@ def refuse_changed(digests_now: Mapping[str, str]) -> None:
         raise ValueError("; ".join(lines) + "; delete it and run again")
 
 
-def refuse_changed_inputs(digests_before: Mapping[str, str]) -> None:
+def refuse_changed_since(digests_before: Mapping[str, str]) -> None:
     """Raise ValueError, in one line, if files are not as they were when a job began."""
     changed = [
         path

@@ -12,7 +12,7 @@ PUBLISHED_TABLES = {
 }
 
 
-def constants(path: str | Path) -> pd.DataFrame:
+def read_constants(path: str | Path) -> pd.DataFrame:
     """Read `parameters.csv`: single numbers of the paper.
 
     Returns by quantity: value and uncertainty (NaN if none is printed), both in `unit`; evidence;
@@ -21,7 +21,7 @@ def constants(path: str | Path) -> pd.DataFrame:
     return pd.read_csv(path, index_col="quantity")
 
 
-def measured_statistics(path: str | Path) -> pd.DataFrame:
+def read_measured_statistics(path: str | Path) -> pd.DataFrame:
     """Read `pull_off.csv`: statistics of the measured pull-off forces.
 
     Returns by surface: mean_force and median_force in N, effective_work_of_adhesion in J/m²; NaN if
@@ -30,16 +30,13 @@ def measured_statistics(path: str | Path) -> pd.DataFrame:
     return pd.read_csv(path).pivot(index="surface", columns="quantity", values="value")
 
 
-def printed_statistics(path: str | Path) -> pd.DataFrame:
-    """Read the table of `measured_statistics` as text with the printed digits.
-
-    Returns as from `measured_statistics`, as text.
-    """
+def read_printed_statistics(path: str | Path) -> pd.DataFrame:
+    """Read `pull_off.csv` like `read_measured_statistics`, but keep the printed digits as text."""
     rows = pd.read_csv(path, dtype=str)
     return rows.pivot(index="surface", columns="quantity", values="value")
 
 
-def table1(path: str | Path) -> pd.DataFrame:
+def read_table1(path: str | Path) -> pd.DataFrame:
     """Read `table1.csv`: the roughness metrics of Table 1, one row per number.
 
     Returns columns surface; quantity; value and uncertainty, both in `unit`; evidence; source.

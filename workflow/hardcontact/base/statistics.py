@@ -107,8 +107,8 @@ def student_interval(values: xr.DataArray, confidence: float, dim: str) -> xr.Da
 def student_log_interval(values: xr.DataArray, confidence: float, dim: str) -> xr.DataArray:
     """Return the interval of a mean of positive values, by Student's t on their logarithms.
 
-    Its logarithm is centred on the logarithm of the mean and has the half width of the interval of
-    the mean logarithm. Arguments and result are as for `student_interval`.
+    In logarithms it is centred on ln(mean) and as wide as Student's interval of the mean logarithm.
+    Arguments and result are as for `student_interval`.
     """
     logarithms: xr.DataArray = xr.apply_ufunc(np.log, values)
     about_zero = student_interval(logarithms, confidence, dim) - logarithms.mean(dim)
@@ -170,8 +170,8 @@ def lognormal_shape(mean: ArrayLike, median: ArrayLike) -> np.ndarray:
     return np.asarray(np.sqrt(2 * np.log(np.asarray(mean) / np.asarray(median))))
 
 
-def lognormal_fit(forces: np.ndarray, floor: float) -> tuple[float, float, float]:
-    """Fit the log-normal of greatest likelihood to forces (n,), left-censored below a floor, in N.
+def fit_lognormal(forces: np.ndarray, floor: float) -> tuple[float, float, float]:
+    """Fit the maximum-likelihood log-normal to forces (n,), left-censored below a floor, in N.
 
     Returns its shape, its median in N and the censored share of forces; the first two are NaN if
     all forces are below the floor.
@@ -190,7 +190,7 @@ def lognormal_fit(forces: np.ndarray, floor: float) -> tuple[float, float, float
 
 
 def _censored_normal_fit(limit: float, censored: float) -> tuple[float, float]:
-    """Return mean and deviation of the normal distribution of greatest likelihood.
+    """Return mean and deviation of the maximum-likelihood normal distribution.
 
     Values above `limit` have the mean 0 and the deviation 1; a share `censored` of all is below.
     Only these numbers enter the likelihood.

@@ -34,7 +34,7 @@ def traced_records(folder: str | Path) -> dict[str, Record]:
     return records
 
 
-def check(folder: str | Path) -> tuple[list[str], list[str]]:
+def verify_study(folder: str | Path) -> tuple[list[str], list[str]]:
     """Compare every file that led to ``results/<study>`` with its record.
 
     Returns a line for each file that is missing, has no record or does not match, and further lines

@@ -35,7 +35,7 @@ from hardcontact.config.configuration import read_yaml, set_keys
 from hardcontact.config.faults import raise_faults, run_checks, validate
 from hardcontact.config.force_table import measured_forces
 from hardcontact.config.key_tables import commented_yaml
-from hardcontact.config.limits import check_grids
+from hardcontact.config.limits import refuse_unfit_grids
 from hardcontact.config.model import CONTACT_QUANTITIES, NONE, SMOOTH_SPHERE, numeric_configuration
 from hardcontact.config.selected_surfaces import CONTACT, SurfaceRow
 from hardcontact.contact.contact import Contact
@@ -138,7 +138,7 @@ def _propose_study(
     for values in (full_effort_values, full_effort_values | values_by_key(proposal.quick)):
         # `name_faults` checks the names of study and store.
         other_keys = {key: value for key, value in values.items() if key not in ("study", "store")}
-        check_grids(
+        refuse_unfit_grids(
             numeric_configuration(set_keys(read_yaml("config/config.yaml"), other_keys)), grids
         )
     refuse_unreliable(entries)

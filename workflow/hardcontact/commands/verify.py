@@ -8,7 +8,7 @@ from pathlib import Path
 
 from hardcontact.base.code import ROOT
 from hardcontact.base.origin import canonical_json, read_record
-from hardcontact.base.verification import check
+from hardcontact.base.verification import verify_study
 from hardcontact.commands.parser import CommandLine
 from hardcontact.config.configuration import apply_effort, key_values, merge, read_yaml
 from hardcontact.config.faults import shorten
@@ -35,7 +35,7 @@ def verify(arguments: Namespace) -> tuple[str, int]:
     # Records name files from the folder that has `results`.
     os.chdir(folder.parents[1])
     results = folder.relative_to(folder.parents[1])
-    faults, summary = check(results)
+    faults, summary = verify_study(results)
     lines = [*faults, *_other_keys(results), *summary]
     return "\n".join(lines), 1 if faults else 0
 

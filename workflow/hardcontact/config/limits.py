@@ -66,7 +66,7 @@ def study_contacts(config: dict[str, Any]) -> dict[str, NamedContact]:
     }
 
 
-def check_grids(config: dict[str, Any], grids: Mapping[str, Grid]) -> None:
+def refuse_unfit_grids(config: dict[str, Any], grids: Mapping[str, Grid]) -> None:
     """Refuse values that the pixels of scans do not permit; `grids` maps each surface to its grid.
 
     Quantities in `config` are numbers in the units of the study. Raises ValueError with a line for

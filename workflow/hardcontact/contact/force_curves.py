@@ -8,8 +8,8 @@ import xarray as xr
 
 from hardcontact.base.statistics import (
     Sampling,
+    fit_lognormal,
     jackknife_interval,
-    lognormal_fit,
     student_interval,
     student_log_interval,
     student_log_samples,
@@ -161,5 +161,5 @@ def _jackknife_statistics(forces: np.ndarray, floor: float) -> np.ndarray:
     """Return the JACKKNIFE_STATISTICS (3,) of all forces (N) together; NaN without forces."""
     if not forces.size:
         return np.full(len(JACKKNIFE_STATISTICS), np.nan)
-    shape, median, _ = lognormal_fit(forces.ravel(), floor)
+    shape, median, _ = fit_lognormal(forces.ravel(), floor)
     return np.array([np.median(forces), shape, median])

@@ -60,7 +60,7 @@ class Pair(NamedTuple):
 class PublishedForces(NamedTuple):
     """Published forces, with the range and the work of adhesion that the paper inferred."""
 
-    forces: pd.DataFrame  #: From `published.measured_statistics`.
+    forces: pd.DataFrame  #: From `published.read_measured_statistics`.
     pair: Pair  #: Published range and work of adhesion.
 
 

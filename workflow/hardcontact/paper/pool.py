@@ -51,8 +51,8 @@ def read_pool_inputs(paths: Any, parameters: Mapping[str, Any]) -> PoolInputs:
     """
     spectrum = dataset.read(paths.spectrum)
     surface = parameters["surface"]
-    rows = rows_of_surface(published.table1(paths.published_table1), surface)
-    constants = published.constants(paths.published_constants)
+    rows = rows_of_surface(published.read_table1(paths.published_table1), surface)
+    constants = published.read_constants(paths.published_constants)
     grid = ScanGrid(**parameters["scan"])
     targets = scan_targets(spectrum, rows, constants, grid)
     if targets is None:

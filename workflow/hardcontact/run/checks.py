@@ -14,7 +14,7 @@ from hardcontact.config.configuration import get_key, reading_keys
 from hardcontact.config.faults import key_fault, raise_faults, run_checks
 from hardcontact.config.force_table import measured_forces
 from hardcontact.config.grids import PIXEL_SIZES, Grid, same_grid
-from hardcontact.config.limits import check_grids
+from hardcontact.config.limits import refuse_unfit_grids
 from hardcontact.config.model import NONE, PAPER, SMOOTH_SPHERE
 from hardcontact.config.selected_surfaces import CONTACT
 from hardcontact.config.tables import refuse_description, refuse_paper_surface
@@ -43,7 +43,7 @@ def check_study(config: dict[str, Any], table: pd.DataFrame, compared: Collectio
     """
     contacts = table[table.use == CONTACT]
     substitutes = table[table.source == "substitute"].drop_duplicates("surface")
-    table1 = published.table1(published.PUBLISHED_TABLES["published_table1"])
+    table1 = published.read_table1(published.PUBLISHED_TABLES["published_table1"])
     rows_of_table1 = {str(name): set(rows.quantity) for name, rows in table1.groupby("surface")}
     checks: list[Callable[[], object]] = [
         partial(refuse_description, path, rows_of_table1.get(surface, set()))
@@ -63,7 +63,7 @@ def check_study(config: dict[str, Any], table: pd.DataFrame, compared: Collectio
     run_checks([partial(raise_faults, faults), *checks])
     rows_of = {str(name): rows for name, rows in contacts.groupby("surface", sort=False)}
     grids = run_checks(partial(surface_grid, config, *item) for item in rows_of.items())
-    check_grids(config, dict(zip(rows_of, grids, strict=True)))
+    refuse_unfit_grids(config, dict(zip(rows_of, grids, strict=True)))
 
 
 def _name_faults(config: dict[str, Any], key: str, surfaces: list[str]) -> list[str]:

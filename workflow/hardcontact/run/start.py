@@ -56,7 +56,7 @@ def prepare(workflow: Any) -> None:
     # The jobs inherit them; those that a user has set stay.
     os.environ.setdefault("MALLOC_MMAP_THRESHOLD_", str(REUSED_MEMORY))
     os.environ.setdefault("MALLOC_TRIM_THRESHOLD_", str(REUSED_MEMORY))
-    check_folders(".snakemake")  # Snakemake's own attempt ends in a traceback.
+    refuse_unwritable_folders(".snakemake")  # Snakemake's own attempt ends in a traceback.
     if _plans_the_run(workflow):
         _refuse_touch()
         end_at_interrupt(workflow)
@@ -191,7 +191,7 @@ def checked_selection(workflow: Any, configuration: dict[str, Any]) -> Selection
             # Imported here, as the libraries that read scans would cost every job almost a second.
             from hardcontact.run.checks import check_study
 
-            compared = published.measured_statistics(
+            compared = published.read_measured_statistics(
                 published.PUBLISHED_TABLES["published_pull_off"]
             ).index
             check_study(configuration, rows, compared)
@@ -214,7 +214,7 @@ def keep_logs(workflow: Any, patterns: Patterns) -> None:
             rule.benchmark = patterns.run_record("benchmarks", ".tsv", rule.name, output)
 
 
-def check_folders(*folders: str) -> None:
+def refuse_unwritable_folders(*folders: str) -> None:
     """Refuse folders that cannot be written to."""
     for folder in folders:
         try:

@@ -107,8 +107,8 @@ def read_featured_surface(inputs: Any, parameters: Mapping[str, Any]) -> Feature
     return featured_surface(
         parameters["surface"],
         dataset.read(inputs.spectrum),
-        published.table1(inputs.published_table1),
-        published.constants(inputs.published_constants),
+        published.read_table1(inputs.published_table1),
+        published.read_constants(inputs.published_constants),
         ScanGrid(**parameters["scan"]),
         parameters["seed"],
     )
@@ -124,8 +124,8 @@ def whole_surfaces(inputs: Any, parameters: Mapping[str, Any]) -> Callable[[int]
         source = read_featured_surface(inputs, parameters)
         return partial(source.whole_surface, **parameters["grid"])
     surface, seed = parameters["surface"], parameters["seed"]
-    table1 = published.table1(inputs.published_table1)
-    constants = published.constants(inputs.published_constants)
+    table1 = published.read_table1(inputs.published_table1)
+    constants = published.read_constants(inputs.published_constants)
 
     def make_surface(realization: int) -> HeightMap:
         """Return a whole surface with a spectrum of its own."""

@@ -90,7 +90,7 @@ def interpolate(surface: HeightMap, pixels: int) -> HeightMap:
     from scipy import fft
 
     coarse = surface.pixels
-    _check_finer(coarse, pixels)
+    _refuse_coarser(coarse, pixels)
     transform = fft.rfft2(surface.heights.astype(float))
     padded = np.zeros((pixels, transform.shape[1]), complex)
     half = coarse // 2
@@ -107,7 +107,7 @@ def interpolate(surface: HeightMap, pixels: int) -> HeightMap:
     return replace(surface, heights=fine, pixel_size=surface.size / pixels)
 
 
-def _check_finer(coarse: int, pixels: int) -> None:
+def _refuse_coarser(coarse: int, pixels: int) -> None:
     if pixels < coarse:
         raise ValueError(f"expected at least {coarse} pixels to interpolate to, found {pixels}")
 
@@ -137,11 +137,11 @@ def filtered_series(
     highest = max((int(limit) for limit in limits if limit is not None), default=None)
     unfiltered = master
     if side == "long" or None in cutoffs:
-        _check_finer(master.pixels, pixels)
+        _refuse_coarser(master.pixels, pixels)
         if master.pixels != pixels:
             unfiltered = interpolate(master, pixels)
     elif highest is not None:
-        _check_finer(2 * highest + 2, pixels)
+        _refuse_coarser(2 * highest + 2, pixels)
     unfiltered = replace(unfiltered, pixel_size=size / pixels)
     if highest is not None:
         transform = _lowest_orders(master, highest)

@@ -24,9 +24,9 @@ from hardcontact.surfaces.refused_file import RefusedFile
 from hardcontact.surfaces.scan_heights import (
     MAX_ASPECT_DEVIATION,
     TAKE_CARE,
-    check_points,
     map_values,
     profile_values,
+    refuse_point_counts,
     stated_tip_radius,
     unit_in_nm,
 )
@@ -263,7 +263,7 @@ def _read_topography(channel: Any, metadata: dict[str, Any]) -> tuple[Any, list[
             f"matrix of more columns, found {channel.nb_grid_pts[0]} columns on no such grid: "
             "interpolate the points on a grid, for example with Gwyddion"
         )
-    check_points(channel.nb_grid_pts)
+    refuse_point_counts(channel.nb_grid_pts)
     has_positions = channel.dim == 1 and channel.is_uniform is False
     size = None if has_positions else tuple(metadata.get("size") or ()) or None
     scale = metadata.get("height_scale")

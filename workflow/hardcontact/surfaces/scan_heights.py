@@ -46,7 +46,7 @@ def split_notes(notes: Sequence[str]) -> tuple[list[str], list[str]]:
     return plain_notes, cautions
 
 
-def check_points(counts: tuple[int, ...]) -> None:
+def refuse_point_counts(counts: tuple[int, ...]) -> None:
     """Refuse a map (x, y) or a line scan (n,) of too few or too many points."""
     is_map = len(counts) == 2
     minimum, maximum = PIXEL_BOUNDS if is_map else POINT_BOUNDS
@@ -157,7 +157,7 @@ def _square_pixels(
         squares = np.arange(int(values.shape[axis] * edge / longer * (1 + 1e-9))) * longer
         lines = [np.interp(squares, positions, line) for line in np.moveaxis(values, axis, -1)]
         values = np.moveaxis(np.array(lines), -1, axis)
-    check_points(values.shape)
+    refuse_point_counts(values.shape)
     notes = [f"resampled from pixels of {edges[0]:.4g} nm x {edges[1]:.4g} nm to {longer:.4g} nm"]
     width, height = edges * heights.shape
     if abs(width / height - 1) <= MAX_ASPECT_DEVIATION:
@@ -222,7 +222,7 @@ def _uniform_grid(positions: Floats) -> tuple[Floats, list[str]]:
         return positions, []
     spacing = float(np.median(spacings))
     count = int((positions[-1] - positions[0]) / spacing + 1 + 1e-9)
-    check_points((count,))
+    refuse_point_counts((count,))
     note = (
         f"resampled from spacings of {spacings.min():.4g} to {spacings.max():.4g} nm "
         f"to their median of {spacing:.4g} nm"

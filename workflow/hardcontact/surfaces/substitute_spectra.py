@@ -97,8 +97,8 @@ def expected_scan_rms(spectrum: SpectrumFunction, weights: Weights) -> Floats:
 def rows_of_surface(table1: pd.DataFrame, surface: str) -> pd.DataFrame:
     """Return value and uncertainty of a surface in Table 1, by quantity; empty if it is not there.
 
-    The table is that of `published.table1`. Its slopes are read as rms gradients, its curvatures as
-    half rms Laplacians.
+    The table comes from `published.read_table1`. Its slopes are read as rms gradients, its
+    curvatures as half rms Laplacians.
     """
     return table1[table1["surface"] == surface].set_index("quantity")
 

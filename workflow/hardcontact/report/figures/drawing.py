@@ -29,8 +29,8 @@ SVG_RESOLUTION = 100  # dots per inch of the images inside the SVG
 MAX_VECTOR_POINTS = 1000  # of a curve or of symbols in the SVG; more become an image
 SVG_FONTS = b"'DejaVu Sans', Verdana, sans-serif"  # of equal widths
 READERS = {
-    "published_constants": published.constants,
-    "published_pull_off": published.measured_statistics,
+    "published_constants": published.read_constants,
+    "published_pull_off": published.read_measured_statistics,
 }
 
 
