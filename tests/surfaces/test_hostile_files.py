@@ -10,6 +10,7 @@ import struct
 import sys
 import time
 import zipfile
+from importlib import import_module
 from importlib.util import resolve_name
 from pathlib import Path
 
@@ -289,6 +290,7 @@ def imported_late(path):
 
 
 def test_late_imports_of_readers_are_loaded_before():
+    import_module("hardcontact.surfaces.scan_formats")
     folder = Path(SurfaceTopography.__file__).parent / "IO"
     late = {name for path in folder.glob("*.py") for name in imported_late(path)}
     assert "tifffile" in late
