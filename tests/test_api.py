@@ -34,7 +34,7 @@ DOCS = ROOT / "resources/docs"
 FUNCTIONS = [name for name in hc.API if inspect.isfunction(getattr(hc, name))]
 PIXEL = 10.0
 LOAD = {"preload": 10e-6, "hardness": 25e9}
-ARRAY = {"window": 1600.0, "contacts_per_side": 3}
+ARRAY = {"window": 1600.0, "contacts_per_row": 3}
 SPHERE = {"radius": 50e3}
 
 
@@ -209,7 +209,7 @@ WRONG = [
     ({"ranges": []}, ["ranges: expected a positive number"]),
     ({"ranges": 5.6}, ["ranges: expected several numbers, found 5.6"]),
     ({"ranges": ["5.6 nm"]}, ["ranges: expected a positive number, found '5.6 nm'"]),
-    ({"contacts_per_side": 3.5}, ["contacts_per_side: expected a whole number, found 3.5"]),
+    ({"contacts_per_row": 3.5}, ["contacts_per_row: expected a whole number, found 3.5"]),
     ({"scan": np.zeros((64, 64))}, ["scan: expected a scan of hc.read_scan", "found ndarray"]),
     ({"sphere": "sphere.nc"}, ["sphere: expected a scan of hc.read_scan", "found str"]),
     ({"ranges": [1e-4]}, ["ranges: expected at least", "found 0.0001 nm"]),
@@ -220,8 +220,8 @@ WRONG = [
         ["scan: expected a pixel_size of 0.05 to 10000 nm, found 3e+07 nm: is the unit right?"],
     ),
     (
-        {"contacts_per_side": 999},
-        ["contacts_per_side: expected at most the 256 pixels", "found 999"],
+        {"contacts_per_row": 999},
+        ["contacts_per_row: expected at most the 256 pixels", "found 999"],
     ),
     (
         {"scan": hc.HeightMap(np.zeros((16, 32)), PIXEL, False, "measured")},

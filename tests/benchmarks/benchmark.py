@@ -39,7 +39,7 @@ from hardcontact.surfaces.synthesis import cut_scan, random_surface
 RADIUS, RHO = 250e3, 5.6
 CONTACTS = 20
 CONTACT = Contact(
-    radius=RADIUS, preload=10e-6, hardness=25e9, window=12500.0, contacts_per_side=CONTACTS
+    radius=RADIUS, preload=10e-6, hardness=25e9, window=12500.0, contacts_per_row=CONTACTS
 )
 MODULUS, WORK = 289.7e9, 46.3e-3
 RHOS = [0.5, 1, 2, 3, 4, 5, 5.6, 6, 7, 8, 9, 10]

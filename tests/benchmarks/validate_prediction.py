@@ -141,7 +141,7 @@ def compute_row(row: dict[str, Any]) -> dict[str, Any]:
         preload=row["area"] * HARDNESS * 1e-18,
         hardness=HARDNESS,
         window=max(wide, 32 * size / pixels),
-        contacts_per_side=CONTACTS,
+        contacts_per_row=CONTACTS,
         rho=row["rho"],
     )
     curves: dict[str, list[Any]] = {side: [] for side in SIDES}

@@ -2,7 +2,7 @@
 
     nice python tests/benchmarks/validate_random_surfaces.py [--seed 0] [--surfaces 40]
 
-Each row is a scan of 128, 192 or 256 pixels along a side of a surface with pixels four times finer,
+Each row is a scan of 128, 192 or 256 pixels per row of a surface with pixels four times finer,
 see tests/helpers/random_surfaces.py. Forces and their intervals are relative to the mean force on
 the finer pixels at the same contacts. A scan without reliable wavelengths is refused. The last line
 counts the intervals without 1.

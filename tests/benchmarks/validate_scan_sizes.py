@@ -63,7 +63,7 @@ class WindowFilters:
     cutoffs: list[float]  #: Ascending; wavelengths above are removed.
     seed: int
     #: At one range of adhesion, with the contacts on whole surfaces. Mirrored windows hold few
-    #: peaks, so that half as many contacts along a side suffice there.
+    #: peaks, so that half as many contacts per row suffice there.
     windows: Windows
 
 
@@ -80,7 +80,7 @@ FILTERS = WindowFilters(
         per_size=3,
         ranges=[RANGE],
         contact=Contact(
-            radius=250e3, preload=10e-6, hardness=25e9, window=12.5e3, contacts_per_side=10
+            radius=250e3, preload=10e-6, hardness=25e9, window=12.5e3, contacts_per_row=10
         ),
     ),
 )  # fmt: skip
@@ -173,7 +173,7 @@ def _realization_forces(
     """Return the mean `filtered_forces` of windows of every size, then those of whole surfaces."""
     windows, cutoffs, pixel_size = filters.windows, filters.cutoffs, filters.pixel_size
     half_as_many = replace(
-        windows.contact, contacts_per_side=-(-windows.contact.contacts_per_side // 2)
+        windows.contact, contacts_per_row=-(-windows.contact.contacts_per_row // 2)
     )
     fewer_contacts = replace(windows, contact=half_as_many)
     surfaces = []

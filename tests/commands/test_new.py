@@ -288,7 +288,7 @@ def test_an_interruption_ends_in_one_line(run, monkeypatch):
 def test_an_overlay_is_read_back_as_it_was_written():
     choices = [
         Choice("study", "1e3", "a name that YAML takes for a number"),
-        Choice("contact.contacts_per_side", 20, "in each direction, " * 20),
+        Choice("contact.contacts_per_row", 20, "in each direction, " * 20),
         Choice("scales.short.cutoffs", [f"{length} nm" for length in range(5, 60)], "many"),
         Choice("scales.range", "5.6 nm", "the paper's"),
     ]

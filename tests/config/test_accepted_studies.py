@@ -56,7 +56,7 @@ def tiny(draw):
         "scan": {"pixels": pixels, "size": f"{pixels * pixel:.9g} nm"},
         "sphere": {"radius": f"{max(pixels * pixel, pick(10, 1e4, 2.5e5, 1e9)):.9g} nm"},
         "contact": {
-            "contacts_per_side": count,
+            "contacts_per_row": count,
             "window": f"{period * pick(0.5, 0.99, 1, 2.3):.9g} nm",
             "preload": load,
             "hardness": f"{hardness} GPa",
@@ -81,7 +81,7 @@ def tiny(draw):
         "indent": {"preloads": [f"{4 * contact_pixel_count * hardness * pixel**2:.6g} nN"]},
         "asperities": {"contacts": 1, "ranges": ["0.1 nm", "9 nm"]},
         "sets": {
-            "contacts_per_side": pick(1, 2),
+            "contacts_per_row": pick(1, 2),
             "short": {"pixels": small, "cutoffs": cutoffs["short"]},
             "long": {"pixels": large, "cutoffs": cutoffs["long"]},
         },
@@ -138,7 +138,7 @@ def check_pair(config, rng, substrate, sphere):
             depth, *_ = indent_sizes(lowest, pixel_size)
             assert 0 < depth < np.inf
     carried = config["asperities"]
-    places = sample_contacts(rng, contact.contacts_per_side, carried["contacts"])
+    places = sample_contacts(rng, contact.contacts_per_row, carried["contacts"])
     for share in (0.001, 0.5, 0.999):
         carriers = asperities_of_pair(pair, contact, places, share, carried["ranges"])
         assert all(np.isfinite(values).all() for values in carriers.data_vars.values())
@@ -154,7 +154,7 @@ def check_masters(config, rng, stitched, sphere, section, side):
     contact = Contact(
         radius=config["sphere"]["radius"],
         rho=config["scales"]["range"],
-        **config["contact"] | {"contacts_per_side": config[count_section]["contacts_per_side"]},
+        **config["contact"] | {"contacts_per_row": config[count_section]["contacts_per_row"]},
     )
     probe = sphere if config["scales"]["sphere_roughness"] else None
     assert_forces(filtered_pull_off(master, filters, [contact], probe))

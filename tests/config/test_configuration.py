@@ -35,17 +35,17 @@ from hardcontact.config.model import Study
         ("scales.short.cutoffs", [], ["scales.short.cutoffs:", "at least 1 item,"]),
         ("scans", "some", ["scans:", "expected a list", "'some'"]),
         (
-            "contact.contacts_per_side",
+            "contact.contacts_per_row",
             0,
-            ["contact.contacts_per_side:", "greater than or equal to 1,", "found 0"],
+            ["contact.contacts_per_row:", "greater than or equal to 1,", "found 0"],
         ),
         (
-            "contact.contacts_per_side",
+            "contact.contacts_per_row",
             20.0,
-            ["contact.contacts_per_side:", "a whole number", "found 20.0"],
+            ["contact.contacts_per_row:", "a whole number", "found 20.0"],
         ),
         (
-            "contact.contacts_per_side",
+            "contact.contacts_per_row",
             datetime.date(2026, 1, 2),
             ["a whole number", "found 2026-01-02"],
         ),
@@ -84,10 +84,10 @@ def test_only_a_similar_key_is_suggested():
         (b"a: 1\nb:\n\t- 1", "line 3"),
         (b"a: 1\n---\nb: 2", "line 2"),
         (
-            b"scan: {size: 1 nm}\ncontact: {contacts_per_side: 1}\nscan: {pixels: 2}",
+            b"scan: {size: 1 nm}\ncontact: {contacts_per_row: 1}\nscan: {pixels: 2}",
             "key scan again",
         ),
-        (b"contact:\n  contacts_per_side: 1\n  contacts_per_side: 2", "line 3"),
+        (b"contact:\n  contacts_per_row: 1\n  contacts_per_row: 2", "line 3"),
         (b"a: 2026-13-45", "month"),
         (b"a: " + b"9" * 5000, "4300 digits"),
         (b"a: " + b"[" * 50_000, "maximum recursion depth"),
@@ -121,7 +121,7 @@ def test_a_missing_configuration_is_named(tmp_path):
 @pytest.mark.parametrize(
     "text",
     [
-        "contact: {contacts_per_side: 1}\nsets: {contacts_per_side: 1}",
+        "contact: {contacts_per_row: 1}\nsets: {contacts_per_row: 1}",
         "scan: &a {size: 1 nm, again: *a}\ncontact: *a",  # an alias that holds itself
     ],
 )

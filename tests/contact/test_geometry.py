@@ -9,7 +9,7 @@ from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import gap_map
 from hardcontact.contact.pull_off import forces_at_loads
 
-CONTACT = Contact(radius=RADIUS, preload=1e-5, hardness=25e9, window=3000.0, contacts_per_side=4)
+CONTACT = Contact(radius=RADIUS, preload=1e-5, hardness=25e9, window=3000.0, contacts_per_row=4)
 
 
 def heights(pixels):
@@ -83,7 +83,7 @@ def test_a_sphere_without_roughness_is_its_paraboloid():
 def test_heights_of_any_kind_have_their_force(kind):
     """Programs and classic netCDF files bring heights in other kinds and orders of bytes."""
     whole_numbers = np.round(periodic_noise(96, 20.0, 5))  # Every kind holds them.
-    contact = Contact(radius=250e3, preload=1e-6, hardness=25e9, window=4800.0, contacts_per_side=3)
+    contact = Contact(radius=250e3, preload=1e-6, hardness=25e9, window=4800.0, contacts_per_row=3)
 
     def forces(values):
         surface = height_map(values, 50.0)

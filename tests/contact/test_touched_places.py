@@ -18,7 +18,7 @@ CONTACT = Contact(
     preload=10e-6,
     hardness=25e9,
     window=12500.0,
-    contacts_per_side=8,
+    contacts_per_row=8,
     rho=5.6,
     work=0.05,
 )
@@ -59,7 +59,7 @@ def test_neighbouring_pixels_of_one_cap_are_one_place():
     """The point of contact moves over a cap of 20 µm by 8 % as far as the apex of the sphere."""
     distance = (X - 2560) ** 2 + (Y - 2560) ** 2
     cap = np.maximum(150.0 - distance / 40e3, 0)
-    one_pixel = replace(CONTACT, preload=1e-9, contacts_per_side=32)
+    one_pixel = replace(CONTACT, preload=1e-9, contacts_per_row=32)
     assert places(cap, one_pixel) == 1
 
 

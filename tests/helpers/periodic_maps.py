@@ -12,7 +12,7 @@ CONTACT = Contact(
     preload=10e-6,
     hardness=25e9,
     window=4000.0,
-    contacts_per_side=3,
+    contacts_per_row=3,
     rho=5.6,
     work=46.3e-3,
 )

@@ -35,7 +35,7 @@ class Case(NamedTuple):
 
 
 def random_case(family, seed, pixels):
-    """Return a case; the scan has a number of pixels along a side."""
+    """Return a case; the scan has a number of pixels per row."""
     rng = generator(seed, family)
     fine_pixel = _between(rng, 8, 40) / WIDE_PIXEL
     rolloff = pixels * _between(rng, 1 / 20, 1 / 2)

@@ -12,7 +12,7 @@ from hardcontact.surfaces.height_map import level
 from hardcontact.surfaces.synthesis import ScanGrid, cut_scan, random_surface
 
 GRID = ScanGrid(pixels=64, size=640.0, surface_pixels=128)
-CONTACT = Contact(radius=250e3, preload=10e-6, hardness=25e9, window=1600.0, contacts_per_side=2)
+CONTACT = Contact(radius=250e3, preload=10e-6, hardness=25e9, window=1600.0, contacts_per_row=2)
 TARGETS = Targets({"rms_height": 10.0}, 4.0, ())
 HEIGHTS = pool_heights(TARGETS, 5, 7)
 POOL_INPUTS = PoolInputs("uncd", uncd, TARGETS, HEIGHTS, GRID, CONTACT, [0.05, 1.0, 5.6], seed=7)

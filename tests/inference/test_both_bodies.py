@@ -18,7 +18,7 @@ from hardcontact.surfaces.joined_spectrum import joined_spectrum
 
 PIXELS, PIXEL_SIZE = 128, 10.0
 CONTACT = Contact(
-    radius=5e3, preload=2e-6, hardness=5e9, window=600.0, contacts_per_side=4, rho=2.0, work=1.0
+    radius=5e3, preload=2e-6, hardness=5e9, window=600.0, contacts_per_row=4, rho=2.0, work=1.0
 )
 
 

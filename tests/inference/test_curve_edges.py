@@ -135,7 +135,7 @@ def test_pillars_have_no_short_edge_and_a_gaussian_surface_has_one():
     statuses = [
         hc.force_ratios(
             hc.HeightMap(heights, 5.0), {"short": [20, 40, 80]}, radius=5e3, preload=1e-6,
-            hardness=25e9, rho=5.6, window=640, contacts_per_side=4,
+            hardness=25e9, rho=5.6, window=640, contacts_per_row=4,
         ).edge_status.item()
         for heights in (random.heights, pillars)
     ]  # fmt: skip

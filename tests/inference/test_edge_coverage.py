@@ -25,7 +25,7 @@ from hardcontact.surfaces.synthesis import (
 
 SIZE = 2500.0
 CONTACT = Contact(
-    radius=30e3, preload=2e-6, hardness=25e9, window=2500.0, contacts_per_side=4, rho=5.6
+    radius=30e3, preload=2e-6, hardness=25e9, window=2500.0, contacts_per_row=4, rho=5.6
 )
 
 
@@ -97,7 +97,7 @@ def test_the_interval_from_one_scan_contains_the_edge_of_the_mean(filters):
 PIXELS, TILES, REALIZATIONS = 64, 4, 4
 PIXEL_SIZE = SIZE / PIXELS
 LONG = Filters("long", 2 * TILES * PIXELS, np.geomspace(300, 14_000, 12).tolist())
-WIDE = replace(CONTACT, window=5000.0, contacts_per_side=8)
+WIDE = replace(CONTACT, window=5000.0, contacts_per_row=8)
 #: Roll-off wavelengths, a third and three times the size of a scan, with the plateau in nm⁴ and the
 #: edge in nm of the mean over 60 surfaces of the true spectrum, as large as a master.
 SURFACES = [(SIZE / 3, 1.2e6, 869.0), (3 * SIZE, 6e8, 1052.0)]

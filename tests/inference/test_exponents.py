@@ -15,7 +15,7 @@ from hardcontact.inference.exponents import edge_exponents, force_exponent
 from hardcontact.inference.filtered_masters import Filters, filtered_pull_off
 
 CONTACTS = [
-    Contact(radius=500.0, preload=preload, hardness=25e9, window=640.0, contacts_per_side=3)
+    Contact(radius=500.0, preload=preload, hardness=25e9, window=640.0, contacts_per_row=3)
     for preload in (2.5e-6, 20e-6)
 ]
 FILTERS, COMBINATIONS = Filters("short", 64, [40.0, 80.0]), ([500.0, 2000.0], [2.0, 5.0])

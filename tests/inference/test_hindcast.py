@@ -18,7 +18,7 @@ from hardcontact.surfaces.synthesis import random_surface
 
 PIXELS = 128
 CONTACT = Contact(
-    radius=5e3, rho=5.6, hardness=25e9, preload=1e-6, window=600.0, contacts_per_side=6
+    radius=5e3, rho=5.6, hardness=25e9, preload=1e-6, window=600.0, contacts_per_row=6
 )
 SCAN = random_surface(generator(5), PIXELS, PIXEL, UNCD)
 OCTAVE = (8 * PIXEL, 16 * PIXEL)

@@ -44,7 +44,7 @@ def rough_map():
 
 def mean_force(surface):
     contact = Contact(
-        radius=50e3, preload=10e-6, hardness=25e9, window=2560.0, contacts_per_side=16, rho=5.0
+        radius=50e3, preload=10e-6, hardness=25e9, window=2560.0, contacts_per_row=16, rho=5.0
     )
     pair = join_bodies(surface, None, contact)
     return forces_at_loads(pair, [contact], [contact.rho])[0, 0].mean()

@@ -44,7 +44,7 @@ def log_force_sum(heights, window):
     forces = hc.pull_off_forces(
         hc.HeightMap(heights, PIXEL_SIZE), radius=CONTACT.radius, preload=CONTACT.preload,
         hardness=CONTACT.hardness, ranges=[CONTACT.rho], work=CONTACT.work, window=window,
-        contacts_per_side=scan_force.CONTACTS_PER_SIDE,
+        contacts_per_row=scan_force.CONTACTS_PER_ROW,
     )  # fmt: skip
     return np.log(forces.pull_off_force.sel(contact_model="plastic").mean().item())
 
@@ -77,7 +77,7 @@ def test_central_differences_converge(method, monkeypatch):
             monkeypatch.setattr(f"hardcontact.{module}.AMPLITUDE_FACTORS", (1 - step, 1 + step))
             monkeypatch.setattr(f"hardcontact.{module}.STEP", step)
         # With 20 contacts, a single pixel cancels the error of one of the steps.
-        monkeypatch.setattr("hardcontact.own.scan_force.CONTACTS_PER_SIDE", 12)
+        monkeypatch.setattr("hardcontact.own.scan_force.CONTACTS_PER_ROW", 12)
         if method == "scan":
             return derivatives_on_scan(band_limited_map(), OCTAVES[2:], CONTACT).sum()
         return derivatives_in_closed_form(rough(17, 1000, 0.8, 20), OCTAVES, CONTACT).sum()

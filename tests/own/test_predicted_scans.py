@@ -106,7 +106,7 @@ def test_heights_that_are_not_gaussian_are_a_caution_without_a_known_error(tmp_p
     heights = base + sign * 10 * np.maximum(second_map - 0.3, 0) ** 2
     contact = {"radius": 250e3, "preload": 10e-6, "hardness": 25e9}
     forces = hc.pull_off_forces(
-        hc.HeightMap(heights, 40.0), ranges=[5.6], work=0.0463, contacts_per_side=6, **contact
+        hc.HeightMap(heights, 40.0), ranges=[5.6], work=0.0463, contacts_per_row=6, **contact
     )
     summed = forces.pull_off_force.sel(contact_model="plastic").mean().item()
     path = scan_files.scan(tmp_path / "skewed.nc", heights.T, (5120.0, 5120.0))

@@ -30,7 +30,7 @@ CONTACT = contact_of_area(RADIUS, RANGE, WORK, AREA)
 @pytest.fixture(autouse=True, scope="module")
 def few_contacts():
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(scan_force, "CONTACTS_PER_SIDE", CONTACTS)
+        patch.setattr(scan_force, "CONTACTS_PER_ROW", CONTACTS)
         yield
 
 

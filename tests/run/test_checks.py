@@ -59,8 +59,8 @@ CONTRADICTING_VALUES = [
     (("quick", {"seed": 1}, "study", "my-quick"), "config key study", "the end -quick", "my-quick"),
     (("quick", {"seed": 1}, "store", "results/my-quick"), "config key store", "the end -quick"),
     (
-        ("scan.pixels", 64, "contact.contacts_per_side", 129),
-        "contact.contacts_per_side",
+        ("scan.pixels", 64, "contact.contacts_per_row", 129),
+        "contact.contacts_per_row",
         "128",
         "found 129",
     ),
@@ -70,7 +70,7 @@ CONTRADICTING_VALUES = [
     ),
     (("contact.window", "10 nm"), "contact.preload", "4 pixels", "at most 596 nN", "10 µN"),
     (
-        ("contact.contacts_per_side", 200, "contact.preload", "0.5 mN"),
+        ("contact.contacts_per_row", 200, "contact.preload", "0.5 mN"),
         *("contact.preload", "at most 160 µN", "found 500 µN"),
     ),
     (("scales.long.tiles", 8), "sets.long.pixels", "8192", "found 4096"),
@@ -202,7 +202,7 @@ def test_contacts_on_a_described_surface_lie_within_its_relief(name):
     table = rows(name)
     relief = surface_grid(CONFIG, name, table).relief
     density = Spectrum(WAVEVECTORS, spectrum_from_description(table.path[0], None, None)[0])
-    contact = Contact(radius=250e3, preload=1e-5, hardness=25e9, window=12.5e3, contacts_per_side=8)
+    contact = Contact(radius=250e3, preload=1e-5, hardness=25e9, window=12.5e3, contacts_per_row=8)
     for seed in range(2):
         surface = random_surface(np.random.default_rng(seed), 256, 20e3 / 256, density)
         lowest = all_contact_pixels(join_bodies(surface, None, contact), 1).values()

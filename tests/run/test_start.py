@@ -75,9 +75,9 @@ def test_the_grids_of_the_paper_are_refused_for_own_surfaces():
 
 
 def test_keys_of_the_quick_study_are_checked_in_a_full_run():
-    overlay = {"quick": {"contact": {"contacts_per_side": 0}}}
+    overlay = {"quick": {"contact": {"contacts_per_row": 0}}}
     line = refusal_line(start.checked_configuration, planned_workflow(), PAPER | overlay)
-    assert_says(line, "effort quick", "contact.contacts_per_side", "found 0")
+    assert_says(line, "effort quick", "contact.contacts_per_row", "found 0")
 
 
 def test_a_study_of_the_project_has_other_values_only_if_asked():
@@ -92,12 +92,12 @@ def test_a_study_of_the_project_has_other_values_only_if_asked():
 def test_a_quick_study_has_its_own_folders():
     own_configuration = PAPER | {"study": "own", "store": "results/own-store", "effort": "quick"}
     harder = {"study": "harder", "contact": PAPER["contact"] | {"hardness": "30 GPa"}}
-    quick = {"quick": {"contact": {"contacts_per_side": 6}}}
+    quick = {"quick": {"contact": {"contacts_per_row": 6}}}
     for overlays, study in (({}, "own-quick"), (harder, "harder-quick")):
         configured = apply_effort(own_configuration | quick | overlays)
         assert (configured["study"], configured["store"]) == (study, "results/own-store-quick")
         assert apply_effort(configured) == configured
-        assert configured["contact"]["contacts_per_side"] == 6
+        assert configured["contact"]["contacts_per_row"] == 6
 
 
 def test_values_of_the_command_line_are_read_as_in_a_file():

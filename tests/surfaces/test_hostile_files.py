@@ -152,7 +152,7 @@ HOSTILE = {
         lambda path: container(path, scan_list().encode(), "inner.zip"),
         "none of its readers takes",
     ),
-    "pixels": (hdf5(too_many_pixels, True), "16 to 8192 pixels along a side"),
+    "pixels": (hdf5(too_many_pixels, True), "16 to 8192 pixels per row"),
     "external storage": (hdf5(external_storage, False), "found"),
     "external link in a container": (hdf5(external_link, True), "found"),
     "virtual data": (hdf5(virtual, False), "found"),

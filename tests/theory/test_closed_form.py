@@ -92,7 +92,7 @@ def test_force_is_linear_in_work_and_area_of_contact_attracts():
 def test_the_closed_form_predicts_forces_on_random_surfaces(rms, rho, error):
     pixels, size, radius = 512, 10e3, 50e3
     spectrum = rough(rms, 800.0, 0.8, 80.0)
-    touching = Contact(radius=radius, preload=1e-5, hardness=25e9, window=size, contacts_per_side=8)
+    touching = Contact(radius=radius, preload=1e-5, hardness=25e9, window=size, contacts_per_row=8)
     forces = []
     for k in range(3):
         surface = random_surface(generator(7, k), pixels, size / pixels, spectrum)

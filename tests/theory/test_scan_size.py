@@ -26,7 +26,7 @@ from hardcontact.contact.contact import Contact
 from hardcontact.inference.edges_of_scans import edges_of_curves
 from hardcontact.surfaces.height_map import HeightMap, level, mirror_stitch
 
-CONTACT = Contact(radius=5e3, preload=10e-6, hardness=25e9, window=1280.0, contacts_per_side=2)
+CONTACT = Contact(radius=5e3, preload=10e-6, hardness=25e9, window=1280.0, contacts_per_row=2)
 WINDOWS = Windows([320.0, 640.0], 2, [2.0, 5.0], CONTACT)
 CUTOFFS = [90.0, 180.0, 400.0, 1000.0]
 
@@ -51,7 +51,7 @@ def test_a_window_that_holds_all_waves_has_ratios_and_force_of_the_whole_surface
     (window,) = mirrored_windows(surface, 320.0, 1)
     window_forces = filtered_forces(window, CUTOFFS, WINDOWS)
     surface_forces = filtered_forces(
-        surface, CUTOFFS, replace(WINDOWS, contact=replace(CONTACT, contacts_per_side=4))
+        surface, CUTOFFS, replace(WINDOWS, contact=replace(CONTACT, contacts_per_row=4))
     )
     np.testing.assert_allclose(window_forces[:-1], surface_forces[:-1], rtol=1e-5)
     assert np.isnan(window_forces[-1]) and surface_forces[-1] == pytest.approx(1, abs=1e-6)

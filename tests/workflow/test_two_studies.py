@@ -39,15 +39,15 @@ OTHER_WORDS = {
 #: The keys of filtered masters by their purpose; a section inherits from those around it.
 _OF_SCANS = (*STORE_KEYS["scans"], "contact.window")
 FILTERED = {
-    "scales": (*_OF_SCANS, "scales.short", "scales.long", "contact.contacts_per_side"),
+    "scales": (*_OF_SCANS, "scales.short", "scales.long", "contact.contacts_per_row"),
     "sets": (
         *_OF_SCANS, "scales.short", "scales.long", "sets.short", "sets.long",
-        "sets.contacts_per_side"
+        "sets.contacts_per_row"
     ),
-    "enhancement": (*_OF_SCANS, "scales.short", "sets.short", "sets.contacts_per_side"),
+    "enhancement": (*_OF_SCANS, "scales.short", "sets.short", "sets.contacts_per_row"),
     "exponents": (
         *_OF_SCANS, "scales.short", "scales.long", "sets.short", "sets.long",
-        "sets.contacts_per_side"
+        "sets.contacts_per_row"
     ),
 }  # fmt: skip
 #: Folders whose keys another one has, or of measured surfaces (test_own_reruns.py).

@@ -232,7 +232,7 @@ def pull_off_forces(
     ranges: Sequence[float],
     work: float,
     window: float = 12500.0,
-    contacts_per_side: int = 20,
+    contacts_per_row: int = 20,
     sphere: HeightMap | None = None,
 ) -> xr.Dataset:
     """Return the pull-off forces of a sphere at an array of contacts on a scan, Eq. 3 of the paper.
@@ -245,9 +245,9 @@ def pull_off_forces(
         Radius of the sphere in nm, load on a contact in N, hardness of the softer body in Pa.
     ranges, work : sequence of float, float
         Ranges of adhesion in nm; work of adhesion in J/m².
-    window, contacts_per_side : float, int
+    window, contacts_per_row : float, int
         Width in nm of the square around each contact over which the force is summed; number of
-        contacts along a side of the array.
+        contacts per row of the array.
     sphere : HeightMap or None
         Levelled roughness of the sphere where it touches; None for a smooth sphere.
 
@@ -264,7 +264,7 @@ def pull_off_forces(
     >>> scan = hc.read_scan("scan.nc")
     >>> forces = hc.pull_off_forces(
     ...     scan, radius=50e3, preload=10e-6, hardness=25e9, ranges=[5.6], work=0.05,
-    ...     window=2500, contacts_per_side=8,
+    ...     window=2500, contacts_per_row=8,
     ... )
     >>> mean = forces.pull_off_force.sel(contact_model="plastic").mean()  # N
     """
@@ -273,7 +273,7 @@ def pull_off_forces(
         preload=preload,
         hardness=hardness,
         window=window,
-        contacts_per_side=contacts_per_side,
+        contacts_per_row=contacts_per_row,
     )
     check_quantities(radius=radius, preload=preload, hardness=hardness, work=work)
     check_positive_numbers("ranges", ranges)
@@ -310,7 +310,7 @@ def force_ratios(
     rho: float,
     tolerance: float = 0.1,
     window: float = 12500.0,
-    contacts_per_side: int = 20,
+    contacts_per_row: int = 20,
     sphere: HeightMap | None = None,
 ) -> xr.Dataset:
     """Compute the relative force if roughness beyond cutoffs is removed from the scan itself.
@@ -327,7 +327,7 @@ def force_ratios(
         ``"short"``, longer wavelengths on the side ``"long"``. One side suffices.
     rho, tolerance : float
         Range of adhesion in nm; smallest relative change of the force that counts.
-    radius, preload, hardness, window, contacts_per_side, sphere : float, int, HeightMap or None
+    radius, preload, hardness, window, contacts_per_row, sphere : float, int, HeightMap or None
         As for `pull_off_forces`.
 
     Returns
@@ -344,7 +344,7 @@ def force_ratios(
     >>> scan = hc.read_scan("scan.nc")
     >>> ratios = hc.force_ratios(
     ...     scan, {"short": [40, 80, 160]}, radius=50e3, preload=10e-6, hardness=25e9, rho=5.6,
-    ...     window=2500, contacts_per_side=8,
+    ...     window=2500, contacts_per_row=8,
     ... )
     >>> short_edge = float(ratios.edge.sel(side="short"))  # nm
     """
@@ -353,7 +353,7 @@ def force_ratios(
         preload=preload,
         hardness=hardness,
         window=window,
-        contacts_per_side=contacts_per_side,
+        contacts_per_row=contacts_per_row,
         rho=rho,
     )
     check_quantities(radius=radius, preload=preload, hardness=hardness, rho=rho)

@@ -12,8 +12,8 @@ rule compute_pull_off:
     params:
         parameters=parameters(
             sphere_places=FILES.sphere_places,
-            places_per_side=FILES.places_per_side,
-            contact=CONTACT_AT_RANGE | {"contacts_per_side": FILES.place_contacts_per_side},
+            places_per_row=FILES.places_per_row,
+            contact=CONTACT_AT_RANGE | {"contacts_per_row": FILES.place_contacts_per_row},
             ranges=RANGES,
         ),
     script:

@@ -18,7 +18,7 @@ rule measure_indents:
             sphere_scans=SELECTION.scans(SPHERE),
             preloads=STUDY["indent"]["preloads"],
             contact={
-                key: STUDY["contact"][key] for key in ("hardness", "window", "contacts_per_side")
+                key: STUDY["contact"][key] for key in ("hardness", "window", "contacts_per_row")
             },
             radius=STUDY["sphere"]["radius"],
         ),

@@ -78,7 +78,7 @@ def chunk_parameters(wildcards):
         "last": int(wildcards.last),
         "scans": len(SELECTION.scans(wildcards.surface)),
         "scan": SCAN_GRID,
-        "contact": STUDY["contact"] | {"contacts_per_side": STUDY["sets"]["contacts_per_side"]},
+        "contact": STUDY["contact"] | {"contacts_per_row": STUDY["sets"]["contacts_per_row"]},
         "ranges": RANGES,
         "radius": STUDY["sphere"]["radius"],
         "seed": STUDY["seed"],

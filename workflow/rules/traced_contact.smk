@@ -5,7 +5,7 @@ TRACED = {
     **named(STUDY["reference_surface"]),
     "scan": SELECTION.scans(STUDY["reference_surface"])[0],
     "sphere_scan": SELECTION.scans(SPHERE)[0],
-    "contact_index": [STUDY["contact"]["contacts_per_side"] // 2] * 2,
+    "contact_index": [STUDY["contact"]["contacts_per_row"] // 2] * 2,
 }
 
 

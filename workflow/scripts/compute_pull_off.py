@@ -21,7 +21,7 @@ with run_job(snakemake) as job:
     spheres = [
         sphere
         for path in job.input.spheres
-        for sphere in places_on_sphere(read_height_map(path), params["places_per_side"])
+        for sphere in places_on_sphere(read_height_map(path), params["places_per_row"])
     ]
     pairs = {
         number: join_bodies(substrate, sphere, contact)

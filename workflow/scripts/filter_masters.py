@@ -17,7 +17,7 @@ with run_job(snakemake) as job:
         Contact(
             radius=params["radii"][0],
             window=params["window"],
-            contacts_per_side=params["contacts_per_side"],
+            contacts_per_row=params["contacts_per_row"],
             **load,
         )
         for load in params["loads"]

@@ -17,7 +17,7 @@ with run_job(snakemake) as job:
         asperities_of_pair(
             read_bodies(job.input.substrate, job.input.sphere, contact),
             contact,
-            sample_contacts(rng, contact.contacts_per_side, settings["contacts"]),
+            sample_contacts(rng, contact.contacts_per_row, settings["contacts"]),
             CARRIED_SHARE,
             settings["ranges"],
         ),

@@ -24,7 +24,7 @@ with run_job(snakemake) as job:
         elastic_contacts_of_pair(
             read_bodies(job.input.substrate, job.input.sphere, contact),
             contact,
-            sample_contacts(rng, contact.contacts_per_side, params["contacts"]),
+            sample_contacts(rng, contact.contacts_per_row, params["contacts"]),
             PAPER_MODULUS,
             PULL_OFF_WINDOW,
         ),

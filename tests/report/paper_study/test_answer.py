@@ -70,7 +70,7 @@ def test_grids_coarser_than_the_paper_s_are_recognized(grid, effort):
      ["range of adhesion", "sphere where waves are removed"]),
     ({"adhesion": {"work": "60 mJ/m2"}}, []),
     ({"study": "again", "seed": 1,
-      "contact": {"contacts_per_side": 6, "hardness": "25000 MPa"}}, []),
+      "contact": {"contacts_per_row": 6, "hardness": "25000 MPa"}}, []),
 ])  # fmt: skip
 def test_a_study_of_other_contacts_names_what_is_not_the_paper_s(overlay, inputs):
     """Other names, seeds, grids and units are no other contacts; the work is fitted."""

@@ -10,9 +10,12 @@ class Number(NamedTuple):
     name: name of the quantity.
     value, low, high: the number and the ends of its interval, in `unit`.
     unit: of the datasets: "nm", "N", "J m-2", "1".
-    status: a code, whose words are in `report.quantities` and in templates; often empty.
+    status: a code, whose words are in `report.quantities` and in templates, such as "open_above"
+        or "open_below" if `value` is a bound, "interval_open_low" or "interval_open_high" if an end
+        of the interval is one. Modules that make numbers list their codes as constants.
     source: a code for the origin: "computed", "measured", "from_measured", "extrapolated",
-        "partly" (artificial), "artificial", "published", "given", "file", "assumed".
+        "artificial", "partly_artificial", "interval_artificial", "published", "given", "assumed",
+        "file".
     """
 
     name: str

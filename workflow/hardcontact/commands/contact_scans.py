@@ -29,7 +29,7 @@ from hardcontact.theory.summits import search_size
 MIN_RADIUS_PIXELS = 32
 #: The longest range of adhesion (nm) that is proposed if none is given: that of the paper's study.
 LONGEST_RANGE = 40.0
-#: Edge of the long-edge master relative to that of a scan, and to the window.
+#: Width of the long-edge master relative to that of a scan, and to the window.
 MASTER_SCANS = 8
 MASTER_WINDOWS = 1.6
 #: Scans of one surface on the same pixels.
@@ -177,7 +177,7 @@ def choose_window(
     """Return a window, and a longer range of adhesion than the probe's if the scans need it.
 
     `scans` includes the scans of the sphere, `substrates` does not. Masters have at most
-    `max_pixels` along a side. The study's limits refuse a range that stays too short.
+    `max_pixels` per row. The study's limits refuse a range that stays too short.
     """
     window, _ = _window(scans, probe.radius, probe.rho)
     shortest, reason = _shortest_range(scans, substrates, probe, window, max_pixels)
@@ -223,7 +223,7 @@ def _shortest_range(
 
 
 def count_tiles(substrates: Sequence[Entry], window: float, pixels: int) -> int:
-    """Return the number of stitched scans along a side of long-edge masters.
+    """Return the number of stitched scans per row of long-edge masters.
 
     The master is eight scans long, as in the paper, and longer than the window (nm), if its number
     of pixels suffices.

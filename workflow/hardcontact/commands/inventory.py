@@ -42,7 +42,7 @@ class Entry:
     channel: str
     file_unit: str
     kind: str
-    pixels: int  #: along a side of a map, or points of a line scan
+    pixels: int  #: per row of a map, or points of a line scan
     pixel_size: float
     rms_height: float  #: levelled, of the sphere without its paraboloid
     peak_to_valley: float  #: the same
@@ -63,7 +63,7 @@ class Entry:
 
     @property
     def size(self) -> float:
-        """Edge of a map, or length of a line scan, in nm."""
+        """Width of a map, or length of a line scan, in nm."""
         return self.pixels * self.pixel_size
 
     @property

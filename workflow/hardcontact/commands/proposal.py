@@ -35,8 +35,8 @@ TRANSITION_SHARE = 0.4
 RANGE_SPAN = 8.0
 #: The finest pixels worth computing, in nm: half the distance of atoms.
 FINEST_PIXEL_SIZE = 0.15
-#: Numbers of contacts along a side of the array. Even ones fall evenly on the quarters of a scan.
-CONTACTS_PER_SIDE = (20, 16, 12, 10, 8, 6, 4)
+#: Numbers of contacts per row of the array. Even ones fall evenly on the quarters of a scan.
+CONTACTS_PER_ROW = (20, 16, 12, 10, 8, 6, 4)
 #: Seconds that the contacts of one filtered surface may take. Chosen: the 150 filtered surfaces of
 #: a scan at full effort then take at most 5 minutes of processor time, whatever the scan.
 CONTACT_SECONDS = 2.0
@@ -52,21 +52,21 @@ MIN_CUTOFF_RATIO = 1.15
 class Effort(NamedTuple):
     """The size of a study, which decides its cost."""
 
-    pixels: int  #: along a side of masters, if scans do not have more
+    pixels: int  #: per row of masters, if scans do not have more
     cutoffs: int  #: on each side
     realizations: int  #: masters of each side
     slow_realizations: int  #: masters of each side if contacts take long
-    contacts_per_side: int  #: along a side of the array
+    contacts_per_row: int  #: per row of the array
     ranges: int  #: of adhesion
 
 
 #: Full effort takes a minute of processor time for a scan of 512 x 512 pixels, quick effort a
 #: third.
 FULL_EFFORT = Effort(
-    pixels=4096, cutoffs=14, realizations=5, slow_realizations=3, contacts_per_side=20, ranges=12
+    pixels=4096, cutoffs=14, realizations=5, slow_realizations=3, contacts_per_row=20, ranges=12
 )
 QUICK_EFFORT = Effort(
-    pixels=2048, cutoffs=5, realizations=2, slow_realizations=2, contacts_per_side=8, ranges=5
+    pixels=2048, cutoffs=5, realizations=2, slow_realizations=2, contacts_per_row=8, ranges=5
 )
 #: Most scans of a surface that make masters at quick effort.
 MAX_QUICK_SCANS = 3
@@ -142,17 +142,15 @@ def _choices(
     """Return the choices of one effort, within the limits of the checks."""
     contact = window.contact
     short_pixels = max(_short_pixels(scan, contact, effort.pixels) for scan in substrates)
-    contacts_per_side, is_slow = _contacts_per_side(
-        substrates, contact, short_pixels, effort.contacts_per_side
+    contacts_per_row, is_slow = _contacts_per_row(
+        substrates, contact, short_pixels, effort.contacts_per_row
     )
     ranges = [_nm(rho) for rho in _ranges(contact.rho, window.shortest_range, effort.ranges)]
     permitted = f"these scans permit {window.shortest_range:.3g} nm or more"
     realizations = _realizations(substrates, effort, is_slow)
     return [
         Choice("contact.window", _nm(contact.window), window.window_reason),
-        Choice(
-            "contact.contacts_per_side", contacts_per_side, "contacts along a side of their array"
-        ),
+        Choice("contact.contacts_per_row", contacts_per_row, "contacts per row of their array"),
         Choice("adhesion.ranges", ranges, f"for the force as a function of it; {permitted}"),
         Choice("scales.range", _nm(contact.rho), window.range_reason),
         Choice("scales.realizations", realizations, "masters on each side"),
@@ -189,7 +187,7 @@ def _master_choices(
     long_cutoffs = _cutoffs(max(4 * coarsest, shortest), size * tiles, effort.cutoffs)
     short_transition, long_transition, reason = transitions
     long_reason = f"{TRANSITION_SHARE:g} of the size of the scan; above, roughness is artificial"
-    tiles_reason = f"mirrored scans along a side, {format_length(2 * size * tiles)}"
+    tiles_reason = f"mirrored scans per row, {format_length(2 * size * tiles)}"
     yield Choice("scales.short.pixels", short_pixels, f"{format_length(finest)} a pixel")
     yield Choice("scales.short.transition", _nm(short_transition), reason)
     yield Choice("scales.short.cutoffs", short_cutoffs, "from four pixels to the size of the scan")
@@ -205,7 +203,7 @@ def _short_pixels(scan: Entry, contact: Contact, max_pixels: int) -> int:
     while 2 * pixels <= max_pixels:
         pixel_size = scan.size / pixels
         seconds = _contact_seconds(scan, contact, pixel_size)
-        if pixel_size < FINEST_PIXEL_SIZE or CONTACTS_PER_SIDE[-1] ** 2 * seconds > CONTACT_SECONDS:
+        if pixel_size < FINEST_PIXEL_SIZE or CONTACTS_PER_ROW[-1] ** 2 * seconds > CONTACT_SECONDS:
             break
         pixels *= 2
     return pixels
@@ -218,10 +216,10 @@ def _contact_seconds(scan: Entry, contact: Contact, pixel_size: float) -> float:
     return contact.pixel_count(pixel_size) * periods * SECONDS_A_PIXEL + tiles * SECONDS_A_TILE
 
 
-def _contacts_per_side(
+def _contacts_per_row(
     substrates: Sequence[Entry], contact: Contact, short_pixels: int, max_per_side: int
 ) -> tuple[int, bool]:
-    """Return the contacts along a side that time and memory permit, and whether they take long.
+    """Return the contacts per row that time and memory permit, and whether they take long.
 
     The pixels of all contacts stay in memory: on masters, and on scans with all periods in the
     window.
@@ -234,13 +232,13 @@ def _contacts_per_side(
         for pixel_size, period_count in ((scan.pixel_size, periods), (finest, 1.0)):
             seconds = max(seconds, _contact_seconds(scan, contact, pixel_size))
             kept_pixels = max(kept_pixels, contact.pixel_count(pixel_size) * period_count)
-    for contacts_per_side in CONTACTS_PER_SIDE:
-        contacts = contacts_per_side**2
+    for contacts_per_row in CONTACTS_PER_ROW:
+        contacts = contacts_per_row**2
         slow = contacts * seconds > CONTACT_SECONDS
-        fits = contacts_per_side <= max_per_side and contacts * kept_pixels <= MAX_CONTACT_PIXELS
+        fits = contacts_per_row <= max_per_side and contacts * kept_pixels <= MAX_CONTACT_PIXELS
         if fits and not slow:
             break
-    return contacts_per_side, slow
+    return contacts_per_row, slow
 
 
 def _cutoffs(shortest: float, longest: float, max_cutoffs: int) -> list[str]:

@@ -136,17 +136,17 @@ def check_contact(surface: HeightMap, contact: Contact, ranges: Sequence[float])
         )
     shortest = replace(contact, rho=min(ranges, default=math.nan))
     check_positive(
-        window=contact.window, contacts_per_side=contact.contacts_per_side, ranges=shortest.rho
+        window=contact.window, contacts_per_row=contact.contacts_per_row, ranges=shortest.rho
     )
-    if contact.contacts_per_side != int(contact.contacts_per_side):
+    if contact.contacts_per_row != int(contact.contacts_per_row):
         raise ValueError(
-            f"contacts_per_side: expected a whole number, found {contact.contacts_per_side:g}"
+            f"contacts_per_row: expected a whole number, found {contact.contacts_per_row:g}"
         )
     # Limits are stated for a scan, which is half as large as its periodic map.
     relief = float(np.ptp(surface.heights))
     grid = Grid(surface.pixels // 2, surface.pixel_size, surface.size / 2, relief)
     named_contact = NamedContact(
-        shortest, preload="preload", contacts_per_side="contacts_per_side", range="ranges"
+        shortest, preload="preload", contacts_per_row="contacts_per_row", range="ranges"
     )
     raise_faults(contact_faults(named_contact, "the map", grid)[:1])
 

@@ -8,9 +8,9 @@ from hardcontact.contact.contact import Contact
 
 #: Pixel sizes in nm at which spectra are known: tables and bins end at 0.1 nm and 100 um.
 PIXEL_SIZES = (0.05, 1e4)
-#: Largest number of pixels along a side of a map: arrays of more than 2 GiB are not validated.
+#: Largest number of pixels per row of a map: arrays of more than 2 GiB are not validated.
 MAX_MAP_PIXELS = 16384
-#: Edge of the periodic random surface from which a substitute is cut, in edges of the substitute.
+#: Width of the periodic random surface from which a substitute is cut, in widths of the substitute.
 #: A real scan has waves longer than itself and does not continue at its edges; a larger surface
 #: would imitate this better, but takes more memory.
 RANDOM_SURFACE_OVER_SCAN = 4
@@ -31,7 +31,7 @@ BASE_MEGABYTES = 500
 
 
 class Grid(NamedTuple):
-    """The grid of all scans of a surface: pixels along a side, and lengths in nm.
+    """The grid of all scans of a surface: pixels per row, and lengths in nm.
 
     These are the side of a pixel and of the scan, and the relief, the largest difference in height.
     """
@@ -43,7 +43,7 @@ class Grid(NamedTuple):
 
 
 def random_surface_pixels(pixels: int) -> int:
-    """Return the pixels along a side of the random surface from which a substitute is cut."""
+    """Return the pixels per row of the random surface from which a substitute is cut."""
     return min(RANDOM_SURFACE_OVER_SCAN * pixels, MAX_MAP_PIXELS)
 
 
@@ -77,7 +77,7 @@ def minimum_range(radius: float, window: float, grid: Grid) -> tuple[float, str]
 def master_megabytes(pixels: int, minimum: int) -> int:
     """Return the memory (10^6 bytes) of a job that makes a master, or filters and presses it.
 
-    It depends on the pixels along a side of the master; smaller masters take the minimum.
+    It depends on the pixels per row of the master; smaller masters take the minimum.
     """
     return max(minimum, BASE_MEGABYTES + math.ceil(BYTES_A_PIXEL * pixels**2 / 1e6))
 

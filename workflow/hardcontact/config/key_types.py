@@ -94,7 +94,7 @@ IN_FILE_NAMES = Field(min_length=1, max_length=20)
 Radii = Annotated[list[Radius], IN_FILE_NAMES, ASCENDING]
 Forces = Annotated[list[Force], IN_FILE_NAMES, ASCENDING]
 
-#: Contacts along a side: 40 000 a pair of scans.
+#: Contacts per row: 40 000 a pair of scans.
 Count = Annotated[int, Field(ge=1, le=200)]
 ContactCount = Annotated[int, Field(ge=1, le=40000)]
 Realizations = Annotated[int, Field(ge=1, le=1000)]

@@ -97,7 +97,7 @@ class ContactKeys(Keys):
     """Load that the contact pixels carry."""
     window: Length = key("12500 nm", "Intrinsic Work of Adhesion")
     """Width of the square around a contact over which the force is summed."""
-    contacts_per_side: Count = key(20, "Intrinsic Work of Adhesion")
+    contacts_per_row: Count = key(20, "Intrinsic Work of Adhesion")
     """Contacts per row of a square array over one period of the stitched scan."""
 
 
@@ -222,7 +222,7 @@ class SetsKeys(Keys):
     """Scans of each substrate from which sets are sampled."""
     rms_height_count: Annotated[int, Field(ge=4, le=50)] = 7
     """Rms heights at which forces on the pool are computed; forces between are interpolated."""
-    contacts_per_side: Count = 10
+    contacts_per_row: Count = 10
     """Contacts per row of the array."""
     realizations: Realizations = 20
     """Masters of each substrate for each edge, from which the bands of sets are sampled."""

@@ -38,7 +38,7 @@ class NamedContact:
 
     contact: Contact
     preload: str = "config key contact.preload"
-    contacts_per_side: str = "config key contact.contacts_per_side"
+    contacts_per_row: str = "config key contact.contacts_per_row"
     range: str = "config key adhesion.ranges"
 
 
@@ -52,7 +52,7 @@ def study_contacts(config: dict[str, Any]) -> dict[str, NamedContact]:
     largest = replace(scan_contact.contact, preload=config["indent"]["preloads"][-1])
     radius = min(contact.radius, config["exponents"]["radii"][0])
     set_contact = replace(
-        contact, radius=radius, contacts_per_side=config["sets"]["contacts_per_side"]
+        contact, radius=radius, contacts_per_row=config["sets"]["contacts_per_row"]
     )
     return {
         "scans": scan_contact,
@@ -61,7 +61,7 @@ def study_contacts(config: dict[str, Any]) -> dict[str, NamedContact]:
         "sets": replace(
             master_contact,
             contact=set_contact,
-            contacts_per_side="config key sets.contacts_per_side",
+            contacts_per_row="config key sets.contacts_per_row",
         ),
     }
 
@@ -92,11 +92,11 @@ def contact_faults(named_contact: NamedContact, surface: str, grid: Grid) -> lis
     seen_pixels = min(window_pixels(contact.window, grid.pixel_size), stitched_pixels) ** 2
     reason = f"which a quarter of the {seen_pixels // 4 * 4} pixels of {surface} can carry"
     faults = _load_faults(named_contact.preload, contact, seen_pixels // 4, grid.pixel_size, reason)
-    if contact.contacts_per_side > stitched_pixels:
+    if contact.contacts_per_row > stitched_pixels:
         accepted = f"at most the {stitched_pixels} pixels along the stitched scan of {surface}"
         faults.append(
-            f"{named_contact.contacts_per_side}: expected {accepted}, "
-            f"found {contact.contacts_per_side}"
+            f"{named_contact.contacts_per_row}: expected {accepted}, "
+            f"found {contact.contacts_per_row}"
         )
     min_rho, reason = minimum_range(contact.radius, contact.window, grid)
     if contact.rho < min_rho:
@@ -211,7 +211,7 @@ def _map_faults(bodies: str, pixel_size: float, *grids: Grid) -> list[str]:
     if pixels <= MAX_MAP_PIXELS:
         return []
     accepted = (
-        f"at most {MAX_MAP_PIXELS} pixels along a side of {bodies} on common pixels of "
+        f"at most {MAX_MAP_PIXELS} pixels per row of {bodies} on common pixels of "
         f"{pixel_size:.4g} nm"
     )
     return [key_fault("surfaces and scan", accepted, pixels)]
@@ -225,12 +225,12 @@ def _memory_faults(
     Each pixel (side in nm) lies `periods` times in the window.
     """
     contact = named_contact.contact
-    count_key = named_contact.contacts_per_side.removeprefix("config key ")
+    count_key = named_contact.contacts_per_row.removeprefix("config key ")
     reason = (
         f"with which the contact pixels of {pixel_size:.4g} nm on {surface} fit into memory at "
-        f"{count_key} = {contact.contacts_per_side} and contact.window = {contact.window:.6g} nm"
+        f"{count_key} = {contact.contacts_per_row} and contact.window = {contact.window:.6g} nm"
     )
-    available_pixels = int(MAX_CONTACT_PIXELS / contact.contacts_per_side**2 / periods)
+    available_pixels = int(MAX_CONTACT_PIXELS / contact.contacts_per_row**2 / periods)
     return _load_faults(named_contact.preload, contact, available_pixels, pixel_size, reason)
 
 

@@ -18,7 +18,7 @@ from hardcontact.base.arrays import Floats
 from hardcontact.contact.geometry import Bodies, ContactGeometry, largest_contact_gap
 from hardcontact.surfaces.height_map import HeightMap
 
-#: Pixels along a side of a tile, tiles along a side of a group, tiles that are read at once, and
+#: Pixels per row of a tile, tiles per row of a group, tiles that are read at once, and
 #: contacts that are searched at once. They change the time alone.
 TILE = 32
 GROUP = 16

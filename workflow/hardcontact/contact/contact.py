@@ -28,7 +28,7 @@ class Contact:
     hardness: float  #: Hardness of the softer body in Pa.
     plastic: bool = True  #: Whether contact pixels yield; in rigid contact a single pixel touches.
     window: float = math.nan  #: Width in nm of the square around each contact that attracts.
-    contacts_per_side: int = 1  #: Along a side of the square array of contacts.
+    contacts_per_row: int = 1  #: Per row of the square array of contacts.
     rho: float = math.nan  #: Range of adhesion in nm.
     work: float = math.nan  #: Work of adhesion in J/m².
 

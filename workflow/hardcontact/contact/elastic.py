@@ -32,7 +32,7 @@ NEWTON_PER_NN = 1e-9
 
 #: Side in nm of the window about a contact in which elastic and rigid pull-off are compared.
 PULL_OFF_WINDOW = 2500.0
-#: Largest number of pixels along a side of the map of the pressure in one contact.
+#: Largest number of pixels per row of the map of the pressure in one contact.
 PRESSURE_MAP_PIXELS = 64
 #: Overlap (nm) that pixels may have: far below the range of adhesion.
 MAX_OVERLAP = 1e-6

@@ -18,8 +18,8 @@ from hardcontact.surfaces.height_map import HeightMap, read_height_map
 #: Fewest places at which a rough sphere is let touch own surfaces: with 16 an interval is 1.1 times
 #: as wide as with many; each costs force sums.
 SPHERE_PLACES = 16
-#: Contacts along a side at each of several places.
-PLACE_CONTACTS_PER_SIDE = 6
+#: Contacts per row at each of several places.
+PLACE_CONTACTS_PER_ROW = 6
 
 
 @dataclass(frozen=True, eq=False)
@@ -28,7 +28,7 @@ class ContactGeometry:
 
     radius: float  #: Of the sphere, in nm.
     pixel_size: float  #: Side of a pixel in nm.
-    window_pixels: int  #: Pixels along a side of the analysis window, even.
+    window_pixels: int  #: Pixels per row of the analysis window, even.
     #: (contact,) pixels along either axis; the contacts are all pairs of them.
     positions: NDArray[np.int_]
 
@@ -67,30 +67,30 @@ class Bodies:
 
 
 def window_pixels(window: float, pixel_size: float) -> int:
-    """Return the even number of pixels along a side of an analysis window (both in nm)."""
+    """Return the even number of pixels per row of an analysis window (both in nm)."""
     return 2 * int(round(window / pixel_size / 2))
 
 
-def contact_positions(pixels: int, contacts_per_side: int) -> NDArray[np.int_]:
-    """Return the pixels (contacts_per_side,) of contacts evenly over one period of the substrate.
+def contact_positions(pixels: int, contacts_per_row: int) -> NDArray[np.int_]:
+    """Return the pixels (contacts_per_row,) of contacts evenly over one period of the substrate.
 
     The first lies a quarter of a step from the edge, so that no two contacts are mirror images of
     each other on a mirror-stitched surface.
     """
-    steps = np.arange(contacts_per_side) + 0.25
-    return np.floor(steps * pixels / contacts_per_side).astype(int)
+    steps = np.arange(contacts_per_row) + 0.25
+    return np.floor(steps * pixels / contacts_per_row).astype(int)
 
 
 def sample_contacts(
-    rng: np.random.Generator, contacts_per_side: int, count: int
+    rng: np.random.Generator, contacts_per_row: int, count: int
 ) -> NDArray[np.int_]:
     """Sample the indices (count, 2) of contacts from the array of all, each at most once.
 
     All contacts if there are fewer than `count`. With the same generator a larger sample
     contains the smaller one.
     """
-    numbers = rng.permutation(contacts_per_side**2)[:count]
-    return np.stack(np.divmod(numbers, contacts_per_side), axis=1)
+    numbers = rng.permutation(contacts_per_row**2)[:count]
+    return np.stack(np.divmod(numbers, contacts_per_row), axis=1)
 
 
 def join_bodies(substrate: HeightMap, sphere: HeightMap | None, contact: Contact) -> Bodies:
@@ -114,18 +114,18 @@ def join_bodies(substrate: HeightMap, sphere: HeightMap | None, contact: Contact
         contact.radius,
         substrate.pixel_size,
         window_pixels(contact.window, substrate.pixel_size),
-        contact_positions(substrate.pixels, contact.contacts_per_side),
+        contact_positions(substrate.pixels, contact.contacts_per_row),
     )
     return Bodies(substrate, roughness, geometry)
 
 
-def places_on_sphere(sphere: HeightMap, places_per_side: int) -> list[HeightMap]:
+def places_on_sphere(sphere: HeightMap, places_per_row: int) -> list[HeightMap]:
     """Return the mirror-stitched scan of a sphere, moved so that it touches at even places.
 
     A single place is the middle of the scan, on which `join_bodies` puts the apex.
     """
     scan_pixels = sphere.pixels // 2
-    places = (2 * np.arange(places_per_side) + 1) * scan_pixels // (2 * places_per_side)
+    places = (2 * np.arange(places_per_row) + 1) * scan_pixels // (2 * places_per_row)
     shifts = (scan_pixels // 2 - places).tolist()
     return [
         replace(sphere, heights=np.roll(sphere.heights, shift, axis=(0, 1)))

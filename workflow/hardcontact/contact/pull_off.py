@@ -99,9 +99,9 @@ def _total_of_lowest(
 
 def _stacked_gaps(pixels_by_contact: PixelsByContact) -> Floats:
     """Return the gaps (contact, contact, k) of all contacts in nm."""
-    contacts_per_side = math.isqrt(len(pixels_by_contact))
+    contacts_per_row = math.isqrt(len(pixels_by_contact))
     gaps = np.array([contact_pixels.gaps for contact_pixels in pixels_by_contact.values()])
-    return gaps.reshape(contacts_per_side, contacts_per_side, -1)
+    return gaps.reshape(contacts_per_row, contacts_per_row, -1)
 
 
 def forces_at_loads(

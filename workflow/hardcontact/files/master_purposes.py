@@ -21,7 +21,7 @@ class Purpose(NamedTuple):
     """The settings of masters of one purpose. Keys are those of the configuration."""
 
     section: str  #: Section of the pixels and cutoffs of masters.
-    contacts: str  #: Key of the number of contacts along a side.
+    contacts: str  #: Key of the number of contacts per row.
     realizations: str  #: Key of the number of masters of a surface.
     #: Names the random numbers that masters are made from. None if they are files of the store.
     generator_name: str | None = "variant"
@@ -32,16 +32,16 @@ class Purpose(NamedTuple):
 #: By the name in the paths of their forces.
 PURPOSES = {
     # The band of the study.
-    "scales": Purpose("scales", "contact.contacts_per_side", "scales.realizations", None, 1),
+    "scales": Purpose("scales", "contact.contacts_per_row", "scales.realizations", None, 1),
     # The same with sampled spectra, of measured surfaces only. It shares its random numbers.
-    "sampled": Purpose("scales", "contact.contacts_per_side", "scales.realizations", "master", 1),
+    "sampled": Purpose("scales", "contact.contacts_per_row", "scales.realizations", "master", 1),
     # The edges of each set of substitutes.
-    "sets": Purpose("sets", "sets.contacts_per_side", "sets.realizations"),
+    "sets": Purpose("sets", "sets.contacts_per_row", "sets.realizations"),
     # How the edges depend on radius and load, on a smooth sphere.
-    "exponents": Purpose("sets", "sets.contacts_per_side", "exponents.realizations"),
+    "exponents": Purpose("sets", "sets.contacts_per_row", "exponents.realizations"),
     # How plasticity and range enhance each other at the short edge.
     "enhancement": Purpose(
-        "sets", "sets.contacts_per_side", "exponents.realizations", sides=("short",)
+        "sets", "sets.contacts_per_row", "exponents.realizations", sides=("short",)
     ),
 }
 
@@ -65,7 +65,7 @@ def contact_grid(configuration: Mapping[str, Any], purpose: str) -> dict[str, li
 
 
 def filter_settings(configuration: Mapping[str, Any], purpose: str) -> dict[str, Any]:
-    """Return the settings of masters and filters on each side, and the contacts along a side."""
+    """Return the settings of masters and filters on each side, and the contacts per row."""
     settings = PURPOSES[purpose]
     sides = {
         side: {
@@ -74,4 +74,4 @@ def filter_settings(configuration: Mapping[str, Any], purpose: str) -> dict[str,
         }
         for side in settings.sides
     }
-    return {"contacts_per_side": get_key(configuration, settings.contacts), "sides": sides}
+    return {"contacts_per_row": get_key(configuration, settings.contacts), "sides": sides}

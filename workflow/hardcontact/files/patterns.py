@@ -19,8 +19,8 @@ _GAUSSIAN = ("seed", "scans", "scan.pixels", "scan.size")
 _SUBSTITUTES = (*_GAUSSIAN, "scan.featured_surface")
 #: Keys on which every scan, measured or substitute, and everything computed from scans depend.
 SCAN_KEYS = (*_SUBSTITUTES, *_MEASURED)
-_CONTACTS = (*SCAN_KEYS, "contact.window", "contact.contacts_per_side")
-_FORCES_OF_SETS = (*_GAUSSIAN, "sets.contacts_per_side", "contact.window", "adhesion.ranges")
+_CONTACTS = (*SCAN_KEYS, "contact.window", "contact.contacts_per_row")
+_FORCES_OF_SETS = (*_GAUSSIAN, "sets.contacts_per_row", "contact.window", "adhesion.ranges")
 _TRANSITIONS = ("scales.short.transition", "scales.long.transition")
 
 #: For each kind of intermediate, the keys on which it and its inputs depend: its path has a digest

@@ -9,7 +9,7 @@ from typing import Any
 from hardcontact.base.units import path_token
 from hardcontact.config.configuration import combines_bodies, study_contact
 from hardcontact.config.selected_surfaces import Selection
-from hardcontact.contact.geometry import PLACE_CONTACTS_PER_SIDE, SPHERE_PLACES
+from hardcontact.contact.geometry import PLACE_CONTACTS_PER_ROW, SPHERE_PLACES
 from hardcontact.files.patterns import SMOOTH, Patterns
 
 # Rows of lists: their fields are wildcards of patterns.
@@ -180,8 +180,8 @@ class SurfaceFiles:
         return numbers
 
     @property
-    def places_per_side(self) -> int:
-        """Places along a side of each scan of the sphere at which it touches, of own surfaces."""
+    def places_per_row(self) -> int:
+        """Places per row of each scan of the sphere at which it touches, of own surfaces."""
         if not self._combines_bodies:
             return 1
         return ceil(sqrt(SPHERE_PLACES / len(self.selection.sphere_scans)))
@@ -189,16 +189,16 @@ class SurfaceFiles:
     @property
     def sphere_places(self) -> list[int]:
         """The numbers of the places on the sphere: those of its scans if each has one."""
-        if self.places_per_side == 1:
+        if self.places_per_row == 1:
             return self.selection.sphere_scans
-        count = len(self.selection.sphere_scans) * self.places_per_side**2
+        count = len(self.selection.sphere_scans) * self.places_per_row**2
         return list(range(1, count + 1))
 
     @property
-    def place_contacts_per_side(self) -> int:
-        """Contacts along a side of their array at each place on the sphere."""
-        count = int(self.configuration["contact"]["contacts_per_side"])
-        return count if self.places_per_side == 1 else min(count, PLACE_CONTACTS_PER_SIDE)
+    def place_contacts_per_row(self) -> int:
+        """Contacts per row of their array at each place on the sphere."""
+        count = int(self.configuration["contact"]["contacts_per_row"])
+        return count if self.places_per_row == 1 else min(count, PLACE_CONTACTS_PER_ROW)
 
     # Scans
 
@@ -247,7 +247,7 @@ class SurfaceFiles:
 
     @property
     def whole_grid(self) -> dict[str, Any]:
-        """Pixels along a side of a whole surface, and their size (nm), as of long masters."""
+        """Pixels per row of a whole surface, and their size (nm), as of long masters."""
         scan = self.configuration["scan"]
         tiles = self.configuration["scales"]["long"]["tiles"]
         return {"pixels": 2 * tiles * scan["pixels"], "pixel_size": scan["size"] / scan["pixels"]}

@@ -34,7 +34,7 @@ class Filters(NamedTuple):
     """The cutoffs of one side; each cutoff filters the unfiltered master."""
 
     side: str  #: short: wavelengths below the cutoff are removed; long: wavelengths above it.
-    pixels: int  #: Along an edge of the filtered surfaces.
+    pixels: int  #: Per row of the filtered surfaces.
     cutoffs: Sequence[float]  #: In nm.
 
 
@@ -94,7 +94,7 @@ def filtered_pull_off(
 
     axes: dict[str, Axis] = {"radius": (("radius",), [probe.radius for probe in spheres], NM)}
     axes |= load_axis(loaded_contacts) | range_axis(ranges)
-    axes |= {axis: ((axis,), np.arange(contact.contacts_per_side), {}) for axis in CONTACT_AXES}
+    axes |= {axis: ((axis,), np.arange(contact.contacts_per_row), {}) for axis in CONTACT_AXES}
     areas = ("load", [loaded.area for loaded in loaded_contacts], {"units": "nm2"})
     touching = [loaded.pixel_count(pixel_size) * pixel_size**2 for loaded in loaded_contacts]
     contact_area = ("load", touching, {"units": "nm2", "long_name": "touching pixels"})

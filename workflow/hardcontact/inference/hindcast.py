@@ -50,7 +50,7 @@ class RandomBody(NamedTuple):
     """Random roughness in place of that on the scan of a body."""
 
     spectrum: SpectrumFunction  #: C_iso in nm⁴.
-    pixels: int  #: Along a side of the scan, on the pixels of the map.
+    pixels: int  #: Per row of the scan, on the pixels of the map.
     generator: Callable[[str, int], np.random.Generator]  #: Takes side and realization.
 
 

@@ -109,7 +109,7 @@ class MasterScans(NamedTuple):
     """The scans of masters: realization r uses scan (r - 1) modulo the number of scans."""
 
     scans: Mapping[str, int]  #: Number of scans of each surface.
-    tiles: int  #: Mirrored scans along a side of a long-edge master.
+    tiles: int  #: Mirrored scans per row of a long-edge master.
     touched_places: Mapping[str, float]  #: The fewest places of a scan touched on each surface.
 
 

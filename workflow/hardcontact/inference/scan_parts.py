@@ -93,15 +93,15 @@ class ScanParts:
         return "few_places" if self.touches_few_places else "quarters"
 
 
-def quarters_of_contacts(contacts_per_side: int, tiles: int) -> np.ndarray:
+def quarters_of_contacts(contacts_per_row: int, tiles: int) -> np.ndarray:
     """Return the quarter of the scan that holds each contact of a square array.
 
-    A map is a mirrored scan, repeated `tiles` times along a side; `contact_positions` defines the
+    A map is a mirrored scan, repeated `tiles` times per row; `contact_positions` defines the
     positions of the contacts. The quarter is 2 in the second half along y, plus 1 in the second
     half along x.
     """
     # In edges of the scan.
-    unfolded = 2 * tiles * (np.arange(contacts_per_side) + 0.25) / contacts_per_side % 2
+    unfolded = 2 * tiles * (np.arange(contacts_per_row) + 0.25) / contacts_per_row % 2
     half = (np.minimum(unfolded, 2 - unfolded) >= 0.5).astype(int)
     return np.asarray(2 * half[:, None] + half)
 

@@ -10,7 +10,7 @@ from hardcontact.contact.pull_off import FORCE_ATTRS
 from hardcontact.inference.octaves import make_force_function
 from hardcontact.surfaces.height_map import HeightMap
 
-#: Pixels along a side of the blocks of `widen_pixels`.
+#: Pixels per row of the blocks of `widen_pixels`.
 WIDE_PIXEL = 4
 
 

@@ -12,7 +12,7 @@ from hardcontact.config.grids import Grid, minimum_range, periods_in_window
 from hardcontact.contact.contact import PLASTIC, Contact
 from hardcontact.contact.finite_scan import LARGE_ENOUGH, finite_scan_ratio
 from hardcontact.contact.geometry import (
-    PLACE_CONTACTS_PER_SIDE,
+    PLACE_CONTACTS_PER_ROW,
     SPHERE_PLACES,
     join_bodies,
     places_on_sphere,
@@ -30,9 +30,9 @@ from hardcontact.theory.prediction import EDGE_NAMES
 from hardcontact.theory.summits import search_size
 from hardcontact.theory.validity import OUTSIDE, is_validated, nearest_errors, table_coordinates
 
-#: Contacts along a side of their array, as in the paper.
-CONTACTS_PER_SIDE = 20
-#: Most pixels along a side of a scan, and most contact pixels of all contacts and force sums, with
+#: Contacts per row of their array, as in the paper.
+CONTACTS_PER_ROW = 20
+#: Most pixels per row of a scan, and most contact pixels of all contacts and force sums, with
 #: their images in the window: both keep the time below a few seconds.
 MAX_PIXELS = 2048
 MAX_CONTACT_PIXELS = 2**23
@@ -98,7 +98,7 @@ def obstacle_to_force(
     (scan,) = scans
     window = contact_on_scan(scan, contact).window
     contact_pixels = contact.pixel_count(scan.pixel_size) * periods_in_window(window, scan.size)
-    contact_pixels *= CONTACTS_PER_SIDE**2 * sums
+    contact_pixels *= CONTACTS_PER_ROW**2 * sums
     if scan.pixels > MAX_PIXELS or contact_pixels > MAX_CONTACT_PIXELS:
         return TOO_LARGE, math.nan
     grid = Grid(scan.pixels, scan.pixel_size, scan.size, float(np.ptp(scan.heights)))
@@ -111,7 +111,7 @@ def contact_on_scan(scan: HeightMap, contact: Contact) -> Contact:
     window, _ = window_on_scans(
         float(scan.heights.std()), scan.pixel_size, scan.size, contact.radius, contact.rho
     )
-    return replace(contact, window=window, contacts_per_side=CONTACTS_PER_SIDE)
+    return replace(contact, window=window, contacts_per_row=CONTACTS_PER_ROW)
 
 
 def stitched_map(scan: HeightMap) -> HeightMap:
@@ -124,7 +124,7 @@ def _forces(surface: HeightMap, body_maps: Sequence[HeightMap], contact: Contact
     pairs = [join_bodies(surface, None, contact)]
     if body_maps:
         substrate, sphere = (stitched_map(body) for body in body_maps)
-        contact = replace(contact, contacts_per_side=PLACE_CONTACTS_PER_SIDE)
+        contact = replace(contact, contacts_per_row=PLACE_CONTACTS_PER_ROW)
         places = places_on_sphere(sphere, math.isqrt(SPHERE_PLACES))
         pairs = [join_bodies(substrate, place, contact) for place in places]
     return stack_sphere_scans(

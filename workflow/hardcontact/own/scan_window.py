@@ -9,7 +9,7 @@ from hardcontact.config.grids import MAX_MAP_PIXELS
 #: adhesion (14 in the paper) and to the rms height.
 RANGES_IN_WINDOW = 14
 RMS_IN_WINDOW = 4
-#: Largest number of mirrored scans along a side of the window: all have the same summits.
+#: Largest number of mirrored scans per row of the window: all have the same summits.
 MAX_IMAGES = 10
 
 

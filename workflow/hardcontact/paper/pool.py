@@ -135,6 +135,6 @@ def forces_at_heights(scan: HeightMap, inputs: PoolInputs) -> xr.Dataset:
     height_forces = xr.concat(forces, xr.DataArray(axis, name="rms_height_of_force"))
     log_force: xr.DataArray = xr.apply_ufunc(np.log, height_forces).astype("float32")
     log_force.attrs = {"units": "1", "long_name": "logarithm of the pull-off force in N at 1 J/m2"}
-    contacts = range(contact.contacts_per_side)
+    contacts = range(contact.contacts_per_row)
     coordinates = {"rms_height_of_force": axis, "contact_y": contacts, "contact_x": contacts}
     return roughness.assign(log_force=log_force.drop_vars(coordinates)).assign_coords(coordinates)

@@ -22,7 +22,7 @@ from hardcontact.surfaces.spectrum import (
     spectrum_of_dataset,
 )
 
-#: Side of a bin of wavelengths relative to its centre; there are ten bins a decade.
+#: Ratio of the upper end of a bin of wavelengths to its centre; there are ten bins a decade.
 HALF_BIN = 10**0.05
 
 

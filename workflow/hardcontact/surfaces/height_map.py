@@ -60,12 +60,12 @@ class HeightMap:
 
     @property
     def pixels(self) -> int:
-        """Pixels along a side of a square map, or points of a line scan."""
+        """Pixels per row of a square map, or points of a line scan."""
         return int(self.heights.shape[0])
 
     @property
     def size(self) -> float:
-        """Edge of a square map, or length of a line scan, in nm."""
+        """Width of a square map, or length of a line scan, in nm."""
         return self.pixels * self.pixel_size
 
     def plot(self, axes: "Axes | None" = None) -> "Axes":

@@ -45,8 +45,8 @@ MIN_PEAK_RISE = 2.0
 MIN_PEAK_ERRORS = 4
 #: Relative error of the tip's cutoff, far below the safety factor of its criterion.
 TIP_CUTOFF_ERROR = 1e-3
-#: Limits of a band toward short wavelengths, by code, in words for messages.
 OTHER_BODY = "other_body"
+#: Limits of a band toward short wavelengths, by code, in words for messages.
 LIMIT_NAMES = {
     "pixels": f"{MIN_PIXELS} pixels",
     "tip": "the tip",

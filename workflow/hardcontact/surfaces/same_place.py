@@ -10,7 +10,7 @@ from hardcontact.surfaces.height_map import HeightMap
 
 #: Correlation of heights, after the best shift, above which two maps show the same place.
 SAME_PLACE_CORRELATION = 0.5
-#: Most pixels along a side of maps that are compared: means lower the noise, a pair takes 15 ms.
+#: Most pixels per row of maps that are compared: means lower the noise, a pair takes 15 ms.
 COMPARED_PIXELS = 64
 #: Longest wavelength that is compared, as a share of the smaller side. Longer waves are few, so
 #: that maps of different places correlate by chance; levelling also changes them.
@@ -24,7 +24,7 @@ MAX_SIZE_RATIO = 1.25
 
 
 def coarse_map(scan: HeightMap) -> HeightMap:
-    """Return a map on at most COMPARED_PIXELS along a side; a line scan as it is."""
+    """Return a map on at most COMPARED_PIXELS per row; a line scan as it is."""
     if scan.kind == "line scan":
         return scan
     step = -(-scan.pixels // COMPARED_PIXELS)

@@ -58,7 +58,7 @@ MAX_UNCURVED_SHARE = 0.9
 #: Least ratio of the power of polynomials of second order to that of third and fourth order. The
 #: largest in 8100 self-affine maps without a roll-off and curvature (H from 0.5 to 1) is 34.
 MIN_SECOND_ORDER_RATIO = 50.0
-#: Points along a side to which polynomials are fitted.
+#: Points per row to which polynomials are fitted.
 POLYNOMIAL_POINTS = 32
 #: A lay has at least this ratio of the variance of profiles along its wavevector to that across,
 #: and this share of the variance of heights: smaller ones are drift and noise of lines. Of 5400
@@ -242,7 +242,7 @@ def _lay_numbers(heights: Floats) -> tuple[list[float], float]:
     window = np.hanning(pixels + 1)[:-1]
     power = np.abs(np.fft.fft2(heights * np.outer(window, window))) ** 2
     waves = np.fft.fftfreq(pixels, 1 / pixels)
-    wavevector = waves + 1j * waves[:, None]  # x + iy, in waves along a side
+    wavevector = waves + 1j * waves[:, None]  # x + iy, in waves per row
     size = np.abs(wavevector)
     is_resolved = (MIN_WAVES <= size) & (size <= pixels / MIN_WAVELENGTH_PIXELS)
     # opposite wavevectors have the same square

@@ -13,7 +13,7 @@ from hardcontact.base.arrays import Floats
 from hardcontact.base.formatting import format_length, format_share
 from hardcontact.surfaces.refused_file import RefusedFile
 
-#: Pixels along a side of a map: substitutes have no fewer, and masters at least twice as many.
+#: Pixels per row of a map: substitutes have no fewer, and masters at least twice as many.
 PIXEL_BOUNDS = (16, 8192)
 #: Points of a line scan, as read and as resampled.
 POINT_BOUNDS = (16, 2**20)
@@ -51,7 +51,7 @@ def refuse_point_counts(counts: tuple[int, ...]) -> None:
     is_map = len(counts) == 2
     minimum, maximum = PIXEL_BOUNDS if is_map else POINT_BOUNDS
     if not minimum <= min(counts) <= max(counts) <= maximum:
-        points_in_words = "pixels along a side" if is_map else "points along a line scan"
+        points_in_words = "pixels per row" if is_map else "points along a line scan"
         raise RefusedFile(
             f"expected {minimum} to {maximum} {points_in_words}, "
             f"found {' x '.join(map(str, counts))}"

@@ -234,11 +234,7 @@ def power_law_extrapolation(density: Floats, hurst: float) -> Floats:
 
 
 def kept_shares(shortest: float) -> Floats:
-    """Return the shares (points,) of WAVEVECTORS that a shortest wavelength (nm) keeps.
-
-    A point stands for an interval in ln q. Its share is the part of the interval at wavelengths
-    longer than `shortest`.
-    """
+    """Return the share of the interval in ln q of each of WAVEVECTORS above a wavelength (nm)."""
     distance_in_steps = np.log(2 * np.pi / (shortest * WAVEVECTORS)) / np.log(
         WAVEVECTORS[1] / WAVEVECTORS[0]
     )

@@ -60,10 +60,10 @@ def fill_streaks(heights: Floats) -> tuple[Floats, Mask]:
 
 
 def _distances(heights: Floats, width: int) -> tuple[Floats, Floats]:
-    """Return the heights of pixels above, and below, both lines a width before and after.
+    """Return by how much pixels rise above the higher, and fall below the lower, of two lines.
 
-    Distances are in typical steps. The first and the last line have one line beside them; wider
-    streaks at an edge are not distinguished from steps.
+    These are `width` lines before and after, of which the first and the last line have only one.
+    Distances are in typical steps between lines.
     """
     padded = np.pad(heights, ((width, width), (0, 0)), constant_values=np.nan)
     before, after = padded[: -2 * width], padded[2 * width :]

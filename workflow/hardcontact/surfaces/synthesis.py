@@ -23,9 +23,9 @@ Transform = NDArray[np.complex64]
 class ScanGrid(NamedTuple):
     """The pixels and size of substitute scans."""
 
-    pixels: int  #: Pixels along a side of a scan.
+    pixels: int  #: Pixels per row of a scan.
     size: float  #: Side of a scan in nm.
-    surface_pixels: int  #: Pixels along a side of the random surfaces.
+    surface_pixels: int  #: Pixels per row of the random surfaces.
 
     @property
     def pixel_size(self) -> float:

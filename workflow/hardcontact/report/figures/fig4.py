@@ -14,7 +14,7 @@ from hardcontact.report.figures import drawing, panels, style
 from hardcontact.report.figures.values import summarize_sets, value_and_bounds, value_and_interval
 
 MEGAPASCAL = 1e6
-DRAWN_MAP_PIXELS = 640  # along a side of the map of the pressure
+DRAWN_MAP_PIXELS = 640  # per row of the map of the pressure
 PRESSURE_DECADES = 3  # below, the pressure adds nothing visible to the force
 PUBLISHED_MEAN: style.Look = {"lw": 1.0, "ls": ":"}
 AT_FIT: style.Look = {"mfc": "white", "ms": 5, "mew": 1.2}
@@ -77,7 +77,7 @@ def _legend_handles(fit: xr.Dataset, published_constants: pd.DataFrame) -> list[
 def _draw_pressure(axes: Axes, contact: xr.Dataset) -> None:
     """Map the largest PRESSURE_DECADES of the adhesive pressure (MPa) around the apex.
 
-    The map has at most DRAWN_MAP_PIXELS along a side, each with the largest pressure of the pixels
+    The map has at most DRAWN_MAP_PIXELS per row, each with the largest pressure of the pixels
     that it covers. A finer map looks the same and takes gigabytes to draw.
     """
     pressure = abs(contact["adhesive_pressure"]) / MEGAPASCAL

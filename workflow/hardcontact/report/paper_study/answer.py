@@ -50,7 +50,7 @@ FORCE_UNITS = {"mean_force": "N", "median_force": "N", "log_force_std": "1"}
 #: Part of the roughness whose force says whether the published band is sufficient.
 BAND_ALONE = {"band": "published", "band_part": "only the band"}
 #: Sizes in the study that the paper also prints, with units.
-GRID_UNITS = {"scan_pixels": "1", "scan_size": "nm", "contacts_per_side": "1"}
+GRID_UNITS = {"scan_pixels": "1", "scan_size": "nm", "contacts_per_row": "1"}
 
 
 def paper_answer(
@@ -127,7 +127,7 @@ def _notes(topography: xr.Dataset, facts: Mapping[str, Any]) -> list[dict[str, A
 
 def is_coarse(numbers: Mapping[str, Number]) -> bool:
     """Return whether the study has fewer pixels or contacts than the paper."""
-    sizes = ("scan_pixels", "contacts_per_side")
+    sizes = ("scan_pixels", "contacts_per_row")
     return any(numbers[name].value < numbers[f"{name}_published"].value for name in sizes)
 
 
@@ -266,7 +266,7 @@ def _settings(datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame) -> It
     sizes = {
         "scan_pixels": topography.sizes["row"],
         "scan_size": topography["scan_size"].min().item(),
-        "contacts_per_side": scales.sizes["contact_y"],
+        "contacts_per_row": scales.sizes["contact_y"],
     }
     for name, unit in GRID_UNITS.items():
         yield Number(name, sizes[name], unit, source="given")
