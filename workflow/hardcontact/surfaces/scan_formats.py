@@ -80,17 +80,7 @@ def read_fields(
     topography, metadata_in_words = _read_topography(
         channel, entry or _user_metadata(channel, unit, map_size)
     )
-    if topography.unit is None:
-        raise RefusedFile(
-            "expected a unit of length, found none in the file: state it for all files without a "
-            "unit by --unit or the key scan.unit, for example nm, or mm,nm for positions and "
-            "heights"
-        )
-    if topography.physical_sizes is None or not isinstance(topography.unit, str):
-        raise RefusedFile(
-            "expected a physical size and one unit, "
-            f"found size {topography.physical_sizes}, unit {topography.unit}"
-        )
+    _refuse_without_unit_or_size(topography)
     if metadata_in_words:
         origin = "stated by the container" if entry else "given by the user"
         notes.append(f"{', '.join(metadata_in_words)} ({origin})".replace("_", " "))
@@ -99,14 +89,7 @@ def read_fields(
         notes += mask_notes
     is_map = topography.dim == 2
     if is_map and isinstance(reader, AscReader):
-        # A text has no count of lines: it may have been cut short.
-        pixel_width, pixel_height = np.divide(topography.physical_sizes, topography.nb_grid_pts)
-        if abs(pixel_width / pixel_height - 1) > MAX_ASPECT_DEVIATION:
-            notes.append(
-                f"{TAKE_CARE}the pixels of this text are not square: so they are if lines are "
-                f"missing, and heights are then stretched {pixel_height / pixel_width:.3g} times "
-                "along y"
-            )
+        notes += _aspect_cautions(topography)
     try:
         read_values = map_values if is_map else profile_values
         values = read_values(topography, unit_in_nm(topography.unit), undefined_pixels)
@@ -122,6 +105,31 @@ def read_fields(
         **values,
         "notes": [*notes, *values["notes"], *tip_notes],
     }
+
+
+def _refuse_without_unit_or_size(topography: Any) -> None:
+    if topography.unit is None:
+        raise RefusedFile(
+            "expected a unit of length, found none in the file: state it for all files without a "
+            "unit by --unit or the key scan.unit, for example nm, or mm,nm for positions and "
+            "heights"
+        )
+    if topography.physical_sizes is None or not isinstance(topography.unit, str):
+        raise RefusedFile(
+            "expected a physical size and one unit, "
+            f"found size {topography.physical_sizes}, unit {topography.unit}"
+        )
+
+
+def _aspect_cautions(topography: Any) -> list[str]:
+    """Return a caution if pixels are not square in a text, which lacks a count of its lines."""
+    pixel_width, pixel_height = np.divide(topography.physical_sizes, topography.nb_grid_pts)
+    if abs(pixel_width / pixel_height - 1) <= MAX_ASPECT_DEVIATION:
+        return []
+    return [
+        f"{TAKE_CARE}the pixels of this text are not square: so they are if lines are missing, and "
+        f"heights are then stretched {pixel_height / pixel_width:.3g} times along y"
+    ]
 
 
 def _keep_marked_pixels(topography: Any) -> tuple[Any, list[str]]:
@@ -194,22 +202,8 @@ def _height_channel(reader: Any, entry: dict[str, Any], name: str) -> tuple[Any,
         for channel in channels
         if channel.is_height_channel and not isinstance(channel.unit, tuple)
     ]
-    names = ", ".join(channel.name for channel in height_channels) or "none"
     if name:
-        matching = [
-            channel for channel in channels if name in (channel.name, str(channel.index + 1))
-        ]
-        if not matching:
-            raise RefusedFile(
-                f"expected one of the channels of heights ({names}), or its number among all "
-                f"channels from 1; found {name!r}"
-            )
-        if matching[0].index not in [channel.index for channel in height_channels]:
-            raise RefusedFile(
-                f"expected a channel of heights, found only {matching[0].name} "
-                f"({_unit_in_words(matching[0])}); of heights: {names}"
-            )
-        return matching[0], []
+        return _named_channel(channels, height_channels, name), []
     if not height_channels:
         channels_in_words = ", ".join(
             f"{channel.name} ({_unit_in_words(channel)})" for channel in channels
@@ -228,6 +222,23 @@ def _height_channel(reader: Any, entry: dict[str, Any], name: str) -> tuple[Any,
     ]
     notes = [f"other channels of heights: {', '.join(other_names)}"]
     return height_channel, notes if other_names and channel_index is None else []
+
+
+def _named_channel(channels: list[Any], height_channels: list[Any], name: str) -> Any:
+    """Return the channel of heights with a name, or with its number among all channels from 1."""
+    names = ", ".join(channel.name for channel in height_channels) or "none"
+    matching = [channel for channel in channels if name in (channel.name, str(channel.index + 1))]
+    if not matching:
+        raise RefusedFile(
+            f"expected one of the channels of heights ({names}), or its number among all "
+            f"channels from 1; found {name!r}"
+        )
+    if matching[0].index not in [channel.index for channel in height_channels]:
+        raise RefusedFile(
+            f"expected a channel of heights, found only {matching[0].name} "
+            f"({_unit_in_words(matching[0])}); of heights: {names}"
+        )
+    return matching[0]
 
 
 def _unit_in_words(channel: Any) -> str:
