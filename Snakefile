@@ -53,7 +53,7 @@ start.keep_logs(workflow, PATTERNS)
 
 
 onstart:
-    start.check_folders(PATTERNS.results, PATTERNS.store)
+    start.refuse_unwritable_folders(PATTERNS.results, PATTERNS.store)
     endings.stop_jobs_at_interrupt(workflow)
 
 
