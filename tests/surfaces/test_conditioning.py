@@ -15,8 +15,9 @@ from hardcontact.base.random import generator
 from hardcontact.config.grids import random_surface_pixels
 from hardcontact.surfaces import conditioning
 from hardcontact.surfaces.conditioning import Targets
+from hardcontact.surfaces.descriptions import AFM_ROWS
 from hardcontact.surfaces.height_map import level, metrics
-from hardcontact.surfaces.spectrum import AFM_ROWS, WAVEVECTORS, spectrum_dataset
+from hardcontact.surfaces.spectrum import WAVEVECTORS, spectrum_dataset
 from hardcontact.surfaces.substitute_spectra import (
     expected_scan_rms,
     rows_of_surface,

@@ -12,7 +12,7 @@ from scipy import stats
 
 from hardcontact.base import published
 from hardcontact.base.random import generator
-from hardcontact.surfaces import spectrum, substitute_spectra
+from hardcontact.surfaces import descriptions, spectrum, substitute_spectra
 from hardcontact.surfaces.height_map import level, metrics
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_rms
 from hardcontact.surfaces.substitute_spectra import expected_scan_rms, transfer_weights
@@ -42,7 +42,7 @@ def test_calibration_recovers_the_spectrum_of_its_scans(weights, model, rolloff,
     else:
         density = spectrum.varying_hurst(WAVEVECTORS, truth[0], rolloff, *truth[1:])
     rms_values = expected_scan_rms(Spectrum(WAVEVECTORS, density), weights)
-    table1 = pd.DataFrame({"value": rms_values}, index=list(spectrum.AFM_ROWS))
+    table1 = pd.DataFrame({"value": rms_values}, index=list(descriptions.AFM_ROWS))
     parameters = substitute_spectra.calibrate_model(band(model, rolloff), table1, weights)
     assert list(parameters) == names
     np.testing.assert_allclose(list(parameters.values()), truth, rtol=1e-6)
@@ -154,8 +154,8 @@ def test_default_spectra_are_continuous(surface):
 @pytest.mark.parametrize("surface", SUBSTRATES)
 def test_default_spectra_meet_table_1(surface):
     table1, default = default_spectrum(surface)
-    afm_rows = list(spectrum.AFM_ROWS)
-    tail_rows = list(spectrum.TAIL_ROWS)
+    afm_rows = list(descriptions.AFM_ROWS)
+    tail_rows = list(descriptions.TAIL_ROWS)
     assert default.attrs["table1_rows_met"] == ",".join([*afm_rows, *tail_rows])
     height, *slope_and_curvature = all_scales_rms(Spectrum(WAVEVECTORS, default.spectrum.values))
     np.testing.assert_allclose(slope_and_curvature, table1.value[tail_rows], rtol=1e-9)
@@ -195,7 +195,7 @@ def test_permitted_spectra_scatter_like_the_means_of_table_1(write_description):
     table1 = published.read_table1(ROOT / "resources/paper/table1.csv")
     table1 = substitute_spectra.rows_of_surface(table1, "uncd")
     constants = published.read_constants(ROOT / "resources/paper/parameters.csv")
-    rows = list(spectrum.AFM_ROWS)
+    rows = list(descriptions.AFM_ROWS)
     mean_errors = table1.uncertainty[rows] / np.sqrt(5)
     weights = substitute_spectra.paper_weights(constants)
     path = write_description("inf,6.5,self-affine,,,,,")

@@ -14,7 +14,7 @@ from hardcontact.config.faults import validate
 from hardcontact.config.key_types import FilePath, Matching, Quantity, or_word
 from hardcontact.config.keys import Keys
 from hardcontact.config.tables import user_table
-from hardcontact.surfaces.spectrum import read_segments
+from hardcontact.surfaces.descriptions import read_segments
 
 #: Stands for the number of a scan of a smooth sphere; scans are numbered from 1.
 NO_SCAN = 0

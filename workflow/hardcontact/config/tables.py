@@ -15,10 +15,10 @@ from pathlib import Path
 from typing import NamedTuple, TypeVar
 
 from hardcontact.config.faults import quote_key, raise_faults
-from hardcontact.surfaces.spectrum import (
+from hardcontact.surfaces.descriptions import (
     CALIBRATION_ROWS,
     DATA_EVIDENCE,
-    NUMBER_COLUMNS,
+    DESCRIPTION_NUMBERS,
     needs_calibration,
     read_segments,
 )
@@ -144,7 +144,7 @@ def parse_number(cell: str) -> float:
 
 def refuse_description(path: str | Path, published: Collection[str]) -> None:
     """Refuse a description without a spectrum; `published` are the surface's rows in Table 1."""
-    for line, row in _description(path, NUMBER_COLUMNS, ("model", "table")).items():
+    for line, row in _description(path, DESCRIPTION_NUMBERS, ("model", "table")).items():
         fault = _segment_fault(row, line == 2, published)
         if fault:
             raise ValueError(f"{path}: line {line}: expected {fault}")

@@ -16,13 +16,9 @@ import xarray as xr
 from hardcontact.base.arrays import Floats
 from hardcontact.base.published import rows_met
 from hardcontact.base.units import DIMENSIONLESS, RAD_PER_NM
+from hardcontact.surfaces.descriptions import AFM_ROWS
 from hardcontact.surfaces.height_map import TABLE1_METRICS, HeightMap, level, metrics
-from hardcontact.surfaces.spectrum import (
-    AFM_ROWS,
-    WAVEVECTORS,
-    SpectrumFunction,
-    spectrum_of_dataset,
-)
+from hardcontact.surfaces.spectrum import WAVEVECTORS, SpectrumFunction, spectrum_of_dataset
 from hardcontact.surfaces.substitute_spectra import MET_ERROR, expected_scan_rms, transfer_weights
 from hardcontact.surfaces.synthesis import (
     ScanGrid,

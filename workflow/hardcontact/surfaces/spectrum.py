@@ -7,11 +7,9 @@ Prop. 5 (2017) 013001.
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
-import pandas as pd
 import xarray as xr
 from numpy.typing import ArrayLike
 
@@ -187,37 +185,6 @@ def varying_hurst(
 def smooth_rolloff(wavevector: Floats, plateau: float, rolloff: float, hurst: float) -> Floats:
     """Return C_iso: `plateau` (nm⁴) [1 + (q/q_r)²]^(-1-H), roll-off wavelength in nm."""
     return plateau * (1 + (wavevector * rolloff / (2 * np.pi)) ** 2) ** (-1 - hurst)
-
-
-#: Models in descriptions of substitutes (`resources/README.md`), with their parameter columns.
-SPECTRAL_MODELS: dict[str, tuple[Callable[..., Floats], tuple[str, ...]]] = {
-    "self-affine": (self_affine, ("plateau_nm4", "rolloff_nm", "hurst")),
-    "varying Hurst": (varying_hurst, ("plateau_nm4", "rolloff_nm", "hurst", "hurst_change")),
-    "smooth roll-off": (smooth_rolloff, ("plateau_nm4", "rolloff_nm", "hurst")),
-}
-#: Columns of descriptions that hold numbers.
-NUMBER_COLUMNS = (
-    "longest_nm", "shortest_nm", "plateau_nm4", "rolloff_nm", "hurst", "hurst_change",
-)  # fmt: skip
-#: Rows of Table 1 to which the spectrum of scans, and the tail at shorter wavelengths, are fitted.
-AFM_ROWS = ("afm_rms_height", "afm_rms_slope", "afm_rms_curvature")
-TAIL_ROWS = ("all_rms_slope", "all_rms_curvature")
-#: Rows of Table 1 to which a model is calibrated if its Hurst exponent is blank.
-CALIBRATION_ROWS = {"self-affine": AFM_ROWS, "varying Hurst": AFM_ROWS, "power law": TAIL_ROWS}
-#: Values of `evidence` for segments that come from data; other segments are inferred or assumed.
-DATA_EVIDENCE = ("published", "measured")
-
-
-def read_segments(path: str | Path) -> pd.DataFrame:
-    """Read the segments of a description of a spectrum, without blanks around its cells."""
-    cells = pd.read_csv(path, dtype=str).apply(lambda column: column.str.strip())
-    segments: pd.DataFrame = cells.replace("", np.nan).astype(dict.fromkeys(NUMBER_COLUMNS, float))
-    return segments
-
-
-def needs_calibration(segments: pd.DataFrame) -> bool:
-    """Return whether a description leaves parameters to a calibration on Table 1."""
-    return bool((segments.hurst.isna() & segments.model.isin(CALIBRATION_ROWS)).any())
 
 
 def power_law_extrapolation(density: Floats, hurst: float) -> Floats:

@@ -11,17 +11,13 @@ from numpy.typing import NDArray
 
 from hardcontact.base.arrays import Floats
 from hardcontact.base.units import NM4, RAD_PER_NM
+from hardcontact.surfaces.descriptions import DATA_EVIDENCE
 from hardcontact.surfaces.extrapolated_spectrum import Tail
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.reliable_band import ReliableBand
 from hardcontact.surfaces.same_place import earlier_scans_of_places
 from hardcontact.surfaces.scan_defects import DEFECT_UNITS
-from hardcontact.surfaces.spectrum import (
-    BIN_CENTRES,
-    DATA_EVIDENCE,
-    WAVEVECTORS,
-    spectrum_of_dataset,
-)
+from hardcontact.surfaces.spectrum import BIN_CENTRES, WAVEVECTORS, spectrum_of_dataset
 
 #: Units of the attributes of a spectrum about its ends; none for a text.
 END_UNITS = dict.fromkeys(("shortest_measured", "longest_measured", "rolloff"), "nm") | dict(

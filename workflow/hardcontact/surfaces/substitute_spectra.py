@@ -12,11 +12,14 @@ import pandas as pd
 import xarray as xr
 
 from hardcontact.base.arrays import Floats
-from hardcontact.surfaces.spectrum import (
+from hardcontact.surfaces.descriptions import (
     AFM_ROWS,
     CALIBRATION_ROWS,
     SPECTRAL_MODELS,
     TAIL_ROWS,
+    read_segments,
+)
+from hardcontact.surfaces.spectrum import (
     WAVEVECTORS,
     Spectrum,
     SpectrumFunction,
@@ -25,7 +28,6 @@ from hardcontact.surfaces.spectrum import (
     kept_shares,
     power_law_extrapolation,
     power_law_tail,
-    read_segments,
     spectrum_dataset,
 )
 
