@@ -63,7 +63,7 @@ def test_a_run_in_another_folder_is_refused(tmp_path, monkeypatch, rules_folder,
 @pytest.mark.parametrize("option", ["--touch", "-t"])
 def test_times_are_not_renewed(monkeypatch, option):
     monkeypatch.setattr(start.sys, "argv", ["snakemake", "all", option])
-    assert_says(refusal_line(start._refuse_touch), "records and not times", "snakemake -n")
+    assert_says(refusal_line(start._refuse_touch), "records, not file times", "snakemake -n")
 
 
 def test_the_grids_of_the_paper_are_refused_for_own_surfaces():

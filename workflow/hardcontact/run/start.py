@@ -71,8 +71,8 @@ def _refuse_touch() -> None:
     """Refuse to renew times, which decide nothing; without files Snakemake ends in a traceback."""
     if {"--touch", "-t"} & {*sys.argv[1:]}:
         _refuse(
-            "snakemake: expected a run, since records and not times decide what is made again, "
-            "found --touch: `snakemake -n` names the jobs that would run"
+            "snakemake: expected no option --touch, because records, not file times, decide what "
+            "runs again, found it: `snakemake -n` names the jobs that would run"
         )
 
 
@@ -85,10 +85,8 @@ def _refuse_elsewhere(workflow: Any) -> None:
         rules_folder.is_relative_to(ROOT) and snakefile.is_relative_to(ROOT)
     ):
         _refuse(
-            f"working directory: expected the study to be run by itself in {ROOT}, whose library "
-            f"this environment has (README.md), found {snakefile} with the rules of {rules_folder} "
-            "run in "
-            f"{working_folder}"
+            f"working directory: expected {ROOT}, because this environment has its library "
+            f"(README.md), found {working_folder}, with {snakefile} and the rules of {rules_folder}"
         )
 
 
@@ -144,8 +142,8 @@ def _refuse_grids_of_paper(workflow: Any, config: Mapping[str, Any]) -> None:
     quick = ROOT / "config/quick.yaml"
     if config["published"] == NONE and quick in map(Path.resolve, map(Path, workflow.configfiles)):
         raise ValueError(
-            "--configfile: expected config/quick.yaml for studies of the paper alone, found it "
-            "with `published: none`: --config effort=quick gives a first answer for own surfaces"
+            "--configfile: expected --config effort=quick for own surfaces (published: none), "
+            "found config/quick.yaml, whose grids are for the surfaces of the paper"
         )
 
 
