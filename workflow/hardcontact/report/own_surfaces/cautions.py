@@ -66,7 +66,6 @@ def cautions(data: Datasets, numbers: Mapping[str, Number]) -> list[Caution]:
         _few_places(data.force),
         _soft_bodies(data.force),
         _strong_work(numbers),
-        _small_window(data),
         _small_scans(data),
         _few_pixels(data.force),
         _few_tests(numbers),
@@ -81,6 +80,7 @@ def cautions(data: Datasets, numbers: Mapping[str, Number]) -> list[Caution]:
         _ripples(data.edges),
         _tail(data),
         _long_waves(data),
+        _small_window(data),
     ]
     surface_cautions = [caution for caution in possible_cautions if caution is not None]
     return sorted(surface_cautions, key=lambda caution: not caution.grave)
