@@ -16,7 +16,7 @@ ROOMS = re.findall(r"`(\w+)`", hardcontact.__doc__)
 #: Code lines that each room may have, without docstrings, comments and blank lines. A commit that
 #: raises one says what a user gets for it.
 BUDGET = {
-    "base": 793,
+    "base": 797,
     "surfaces": 3436,
     "contact": 1381,
     "inference": 1662,

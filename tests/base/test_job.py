@@ -13,8 +13,9 @@ from refusals import assert_says
 from repository import ROOT, environment
 
 from hardcontact.base import dataset
-from hardcontact.base.job import job_log, progress, run_job
+from hardcontact.base.job import job_log, run_job
 from hardcontact.base.origin import canonical_json, digest, read_record
+from hardcontact.base.progress import progress
 
 PARAMETERS = {"surface": "uncd", "range": 5.6}
 

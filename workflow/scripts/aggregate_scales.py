@@ -10,10 +10,12 @@ from hardcontact.inference.master_datasets import (
 
 with run_job(snakemake) as job:
     params = job.parameters
-    limits = params["realizations"], params["load"]
-    forces = read_master_forces(params["surfaces"], job.input.masters, *limits)
+    count, load = params["realizations"], params["load"]
+    forces = read_master_forces(params["surfaces"], job.input.masters, count, load)
     if job.input.sampled:  # There are none if all surfaces are substitutes.
-        sampled_forces = read_master_forces(params["sampled_surfaces"], job.input.sampled, *limits)
+        sampled_forces = read_master_forces(
+            params["sampled_surfaces"], job.input.sampled, count, load
+        )
         forces = add_spectrum_shifts(forces, sampled_forces)
     job.write(
         add_transitions(add_names(forces, params), params["transitions"]).assign_attrs(

@@ -1,7 +1,8 @@
 """Forces on whole substitute surfaces: at all ranges, and with each octave amplified."""
 
 from hardcontact.base.dataset import stack
-from hardcontact.base.job import progress, run_job
+from hardcontact.base.job import run_job
+from hardcontact.base.progress import progress
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import mean_pull_off_dataset

@@ -2,7 +2,8 @@
 
 from hardcontact.base import published
 from hardcontact.base.dataset import read, stack
-from hardcontact.base.job import progress, run_job
+from hardcontact.base.job import run_job
+from hardcontact.base.progress import progress
 from hardcontact.contact.contact import Contact
 from hardcontact.inference.band_forces import band_force_dataset
 from hardcontact.inference.edges import pooled_band

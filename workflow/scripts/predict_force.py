@@ -14,10 +14,10 @@ with run_job(snakemake) as job:
     scales = read(job.input.scales)
     sensitivity = read(job.input.sensitivity)
     master_scans = MasterScans(params["scans"], params["tiles"], fewest_places(adhesion))
-    limits = {name: params[name] for name in ("tolerance", "confidence")}
-    edges = edges_of_scans(scales, sensitivity, master_scans, **limits)
+    criteria = {name: params[name] for name in ("tolerance", "confidence")}
+    edges = edges_of_scans(scales, sensitivity, master_scans, **criteria)
     job.write(
-        labelled_edges(edges, scales, **limits),
+        labelled_edges(edges, scales, **criteria),
         title="pull-off force against cutoff wavelength, and the edges of the band",
         output="edges",
     )
@@ -33,7 +33,7 @@ with run_job(snakemake) as job:
             sensitivity,
             contact=contact,
             master_scans=master_scans,
-            **limits,
+            **criteria,
         ),
         title="predicted pull-off forces",
         output="force",

@@ -97,7 +97,7 @@ def test_a_verdict_on_an_edge_from_artificial_roughness_says_so():
         scales = datasets()["scales"].assign(transition=("side", [transition, 1e6]))
         page = Page(make_page(table, scales=scales))
         (line,) = re.findall("wavelengths below.*wavelengths above", answer_words(page))
-        assert ("where roughness is extrapolated" in line) == is_artificial, line
+        assert ("where roughness is artificial" in line) == is_artificial, line
         (row,) = [
             row
             for row in page.rows

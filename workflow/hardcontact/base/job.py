@@ -6,10 +6,10 @@ import os
 import shutil
 import sys
 import traceback
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
-from typing import Any, NamedTuple, TypeVar
+from typing import Any, NamedTuple
 
 import xarray as xr
 
@@ -25,8 +25,6 @@ from hardcontact.base.origin import (
 from hardcontact.base.whole_file import remove_parts, whole_file
 
 _logger = logging.getLogger("hardcontact")
-
-Step = TypeVar("Step")
 
 
 class Job(NamedTuple):
@@ -119,11 +117,3 @@ def job_log(path: str | Path) -> Iterator[None]:
         _logger.removeHandler(handler)
         with suppress(OSError):  # the disk may be full
             handler.close()
-
-
-def progress(steps: Iterable[Step], total: int, name: str) -> Iterator[Step]:
-    """Pass on steps, named in the plural, and log how many are done, about ten times in all."""
-    for done, step in enumerate(steps, start=1):
-        yield step
-        if done == total or done * 10 // total > (done - 1) * 10 // total:
-            _logger.info("%s: %d of %d", name, done, total)

@@ -167,6 +167,6 @@ def refuse_changed_since(digests_before: Mapping[str, str]) -> None:
     ]
     if changed:
         raise ValueError(
-            f"{', '.join(changed)}: expected inputs that stay as they are while a job runs, found "
-            "that its inputs changed; run again"
+            f"{', '.join(changed)}: expected the content of when the job began, found that its "
+            "inputs changed; run again"
         )

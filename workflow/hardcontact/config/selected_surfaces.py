@@ -125,7 +125,7 @@ class Selection:
         return list(range(start, start + len(scans))) if group else scans
 
     @property
-    def pooled(self) -> list[str]:
+    def substrates_with_pool(self) -> list[str]:
         """Substrates with a pool of scans for the sets: substitutes with a published rms height."""
         table1 = pd.read_csv(PUBLISHED_TABLES["published_table1"])
         published_surfaces = set(table1.surface[table1.quantity == "afm_rms_height"])

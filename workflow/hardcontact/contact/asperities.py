@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from scipy import ndimage
 
 from hardcontact.base.arrays import Floats
-from hardcontact.base.job import progress
+from hardcontact.base.progress import progress
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import Bodies, flattened_gaps, gap_map
 

@@ -15,7 +15,7 @@ from scipy.optimize import minimize_scalar
 from threadpoolctl import threadpool_limits
 
 from hardcontact.base.arrays import Floats
-from hardcontact.base.job import progress
+from hardcontact.base.progress import progress
 from hardcontact.base.units import NM, PASCAL
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import (

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from scipy.sparse.csgraph import connected_components
 
 from hardcontact.base.dataset import stack
-from hardcontact.base.job import progress
+from hardcontact.base.progress import progress
 from hardcontact.base.units import NEWTON, NM
 from hardcontact.contact.bearing_area import ContactPixels, PixelsByContact, all_contact_pixels
 from hardcontact.contact.contact import Contact

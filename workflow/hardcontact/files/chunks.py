@@ -49,7 +49,7 @@ class Chunks:
         """The scans of all pools, for the sets: what compute_pool makes."""
         chunks = _spans(self._configuration["sets"]["pool_size"], POOL_CHUNK)
         featured = self._files.featured_surfaces
-        pooled = [name for name in self._selection.pooled if name not in featured]
+        pooled = [name for name in self._selection.substrates_with_pool if name not in featured]
         return [Chunk(surface, *chunk) for surface in pooled for chunk in chunks]
 
     @property

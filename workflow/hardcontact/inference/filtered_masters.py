@@ -12,7 +12,7 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from hardcontact.base import dataset
-from hardcontact.base.job import progress
+from hardcontact.base.progress import progress
 from hardcontact.base.units import NM
 from hardcontact.contact.contact import CONTACT_AXES, Contact
 from hardcontact.contact.geometry import join_bodies

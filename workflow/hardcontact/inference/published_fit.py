@@ -11,7 +11,7 @@ import pandas as pd
 import xarray as xr
 
 from hardcontact.base.dataset import stack
-from hardcontact.base.job import progress
+from hardcontact.base.progress import progress
 from hardcontact.base.statistics import Sampling
 from hardcontact.base.units import DIMENSIONLESS, JOULE_PER_M2, NM
 from hardcontact.contact.contact import CONTACT_AXES

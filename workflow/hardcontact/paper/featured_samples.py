@@ -13,7 +13,7 @@ import xarray as xr
 
 from hardcontact.base.arrays import Floats
 from hardcontact.base.dataset import concatenate, stack
-from hardcontact.base.job import progress
+from hardcontact.base.progress import progress
 from hardcontact.base.statistics import lognormal_shape
 from hardcontact.base.units import DIMENSIONLESS, NEWTON
 from hardcontact.contact.contact import Contact

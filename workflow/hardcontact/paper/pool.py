@@ -14,7 +14,7 @@ import xarray as xr
 
 from hardcontact.base import dataset, published
 from hardcontact.base.arrays import Floats
-from hardcontact.base.job import progress
+from hardcontact.base.progress import progress
 from hardcontact.base.random import generator
 from hardcontact.base.units import NM
 from hardcontact.contact.contact import Contact

@@ -13,7 +13,7 @@ import xarray as xr
 
 from hardcontact.base.arrays import Floats
 from hardcontact.base.dataset import concatenate
-from hardcontact.base.job import progress
+from hardcontact.base.progress import progress
 from hardcontact.base.random import generator
 from hardcontact.base.statistics import Sampling, student_log_samples
 from hardcontact.base.units import NEWTON

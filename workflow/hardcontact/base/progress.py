@@ -1,0 +1,16 @@
+"""The log of a job: how many steps of a computation are done."""
+
+import logging
+from collections.abc import Iterable, Iterator
+from typing import TypeVar
+
+Step = TypeVar("Step")
+_logger = logging.getLogger("hardcontact")
+
+
+def progress(steps: Iterable[Step], total: int, name: str) -> Iterator[Step]:
+    """Pass on steps, named in the plural, and log how many are done, about ten times in all."""
+    for done, step in enumerate(steps, start=1):
+        yield step
+        if done == total or done * 10 // total > (done - 1) * 10 // total:
+            _logger.info("%s: %d of %d", name, done, total)
