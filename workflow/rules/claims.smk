@@ -15,7 +15,7 @@ rule evaluate_claims:
         code=code_inputs("evaluate_claims.py"),
     output:
         claims=PATTERNS.result("claims.csv"),
-    retries: 0  # A wrong statement fails the same way twice.
+    retries: 0  # A faulty row of claims.csv fails again.
     params:
         parameters=parameters(
             datasets=CLAIM_DATASETS,

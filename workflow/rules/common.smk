@@ -1,4 +1,4 @@
-# The configuration and the paths of all rules, and the code that a script really uses.
+# The configuration and the paths of all rules, and the modules that a script imports.
 #
 # Names that the rules of all files use:
 #   config         the configuration as written, with units: for records and captions

@@ -7,7 +7,7 @@ from hardcontact.surfaces.synthesis import SIDES
 SHORTEST_WHOLE_RANGE = 0.7
 #: Bands need whole surfaces: scans are too small for their long waves.
 BAND_SURFACES = FILES.substitutes if IS_PAPER_STUDY else []
-#: The scan of the sphere that touches scans, unless its roughness is part of theirs.
+#: The scan of the sphere; none if its roughness was added to that of the substrate.
 SPHERE_SCAN = (
     FILES.first_sphere_path if SELECTION.scans(SPHERE) and not FILES.combined_surfaces else []
 )

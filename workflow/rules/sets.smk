@@ -44,7 +44,7 @@ rule sample_sets:
         code=code_inputs("sample_sets.py"),
     output:
         PATTERNS.dataset("sets"),
-    retries: 0  # A wrong statement fails the same way twice.
+    retries: 0  # A faulty row of claims.csv fails again.
     params:
         parameters=parameters(
             chunks=CHUNKS.pools,

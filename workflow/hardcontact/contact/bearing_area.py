@@ -19,7 +19,7 @@ from hardcontact.contact.geometry import Bodies, ContactGeometry, largest_contac
 from hardcontact.surfaces.height_map import HeightMap
 
 #: Pixels per row of a tile, tiles per row of a group, tiles that are read at once, and
-#: contacts that are searched at once. They change the time alone.
+#: contacts that are searched at once. They affect the speed only.
 TILE = 32
 GROUP = 16
 BATCH = 256
@@ -41,8 +41,8 @@ class Tiles:
     ) -> tuple[NDArray[np.int_], NDArray[np.int_], NDArray[np.bool_]]:
         """Return the tiles that meet windows of pixels about positions (...), along one axis.
 
-        Of each of them, (..., k): the offset of its first pixel from the position, its index in the
-        map, and whether it meets the window: windows meet up to k tiles.
+        Three arrays (..., k), padded to the largest number k of tiles in a window: the offset of
+        the first pixel of a tile from the position, its index, and whether it meets the window.
         """
         count = self.maxima.shape[0]
         start = positions - window // 2

@@ -1,4 +1,4 @@
-"""Contact pixels of an array of contacts, which do not count in the sums of exp(-gap/rho)."""
+"""Contact pixels of an array of contacts, which the sums of exp(-gap/rho) exclude."""
 
 from collections.abc import Callable
 

@@ -15,8 +15,8 @@ from hardcontact.contact.contact import Contact
 from hardcontact.surfaces.filters import interpolate
 from hardcontact.surfaces.height_map import HeightMap, read_height_map
 
-#: Fewest places at which a rough sphere is let touch own surfaces: with 16 an interval is 1.1 times
-#: as wide as with many; each costs force sums.
+#: Minimum number of places on a rough sphere that touch each own surface: with 16 an interval is
+#: 1.1 times as wide as with many, and each costs force sums.
 SPHERE_PLACES = 16
 #: Contacts per row at each of several places.
 PLACE_CONTACTS_PER_ROW = 6

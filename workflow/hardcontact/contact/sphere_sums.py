@@ -6,8 +6,9 @@ the sums of all contacts are one matrix product, G exp(z/rho) G^T, where G is ex
 axis for every contact. On a rough sphere they are the correlation of exp(z/rho) with the kernel
 exp((u - y)/rho).
 
-Contact pixels do not count. `sums_by_subtraction` subtracts them from the sum over all pixels: it
-is fast, but loses the digits of exp(penetration/rho). At short ranges and on rough spheres
+These sums exclude the contact pixels, which `pull_off` adds with exp(0) = 1 each.
+`sums_by_subtraction` subtracts them from the sum over all pixels: it is fast, but loses the digits
+of exp(penetration/rho). At short ranges and on rough spheres
 `_sums_by_omission` therefore leaves the pixels of all contacts out, and then adds those of the
 others to the sum of each contact. Exponentials are relative to the highest points of z and u, so
 that none overflows.

@@ -24,9 +24,9 @@ _FORCES_OF_SETS = (*_GAUSSIAN, "sets.contacts_per_row", "contact.window", "adhes
 _TRANSITIONS = ("scales.short.transition", "scales.long.transition")
 
 #: For each kind of intermediate, the keys on which it and its inputs depend: its path has a digest
-#: of their values. Keys whose values stand in the path are left out. Files of a surface are no key,
-#: because paths have a digest of their content. Other columns of the table of surfaces replace the
-#: intermediates of a surface.
+#: of their values. Not listed are keys whose values stand in the path, and the files of a surface,
+#: because paths have a digest of their content. If another column of the table of surfaces changes,
+#: the path stays and the file is replaced.
 STORE_KEYS = {
     "measurements": _READING,
     "measured_spectra": _MEASURED,

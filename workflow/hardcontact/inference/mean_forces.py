@@ -31,7 +31,7 @@ class SurfaceForces(NamedTuple):
     mean: np.ndarray  #: (rho,) in N, at the work of adhesion of the single forces.
     delete_one_log_means: np.ndarray  #: (part, rho) Logarithms of the mean of all parts but one.
     scan_parts: list[ScanParts]  #: (rho,) Parts correlate more at longer ranges.
-    #: (rho,) At one more place of a rough sphere, which touches at several.
+    #: (rho,) Of ln F between places on a rough sphere; empty if it touches at one.
     place_variances: list[Variance]
 
 

@@ -41,7 +41,7 @@ DERIVED_QUANTITIES: dict[str, Callable[..., xr.Dataset]] = {
 
 
 def estimate(quantity: str, dataset: xr.Dataset, *others: xr.Dataset) -> xr.Dataset:
-    """Return the number of a key of `DERIVED_QUANTITIES`, of a variable, or of a row of Table 1.
+    """Return the value and interval of a quantity: derived, a variable, or a row of Table 1.
 
     Raises KeyError if a variable or an attribute that is needed does not exist.
     """
