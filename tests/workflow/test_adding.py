@@ -6,7 +6,7 @@ import yaml
 from repository import TINY, snakemake
 
 CLAIM = (
-    "largest_force_uncd,Results,The largest force on UNCD exceeds 1 nN.,largest force,"
+    "largest_force_uncd,,Results,The largest force on UNCD exceeds 1 nN.,largest force,"
     "1e-9,1e-9,,N,above,assumed,adhesion,largest_force,surface=uncd;contact_model=plastic,,,,\n"
 )
 QUANTITY = '''
