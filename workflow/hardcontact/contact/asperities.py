@@ -13,6 +13,7 @@ from scipy import ndimage
 
 from hardcontact.base.arrays import Floats
 from hardcontact.base.progress import progress
+from hardcontact.base.units import NM
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import Bodies, flattened_gaps, gap_map
 
@@ -129,7 +130,7 @@ def asperities_of_pair(
             for k, (name, unit) in enumerate(ASPERITY_UNITS.items())
         },
         {
-            "rho": ("rho", ranges, {"units": "nm", "long_name": "range of adhesion"}),
+            "rho": ("rho", ranges, NM),
             "contact_y": ("contact", contact_indices[:, 0]),
             "contact_x": ("contact", contact_indices[:, 1]),
         },

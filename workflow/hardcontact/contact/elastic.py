@@ -233,9 +233,9 @@ def elastic_contacts_of_pair(
     pixels = min(PRESSURE_MAP_PIXELS, period_pixels)
     # The highest pressure is the lowest negative pressure.
     map_of_peak = -part_around_lowest(-pressures[0], pixels)
-    pressure_attributes = PASCAL | {"long_name": "pressure in one contact"}
+    pressure_attributes = PASCAL
     position = (np.arange(pixels) - pixels // 2) * pixel_size
-    from_peak = NM | {"long_name": "position from the peak"}
+    from_peak = NM
     hertz = hertz_contact(contact.preload, geometry.radius, modulus)
     return xr.Dataset(
         variables | {"pressure": (("y", "x"), map_of_peak, pressure_attributes)},

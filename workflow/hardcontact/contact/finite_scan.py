@@ -54,13 +54,9 @@ def add_sizes(
     lengths = [search_sizes[name] for name in force["surface"].values.tolist()]
     sizes = zip(scans["scan_size"].values.tolist(), lengths, strict=True)
     ratios = [finite_scan_ratio(size, search_size) for size, search_size in sizes]
-    share_attributes = {
-        "units": "1",
-        "long_name": "share of the attraction of a smooth sphere within the window",
-    }
     return force.assign(
         search_size=("surface", lengths, NM),
         finite_scan_ratio=(("surface", "bound"), ratios, DIMENSIONLESS),
         pixel_area=("surface", scans["pixel_size"].values ** 2, {"units": "nm2"}),
-        window_share=("rho", window_share(contact, force["rho"].values), share_attributes),
+        window_share=("rho", window_share(contact, force["rho"].values), DIMENSIONLESS),
     ).assign_attrs(window=contact.window, contact_area=contact.area)

@@ -135,16 +135,16 @@ def _add_height_maps(
     offsets = np.arange(-MAP_HALF_WIDTH, MAP_HALF_WIDTH + 1)
     row, column = pixels_by_load[0].offsets[0]
     position = offsets * bodies.geometry.pixel_size
-    axis = NM | {"long_name": "position from the deepest point"}
+    axis = NM
     return sizes.assign(
         indentation=(
             ("preload", "y", "x"),
             np.array([indentation_map(pixels, MAP_HALF_WIDTH) for pixels in pixels_by_load]),
-            NM | {"long_name": "indentation of the sphere"},
+            NM,
         ),
         sphere_height=(
             ("y", "x"),
             bodies.sphere(row + offsets, column + offsets),
-            NM | {"long_name": "undeformed sphere, up from its apex"},
+            NM,
         ),
     ).assign_coords(y=("y", position, axis), x=("x", position, axis))

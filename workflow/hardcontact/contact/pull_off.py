@@ -36,13 +36,12 @@ FORCE_ATTRS = NEWTON | {"long_name": "pull-off force at W = 1 J/m2"}
 def load_axis(loaded_contacts: Sequence[Contact]) -> dict[str, Axis]:
     """Return the coordinate of the loads of contacts, by name."""
     names = [contact.load_name for contact in loaded_contacts]
-    return {"load": (("load",), names, {"long_name": "load"})}
+    return {"load": (("load",), names, {})}
 
 
 def range_axis(ranges: Sequence[float]) -> dict[str, Axis]:
     """Return the coordinate of ranges of adhesion."""
-    attributes = NM | {"long_name": "range of adhesion"}
-    return {"rho": (("rho",), np.asarray(ranges, float), attributes)}
+    return {"rho": (("rho",), np.asarray(ranges, float), NM)}
 
 
 def pull_off_force(
@@ -141,12 +140,11 @@ def pull_off_dataset(bodies: Bodies, contact: Contact, ranges: Sequence[float]) 
     # At closest approach the largest gap of the touching pixels has become zero.
     apex_heights = -np.stack([gaps[..., 0], gaps[..., -1]])
     positions = bodies.geometry.positions * pixel_size
-    height_attributes = NM | {"long_name": "height of the apex above the mean plane"}
     model_axes = ("contact_model", *CONTACT_AXES)
     return xr.Dataset(
         {
             "pull_off_force": (("contact_model", "rho", *CONTACT_AXES), forces, FORCE_ATTRS),
-            "apex_height": (model_axes, apex_heights, height_attributes),
+            "apex_height": (model_axes, apex_heights, NM),
             "contact_pixel_count": ("contact_model", counts, DIMENSIONLESS),
             "touched_places": ((), touched_places(bodies, pixels_by_contact), DIMENSIONLESS),
         },
@@ -215,12 +213,8 @@ def force_on_finer_pixels(bodies: Bodies, contact: Contact, forces: xr.DataArray
         ),
     )
     fine = forces_at_loads(finer, [contact], [contact.rho]).mean()
-    attributes = {
-        "units": "1",
-        "long_name": "force on pixels of half the size, relative to the scan's pixels",
-    }
-    change = ((), fine / forces.values.mean(), attributes | {"rho": contact.rho})
-    return xr.Dataset({"finer_pixel_ratio": change})
+    ratio = fine / forces.values.mean()
+    return xr.Dataset({"finer_pixel_ratio": ((), ratio, DIMENSIONLESS | {"rho": contact.rho})})
 
 
 def wider_window_change(
@@ -237,12 +231,8 @@ def wider_window_change(
         wider = replace(bodies, geometry=replace(bodies.geometry, window_pixels=window_pixels))
         wide = forces_at_loads(wider, [contact], [contact.rho])[0, 0]
         changes.append(float(np.abs(wide / pair_forces - 1).max()))
-    attributes = {
-        "units": "1",
-        "long_name": "change of the force in a window wider by a period on each side",
-    }
     return xr.Dataset(
-        {"wider_window_change": ((), max(changes), attributes)}, {}, {"rho": contact.rho}
+        {"wider_window_change": ((), max(changes), DIMENSIONLESS)}, {}, {"rho": contact.rho}
     )
 
 
@@ -263,8 +253,8 @@ def trace_contact(bodies: Bodies, index: tuple[int, int], contact: Contact) -> x
     # The bodies keep their deformed shape: all gaps grow by the same length.
     separation = np.linspace(0, 10 * rho, 201)
     position = geometry.offsets() * geometry.pixel_size
-    from_apex: dict[str, Any] = NM | {"long_name": "position from the apex"}
-    gap_attributes = NM | {"long_name": "gap before flattening"}
+    from_apex: dict[str, Any] = NM
+    gap_attributes = NM
     return xr.Dataset(
         {
             "gap": (("y", "x"), gap.astype(np.float32), gap_attributes),

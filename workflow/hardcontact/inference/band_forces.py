@@ -20,12 +20,6 @@ from hardcontact.surfaces.synthesis import SIDES
 #: Parts of the roughness whose forces are compared with the force on all of it.
 BAND_PARTS = ("only the band", "no shorter waves", "no longer waves")
 
-BAND_END = NM | {"long_name": "wavelength at which the band begins and ends"}
-BAND_RATIO = DIMENSIONLESS | {
-    "long_name": "mean pull-off force with only a part of the roughness, relative to the force "
-    "with all roughness"
-}
-
 
 def band_parts(
     surface: HeightMap, bands: Iterable[tuple[float, float]]
@@ -60,7 +54,7 @@ def band_force_dataset(
         {
             "force": (CONTACT_AXES, compute_forces(surface), FORCE_ATTRS),
             "band_force": (("band", "band_part", *CONTACT_AXES), part_forces, FORCE_ATTRS),
-            "band_end": (("band", "side"), np.array(list(bands.values())), BAND_END),
+            "band_end": (("band", "side"), np.array(list(bands.values())), NM),
         },
         {"band": list(bands), "band_part": list(BAND_PARTS), "side": list(SIDES)},
     )
@@ -75,7 +69,7 @@ def band_ratios(forces: xr.Dataset, scan_parts: ScanParts, confidence: float) ->
     interval = np.exp(np.stack([log_ratio - half, log_ratio + half], axis=-1))
     dimensions = ("band", "band_part")
     variables = with_interval(
-        "band_force_ratio", dimensions, np.exp(log_ratio), interval, BAND_RATIO, confidence
+        "band_force_ratio", dimensions, np.exp(log_ratio), interval, DIMENSIONLESS, confidence
     )
     return xr.Dataset(variables, {name: forces[name] for name in dimensions})
 

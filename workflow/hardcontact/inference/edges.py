@@ -24,19 +24,6 @@ from hardcontact.inference.curve_edges import (
 #: The group of all surfaces.
 POOLED = "pooled"
 AXES = ("side", "surface", "cutoff_wavelength")
-RATIO_ATTRS = DIMENSIONLESS | {
-    "long_name": "mean pull-off force with roughness beyond the cutoff removed, relative to the "
-    "force with all roughness",
-}
-CHANGE_ATTRS = DIMENSIONLESS | {
-    "long_name": "magnitude of the relative change of the force without roughness beyond the cutoff"
-}
-EDGE_ATTRS = NM | {"long_name": "cutoff at which the change of the force exceeds the tolerance"}
-BOUND_ATTRS = NM | {"long_name": "cutoff beyond which an open edge lies"}
-STATUS_ATTRS = {
-    "long_name": "found; open_above or open_below: the edge lies above or below its bound; "
-    "ripples: no edge, the force falls by the ripples of the filter"
-}
 
 
 def computed_cutoffs(values: xr.DataArray) -> np.ndarray:
@@ -82,9 +69,9 @@ def edge_variables(
 ) -> dict[str, Any]:
     """Return ``edge``, ``edge_bound`` and ``edge_status`` as variables of this shape."""
     columns: dict[str, tuple[list[Any], dict[str, str]]] = {
-        "edge": ([edge.value for edge in edges], EDGE_ATTRS),
-        "edge_bound": ([edge.bound for edge in edges], BOUND_ATTRS),
-        "edge_status": ([edge.status for edge in edges], STATUS_ATTRS),
+        "edge": ([edge.value for edge in edges], NM),
+        "edge_bound": ([edge.bound for edge in edges], NM),
+        "edge_status": ([edge.status for edge in edges], {}),
     }
     return {
         name: (dimensions, np.reshape(values, shape), attributes)
@@ -114,12 +101,12 @@ def edges_with_samples(
     change, change_samples = _changes(ratio), _changes(ratio_samples)
     variables = edge_variables(edges, axes, shape)
     _, edge, _ = variables["edge"]
-    variables |= sampling.with_interval("edge", axes, edge, edge_samples, EDGE_ATTRS)
+    variables |= sampling.with_interval("edge", axes, edge, edge_samples, NM)
     variables |= sampling.with_interval(
-        "filtered_force_change", (*axes, AXES[-1]), change, change_samples, CHANGE_ATTRS
+        "filtered_force_change", (*axes, AXES[-1]), change, change_samples, DIMENSIONLESS
     )
     variables |= sampling.with_interval(
-        "filtered_force_ratio", AXES, ratio, ratio_samples, RATIO_ATTRS
+        "filtered_force_ratio", AXES, ratio, ratio_samples, DIMENSIONLESS
     )
     coordinates = {
         "side": scales["side"].values,

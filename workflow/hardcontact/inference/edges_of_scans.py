@@ -10,6 +10,7 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.base.statistics import BOUNDS, widen_interval, with_interval
+from hardcontact.base.units import DIMENSIONLESS, NM
 from hardcontact.inference.curve_edges import (
     RIPPLES,
     ChangeCurve,
@@ -19,7 +20,7 @@ from hardcontact.inference.curve_edges import (
     logarithmic_limits,
     shows_ripples,
 )
-from hardcontact.inference.edges import EDGE_ATTRS, RATIO_ATTRS, edge_variables
+from hardcontact.inference.edges import edge_variables
 from hardcontact.inference.mean_forces import (
     MasterForces,
     MasterScans,
@@ -64,7 +65,7 @@ def _ratios(master_forces: MasterForces, confidence: float) -> xr.Dataset:
     interval = logarithmic_interval(ratio, half)
     axis = "cutoff_wavelength"
     return xr.Dataset(
-        with_interval("filtered_force_ratio", axis, ratio, interval, RATIO_ATTRS, confidence)
+        with_interval("filtered_force_ratio", axis, ratio, interval, DIMENSIONLESS, confidence)
         | {
             "interval_is_conditional": int(master_forces.scan_parts.are_quarters),
             "interval_source": master_forces.scan_parts.source,
@@ -118,7 +119,7 @@ def edges_of_curves(ratios: xr.Dataset, tolerance: float) -> xr.Dataset:
             intervals.append(edge_interval(curve, lowest, highest))
     variables = edge_variables(edges, dimensions, shape)
     interval = np.reshape(intervals, (*shape, 2))
-    variables["edge_interval"] = ((*dimensions, "bound"), interval, EDGE_ATTRS)
+    variables["edge_interval"] = ((*dimensions, "bound"), interval, NM)
     return xr.Dataset(variables, {dim: ratios[dim] for dim in dimensions} | {"bound": BOUNDS})
 
 

@@ -36,11 +36,12 @@ def edges_by_contact(forces: xr.Dataset, tolerance: float, sampling: Sampling) -
     reduced = {"plasticity": (RIGID, max(ranges)), "long_range": (PLASTIC, min(ranges))}
     ratios = [datasets[complete]["edge"] / datasets[key]["edge"] for key in reduced.values()]
     samples = [edge_samples[complete] / edge_samples[key] for key in reduced.values()]
-    attributes = DIMENSIONLESS | {
-        "long_name": "edge relative to the edge without plasticity, or without the long range"
-    }
     edge_ratio = sampling.with_interval(
-        "edge_ratio", ("removed_cause", "side", "group"), ratios, np.stack(samples, 1), attributes
+        "edge_ratio",
+        ("removed_cause", "side", "group"),
+        ratios,
+        np.stack(samples, 1),
+        DIMENSIONLESS,
     )
     coordinates = {"rho": sorted_forces["rho"], "removed_cause": list(reduced)}
     return edges.assign_coords(coordinates).assign(edge_ratio)

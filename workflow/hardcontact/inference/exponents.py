@@ -16,12 +16,6 @@ from hardcontact.inference.curve_edges import ChangeCurve, find_edge, logarithmi
 
 #: Quantities whose square roots are the lengths, in the order of their exponents.
 SCALED_QUANTITIES = ["radius", "contact"]
-FORCE_EXPONENT = DIMENSIONLESS | {
-    "long_name": "exponent of the pull-off force against the radius of the sphere"
-}
-EDGE_EXPONENT = DIMENSIONLESS | {
-    "long_name": "exponent of an edge against the square root of a quantity"
-}
 
 
 def force_exponent(forces: xr.Dataset, area: float, confidence: float) -> xr.Dataset:
@@ -37,7 +31,7 @@ def force_exponent(forces: xr.Dataset, area: float, confidence: float) -> xr.Dat
     interval = student_interval(slopes, confidence, "realization").transpose("surface", "bound")
     exponent = slopes.mean("realization")
     variables = with_interval(
-        "force_exponent", "surface", exponent.values, interval.values, FORCE_EXPONENT, confidence
+        "force_exponent", "surface", exponent.values, interval.values, DIMENSIONLESS, confidence
     )
     return xr.Dataset(variables, {"surface": forces["surface"]})
 
@@ -60,7 +54,7 @@ def edge_exponents(forces: xr.Dataset, tolerance: float, confidence: float) -> x
     )
     dimensions = ("surface", "side", "exponent_of")
     variables = with_interval(
-        "edge_exponent", dimensions, exponents, interval, EDGE_EXPONENT, confidence
+        "edge_exponent", dimensions, exponents, interval, DIMENSIONLESS, confidence
     )
     names = {name: forces[name].values for name in dimensions[:2]}
     return xr.Dataset(variables, names | {"exponent_of": SCALED_QUANTITIES})

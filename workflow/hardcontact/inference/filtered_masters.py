@@ -55,14 +55,13 @@ def forces_at_cutoffs(
     results = (compute_forces(surface) for surface in surfaces)
     unfiltered, *filtered = progress(results, 1 + len(cutoffs), "cutoffs")
     end = 2 * master.size / pixels if side == "short" else master.size
-    nanometres = NM | {"long_name": "last wavelength of the unfiltered spectrum"}
     cutoff_axis = (("cutoff_wavelength",), np.asarray(cutoffs, float), NM)
     filtered_forces = np.reshape(filtered, (len(cutoffs), *np.shape(unfiltered)))
     return xr.Dataset(
         {
             "unfiltered_pull_off_force": (tuple(axes), unfiltered, FORCE_ATTRS),
             "pull_off_force": (("cutoff_wavelength", *axes), filtered_forces, FORCE_ATTRS),
-            "unfiltered_wavelength": ((), end, nanometres),
+            "unfiltered_wavelength": ((), end, NM),
         },
         {"cutoff_wavelength": cutoff_axis, **axes},
         {"work_of_adhesion": WORK_OF_ADHESION},
@@ -97,7 +96,7 @@ def filtered_pull_off(
     axes |= {axis: ((axis,), np.arange(contact.contacts_per_row), {}) for axis in CONTACT_AXES}
     areas = ("load", [loaded.area for loaded in loaded_contacts], {"units": "nm2"})
     touching = [loaded.pixel_count(pixel_size) * pixel_size**2 for loaded in loaded_contacts]
-    contact_area = ("load", touching, {"units": "nm2", "long_name": "touching pixels"})
+    contact_area = ("load", touching, {"units": "nm2"})
     filtered = forces_at_cutoffs(master, filters, compute_forces, axes)
     return filtered.assign(contact_area=contact_area).assign_coords(area=areas)
 

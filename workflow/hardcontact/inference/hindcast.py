@@ -31,20 +31,6 @@ Octave = tuple[float, float]
 #: interval is 1.15 times as wide as with many.
 ARTIFICIAL_OCTAVES = 12
 
-HINDCAST_ATTRS = DIMENSIONLESS | {
-    "long_name": "mean pull-off force with an artificial octave, relative to that with the scan's"
-}
-FILTERED_SCAN = DIMENSIONLESS | {
-    "long_name": "mean pull-off force on scans without the waves that would be artificial on the "
-    "short side, relative to that on the scans"
-}
-WIDE_PIXELS = DIMENSIONLESS | {
-    "long_name": "mean pull-off force on four times wider pixels, relative to that on the scan's"
-}
-FAILURE_ATTRS = DIMENSIONLESS | {
-    "long_name": "1 where artificial roughness changes the force, or is not tested"
-}
-
 
 class RandomBody(NamedTuple):
     """Random roughness in place of that on the scan of a body."""
@@ -167,10 +153,10 @@ def hindcasts(forces: xr.Dataset, tolerance: float, confidence: float) -> xr.Dat
     interval = np.exp(np.stack([log_ratio - half, log_ratio + half], axis=-1))
     passes = (np.abs(log_ratio) <= half) | (np.abs(log_ratio) <= np.log1p(tolerance))
     variables = with_interval(
-        "hindcast_ratio", "side", np.exp(log_ratio.values), interval, HINDCAST_ATTRS, confidence
+        "hindcast_ratio", "side", np.exp(log_ratio.values), interval, DIMENSIONLESS, confidence
     )
     return xr.Dataset(
-        variables | {"hindcast_fails": ("side", (~passes).values.astype(int), FAILURE_ATTRS)},
+        variables | {"hindcast_fails": ("side", (~passes).values.astype(int), DIMENSIONLESS)},
         {"side": forces["side"]},
     )
 
@@ -188,7 +174,7 @@ def all_hindcasts(
         filtered = means["scan_octave_force"].sel(side="short", drop=True) / means["scan_force"]
         wide = means["wide_pixel_force"] / means["scan_force"]
         surfaces[(surface,)] = hindcasts(forces, tolerance, confidence).assign(
-            filtered_scan_ratio=filtered.assign_attrs(FILTERED_SCAN),
-            wide_pixel_ratio=wide.assign_attrs(WIDE_PIXELS),
+            filtered_scan_ratio=filtered.assign_attrs(DIMENSIONLESS),
+            wide_pixel_ratio=wide.assign_attrs(DIMENSIONLESS),
         )
     return stack(surfaces, ["surface"])

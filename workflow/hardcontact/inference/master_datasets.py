@@ -23,15 +23,9 @@ def stack_masters(master_datasets: DatasetsByLabels) -> xr.Dataset:
     contact_axes = [axis for axis in CONTACT_AXES if axis in forces.dims]
     filtered = forces["pull_off_force"].mean(contact_axes)
     unfiltered = forces["unfiltered_pull_off_force"].mean(contact_axes)
-    ratio = (filtered / unfiltered).assign_attrs(
-        units="1",
-        long_name="mean pull-off force with roughness beyond the cutoff removed, relative to the "
-        "force with all roughness",
-    )
+    ratio = (filtered / unfiltered).assign_attrs(DIMENSIONLESS)
     ends = forces["unfiltered_wavelength"].max("realization", keep_attrs=True)  # all are the same
-    scales = forces.assign(filtered_force_ratio=ratio, unfiltered_wavelength=ends)
-    scales["cutoff_wavelength"].attrs = NM | {"long_name": "cutoff wavelength"}
-    return scales
+    return forces.assign(filtered_force_ratio=ratio, unfiltered_wavelength=ends)
 
 
 def read_master_forces(
@@ -76,6 +70,5 @@ def add_spectrum_shifts(scales: xr.Dataset, sampled: xr.Dataset) -> xr.Dataset:
 
 def add_transitions(scales: xr.Dataset, transitions: Mapping[str, float]) -> xr.Dataset:
     """Return forces of masters with the ``transition`` (side) in nm to artificial roughness."""
-    attributes = NM | {"long_name": "wavelength at which artificial roughness begins"}
     lengths = [transitions[str(side)] for side in scales["side"].values]
-    return scales.assign(transition=("side", lengths, attributes))
+    return scales.assign(transition=("side", lengths, NM))

@@ -23,7 +23,6 @@ from hardcontact.base.statistics import (
     with_interval,
 )
 from hardcontact.base.units import DIMENSIONLESS, JOULE_PER_M2, NEWTON, NM
-from hardcontact.contact.contact import PLASTIC
 from hardcontact.contact.force_curves import interpolate_to_ranges
 from hardcontact.inference.fit import FIT_UNITS, best_fit, fine_ranges
 from hardcontact.inference.mean_forces import SurfaceForces, fewest_places, forces_of_surface
@@ -318,7 +317,7 @@ def add_extrapolated_work(fitted: xr.Dataset, force: xr.Dataset) -> xr.Dataset:
         work.dims,
         work.values,
         interval.transpose(*work.dims, "bound").values,
-        JOULE_PER_M2 | {"long_name": f"work with extrapolated roughness, {PLASTIC} contact"},
+        JOULE_PER_M2,
         fitted.attrs["confidence"],
     )
     return (

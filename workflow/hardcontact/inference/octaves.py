@@ -42,12 +42,6 @@ STEP = 0.05
 AMPLITUDE_FACTORS = (1 - STEP, 1 + STEP)
 #: Octaves that an answer names.
 OCTAVES_NAMED = 3
-OCTAVE = NM | {"long_name": "shortest wavelength of the octave, which ends at twice this length"}
-FACTOR = DIMENSIONLESS | {"long_name": "factor on the amplitude of the octave"}
-SENSITIVITY = DIMENSIONLESS | {
-    "long_name": "d ln F / d ln a: relative change of the mean pull-off force per relative change "
-    "of the amplitude of one octave"
-}
 
 
 def make_force_function(contact: Contact, sphere: HeightMap | None = None) -> ForcesOnSurface:
@@ -103,8 +97,8 @@ def octave_force_dataset(
     return xr.Dataset(
         {"octave_force": (dimensions, octave_forces(surface, limits, compute_forces), FORCE_ATTRS)},
         {
-            "octave": ("octave", np.asarray(limits[:-1]), OCTAVE),
-            "factor": ("factor", list(AMPLITUDE_FACTORS), FACTOR),
+            "octave": ("octave", np.asarray(limits[:-1]), NM),
+            "factor": ("factor", list(AMPLITUDE_FACTORS), DIMENSIONLESS),
         },
     )
 
@@ -192,6 +186,6 @@ def octave_sensitivities(
     log_ratio, half = log_force_ratio(strong, weak, scan_parts, confidence)
     interval = np.stack([log_ratio - half, log_ratio + half], axis=-1) / (2 * STEP)
     variables = with_interval(
-        "octave_sensitivity", "octave", log_ratio / (2 * STEP), interval, SENSITIVITY, confidence
+        "octave_sensitivity", "octave", log_ratio / (2 * STEP), interval, DIMENSIONLESS, confidence
     )
     return xr.Dataset(variables, {"octave": octave_force["octave"]})

@@ -12,7 +12,7 @@ from scipy import special
 
 from hardcontact.base.dataset import stack
 from hardcontact.base.statistics import bounds, widen_interval, with_interval
-from hardcontact.base.units import DIMENSIONLESS, NEWTON
+from hardcontact.base.units import DIMENSIONLESS, NEWTON, NM
 from hardcontact.contact.contact import CONTACT_AXES, PLASTIC, Contact
 from hardcontact.contact.finite_scan import add_sizes
 from hardcontact.contact.smooth_sphere import assumed_modulus
@@ -36,10 +36,6 @@ from hardcontact.theory.validity import tabor_number
 
 #: Quantiles of the forces of single contacts.
 QUANTILES = [0.05, 0.25, 0.5, 0.75, 0.95]
-PLACE_FACTOR = DIMENSIONLESS | {
-    "long_name": "factor to either side by which the place at which a rough sphere touches changes "
-    "the mean force"
-}
 
 
 def force_dataset(
@@ -194,11 +190,11 @@ def _force_variables(
 
 
 def _place_factor(forces_by_model: Sequence[SurfaceForces], confidence: float) -> dict[str, Any]:
-    """Return ``place_factor`` (contact_model, rho), of `PLACE_FACTOR`, if a sphere is rough."""
+    """Return ``place_factor`` (contact_model, rho), of `DIMENSIONLESS`, if a sphere is rough."""
     factors = [np.exp(place_half_widths(forces, confidence)) for forces in forces_by_model]
     if not factors[0].size:
         return {}
-    return {"place_factor": (("contact_model", "rho"), factors, PLACE_FACTOR)}
+    return {"place_factor": (("contact_model", "rho"), factors, DIMENSIONLESS)}
 
 
 def extrapolated_force(
@@ -210,7 +206,6 @@ def extrapolated_force(
     interval from the parts and realizations of the edges. ``extrapolation_end`` and ``transition``
     are in nm.
     """
-    attributes = NEWTON | {"long_name": "mean pull-off force with extrapolated roughness"}
 
     def summary(master_forces: MasterForces) -> xr.Dataset:
         force = work * master_forces.forces.unfiltered_pull_off_force.mean().values
@@ -223,14 +218,10 @@ def extrapolated_force(
         interval = logarithmic_interval(force, half)
         end = float(master_forces.forces.unfiltered_wavelength)
         return xr.Dataset(
-            with_interval("extrapolated_force", (), force, interval, attributes, confidence)
+            with_interval("extrapolated_force", (), force, interval, NEWTON, confidence)
             | {
                 "extrapolated_force_interval_source": master_forces.scan_parts.source,
-                "extrapolation_end": (
-                    (),
-                    end,
-                    {"units": "nm", "long_name": "last wavelength of the extrapolated roughness"},
-                ),
+                "extrapolation_end": ((), end, NM),
             }
         )
 
@@ -254,7 +245,7 @@ def add_extrapolated_force(
     )
     is_changed = np.abs(extrapolated_forces.extrapolated_force / scan_force.force - 1) > tolerance
     differs = (is_changed & ~is_inside).drop_vars("contact_model").astype(int)
-    differs.attrs = {"units": "1", "long_name": "1 where extrapolating changes the pull-off force"}
+    differs.attrs = DIMENSIONLESS
     return force.merge(extrapolated_forces).assign(
         extrapolation_matters=differs.transpose("surface", "side")
     )
@@ -289,7 +280,7 @@ def bound_by_smooth_sphere(force: xr.Dataset, area: float) -> xr.Dataset:
     bound = work * (2 * np.pi * 1e-9 * radius + touching * yields).transpose("contact_model", ...)
     rho = force.attrs["range_of_adhesion"]
     master_bound = bound.sel(contact_model=PLASTIC, drop=True).sel(rho=rho, method="nearest")
-    bounded = {"smooth_bound": bound.assign_attrs(units="N", long_name="force on a smooth sphere")}
+    bounded = {"smooth_bound": bound.assign_attrs(NEWTON)}
     for name, limit in {
         "force": bound,
         "extrapolated_force": master_bound.drop_vars("rho"),

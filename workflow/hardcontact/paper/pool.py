@@ -16,7 +16,7 @@ from hardcontact.base import dataset, published
 from hardcontact.base.arrays import Floats
 from hardcontact.base.progress import progress
 from hardcontact.base.random import generator
-from hardcontact.base.units import NM
+from hardcontact.base.units import DIMENSIONLESS, NM
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import pull_off_dataset
@@ -134,7 +134,7 @@ def forces_at_heights(scan: HeightMap, inputs: PoolInputs) -> xr.Dataset:
     axis = xr.Variable("rms_height_of_force", inputs.rms_heights, NM)
     height_forces = xr.concat(forces, xr.DataArray(axis, name="rms_height_of_force"))
     log_force: xr.DataArray = xr.apply_ufunc(np.log, height_forces).astype("float32")
-    log_force.attrs = {"units": "1", "long_name": "logarithm of the pull-off force in N at 1 J/m2"}
+    log_force.attrs = DIMENSIONLESS
     contacts = range(contact.contacts_per_row)
     coordinates = {"rms_height_of_force": axis, "contact_y": contacts, "contact_x": contacts}
     return roughness.assign(log_force=log_force.drop_vars(coordinates)).assign_coords(coordinates)

@@ -16,7 +16,7 @@ from hardcontact.base.dataset import concatenate
 from hardcontact.base.progress import progress
 from hardcontact.base.random import generator
 from hardcontact.base.statistics import Sampling, student_log_samples
-from hardcontact.base.units import NEWTON
+from hardcontact.base.units import DIMENSIONLESS, NEWTON
 from hardcontact.inference.edges import edges_with_samples
 from hardcontact.inference.fit import WITHOUT_SURFACE
 from hardcontact.inference.published_fit import PublishedForces, fit_published
@@ -251,9 +251,7 @@ def sample_sets(
         ]
         sets.append(xr.merge(variables, join="exact", combine_attrs="drop_conflicts"))
     return xr.concat(sets, pd.Index(numbers, name="set")).assign(
-        sphere_factor=inputs.sphere_factor.assign_attrs(
-            units="1", long_name="pull-off force of the rough sphere relative to a smooth sphere"
-        )
+        sphere_factor=inputs.sphere_factor.assign_attrs(DIMENSIONLESS)
     )
 
 

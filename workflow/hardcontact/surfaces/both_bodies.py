@@ -74,12 +74,11 @@ def combine_spectra(substrate: xr.Dataset, sphere: xr.Dataset) -> xr.Dataset:
     short_body, long_body = (
         sphere if is_sphere[nearest_bin(end)] else substrate for end in (shortest, longest)
     )
-    share_labels = DIMENSIONLESS | {"long_name": "share of the sphere in the power of both bodies"}
     joined_psd = np.where(reliable.any(axis=0), total, np.nan)
     return measurements.assign(
         spectrum=_sum_of_spectra(substrate, sphere),
         joined_psd=substrate["joined_psd"].copy(data=joined_psd),
-        sphere_share=("bin_wavevector", share, share_labels),
+        sphere_share=("bin_wavevector", share, DIMENSIONLESS),
     ).assign_attrs(
         substrate.attrs
         | {name: short_body.attrs[name] for name in (*Tail._fields, "tail_known")}

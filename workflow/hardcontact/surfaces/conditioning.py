@@ -220,9 +220,9 @@ def condition_group(
             "amplitude_gain": (
                 "wavevector",
                 amplitude_gain,
-                DIMENSIONLESS | {"long_name": "factor of the amplitudes"},
+                DIMENSIONLESS,
             ),
-            "factor": ("scan", factors, DIMENSIONLESS | {"long_name": "factor of heights"}),
+            "factor": ("scan", factors, DIMENSIONLESS),
         },
         {"wavevector": ("wavevector", WAVEVECTORS, RAD_PER_NM), "scan": list(generator_functions)},
         {"basis": "substitute", "table1_rows_met": ",".join(met_rows)},

@@ -83,17 +83,17 @@ def add_measurements(
     }
     return spectrum.assign(
         {
-            "psd": (axes, psds, NM4 | {"long_name": "C_iso of each measurement"}),
+            "psd": (axes, psds, NM4),
             "reliable": (
                 axes,
                 reliable.astype("int8"),
-                {"long_name": "1 where the PSD is reliable"},
+                {},
             ),
             **columns,
             "joined_psd": (
                 axis,
                 joined_density,
-                NM4 | {"long_name": "mean C_iso of the reliable measurements"},
+                NM4,
             ),
         }
     ).assign_coords({axis: (axis, BIN_CENTRES, RAD_PER_NM)})
