@@ -17,17 +17,17 @@ ROOMS = re.findall(r"`(\w+)`", hardcontact.__doc__)
 #: raises one says what a user gets for it.
 BUDGET = {
     "base": 797,
-    "surfaces": 3436,
-    "contact": 1381,
-    "inference": 1662,
+    "surfaces": 3435,
+    "contact": 1367,
+    "inference": 1612,
     "theory": 642,
-    "paper": 1465,
-    "config": 1522,
-    "files": 463,
-    "run": 444,
-    "own": 660,
-    "report": 3527,
-    "commands": 1529,
+    "paper": 1461,
+    "config": 1521,
+    "files": 461,
+    "run": 458,
+    "own": 651,
+    "report": 3524,
+    "commands": 1527,
     "api": 230,
 }
 NO_CODE = {

@@ -103,3 +103,15 @@ def test_a_large_file_counts_as_its_record_says(study, monkeypatch):
     assert change(study, "fit.nc").inputs == {"forces.nc"}
     monkeypatch.setattr(reruns, "MAX_READ_SIZE", 0)
     assert change(study, "fit.nc") == NOTHING
+
+
+def test_an_input_that_somebody_changed_ends_the_run_before_a_job_removes_files(study):
+    plan = reruns.Reruns({})
+    plan.refuse_altered(["forces.nc", "scan.txt"])
+    Path("scan.txt").write_text("another scan")  # which no job made
+    record_path("fit.nc").write_text("{")  # whose file is made again
+    Path("forces.nc").write_text("changed by hand")
+    plan = reruns.Reruns({})
+    plan.refuse_altered(["scan.txt", "fit.nc"])
+    with pytest.raises(SystemExit, match=r"^error: forces\.nc: expected the file that the study"):
+        plan.refuse_altered(["scan.txt", "fit.nc", "forces.nc"])

@@ -106,6 +106,17 @@ def test_a_verdict_on_an_edge_from_artificial_roughness_says_so():
         assert ("from artificial roughness" in plain(" ".join(row))) == is_artificial, row
 
 
+def test_the_page_concludes_from_a_reason_only_if_its_interval_excludes_none():
+    """Without an effect the shortest wavelength that matters would be 1 times as long."""
+    table = claims()
+    names = ["plasticity_moves_short_edge", "range_moves_short_edge"]
+    for low, is_resolved in ((1.9, True), (0.91, False)):
+        table.loc[table["id"].isin(names), ["computed", "low", "high"]] = [3.0, low, 7.7]
+        line = answer_words(Page(make_page(table)))
+        assert ("matter little for two reasons" in line) == is_resolved
+        assert ("Not resolved is whether yielding" in line) == (not is_resolved)
+
+
 def pictures(page):
     """The pictures of a page in their order."""
     return [base64.b64decode(image["src"].partition(",")[2]) for image in page.attributes["img"]]

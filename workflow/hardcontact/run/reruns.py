@@ -6,6 +6,7 @@ loss or a clock set back.
 
 import json
 import os
+import sys
 from collections.abc import Iterable, Mapping
 from functools import cache
 from pathlib import Path
@@ -15,7 +16,15 @@ from snakemake.jobs import Job
 from snakemake.persistence import ParamsChange, PersistenceBase
 from snakemake.settings.types import RerunTrigger
 
-from hardcontact.base.origin import Record, canonical_json, digest, lineage, read_record, versions
+from hardcontact.base.origin import (
+    Record,
+    canonical_json,
+    digest,
+    lineage,
+    read_record,
+    refuse_changed,
+    versions,
+)
 
 #: Size in bytes up to which files of earlier jobs are read to see whether they changed. Of larger
 #: ones the record is believed here; the job that uses such a file compares it with its record.
@@ -70,6 +79,14 @@ class Reruns:
         if path not in self._digests:
             self._digests[path] = _own_digest(path) if Path(path).is_file() else None
         return self._digests[path]
+
+    def refuse_altered(self, inputs: Iterable[str]) -> None:
+        """End the run if inputs are not as a job wrote them, before it removes what needs them."""
+        recorded = filter(_whole_record, inputs)
+        try:
+            refuse_changed({path: value for path in recorded if (value := self._digest(path))})
+        except ValueError as error:
+            sys.exit(f"error: {error}")
 
     def _lineage(self, job: Any) -> str:
         """Return the lineage that the files of a job would have now."""
@@ -140,6 +157,7 @@ def _recorded_change(persistence: Any, job: Any, file: str | None = None) -> Par
     paths = [path for path in ([file] if file else job.output) if os.path.isfile(path)]
     reruns = _reruns(persistence.dag)
     changes = [reruns.change(job, path) for path in paths]
+    reruns.refuse_altered(set().union(*(change.inputs for change in changes)))
     updated_input = persistence.dag.reason(job).updated_input
     updated_input.update(path for change in changes for path in change.inputs)
     return ParamsChange(
