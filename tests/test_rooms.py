@@ -23,7 +23,7 @@ BUDGET = {
     "theory": 642,
     "paper": 1461,
     "config": 1521,
-    "files": 461,
+    "files": 463,
     "run": 458,
     "own": 651,
     "report": 3524,

@@ -138,13 +138,15 @@ class Chunks:
         realizations = range(int(row.first), int(row.last) + 1)
         if PURPOSES[row.purpose].generator_name is None:
             return {
-                f"{side}_masters": [files.master_path(surface, k, side) for k in realizations]
+                f"{side}_masters": [
+                    files.master_path(surface, number, side) for number in realizations
+                ]
                 for side in SIDES
             }
         if row.purpose == "sampled":
-            scans = [files.realization_scan_path(surface, k) for k in realizations]
-            spectra = [files.sampled_spectrum_path(surface, k) for k in realizations]
+            scans = [files.realization_scan_path(surface, number) for number in realizations]
+            spectra = [files.sampled_spectrum_path(surface, number) for number in realizations]
         else:
-            scans = [files.separate_scan_path(surface, k) for k in realizations]
+            scans = [files.separate_scan_path(surface, number) for number in realizations]
             spectra = [files.spectrum_path(surface)] * len(scans)
         return {"scans": scans, "spectra": spectra}
