@@ -34,7 +34,7 @@ def output_faults(
 
 
 def align_cells(rows: Sequence[Sequence[str]]) -> list[str]:
-    """Return a line for each row, whose cells stand below each other; the last may be long."""
+    """Return a line for each row, with aligned cells; the last may be long."""
     columns = max(map(len, rows))
     padded = [[*row, *[""] * (columns - len(row))] for row in rows]
     widths = [

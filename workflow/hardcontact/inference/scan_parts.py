@@ -96,11 +96,11 @@ class ScanParts:
 def quarters_of_contacts(contacts_per_row: int, tiles: int) -> np.ndarray:
     """Return the quarter of the scan that holds each contact of a square array.
 
-    A map is a mirrored scan, repeated `tiles` times per row; `contact_positions` defines the
-    positions of the contacts. The quarter is 2 in the second half along y, plus 1 in the second
-    half along x.
+    A map is a mirrored scan, repeated `tiles` times along each axis; `contact_positions` gives the
+    positions of contacts. The quarter is 2 in the second half along y, plus 1 in the second half
+    along x.
     """
-    # In edges of the scan.
+    # In widths of the scan.
     unfolded = 2 * tiles * (np.arange(contacts_per_row) + 0.25) / contacts_per_row % 2
     half = (np.minimum(unfolded, 2 - unfolded) >= 0.5).astype(int)
     return np.asarray(2 * half[:, None] + half)

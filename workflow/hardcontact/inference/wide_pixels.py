@@ -43,8 +43,8 @@ def pixel_forces(surface: HeightMap, sphere: HeightMap | None, contact: Contact)
 def pixel_factors(force: xr.Dataset) -> xr.DataArray:
     """Return the factor (surface) by which finer pixels may divide the force on the scans.
 
-    It is at most that by which wider pixels multiply it
-    (tests/benchmarks/validate_random_surfaces.py); 1 for substitutes.
+    Wider pixels multiply the force by no less (tests/benchmarks/validate_random_surfaces.py). The
+    factor is 1 for substitutes.
     """
     unchanged = xr.ones_like(force["surface"], dtype=float)
     factors: xr.DataArray = force.get("wide_pixel_ratio", unchanged).fillna(1).clip(min=1)

@@ -190,7 +190,7 @@ def _force_variables(
 
 
 def _place_factor(forces_by_model: Sequence[SurfaceForces], confidence: float) -> dict[str, Any]:
-    """Return ``place_factor`` (contact_model, rho), of `DIMENSIONLESS`, if a sphere is rough."""
+    """Return ``place_factor`` (contact_model, rho) if the sphere is rough."""
     factors = [np.exp(place_half_widths(forces, confidence)) for forces in forces_by_model]
     if not factors[0].size:
         return {}

@@ -81,7 +81,7 @@ class Reruns:
         return self._digests[path]
 
     def refuse_altered(self, inputs: Iterable[str]) -> None:
-        """End the run if inputs are not as a job wrote them, before it removes what needs them."""
+        """End the run, before a job removes its outputs, if an input was changed."""
         recorded = filter(_whole_record, inputs)
         try:
             refuse_changed({path: value for path in recorded if (value := self._digest(path))})

@@ -38,5 +38,5 @@ def read_segments(path: str | Path) -> pd.DataFrame:
 
 
 def needs_calibration(segments: pd.DataFrame) -> bool:
-    """Return whether a description leaves parameters to a calibration on Table 1."""
+    """Return True if a description leaves parameters to a calibration on Table 1."""
     return bool((segments.hurst.isna() & segments.model.isin(CALIBRATION_ROWS)).any())

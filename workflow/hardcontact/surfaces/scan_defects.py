@@ -242,7 +242,7 @@ def _lay_numbers(heights: Floats) -> tuple[list[float], float]:
     window = np.hanning(pixels + 1)[:-1]
     power = np.abs(np.fft.fft2(heights * np.outer(window, window))) ** 2
     waves = np.fft.fftfreq(pixels, 1 / pixels)
-    wavevector = waves + 1j * waves[:, None]  # x + iy, in waves per row
+    wavevector = waves + 1j * waves[:, None]  # x + iy, in waves across the map
     size = np.abs(wavevector)
     is_resolved = (MIN_WAVES <= size) & (size <= pixels / MIN_WAVELENGTH_PIXELS)
     # opposite wavevectors have the same square

@@ -60,9 +60,9 @@ def fill_streaks(heights: Floats) -> tuple[Floats, Mask]:
 
 
 def _distances(heights: Floats, width: int) -> tuple[Floats, Floats]:
-    """Return by how much pixels rise above the higher, and fall below the lower, of two lines.
+    """Return the distances of pixels above the higher, and below the lower, of two lines.
 
-    These are `width` lines before and after, of which the first and the last line have only one.
+    These are `width` lines before and after a pixel; the first and the last line have only one.
     Distances are in typical steps between lines.
     """
     padded = np.pad(heights, ((width, width), (0, 0)), constant_values=np.nan)

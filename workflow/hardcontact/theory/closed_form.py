@@ -84,7 +84,7 @@ def surface_term(rms_height: ArrayLike, apex_height: ArrayLike, rho: ArrayLike) 
 def closed_form(spectrum: Spectrum, contact: Contact, *, all_rough: bool = True) -> ClosedForm:
     """Return the mean pull-off force over contacts of a sphere on a Gaussian surface.
 
-    Roughness at other wavelengths than those of the spectrum does not exist. Without `all_rough`
+    Only the wavelengths of the spectrum exist. Without `all_rough`
     only the summits that touch are rough; summits below the sphere attract as smooth ones.
     """
     smooth = float(dmt_pull_off(contact.work, contact.radius))

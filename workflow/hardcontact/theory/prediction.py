@@ -169,7 +169,7 @@ def _spectrum_checks(
 def _is_measured_error_known(
     scans: ScanSpectrum, contact: Contact, tolerance: float, name: str
 ) -> bool:
-    """Return whether the error of the force is known for the measured wavelengths of scans."""
+    """Return True if the error of the force on measured wavelengths of scans is known."""
     numbers = prediction(scans.measured(), contact, tolerance, name)
     return numbers.get("extrapolated_force", numbers["pull_off_force"]).status == INSIDE
 

@@ -49,7 +49,7 @@ RADIUS_FACTOR = 1.2
 
 @dataclass(frozen=True)
 class ForceStatistics:
-    """The distribution of the pull-off force over positions: a mixture of log-normal ones."""
+    """The distribution of pull-off forces over positions, a mixture of log-normals."""
 
     weibull_modulus: float  #: k = rho m/sigma²; infinite without roughness.
     clumps: float  #: Mean number of clumps in contact, n; 0 without roughness.
