@@ -1,6 +1,6 @@
 """Which scales of roughness matter for the adhesion of hard contacts: the study, end to end."""
 
-from hardcontact.run import endings, start
+from hardcontact.run import endings, reruns, start
 
 start.prepare(workflow)
 
@@ -54,6 +54,7 @@ start.keep_logs(workflow, PATTERNS)
 
 onstart:
     start.refuse_unwritable_folders(PATTERNS.results, PATTERNS.store)
+    reruns.refuse_altered_files(workflow)
     endings.stop_jobs_at_interrupt(workflow)
 
 

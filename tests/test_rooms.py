@@ -24,7 +24,7 @@ BUDGET = {
     "paper": 1461,
     "config": 1521,
     "files": 463,
-    "run": 458,
+    "run": 461,
     "own": 651,
     "report": 3524,
     "commands": 1527,

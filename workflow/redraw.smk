@@ -1,6 +1,6 @@
 """Draw the figures and pages of a finished study again, from its datasets: no scan, no store."""
 
-from hardcontact.run import endings, start
+from hardcontact.run import endings, reruns, start
 from hardcontact.base.packages import write_pins
 
 start.prepare(workflow)
@@ -37,6 +37,7 @@ start.keep_logs(workflow, PATTERNS)
 
 onstart:
     start.refuse_unwritable_folders(PATTERNS.results)
+    reruns.refuse_altered_files(workflow)
 
 
 onsuccess:

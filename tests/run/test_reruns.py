@@ -105,13 +105,16 @@ def test_a_large_file_counts_as_its_record_says(study, monkeypatch):
     assert change(study, "fit.nc") == NOTHING
 
 
-def test_an_input_that_somebody_changed_ends_the_run_before_a_job_removes_files(study):
-    plan = reruns.Reruns({})
-    plan.refuse_altered(["forces.nc", "scan.txt"])
+def test_an_input_that_somebody_changed_is_refused_before_a_job_removes_files(study):
+    needed = {study["fit.nc"]: {study["forces.nc"]: ["forces.nc"]}, study["forces.nc"]: {}}
     Path("scan.txt").write_text("another scan")  # which no job made
-    record_path("fit.nc").write_text("{")  # whose file is made again
+    plan = reruns.Reruns(needed)
+    assert plan.change(study["forces.nc"], "forces.nc").inputs == {"scan.txt"}
+    plan.refuse_altered()
     Path("forces.nc").write_text("changed by hand")
-    plan = reruns.Reruns({})
-    plan.refuse_altered(["scan.txt", "fit.nc"])
-    with pytest.raises(SystemExit, match=r"^error: forces\.nc: expected the file that the study"):
-        plan.refuse_altered(["scan.txt", "fit.nc", "forces.nc"])
+    plan = reruns.Reruns(needed)
+    assert plan.change(study["fit.nc"], "fit.nc").inputs == {"forces.nc"}
+    with pytest.raises(ValueError, match=r"^forces\.nc: expected the file that the study wrote"):
+        plan.refuse_altered()
+    record_path("forces.nc").write_text("{")  # whose file is made again
+    plan.refuse_altered()

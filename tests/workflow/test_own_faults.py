@@ -185,12 +185,17 @@ def test_altered_files_are_refused_and_made_again(copy, own_study):
     targets = ["topography", "adhesion", "scales"]  # of the spectra, forces and filtered masters
     for name in targets[1:]:
         (copy / RESULTS / f"{name}.nc").unlink()
+    refused = run(copy, *targets)
+    (line,) = errors(refused.stdout)
+    assert refused.returncode == 1 and (copy / RESULTS / "topography.nc").is_file()
+    assert_says(line, f"{spectra.relative_to(copy)}: expected the file that the study wrote")
+    spectra.unlink()
     failed_run = run(copy, *targets, "--keep-going")
     assert failed_run.returncode == 1
     messages = "\n".join(errors(failed_run.stdout))
     for path in (forces, filtered):
         assert_says(messages, f"{path.relative_to(copy)}: expected the file that the study wrote")
-    for path in altered_files:
+    for path in (forces, filtered):
         path.unlink()
     done = run(copy, *targets)
     assert done.returncode == 0 and errors(done.stdout) == [], done.stdout

@@ -51,6 +51,7 @@ class Reruns:
         self._digests: dict[str, str | None] = {}
         self._inputs: dict[Any, dict[str, str | None]] = {}
         self._lineages: dict[Any, str] = {}
+        self._changed: set[str] = set()
 
     def change(self, job: Any, path: str) -> Change:
         """Return the changes since a job made a file."""
@@ -61,6 +62,7 @@ class Reruns:
             return Change({f"no whole record of {path}"}, set(), set())
         current = _named_values(job.params.parameters) | _named_values(canonical_json(versions()))
         changed_inputs = self._changed_inputs(job, record)
+        self._changed |= changed_inputs
         return Change(recorded - current, current - recorded, changed_inputs)
 
     def _changed_inputs(self, job: Any, record: Record) -> set[str]:
@@ -80,13 +82,10 @@ class Reruns:
             self._digests[path] = _own_digest(path) if Path(path).is_file() else None
         return self._digests[path]
 
-    def refuse_altered(self, inputs: Iterable[str]) -> None:
-        """End the run, before a job removes its outputs, if an input was changed."""
-        recorded = filter(_whole_record, inputs)
-        try:
-            refuse_changed({path: value for path in recorded if (value := self._digest(path))})
-        except ValueError as error:
-            sys.exit(f"error: {error}")
+    def refuse_altered(self) -> None:
+        """Raise ValueError if inputs that made a file stale are not as a job wrote them."""
+        recorded = filter(_whole_record, self._changed)
+        refuse_changed({path: value for path in recorded if (value := self._digest(path))})
 
     def _lineage(self, job: Any) -> str:
         """Return the lineage that the files of a job would have now."""
@@ -148,6 +147,14 @@ def plan_by_records(workflow: Any) -> None:
     PersistenceBase.params_changed = _recorded_change
 
 
+def refuse_altered_files(workflow: Any) -> None:
+    """End the run, before a job removes its outputs, if somebody changed what a job wrote."""
+    try:
+        _reruns(workflow.persistence.dag).refuse_altered()
+    except ValueError as error:
+        sys.exit(f"error: {error}")
+
+
 async def _no_time(job: Any) -> None:
     """Return no time of the files of a job, with which Snakemake would compare inputs."""
 
@@ -157,7 +164,6 @@ def _recorded_change(persistence: Any, job: Any, file: str | None = None) -> Par
     paths = [path for path in ([file] if file else job.output) if os.path.isfile(path)]
     reruns = _reruns(persistence.dag)
     changes = [reruns.change(job, path) for path in paths]
-    reruns.refuse_altered(set().union(*(change.inputs for change in changes)))
     updated_input = persistence.dag.reason(job).updated_input
     updated_input.update(path for change in changes for path in change.inputs)
     return ParamsChange(
