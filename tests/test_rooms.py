@@ -13,23 +13,9 @@ import hardcontact
 LIBRARY = ROOT / "workflow/hardcontact"
 #: Rooms in the order of the library's docstring.
 ROOMS = re.findall(r"`(\w+)`", hardcontact.__doc__)
-#: Code lines that each room may have, without docstrings, comments and blank lines. A commit that
-#: raises one says what a user gets for it.
-BUDGET = {
-    "base": 797,
-    "surfaces": 3435,
-    "contact": 1367,
-    "inference": 1612,
-    "theory": 642,
-    "paper": 1461,
-    "config": 1521,
-    "files": 463,
-    "run": 461,
-    "own": 651,
-    "report": 3524,
-    "commands": 1527,
-    "api": 230,
-}
+#: Code lines that the library may have, without docstrings, comments and blank lines. A commit that
+#: raises it says what a user gets for it.
+MAX_CODE_LINES = 17_710
 NO_CODE = {
     tokenize.COMMENT,
     tokenize.NL,
@@ -80,10 +66,9 @@ def test_a_room_imports_from_those_before_it(room):
         assert {name.split(".")[1] for name in names} <= allowed_rooms, path
 
 
-@pytest.mark.parametrize("room", ROOMS)
-def test_a_room_keeps_its_budget_of_code_lines(room):
-    count = sum(code_lines(path.read_text("utf-8")) for path in room_modules(room))
-    assert count <= BUDGET[room], "raise BUDGET here, and say in the commit what a user gets for it"
+def test_the_library_does_not_grow():
+    count = sum(code_lines(path.read_text("utf-8")) for path in LIBRARY.rglob("*.py"))
+    assert count <= MAX_CODE_LINES, "raise it here, and say in the commit what a user gets for it"
 
 
 def test_only_the_start_of_a_run_imports_snakemake():
