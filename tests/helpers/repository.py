@@ -2,7 +2,6 @@
 
 import os
 import shutil
-import subprocess
 import sys
 from pathlib import Path
 
@@ -62,17 +61,13 @@ def environment(folder):
 
 
 def snakemake(folder, *arguments):
-    """Run Snakemake in a copy of the repository, with one text as output."""
-    return subprocess.run(
-        [sys.executable, "-m", "snakemake", *arguments],
-        cwd=folder, env=environment(folder), text=True,
-        stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-    )  # fmt: skip
+    """Run Snakemake in a copy of the repository; return the exit code and the output."""
+    return run_program(folder, "snakemake.cli", arguments, environment(folder))
 
 
 def plan(folder, *words):
     """Return the output of a run of Snakemake without jobs: a dry run, or a summary."""
-    run = run_program(folder, "snakemake.cli", words, environment(folder))
+    run = snakemake(folder, *words)
     assert run.returncode == 0, run.stdout
     return run.stdout
 

@@ -1,4 +1,4 @@
-"""A whole small study ends bit-equal after twenty kills, or if each of its writes fails once."""
+"""A whole small study ends bit-equal after eight kills, or if each of its writes fails once."""
 
 import multiprocessing
 import os
@@ -9,11 +9,12 @@ import time
 import pytest
 from comparison import damaged, differences, paths
 from forked_runs import call_main, run_program
-from repository import environment
+from repository import environment, snakemake
 
 from hardcontact.base.whole_file import PART
 
-KILLS = 20
+#: Kills, and the files that a run may write before each: in all, most files of the study.
+KILLS, FILES = 8, 3
 #: Seconds that a test waits at most for the next file.
 PATIENCE = 300
 WORDS = ["--configfile", "config/probe.yaml", "few.yaml", "--config", "effort=quick"]
@@ -54,8 +55,8 @@ def differences_from(probe, results):
     ]
 
 
-def kill_after_a_file(study):
-    """Resume the study in a process group of its own; kill the group after one more file."""
+def kill_after_files(study):
+    """Resume the study in a process group of its own; kill the group after FILES more."""
 
     def run_as_group():
         os.setsid()
@@ -63,7 +64,7 @@ def kill_after_a_file(study):
         with open(study / "output", "w") as output:
             call_main(study, "snakemake.cli", words, environment(study), output.fileno())
 
-    count = len(paths(study / "results")) + 1
+    count = len(paths(study / "results")) + FILES
     run = multiprocessing.get_context("fork").Process(target=run_as_group)
     run.start()
     end = time.monotonic() + PATIENCE
@@ -76,12 +77,12 @@ def kill_after_a_file(study):
 
 
 @pytest.mark.study
-def test_a_study_that_is_killed_twenty_times_ends_as_one_that_is_not(empty, probe):
+def test_a_study_that_is_killed_eight_times_ends_as_one_that_is_not(empty, probe):
     (empty / "results").mkdir()
     for _ in range(KILLS):
-        kill_after_a_file(empty)
+        kill_after_files(empty)
         assert damaged(empty / "results") == []
-    run = run_program(empty, "snakemake.cli", RESUME, environment(empty))
+    run = snakemake(empty, *RESUME)
     assert run.returncode == 0, run.stdout
     assert differences_from(probe, empty / "results") == []
     assert not list((empty / "results").rglob(f"{PART}*"))

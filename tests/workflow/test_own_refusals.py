@@ -2,10 +2,9 @@
 
 import pytest
 import yaml
-from forked_runs import run_program
 from own_studies import quick
 from refusals import assert_says
-from repository import environment
+from repository import snakemake
 
 pytestmark = pytest.mark.study
 
@@ -37,9 +36,9 @@ def test_a_run_stops_at_the_lock_of_another_until_it_is_removed(probe):
     lock.parent.mkdir(exist_ok=True)
     lock.write_text(f"{probe.relative_to(folder) / 'answer.json'}\n")
     words = ["answer", "--configfile", "config/probe.yaml", "few.yaml", "--config", "effort=quick"]
-    locked = run_program(folder, "snakemake.cli", words, environment(folder))
+    locked = snakemake(folder, *words)
     assert locked.returncode == 1
     assert_says(locked.stdout, "cannot be locked", "--unlock")
     words.insert(0, "--unlock")
-    assert run_program(folder, "snakemake.cli", words, environment(folder)).returncode == 0
+    assert snakemake(folder, *words).returncode == 0
     assert not lock.exists()

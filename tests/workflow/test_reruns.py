@@ -16,9 +16,9 @@ from pathlib import Path
 import pandas as pd
 import pytest
 import yaml
-from forked_runs import forked, run_program, use_library_of
+from forked_runs import forked, use_library_of
 from refusals import assert_says
-from repository import PARTS, ROOT, TINY, environment, linked_copy, plan, run_snakemake
+from repository import PARTS, ROOT, TINY, linked_copy, plan, run_snakemake
 
 import hardcontact
 
@@ -192,8 +192,7 @@ def test_a_pin_that_is_not_installed_is_refused_in_one_line(finished, tmp_path):
     folder = linked_copy(finished, tmp_path / "study")
     for path in (folder / "environment.txt", folder / "workflow/lock.txt"):
         path.write_text(re.sub("scipy==.*?(?=[ \n])", "scipy==0.1", path.read_text()))
-    words = ["-n", "--configfile", TINY]
-    run = run_program(folder, "snakemake.cli", words, environment(folder))
+    run = run_snakemake(folder, "-n")
     (line,) = re.findall("^error: .*", run.stdout, re.M)
     assert run.returncode == 1 and "Traceback" not in run.stdout
     assert_says(line, "scipy 0.1, found", "pip install --require-hashes -r workflow/lock.txt")
