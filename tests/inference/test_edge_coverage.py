@@ -43,8 +43,8 @@ def forces(masters, contact):
 
 
 def assert_held(low, high, edge, finite):
-    """Expect 18 of 20 intervals to contain the edge, and a number of finite ends."""
-    assert (~(low > edge) & ~(high < edge)).sum() >= 18
+    """Expect nine of ten intervals to contain the edge, and a number of finite ends."""
+    assert (~(low > edge) & ~(high < edge)).mean() >= 0.9
     # An interval that is open on both sides would hold anything.
     assert np.isfinite(low).sum() + np.isfinite(high).sum() >= finite
 
@@ -138,5 +138,5 @@ def test_the_interval_from_one_scan_and_its_spectrum_contains_the_long_edge(roll
     def density(wavevector):
         return self_affine(wavevector, plateau, rolloff, 0.8)
 
-    low, high = np.array([interval_of_one_scan(density, number) for number in range(20)]).T
-    assert_held(low, high, edge, finite=20)
+    low, high = np.array([interval_of_one_scan(density, number) for number in range(12)]).T
+    assert_held(low, high, edge, finite=12)

@@ -210,7 +210,7 @@ def test_the_extrapolated_force_differs_beyond_its_interval_and_the_tolerance(ra
 def test_the_interval_covers_the_scatter_between_realizations(count):
     rng, contained = np.random.default_rng(3), []
     template = master_forces(realizations=count)
-    for _ in range(300):
+    for _ in range(100):
         shared = 0.3 * rng.standard_normal((1, count, 1, 1, 1))
         single = 0.05 * rng.standard_normal((1, count, 2, 4, 4))
         forces = xr.zeros_like(template.unfiltered_pull_off_force) + np.exp(shared + single)
