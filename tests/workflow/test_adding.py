@@ -35,8 +35,9 @@ LISTED_FIGURE = """  fig_mine:
     caption: Range of adhesion. Drawn from fit.nc.
 """
 KEY = '''    percentile: Fraction = 0.9
-    """Percentile of forces."""
+    """Percentile of depths."""
 '''
+PASSED_KEY = '            percentile=STUDY["indent"]["percentile"],\n'
 
 
 def insert(path, anchor, text):
@@ -56,9 +57,11 @@ def test_a_claim_a_figure_and_a_key_are_added_in_two_files_each(finished_copy):
     quantities.write_text(text.replace("QUANTITIES = (\n", listed), "utf-8")
     (library / "report/figures/fig_mine.py").write_text(FIGURE, "utf-8")
     insert(finished_copy / "workflow/report/figures.yaml", "\npaper:\n", LISTED_FIGURE)
-    insert(library / "config/keys.py", '"""Inference."""\n\n', KEY)
+    insert(library / "config/keys.py", '"""Indents."""\n\n', KEY)
+    rules = finished_copy / "workflow/rules/plasticity.smk"
+    insert(rules, 'preloads=STUDY["indent"]["preloads"],\n', PASSED_KEY)
     overlay = finished_copy / "mine.yaml"
-    overlay.write_text(yaml.safe_dump({"inference": {"percentile": 0.8}}), "utf-8")
+    overlay.write_text(yaml.safe_dump({"indent": {"percentile": 0.8}}), "utf-8")
     results = finished_copy / "results/tiny"
 
     run = snakemake(finished_copy, "claims", "fig_mine", "--configfile", TINY, str(overlay))
@@ -67,5 +70,5 @@ def test_a_claim_a_figure_and_a_key_are_added_in_two_files_each(finished_copy):
     claims = pd.read_csv(results / "claims.csv").set_index("id")
     assert claims.loc["largest_force_uncd", "computed"] > 1e-9
     assert "Fits" in (results / "figures/fig_mine.svg").read_text()
-    with xr.open_dataset(results / "fit.nc") as fit:
-        assert '"percentile":0.8' in fit.attrs["parameters"]
+    with xr.open_dataset(results / "indent.nc") as indent:
+        assert '"percentile":0.8' in indent.attrs["parameters"]
