@@ -213,7 +213,7 @@ WRONG = [
     ({"scan": np.zeros((64, 64))}, ["scan: expected a scan of hc.read_scan", "found ndarray"]),
     ({"sphere": "sphere.nc"}, ["sphere: expected a scan of hc.read_scan", "found str"]),
     ({"ranges": [1e-4]}, ["ranges: expected at least", "found 0.0001 nm"]),
-    ({"preload": 9e-3, "hardness": 5e9}, ["preload: expected at most", "found 9 mN"]),
+    ({"preload": 9e-4, "hardness": 5e8}, ["preload: expected at most", "found 900 µN"]),
     ({"hardness": 25}, ["hardness: expected 1 kPa to 10000 GPa, found 25 Pa: is the unit right?"]),
     (
         {"scan": hc.HeightMap(np.zeros((64, 64)), 3e7)},
@@ -317,6 +317,7 @@ def test_unusual_quantities_are_questioned(files):
         hc.force_ratios(scan, {"short": [50, 100]}, rho=56.0, **SPHERE, **LOAD, **ARRAY)
 
 
+@pytest.mark.filterwarnings("ignore:.*is the unit right")
 def test_faulty_arguments_are_refused_in_one_line(files):
     scan = hc.read_scan("scan.nc")
     valid = {"scan": scan, "ranges": [5.6], "work": 0.05} | SPHERE | LOAD | ARRAY

@@ -139,6 +139,17 @@ def test_a_bare_matrix_is_read_with_the_given_size_and_unit(folder, run):
     assert "2.5 µm" in done.out and "- --work 46.3J/m2: is the unit right?" in done.out
 
 
+def test_a_unit_may_stand_apart_from_its_number(folder, run, capsys):
+    own_scan(folder / "one.nc")
+    done = run(NAME, "one.nc", "--radius", "100", "um", "--work=46.3", "mJ/m²", "--preload", "10mN")
+    config, _ = accepted(folder, done)
+    assert config["sphere"]["radius"] == 1e5 and config["adhesion"]["work"] == 0.0463
+    assert "- --preload 10mN: is the unit right?" in done.out and "10 µN?" in done.out
+    with pytest.raises(SystemExit):
+        run(NAME, "one.nc", "--diameter", "500", "um")
+    assert_says(capsys.readouterr().err, "did you mean --radius, with half of it?")
+
+
 def test_a_surface_may_be_called_smooth(folder, run):
     own_scan(folder / "one.nc")
     (folder / "my.csv").write_text("surface,value,unit\nsurface_smooth,3,nN\n")
@@ -241,7 +252,10 @@ REFUSED = [
     ([NAME, "one.nc", "--sphere", "two.nc", "--radius", "1 um"], ["sphere.radius", "2500 nm"]),
     # A quarter of the stitched scan of 5 um at 25 GPa.
     ([NAME, "one.nc", "--preload", "1 N"], ["preload: expected at most 156 mN", "found 1 N"]),
-    ([NAME, "one.nc", "--hardness", "25 kPa"], ["--hardness 25 kPa: is the unit right?"]),
+    (
+        [NAME, "one.nc", "--hardness", "25 kPa"],
+        ["--hardness 25 kPa: is the unit", "25 GPa?"],
+    ),
     ([NAME, "one.nc", "--tip", "100 um"], ["at least 3 bins", "found 0", "one.nc", "the tip at"]),
 ]
 

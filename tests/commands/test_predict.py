@@ -226,8 +226,8 @@ def test_an_unknown_error_has_a_stated_cause(table, spectrum, options, cause):
     ("name", "usual", "questioned"),
     [
         ("radius", ["1um", "25mm"], ["250nm", "250mm"]),
-        ("hardness", ["5MPa", "120GPa"], ["0.9MPa", "0.25TPa"]),
-        ("preload", ["1nN", "1mN"], ["10pN", "10.1mN"]),
+        ("hardness", ["150MPa", "120GPa"], ["30MPa", "0.25TPa"]),
+        ("preload", ["1nN", "1mN"], ["10pN", "10mN"]),
         ("range", ["0.3nm", "22nm"], ["0.15nm", "56nm"]),
         ("work", ["1mJ/m2", "900mJ/m2"], ["46uJ/m2", "46.3J/m2"]),
     ],

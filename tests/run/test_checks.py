@@ -118,6 +118,15 @@ def test_a_study_without_scaling_ignores_its_keys(project_folder):
     refuse_unfit_grids(config | {"published": "none"}, grids)
 
 
+def test_a_wrong_unit_is_refused_once_with_the_unit_that_may_be_meant(tmp_path, project_folder):
+    message = refusal(check, numbers("contact.hardness", "30 MPa"), tmp_path)
+    assert message.count("\n") == 0
+    assert_says(
+        message, "config key contact.hardness: expected", "found 30 MPa: is the unit right?"
+    )
+    assert_says(message, "did you mean 30 GPa?", "if it is: config key contact.preload: expected")
+
+
 # Measured scans
 
 

@@ -3,9 +3,23 @@
 import difflib
 import re
 from argparse import ArgumentParser, RawDescriptionHelpFormatter
+from collections.abc import Sequence
 from typing import NoReturn
 
+from hardcontact.base.units import FACTORS
 from hardcontact.config.faults import SIMILARITY
+
+
+def join_units(words: Sequence[str]) -> list[str]:
+    """Return the words of a command line; a number and a unit after it become one word."""
+    joined = list[str]()
+    for word in words:
+        is_unit = any(re.sub(r"\^2|²", "2", word) in units for units in FACTORS.values())
+        if is_unit and joined and re.fullmatch(r"(--\w+=)?[0-9.]+(e-?[0-9]+)?", joined[-1]):
+            joined[-1] += word
+        else:
+            joined.append(word)
+    return joined
 
 
 class CommandLine(ArgumentParser):
@@ -30,6 +44,8 @@ class CommandLine(ArgumentParser):
         else:
             unknown = message.partition("unrecognized arguments: ")[2].partition(" ")[0]
             choice = unknown.partition("=")[0]
+            if choice == "--diameter":
+                return " (did you mean --radius, with half of it?)"
             known = [name for name in self._option_string_actions if name.startswith("--")]
         similar = difflib.get_close_matches(choice, known, 1, SIMILARITY)
         return f" (did you mean {similar[0]}?)" if similar else ""

@@ -41,27 +41,7 @@ from hardcontact.theory.validity import (
     wide_contact_message,
 )
 
-USAGE = """\
-Compute the pull-off force of a smooth sphere on a height map, or predict it in closed form
-from the power spectral density of a surface, within seconds:
-
-  hardcontact predict my-scan.di --radius 250um --range 5.6nm --work 46mJ/m2
-  hardcontact predict my-psd.csv
-
-The force on a map is the sum over its pixels, without roughness beyond the map. Its interval
-includes pixels four times finer, as pixels four times wider change the force.
-A table has a header and these columns, with the unit of each in a column of its own:
-  wavevector (q = 2 pi/wavelength, e.g. rad/nm) or wavelength (e.g. nm)
-  c_iso (h_rms² = 1/(2 pi) ∫ q C_iso dq, e.g. nm4) or c_1d (h_rms² = (1/pi) ∫ C_1D dq, e.g. nm3)
-for example, in five rows or more,
-
-  wavelength,wavelength_unit,c_iso,c_iso_unit
-  1000,nm,4.8e7,nm4
-
-A c_iso of 0 says that there is no roughness of this wavelength. FILE may also be a line scan or
-a container of scans. The spectrum of scans is measured at their reliable wavelengths. The closed
-form has a force only where its error is known, and where it agrees with the force on the map.
-"""
+USAGE = Path(__file__).with_name("predict_help.txt").read_text("utf-8")
 
 
 def predict_arguments(arguments: Sequence[str]) -> Namespace:

@@ -23,19 +23,7 @@ SPHERE = "sphere"
 RESERVED_NAMES = ("config", "paper", "quick", "store", "surfaces")
 #: Ids that surfaces cannot have: they stand for the mean over surfaces and for a smooth sphere.
 RESERVED_IDS = ("pooled", "smooth")
-USAGE = """\
-Read scans of your own surfaces, report what is in them, choose what can be computed,
-and write config/NAME.yaml and config/NAME.tsv:
-
-  hardcontact new my-coating scans/*.di twin.zip --radius 250um --preload 10uN
-  snakemake --configfile config/my-coating.yaml
-
-Several surfaces, each with its label and its files:
-
-  hardcontact new both --surface bare scans/bare/*.di --surface coated scans/coated/*.di
-
-`hardcontact predict --help` explains how to predict a force from a power spectral density.
-"""
+USAGE = Path(__file__).with_name("new_help.txt").read_text("utf-8")
 
 
 class QuantityOption(NamedTuple):

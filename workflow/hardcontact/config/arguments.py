@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from hardcontact.base.units import parse_quantity
+from hardcontact.base.units import format_exact, parse_quantity
 from hardcontact.config.faults import raise_faults, shorten
 from hardcontact.config.grids import PIXEL_SIZES, Grid
 from hardcontact.config.limits import NamedContact, contact_faults
@@ -29,8 +29,8 @@ from hardcontact.surfaces.synthesis import SIDES
 #: (2011).
 USUAL_BOUNDS = {
     "radius": ("1 um", "50 mm", "spheres in pull-off tests, from colloidal probes to lenses"),
-    "hardness": ("1 MPa", "150 GPa", "solids that yield, from soft plastics to diamond"),
-    "preload": ("100 pN", "10 mN", "loads of microscopes and of microtesters"),
+    "hardness": ("100 MPa", "150 GPa", "solids that yield, from plastics to diamond"),
+    "preload": ("100 pN", "1 mN", "loads of microscopes and of microtesters"),
     "range": ("0.2 nm", "40 nm", "ranges from atomic bonds to long dispersion forces"),
     "work": ("0.1 mJ/m2", f"{STRONGEST_WORK:g} J/m2", "solids, up to diamond on itself"),
 }
@@ -59,12 +59,19 @@ def arguments_in_messages() -> Iterator[None]:
 
 
 def unit_question(quantity: str, number: float) -> str:
-    """Return a question if a number, in the unit of the key, is not usual; else an empty text."""
-    low, high, kind = USUAL_BOUNDS[quantity]
+    """Return a question if a number, in the unit of the key, is not usual; else an empty text.
+
+    It names the number with another prefix, if that is usual.
+    """
+    *bounds, kind = USUAL_BOUNDS[quantity]
     unit = quantity_type(CONTACT_QUANTITIES[quantity][0]).unit
-    if parse_quantity(low, unit) <= number <= parse_quantity(high, unit):
+    low, high = (parse_quantity(bound, unit) for bound in bounds)
+    if low <= number <= high:
         return ""
-    return f"is the unit right? {low} to {high} are usual for {kind}"
+    prefixed = [number * factor for factor in (1e-3, 1e3, 1e-6, 1e6)]
+    meant = [format_exact(other, unit) for other in prefixed if low <= other <= high]
+    suggestion = f" (did you mean {meant[0]}?)" if meant else ""
+    return f"is the unit right? {' to '.join(bounds)} are usual for {kind}{suggestion}"
 
 
 def check_read_arguments(files: Sequence[object], **texts: object) -> None:

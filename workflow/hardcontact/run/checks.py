@@ -1,6 +1,6 @@
 """Checks that the names and values of a study agree with each other, its tables and its scans."""
 
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Iterator
 from functools import partial
 from glob import escape, glob
 from typing import Any
@@ -10,12 +10,13 @@ import pandas as pd
 
 from hardcontact.base import published
 from hardcontact.base.origin import canonical_json, is_current
-from hardcontact.config.configuration import get_key, reading_keys
+from hardcontact.config.arguments import unit_question
+from hardcontact.config.configuration import contact_words, get_key, reading_keys
 from hardcontact.config.faults import key_fault, raise_faults, run_checks
 from hardcontact.config.force_table import measured_forces
 from hardcontact.config.grids import PIXEL_SIZES, Grid, same_grid
 from hardcontact.config.limits import refuse_unfit_grids
-from hardcontact.config.model import NONE, PAPER, SMOOTH_SPHERE
+from hardcontact.config.model import CONTACT_QUANTITIES, NONE, PAPER, SMOOTH_SPHERE
 from hardcontact.config.selected_surfaces import CONTACT
 from hardcontact.config.tables import refuse_description, refuse_paper_surface
 from hardcontact.files.patterns import study_patterns
@@ -63,7 +64,19 @@ def check_study(config: dict[str, Any], table: pd.DataFrame, compared: Collectio
     run_checks([partial(raise_faults, faults), *checks])
     rows_of = {str(name): rows for name, rows in contacts.groupby("surface", sort=False)}
     grids = run_checks(partial(surface_grid, config, *item) for item in rows_of.items())
-    refuse_unfit_grids(config, dict(zip(rows_of, grids, strict=True)))
+    try:
+        refuse_unfit_grids(config, dict(zip(rows_of, grids, strict=True)))
+    except ValueError as error:
+        raise_faults(_unit_questions(config, str(error).splitlines()[-1]))
+        raise
+
+
+def _unit_questions(config: dict[str, Any], fault: str) -> Iterator[str]:
+    """Yield a line for each quantity of the contact that is not usual and may cause the fault."""
+    for quantity, (key, name) in CONTACT_QUANTITIES.items():
+        if question := unit_question(quantity, get_key(config, key)):
+            found = f"{contact_words(config)[name]}: {question}; if it is: {fault}"
+            yield key_fault(key, "a value that the scans permit", found)
 
 
 def _name_faults(config: dict[str, Any], key: str, surfaces: list[str]) -> list[str]:
