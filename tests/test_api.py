@@ -147,9 +147,9 @@ def test_forces_are_the_direct_sum_over_every_pixel(files):
     mirrored = np.pad(scan.heights.astype(float), [(0, 128)] * 2, mode="symmetric")
     offset = np.arange(window) - window // 2
     sphere = (offset * PIXEL) ** 2 / (2 * SPHERE["radius"])
-    places = np.floor((np.arange(3) + 0.25) * pixels / 3).astype(int)
+    positions = np.floor((np.arange(3) + 0.25) * pixels / 3).astype(int)
     for i, j in np.ndindex(3, 3):
-        y, x = places[i], places[j]
+        y, x = positions[i], positions[j]
         heights_in_window = mirrored[np.ix_((y + offset) % pixels, (x + offset) % pixels)]
         gap = sphere[:, None] + sphere - heights_in_window
         for model, count in (

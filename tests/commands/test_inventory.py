@@ -100,7 +100,7 @@ def test_a_place_counts_once(tmp_path):
     paths = [scan(tmp_path / f"{name}.nc", values) for name, values in scans.items()]
     entries, left_out, problems = inventory([source(path) for path in paths], None)
     assert [entry.name for entry in entries] == ["trace.nc", "other.nc"] and not problems
-    assert left_out == ["retrace.nc: it shows the same place as trace.nc, and a place counts once"]
+    assert left_out == ["retrace.nc: it shows the same site as trace.nc, and a site counts once"]
 
 
 @pytest.mark.parametrize(

@@ -138,9 +138,9 @@ def check_pair(config, rng, substrate, sphere):
             depth, *_ = indent_sizes(lowest, pixel_size)
             assert 0 < depth < np.inf
     carried = config["asperities"]
-    places = sample_contacts(rng, contact.contacts_per_row, carried["contacts"])
+    positions = sample_contacts(rng, contact.contacts_per_row, carried["contacts"])
     for share in (0.001, 0.5, 0.999):
-        carriers = asperities_of_pair(pair, contact, places, share, carried["ranges"])
+        carriers = asperities_of_pair(pair, contact, positions, share, carried["ranges"])
         assert all(np.isfinite(values).all() for values in carriers.data_vars.values())
 
 

@@ -57,7 +57,7 @@ def test_a_table_may_have_decimal_commas_between_semicolons(table):
         ("surface,value,unit", "bare,1.01971621,mgf"),
         ("surface,value,unit", "bare,40,mN/m"),  # a force over the radius of 250 µm
         ("surface,pull-off [nN]", "bare,10000"),
-        ("surface,place,value (µN)", "bare,,10"),
+        ("surface,site,value (µN)", "bare,,10"),
         ("Surface\tValue [nN]", "bare\t1,0e4"),
     ],
 )

@@ -48,9 +48,9 @@ def test_a_single_peak_carries_the_force_of_every_contact():
     heights = np.zeros((200, 200))
     heights[105, 94] = 60.0
     contact = Contact(radius=RADIUS, preload=1e-6, hardness=25e9)
-    places = np.array([(0, 0), (0, 1), (1, 0), (1, 1)])
+    positions = np.array([(0, 0), (0, 1), (1, 0), (1, 1)])
     pair = make_bodies(heights, None, 20.0, 200, 2)
-    carriers = asperities_of_pair(pair, contact, places, 0.9, [1.0])
+    carriers = asperities_of_pair(pair, contact, positions, 0.9, [1.0])
     assert (carriers["patch_count"] == 1).all()
     assert carriers["largest_share"].values == pytest.approx(np.ones((4, 1)), abs=0.01)
     assert carriers["contact_y"].values.tolist() == [0, 0, 1, 1]

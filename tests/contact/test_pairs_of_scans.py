@@ -40,8 +40,8 @@ def test_indents_of_scans_equal_those_of_each_pair():
 
 def test_elastic_contacts_carry_the_preload():
     pair = make_bodies(periodic_noise(96, 2.0, 1), periodic_noise(96, 0.3, 2), 8.0, 512, 3)
-    places = sample_contacts(np.random.default_rng(1), 3, 2)
-    solved = elastic_contacts_of_pair(pair, CONTACT, places, MODULUS, 600.0)
+    positions = sample_contacts(np.random.default_rng(1), 3, 2)
+    solved = elastic_contacts_of_pair(pair, CONTACT, positions, MODULUS, 600.0)
     assert {name: solved[name].units for name in ELASTIC_UNITS} == ELASTIC_UNITS
     assert solved.sizes["contact"] == 2
     load = solved.contact_area * 1e-18 * solved.mean_pressure

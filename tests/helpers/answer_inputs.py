@@ -26,7 +26,7 @@ SCANS, PIXELS, PIXEL_SIZE = 3, 64, 10.0
 SIZE = PIXELS * PIXEL_SIZE
 
 
-#: Scatter of forces over places, and the place of a surface among the regimes.
+#: Scatter of forces over positions, and the regime of a surface.
 SCATTER = {
     "weibull_modulus": 0.5, "log_force_std": 0.4, "contacts_needed": 80.0,
 }  # fmt: skip
@@ -133,7 +133,7 @@ def _spectra_of(bins, scans):
             "path": ("measurement", [f"scans/{name}" for name in scans]),
             "dataset": ("measurement", [""] * len(scans)),
             "notes": ("measurement", ["37 undefined pixels"] + [""] * (len(scans) - 1)),
-            "same_place": ("measurement", [""] * len(scans)),
+            "earlier_scan": ("measurement", [""] * len(scans)),
             "shortest_measured": min(columns["shortest_reliable"]),
             "longest_measured": max(columns["longest_reliable"]),
             "rolloff": 1.5 * max(columns["longest_reliable"]),
@@ -313,7 +313,7 @@ def fit(count=1):
             region_work=(("contact_model", "bound"), np.full((2, 2), np.nan)),
             region_status=(("contact_model", "bound"), [["found", "open"]] * 2),
             test_count=("surface", [40] * count),
-            place_count=("surface", [40] * count),
+            site_count=("surface", [40] * count),
             look_repeated=("surface", [0] * count),
             label=("surface", LABELS[:count]),
             interval_source=("surface", ["scans"] * count),

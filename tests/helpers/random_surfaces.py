@@ -81,7 +81,7 @@ def _waves(rng, pixels, hurst, rolloff):
 
 
 def _features(rng, pixels, width, are_flat):
-    """Return the sum (y, x) of squares or Gaussian shapes of random heights at random places."""
+    """Return the sum (y, x) of squares or Gaussian shapes of random heights at random positions."""
     count = round(_between(rng, 10, 200))
     distance = (np.arange(pixels) - rng.uniform(0, pixels, (2, count, 1))) / width
     shape_y, shape_x = np.abs(distance) < 1 if are_flat else np.exp(-(distance**2) / 2)

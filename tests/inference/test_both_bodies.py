@@ -8,7 +8,7 @@ from measurements import map_of
 
 from hardcontact.base.random import generator
 from hardcontact.contact.contact import CONTACT_AXES, Contact
-from hardcontact.contact.geometry import join_bodies, places_on_sphere
+from hardcontact.contact.geometry import join_bodies, spheres_at_positions
 from hardcontact.contact.pull_off import forces_at_loads, pull_off_force
 from hardcontact.inference.mean_forces import forces_of_surface, mean_intervals
 from hardcontact.inference.octaves import STEP, make_force_function, octave_forces
@@ -38,13 +38,16 @@ def sphere():
     return scan("sphere", 10.0)
 
 
-def direct_force(wafer, sphere, contact_pixel, place):
-    """Eq. 3 summed over every pixel, the sphere at a place of its scan; maps are mirrored."""
+def direct_force(wafer, sphere, contact_pixel, position):
+    """Eq. 3 summed over every pixel, the sphere at a position of its scan; maps are mirrored."""
     pixels = round(CONTACT.window / PIXEL_SIZE)
     offsets = np.arange(pixels) - pixels // 2
     shape = (offsets * PIXEL_SIZE) ** 2 / (2 * CONTACT.radius)
     gap = shape[:, None] + shape
-    for stitched, (y, x) in ((mirror_stitch(wafer), contact_pixel), (mirror_stitch(sphere), place)):
+    for stitched, (y, x) in (
+        (mirror_stitch(wafer), contact_pixel),
+        (mirror_stitch(sphere), position),
+    ):
         period = stitched.pixels
         gap -= stitched.heights[np.ix_((y + offsets) % period, (x + offsets) % period)]
     total = direct_total(gap, CONTACT.pixel_count(PIXEL_SIZE), CONTACT.rho)
@@ -80,8 +83,10 @@ def test_octaves_are_those_of_the_rougher_body(wafer, sphere):
 
 def test_the_interval_contains_the_forces_at_other_places_of_the_sphere(wafer, sphere):
     forces = [
-        forces_at_loads(join_bodies(mirror_stitch(wafer), place, CONTACT), [CONTACT], [CONTACT.rho])
-        for place in places_on_sphere(mirror_stitch(sphere), 4)
+        forces_at_loads(
+            join_bodies(mirror_stitch(wafer), position, CONTACT), [CONTACT], [CONTACT.rho]
+        )
+        for position in spheres_at_positions(mirror_stitch(sphere), 4)
     ]
     dims = ("scan", "sphere_scan", "rho", *CONTACT_AXES)
     computed = xr.DataArray(np.array(forces)[None, :, 0], {"rho": [CONTACT.rho]}, dims)

@@ -19,7 +19,7 @@ from hardcontact.inference.measured_fit import (
 RHOS = np.array([0.5, 1.0, 2.0, 4.0, 8.0, 16.0])
 RHO, WORK = 5.0, 0.05
 SLOPES = {"a": 1.6, "b": 0.4}
-COLUMNS = ["surface", "mean", "median", "count", "place"]
+COLUMNS = ["surface", "mean", "median", "count", "site"]
 
 
 def mean_force(surface, rho):
@@ -36,7 +36,7 @@ def adhesion(rng, scans=5, spread=0.2, contact_spread=0.3):
     return xr.Dataset(
         {
             "pull_off_force": (FORCE_DIMS, factor * curves[:, None, None, None, :, None, None]),
-            "touched_places": (FORCE_DIMS[:3], np.full(shape[:3], 99.0)),
+            "touched_patches": (FORCE_DIMS[:3], np.full(shape[:3], 99.0)),
             "label": ("surface", ["A", "B"]),
         },
         {"surface": list(SLOPES), "contact_model": ["plastic"], "rho": RHOS},
@@ -157,16 +157,16 @@ def test_a_summary_is_equivalent_to_its_single_tests():
     assert measured_tests(summary).log_std == pytest.approx(single.log_std, rel=0.05)
 
 
-def repeated_forces(seed, places=5, tests=40):
-    """Forces (place, test) that scatter between places, but hardly at one of them."""
+def repeated_forces(seed, sites=5, tests=40):
+    """Forces (site, test) that scatter between sites, but hardly at one of them."""
     rng = np.random.default_rng(seed)
-    between = np.exp(0.6 * rng.standard_normal((places, 1)))
-    return between * np.exp(0.01 * rng.standard_normal((places, tests)))
+    between = np.exp(0.6 * rng.standard_normal((sites, 1)))
+    return between * np.exp(0.01 * rng.standard_normal((sites, tests)))
 
 
 def test_tests_at_one_place_count_once():
     forces = repeated_forces(0)
-    rows = [("a", f, f, 1, f"p{place}") for place, row in enumerate(forces) for f in row]
+    rows = [("a", f, f, 1, f"p{site}") for site, row in enumerate(forces) for f in row]
     placed = pd.DataFrame(rows, columns=COLUMNS)
     means = forces.mean(axis=1)
     expected = (means.mean(), np.log(means).std(ddof=1), 5, 200)

@@ -23,8 +23,8 @@ def test_contacts_lie_on_the_quarters_of_the_mirrored_scan(count, tiles):
     # A scan whose heights are the numbers of its quarters, mirrored, repeated, read at contacts.
     scan = np.kron(np.arange(4).reshape(2, 2), np.ones((500, 500), int))
     mirrored = np.pad(scan, ((0, 1000), (0, 1000)), mode="symmetric")
-    places = contact_positions(2000 * tiles, count) % 2000
-    quarters = mirrored[np.ix_(places, places)]
+    positions = contact_positions(2000 * tiles, count) % 2000
+    quarters = mirrored[np.ix_(positions, positions)]
     np.testing.assert_array_equal(scan_parts.quarters_of_contacts(count, tiles), quarters)
 
 

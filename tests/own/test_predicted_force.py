@@ -42,7 +42,7 @@ def adhesion(scans, radius=5e3, spread=0.3):
     return xr.Dataset(
         {
             "pull_off_force": (FORCE_DIMS, forces),
-            "touched_places": (FORCE_DIMS[:3], forces[:, :, :, 0, 0, 0, 0] * 0 + 9),
+            "touched_patches": (FORCE_DIMS[:3], forces[:, :, :, 0, 0, 0, 0] * 0 + 9),
             "label": ("surface", ["A", "B"]),
             "basis": ("surface", ["measured", "measured"]),
         },
@@ -66,7 +66,7 @@ def test_the_force_is_the_mean_over_contacts_times_the_work():
 def test_three_scans_give_student_s_interval_and_fewer_a_wider_conditional_one():
     computed_forces = adhesion([3, 1], spread=0.02).isel(sphere_scan=[0])
     prediction = forces_on_scans(computed_forces, **PREDICTION)
-    assert "place_factor" not in prediction
+    assert "position_factor" not in prediction
     selection = {"surface": "a", "contact_model": "rigid", "rho": 5.0}
     means = computed_forces.pull_off_force.sel(selection).mean(
         ["sphere_scan", "contact_y", "contact_x"]
@@ -88,14 +88,14 @@ def test_the_interval_includes_the_place_on_a_rough_sphere():
     smooth = adhesion([3, 3], spread=1e-6).isel(sphere_scan=[0])
     logarithms = xr.DataArray(np.random.default_rng(2).normal(size=16), dims="sphere_scan")
     forces = smooth.pull_off_force.squeeze("sphere_scan") * np.exp(logarithms)
-    rough_sphere = smooth.drop_vars(["pull_off_force", "touched_places"]).assign(
+    rough_sphere = smooth.drop_vars(["pull_off_force", "touched_patches"]).assign(
         pull_off_force=forces.transpose(*FORCE_DIMS),
-        touched_places=smooth.touched_places.isel(sphere_scan=[0] * 16),
+        touched_patches=smooth.touched_patches.isel(sphere_scan=[0] * 16),
     )
     prediction = forces_on_scans(rough_sphere, **PREDICTION)
     # One more of 16 normal numbers lies within this distance of their mean.
     half = stats.t(15).ppf(0.95) * logarithms.std(ddof=1).item() * np.sqrt(1 + 1 / 16)
-    np.testing.assert_allclose(prediction.place_factor, np.exp(half), rtol=1e-4)
+    np.testing.assert_allclose(prediction.position_factor, np.exp(half), rtol=1e-4)
     ends = prediction.force_interval / prediction.force
     np.testing.assert_allclose(ends.isel(bound=0), np.exp(-half), rtol=1e-3)
     np.testing.assert_allclose(ends.isel(bound=1), np.exp(half), rtol=1e-3)
@@ -111,18 +111,18 @@ def test_a_contact_as_wide_as_the_scan_gives_no_interval():
 
 def test_contacts_that_touch_few_places_give_no_interval():
     computed_forces = adhesion([3, 1])
-    for places, source in ((4.0, "quarters"), (3.0, "few_places")):
-        few_places = computed_forces.assign(
-            touched_places=computed_forces.touched_places * 0 + places
+    for patches, source in ((4.0, "quarters"), (3.0, "few_patches")):
+        few_patches = computed_forces.assign(
+            touched_patches=computed_forces.touched_patches * 0 + patches
         )
-        prediction = forces_on_scans(few_places, **PREDICTION)
+        prediction = forces_on_scans(few_patches, **PREDICTION)
         assert prediction.interval_source.values.tolist() == ["scans", source]
-        assert prediction.force_interval.sel(surface="b").notnull().all() == (places == 4)
+        assert prediction.force_interval.sel(surface="b").notnull().all() == (patches == 4)
         assert prediction.force_interval.sel(surface="a").notnull().all()
         assert prediction.contacts.values.tolist() == [16, 16]
-        master_scans = MasterScans({"a": 1}, 2, {"a": places})
+        master_scans = MasterScans({"a": 1}, 2, {"a": patches})
         extrapolated_forces = extrapolated_force(master_forces(), master_scans, 0.05, 0.95)
-        assert extrapolated_forces.extrapolated_force_interval.notnull().all() == (places == 4)
+        assert extrapolated_forces.extrapolated_force_interval.notnull().all() == (patches == 4)
 
 
 @pytest.mark.parametrize("pixels", [1, 8])

@@ -31,8 +31,10 @@ def defects_of(heights, pixel_size=PIXEL, **options):
 def add_spikes(seed, share):
     heights = rough(seed, 12.0)
     rng = generator(seed + 1)
-    places = rng.choice(heights.size, round(share * heights.size), replace=False)
-    heights.flat[places] += rng.choice([-1, 1], len(places)) * rng.uniform(300, 2000, len(places))
+    positions = rng.choice(heights.size, round(share * heights.size), replace=False)
+    heights.flat[positions] += rng.choice([-1, 1], len(positions)) * rng.uniform(
+        300, 2000, len(positions)
+    )
     return heights
 
 

@@ -35,12 +35,12 @@ def flat_contact(modulus, clumps=0.0):
     return contact_of_area(FLAT, modulus * SIGMA / level, 1.0, area)
 
 
-def sampled_sums(modulus, places=4000, points=400):
+def sampled_sums(modulus, positions=4000, points=400):
     """Return sums of clumps over positions: Σ R_i (G_1/G_i)^(1/k), R_i the radii of summits."""
     rng = generator(1, "clumps")
-    arrivals = rng.exponential(size=(places, points)).cumsum(axis=1)
+    arrivals = rng.exponential(size=(positions, points)).cumsum(axis=1)
     level = apex_distribution(spectrum_between(SURFACE, 0, np.inf), FLAT, 0.0).mean()
-    radii = rng.choice(sampled_radii(rng, level), (places, points))
+    radii = rng.choice(sampled_radii(rng, level), (positions, points))
     return (radii * (arrivals[:, :1] / arrivals) ** (1 / modulus)).sum(axis=1)
 
 

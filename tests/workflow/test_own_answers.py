@@ -115,7 +115,7 @@ def test_the_interval_from_own_forces_contains_the_true_work(several):
     low, high = works.sel(surface="twin").sel(rho_fine=RANGE, method="nearest").values
     force = xr.load_dataset(several / "force.nc").sel(surface="twin", contact_model="plastic")
     weak, strong = force.force_interval.sel(rho=RANGE, method="nearest").values
-    # The mean of the tests adds little to what scans and places on the sphere leave open.
+    # The mean of the tests adds little to what scans and positions on the sphere leave open.
     assert low < WORK < high < 1.3 * low * strong / weak
     # The scan of the film is too small for an interval, so that no pair is known.
     assert works.sel(surface="my_film").isnull().all() and fit.region.isnull().all()
@@ -150,7 +150,7 @@ def gaussian_relative(adhesion, rms_height):
 def test_a_rough_sphere_sticks_less_as_in_the_closed_form(own_study, several):
     assert numbers(several)["contact"]["sphere"] == "sphere"
     adhesion = xr.load_dataset(several / "adhesion.nc").sel(surface="twin")
-    assert adhesion.sizes["sphere_scan"] == 2 * 3**2  # places on its scans
+    assert adhesion.sizes["sphere_scan"] == 2 * 3**2  # positions on its scans
     page = (several / "answer.html").read_text("utf-8")
     assert page.count("The wavelengths that matter most") == 2
     # The sphere's shape is subtracted before its roughness is measured.

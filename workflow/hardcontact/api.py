@@ -255,7 +255,7 @@ def pull_off_forces(
     -------
     xarray.Dataset
         ``pull_off_force`` (contact_model, rho, contact_y, contact_x) in N, rigid and plastic;
-        ``apex_height`` in nm; ``touched_places``, the number of places that contacts touch;
+        ``apex_height`` in nm; ``touched_patches``, the number of patches that contacts touch;
         ``wider_window_change``, the relative change of the forces at the longest range in a window
         that is wider by a period on each side.
 

@@ -2,7 +2,7 @@
 
 
 rule compute_pull_off:
-    """Compute rigid and plastic pull-off of one scan on all scans of the sphere, or places on it."""
+    """Compute rigid and plastic pull-off of one scan on all scans of the sphere, or positions on it."""
     input:
         substrate=PATTERNS.stitched_substrate,
         spheres=[FILES.stitched_path(SPHERE, scan) for scan in SELECTION.scans(SPHERE)],
@@ -11,9 +11,9 @@ rule compute_pull_off:
         PATTERNS.pull_off,
     params:
         parameters=parameters(
-            sphere_places=FILES.sphere_places,
-            places_per_row=FILES.places_per_row,
-            contact=CONTACT_AT_RANGE | {"contacts_per_row": FILES.place_contacts_per_row},
+            sphere_positions=FILES.sphere_positions,
+            positions_per_row=FILES.positions_per_row,
+            contact=CONTACT_AT_RANGE | {"contacts_per_row": FILES.position_contacts_per_row},
             ranges=RANGES,
         ),
     script:

@@ -4,7 +4,7 @@ COMBINED = any_name_pattern(FILES.combined_surfaces)
 
 
 rule combine_scans:
-    """Add the roughness of a scan of the sphere, at a random place, to that of a substrate."""
+    """Add the roughness of a scan of the sphere, at a random position, to that of a substrate."""
     input:
         substrate=PATTERNS.stitched_substrate,
         sphere=lambda w: FILES.stitched_path(SPHERE, FILES.sphere_scan(w.surface, int(w.scan))),

@@ -7,7 +7,7 @@ from hardcontact.base.job import run_job
 from hardcontact.contact.stacked_datasets import add_names
 from hardcontact.inference.band_forces import band_ratios_by_surface
 from hardcontact.inference.hindcast import all_hindcasts
-from hardcontact.inference.mean_forces import fewest_places
+from hardcontact.inference.mean_forces import fewest_touched_patches
 from hardcontact.inference.octaves import sensitivities_by_surface
 
 with run_job(snakemake) as job:
@@ -15,9 +15,9 @@ with run_job(snakemake) as job:
     files = read_all(params["maps"], job.input.maps)
     maps = {surface: forces for (surface,), forces in concatenate(files, "map", 1).items()}
     bands = dict(zip(params["bands"], map(read, job.input.bands), strict=True))
-    touched_places = fewest_places(read(job.input.adhesion)) if job.input.adhesion else {}
+    touched_patches = fewest_touched_patches(read(job.input.adhesion)) if job.input.adhesion else {}
     radius, rho, confidence = params["radius"], params["rho"], params["confidence"]
-    results = [sensitivities_by_surface(maps, radius, rho, touched_places, confidence)]
+    results = [sensitivities_by_surface(maps, radius, rho, touched_patches, confidence)]
     measured_maps = {name: forces for name, forces in maps.items() if "scan_octave_force" in forces}
     if measured_maps:
         results.append(all_hindcasts(measured_maps, params["tolerance"], confidence))

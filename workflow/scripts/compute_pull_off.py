@@ -4,7 +4,7 @@ from dataclasses import replace
 
 from hardcontact.base.job import run_job
 from hardcontact.contact.contact import Contact
-from hardcontact.contact.geometry import join_bodies, places_on_sphere
+from hardcontact.contact.geometry import join_bodies, spheres_at_positions
 from hardcontact.contact.pull_off import (
     force_on_finer_pixels,
     mean_pull_off_dataset,
@@ -21,11 +21,11 @@ with run_job(snakemake) as job:
     spheres = [
         sphere
         for path in job.input.spheres
-        for sphere in places_on_sphere(read_height_map(path), params["places_per_row"])
+        for sphere in spheres_at_positions(read_height_map(path), params["positions_per_row"])
     ]
     pairs = {
         number: join_bodies(substrate, sphere, contact)
-        for number, sphere in zip(params["sphere_places"], spheres or [None], strict=True)
+        for number, sphere in zip(params["sphere_positions"], spheres or [None], strict=True)
     }
     forces = stack_sphere_scans(
         {

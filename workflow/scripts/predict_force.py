@@ -5,7 +5,7 @@ from hardcontact.base.job import run_job
 from hardcontact.contact.contact import Contact
 from hardcontact.inference.edges import labelled_edges
 from hardcontact.inference.edges_of_scans import edges_of_scans
-from hardcontact.inference.mean_forces import MasterScans, fewest_places
+from hardcontact.inference.mean_forces import MasterScans, fewest_touched_patches
 from hardcontact.own.predicted_force import force_dataset
 
 with run_job(snakemake) as job:
@@ -13,7 +13,7 @@ with run_job(snakemake) as job:
     adhesion = read(job.input.adhesion)
     scales = read(job.input.scales)
     sensitivity = read(job.input.sensitivity)
-    master_scans = MasterScans(params["scans"], params["tiles"], fewest_places(adhesion))
+    master_scans = MasterScans(params["scans"], params["tiles"], fewest_touched_patches(adhesion))
     criteria = {name: params[name] for name in ("tolerance", "confidence")}
     edges = edges_of_scans(scales, sensitivity, master_scans, **criteria)
     job.write(

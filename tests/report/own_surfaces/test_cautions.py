@@ -107,14 +107,14 @@ def test_intervals_of_few_scans_are_conditional():
 
 
 def test_contacts_that_touch_few_places_are_named():
-    counts = {"contacts": ("surface", [64]), "touched_places": ("surface", [3.0])}
-    few_places = force().assign(counts | {"interval_source": ("surface", ["few_places"])})
-    few_places["interval_is_conditional"][:] = 1
-    (caution,) = find_cautions("few_places", force=few_places)
+    counts = {"contacts": ("surface", [64]), "touched_patches": ("surface", [3.0])}
+    few_patches = force().assign(counts | {"interval_source": ("surface", ["few_patches"])})
+    few_patches["interval_is_conditional"][:] = 1
+    (caution,) = find_cautions("few_patches", force=few_patches)
     counts = [number.value for number in caution.numbers.values()]
     assert (counts, caution.grave) == ([64, 3], True)
-    assert not find_cautions("few_places") and not find_cautions(
-        "conditional_intervals", force=few_places
+    assert not find_cautions("few_patches") and not find_cautions(
+        "conditional_intervals", force=few_patches
     )
 
 
@@ -191,11 +191,11 @@ def test_cautions_of_the_reader_are_named():
 
 
 def test_scans_of_the_same_place_are_named():
-    assert not find_cautions("same_place")
+    assert not find_cautions("repeated_scan")
     data = spectra()
-    data["same_place"] = data["same_place"].astype(object)
-    data["same_place"][{"surface": 0, "measurement": 1}] = "scans/trace.spm"
-    (caution,) = find_cautions("same_place", spectra=data)
+    data["earlier_scan"] = data["earlier_scan"].astype(object)
+    data["earlier_scan"][{"surface": 0, "measurement": 1}] = "scans/trace.spm"
+    (caution,) = find_cautions("repeated_scan", spectra=data)
     assert caution.texts["first"] == "scans/trace.spm"
 
 

@@ -109,7 +109,7 @@ def test_an_edge_whose_interval_is_artificial_names_its_cutoffs():
 
 def test_a_missing_interval_has_a_reason():
     data = move_edge(120.0, np.nan, np.nan)
-    for source, status in {"quarters": "no_interval", "few_places": "few_places"}.items():
+    for source, status in {"quarters": "no_interval", "few_patches": "few_patches"}.items():
         edges_without_interval = data.assign(interval_source=("surface", [source]))
         assert numbers_of(edges=edges_without_interval)["short_edge"].status == status
     half = numbers_of(edges=move_edge(120.0, 90.0, np.nan))["short_edge"]
@@ -123,13 +123,13 @@ def test_a_missing_interval_has_a_reason():
 
 
 def test_contacts_that_touch_too_few_places_give_no_answer():
-    few_places = drop_interval(force()).assign(
-        interval_source=("surface", ["few_places"]),
+    few_patches = drop_interval(force()).assign(
+        interval_source=("surface", ["few_patches"]),
         contacts=("surface", [64]),
-        touched_places=("surface", [3.0]),
+        touched_patches=("surface", [3.0]),
     )
-    verdict = surface_verdict(numbers_of(force=few_places))
-    assert (verdict.answer, verdict.band) == ("no", "few_places")
+    verdict = surface_verdict(numbers_of(force=few_patches))
+    assert (verdict.answer, verdict.band) == ("no", "few_patches")
 
 
 def answer_of(data, wavelengths, force_data=None):

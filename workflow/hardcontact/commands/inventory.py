@@ -17,7 +17,7 @@ from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.mean_spectrum import contradictions, describe_contradictions
 from hardcontact.surfaces.measured_spectrum import isotropic_psd
 from hardcontact.surfaces.reliable_band import LIMIT_NAMES, ReliableBand, reliable_band
-from hardcontact.surfaces.same_place import coarse_map, repeated_places
+from hardcontact.surfaces.repeated_scans import coarse_map, repeated_scans
 from hardcontact.surfaces.scan_defects import scan_with_defects
 from hardcontact.surfaces.scan_heights import split_notes
 from hardcontact.surfaces.scans import list_scans, read_scan
@@ -54,7 +54,7 @@ class Entry:
     undefined_count: int  #: pixels, which were filled
     notes: tuple[str, ...]  #: what was done in reading
     defects: Mapping[str, Mapping[str, float]]  #: of `scan_defects`
-    coarse: HeightMap  #: levelled, to find scans of the same place
+    coarse: HeightMap  #: levelled, to find scans of the same site
 
     @property
     def undefined_share(self) -> float:
@@ -95,7 +95,7 @@ def inventory(
 ) -> tuple[list[Entry], list[str], list[str]]:
     """Return the topographies of files, lines on those that are left out, and problems.
 
-    Unusable members of containers, and scans of a place that an earlier scan shows, are left out.
+    Unusable members of containers, and scans of a site that an earlier scan shows, are left out.
     Tip radius and `map_size`, the longer side, are in nm; with `unit` they serve files that state
     none. `channel` is that of files that are not containers, empty for the file's own choice.
     """
@@ -136,16 +136,16 @@ def inventory(
             problems.append(
                 f"{twin.name}: expected each scan once, found that of {entry.name} again"
             )
-    kept_entries, repeated = _leave_out_same_places(entries)
+    kept_entries, repeated = _leave_out_repeated_scans(entries)
     return kept_entries, unreadable + repeated, problems
 
 
-def _leave_out_same_places(entries: Sequence[Entry]) -> tuple[list[Entry], list[str]]:
-    """Return the entries that show another place than those before, and a line on each other."""
+def _leave_out_repeated_scans(entries: Sequence[Entry]) -> tuple[list[Entry], list[str]]:
+    """Return the entries that show another site than those before, and a line on each other."""
     kept_entries: list[Entry] = []
     lines: list[str] = []
     for scans in entries_by_surface(entries).values():
-        repeated = repeated_places([scan.coarse for scan in scans], [scan.name for scan in scans])
+        repeated = repeated_scans([scan.coarse for scan in scans], [scan.name for scan in scans])
         kept_entries += [scan for number, scan in enumerate(scans) if number not in repeated]
         lines += repeated.values()
     return kept_entries, lines

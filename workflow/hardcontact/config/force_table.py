@@ -30,10 +30,10 @@ def measured_forces(
 ) -> pd.DataFrame:
     """Read the user's own pull-off forces on the surfaces of a study.
 
-    The columns are TESTS, and perhaps `place`, or SUMMARIES with one row per surface; messages
+    The columns are TESTS, and perhaps `site`, or SUMMARIES with one row per surface; messages
     name `given_as`. Forces over the radius of the probe (nm) are multiplied by it. Returns by line
     of the file: surface, mean and median in N (of a single test its force), count of tests, and
-    place, blank if not given. Raises ValueError with a line for each fault.
+    site, blank if not given. Raises ValueError with a line for each fault.
     """
     table = user_table(path, f"a table of forces ({given_as})", decode=_decode)
     header, units = _split_units(table.header)
@@ -47,7 +47,7 @@ def measured_forces(
         "separated by commas; a column such as value (uN) needs no unit, one surface no name",
     )
     rows = table.convert(lambda row: _parse_force(defaults | dict(row), units, surfaces, radius))
-    names = ["surface", "mean", "median", "count", "place"]
+    names = ["surface", "mean", "median", "count", "site"]
     forces = pd.DataFrame.from_dict(rows, orient="index", columns=names).rename_axis("line")
     if columns == SUMMARIES:
         raise_faults(
@@ -106,7 +106,7 @@ def _convert_to_newton(number: str, unit: str, radius: float) -> float:
 def _parse_force(
     row: Row, units: Mapping[str, str], surfaces: Collection[str], radius: float
 ) -> tuple[str, float, float, int, str]:
-    """Return surface, mean and median in N, count and place; refuse the first fault of a row."""
+    """Return surface, mean and median in N, count and site; refuse the first fault of a row."""
     surface = row["surface"]
     count = row.get("count", "1")
     forces = []
@@ -136,4 +136,4 @@ def _parse_force(
             "median: expected at most the mean, as of log-normal forces (or give single tests), "
             f"found {row['median']} beside {row['mean']}"
         )
-    return surface, mean, median, int(count), row.get("place", "")
+    return surface, mean, median, int(count), row.get("site", "")

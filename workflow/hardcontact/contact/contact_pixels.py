@@ -18,7 +18,7 @@ class TouchedPixels:
     """The substrate's pixels that are contact pixels of any contact of an array, each once.
 
     They are left out of the sum of every contact; those of the other contacts are then added again.
-    `row` and `column` (pixels,) are their places on the substrate, by rows.
+    `row` and `column` (pixels,) are their positions on the substrate, by rows.
     """
 
     def __init__(self, bodies: Bodies, pixels_by_contact: PixelsByContact) -> None:

@@ -15,11 +15,11 @@ from hardcontact.contact.contact import Contact
 from hardcontact.surfaces.filters import interpolate
 from hardcontact.surfaces.height_map import HeightMap, read_height_map
 
-#: Minimum number of places on a rough sphere that touch each own surface: with 16 an interval is
+#: Minimum number of positions on a rough sphere that touch each own surface: with 16 an interval is
 #: 1.1 times as wide as with many, and each costs force sums.
-SPHERE_PLACES = 16
-#: Contacts per row at each of several places.
-PLACE_CONTACTS_PER_ROW = 6
+SPHERE_POSITIONS = 16
+#: Contacts per row at each of several positions.
+POSITION_CONTACTS_PER_ROW = 6
 
 
 @dataclass(frozen=True, eq=False)
@@ -119,14 +119,14 @@ def join_bodies(substrate: HeightMap, sphere: HeightMap | None, contact: Contact
     return Bodies(substrate, roughness, geometry)
 
 
-def places_on_sphere(sphere: HeightMap, places_per_row: int) -> list[HeightMap]:
-    """Return the mirror-stitched scan of a sphere, moved so that it touches at even places.
+def spheres_at_positions(sphere: HeightMap, positions_per_row: int) -> list[HeightMap]:
+    """Return the mirror-stitched scan of a sphere, moved so that it touches at even positions.
 
-    A single place is the middle of the scan, on which `join_bodies` puts the apex.
+    A single position is the middle of the scan, on which `join_bodies` puts the apex.
     """
     scan_pixels = sphere.pixels // 2
-    places = (2 * np.arange(places_per_row) + 1) * scan_pixels // (2 * places_per_row)
-    shifts = (scan_pixels // 2 - places).tolist()
+    positions = (2 * np.arange(positions_per_row) + 1) * scan_pixels // (2 * positions_per_row)
+    shifts = (scan_pixels // 2 - positions).tolist()
     return [
         replace(sphere, heights=np.roll(sphere.heights, shift, axis=(0, 1)))
         for shift in product(shifts, repeat=2)

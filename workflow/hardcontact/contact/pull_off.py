@@ -130,7 +130,7 @@ def pull_off_dataset(bodies: Bodies, contact: Contact, ranges: Sequence[float]) 
     """Return the rigid and plastic pull-off force of a pair of scans at every contact and range.
 
     Returns ``pull_off_force`` (contact_model, rho, contact_y, contact_x) in N at 1 J/m²,
-    ``apex_height`` in nm, ``contact_pixel_count`` and `touched_places`. Raises ValueError if a
+    ``apex_height`` in nm, ``contact_pixel_count`` and `touched_patches`. Raises ValueError if a
     range (nm) is too short for the relief of the surface.
     """
     pixel_size = bodies.geometry.pixel_size
@@ -146,7 +146,7 @@ def pull_off_dataset(bodies: Bodies, contact: Contact, ranges: Sequence[float]) 
             "pull_off_force": (("contact_model", "rho", *CONTACT_AXES), forces, FORCE_ATTRS),
             "apex_height": (model_axes, apex_heights, NM),
             "contact_pixel_count": ("contact_model", counts, DIMENSIONLESS),
-            "touched_places": ((), touched_places(bodies, pixels_by_contact), DIMENSIONLESS),
+            "touched_patches": ((), touched_patches(bodies, pixels_by_contact), DIMENSIONLESS),
         },
         {"contact_model": CONTACT_MODELS}
         | range_axis(ranges)
@@ -155,10 +155,10 @@ def pull_off_dataset(bodies: Bodies, contact: Contact, ranges: Sequence[float]) 
     )
 
 
-def touched_places(bodies: Bodies, pixels_by_contact: PixelsByContact) -> int:
-    """Return the number of places of a mirrored scan that hold the deepest pixel of some contact.
+def touched_patches(bodies: Bodies, pixels_by_contact: PixelsByContact) -> int:
+    """Return the number of patches of a mirrored scan that hold the deepest pixel of some contact.
 
-    A place is a patch of contact pixels that share edges or corners. If one particle on a flat
+    A patch is a group of contact pixels that share edges or corners. If one particle on a flat
     scan carried every contact, forces would scatter little, however wrong they were.
     """
     from scipy.ndimage import label  # A slow import.

@@ -9,7 +9,7 @@ from typing import Any
 from hardcontact.base.units import path_token
 from hardcontact.config.configuration import combines_bodies, study_contact
 from hardcontact.config.selected_surfaces import Selection
-from hardcontact.contact.geometry import PLACE_CONTACTS_PER_ROW, SPHERE_PLACES
+from hardcontact.contact.geometry import POSITION_CONTACTS_PER_ROW, SPHERE_POSITIONS
 from hardcontact.files.patterns import SMOOTH, Patterns
 
 # Rows of lists: their fields are wildcards of patterns.
@@ -180,25 +180,25 @@ class SurfaceFiles:
         return numbers
 
     @property
-    def places_per_row(self) -> int:
+    def positions_per_row(self) -> int:
         """Places per row of each scan of the sphere at which it touches, of own surfaces."""
         if not self._combines_bodies:
             return 1
-        return ceil(sqrt(SPHERE_PLACES / len(self.selection.sphere_scans)))
+        return ceil(sqrt(SPHERE_POSITIONS / len(self.selection.sphere_scans)))
 
     @property
-    def sphere_places(self) -> list[int]:
-        """The numbers of the places on the sphere: those of its scans if each has one."""
-        if self.places_per_row == 1:
+    def sphere_positions(self) -> list[int]:
+        """The numbers of the positions on the sphere: those of its scans if each has one."""
+        if self.positions_per_row == 1:
             return self.selection.sphere_scans
-        count = len(self.selection.sphere_scans) * self.places_per_row**2
+        count = len(self.selection.sphere_scans) * self.positions_per_row**2
         return list(range(1, count + 1))
 
     @property
-    def place_contacts_per_row(self) -> int:
-        """Contacts per row of their array at each place on the sphere."""
+    def position_contacts_per_row(self) -> int:
+        """Contacts per row of their array at each position on the sphere."""
         count = int(self.configuration["contact"]["contacts_per_row"])
-        return count if self.places_per_row == 1 else min(count, PLACE_CONTACTS_PER_ROW)
+        return count if self.positions_per_row == 1 else min(count, POSITION_CONTACTS_PER_ROW)
 
     # Scans
 

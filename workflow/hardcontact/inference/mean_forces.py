@@ -31,65 +31,65 @@ class SurfaceForces(NamedTuple):
     mean: np.ndarray  #: (rho,) in N, at the work of adhesion of the single forces.
     delete_one_log_means: np.ndarray  #: (part, rho) Logarithms of the mean of all parts but one.
     scan_parts: list[ScanParts]  #: (rho,) Parts correlate more at longer ranges.
-    #: (rho,) Of ln F between places on a rough sphere; empty if it touches at one.
-    place_variances: list[Variance]
+    #: (rho,) Of ln F between positions on a rough sphere; empty for a single position.
+    position_variances: list[Variance]
 
 
-def fewest_places(adhesion: xr.Dataset) -> dict[str, float]:
-    """Return the fewest places that the contacts on a scan touch, by surface.
+def fewest_touched_patches(adhesion: xr.Dataset) -> dict[str, float]:
+    """Return the smallest number of patches that the contacts on a scan touch, by surface.
 
-    ``touched_places`` of adhesion.nc is over surface, scan and sphere_scan. For several scans of
-    the sphere, the scan with the most touched places counts.
+    ``touched_patches`` of adhesion.nc is over surface, scan and sphere_scan. For several scans of
+    the sphere, the scan with the most touched patches counts.
     """
-    places = adhesion.touched_places.max("sphere_scan").min("scan")
-    return {str(surface): float(places.sel(surface=surface)) for surface in places.surface.values}
+    patches = adhesion.touched_patches.max("sphere_scan").min("scan")
+    return {str(name): float(patches.sel(surface=name)) for name in patches.surface.values}
 
 
 def forces_of_surface(
-    forces: xr.DataArray, size: float, radius: float, touched_places: float
+    forces: xr.DataArray, size: float, radius: float, touched_patches: float
 ) -> SurfaceForces:
     """Return the mean forces of one surface and contact model, with and without each part.
 
     Forces (scan, sphere_scan, rho, contact_y, contact_x) are in N, NaN where a scan is missing.
-    `size` is the side of a scan and `radius` the radius of the sphere, in nm; `touched_places`
-    comes from `fewest_places`.
+    `size` is the side of a scan and `radius` the radius of the sphere, in nm; `touched_patches`
+    comes from `fewest_touched_patches`.
     """
     scan_forces = forces.dropna("scan", how="all").mean("sphere_scan")
     scan_forces = scan_forces.transpose("scan", "rho", *CONTACT_AXES)
     scans = np.arange(scan_forces.sizes["scan"])
     quarters = quarters_of_contacts(scan_forces.sizes["contact_y"], 1)
     scan_parts = [
-        parts_of_scans(scans, quarters, size, float(np.sqrt(radius * rho)), touched_places)
+        parts_of_scans(scans, quarters, size, float(np.sqrt(radius * rho)), touched_patches)
         for rho in scan_forces.rho.values
     ]
     delete_one_log_means = delete_one_logarithms(
         scan_parts[0], "scan", lambda kept: scan_forces.where(kept).mean(CONTACT_AXES).mean("scan")
     )
     mean = scan_forces.mean(CONTACT_AXES).mean("scan").values
-    variances = _place_variances(forces)
+    variances = _position_variances(forces)
     return SurfaceForces(scan_forces.rho.values, mean, delete_one_log_means, scan_parts, variances)
 
 
-def _place_variances(forces: xr.DataArray) -> list[Variance]:
-    """Return the variance (rho,) of ln F at one more place of the sphere; none for a single one."""
+def _position_variances(forces: xr.DataArray) -> list[Variance]:
+    """Return the variance (rho,) of ln F at a new position of the sphere; none for one position."""
     count = forces.sizes["sphere_scan"]
     if count < 2:
         return []
-    place_means = forces.mean(["scan", *CONTACT_AXES]).transpose("rho", "sphere_scan").values
-    variances = (1 + 1 / count) * np.log(place_means).var(axis=1, ddof=1)
+    position_means = forces.mean(["scan", *CONTACT_AXES]).transpose("rho", "sphere_scan").values
+    variances = (1 + 1 / count) * np.log(position_means).var(axis=1, ddof=1)
     return [Variance(variance, count - 1) for variance in variances]
 
 
-def place_half_widths(surface_forces: SurfaceForces, confidence: float) -> list[np.ndarray]:
-    """Return half widths (rho,) of intervals of ln F for the place at which a sphere touches."""
-    return [half_width([variance], confidence) for variance in surface_forces.place_variances]
+def position_half_widths(surface_forces: SurfaceForces, confidence: float) -> list[np.ndarray]:
+    """Return half widths (rho,) of intervals of ln F for the position of the sphere."""
+    return [half_width([variance], confidence) for variance in surface_forces.position_variances]
 
 
 def mean_intervals(surface_forces: SurfaceForces, confidence: float) -> np.ndarray:
     """Return the intervals (rho, 2) of the mean forces of one surface, in N.
 
-    A rough sphere touches at one place, which is not known: half widths of scan parts and of
-    places on the sphere add in squares.
+    A rough sphere touches at one position of its scan, which is not known: half widths of scan
+    parts and of positions add in squares.
     """
     left_out_parts = zip(
         surface_forces.delete_one_log_means.T, surface_forces.scan_parts, strict=True
@@ -100,8 +100,8 @@ def mean_intervals(surface_forces: SurfaceForces, confidence: float) -> np.ndarr
             for log_means, scan_parts in left_out_parts
         ]
     )
-    for index, place_half_width in enumerate(place_half_widths(surface_forces, confidence)):
-        half[index] = np.hypot(half[index], place_half_width)
+    for index, position_half_width in enumerate(position_half_widths(surface_forces, confidence)):
+        half[index] = np.hypot(half[index], position_half_width)
     return logarithmic_interval(surface_forces.mean, half)
 
 
@@ -110,7 +110,7 @@ class MasterScans(NamedTuple):
 
     scans: Mapping[str, int]  #: Number of scans of each surface.
     tiles: int  #: Mirrored scans per row of a long-edge master.
-    touched_places: Mapping[str, float]  #: The fewest places of a scan touched on each surface.
+    touched_patches: Mapping[str, float]  #: From `fewest_touched_patches`.
 
 
 class MasterForces(NamedTuple):
@@ -137,7 +137,7 @@ def forces_of_masters(
         quarters_of_contacts(forces.sizes["contact_y"], tiles),
         master_size / master_scans.tiles / 2,
         float(np.sqrt(scales.attrs["sphere_radius"] * scales.attrs["rho"])),
-        master_scans.touched_places[surface],
+        master_scans.touched_patches[surface],
     )
     return MasterForces(forces, scan_parts)
 

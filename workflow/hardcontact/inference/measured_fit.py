@@ -25,7 +25,11 @@ from hardcontact.base.statistics import (
 from hardcontact.base.units import DIMENSIONLESS, JOULE_PER_M2, NEWTON, NM
 from hardcontact.contact.force_curves import interpolate_to_ranges
 from hardcontact.inference.fit import FIT_UNITS, best_fit, fine_ranges
-from hardcontact.inference.mean_forces import SurfaceForces, fewest_places, forces_of_surface
+from hardcontact.inference.mean_forces import (
+    SurfaceForces,
+    fewest_touched_patches,
+    forces_of_surface,
+)
 from hardcontact.inference.scan_parts import sampled_deviations
 
 #: Chance that independent tests are taken for repeated ones.
@@ -35,40 +39,40 @@ MAX_MEAN_DEVIATION = 50.0
 
 
 class MeasuredTests(NamedTuple):
-    """Tests that measure the pull-off force on one surface, log-normal between places."""
+    """Tests that measure the pull-off force on one surface, log-normal between sites."""
 
-    mean: float  #: Mean over places in N.
-    log_std: float  #: Standard deviation between places of the logarithm; NaN for a single place.
-    place_count: int  #: Number of places, each an independent sample.
+    mean: float  #: Mean over sites in N.
+    log_std: float  #: Standard deviation between sites of the logarithm; NaN for a single site.
+    site_count: int  #: Number of sites, each an independent sample.
     test_count: int  #: Number of tests.
 
 
 def measured_tests(forces: pd.DataFrame) -> MeasuredTests:
     """Return the tests on one surface from its rows of the table of measured forces.
 
-    Tests at one place are one sample, their mean; a test without a place has its own.
+    Tests at one site are one sample, their mean; a test without a site has its own.
     """
     count = int(forces["count"].sum())
     if len(forces) == 1:
         mean, median = float(forces["mean"].iloc[0]), forces["median"].iloc[0]
         log_std = float(lognormal_shape(mean, median)) if count > 1 else np.nan
         return MeasuredTests(mean, log_std, count, count)
-    is_placed = forces["place"] != ""
-    places = forces["place"].where(is_placed, forces.index)
-    means = forces["mean"].groupby(places, sort=False).mean()
+    has_site = forces["site"] != ""
+    sites = forces["site"].where(has_site, forces.index)
+    means = forces["mean"].groupby(sites, sort=False).mean()
     log_std = float(np.log(means).std(ddof=1))
     return MeasuredTests(float(means.mean()), log_std, len(means), count)
 
 
 def look_repeated(forces: pd.DataFrame) -> bool:
-    """Return whether tests on one surface without places look as if several share a place.
+    """Return whether tests on one surface without sites look as if several share a site.
 
     True if at most half of the values are distinct, or if von Neumann's ratio is significantly
     below one at some lag: half the mean squared difference of the logarithms of tests so many rows
     apart, over their variance. It is one for independent tests.
     """
     logs = np.log(forces["mean"].to_numpy(float))
-    if (forces["place"] != "").any() or len(logs) < 3:
+    if (forces["site"] != "").any() or len(logs) < 3:
         return False
     if 2 * len(np.unique(logs)) <= len(logs):
         return True
@@ -80,21 +84,21 @@ def look_repeated(forces: pd.DataFrame) -> bool:
 
 
 def sampled_means(rng: np.random.Generator, tests: MeasuredTests, samples: int) -> np.ndarray:
-    """Sample mean forces (samples,) in N of a log-normal distribution from a few places.
+    """Sample mean forces (samples,) in N of a log-normal distribution from a few sites.
 
     The generalized pivot of the logarithm of the mean, mu + sigma²/2, is y - z s*/sqrt(n) + s*²/2
     with s*² = (n - 1) s²/chi²(n - 1). Here z is normal, and y and s are mean and standard deviation
-    of the logarithms at n places, mu and sigma their true values. The deviation of the pivot from
-    y + s²/2 is added to the logarithm of the measured mean. NaN for one place, whose scatter is
+    of the logarithms at n sites, mu and sigma their true values. The deviation of the pivot from
+    y + s²/2 is added to the logarithm of the measured mean. NaN for one site, whose scatter is
     unknown. Source: Krishnamoorthy and Mathew, J. Stat. Plan. Inference 115 (2003) 103.
     """
-    if tests.place_count < 2:
+    if tests.site_count < 2:
         return np.full(samples, np.nan)
-    degrees_of_freedom = tests.place_count - 1
+    degrees_of_freedom = tests.site_count - 1
     variance = tests.log_std**2
     sampled_variance = variance * degrees_of_freedom / rng.chisquare(degrees_of_freedom, samples)
     normal = rng.standard_normal(samples)
-    errors = normal * np.sqrt(sampled_variance / tests.place_count)
+    errors = normal * np.sqrt(sampled_variance / tests.site_count)
     deviation = (sampled_variance - variance) / 2 - errors
     deviation = np.clip(deviation, -MAX_MEAN_DEVIATION, MAX_MEAN_DEVIATION)
     return np.asarray(tests.mean * np.exp(deviation))
@@ -132,14 +136,14 @@ def fit_measured(
         fits[(model,)] = _fit_model(computed, test_means, force_samples, pixel_factors, sampling)
     # Tests and parts of scans, and so the sources of intervals, are the same for all models.
     sources = [
-        computed[name].scan_parts[0].source if test.place_count > 1 else "one_test"
+        computed[name].scan_parts[0].source if test.site_count > 1 else "one_test"
         for name, test in zip(surfaces, tests, strict=True)
     ]
     variables = sampling.with_interval(
         "measured_force", "surface", test_means, force_samples, NEWTON
     ) | {
         "test_count": ("surface", [test.test_count for test in tests], DIMENSIONLESS),
-        "place_count": ("surface", [test.place_count for test in tests], DIMENSIONLESS),
+        "site_count": ("surface", [test.site_count for test in tests], DIMENSIONLESS),
         "look_repeated": ("surface", repeated, DIMENSIONLESS),
         "interval_source": ("surface", sources),
         "label": adhesion.label.sel(surface=surfaces),
@@ -160,7 +164,7 @@ def _computed_forces(
 ) -> dict[str, SurfaceForces]:
     """Return the computed mean forces of the surfaces in one contact model."""
     radius = float(adhesion.attrs["sphere_radius"])
-    touched = fewest_places(adhesion)
+    touched = fewest_touched_patches(adhesion)
     return {
         name: forces_of_surface(
             adhesion.pull_off_force.sel(surface=name), scan_sizes[name], radius, touched[name]
@@ -172,7 +176,7 @@ def _computed_forces(
 def _sampled_forces(surface_forces: SurfaceForces, surface: str, sampling: Sampling) -> np.ndarray:
     """Sample mean forces (sample, rho) of a surface: the same random numbers at every range.
 
-    The place at which a rough sphere touches is the same on all surfaces.
+    The position at which a rough sphere touches is the same on all surfaces.
     """
     count = sampling.sample_count
     deviations = [
@@ -183,7 +187,7 @@ def _sampled_forces(surface_forces: SurfaceForces, surface: str, sampling: Sampl
             surface_forces.delete_one_log_means.T, surface_forces.scan_parts, strict=True
         )
     ]
-    for index, variance in enumerate(surface_forces.place_variances):
+    for index, variance in enumerate(surface_forces.position_variances):
         rng = sampling.generator("place on the sphere")
         samples = rng.standard_t(variance.degrees_of_freedom, count)
         deviations[index] = deviations[index] + samples * np.sqrt(variance.value)

@@ -145,30 +145,30 @@ def log_force_ratio(
 
 
 def parts_of_maps(
-    forces: xr.Dataset, radius: float, rho: float, touched_places: float = np.inf
+    forces: xr.Dataset, radius: float, rho: float, touched_patches: float = np.inf
 ) -> ScanParts:
     """Return the parts of the maps: the maps if there are three, otherwise their quarters."""
     quarters = quarters_of_contacts(forces.sizes["contact_y"], 1)
     size = float(forces.attrs["map_size"])
     maps = np.arange(forces.sizes["map"])
-    return parts_of_scans(maps, quarters, size, float(np.sqrt(radius * rho)), touched_places)
+    return parts_of_scans(maps, quarters, size, float(np.sqrt(radius * rho)), touched_patches)
 
 
 def sensitivities_by_surface(
     maps: Mapping[str, xr.Dataset],
     radius: float,
     rho: float,
-    touched_places: Mapping[str, float],
+    touched_patches: Mapping[str, float],
     confidence: float,
 ) -> xr.Dataset:
     """Return ``octave_sensitivity`` (surface, octave), NaN for an octave that a map lacks.
 
-    Radius and range are in nm; `touched_places` comes from `mean_forces.fewest_places`.
+    Radius and range are in nm; `touched_patches` comes from `mean_forces.fewest_touched_patches`.
     ``map_size`` is the side of the maps in nm.
     """
     surfaces = {}
     for surface, forces in maps.items():
-        scan_parts = parts_of_maps(forces, radius, rho, touched_places.get(surface, np.inf))
+        scan_parts = parts_of_maps(forces, radius, rho, touched_patches.get(surface, np.inf))
         sensitivity = octave_sensitivities(forces["octave_force"], scan_parts, confidence)
         surfaces[(surface,)] = sensitivity.assign(map_size=((), forces.attrs["map_size"], NM))
     return stack(surfaces, ["surface"]).sortby("octave")

@@ -8,7 +8,7 @@ of each scan: contacts of a mirrored scan are grouped by their quarter. Quarters
 independent. A contact feels the surface around it with the weight exp(-r²/(2 R rho)), since the
 paraboloid r²/2R enters Eq. 3 of the paper, and contacts of different quarters feel the same peaks.
 R, rho and the size of the scan give this correlation, which corrects the variance. If the contacts
-touch fewer places than there are quarters, some quarters share a place, and there is no interval.
+touch fewer patches than there are quarters, some quarters share a patch, and there is no interval.
 """
 
 from collections.abc import Callable, Sequence
@@ -45,7 +45,7 @@ class ScanParts:
     part_of_contact: np.ndarray
     correlation: np.ndarray  #: (part, part), of mean forces of parts.
     scan_count: int  #: Number of these scans.
-    touched_places: float = np.inf  #: The fewest places that the contacts of a scan touch.
+    touched_patches: float = np.inf  #: Smallest number of patches that contacts of a scan touch.
 
     @property
     def are_quarters(self) -> bool:
@@ -53,9 +53,9 @@ class ScanParts:
         return self.scan_count < ENOUGH_SCANS
 
     @property
-    def touches_few_places(self) -> bool:
-        """Whether the contacts of a scan touch fewer places than it has quarters."""
-        return self.are_quarters and self.touched_places * self.scan_count < len(self.correlation)
+    def touches_few_patches(self) -> bool:
+        """Whether the contacts of a scan touch fewer patches than it has quarters."""
+        return self.are_quarters and self.touched_patches * self.scan_count < len(self.correlation)
 
     @property
     def mean_correlation(self) -> float:
@@ -74,7 +74,7 @@ class ScanParts:
         """
         count = len(self.correlation)
         correlation = self.mean_correlation
-        if count < 2 or correlation > SAME_CORRELATION or self.touches_few_places:
+        if count < 2 or correlation > SAME_CORRELATION or self.touches_few_patches:
             return np.nan, np.nan
         centred = (np.eye(count) - 1 / count) @ self.correlation
         degrees_of_freedom = np.trace(centred) ** 2 / np.trace(centred @ centred)
@@ -84,13 +84,13 @@ class ScanParts:
     def source(self) -> str:
         """Source of an interval: "scans" or "quarters" of scans.
 
-        A single part ("none") and parts that touch few places ("few_places") give no interval.
+        A single part ("none") and parts that touch few patches ("few_patches") give no interval.
         """
         if not self.are_quarters:
             return "scans"
         if len(self.correlation) < 2 or self.mean_correlation > SAME_CORRELATION:
             return "none"
-        return "few_places" if self.touches_few_places else "quarters"
+        return "few_patches" if self.touches_few_patches else "quarters"
 
 
 def quarters_of_contacts(contacts_per_row: int, tiles: int) -> np.ndarray:
@@ -111,23 +111,23 @@ def parts_of_scans(
     quarters: np.ndarray,
     size: float,
     weight_deviation: float,
-    touched_places: float = np.inf,
+    touched_patches: float = np.inf,
 ) -> ScanParts:
     """Return the parts of the scans of a surface: scans if there are three, otherwise quarters.
 
     `scan_of_map` (map,) numbers the scan of each map, `quarters` come from `quarters_of_contacts`.
     The side of a scan and the `weight_deviation` sqrt(R rho), with which a contact feels the
-    surface, are in nm. `touched_places` is the fewest places that the contacts of a scan touch.
+    surface, are in nm. `touched_patches` is the smallest number of patches that contacts of a scan touch.
     """
     scans, scan = np.unique(scan_of_map, return_inverse=True)
     if len(scans) >= ENOUGH_SCANS:
         part_of_contact = np.broadcast_to(scan[:, None, None], (len(scan), *quarters.shape))
-        return ScanParts(part_of_contact, np.eye(len(scans)), len(scans), touched_places)
+        return ScanParts(part_of_contact, np.eye(len(scans)), len(scans), touched_patches)
     numbers, quarter = np.unique(quarters, return_inverse=True)
     part_of_contact = scan[:, None, None] * len(numbers) + quarter.reshape(quarters.shape)
     correlation = _correlation_of_quarters(size, weight_deviation)[np.ix_(numbers, numbers)]
     correlations = np.kron(np.eye(len(scans)), correlation)
-    return ScanParts(part_of_contact, correlations, len(scans), touched_places)
+    return ScanParts(part_of_contact, correlations, len(scans), touched_patches)
 
 
 def _correlation_of_quarters(size: float, weight_deviation: float) -> np.ndarray:

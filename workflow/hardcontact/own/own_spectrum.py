@@ -23,7 +23,7 @@ from hardcontact.surfaces.mean_spectrum import contradictions, describe_contradi
 from hardcontact.surfaces.measured_spectrum import ENOUGH_WAVES, isotropic_from_profile
 from hardcontact.surfaces.plain_text import ROW
 from hardcontact.surfaces.reliable_band import ReliableBand
-from hardcontact.surfaces.same_place import repeated_places
+from hardcontact.surfaces.repeated_scans import repeated_scans
 from hardcontact.surfaces.scan_defects import defect_sentence, scan_with_defects
 from hardcontact.surfaces.scan_heights import LENGTH_BOUNDS, TAKE_CARE, split_notes
 from hardcontact.surfaces.scans import list_scans, read_scan
@@ -103,7 +103,7 @@ def own_spectrum(
         if np.ptp(scan.heights) < LENGTH_BOUNDS[0]:
             raise ValueError(f"{scan.path}: expected a rough surface, found constant height")
     names = [f"{scan.path} {scan.member}".strip() for scan in scans]
-    repeated = repeated_places(scans, names)
+    repeated = repeated_scans(scans, names)
     scans = [scan for number, scan in enumerate(scans) if number not in repeated]
     names = [name for number, name in enumerate(names) if number not in repeated]
     return _spectrum_of_scans(scans, names, tip_radius, [*repeated.values()])
@@ -120,7 +120,7 @@ def _spectrum_of_table(path: str | Path) -> OwnSpectrum:
 def _spectrum_of_scans(
     scans: Sequence[HeightMap], names: Sequence[str], tip_radius: float | None, cautions: list[str]
 ) -> OwnSpectrum:
-    """Return the joined spectrum of scans of different places, with cautions and other notes."""
+    """Return the joined spectrum of scans of different sites, with cautions and other notes."""
     defects = [
         (name, defect_sentence(code, numbers))
         for name, scan in zip(names, scans, strict=True)

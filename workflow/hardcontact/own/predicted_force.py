@@ -20,11 +20,11 @@ from hardcontact.inference.mean_forces import (
     MasterForces,
     MasterScans,
     SurfaceForces,
-    fewest_places,
+    fewest_touched_patches,
     forces_of_surface,
     half_width_over_masters,
     mean_intervals,
-    place_half_widths,
+    position_half_widths,
     summarize_masters,
 )
 from hardcontact.inference.scan_parts import logarithmic_interval
@@ -86,9 +86,9 @@ def force_dataset(
 
 
 def _widen_intervals(force: xr.Dataset, sensitivity: xr.Dataset, rho: float) -> xr.Dataset:
-    """Widen intervals by the place on the sphere, the hindcast and finer pixels, where known."""
-    if "place_factor" in force:
-        at_range = force["place_factor"].sel(contact_model=PLASTIC, drop=True)
+    """Widen intervals by the position of the sphere, the hindcast and finer pixels, where known."""
+    if "position_factor" in force:
+        at_range = force["position_factor"].sel(contact_model=PLASTIC, drop=True)
         factor = at_range.sel(rho=rho, method="nearest", drop=True)
         force = widen_interval(force, "extrapolated_force", factor)
     if "hindcast_ratio" in sensitivity:
@@ -134,7 +134,7 @@ def forces_on_scans(
             f"expected a range of adhesion that was computed ({', '.join(f'{r:g}' for r in ranges)}"
             f" nm), found {rho:g} nm"
         )
-    touched = fewest_places(adhesion)
+    touched = fewest_touched_patches(adhesion)
     forces = adhesion.assign(pull_off_force=adhesion.pull_off_force * work)
     surfaces = {
         (surface,): _force_variables(
@@ -152,13 +152,13 @@ def forces_on_scans(
 
 
 def _force_variables(
-    adhesion: xr.Dataset, size: float, touched_places: float, rho: float, confidence: float
+    adhesion: xr.Dataset, size: float, touched_patches: float, rho: float, confidence: float
 ) -> xr.Dataset:
     """Return the variables of one surface, from its forces at the work of adhesion."""
     radius = float(adhesion.attrs["sphere_radius"])
     forces = adhesion.pull_off_force
     forces_by_model = [
-        forces_of_surface(forces.sel(contact_model=model), size, radius, touched_places)
+        forces_of_surface(forces.sel(contact_model=model), size, radius, touched_patches)
         for model in forces.contact_model.values
     ]
     mean = np.array([model_forces.mean for model_forces in forces_by_model])
@@ -180,21 +180,21 @@ def _force_variables(
                 np.prod([adhesion.sizes[axis] for axis in CONTACT_AXES]),
                 DIMENSIONLESS,
             ),
-            "touched_places": ((), touched_places, DIMENSIONLESS),
+            "touched_patches": ((), touched_patches, DIMENSIONLESS),
             "correlation_of_parts": ((), scan_parts.mean_correlation, DIMENSIONLESS),
         }
-        | _place_factor(forces_by_model, confidence),
+        | _position_factor(forces_by_model, confidence),
         {name: adhesion[name] for name in dimensions}
         | {"quantile": ("quantile", QUANTILES, DIMENSIONLESS)},
     )
 
 
-def _place_factor(forces_by_model: Sequence[SurfaceForces], confidence: float) -> dict[str, Any]:
-    """Return ``place_factor`` (contact_model, rho) if the sphere is rough."""
-    factors = [np.exp(place_half_widths(forces, confidence)) for forces in forces_by_model]
+def _position_factor(forces_by_model: Sequence[SurfaceForces], confidence: float) -> dict[str, Any]:
+    """Return ``position_factor`` (contact_model, rho) if the sphere is rough."""
+    factors = [np.exp(position_half_widths(forces, confidence)) for forces in forces_by_model]
     if not factors[0].size:
         return {}
-    return {"place_factor": (("contact_model", "rho"), factors, DIMENSIONLESS)}
+    return {"position_factor": (("contact_model", "rho"), factors, DIMENSIONLESS)}
 
 
 def extrapolated_force(

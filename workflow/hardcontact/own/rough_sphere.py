@@ -13,7 +13,7 @@ from hardcontact.surfaces.joined_spectrum import ScanSpectrum, reliable_spectrum
 def combined_spectrum(surface: OwnSpectrum, sphere: OwnSpectrum, seed: int) -> OwnSpectrum:
     """Return the sum of both spectra, and of both maps if each body has a single one.
 
-    The seed decides which places of the maps meet. Raises ValueError for a table.
+    The seed decides which positions of the maps meet. Raises ValueError for a table.
     """
     substrate_spectrum, sphere_spectrum = surface.spectrum, sphere.spectrum
     if not isinstance(substrate_spectrum, ScanSpectrum) or not isinstance(

@@ -12,14 +12,18 @@ from hardcontact.config.grids import Grid, minimum_range, periods_in_window
 from hardcontact.contact.contact import PLASTIC, Contact
 from hardcontact.contact.finite_scan import LARGE_ENOUGH, finite_scan_ratio
 from hardcontact.contact.geometry import (
-    PLACE_CONTACTS_PER_ROW,
-    SPHERE_PLACES,
+    POSITION_CONTACTS_PER_ROW,
+    SPHERE_POSITIONS,
     join_bodies,
-    places_on_sphere,
+    spheres_at_positions,
 )
 from hardcontact.contact.pull_off import pull_off_dataset
 from hardcontact.contact.stacked_datasets import stack_sphere_scans
-from hardcontact.inference.mean_forces import forces_of_surface, mean_intervals, place_half_widths
+from hardcontact.inference.mean_forces import (
+    forces_of_surface,
+    mean_intervals,
+    position_half_widths,
+)
 from hardcontact.inference.octaves import make_force_function
 from hardcontact.inference.wide_pixels import widen_pixels
 from hardcontact.own.scan_window import window_on_scans
@@ -120,13 +124,13 @@ def stitched_map(scan: HeightMap) -> HeightMap:
 
 
 def _forces(surface: HeightMap, body_maps: Sequence[HeightMap], contact: Contact) -> xr.Dataset:
-    """Return the forces (sphere_scan, ...) of a smooth sphere, or of a rough one at its places."""
+    """Return the forces (sphere_scan, ...) of a smooth sphere, or of a rough one at its positions."""
     pairs = [join_bodies(surface, None, contact)]
     if body_maps:
         substrate, sphere = (stitched_map(body) for body in body_maps)
-        contact = replace(contact, contacts_per_row=PLACE_CONTACTS_PER_ROW)
-        places = places_on_sphere(sphere, math.isqrt(SPHERE_PLACES))
-        pairs = [join_bodies(substrate, place, contact) for place in places]
+        contact = replace(contact, contacts_per_row=POSITION_CONTACTS_PER_ROW)
+        positions = spheres_at_positions(sphere, math.isqrt(SPHERE_POSITIONS))
+        pairs = [join_bodies(substrate, position, contact) for position in positions]
     return stack_sphere_scans(
         {
             number: pull_off_dataset(pair, contact, [contact.rho])
@@ -150,10 +154,10 @@ def _force_numbers(
     surface = stitched_map(scan)
     contact = contact_on_scan(scan, contact)
     pull_off = _forces(surface, body_maps, contact)
-    touched_places = float(pull_off["touched_places"].max())
+    touched_patches = float(pull_off["touched_patches"].max())
     forces = contact.work * pull_off["pull_off_force"].sel(contact_model=PLASTIC, drop=True)
     surface_forces = forces_of_surface(
-        forces.expand_dims("scan"), scan.size, contact.radius, touched_places
+        forces.expand_dims("scan"), scan.size, contact.radius, touched_patches
     )
     smooth = smooth_force(contact)
     values = np.append(surface_forces.mean, mean_intervals(surface_forces, confidence)[0])
@@ -168,9 +172,9 @@ def _force_numbers(
     yield force
     yield Number("force_on_scan_share", mean / smooth)
     yield Number("wide_pixel_ratio", wide_pixel_ratio)
-    yield Number("touched_places", touched_places)
-    for place_half_width in place_half_widths(surface_forces, confidence):
-        yield Number("place_factor", float(np.exp(place_half_width)))
+    yield Number("touched_patches", touched_patches)
+    for position_half_width in position_half_widths(surface_forces, confidence):
+        yield Number("position_factor", float(np.exp(position_half_width)))
     form, search = _closed_form_numbers(surface, force, scan.size, contact)
     yield search
     yield extend_low_end(form, wide_pixel_ratio)

@@ -28,7 +28,7 @@ NO_VALUE = {
 #: Words after a value without an interval, by its status.
 NO_INTERVAL = {
     "no_interval": "not bounded by these scans",
-    "few_places": "not bounded: contacts touch too few places",
+    "few_patches": "not bounded: contacts touch too few patches",
 }
 #: Words before a value that is a bound, by its status.
 BOUNDS = {"open_above": "at least ", "open_below": "at most "}

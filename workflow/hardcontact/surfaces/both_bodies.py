@@ -1,7 +1,7 @@
 """The roughness of a substrate and of the sphere in one map and one spectrum.
 
 Gaps depend on the sum of both heights alone, so that a smooth sphere on this map touches like a
-rough one on the substrate, everywhere at another place of the sphere.
+rough one on the substrate, everywhere at another position of the sphere.
 """
 
 from dataclasses import replace

@@ -1,7 +1,7 @@
 """Bumps or pits on a homogeneous Gaussian base: a family of surfaces that Table 1 limits.
 
 A homogeneous Gaussian surface has nearly the same rms height in each scan. Rare features explain
-a large scatter of scans. Features of a surface are equal Gaussian shapes at independent places.
+a large scatter of scans. Features of a surface are equal Gaussian shapes at independent positions.
 """
 
 from collections.abc import Mapping
@@ -160,7 +160,7 @@ def no_features(statistics: ScanStatistics, scan_count: int) -> Features:
 def add_features(
     rng: np.random.Generator, surface: HeightMap, features: Features, count: int
 ) -> HeightMap:
-    """Add features at random places to a surface; those on a periodic one reach over its edges."""
+    """Add features at random positions to a surface; those on a periodic one reach over its edges."""
     position = (np.arange(surface.pixels) + 0.5) * surface.pixel_size
     centres = rng.uniform(0, surface.size, (2, count, 1))
     distance = position - centres

@@ -15,7 +15,7 @@ from hardcontact.surfaces.descriptions import DATA_EVIDENCE
 from hardcontact.surfaces.extrapolated_spectrum import Tail
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.reliable_band import ReliableBand
-from hardcontact.surfaces.same_place import earlier_scans_of_places
+from hardcontact.surfaces.repeated_scans import earlier_scans_of_sites
 from hardcontact.surfaces.scan_defects import DEFECT_UNITS
 from hardcontact.surfaces.spectrum import BIN_CENTRES, WAVEVECTORS, spectrum_of_dataset
 
@@ -32,7 +32,7 @@ def measurement_descriptions(
 
     The radii of their tips are in nm, None if unknown.
     """
-    earlier_measurements = earlier_scans_of_places(measurements)
+    earlier_measurements = earlier_scans_of_sites(measurements)
     return [
         {
             "kind": measurement.kind,
@@ -45,7 +45,7 @@ def measurement_descriptions(
             "dataset": measurement.member,
             "tip_radius": np.nan if radius is None else radius,
             "notes": "; ".join(measurement.notes),
-            "same_place": "" if earlier is None else measurements[earlier].name,
+            "earlier_scan": "" if earlier is None else measurements[earlier].name,
             **dict.fromkeys(DEFECT_UNITS, np.nan),
             **{
                 name: number

@@ -62,8 +62,8 @@ def cautions(data: Datasets, numbers: Mapping[str, Number]) -> list[Caution]:
         _blind_scans(data),
         *_defects(data.spectra, MISLEADING_DEFECTS, grave=True),
         *_reading(data.spectra),
-        *_same_places(data.spectra),
-        _few_places(data.force),
+        *_repeated_scans(data.spectra),
+        _few_patches(data.force),
         _soft_bodies(data.force),
         _strong_work(numbers),
         _small_scans(data),
@@ -72,7 +72,7 @@ def cautions(data: Datasets, numbers: Mapping[str, Number]) -> list[Caution]:
         _repeated_tests(numbers),
         _smooth_bound(data.force, numbers),
         _conditional_intervals(data.force),
-        _sphere_places(numbers),
+        _sphere_positions(numbers),
         *_defects(data.spectra, set(DEFECTS) - MISLEADING_DEFECTS, grave=False),
         _contradiction(data.spectra),
         _excess_roughness(data.spectra),
@@ -125,29 +125,29 @@ def _reading(spectra: xr.Dataset) -> list[Caution]:
     ]
 
 
-def _same_places(spectra: xr.Dataset) -> list[Caution]:
-    """Return a caution for each scan of a place that an earlier scan shows."""
+def _repeated_scans(spectra: xr.Dataset) -> list[Caution]:
+    """Return a caution for each scan of a site that an earlier scan shows."""
     return [
         Caution(
-            "same_place",
+            "repeated_scan",
             grave=True,
             texts={
                 "scan": measurement_name(measurement),
-                "first": str(measurement["same_place"].item()),
+                "first": str(measurement["earlier_scan"].item()),
             },
         )
         for measurement in split_scans(scans_of(spectra))
-        if measurement["same_place"].item()
+        if measurement["earlier_scan"].item()
     ]
 
 
-def _few_places(force: xr.Dataset) -> Caution | None:
-    """Return a caution if the contacts on a scan touch too few places for an interval."""
-    if force["interval_source"].item() != "few_places":
+def _few_patches(force: xr.Dataset) -> Caution | None:
+    """Return a caution if the contacts on a scan touch too few patches for an interval."""
+    if force["interval_source"].item() != "few_patches":
         return None
-    names = ("contacts", "touched_places")
+    names = ("contacts", "touched_patches")
     numbers = {name: Number(name, int(force[name].item())) for name in names}
-    return Caution("few_places", grave=True, numbers=numbers)
+    return Caution("few_patches", grave=True, numbers=numbers)
 
 
 def _soft_bodies(force: xr.Dataset) -> Caution | None:
@@ -174,11 +174,11 @@ def _few_tests(numbers: Mapping[str, Number]) -> Caution | None:
     above, below = np.log(force.high / force.value), np.log(force.value / force.low)
     if not above > MAX_LOPSIDEDNESS * below:
         return None
-    return Caution("few_tests", numbers={"tests": numbers["measured_force_places"]})
+    return Caution("few_tests", numbers={"tests": numbers["measured_force_sites"]})
 
 
 def _repeated_tests(numbers: Mapping[str, Number]) -> Caution | None:
-    """Return a caution if tests look as if several were made at one place."""
+    """Return a caution if tests look as if several were made at one site."""
     repeated = numbers.get("measured_force_looks_repeated")
     if repeated is None or not repeated.value:
         return None
@@ -249,7 +249,7 @@ def _few_pixels(force: xr.Dataset) -> Caution | None:
 
 def _conditional_intervals(force: xr.Dataset) -> Caution | None:
     """Return a caution if intervals are conditional on the scans at hand."""
-    has_no_interval = force["interval_source"].item() in ("none", "few_places")
+    has_no_interval = force["interval_source"].item() in ("none", "few_patches")
     if not force["interval_is_conditional"].item() or has_no_interval:
         return None
     numbers = {
@@ -259,11 +259,11 @@ def _conditional_intervals(force: xr.Dataset) -> Caution | None:
     return Caution("conditional_intervals", numbers=numbers)
 
 
-def _sphere_places(numbers: Mapping[str, Number]) -> Caution | None:
-    """Return a caution on the place at which a rough sphere touches, which changes the force."""
-    if "place_factor" not in numbers:
+def _sphere_positions(numbers: Mapping[str, Number]) -> Caution | None:
+    """Return a caution on the unknown position of a rough sphere, which changes the force."""
+    if "position_factor" not in numbers:
         return None
-    return Caution("sphere_places", numbers={"factor": numbers["place_factor"]})
+    return Caution("sphere_positions", numbers={"factor": numbers["position_factor"]})
 
 
 def _contradiction(spectra: xr.Dataset) -> Caution | None:

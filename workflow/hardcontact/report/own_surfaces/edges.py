@@ -45,9 +45,9 @@ class Verdict(NamedTuple):
 
     answer: "yes" if both edges are found, no second force has extrapolated roughness, and force
         and edges come from wavelengths at which a scan is reliable. "no" if none of the three comes
-        from such wavelengths, if contacts touch too few places, or if there is no band. Otherwise
+        from such wavelengths, if contacts touch too few patches, or if there is no band. Otherwise
         "partly".
-    band: "few_places", "none" if no resolved wavelength changes the force, "unknown" if a hindcast
+    band: "few_patches", "none" if no resolved wavelength changes the force, "unknown" if a hindcast
         fails or the short edge shows ripples of the filter, "overlapping" if the short edge is the
         longer one, otherwise "found".
     extrapolated: sides with a known force with extrapolated roughness.
@@ -62,8 +62,8 @@ class Verdict(NamedTuple):
 
 
 def interval_status(source: xr.DataArray) -> str:
-    """Return the status of a number without interval: few places touch, or no scan bounds it."""
-    return "few_places" if source.item() == "few_places" else "no_interval"
+    """Return the status of a number without interval: few patches touch, or no scan bounds it."""
+    return "few_patches" if source.item() == "few_patches" else "no_interval"
 
 
 def edge_number(side_edges: xr.Dataset, name: str, source: str = "computed") -> Number:
@@ -173,15 +173,15 @@ def surface_verdict(numbers: Mapping[str, Number]) -> Verdict:
     force = _drop_partial_interval(numbers["force_mean"])
     sides = [side for side in SIDES if f"force_extrapolated_{side}" in numbers]
     sources = {short.source, long.source, numbers["force_mean_change"].source}
-    if numbers["force_mean"].status == "few_places":
-        band = "few_places"
+    if numbers["force_mean"].status == "few_patches":
+        band = "few_patches"
     elif short.status == "no_band":
         band = "none"
     elif {"no_hindcast", RIPPLES} & {short.status, long.status}:
         band = "unknown"
     else:
         band = "overlapping" if short.value >= long.value else "found"
-    if band in ("few_places", "none") or sources == {"artificial"}:
+    if band in ("few_patches", "none") or sources == {"artificial"}:
         answer = "no"
     elif sources == {"measured"} and not sides and not short.status and not long.status:
         answer = "yes"

@@ -47,7 +47,7 @@ def force_numbers(data: Datasets) -> list[Number]:
         number_of(force, "weibull_modulus", "1", name="force_scatter_weibull_modulus"),
         number_of(force, "contacts_needed", "1", name="force_scatter_contacts_needed"),
         number_of(force, "search_size", "nm", name="force_scatter_search_size"),
-        *([number_of(forces, "place_factor")] if "place_factor" in forces else []),
+        *([number_of(forces, "position_factor")] if "position_factor" in forces else []),
         Number("range_sensitivity", _sensitivity(force)),
     ]
 
@@ -154,7 +154,7 @@ def measured_numbers(fit: xr.Dataset, data: Datasets) -> list[Number]:
     numbers = [
         number_of(fit, "measured_force", source="measured"),
         Number("measured_force_tests", int(fit["test_count"].item())),
-        Number("measured_force_places", int(fit["place_count"].item())),
+        Number("measured_force_sites", int(fit["site_count"].item())),
         Number("measured_force_looks_repeated", int(fit["look_repeated"].item())),
         number_of(at_range, "work_by_range", name="measured_work", source="from_measured"),
     ]

@@ -1,4 +1,4 @@
-"""Scans that show the same place, as trace and retrace or a levelled copy do: a single sample."""
+"""Scans that show the same site, as trace and retrace or a levelled copy do: a single sample."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -8,18 +8,18 @@ import numpy as np
 from hardcontact.base.arrays import Floats
 from hardcontact.surfaces.height_map import HeightMap
 
-#: Correlation of heights, after the best shift, above which two maps show the same place.
+#: Correlation of heights, after the best shift, above which two maps show the same site.
 SAME_PLACE_CORRELATION = 0.5
 #: Most pixels per row of maps that are compared: means lower the noise, a pair takes 15 ms.
 COMPARED_PIXELS = 64
 #: Longest wavelength that is compared, as a share of the smaller side. Longer waves are few, so
-#: that maps of different places correlate by chance; levelling also changes them.
+#: that maps of different sites correlate by chance; levelling also changes them.
 LONGEST_COMPARED_SHARE = 1 / 4
 #: Least overlap after a shift, as a share of the smaller map.
 MIN_OVERLAP = 0.5
 #: Least product of variances, relative to the largest: rounding of Fourier transforms is smaller.
 ROUNDING = 1e-9
-#: Largest ratio of the sides of two maps: a smaller part of a place shows other waves.
+#: Largest ratio of the sides of two maps: a smaller part of a site shows other waves.
 MAX_SIZE_RATIO = 1.25
 
 
@@ -34,8 +34,8 @@ def coarse_map(scan: HeightMap) -> HeightMap:
     return replace(scan, heights=means, pixel_size=step * scan.pixel_size)
 
 
-def earlier_scans_of_places(scans: Sequence[HeightMap]) -> list[int | None]:
-    """Return for each scan the index of the first scan that shows its place; None if it is new.
+def earlier_scans_of_sites(scans: Sequence[HeightMap]) -> list[int | None]:
+    """Return for each scan the index of the first scan that shows its site; None if it is new.
 
     Scans are levelled; line scans are never compared.
     """
@@ -44,23 +44,22 @@ def earlier_scans_of_places(scans: Sequence[HeightMap]) -> list[int | None]:
     for scan in maps:
         first_scans = [number for number, index in enumerate(earlier) if index is None]
         earlier.append(
-            next((number for number in first_scans if show_same_place(maps[number], scan)), None)
+            next((number for number in first_scans if show_same_site(maps[number], scan)), None)
         )
     return earlier
 
 
-def repeated_places(scans: Sequence[HeightMap], names: Sequence[str]) -> dict[int, str]:
-    """Return a line on each scan that shows the place of an earlier scan, by its index."""
+def repeated_scans(scans: Sequence[HeightMap], names: Sequence[str]) -> dict[int, str]:
+    """Return a line on each scan that shows the site of an earlier scan, by its index."""
     return {
-        number: f"{names[number]}: it shows the same place as {names[index]}, and a place counts "
-        "once"
-        for number, index in enumerate(earlier_scans_of_places(scans))
+        number: f"{names[number]}: it shows the same site as {names[index]}, and a site counts once"
+        for number, index in enumerate(earlier_scans_of_sites(scans))
         if index is not None
     }
 
 
-def show_same_place(first: HeightMap, second: HeightMap) -> bool:
-    """Return whether two levelled maps from `coarse_map` show the same place.
+def show_same_site(first: HeightMap, second: HeightMap) -> bool:
+    """Return whether two levelled maps from `coarse_map` show the same site.
 
     If parts of a map resemble each other as much, as on a grating, resemblance tells nothing.
     """

@@ -1,4 +1,4 @@
-"""How many places contacts touch: one on a particle, many on rough surfaces."""
+"""How many patches contacts touch: one on a particle, many on rough surfaces."""
 
 from dataclasses import replace
 
@@ -25,10 +25,10 @@ CONTACT = Contact(
 Y, X = np.indices((PIXELS, PIXELS)) * PIXEL
 
 
-def places(heights, contact=CONTACT):
+def patches(heights, contact=CONTACT):
     scan = mirror_stitch(HeightMap(heights, PIXEL, False, "measured"))
     pair = join_bodies(scan, None, contact)
-    return int(pull_off_dataset(pair, contact, [5.6]).touched_places)
+    return int(pull_off_dataset(pair, contact, [5.6]).touched_patches)
 
 
 def rough(seed, rms_height):
@@ -43,16 +43,16 @@ def bump(x, y, height, width):
 def test_contacts_touch_one_place_on_a_particle_and_many_on_a_rough_surface(seed):
     x, y = generator(seed, "place").uniform(1000, 4000, 2)
     flat = rough(seed, 1.5)
-    assert places(flat + bump(x, y, 200.0, 90.0)) == 1
-    assert places(flat) > 20
+    assert patches(flat + bump(x, y, 200.0, 90.0)) == 1
+    assert patches(flat) > 20
     # The mean over a self-affine scan as rough as polished diamond is over many summits.
-    assert places(rough(seed, 5.0)) >= 8
+    assert patches(rough(seed, 5.0)) >= 8
 
 
 def test_every_particle_is_a_place():
     corners = [(1000, 1000), (1000, 4000), (4000, 1000), (4000, 4000)]
     particles = sum(bump(x, y, 300.0, 90.0) for x, y in corners)
-    assert places(rough(1, 1.5) + particles) == 4
+    assert patches(rough(1, 1.5) + particles) == 4
 
 
 def test_neighbouring_pixels_of_one_cap_are_one_place():
@@ -60,9 +60,9 @@ def test_neighbouring_pixels_of_one_cap_are_one_place():
     distance = (X - 2560) ** 2 + (Y - 2560) ** 2
     cap = np.maximum(150.0 - distance / 40e3, 0)
     one_pixel = replace(CONTACT, preload=1e-9, contacts_per_row=32)
-    assert places(cap, one_pixel) == 1
+    assert patches(cap, one_pixel) == 1
 
 
 def test_contacts_on_a_plane_touch_below_the_apex():
-    """One pixel each: 64 places, but for the pixels that the sum of steps joins."""
-    assert places(np.zeros((PIXELS, PIXELS))) == 64
+    """One pixel each: 64 patches, but for the pixels that the sum of steps joins."""
+    assert patches(np.zeros((PIXELS, PIXELS))) == 64
