@@ -11,9 +11,9 @@ from known_spectra import contact_of_area, rough
 from prediction_command import numbers_of, printed
 from refusals import assert_says, refusal
 
+from hardcontact.base.published import RUBY_ON_DIAMOND_MODULUS, assumed_modulus
 from hardcontact.commands import request
 from hardcontact.commands.predict import predict_arguments
-from hardcontact.contact.smooth_sphere import PAPER_MODULUS, assumed_modulus
 from hardcontact.own.own_spectrum import table_spectrum
 from hardcontact.surfaces.extrapolated_spectrum import extrapolate_short_waves, fit_hurst_exponent
 from hardcontact.surfaces.measured_spectrum import CALIBRATION_SCATTER, isotropic_from_profile
@@ -256,4 +256,4 @@ def test_a_compliant_sphere_has_a_large_tabor_parameter(table):
 def test_the_modulus_of_soft_bodies_is_not_taken_from_the_paper(table):
     path = table(*rows_of(rough(17, 1000, 0.8, 20)))
     assert_says(printed(path, "--hardness", "1GPa"), "may be too soft", "--modulus tells")
-    assert assumed_modulus(5e9) == PAPER_MODULUS and np.isnan(assumed_modulus(1e9))
+    assert assumed_modulus(5e9) == RUBY_ON_DIAMOND_MODULUS and np.isnan(assumed_modulus(1e9))

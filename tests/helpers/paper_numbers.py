@@ -4,7 +4,6 @@ import numpy as np
 from repository import ROOT
 
 from hardcontact.base import published
-from hardcontact.contact.smooth_sphere import effective_modulus
 from hardcontact.paper.classical_models import ElasticSphere, Roughness
 from hardcontact.paper.evaluation import read_statements
 from hardcontact.surfaces.features import ScanStatistics
@@ -25,9 +24,7 @@ TABLE1 = {
 }
 #: The sphere (nm), the range of Maugis' model (nm) and the work of adhesion (J/m²).
 RADIUS, SPACING, WORK = 250e3, 0.3, 0.0463
-MODULUS = effective_modulus(
-    {"modulus": 365e9, "poisson_ratio": 0.29}, {"modulus": 1010e9, "poisson_ratio": 0.22}
-)
+MODULUS = published.RUBY_ON_DIAMOND_MODULUS
 SPHERE = ElasticSphere(RADIUS, MODULUS, SPACING)
 AFM, UNCERTAINTY = (
     Roughness(*(np.array(TABLE1[f"afm_rms_{name}"][column]) for name in Roughness._fields))

@@ -6,7 +6,6 @@ from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.elastic import PULL_OFF_WINDOW, elastic_contacts_of_pair
 from hardcontact.contact.geometry import read_bodies, sample_contacts
-from hardcontact.contact.smooth_sphere import PAPER_MODULUS
 
 with run_job(snakemake) as job:
     params = job.parameters
@@ -25,7 +24,7 @@ with run_job(snakemake) as job:
             read_bodies(job.input.substrate, job.input.sphere, contact),
             contact,
             sample_contacts(rng, contact.contacts_per_row, params["contacts"]),
-            PAPER_MODULUS,
+            published.effective_modulus(constants),
             PULL_OFF_WINDOW,
         ),
         title=f"elastic contacts of scan {scan} of {surface}",

@@ -13,6 +13,7 @@ import pandas as pd
 
 from hardcontact.base.formatting import format_length, format_quantity
 from hardcontact.base.number import Number, plain
+from hardcontact.base.published import assumed_modulus
 from hardcontact.commands.output import output_faults, write_output
 from hardcontact.commands.parser import CommandLine
 from hardcontact.commands.request import (
@@ -25,7 +26,6 @@ from hardcontact.commands.request import (
 from hardcontact.config.faults import raise_faults, run_checks
 from hardcontact.config.model import CONTACT_QUANTITIES, NONE, Study
 from hardcontact.contact.contact import Contact
-from hardcontact.contact.smooth_sphere import assumed_modulus
 from hardcontact.inference.wide_pixels import WIDE_PIXEL
 from hardcontact.own.own_spectrum import OwnSpectrum, own_spectrum
 from hardcontact.own.predicted_octaves import predicted_octaves

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-#: The contact model on which the conclusions of the paper are based.
+#: Contact models: contact pixels yield, or a single pixel touches.
 PLASTIC = "plastic"
 RIGID = "rigid"
 #: Contact models in the order of their areas, the smallest first.

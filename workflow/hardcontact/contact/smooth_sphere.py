@@ -4,7 +4,7 @@ Lengths in nm, forces in N, works of adhesion in J/m², pressures and moduli in 
 are positive. Arguments may be arrays; they broadcast.
 """
 
-from typing import Any, NamedTuple, TypedDict
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -12,13 +12,6 @@ NANOMETRE = 1e-9  # m
 
 #: A number or an array of any shape; arrays broadcast.
 Values = Any
-
-
-class Material(TypedDict):
-    """Young's modulus (Pa) and Poisson's ratio of a body."""
-
-    modulus: float
-    poisson_ratio: float
 
 
 class HertzContact(NamedTuple):
@@ -29,30 +22,9 @@ class HertzContact(NamedTuple):
     approach: float  #: In nm.
 
 
-def effective_modulus(*bodies: Material) -> float:
-    """Return the effective modulus E* of two bodies in Pa: 1/E* is the sum of (1 - nu²)/E."""
-    return 1 / sum((1 - body["poisson_ratio"] ** 2) / body["modulus"] for body in bodies)
-
-
-#: Effective modulus in Pa of the paper's ruby on diamond. Source: the paper, Effective Work of
-#: Adhesion.
-PAPER_MODULUS = effective_modulus(
-    {"modulus": 365e9, "poisson_ratio": 0.29}, {"modulus": 1010e9, "poisson_ratio": 0.22}
-)
-
-#: Hardness in Pa below which PAPER_MODULUS is not assumed: a tenth of that of the paper's diamond.
-#: Moduli are ten to some hundred times the hardness (ceramics, metals), so bodies of this hardness
-#: may be ten times as compliant as the paper's.
-SOFT_HARDNESS = 2.5e9
-
 #: Work in J/m² to part diamond along (111): no known solids adhere more strongly. Source: J. E.
 #: Field, The Properties of Diamond (Academic Press, 1979).
 STRONGEST_WORK = 10.6
-
-
-def assumed_modulus(hardness: float) -> float:
-    """Return the effective modulus (Pa) to assume at a hardness (Pa); NaN below SOFT_HARDNESS."""
-    return PAPER_MODULUS if hardness >= SOFT_HARDNESS else np.nan
 
 
 def hertz_contact(load: float, radius: float, modulus: float) -> HertzContact:

@@ -11,11 +11,11 @@ import xarray as xr
 from scipy import special
 
 from hardcontact.base.dataset import stack
+from hardcontact.base.published import assumed_modulus
 from hardcontact.base.statistics import bounds, widen_interval, with_interval
 from hardcontact.base.units import DIMENSIONLESS, NEWTON, NM
 from hardcontact.contact.contact import CONTACT_AXES, PLASTIC, Contact
 from hardcontact.contact.finite_scan import add_sizes
-from hardcontact.contact.smooth_sphere import assumed_modulus
 from hardcontact.inference.mean_forces import (
     MasterForces,
     MasterScans,

@@ -13,10 +13,10 @@ import pandas as pd
 import xarray as xr
 
 from hardcontact.base.dataset import stack
+from hardcontact.base.published import effective_modulus
 from hardcontact.base.statistics import Sampling, with_interval
 from hardcontact.base.units import DIMENSIONLESS, JOULE_PER_M2, NEWTON, PASCAL
 from hardcontact.contact import smooth_sphere
-from hardcontact.contact.smooth_sphere import Material
 from hardcontact.paper.classical_fits import compare_models, power_laws, sample_roughness
 from hardcontact.paper.classical_models import MODELS, ElasticSphere, Roughness
 
@@ -83,15 +83,7 @@ def apply_classical_models(
 
 def _elastic_sphere(radius: float, constants: Mapping[Any, float]) -> ElasticSphere:
     """Return the sphere (radius in nm) with the published materials."""
-    materials = [
-        Material(
-            modulus=constants[f"{body}_youngs_modulus"],
-            poisson_ratio=constants[f"{body}_poisson_ratio"],
-        )
-        for body in ("sphere", "substrate")
-    ]
-    modulus = smooth_sphere.effective_modulus(*materials)
-    return ElasticSphere(radius, modulus, constants["equilibrium_spacing"])
+    return ElasticSphere(radius, effective_modulus(constants), constants["equilibrium_spacing"])
 
 
 def _smooth_contact(sphere: ElasticSphere, constants: Mapping[Any, float]) -> xr.Dataset:

@@ -7,8 +7,8 @@ and `value_interval` (`paper.claim_numbers`); its dimensions are in brackets.
 import numpy as np
 import xarray as xr
 
+from hardcontact.base.published import effective_modulus
 from hardcontact.base.statistics import bounds
-from hardcontact.contact.smooth_sphere import Material, effective_modulus
 from hardcontact.paper.claim_numbers import (
     absolute_value,
     decades,
@@ -169,14 +169,7 @@ def nonstickiness(topography: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
     """
     slope = topography[TABLE1_VARIABLES["all_rms_slope"]]
     curvature = topography[TABLE1_VARIABLES["all_rms_curvature"]]
-    bodies = [
-        Material(
-            modulus=paper[f"{body}_youngs_modulus"].item(),
-            poisson_ratio=paper[f"{body}_poisson_ratio"].item(),
-        )
-        for body in ("sphere", "substrate")
-    ]
-    adhesion_length = 1e9 * paper["work_of_adhesion"] / effective_modulus(*bodies)  # nm
+    adhesion_length = 1e9 * paper["work_of_adhesion"] / effective_modulus(paper)  # nm
     shortest_range = paper["atomic_range_lower_bound"]
     repulsion = slope * shortest_range / (2 * adhesion_length)
     attraction = np.pi * (3 / 16) ** (2 / 3) * (shortest_range * curvature / slope**2) ** (2 / 3)

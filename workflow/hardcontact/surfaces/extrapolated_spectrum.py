@@ -12,6 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from hardcontact.base.arrays import Floats
+from hardcontact.base.published import MAX_GRADIENT, MAX_HALF_LAPLACIAN
 from hardcontact.surfaces.height_map import HeightMap, level
 from hardcontact.surfaces.reliable_band import STEEPEST_SELF_AFFINE_SLOPE, ReliableBand
 from hardcontact.surfaces.spectrum import (
@@ -25,11 +26,6 @@ from hardcontact.surfaces.spectrum import (
 
 #: The shortest wave of a row of atoms in nm: two bonds of diamond, 0.154 nm each.
 ATOMIC_WAVELENGTH = 0.3
-#: The largest rms gradient, and half-Laplacian in 1/nm, over all scales: those of UNCD, the
-#: roughest hard surface of Table 1 of the paper, with their uncertainties (1.17 + 0.28, 6.32 +
-#: 1.20). A sphere of such a curvature has the radius of an atom.
-MAX_GRADIENT = 1.45
-MAX_HALF_LAPLACIAN = 7.52
 #: Ratio of the longest possible roll-off wavelength to the size of the scan: a scan shows longer
 #: waves as slopes, which levelling removes.
 MAX_ROLLOFF_OVER_SIZE = 10.0
