@@ -117,7 +117,7 @@ def parts_of_scans(
 
     `scan_of_map` (map,) numbers the scan of each map, `quarters` come from `quarters_of_contacts`.
     The side of a scan and the `weight_deviation` sqrt(R rho), with which a contact feels the
-    surface, are in nm. `touched_patches` is the smallest number of patches that contacts of a scan touch.
+    surface, are in nm. `touched_patches` comes from `mean_forces.fewest_touched_patches`.
     """
     scans, scan = np.unique(scan_of_map, return_inverse=True)
     if len(scans) >= ENOUGH_SCANS:

@@ -124,7 +124,7 @@ def stitched_map(scan: HeightMap) -> HeightMap:
 
 
 def _forces(surface: HeightMap, body_maps: Sequence[HeightMap], contact: Contact) -> xr.Dataset:
-    """Return the forces (sphere_scan, ...) of a smooth sphere, or of a rough one at its positions."""
+    """Return the forces (sphere_scan, ...) of a smooth sphere, or of a rough one by position."""
     pairs = [join_bodies(surface, None, contact)]
     if body_maps:
         substrate, sphere = (stitched_map(body) for body in body_maps)

@@ -160,7 +160,7 @@ def no_features(statistics: ScanStatistics, scan_count: int) -> Features:
 def add_features(
     rng: np.random.Generator, surface: HeightMap, features: Features, count: int
 ) -> HeightMap:
-    """Add features at random positions to a surface; those on a periodic one reach over its edges."""
+    """Add features at random positions; those on a periodic surface reach over its edges."""
     position = (np.arange(surface.pixels) + 0.5) * surface.pixel_size
     centres = rng.uniform(0, surface.size, (2, count, 1))
     distance = position - centres
