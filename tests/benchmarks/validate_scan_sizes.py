@@ -27,7 +27,7 @@ from hardcontact.base.statistics import student_log_interval
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies, window_pixels
 from hardcontact.contact.pull_off import FORCE_ATTRS, mean_pull_off_dataset
-from hardcontact.inference.edges_of_scans import edges_of_curves
+from hardcontact.own.edges_of_scans import edges_of_curves
 from hardcontact.surfaces.filters import filtered_series
 from hardcontact.surfaces.height_map import HeightMap, level, mirror_stitch
 from hardcontact.surfaces.spectrum import Spectrum, SpectrumFunction, spectrum_of_dataset

@@ -12,7 +12,7 @@ from scipy import stats
 
 from hardcontact.base.random import generator
 from hardcontact.base.statistics import student_interval
-from hardcontact.inference.mean_forces import (
+from hardcontact.own.mean_forces import (
     MasterScans,
     forces_of_masters,
     half_width_over_masters,

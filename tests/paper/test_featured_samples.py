@@ -9,7 +9,6 @@ from small_pool import CONTACT, GRID, POOL_INPUTS
 
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import pull_off_dataset
-from hardcontact.inference.published_fit import Pair, PublishedForces
 from hardcontact.paper.featured_samples import (
     SampleInputs,
     compare_with_published,
@@ -18,6 +17,7 @@ from hardcontact.paper.featured_samples import (
     sample_of_set,
     samples_by_surface,
 )
+from hardcontact.paper.published_fit import Pair, PublishedForces
 from hardcontact.surfaces.featured_scans import FeaturedSurface, sample_group
 from hardcontact.surfaces.height_map import level, metrics, mirror_stitch
 

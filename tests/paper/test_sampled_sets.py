@@ -9,7 +9,7 @@ from set_inputs import CONFIDENCE, SCANS, make_adhesion, make_inputs, make_maste
 
 from hardcontact.base.statistics import Sampling
 from hardcontact.inference.edges import edges_with_samples
-from hardcontact.inference.published_fit import Pair, PublishedForces, fit_published
+from hardcontact.paper.published_fit import Pair, PublishedForces, fit_published
 from hardcontact.paper.sampled_sets import (
     SetSettings,
     gather_inputs,

@@ -23,7 +23,7 @@ from validate_scan_sizes import (
 
 from hardcontact.base import dataset
 from hardcontact.contact.contact import Contact
-from hardcontact.inference.edges_of_scans import edges_of_curves
+from hardcontact.own.edges_of_scans import edges_of_curves
 from hardcontact.surfaces.height_map import HeightMap, level, mirror_stitch
 
 CONTACT = Contact(radius=5e3, preload=10e-6, hardness=25e9, window=1280.0, contacts_per_row=2)

@@ -32,9 +32,9 @@ from hardcontact.config.model import NONE, Study
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import WORK_OF_ADHESION, pull_off_dataset, wider_window_change
-from hardcontact.inference.edges_of_scans import edges_of_curves
 from hardcontact.inference.filtered_masters import Filters, filtered_pull_off
 from hardcontact.inference.master_datasets import stack_masters
+from hardcontact.own.edges_of_scans import edges_of_curves
 from hardcontact.own.own_spectrum import own_spectrum
 from hardcontact.own.scan_force import add_force_on_scan
 from hardcontact.surfaces.height_map import HeightMap, remove_form, require_map

@@ -4,12 +4,12 @@ from hardcontact.base import published
 from hardcontact.base.dataset import read, read_all
 from hardcontact.base.job import run_job
 from hardcontact.contact.contact import PLASTIC
-from hardcontact.inference.published_fit import Pair, PublishedForces
 from hardcontact.paper.featured_samples import (
     compare_with_published,
     no_samples,
     samples_by_surface,
 )
+from hardcontact.paper.published_fit import Pair, PublishedForces
 
 with run_job(snakemake) as job:
     constants = published.read_constants(job.input.published_constants)["value"]

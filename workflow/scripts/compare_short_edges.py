@@ -5,9 +5,9 @@ import xarray as xr
 from hardcontact.base.job import run_job
 from hardcontact.base.statistics import Sampling
 from hardcontact.contact.stacked_datasets import add_names
-from hardcontact.inference.enhancement import edges_by_contact
-from hardcontact.inference.exponents import edge_exponents, force_exponent
 from hardcontact.inference.master_datasets import read_master_forces
+from hardcontact.paper.enhancement import edges_by_contact
+from hardcontact.paper.exponents import edge_exponents, force_exponent
 
 with run_job(snakemake) as job:
     params = job.parameters

@@ -3,7 +3,7 @@
 from hardcontact.base import dataset, published
 from hardcontact.base.job import run_job
 from hardcontact.base.statistics import Sampling
-from hardcontact.inference.published_fit import Pair, PublishedForces, fit_published
+from hardcontact.paper.published_fit import Pair, PublishedForces, fit_published
 
 with run_job(snakemake) as job:
     params = job.parameters

@@ -6,7 +6,7 @@ from hardcontact.base import published
 from hardcontact.base.dataset import read, read_all
 from hardcontact.base.job import run_job
 from hardcontact.inference.master_datasets import read_master_forces
-from hardcontact.inference.published_fit import Pair, PublishedForces
+from hardcontact.paper.published_fit import Pair, PublishedForces
 from hardcontact.paper.sampled_sets import SetSettings, gather_inputs, sample_sets
 
 with run_job(snakemake) as job:

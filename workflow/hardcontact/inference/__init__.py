@@ -1,1 +1,1 @@
-"""Inference from forces: means and intervals, edges of the band, range and work of adhesion."""
+"""Inference for both kinds of study: masters, edges of the band, octaves, range and work."""

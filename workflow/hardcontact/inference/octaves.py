@@ -163,7 +163,7 @@ def sensitivities_by_surface(
 ) -> xr.Dataset:
     """Return ``octave_sensitivity`` (surface, octave), NaN for an octave that a map lacks.
 
-    Radius and range are in nm; `touched_patches` comes from `mean_forces.fewest_touched_patches`.
+    Radius and range are in nm; `touched_patches` comes from `fewest_touched_patches`.
     ``map_size`` is the side of the maps in nm.
     """
     surfaces = {}

@@ -93,6 +93,16 @@ class ScanParts:
         return "few_patches" if self.touches_few_patches else "quarters"
 
 
+def fewest_touched_patches(adhesion: xr.Dataset) -> dict[str, float]:
+    """Return the smallest number of patches that the contacts on a scan touch, by surface.
+
+    ``touched_patches`` of adhesion.nc is over surface, scan and sphere_scan. For several scans of
+    the sphere, the scan with the most touched patches counts.
+    """
+    patches = adhesion.touched_patches.max("sphere_scan").min("scan")
+    return {str(name): float(patches.sel(surface=name)) for name in patches.surface.values}
+
+
 def quarters_of_contacts(contacts_per_row: int, tiles: int) -> np.ndarray:
     """Return the quarter of the scan that holds each contact of a square array.
 

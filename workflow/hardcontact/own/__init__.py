@@ -1,1 +1,1 @@
-"""Forces on own surfaces: spectra of scans, predictions, and what of them scans show."""
+"""What only studies of own surfaces need: forces on few scans, predictions, fits to own forces."""

@@ -16,19 +16,18 @@ from hardcontact.base.statistics import bounds, widen_interval, with_interval
 from hardcontact.base.units import DIMENSIONLESS, NEWTON, NM
 from hardcontact.contact.contact import CONTACT_AXES, PLASTIC, Contact
 from hardcontact.contact.finite_scan import add_sizes
-from hardcontact.inference.mean_forces import (
+from hardcontact.inference.scan_parts import fewest_touched_patches, logarithmic_interval
+from hardcontact.inference.wide_pixels import pixel_factors
+from hardcontact.own.mean_forces import (
     MasterForces,
     MasterScans,
     SurfaceForces,
-    fewest_touched_patches,
     forces_of_surface,
     half_width_over_masters,
     mean_intervals,
     position_half_widths,
     summarize_masters,
 )
-from hardcontact.inference.scan_parts import logarithmic_interval
-from hardcontact.inference.wide_pixels import pixel_factors
 from hardcontact.surfaces.spectrum import Spectrum, spectrum_of_dataset
 from hardcontact.theory.pull_off_statistics import predict_statistics
 from hardcontact.theory.summits import search_size

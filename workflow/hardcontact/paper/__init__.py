@@ -1,1 +1,1 @@
-"""Statements of the paper: the numbers that they are about, sets of substitutes, verdicts."""
+"""What only the study of the paper needs: fits to published forces, sets, claims, verdicts."""

@@ -18,8 +18,8 @@ from hardcontact.base.statistics import lognormal_shape
 from hardcontact.base.units import DIMENSIONLESS, NEWTON
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.force_curves import interpolate_to_ranges
-from hardcontact.inference.published_fit import PublishedForces
 from hardcontact.paper.pool import smooth_sphere_forces
+from hardcontact.paper.published_fit import PublishedForces
 from hardcontact.surfaces.featured_scans import (
     FeaturedSurface,
     describe_features,

@@ -19,10 +19,10 @@ from hardcontact.base.statistics import Sampling, student_log_samples
 from hardcontact.base.units import DIMENSIONLESS, NEWTON
 from hardcontact.inference.edges import edges_with_samples
 from hardcontact.inference.fit import WITHOUT_SURFACE
-from hardcontact.inference.published_fit import PublishedForces, fit_published
 from hardcontact.paper.evaluation import claim_values
 from hardcontact.paper.featured_samples import sample_of_set, samples_by_surface
 from hardcontact.paper.pool import height_weights
+from hardcontact.paper.published_fit import PublishedForces, fit_published
 from hardcontact.surfaces.conditioning import scale_rms_heights
 from hardcontact.surfaces.height_map import TABLE1_METRICS
 from hardcontact.surfaces.roughness_table import scan_averages

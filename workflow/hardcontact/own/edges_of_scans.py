@@ -21,13 +21,13 @@ from hardcontact.inference.curve_edges import (
     shows_ripples,
 )
 from hardcontact.inference.edges import edge_variables
-from hardcontact.inference.mean_forces import (
+from hardcontact.inference.scan_parts import logarithmic_interval
+from hardcontact.own.mean_forces import (
     MasterForces,
     MasterScans,
     half_width_over_masters,
     summarize_masters,
 )
-from hardcontact.inference.scan_parts import logarithmic_interval
 
 
 def edges_of_scans(

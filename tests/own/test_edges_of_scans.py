@@ -6,8 +6,8 @@ import xarray as xr
 from known_masters import LONG, SHORT, scales
 
 from hardcontact.base.statistics import jackknife_interval
-from hardcontact.inference.edges_of_scans import edges_of_scans
-from hardcontact.inference.mean_forces import MasterScans
+from hardcontact.own.edges_of_scans import edges_of_scans
+from hardcontact.own.mean_forces import MasterScans
 
 
 def edges(curves, scans, sensitivity=None, **options):

@@ -7,7 +7,7 @@ import xarray as xr
 from known_forces import FORCE_DIMS
 
 from hardcontact.base.statistics import Sampling, bounds
-from hardcontact.inference.measured_fit import (
+from hardcontact.own.measured_fit import (
     MeasuredTests,
     add_extrapolated_work,
     fit_measured,

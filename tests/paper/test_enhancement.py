@@ -5,7 +5,7 @@ import xarray as xr
 
 from hardcontact.base.statistics import Sampling
 from hardcontact.contact.contact import CONTACT_MODELS
-from hardcontact.inference.enhancement import edges_by_contact
+from hardcontact.paper.enhancement import edges_by_contact
 
 CUTOFFS = np.array([20.0, 40.0, 80.0, 160.0])
 

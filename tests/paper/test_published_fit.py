@@ -8,9 +8,9 @@ from paper_numbers import MEAN_FORCE, SUBSTRATES
 
 from hardcontact.base.statistics import Sampling
 from hardcontact.contact.force_curves import interpolate_to_ranges
-from hardcontact.inference import published_fit as fit
 from hardcontact.inference.fit import fit_range_and_work, mean_relative_error
-from hardcontact.inference.published_fit import Pair, PublishedForces
+from hardcontact.paper import published_fit as fit
+from hardcontact.paper.published_fit import Pair, PublishedForces
 
 SAMPLING = Sampling(1, 50, 0.95)
 

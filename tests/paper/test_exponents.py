@@ -11,8 +11,8 @@ from scipy.special import erf
 
 from hardcontact.base.statistics import bounds
 from hardcontact.contact.contact import Contact
-from hardcontact.inference.exponents import edge_exponents, force_exponent
 from hardcontact.inference.filtered_masters import Filters, filtered_pull_off
+from hardcontact.paper.exponents import edge_exponents, force_exponent
 
 CONTACTS = [
     Contact(radius=500.0, preload=preload, hardness=25e9, window=640.0, contacts_per_row=3)

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from hardcontact.inference.posterior import log_mean_error, posterior_samples, samples_dataset
+from hardcontact.paper.posterior import log_mean_error, posterior_samples, samples_dataset
 
 COUNT = 40_000
 LOG_RANGES = np.linspace(np.log(0.01), np.log(1000.0), 2001)

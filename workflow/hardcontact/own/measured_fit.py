@@ -25,12 +25,11 @@ from hardcontact.base.statistics import (
 from hardcontact.base.units import DIMENSIONLESS, JOULE_PER_M2, NEWTON, NM
 from hardcontact.contact.force_curves import interpolate_to_ranges
 from hardcontact.inference.fit import FIT_UNITS, best_fit, fine_ranges
-from hardcontact.inference.mean_forces import (
+from hardcontact.inference.scan_parts import fewest_touched_patches, sampled_deviations
+from hardcontact.own.mean_forces import (
     SurfaceForces,
-    fewest_touched_patches,
     forces_of_surface,
 )
-from hardcontact.inference.scan_parts import sampled_deviations
 
 #: Chance that independent tests are taken for repeated ones.
 REPEATED_BY_CHANCE = 1e-3

@@ -35,16 +35,6 @@ class SurfaceForces(NamedTuple):
     position_variances: list[Variance]
 
 
-def fewest_touched_patches(adhesion: xr.Dataset) -> dict[str, float]:
-    """Return the smallest number of patches that the contacts on a scan touch, by surface.
-
-    ``touched_patches`` of adhesion.nc is over surface, scan and sphere_scan. For several scans of
-    the sphere, the scan with the most touched patches counts.
-    """
-    patches = adhesion.touched_patches.max("sphere_scan").min("scan")
-    return {str(name): float(patches.sel(surface=name)) for name in patches.surface.values}
-
-
 def forces_of_surface(
     forces: xr.DataArray, size: float, radius: float, touched_patches: float
 ) -> SurfaceForces:
