@@ -87,7 +87,7 @@ def test_real_scans_give_plausible_roughness_edges_and_forces(repository):
         "map",
         "line scan",
     }
-    mean = surface["force_mean"]
+    mean = surface["mean_force"]
     assert mean["low"] < mean["value"] < mean["high"]
     assert 20 < surface["short_edge"]["value"] < 100
     cautions = {note["code"] for note in numbers(results)["notes"] if note["kind"] == "caution"}

@@ -51,7 +51,7 @@ def assert_honest(results, fitted=False):
     edges, force = (xr.load_dataset(results / f"{name}.nc") for name in ("edges", "force"))
     for name, surface in quantities(results).items():
         if name:
-            assert surface["force_mean"]["value"] > 0
+            assert surface["mean_force"]["value"] > 0
             for side in ("short", "long"):
                 assert_bounded(edges.sel(surface=name, side=side))
     assert quantities(results)[""]["range_of_adhesion"]["value"] in force["rho"]
@@ -195,7 +195,7 @@ def test_a_colloidal_probe_has_a_force_below_the_smooth_limit(probe):
     assert study["range_of_adhesion"]["value"] == 2.0
     assert study["work_of_adhesion"]["value"] == pytest.approx(0.03)
     # Less than the smooth limit 2 pi R W, by the roughness.
-    assert surface["force_mean"]["value"] < 0.5 * 2 * np.pi * 5e-6 * 0.03
+    assert surface["mean_force"]["value"] < 0.5 * 2 * np.pi * 5e-6 * 0.03
 
 
 def test_the_report_shows_only_the_answer(probe, tmp_path):

@@ -80,8 +80,8 @@ def test_the_answer_has_the_numbers_of_the_datasets():
     ends = [surface_rows["long_edge"][end] for end in ("low", "high")]
     assert ends == long["edge_interval"].values.tolist()
     plastic = force().sel(surface="my_coating", contact_model="plastic", rho=RANGE)
-    assert surface_rows["force_mean"]["value"] == plastic["force"]
-    assert surface_rows["force_middle"]["high"] == plastic["force_quantile"][-1]
+    assert surface_rows["mean_force"]["value"] == plastic["force"]
+    assert surface_rows["middle_forces"]["high"] == plastic["force_quantile"][-1]
     assert surface_rows["force_of_pair_long_range_range"]["value"] == 10.0
     heights = topography().sel(surface="my_coating")["rms_height"].values
     assert surface_rows["scan_2_rms_height"]["value"] == heights[1]

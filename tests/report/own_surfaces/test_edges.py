@@ -114,11 +114,11 @@ def test_a_missing_interval_has_a_reason():
         assert numbers_of(edges=edges_without_interval)["short_edge"].status == status
     half = numbers_of(edges=move_edge(120.0, 90.0, np.nan))["short_edge"]
     assert (half.low, plain(half.high), half.status) == (90.0, None, "")
-    assert numbers_of(force=drop_interval(force()))["force_mean"].status == "no_interval"
+    assert numbers_of(force=drop_interval(force()))["mean_force"].status == "no_interval"
     endless = force()
     endless["force_interval"].loc[{"bound": "low"}] = 0
     endless["force_interval"].loc[{"bound": "high"}] = np.inf
-    mean = numbers_of(force=endless)["force_mean"]
+    mean = numbers_of(force=endless)["mean_force"]
     assert np.isnan([mean.low, mean.high]).all() and mean.status == "no_interval"
 
 

@@ -187,7 +187,7 @@ def _repeated_tests(numbers: Mapping[str, Number]) -> Caution | None:
 
 def _smooth_bound(force: xr.Dataset, numbers: Mapping[str, Number]) -> Caution | None:
     """Return a caution if the mean force, or its upper end, is that of a smooth sphere."""
-    mean = numbers["force_mean"]
+    mean = numbers["mean_force"]
     is_bounded = np.nanmax([mean.value, mean.high]) >= forces_at_range(force)["smooth_bound"].item()
     return Caution("smooth_bound") if is_bounded else None
 

@@ -170,10 +170,10 @@ def surface_verdict(numbers: Mapping[str, Number]) -> Verdict:
         _drop_partial_interval(numbers["short_edge"]),
         _drop_partial_interval(numbers["long_edge"]),
     )
-    force = _drop_partial_interval(numbers["force_mean"])
+    force = _drop_partial_interval(numbers["mean_force"])
     sides = [side for side in SIDES if f"force_extrapolated_{side}" in numbers]
-    sources = {short.source, long.source, numbers["force_mean_change"].source}
-    if numbers["force_mean"].status == "few_patches":
+    sources = {short.source, long.source, numbers["mean_force_change"].source}
+    if numbers["mean_force"].status == "few_patches":
         band = "few_patches"
     elif short.status == "no_band":
         band = "none"

@@ -30,7 +30,7 @@ def force_numbers(data: Datasets) -> list[Number]:
     """Return the predicted forces of one surface at the configured range, and the smooth limit."""
     force = data.force
     forces = forces_at_range(force)
-    mean = number_of(forces, "force", name="force_mean")
+    mean = number_of(forces, "force", name="mean_force")
     quantiles = forces["force_quantile"]
     lowest, median, highest = quantiles.sel(quantile=[0, 0.5, 1], method="nearest").values.tolist()
     share = float(np.ptp(quantiles["quantile"].values))
@@ -39,8 +39,8 @@ def force_numbers(data: Datasets) -> list[Number]:
         add_status(mean, force["interval_source"]),
         _change_from_smooth(data),
         *_extrapolated_forces(data),
-        Number("force_median", median, "N"),
-        ends_only("force_middle", lowest, highest, "N"),
+        Number("median_force", median, "N"),
+        ends_only("middle_forces", lowest, highest, "N"),
         Number("force_middle_share", share),
         Number("smooth_sphere", float(smooth), "N"),
         number_of(force, "log_force_std", "1", name="force_scatter"),
@@ -63,7 +63,7 @@ def _change_from_smooth(data: Datasets) -> Number:
     source = "artificial" if share < 1 - NEARLY_ALL else "partly_artificial"
     if artificial <= np.log1p(data.edges.attrs["tolerance"]):
         source = "measured"
-    return Number("force_mean_change", share, source=source)
+    return Number("mean_force_change", share, source=source)
 
 
 def _extrapolated_forces(data: Datasets) -> list[Number]:
