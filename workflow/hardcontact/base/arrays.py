@@ -3,5 +3,5 @@
 import numpy as np
 from numpy.typing import NDArray
 
-#: An array of floats; docstrings tell its shape and unit.
+#: An array of floats; docstrings say its shape and unit.
 Floats = NDArray[np.float64]

@@ -1,4 +1,4 @@
-"""The code that a script really uses: itself and the library's modules that it imports."""
+"""Find the source files on which a script depends: itself and the modules that it imports."""
 
 import ast
 import os
@@ -9,10 +9,10 @@ from pathlib import Path
 import hardcontact
 from hardcontact.base.packages import PINS
 
-#: The folder of the library that is imported, and that of the scripts beside it.
+#: The folder of the imported library, and the folder of the scripts beside it.
 LIBRARY = Path(str(hardcontact.__file__)).resolve().parent
 SCRIPTS = LIBRARY.parent / "scripts"
-#: The top folder of the repository, whose paths studies are named relative to.
+#: The top folder of the repository; studies name paths relative to it.
 ROOT = LIBRARY.parents[1]
 
 
@@ -26,26 +26,26 @@ def code_inputs(script: str, *modules: str) -> Sequence[str]:
     """Return the source files of a script, relative to the working directory.
 
     These are the script itself and all modules of the library that it imports, sorted. `modules`
-    names those that it imports by a name in a variable. The lists of pinned packages come last.
-    Imports for type checkers do not count.
+    are further modules, which it imports by a name in a variable. The lists of pinned packages come
+    last. Imports for type checkers do not count.
     """
-    paths = {SCRIPTS / script, *(path for name in modules for path in _files(name))}
+    paths = {SCRIPTS / script, *(path for name in modules for path in _module_files(name))}
     pending = [*paths]
     while pending:
-        new = _imports(pending.pop()) - paths
-        paths |= new
-        pending.extend(new)
+        new_paths = _imported_files(pending.pop()) - paths
+        paths |= new_paths
+        pending.extend(new_paths)
     return (*sorted(os.path.relpath(path) for path in paths), *PINS)
 
 
 @cache
-def _imports(path: Path) -> frozenset[Path]:
-    """Return the files of the library that are run when a file is imported."""
-    names = _imported(ast.parse(path.read_text("utf-8")))
-    return frozenset(file for name in names for file in _files(name))
+def _imported_files(path: Path) -> frozenset[Path]:
+    """Return the files of the library that Python runs when it imports a file."""
+    names = _imported_names(ast.parse(path.read_text("utf-8")))
+    return frozenset(file for name in names for file in _module_files(name))
 
 
-def _imported(tree: ast.AST) -> Iterator[str]:
+def _imported_names(tree: ast.AST) -> Iterator[str]:
     """Yield the full names of modules, and of names in modules, that a file imports."""
     for node in ast.iter_child_nodes(tree):
         if isinstance(node, ast.If) and ast.unparse(node.test).endswith("TYPE_CHECKING"):
@@ -55,11 +55,11 @@ def _imported(tree: ast.AST) -> Iterator[str]:
         elif isinstance(node, ast.ImportFrom):
             yield str(node.module)
             yield from (f"{node.module}.{alias.name}" for alias in node.names)
-        elif not isinstance(node, ast.expr):  # which holds no import
-            yield from _imported(node)
+        elif not isinstance(node, ast.expr):  # An expression holds no import.
+            yield from _imported_names(node)
 
 
-def _files(name: str) -> Iterator[Path]:
+def _module_files(name: str) -> Iterator[Path]:
     """Yield the files that Python runs to import a name, those of parent packages too."""
     package, *parents = name.split(".")
     if package != LIBRARY.name:

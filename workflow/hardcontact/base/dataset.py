@@ -13,8 +13,8 @@ import xarray as xr
 from hardcontact.base.code import LIBRARY
 from hardcontact.base.whole_file import whole_file
 
-#: Meanings of variables, of one dataset or of all (`*`). As a comment, a changed meaning makes no
-#: file stale.
+#: Table of the meanings of variables, by dataset (`*`: all datasets). No job depends on it: like a
+#: comment, a changed meaning makes no file stale.
 MEANINGS = LIBRARY.parent / "report/variables.tsv"
 #: End of the name of a variable that holds the interval of another one.
 INTERVAL = "_interval"
@@ -44,16 +44,16 @@ def read_meanings(name: str) -> dict[str, str]:
 
 
 def describe(dataset: xr.Dataset, meanings: Mapping[str, str]) -> xr.Dataset:
-    """Return a dataset whose variables have the attribute `long_name`, and whole numbers a unit.
+    """Return a dataset whose variables have their meaning as `long_name`, and whole numbers a unit.
 
-    A variable without a meaning has the name that it had, an interval that of its variable.
+    A variable without a meaning stays as it is. An interval has the meaning of its variable.
     """
     described = dataset.copy()
     for name, variable in described.variables.items():
         meaning = meanings.get(str(name).removesuffix(INTERVAL))
         if meaning is not None:
             variable.attrs["long_name"] = meaning
-        if variable.dtype.kind in "biu":  # a count, a number of a scan, or whether something holds
+        if variable.dtype.kind in "biu":  # flags, counts and numbers of scans
             variable.attrs.setdefault("units", "1")
     return described
 
@@ -88,7 +88,7 @@ def read_all(
 def concatenate(
     datasets: Mapping[tuple[Any, ...], xr.Dataset], dimension: str, shared_labels: int
 ) -> dict[tuple[Any, ...], xr.Dataset]:
-    """Join the datasets whose keys begin with the same labels along a dimension that they have."""
+    """Join datasets along an existing dimension if their keys share the first `shared_labels`."""
     groups: dict[tuple[Any, ...], list[xr.Dataset]] = {}
     for key, dataset in datasets.items():
         groups.setdefault(key[:shared_labels], []).append(dataset)
@@ -108,6 +108,6 @@ def stack(datasets: Mapping[tuple[Any, ...], xr.Dataset], dimensions: Sequence[s
     for (outer, *inner), dataset in datasets.items():
         groups.setdefault(outer, {})[tuple(inner)] = dataset
     stacked_groups = [stack(group, dimensions[1:]) for group in groups.values()]
-    # An index of pandas has strings that xarray cannot join if they differ.
+    # xarray cannot join a pandas index of strings that differ between datasets.
     labels = xr.DataArray(np.array(list(groups)), dims=dimensions[0], name=dimensions[0])
     return xr.concat(stacked_groups, labels, join="outer")

@@ -1,9 +1,9 @@
-"""Numbers as a reader takes them: few digits, the fitting prefix, intervals as 67 [47, 74] nm."""
+"""Format numbers for readers: few digits, the best prefix, intervals such as 67 [47, 74] nm."""
 
 import math
 from collections.abc import Callable, Mapping
 
-#: Printed units by the unit of a dataset, the largest first, each in that unit.
+#: By the unit of a dataset: the units that are printed, largest first, each in that unit.
 PRINTED_UNITS = {
     "nm": {"mm": 1e6, "µm": 1e3, "nm": 1.0},
     "N": {"N": 1.0, "mN": 1e-3, "µN": 1e-6, "nN": 1e-9, "pN": 1e-12},
@@ -55,13 +55,13 @@ def format_value_and_ends(value: float, low: float, high: float) -> list[str]:
 
 
 def _format_down_to(last_digit: float, number: float) -> str:
-    """Return a number without the digits below the decimal place of another number."""
+    """Return a number rounded to the decimal place of `last_digit`: 0.03 keeps hundredths."""
     exponent = math.floor(math.log10(last_digit))
     return f"{round(number, -exponent):z.{max(-exponent, 0)}f}"
 
 
 def _bracketed(number: str, low: str, high: str, unit: str = "") -> str:
-    """Return a number, its interval and its unit, in the one style of all intervals."""
+    """Return a number, its interval and its unit as "67 [47, 74] nm"."""
     return f"{number} [{low}, {high}] {unit}".rstrip()
 
 
@@ -74,7 +74,7 @@ def _format(
 ) -> str:
     """Return a number in the unit that fits best, with its interval if both ends are known.
 
-    `digits` are those of a number without an interval.
+    `digits` is the number of significant digits if there is no interval.
     """
     # 999.9 nm is printed as 1 µm, not as 1000 nm: half of the last digit is enough.
     threshold = 1 - 0.5 * 10**-digits
@@ -99,9 +99,9 @@ def format_quantity(
 ) -> str:
     """Return a number with its unit and its interval: "1.7 µm" or "0.64 [0.5, 0.8] µN".
 
-    All are in `unit`, a key of PRINTED_UNITS: "nm", "N" or "J m-2". Ends of the interval are NaN if
-    they are not known, zero and infinity if they bound nothing. The open end, "low" or "high", is
-    printed as a bound.
+    All are in `unit`, a key of PRINTED_UNITS. Ends of the interval are NaN if they are unknown,
+    zero and infinity if nothing is excluded. `open_end` is the end, "low" or "high", that is only
+    a bound: "0.64 [0.5, 0.8 or more] µN".
     """
     finite = math.isfinite(low + high)
     boundless = finite and is_boundless(value, low, high, unit)
@@ -125,8 +125,8 @@ def format_as_paper(
     """Return a quantity in the units of the paper, with its interval: "1.66 [1.38, 2.84] µm".
 
     All are in `unit`, a unit of the datasets; a unit that is not in `UNITS_OF_PAPER` is printed as
-    it is. The interval is NaN if there is none. NaN is printed as an empty text. The open end,
-    "low" or "high", is printed as a bound: "250 [175, 250 or more] nm".
+    it is. An unknown interval is NaN. The text is empty if the value is NaN. `open_end` is the end,
+    "low" or "high", that is only a bound: "250 [175, 250 or more] nm".
     """
     if math.isnan(value):
         return ""
@@ -137,8 +137,8 @@ def is_boundless(value: float, low: float, high: float, unit: str) -> bool:
     """Return whether the ends of an interval differ by more than `MAX_END_RATIO`; False for NaN.
 
     All are in `unit`. If the interval contains zero, its farther end is compared with the value
-    instead. Numbers without a unit, such as exponents and relative changes, may be near zero: their
-    farther end is compared with one if this is larger.
+    instead. A number without a unit, such as an exponent or a relative change, may be near zero:
+    its farther end is compared with one if the value is below one.
     """
     near, far = sorted((abs(low), abs(high)))
     if low <= 0 <= high:
@@ -154,7 +154,7 @@ def format_share(share: float, form: str = "g") -> str:
 def format_with_interval(ends: Mapping[str, float], form: str) -> str:
     """Return `value`, `low`, `high` as "0.056 [0.045, 0.068]", or the value if ends are NaN.
 
-    A form such as ".2g" formats each number. There is no unit.
+    `form` is the format of each number, such as ".2g". No unit is printed.
     """
     number, low, high = (f"{ends[name]:{form}}" for name in ("value", "low", "high"))
     return _bracketed(number, low, high) if math.isfinite(ends["low"] + ends["high"]) else number

@@ -33,10 +33,10 @@ class Job(NamedTuple):
     An output is given by its position or its name in the rule.
     """
 
-    input: Any  #: Paths by the names that the rule gives them, as those of the outputs.
-    output: Any
+    input: Any  #: Paths of the inputs, by position or by name in the rule.
+    output: Any  #: Paths of the outputs, likewise.
     parameters: dict[str, Any]  #: The rule's `params.parameters`, decoded.
-    origin: Origin  #: What determines the files of the job.
+    origin: Origin  #: Parameters, inputs and code, which determine the outputs.
 
     def write(self, results: xr.Dataset, title: str, output: int | str = 0) -> None:
         """Write results, with their origin and the meanings of their variables."""
@@ -66,10 +66,10 @@ class Job(NamedTuple):
 
 @contextmanager
 def run_job(snakemake: Any) -> Iterator[Job]:
-    """Keep the log of a script and yield its `Job`.
+    """Log a script, yield its `Job` and keep records of its outputs.
 
-    Raises ValueError before anything is computed, if an input is not as the study wrote it, and
-    after that if inputs changed meanwhile.
+    Raises ValueError at the beginning if an input differs from what the study wrote, and at the end
+    if an input changed meanwhile.
     """
     with job_log(snakemake.log[0]):
         inputs = snakemake.input
@@ -79,7 +79,7 @@ def run_job(snakemake: Any) -> Iterator[Job]:
         for path in snakemake.output:  # Snakemake's lock keeps other runs from these files.
             remove_parts(path)
             remove_parts(record_path(path))
-            record_path(path).unlink(missing_ok=True)  # It must not describe another file.
+            record_path(path).unlink(missing_ok=True)  # It would describe the old file.
         code = getattr(inputs, "code", [])  # a rule that writes nothing names no code
         origin = Origin(canonical_parameters, input_digests, list(code))
         parameters = json.loads(canonical_parameters)
@@ -95,7 +95,7 @@ def job_log(path: str | Path) -> Iterator[None]:
     An error ends the process with exit code 1. Ctrl-C ends it without a message, as the run prints
     that it was stopped.
     """
-    # Where the log cannot be written, the line on stderr is all there is.
+    # If the log cannot be written, only the line on stderr is left.
     logging.raiseExceptions = False
     logging.lastResort = None
     try:

@@ -5,14 +5,14 @@ from typing import Any, NamedTuple
 
 
 class Number(NamedTuple):
-    """A number with its interval; value and ends that are not known are not finite.
+    """A number with its interval; an unknown value or end is NaN or infinite.
 
     name: name of the quantity.
     value, low, high: the number and the ends of its interval, in `unit`.
-    unit: of the datasets: "nm", "N", "J m-2", "1".
-    status: a code, whose words are in `report.quantities` and in templates, such as "open_above"
-        or "open_below" if `value` is a bound, "interval_open_low" or "interval_open_high" if an end
-        of the interval is one. Modules that make numbers list their codes as constants.
+    unit: a unit of datasets: "nm", "N", "J m-2", "1".
+    status: a code, which `report.quantities` and templates turn into words: "open_above" or
+        "open_below" if `value` is a bound, "interval_open_low" or "interval_open_high" if an end
+        of the interval is a bound. Modules that make numbers list their codes as constants.
     source: a code for the origin: "computed", "measured", "from_measured", "extrapolated",
         "artificial", "partly_artificial", "interval_artificial", "published", "given", "assumed",
         "file".

@@ -18,7 +18,7 @@ from hardcontact.base.whole_file import whole_file
 #: Packages whose versions every file names.
 PACKAGES = ("numpy", "scipy", "xarray", "netCDF4", "SurfaceTopography", "snakemake")
 
-#: The folder of the records of files, beside them.
+#: Name of the folder with the records of files, beside these files.
 RECORDS = ".origin"
 
 #: The content of a record: `Origin.attributes`, with the digests of inputs as a mapping, and the
@@ -31,14 +31,14 @@ def canonical_json(parameters: object) -> str:
     return json.dumps(parameters, sort_keys=True, ensure_ascii=False, separators=(",", ":"))
 
 
-def value_digest(values: object) -> str:
-    """Return the SHA-256 of the canonical text of values."""
-    return hashlib.sha256(canonical_json(values).encode()).hexdigest()
+def value_digest(value: object) -> str:
+    """Return the SHA-256 of the canonical JSON text of a value."""
+    return hashlib.sha256(canonical_json(value).encode()).hexdigest()
 
 
-def short_digest(values: object) -> str:
-    """Return a short digest of values, as a part of paths."""
-    return value_digest(values)[:8]
+def short_digest(value: object) -> str:
+    """Return the first eight digits of `value_digest`, as a part of paths."""
+    return value_digest(value)[:8]
 
 
 def digest(path: str | Path) -> str:
@@ -54,10 +54,10 @@ def versions() -> dict[str, str]:
 
 
 def lineage(parameters: str, inputs: Mapping[str, str]) -> str:
-    """Return a digest of all that a file is made from, by the lineage of each input.
+    """Return a digest of a file's parameters, of package versions and of the lineage of each input.
 
-    The lineage of a file that no job made is its SHA-256. A changed scan is therefore found even if
-    the intermediates between it and a result were deleted.
+    The lineage of a file that no job made is its SHA-256. A changed scan therefore changes the
+    lineage of a result even if the intermediates between both were deleted.
     """
     return value_digest([parameters, versions(), inputs])
 
@@ -100,12 +100,12 @@ def keep_records(paths: Iterable[str | Path], origin: Origin) -> None:
         path: record.get("lineage", "") if record else origin.inputs[path]
         for path, record in records.items()
     }
-    described = origin.attributes() | {
+    shared_record = origin.attributes() | {
         "input_digests": origin.inputs,
         "lineage": lineage(origin.parameters, lineages),
     }
-    for path, value in digests(paths).items():
-        record = described | {"sha256": value}
+    for path, sha256 in digests(paths).items():
+        record = shared_record | {"sha256": sha256}
         with whole_file(record_path(path)) as temporary:
             Path(temporary).write_text(canonical_json(record), "utf-8")
 
@@ -130,7 +130,7 @@ def read_record(path: str | Path) -> Record | None:
 
 
 def is_current(path: str | Path, parameters: str, source: str) -> bool:
-    """Return whether a job made a file from a source with these parameters, and nothing changed.
+    """Return whether a job made a file from a source with these parameters, unchanged since.
 
     Raises ValueError, with one line, if the record of the file is damaged.
     """
@@ -144,9 +144,9 @@ def is_current(path: str | Path, parameters: str, source: str) -> bool:
 
 
 def refuse_changed(digests_now: Mapping[str, str]) -> None:
-    """Raise ValueError, in one line, if files are not as a job made them.
+    """Raise ValueError, in one line, if a file differs from what a job wrote.
 
-    Files are given with their SHA-256; those that no job made are taken as they are.
+    Files come with their SHA-256. Files that no job made, such as scans, cannot differ.
     """
     records = {path: read_record(path) for path in sorted(digests_now)}
     lines = [
@@ -159,7 +159,7 @@ def refuse_changed(digests_now: Mapping[str, str]) -> None:
 
 
 def refuse_changed_since(digests_before: Mapping[str, str]) -> None:
-    """Raise ValueError, in one line, if files are not as they were when a job began."""
+    """Raise ValueError, in one line, if a file changed since a job began."""
     changed = [
         path
         for path, value in sorted(digests_before.items())

@@ -1,4 +1,4 @@
-"""The packages that a study runs with: those that are pinned, and those that are installed."""
+"""Pinned and installed versions of the packages that a study needs."""
 
 import re
 from functools import cache
@@ -7,23 +7,24 @@ from pathlib import Path
 
 from hardcontact.base.whole_file import remove_parts, whole_file
 
-#: The packages that the study imports, and the list of all packages that these need in turn.
+#: The packages that the study imports, and the same with all packages that these need in turn.
 ENVIRONMENT = "environment.txt"
 LOCK = "workflow/lock.txt"
-#: The same without comments and hashes, on which jobs depend: no comment makes a file stale.
+#: Copies of both without comments and hashes. Jobs depend on these: no comment makes a file stale.
 PINS = tuple(f"results/{Path(path).name}" for path in (ENVIRONMENT, LOCK))
-#: The command that installs what is pinned.
+#: The command that installs the pinned versions.
 INSTALL = f"pip install --require-hashes -r {LOCK}"
+#: A line such as ``numpy==2.3.1``: name and version.
 PIN = re.compile(r"^([\w.-]+)(?:\[[^]]*\])?==([^\s;\\]+)", re.MULTILINE)
 
 
 def read_pins(path: str | Path) -> dict[str, str]:
-    """Return the versions that requirements of pip pin, by package; packages keep their order."""
+    """Return the pinned versions in a requirements file, by package, in the order of the file."""
     return dict(PIN.findall(Path(path).read_text("utf-8")))
 
 
 def write_pins() -> None:
-    """Write the pins, unless they are there already."""
+    """Write PINS, unless the files are right already."""
     for source, path in zip((ENVIRONMENT, LOCK), PINS, strict=True):
         text = "".join(f"{name}=={pin}\n" for name, pin in read_pins(source).items())
         if not Path(path).is_file() or Path(path).read_text("utf-8") != text:
@@ -33,9 +34,9 @@ def write_pins() -> None:
 
 
 def refuse_other_versions() -> None:
-    """Raise ValueError, in one line, if packages are not installed as they are pinned.
+    """Raise ValueError, in one line, if an installed version is not the pinned one.
 
-    Packages that others need on some systems only may be missing.
+    A package that is needed only on some systems may be missing.
     """
     locked = _by_plain_name(read_pins(LOCK))
     required = _by_plain_name(read_pins(ENVIRONMENT))
@@ -56,7 +57,7 @@ def refuse_other_versions() -> None:
 
 
 def _by_plain_name(pins: dict[str, str]) -> dict[str, str]:
-    """Return pins by names as pip compares them."""
+    """Return pins by normalized name: pip ignores case and treats ``-``, ``_`` and ``.`` alike."""
     return {re.sub(r"[-_.]+", "-", name).lower(): pin for name, pin in pins.items()}
 
 

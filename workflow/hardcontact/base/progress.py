@@ -9,7 +9,7 @@ _logger = logging.getLogger("hardcontact")
 
 
 def progress(steps: Iterable[Step], total: int, name: str) -> Iterator[Step]:
-    """Pass on steps, named in the plural, and log how many are done, about ten times in all."""
+    """Yield steps and log how many are done, about ten times in all; `name` is their plural."""
     for done, step in enumerate(steps, start=1):
         yield step
         if done == total or done * 10 // total > (done - 1) * 10 // total:

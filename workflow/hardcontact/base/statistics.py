@@ -1,9 +1,9 @@
 """Intervals of means over whole scans, samples of uncertain quantities, and log-normal fits.
 
-Uncertainty comes from scans, not from contacts: contacts on one scan see the same peaks. The study
-of the paper takes whole scans, and samples for what follows from several means; own surfaces may
-have one scan or two, so that theirs come from parts of scans (`inference.scan_parts`). A variable
-`name` has its interval in a second variable, `name_interval`, of one more dimension `bound`.
+Uncertainty comes from scans, not from contacts, because contacts on one scan see the same peaks.
+In the study of the paper whole scans vary; quantities that combine several means are sampled. Own
+surfaces may have only one or two scans, so that their parts vary (`inference.scan_parts`). The
+interval of a variable `name` is the variable `name_interval` with the further dimension `bound`.
 """
 
 import warnings
@@ -18,9 +18,9 @@ from numpy.typing import ArrayLike
 from hardcontact.base.arrays import Floats
 from hardcontact.base.random import generator
 
-#: Largest deviation of the logarithm of a sample from that of the mean; larger ones are clipped.
-#: Student's t of one degree of freedom, from two scans, has no moments: its extremes, and products
-#: of them, would leave the range of floating-point numbers. No end of an interval comes near.
+#: Largest deviation of ln(sample) from ln(mean); larger deviations are clipped. Two scans give
+#: Student's t one degree of freedom and no moments: products of its extremes would leave the range
+#: of floating-point numbers. No end of an interval comes near this limit.
 MAX_LOG_DEVIATION = 150.0
 
 #: Median distance of normal values from their mean, in standard deviations.
@@ -39,8 +39,8 @@ def with_interval(
 ) -> dict[str, Any]:
     """Return the variables `name` and `name_interval`, ready for `xarray.Dataset`.
 
-    The value (...) has the dimensions, the interval (..., 2) a low and a high end. Both have the
-    attributes; the interval also has the attribute ``confidence`` and the coordinate `bound`.
+    The value (...) has the dimensions; the interval (..., 2) also has `bound`, low and high. Both
+    have the attributes; the interval also has the attribute ``confidence``.
     """
     names = (dimensions,) if isinstance(dimensions, str) else tuple(dimensions)
     return {
@@ -66,7 +66,7 @@ def percentile_interval(samples: ArrayLike, confidence: float) -> np.ndarray:
     tail = 50 * (1 - confidence)
     if not len(samples):
         return np.full((*samples.shape[1:], 2), np.nan)
-    # The function for missing samples gives the same numbers, a hundred times slower.
+    # `nanpercentile` gives the same numbers a hundred times slower.
     percentile = np.nanpercentile if np.isnan(samples).any() else np.percentile
     with warnings.catch_warnings():
         warnings.filterwarnings("ignore", "All-NaN slice", RuntimeWarning)
@@ -75,7 +75,7 @@ def percentile_interval(samples: ArrayLike, confidence: float) -> np.ndarray:
 
 
 def widen_interval(dataset: xr.Dataset, name: str, error: xr.DataArray) -> xr.Dataset:
-    """Return a dataset whose interval of a positive variable also contains an error, a factor.
+    """Return a dataset with the interval of a positive variable widened by an error, a factor.
 
     The logarithms of the interval's half width and of the error add in squares.
     """
@@ -92,8 +92,8 @@ def widen_interval(dataset: xr.Dataset, name: str, error: xr.DataArray) -> xr.Da
 def student_interval(values: xr.DataArray, confidence: float, dim: str) -> xr.DataArray:
     """Return the interval of a mean of independent values along a dimension by Student's t.
 
-    Missing values are NaN, and so are both ends, along the last dimension `bound`, for fewer than
-    two values. The confidence is the probability that the interval holds the mean.
+    Missing values are NaN. Both ends, along the last dimension `bound`, are NaN for fewer than two
+    values. The confidence is the probability that the interval holds the mean.
     """
     from scipy import special
 
@@ -128,7 +128,8 @@ def student_log_samples(rng: np.random.Generator, values: Floats, sample_count: 
 
     The logarithm of a sample is ln(mean x) + sum_i z_i d_i/sqrt(n (n - 1))/sqrt(c/(n - 1)), with
     d_i = ln x_i - mean of ln x, normal z_i, and chi-squared c of n - 1 degrees of freedom, as in
-    `student_log_interval`. Elements share z and c, which keeps their correlation. NaN for n < 2.
+    `student_log_interval`. All elements of a scan share z and c: it keeps their correlation. NaN
+    for n < 2.
     """
     count = len(values)
     if count < 2:
@@ -136,19 +137,18 @@ def student_log_samples(rng: np.random.Generator, values: Floats, sample_count: 
     logarithms = np.log(values)
     deviations = (logarithms - logarithms.mean(axis=0)) / np.sqrt(count * (count - 1))
     normal = rng.standard_normal((sample_count, count))
-    share = np.sqrt(rng.chisquare(count - 1, sample_count) / (count - 1))
-    deviation = np.tensordot(normal / share[:, None], deviations, axes=1)
-    return np.asarray(
-        values.mean(axis=0) * np.exp(np.clip(deviation, -MAX_LOG_DEVIATION, MAX_LOG_DEVIATION))
-    )
+    scale = np.sqrt(rng.chisquare(count - 1, sample_count) / (count - 1))
+    log_deviation = np.tensordot(normal / scale[:, None], deviations, axes=1)
+    log_deviation = np.clip(log_deviation, -MAX_LOG_DEVIATION, MAX_LOG_DEVIATION)
+    return np.asarray(values.mean(axis=0) * np.exp(log_deviation))
 
 
 def jackknife_interval(value: ArrayLike, leave_one_out: ArrayLike, confidence: float) -> np.ndarray:
-    """Return the interval (..., 2) of a positive statistic of n scans by leaving out one at a time.
+    """Return the interval (..., 2) of a positive statistic of n scans by the jackknife.
 
-    `value` (...) is the statistic of all scans, `leave_one_out` (n, ...) those of all scans but
-    one. The interval is Student's t on the logarithm with the standard error of the delete-one
-    jackknife. NaN for fewer than two scans, or if a statistic is zero.
+    `value` (...) is the statistic of all scans, `leave_one_out` (n, ...) has its values without
+    each scan. The interval is Student's t on the logarithm with the standard error of the
+    delete-one jackknife. NaN for fewer than two scans, or if a statistic is zero.
     """
     from scipy import special
 
@@ -224,14 +224,14 @@ class Sampling:
     """
 
     seed: int  #: The seed of the study.
-    sample_count: int  #: Number of samples; without any, all intervals are NaN.
-    confidence: float  #: Of the intervals.
-    #: Purpose of the random numbers, put before the names of `generator`.
+    sample_count: int  #: Number of samples; if it is 0, all intervals are NaN.
+    confidence: float  #: Confidence of the intervals, such as 0.95.
+    #: Purpose of the random numbers: the first names of `base.random.generator`.
     stream: tuple[str, ...] = ("sampling",)
 
     @classmethod
     def from_parameters(cls, parameters: Mapping[str, Any], *stream: str) -> "Sampling":
-        """Return the sampling of a job, whose parameters may have other keys, too."""
+        """Return the sampling of a job from `seed`, `samples` and `confidence`."""
         seed, sample_count = parameters["seed"], parameters["samples"]
         return cls(seed, sample_count, parameters["confidence"], stream or cls.stream)
 
@@ -247,6 +247,6 @@ class Sampling:
         samples: ArrayLike,
         attributes: dict[str, Any],
     ) -> dict[str, Any]:
-        """Return `with_interval` of the value (...) of all data and its samples (sample, ...)."""
+        """Return a value (...) and the interval of its samples (sample, ...) as variables."""
         interval = percentile_interval(samples, self.confidence)
         return with_interval(name, dimensions, value, interval, attributes, self.confidence)

@@ -1,4 +1,4 @@
-"""The check of a finished study, also of an archive: every file against its record.
+"""Verify a finished or archived study: compare every file with its record.
 
 Nothing is written, and no workflow is needed.
 """
@@ -16,7 +16,7 @@ RUN_FOLDERS = ("logs", "benchmarks")
 
 
 def traced_records(folder: str | Path) -> dict[str, Record]:
-    """Return the records, by path, of the files in ``results/<study>`` and all that led to them.
+    """Return the records, by path, of ``results/<study>`` and of all files that led to it.
 
     Raises ValueError, with one line, if a record is damaged.
     """
@@ -90,7 +90,7 @@ def _unrecorded_faults(folder: str | Path, traced: Iterable[str]) -> Iterator[st
         if RECORDS not in path.parts and path.relative_to(folder).parts[0] not in RUN_FOLDERS
     )
     folders = {Path(path).parent for path in traced if _is_made(path)}
-    store_files = (path for part in folders for path in part.iterdir())
+    store_files = (path for store_folder in folders for path in store_folder.iterdir())
     for path in sorted({*study_files, *store_files}):
         if path.is_file() and not record_path(path).is_file():
             yield f"{path.as_posix()}: expected a record of its origin, found none"

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-#: Names of files that are not whole yet begin with this.
+#: Prefix of the names of incomplete files.
 PART = ".part-"
 
 
@@ -16,8 +16,8 @@ PART = ".part-"
 def whole_file(path: str | Path) -> Iterator[str]:
     """Yield a temporary path in the same folder; rename it if the block succeeds, else remove it.
 
-    Missing folders are made. The content is on the disk before the name is, also after a power
-    loss. Raises ValueError, with one line, if the file cannot be written.
+    Missing folders are made. The content reaches the disk before the name, so that no power loss
+    leaves half a file. Raises ValueError, with one line, if the file cannot be written.
     """
     path = Path(path)
     temporary = path.with_name(f"{PART}{secrets.token_hex(4)}-{path.name}")
@@ -39,7 +39,7 @@ def whole_file(path: str | Path) -> Iterator[str]:
 
 
 def remove_parts(path: str | Path) -> None:
-    """Remove the parts of a file that killed processes left; nobody else may be writing it."""
+    """Remove incomplete versions of a file from killed processes; nobody else may write it now."""
     path = Path(path)
     for part in path.parent.glob(f"{PART}*-{glob.escape(path.name)}"):
         part.unlink(missing_ok=True)
