@@ -4,6 +4,7 @@ import json
 from copy import deepcopy
 
 import pytest
+from answer_inputs import datasets, fit, setting
 from html_page import Page
 from paper_study import answer
 from refusals import assert_says, refusal
@@ -11,6 +12,8 @@ from repository import PAPER, merged
 
 from hardcontact.base.number import Number
 from hardcontact.commands.compare import compare, compare_arguments
+from hardcontact.report.own_surfaces.answer import own_answer
+from hardcontact.report.quantities import answer_text
 from hardcontact.report.study_comparison import ComparedNumber, compare_answers
 
 HARDER = merged(PAPER, {"study": "harder", "contact": {"hardness": "30 GPa"}})
@@ -120,6 +123,28 @@ def test_the_page_has_the_bands_and_the_numbers_of_both(written):
     assert [label.split(",")[0].strip() for label in labels] == ["paper", "harder"]
     assert_says(refusal(printed, *words), "--html: expected a new file", "--overwrite")
     printed(*words, "--overwrite")
+
+
+def test_numbers_have_the_words_of_the_page(written, paper):
+    answers = {"paper": paper, "own": own_answer(datasets(2), setting())}
+    answers["fitted"] = own_answer(datasets(2, fit=fit(2)), setting())
+    (written / "own.json").write_text(answer_text(answers["own"]))
+    (written / "fitted.json").write_text(answer_text(answers["fitted"]))
+    plain = {"short edge", "long edge", "range of adhesion", "work of adhesion", "median force"}
+    plain |= {"measured force", "pixel size", "tip radius"}
+    for name, path in {"paper": "paper", "own": "own.json", "fitted": "fitted.json"}.items():
+        lines = printed(written / path, written / path).splitlines()[3:-2]
+        labels = {line.split("  ")[0].rpartition(": ")[2] for line in lines}
+        raw = {row["name"].replace("_", " ") for row in answers[name]["quantities"]}
+        assert {label for label in labels & raw if " " in label} <= plain, name
+    assert "mean pull-off force" in printed(written / "own.json", written / "own.json")
+
+
+def test_a_ratio_that_rounds_to_one_is_no_change(written, paper):
+    moved = scaled(paper, 1.001, "octave_1_sensitivity")
+    (written / "moved.json").write_text(json.dumps(moved | {"study": "moved"}))
+    text = printed("paper", written / "moved.json")
+    assert "less than 0.5 %" in text and "× 1" not in text.replace("\N{NO-BREAK SPACE}", " ")
 
 
 def test_single_surfaces_of_two_own_studies_are_compared_whatever_their_names():

@@ -130,6 +130,18 @@ def scales(contacts: int = 20) -> xr.Dataset:
     )
 
 
+def fit() -> xr.Dataset:
+    """Return the mean forces of the coatings, 1 µN to 4 µN, at the published pair."""
+    mean = 1e-6 * np.arange(1.0, len(SUBSTRATES) + 1)
+    coordinates = {"surface": SUBSTRATES, "pair": ["published"], "contact_model": ["plastic"]}
+    dimensions = ["contact_model", "pair", "surface"]
+    forces = xr.Dataset(coords=coordinates | {"bound": ["low", "high"]})
+    forces["mean_force_at_pair"] = dimensions, mean[None, None], {"units": "N"}
+    interval = np.stack([0.9 * mean, 1.1 * mean], axis=-1)
+    forces["mean_force_at_pair_interval"] = [*dimensions, "bound"], interval[None, None]
+    return forces
+
+
 def scan_size() -> xr.Dataset:
     """Return forces on mirrored windows of three sizes and, the last two, on whole surfaces."""
     ratio = 2 - np.arange(4 * 5.0).reshape(4, 5) / 20

@@ -8,6 +8,7 @@ import yaml
 from paper_datasets import (
     band,
     features,
+    fit,
     published_table1,
     scales,
     scan_size,
@@ -58,6 +59,7 @@ def datasets(contacts=20, pixels=512):
         "sensitivity": sensitivity(),
         "sets": sets(),
         "features": features(),
+        "fit": fit(),
         "scan_size": scan_size(),
     }
 

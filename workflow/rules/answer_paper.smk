@@ -8,7 +8,7 @@ rule answer_paper:
     input:
         **{
             name: PATTERNS.dataset(name)
-            for name in ("topography", "scales", "edges", "sensitivity", "sets", "features")
+            for name in ("topography", "scales", "edges", "sensitivity", "sets", "features", "fit")
         },
         scan_size="resources/validation/scan_size.nc",
         claims=PATTERNS.result("claims.csv"),

@@ -17,7 +17,7 @@ from hardcontact.report.quantities import answer_text
 from hardcontact.report.templates import Frame
 
 DATASETS = (
-    "topography", "scales", "edges", "sensitivity", "sets", "features", "scan_size",
+    "topography", "scales", "edges", "sensitivity", "sets", "features", "fit", "scan_size",
 )  # fmt: skip
 
 with run_job(snakemake) as job:

@@ -149,6 +149,11 @@ def test_forces_on_scans_equal_those_on_windows_of_their_size():
     assert numbers_by_name(answer(scan_size=data), "mcd")["force_on_scans"] == force
 
 
+def test_each_coating_has_its_mean_force_at_the_published_pair():
+    force = Number("mean_force", 2e-6, "N", 1.8e-6, 2.2e-6)
+    assert numbers_by_name(answer(), "uncd")["mean_force"] == force
+
+
 def test_table_1_compares_values_and_marks_those_by_construction():
     rows = table1_rows(topography(), published_table1())
     height, curvature = rows[0], rows[5:8]

@@ -64,8 +64,8 @@ def paper_answer(
     """Return the content of answer.json: a head, notes in words, and all numbers.
 
     `claims` comes from `verdicts.add_open_ends`, `constants` and `table1` from `published`. The
-    datasets are `topography`, `scales`, `edges`, `sensitivity`, `sets`, `features`, and
-    `scan_size` from resources/validation.
+    datasets are `topography`, `scales`, `edges`, `sensitivity`, `sets`, `features`, `fit`,
+    and `scan_size` from resources/validation.
     """
     topography = datasets["topography"]
     facts = _facts(claims, datasets, constants)
@@ -185,7 +185,10 @@ def _claim_numbers(name: str, row: Any, datasets: Mapping[str, xr.Dataset]) -> l
 
 
 def surface_numbers(surface: str, datasets: Mapping[str, xr.Dataset]) -> dict[str, Number]:
-    """Return both edges of one substrate, its force on the band alone, and that on small scans."""
+    """Return both edges of one substrate and its forces: mean, on the band alone, on small scans.
+
+    The mean force is at the published range and work of adhesion.
+    """
     band, sets = datasets["edges"], datasets["sets"]
     numbers = {}
     for name, (side, _) in EDGE_SIDES.items():
@@ -198,6 +201,8 @@ def surface_numbers(surface: str, datasets: Mapping[str, xr.Dataset]) -> dict[st
         status = f"interval_open_{end}" if end else ""
         source = _edge_source(datasets["scales"], side, value)
         numbers[name] = Number(name, value, "nm", low, high, status, source)
+    fit = datasets["fit"].sel(contact_model=PLASTIC, pair="published", surface=surface)
+    numbers["mean_force"] = number_of(fit, "mean_force_at_pair", name="mean_force")
     sensitivity = datasets["sensitivity"]
     if "band_force_ratio" in sensitivity:
         band_force = sensitivity.sel(BAND_ALONE).sel(surface=surface)
