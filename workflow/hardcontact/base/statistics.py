@@ -20,8 +20,8 @@ from hardcontact.base.random import generator
 
 #: Largest deviation of ln(sample) from ln(mean); larger deviations are clipped. Two scans give
 #: Student's t one degree of freedom and no moments: products of its extremes would leave the range
-#: of floating-point numbers. No end of an interval comes near this limit.
-MAX_LOG_DEVIATION = 150.0
+#: of floating-point numbers. A factor of e^50 is as good as infinite.
+MAX_LOG_DEVIATION = 50.0
 
 #: Median distance of normal values from their mean, in standard deviations.
 MEDIAN_DEVIATION = 0.6745

@@ -18,12 +18,13 @@ from typing import NamedTuple
 import numpy as np
 import xarray as xr
 
+from hardcontact.base.statistics import MAX_LOG_DEVIATION
 from hardcontact.contact.contact import CONTACT_AXES
 
 #: Fewer scans than these are divided into quarters.
 ENOUGH_SCANS = 3
-#: Half widths of logarithms: less is rounding, more is as good as infinite.
-MIN_HALF_WIDTH, MAX_HALF_WIDTH = 1e-9, 50.0
+#: Half widths of logarithms: less is rounding.
+MIN_HALF_WIDTH = 1e-9
 #: An interval that spans a wider factor to each side bounds nothing of use.
 MAX_BOUNDED_HALF_WIDTH = float(np.log(1e3))
 #: Parts that correlate more are the same.
@@ -199,7 +200,7 @@ def half_width(variances: Sequence[Variance], confidence: float) -> np.ndarray:
     inverse = sum((cause.value / positive) ** 2 / cause.degrees_of_freedom for cause in variances)
     inverse = np.where(total > 0, inverse, 1.0)
     quantile = special.stdtrit(1 / inverse, (1 + confidence) / 2)
-    half = np.minimum(quantile * np.sqrt(total), MAX_HALF_WIDTH)
+    half = np.minimum(quantile * np.sqrt(total), MAX_LOG_DEVIATION)
     return np.where(half > MIN_HALF_WIDTH, half, np.nan)
 
 
@@ -232,4 +233,4 @@ def sampled_deviations(
     chi_squared = 2 * special.gammaincinv(degrees_of_freedom / 2, probability)
     scale = np.sqrt(factor * (count - 1) / count * degrees_of_freedom / chi_squared)
     deviations = np.tensordot(scale[:, None] * normal, logarithms - logarithms.mean(axis=0), axes=1)
-    return np.asarray(np.clip(deviations, -MAX_HALF_WIDTH, MAX_HALF_WIDTH))
+    return np.asarray(np.clip(deviations, -MAX_LOG_DEVIATION, MAX_LOG_DEVIATION))

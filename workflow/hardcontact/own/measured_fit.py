@@ -15,6 +15,7 @@ import xarray as xr
 
 from hardcontact.base.dataset import stack
 from hardcontact.base.statistics import (
+    MAX_LOG_DEVIATION,
     Sampling,
     bounds,
     interval_between,
@@ -33,8 +34,6 @@ from hardcontact.own.mean_forces import (
 
 #: Chance that independent tests are taken for repeated ones.
 REPEATED_BY_CHANCE = 1e-3
-#: Largest deviation of the logarithm of a sampled mean; larger ones are clipped.
-MAX_MEAN_DEVIATION = 50.0
 
 
 class MeasuredTests(NamedTuple):
@@ -99,7 +98,7 @@ def sampled_means(rng: np.random.Generator, tests: MeasuredTests, samples: int) 
     normal = rng.standard_normal(samples)
     errors = normal * np.sqrt(sampled_variance / tests.site_count)
     deviation = (sampled_variance - variance) / 2 - errors
-    deviation = np.clip(deviation, -MAX_MEAN_DEVIATION, MAX_MEAN_DEVIATION)
+    deviation = np.clip(deviation, -MAX_LOG_DEVIATION, MAX_LOG_DEVIATION)
     return np.asarray(tests.mean * np.exp(deviation))
 
 

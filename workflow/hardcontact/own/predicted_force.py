@@ -16,6 +16,7 @@ from hardcontact.base.statistics import bounds, widen_interval, with_interval
 from hardcontact.base.units import DIMENSIONLESS, NEWTON, NM
 from hardcontact.contact.contact import CONTACT_AXES, PLASTIC, Contact
 from hardcontact.contact.finite_scan import add_sizes
+from hardcontact.contact.smooth_sphere import dmt_pull_off
 from hardcontact.inference.scan_parts import fewest_touched_patches, logarithmic_interval
 from hardcontact.inference.wide_pixels import pixel_factors
 from hardcontact.own.mean_forces import (
@@ -276,7 +277,7 @@ def bound_by_smooth_sphere(force: xr.Dataset, area: float) -> xr.Dataset:
     work = force.attrs["work_of_adhesion"]
     touching = area * 1e-18 / (1e-9 * force["rho"])
     yields = force["contact_model"] == PLASTIC
-    bound = work * (2 * np.pi * 1e-9 * radius + touching * yields).transpose("contact_model", ...)
+    bound = dmt_pull_off(work, radius) + work * (touching * yields).transpose("contact_model", ...)
     rho = force.attrs["range_of_adhesion"]
     master_bound = bound.sel(contact_model=PLASTIC, drop=True).sel(rho=rho, method="nearest")
     bounded = {"smooth_bound": bound.assign_attrs(NEWTON)}

@@ -10,6 +10,7 @@ import xarray as xr
 from scipy import constants, special
 
 from hardcontact.base.statistics import bounds
+from hardcontact.contact.smooth_sphere import dmt_pull_off
 from hardcontact.inference.edges import POOLED, edges_or_bounds
 from hardcontact.paper.claim_numbers import (
     mean_over_contacts,
@@ -208,8 +209,8 @@ def flat_limit_fraction(scales: xr.Dataset) -> xr.Dataset:
     """Return the force at the largest short cutoff relative to 2 pi R W of a plane (surface)."""
     force = mean_over_contacts(scales["pull_off_force"].sel(side="short"))
     force = force.sortby("cutoff_wavelength").dropna("cutoff_wavelength", how="all")
-    radius = 1e-9 * scales.attrs["sphere_radius"]  # m; the forces are those at W = 1 J/m2
-    fraction = force.isel(cutoff_wavelength=-1, drop=True) / (2 * np.pi * radius)
+    smooth = dmt_pull_off(1.0, scales.attrs["sphere_radius"])  # the forces are those at 1 J/m2
+    fraction = force.isel(cutoff_wavelength=-1, drop=True) / smooth
     return mean_over_scans(fraction, scales.attrs["confidence"], "realization")
 
 

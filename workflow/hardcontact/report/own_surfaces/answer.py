@@ -43,19 +43,15 @@ from hardcontact.report.own_surfaces.forces import (
 from hardcontact.report.quantities import all_quantities, number_of
 from hardcontact.report.templates import render_lines, render_text
 from hardcontact.surfaces.both_bodies import sphere_share
+from hardcontact.surfaces.height_map import METRICS
 from hardcontact.surfaces.reliable_band import MIN_PIXELS, MIN_WAVES_IN_SIZE, OTHER_BODY
 
 #: The name of the range of adhesion among the inputs of contacts.
 RANGE = "range of adhesion"
-#: Metrics of a scan, with their units.
-METRIC_UNITS = {
-    "rms_height": "nm",
-    "rms_gradient": "1",
-    "rms_half_laplacian": "nm-1",
-    "peak_to_valley": "nm",
-    "skewness": "1",
-    "kurtosis": "1",
-}
+#: Metrics of a scan, of `METRICS`.
+SHOWN_METRICS = (
+    "rms_height", "rms_gradient", "rms_half_laplacian", "peak_to_valley", "skewness", "kurtosis",
+)  # fmt: skip
 
 
 class SurfaceAnswer(NamedTuple):
@@ -212,12 +208,12 @@ def _scan_numbers(data: Datasets) -> Iterator[Number]:
     yield Number("heights", np.nan, "nm", float(heights.min()), float(heights.max()), "ends")
     scans = topography.dropna("scan", subset=["rms_height"])
     for index in range(scans.sizes["scan"]):
-        for name, unit in METRIC_UNITS.items():
-            number = number_of(scans.isel(scan=index), name, unit)
+        for name in SHOWN_METRICS:
+            number = number_of(scans.isel(scan=index), name, METRICS[name][0])
             yield number._replace(name=f"scan_{index + 1}_{name}")
-    for name, unit in METRIC_UNITS.items():
+    for name in SHOWN_METRICS:
         if f"all_scales_{name}" in topography:
-            yield number_of(topography, f"all_scales_{name}", unit)
+            yield number_of(topography, f"all_scales_{name}", METRICS[name][0])
     for index, measurement in enumerate(split_scans(scans_of(data.spectra)), start=1):
         for name in MEASUREMENT_LENGTHS:
             number = number_of(measurement, name, "nm", source="file")

@@ -7,6 +7,7 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.base.number import Number
+from hardcontact.contact.smooth_sphere import dmt_pull_off
 from hardcontact.report.own_surfaces.artificial_roughness import (
     NEARLY_ALL,
     fails_hindcast,
@@ -34,7 +35,7 @@ def force_numbers(data: Datasets) -> list[Number]:
     quantiles = forces["force_quantile"]
     lowest, median, highest = quantiles.sel(quantile=[0, 0.5, 1], method="nearest").values.tolist()
     share = float(np.ptp(quantiles["quantile"].values))
-    smooth = 2 * np.pi * 1e-9 * force.attrs["sphere_radius"] * force.attrs["work_of_adhesion"]
+    smooth = dmt_pull_off(force.attrs["work_of_adhesion"], force.attrs["sphere_radius"])
     return [
         add_status(mean, force["interval_source"]),
         _change_from_smooth(data),
