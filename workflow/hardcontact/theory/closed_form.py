@@ -29,16 +29,16 @@ from hardcontact.theory.summits import (
     spectrum_between,
 )
 
-#: Regimes: roughness hardly counts, many points of the surface attract, a few summits do.
+#: Regimes: roughness hardly changes the force, many points carry it, or a few summits carry it.
 SMOOTH, MANY_POINTS, SINGLE_PEAKS = "smooth", "many points", "single peaks"
-#: A surface counts as smooth if its force exceeds this share of the force on a smooth surface. The
-#: area in contact does not count in either force.
+#: A surface counts as smooth if its force exceeds this share of the force on a smooth surface, both
+#: without the area in contact.
 SMOOTH_SHARE = 0.9
-#: Number of generations of summits on summits.
+#: Largest number of nested generations: summits on summits on the surface.
 GENERATIONS = 8
-#: Wavelength, in radii of its clump, below which waves are roughness on a summit: chosen with the
-#: forces and edges of 48 designed surfaces that were not held out. With 2 the force changes by
-#: 0.02 in its logarithm (median; at most 0.58), with pi by 0.04 (0.44).
+#: Waves shorter than this number of clump radii are roughness on a summit. The number was chosen
+#: with the forces and edges of 48 designed surfaces that were not held out. With 2 ln F changes by
+#: 0.02 (median; at most 0.58), with pi by 0.04 (0.44).
 SUMMIT_SIZE = 2.5
 #: Smallest rms height on a summit that counts as roughness, in ranges of adhesion.
 MIN_SUMMIT_ROUGHNESS = 0.005
@@ -60,7 +60,7 @@ class ClosedForm:
 
 
 def contact_term(contact: Contact) -> float:
-    """Return A/(2 pi R rho), the contact term."""
+    """Return the contact term A/(2 pi R rho): the force of the contact area over 2 pi R W."""
     return contact.area / (2 * np.pi * contact.radius * contact.rho)
 
 
@@ -84,8 +84,8 @@ def surface_term(rms_height: ArrayLike, apex_height: ArrayLike, rho: ArrayLike) 
 def closed_form(spectrum: Spectrum, contact: Contact, *, all_rough: bool = True) -> ClosedForm:
     """Return the mean pull-off force over contacts of a sphere on a Gaussian surface.
 
-    Only the wavelengths of the spectrum exist. Without `all_rough`
-    only the summits that touch are rough; summits below the sphere attract as smooth ones.
+    The surface has no other wavelengths than the spectrum. Without `all_rough` only the summits
+    that touch are rough; the others attract like smooth summits.
     """
     smooth = float(dmt_pull_off(contact.work, contact.radius))
     waves = rough_waves(spectrum, contact.radius)
@@ -176,9 +176,9 @@ def filtered_spectrum(spectrum: Spectrum, side: str, cutoff: float) -> Spectrum:
 def critical_band(spectrum: Spectrum, contact: Contact, tolerance: float) -> tuple[float, float]:
     """Return the short and the long edge (nm) of the band of wavelengths that decide the force.
 
-    Without all shorter or all longer wavelengths the force changes by the tolerance; NaN if it
-    never does. Summits below the sphere count as smooth: on the held-out designed surfaces rough
-    summits improve the forces of single peaks, but not the edges.
+    If all wavelengths shorter than the short edge, or longer than the long edge, are removed, the
+    force changes by the tolerance. An edge is NaN if no cutoff does this. Summits below the sphere
+    count as smooth: on held-out surfaces rough summits improve forces of single peaks, not edges.
     """
     wavelengths = 2 * np.pi / spectrum.wavevector[spectrum.density > 0]
     if not len(wavelengths):
@@ -187,7 +187,7 @@ def critical_band(spectrum: Spectrum, contact: Contact, tolerance: float) -> tup
     limits = logarithmic_limits(tolerance)
     unfiltered = closed_form(spectrum, contact, all_rough=False).dmt_ratio
 
-    def edge(side: str, cutoffs: Floats) -> float:
+    def find_edge(side: str, cutoffs: Floats) -> float:
         """Return the edge (nm) of a side; no wave is removed at the first cutoff."""
         curve = [0.0]
         for cutoff in cutoffs[1:]:
@@ -198,4 +198,4 @@ def critical_band(spectrum: Spectrum, contact: Contact, tolerance: float) -> tup
                 break
         return interpolate_edge(cutoffs[: len(curve)], np.array(curve), limits)
 
-    return edge("short", cutoffs), edge("long", cutoffs[::-1])
+    return find_edge("short", cutoffs), find_edge("long", cutoffs[::-1])

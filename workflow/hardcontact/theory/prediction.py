@@ -45,7 +45,7 @@ MAX_SKEWNESS = 1.0
 #: The edges of the band among the predicted quantities.
 EDGE_NAMES = VALIDATED_QUANTITIES[1:]
 MATTERS, NEGLIGIBLE = "matters", "negligible"
-#: Of a force that is withheld: heights with steep edges are not Gaussian.
+#: Status of a force without a value: heights with steep edges are not Gaussian.
 STEEP_EDGES = "steep_edges"
 
 
@@ -155,7 +155,7 @@ def _input_numbers(waves: Spectrum, contact: Contact, tolerance: float) -> list[
 def _spectrum_checks(
     waves: Spectrum, contact: Contact, form: ClosedForm, skewness: float
 ) -> list[Number]:
-    """Return the longest octave, the widest gap and the skewness: NEGLIGIBLE if the form holds."""
+    """Return longest octave, widest gap and skewness, each NEGLIGIBLE if the closed form holds."""
     gap = float((waves.wavevector[1:] / waves.wavevector[:-1]).max())
     gap_status = UNKNOWN if gap > MAX_WAVELENGTH_RATIO else NEGLIGIBLE
     skewness_status = MATTERS if abs(skewness) > MAX_SKEWNESS else NEGLIGIBLE
@@ -169,7 +169,7 @@ def _spectrum_checks(
 def _is_measured_error_known(
     scans: ScanSpectrum, contact: Contact, tolerance: float, name: str
 ) -> bool:
-    """Return True if the error of the force on measured wavelengths of scans is known."""
+    """Return whether the error of the force is known without the scans' extrapolated waves."""
     numbers = prediction(scans.measured(), contact, tolerance, name)
     return numbers.get("extrapolated_force", numbers["pull_off_force"]).status == INSIDE
 
@@ -208,8 +208,8 @@ class _Tail(NamedTuple):
 
     density: Floats  #: C_iso in nm⁴ at WAVEVECTORS.
     rolloff: float  #: In nm.
-    hurst: float  #: Exponent of the extrapolation; NaN without one.
-    ended_by: str  #: What limits the exponent.
+    hurst: float  #: Hurst exponent of the extrapolated waves; NaN if there are none.
+    ended_by: str  #: What ends the tail: `extrapolated_spectrum.Tail.tail_ended_by`.
 
 
 def _short_wave_tail(spectrum: Spectrum, waves: Spectrum) -> _Tail | None:
@@ -219,11 +219,11 @@ def _short_wave_tail(spectrum: Spectrum, waves: Spectrum) -> _Tail | None:
     its end, nor if it has a zero within.
     """
     if isinstance(spectrum, ScanSpectrum):
-        known = spectrum.joined.attrs
-        if not known["tail_known"]:
+        ends = spectrum.joined.attrs
+        if not ends["tail_known"]:
             return None
         density = spectrum.joined["spectrum"].values
-        return _Tail(density, known["rolloff"], known["tail_hurst"], known["tail_ended_by"])
+        return _Tail(density, ends["rolloff"], ends["tail_hurst"], ends["tail_ended_by"])
     if spectrum.density[-1] == 0 or len(waves.density) < MIN_BINS or not waves.density.all():
         return None
     variance = np.full(waves.density.shape, CALIBRATION_SCATTER**2)
@@ -261,9 +261,9 @@ def _force_change(name: str, changed_force: float, form: ClosedForm) -> Number:
 
 
 def _longest_octave(waves: Spectrum, contact: Contact, form: ClosedForm) -> Number:
-    """Return the relative change of the force by the longest octave of a spectrum.
+    """Return the relative change of the force if the longest octave of a spectrum is removed.
 
-    The change is unknown for a spectrum that has hardly more than this octave.
+    The change is unknown if hardly any wave would remain.
     """
     is_shorter = waves.wavevector >= 2 * waves.wavevector[0]
     if is_shorter.sum() < 2:

@@ -1,14 +1,14 @@
 """The distribution of the pull-off force over positions of the sphere, from a spectrum.
 
 Clumps of points (`summits`) are a Poisson process: Lambda(t) of them rise above the level t =
-z/sigma under the sphere, n touch. With G_i, the Poisson process of unit rate in ascending order,
-the attraction of alike clumps is
+z/sigma under the sphere, n touch. If all clumps are alike and G_1 < G_2 < ... are a Poisson process
+of unit rate, the attraction is
 
     F ~ n + Σ_{i>n} (G_n/G_i)^(1/k),   k = rho m/sigma²:
 
-for k > 1 and n = 1 Weibull's law of modulus k; for k < 1 n/(1 - k) clumps carry the force. At a
-given level the force is taken as log-normal, with a mean of the terms of `closed_form` and the
-variance of a sum of Poisson clumps; over positions it is their mixture over the levels of
+For k > 1 and n = 1 it has Weibull's law of modulus k; for k < 1 n/(1 - k) clumps carry it. At a
+given level the force is taken as log-normal, with the mean from `closed_form` and the variance of a
+sum of Poisson clumps. Over positions it is a mixture of these log-normals over the levels of
 `apex_distribution`. workflow/report/theory.md has the derivation. No number is fitted to a force.
 """
 
@@ -40,7 +40,7 @@ from hardcontact.theory.summits import (
     structure_function,
 )
 
-#: Standard deviations of curvature, and their probabilities, that a summit is averaged over.
+#: Deviations of a summit's curvature from its mean, in standard deviations, with probabilities.
 DEVIATIONS = np.linspace(-8, 8, 801)
 PROBABILITIES = np.exp(-(DEVIATIONS**2) / 2) / np.sqrt(2 * np.pi) * (DEVIATIONS[1] - DEVIATIONS[0])
 #: Factor by which the radius grows to find the exponent of the force against the radius.
@@ -102,13 +102,13 @@ def predict_statistics(spectrum: Spectrum, contact: Contact) -> ForceStatistics:
 
 
 class _Attraction(NamedTuple):
-    """The attraction in 2 pi R W, without that of the area in contact, by level (n,)."""
+    """The attraction over 2 pi R W without the area in contact, at the levels of the apex (n,)."""
 
     apex: ApexDistribution
     surface_terms: Floats  #: (n,) mean attraction by the clumps below the sphere.
     summit_term: float  #: Mean attraction by the clumps that touch.
     clumps: float  #: Mean number of the clumps that touch.
-    variance: Floats  #: (n,) of the sum.
+    variance: Floats  #: (n,) variance of the sum of both attractions.
     growth: float  #: Exponent of the force against the radius of the sphere, 0 to 1.
 
     @property
@@ -141,22 +141,21 @@ def _attraction(waves: Spectrum, contact: Contact, generations: int) -> _Attract
             scatter = rough_summit.scatter
             growth = rough_summit.growth
     surface_terms, summit_term = rough_terms(sigma, apex, rho, summit_ratio)
-    number = np.interp(t, LEVELS, clumps_above(waves, radius)[1])
-    clumps = max(apex.mean(number), 1.0)
+    clump_counts = np.interp(t, LEVELS, clumps_above(waves, radius)[1])
+    clumps = max(apex.mean(clump_counts), 1.0)
     cover = apex.mean(special.ndtr(-t))
     # Mean of the squared force of a clump, relative to the square of its mean force. The radius of
     # a summit counts only as far as its force grows with the radius.
-    square = (1 + (growth * summit_radius_variation(waves, apex)) ** 2) * scatter
-    crowded = clump_dispersion_index(cover)
-    clump_force = summit_ratio * special.ndtr(-t) / np.maximum(number, 1e-300)
-    clump_variance = (
-        crowded * square * clump_force * rough_terms(sigma, apex, rho / 2, summit_ratio)[0]
-    )
+    mean_square = (1 + (growth * summit_radius_variation(waves, apex)) ** 2) * scatter
+    dispersion = clump_dispersion_index(cover)
+    clump_force = summit_ratio * special.ndtr(-t) / np.maximum(clump_counts, 1e-300)
+    squared_terms = rough_terms(sigma, apex, rho / 2, summit_ratio)[0]
+    clump_variance = dispersion * mean_square * clump_force * squared_terms
     field_variance = surface_terms**2 * field_variation(waves, contact) ** 2
-    # Of the n clumps that touch, all but the last have Poisson's number. If they cover the plane,
-    # they are one flat contact, and only its rim scatters.
-    scattered = (1 - cover) * clumps * (square - 1) + crowded * (clumps - 1)
-    variance = np.minimum(field_variance, clump_variance) + (summit_term / clumps) ** 2 * scattered
+    # One clump always touches; the number of the other n - 1 scatters like Poisson's. Clumps that
+    # cover the plane are one flat contact, and only its rim scatters. In squared clump forces:
+    touching = (1 - cover) * clumps * (mean_square - 1) + dispersion * (clumps - 1)
+    variance = np.minimum(field_variance, clump_variance) + (summit_term / clumps) ** 2 * touching
     attraction = _Attraction(apex, surface_terms, summit_term, clumps, variance, 1.0)
     wider_apex = apex_distribution(waves, RADIUS_FACTOR * radius, contact.area)
     wider_surface_terms, wider_summit_term = rough_terms(sigma, wider_apex, rho, summit_ratio)
@@ -178,9 +177,9 @@ def summit_radius_variation(waves: Spectrum, apex: ApexDistribution) -> float:
     """Return the coefficient of variation of the radius 1/sqrt(K) of summits.
 
     K = a² - b² is their Gaussian curvature. On a Gaussian surface at the level t the mean curvature
-    a is normal about t g²/2 sigma with the variance L²/4 - g⁴/4 sigma², b² is exponential about
-    L²/4, with the rms gradient g and the rms Laplacian L; summits are as dense as K where a > b.
-    Waves shorter than a summit are roughness on it.
+    a is normal with the mean t g²/2 sigma and the variance L²/4 - g⁴/4 sigma²; b² is exponential
+    with the mean L²/4; g is the rms gradient, L the rms Laplacian. The density of summits is
+    proportional to K where a > b. Waves shorter than a summit are roughness on it.
     """
     longer = spectrum_between(waves, 0, 2 * np.pi / (SUMMIT_SIZE * apex.clump_radius))
     if longer is None:
@@ -201,9 +200,9 @@ def summit_radius_variation(waves: Spectrum, apex: ApexDistribution) -> float:
 def field_variation(waves: Spectrum, contact: Contact) -> float:
     """Return the coefficient of variation of ∫ exp((z - y)/rho) over the plane.
 
-    Heights z are normal and y = r²/2R: its square is ∫ [exp(r(d)/rho²) - 1] exp(-d²/4 R rho) over
-    all distances d, r the autocorrelation, over 4 pi R rho. Its part that is linear in r is the
-    variance (1/2 pi rho²) ∫ q C_iso exp(-q² R rho) dq of the mean height.
+    Heights z are normal with the autocorrelation r(d); y is the sphere. The squared coefficient is
+    the integral of [exp(r(d)/rho²) - 1] exp(-d²/4 R rho)/(4 pi R rho) over the plane of distances
+    d. Its part that is linear in r is (1/2 pi rho²) ∫ q C_iso exp(-q² R rho) dq.
     """
     q = waves.wavevector
     reach = 4 * contact.radius * contact.rho

@@ -4,9 +4,9 @@ Lengths are in nm, wavevectors in rad/nm. Heights above the mean plane are in un
 height, t = z/sigma. The surface is Gaussian.
 
 Points above a high level form clumps, one for each summit. Let r(d) be the autocorrelation of
-heights at the distance d. At the distance delta(t), where sigma² - r(d) is 1/t² of sigma², heights
-still belong to the same summit, and a clump covers pi delta² on average. On a smooth surface this
-gives the density of summits of Nayak, J. Lubr. Technol. 93 (1971) 398. On a rough surface it gives
+heights at the distance d. Heights belong to one summit up to the distance delta(t), at which r =
+(1 - 1/t²) sigma²; a clump covers pi delta² on average. On a smooth surface this gives the density
+of summits of Nayak, J. Lubr. Technol. 93 (1971) 398. On a rough surface it gives
 the density of Pickands (Trans. Am. Math. Soc. 145 (1969) 51), except for his constants: fine
 roughness adds maxima, but no clumps. Clumps are independent at high levels (Aldous, Probability
 Approximations via the Poisson Clumping Heuristic, 1989). Their number above a sphere is therefore
@@ -29,20 +29,20 @@ DISTANCE_COUNT = 120
 #: Levels t of the apex at closest approach: a contact wider than the roughness goes below the mean
 #: plane.
 LEVELS = np.linspace(-6, 8, 701)
-#: Mean clumps in the area of contact beyond which their sum is normal.
+#: Mean number of clumps that fill the contact area above which their total area counts as normal.
 MAX_POISSON_CLUMPS = 50.0
-#: Probability below which a complement of one has too few digits.
+#: Below this probability p, a p computed as one minus its complement has too few digits.
 MIN_COMPLEMENT = 1e-3
 #: Logarithm of a probability that does not count beside one, to the last digit.
 LOG_NEGLIGIBLE_PROBABILITY = -45.0
-#: Below this level heights have no clumps: those of this level stand for them. With 1 the logarithm
-#: of the force changes by 0.04 (median; at most 1.66) on 48 designed surfaces that were not held
-#: out. With 2 it changes by 0.02 (0.45) and its rms error falls from 0.21 to 0.12, which was found
-#: late and is not used.
+#: Lower levels have the clump radius of this level, because their points form no clumps. With 1 the
+#: logarithm of the force changes by 0.04 (median; at most 1.66) on 48 designed surfaces that were
+#: not held out. With 2 it changes by 0.02 (0.45) and its rms error falls from 0.21 to 0.12, which
+#: was found late and is not used.
 LOWEST_CLUMP_LEVEL = 1.2
 #: A sphere follows waves whose total curvature is less than this share of its own curvature. With
 #: 0.05 the logarithm of the force changes by 0.002 (median; at most 0.09) on these surfaces, with
-#: 0.2 by 0.003 (0.10), that of the long edge by at most 0.44.
+#: 0.2 by 0.003 (0.10), and the logarithm of the long edge by at most 0.44.
 MAX_FOLLOWED_CURVATURE = 0.1
 
 
@@ -136,9 +136,9 @@ def apex_distribution(waves: Spectrum, radius: float, area: float) -> ApexDistri
     The lowest level has the probability that no point rises above it.
     """
     radii, clumps, bearing = clumps_above(waves, radius)
-    # No clump rises above the last level; there a clump has its own area.
-    clump = np.append(bearing[:-1] / clumps[:-1], np.pi * radii[-1] ** 2)
-    probability = _probability_of_smaller_area(clumps, area / clump)
+    # No clump rises above the last level; pi delta² stands for its mean area there.
+    clump_area = np.append(bearing[:-1] / clumps[:-1], np.pi * radii[-1] ** 2)
+    probability = _probability_of_smaller_area(clumps, area / clump_area)
     weights = np.append(probability[0], np.maximum(np.diff(probability), 0))
     weights /= weights.sum()
     levels = np.append(LEVELS[0], (LEVELS[1:] + LEVELS[:-1]) / 2)
@@ -148,17 +148,17 @@ def apex_distribution(waves: Spectrum, radius: float, area: float) -> ApexDistri
 def clumps_above(waves: Spectrum, radius: float) -> tuple[Floats, Floats, Floats]:
     """Return radius, number and area of the clumps above a sphere whose apex is at LEVELS.
 
-    They are the radius of a clump in nm, the mean number Lambda of clumps, and the mean area B
-    above the sphere in nm², each (LEVELS,). Waves come from `rough_waves`; the sphere's radius is
+    Returns the clump radius delta in nm, the mean number Lambda of clumps, and their mean total
+    area B in nm², each at LEVELS (n,). Waves come from `rough_waves`; the radius of the sphere is
     in nm.
     """
     radii = clump_radius(waves, LEVELS)
     tail = special.ndtr(-LEVELS)
-    reach = 2 * np.pi * radius * np.sqrt(spectral_moment(waves, 0))
+    area_per_level = 2 * np.pi * radius * np.sqrt(spectral_moment(waves, 0))  # nm²
     return (
         radii,
-        reach * _integral_to_last_level(tail / (np.pi * radii**2)),
-        reach * _integral_to_last_level(tail),
+        area_per_level * _integral_to_last_level(tail / (np.pi * radii**2)),
+        area_per_level * _integral_to_last_level(tail),
     )
 
 
@@ -183,27 +183,28 @@ def _integral_to_last_level(density: Floats) -> Floats:
     return np.append(np.cumsum(cells[::-1])[::-1], 0.0)
 
 
-def _probability_of_smaller_area(clumps: Floats, caps: Floats) -> Floats:
-    """Return the probability (n,) that clumps of exponential area touch less than the contact.
+def _probability_of_smaller_area(clumps: Floats, area_ratio: Floats) -> Floats:
+    """Return the probability (n,) that clumps have a smaller total area than the contact.
 
-    `clumps` (n,) is their mean number, `caps` (n,) the area of contact relative to their mean area.
+    `clumps` (n,) is their mean number. Their areas are distributed exponentially; `area_ratio` (n,)
+    is the area of the contact relative to their mean area.
     """
-    is_few = caps <= MAX_POISSON_CLUMPS
+    is_few = area_ratio <= MAX_POISSON_CLUMPS
     spread = np.sqrt(2 * np.maximum(clumps, 1e-300))
-    probability = special.ndtr((caps - clumps) / spread)
-    # The sum over n is that of the noncentral chi-squared distribution of 2 degrees of freedom,
-    # which has no digits of small probabilities: forces at their levels may be huge.
-    probability[is_few] = 1 - special.chndtr(2 * clumps[is_few], 2, 2 * caps[is_few])
+    probability = special.ndtr((area_ratio - clumps) / spread)
+    # The sum over n is a noncentral chi-squared distribution of 2 degrees of freedom. Its small
+    # probabilities lack digits, but count, because forces at their levels may be huge.
+    probability[is_few] = 1 - special.chndtr(2 * clumps[is_few], 2, 2 * area_ratio[is_few])
     is_rare = is_few & (probability < MIN_COMPLEMENT)
     if is_rare.any():
-        largest = np.max(caps[is_rare])
+        largest = np.max(area_ratio[is_rare])
         counts = np.arange(1, int(largest + 8 * np.sqrt(largest) + 25) if largest else 1)[:, None]
         with np.errstate(divide="ignore"):
             log_poisson = (
                 counts * np.log(clumps[is_rare]) - clumps[is_rare] - special.gammaln(counts + 1)
             )
-        number, column = np.nonzero(log_poisson > LOG_NEGLIGIBLE_PROBABILITY)
-        terms = special.gammainc(counts[number, 0], caps[is_rare][column])
-        terms *= np.exp(log_poisson[number, column])
+        row, column = np.nonzero(log_poisson > LOG_NEGLIGIBLE_PROBABILITY)
+        terms = special.gammainc(counts[row, 0], area_ratio[is_rare][column])
+        terms *= np.exp(log_poisson[row, column])
         probability[is_rare] = np.exp(-clumps[is_rare]) + np.bincount(column, terms, is_rare.sum())
     return np.asarray(np.clip(probability, 0, 1))

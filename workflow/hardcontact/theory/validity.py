@@ -29,7 +29,7 @@ DESIGNED_SURFACES = Path(__file__).with_name("designed_surfaces.csv")
 #: Number of surfaces nearest to an input whose errors count. Another error of the same distribution
 #: lies between the smallest and the largest of n errors with the probability (n - 1)/(n + 1): 0.9.
 NEAREST_SURFACES = 19
-#: A smaller modulus counts as this one. It is 0 where the sphere goes below the mean plane.
+#: Smaller moduli count as this one: below the mean plane the modulus is 0 and has no logarithm.
 MIN_WEIBULL_MODULUS = 1e-3
 #: Predicted and computed quantities: columns of the table.
 VALIDATED_QUANTITIES = ("force", "short_edge", "long_edge")
@@ -106,15 +106,15 @@ def hurst_and_bend(waves: Spectrum, contact_length: float) -> tuple[float, float
 def nearest_errors(point: Mapping[str, Any], name: str) -> tuple[float, float]:
     """Return the smallest and the largest error among the surfaces of the table nearest to a point.
 
-    Distances are those between the logarithms of modulus and contact_over_rolloff. A surface of
-    another regime is farther by one. A point outside the table is moved to its border. An error of
-    a quantity, one of VALIDATED_QUANTITIES, is the computed relative to the predicted value.
+    `name` is one of VALIDATED_QUANTITIES; errors are its computed over its predicted value. The
+    distance is Euclidean in ln(weibull_modulus) and ln(contact_over_rolloff), plus one in another
+    regime. A point outside the table is moved to its border.
     """
     surfaces = held_out_surfaces().dropna(subset=f"{name}_error")
     axes = ["weibull_modulus", "contact_over_rolloff"]
-    rows = np.maximum(surfaces[axes].to_numpy(), MIN_WEIBULL_MODULUS)
-    nearest_inside = np.clip([point[axis] for axis in axes], rows.min(axis=0), rows.max(axis=0))
-    log_distances = np.log(rows / nearest_inside)
+    points = np.maximum(surfaces[axes].to_numpy(), MIN_WEIBULL_MODULUS)
+    inside = np.clip([point[axis] for axis in axes], points.min(axis=0), points.max(axis=0))
+    log_distances = np.log(points / inside)
     distance = np.hypot(*log_distances.T) + (surfaces["regime"] != point["regime"]).to_numpy()
     errors = surfaces[f"{name}_error"].iloc[np.argsort(distance)[:NEAREST_SURFACES]]
     return float(errors.min()), float(errors.max())
@@ -127,15 +127,15 @@ def is_validated(waves: Spectrum, contact: Contact, form: ClosedForm) -> bool:
 
 def validated_ranges(waves: Spectrum, contact: Contact, form: ClosedForm) -> Iterator[Number]:
     """Yield the parameters on which an error depends, with their ranges in the table."""
-    values = {
+    parameters = {
         "rho": contact.rho,
         "radius": contact.radius,
         **table_coordinates(waves, contact, form),
     }
     for name, unit in VALIDATED_PARAMETERS.items():
         lowest, highest = held_out_surfaces()[name].agg(["min", "max"])
-        status = INSIDE if lowest <= values[name] <= highest else OUTSIDE
-        yield Number(f"validated_{name}", values[name], unit, lowest, highest, status)
+        status = INSIDE if lowest <= parameters[name] <= highest else OUTSIDE
+        yield Number(f"validated_{name}", parameters[name], unit, lowest, highest, status)
 
 
 def tabor_number(contact: Contact, effective_modulus: float) -> Number:
