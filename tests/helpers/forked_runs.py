@@ -55,6 +55,8 @@ def call_main(folder, module, words, environment, output):
     for descriptor in (1, 2):
         os.dup2(output, descriptor)
     sys.stdout = sys.stderr = open(1, "w", buffering=1, encoding="utf-8", closefd=False)
+    if shell := sys.modules.get("snakemake.shell"):
+        shell.STDOUT = None  # Jobs write here, too, and not where pytest captures.
     sys.argv = [module, *words]
     warnings.resetwarnings()
     warnings.simplefilter("ignore")
