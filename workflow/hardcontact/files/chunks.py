@@ -1,6 +1,6 @@
 """Chunks: the pools, samples, whole surfaces and filtered masters that one job computes together.
 
-A chunk is a row, whose fields are the wildcards of a pattern: `SurfaceFiles.paths` makes its file.
+The fields of a chunk are the wildcards of a pattern, from which `SurfaceFiles.paths` makes a path.
 """
 
 from collections import namedtuple
@@ -18,7 +18,7 @@ from hardcontact.surfaces.features import GAUSSIAN, SIGNS
 from hardcontact.surfaces.synthesis import SIDES
 
 #: Scans of a pool, and samples of surfaces with features, in one job: a trade, as MASTERS_CHUNK is.
-#: Jobs stay as they are if a study has more of them.
+#: If a study has more of them, all full jobs stay as they are.
 POOL_CHUNK = 15
 FEATURED_SAMPLES_CHUNK = 10
 
@@ -30,7 +30,7 @@ FilteredMasters = namedtuple(
 
 
 def _spans(count: int, step: int) -> list[tuple[int, int]]:
-    """Return the first and the last of each span of the numbers from 1 to a count."""
+    """Split the numbers from 1 to a count into spans; return the first and the last of each."""
     return [(start, min(start + step - 1, count)) for start in range(1, count + 1, step)]
 
 
@@ -46,7 +46,7 @@ class Chunks:
 
     @property
     def pools(self) -> list[Chunk]:
-        """The scans of all pools, for the sets: what compute_pool makes."""
+        """The scans of all pools, for the sets: outputs of rule compute_pool."""
         chunks = _spans(self._configuration["sets"]["pool_size"], POOL_CHUNK)
         featured = self._files.featured_surfaces
         pooled = [name for name in self._selection.substrates_with_pool if name not in featured]
@@ -54,7 +54,7 @@ class Chunks:
 
     @property
     def featured_samples(self) -> list[SampleChunk]:
-        """The samples of surfaces with features, for the sets: what compute_featured_samples makes.
+        """The samples of surfaces with features, for the sets: outputs of compute_featured_samples.
 
         Each set takes one sample, of bumps and pits in turn. Gaussian surfaces make one chunk.
         """
@@ -69,17 +69,17 @@ class Chunks:
 
     @property
     def whole_surfaces(self) -> list[Chunk]:
-        """The whole surfaces of all substitute substrates: what compute_whole makes."""
+        """The whole surfaces of all substitute substrates: outputs of rule compute_whole."""
         chunks = _spans(self._configuration["scales"]["whole_surfaces"], MASTERS_CHUNK)
         return [Chunk(surface, *chunk) for surface in self._files.substitutes for chunk in chunks]
 
     # Masters
 
     def filtered_masters(self, purpose: str = "scales") -> list[FilteredMasters]:
-        """Return the masters of a purpose: what filter_masters makes of their `master_inputs`."""
+        """Return the masters of a purpose: outputs of rule filter_masters."""
         count = get_key(self._configuration, PURPOSES[purpose].realizations)
         chunks = _spans(count, PURPOSES[purpose].realizations_in_job)
-        same_fields = {
+        shared_fields = {
             "purpose": purpose,
             "settings": self._settings_digest(purpose),
             **self._grid_names(purpose),
@@ -90,7 +90,7 @@ class Chunks:
                 probe=self._probe(purpose, surface),
                 first=first,
                 last=last,
-                **same_fields,
+                **shared_fields,
             )
             for surface in self._master_surfaces(purpose)
             for first, last in chunks
@@ -104,7 +104,7 @@ class Chunks:
         return substrates
 
     def _probe(self, purpose: str, surface: str) -> str:
-        """Return which sphere touches the masters; combined if they have its roughness, too."""
+        """Return which sphere touches the masters; combined if masters have its roughness."""
         if surface in self._files.combined_surfaces:
             return "combined"
         is_rough = self._configuration["scales"]["sphere_roughness"] and purpose != "exponents"
@@ -122,31 +122,31 @@ class Chunks:
         }
 
     def _settings_digest(self, purpose: str) -> str:
-        """Return a digest of all that the forces of a purpose depend on, but for the path."""
+        """Return a digest of all keys on which forces depend and which are not in the path."""
         configuration = self._configuration
         values = values_of_keys(configuration, (*SCAN_KEYS, "contact.window", "sphere.surface"))
         if configuration["scales"]["sphere_roughness"] or combines_bodies(configuration):
             values["sphere"] = self._files.sphere_digest
         return short_digest([filter_settings(configuration, purpose), values])
 
-    def master_inputs(self, row: Any) -> dict[str, list[str]]:
-        """Return what rule filter_masters reads for a row, one file a realization.
+    def master_inputs(self, chunk: Any) -> dict[str, list[str]]:
+        """Return the inputs of rule filter_masters for a chunk, one file for each realization.
 
-        Masters of the study are files; others are made from scans and spectra.
+        Masters of the study are files of their own; the job makes others from scans and spectra.
         """
-        files, surface = self._files, row.surface
-        realizations = range(int(row.first), int(row.last) + 1)
-        if PURPOSES[row.purpose].generator_name is None:
+        files, surface = self._files, chunk.surface
+        realizations = range(int(chunk.first), int(chunk.last) + 1)
+        if PURPOSES[chunk.purpose].generator_name is None:
             return {
                 f"{side}_masters": [
-                    files.master_path(surface, number, side) for number in realizations
+                    files.master_path(surface, realization, side) for realization in realizations
                 ]
                 for side in SIDES
             }
-        if row.purpose == "sampled":
-            scans = [files.realization_scan_path(surface, number) for number in realizations]
-            spectra = [files.sampled_spectrum_path(surface, number) for number in realizations]
+        if chunk.purpose == "sampled":
+            scans = [files.realization_scan_path(surface, k) for k in realizations]
+            spectra = [files.sampled_spectrum_path(surface, k) for k in realizations]
         else:
-            scans = [files.separate_scan_path(surface, number) for number in realizations]
+            scans = [files.separate_scan_path(surface, k) for k in realizations]
             spectra = [files.spectrum_path(surface)] * len(scans)
         return {"scans": scans, "spectra": spectra}

@@ -1,4 +1,7 @@
-"""The purposes of filtered masters: why forces on them are computed, and with which settings."""
+"""The purposes for which forces on filtered masters are computed, with their settings.
+
+A master is a scan with artificial roughness; filtered, it lacks all waves beyond a cutoff.
+"""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -9,8 +12,8 @@ from hardcontact.surfaces.synthesis import SIDES
 
 #: A range of adhesion (nm) that is much shorter than the published range.
 SHORT_ADHESION_RANGE = 1.0
-#: Loads to which exponents are fitted, relative to the preload. An eighth makes the contact area
-#: 2.8 times narrower, of some 30 pixels; larger loads move short edges beyond the cutoffs of sets.
+#: Loads to which exponents are fitted, relative to the preload. At an eighth the contact is 2.8
+#: times narrower and has some 30 pixels; larger loads move short edges beyond the cutoffs of sets.
 PRELOAD_SHARES = (1 / 8, 1)
 #: Realizations in one job: few enough to keep all cores busy, and so many that a job takes much
 #: longer than the half second in which it starts.
@@ -23,7 +26,7 @@ class Purpose(NamedTuple):
     section: str  #: Section of the pixels and cutoffs of masters.
     contacts: str  #: Key of the number of contacts per row.
     realizations: str  #: Key of the number of masters of a surface.
-    #: Names the random numbers that masters are made from. None if they are files of the store.
+    #: Name of the random numbers in masters; None if masters are files of the store.
     generator_name: str | None = "variant"
     realizations_in_job: int = MASTERS_CHUNK
     sides: Sequence[str] = SIDES
@@ -33,7 +36,7 @@ class Purpose(NamedTuple):
 PURPOSES = {
     # The band of the study.
     "scales": Purpose("scales", "contact.contacts_per_row", "scales.realizations", None, 1),
-    # The same with sampled spectra, of measured surfaces only. It shares its random numbers.
+    # The same with sampled spectra, of measured surfaces only, and with the same random numbers.
     "sampled": Purpose("scales", "contact.contacts_per_row", "scales.realizations", "master", 1),
     # The edges of each set of substitutes.
     "sets": Purpose("sets", "sets.contacts_per_row", "sets.realizations"),

@@ -1,4 +1,4 @@
-"""Every path of a study: patterns with wildcards, and the values of these."""
+"""The paths of all files of a study: patterns with wildcards, and what wildcards may match."""
 
 import re
 from collections.abc import Iterable, Mapping
@@ -45,7 +45,7 @@ STORE_KEYS = {
     "masters": (*SCAN_KEYS, *_TRANSITIONS, "scales.short.pixels", "scales.long.tiles"),
 }
 
-#: Further keys on which intermediates depend that have the roughness of both bodies.
+#: Intermediates that may have the roughness of both bodies, and the keys on which they then depend.
 BOTH_BODIES_KEYS = ("published", "sphere.surface", "sphere.radius", "seed")
 BOTH_BODIES = frozenset({"both_bodies", "octaves", "masters", "pull_off"})
 
@@ -75,7 +75,7 @@ class Patterns:
     """The paths of a study, with wildcards in braces where a rule makes several files.
 
     Paths of intermediates contain the values of the quantities that people sweep, and a digest of
-    all other keys on which they depend. Files of two values therefore exist at the same time.
+    all other keys on which they depend. Files for several values of a key can therefore coexist.
     """
 
     def __init__(self, results: str, store: str, sphere: str, digests: Mapping[str, str]) -> None:
@@ -104,7 +104,7 @@ class Patterns:
         self.pool = f"{folder['pool']}/{contact}/scans-{{first}}-{{last}}.nc"
         self.whole = f"{folder['whole']}/{contact}/surfaces-{{first}}-{{last}}.nc"
         self.octaves = f"{folder['octaves']}/{rough_sphere}/{contact}/scan-{{scan}}.nc"
-        # The band found here is the study's own.
+        # Not in the store: these forces are of the band that the study itself found.
         self.band_forces = f"{results}/band/{{surface}}.nc"
         self.featured_samples = (
             f"{folder['featured_samples']}/{contact}/{{features}}/samples-{{first}}-{{last}}.nc"
@@ -115,7 +115,7 @@ class Patterns:
         self.long_master = self.master.replace("{side}", "long")
         # A spectrum sampled within the uncertainty of the measurements.
         self.sampled_spectrum = f"{folder['sampled_spectra']}/{_REALIZATION}.nc"
-        # Forces at lists of radii, loads and ranges; settings: a digest of those of the purpose.
+        # Forces at lists of radii, loads and ranges; settings: `Chunks._settings_digest`.
         grid = f"{{radii}}/{{loads}}/{{ranges}}/{_SURFACE}"
         realizations = "realizations-{first}-{last}-{probe}-sphere"
         # The roughness of both bodies.

@@ -78,7 +78,7 @@ class SurfaceFiles:
         return {"tip_radii": self.selection.tip_radii(surface), **self.levelling_settings(surface)}
 
     def conditioning_path(self, surface: str, scan: int) -> str:
-        """Return the gain and factors that a substitute scan shares with its group."""
+        """Return the file of the gain and factors that a substitute scan shares with its group."""
         group = self.selection.group(surface, scan)
         first_scan = self.selection.scans_of_group(surface, group)[0]
         return self.path(self.patterns.conditioning, surface, scan=first_scan)
@@ -94,7 +94,7 @@ class SurfaceFiles:
 
     @property
     def scan_groups(self) -> dict[tuple[int, ...], list[str]]:
-        """The numbers of scans that are made together, and the substitutes that have such scans."""
+        """Groups of scans that are made together, by numbers, each with its substitutes."""
         realizations = max(self.configuration[key]["realizations"] for key in ("sets", "exponents"))
         selection = self.selection
         groups = defaultdict[tuple[int, ...], list[str]](list)
@@ -109,12 +109,12 @@ class SurfaceFiles:
         return self.path(self.patterns.stitched, surface, scan=scan)
 
     def realization_scan_path(self, surface: str, realization: int) -> str:
-        """Return the scan that a realization builds on, in turn where there are fewer scans."""
+        """Return the scan of a realization; realizations use the scans in turn."""
         scans = self.selection.scans(surface)
         return self.roughness_path(surface, scans[(realization - 1) % len(scans)])
 
     def separate_scan_path(self, surface: str, realization: int) -> str:
-        """Return the scan of a realization alone, which a substitute has; in turn if measured."""
+        """Return a scan that no other realization uses; scans in turn for a measured surface."""
         if self.selection.basis[surface] == "measured":
             return self.realization_scan_path(surface, realization)
         return self.roughness_path(surface, self.selection.separate_scan(surface, realization))
@@ -171,13 +171,13 @@ class SurfaceFiles:
         return int(pairs[surface, scan])
 
     def measurements_of_map(self, surface: str, scan: int) -> list[int]:
-        """Return the measurements of the spectrum of a surface that show a map of its roughness."""
+        """Return the indices of the measurements, in a spectrum, whose roughness a map has."""
         scans = self.selection.all_scans(surface)
-        numbers = [scans.index(scan)]
+        indices = [scans.index(scan)]
         if surface in self.combined_surfaces:
             sphere_scans = self.selection.all_scans(self.selection.sphere)
-            numbers.append(len(scans) + sphere_scans.index(self.sphere_scan(surface, scan)))
-        return numbers
+            indices.append(len(scans) + sphere_scans.index(self.sphere_scan(surface, scan)))
+        return indices
 
     @property
     def positions_per_row(self) -> int:
