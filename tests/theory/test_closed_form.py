@@ -13,7 +13,7 @@ from hardcontact.surfaces.spectrum import Spectrum
 from hardcontact.surfaces.synthesis import random_surface
 from hardcontact.theory.closed_form import (
     SINGLE_PEAKS,
-    SMOOTH,
+    SMOOTH_SURFACE,
     closed_form,
     critical_band,
     filtered_spectrum,
@@ -53,9 +53,11 @@ def test_without_roughness_the_closed_form_is_the_force_of_a_smooth_sphere():
     relative = 1 + contact().area / (2 * np.pi * RADIUS * contact().rho)
     assert form.force == pytest.approx(2 * np.pi * RADIUS * 1e-9 * relative)
     assert form.dmt_ratio == pytest.approx(relative, rel=1e-12)
-    assert (form.regime, form.weibull_modulus) == (SMOOTH, np.inf)
+    assert (form.regime, form.weibull_modulus) == (SMOOTH_SURFACE, np.inf)
     nearly_smooth = closed_form(rough(0.02), contact())
-    assert nearly_smooth.regime == SMOOTH and nearly_smooth.dmt_ratio == pytest.approx(1, abs=0.03)
+    assert nearly_smooth.regime == SMOOTH_SURFACE and nearly_smooth.dmt_ratio == pytest.approx(
+        1, abs=0.03
+    )
     assert np.isnan(critical_band(flat, contact(), 0.1)).all()
 
 

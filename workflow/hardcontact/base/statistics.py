@@ -26,7 +26,7 @@ MAX_LOG_DEVIATION = 50.0
 #: Median distance of normal values from their mean, in standard deviations.
 MEDIAN_DEVIATION = 0.6745
 #: The ends of an interval, in their order along the dimension `bound`.
-BOUNDS = ["low", "high"]
+ENDS = ["low", "high"]
 
 
 def with_interval(
@@ -46,7 +46,7 @@ def with_interval(
     return {
         name: (names, value, attributes),
         f"{name}_interval": xr.DataArray(
-            interval, {"bound": BOUNDS}, (*names, "bound"), attrs=attributes
+            interval, {"bound": ENDS}, (*names, "bound"), attrs=attributes
         ).assign_attrs(confidence=confidence),
     }
 
@@ -120,7 +120,7 @@ def interval_between(low: xr.DataArray, high: xr.DataArray) -> xr.DataArray:
     """Return both ends of an interval in one array, along a new last dimension `bound`."""
     low, high = xr.broadcast(low, high)
     ends = np.stack([low.values, high.values], axis=-1)  # xr.concat takes five times as long
-    return xr.DataArray(ends, {**low.coords, "bound": BOUNDS}, (*low.dims, "bound"))
+    return xr.DataArray(ends, {**low.coords, "bound": ENDS}, (*low.dims, "bound"))
 
 
 def student_log_samples(rng: np.random.Generator, values: Floats, sample_count: int) -> Floats:

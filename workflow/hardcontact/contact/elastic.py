@@ -37,8 +37,8 @@ PRESSURE_MAP_PIXELS = 64
 #: Overlap (nm) that pixels may have: far below the range of adhesion.
 MAX_OVERLAP = 1e-6
 #: Pixels that may touch first, and at most: the dense matrix then takes 128 MB.
-FIRST_PIXELS = 32
-MAX_CONTACT_PIXELS = 4000
+FIRST_TOUCHING_PIXELS = 32
+MAX_TOUCHING_PIXELS = 4000
 EXPECTED = "expected an elastic contact in equilibrium"
 #: Steps of the active set, which needs about ten.
 MAX_ITERATIONS = 200
@@ -107,15 +107,15 @@ def press(half_space: HalfSpace, gap: Floats, load: float) -> Wall:
     """Press a rough body, with this gap (n, n) in nm at any approach, onto a half space.
 
     The load is in nN. The lowest pixels touch first; pixels that would overlap join them. Raises
-    ValueError if more than MAX_CONTACT_PIXELS do.
+    ValueError if more than MAX_TOUCHING_PIXELS do.
     """
     if load == 0:  # The lowest pixel touches without a force.
         return Wall(np.zeros_like(gap), gap - gap.min())
-    is_candidate = gap <= largest_contact_gap(gap, FIRST_PIXELS)
+    is_candidate = gap <= largest_contact_gap(gap, FIRST_TOUCHING_PIXELS)
     while True:
         pixels = np.argwhere(is_candidate)
-        if len(pixels) > MAX_CONTACT_PIXELS:
-            raise ValueError(f"{EXPECTED}, found more than {MAX_CONTACT_PIXELS} touching pixels")
+        if len(pixels) > MAX_TOUCHING_PIXELS:
+            raise ValueError(f"{EXPECTED}, found more than {MAX_TOUCHING_PIXELS} touching pixels")
         forces, approach = wall_forces(half_space.influence(pixels), gap[is_candidate], load)
         all_forces = np.zeros_like(gap)
         all_forces[is_candidate] = forces

@@ -7,11 +7,9 @@ from typing import Any
 
 from hardcontact.base.origin import short_digest
 from hardcontact.config.configuration import combines_bodies, get_key
+from hardcontact.config.model import SMOOTH_SPHERE
 from hardcontact.files.master_purposes import PURPOSES
 from hardcontact.surfaces.features import KINDS
-
-#: Stands for the digest of the files of a sphere without scans.
-SMOOTH = "smooth"
 
 _READING = ("scan.undefined_pixels", "scan.unit", "scan.map_size", "scan.mask")
 _MEASURED = (*_READING, "scan.levelling", "scans")
@@ -191,5 +189,5 @@ def wildcard_constraints(surfaces: Iterable[str]) -> dict[str, str]:
         "purpose": "|".join(PURPOSES),
         "settings": "[0-9a-f]+",
         "digest": "[0-9a-f]+",
-        "sphere_digest": f"[0-9a-f]+|{SMOOTH}",
+        "sphere_digest": f"[0-9a-f]+|{SMOOTH_SPHERE}",
     }

@@ -8,9 +8,10 @@ from typing import Any
 
 from hardcontact.base.units import path_token
 from hardcontact.config.configuration import combines_bodies, study_contact
+from hardcontact.config.model import SMOOTH_SPHERE
 from hardcontact.config.selected_surfaces import Selection
 from hardcontact.contact.geometry import POSITION_CONTACTS_PER_ROW, SPHERE_POSITIONS
-from hardcontact.files.patterns import SMOOTH, Patterns
+from hardcontact.files.patterns import Patterns
 
 # Rows of lists: their fields are wildcards of patterns.
 Scan = namedtuple("Scan", "surface scan")
@@ -27,7 +28,7 @@ class SurfaceFiles:
         self.selection = selection
         self.patterns = patterns
         self.contact = study_contact(configuration)
-        self.sphere_digest = selection.file_digests.get(selection.sphere, SMOOTH)
+        self.sphere_digest = selection.file_digests.get(selection.sphere, SMOOTH_SPHERE)
         self._defaults = {
             "radius": f"R{path_token(configuration['sphere']['radius'], 'um')}",
             "load": self.contact.load_name,

@@ -9,7 +9,7 @@ from operator import truediv
 import numpy as np
 import xarray as xr
 
-from hardcontact.base.statistics import BOUNDS, widen_interval, with_interval
+from hardcontact.base.statistics import ENDS, widen_interval, with_interval
 from hardcontact.base.units import DIMENSIONLESS, NM
 from hardcontact.inference.curve_edges import (
     RIPPLES,
@@ -120,7 +120,7 @@ def edges_of_curves(ratios: xr.Dataset, tolerance: float) -> xr.Dataset:
     variables = edge_variables(edges, dimensions, shape)
     interval = np.reshape(intervals, (*shape, 2))
     variables["edge_interval"] = ((*dimensions, "bound"), interval, NM)
-    return xr.Dataset(variables, {dim: ratios[dim] for dim in dimensions} | {"bound": BOUNDS})
+    return xr.Dataset(variables, {dim: ratios[dim] for dim in dimensions} | {"bound": ENDS})
 
 
 def _curve_with_interval(

@@ -38,8 +38,8 @@ from hardcontact.theory.validity import OUTSIDE, is_validated, nearest_errors, t
 CONTACTS_PER_ROW = 20
 #: Most pixels per row of a scan, and most contact pixels of all contacts and force sums, with
 #: their images in the window: both keep the time below a few seconds.
-MAX_PIXELS = 2048
-MAX_CONTACT_PIXELS = 2**23
+MAX_QUICK_PIXELS = 2048
+MAX_QUICK_CONTACT_PIXELS = 2**23
 #: Statuses of a force that is not computed: there is no map or more than one, it is too large, or
 #: the range of adhesion is too short for its pixels or its relief.
 NO_MAP = "no_map"
@@ -103,7 +103,7 @@ def obstacle_to_force(
     window = contact_on_scan(scan, contact).window
     contact_pixels = contact.pixel_count(scan.pixel_size) * periods_in_window(window, scan.size)
     contact_pixels *= CONTACTS_PER_ROW**2 * sums
-    if scan.pixels > MAX_PIXELS or contact_pixels > MAX_CONTACT_PIXELS:
+    if scan.pixels > MAX_QUICK_PIXELS or contact_pixels > MAX_QUICK_CONTACT_PIXELS:
         return TOO_LARGE, math.nan
     grid = Grid(scan.pixels, scan.pixel_size, scan.size, float(np.ptp(scan.heights)))
     shortest_range, _ = minimum_range(contact.radius, window, grid)

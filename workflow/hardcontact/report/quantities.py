@@ -31,7 +31,7 @@ NO_INTERVAL = {
     "few_patches": "not bounded: contacts touch too few patches",
 }
 #: Words before a value that is a bound, by its status.
-BOUNDS = {"open_above": "at least ", "open_below": "at most "}
+OPEN_WORDS = {"open_above": "at least ", "open_below": "at most "}
 
 
 def number_of(
@@ -71,7 +71,7 @@ def ends_only(name: str, low: float, high: float, unit: str = "1") -> Number:
 
 def bare(number: Number) -> Number:
     """Return a number without its interval; a bound remains a bound."""
-    status = number.status if number.status in BOUNDS else ""
+    status = number.status if number.status in OPEN_WORDS else ""
     return number._replace(low=math.nan, high=math.nan, status=status)
 
 
@@ -93,7 +93,7 @@ def printed(number: Number, digits: int = 3, end: str = "") -> str:
 def in_words(number: Number, digits: int = 3) -> str:
     """Return a number with its interval in words, as its status asks for."""
     if math.isfinite(number.value):
-        bound = BOUNDS.get(number.status, "")
+        bound = OPEN_WORDS.get(number.status, "")
         return bound + printed(number, digits) + _unbounded(number, digits)
     low, high = math.isfinite(number.low), math.isfinite(number.high)
     if low and high:

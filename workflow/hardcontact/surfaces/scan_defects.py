@@ -67,7 +67,7 @@ POLYNOMIAL_POINTS = 32
 #: longer random waves are few.
 MIN_LAY_RATIO = 3.0
 MIN_LAY_SHARE = 0.1
-MIN_WAVELENGTH_PIXELS = 4
+MIN_PIXELS_PER_WAVE = 4
 MIN_WAVES = 4
 #: Smallest correlation of steps from line to line with the next: they have 0 if heights walk at
 #: random, and -0.5 if each line is offset at random, which is noise of the instrument.
@@ -244,7 +244,7 @@ def _lay_numbers(heights: Floats) -> tuple[list[float], float]:
     waves = np.fft.fftfreq(pixels, 1 / pixels)
     wavevector = waves + 1j * waves[:, None]  # x + iy, in waves across the map
     size = np.abs(wavevector)
-    is_resolved = (MIN_WAVES <= size) & (size <= pixels / MIN_WAVELENGTH_PIXELS)
+    is_resolved = (MIN_WAVES <= size) & (size <= pixels / MIN_PIXELS_PER_WAVE)
     # opposite wavevectors have the same square
     squares = (power[is_resolved] * (wavevector[is_resolved] / size[is_resolved]) ** 2).sum()
     direction = np.exp(0.5j * np.angle(squares))
@@ -253,7 +253,7 @@ def _lay_numbers(heights: Floats) -> tuple[list[float], float]:
 
     def profile_variance(axis: complex) -> float:
         component = np.abs((wavevector * np.conj(axis)).real)
-        in_profile = (MIN_WAVES <= component) & (component <= pixels / MIN_WAVELENGTH_PIXELS)
+        in_profile = (MIN_WAVES <= component) & (component <= pixels / MIN_PIXELS_PER_WAVE)
         return float(power[in_profile].sum())
 
     variance_along = profile_variance(direction)

@@ -30,7 +30,7 @@ from hardcontact.theory.summits import (
 )
 
 #: Regimes: roughness hardly changes the force, many points carry it, or a few summits carry it.
-SMOOTH, MANY_POINTS, SINGLE_PEAKS = "smooth", "many points", "single peaks"
+SMOOTH_SURFACE, MANY_POINTS, SINGLE_PEAKS = "smooth", "many points", "single peaks"
 #: A surface counts as smooth if its force exceeds this share of the force on a smooth surface, both
 #: without the area in contact.
 SMOOTH_SHARE = 0.9
@@ -56,7 +56,7 @@ class ClosedForm:
     apex_height: float  #: The mean of m in nm, positive above the mean plane.
     #: k = rho m/sigma²; 0 if m is below the mean plane, infinite without roughness.
     weibull_modulus: float
-    regime: str  #: SMOOTH, MANY_POINTS or SINGLE_PEAKS.
+    regime: str  #: SMOOTH_SURFACE, MANY_POINTS or SINGLE_PEAKS.
 
 
 def contact_term(contact: Contact) -> float:
@@ -91,7 +91,7 @@ def closed_form(spectrum: Spectrum, contact: Contact, *, all_rough: bool = True)
     waves = rough_waves(spectrum, contact.radius)
     if waves is None:  # The limit of an rms height of zero.
         force = smooth_force(contact)
-        return ClosedForm(force, force / smooth, 0.0, 0.0, np.inf, SMOOTH)
+        return ClosedForm(force, force / smooth, 0.0, 0.0, np.inf, SMOOTH_SURFACE)
     sigma = float(np.sqrt(spectral_moment(waves, 0)))
     apex = apex_distribution(waves, contact.radius, contact.area)
     mean_surface_term, summit_term = _terms(waves, apex, contact, GENERATIONS, all_rough)
@@ -100,7 +100,7 @@ def closed_form(spectrum: Spectrum, contact: Contact, *, all_rough: bool = True)
     weibull_modulus = max(contact.rho * m / sigma**2, 0.0)
     regime = SINGLE_PEAKS if weibull_modulus < 1 else MANY_POINTS
     if mean_surface_term + summit_term > SMOOTH_SHARE:
-        regime = SMOOTH
+        regime = SMOOTH_SURFACE
     return ClosedForm(smooth * dmt_ratio, dmt_ratio, sigma, m, weibull_modulus, regime)
 
 

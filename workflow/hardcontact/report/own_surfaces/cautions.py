@@ -32,7 +32,7 @@ from hardcontact.theory.validity import HARD
 #: Fewest pixels in contact: below, rounding to whole pixels may change the area by over 5 %.
 MIN_CONTACT_PIXELS = 10
 #: Number of pixels in the shortest wavelength of a scan.
-MIN_WAVELENGTH_PIXELS = 2
+NYQUIST_PIXELS = 2
 #: Largest ratio of added power to the power in the scans without a caution.
 MAX_POWER_RATIO = 2.0
 #: Largest distance of the upper end of an interval, relative to that of the lower end, in the
@@ -291,7 +291,7 @@ def _excess_roughness(spectra: xr.Dataset) -> Caution | None:
     q = spectra["bin_wavevector"].values
     wavelength = 2 * np.pi / q
     scans = scans_of(spectra)
-    is_resolved = wavelength >= MIN_WAVELENGTH_PIXELS * scans["pixel_size"].values[:, None]
+    is_resolved = wavelength >= NYQUIST_PIXELS * scans["pixel_size"].values[:, None]
     densities = np.where(is_resolved & np.isfinite(scans["psd"].values), scans["psd"].values, 0.0)
     scan_density = densities.max(axis=0, initial=0.0)
     added_density = np.interp(q, spectra["wavevector"].values, spectra["spectrum"].values)

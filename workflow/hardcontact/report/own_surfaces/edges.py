@@ -17,7 +17,7 @@ from hardcontact.report.own_surfaces.artificial_roughness import (
     overlaps_any,
 )
 from hardcontact.report.own_surfaces.datasets import Datasets
-from hardcontact.report.quantities import BOUNDS, bare, ends, ends_only
+from hardcontact.report.quantities import OPEN_WORDS, bare, ends, ends_only
 from hardcontact.surfaces.both_bodies import sphere_share
 from hardcontact.surfaces.synthesis import SIDES
 
@@ -134,7 +134,8 @@ def next_scans(edges: Iterable[Number], spectra: xr.Dataset) -> list[NextScan]:
     return [
         _next_scan(edge, spectra)
         for edge in edges
-        if edge.status in (*BOUNDS, "no_band") or edge.source in ("artificial", "partly_artificial")
+        if edge.status in (*OPEN_WORDS, "no_band")
+        or edge.source in ("artificial", "partly_artificial")
     ]
 
 
@@ -150,7 +151,7 @@ def _next_scan(edge: Number, spectra: xr.Dataset) -> NextScan:
     if np.isnan(wavelength):
         measured_end = "shortest_measured" if is_finer else "longest_measured"
         wavelength = spectra[measured_end].item()
-    if edge.status in BOUNDS:
+    if edge.status in OPEN_WORDS:
         is_finer = edge.status == "open_below"
     if is_finer:
         _, longest_below = max(band for band in bands if band[0] < wavelength)
