@@ -3,6 +3,7 @@
 import numpy as np
 import xarray as xr
 
+from hardcontact.base.dataset import stack
 from hardcontact.contact import stacked_datasets
 
 DESCRIBED = {"labels": {"a": "A", "b": "B"}, "basis": {"a": "measured", "b": "substitute"}}
@@ -10,13 +11,13 @@ CONTACTS = ("contact_y", "contact_x")
 
 
 def pair_forces(value, pixels):
-    """Return forces of one pair, with contacts at its own positions."""
+    """Return forces of one pair, with contacts by number."""
     return xr.Dataset(
         {
             "pull_off_force": (CONTACTS, np.full((2, 2), value)),
             "contact_pixel_count": ("contact_model", [1, pixels], {"units": "1"}),
         },
-        {axis: (axis, [1.5 * pixels, 2.5 * pixels]) for axis in CONTACTS},
+        {axis: [0, 1] for axis in CONTACTS},
         {"work_of_adhesion": 1.0},
     )
 
@@ -26,8 +27,8 @@ def test_forces_of_all_pairs_are_stacked_with_nan_for_missing_pairs():
     pairs = {key: pair_forces(float(k), 10 + k) for k, key in enumerate(keys)}
     changes = {("a", 1): 0.1, ("b", 1): 0.2, ("b", 2): 0.3}
     scans = {
-        scan: stacked_datasets.stack_sphere_scans(
-            {key[2]: pair for key, pair in pairs.items() if key[:2] == scan}
+        scan: stack(
+            {key[2:]: pair for key, pair in pairs.items() if key[:2] == scan}, ["sphere_scan"]
         ).assign(wider_window_change=((), change, {"units": "1"}))
         for scan, change in changes.items()
     }
@@ -36,7 +37,6 @@ def test_forces_of_all_pairs_are_stacked_with_nan_for_missing_pairs():
         pair_labels = {"surface": surface, "scan": scan, "sphere_scan": sphere_scan}
         np.testing.assert_array_equal(forces.pull_off_force.sel(pair_labels), k)
     assert np.isnan(forces.pull_off_force.sel(surface="a", scan=2)).all()
-    assert forces.contact_x.values.tolist() == [0, 1]
     assert forces.contact_pixel_count.values.tolist() == [1, 13]
     assert forces.wider_window_change.dims == ("surface", "scan")
     np.testing.assert_array_equal(forces.wider_window_change, [[0.1, np.nan], [0.2, 0.3]])

@@ -23,10 +23,7 @@ FORCE_QUANTITY = Quantity("N", 1e-15, 1e3)
 
 
 def measured_forces(
-    path: str | Path,
-    surfaces: Collection[str],
-    radius: float,
-    given_as: str = "config key forces",
+    path: str | Path, surfaces: Collection[str], radius: float, given_as: str = "config key forces"
 ) -> pd.DataFrame:
     """Read the user's own pull-off forces on the surfaces of a study.
 

@@ -59,9 +59,7 @@ def study_contacts(config: dict[str, Any]) -> dict[str, NamedContact]:
         "indents": replace(scan_contact, contact=largest, preload="config key indent.preloads"),
         "scales": master_contact,
         "sets": replace(
-            master_contact,
-            contact=set_contact,
-            contacts_per_row="config key sets.contacts_per_row",
+            master_contact, contact=set_contact, contacts_per_row="config key sets.contacts_per_row"
         ),
     }
 
@@ -145,12 +143,7 @@ def _pair_faults(config: dict[str, Any], surface: str, grid: Grid, sphere_grid: 
 
 
 def _master_faults(
-    config: dict[str, Any],
-    section: str,
-    side: str,
-    surface: str,
-    grid: Grid,
-    sphere_grid: Grid,
+    config: dict[str, Any], section: str, side: str, surface: str, grid: Grid, sphere_grid: Grid
 ) -> list[str]:
     """Return the faults on the masters of one side that are built on a surface."""
     keys = master_keys(config, section, side)

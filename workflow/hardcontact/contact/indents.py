@@ -142,9 +142,5 @@ def _add_height_maps(
             np.array([indentation_map(pixels, MAP_HALF_WIDTH) for pixels in pixels_by_load]),
             NM,
         ),
-        sphere_height=(
-            ("y", "x"),
-            bodies.sphere(row + offsets, column + offsets),
-            NM,
-        ),
+        sphere_height=(("y", "x"), bodies.sphere(row + offsets, column + offsets), NM),
     ).assign_coords(y=("y", position, axis), x=("x", position, axis))

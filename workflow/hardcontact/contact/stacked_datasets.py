@@ -6,7 +6,6 @@ from typing import Any, TypedDict
 import xarray as xr
 
 from hardcontact.base.dataset import stack
-from hardcontact.contact.contact import CONTACT_AXES
 
 #: Datasets by their labels: the surface first.
 DatasetsByLabels = Mapping[tuple[Any, ...], xr.Dataset]
@@ -28,20 +27,10 @@ def add_names(dataset: xr.Dataset, named_surfaces: NamedSurfaces) -> xr.Dataset:
     )
 
 
-def stack_sphere_scans(pairs: Mapping[int, xr.Dataset]) -> xr.Dataset:
-    """Return forces of `pull_off_dataset` over (sphere_scan, ...), with contacts by number."""
-    # Positions of contacts differ between pixel sizes.
-    numbered = {
-        (scan,): pair.assign_coords({axis: range(pair.sizes[axis]) for axis in CONTACT_AXES})
-        for scan, pair in pairs.items()
-    }
-    return stack(numbered, ["sphere_scan"])
-
-
 def stack_pull_off_forces(scans: DatasetsByLabels, named_surfaces: NamedSurfaces) -> xr.Dataset:
     """Stack the pull-off forces of all surfaces, pairs of scans, contact models and ranges.
 
-    `scans` has the dataset of `stack_sphere_scans`, with `wider_window_change`, by (surface, scan).
+    `scans` has the dataset of `judged_pull_off` by (surface, scan).
     Returns the same variables over (surface, scan, ...); ``contact_pixel_count`` (contact_model) is
     the largest of all pairs.
     """

@@ -17,8 +17,7 @@ from hardcontact.contact.geometry import (
     join_bodies,
     spheres_at_positions,
 )
-from hardcontact.contact.pull_off import pull_off_dataset
-from hardcontact.contact.stacked_datasets import stack_sphere_scans
+from hardcontact.contact.scan_pull_off import pull_off_on_spheres
 from hardcontact.inference.octaves import make_force_function
 from hardcontact.inference.wide_pixels import widen_pixels
 from hardcontact.own.mean_forces import (
@@ -131,12 +130,7 @@ def _forces(surface: HeightMap, body_maps: Sequence[HeightMap], contact: Contact
         contact = replace(contact, contacts_per_row=POSITION_CONTACTS_PER_ROW)
         positions = spheres_at_positions(sphere, math.isqrt(SPHERE_POSITIONS))
         pairs = [join_bodies(substrate, position, contact) for position in positions]
-    return stack_sphere_scans(
-        {
-            number: pull_off_dataset(pair, contact, [contact.rho])
-            for number, pair in enumerate(pairs)
-        }
-    )
+    return pull_off_on_spheres(dict(enumerate(pairs)), contact, [contact.rho])
 
 
 def extend_low_end(number: Number, wide_pixel_ratio: float) -> Number:

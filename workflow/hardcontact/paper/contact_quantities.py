@@ -54,8 +54,7 @@ def classical_over_numerical(classical: xr.Dataset, fit: xr.Dataset) -> xr.Datas
     Its dimensions are metrics, model, force_source and contact_model.
     """
     return quotient(
-        variable_as_number(classical, "mean_relative_error"),
-        variable_as_number(fit, "best_error"),
+        variable_as_number(classical, "mean_relative_error"), variable_as_number(fit, "best_error")
     )
 
 

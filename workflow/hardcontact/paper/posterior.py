@@ -41,11 +41,7 @@ def log_mean_error(shape: ArrayLike, count: int) -> Floats:
 
 
 def posterior_samples(
-    log_curves: Floats,
-    log_targets: Floats,
-    errors: Floats,
-    rng: np.random.Generator,
-    count: int,
+    log_curves: Floats, log_targets: Floats, errors: Floats, rng: np.random.Generator, count: int
 ) -> tuple[NDArray[np.int_], Floats]:
     """Return samples of the index of the range, and of the logarithm of the work of adhesion.
 

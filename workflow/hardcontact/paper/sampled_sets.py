@@ -123,11 +123,7 @@ def _scale_scans(pool_scans: xr.Dataset, heights: Floats) -> xr.Dataset:
     log_forces = np.einsum("na,na...->n...", weights, pool_scans["log_force"].values)
     axes = ("scan", "contact_model", "rho", "contact_y", "contact_x")
     variables = {
-        name: (
-            "scan",
-            pool_scans[name].values * factor,
-            pool_scans[name].attrs,
-        )
+        name: ("scan", pool_scans[name].values * factor, pool_scans[name].attrs)
         for name in TABLE1_METRICS.values()
     } | {
         "pull_off_force": (axes, np.exp(log_forces), NEWTON),

@@ -217,11 +217,7 @@ def condition_group(
         met_rows = [row for row in met_rows if row in rows_within_tolerance or row not in AFM_ROWS]
     return xr.Dataset(
         {
-            "amplitude_gain": (
-                "wavevector",
-                amplitude_gain,
-                DIMENSIONLESS,
-            ),
+            "amplitude_gain": ("wavevector", amplitude_gain, DIMENSIONLESS),
             "factor": ("scan", factors, DIMENSIONLESS),
         },
         {"wavevector": ("wavevector", WAVEVECTORS, RAD_PER_NM), "scan": list(generator_functions)},

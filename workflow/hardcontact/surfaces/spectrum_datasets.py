@@ -84,17 +84,9 @@ def add_measurements(
     return spectrum.assign(
         {
             "psd": (axes, psds, NM4),
-            "reliable": (
-                axes,
-                reliable.astype("int8"),
-                {},
-            ),
+            "reliable": (axes, reliable.astype("int8"), {}),
             **columns,
-            "joined_psd": (
-                axis,
-                joined_density,
-                NM4,
-            ),
+            "joined_psd": (axis, joined_density, NM4),
         }
     ).assign_coords({axis: (axis, BIN_CENTRES, RAD_PER_NM)})
 

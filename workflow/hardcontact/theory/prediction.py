@@ -50,10 +50,7 @@ STEEP_EDGES = "steep_edges"
 
 
 def prediction(
-    spectrum: Spectrum,
-    contact: Contact,
-    tolerance: float,
-    name: str = "spectrum",
+    spectrum: Spectrum, contact: Contact, tolerance: float, name: str = "spectrum"
 ) -> dict[str, Number]:
     """Predict the pull-off force and both edges of a sphere on a rough surface, in closed form.
 

@@ -1,0 +1,35 @@
+"""Pull-off of one scan on all scans of the sphere has the forces of each pair."""
+
+import numpy as np
+from periodic_maps import CONTACT, make_bodies, periodic_noise
+
+from hardcontact.contact.pull_off import pull_off_dataset
+from hardcontact.contact.scan_pull_off import judged_pull_off
+
+RANGES = [1.0, CONTACT.rho]
+SUBSTRATE = periodic_noise(128, 20.0, 1)
+#: Pairs on different pixels, as those of spheres with different pixel sizes.
+PAIRS = {
+    3: make_bodies(SUBSTRATE, periodic_noise(128, 0.5, 2), 8.0, 320, 3),
+    5: make_bodies(SUBSTRATE, periodic_noise(96, 0.5, 3), 6.0, 400, 3),
+}
+
+
+def test_the_forces_of_all_pairs_are_joined_by_the_numbers_of_contacts():
+    forces = judged_pull_off(PAIRS, CONTACT, RANGES)
+    assert forces["contact_x"].values.tolist() == [0, 1, 2]
+    for number, bodies in PAIRS.items():
+        pair_forces = pull_off_dataset(bodies, CONTACT, RANGES)["pull_off_force"]
+        joined_forces = forces["pull_off_force"].sel(sphere_scan=number)
+        np.testing.assert_array_equal(joined_forces, pair_forces)
+
+
+def test_a_smooth_sphere_and_the_effects_of_window_and_pixels_are_beside_the_forces():
+    forces = judged_pull_off(PAIRS, CONTACT, RANGES)
+    smooth_pair = make_bodies(SUBSTRATE, None, 8.0, 320, 3)
+    smooth_forces = pull_off_dataset(smooth_pair, CONTACT, RANGES)["pull_off_force"]
+    np.testing.assert_allclose(
+        forces["smooth_sphere_force"], smooth_forces.mean(["contact_y", "contact_x"])
+    )
+    assert forces["finer_pixel_ratio"].attrs["rho"] == min(RANGES)
+    assert forces["wider_window_change"] > 0

@@ -1,0 +1,52 @@
+"""Pull-off of one scan of a substrate on all scans of the sphere, and what else changes it."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+import xarray as xr
+
+from hardcontact.base.dataset import stack
+from hardcontact.contact.contact import CONTACT_AXES, PLASTIC, Contact
+from hardcontact.contact.geometry import Bodies
+from hardcontact.contact.pull_off import (
+    force_on_finer_pixels,
+    mean_pull_off_dataset,
+    pull_off_dataset,
+    wider_window_change,
+)
+
+
+def pull_off_on_spheres(
+    pairs: Mapping[int, Bodies], contact: Contact, ranges: Sequence[float]
+) -> xr.Dataset:
+    """Return `pull_off_dataset` of all pairs over (sphere_scan, ...), with contacts by number."""
+    forces = {}
+    for number, bodies in pairs.items():
+        pair_forces = pull_off_dataset(bodies, contact, ranges)
+        # Positions of contacts differ between pixel sizes.
+        numbers = {axis: range(pair_forces.sizes[axis]) for axis in CONTACT_AXES}
+        forces[(number,)] = pair_forces.assign_coords(numbers)
+    return stack(forces, ["sphere_scan"])
+
+
+def judged_pull_off(
+    pairs: Mapping[int, Bodies], contact: Contact, ranges: Sequence[float]
+) -> xr.Dataset:
+    """Return `pull_off_on_spheres` of one substrate, with three numbers to judge it by.
+
+    ``wider_window_change`` is at the range of the contact, ``finer_pixel_ratio`` of the first pair
+    at the shortest range; ``smooth_sphere_force`` (contact_model, rho) is the mean over contacts.
+    """
+    forces = pull_off_on_spheres(pairs, contact, ranges)
+    plastic_force = forces["pull_off_force"].sel(contact_model=PLASTIC)
+    first_pair = next(iter(pairs.values()))
+    shortest = replace(contact, rho=min(ranges))
+    first_forces = plastic_force.isel(sphere_scan=0).sel(rho=shortest.rho)
+    smooth = mean_pull_off_dataset(replace(first_pair, roughness=None), contact, ranges)
+    return forces.assign(
+        {
+            **wider_window_change(pairs.values(), contact, plastic_force.sel(rho=contact.rho)),
+            **force_on_finer_pixels(first_pair, shortest, first_forces),
+            "smooth_sphere_force": smooth["pull_off_force"],
+        }
+    )
