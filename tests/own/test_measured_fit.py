@@ -7,10 +7,9 @@ import xarray as xr
 from known_forces import FORCE_DIMS
 
 from hardcontact.base.statistics import Sampling, bounds
-from hardcontact.own.measured_fit import (
+from hardcontact.own.measured_fit import add_extrapolated_work, fit_measured
+from hardcontact.own.measured_tests import (
     MeasuredTests,
-    add_extrapolated_work,
-    fit_measured,
     look_repeated,
     measured_tests,
     sampled_means,

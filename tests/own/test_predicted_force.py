@@ -12,11 +12,7 @@ from scipy import stats
 
 from hardcontact.base.random import generator
 from hardcontact.base.statistics import student_interval
-from hardcontact.own.mean_forces import (
-    MasterScans,
-    forces_of_masters,
-    half_width_over_masters,
-)
+from hardcontact.own.mean_forces import MasterScans, forces_of_masters, half_width_over_masters
 from hardcontact.own.predicted_force import (
     add_extrapolated_force,
     bound_by_smooth_sphere,

@@ -1,6 +1,6 @@
 """The contents of the files of own surfaces: one entry per topography, and unreadable members."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 from pathlib import PurePath
@@ -102,29 +102,49 @@ def inventory(
     entries: list[Entry] = []
     unreadable: list[str] = []
     problems: list[str] = []
+
+    def read_entry(source: Source, member: str) -> Entry:
+        scan = read_scan(source.file, member or channel, FILLING, unit, map_size, mask)
+        return _entry(source, scan, tip_radius, levelling)
+
     for source in sources:
-        file_entries = []
-        faults = []
-        try:
-            for member in list_scans(source.file):
-                try:
-                    scan = read_scan(source.file, member or channel, FILLING, unit, map_size, mask)
-                    file_entries.append(_entry(source, scan, tip_radius, levelling))
-                except ValueError as error:
-                    file = f"{source.file}: "
-                    faults += [
-                        f"{file}{member}: {line.removeprefix(file)}" if member else line
-                        for line in str(error).splitlines()
-                    ]
-        except ValueError as error:
-            faults += str(error).splitlines()
+        file_entries, faults = _read_file(source, read_entry)
         entries += file_entries
         # A member that cannot be used stops nothing: the user cannot take it out.
         (unreadable if file_entries or source.is_in_folder else problems).extend(faults)
     if not entries and not problems:
         problems += unreadable
-    # The same scan twice makes intervals too narrow. Formats round differently: twins have equal
-    # pixels, and sizes and roughness that agree within 1e-4.
+    problems += _twin_faults(entries)
+    kept_entries, repeated = _leave_out_repeated_scans(entries)
+    return kept_entries, unreadable + repeated, problems
+
+
+def _read_file(
+    source: Source, read_entry: Callable[[Source, str], Entry]
+) -> tuple[list[Entry], list[str]]:
+    """Return the entries of usable members of a file, and a line on each fault of the others."""
+    entries = []
+    faults = []
+    try:
+        for member in list_scans(source.file):
+            try:
+                entries.append(read_entry(source, member))
+            except ValueError as error:
+                file = f"{source.file}: "
+                faults += [
+                    f"{file}{member}: {line.removeprefix(file)}" if member else line
+                    for line in str(error).splitlines()
+                ]
+    except ValueError as error:
+        faults += str(error).splitlines()
+    return entries, faults
+
+
+def _twin_faults(entries: Sequence[Entry]) -> Iterator[str]:
+    """Yield a line for each scan given twice, which would make intervals too narrow.
+
+    Formats round differently: twins have equal pixels, and sizes and roughness within 1e-4.
+    """
     for entry, twin in combinations(entries, 2):
         is_twin = (entry.kind, entry.pixels) == (twin.kind, twin.pixels) and np.allclose(
             (entry.size, entry.rms_height, entry.peak_to_valley),
@@ -133,11 +153,7 @@ def inventory(
             atol=0,
         )
         if is_twin and entry.source.surface == twin.source.surface:
-            problems.append(
-                f"{twin.name}: expected each scan once, found that of {entry.name} again"
-            )
-    kept_entries, repeated = _leave_out_repeated_scans(entries)
-    return kept_entries, unreadable + repeated, problems
+            yield f"{twin.name}: expected each scan once, found that of {entry.name} again"
 
 
 def _leave_out_repeated_scans(entries: Sequence[Entry]) -> tuple[list[Entry], list[str]]:

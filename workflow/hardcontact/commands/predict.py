@@ -35,11 +35,7 @@ from hardcontact.surfaces.both_bodies import sphere_share
 from hardcontact.surfaces.joined_spectrum import ScanSpectrum
 from hardcontact.surfaces.scan_heights import TAKE_CARE
 from hardcontact.theory.prediction import prediction
-from hardcontact.theory.validity import (
-    MAX_NEGLIGIBLE_CHANGE,
-    tabor_number,
-    wide_contact_message,
-)
+from hardcontact.theory.validity import MAX_NEGLIGIBLE_CHANGE, tabor_number, wide_contact_message
 
 USAGE = Path(__file__).with_name("predict_help.txt").read_text("utf-8")
 

@@ -213,7 +213,7 @@ def elastic_contacts_of_pair(
     pixel_size = geometry.pixel_size
     period_pixels = min(bodies.substrate.pixels, geometry.window_pixels)
     pull_off_pixels = min(window_pixels(pull_off_window, pixel_size), period_pixels)
-    solved: list[dict[str, float]] = []
+    metrics = []
     pressures = []
     # More threads take twice the processor time and give the same numbers.
     with threadpool_limits(1, "blas"):
@@ -223,27 +223,24 @@ def elastic_contacts_of_pair(
             window_gap = part_around_lowest(gap, pull_off_pixels)
             pressure = pressure_at_load(period_gap, pixel_size, modulus, contact.preload)
             forces = adhesive_pull_off(window_gap, pixel_size, modulus, contact.work, contact.rho)
-            metrics = _pressure_metrics(pressure, pixel_size, contact.hardness)
-            solved.append(dict(zip(ELASTIC_UNITS, (*metrics, *forces), strict=True)))
+            metrics.append((*_pressure_metrics(pressure, pixel_size, contact.hardness), *forces))
             pressures.append(pressure)
+    columns = zip(ELASTIC_UNITS.items(), zip(*metrics, strict=True), strict=True)
     variables: dict[str, Any] = {
-        name: ("contact", [values[name] for values in solved], {"units": unit})
-        for name, unit in ELASTIC_UNITS.items()
+        name: ("contact", list(column), {"units": unit}) for (name, unit), column in columns
     }
     pixels = min(PRESSURE_MAP_PIXELS, period_pixels)
     # The highest pressure is the lowest negative pressure.
     map_of_peak = -part_around_lowest(-pressures[0], pixels)
-    pressure_attributes = PASCAL
     position = (np.arange(pixels) - pixels // 2) * pixel_size
-    from_peak = NM
     hertz = hertz_contact(contact.preload, geometry.radius, modulus)
     return xr.Dataset(
-        variables | {"pressure": (("y", "x"), map_of_peak, pressure_attributes)},
+        variables | {"pressure": (("y", "x"), map_of_peak, PASCAL)},
         {
             "contact_y": ("contact", contact_indices[:, 0]),
             "contact_x": ("contact", contact_indices[:, 1]),
-            "y": ("y", position, from_peak),
-            "x": ("x", position, from_peak),
+            "y": ("y", position, NM),
+            "x": ("x", position, NM),
         },
         {
             "hardness": contact.hardness,

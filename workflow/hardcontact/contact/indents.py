@@ -135,7 +135,6 @@ def _add_height_maps(
     offsets = np.arange(-MAP_HALF_WIDTH, MAP_HALF_WIDTH + 1)
     row, column = pixels_by_load[0].offsets[0]
     position = offsets * bodies.geometry.pixel_size
-    axis = NM
     return sizes.assign(
         indentation=(
             ("preload", "y", "x"),
@@ -143,4 +142,4 @@ def _add_height_maps(
             NM,
         ),
         sphere_height=(("y", "x"), bodies.sphere(row + offsets, column + offsets), NM),
-    ).assign_coords(y=("y", position, axis), x=("x", position, axis))
+    ).assign_coords(y=("y", position, NM), x=("x", position, NM))

@@ -253,17 +253,15 @@ def trace_contact(bodies: Bodies, index: tuple[int, int], contact: Contact) -> x
     # The bodies keep their deformed shape: all gaps grow by the same length.
     separation = np.linspace(0, 10 * rho, 201)
     position = geometry.offsets() * geometry.pixel_size
-    from_apex: dict[str, Any] = NM
-    gap_attributes = NM
     return xr.Dataset(
         {
-            "gap": (("y", "x"), gap.astype(np.float32), gap_attributes),
+            "gap": (("y", "x"), gap.astype(np.float32), NM),
             "adhesive_pressure": (("y", "x"), pressure.astype(np.float32), PASCAL),
             "force": ("separation", -pull_off * np.exp(-separation / rho), NEWTON),
         },
         {
-            "y": ("y", position, from_apex),
-            "x": ("x", position, from_apex),
+            "y": ("y", position, NM),
+            "x": ("x", position, NM),
             "separation": ("separation", separation, NM),
         },
         {"rho": rho, "work_of_adhesion": work, "pull_off_force": pull_off},

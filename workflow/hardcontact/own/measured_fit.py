@@ -6,8 +6,7 @@ pairs of range and work within the intervals of all surfaces at once.
 """
 
 from collections.abc import Mapping, Sequence
-from statistics import NormalDist
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -15,11 +14,9 @@ import xarray as xr
 
 from hardcontact.base.dataset import stack
 from hardcontact.base.statistics import (
-    MAX_LOG_DEVIATION,
     Sampling,
     bounds,
     interval_between,
-    lognormal_shape,
     percentile_interval,
     with_interval,
 )
@@ -27,79 +24,8 @@ from hardcontact.base.units import DIMENSIONLESS, JOULE_PER_M2, NEWTON, NM
 from hardcontact.contact.force_curves import interpolate_to_ranges
 from hardcontact.inference.fit import FIT_UNITS, best_fit, fine_ranges
 from hardcontact.inference.scan_parts import fewest_touched_patches, sampled_deviations
-from hardcontact.own.mean_forces import (
-    SurfaceForces,
-    forces_of_surface,
-)
-
-#: Chance that independent tests are taken for repeated ones.
-REPEATED_BY_CHANCE = 1e-3
-
-
-class MeasuredTests(NamedTuple):
-    """Tests that measure the pull-off force on one surface, log-normal between sites."""
-
-    mean: float  #: Mean over sites in N.
-    log_std: float  #: Standard deviation between sites of the logarithm; NaN for a single site.
-    site_count: int  #: Number of sites, each an independent sample.
-    test_count: int  #: Number of tests.
-
-
-def measured_tests(forces: pd.DataFrame) -> MeasuredTests:
-    """Return the tests on one surface from its rows of the table of measured forces.
-
-    Tests at one site are one sample, their mean; a test without a site has its own.
-    """
-    count = int(forces["count"].sum())
-    if len(forces) == 1:
-        mean, median = float(forces["mean"].iloc[0]), forces["median"].iloc[0]
-        log_std = float(lognormal_shape(mean, median)) if count > 1 else np.nan
-        return MeasuredTests(mean, log_std, count, count)
-    has_site = forces["site"] != ""
-    sites = forces["site"].where(has_site, forces.index)
-    means = forces["mean"].groupby(sites, sort=False).mean()
-    log_std = float(np.log(means).std(ddof=1))
-    return MeasuredTests(float(means.mean()), log_std, len(means), count)
-
-
-def look_repeated(forces: pd.DataFrame) -> bool:
-    """Return whether tests on one surface without sites look as if several share a site.
-
-    True if at most half of the values are distinct, or if von Neumann's ratio is significantly
-    below one at some lag: half the mean squared difference of the logarithms of tests so many rows
-    apart, over their variance. It is one for independent tests.
-    """
-    logs = np.log(forces["mean"].to_numpy(float))
-    if (forces["site"] != "").any() or len(logs) < 3:
-        return False
-    if 2 * len(np.unique(logs)) <= len(logs):
-        return True
-    lags = np.arange(1, len(logs) // 2 + 1)
-    ratios = [np.mean((logs[lag:] - logs[:-lag]) ** 2) / (2 * logs.var(ddof=1)) for lag in lags]
-    # Standard deviations of von Neumann's ratio, and a chance that all lags share.
-    quantile = NormalDist().inv_cdf(REPEATED_BY_CHANCE / len(lags))
-    return bool((ratios < 1 + quantile / np.sqrt(len(logs) - lags)).any())
-
-
-def sampled_means(rng: np.random.Generator, tests: MeasuredTests, samples: int) -> np.ndarray:
-    """Sample mean forces (samples,) in N of a log-normal distribution from a few sites.
-
-    The generalized pivot of the logarithm of the mean, mu + sigma²/2, is y - z s*/sqrt(n) + s*²/2
-    with s*² = (n - 1) s²/chi²(n - 1). Here z is normal, and y and s are mean and standard deviation
-    of the logarithms at n sites, mu and sigma their true values. The deviation of the pivot from
-    y + s²/2 is added to the logarithm of the measured mean. NaN for one site, whose scatter is
-    unknown. Source: Krishnamoorthy and Mathew, J. Stat. Plan. Inference 115 (2003) 103.
-    """
-    if tests.site_count < 2:
-        return np.full(samples, np.nan)
-    degrees_of_freedom = tests.site_count - 1
-    variance = tests.log_std**2
-    sampled_variance = variance * degrees_of_freedom / rng.chisquare(degrees_of_freedom, samples)
-    normal = rng.standard_normal(samples)
-    errors = normal * np.sqrt(sampled_variance / tests.site_count)
-    deviation = (sampled_variance - variance) / 2 - errors
-    deviation = np.clip(deviation, -MAX_LOG_DEVIATION, MAX_LOG_DEVIATION)
-    return np.asarray(tests.mean * np.exp(deviation))
+from hardcontact.own.mean_forces import SurfaceForces, forces_of_surface
+from hardcontact.own.measured_tests import look_repeated, measured_tests, sampled_means
 
 
 def fit_measured(

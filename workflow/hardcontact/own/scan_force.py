@@ -20,11 +20,7 @@ from hardcontact.contact.geometry import (
 from hardcontact.contact.scan_pull_off import pull_off_on_spheres
 from hardcontact.inference.octaves import make_force_function
 from hardcontact.inference.wide_pixels import widen_pixels
-from hardcontact.own.mean_forces import (
-    forces_of_surface,
-    mean_intervals,
-    position_half_widths,
-)
+from hardcontact.own.mean_forces import forces_of_surface, mean_intervals, position_half_widths
 from hardcontact.own.scan_window import window_on_scans
 from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
 from hardcontact.surfaces.spectrum import Spectrum, measured_psds

@@ -7,11 +7,7 @@ from typing import Any
 
 import xarray as xr
 
-from hardcontact.base.formatting import (
-    PRINTED_UNITS,
-    format_as_paper,
-    format_quantity,
-)
+from hardcontact.base.formatting import PRINTED_UNITS, format_as_paper, format_quantity
 from hardcontact.base.number import Number, plain
 from hardcontact.base.statistics import bounds
 

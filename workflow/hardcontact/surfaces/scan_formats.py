@@ -292,16 +292,14 @@ def _read_topography(channel: Any, metadata: dict[str, Any]) -> tuple[Any, list[
             f"expected a file that states {expected} of the scan, found none: --size 5um, or the "
             f"key scan.map_size, {remedy}"
         )
-    # Metadata that the file has already are left out: a second height scale would scale twice.
-    arguments: dict[str, Any] = {}
-    for argument, key in KEY_BY_ARGUMENT.items():
-        value = size if argument == "physical_sizes" else metadata.get(key)
-        if value is not None:
-            # The call only tests whether the file accepts this argument.
-            with suppress(MetadataAlreadyFixedByFile):
-                channel.topography(**arguments | {argument: value})
-                arguments[argument] = value
-    metadata_in_words = [
+    arguments = _accepted_arguments(channel, metadata | {"size": size})
+    topography = channel.topography(**arguments)
+    is_text_line = isinstance(channel.reader, XYZReader) and topography.dim == 1
+    if is_text_line and (
+        abs(topography.physical_sizes[0]) <= MAX_TOLERATED_SPACING * topography.nb_grid_pts[0]
+    ):
+        topography = channel.reader._read(tol=0, **arguments)
+    return topography, [
         f"{KEY_BY_ARGUMENT[argument]} "
         + (
             " x ".join(f"{length:.6g}" for length in value)
@@ -310,10 +308,18 @@ def _read_topography(channel: Any, metadata: dict[str, Any]) -> tuple[Any, list[
         )
         for argument, value in arguments.items()
     ]
-    topography = channel.topography(**arguments)
-    is_text_line = isinstance(channel.reader, XYZReader) and topography.dim == 1
-    if is_text_line and (
-        abs(topography.physical_sizes[0]) <= MAX_TOLERATED_SPACING * topography.nb_grid_pts[0]
-    ):
-        topography = channel.reader._read(tol=0, **arguments)
-    return topography, metadata_in_words
+
+
+def _accepted_arguments(channel: Any, metadata: dict[str, Any]) -> dict[str, Any]:
+    """Return the metadata that the file itself lacks, by argument.
+
+    A second height scale would scale twice.
+    """
+    arguments: dict[str, Any] = {}
+    for argument, key in KEY_BY_ARGUMENT.items():
+        if metadata.get(key) is not None:
+            # The call only tests whether the file accepts this argument.
+            with suppress(MetadataAlreadyFixedByFile):
+                channel.topography(**arguments | {argument: metadata[key]})
+                arguments[argument] = metadata[key]
+    return arguments
