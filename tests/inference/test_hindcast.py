@@ -30,7 +30,7 @@ def ratios(heights, side):
     forces = hindcast.hindcast_forces(
         stitched,
         {side: OCTAVE},
-        [RandomBody(UNCD, PIXELS, lambda side, number: generator(1, side, number))],
+        [RandomBody(UNCD, PIXELS * PIXEL, 1, ("scan", 1))],
         make_force_function(CONTACT),
     )
     return hindcast.hindcasts(forces.expand_dims("map"), 0.1, 0.95).sel(side=side)
@@ -115,6 +115,18 @@ def test_errors_add_in_squares():
 )
 def test_the_octave_is_the_last_that_the_scan_shows(side, limits, octave):
     assert hindcast.last_octave(side, *limits) == octave
+
+
+def test_each_side_ends_with_an_octave_within_the_reliable_wavelengths():
+    measurements = xr.Dataset(
+        {
+            "reliable": (("measurement", "bin_wavevector"), [[1, 0], [0, 1], [0, 0]]),
+            "shortest_reliable": ("measurement", [30.0, 25.0, 1.0]),
+            "longest_reliable": ("measurement", [800.0, 600.0, 5000.0]),
+        }
+    )
+    octaves = hindcast.last_octaves(measurements, {"short": 20.0, "long": 1000.0})
+    assert octaves == {"short": (25, 50), "long": (400, 800)}
 
 
 def test_wide_pixels_have_the_mean_heights_of_their_blocks():

@@ -45,10 +45,9 @@ rule amplify_octaves:
         PATTERNS.octaves,
     params:
         parameters=lambda w: parameters(
-            surface=w.surface,
             scan=int(w.scan),
+            bodies=FILES.rough_bodies(w.surface, int(w.scan)),
             measurements=FILES.measurements_of_map(w.surface, int(w.scan)),
-            sphere_scan=FILES.rough_bodies(w.surface, int(w.scan))[1:],
             seed=STUDY["seed"],
             contact=CONTACT_AT_RANGE,
             transitions={side: STUDY["scales"][side]["transition"] for side in SIDES},

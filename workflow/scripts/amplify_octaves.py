@@ -1,19 +1,11 @@
 """Forces on a measured scan with each octave of its own waves amplified, or the last replaced."""
 
-from functools import partial
-
 import xarray as xr
 
 from hardcontact.base.dataset import read
 from hardcontact.base.job import run_job
-from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact
-from hardcontact.inference.hindcast import (
-    RandomBody,
-    hindcast_forces,
-    last_octave,
-    reliable_wavelengths,
-)
+from hardcontact.inference.hindcast import RandomBody, hindcast_forces, last_octaves
 from hardcontact.inference.octaves import make_force_function, octave_force_dataset, octave_limits
 from hardcontact.inference.wide_pixels import pixel_forces
 from hardcontact.surfaces.height_map import read_height_map
@@ -21,34 +13,29 @@ from hardcontact.surfaces.spectrum import read_spectrum
 
 with run_job(snakemake) as job:
     params = job.parameters
+    contact = Contact(**params["contact"])
     stitched = read_height_map(job.input.stitched)
     sphere = read_height_map(job.input.sphere) if job.input.sphere else None
-    contact = Contact(**params["contact"])
-    forces = make_force_function(contact, sphere)
+    compute_forces = make_force_function(contact, sphere)
     # A stitched scan is twice as long as the scan, whose mirror images add no longer waves.
-    limits = octave_limits(2 * stitched.pixel_size, stitched.size / 2)
-    octave_forces = octave_force_dataset(stitched, limits, forces)
-    spectrum = read(job.input.spectrum)
-    measurements = spectrum.isel(measurement=params["measurements"])
-    sizes = [stitched.size / 2, *measurements["size"].values[1:]]
-    names = [(params["surface"], params["scan"]), *params["sphere_scan"]]
+    scan_size = stitched.size / 2
+    limits = octave_limits(2 * stitched.pixel_size, scan_size)
+    measurements = read(job.input.spectrum).isel(measurement=params["measurements"])
+    last = last_octaves(measurements, params["transitions"])
+    sizes = [scan_size, *measurements["size"].values[1:]]
     bodies = [
-        RandomBody(
-            read_spectrum(path),
-            round(size / stitched.pixel_size),
-            partial(generator, params["seed"], *name, "hindcast"),
-        )
-        for path, size, name in zip(job.input.body_spectra, sizes, names, strict=True)
+        RandomBody(read_spectrum(path), size, params["seed"], scan)
+        for path, size, scan in zip(job.input.body_spectra, sizes, params["bodies"], strict=True)
     ]
-    band = reliable_wavelengths(measurements)
-    octaves = {
-        side: last_octave(side, transition, *band)
-        for side, transition in params["transitions"].items()
-    }
-    hindcast = hindcast_forces(stitched, octaves, bodies, forces)
     job.write(
-        xr.merge([octave_forces, hindcast, pixel_forces(stitched, sphere, contact)])
+        xr.merge(
+            [
+                octave_force_dataset(stitched, limits, compute_forces),
+                hindcast_forces(stitched, last, bodies, compute_forces),
+                pixel_forces(stitched, sphere, contact),
+            ]
+        )
         .expand_dims(map=[params["scan"]])
-        .assign_attrs(map_size=stitched.size / 2),
+        .assign_attrs(map_size=scan_size),
         title="pull-off forces of one scan with each octave amplified, or the last replaced",
     )

@@ -4,7 +4,7 @@ If the force then changes, a random surface cannot extrapolate the roughness of 
 Gaussian surface the octave of the scan is as random as the artificial octaves.
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -13,6 +13,7 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from hardcontact.base.dataset import stack
+from hardcontact.base.random import generator
 from hardcontact.base.statistics import with_interval
 from hardcontact.base.units import DIMENSIONLESS
 from hardcontact.contact.contact import CONTACT_AXES
@@ -36,14 +37,22 @@ class RandomBody(NamedTuple):
     """Random roughness in place of that on the scan of a body."""
 
     spectrum: SpectrumFunction  #: C_iso in nm⁴.
-    pixels: int  #: Per row of the scan, on the pixels of the map.
-    generator: Callable[[str, int], np.random.Generator]  #: Takes side and realization.
+    size: float  #: Side of the scan in nm.
+    seed: int  #: Seed of the study.
+    scan: Sequence[str | int]  #: Surface and number of the scan, which name its random numbers.
 
 
-def reliable_wavelengths(measurements: xr.Dataset) -> tuple[float, float]:
-    """Return the shortest and the longest wavelength (nm) at which a measurement is reliable."""
+def last_octaves(
+    measurements: xr.Dataset, transitions: Mapping[str, float]
+) -> dict[str, Octave | None]:
+    """Return the `last_octave` of each side, within the reliable wavelengths of measurements."""
     reliable = measurements.where(measurements["reliable"].any("bin_wavevector"))
-    return float(reliable["shortest_reliable"].min()), float(reliable["longest_reliable"].max())
+    shortest = float(reliable["shortest_reliable"].min())
+    longest = float(reliable["longest_reliable"].max())
+    return {
+        side: last_octave(side, transition, shortest, longest)
+        for side, transition in transitions.items()
+    }
 
 
 def last_octave(side: str, transition: float, shortest: float, longest: float) -> Octave | None:
@@ -83,8 +92,7 @@ def hindcast_forces(
             near_side, scan_octave = _split_at_octave(stitched, side, octave)
             artificial_octaves = [
                 sum(
-                    _artificial_octave(body.generator(seed_word, number), stitched, octave, body)
-                    for body in bodies
+                    _artificial_octave(stitched, octave, body, seed_word, number) for body in bodies
                 )
                 for number in range(ARTIFICIAL_OCTAVES)
             ]
@@ -116,7 +124,7 @@ def _split_at_octave(
 
 
 def _artificial_octave(
-    rng: np.random.Generator, stitched: HeightMap, octave: Octave, body: RandomBody
+    stitched: HeightMap, octave: Octave, body: RandomBody, seed_word: str, number: int
 ) -> NDArray[np.float32]:
     """Return heights of one octave of waves, random on one scan of a body and mirrored like it."""
     longest_wavevector, shortest_wavevector = (2 * np.pi / end for end in octave)
@@ -126,10 +134,12 @@ def _artificial_octave(
         is_inside = (shortest_wavevector < wavevector) & (wavevector <= longest_wavevector)
         return np.where(is_inside, body.spectrum(wavevector), 0.0)
 
-    surface = random_surface(rng, 2 * body.pixels, stitched.pixel_size, octave_spectrum)
+    rng = generator(body.seed, *body.scan, "hindcast", seed_word, number)
+    scan_pixels = round(body.size / stitched.pixel_size)
+    surface = random_surface(rng, 2 * scan_pixels, stitched.pixel_size, octave_spectrum)
     # A smaller scan of the sphere is continued by its mirror images, as that of the map is.
-    pixel = np.arange(stitched.pixels // 2) % (2 * body.pixels)
-    pixel = np.minimum(pixel, 2 * body.pixels - 1 - pixel)
+    pixel = np.arange(stitched.pixels // 2) % (2 * scan_pixels)
+    pixel = np.minimum(pixel, 2 * scan_pixels - 1 - pixel)
     corner = replace(surface, heights=surface.heights[np.ix_(pixel, pixel)])
     return np.asarray(mirror_stitch(corner).heights)
 
