@@ -13,7 +13,7 @@ from hardcontact.config import selected_surfaces
 from hardcontact.config.configuration import get_key, master_keys
 from hardcontact.config.grids import random_surface_pixels
 from hardcontact.config.model import numeric_configuration
-from hardcontact.contact.asperities import asperities_of_pair
+from hardcontact.contact.asperities import find_carrying_asperities
 from hardcontact.contact.bearing_area import all_contact_pixels
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies, sample_contacts
@@ -140,7 +140,7 @@ def check_pair(config, rng, substrate, sphere):
     carried = config["asperities"]
     positions = sample_contacts(rng, contact.contacts_per_row, carried["contacts"])
     for share in (0.001, 0.5, 0.999):
-        carriers = asperities_of_pair(pair, contact, positions, share, carried["ranges"])
+        carriers = find_carrying_asperities(pair, contact, positions, share, carried["ranges"])
         assert all(np.isfinite(values).all() for values in carriers.data_vars.values())
 
 

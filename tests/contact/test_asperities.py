@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from periodic_maps import RADIUS, make_bodies
 
-from hardcontact.contact.asperities import asperities, asperities_of_pair, weakest_carrier
+from hardcontact.contact.asperities import asperities, find_carrying_asperities, weakest_carrier
 from hardcontact.contact.contact import Contact
 
 
@@ -50,7 +50,7 @@ def test_a_single_peak_carries_the_force_of_every_contact():
     contact = Contact(radius=RADIUS, preload=1e-6, hardness=25e9)
     positions = np.array([(0, 0), (0, 1), (1, 0), (1, 1)])
     pair = make_bodies(heights, None, 20.0, 200, 2)
-    carriers = asperities_of_pair(pair, contact, positions, 0.9, [1.0])
+    carriers = find_carrying_asperities(pair, contact, positions, 0.9, [1.0])
     assert (carriers["patch_count"] == 1).all()
     assert carriers["largest_share"].values == pytest.approx(np.ones((4, 1)), abs=0.01)
     assert carriers["contact_y"].values.tolist() == [0, 0, 1, 1]

@@ -8,7 +8,7 @@ from paper_numbers import MODULUS
 from periodic_maps import CONTACT, RADIUS, height_map, make_bodies, periodic_noise
 
 from hardcontact.contact.bearing_area import ContactPixels, all_contact_pixels
-from hardcontact.contact.elastic import ELASTIC_UNITS, elastic_contacts_of_pair
+from hardcontact.contact.elastic import ELASTIC_UNITS, solve_elastic_contacts
 from hardcontact.contact.geometry import join_bodies, sample_contacts
 from hardcontact.contact.indents import (
     MAP_HALF_WIDTH,
@@ -41,7 +41,7 @@ def test_indents_of_scans_equal_those_of_each_pair():
 def test_elastic_contacts_carry_the_preload():
     pair = make_bodies(periodic_noise(96, 2.0, 1), periodic_noise(96, 0.3, 2), 8.0, 512, 3)
     positions = sample_contacts(np.random.default_rng(1), 3, 2)
-    solved = elastic_contacts_of_pair(pair, CONTACT, positions, MODULUS, 600.0)
+    solved = solve_elastic_contacts(pair, CONTACT, positions, MODULUS, 600.0)
     assert {name: solved[name].units for name in ELASTIC_UNITS} == ELASTIC_UNITS
     assert solved.sizes["contact"] == 2
     load = solved.contact_area * 1e-18 * solved.mean_pressure

@@ -2,7 +2,7 @@
 
 from hardcontact.base.job import run_job
 from hardcontact.base.random import generator
-from hardcontact.contact.asperities import CARRIED_SHARE, asperities_of_pair
+from hardcontact.contact.asperities import CARRIED_SHARE, find_carrying_asperities
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import read_bodies, sample_contacts
 
@@ -14,7 +14,7 @@ with run_job(snakemake) as job:
     contact = Contact(radius=params["radius"], **params["contact"])
     rng = generator(params["seed"], surface, scan, "contacts for asperities")
     job.write(
-        asperities_of_pair(
+        find_carrying_asperities(
             read_bodies(job.input.substrate, job.input.sphere, contact),
             contact,
             sample_contacts(rng, contact.contacts_per_row, settings["contacts"]),

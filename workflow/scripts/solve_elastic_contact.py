@@ -4,7 +4,7 @@ from hardcontact.base import published
 from hardcontact.base.job import run_job
 from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact
-from hardcontact.contact.elastic import PULL_OFF_WINDOW, elastic_contacts_of_pair
+from hardcontact.contact.elastic import PULL_OFF_WINDOW, solve_elastic_contacts
 from hardcontact.contact.geometry import read_bodies, sample_contacts
 
 with run_job(snakemake) as job:
@@ -20,7 +20,7 @@ with run_job(snakemake) as job:
     )
     rng = generator(params["seed"], surface, scan, "elastic contacts")
     job.write(
-        elastic_contacts_of_pair(
+        solve_elastic_contacts(
             read_bodies(job.input.substrate, job.input.sphere, contact),
             contact,
             sample_contacts(rng, contact.contacts_per_row, params["contacts"]),

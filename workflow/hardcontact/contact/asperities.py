@@ -100,7 +100,7 @@ def _distance_from_centre(profile: Floats) -> Floats:
     return np.asarray(position - profile @ position / profile.sum())
 
 
-def asperities_of_pair(
+def find_carrying_asperities(
     bodies: Bodies,
     contact: Contact,
     contact_indices: NDArray[np.int_],

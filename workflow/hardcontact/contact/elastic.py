@@ -196,7 +196,7 @@ def _pressure_metrics(pressure: Floats, pixel_size: float, hardness: float) -> t
     return touching.size * pixel_size**2, share, touching.max(), touching.mean()
 
 
-def elastic_contacts_of_pair(
+def solve_elastic_contacts(
     bodies: Bodies,
     contact: Contact,
     contact_indices: NDArray[np.int_],

@@ -43,7 +43,7 @@ def stack_pull_off_forces(scans: DatasetsByLabels, named_surfaces: NamedSurfaces
 def stack_elastic_contacts(scans: DatasetsByLabels, named_surfaces: NamedSurfaces) -> xr.Dataset:
     """Stack the elastic contacts of all surfaces and scans.
 
-    `scans` has the dataset of `elastic_contacts_of_pair` by (surface, scan). Returns the same
+    `scans` has the dataset of `solve_elastic_contacts` by (surface, scan). Returns the same
     variables over (surface, scan, ...); ``pressure`` (surface, y, x) in Pa shows one contact on the
     first scan of each surface.
     """
