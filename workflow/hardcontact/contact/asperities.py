@@ -1,4 +1,4 @@
-"""The asperities that carry the force of some contacts of one pair of scans.
+"""Find the asperities that carry the force of some contacts of one pair of scans.
 
 Pixels that share an edge or a corner belong to one patch.
 """
@@ -54,14 +54,14 @@ def weakest_carrier(attraction: Floats, share: float, total: float) -> float:
 
     A histogram finds the few attractions to sort: those of the bin in which the share is reached.
     """
-    # Pixels of less attraction than the mean of the rest of the force together carry at most the
-    # rest: they are not among the fewest pixels that carry the share.
-    least_attraction = (1 - share) * total / attraction.size
-    values = attraction[attraction > least_attraction]
-    bins = (values * (BIN_COUNT / values.max())).astype(np.intp)
-    carried = np.cumsum(np.bincount(bins, values)[::-1])  # from the strongest bin on
+    # All pixels of less than (1 - share) of the mean attraction carry together less than 1 - share
+    # of the force: they are not among the fewest pixels that carry the share.
+    minimum = (1 - share) * total / attraction.size
+    strong = attraction[attraction > minimum]
+    bins = (strong * (BIN_COUNT / strong.max())).astype(np.intp)
+    carried = np.cumsum(np.bincount(bins, strong)[::-1])  # from the strongest bin on
     rank = int(np.searchsorted(carried, share * total))
-    candidates = np.sort(values[bins == len(carried) - 1 - rank])[::-1]
+    candidates = np.sort(strong[bins == len(carried) - 1 - rank])[::-1]
     carried_by_stronger = carried[rank - 1] if rank else 0.0
     weakest = int(np.searchsorted(carried_by_stronger + np.cumsum(candidates), share * total))
     return float(candidates[min(weakest, len(candidates) - 1)])
@@ -73,7 +73,7 @@ def _diameter(attraction: Floats, share: float, total: float) -> int:
     from_y, from_x = _distance_from_centre(profile_y), _distance_from_centre(profile_x)
     half_width = max(_half_width(from_y, profile_y, share), _half_width(from_x, profile_x, share))
     carried = np.zeros(1)
-    # Squares about the centre, each wider, until a circle in one holds the share.
+    # Widen a square about the centre until a circle in it holds the share.
     while carried[-1] < share * total and half_width < 2 * max(attraction.shape):
         half_width = math.ceil(1.5 * half_width)
         rows = np.flatnonzero(abs(from_y) <= half_width)
@@ -117,13 +117,13 @@ def find_carrying_asperities(
     offset = bodies.geometry.offsets()
     sphere = bodies.sphere(offset, offset)
     attraction = np.empty_like(sphere)
-    carriers = []
+    asperity_values = []
     for index in progress(contact_indices, len(contact_indices), "contacts"):
         gap = flattened_gaps(gap_map(bodies, index, sphere), contact_pixel_count)
         for rho in ranges:
             np.exp(np.divide(gap, -rho, out=attraction), out=attraction)
-            carriers.append(asperities(attraction, share, pixel_size))
-    values = np.reshape(carriers, (len(contact_indices), len(ranges), -1))
+            asperity_values.append(asperities(attraction, share, pixel_size))
+    values = np.reshape(asperity_values, (len(contact_indices), len(ranges), -1))
     return xr.Dataset(
         {
             name: (("contact", "rho"), values[..., k], {"units": unit})

@@ -19,7 +19,7 @@ from hardcontact.contact.geometry import Bodies, ContactGeometry, largest_contac
 from hardcontact.surfaces.height_map import HeightMap
 
 #: Pixels per row of a tile, tiles per row of a group, tiles that are read at once, and
-#: contacts that are searched at once. They affect the speed only.
+#: contacts that are searched at once. They change the speed only.
 TILE = 32
 GROUP = 16
 BATCH = 256
@@ -103,12 +103,12 @@ PixelsByContact = dict[tuple[int, int], ContactPixels]
 
 
 class WindowTiles(NamedTuple):
-    """Tiles in the windows of contacts, in the order of these."""
+    """Tiles in the windows of contacts, ordered by contact."""
 
-    contact_numbers: NDArray[np.int_]  #: (k,)
-    row: NDArray[np.int_]  #: (k,) within the window.
-    column: NDArray[np.int_]
-    bounds: Floats  #: (k,) nm, at most the smallest gap of each.
+    contact_numbers: NDArray[np.int_]  #: (k,) index of the contact of each tile.
+    row: NDArray[np.int_]  #: (k,) row of the tile within the window.
+    column: NDArray[np.int_]  #: (k,) column of the tile within the window.
+    bounds: Floats  #: (k,) lower bound in nm on the gaps of the tile.
 
     def select(self, index: slice | NDArray[np.int_] | NDArray[np.bool_]) -> "WindowTiles":
         """Return some of the tiles."""
@@ -121,10 +121,10 @@ class WindowTiles(NamedTuple):
 
 
 class _Windows:
-    """The tiles of the substrate in the windows of contacts, with bounds below their gaps.
+    """The tiles of the substrate in the windows of contacts, with lower bounds on their gaps.
 
-    Tiles are numbered along each axis of the window of their contact; bounds in nm are infinite for
-    those outside it.
+    Tiles are numbered along each axis of the window of their contact. Bounds in nm are infinite for
+    tiles outside it.
     """
 
     def __init__(
@@ -159,7 +159,7 @@ class _Windows:
         return np.asarray(bounds.reshape(contacts, -1))
 
     def tiles_of_groups(self, numbers: NDArray[np.int_], group: NDArray[np.int_]) -> WindowTiles:
-        """Return the tiles of groups (k,) of contacts by number (k,), ordered as these."""
+        """Return the tiles of groups (k,), in this order; `numbers` (k,) are their contacts."""
         group_row, group_column = np.divmod(group, self.low.shape[-1] // GROUP)
         row = (group_row[:, None] * GROUP + np.arange(GROUP))[:, :, None]
         column = (group_column[:, None] * GROUP + np.arange(GROUP))[:, None, :]
@@ -176,7 +176,7 @@ class _Windows:
     def gaps(self, tiles: WindowTiles) -> tuple[Floats, NDArray[np.int_], NDArray[np.int_]]:
         """Return the gaps (k, TILE, TILE) in nm of tiles (k,), infinite outside the window.
 
-        With them come the offsets from the apex of their rows and of their columns: (k, TILE).
+        Also returns the offsets (k, TILE) of their rows, and of their columns, from the apex.
         """
         number, row, column, _ = tiles
         y = self.offset[number, 0, row][:, None] + np.arange(TILE)
@@ -215,12 +215,12 @@ def find_contact_pixels(
     tiles = windows.tiles_of_groups(numbers, best_groups.ravel())
     limits = _limits_of_gaps(windows, tiles, contact_pixel_count)
     tiles = windows.tiles_of_groups(*np.nonzero(group_bounds <= limits[:, None])).up_to(limits)
-    # The lowest bounds of all tiles that are left give a lower limit.
+    # The remaining tiles of lowest bounds, from all groups, give lower limits.
     limits = _limits_of_gaps(windows, tiles, contact_pixel_count)
     tiles = tiles.up_to(limits)
     batches = [slice(start, start + BATCH) for start in range(0, len(tiles.contact_numbers), BATCH)]
-    low = [_gaps_up_to(windows, tiles.select(batch), limits) for batch in batches]
-    numbers, gaps, offsets = (np.concatenate(parts) for parts in zip(*low, strict=True))
+    low_gaps = [_gaps_up_to(windows, tiles.select(batch), limits) for batch in batches]
+    numbers, gaps, offsets = (np.concatenate(arrays) for arrays in zip(*low_gaps, strict=True))
     ends = np.searchsorted(numbers, np.arange(1, len(positions)))
     return [
         _lowest(*candidates, contact_pixel_count)
@@ -231,7 +231,7 @@ def find_contact_pixels(
 def _limits_of_gaps(windows: _Windows, tiles: WindowTiles, contact_pixel_count: int) -> Floats:
     """Return an upper bound (contact,) on the N-th smallest gap (nm), N the contact pixels.
 
-    It is the N-th smallest gap of the tiles with the lowest bounds, as many as have N pixels.
+    It is the N-th smallest gap in the fewest tiles that have N pixels, those of the lowest bounds.
     """
     tile_count = -(-contact_pixel_count // TILE**2)
     ends = np.searchsorted(tiles.contact_numbers, np.arange(tiles.contact_numbers[-1] + 2))
@@ -271,9 +271,9 @@ def _gaps_up_to(
 
 
 def _lowest(gaps: Floats, offsets: NDArray[np.int_], contact_pixel_count: int) -> ContactPixels:
-    """Return the smallest of gaps, ascending; equal ones in the order of offsets."""
+    """Return the pixels of the smallest gaps, ascending; equal gaps in the order of offsets."""
     if gaps.size > contact_pixel_count:
-        # Few are left to sort, and equal gaps at the end are all among them.
+        # Few gaps are left to sort, with all that equal the largest one.
         low = gaps <= largest_contact_gap(gaps, contact_pixel_count)
         gaps, offsets = gaps[low], offsets[low]
     order = np.lexsort((offsets[:, 1], offsets[:, 0], gaps))[:contact_pixel_count]

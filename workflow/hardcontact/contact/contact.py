@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-#: Contact models: contact pixels yield, or a single pixel touches.
+#: Contact models: the contact pixels yield, or a single pixel touches.
 PLASTIC = "plastic"
 RIGID = "rigid"
 #: Contact models in the order of their areas, the smallest first.
@@ -34,13 +34,13 @@ class Contact:
 
     @property
     def load_name(self) -> str:
-        """The load by its name, as it stands in paths: ``"H25GPa-F10uN"``, ``"rigid-F10uN"``."""
+        """Hardness and preload as a part of paths: ``"H25GPa-F10uN"``, ``"rigid-F10uN"``."""
         hardness = f"H{self.hardness / 1e9:.12g}GPa" if self.plastic else RIGID
         return f"{hardness}-F{self.preload * 1e6:.12g}uN"
 
     @property
     def area(self) -> float:
-        """The area, preload over hardness, in nm²; zero in rigid contact: a point."""
+        """The contact area, preload over hardness, in nm²; zero in rigid contact, at a point."""
         if not self.plastic:
             return 0.0
         return self.preload / self.hardness * 1e18

@@ -15,9 +15,9 @@ SphereTerms = tuple[Floats, Callable[[tuple[int, int]], Floats]]
 
 
 class TouchedPixels:
-    """The substrate's pixels that are contact pixels of any contact of an array, each once.
+    """The pixels of the substrate that touch in any contact of an array, each once.
 
-    They are left out of the sum of every contact; those of the other contacts are then added again.
+    All are left out of the sum of every contact. Each contact then adds the pixels of the others.
     `row` and `column` (pixels,) are their positions on the substrate, by rows.
     """
 
@@ -49,10 +49,10 @@ class TouchedPixels:
     ) -> float:
         """Return the sum of exp(-(g + m)/rho) over pixels outside a contact (i, j).
 
-        m is the height of the apex at closest approach. `total` is the sum over all pixels except
-        the contact pixels of all contacts, `terms` (pixels,) those of the contact pixels
-        (overwritten). Both are taken at zero gap between the highest points, whose heights add up
-        to `highest`; the result is at closest approach.
+        m is the height of the apex at closest approach. `total` is the sum over all pixels that
+        touch in no contact; `terms` (pixels,) are the exponentials at the others, overwritten here.
+        Both are relative to exp(highest/rho), with the sum `highest` of the highest points of both
+        bodies in nm.
         """
         terms[self._own[index]] = 0.0
         largest_gap = self._gaps[index][-1]
@@ -61,7 +61,7 @@ class TouchedPixels:
 
 
 def _image_gaps(bodies: Bodies, index: tuple[int, int], offsets: NDArray[np.int_]) -> Floats:
-    """Return the gaps (k,) in nm of images, in the window, of contact pixels at offsets."""
+    """Return the gaps (k,) in nm of the periodic images of contact pixels within the window."""
     pixels = bodies.substrate.pixels
     geometry = bodies.geometry
     if geometry.window_pixels <= pixels:

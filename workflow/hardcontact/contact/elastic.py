@@ -1,8 +1,8 @@
 """Elastic contact without plasticity: a rough body is pressed into a half space, or pulled off it.
 
-Some hundred pixels touch: the contact is a dense problem of these pixels. Attraction acts between
-all pixels. The half space is flat and periodic and has the effective modulus. Lengths are in nm,
-forces in nN, pressures in GPa, energies per area in J/m².
+Some hundred pixels touch, so that their forces follow from one dense matrix. Attraction acts on all
+pixels. The half space is flat and periodic and has the effective modulus. Lengths are in nm, forces
+in nN, pressures in GPa, energies per area in J/m².
 """
 
 from typing import Any, NamedTuple
@@ -36,14 +36,14 @@ PULL_OFF_WINDOW = 2500.0
 PRESSURE_MAP_PIXELS = 64
 #: Overlap (nm) that pixels may have: far below the range of adhesion.
 MAX_OVERLAP = 1e-6
-#: Pixels that may touch first, and at most: the dense matrix then takes 128 MB.
+#: Pixels that may touch in the first step, and at most: their dense matrix then takes 128 MB.
 FIRST_TOUCHING_PIXELS = 32
 MAX_TOUCHING_PIXELS = 4000
 EXPECTED = "expected an elastic contact in equilibrium"
 #: Steps of the active set, which needs about ten.
 MAX_ITERATIONS = 200
-#: Change of the attraction at which it counts as converged, and step of the load of the wall in the
-#: search for pull-off, both relative to the whole attraction.
+#: Change of the attraction at which it counts as converged, and step of the wall's load in the
+#: search for pull-off, both relative to the total attraction.
 RELATIVE_RESIDUAL = 1e-9
 LOAD_STEP = 1e-6
 
@@ -60,7 +60,7 @@ class HalfSpace:
         wavevector = np.hypot(wave_y[:, None], wave_x)
         wavevector[0, 0] = np.inf
         self._shape = (pixels, pixels)
-        # A wave of forces of 1 nN a pixel displaces by 2/(E* q) of its pressure.
+        # A wave of pressure p displaces by 2p/(E* q); a force on a pixel is p pixel_size².
         self._compliance = 2 * PASCAL_PER_GPA / (modulus * wavevector * pixel_size**2)
         self._response = fft.irfft2(self._compliance, s=self._shape)  # to 1 nN on the first pixel
 
@@ -104,10 +104,10 @@ class Wall(NamedTuple):
 
 
 def press(half_space: HalfSpace, gap: Floats, load: float) -> Wall:
-    """Press a rough body, with this gap (n, n) in nm at any approach, onto a half space.
+    """Press a rough body onto a half space; its gap (n, n) in nm may be at any approach.
 
     The load is in nN. The lowest pixels touch first; pixels that would overlap join them. Raises
-    ValueError if more than MAX_TOUCHING_PIXELS do.
+    ValueError if more than MAX_TOUCHING_PIXELS touch.
     """
     if load == 0:  # The lowest pixel touches without a force.
         return Wall(np.zeros_like(gap), gap - gap.min())
@@ -123,10 +123,10 @@ def press(half_space: HalfSpace, gap: Floats, load: float) -> Wall:
         overlaps = gap_left < -MAX_OVERLAP
         if not overlaps.any():
             return Wall(all_forces, gap_left)
-        # Few pixels under the whole load sink in so far that most others overlap.
-        lowest = np.where(is_candidate, np.inf, gap_left)
-        added = min(int((overlaps & ~is_candidate).sum()), len(pixels))
-        is_candidate |= lowest <= largest_contact_gap(lowest, added)
+        # Few pixels under the whole load sink in so far that most others overlap: at most double.
+        other_gaps = np.where(is_candidate, np.inf, gap_left)
+        added_count = min(int((overlaps & ~is_candidate).sum()), len(pixels))
+        is_candidate |= other_gaps <= largest_contact_gap(other_gaps, added_count)
 
 
 def pressure_at_load(gap: Floats, pixel_size: float, modulus: float, load: float) -> Floats:
@@ -144,7 +144,7 @@ def adhesive_pull_off(
 ) -> tuple[float, float]:
     """Return the pull-off forces (N) of one window, rigid and elastic.
 
-    Elastic: the largest attraction less the force of the wall, over all forces of the wall (the
+    The elastic force is the maximum, over loads of the wall, of the attraction less this load (the
     paper, elastic analysis). Lengths are in nm, the effective modulus in Pa, the work of adhesion
     in J/m². Raises ValueError if attraction stretches soft bodies by over rho/10.
     """
@@ -166,7 +166,7 @@ def adhesive_pull_off(
         while True:
             wall = press(half_space, rigid_gap - half_space.displacement(attraction), wall_load)
             former_attraction = attraction
-            # The wall leaves no overlap but that of the tolerance.
+            # Gaps may be negative by MAX_OVERLAP.
             attraction = strength * np.exp(-np.maximum(wall.gap, 0) / rho)
             if np.abs(attraction - former_attraction).sum() < RELATIVE_RESIDUAL * attraction.sum():
                 return wall_load - float(attraction.sum())
@@ -207,7 +207,7 @@ def solve_elastic_contacts(
 
     The indices (contact, 2) are row and column in the array; the effective modulus is in Pa, the
     side of the pull-off window about the lowest gap in nm. Returns ELASTIC_UNITS (contact), and
-    ``pressure`` (y, x) in Pa of the first. Raises ValueError if no equilibrium is found.
+    ``pressure`` (y, x) in Pa of the first contact. Raises ValueError if no equilibrium is found.
     """
     geometry = bodies.geometry
     pixel_size = geometry.pixel_size

@@ -17,9 +17,9 @@ from hardcontact.contact.contact import Contact
 
 #: By the size of a window relative to the search size: the smallest and the largest mean force on
 #: mirrored windows up to this size, relative to the random surface of 20 µm from which they were
-#: cut. Measured on ten Gaussian surfaces of rms height 2 to 50 nm (roll-off 300 to 2000 nm, H = 0.5
-#: to 0.84), 24 each, R = 20 to 250 µm, rho = 2 and 5.6 nm, windows of 0.6 to 10 µm, each ratio
-#: within 1 to 10 %. Larger windows had 0.95 to 1.14.
+#: cut. Computed on 24 realizations each of ten Gaussian surfaces (rms height 2 to 50 nm, roll-off
+#: 300 to 2000 nm, H = 0.5 to 0.84), R = 20 to 250 µm, rho = 2 and 5.6 nm, windows of 0.6 to 10 µm;
+#: each ratio is known to 1 to 10 %. Larger windows had 0.95 to 1.14.
 RATIOS = {0.125: (8.0, 17.0), 0.25: (3.0, 9.0), 0.5: (1.5, 3.6), 1.0: (1.1, 2.0), 2.0: (1.0, 1.5)}
 #: Size relative to the search size from which a scan is large enough, and the smallest tested one.
 LARGE_ENOUGH = max(RATIOS)
@@ -48,7 +48,7 @@ def add_sizes(
 ) -> xr.Dataset:
     """Return predicted forces (surface) with sizes of scans, window and pixels.
 
-    Sizes are in nm; ``window_share`` (rho) is that of `window_share`.
+    Sizes are in nm; ``window_share`` (rho) comes from the function of this name.
     """
     scans = topography[["scan_size", "pixel_size"]].sel(surface=force["surface"])
     lengths = [search_sizes[name] for name in force["surface"].values.tolist()]

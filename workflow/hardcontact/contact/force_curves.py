@@ -1,4 +1,4 @@
-"""Pull-off forces over scans: means against the range of adhesion, distributions of contacts."""
+"""Statistics of pull-off forces: means over scans by range of adhesion, and their distribution."""
 
 import math
 from typing import Any
@@ -90,9 +90,9 @@ def interpolate_to_range(forces: xr.DataArray, rho: float) -> xr.DataArray:
 
 
 def _spline_weights(computed_ranges: np.ndarray, new_ranges: np.ndarray) -> np.ndarray:
-    """Return the weights (computed range, new range) that turn ln F into its spline.
+    """Return the weights (computed range, new range) of ln F in its spline; NaN beyond the ends.
 
-    They are NaN beyond the ends.
+    A spline is linear in its data, so that one matrix serves all forces.
     """
     from scipy.interpolate import make_interp_spline
 
@@ -132,9 +132,9 @@ def force_statistics(forces: np.ndarray, force_floor: float, sampling: Sampling)
     mean = scan_forces.mean("contact")
     censored = (scan_forces < force_floor).mean("contact")
     confidence = sampling.confidence
-    values_of_all_scans = _jackknife_statistics(finite_forces, force_floor)
-    values = dict(zip(JACKKNIFE_STATISTICS, values_of_all_scans, strict=True))
-    values |= {
+    pooled_statistics = _jackknife_statistics(finite_forces, force_floor)
+    statistics = dict(zip(JACKKNIFE_STATISTICS, pooled_statistics, strict=True))
+    statistics |= {
         "mean_force_at_pair": float(mean.mean()),
         "censored_fraction": float(censored.mean()),
     }
@@ -144,7 +144,7 @@ def force_statistics(forces: np.ndarray, force_floor: float, sampling: Sampling)
             _jackknife_statistics(np.delete(finite_forces, scan, axis=0), force_floor)
             for scan in range(len(finite_forces))
         ]
-        pooled_intervals = jackknife_interval(values_of_all_scans, without_one_scan, confidence)
+        pooled_intervals = jackknife_interval(pooled_statistics, without_one_scan, confidence)
         censored_interval = student_interval(censored, confidence, "scan").clip(0, 1)
         intervals = dict(zip(JACKKNIFE_STATISTICS, pooled_intervals, strict=True))
         intervals["mean_force_at_pair"] = student_log_interval(mean, confidence, "scan").values
@@ -152,7 +152,7 @@ def force_statistics(forces: np.ndarray, force_floor: float, sampling: Sampling)
     variables: dict[str, Any] = {}
     for name, unit in FORCE_STATISTICS.items():
         variables |= with_interval(
-            name, (), values[name], intervals[name], {"units": unit}, confidence
+            name, (), statistics[name], intervals[name], {"units": unit}, confidence
         )
     return xr.Dataset(variables)
 

@@ -15,8 +15,8 @@ from hardcontact.contact.contact import Contact
 from hardcontact.surfaces.filters import interpolate
 from hardcontact.surfaces.height_map import HeightMap, read_height_map
 
-#: Minimum number of positions on a rough sphere that touch each own surface: with 16 an interval is
-#: 1.1 times as wide as with many, and each costs force sums.
+#: Minimum number of positions on a rough sphere that touch each own surface. With 16 an interval is
+#: 1.1 times as wide as with many positions; each position costs computing time.
 SPHERE_POSITIONS = 16
 #: Contacts per row at each of several positions.
 POSITION_CONTACTS_PER_ROW = 6
@@ -196,7 +196,7 @@ def flattened_gaps(gap: Floats, contact_pixel_count: int) -> Floats:
 
 
 def part_around_lowest(gap: Floats, pixels: int) -> Floats:
-    """Return the part (pixels, pixels) of a gap map (n, n) about its lowest point."""
+    """Return the square (pixels, pixels) about the lowest point of a gap map (n, n)."""
     lowest = np.unravel_index(gap.argmin(), gap.shape)
     row, column = np.clip(np.array(lowest) - pixels // 2, 0, gap.shape[0] - pixels)
     return gap[row : row + pixels, column : column + pixels]

@@ -1,4 +1,4 @@
-"""Indents that plastic contacts leave in the sphere: the sizes of all, and a height map of one.
+"""Indents that plastic contacts leave in the sphere: sizes of all indents, a map of one contact.
 
 Contact pixels that share an edge or a corner belong to one indent.
 """
@@ -26,7 +26,7 @@ INDENT_UNITS = {"depth": "nm", "equal_area_side": "nm", "longer_side": "nm", "in
 
 
 def indent_sizes(pixels: ContactPixels, pixel_size: float) -> tuple[float, float, float, int]:
-    """Return depth, two sizes (nm) and number of the indents of one contact, as INDENT_UNITS.
+    """Return the INDENT_UNITS of the indents of one contact: depth, two sizes (nm), number.
 
     The depth is the penetration of the deepest pixel. The sizes are the side of a square with the
     area of the largest indent, and the longer side of its bounding box.

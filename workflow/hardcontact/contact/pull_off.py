@@ -70,7 +70,7 @@ def attraction_totals(
 ) -> Floats:
     """Return the sums (pixel count, rho, contact, contact) of exp(-gap/rho) at closest approach.
 
-    A pixel count is the number of pixels that touch, at most the number of lowest gaps.
+    A pixel count is the number of pixels that touch; `pixels_by_contact` has at least as many.
     """
     gaps = _stacked_gaps(pixels_by_contact)
     sums_by_range = list(zip(outside_sums(bodies, pixels_by_contact, ranges), ranges, strict=True))
@@ -86,8 +86,8 @@ def _total_of_lowest(
 ) -> Floats:
     """Return the sum (...) of exp(-gap/rho) if only the lowest of the gaps (..., k) touch.
 
-    Gaps in nm are ascending. If all touch, the other pixels add `outside_sum`; if fewer touch, all
-    gaps are larger by the same length.
+    Gaps in nm ascend. If all k pixels touch, the other pixels add `outside_sum`. If fewer touch,
+    all gaps are larger by the same length.
     """
     largest_gap = gaps[..., contact_pixel_count - 1]
     opened = np.exp((largest_gap[..., None] - gaps[..., contact_pixel_count:]) / rho).sum(axis=-1)
@@ -116,7 +116,7 @@ def forces_at_loads(
 def _pixels_and_forces(
     bodies: Bodies, loaded_contacts: Sequence[Contact], ranges: Sequence[float]
 ) -> tuple[list[int], PixelsByContact, Floats]:
-    """Return numbers of contact pixels (load,), these pixels, and `forces_at_loads` of them."""
+    """Return the numbers (load,) of contact pixels, the pixels, and `forces_at_loads`."""
     pixel_size = bodies.geometry.pixel_size
     pixel_counts = [contact.pixel_count(pixel_size) for contact in loaded_contacts]
     pixels_by_contact = all_contact_pixels(bodies, max(pixel_counts))
@@ -197,7 +197,7 @@ def force_on_finer_pixels(bodies: Bodies, contact: Contact, forces: xr.DataArray
     """Return the mean plastic force on pixels of half the size, relative to those of a pair.
 
     Both maps are Fourier interpolated, so that the surfaces stay the same. The forces (...) of the
-    pair in N at 1 J/m² are those at the range of the contact.
+    pair in N at 1 J/m² are at the range of the contact.
     """
     geometry = bodies.geometry
     substrate = bodies.substrate
@@ -222,8 +222,8 @@ def wider_window_change(
 ) -> xr.Dataset:
     """Return the change of the plastic force in a window larger by a period on each side.
 
-    The forces (pair, contact, contact) in N at 1 J/m² are those at the range of the contact. The
-    pairs have one substrate; the largest relative change over contacts and pairs is returned.
+    The forces (pair, contact, contact) in N at 1 J/m² are at the range of the contact. All pairs
+    share the substrate. Returns the largest relative change over contacts and pairs.
     """
     changes = []
     for bodies, pair_forces in zip(pairs, forces.values, strict=True):

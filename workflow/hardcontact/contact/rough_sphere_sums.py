@@ -22,13 +22,13 @@ SMALLEST_TRANSFORMED = 1e-6
 def rough_sphere_terms(
     bodies: Bodies, touched_pixels: TouchedPixels, ranges: Sequence[float]
 ) -> Iterator[SphereTerms]:
-    """Yield the terms of `smooth_sphere_terms` for a rough sphere, relative to its highest u."""
+    """Yield the `SphereTerms` of each range, relative to the highest u of the rough sphere."""
     assert bodies.roughness is not None
     pixels = bodies.substrate.pixels
     positions = bodies.geometry.positions
     heights = bodies.substrate.heights.astype(float)
     roughness = bodies.roughness.heights.astype(float)
-    #: Rows, in units of whole rows, and columns of the contact pixels as seen from each position.
+    # Flat row indices, and columns, of contact pixels from each position: (position, pixels).
     rows = (touched_pixels.row - positions[:, None]) % pixels * pixels
     columns = (touched_pixels.column - positions[:, None]) % pixels
     for rho in ranges:
@@ -80,7 +80,7 @@ def _correlation(
     """Return the sum (contact, contact) of attraction * kernel, shifted to each contact.
 
     Fourier transforms take a third of the time of products, but their error is relative to the
-    norms of both factors: they give the sums if all of these are large enough.
+    norms of both factors. They are used if all sums are large enough.
     """
     total = _correlation_by_transforms(attraction, kernel, positions)
     norm = np.linalg.norm(attraction) * np.linalg.norm(kernel)
@@ -111,8 +111,8 @@ def _correlation_by_products(
     total = np.zeros((len(positions),) * 2)
     for start in range(0, pixels, step):
         rows = kernel[start : start + step]
-        twice = np.concatenate([rows, rows], axis=1)
-        shifted = np.lib.stride_tricks.sliding_window_view(twice, pixels, axis=1)
+        two_periods = np.concatenate([rows, rows], axis=1)
+        shifted = np.lib.stride_tricks.sliding_window_view(two_periods, pixels, axis=1)
         shifted_rows = np.arange(start, start + len(rows))[:, None] + positions
         columns = shifted[:, pixels - positions]
         total += (attraction[shifted_rows % pixels] @ columns.transpose(0, 2, 1)).sum(axis=0)

@@ -41,7 +41,7 @@ def sums_by_subtraction(
 def smooth_sphere_terms(
     bodies: Bodies, touched_pixels: TouchedPixels, ranges: Sequence[float]
 ) -> Iterator[SphereTerms]:
-    """Yield, for each range, the sums over all but contact pixels and the factor at these."""
+    """Yield the `SphereTerms` of each range."""
     pixels = bodies.substrate.pixels
     row = touched_pixels.row
     column = touched_pixels.column
@@ -72,7 +72,7 @@ def _contact_sums(
 ) -> Floats:
     """Return G exp((z - highest)/rho) G^T, (rho, contact, contact), from blocks of rows.
 
-    A block has its rows and the exponentials (rows, n) at each range; `factors` are G at each.
+    A block has its rows and, for each range, the exponentials (rows, n); `factors` has G by range.
     """
     columns = [np.ascontiguousarray(axis_factor.T) for axis_factor in factors]
     sums = np.zeros((len(factors), *[len(factors[0])] * 2))

@@ -7,10 +7,10 @@ axis for every contact. On a rough sphere they are the correlation of exp(z/rho)
 exp((u - y)/rho).
 
 These sums exclude the contact pixels, which `pull_off` adds with exp(0) = 1 each.
-`sums_by_subtraction` subtracts them from the sum over all pixels: it is fast, but loses the digits
-of exp(penetration/rho). At short ranges and on rough spheres
-`_sums_by_omission` therefore leaves the pixels of all contacts out, and then adds those of the
-others to the sum of each contact. Exponentials are relative to the highest points of z and u, so
+`sums_by_subtraction` subtracts them from the sum over all pixels. This is fast, but contact pixels
+weigh exp(penetration/rho) there, so that digits are lost. At short ranges and on rough spheres
+`_sums_by_omission` therefore leaves out the contact pixels of all contacts, and then adds to each
+contact the pixels of the others. Exponentials are relative to the highest points of z and u, so
 that none overflows.
 """
 
@@ -30,7 +30,7 @@ from hardcontact.contact.smooth_sphere_sums import smooth_sphere_terms, sums_by_
 #: Looked up once: it takes milliseconds.
 LIBRARIES = ThreadpoolController()
 #: Largest penetration of a contact, in ranges of adhesion, at which contact pixels are subtracted,
-#: by the precision of the heights. Of 7 digits sums then lose a factor of exp(2), of 16 exp(6).
+#: by the precision of the heights. Errors grow by exp(2) from 7 digits, or by exp(6) from 16.
 MAX_PENETRATION = {np.float32: 2.0, np.float64: 6.0}
 #: Largest depth of a contact below the highest point of the surface, relative to the range. Terms
 #: that round to zero are then less than exp(-47) of those of the contact.
@@ -58,9 +58,9 @@ def outside_sums(
 def _are_shallow(
     bodies: Bodies, pixels_by_contact: PixelsByContact, ranges: Floats
 ) -> NDArray[np.bool_]:
-    """Return at which ranges (rho,) contact pixels can be subtracted from the sum over all.
+    """Return the mask of ranges (rho,) at which `sums_by_subtraction` keeps enough digits.
 
-    A rough sphere has a kernel for each range, and its maps are small: its sums stay exact.
+    It is False for rough spheres: their maps are small, so that exact sums cost little.
     """
     if bodies.roughness is not None:
         return np.zeros(len(ranges), bool)

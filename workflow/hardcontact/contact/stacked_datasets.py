@@ -1,4 +1,4 @@
-"""Datasets of all surfaces, with their names, stacked from those of single scans."""
+"""Stack datasets of single scans into datasets of all surfaces, with the names of surfaces."""
 
 from collections.abc import Mapping
 from typing import Any, TypedDict
