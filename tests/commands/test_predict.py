@@ -210,8 +210,12 @@ SHORT = 2 * np.pi / np.array([100.0, 90, 80, 70, 60])
         (SMOOTHER, ["--range", "0.3nm"], "not at 0.3 nm"),
         (SMOOTHER, ["--radius", "1um", "--preload", "100nN"], "not at 1 µm"),
         (SMOOTHER, ["--preload", "500uN"], "contact area over the roll-off"),
-        (remove_bins(LONG, LONG.wavevector > 2 * np.pi / 3000), [], "take care: waves longer than"),
-        (Spectrum(SHORT, 1e-4 * (2 * np.pi / SHORT) ** 4), [], "waves longer than 100 nm"),
+        (
+            remove_bins(LONG, LONG.wavevector > 2 * np.pi / 3000),
+            [],
+            "take care: wavelengths longer than",
+        ),
+        (Spectrum(SHORT, 1e-4 * (2 * np.pi / SHORT) ** 4), [], "wavelengths longer than 100 nm"),
         (remove_bins(KNOWN, GAP), [], "a factor of 6.3 apart"),
     ],
 )

@@ -126,7 +126,7 @@ def test_a_smooth_wafer_has_the_force_and_the_octaves_of_a_rough_sphere(tmp_path
     path = tmp_path / "sphere.nc"
     scan_files.scan(path, sphere.T, (PIXELS * PIXEL_SIZE,) * 2)
     words, numbers = predicted(tmp_path, waves.T / 200, "--sphere", str(path))
-    assert "whose waves: the sphere's" in words
+    assert "these wavelengths are the sphere's" in words
     assert numbers["octave_1_sphere_share"]["value"] > 0.99
     low, high = numbers["force_on_scan"]["interval"]
     assert low < alone["force_on_scan"]["value"] < high

@@ -198,7 +198,7 @@ def test_ripples_of_the_filter_are_no_short_edge():
     line = headline_of(edges=data)
     assert_says(line, "partly answered. Short edge none: the filter's ripples", ". Long edge 1.7")
     notes = [note["text"] for note in own_answer(datasets(edges=data), setting())["notes"]]
-    assert any("Without short waves the force falls" in note for note in notes)
+    assert any("Without short wavelengths the force falls" in note for note in notes)
 
 
 @pytest.mark.parametrize(

@@ -79,12 +79,12 @@ def test_facts_are_the_claims_with_their_numbers_as_printed():
 
 
 @pytest.mark.parametrize(
-    ("end", "interval"), [("high", "[2.8, 3.8 or more] nm"), ("low", "[2.8 or less, 3.8] nm")]
+    ("end", "interval"), [("high", "[at least 2.8] nm"), ("low", "[at most 3.8] nm")]
 )
 def test_a_claim_shows_the_open_end_of_its_interval(end, interval):
     rows = claim_facts(evaluated(open_end=end))["claims"]
     assert interval in rows["first"]["computed_text"]
-    assert "or " not in rows["second"]["computed_text"]
+    assert "at " not in rows["second"]["computed_text"]
 
 
 @pytest.mark.parametrize(

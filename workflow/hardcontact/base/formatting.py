@@ -84,8 +84,9 @@ def _format(
         return f"{format_number(value / units[name], digits)} {name}".rstrip()
     size = units[name]
     number, low, high = format_value_and_ends(*(end / size for end in (value, *interval)))
-    low += " or less" if open_end == "low" else ""
-    high += " or more" if open_end == "high" else ""
+    if open_end:
+        bound = f"at least {low}" if open_end == "high" else f"at most {high}"
+        return f"{number} [{bound}] {name}".rstrip()
     return _bracketed(number, low, high, name)
 
 
@@ -101,7 +102,7 @@ def format_quantity(
 
     All are in `unit`, a key of PRINTED_UNITS. Ends of the interval are NaN if they are unknown,
     zero and infinity if nothing is excluded. `open_end` is the end, "low" or "high", that is only
-    a bound: "0.64 [0.5, 0.8 or more] µN".
+    a bound: "0.64 [at least 0.5] µN".
     """
     finite = math.isfinite(low + high)
     boundless = finite and is_boundless(value, low, high, unit)
@@ -126,7 +127,7 @@ def format_as_paper(
 
     All are in `unit`, a unit of the datasets; a unit that is not in `UNITS_OF_PAPER` is printed as
     it is. An unknown interval is NaN. The text is empty if the value is NaN. `open_end` is the end,
-    "low" or "high", that is only a bound: "250 [175, 250 or more] nm".
+    "low" or "high", that is only a bound: "250 [at least 175] nm".
     """
     if math.isnan(value):
         return ""

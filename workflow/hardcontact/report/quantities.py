@@ -74,7 +74,7 @@ def bare(number: Number) -> Number:
 def printed(number: Number, digits: int = 3, end: str = "") -> str:
     """Return a known number with its interval, "67 [47, 74] nm", or its "low" or "high" end.
 
-    With the status "interval_open_high" the interval ends at a bound: "67 [47, 74 or more] nm".
+    With the status "interval_open_high" only the other end is known: "67 [at least 47] nm".
     """
     open_end = ""
     if number.status.startswith("interval_open_"):
