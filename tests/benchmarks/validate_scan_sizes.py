@@ -31,7 +31,7 @@ from hardcontact.own.edges_of_scans import edges_of_curves
 from hardcontact.surfaces.filters import filtered_series
 from hardcontact.surfaces.height_map import HeightMap, level, mirror_stitch
 from hardcontact.surfaces.spectrum import Spectrum, SpectrumFunction, spectrum_of_dataset
-from hardcontact.surfaces.substitute_spectra import rows_of_surface, substitute_spectrum
+from hardcontact.surfaces.substitute_spectra import substitute_spectrum
 from hardcontact.surfaces.synthesis import cut_scan, random_surface
 
 RESOURCES = Path(__file__).parents[2] / "resources"
@@ -235,7 +235,7 @@ def window_edges(forces: Mapping[str, xr.Dataset]) -> xr.Dataset:
 def study_spectrum(surface: str) -> Spectrum:
     """Return the spectrum of the substitute for a surface, as the paper's study calibrates it."""
     table1 = published.read_table1(RESOURCES / "paper/table1.csv")
-    rows = rows_of_surface(table1, surface)
+    rows = published.rows_of_surface(table1, surface)
     constants = published.read_constants(RESOURCES / "paper/parameters.csv")
     stored_spectrum = substitute_spectrum(RESOURCES / f"spectra/{surface}.csv", rows, constants)
     return spectrum_of_dataset(stored_spectrum)

@@ -20,7 +20,6 @@ from hardcontact.surfaces.height_map import level, metrics
 from hardcontact.surfaces.spectrum import WAVEVECTORS, spectrum_dataset
 from hardcontact.surfaces.substitute_spectra import (
     expected_scan_rms,
-    rows_of_surface,
     substitute_spectrum,
     transfer_weights,
 )
@@ -93,7 +92,7 @@ PAPER_GRID = ScanGrid(
 @pytest.mark.parametrize("surface", SUBSTRATES)
 def test_scans_of_the_default_study_keep_table_1(surface, count, grid, rows):
     table1 = published.read_table1(ROOT / "resources/paper/table1.csv")
-    table1 = rows_of_surface(table1, surface)
+    table1 = published.rows_of_surface(table1, surface)
     constants = published.read_constants(ROOT / "resources/paper/parameters.csv")
     spectrum = substitute_spectrum(ROOT / f"resources/spectra/{surface}.csv", table1, constants)
     targets = conditioning.scan_targets(spectrum, table1, constants, grid)

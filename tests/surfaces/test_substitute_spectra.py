@@ -50,7 +50,7 @@ def test_calibration_recovers_the_spectrum_of_its_scans(weights, model, rolloff,
 
 def test_no_self_affine_spectrum_has_the_scans_of_ncd(project_folder):
     table = published.read_table1("resources/paper/table1.csv")
-    ncd = substitute_spectra.rows_of_surface(table, "ncd")
+    ncd = published.rows_of_surface(table, "ncd")
     with pytest.raises(ValueError, match="expected three numbers .* missed by .* %"):
         substitute_spectra.calibrate_model(
             band("self-affine"), ncd, transfer_weights(2048, PIXEL, 512)
@@ -136,7 +136,7 @@ def test_bands_with_all_parameters_follow_their_models(write_description, tmp_pa
 def default_spectrum(surface):
     """Rows of Table 1 and the stored spectrum of a default substitute."""
     table1 = published.read_table1(ROOT / "resources/paper/table1.csv")
-    table1 = substitute_spectra.rows_of_surface(table1, surface)
+    table1 = published.rows_of_surface(table1, surface)
     constants = published.read_constants(ROOT / "resources/paper/parameters.csv")
     path = ROOT / f"resources/spectra/{surface}.csv"
     return table1, substitute_spectra.substitute_spectrum(path, table1, constants)
@@ -193,7 +193,7 @@ def test_a_band_that_cannot_be_made_is_named(write_description, band, message_pa
 
 def test_permitted_spectra_scatter_like_the_means_of_table_1(write_description):
     table1 = published.read_table1(ROOT / "resources/paper/table1.csv")
-    table1 = substitute_spectra.rows_of_surface(table1, "uncd")
+    table1 = published.rows_of_surface(table1, "uncd")
     constants = published.read_constants(ROOT / "resources/paper/parameters.csv")
     rows = list(descriptions.AFM_ROWS)
     mean_errors = table1.uncertainty[rows] / np.sqrt(5)

@@ -2,14 +2,14 @@
 
 from hardcontact.base import published
 from hardcontact.base.job import run_job
-from hardcontact.surfaces.substitute_spectra import rows_of_surface, substitute_spectrum
+from hardcontact.surfaces.substitute_spectra import substitute_spectrum
 
 with run_job(snakemake) as job:
     surface = job.parameters["surface"]
     job.write(
         substitute_spectrum(
             job.input.description,
-            rows_of_surface(published.read_table1(job.input.published_table1), surface),
+            published.rows_of_surface(published.read_table1(job.input.published_table1), surface),
             published.read_constants(job.input.published_constants),
         ),
         title=f"power spectral density of the substitute for {surface}",

@@ -5,10 +5,9 @@ from functools import partial
 from hardcontact.base import dataset, published
 from hardcontact.base.job import run_job
 from hardcontact.base.random import generator
+from hardcontact.paper.featured_scans import describe_group, nearest_group, read_featured_surface
 from hardcontact.surfaces.conditioning import condition_group, conditioned_scan, scan_targets
-from hardcontact.surfaces.featured_scans import describe_group, nearest_group, read_featured_surface
 from hardcontact.surfaces.height_map import LEVELLED, STITCHED, level_and_stitch
-from hardcontact.surfaces.substitute_spectra import rows_of_surface
 from hardcontact.surfaces.synthesis import ScanGrid
 
 with run_job(snakemake) as job:
@@ -22,7 +21,7 @@ with run_job(snakemake) as job:
         conditioning = describe_group(features, numbers, spectrum, source.mean_rms_height)
     else:
         grid = ScanGrid(**params["scan"])
-        rows = rows_of_surface(published.read_table1(job.input.published_table1), surface)
+        rows = published.rows_of_surface(published.read_table1(job.input.published_table1), surface)
         constants = published.read_constants(job.input.published_constants)
         targets = scan_targets(spectrum, rows, constants, grid)
         generator_functions = {

@@ -73,6 +73,14 @@ def read_table1(path: str | Path) -> pd.DataFrame:
     return pd.read_csv(path)
 
 
+def rows_of_surface(table1: pd.DataFrame, surface: str) -> pd.DataFrame:
+    """Return value and uncertainty of a surface in Table 1, by quantity; empty if it is not there.
+
+    Slopes of Table 1 are read as rms gradients, its curvatures as half rms Laplacians.
+    """
+    return table1[table1["surface"] == surface].set_index("quantity")
+
+
 def rows_met(stored: str) -> list[str]:
     """Return the rows of Table 1 that an attribute or variable `table1_rows_met` names."""
     return [row for row in stored.split(",") if row]

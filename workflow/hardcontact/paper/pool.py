@@ -24,7 +24,6 @@ from hardcontact.surfaces.conditioning import Targets, scan_targets
 from hardcontact.surfaces.height_map import TABLE1_METRICS, HeightMap, level, mirror_stitch
 from hardcontact.surfaces.roughness_table import measured_metrics
 from hardcontact.surfaces.spectrum import Spectrum, spectrum_of_dataset
-from hardcontact.surfaces.substitute_spectra import rows_of_surface
 from hardcontact.surfaces.synthesis import ScanGrid, sample_scan
 
 #: Smallest height of a pool relative to the mean height: no set of a few scans has a smoother scan.
@@ -51,7 +50,7 @@ def read_pool_inputs(paths: Any, parameters: Mapping[str, Any]) -> PoolInputs:
     """
     spectrum = dataset.read(paths.spectrum)
     surface = parameters["surface"]
-    rows = rows_of_surface(published.read_table1(paths.published_table1), surface)
+    rows = published.rows_of_surface(published.read_table1(paths.published_table1), surface)
     constants = published.read_constants(paths.published_constants)
     grid = ScanGrid(**parameters["scan"])
     targets = scan_targets(spectrum, rows, constants, grid)

@@ -96,15 +96,6 @@ def expected_scan_rms(spectrum: SpectrumFunction, weights: Weights) -> Floats:
     return np.sqrt(factors @ spectrum(wavevector))
 
 
-def rows_of_surface(table1: pd.DataFrame, surface: str) -> pd.DataFrame:
-    """Return value and uncertainty of a surface in Table 1, by quantity; empty if it is not there.
-
-    The table comes from `published.read_table1`. Its slopes are read as rms gradients, its
-    curvatures as half rms Laplacians.
-    """
-    return table1[table1["surface"] == surface].set_index("quantity")
-
-
 def calibrate_model(segment: pd.Series, table1: pd.DataFrame, weights: Weights) -> dict[str, float]:
     """Return the parameters of a segment with which its scans meet AFM_ROWS of Table 1.
 

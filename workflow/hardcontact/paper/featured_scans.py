@@ -12,8 +12,7 @@ import xarray as xr
 from hardcontact.base import dataset, published
 from hardcontact.base.random import generator
 from hardcontact.base.units import DIMENSIONLESS, NM
-from hardcontact.surfaces.conditioning import scan_targets
-from hardcontact.surfaces.features import (
+from hardcontact.paper.features import (
     GAUSSIAN,
     SIGNS,
     Features,
@@ -26,9 +25,10 @@ from hardcontact.surfaces.features import (
     sample_features,
     standardized_differences,
 )
+from hardcontact.surfaces.conditioning import scan_targets
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import Spectrum, spectrum_of_dataset
-from hardcontact.surfaces.substitute_spectra import rows_of_surface, sample_permitted_spectrum
+from hardcontact.surfaces.substitute_spectra import sample_permitted_spectrum
 from hardcontact.surfaces.synthesis import ScanGrid, sample_scan, whole_surface
 
 #: Samples of features among which that of the study's scans is the nearest to Table 1: enough for
@@ -93,7 +93,7 @@ def featured_surface(
     seed: int,
 ) -> FeaturedSurface:
     """Return the source of scans with features; raises ValueError without a published height."""
-    rows = rows_of_surface(table1, surface)
+    rows = published.rows_of_surface(table1, surface)
     targets = scan_targets(spectrum_data, rows, constants, grid)
     if targets is None:
         raise ValueError(f"{surface}: expected a published rms height, found none")
@@ -132,7 +132,7 @@ def whole_surfaces(inputs: Any, parameters: Mapping[str, Any]) -> Callable[[int]
         spectrum = sample_permitted_spectrum(
             generator(seed, surface, realization, "permitted spectrum"),
             inputs.description,
-            rows_of_surface(table1, surface),
+            published.rows_of_surface(table1, surface),
             constants,
         )
         return whole_surface(seed, surface, realization, spectrum, **parameters["grid"])
