@@ -27,9 +27,9 @@ from hardcontact.theory.summits import search_size
 #: Fewest pixels that the interaction radius sqrt(D rho) spans on a scan that resolves it well, a
 #: tenth of those in the paper (1.7 µm at 5.6 nm, on pixels of 4.9 nm: 343).
 MIN_RADIUS_PIXELS = 32
-#: The longest range of adhesion (nm) that is proposed if none is given: that of the paper's study.
+#: The longest range of adhesion (nm) that is proposed if none is given, as in the paper's study.
 LONGEST_RANGE = 40.0
-#: Width of the long-edge master relative to that of a scan, and to the window.
+#: Width of the long-edge master relative to a scan, and to the window.
 MASTER_SCANS = 8
 MASTER_WINDOWS = 1.6
 #: Scans of one surface on the same pixels.
@@ -58,7 +58,7 @@ def search_sizes(entries: Sequence[Entry], sphere: str | None, probe: Contact) -
 def contact_scans(
     entries: Sequence[Entry], sphere: str | None, probe: Contact, search_sizes: Mapping[str, float]
 ) -> tuple[list[Entry], list[str]]:
-    """Return the scans that contacts are made on, those of a surface on one grid, and reasons.
+    """Return the scans that contacts are made on, one grid for each surface, and reasons.
 
     The scans are on the smallest grid that resolves the interaction radius and is large enough for
     the largest search size of all surfaces; if none is, on the largest that resolves it. Surfaces

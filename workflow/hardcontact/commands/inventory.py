@@ -97,7 +97,7 @@ def inventory(
 
     Unusable members of containers, and scans of a site that an earlier scan shows, are left out.
     Tip radius and `map_size`, the longer side, are in nm; with `unit` they serve files that state
-    none. `channel` is that of files that are not containers, empty for the file's own choice.
+    none. `channel` is read from files that are not containers; empty for the file's own choice.
     """
     entries: list[Entry] = []
     unreadable: list[str] = []
@@ -122,7 +122,7 @@ def inventory(
 def _read_file(
     source: Source, read_entry: Callable[[Source, str], Entry]
 ) -> tuple[list[Entry], list[str]]:
-    """Return the entries of usable members of a file, and a line on each fault of the others."""
+    """Return the entries of usable members of a file, and a line on each fault of unusable ones."""
     entries = []
     faults = []
     try:

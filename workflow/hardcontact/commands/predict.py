@@ -109,7 +109,7 @@ def read_inputs(arguments: Namespace) -> Inputs:
 def _spectrum_readers(
     arguments: Namespace, quantities: Mapping[str, QuantityOption]
 ) -> list[Callable[[], OwnSpectrum]]:
-    """Return the functions that read the spectrum of the surface, and that of a rough sphere."""
+    """Return the functions that read the spectra of the surface and of a rough sphere."""
     reader = partial(
         own_spectrum,
         tip_radius=quantities["tip"].number if "tip" in quantities else None,

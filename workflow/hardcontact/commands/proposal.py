@@ -251,7 +251,7 @@ def _cutoffs(shortest: float, longest: float, max_cutoffs: int) -> list[str]:
 def _transitions(substrates: Sequence[Entry], sphere_scans: Sequence[Entry]) -> Transitions:
     """Return the wavelengths (nm) beyond which roughness is artificial, with a reason.
 
-    Where the other body is rougher, the ends of a scan do not count.
+    The ends of a scan do not count at wavelengths where the other body is rougher.
     """
     short_scans = _decisive_scans(substrates, sphere_scans, "shortest")
     long_scans = _decisive_scans(substrates, sphere_scans, "longest")
@@ -277,7 +277,7 @@ def _decisive_scans(
 
 
 def _is_rougher(scan: Entry, others: Sequence[Entry], wavelength: float) -> bool:
-    """Return whether a scan of the other body has no more power at a wavelength, or none exists."""
+    """Return whether no scan of the other body has more power at a wavelength."""
     index = nearest_bin(wavelength)
     exceeds = [other.density[index] > scan.density[index] for other in others]
     return not (exceeds and all(exceeds))

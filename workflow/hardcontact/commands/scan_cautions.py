@@ -54,7 +54,7 @@ def scan_cautions(
     window: WindowChoice,
     search_sizes: Mapping[str, float],
 ) -> Iterator[str]:
-    """Yield sentences on all scans, and on contacts on those of substrates.
+    """Yield sentences on all scans, and on contacts on the scans of substrates.
 
     The usual range and the sizes that the sphere searches for summits, by surface, are in nm.
     """

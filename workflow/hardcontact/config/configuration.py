@@ -22,7 +22,7 @@ from hardcontact.config.model import (
 )
 from hardcontact.contact.contact import Contact
 
-#: The most bytes and values of a configuration: a hundred times those of the paper's.
+#: The most bytes and values of a configuration: a hundred times as many as the paper's study has.
 MAX_SIZE = 1_000_000
 MAX_VALUES = 100_000
 

@@ -133,7 +133,7 @@ def _describe_fault(fault: Mapping[str, Any]) -> str:
 
 
 def _describe_unknown(model: type[BaseModel], section: type[BaseModel], names: list[str]) -> str:
-    """Return the expected keys of a section, or those of the model that unknown keys resemble."""
+    """Return the expected keys of a section, or keys of the model that unknown keys resemble."""
     known_keys = list(section.model_fields)
     written = {key: _key_in_yaml(key) for key, _ in key_fields(model)}
     written |= {key.rpartition(".")[2]: text for key, text in written.items()}

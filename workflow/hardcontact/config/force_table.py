@@ -85,7 +85,7 @@ def _split_units(header: Sequence[str]) -> tuple[list[str], dict[str, str]]:
 
 
 def _is_force_unit(unit: str) -> bool:
-    """Return whether a unit is that of a force, or of a force over a radius."""
+    """Return whether a unit is one of force, or of force over a radius."""
     try:
         _convert_to_newton("1", unit, radius=1.0)
     except ValueError:

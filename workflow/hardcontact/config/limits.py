@@ -110,7 +110,7 @@ def _scan_faults(config: dict[str, Any], surface: str, grid: Grid) -> list[str]:
     if surface == config["sphere"]["surface"] and radius < grid.size:
         accepted = f"at least the size of its scans ({grid.size:.6g} nm)"
         faults.append(key_fault("sphere.radius", accepted, f"{radius:.6g} nm"))
-    # Only the size is that of the largest master; its artificial pixels have no say in ranges.
+    # Of the largest master only the size counts: its artificial pixels do not limit ranges.
     master_grid = grid._replace(size=grid.size * config["scales"]["long"]["tiles"])
     for name, named_contact in study_contacts(config).items():
         on_masters = name in ("scales", "sets") and surface != config["sphere"]["surface"]

@@ -19,11 +19,11 @@ from hardcontact.surfaces.descriptions import read_segments
 #: Stands for the number of a scan of a smooth sphere; scans are numbered from 1.
 NO_SCAN = 0
 
-#: The use of scans that contacts are made on; the others only enter the spectrum of their surface.
+#: The use of scans that contacts are made on; other scans only enter the spectrum of the surface.
 CONTACT = "contact"
 
 
-#: The radius of the tip that measured a scan, from a sharp one to that of a blunt stylus.
+#: The radius of the tip that measured a scan, from a sharp tip to a blunt stylus.
 TIP_RADIUS = Quantity("nm", 0.1, 1e5)
 LABEL = Matching("[^${}]{1,60}", "a name for figures, up to 60 characters without $, { and }")
 

@@ -78,8 +78,8 @@ def filtered_pull_off(
 ) -> xr.Dataset:
     """Return `forces_at_cutoffs` of plastic contact at all radii, loads and ranges of adhesion.
 
-    The contacts differ only in their load; radii and ranges (nm) are those of the first contact by
-    default. Forces are at 1 J/m². ``contact_area`` (load) is the area of the touching pixels, the
+    The contacts differ only in their load; radii and ranges (nm) are by default of the first
+    contact. Forces are at 1 J/m². ``contact_area`` (load) is the area of the touching pixels, the
     coordinate ``area`` (load) the preload divided by the hardness, both in nm².
     """
     contact = loaded_contacts[0]

@@ -55,7 +55,7 @@ def fit_work(mean_forces: np.ndarray, measured_forces: np.ndarray) -> tuple[np.n
     """Return the work of adhesion (..., rho) in J/m² of the smallest error, and this error.
 
     The error is piecewise linear in W. Its minimum is therefore at a W that matches the force on
-    one of the surfaces exactly, and all these W are compared. Forces are those of
+    one of the surfaces exactly, and all these W are compared. Forces are as in
     `mean_relative_error`.
     """
     relative = mean_forces / measured_forces[:, None]
@@ -75,7 +75,7 @@ def fit_range_and_work(
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return the index of the best range, its work of adhesion in J/m² and its error, each (...).
 
-    Forces are those of `mean_relative_error`.
+    Forces are as in `mean_relative_error`.
     """
     work, error = fit_work(mean_forces, measured_forces)
     return error.argmin(axis=-1), *minimum_along_axis(error, work)
@@ -119,7 +119,7 @@ def fit_mean_forces(mean_forces: xr.DataArray, measured_forces: pd.Series) -> xr
 def fit_without_each_surface(mean_forces: xr.DataArray, measured_forces: pd.Series) -> xr.Dataset:
     """Return the variables of WITHOUT_SURFACE (left_out, ...): fits without one surface at a time.
 
-    The arguments are those of `fit_mean_forces`.
+    The arguments are as in `fit_mean_forces`.
     """
     surfaces: Sequence[str] = mean_forces["surface"].values.tolist()
     fits = [

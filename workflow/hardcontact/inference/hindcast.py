@@ -137,7 +137,7 @@ def _artificial_octave(
     rng = generator(body.seed, *body.scan, "hindcast", seed_word, number)
     scan_pixels = round(body.size / stitched.pixel_size)
     surface = random_surface(rng, 2 * scan_pixels, stitched.pixel_size, octave_spectrum)
-    # A smaller scan of the sphere is continued by its mirror images, as that of the map is.
+    # A smaller scan of the sphere is continued by its mirror images, as the map is.
     pixel = np.arange(stitched.pixels // 2) % (2 * scan_pixels)
     pixel = np.minimum(pixel, 2 * scan_pixels - 1 - pixel)
     corner = replace(surface, heights=surface.heights[np.ix_(pixel, pixel)])

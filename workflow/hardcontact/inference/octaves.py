@@ -179,7 +179,7 @@ def octave_sensitivities(
 ) -> xr.Dataset:
     """Return ``octave_sensitivity`` (octave), d ln F / d ln a, from forces on all maps.
 
-    `octave_force` (map, octave, factor, contact_y, contact_x) is that of `octave_force_dataset`.
+    `octave_force` (map, octave, factor, contact_y, contact_x) comes from `octave_force_dataset`.
     The derivative is the central difference of the logarithms of the mean forces.
     """
     weak, strong = (octave_force.sel(factor=factor, drop=True) for factor in AMPLITUDE_FACTORS)

@@ -132,7 +132,7 @@ def _fit_model(
         `_extent`; and the variables of `_best_pair`.
     """
     computed_ranges = next(iter(computed.values())).ranges
-    # The computed ranges are among those of the curves, so that their works are exact.
+    # The curves contain the computed ranges, so that the works at these are exact.
     ranges = np.union1d(fine_ranges(computed_ranges), computed_ranges)
     means = np.array([surface_forces.mean for surface_forces in computed.values()])
     curves = interpolate_to_ranges(means, computed_ranges, ranges)

@@ -1,4 +1,4 @@
-"""The user's scans of a sphere, added to those of a surface."""
+"""The user's scans of a sphere, added to scans of a surface: one rough body on a smooth one."""
 
 from dataclasses import replace
 

@@ -62,7 +62,7 @@ def add_force_on_scan(
 ) -> dict[str, Number]:
     """Return the numbers of a prediction, after the force on its levelled scans, if there are any.
 
-    `body_maps` are those of substrate and rough sphere, whose sum is the scan.
+    `body_maps` are the maps of substrate and rough sphere, whose sum is the scan.
     If the closed form disagrees with this force, its predictions lose their errors.
     """
     if not scans:
@@ -130,7 +130,7 @@ def _forces(surface: HeightMap, body_maps: Sequence[HeightMap], contact: Contact
 
 
 def extend_low_end(number: Number, wide_pixel_ratio: float) -> Number:
-    """Return a force whose interval includes that on finer pixels, like those of a study."""
+    """Return a force whose interval includes the force on finer pixels, as in a study."""
     return number._replace(low=number.low / max(wide_pixel_ratio, 1.0))
 
 
@@ -139,7 +139,7 @@ def _force_numbers(
 ) -> Iterator[Number]:
     """Yield the mean plastic force on a levelled map, its share, and numbers to judge it by.
 
-    Like those of `bound_by_smooth_sphere`, mean and interval never exceed a smooth sphere's force.
+    As in `bound_by_smooth_sphere`, mean and interval never exceed a smooth sphere's force.
     """
     surface = stitched_map(scan)
     contact = contact_on_scan(scan, contact)

@@ -23,7 +23,7 @@ SelectedLabels = Mapping[str, list[list[Any]]]
 def parse_selection(number: xr.Dataset, select: str) -> SelectedLabels | None:
     """Parse the column `select` of a claim: ``a=x;b=y,z>w`` means {a: [[x]], b: [[y, z], [w]]}.
 
-    Labels are those of the coordinates; None if a coordinate lacks a label. Raises KeyError if the
+    Labels are values of the coordinates; None if a coordinate lacks a label. Raises KeyError if the
     number lacks a dimension.
     """
     labels: dict[str, list[list[Any]]] = {}
@@ -148,6 +148,6 @@ def fixed_verdict(
 
 
 def _has_larger_pixels(topography: xr.Dataset, published_constants: "pd.Series[float]") -> bool:
-    """Return whether the pixels of the scans are larger than those of the paper."""
+    """Return whether the scans have larger pixels than the paper's."""
     pixel_size = published_constants["scan_size"] / published_constants["scan_pixels"]
     return bool(topography["pixel_size"].max() > 1.01 * pixel_size)

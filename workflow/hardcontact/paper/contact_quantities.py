@@ -49,7 +49,7 @@ def tabor_by_convention(classical: xr.Dataset) -> xr.Dataset:
 
 
 def classical_over_numerical(classical: xr.Dataset, fit: xr.Dataset) -> xr.Dataset:
-    """Return the smallest error of a classical model relative to that of the computed forces.
+    """Return the smallest error of a classical model, relative to the error of the computed forces.
 
     Its dimensions are metrics, model, force_source and contact_model.
     """
@@ -139,7 +139,7 @@ def median_force_exponent(exponents: xr.Dataset) -> xr.Dataset:
 def median_edge_exponent(exponents: xr.Dataset) -> xr.Dataset:
     """Return d ln(edge)/d ln(root of a quantity), the median over surfaces (side, exponent_of).
 
-    The interval is that of the surfaces whose edges determine one.
+    The interval uses the surfaces whose edges determine one.
     """
     exponent = variable_as_number(exponents, "edge_exponent")
     is_known = exponent["value"].notnull().all("surface")

@@ -66,7 +66,7 @@ NUMBER_COLUMNS = ("published", "published_low", "published_high")
 def read_statements(path: str | Path) -> pd.DataFrame:
     """Read the statements of the paper, one row each, from a table like resources/paper/claims.csv.
 
-    Published numbers are floats, NaN if blank; the rest is text.
+    Published numbers are floats, NaN if blank; other columns are text.
     """
     table = pd.read_csv(path, dtype=str, keep_default_na=False)
     return table.assign(**{name: pd.to_numeric(table[name]) for name in NUMBER_COLUMNS})
@@ -251,7 +251,7 @@ def _claim_interval(
 ) -> tuple[float, float]:
     """Return the ends of the interval of a number, NaN if no interval exists.
 
-    The interval is that of `interval_with_sets`. A number that needs no scan has zero width.
+    The interval comes from `interval_with_sets`. A number that needs no scan has zero width.
     """
     value = float(number["value"])
     ends = interval_with_sets(value, bounds(number, "value"), samples, confidence)

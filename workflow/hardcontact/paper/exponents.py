@@ -80,7 +80,7 @@ def _edges(forces: xr.Dataset, tolerance: float) -> xr.DataArray:
     cutoffs = forces["cutoff_wavelength"].values
 
     def edge(ratios: Floats, unfiltered: float, side: str) -> float:
-        """Return the edge of the mean ratios (cutoff,) of a side, NaN at the other's cutoffs."""
+        """Return the edge of mean ratios (cutoff,) of a side, NaN at cutoffs of the other side."""
         is_known = np.isfinite(ratios)
         order = np.argsort(cutoffs[is_known])[:: 1 if side == "short" else -1]
         wavelengths = np.append(unfiltered, cutoffs[is_known][order])

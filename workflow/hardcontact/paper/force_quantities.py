@@ -157,7 +157,7 @@ def _kolmogorov_distance(
 ) -> float:
     """Return the largest difference between the empirical distribution of values (n,) and another.
 
-    `cumulative_distribution` is that of the other distribution.
+    `cumulative_distribution` belongs to the other distribution.
     """
     expected = cumulative_distribution(np.sort(values))
     steps = np.arange(len(values) + 1) / len(values)

@@ -40,7 +40,7 @@ def number_of(
 ) -> Number:
     """Return a variable without dimensions, with its `<variable>_interval` if there is one.
 
-    The unit replaces that of the dataset, and the name that of the variable. An interval from zero
+    A unit replaces the dataset's unit, and a name the variable's name. An interval from zero
     to infinity counts as none.
     """
     unit = unit or str(dataset[variable].attrs.get("units", "1"))
@@ -135,7 +135,7 @@ def all_quantities(
 
 
 def numbers_by_name(answer: Mapping[str, Any], surface: str = "") -> dict[str, Number]:
-    """Return the numbers of one surface in answer.json, or those of the whole study, by name."""
+    """Return the numbers of one surface, or of the whole study, in answer.json by name."""
     numbers = {}
     for quantity in answer["quantities"]:
         if quantity["surface"] == surface:

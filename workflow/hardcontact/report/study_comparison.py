@@ -113,7 +113,7 @@ def _changed_contact(first: Mapping[str, Any], second: Mapping[str, Any]) -> Ite
 def _paired_numbers(
     first: Mapping[str, Any], second: Mapping[str, Any]
 ) -> Iterator[tuple[str, dict[str, Number], dict[str, Number]]]:
-    """Yield the numbers of whole studies, then those of each surface below its label."""
+    """Yield the numbers of whole studies, then the numbers of each surface below its label."""
     yield "", numbers_by_name(first), numbers_by_name(second)
     surfaces = [
         {surface["name"]: surface["label"] for surface in answer["surfaces"]}

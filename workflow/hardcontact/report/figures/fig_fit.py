@@ -44,7 +44,7 @@ def draw(fit: xr.Dataset, sets: xr.Dataset, published_constants: pd.DataFrame) -
 def _legend_handles(
     curves: Axes, fit: xr.Dataset, published_constants: pd.DataFrame
 ) -> list[Artist]:
-    """Return the entries of the curves, and those of lines that several panels share."""
+    """Return the legend entries of the curves and of lines that several panels share."""
     published = published_constants["value"]["range_of_adhesion"]
     interval = f"{format_share(fit.attrs['confidence'])} interval"
     return [
@@ -104,7 +104,7 @@ def _draw_error_map(axes: Axes, fit: xr.Dataset, published_constants: pd.DataFra
 
 
 def _mark_minima(axes: Axes, fit: xr.Dataset, height: str, unit: float = 1) -> None:
-    """Mark the best fit of the study with a star, the other minima of its error with rings.
+    """Mark the best fit of the study with a star, other minima of its error with rings.
 
     The `height` over the range of adhesion (nm) is the "work" or the "error", in `unit`.
     """

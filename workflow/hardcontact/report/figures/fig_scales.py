@@ -64,7 +64,7 @@ def draw(topography: xr.Dataset, scales: xr.Dataset, published_constants: pd.Dat
 def filtered_heights(scan: xr.Dataset, band: Sequence[float]) -> ScanMaps:
     """Return the maps of a scan with all waves, and without those below and above a band (nm).
 
-    Waves are those of the scan and its mirror images, on pixels that resolve the short end.
+    The map has the waves of the scan and its mirror images, on pixels that resolve the short end.
     """
     heights = mean_free_heights(scan["example_heights"])
     stitched = mirror_stitch(HeightMap(heights, scan["scan_size"].item() / len(heights)))
@@ -92,7 +92,7 @@ def _surface_looks(topography: xr.Dataset) -> dict[str, style.Look]:
 def _draw_spectra(
     axes: Axes, topography: xr.Dataset, scales: xr.Dataset, band: Sequence[float]
 ) -> None:
-    """Draw the spectra at all scales, dashed where roughness is artificial, and those of scans."""
+    """Draw the spectra of scans, and at all scales, dashed where roughness is artificial."""
     wavelengths = 2 * np.pi / topography["wavevector"]
     shortest, longest = scales["transition"].sel(side=["short", "long"]).values
     is_artificial = (wavelengths < shortest) | (wavelengths > longest)

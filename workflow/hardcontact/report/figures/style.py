@@ -67,7 +67,7 @@ RC: dict[Any, Any] = {
     "xtick.major.width": 0.6,
     "ytick.major.width": 0.6,
     "image.interpolation": "nearest",  # every pixel of a height map is shown as it is
-    "pdf.fonttype": 3,  # its text can be searched as that of type 42, which takes thrice as long
+    "pdf.fonttype": 3,  # text can be searched, as with type 42, which takes three times as long
     "svg.hashsalt": "figure",  # the same names of parts in the SVG each time
 }
 

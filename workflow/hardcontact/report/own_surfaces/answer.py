@@ -100,7 +100,7 @@ def own_answer(datasets: Datasets, setting: Setting) -> dict[str, Any]:
 
 
 def _chosen_inputs(force: xr.Dataset, setting: Setting) -> list[str]:
-    """Return the inputs that the scans forced: a range of adhesion of which none is shorter."""
+    """Return the inputs that the scans forced: the shortest range of adhesion that they permit."""
     ranges = force["rho"].values
     is_shortest = len(ranges) > 1 and np.isclose(force.attrs["range_of_adhesion"], ranges.min())
     return [RANGE] if is_shortest and RANGE not in setting.assumed else []
@@ -119,7 +119,7 @@ def surface_answers(datasets: Datasets, setting: Setting) -> list[SurfaceAnswer]
 def _surface_answer(
     name: str, label: str, data: Datasets, reference: Datasets, setting: Setting
 ) -> SurfaceAnswer:
-    """Return the answer of one surface from its datasets, compared to those of the first."""
+    """Return the answer of one surface from its datasets, compared to the first surface."""
     numbers = [*_octave_numbers(data), *edge_numbers(data), *force_numbers(data)]
     if data.force["surface"].item() != reference.force["surface"].item():
         numbers += comparison_numbers(data, reference)
@@ -192,7 +192,7 @@ def _fit_text(numbers: Mapping[str, Number]) -> str:
 
 
 def _caution_numbers(surface_cautions: list[Caution]) -> Iterator[Number]:
-    """Yield the numbers of cautions; those of a defect are named after its measurement."""
+    """Yield the numbers of cautions; numbers of a defect are named after its measurement."""
     for caution in surface_cautions:
         prefix = f"measurement_{caution.measurement}" if caution.measurement else caution.code
         for name, number in caution.numbers.items():
@@ -223,7 +223,7 @@ def _scan_numbers(data: Datasets) -> Iterator[Number]:
 def _shortest_by(scan: xr.Dataset) -> str:
     """Return the limit of the shortest reliable wavelengths; an empty text if none is reliable.
 
-    A scan of the smoother body may be reliable, though the other body's waves count.
+    A scan of the smoother body may be reliable where only waves of the rougher body count.
     """
     limit = str(scan["limited_by"].item())
     return limit if scan["reliable"].any() or limit == OTHER_BODY else ""

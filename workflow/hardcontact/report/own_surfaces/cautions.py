@@ -56,7 +56,7 @@ class Caution:
 def cautions(data: Datasets, numbers: Mapping[str, Number]) -> list[Caution]:
     """Return the cautions about the answer of one surface, the grave ones first.
 
-    The numbers are those of edges and forces, by name.
+    The numbers of edges and forces are given by name.
     """
     possible_cautions = [
         _blind_scans(data),
@@ -159,7 +159,7 @@ def _soft_bodies(force: xr.Dataset) -> Caution | None:
 
 
 def _strong_work(numbers: Mapping[str, Number]) -> Caution | None:
-    """Return a caution if a measured force needs a work of adhesion beyond that of solids."""
+    """Return a caution if a measured force needs more work of adhesion than any solid has."""
     work = numbers.get("measured_work")
     if work is None or work.value <= STRONGEST_WORK:
         return None
@@ -186,7 +186,7 @@ def _repeated_tests(numbers: Mapping[str, Number]) -> Caution | None:
 
 
 def _smooth_bound(force: xr.Dataset, numbers: Mapping[str, Number]) -> Caution | None:
-    """Return a caution if the mean force, or its upper end, is that of a smooth sphere."""
+    """Return a caution if the mean force, or its upper end, is as high as on a smooth sphere."""
     mean = numbers["mean_force"]
     is_bounded = np.nanmax([mean.value, mean.high]) >= forces_at_range(force)["smooth_bound"].item()
     return Caution("smooth_bound") if is_bounded else None
@@ -355,7 +355,7 @@ def _long_waves(data: Datasets) -> Caution | None:
         "rolloff": Number("rolloff", rolloff, "nm", source="extrapolated"),
         "above": number_of(data.spectra, "longest_measured", "nm"),
     }
-    if "sphere_share" not in data.spectra:  # Otherwise the spectrum is that of both bodies.
+    if "sphere_share" not in data.spectra:  # Otherwise the spectrum is of both bodies.
         numbers |= {
             "of_scans": Number("of_scans", float(data.topography["rms_height"].mean()), "nm"),
             "whole": number_of(data.topography, "all_scales_rms_height", "nm"),

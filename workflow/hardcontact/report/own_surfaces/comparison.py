@@ -38,7 +38,7 @@ def comparison_numbers(data: Datasets, reference: Datasets) -> Iterator[Number]:
     status = "" if np.isfinite([low, high]).any() else "no_interval"
     yield Number("force_ratio", ratio, "1", low, high, status)
     octaves, contributions = octave_contributions(data, reference)
-    # Some octaves may change the ratio the other way.
+    # Some octaves may change the ratio in the opposite direction.
     shares = contributions * np.log(ratio)
     strongest = [index for index in np.argsort(-shares)[:OCTAVES_NAMED] if shares[index] > 0]
     for rank, index in enumerate(strongest, start=1):

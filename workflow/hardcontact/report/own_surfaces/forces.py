@@ -56,7 +56,7 @@ def force_numbers(data: Datasets) -> list[Number]:
 def _change_from_smooth(data: Datasets) -> Number:
     """Return the share of the decrease of the force that reliable wavelengths cause.
 
-    The force decreases from that of a smooth sphere. The source is "measured" if artificial
+    The force decreases from the force of a smooth sphere. The source is "measured" if artificial
     wavelengths change the force by no more than the tolerance.
     """
     reliable, artificial = parts_of_change(data, "short")

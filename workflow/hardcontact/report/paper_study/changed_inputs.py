@@ -28,7 +28,7 @@ def changed_inputs(
 ) -> list[dict[str, str]]:
     """Return the inputs that differ from the paper's, each with both values.
 
-    The contact is that of `paper_contact`; the paper's surfaces are those of Table 1. Other names,
+    The contact comes from `paper_contact`; Table 1 lists the paper's surfaces. Other names,
     grids and repetitions are no other inputs.
     """
     paper_inputs = paper_contact(Study().model_dump(warnings=False))

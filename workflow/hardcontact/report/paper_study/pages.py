@@ -1,4 +1,4 @@
-"""Pages of the paper's study: its answer, all figures with Table 1, and those of the report."""
+"""Pages of the paper's study: its answer, all figures with Table 1, and the report."""
 
 from collections.abc import Mapping, Sequence
 from itertools import groupby

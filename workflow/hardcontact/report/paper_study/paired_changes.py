@@ -82,7 +82,7 @@ def add_paired_intervals(
 def _set_numbers(study: Mapping[str, xr.Dataset]) -> dict[tuple[str, str], xr.DataArray]:
     """Return the numbers (set,) or (sample,) by the label of the surface and their name.
 
-    The label is empty for the whole study, and names are those of answer.json.
+    The label is empty for the whole study, and names are as in answer.json.
     """
     sets, labels = study["sets"], study["topography"]["label"]
     claims = {
