@@ -91,7 +91,7 @@ def test_the_force_on_a_map_is_the_sum_over_its_pixels(kind, predictions):
     if "interval" in numbers["force_on_scan"]:
         low, high = numbers["force_on_scan"]["interval"]
         assert low < force < high
-    assert words.splitlines()[1].startswith("force on the scan: ")
+    assert words.splitlines()[0].startswith("pull-off force, on the scan: ")
 
 
 @pytest.mark.parametrize(("kind", "sign", "fault"), [("pits", -1, "low"), ("peaks", 1, "high")])
@@ -115,6 +115,7 @@ def test_the_closed_form_of_a_gaussian_map_has_its_error(predictions):
     assert form["interval"][0] < form["value"] < form["interval"][1]
     assert form["interval"][0] < force["interval"][1] and force["interval"][0] < form["interval"][1]
     assert_says(words, "closed form, for the spectrum of this scan: ", "pixels 4 times finer")
+    assert_says(words, "a check that takes Gaussian heights", "quote the force on the scan")
     assert_says(words, "regime: many")
 
 
