@@ -6,10 +6,9 @@ from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
-import pandas as pd
 import xarray as xr
 
-from hardcontact.base import dataset, published
+from hardcontact.base import published
 from hardcontact.base.random import generator
 from hardcontact.base.units import DIMENSIONLESS, NM
 from hardcontact.paper.features import (
@@ -25,9 +24,9 @@ from hardcontact.paper.features import (
     sample_features,
     standardized_differences,
 )
-from hardcontact.surfaces.conditioning import scan_targets
+from hardcontact.surfaces.conditioning import read_targets
 from hardcontact.surfaces.height_map import HeightMap
-from hardcontact.surfaces.spectrum import Spectrum, spectrum_of_dataset
+from hardcontact.surfaces.spectrum import Spectrum
 from hardcontact.surfaces.substitute_spectra import sample_permitted_spectrum
 from hardcontact.surfaces.synthesis import ScanGrid, sample_scan, whole_surface
 
@@ -84,34 +83,16 @@ class FeaturedSurface(NamedTuple):
         return add_features(rng, base, features, count)
 
 
-def featured_surface(
-    surface: str,
-    spectrum_data: xr.Dataset,
-    table1: pd.DataFrame,
-    constants: pd.DataFrame,
-    grid: ScanGrid,
-    seed: int,
-) -> FeaturedSurface:
-    """Return the source of scans with features; raises ValueError without a published height."""
-    rows = published.rows_of_surface(table1, surface)
-    targets = scan_targets(spectrum_data, rows, constants, grid)
-    if targets is None:
-        raise ValueError(f"{surface}: expected a published rms height, found none")
-    scan_count = int(constants["value"]["scans_per_surface"])
-    statistics = published_statistics(targets.means, rows, scan_count)
-    return FeaturedSurface(surface, spectrum_of_dataset(spectrum_data), statistics, grid, seed)
-
-
 def read_featured_surface(inputs: Any, parameters: Mapping[str, Any]) -> FeaturedSurface:
-    """Read the source of scans with features: its spectrum, Table 1 and constants are inputs."""
-    return featured_surface(
-        parameters["surface"],
-        dataset.read(inputs.spectrum),
-        published.read_table1(inputs.published_table1),
-        published.read_constants(inputs.published_constants),
-        ScanGrid(**parameters["scan"]),
-        parameters["seed"],
-    )
+    """Read the source of scans with features: its spectrum, Table 1 and constants are inputs.
+
+    Raises ValueError if the paper has no rms height of the surface.
+    """
+    grid = ScanGrid(**parameters["scan"])
+    spectrum, rows, targets = read_targets(inputs, parameters["surface"], grid)
+    constants = published.read_constants(inputs.published_constants)["value"]
+    statistics = published_statistics(targets.means, rows, int(constants["scans_per_surface"]))
+    return FeaturedSurface(parameters["surface"], spectrum, statistics, grid, parameters["seed"])
 
 
 def whole_surfaces(inputs: Any, parameters: Mapping[str, Any]) -> Callable[[int], HeightMap]:

@@ -12,7 +12,6 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from hardcontact.base import dataset, published
 from hardcontact.base.arrays import Floats
 from hardcontact.base.progress import progress
 from hardcontact.base.random import generator
@@ -20,10 +19,10 @@ from hardcontact.base.units import DIMENSIONLESS, NM
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import pull_off_dataset
-from hardcontact.surfaces.conditioning import Targets, scan_targets
+from hardcontact.surfaces.conditioning import Targets, read_targets
 from hardcontact.surfaces.height_map import TABLE1_METRICS, HeightMap, level, mirror_stitch
 from hardcontact.surfaces.roughness_table import measured_metrics
-from hardcontact.surfaces.spectrum import Spectrum, spectrum_of_dataset
+from hardcontact.surfaces.spectrum import Spectrum
 from hardcontact.surfaces.synthesis import ScanGrid, sample_scan
 
 #: Smallest height of a pool relative to the mean height: no set of a few scans has a smoother scan.
@@ -48,17 +47,11 @@ def read_pool_inputs(paths: Any, parameters: Mapping[str, Any]) -> PoolInputs:
 
     Raises ValueError if the paper has no rms height of the surface.
     """
-    spectrum = dataset.read(paths.spectrum)
-    surface = parameters["surface"]
-    rows = published.rows_of_surface(published.read_table1(paths.published_table1), surface)
-    constants = published.read_constants(paths.published_constants)
     grid = ScanGrid(**parameters["scan"])
-    targets = scan_targets(spectrum, rows, constants, grid)
-    if targets is None:
-        raise ValueError(f"{surface}: expected a published rms height, found none")
+    spectrum, _, targets = read_targets(paths, parameters["surface"], grid)
     return PoolInputs(
-        surface,
-        spectrum_of_dataset(spectrum),
+        parameters["surface"],
+        spectrum,
         targets,
         pool_heights(targets, parameters["scans"], parameters["rms_height_count"]),
         grid,

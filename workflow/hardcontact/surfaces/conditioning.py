@@ -7,18 +7,23 @@ the published mean and standard deviation of rms heights, and mean slope and cur
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 import pandas as pd
 import xarray as xr
 
+from hardcontact.base import dataset, published
 from hardcontact.base.arrays import Floats
-from hardcontact.base.published import rows_met
 from hardcontact.base.units import DIMENSIONLESS, RAD_PER_NM
 from hardcontact.surfaces.descriptions import AFM_ROWS
 from hardcontact.surfaces.height_map import TABLE1_METRICS, HeightMap, level, metrics
-from hardcontact.surfaces.spectrum import WAVEVECTORS, SpectrumFunction, spectrum_of_dataset
+from hardcontact.surfaces.spectrum import (
+    WAVEVECTORS,
+    Spectrum,
+    SpectrumFunction,
+    spectrum_of_dataset,
+)
 from hardcontact.surfaces.substitute_spectra import MET_ERROR, expected_scan_rms, transfer_weights
 from hardcontact.surfaces.synthesis import (
     ScanGrid,
@@ -62,7 +67,7 @@ def scan_targets(
         spectrum = spectrum_of_dataset(spectrum_data)
         weights = transfer_weights(4 * grid.pixels, grid.pixel_size, grid.pixels)
         rms_values = expected_scan_rms(spectrum, weights)
-    calibrated_rows = rows_met(spectrum_data.attrs["table1_rows_met"])
+    calibrated_rows = published.rows_met(spectrum_data.attrs["table1_rows_met"])
     met_rows = []
     for i, (row, is_published) in enumerate(
         zip(AFM_ROWS, (same_size, same_pixels, same_pixels), strict=True)
@@ -76,6 +81,22 @@ def scan_targets(
         float(rms_values[0] * height["uncertainty"] / height["value"]),
         tuple(met_rows),
     )
+
+
+def read_targets(
+    paths: Any, surface: str, grid: ScanGrid
+) -> tuple[Spectrum, pd.DataFrame, Targets]:
+    """Read the spectrum of a substitute, its rows of Table 1 and its `scan_targets`.
+
+    Raises ValueError if the paper has no rms height of the surface.
+    """
+    spectrum_data = dataset.read(paths.spectrum)
+    rows = published.rows_of_surface(published.read_table1(paths.published_table1), surface)
+    constants = published.read_constants(paths.published_constants)
+    targets = scan_targets(spectrum_data, rows, constants, grid)
+    if targets is None:
+        raise ValueError(f"{surface}: expected a published rms height, found none")
+    return spectrum_of_dataset(spectrum_data), rows, targets
 
 
 def scale_rms_heights(rms_heights: Floats, mean: float, std: float) -> Floats:
@@ -194,7 +215,7 @@ def condition_group(
     """
     amplitude_gain = np.ones_like(WAVEVECTORS)
     factors = np.ones(len(generator_functions))
-    met_rows = rows_met(spectrum_data.attrs["table1_rows_met"])
+    met_rows = published.rows_met(spectrum_data.attrs["table1_rows_met"])
     if targets is not None:
         shares = component_shares(grid)
         spectrum = spectrum_of_dataset(spectrum_data)
