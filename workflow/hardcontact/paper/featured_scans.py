@@ -1,4 +1,4 @@
-"""Groups of scans with features: of one surface, with the roughness that Table 1 publishes."""
+"""Substitute scans of one surface with bumps or pits that agree with Table 1, in groups."""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
@@ -30,8 +30,8 @@ from hardcontact.surfaces.spectrum import Spectrum
 from hardcontact.surfaces.substitute_spectra import sample_permitted_spectrum
 from hardcontact.surfaces.synthesis import ScanGrid, sample_scan, whole_surface
 
-#: Samples of features among which that of the study's scans is the nearest to Table 1: enough for
-#: all of its numbers to be within half of a standard error.
+#: Samples of features from which the study takes the one nearest to Table 1: enough for all of its
+#: numbers to be within half of a standard error.
 CANDIDATES = 100
 
 
@@ -58,7 +58,7 @@ class FeaturedSurface(NamedTuple):
         return sample_features(rng, self.statistics, scan_count, size, pixel_size, SIGNS[kind])
 
     def distance_from_table1(self, features: Features) -> float:
-        """Return the root sum of squares of the `standardized_differences` that are expected."""
+        """Return the root sum of squares of the expected `standardized_differences`."""
         added = feature_squares(features.height, features.width, self.grid.size)
         rms_values = expected_rms(features.base_factor, features.counts, added, self.statistics)
         return float(np.linalg.norm(standardized_differences(rms_values, self.statistics)))
@@ -98,8 +98,8 @@ def read_featured_surface(inputs: Any, parameters: Mapping[str, Any]) -> Feature
 def whole_surfaces(inputs: Any, parameters: Mapping[str, Any]) -> Callable[[int], HeightMap]:
     """Return a function that makes a whole surface by its number, with or without features.
 
-    Each without features has its own spectrum, among those that Table 1 permits. `inputs` are paths
-    of the description, the calibrated spectrum, Table 1 and the constants.
+    Each surface without features gets its own sample of the spectra that Table 1 permits. `inputs`
+    are paths of the description, the calibrated spectrum, Table 1 and the constants.
     """
     if parameters["has_features"]:
         source = read_featured_surface(inputs, parameters)
@@ -124,11 +124,11 @@ def whole_surfaces(inputs: Any, parameters: Mapping[str, Any]) -> Callable[[int]
 def sample_group(
     source: FeaturedSurface, kind: str, scans: Sequence[int], *names: object
 ) -> tuple[Features, list[HeightMap]]:
-    """Sample features of a kind, and scans with these features; names tell groups apart."""
+    """Sample features of a kind, and scans with these features; `names` name random numbers."""
     features = source.sample_features(kind, len(scans), *names)
     group = []
-    for number, count in zip(scans, features.counts, strict=True):
-        rng = generator(source.seed, source.surface, kind, *names, number, "featured scan")
+    for scan, count in zip(scans, features.counts, strict=True):
+        rng = generator(source.seed, source.surface, kind, *names, scan, "featured scan")
         group.append(source.scan(rng, features, count))
     return features, group
 
@@ -136,7 +136,7 @@ def sample_group(
 def nearest_group(
     source: FeaturedSurface, scans: Sequence[int]
 ) -> tuple[Features, list[HeightMap]]:
-    """Return the group of scans whose features are the nearest to Table 1 of CANDIDATES samples.
+    """Return the group of scans whose features are nearest to Table 1, among CANDIDATES samples.
 
     Bumps and pits alternate among the samples. No force enters.
     """
@@ -150,7 +150,7 @@ def nearest_group(
 
 
 def describe_features(features: Features, base_rms_height: float) -> dict[str, xr.Variable]:
-    """Return the numbers of features as variables; `base_rms_height` (nm) is that of factor 1."""
+    """Return features as variables; the base has `base_rms_height` (nm) for a factor of 1."""
     return {
         "feature_density": xr.Variable((), features.number_density, {"units": "um-2"}),
         "feature_height": xr.Variable((), features.height, NM),

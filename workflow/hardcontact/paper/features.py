@@ -1,7 +1,8 @@
-"""Bumps or pits on a homogeneous Gaussian base: a family of surfaces that Table 1 limits.
+"""Bumps or pits on a homogeneous Gaussian base: a family of surfaces that agree with Table 1.
 
 A homogeneous Gaussian surface has nearly the same rms height in each scan. Rare features explain
-a large scatter of scans. Features of a surface are equal Gaussian shapes at independent positions.
+why rms heights scatter much more. All features of a surface have one Gaussian shape; their
+positions are independent.
 """
 
 from collections.abc import Mapping
@@ -29,7 +30,7 @@ WIDTH_BOUNDS = (20.0, 300.0)
 BASE_BOUNDS = (0.2, 1.2)
 #: Smallest width in pixels: the pixels then resolve the curvature of a feature to 4 %.
 MIN_WIDTH_PIXELS = 2.5
-#: Tries to find features that Table 1 accepts: in one batch, and the largest number of batches.
+#: Number of samples of features in a batch, and of batches until Table 1 accepts a sample.
 BATCH = 1000
 MAX_BATCHES = 200
 
@@ -72,10 +73,10 @@ def published_statistics(
 
 
 def feature_squares(height: ArrayLike, width: ArrayLike, size: float) -> Floats:
-    """Return the increase of the squares of the rms values (..., 3) of a scan by one feature.
+    """Return the increase of the squared rms values (..., 3) of a scan by one feature.
 
-    Campbell's theorem: the integrals of the squares of shape, gradient and half-Laplacian over the
-    area, without the part beyond the edges and without the mean plane.
+    By Campbell's theorem these are the integrals of the squared shape, gradient and half-Laplacian
+    over the area, without the part beyond the edges and without the mean plane. Lengths are in nm.
     """
     height, width = np.asarray(height), np.asarray(width)
     slope_square = (1 - width / (np.sqrt(np.pi) * size)) ** 2 * np.pi * height**2 / size**2
@@ -90,8 +91,8 @@ def expected_rms(
 ) -> Floats:
     """Return the expected rms height, slope and curvature of scans with features: (..., scan, 3).
 
-    The base has the published means times its factor. Counts (..., scan) are of features, and
-    `added` (..., 3) are their `feature_squares`.
+    The base has the published means times its factor. `counts` (..., scan) are numbers of features,
+    `added` (..., 3) the `feature_squares` of one feature.
     """
     base_rms = np.asarray(base_factor)[..., None, None] * statistics.means
     squares: Floats = base_rms**2 + np.asarray(counts)[..., None] * added[..., None, :]
@@ -123,7 +124,7 @@ def sample_features(
 ) -> Features:
     """Sample features from the prior until all `standardized_differences` are below one.
 
-    size, pixel_size: of a scan in nm. sign: of the heights.
+    The sizes of a scan and of a pixel are in nm; the sign of heights is one of SIGNS.
     """
     min_width = max(WIDTH_BOUNDS[0], MIN_WIDTH_PIXELS * pixel_size)
     bounds = (DENSITY_BOUNDS, HEIGHT_BOUNDS, (min_width, WIDTH_BOUNDS[1]), BASE_BOUNDS)

@@ -1,7 +1,7 @@
 """The roughness of a substrate and of the sphere in one map and one spectrum.
 
-Gaps depend on the sum of both heights alone, so that a smooth sphere on this map touches like a
-rough one on the substrate, everywhere at another position of the sphere.
+Gaps depend only on the sum of both heights. A smooth sphere on this map therefore touches like a
+rough sphere on the substrate; each contact uses another position on the rough sphere.
 """
 
 from dataclasses import replace
@@ -22,7 +22,7 @@ from hardcontact.surfaces.spectrum import (
     spectrum_of_dataset,
 )
 
-#: Ratio of the upper end of a bin of wavelengths to its centre; there are ten bins a decade.
+#: Ratio of the longest wavelength in a bin to its centre; there are ten bins a decade.
 HALF_BIN = 10**0.05
 
 
@@ -119,11 +119,11 @@ def sphere_share(spectra: xr.Dataset, wavelength: float) -> float:
 
 
 def combine_sampled_spectra(substrate: xr.Dataset, sphere: xr.Dataset) -> xr.Dataset:
-    """Return the sum of two sampled spectra; its height factor is the rms of both factors."""
+    """Return the sum of two sampled spectra; its height factor is the weighted rms of theirs."""
     bodies = (substrate, sphere)
     variances = [all_scales_rms(spectrum_of_dataset(body))[0] ** 2 for body in bodies]
-    factors = [float(body.attrs["height_factor"]) ** 2 for body in bodies]
-    factor = float(np.sqrt(np.average(factors, weights=variances)))
+    squared_factors = [float(body.attrs["height_factor"]) ** 2 for body in bodies]
+    factor = float(np.sqrt(np.average(squared_factors, weights=variances)))
     return xr.Dataset(
         {"spectrum": _sum_of_spectra(substrate, sphere)}, attrs={"height_factor": factor}
     )

@@ -33,10 +33,10 @@ from hardcontact.surfaces.synthesis import (
     white_noise,
 )
 
-#: Number of components of the gain, as many as rows of Table 1 are met. The amplitudes of the
-#: second and the third relative to the first are fitted.
+#: Number of components of the gain, one for each AFM row of Table 1. The amplitudes of the second
+#: and the third component relative to the first are fitted.
 COMPONENT_COUNT = 3
-#: Largest amplitude of a component relative to that of the longest wavelengths, or its inverse.
+#: Largest ratio, or its inverse, of the amplitude of a component to that of the first component.
 MAX_AMPLITUDE_RATIO = 4.0
 
 
@@ -53,8 +53,9 @@ def scan_targets(
 ) -> Targets | None:
     """Return the targets of substitute scans on the study's pixels.
 
-    None if no rms height is published. On the paper's pixels and size, calibrated rows are those of
-    Table 1. All else is expected from the spectrum. `table1` comes from `rows_of_surface`.
+    None if no rms height is published. On the paper's pixels and size, rows to which the spectrum
+    is calibrated are taken from Table 1. Other targets are what the spectrum gives on average.
+    `table1` comes from `rows_of_surface`.
     """
     if "afm_rms_height" not in table1.index:
         return None
@@ -162,9 +163,9 @@ def metric_matrices(components: Sequence[HeightMap], names: Sequence[str]) -> Fl
 
 
 def _fit_group(matrices: Floats, targets: Targets) -> tuple[Floats, Floats, Floats]:
-    """Return amplitudes (component,), factors of heights (scan,), and errors of the means (3,).
+    """Return amplitudes (component,), factors of heights (scan,), relative errors of means (3,).
 
-    The `metric_matrices` are (scan, metric, component, component); errors are relative.
+    `matrices` (scan, metric, component, component) come from `metric_matrices`.
     """
     from scipy.optimize import least_squares
 

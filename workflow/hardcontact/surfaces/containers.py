@@ -25,7 +25,7 @@ ORIGINAL_ONLY_KEYS = ("data_source", "height_scale")
 
 
 def container_entries(content: bytes) -> list[dict[str, Any]] | None:
-    """Return the ``TopographyMeta`` and data file of each scan; None if there is no container."""
+    """Return the metadata and data file of each scan, None if the file is no container."""
     if not zipfile.is_zipfile(io.BytesIO(content)):
         return None
     with zipfile.ZipFile(io.BytesIO(content)) as archive:

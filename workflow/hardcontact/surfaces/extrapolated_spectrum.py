@@ -31,8 +31,8 @@ ATOMIC_WAVELENGTH = 0.3
 MAX_ROLLOFF_OVER_SIZE = 10.0
 #: Fewest decades to which the Hurst exponent is fitted: five bins.
 MIN_FITTED_DECADES = 0.39
-#: Directions that waves are averaged over: more change a share by less than 0.5 % (line scan) or
-#: 1e-6 (map).
+#: Number of directions of waves over which `levelled_share` averages: more directions change a
+#: share by less than 0.5 % (line scan) or 1e-6 (map).
 DIRECTION_COUNT = 64
 LOG_WAVEVECTORS = np.log(WAVEVECTORS)
 #: Exponents s of C0 (1 + (q/q_r)^2s)^(-(1 + H)/s): from a gradual to a sharp roll-off at q_r.
@@ -46,11 +46,11 @@ ROLLOFF_COUNT = 61
 #: Standard deviation of the Hurst exponent below the wavelengths measured: surfaces are self-affine
 #: over some decades at best.
 HURST_SCATTER = 0.1
-#: Least probability of a Hurst exponent within 0 to 1 at which a self-affine surface fits: the
-#: usual level of significance.
+#: If a Hurst exponent within 0 to 1 is less probable, no self-affine surface fits: the usual level
+#: of significance.
 MIN_TRUNCATED_PROBABILITY = 0.05
-#: Share of a normal distribution within 0 to 1, below which a case of the mixture is left out: its
-#: weight is negligible, and its mean would be a ratio of rounding errors.
+#: Normal distributions with a smaller share within 0 to 1 are left out of the mixture: their weight
+#: is negligible, and their mean would be a ratio of rounding errors.
 NEGLIGIBLE_SHARE = 1e-9
 
 
@@ -58,7 +58,7 @@ class HurstFit(NamedTuple):
     """The Hurst exponent of the shortest waves; 0 or 1 if no exponent between them fits."""
 
     exponent: float
-    error: float  #: Standard error of the fit, with HURST_SCATTER.
+    error: float  #: Standard error of the fit, HURST_SCATTER included.
     shortest: float  #: Wavelengths in nm of the bins fitted.
     longest: float
 
@@ -68,7 +68,7 @@ def fit_hurst_exponent(wavevector: Floats, density: Floats, variance: Floats) ->
 
     Bins of the last decade follow ln C = ln C0 - (1 + H) ln(1 + (q/q_r)^2s)/s, a weighted
     regression for each roll-off q_r and s. The prior is uniform in ln q_r, in SHARPNESS, and in H
-    within 0 to 1. The exponent is the posterior mean; its error has HURST_SCATTER.
+    within 0 to 1. The exponent is the posterior mean; its error includes HURST_SCATTER.
     """
     is_fitted = wavevector >= wavevector[-1] / 10 * (1 - 1e-9)
     is_fitted[-MIN_BINS:] = True
@@ -130,7 +130,8 @@ class Tail(NamedTuple):
     tail_hurst_error: float = np.nan  #: Its standard error.
     tail_fit_shortest: float = np.nan  #: Wavelengths in nm that the Hurst exponent is fitted to.
     tail_fit_longest: float = np.nan
-    tail_ended_by: str = ""  #: "gradient", "half_laplacian", "atoms", or "" for a description.
+    #: Bound that ends the tail: "gradient", "half_laplacian" or "atoms"; "" for a description.
+    tail_ended_by: str = ""
 
 
 def has_exponent(tail: Tail) -> bool:
@@ -188,7 +189,7 @@ def _find_tail_end(density: Floats) -> tuple[int, str]:
         "half_laplacian": rms(6, 4) > MAX_HALF_LAPLACIAN,
         "atoms": density == 0,
     }
-    # The appended True marks the end if no wave exceeds a bound.
+    # The appended True is the first exceeded wave if there is no other.
     first_exceeded = {
         bound: int(np.argmax(np.append(waves, True))) for bound, waves in exceeded.items()
     }
@@ -231,7 +232,7 @@ def _squared_projections(half: Floats) -> tuple[Floats, Floats]:
 
 
 class RolloffEvidence:
-    """The farthest-reaching scans of a surface, and the evidence of their rms height."""
+    """The scans of a surface that show the longest waves, and the evidence of their rms height."""
 
     def __init__(
         self, scans: Sequence[HeightMap], densities: Floats, bands: Sequence[ReliableBand]

@@ -1,7 +1,7 @@
 """Fourier interpolation and cutoff filters of periodic surfaces.
 
-A filtered surface is held on the coarsest grid that represents it exactly. Transforms of filtered
-surfaces to a finer grid are in single precision, that of their heights.
+The order of a Fourier mode is its number of waves across the surface. Filtered masters are
+transformed in single precision, the precision of their heights.
 """
 
 from collections.abc import Iterator, Sequence
@@ -18,13 +18,14 @@ Transform = NDArray[np.complex128]
 SingleTransform = NDArray[np.complex64]
 AnyTransform = TypeVar("AnyTransform", Transform, SingleTransform)
 
-BLOCK_ROWS = 64  # rows a block: no step holds a second full-size array, and a block fits the cache
+#: Rows in a block: no step holds a second full-size array, and a block fits the cache.
+BLOCK_ROWS = 64
 
 
 def lowpass(surface: HeightMap, cutoff: float) -> HeightMap:
-    """Return the wavelengths >= cutoff (nm) of a periodic, square surface, on the coarsest grid.
+    """Return a periodic, square surface without waves shorter than a cutoff, on the coarsest grid.
 
-    Heights are in float64. Raises ValueError if the cutoff is two pixels or less.
+    The cutoff is in nm. Heights are in float64. Raises ValueError for a cutoff up to two pixels.
     """
     from scipy import fft
 
@@ -49,7 +50,7 @@ def _highest_order(surface: HeightMap, cutoff: float) -> float:
 
 
 def _lowest_orders(surface: HeightMap, highest: int) -> Transform:
-    """Return the transform of a surface up to an order along both axes; y runs 0, 1, ... -2, -1."""
+    """Return the transform up to an order along both axes; orders along y as in `_orders`."""
     from scipy import fft
 
     pixels = surface.pixels
@@ -63,7 +64,7 @@ def _lowest_orders(surface: HeightMap, highest: int) -> Transform:
 
 
 def _orders(highest: int) -> NDArray[np.int_]:
-    """Return the orders along y in the sequence of a transform; negative orders index its end."""
+    """Return orders along y as a transform has them: 0, 1, ..., -2, -1; negatives index its end."""
     return np.append(np.arange(highest + 1), np.arange(-highest, 0))
 
 
@@ -113,7 +114,7 @@ def _refuse_coarser(coarse: int, pixels: int) -> None:
 
 
 def _inverse_blocks(padded: AnyTransform) -> Iterator[tuple[slice, NDArray[np.floating]]]:
-    """Yield blocks of rows of the inverse transform of orders (pixels, k), which is overwritten."""
+    """Yield the inverse transform of `padded` (pixels, k) in blocks of rows; overwrites it."""
     from scipy import fft
 
     pixels = len(padded)
@@ -128,8 +129,8 @@ def filtered_series(
 ) -> Iterator[HeightMap]:
     """Yield a periodic, square master without the wavelengths beyond each cutoff in nm.
 
-    The side ``"short"`` removes shorter, ``"long"`` longer wavelengths, a cutoff of None none.
-    The next surface overwrites the heights, but for the unfiltered one. Raises ValueError if
+    The side ``"short"`` removes shorter, ``"long"`` longer wavelengths; a cutoff of None removes
+    none. Each filtered surface overwrites the heights of the previous one. Raises ValueError if
     wavelengths need more pixels, or a cutoff is two pixels or less.
     """
     size = master.size

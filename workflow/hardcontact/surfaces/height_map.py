@@ -29,13 +29,13 @@ class HeightMap:
     pixel_size: float
     periodic: bool = False
     basis: str = "measured"
-    path: str = "scan"  #: Of the file, as messages name it.
+    path: str = "scan"  #: Path of the file, as messages name it.
     member: str = ""  #: Data file in a container, the channel of any other file, or empty.
     channel: str = ""  #: Name of the channel that was read.
     file_unit: str = "nm"  #: Unit of length that the file, or its container, states.
     tip_radius: float | None = None  #: In nm, if the file or its container states one.
     notes: tuple[str, ...] = ()  #: What was changed or chosen in reading, in words for the user.
-    undefined_count: int = 0  #: Undefined pixels among those kept, before they were filled.
+    undefined_count: int = 0  #: Number of kept pixels that were undefined before they were filled.
     #: The result of `scan_defects`, after `scan_with_defects`.
     defects: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
 
@@ -167,8 +167,8 @@ def level(scan: HeightMap) -> HeightMap:
 def level_lines(scan: HeightMap) -> HeightMap:
     """Return a scan without streaks, its lines along x aligned, minus its least-squares plane.
 
-    Each line loses its least-squares line, then its median: drift and jumps of the feedback, but
-    also all real roughness whose wavevector points along y. Source: ``ScanLineAlignedTopography``.
+    Each line loses its least-squares line, then its median: drift and jumps of the feedback, and
+    real roughness whose wavevector points along y. Source: ``ScanLineAlignedTopography``.
     """
     heights, is_filled = fill_streaks(level(scan).heights)
     scan = replace(scan, heights=heights)
@@ -196,10 +196,10 @@ LEVELLING: dict[str, Callable[[HeightMap], HeightMap]] = {
 def remove_form(
     scan: HeightMap, sphere_radius: float | None = None, levelling: str = "plane"
 ) -> HeightMap:
-    """Return a scan levelled, after subtracting the sphere that a map shows (radius in nm), if any.
+    """Return a levelled scan; first the sphere that a map shows (radius in nm) is subtracted.
 
-    The apex of the paraboloid x²/2R is at the centre of the scan. Another apex would add a plane,
-    which levelling removes. A line scan loses its mean line, whatever the levelling.
+    The apex of the paraboloid x²/2R is taken at the centre of the scan: elsewhere it would only
+    add a plane, which levelling removes. A line scan loses its mean line, whatever the levelling.
     """
     if levelling not in LEVELLING:
         raise ValueError(f"levelling: expected {', '.join(LEVELLING)}, found {levelling}")
@@ -297,17 +297,17 @@ def metrics(scan: HeightMap) -> dict[str, float]:
     slope_x = np.diff(heights, axis=1)[:-1] / pixel_size
     bend = np.diff(heights, 2, axis=0)[:, 1:-1] + np.diff(heights, 2, axis=1)[1:-1]
     laplacian = float(np.sqrt((bend**2).mean())) / pixel_size**2
-    values = heights.ravel()
-    skewness, kurtosis = skewness_and_kurtosis(values)
+    flat_heights = heights.ravel()
+    skewness, kurtosis = skewness_and_kurtosis(flat_heights)
     return {
-        "rms_height": float(values.std()),
+        "rms_height": float(flat_heights.std()),
         "rms_gradient": float(np.sqrt((slope_x**2 + slope_y**2).mean())),
         "rms_profile_slope": float(np.sqrt((slope_x**2).mean())),
         "rms_half_laplacian": laplacian / 2,
         "rms_laplacian": laplacian,
         "skewness": skewness,
         "kurtosis": kurtosis,
-        "peak_to_valley": float(np.ptp(values)),
+        "peak_to_valley": float(np.ptp(flat_heights)),
     }
 
 

@@ -59,7 +59,7 @@ class _MeasuredSpectra(NamedTuple):
 
 
 def _reliable_mask(densities: Floats, bands: Sequence[ReliableBand]) -> NDArray[np.bool_]:
-    """Return the mask (measurement, bins) of nonempty bins within one band a measurement."""
+    """Return the mask (measurement, bins) of nonempty bins within the band of each measurement."""
     return np.array([band.bins for band in bands]) & np.isfinite(densities)
 
 
@@ -99,9 +99,9 @@ def joined_spectrum(
 ) -> xr.Dataset:
     """Return the spectrum of a surface, joined from its levelled measurements within their bands.
 
-    Radii are in nm; None for the radius that a file states. `spectrum` (wavevector) in nm⁴ has all
-    scales; `joined_psd` (bin_wavevector), NaN in unreliable bins, is the mean of the logarithms.
-    Raises ValueError, in one line, if fewer than MIN_BINS bins are reliable.
+    Radii are in nm; None stands for the radius that a file states. `spectrum` (wavevector) in nm⁴
+    has all scales; `joined_psd` (bin_wavevector) is the smooth mean, NaN in unreliable bins. Raises
+    ValueError, in one line, if fewer than MIN_BINS bins are reliable.
     """
     spectra = _measured_spectra(measurements, tip_radii)
     reliable = _reliable_mask(spectra.densities, spectra.bands)
@@ -167,7 +167,7 @@ def sample_spectra(
 def _sample_band(
     rng: np.random.Generator, measurement: HeightMap, radius: float | None, band: ReliableBand
 ) -> ReliableBand:
-    """Return the band of a measurement, sampled for a map whose tip radius is not known."""
+    """Return the band of a measurement; a map of unknown tip radius gets a sampled radius."""
     if radius is not None or measurement.kind != "map":
         return band
     tip_radius = float(np.exp(rng.uniform(*np.log(UNKNOWN_TIP_RADII))))
@@ -175,7 +175,7 @@ def _sample_band(
 
 
 def _fit_hurst_without_peaks(bins: MeanBins, peaks: NDArray[np.bool_]) -> HurstFit:
-    """Return the Hurst exponent, fitted to the bins without peaks."""
+    """Return the fit of the Hurst exponent to the bins without peaks."""
     is_fitted = np.isfinite(bins.density) & ~peaks
     return fit_hurst_exponent(
         BIN_CENTRES[is_fitted], bins.density[is_fitted], bins.variance[is_fitted]
@@ -226,7 +226,7 @@ class ScanSpectrum(Spectrum):
 def reliable_spectrum(joined: xr.Dataset, skewness: float) -> ScanSpectrum:
     """Return the spectrum of `joined_spectrum` at the reliable wavelengths of the scans.
 
-    The skewness is the largest of the heights of a map, 0 without a map.
+    The skewness is the largest skewness of the heights of a map, 0 without a map.
     """
     is_measured = np.isfinite(joined.joined_psd.values)
     return ScanSpectrum(

@@ -1,7 +1,7 @@
 """The mean spectrum of several measurements of a surface in bins, and a smooth curve through it.
 
-If two measurements contradict each other, because of a wrong unit or another specimen, their mean
-describes neither.
+It also finds measurements that contradict each other, because of a wrong unit or another specimen:
+their mean describes neither.
 """
 
 from collections.abc import Iterable, Sequence
@@ -24,11 +24,11 @@ from hardcontact.surfaces.spectrum import BIN_CENTRES, BIN_WIDTH, HALF_DECADE_BI
 #: Standard deviation of the change of the slope d ln C/d ln q over a decade; it grows with the root
 #: of the decades. A roll-off changes the slope by 2 + 2H, some 3.6, once in three measured decades.
 SLOPE_CHANGE = 2.0
-#: Probability of so much power by chance below which a bin holds a peak, such as a grating's: among
-#: 60 bins, one in 170 spectra has a false peak.
+#: A bin holds a peak, such as a grating's, if chance gives so much power with less than this
+#: probability: among 60 bins, one in 170 spectra has a false peak.
 PEAK_PROBABILITY = 1e-4
-#: The largest change of ln C with which a curve may match the variance of the bins: it only bounds
-#: the search for a root, beyond any ratio of densities in a spectrum.
+#: Bound of the search in `match_height_variance`: no two densities of a spectrum have such a
+#: difference in ln C.
 MAX_LOG_CHANGE = 20.0
 #: Standard errors by which the mean logarithms of two measurements differ before they contradict
 #: each other: a factor of 3.1 in C_iso, 1.8 in heights, if both have many waves.
@@ -38,7 +38,7 @@ MIN_CONTRADICTION_ERRORS = 4
 class MeanBins(NamedTuple):
     """The mean of all measurements in each bin, NaN in bins without measurements."""
 
-    #: (bins,) C_iso in nm⁴ of the mean of ln C, freed of the bias of the logarithm.
+    #: (bins,) C_iso in nm⁴ from the mean of ln C, without the bias of the logarithm.
     density: Floats
     variance: Floats  #: (bins,) variance of ln C, from the number of waves alone.
     power: Floats  #: (bins,) mean C_iso in nm⁴.
@@ -49,7 +49,7 @@ class Curve(NamedTuple):
 
     wavevector: Floats  #: rad/nm.
     density: Floats  #: C_iso in nm⁴.
-    variance: Floats  #: Variance of ln C, with calibration.
+    variance: Floats  #: Variance of ln C, with that of the calibration.
 
 
 def mean_bins(reliable: NDArray[np.bool_], density: Floats, waves: Floats) -> MeanBins:
@@ -69,11 +69,12 @@ def find_peak_bins(bins: MeanBins) -> NDArray[np.bool_]:
     from scipy.special import gammaincc
 
     inner = np.flatnonzero(np.isfinite(bins.density))[1:-1]
-    waves = 1 / bins.variance[inner] + 0.5  # variance: trigamma of the number
+    waves = 1 / bins.variance[inner] + 0.5  # inverts the variance, trigamma(n) ≈ 1/(n - 0.5)
     peaks = np.zeros(len(bins.power), bool)
     while True:
         curve = smooth_curve(np.where(peaks, np.nan, bins.density), bins.variance)
         smooth_power = Spectrum(curve.wavevector, curve.density)(BIN_CENTRES[inner])
+        # The power of n waves over its mean is a gamma variable.
         chance = gammaincc(waves, waves * bins.power[inner] / smooth_power)
         new_peaks = inner[(chance < PEAK_PROBABILITY) & ~peaks[inner]]
         if not len(new_peaks):
@@ -84,9 +85,9 @@ def find_peak_bins(bins: MeanBins) -> NDArray[np.bool_]:
 def smooth_curve(
     density: Floats, variance: Floats, rng: np.random.Generator | None = None
 ) -> Curve:
-    """Return a smooth curve through bins and across gaps between them; with a `rng`, a sample.
+    """Return a smooth curve through bins and gaps; with `rng`, a sample of the posterior.
 
-    C_iso (bins,) in nm⁴ is NaN in gaps; `variance` is that of ln C from the number of waves. The
+    C_iso (bins,) in nm⁴ is NaN in gaps. `variance` of ln C comes from the number of waves. The
     slope d ln C/d ln q is a Wiener process that changes by SLOPE_CHANGE over a decade, so that the
     posterior mean is a smoothing spline (Wahba, J. R. Stat. Soc. B 40 (1978) 364).
     """
@@ -94,13 +95,13 @@ def smooth_curve(
     bins = slice(finite[0], finite[-1] + 1)
     weight = np.where(np.isfinite(density), 1 / variance, 0.0)[bins]
     count = len(weight)
-    change = SLOPE_CHANGE * np.sqrt(BIN_WIDTH / np.log(10))
-    bends = np.diff(np.eye(count), n=2, axis=0) / (BIN_WIDTH * change)
+    slope_change = SLOPE_CHANGE * np.sqrt(BIN_WIDTH / np.log(10))  # from bin to bin
+    bends = np.diff(np.eye(count), n=2, axis=0) / (BIN_WIDTH * slope_change)
     posterior = np.linalg.inv(np.diag(weight) + bends.T @ bends)
     logs = np.log(np.where(weight > 0, density[bins], 1.0))
     curve = np.zeros(count)
-    if rng is not None:
-        curve = BIN_WIDTH * np.cumsum(np.cumsum(change * rng.standard_normal(count)))
+    if rng is not None:  # A prior sample plus the posterior mean of what it lacks.
+        curve = BIN_WIDTH * np.cumsum(np.cumsum(slope_change * rng.standard_normal(count)))
         noise = np.where(weight > 0, np.sqrt(variance[bins]), 0.0)
         logs = logs - curve - noise * rng.standard_normal(count)
     smooth = curve + posterior @ (weight * logs)
@@ -151,7 +152,7 @@ class Contradiction(NamedTuple):
 
 
 def describe_contradictions(pairs: Sequence[Contradiction], names: Sequence[str]) -> str:
-    """Return a line on the first of some contradictions, with the names of the measurements."""
+    """Return a line on the first contradiction, with the names of measurements, and a count."""
     pair = pairs[0]
     remainder = f"; more pairs that do: {len(pairs) - 1}" if pairs[1:] else ""
     return (
@@ -185,11 +186,11 @@ def contradictions(
             shared[start : start + HALF_DECADE_BINS]
             for start in range(len(shared) - HALF_DECADE_BINS + 1)
         ]
-        ranges = [
+        differences = [
             (*_mean_difference(difference[bins], variance[bins]), bins)
             for bins in (shared, *half_decades)
         ]
-        mean, error, bins = max(ranges, key=lambda item: abs(item[0]) / item[1])
+        mean, error, bins = max(differences, key=lambda entry: abs(entry[0]) / entry[1])
         if abs(mean) > MIN_CONTRADICTION_ERRORS * error:
             higher, lower = (left, right) if mean > 0 else (right, left)
             shortest, longest = 2 * np.pi / BIN_CENTRES[bins[[-1, 0]]]

@@ -15,9 +15,8 @@ from hardcontact.surfaces.spectrum import BIN_CENTRES, BIN_EDGES, measured_psds,
 #: Share of independent waves under a Hann window, along one axis:
 #: (mean w²)² / mean w⁴ = (3/8)² / (35/128).
 INDEPENDENT_SHARE = (3 / 8) ** 2 / (35 / 128)
-#: Relative standard deviation of C_iso between measurements, for any number of waves: microscopes
-#: have their heights calibrated to about ten per cent. It limits the weight of a measurement with
-#: many waves.
+#: Relative standard deviation of C_iso between measurements with many waves, because microscopes
+#: have their heights calibrated to about ten per cent. It limits the weight of a measurement.
 CALIBRATION_SCATTER = 0.2
 #: Half the width, in ln q, of the interval to which a local slope is fitted: five bins.
 SLOPE_HALF_WIDTH = 0.25 * np.log(10)
@@ -26,10 +25,10 @@ SLOPE_HALF_WIDTH = 0.25 * np.log(10)
 SMOOTHING_WIDTH = 0.1 * np.log(10)
 MAX_WIDENING = 4.0
 ENOUGH_WAVES = 20.0
-#: Values of u with p = q cosh u in the integral. They reach a thousandth of the wavelength; even
-#: C_1D ~ 1/q adds less than a thousandth beyond.
+#: Values of u with p = q cosh u in the integral. They reach a thousandth of the wavelength; shorter
+#: waves add less than a thousandth, even if C_1D ~ 1/q.
 INTEGRATION_POINTS = np.linspace(0, 7.6, 400)
-#: Slope of the flattest C_1D of a self-affine surface, q^-1: the flattest beyond the measured end.
+#: Slope of the flattest C_1D of a self-affine surface, q^-1: extrapolated C_1D is no flatter.
 FLATTEST_PROFILE_SLOPE = -1.0
 
 
@@ -95,9 +94,9 @@ def bias_of_log(waves: Floats) -> Floats:
 
 
 def local_slopes(wavevector: Floats, density: Floats, variance: Floats) -> tuple[Floats, Floats]:
-    """Return d ln C / d ln q of a spectrum, fitted to half a decade around each bin, with errors.
+    """Return d ln C / d ln q of a spectrum, fitted to half a decade around each bin, and its error.
 
-    Bins are weighted by the inverse variance of their ln C. Slope and error are NaN and infinity
+    Bins are weighted by the inverse variance of their ln C. The slope is NaN and the error infinite
     where fewer than two bins lie within the half decade.
     """
     distance = np.log(wavevector) - np.log(wavevector)[:, None]

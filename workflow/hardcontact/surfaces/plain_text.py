@@ -1,7 +1,7 @@
 """Rewrite plain text of scans for the readers of SurfaceTopography.
 
-These read UTF-8, decimal points, matrices separated by blanks, and points x, y, height on a
-complete grid.
+These readers expect UTF-8, decimal points, and either a matrix separated by blanks or points x, y,
+height on a complete grid.
 """
 
 import codecs
@@ -17,7 +17,7 @@ from hardcontact.surfaces.scan_heights import MAX_UNDEFINED_SHARE, PIXEL_BOUNDS,
 
 #: Bytes that no text has, but for UTF-16.
 BINARY = re.compile(rb"[\0-\x08\x0e-\x1f]")
-#: A line of numbers, and of marks of undefined pixels; a comma within a number, and others.
+#: A line of numbers and marks of undefined pixels; commas within numbers; other commas.
 ROW = re.compile(r"(?=.*(?:\d|nan|bad))(?:[-+.,;\s\d]|e(?=[-+\d])|nan|inf|bad)+", re.I)
 DECIMAL_COMMA = re.compile(r"(?<=\d),(?=\d)")
 OTHER_COMMA = re.compile(r"(?<!\d),|,(?!\d)|,\d+,")
@@ -25,8 +25,8 @@ BETWEEN_CELLS = re.compile(r"\d[ \t;]+[-+\d]")
 CELL = re.compile(r"[^\s,;]+")
 #: Columns of points x, y, height in a text: a matrix has more.
 POINT_COLUMNS = 3
-#: Bins of positions along an axis, and how often their transform is padded: its peaks are then
-#: known to a sixteenth of a line.
+#: Bins of positions along an axis, and the factor by which zeros lengthen their transform: its
+#: peaks are then known to a sixteenth of a line.
 POSITION_BINS = 2**16
 ZERO_PADDING = 8
 #: Corrections of heights on a grid: each leaves at most a quarter of the error of random offsets of
@@ -46,26 +46,26 @@ def readable_text(content: bytes) -> tuple[bytes, list[str]]:
     if text is None:
         return content, []
     lines = text.splitlines()
-    first_row = next((number for number, line in enumerate(lines) if ROW.fullmatch(line)), None)
+    first_row = next((index for index, line in enumerate(lines) if ROW.fullmatch(line)), None)
     if first_row is None:
         return content, []
     width = len(CELL.findall(lines[first_row]))
     lines[first_row:] = [_mark_undefined(line, width) for line in lines[first_row:]]
-    numbers = [number for number, line in enumerate(lines) if ROW.fullmatch(line)]
+    row_indices = [index for index, line in enumerate(lines) if ROW.fullmatch(line)]
     notes = []
-    if _has_decimal_commas("\n".join(lines[number] for number in numbers)):
+    if _has_decimal_commas("\n".join(lines[index] for index in row_indices)):
         lines = [DECIMAL_COMMA.sub(".", line) for line in lines]
         notes.append("decimal commas read")
     if not text.startswith(OWN_SEPARATORS):
-        rows = _separate_with_blanks([lines[number] for number in numbers])
+        rows = _separate_with_blanks([lines[index] for index in row_indices])
         points = _points(rows)
         complete, grid_notes = ([], []) if points is None else _grid_points(points)
         notes += grid_notes
         if complete:
             lines = [*lines[:first_row], *complete]
         else:
-            for number, row in zip(numbers, rows, strict=True):
-                lines[number] = row
+            for index, row in zip(row_indices, rows, strict=True):
+                lines[index] = row
     return ("\n".join(lines) + "\n").encode(), notes
 
 

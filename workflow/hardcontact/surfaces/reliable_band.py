@@ -3,9 +3,9 @@
 The reliable band ends toward short wavelengths at four pixels, at the cutoff of the tip (Sanner et
 al., Appl. Surf. Sci. Adv. 7 (2022) 100190), at a noise floor or at smoothing, whichever is longest.
 A noise floor is flatter than q^-2 (H = 0). Smoothing is steeper than q^-5, the limit for surfaces
-with facets. Between q^-4 (H = 1) and q^-5 it is smoothing only if C_1D differs between the axes: a
-lagging feedback smooths only along the scanned lines. Slopes near a peak, such as a grating's, are
-evidence of neither.
+with facets. A slope between q^-4 (H = 1) and q^-5 is smoothing only if C_1D differs between the
+axes, because a lagging feedback smooths only along the scanned lines. Slopes near a peak, such as a
+grating's, prove neither.
 """
 
 from typing import NamedTuple
@@ -34,17 +34,18 @@ MIN_WAVES_IN_SIZE = 3
 FLATTEST_SLOPE = -2.0
 STEEPEST_SELF_AFFINE_SLOPE = -4.0
 STEEPEST_FACET_SLOPE = -5.0
-#: Standard errors by which a slope must pass one of these.
+#: Standard errors by which a slope must exceed one of these limits.
 MIN_STANDARD_ERRORS = 2
 #: Largest ratio of C_1D along both axes of a map that shows no smoothing.
 MAX_AXIS_RATIO = 2.0
-#: Bins above a noise floor with much noise: C ~ q^-3 is four times as high two bins on.
+#: Bins beside a noise floor that also hold much noise: C ~ q^-3 is four times as high two bins on.
 NOISE_MARGIN_BINS = 2
 #: Least factor, and standard errors, of the rise of C_iso toward short wavelengths to a peak.
 MIN_PEAK_RISE = 2.0
 MIN_PEAK_ERRORS = 4
 #: Relative error of the tip's cutoff, far below the safety factor of its criterion.
 TIP_CUTOFF_ERROR = 1e-3
+#: Code of a limit: at shorter wavelengths the other body of a contact is rougher.
 OTHER_BODY = "other_body"
 #: Limits of a band toward short wavelengths, by code, in words for messages.
 LIMIT_NAMES = {

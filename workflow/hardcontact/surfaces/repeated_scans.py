@@ -1,4 +1,4 @@
-"""Scans that show the same site, as trace and retrace or a levelled copy do: a single sample."""
+"""Find scans that show the same site, such as trace and retrace: they are one sample, not two."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -10,7 +10,7 @@ from hardcontact.surfaces.height_map import HeightMap
 
 #: Correlation of heights, after the best shift, above which two maps show the same site.
 SAME_PLACE_CORRELATION = 0.5
-#: Most pixels per row of maps that are compared: means lower the noise, a pair takes 15 ms.
+#: Largest number of pixels per row of compared maps: means lower the noise, a pair takes 15 ms.
 COMPARED_PIXELS = 64
 #: Longest wavelength that is compared, as a share of the smaller side. Longer waves are few, so
 #: that maps of different sites correlate by chance; levelling also changes them.
@@ -61,7 +61,7 @@ def repeated_scans(scans: Sequence[HeightMap], names: Sequence[str]) -> dict[int
 def show_same_site(first: HeightMap, second: HeightMap) -> bool:
     """Return whether two levelled maps from `coarse_map` show the same site.
 
-    If parts of a map resemble each other as much, as on a grating, resemblance tells nothing.
+    If its own halves correlate as much, as on a grating, correlation proves nothing.
     """
     if "line scan" in (first.kind, second.kind):
         return False
@@ -92,8 +92,8 @@ def _best_correlation(first: Floats, second: Floats) -> float:
     """Return the largest correlation of two maps over all shifts that overlap enough."""
     from scipy.signal import fftconvolve
 
-    def sums_over_shifts(values: Floats, shifted_values: Floats) -> Floats:
-        return np.asarray(fftconvolve(values, shifted_values[::-1, ::-1]))
+    def sums_over_shifts(fixed: Floats, shifted: Floats) -> Floats:
+        return np.asarray(fftconvolve(fixed, shifted[::-1, ::-1]))
 
     first_weights, second_weights = np.ones(first.shape), np.ones(second.shape)
     overlap = sums_over_shifts(first_weights, second_weights)

@@ -1,4 +1,4 @@
-"""Metrics and PSDs of a scan, and one table of them for all surfaces."""
+"""Measure roughness metrics and PSDs of scans, and join those of all surfaces in one dataset."""
 
 from collections.abc import Iterable, Mapping
 from typing import Any
@@ -40,7 +40,7 @@ def measured_roughness(scan: HeightMap) -> xr.Dataset:
 
 
 def scan_averages(scans: xr.Dataset, confidence: float) -> xr.Dataset:
-    """Return mean over scans, its interval and the standard deviation of every metric, by surface.
+    """Return for every metric (surface,) the mean over scans, its interval and the deviation.
 
     The metrics (surface, scan) are NaN if a surface has fewer scans.
     """
@@ -71,7 +71,7 @@ def roughness_table(
     """Return the topography of all surfaces: every scan, averages, spectra and example maps.
 
     `scans` come from `measured_roughness`, `conditionings` from `condition_group`, both by surface.
-    `examples` are levelled scans; that of a rough sphere has the variable `as_scanned`.
+    `examples` are levelled scans; the example of a rough sphere has the variable `as_scanned`.
     """
     names = list(dict.fromkeys(surface for surface, _ in scans))
     scan_table = stack(scans, ["surface", "scan"])

@@ -21,7 +21,7 @@ from hardcontact.surfaces.height_map import HeightMap, remove_form
 from hardcontact.surfaces.reliable_band import FLATTEST_SLOPE, MIN_STANDARD_ERRORS
 from hardcontact.surfaces.streaks import MIN_STREAK_STEPS, fill_streaks
 
-#: The defects by their code: the units of their numbers. scan_defects.yaml has their sentences.
+#: By code of a defect: its numbers with their units. scan_defects.yaml has a sentence on each.
 DEFECTS = {
     "streaks": {
         "streak_lines": "1",
@@ -43,13 +43,13 @@ DEFECTS = {
 #: The numbers of all defects with their units.
 DEFECT_UNITS = {name: unit for units in DEFECTS.values() for name, unit in units.items()}
 
-#: Least distance of a spike to its neighbours in rms heights; Gaussian: once in 10⁹ pixels.
+#: Least distance of a spike from its neighbours, in rms heights: once in 10⁹ Gaussian pixels.
 MIN_SPIKE_DISTANCE = 6.0
 #: Largest share of equal lines: so few lines change a mean force little.
 MAX_EQUAL_LINE_SHARE = 0.01
-#: Largest share and number of pixels at an end of an unclipped range, and their ratio to the pixels
-#: at the next height. Quantised heights have a ratio below 1. A flat summit has 2.4, if its height
-#: falls with the fourth power of the distance.
+#: Largest share and number of pixels at an end of an unclipped range, and their ratio to the number
+#: of pixels at the next height. Quantised heights have a ratio below 1, a flat summit whose height
+#: falls with the fourth power of the distance 2.4.
 MAX_END_SHARE = 1e-3
 MAX_END_PIXELS = 10
 MAX_END_RATIO = 3.0
@@ -69,16 +69,16 @@ MIN_LAY_RATIO = 3.0
 MIN_LAY_SHARE = 0.1
 MIN_PIXELS_PER_WAVE = 4
 MIN_WAVES = 4
-#: Smallest correlation of steps from line to line with the next: they have 0 if heights walk at
+#: Smallest correlation of a step from line to line with the next step. It is 0 if heights walk at
 #: random, and -0.5 if each line is offset at random, which is noise of the instrument.
 MIN_STEP_CORRELATION = -0.25
-#: Share of pixels that are edges, and their least share of the squared slopes. In rough surfaces
-#: 5 % of the pixels have 0.2 to 0.45 of the squared slopes; with pillars and steps, 0.8 to 1.
+#: Share of the steepest pixels, and their least share of the squared slopes if they are edges. On
+#: rough surfaces 5 % of the pixels have 0.2 to 0.45 of it; with pillars and steps, 0.8 to 1.
 EDGE_PIXEL_SHARE = 0.05
 MIN_EDGE_SLOPE_SHARE = 0.7
 #: Least share of noise in the variance of heights: it changes the rms height by one per cent.
 MIN_NOISE_SHARE = 0.02
-#: Value in place of an infinite ratio, which a pattern without noise has.
+#: Largest ratio of powers: a pattern without noise would have an infinite ratio.
 LARGEST_RATIO = 1e6
 
 
@@ -234,9 +234,9 @@ def _slope_numbers(heights: Floats, pixel_size: float) -> list[float]:
 
 
 def _lay_numbers(heights: Floats) -> tuple[list[float], float]:
-    """Return the ratio of variances of profiles along and across a lay, and that of slopes.
+    """Return the ratio of variances of profiles along and across a lay, and of squared slopes.
 
-    The first is empty if variances do not tell a lay.
+    The ratio of variances is a list, empty if there is no lay.
     """
     pixels = len(heights)
     window = np.hanning(pixels + 1)[:-1]
@@ -294,8 +294,9 @@ def _noise_numbers(heights: Floats) -> list[float]:
     half_octaves = np.arange(3, 2 * np.log2(pixels / MIN_WAVES))
     if len(half_octaves) < 2:
         return []
-    density = [power[half_octave == number].mean() for number in half_octaves]
-    counts = [np.count_nonzero(half_octave == number) for number in half_octaves]
+    in_half_octave = [half_octave == index for index in half_octaves]
+    density = [power[mask].mean() for mask in in_half_octave]
+    counts = [np.count_nonzero(mask) for mask in in_half_octave]
     slopes = -2 * np.diff(np.log2(np.maximum(density, np.finfo(float).tiny)))
     # The window makes one independent wave of four, and opposite wavevectors have the same power.
     relative_errors = np.sqrt(8 / np.array(counts))

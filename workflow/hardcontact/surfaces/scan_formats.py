@@ -41,7 +41,7 @@ IMPORTED_LATE = (
 for module in IMPORTED_LATE:
     import_module(module)
 
-#: Stands for a unit or a size that is not given, for files that state none.
+#: Stands for a unit or a size that the user does not give.
 NOT_GIVEN = "none"
 #: Metadata that a container may state, by their names as arguments of a reader.
 KEY_BY_ARGUMENT = {"physical_sizes": "size", "unit": "unit", "height_scale_factor": "height_scale"}
@@ -122,7 +122,7 @@ def _refuse_without_unit_or_size(topography: Any) -> None:
 
 
 def _aspect_cautions(topography: Any) -> list[str]:
-    """Return a caution if pixels are not square in a text, which lacks a count of its lines."""
+    """Return a caution if a text has pixels that are not square: lines may be missing in it."""
     pixel_width, pixel_height = np.divide(topography.physical_sizes, topography.nb_grid_pts)
     if abs(pixel_width / pixel_height - 1) <= MAX_ASPECT_DEVIATION:
         return []
@@ -135,7 +135,7 @@ def _aspect_cautions(topography: Any) -> list[str]:
 def _keep_marked_pixels(topography: Any) -> tuple[Any, list[str]]:
     """Return a map with the heights under its mask, and a caution on them.
 
-    Under a mask of gaps, heights are undefined or, as programs fill them, all equal.
+    A mask that marks gaps covers heights that are undefined or, if a program filled them, equal.
     """
     unscaled_heights = topography.parent_topography.heights()
     is_marked = np.ma.getmaskarray(unscaled_heights)

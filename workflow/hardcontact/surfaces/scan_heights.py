@@ -1,6 +1,6 @@
-"""Heights, spacing and tip of a scan, from the result of a reader of SurfaceTopography.
+"""Turn what a reader of SurfaceTopography returns into heights, spacing and tip of a scan.
 
-Maps are cropped to squares, gaps filled, line scans resampled.
+Maps are cropped to squares, gaps are filled, line scans are resampled.
 """
 
 import re
@@ -24,7 +24,7 @@ LENGTH_BOUNDS = (1e-3, 1e7)
 MAX_ASPECT_DEVIATION = 1e-3
 #: Share of undefined pixels beyond which a scan is more filled than measured.
 MAX_UNDEFINED_SHARE = 0.5
-#: Sides of a strip, of which most is left out of its central square.
+#: Least ratio of the sides of a strip: its central square leaves most of it out.
 MIN_STRIP_SIDES = 2
 #: The largest mean slope: no tip follows 84 degrees; heights read from a wrong place in a file
 #: are steeper.
@@ -69,7 +69,7 @@ def unit_in_nm(unit: str) -> float:
 
 
 def _fields(heights: Floats, pixel_size: float, notes: list[str]) -> dict[str, Any]:
-    """Return these fields of a `HeightMap`; refuse impossible heights and pixel sizes."""
+    """Return heights (nm), pixel size (nm) and notes as a dictionary; refuse impossible values."""
     minimum, maximum = LENGTH_BOUNDS
     # An offset larger than any relief is the position of a stage; heights need digits below it.
     offset = float(np.median(heights))
@@ -145,7 +145,7 @@ def _square_pixels(
     heights: np.ma.MaskedArray, edges: Floats
 ) -> tuple[np.ma.MaskedArray, float, list[str]]:
     """Return heights (x, y) on square pixels, interpolated from pixels of these edges (nm)."""
-    # On squares of the shorter side waves would be missing along one axis.
+    # Squares of the shorter edge would lack short waves along one axis.
     longer = float(edges.max())
     if not 0 < edges.min() <= longer < np.inf:
         raise RefusedFile(f"expected pixels of positive edges, found edges of {edges} nm")
@@ -179,7 +179,7 @@ def _masked(heights: Floats) -> np.ma.MaskedArray:
 
 
 def _count_undefined(heights: np.ma.MaskedArray, undefined_pixels: str) -> tuple[int, list[str]]:
-    """Return the number of undefined pixels and a note on them; refuse too many or unfillable."""
+    """Return the number of undefined pixels and a note; refuse too many, or any if so asked."""
     count = int(heights.mask.sum())
     if count > MAX_UNDEFINED_SHARE * heights.size:
         raise RefusedFile(
@@ -210,7 +210,7 @@ def profile_values(line_scan: Any, factor: float, undefined_pixels: str) -> dict
 
 
 def _uniform_grid(positions: Floats) -> tuple[Floats, list[str]]:
-    """Return positions on the median spacing of these (nm), and a note if they are not uniform."""
+    """Return uniform positions (nm) on the median spacing, and a note if they were not uniform."""
     spacings = np.diff(positions)
     if not (spacings > 0).all():
         raise RefusedFile(

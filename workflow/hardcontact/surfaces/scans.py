@@ -1,7 +1,7 @@
-"""Reading scans of any microscope.
+"""Read scans of any microscope, in a child process.
 
-The bytes of a file may be damaged or hostile. They are read in a child process, which opens no
-file, writes no file, and has limits of memory and time.
+The bytes of a file may be damaged or hostile. The child can open and write no file, and has limits
+of memory and time.
 """
 
 import faulthandler
@@ -27,7 +27,7 @@ from hardcontact.surfaces.refused_file import RefusedFile
 
 #: The largest file in bytes: four times a map of 8192 x 8192 pixels in single precision.
 MAX_FILE_BYTES = 2**30
-#: Bytes of memory of the child: the maximum, those for any file, those for each byte of a file.
+#: Bytes of memory of the child: the maximum, the part for any file, the part for each byte of it.
 MAX_MEMORY = 4 * 2**30
 SMALL_FILE_MEMORY = 2**29
 MEMORY_PER_BYTE = 200
@@ -37,7 +37,7 @@ SMALL_FILE_SECONDS = 2
 SECONDS_PER_MEGABYTE = 10
 #: Elapsed time in s, with waits for a processor: five times the longest computing time.
 MAX_WAIT_SECONDS = 600
-#: What pixels under a mask in a file are: heights, or undefined.
+#: What pixels under a mask in a file count as: heights, or undefined.
 MASKS = ("keep", "exclude")
 #: The longest message in characters.
 MAX_MESSAGE_LENGTH = 2000
@@ -53,10 +53,10 @@ def read_scan(
 ) -> HeightMap:
     """Read the central square of a map, or a line scan, in nm, not levelled.
 
-    `member` names a scan of a container, or a channel. `unit` (two: of positions, heights) and
-    `map_size`, the longer side in nm, serve files that state none. Pixels under a mask that the
-    user drew stay, or ``"exclude"`` takes them for undefined. Raises ValueError, in one line,
-    if the scan cannot be used, or has undefined pixels and their interpolation is ``"refuse"``.
+    `member` names a scan of a container, or a channel. `unit` ("nm", or "mm,nm" for positions and
+    heights) and `map_size`, the longer side in nm, serve files that state none. `mask` is one of
+    MASKS. Raises ValueError, in one line, if the scan cannot be used, or if it has undefined pixels
+    and `undefined_pixels` is ``"refuse"``.
     """
     from hardcontact.surfaces.scan_formats import read_fields
 

@@ -31,7 +31,6 @@ BIN_EDGES = 2 * np.pi * np.logspace(-5, 1, 61)
 BIN_CENTRES = np.sqrt(BIN_EDGES[1:] * BIN_EDGES[:-1])
 #: Width of these bins in ln q.
 BIN_WIDTH = float(np.log(BIN_EDGES[1] / BIN_EDGES[0]))
-#: Number of bins in half a decade.
 HALF_DECADE_BINS = 5
 #: Fewest bins of a joined spectrum.
 MIN_BINS = 3
@@ -142,17 +141,14 @@ def profile_psd(scan: HeightMap) -> Floats:
 
 def _mark_empty_bins(density: ArrayLike) -> Floats:
     """Return a PSD with NaN in bins without wavevectors, where SurfaceTopography has 0."""
-    values = np.asarray(density, float)
-    return np.where(values > 0, values, np.nan)
+    density = np.asarray(density, float)
+    return np.where(density > 0, density, np.nan)
 
 
 def all_scales_rms(spectrum: Spectrum) -> Floats:
     """Return rms height (nm), gradient and half-Laplacian (1/nm) over all scales: (3,)."""
-    wavevector = spectrum.wavevector
-    squares = [
-        np.trapezoid(spectrum.density * wavevector**n * wavevector, np.log(wavevector))
-        for n in (1, 3, 5)
-    ]
+    q = spectrum.wavevector
+    squares = [np.trapezoid(spectrum.density * q**n * q, np.log(q)) for n in (1, 3, 5)]
     return np.sqrt(np.array(squares) / [1, 1, 4] / (2 * np.pi))
 
 
@@ -166,7 +162,7 @@ def peak_wavelength(spectrum: Spectrum) -> float:
 
 
 def self_affine(wavevector: Floats, plateau: float, rolloff: float, hurst: float) -> Floats:
-    """Return C_iso: `plateau` (nm⁴) above the roll-off wavelength (nm), (q/q_r)^(-2-2H) below."""
+    """Return C_iso: `plateau` (nm⁴) above the roll-off wavelength (nm), ∝ q^(-2-2H) below it."""
     return plateau * np.maximum(wavevector * rolloff / (2 * np.pi), 1.0) ** (-2 - 2 * hurst)
 
 
@@ -201,7 +197,7 @@ def power_law_extrapolation(density: Floats, hurst: float) -> Floats:
 
 
 def kept_shares(shortest: float) -> Floats:
-    """Return the share of the interval in ln q of each of WAVEVECTORS above a wavelength (nm)."""
+    """Return for each of WAVEVECTORS the share of its interval in ln q above a wavelength (nm)."""
     distance_in_steps = np.log(2 * np.pi / (shortest * WAVEVECTORS)) / np.log(
         WAVEVECTORS[1] / WAVEVECTORS[0]
     )

@@ -1,4 +1,4 @@
-"""Datasets of the spectra of surfaces, from measurements or descriptions."""
+"""Datasets of spectra with the measurements, or the segments of a description, behind them."""
 
 import io
 from collections.abc import Mapping, Sequence
@@ -19,7 +19,7 @@ from hardcontact.surfaces.repeated_scans import earlier_scans_of_sites
 from hardcontact.surfaces.scan_defects import DEFECT_UNITS
 from hardcontact.surfaces.spectrum import BIN_CENTRES, WAVEVECTORS, spectrum_of_dataset
 
-#: Units of the attributes of a spectrum about its ends; none for a text.
+#: Attributes of a spectrum about its ends, with their units; no unit for a text.
 END_UNITS = dict.fromkeys(("shortest_measured", "longest_measured", "rolloff"), "nm") | dict(
     zip((*Tail._fields, "tail_known"), ("1", "1", "nm", "nm", "", "1"), strict=True)
 )
@@ -136,7 +136,7 @@ def convert_described_spectrum(substitute: xr.Dataset, path: str) -> xr.Dataset:
 
 
 def stack_spectra(spectra: Mapping[str, xr.Dataset], labels: Mapping[str, str]) -> xr.Dataset:
-    """Return one dataset of the joined spectra of all surfaces, which are its first dimension.
+    """Stack the joined spectra of all surfaces along the new first dimension `surface`.
 
     Missing measurements are NaN, 0 or "". `label`, the name in print, and the variables of
     END_UNITS have only the dimension `surface`.

@@ -10,11 +10,11 @@ from hardcontact.base.statistics import MEDIAN_DEVIATION
 
 Mask = NDArray[np.bool_]
 
-#: Least distance of a streak to both lines beside it, in typical steps from line to line; Gaussian
-#: steps are so large once in 10⁹ pixels.
+#: Least distance of a streak from both lines beside it, in typical steps from line to line; one
+#: Gaussian step in 10⁹ is so large.
 MIN_STREAK_STEPS = 6.0
-#: Least number of pixels along a line: fewer may be a particle. A streak is also more than twice as
-#: long as the longest such row of pixels across the lines, which the surface itself makes.
+#: Least number of pixels of a streak along a line: fewer may be a particle. A streak is also more
+#: than twice as long as the longest such run across the lines, which the surface itself makes.
 MIN_STREAK_PIXELS = 8
 MAX_LENGTH_RATIO = 2
 #: Least distance of the ends of a streak, in typical steps.
@@ -29,7 +29,7 @@ def find_streaks(heights: Floats) -> Mask:
     """Return the mask (y, x) of the narrowest streaks along x, either all above or all below.
 
     The ends of a streak may stand out less than the pixels by which it is found. A line between two
-    streaks looks like one of the other sign: only the sign with more pixels counts.
+    streaks looks like a streak of the other sign: only the sign with more pixels counts.
     """
     for width in STREAK_WIDTHS:
         along = [_run_lengths(_candidates(steps)) for steps in _distances(heights, width)]
@@ -60,10 +60,10 @@ def fill_streaks(heights: Floats) -> tuple[Floats, Mask]:
 
 
 def _distances(heights: Floats, width: int) -> tuple[Floats, Floats]:
-    """Return the distances of pixels above the higher, and below the lower, of two lines.
+    """Return how far each pixel lies above both, and how far below both, of two lines.
 
-    These are `width` lines before and after a pixel; the first and the last line have only one.
-    Distances are in typical steps between lines.
+    The lines are `width` lines before and after the pixel; the first and the last line have only
+    one. Distances are in typical steps between lines.
     """
     padded = np.pad(heights, ((width, width), (0, 0)), constant_values=np.nan)
     before, after = padded[: -2 * width], padded[2 * width :]
@@ -91,7 +91,7 @@ def _run_lengths(mask: Mask) -> NDArray[np.intp]:
 
 
 def _candidates(steps: Floats) -> Mask:
-    """Return the mask of runs of pixels that lie outside by END_STEPS, a pixel by many steps."""
+    """Return the mask of runs of more than END_STEPS that reach MIN_STREAK_STEPS somewhere."""
     is_certain = steps > MIN_STREAK_STEPS
     mask = np.zeros(steps.shape, bool)
     if is_certain.any():

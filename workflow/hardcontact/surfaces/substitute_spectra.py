@@ -44,8 +44,8 @@ SEARCHED_PARAMETERS = {
     "varying Hurst": ("plateau_nm4", "hurst", "hurst_change"),
 }
 LOGARITHMIC_PARAMETERS = ("plateau_nm4", "rolloff_nm")
-#: Factor by which an assumed roll-off may differ: that of NCD and MCD reaches up to their longest
-#: wave. And samples among which one can be calibrated: one in two of NCD and MCD can.
+#: Largest factor on an assumed roll-off: NCD and MCD then reach their longest wave. Largest number
+#: of samples until one can be calibrated: every second sample of NCD and MCD can.
 ROLLOFF_FACTOR = 1.5
 MAX_SAMPLES = 100
 #: Bounds of the Hurst exponent of a tail.
@@ -54,11 +54,11 @@ TAIL_HURST_BOUNDS = (-6.0, 5.0)
 
 @cache
 def transfer_weights(pixels: int, pixel_size: float, window_pixels: int) -> Weights:
-    """Return wavevectors (bins,) and weights (3, bins) for the expected squares of a scan.
+    """Return wavevectors (bins,) and weights (3, bins) for the expected rms values of a scan.
 
-    Squares of rms height, gradient and half-Laplacian are weights @ C_iso. The scan is cut out of
-    a periodic surface of `pixels` and levelled: Legendre functions of degree 0 and 1, whose
-    transforms are spherical Bessel functions, are removed.
+    Squares of rms height, gradient and half-Laplacian are weights @ C_iso. The scan of
+    `window_pixels` is cut out of a periodic surface of `pixels` (both per row) and levelled, which
+    removes Legendre functions of degree 0 and 1; their transforms are spherical Bessel functions.
     """
     from scipy.special import spherical_jn
 
@@ -83,7 +83,7 @@ def transfer_weights(pixels: int, pixel_size: float, window_pixels: int) -> Weig
         laplacian = difference_y + difference[orders_x]
         radius = np.hypot(wave[rows, None], half)
         if start == 0:
-            radius[0, 0] = half[1]  # the mean carries no weight, and log 0 no bin
+            radius[0, 0] = half[1]  # The mean has no weight, but needs a bin.
         index = np.searchsorted(edges, radius.ravel()) - 1
         for k, factor in enumerate((1 - removed, laplacian, laplacian**2 / 4)):
             weights[k] += np.bincount(index, (count * factor).ravel(), BIN_COUNT)
@@ -105,7 +105,7 @@ def calibrate_model(segment: pd.Series, table1: pd.DataFrame, weights: Weights) 
 
     model, names = SPECTRAL_MODELS[segment.model]
     searched = SEARCHED_PARAMETERS[segment.model]
-    values = table1.loc[list(AFM_ROWS), "value"].to_numpy(float)
+    published_rms = table1.loc[list(AFM_ROWS), "value"].to_numpy(float)
 
     def parameters(solution: Floats) -> dict[str, float]:
         return {
@@ -118,10 +118,10 @@ def calibrate_model(segment: pd.Series, table1: pd.DataFrame, weights: Weights) 
         table = Spectrum(
             WAVEVECTORS, model(WAVEVECTORS, *(band_parameters[name] for name in names))
         )
-        return np.asarray(np.log(expected_scan_rms(table, weights) / values))
+        return np.asarray(np.log(expected_scan_rms(table, weights) / published_rms))
 
     start = {
-        "plateau_nm4": 2 * np.log(values[0] * 1000),
+        "plateau_nm4": 2 * np.log(published_rms[0] * 1000),
         "rolloff_nm": np.log(1000.0),
         "hurst": 0.9,
         "hurst_change": 0.0,
@@ -138,7 +138,8 @@ def calibrate_model(segment: pd.Series, table1: pd.DataFrame, weights: Weights) 
         worst = int(np.abs(fit.fun).argmax())
         raise ValueError(
             "expected three numbers of Table 1 that a spectrum of this model has, found "
-            f"{AFM_ROWS[worst]} = {values[worst]:.3g}, missed by {100 * fit.fun[worst]:+.1f} %"
+            f"{AFM_ROWS[worst]} = {published_rms[worst]:.3g}, missed by "
+            f"{100 * fit.fun[worst]:+.1f} %"
         )
     return {name: float(value) for name, value in parameters(fit.x).items()}
 
@@ -193,9 +194,9 @@ def spectrum_from_description(
 ) -> tuple[Floats, pd.DataFrame, list[str]]:
     """Return C_iso (nm⁴) on WAVEVECTORS of a description, its segments, the rows of Table 1 met.
 
-    The CSV has segments from long to short wavelengths. One without a Hurst exponent is calibrated
-    if its model is in CALIBRATION_ROWS. Raises ValueError, with file and segment, if one cannot be
-    made.
+    The CSV has segments from long to short wavelengths. A segment without a Hurst exponent is
+    calibrated if its model is in CALIBRATION_ROWS. Raises ValueError, with file and segment, if
+    this fails.
     """
     return _spectrum_of_segments(read_segments(path), Path(path), table1, weights)
 
@@ -275,7 +276,7 @@ def sample_permitted_spectrum(
             factor = ROLLOFF_FACTOR ** rng.uniform(-1, 1)
             drawn_segments.loc[is_free, "rolloff_nm"] *= factor
         try:
-            with np.errstate(over="ignore"):  # of a form that no sample of the rows has
+            with np.errstate(over="ignore"):  # A search may try absurd parameters.
                 density, *_ = _spectrum_of_segments(
                     drawn_segments, Path(description), drawn_rows, weights
                 )

@@ -1,4 +1,4 @@
-"""Random surfaces from a PSD, substitute scans cut out of them, and masters (Fig. 6).
+"""Random surfaces from a spectrum, substitute scans cut out of them, and masters (Fig. 6).
 
 A master is a scan with artificial roughness added. Surfaces and masters are periodic, scans are
 not. Lengths are in nm; densities are C_iso in nm⁴ of wavevectors in rad/nm.
@@ -61,7 +61,7 @@ def scale_noise(noise: Transform, pixel_size: float, spectrum: SpectrumFunction)
 def random_surface(
     rng: np.random.Generator, pixels: int, pixel_size: float, spectrum: SpectrumFunction
 ) -> HeightMap:
-    """Return a Gaussian random surface with a power spectral density, of mean zero, in float32."""
+    """Return a periodic Gaussian random surface with a spectrum, of mean zero, in float32."""
     from scipy import fft
 
     transform = white_noise(rng, pixels)
@@ -73,9 +73,9 @@ def random_surface(
 def random_corner(
     noise: Transform, corner_pixels: int, pixel_size: float, spectrum: SpectrumFunction
 ) -> HeightMap:
-    """Return the corner of the random surface of the transform of white noise, in float32.
+    """Return a corner of the random surface that a transform of white noise makes, in float32.
 
-    Only the rows of the corner are transformed along x.
+    It is faster than `random_surface`, because only rows of the corner are transformed along x.
     """
     from scipy import fft
 
@@ -116,7 +116,7 @@ def sample_scan(
 def scan_of_noise(
     noise: Transform, spectrum: SpectrumFunction, grid: ScanGrid, factor: float = 1.0
 ) -> HeightMap:
-    """Return the scan of the transform of white noise: the corner of a random surface."""
+    """Return the scan that a transform of white noise makes: the corner of a random surface."""
     surface = random_corner(noise, grid.pixels, grid.pixel_size, spectrum)
     return cut_scan(surface, grid.pixels, factor)
 
@@ -139,8 +139,8 @@ def short_edge_master(
 ) -> HeightMap:
     """Return a mirror-stitched scan whose wavelengths below the transition (nm) are artificial.
 
-    Below the transition, the C_iso of the random surface that is added is `spectrum`. Above, it is
-    constant, so that some long waves are added, too. Source: the paper, section Determining the
+    The added random surface has the C_iso `spectrum` below the transition, and a constant C_iso
+    above it, so that some long waves are added, too. Source: the paper, section Determining the
     Most Relevant Length-scales of Roughness.
     """
     long_waves = lowpass(stitched, transition)
@@ -183,7 +183,7 @@ def long_edge_master(
 #: number of pixels or of tiles.
 MASTER_MAKERS = {"short": (short_edge_master, "pixels"), "long": (long_edge_master, "tiles")}
 SIDES = tuple(MASTER_MAKERS)
-#: By side: the word that names its random numbers. Other words would change all numbers of results.
+#: By side: the word that names its random numbers. Other words would change all results.
 SEED_WORDS = {"short": "small", "long": "large"}
 
 

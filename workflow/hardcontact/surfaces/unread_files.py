@@ -1,4 +1,4 @@
-"""Files that no reader takes, or that hold no heights: their kinds, and the remedies."""
+"""Describe files that no reader can read, or that hold no heights, and say what to do."""
 
 import io
 import re
@@ -19,13 +19,13 @@ EXPORT = "save the heights as text or netCDF, for example with Gwyddion"
 PICTURE = f"a picture, whose grey values are no heights: {EXPORT}"
 ARCHIVE = "an archive: unpack it, and give the scans in it"
 MODEL = "a model of triangles or points: save its points as a text of x, y, height"
-#: Kinds of files that no reader knows, with the remedy, and how they begin.
+#: Kinds of files that no reader knows, in words with the remedy; values are their first bytes.
 UNREADABLE_KINDS = {
     "a compressed file of MountainsMap: save it without compression": (b"DSCOMPRESSED",),
     ARCHIVE: (b"PK\3\4", b"BZh", b"\xfd7zXZ", b"7z\xbc\xaf", b"Rar!"),
     PICTURE: (b"BM", b"II*\0", b"MM\0*"),
 }
-#: The same for files without heights on a grid: no reader is tried.
+#: The same for files without heights on a grid, for which no reader is tried.
 KINDS_WITHOUT_HEIGHTS = {
     PICTURE: (b"P2\n", b"P5\n", b"\x89PNG", b"\xff\xd8\xff", b"GIF8"),
     MODEL: (b"#VRML", b"ply\n"),
