@@ -372,7 +372,7 @@ def setting():
     """Return the setting of a study."""
     contact = {
         "sphere": "smooth", "radius of the sphere": "250 µm", "hardness": "25 GPa",
-        "preload": "10 µN",
+        "preload": "10 µN", "range of adhesion": "5.6 nm", "work of adhesion": "46.3 mJ/m²",
     }  # fmt: skip
     paper_values = ["hardness", "work of adhesion"]
     return Setting("my-coating", "full", contact, paper_values, "1.0.0", PAIRS)
