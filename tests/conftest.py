@@ -1,5 +1,6 @@
 """Fixtures: a copy of the repository, the finished tiny study, and the tiers of tests."""
 
+import os
 import shutil
 import sys
 import tempfile
@@ -9,6 +10,9 @@ from hypothesis import configuration, settings
 from repository import ROOT, copy_repository, run_snakemake
 from shared_study import shared_study
 
+# Processes share the cores, and a thread that waits for another takes its core from them. Nothing
+# that is imported above loads numpy, which reads this.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 # Tests leave nothing in the repository.
 sys.dont_write_bytecode = True
 settings.register_profile("study", database=None)

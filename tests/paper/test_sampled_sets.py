@@ -169,7 +169,7 @@ def test_equal_masters_have_the_band_of_one():
 
 def test_masters_are_sampled_again_for_every_set_and_surface():
     masters = make_masters().isel(surface=slice(2))
-    bands = [set_edges(masters, 5, 0.1, NO_SAMPLES, n) for n in range(300)]
+    bands = [set_edges(masters, 5, 0.1, NO_SAMPLES, n) for n in range(100)]
     ratio = np.array([band["filtered_force_ratio"].values for band in bands])
     mean = (
         masters["filtered_force_ratio"].mean("realization").transpose("side", "surface", ...).values
@@ -178,6 +178,6 @@ def test_masters_are_sampled_again_for_every_set_and_surface():
         masters["filtered_force_ratio"].std("realization").transpose("side", "surface", ...).values
     )
     error = deviation / np.sqrt(5)
-    np.testing.assert_allclose(ratio.std(axis=0), error, rtol=0.14)
-    assert (np.abs(ratio.mean(axis=0) - mean) < 4 * error / np.sqrt(300))[~np.isnan(mean)].all()
+    np.testing.assert_allclose(ratio.std(axis=0), error, rtol=0.24)
+    assert (np.abs(ratio.mean(axis=0) - mean) < 4 * error / np.sqrt(100))[~np.isnan(mean)].all()
     assert abs(np.corrcoef(ratio[:, 0, 0, 0], ratio[:, 0, 1, 0])[0, 1]) < 0.2
