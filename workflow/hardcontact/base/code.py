@@ -60,7 +60,7 @@ def _imported_names(tree: ast.AST) -> Iterator[str]:
 
 
 def _module_files(name: str) -> Iterator[Path]:
-    """Yield the files that Python runs to import a name, those of parent packages too."""
+    """Yield the files that Python runs to import a name, those of its parent packages included."""
     package, *parents = name.split(".")
     if package != LIBRARY.name:
         return

@@ -98,9 +98,8 @@ def concatenate(
 def stack(datasets: Mapping[tuple[Any, ...], xr.Dataset], dimensions: Sequence[str]) -> xr.Dataset:
     """Join datasets along new dimensions, the outermost first.
 
-    A key has a label for each dimension. Labels keep the order of the keys; those of an inner
-    dimension are sorted if they differ between outer labels. Values are NaN where a combination of
-    labels is missing.
+    A key has a label for each dimension. Labels keep the order of the keys; inner labels are sorted
+    if they differ between outer labels. Values are NaN where a combination of labels is missing.
     """
     if not dimensions:
         return datasets[()]

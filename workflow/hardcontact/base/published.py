@@ -16,9 +16,9 @@ PUBLISHED_TABLES = {
 
 #: Effective modulus in Pa of ruby on diamond, `effective_modulus` of `parameters.csv`.
 RUBY_ON_DIAMOND_MODULUS = 1 / ((1 - 0.29**2) / 365e9 + (1 - 0.22**2) / 1010e9)
-#: Hardness in Pa below which this modulus is not assumed: a tenth of that of diamond. Moduli are
-#: ten to some hundred times the hardness (ceramics, metals), so bodies of this hardness may be ten
-#: times as compliant.
+#: Hardness in Pa below which this modulus is not assumed: a tenth of the ruby's hardness. Moduli
+#: are ten to some hundred times the hardness (ceramics, metals), so bodies of this hardness may be
+#: ten times as compliant.
 SOFT_HARDNESS = 2.5e9
 #: The largest rms gradient, and half-Laplacian in 1/nm, over all scales: those of UNCD, the
 #: roughest hard surface of Table 1, with their uncertainties (1.17 + 0.28, 6.32 + 1.20). A sphere
