@@ -36,7 +36,7 @@ from hardcontact.surfaces.synthesis import (
 #: Number of components of the gain, one for each AFM row of Table 1. The amplitudes of the second
 #: and the third component relative to the first are fitted.
 COMPONENT_COUNT = 3
-#: Largest ratio, or its inverse, of the amplitude of a component to that of the first component.
+#: Largest ratio of the amplitudes of a component and of the first component, or its inverse.
 MAX_AMPLITUDE_RATIO = 4.0
 
 
@@ -148,8 +148,8 @@ def metric_matrices(components: Sequence[HeightMap], names: Sequence[str]) -> Fl
     """
 
     def squared_metrics(heights: np.ndarray) -> Floats:
-        values = metrics(replace(components[0], heights=heights))
-        return np.array([values[name] ** 2 for name in names])
+        scan_metrics = metrics(replace(components[0], heights=heights))
+        return np.array([scan_metrics[name] ** 2 for name in names])
 
     count = len(components)
     squares = [squared_metrics(component.heights) for component in components]
@@ -174,10 +174,10 @@ def _fit_group(matrices: Floats, targets: Targets) -> tuple[Floats, Floats, Floa
     def errors_and_factors(log_amplitudes: Floats) -> tuple[Floats, Floats]:
         """Return the errors (3,), and the factors (scan,) that give scans their rms heights."""
         amplitudes = np.exp(np.append(0.0, log_amplitudes))
-        values = np.sqrt(np.einsum("smij,i,j->sm", matrices, amplitudes, amplitudes))
-        rms_heights = values[:, 0]
+        scan_rms = np.sqrt(np.einsum("smij,i,j->sm", matrices, amplitudes, amplitudes))
+        rms_heights = scan_rms[:, 0]
         factors = scale_rms_heights(rms_heights, means[0], targets.rms_height_std) / rms_heights
-        return (factors[:, None] * values).mean(axis=0) / means - 1, factors
+        return (factors[:, None] * scan_rms).mean(axis=0) / means - 1, factors
 
     def slope_and_curvature_errors(log_amplitudes: Floats) -> Floats:
         return errors_and_factors(log_amplitudes)[0][1:]
@@ -256,7 +256,7 @@ def conditioned_scan(
 ) -> HeightMap:
     """Return a scan with the gain and the factor of its group, from `condition_group`.
 
-    `sphere_radius` in nm is that of a sphere that the scan shows; None for a flat surface.
+    `sphere_radius` is the radius in nm of a sphere that the scan shows; None for a flat surface.
     """
     spectrum = multiply_amplitudes(
         spectrum_of_dataset(spectrum_data), conditioning["amplitude_gain"].values

@@ -146,7 +146,7 @@ def _find_bins_near_peaks(log_density: Floats, variance: Floats) -> NDArray[np.b
 
 def _count_unsmoothed(is_smoothed: NDArray[np.bool_], count: int) -> int:
     """Count the leading bins, at most `count`, whose last half decade is not smoothed."""
-    # Between smoothing and noise some slopes equal those of a rough surface.
+    # Between smoothing and noise the slope passes through the slopes of rough surfaces.
     while is_smoothed[max(count - HALF_DECADE_BINS, 0) : count].any():
         start = max(count - HALF_DECADE_BINS, 0)
         count = start + int(np.argmax(is_smoothed[start:count]))

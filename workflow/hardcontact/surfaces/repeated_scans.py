@@ -42,19 +42,18 @@ def earlier_scans_of_sites(scans: Sequence[HeightMap]) -> list[int | None]:
     maps = [coarse_map(scan) for scan in scans]
     earlier: list[int | None] = []
     for scan in maps:
-        first_scans = [number for number, index in enumerate(earlier) if index is None]
-        earlier.append(
-            next((number for number in first_scans if show_same_site(maps[number], scan)), None)
-        )
+        new_sites = [index for index, first in enumerate(earlier) if first is None]
+        same = (index for index in new_sites if show_same_site(maps[index], scan))
+        earlier.append(next(same, None))
     return earlier
 
 
 def repeated_scans(scans: Sequence[HeightMap], names: Sequence[str]) -> dict[int, str]:
     """Return a line on each scan that shows the site of an earlier scan, by its index."""
     return {
-        number: f"{names[number]}: it shows the same site as {names[index]}, and a site counts once"
-        for number, index in enumerate(earlier_scans_of_sites(scans))
-        if index is not None
+        index: f"{names[index]}: it shows the same site as {names[first]}, and a site counts once"
+        for index, first in enumerate(earlier_scans_of_sites(scans))
+        if first is not None
     }
 
 

@@ -1,4 +1,4 @@
-"""Measure roughness metrics and PSDs of scans, and join those of all surfaces in one dataset."""
+"""Measure the metrics and PSD of each scan, and join the results for all surfaces."""
 
 from collections.abc import Iterable, Mapping
 from typing import Any
@@ -21,11 +21,11 @@ TABLE1_VARIABLES = {row: f"{metric}_mean" for row, metric in TABLE1_METRICS.item
 
 def measured_metrics(scan: HeightMap, names: Iterable[str]) -> xr.Dataset:
     """Return some of the METRICS of a scan, by their names."""
-    values = metrics(scan)
+    scan_metrics = metrics(scan)
     variables = {}
     for name in names:
         unit, long_name = METRICS[name]
-        variables[name] = ((), values[name], {"units": unit, "long_name": long_name})
+        variables[name] = ((), scan_metrics[name], {"units": unit, "long_name": long_name})
     return xr.Dataset(variables)
 
 
@@ -123,7 +123,7 @@ def _maps(examples: list[xr.Dataset]) -> xr.Dataset:
     pixel_sizes = [example["heights"].attrs["pixel_size"] for example in examples]
     sizes = [len(example["x"]) * size for example, size in zip(examples, pixel_sizes, strict=True)]
     heights = np.array([thin(example["heights"]) for example in examples])
-    maps = xr.Dataset(
+    example_maps = xr.Dataset(
         {
             "example_heights": (("surface", "row", "column"), heights, NM),
             "scan_size": ("surface", sizes, NM),
@@ -133,5 +133,5 @@ def _maps(examples: list[xr.Dataset]) -> xr.Dataset:
     for example in examples:
         if "as_scanned" in example:
             scanned = thin(example["as_scanned"])
-            maps["sphere_as_scanned"] = (("row", "column"), scanned, NM)
-    return maps
+            example_maps["sphere_as_scanned"] = (("row", "column"), scanned, NM)
+    return example_maps

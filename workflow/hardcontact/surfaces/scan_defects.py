@@ -55,8 +55,8 @@ MAX_END_PIXELS = 10
 MAX_END_RATIO = 3.0
 #: Largest share of the rms height without a curvature: the curvature has a tenth or more.
 MAX_UNCURVED_SHARE = 0.9
-#: Least ratio of the power of polynomials of second order to that of third and fourth order. The
-#: largest in 8100 self-affine maps without a roll-off and curvature (H from 0.5 to 1) is 34.
+#: Least power of polynomials of second order relative to third and fourth order. The largest ratio
+#: in 8100 self-affine maps without a roll-off and curvature (H from 0.5 to 1) is 34.
 MIN_SECOND_ORDER_RATIO = 50.0
 #: Points per row to which polynomials are fitted.
 POLYNOMIAL_POINTS = 32
@@ -144,7 +144,7 @@ def _spike_numbers(heights: Floats) -> list[float]:
     particle has three neighbours on it.
     """
     isolation = _isolation(heights)
-    # Spikes raise the rms height: leave out suspects, by the median distance.
+    # Spikes raise the rms height, so leave out pixels that are isolated by the median distance.
     distance = np.median(np.abs(heights - np.median(heights)))
     rms_height = float(heights[isolation <= MIN_SPIKE_DISTANCE * distance / MEDIAN_DEVIATION].std())
     share = float((isolation > MIN_SPIKE_DISTANCE * rms_height).mean())
@@ -283,8 +283,8 @@ def _edge_numbers(heights: Floats) -> list[float]:
 def _noise_numbers(heights: Floats) -> list[float]:
     """Return the rms of white noise and the rms height without it (nm); empty without noise.
 
-    The spectrum of a noisy scan is flatter than that of a self-affine surface at two to four pixels
-    and steeper at longer waves.
+    The spectrum of a noisy scan is flatter than any self-affine spectrum at two to four pixels, but
+    steeper at longer waves.
     """
     pixels = len(heights)
     window = np.hanning(pixels + 1)[:-1]

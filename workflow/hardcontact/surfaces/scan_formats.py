@@ -92,7 +92,7 @@ def read_fields(
         notes += _aspect_cautions(topography)
     try:
         read_values = map_values if is_map else profile_values
-        values = read_values(topography, unit_in_nm(topography.unit), undefined_pixels)
+        fields = read_values(topography, unit_in_nm(topography.unit), undefined_pixels)
     except RefusedFile as error:
         remedy = "; --unit mm,nm gives positions and heights a unit each"
         raise RefusedFile(f"{error}{remedy if unit == topography.unit else ''}") from None
@@ -102,8 +102,8 @@ def read_fields(
         "channel": channel.name,
         "file_unit": topography.unit,
         "tip_radius": tip_radius,
-        **values,
-        "notes": [*notes, *values["notes"], *tip_notes],
+        **fields,
+        "notes": [*notes, *fields["notes"], *tip_notes],
     }
 
 
@@ -260,8 +260,8 @@ def _user_metadata(channel: Any, unit: str, map_size: float | str) -> dict[str, 
             metadata["height_scale"] = unit_in_nm(vertical) / unit_in_nm(lateral)
     known_unit = metadata.get("unit", channel.unit)
     if map_size != NOT_GIVEN and channel.physical_sizes is None and known_unit:
-        pixel = float(map_size) / unit_in_nm(known_unit) / max(channel.nb_grid_pts)
-        metadata["size"] = [pixel * count for count in channel.nb_grid_pts]
+        pixel_size = float(map_size) / unit_in_nm(known_unit) / max(channel.nb_grid_pts)
+        metadata["size"] = [pixel_size * count for count in channel.nb_grid_pts]
     return metadata
 
 
@@ -299,15 +299,12 @@ def _read_topography(channel: Any, metadata: dict[str, Any]) -> tuple[Any, list[
         abs(topography.physical_sizes[0]) <= MAX_TOLERATED_SPACING * topography.nb_grid_pts[0]
     ):
         topography = channel.reader._read(tol=0, **arguments)
-    return topography, [
-        f"{KEY_BY_ARGUMENT[argument]} "
-        + (
-            " x ".join(f"{length:.6g}" for length in value)
-            if argument == "physical_sizes"
-            else str(value)
-        )
-        for argument, value in arguments.items()
-    ]
+    metadata_in_words = []
+    for argument, value in arguments.items():
+        lengths = value if argument == "physical_sizes" else ()
+        words = " x ".join(f"{length:.6g}" for length in lengths) or value
+        metadata_in_words.append(f"{KEY_BY_ARGUMENT[argument]} {words}")
+    return topography, metadata_in_words
 
 
 def _accepted_arguments(channel: Any, metadata: dict[str, Any]) -> dict[str, Any]:

@@ -110,11 +110,11 @@ def map_values(topography: Any, factor: float, undefined_pixels: str) -> dict[st
             caution = f"{TAKE_CARE}only {share} of this strip is used: "
         notes.append(f"{caution}cropped from {columns} x {rows} to {side} x {side} pixels")
     undefined_count, undefined_notes = _count_undefined(heights, undefined_pixels)
-    values = heights.data
+    filled = heights.data
     if undefined_count:
-        holed = Topography(heights, heights.shape)
-        values = np.asarray(holed.interpolate_undefined_data(undefined_pixels).heights())
-    fields = _fields(values.T * factor, pixel_size, notes + undefined_notes)
+        with_gaps = Topography(heights, heights.shape)
+        filled = np.asarray(with_gaps.interpolate_undefined_data(undefined_pixels).heights())
+    fields = _fields(filled.T * factor, pixel_size, notes + undefined_notes)
     return fields | {"undefined_count": undefined_count}
 
 
@@ -203,9 +203,9 @@ def profile_values(line_scan: Any, factor: float, undefined_pixels: str) -> dict
     undefined_count, undefined_notes = _count_undefined(heights, undefined_pixels)
     grid, notes = _uniform_grid(positions)
     defined = ~heights.mask
-    values = np.interp(grid, positions[defined], heights.data[defined]) * factor
+    filled = np.interp(grid, positions[defined], heights.data[defined]) * factor
     pixel_size = float((grid[-1] - grid[0]) / (len(grid) - 1))
-    fields = _fields(values, pixel_size, notes + undefined_notes)
+    fields = _fields(filled, pixel_size, notes + undefined_notes)
     return fields | {"undefined_count": undefined_count}
 
 

@@ -76,8 +76,8 @@ class Spectrum:
     def __call__(self, wavevector: ArrayLike) -> Floats:
         """Return C_iso in nm⁴ at wavevectors in rad/nm by interpolation in log q and log C.
 
-        C_iso is constant at wavelengths longer than those of the table. It is zero at shorter
-        wavelengths and where the table is zero.
+        C_iso is constant above the longest wavelength of the table. It is zero below the shortest
+        one and where the table is zero.
         """
         log_density = np.log(np.maximum(self.density, 1e-290))
         with np.errstate(divide="ignore"):

@@ -41,10 +41,10 @@ def white_noise(rng: np.random.Generator, pixels: int) -> Transform:
 
 
 def scale_noise(noise: Transform, pixel_size: float, spectrum: SpectrumFunction) -> None:
-    """Scale the transform of white noise, in place, to that of a surface with a C_iso.
+    """Scale the transform of white noise, in place, so that its surface has the C_iso `spectrum`.
 
-    White noise of unit variance has C_iso = pixel area; its transform is scaled by the root of the
-    ratio. Wavevectors of opposite y have the same density.
+    White noise of unit variance has C_iso = pixel area; amplitudes are multiplied by the root of
+    the ratio of both C_iso. Wavevectors of opposite y have the same density.
     """
     pixels = len(noise)
     half = pixels // 2 + 1
