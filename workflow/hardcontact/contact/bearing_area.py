@@ -1,10 +1,9 @@
 """Rigid and plastic (bearing area) contact: closest approach and contact pixels.
 
 The gap of a pixel is g = y - u - z in nm: sphere y, its roughness u (positive towards the
-substrate) and substrate z. The contact pixels are those of the N smallest gaps. A branch and bound
-over tiles finds them: the highest point of a tile bounds its gaps from below, that of a group of
-tiles those of all its tiles. Only tiles whose bound is below the N-th smallest gap known so far are
-read.
+substrate) and substrate z. The contact pixels have the N smallest gaps. A branch and bound over
+tiles finds them: the highest point of a tile, or of a group of tiles, bounds all gaps in it from
+below. Only tiles whose bound is below the N-th smallest gap known so far are read.
 """
 
 from dataclasses import dataclass
@@ -231,7 +230,7 @@ def find_contact_pixels(
 def _limits_of_gaps(windows: _Windows, tiles: WindowTiles, contact_pixel_count: int) -> Floats:
     """Return an upper bound (contact,) on the N-th smallest gap (nm), N the contact pixels.
 
-    It is the N-th smallest gap in the fewest tiles that have N pixels, those of the lowest bounds.
+    It is the N-th smallest gap in the tiles of lowest bounds, as few as have N pixels.
     """
     tile_count = -(-contact_pixel_count // TILE**2)
     ends = np.searchsorted(tiles.contact_numbers, np.arange(tiles.contact_numbers[-1] + 2))

@@ -24,12 +24,10 @@ class TouchedPixels:
     def __init__(self, bodies: Bodies, pixels_by_contact: PixelsByContact) -> None:
         pixels = bodies.substrate.pixels
         positions = bodies.geometry.positions
-        touching = {
-            index: np.ravel_multi_index(
-                tuple(((positions[list(index)] + offsets) % pixels).T), (pixels, pixels)
-            )
-            for index, (_, offsets) in pixels_by_contact.items()
-        }
+        touching = {}
+        for index, (_, offsets) in pixels_by_contact.items():
+            row, column = ((positions[list(index)] + offsets) % pixels).T
+            touching[index] = row * pixels + column
         flat = np.unique(np.concatenate(list(touching.values())))
         self.row, self.column = np.divmod(flat, pixels)
         self._own = {index: np.searchsorted(flat, pixel) for index, pixel in touching.items()}

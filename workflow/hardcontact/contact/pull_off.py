@@ -194,7 +194,7 @@ def mean_pull_off_dataset(bodies: Bodies, contact: Contact, ranges: Sequence[flo
 
 
 def force_on_finer_pixels(bodies: Bodies, contact: Contact, forces: xr.DataArray) -> xr.Dataset:
-    """Return the mean plastic force on pixels of half the size, relative to those of a pair.
+    """Return the mean plastic force on pixels of half the size, relative to the pair's own pixels.
 
     Both maps are Fourier interpolated, so that the surfaces stay the same. The forces (...) of the
     pair in N at 1 J/m² are at the range of the contact.

@@ -1,4 +1,4 @@
-"""Pull-off of one scan of a substrate on all scans of the sphere, and what else changes it."""
+"""Pull-off of one substrate scan on all sphere scans, and how window and pixels change it."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -21,11 +21,11 @@ def pull_off_on_spheres(
 ) -> xr.Dataset:
     """Return `pull_off_dataset` of all pairs over (sphere_scan, ...), with contacts by number."""
     forces = {}
-    for number, bodies in pairs.items():
+    for sphere_scan, bodies in pairs.items():
         pair_forces = pull_off_dataset(bodies, contact, ranges)
         # Positions of contacts differ between pixel sizes.
-        numbers = {axis: range(pair_forces.sizes[axis]) for axis in CONTACT_AXES}
-        forces[(number,)] = pair_forces.assign_coords(numbers)
+        contact_numbers = {axis: range(pair_forces.sizes[axis]) for axis in CONTACT_AXES}
+        forces[(sphere_scan,)] = pair_forces.assign_coords(contact_numbers)
     return stack(forces, ["sphere_scan"])
 
 

@@ -33,7 +33,7 @@ LIBRARIES = ThreadpoolController()
 #: by the precision of the heights. Errors grow by exp(2) from 7 digits, or by exp(6) from 16.
 MAX_PENETRATION = {np.float32: 2.0, np.float64: 6.0}
 #: Largest depth of a contact below the highest point of the surface, relative to the range. Terms
-#: that round to zero are then less than exp(-47) of those of the contact.
+#: that round to zero are then less than exp(-47) of a contact pixel's term.
 MAX_DEPTH = {np.float32: 40.0, np.float64: 660.0}
 
 
