@@ -54,11 +54,11 @@ def prediction(
 ) -> dict[str, Number]:
     """Predict the pull-off force and both edges of a sphere on a rough surface, in closed form.
 
-    The spectrum of scans rises above its longest wavelength, where it is extrapolated, as the rms
-    height of the scans requires; that of a table is level there. ``extrapolated_force`` is the
-    force with the spectrum extrapolated to short waves. Without a known error intervals are NaN and
-    the force has the status OUTSIDE. For scans with steep edges the force has no value. Raises
-    ValueError if `trim_spectrum` refuses the spectrum, which messages call `name`.
+    Above its longest wavelength an extrapolated spectrum of scans rises as their rms height
+    requires; a table is constant there. ``extrapolated_force`` is the force with the spectrum
+    extrapolated to short waves. Without a known error intervals are NaN and the force has the
+    status OUTSIDE. For scans with steep edges the force has no value. Raises ValueError if
+    `trim_spectrum` refuses the spectrum, which messages call `name`.
     """
     waves = trim_spectrum(spectrum, name)
     inputs = _input_numbers(waves, contact, tolerance)
@@ -99,7 +99,7 @@ def prediction(
 def trim_spectrum(spectrum: Spectrum, name: str = "spectrum") -> Spectrum:
     """Return a spectrum without the zeros at its ends; messages call it `name`.
 
-    Raises ValueError if densities are unknown, if wavelengths are beyond those of the study, or if
+    Raises ValueError if densities are unknown, if wavelengths are not within WAVEVECTORS, or if
     the rms height is below MIN_RMS_HEIGHT or above the longest wavelength: then the unit is
     probably wrong.
     """

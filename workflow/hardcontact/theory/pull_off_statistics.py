@@ -79,7 +79,7 @@ class ForceStatistics:
 def predict_statistics(spectrum: Spectrum, contact: Contact) -> ForceStatistics:
     """Return the distribution of the pull-off force over positions on a Gaussian surface.
 
-    Only the wavelengths of the spectrum count. The mean is that of `closed_form`.
+    The surface has no other wavelengths than the spectrum. The mean equals `closed_form`.
     """
     smooth = float(dmt_pull_off(contact.work, contact.radius))
     waves = rough_waves(spectrum, contact.radius)
