@@ -21,7 +21,7 @@ MASTERS_CHUNK = 5
 
 
 class Purpose(NamedTuple):
-    """The settings of masters of one purpose. Keys are those of the configuration."""
+    """The settings of masters of one purpose, with keys of the configuration."""
 
     section: str  #: Section of the pixels and cutoffs of masters.
     contacts: str  #: Key of the number of contacts per row.

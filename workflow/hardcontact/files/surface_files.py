@@ -134,14 +134,14 @@ class SurfaceFiles:
 
     @property
     def combined_surfaces(self) -> list[str]:
-        """The measured substrates to whose roughness that of a measured sphere is added."""
+        """The measured substrates to which the roughness of a measured sphere is added."""
         basis = self.selection.basis
         if not self._combines_bodies or basis[self.selection.sphere] != "measured":
             return []
         return [name for name in self.selection.substrates if basis[name] == "measured"]
 
     def rough_bodies(self, surface: str, scan: int) -> list[Scan]:
-        """Return the scan of a substrate, and that of the sphere if its roughness is added."""
+        """Return the scan of a substrate, and the sphere's scan if its roughness is added."""
         bodies = [Scan(surface, scan)]
         if surface in self.combined_surfaces:
             bodies.append(Scan(self.selection.sphere, self.sphere_scan(surface, scan)))
@@ -189,7 +189,7 @@ class SurfaceFiles:
 
     @property
     def sphere_positions(self) -> list[int]:
-        """The numbers of the positions on the sphere: those of its scans if each has one."""
+        """The numbers of positions on the sphere: numbers of its scans if each has one position."""
         if self.positions_per_row == 1:
             return self.selection.sphere_scans
         count = len(self.selection.sphere_scans) * self.positions_per_row**2
