@@ -78,23 +78,29 @@ def new_study(arguments: Namespace) -> str:
         raise ValueError("\n".join(lines)) from None
     # With faults, `run_checks` raises. The last result is therefore that of `_propose_study`.
     proposal, choices = results[-1]
-    overlay = f"config/{arguments.name}.yaml"
-    table = f"config/{arguments.name}.tsv"
-    command = f"snakemake --configfile {overlay}"
-    texts = {
-        table: table_text(table_rows(entries, proposal.contact_entries, tip_text)),
-        overlay: overlay_text(command, choices, proposal.quick),
-    }
+    table = table_text(table_rows(entries, proposal.contact_entries, tip_text))
+    report = [
+        *_report_lines(entries, unreadable, proposal, choices),
+        *_write_study(arguments.name, table, choices, proposal.quick),
+    ]
+    return "\n".join(report)
+
+
+def _write_study(
+    name: str, table: str, choices: Sequence[Choice], quick: Sequence[Choice]
+) -> list[str]:
+    """Write the table of surfaces and the overlay of a study; return lines on how to run it."""
+    overlay_path, table_path = f"config/{name}.yaml", f"config/{name}.tsv"
+    command = f"snakemake --configfile {overlay_path}"
+    texts = {table_path: table, overlay_path: overlay_text(command, choices, quick)}
     for path, text in texts.items():
         with whole_file(ROOT / path) as temporary:
             Path(temporary).write_text(text, "utf-8")
-    report = [
-        *_report_lines(entries, unreadable, proposal, choices),
-        f"\nWritten: {overlay}, {table}. Now run, in {ROOT}:",
+    return [
+        f"\nWritten: {overlay_path}, {table_path}. Now run, in {ROOT}:",
         f"{command} --config effort=quick   # a first answer",
         command,
     ]
-    return "\n".join(report)
 
 
 def _input_checks(

@@ -36,7 +36,7 @@ RANGE_SPAN = 8.0
 #: The finest pixels worth computing, in nm: half the distance of atoms.
 FINEST_PIXEL_SIZE = 0.15
 #: Numbers of contacts per row of the array. Even ones fall evenly on the quarters of a scan.
-CONTACTS_PER_ROW = (20, 16, 12, 10, 8, 6, 4)
+ARRAY_WIDTHS = (20, 16, 12, 10, 8, 6, 4)
 #: Seconds that the contacts of one filtered surface may take. Chosen: the 150 filtered surfaces of
 #: a scan at full effort then take at most 5 minutes of processor time, whatever the scan.
 CONTACT_SECONDS = 2.0
@@ -203,7 +203,7 @@ def _short_pixels(scan: Entry, contact: Contact, max_pixels: int) -> int:
     while 2 * pixels <= max_pixels:
         pixel_size = scan.size / pixels
         seconds = _contact_seconds(scan, contact, pixel_size)
-        if pixel_size < FINEST_PIXEL_SIZE or CONTACTS_PER_ROW[-1] ** 2 * seconds > CONTACT_SECONDS:
+        if pixel_size < FINEST_PIXEL_SIZE or ARRAY_WIDTHS[-1] ** 2 * seconds > CONTACT_SECONDS:
             break
         pixels *= 2
     return pixels
@@ -232,7 +232,7 @@ def _contacts_per_row(
         for pixel_size, period_count in ((scan.pixel_size, periods), (finest, 1.0)):
             seconds = max(seconds, _contact_seconds(scan, contact, pixel_size))
             kept_pixels = max(kept_pixels, contact.pixel_count(pixel_size) * period_count)
-    for contacts_per_row in CONTACTS_PER_ROW:
+    for contacts_per_row in ARRAY_WIDTHS:
         contacts = contacts_per_row**2
         slow = contacts * seconds > CONTACT_SECONDS
         fits = contacts_per_row <= max_per_side and contacts * kept_pixels <= MAX_CONTACT_PIXELS
