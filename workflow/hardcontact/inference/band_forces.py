@@ -26,7 +26,7 @@ def band_parts(
 ) -> Iterator[dict[str, HeightMap]]:
     """Yield BAND_PARTS of a periodic surface, by name, for each band.
 
-    A band has the wavelengths (nm) from its first to below its second.
+    A band keeps wavelengths from its shortest (included) to its longest (excluded), in nm.
     """
     for shortest, longest in bands:
         series = filtered_series(surface, "short", [shortest, longest], surface.pixels)
@@ -48,8 +48,8 @@ def band_force_dataset(
     ``band_force`` (band, band_part, contact_y, contact_x) are in N at 1 J/m²; ``band_end`` (band,
     side) are the wavelengths.
     """
-    all_parts = band_parts(surface, bands.values())
-    part_forces = [[compute_forces(part) for part in parts.values()] for parts in all_parts]
+    parts_by_band = band_parts(surface, bands.values())
+    part_forces = [[compute_forces(part) for part in parts.values()] for parts in parts_by_band]
     return xr.Dataset(
         {
             "force": (CONTACT_AXES, compute_forces(surface), FORCE_ATTRS),
@@ -63,7 +63,7 @@ def band_force_dataset(
 def band_ratios(forces: xr.Dataset, scan_parts: ScanParts, confidence: float) -> xr.Dataset:
     """Return ``band_force_ratio`` (band, band_part), relative to the force with all roughness.
 
-    `forces` come from `band_force_dataset`, over (map, ...).
+    `forces` come from `band_force_dataset`, with the further dimension `map`.
     """
     log_ratio, half = log_force_ratio(forces["band_force"], forces["force"], scan_parts, confidence)
     interval = np.exp(np.stack([log_ratio - half, log_ratio + half], axis=-1))

@@ -37,7 +37,7 @@ class Edge(NamedTuple):
 def logarithmic_limits(tolerance: float) -> tuple[float, float]:
     """Return the limits of ln(ratio) between which the force counts as unchanged.
 
-    The tolerance is a relative change of the force.
+    The tolerance is a relative change of the force, such as 0.1.
     """
     return float(np.log1p(-tolerance)), float(np.log1p(tolerance))
 
@@ -46,7 +46,7 @@ def first_outside(lowest: np.ndarray, highest: np.ndarray, limits: tuple[float, 
     """Return the index of the first cutoff at which a curve is outside its limits.
 
     The lowest values (k,) are compared with the lower limit, the highest values with the upper
-    limit. The number of cutoffs if the curve is never outside.
+    limit. Returns the number of cutoffs if the curve is never outside.
     """
     lower, upper = limits
     is_outside = (lowest < lower) | (highest > upper)
@@ -57,8 +57,8 @@ def interpolate_edge(cutoffs: np.ndarray, curve: np.ndarray, limits: tuple[float
     """Return the cutoff (nm) at which a curve first leaves its limits.
 
     Cutoffs and curve (k,) are in the order of growing effect; the curve is interpolated linearly in
-    the logarithm of the wavelength. NaN if the curve never leaves its limits, or has no value
-    before.
+    the logarithm of the wavelength. NaN if the curve never leaves its limits, or is outside at
+    the first cutoff.
     """
     crossing = first_outside(curve, curve, limits)
     if crossing in (0, len(curve)):
@@ -92,8 +92,8 @@ def shows_ripples(curve: ChangeCurve) -> bool:
     first leaves its limits by falling, the filter made summits that are higher than the surface:
     its ripples beside steps.
     """
-    first = first_outside(curve.values, curve.values, curve.limits)
-    return curve.side == "short" and bool((curve.values[first : first + 1] < 0).any())
+    crossing = first_outside(curve.values, curve.values, curve.limits)
+    return curve.side == "short" and bool((curve.values[crossing : crossing + 1] < 0).any())
 
 
 def edge_interval(curve: ChangeCurve, lowest: np.ndarray, highest: np.ndarray) -> np.ndarray:

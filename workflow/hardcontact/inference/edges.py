@@ -86,8 +86,8 @@ def edges_with_samples(
 
     `scales` has ``filtered_force_ratio`` (surface, realization, side, cutoff_wavelength), NaN at
     cutoffs of the other side, and ``unfiltered_wavelength`` (surface, side) in nm. The group POOLED
-    of ``filtered_force_change``, |ratio - 1|, is its mean over surfaces. An open edge is NaN, its
-    sample the bound. Random numbers depend on the surface alone.
+    of ``filtered_force_change``, |ratio - 1|, is the mean over surfaces. An open edge is NaN; in a
+    sample its bound replaces it. Random numbers depend on the surface alone.
     """
     ratio, ratio_samples = _mean_ratios(scales, sampling)
     edges = []
@@ -118,7 +118,7 @@ def edges_with_samples(
 
 
 def _mean_ratios(scales: xr.Dataset, sampling: Sampling) -> tuple[np.ndarray, np.ndarray]:
-    """Return the mean ratios over realizations (AXES), and samples of them (sample, AXES)."""
+    """Return the ratios (AXES), means over realizations, and their samples (sample, AXES)."""
     realizations = scales["filtered_force_ratio"].transpose("realization", *AXES)
     samples = [
         student_log_samples(
@@ -146,8 +146,8 @@ def _curves(
     """Yield the curve of each side and group, and samples (sample, k) of its values.
 
     Mean ratios (AXES) and their samples (sample, AXES) come from `_mean_ratios`. The curve of a
-    surface is ln(ratio) with two limits, the pooled one the mean |ratio - 1| with one. Each begins
-    at the unfiltered wavelength, where it is zero.
+    surface is ln(ratio) with two limits, the pooled curve is the mean |ratio - 1| with an upper
+    limit. Each curve begins at the unfiltered wavelength, where it is zero.
     """
     ratios = np.concatenate([ratio[None], ratio_samples])
     curves = np.concatenate([np.log(ratios), _changes(ratios)[:, :, -1:]], axis=2)
@@ -164,7 +164,7 @@ def _curves(
 
 
 def _sampled_edges(curve: ChangeCurve, sampled_values: np.ndarray) -> np.ndarray:
-    """Return the edges (sample,) in nm of a curve with other values (sample, k).
+    """Return the edges (sample,) in nm of a curve with sampled values (sample, k).
 
     The last cutoff stands for an open edge. NaN if the values are NaN.
     """

@@ -1,6 +1,7 @@
 """Forces on a master, unfiltered and filtered below or above every cutoff wavelength.
 
-The side ``"short"`` removes wavelengths below the cutoff, ``"long"`` wavelengths above it.
+A master is a scan with artificial roughness beyond its own wavelengths, on one side. A filter of
+the side ``"short"`` removes wavelengths below the cutoff, of ``"long"`` wavelengths above it.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -34,7 +35,7 @@ class Filters(NamedTuple):
     """The cutoffs of one side; each cutoff filters the unfiltered master."""
 
     side: str  #: short: wavelengths below the cutoff are removed; long: wavelengths above it.
-    pixels: int  #: Per row of the filtered surfaces.
+    pixels: int  #: Pixels per row of the filtered surfaces.
     cutoffs: Sequence[float]  #: In nm.
 
 
@@ -52,8 +53,8 @@ def forces_at_cutoffs(
     """
     side, pixels, cutoffs = filters
     surfaces = filtered_series(master, side, [None, *cutoffs], pixels)
-    results = (compute_forces(surface) for surface in surfaces)
-    unfiltered, *filtered = progress(results, 1 + len(cutoffs), "cutoffs")
+    surface_forces = (compute_forces(surface) for surface in surfaces)
+    unfiltered, *filtered = progress(surface_forces, 1 + len(cutoffs), "cutoffs")
     end = 2 * master.size / pixels if side == "short" else master.size
     cutoff_axis = (("cutoff_wavelength",), np.asarray(cutoffs, float), NM)
     filtered_forces = np.reshape(filtered, (len(cutoffs), *np.shape(unfiltered)))
@@ -78,20 +79,20 @@ def filtered_pull_off(
 ) -> xr.Dataset:
     """Return `forces_at_cutoffs` of plastic contact at all radii, loads and ranges of adhesion.
 
-    The contacts differ only in their load; radii and ranges (nm) are by default of the first
+    The contacts differ only in their load. Radii and ranges (nm) are by default those of the first
     contact. Forces are at 1 J/m². ``contact_area`` (load) is the area of the touching pixels, the
     coordinate ``area`` (load) the preload divided by the hardness, both in nm².
     """
     contact = loaded_contacts[0]
     pixel_size = master.size / filters.pixels
-    spheres = [replace(contact, radius=radius) for radius in radii or [contact.radius]]
+    radii = radii or [contact.radius]
     ranges = ranges or [contact.rho]
 
     def compute_forces(surface: HeightMap) -> np.ndarray:
-        pairs = [join_bodies(surface, sphere, sphere_contact) for sphere_contact in spheres]
+        pairs = [join_bodies(surface, sphere, replace(contact, radius=radius)) for radius in radii]
         return np.array([forces_at_loads(pair, loaded_contacts, ranges) for pair in pairs])
 
-    axes: dict[str, Axis] = {"radius": (("radius",), [probe.radius for probe in spheres], NM)}
+    axes: dict[str, Axis] = {"radius": (("radius",), radii, NM)}
     axes |= load_axis(loaded_contacts) | range_axis(ranges)
     axes |= {axis: ((axis,), np.arange(contact.contacts_per_row), {}) for axis in CONTACT_AXES}
     areas = ("load", [loaded.area for loaded in loaded_contacts], {"units": "nm2"})

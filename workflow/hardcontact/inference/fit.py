@@ -1,4 +1,4 @@
-"""Range and work of adhesion that fit mean forces best: errors of all pairs, and the best pair.
+"""Range and work of adhesion that fit mean forces best: the error of any pair, and the best pair.
 
 All forces are computed for a work of adhesion of 1 J/m², to which they are proportional.
 """
@@ -21,7 +21,7 @@ FIT_UNITS = {
     "work_of_adhesion": JOULE_PER_M2,
     "best_error": DIMENSIONLESS,
 }
-#: Names of the variables of the best fit without one surface.
+#: New names of these variables for a fit that leaves out one surface.
 WITHOUT_SURFACE = {
     "range_of_adhesion": "range_without_surface",
     "work_of_adhesion": "work_without_surface",
@@ -52,7 +52,7 @@ def minimum_along_axis(
 
 
 def fit_work(mean_forces: np.ndarray, measured_forces: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the work of adhesion (..., rho) in J/m² of the smallest error, and this error.
+    """Return the work of adhesion (..., rho) in J/m² with the smallest error, and this error.
 
     The error is piecewise linear in W. Its minimum is therefore at a W that matches the force on
     one of the surfaces exactly, and all these W are compared. Forces are as in

@@ -34,7 +34,7 @@ ARTIFICIAL_OCTAVES = 12
 
 
 class RandomBody(NamedTuple):
-    """Random roughness in place of that on the scan of a body."""
+    """Random roughness that replaces the roughness on the scan of a body: substrate or sphere."""
 
     spectrum: SpectrumFunction  #: C_iso in nm⁴.
     size: float  #: Side of the scan in nm.
@@ -76,11 +76,11 @@ def hindcast_forces(
     bodies: Sequence[RandomBody],
     compute_forces: ForcesOnSurface,
 ) -> xr.Dataset:
-    """Return forces on a stitched scan that ends with an octave, in N, for each side.
+    """Return forces in N on a stitched scan without the waves beyond an octave, for each side.
 
-    ``scan_octave_force`` (side, contact_y, contact_x) has the octave of the scan,
-    ``artificial_octave_force`` (side, realization, ...) random octaves of all bodies. Both are NaN
-    without an octave.
+    ``scan_octave_force`` (side, contact_y, contact_x) is with the octave of the scan,
+    ``artificial_octave_force`` (side, realization, ...) with random octaves of all bodies instead.
+    Both are NaN if the scan shows no octave.
     """
     side_forces = {}
     for side, octave in octaves.items():
@@ -91,10 +91,8 @@ def hindcast_forces(
             seed_word = SEED_WORDS[side]
             near_side, scan_octave = _split_at_octave(stitched, side, octave)
             artificial_octaves = [
-                sum(
-                    _artificial_octave(stitched, octave, body, seed_word, number) for body in bodies
-                )
-                for number in range(ARTIFICIAL_OCTAVES)
+                sum(_artificial_octave(stitched, octave, body, seed_word, index) for body in bodies)
+                for index in range(ARTIFICIAL_OCTAVES)
             ]
             all_octaves = scan_octave, *artificial_octaves
             surfaces = (replace(stitched, heights=near_side + waves) for waves in all_octaves)
@@ -124,9 +122,9 @@ def _split_at_octave(
 
 
 def _artificial_octave(
-    stitched: HeightMap, octave: Octave, body: RandomBody, seed_word: str, number: int
+    stitched: HeightMap, octave: Octave, body: RandomBody, seed_word: str, index: int
 ) -> NDArray[np.float32]:
-    """Return heights of one octave of waves, random on one scan of a body and mirrored like it."""
+    """Return random heights of one octave, made on the size of a body's scan and mirrored."""
     longest_wavevector, shortest_wavevector = (2 * np.pi / end for end in octave)
 
     def octave_spectrum(wavevector: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -134,22 +132,22 @@ def _artificial_octave(
         is_inside = (shortest_wavevector < wavevector) & (wavevector <= longest_wavevector)
         return np.where(is_inside, body.spectrum(wavevector), 0.0)
 
-    rng = generator(body.seed, *body.scan, "hindcast", seed_word, number)
+    rng = generator(body.seed, *body.scan, "hindcast", seed_word, index)
     scan_pixels = round(body.size / stitched.pixel_size)
     surface = random_surface(rng, 2 * scan_pixels, stitched.pixel_size, octave_spectrum)
-    # A smaller scan of the sphere is continued by its mirror images, as the map is.
-    pixel = np.arange(stitched.pixels // 2) % (2 * scan_pixels)
-    pixel = np.minimum(pixel, 2 * scan_pixels - 1 - pixel)
-    corner = replace(surface, heights=surface.heights[np.ix_(pixel, pixel)])
+    # Mirror images extend a scan of the sphere that is smaller than the map, as in the map.
+    unfolded = np.arange(stitched.pixels // 2) % (2 * scan_pixels)
+    folded = np.minimum(unfolded, 2 * scan_pixels - 1 - unfolded)
+    corner = replace(surface, heights=surface.heights[np.ix_(folded, folded)])
     return np.asarray(mirror_stitch(corner).heights)
 
 
 def hindcasts(forces: xr.Dataset, tolerance: float, confidence: float) -> xr.Dataset:
     """Return ``hindcast_ratio`` (side) of mean forces, and ``hindcast_fails``.
 
-    Forces (map, side, ...) come from `hindcast_forces`. The prediction interval of one more random
-    octave contains 1 if the scan's octave is random, too. The hindcast fails if it does not, and
-    the ratio differs from 1 by more than the tolerance, or if there is no octave.
+    Forces (map, side, ...) come from `hindcast_forces`. The prediction interval for another
+    random octave contains 1 if the scan's octave is random, too. The hindcast fails if it does not
+    and the ratio differs from 1 by more than the tolerance, or if there is no octave.
     """
     from scipy import special
 
@@ -176,7 +174,8 @@ def all_hindcasts(
 ) -> xr.Dataset:
     """Return the `hindcasts` (surface, side) of all measured surfaces, and two ratios (surface).
 
-    ``wide_pixel_ratio`` and ``filtered_scan_ratio`` are relative to the force on the scans.
+    ``wide_pixel_ratio`` is the force on wide pixels, ``filtered_scan_ratio`` the force without the
+    waves shorter than the last octave, each relative to the force on the scans.
     """
     surfaces = {}
     for surface, forces in maps.items():

@@ -42,16 +42,16 @@ def read_master_forces(
         if load is not None:
             forces = forces.sel(load=load, drop=True).squeeze(["radius", "rho"], drop=True)
             forces = forces.drop_vars("contact_area")
-        for number in forces["realization"].values.tolist():
-            if number <= realizations:
+        for realization in forces["realization"].values.tolist():
+            if realization <= realizations:
                 for side in forces["side"].values.tolist():
-                    master = forces.sel(realization=number, side=side, drop=True)
-                    master_datasets[surface, number, side] = master
+                    master = forces.sel(realization=realization, side=side, drop=True)
+                    master_datasets[surface, realization, side] = master
     return stack_masters(master_datasets)
 
 
 def add_spectrum_shifts(scales: xr.Dataset, sampled: xr.Dataset) -> xr.Dataset:
-    """Return forces of masters with the changes that another spectrum makes.
+    """Return forces on masters, and how they change with another spectrum that the scans permit.
 
     `scales` has masters with the most likely spectra; `sampled` those with sampled spectra and the
     same random numbers. The changes ``log_ratio_shift`` and ``log_unfiltered_force_shift`` of the

@@ -40,7 +40,7 @@ OCTAVE_LIMITS: Floats = np.ldexp(10.0, np.arange(-7, 18))
 STEP = 0.05
 #: Factors on the amplitude of an octave.
 AMPLITUDE_FACTORS = (1 - STEP, 1 + STEP)
-#: Octaves that an answer names.
+#: Number of octaves that an answer names, the strongest first.
 OCTAVES_NAMED = 3
 
 
@@ -62,7 +62,7 @@ def octave_limits(shortest: float, longest: float) -> Floats:
 def split_octaves(surface: HeightMap, limits: Sequence[float] | Floats) -> Iterator[HeightMap]:
     """Yield the waves of a periodic surface from each limit (nm, ascending) to the next.
 
-    The next octave overwrites the heights.
+    The next octave overwrites the heights of the last: a caller that keeps them copies them.
     """
     longer_waves = filtered_series(surface, "short", list(limits), surface.pixels)
     waves = next(longer_waves).heights.copy()
@@ -76,7 +76,7 @@ def split_octaves(surface: HeightMap, limits: Sequence[float] | Floats) -> Itera
 def octave_forces(
     surface: HeightMap, limits: Sequence[float] | Floats, compute_forces: ForcesOnSurface
 ) -> Floats:
-    """Return the forces (octave, factor, ...) with each octave times each of AMPLITUDE_FACTORS."""
+    """Return forces (octave, factor, ...) with one octave times one of AMPLITUDE_FACTORS."""
     amplified = replace(surface, heights=np.empty_like(surface.heights))
 
     def force(octave: HeightMap, factor: float) -> Floats:

@@ -23,16 +23,16 @@ from hardcontact.contact.contact import CONTACT_AXES
 
 #: Fewer scans than these are divided into quarters.
 ENOUGH_SCANS = 3
-#: Half widths of logarithms: less is rounding.
+#: Smaller half widths of logarithms come from rounding.
 MIN_HALF_WIDTH = 1e-9
 #: An interval that spans a wider factor to each side bounds nothing of use.
 MAX_BOUNDED_HALF_WIDTH = float(np.log(1e3))
-#: Parts that correlate more are the same.
+#: Parts that correlate more count as one part.
 SAME_CORRELATION = 1 - 1e-9
 
 
 class Variance(NamedTuple):
-    """Variance of the logarithm of a statistic from one source."""
+    """Variance of the logarithm of a statistic from one cause, such as few scans."""
 
     value: np.ndarray  #: (...), NaN where the variance is unknown.
     degrees_of_freedom: float
@@ -45,8 +45,8 @@ class ScanParts:
     #: (map, contact_y, contact_x), the number of the part in which a contact of a map lies.
     part_of_contact: np.ndarray
     correlation: np.ndarray  #: (part, part), of mean forces of parts.
-    scan_count: int  #: Number of these scans.
-    touched_patches: float = np.inf  #: Smallest number of patches that contacts of a scan touch.
+    scan_count: int  #: Number of scans.
+    touched_patches: float = np.inf  #: Number of patches that contacts of a scan touch at least.
 
     @property
     def are_quarters(self) -> bool:
@@ -111,7 +111,7 @@ def quarters_of_contacts(contacts_per_row: int, tiles: int) -> np.ndarray:
     positions of contacts. The quarter is 2 in the second half along y, plus 1 in the second half
     along x.
     """
-    # In widths of the scan.
+    # Positions in widths of the scan.
     unfolded = 2 * tiles * (np.arange(contacts_per_row) + 0.25) / contacts_per_row % 2
     half = (np.minimum(unfolded, 2 - unfolded) >= 0.5).astype(int)
     return np.asarray(2 * half[:, None] + half)
@@ -128,7 +128,7 @@ def parts_of_scans(
 
     `scan_of_map` (map,) numbers the scan of each map, `quarters` come from `quarters_of_contacts`.
     The side of a scan and the `weight_deviation` sqrt(R rho), with which a contact feels the
-    surface, are in nm. `touched_patches` comes from `mean_forces.fewest_touched_patches`.
+    surface, are in nm. `touched_patches` comes from `fewest_touched_patches`.
     """
     scans, scan = np.unique(scan_of_map, return_inverse=True)
     if len(scans) >= ENOUGH_SCANS:
@@ -148,7 +148,7 @@ def _correlation_of_quarters(size: float, weight_deviation: float) -> np.ndarray
     smoothed by a Gaussian of the deviation s = `weight_deviation`. This weight is
     1/2 ± sum_k a_k cos(k pi x/L) exp(-(k pi s/L)²/2) over odd k, where a_k = ±2/(k pi) are the
     Fourier coefficients of a step. Uncorrelated roughness therefore gives the covariance
-    1/4 ± sum_k a_k² exp(-(k pi s/L)²)/2: plus of a half with itself, minus with the other half.
+    1/4 ± sum_k a_k² exp(-(k pi s/L)²)/2: plus for a half with itself, minus for the two halves.
     """
     order = np.arange(1, 2000, 2)
     decay = np.exp(-((np.pi * order * weight_deviation / size) ** 2))
@@ -163,18 +163,13 @@ def delete_one_logarithms(
 ) -> np.ndarray:
     """Return the logarithms (part, ...) of a statistic over all parts except one.
 
-    The statistic (...) is a function of the mask (maps, contact_y, contact_x) of kept contacts.
+    The statistic (...) is a function of the mask (maps, contact_y, contact_x) of kept contacts;
+    `maps` names the first dimension.
     """
-    return np.array(
-        [
-            np.log(
-                statistic(
-                    xr.DataArray(scan_parts.part_of_contact != number, dims=(maps, *CONTACT_AXES))
-                ).values
-            )
-            for number in range(len(scan_parts.correlation))
-        ]
-    )
+    part_of_contact = xr.DataArray(scan_parts.part_of_contact, dims=(maps, *CONTACT_AXES))
+    part_count = len(scan_parts.correlation)
+    statistics = [statistic(part_of_contact != part).values for part in range(part_count)]
+    return np.asarray(np.log(statistics))
 
 
 def jackknife_variance(logarithms: np.ndarray, scan_parts: ScanParts) -> Variance:

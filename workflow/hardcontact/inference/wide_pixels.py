@@ -1,4 +1,4 @@
-"""Wider pixels: they show by how much the pixels of a scan change the force on it."""
+"""Wider pixels, which show how much the force on a scan depends on the size of its pixels."""
 
 from dataclasses import replace
 
@@ -10,7 +10,7 @@ from hardcontact.contact.pull_off import FORCE_ATTRS
 from hardcontact.inference.octaves import make_force_function
 from hardcontact.surfaces.height_map import HeightMap
 
-#: Pixels per row of the blocks of `widen_pixels`.
+#: Pixels per row of a block with one height.
 WIDE_PIXEL = 4
 
 
@@ -30,7 +30,7 @@ def widen_pixels(surface: HeightMap) -> HeightMap:
 def pixel_forces(surface: HeightMap, sphere: HeightMap | None, contact: Contact) -> xr.Dataset:
     """Return ``scan_force`` and ``wide_pixel_force`` (contact_y, contact_x) in N.
 
-    The latter is that on wider pixels of both bodies. A smooth sphere is None.
+    Both bodies have wider pixels for ``wide_pixel_force``. `sphere` is None for a smooth sphere.
     """
     wide_sphere = None if sphere is None else widen_pixels(sphere)
     forces = {
