@@ -56,8 +56,8 @@ for scans, surfaces in FILES.scan_groups.items():
             **SUBSTITUTE_INPUTS,
             code=code_inputs("make_scans.py"),
         output:
-            scans=expand(PATTERNS.levelled, scan=scans, allow_missing=True),
-            stitched=expand(PATTERNS.stitched, scan=scans, allow_missing=True),
+            **{f"levelled_{n}": PATTERNS.levelled.replace("{scan}", f"{n}") for n in scans},
+            **{f"stitched_{n}": PATTERNS.stitched.replace("{scan}", f"{n}") for n in scans},
             conditioning=PATTERNS.conditioning.replace("{scan}", f"{scans[0]}"),
         wildcard_constraints:
             surface=any_name_pattern(surfaces),

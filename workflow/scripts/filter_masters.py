@@ -1,18 +1,14 @@
 """Plastic pull-off on masters of one surface, unfiltered and filtered at every cutoff."""
 
-from itertools import product
-
 from hardcontact.base.dataset import stack
 from hardcontact.base.job import run_job
-from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact
-from hardcontact.inference.filtered_masters import Filters, filtered_pull_off, master_from_files
+from hardcontact.inference.filtered_masters import Filters, filtered_pull_off, masters_of_job
 from hardcontact.surfaces.height_map import read_height_map
-from hardcontact.surfaces.synthesis import SEED_WORDS, SIDES
+from hardcontact.surfaces.synthesis import SIDES
 
 with run_job(snakemake) as job:
     params = job.parameters
-    inputs = job.input
     loaded_contacts = [
         Contact(
             radius=params["radii"][0],
@@ -22,27 +18,25 @@ with run_job(snakemake) as job:
         )
         for load in params["loads"]
     ]
-    sphere = read_height_map(inputs.sphere) if inputs.sphere else None
-    sides = [side for side in SIDES if side in params["sides"]]
-    forces = {}
-    for (index, realization), side in product(enumerate(params["realizations"]), sides):
-        settings = params["sides"][side]
-        if params["generator_name"] is None:
-            master = read_height_map(inputs[f"{side}_masters"][index])
-        else:
-            generator_name = f"{SEED_WORDS[side]}-scale {params['generator_name']}"
-            names = params["seed"], params["surface"], realization, generator_name
-            master = master_from_files(
-                side, generator(*names), inputs.scans[index], inputs.spectra[index], settings
-            )
-        forces[realization, side] = filtered_pull_off(
-            master,
-            Filters(side, settings["pixels"], settings["cutoffs"]),
+    sphere = read_height_map(job.input.sphere) if job.input.sphere else None
+    master = masters_of_job(job.input, params)
+    filters = {
+        side: Filters(side, params["sides"][side]["pixels"], params["sides"][side]["cutoffs"])
+        for side in SIDES
+        if side in params["sides"]
+    }
+    forces = {
+        (realization, side): filtered_pull_off(
+            master(side, realization),
+            filters[side],
             loaded_contacts,
             sphere,
             params["radii"],
             params["ranges"],
         )
+        for realization in params["realizations"]
+        for side in filters
+    }
     job.write(
         stack(forces, ["realization", "side"]),
         title=f"plastic pull-off of filtered masters of {params['surface']}",

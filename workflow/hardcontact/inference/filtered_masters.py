@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from hardcontact.base import dataset
 from hardcontact.base.progress import progress
+from hardcontact.base.random import generator
 from hardcontact.base.units import NM
 from hardcontact.contact.contact import CONTACT_AXES, Contact
 from hardcontact.contact.geometry import join_bodies
@@ -28,7 +29,7 @@ from hardcontact.contact.pull_off import (
 from hardcontact.surfaces.filters import filtered_series
 from hardcontact.surfaces.height_map import HeightMap, read_height_map
 from hardcontact.surfaces.spectrum import spectrum_of_dataset
-from hardcontact.surfaces.synthesis import synthesize_master
+from hardcontact.surfaces.synthesis import SEED_WORDS, synthesize_master
 
 
 class Filters(NamedTuple):
@@ -102,20 +103,24 @@ def filtered_pull_off(
     return filtered.assign(contact_area=contact_area).assign_coords(area=areas)
 
 
-def master_from_files(
-    side: str,
-    rng: np.random.Generator,
-    scan_path: str,
-    spectrum_path: str,
-    settings: Mapping[str, Any],
-) -> HeightMap:
-    """Return the master of one side, from the files of a scan and of its spectrum.
+def masters_of_job(inputs: Any, parameters: Mapping[str, Any]) -> Callable[[str, int], HeightMap]:
+    """Return a function of side and realization that reads the master, or makes it.
 
-    A spectrum sampled within its uncertainty has the attribute ``height_factor``, by which the
-    heights of the scan are multiplied.
+    Without a `generator_name` masters are files. Others are made from scans and spectra; a sampled
+    spectrum has the attribute ``height_factor``, by which the heights of its scan are multiplied.
     """
-    spectrum_data = dataset.read(spectrum_path)
-    stitched = read_height_map(scan_path)
-    factor = spectrum_data.attrs.get("height_factor", 1.0)
-    scaled = replace(stitched, heights=stitched.heights * factor)
-    return synthesize_master(side, rng, scaled, settings, spectrum_of_dataset(spectrum_data))
+    indices = {realization: index for index, realization in enumerate(parameters["realizations"])}
+
+    def read_master(side: str, realization: int) -> HeightMap:
+        return read_height_map(inputs[f"{side}_masters"][indices[realization]])
+
+    def make_master(side: str, realization: int) -> HeightMap:
+        purpose = f"{SEED_WORDS[side]}-scale {parameters['generator_name']}"
+        rng = generator(parameters["seed"], parameters["surface"], realization, purpose)
+        spectrum_data = dataset.read(inputs.spectra[indices[realization]])
+        scan = read_height_map(inputs.scans[indices[realization]])
+        scaled = replace(scan, heights=scan.heights * spectrum_data.attrs.get("height_factor", 1.0))
+        spectrum = spectrum_of_dataset(spectrum_data)
+        return synthesize_master(side, rng, scaled, parameters["sides"][side], spectrum)
+
+    return read_master if parameters["generator_name"] is None else make_master

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import xarray as xr
 
-from hardcontact.base import published
+from hardcontact.base import dataset, published
 from hardcontact.base.random import generator
 from hardcontact.base.units import DIMENSIONLESS, NM
 from hardcontact.paper.features import (
@@ -172,3 +172,16 @@ def describe_group(
     met_rows = spectrum_data.attrs["table1_rows_met"]
     attributes = {"basis": "substitute", "table1_rows_met": met_rows}
     return xr.Dataset(variables, {"scan": list(scans)}, attributes)
+
+
+def featured_group(
+    inputs: Any, parameters: Mapping[str, Any]
+) -> tuple[xr.Dataset, list[HeightMap]]:
+    """Return the `nearest_group` of scans that one job makes, its description before the scans.
+
+    `inputs` are paths of the calibrated spectrum, Table 1 and the constants.
+    """
+    source = read_featured_surface(inputs, parameters)
+    features, scans = nearest_group(source, parameters["scans"])
+    spectrum = dataset.read(inputs.spectrum)
+    return describe_group(features, parameters["scans"], spectrum, source.mean_rms_height), scans

@@ -7,6 +7,7 @@ the published mean and standard deviation of rms heights, and mean slope and cur
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -15,6 +16,7 @@ import xarray as xr
 
 from hardcontact.base import dataset, published
 from hardcontact.base.arrays import Floats
+from hardcontact.base.random import generator
 from hardcontact.base.units import DIMENSIONLESS, RAD_PER_NM
 from hardcontact.surfaces.descriptions import AFM_ROWS
 from hardcontact.surfaces.height_map import TABLE1_METRICS, HeightMap, level, metrics
@@ -263,3 +265,28 @@ def conditioned_scan(
     )
     scan = sample_scan(rng, spectrum, grid, conditioning["factor"].item())
     return scan if sphere_radius is None else add_sphere(rng, scan, sphere_radius)
+
+
+def conditioned_group(
+    inputs: Any, parameters: Mapping[str, Any]
+) -> tuple[xr.Dataset, list[HeightMap]]:
+    """Return the conditioning of the scans that one job makes, and these scans.
+
+    `inputs` are paths of the calibrated spectrum, Table 1 and the constants.
+    """
+    surface, radius = parameters["surface"], parameters["sphere_radius"]
+    grid = ScanGrid(**parameters["scan"])
+    spectrum_data = dataset.read(inputs.spectrum)
+    rows = published.rows_of_surface(published.read_table1(inputs.published_table1), surface)
+    constants = published.read_constants(inputs.published_constants)
+    targets = scan_targets(spectrum_data, rows, constants, grid)
+    generator_functions = {
+        scan: partial(generator, parameters["seed"], surface, scan, "scan")
+        for scan in parameters["scans"]
+    }
+    conditioning = condition_group(spectrum_data, targets, generator_functions, grid)
+    scans = [
+        conditioned_scan(new_generator(), spectrum_data, conditioning.sel(scan=scan), grid, radius)
+        for scan, new_generator in generator_functions.items()
+    ]
+    return conditioning, scans
