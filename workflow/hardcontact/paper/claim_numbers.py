@@ -1,4 +1,4 @@
-"""Numbers with intervals, and their arithmetic.
+"""Numbers with intervals, and their arithmetic, for the claims of the paper.
 
 A number is a dataset of `value` and `value_interval`, which is NaN if no interval is known.
 """
@@ -54,8 +54,8 @@ def mean_over_scans(values: xr.DataArray, confidence: float, dim: str = "scan") 
     interval = student_log_interval(values.where(positive), confidence, dim)
     mean = values.mean(dim)
     count = values.count(dim)
-    zeros = ((values == 0).sum(dim) == count) & (count > 1)
-    return xr.Dataset({"value": mean, "value_interval": interval.where(~zeros, mean)})
+    are_all_zero = ((values == 0).sum(dim) == count) & (count > 1)
+    return xr.Dataset({"value": mean, "value_interval": interval.where(~are_all_zero, mean)})
 
 
 def signed_mean_over_scans(values: xr.DataArray, confidence: float) -> xr.Dataset:
@@ -80,7 +80,7 @@ def quotient(upper: xr.Dataset, lower: xr.Dataset) -> xr.Dataset:
 
 
 def absolute_value(signed: xr.Dataset) -> xr.Dataset:
-    """Return the absolute value of a number; an interval across zero becomes one from zero."""
+    """Return the absolute value of a number; an interval across zero then begins at zero."""
     low, high = bounds(signed, "value")
     return number_with_interval(abs(signed["value"]), low.clip(-high).clip(0), high.clip(-low))
 

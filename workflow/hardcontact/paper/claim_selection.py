@@ -1,4 +1,4 @@
-"""Select the computed number that a claim is about, and give verdicts that do not depend on it.
+"""Select the computed number that a claim is about, and give verdicts that need no number.
 
 A number is a dataset of `value` and `value_interval` (`paper.claim_numbers`).
 """
@@ -78,7 +78,7 @@ def _smallest_ratio(groups: Iterable[xr.Dataset], dim: str) -> xr.Dataset:
     return reduce(xr.ufuncs.minimum, ratios)
 
 
-#: Bases of a number that needs no scan, and words for it in the column `needs`.
+#: Words in the column `needs` for a claim that needs no scan; they are also its basis.
 WITHOUT_SCAN = ("no scan", "no scan; assumed asperities")
 
 
@@ -116,7 +116,7 @@ def _are_substitutes(surfaces: list[str], topography: xr.Dataset) -> list[bool]:
 
 #: Quantities of Table 1 that depend on the size of a pixel.
 PIXEL_QUANTITIES = ("afm_rms_slope", "afm_rms_curvature", "slope_growth")
-#: Why such a quantity is not testable.
+#: Why these quantities are not testable on larger pixels.
 LARGER_PIXELS = "It depends on the size of a pixel, which is larger than the paper's."
 
 

@@ -35,8 +35,8 @@ def apply_classical_models(
 
     The fit (fit.nc) has mean forces of plastic contact at the published pair; the tables come from
     `published`. Roughness of Table 1 is sampled within its uncertainty. The interval of
-    ``published_mean_force`` contains all numbers rounded to it. NaN if the paper prints no force or
-    no roughness of a surface.
+    ``published_mean_force`` contains all forces that round to the printed number. NaN if the paper
+    prints no force or no roughness of a surface.
     """
     value = constants["value"].to_dict()
     sphere = _elastic_sphere(fit.attrs["sphere_radius"], value)
@@ -106,14 +106,14 @@ def _forces_at_published_pair(fit: xr.Dataset) -> np.ndarray:
 
 
 def _values(with_ends: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
-    """Return the values (surface,) of numbers and the ends of their intervals, (surface, 3)."""
+    """Return the first columns of arrays (surface, 3), which hold value, low and high end."""
     return {source: ends[:, 0] for source, ends in with_ends.items()}
 
 
 def _forces_and_works(
     forces: Mapping[str, np.ndarray], works: Mapping[str, np.ndarray], confidence: float
 ) -> xr.Dataset:
-    """Return mean forces and effective works with their intervals, all (surface, 3)."""
+    """Return mean forces and effective works from arrays (surface, 3): value, low and high end."""
     variables: dict[str, Any] = {}
     effective = {}
     for source, ends in forces.items():

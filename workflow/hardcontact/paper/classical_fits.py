@@ -19,7 +19,7 @@ from hardcontact.paper.classical_models import MODELS, ClassicalModel, ElasticSp
 SEARCHED_WORKS = np.geomspace(1e-3, 10, 401)
 #: Exponents of power laws of roughness parameters that are searched first.
 EXPONENTS = np.linspace(-8, 8, 321)
-#: Repetitions of a search on a grid 20 times finer about the best value: it is then known to 1e-5.
+#: Repeated searches, each on a 20 times finer grid about the best value: it is known to 1e-5.
 REFINEMENTS = 3
 #: Smallest force of a model, relative to the target, for which a work of adhesion is fitted.
 MIN_FORCE_RATIO = 1e-3

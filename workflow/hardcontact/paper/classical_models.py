@@ -24,9 +24,9 @@ PEAK_OVER_RMS = 1.817
 # Nodes and weights on [0, 1] of the quadrature over asperity heights.
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(160)
 _NODES, _WEIGHTS = (_NODES + 1) / 2, _WEIGHTS / 2
-# Elastic adhesion indices between which relative forces are tabulated.
+# Range of elastic adhesion indices over which relative forces are tabulated.
 ADHESION_INDICES = (1e-4, 1e7)
-# Standard deviations of asperity heights at which the integral ends.
+# Upper end of the integral over asperity heights, in their standard deviations.
 MAX_HEIGHT_DEVIATIONS = 9.0
 
 #: Tension of asperities by compression, relative to the pull-off force of a single asperity.
@@ -88,9 +88,8 @@ def adhesion_index(work: Values, roughness: Roughness, modulus: float) -> Values
     """Return the elastic adhesion index E* σ^1.5/(β^½ W) of asperities of the radius β.
 
     It is the force that flattens asperities, whose heights have the standard deviation σ, relative
-    to their adhesion. Adhesion vanishes beyond about 10. Fuller and Tabor, Proc. R. Soc. A 345
-    (1975) 327.
-    Unverified against the primary source.
+    to their adhesion. Adhesion vanishes beyond an index of about 10. Fuller and Tabor, Proc. R.
+    Soc. A 345 (1975) 327. Unverified against the primary source.
     """
     height = roughness.height * NANOMETRE
     asperity = 1 / roughness.curvature * NANOMETRE
@@ -100,8 +99,8 @@ def adhesion_index(work: Values, roughness: Roughness, modulus: float) -> Values
 def fuller_tabor(work: Values, roughness: Roughness, sphere: ElasticSphere) -> Values:
     """Return the pull-off force of a sphere with JKR asperities of Gaussian heights.
 
-    The force is 1.5πWR of the smooth sphere times the pull-off force of the asperities relative to
-    as many asperities of equal height. The ratio for a plane is assumed to hold for the sphere.
+    The force of the smooth sphere, 1.5πWR, is multiplied by the pull-off force of the asperities
+    relative to as many asperities of equal height. The ratio for a plane is assumed for the sphere.
     Fuller and Tabor, Proc. R. Soc. A 345 (1975) 327; assumptions and JKR equations as restated by
     Greenwood, Tribol. Lett. 65 (2017) 159; unverified against the primary source.
     """
@@ -112,10 +111,10 @@ def fuller_tabor(work: Values, roughness: Roughness, sphere: ElasticSphere) -> V
 def maugis_rough_dmt(work: Values, roughness: Roughness, sphere: ElasticSphere) -> Values:
     """Return the pull-off force of a sphere with DMT asperities of Gaussian heights.
 
-    The force is 2πWR of the smooth sphere times the largest tension over separations d: ∫ [K β^½
-    (z-d)^1.5 - 2πβW] φ(z) dz, z > d, relative to 2πβW. It is assumed for a sphere as in
-    `fuller_tabor`. Maugis, J. Adhes. Sci. Technol. 10 (1996) 161. Unverified against the primary
-    source.
+    The force of the smooth sphere, 2πWR, is multiplied by the largest tension over separations d:
+    -∫ [K β^½ (z-d)^1.5 - 2πβW] φ(z) dz over z > d, relative to 2πβW. As in `fuller_tabor`, the
+    ratio for a plane is assumed for the sphere. Maugis, J. Adhes. Sci. Technol. 10 (1996) 161.
+    Unverified against the primary source.
     """
     index = adhesion_index(work, roughness, sphere.modulus)
     return dmt_pull_off(work, sphere.radius) * _relative_pull_off(_dmt_tension, 4, index)

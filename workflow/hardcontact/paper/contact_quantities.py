@@ -101,7 +101,7 @@ def median_share_above_hardness(elastic: xr.Dataset) -> xr.Dataset:
 def share_of_two_asperities(asperities: xr.Dataset) -> xr.Dataset:
     """Return the share of the force that the two strongest patches carry (surface, rho).
 
-    The patches together carry the share of `asperities`, which ends the interval.
+    All patches together carry the attribute ``share`` of the force: the interval ends there.
     """
     number = variable_as_number(asperities, "two_largest_share")
     low, high = bounds(number, "value")
@@ -139,7 +139,8 @@ def median_force_exponent(exponents: xr.Dataset) -> xr.Dataset:
 def median_edge_exponent(exponents: xr.Dataset) -> xr.Dataset:
     """Return d ln(edge)/d ln(root of a quantity), the median over surfaces (side, exponent_of).
 
-    The interval uses the surfaces whose edges determine one.
+    NaN if the edges of a surface determine no exponent. The interval is the median over the
+    surfaces with an interval.
     """
     exponent = variable_as_number(exponents, "edge_exponent")
     is_known = exponent["value"].notnull().all("surface")

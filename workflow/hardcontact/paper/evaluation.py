@@ -41,7 +41,7 @@ DERIVED_QUANTITIES: dict[str, Callable[..., xr.Dataset]] = {
 
 
 def estimate(quantity: str, dataset: xr.Dataset, *others: xr.Dataset) -> xr.Dataset:
-    """Return the value and interval of a quantity: derived, a variable, or a row of Table 1.
+    """Return the number of a quantity: a derived quantity, a variable, or a row of Table 1.
 
     Raises KeyError if a variable or an attribute that is needed does not exist.
     """
@@ -75,9 +75,9 @@ def read_statements(path: str | Path) -> pd.DataFrame:
 def statements_of_sets(path: str | Path) -> list[dict[str, str]]:
     """Return the columns that determine the numbers of the statements that sets.nc has."""
     table = read_statements(path)
-    of_sets = table[table["samples_from"] == "sets"]
+    set_statements = table[table["samples_from"] == "sets"]
     columns = ["id", "dataset", "quantity", "select", "rule"]
-    return [dict(zip(columns, row, strict=True)) for row in of_sets[columns].values.tolist()]
+    return [dict(zip(columns, row, strict=True)) for row in set_statements[columns].values.tolist()]
 
 
 def claim_values(
@@ -182,7 +182,7 @@ def _get_dataset(datasets: Mapping[str, xr.Dataset], name: str) -> xr.Dataset:
 def _prefix_errors(claim: Any) -> Iterator[None]:
     """Prefix the first sentence of an error with the name of the claim.
 
-    The message of the error about a missing attribute is the name of the attribute.
+    An error about a missing attribute has only the name of the attribute as its message.
     """
     try:
         yield
@@ -193,7 +193,7 @@ def _prefix_errors(claim: Any) -> Iterator[None]:
 
 
 def _row(claim: Any, claim_number: _ClaimNumber, common: _Common) -> dict[str, Any]:
-    """Return one row of the result, by COLUMNS and the other columns of the claim."""
+    """Return one row of claims.csv: the columns of the claim and the results of its judgement."""
     surfaces = claim_surfaces(claim, claim_number.datasets, claim_number.labels, common.topography)
     fixed, reason = fixed_verdict(claim, surfaces, common.topography, common.constants)
     judgement = _judge(claim, claim_number, fixed, common)
@@ -230,7 +230,7 @@ def _judge(claim: Any, claim_number: _ClaimNumber, fixed: str, common: _Common) 
 
 
 def _claim_samples(claim: Any, claim_number: _ClaimNumber, sets: xr.Dataset) -> np.ndarray:
-    """Return the samples of the number of a claim, one a set or of the posterior; empty if none.
+    """Return the samples of a claim's number, from sets or from the posterior; empty if none.
 
     The column `samples_from` is ``"sets"`` if sets.nc has the numbers, and ``"posterior"`` if the
     claim's dataset has them in a variable ``sampled_`` and the quantity.

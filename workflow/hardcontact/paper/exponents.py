@@ -14,12 +14,12 @@ from hardcontact.base.units import DIMENSIONLESS
 from hardcontact.contact.contact import CONTACT_AXES
 from hardcontact.inference.curve_edges import ChangeCurve, find_edge, logarithmic_limits
 
-#: Quantities whose square roots are the lengths, in the order of their exponents.
+#: Quantities whose square roots are these lengths, in the order of the fitted exponents.
 SCALED_QUANTITIES = ["radius", "contact"]
 
 
 def force_exponent(forces: xr.Dataset, area: float, confidence: float) -> xr.Dataset:
-    """Return the exponent of the mean force on masters with long waves against the radius.
+    """Return the exponent of the radius in the mean force on unfiltered masters with long waves.
 
     Forces come from `stack_masters`, at the nearest area in contact (nm²). The fit is by least
     squares of ln F against ln R, the interval is over realizations.
@@ -37,7 +37,7 @@ def force_exponent(forces: xr.Dataset, area: float, confidence: float) -> xr.Dat
 
 
 def edge_exponents(forces: xr.Dataset, tolerance: float, confidence: float) -> xr.Dataset:
-    """Return the exponents of both edges against the square roots of SCALED_QUANTITIES.
+    """Return the exponents with which both edges follow the square roots of SCALED_QUANTITIES.
 
     Forces come from `stack_masters`. ``edge_exponent`` (surface, side, exponent_of) is fitted by
     least squares to all edges that are found; its interval is the jackknife's over realizations.
@@ -63,11 +63,11 @@ def edge_exponents(forces: xr.Dataset, tolerance: float, confidence: float) -> x
 def _fit_all_exponents(forces: xr.Dataset, tolerance: float) -> Floats:
     """Return the exponents (surface, side, exponent_of) of the edges of all surfaces."""
     contact_area = forces["contact_area"].isel(surface=0, realization=0, side=0)
-    lengths = [np.log(values) / 2 for values in (forces["radius"], contact_area)]
+    log_lengths = [np.log(forces["radius"]) / 2, np.log(contact_area) / 2]
     exponents: xr.DataArray = xr.apply_ufunc(
         _fit_exponents,
         np.log(_edges(forces, tolerance)),
-        *lengths,
+        *log_lengths,
         input_core_dims=[["radius", "area"], ["radius"], ["area"]],
         output_core_dims=[["exponent_of"]],
         vectorize=True,
@@ -105,9 +105,9 @@ def _fit_exponents(edge: Floats, radius: Floats, contact_area: Floats) -> Floats
     All arguments are logarithms: the edge (radius, area), NaN if open, and the square roots of
     radius and contact area.
     """
-    lengths = np.broadcast_arrays(radius[:, None], contact_area)
+    log_lengths = np.broadcast_arrays(radius[:, None], contact_area)
     is_found = np.isfinite(edge)
-    columns = [np.ones(is_found.sum()), *(length[is_found] for length in lengths)]
+    columns = [np.ones(is_found.sum()), *(length[is_found] for length in log_lengths)]
     design = np.stack(columns, axis=-1)
     count = len(SCALED_QUANTITIES)
     if len(design) <= count + 1 or np.linalg.matrix_rank(design) <= count:

@@ -1,4 +1,4 @@
-"""Samples of a surface with features: forces on a group of scans of each, for the sets.
+"""Samples of a surface with features (bumps or pits), and the forces on their scans, for sets.nc.
 
 A sample is one random choice of the features of a surface, and of scans with these features that
 have the roughness of Table 1. Forces never enter the choice.
@@ -57,9 +57,9 @@ def read_sample_inputs(paths: Any, parameters: Mapping[str, Any]) -> SampleInput
 
 
 def compute_samples(kind: str, numbers: Sequence[int], inputs: SampleInputs) -> xr.Dataset:
-    """Return forces (sample, scan, contact_model, rho, contact) in N at 1 J/m², and metrics.
+    """Return forces (sample, scan, contact_model, rho, contact_y, contact_x) in N, and metrics.
 
-    The kind of surface is bumps, pits or gaussian.
+    Forces are at 1 J/m². The kind of surface is bumps, pits or gaussian.
     """
     samples = [
         _compute_sample(kind, number, inputs)
@@ -113,8 +113,8 @@ def compare_with_published(
 ) -> xr.Dataset:
     """Return the plastic forces (features, sample) of samples at the published pair.
 
-    sphere_factor: (rho) force on the rough sphere relative to a smooth one. ``agrees`` is 1 if mean
-    and median force are within MAX_FORCE_FACTOR of the published ones.
+    `sphere_factor` (rho) is the force on the rough sphere relative to a smooth sphere. ``agrees``
+    is 1 if mean and median force are within MAX_FORCE_FACTOR of the published forces.
     """
     targets: dict[Any, float] = published.forces.loc[surface].to_dict()
     rho, work = published.pair
@@ -138,7 +138,7 @@ def compare_with_published(
 
 
 def no_samples() -> xr.Dataset:
-    """Return the dataset of `compare_with_published` of a study without such a surface."""
+    """Return an empty dataset like `compare_with_published`, for a study without features."""
     empty = ("features", "sample"), np.empty((len(KINDS), 0))
     return xr.Dataset(
         {name: (*empty, unit) for name, unit in SAMPLE_STATISTICS.items()},

@@ -59,7 +59,7 @@ def published_statistics(
 ) -> ScanStatistics:
     """Return the statistics of Table 1 with means (by `METRICS`) on the pixels of the study.
 
-    The deviations relative to the means are those of Table 1. `table1` comes from
+    The deviations relative to the means are taken from Table 1. `table1` comes from
     `rows_of_surface`.
     """
     rows = table1.loc[list(TABLE1_METRICS)]
@@ -161,7 +161,7 @@ def no_features(statistics: ScanStatistics, scan_count: int) -> Features:
 def add_features(
     rng: np.random.Generator, surface: HeightMap, features: Features, count: int
 ) -> HeightMap:
-    """Add features at random positions; those on a periodic surface reach over its edges."""
+    """Add features at random positions; on a periodic surface they reach over its edges."""
     position = (np.arange(surface.pixels) + 0.5) * surface.pixel_size
     centres = rng.uniform(0, surface.size, (2, count, 1))
     distance = position - centres

@@ -88,7 +88,7 @@ def range_exponent_of_area(adhesion: xr.Dataset) -> xr.Dataset:
 
 
 def force_at_shortest_range_over_smallest(adhesion: xr.Dataset) -> xr.Dataset:
-    """Return the mean force at the shortest range, relative to the smallest of all ranges.
+    """Return the mean force at the shortest range, relative to its minimum over all ranges.
 
     Its dimensions are surface and contact_model.
     """
@@ -102,7 +102,7 @@ def smooth_sphere_change(adhesion: xr.Dataset) -> xr.Dataset:
 
     It is the largest force relative to the smallest over the computed ranges, minus one.
 
-    Eq. 3 on the pixels of the study: the sum over a paraboloid is a product of sums over both axes.
+    Eq. 3 is summed on the pixels of the study; for a paraboloid the sums over both axes separate.
     """
     radius = adhesion.attrs["sphere_radius"]
     pixel = adhesion.attrs["pixel_size"]
@@ -155,9 +155,9 @@ def _forces_at_reference(forces: xr.DataArray, adhesion: xr.Dataset) -> xr.DataA
 def _kolmogorov_distance(
     values: np.ndarray, cumulative_distribution: Callable[..., np.ndarray]
 ) -> float:
-    """Return the largest difference between the empirical distribution of values (n,) and another.
+    """Return the largest difference between the empirical distribution of values (n,) and a model.
 
-    `cumulative_distribution` belongs to the other distribution.
+    `cumulative_distribution` is the distribution function of the model.
     """
     expected = cumulative_distribution(np.sort(values))
     steps = np.arange(len(values) + 1) / len(values)

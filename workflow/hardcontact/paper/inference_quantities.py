@@ -49,9 +49,9 @@ def error_of_second_minimum(fit: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
 
 
 def strength_over_casimir(paper: xr.Dataset) -> xr.Dataset:
-    """Return the largest pressure of Eq. 2 relative to that between ideal metals (no dimensions).
+    """Return the largest pressure of Eq. 2 relative to ideal metals (no dimensions).
 
-    The pressure of Eq. 2 is that at the published pair. Ideal metals at the gap d attract with
+    Eq. 2 has the published range and work of adhesion. Ideal metals at the gap d attract with
     pi² hbar c/(240 d⁴), Casimir, Proc. K. Ned. Akad. Wet. 51 (1948) 793. The ratio is proportional
     to d⁴ exp(-d/rho), so it is largest at d = 4 rho.
     """
@@ -119,9 +119,9 @@ def sinusoid_share(paper: xr.Dataset) -> xr.Dataset:
 
 
 def band_edge(edges: xr.Dataset) -> xr.Dataset:
-    """Return the edges of the critical band in nm, or bounds of them (side, group).
+    """Return the edges of the critical band in nm, or their bounds (side, group).
 
-    The last cutoff of the side is the bound if the force never leaves its tolerance.
+    The bound is the last cutoff of the side, at which the change is still within the tolerance.
     """
     return number_with_interval(edges_or_bounds(edges), *bounds(edges, "edge"))
 
@@ -147,7 +147,7 @@ def critical_over_interaction_radius(edges: xr.Dataset, paper: xr.Dataset) -> xr
 def change_outside_band(edges: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
     """Return the largest change of the force by cutoffs outside the published band (side, group).
 
-    Cutoffs up to the published one count for the short side, from it for the long one.
+    These are cutoffs up to the published short edge, and from the published long edge on.
     """
     return _largest_change(edges, _outside_band(edges, paper))
 
@@ -169,7 +169,7 @@ def change_inside_band(edges: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
 
 
 def short_cutoff_change(edges: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
-    """Return the largest change by cutoffs among the artificial small scales of a scan (group)."""
+    """Return the largest change by short cutoffs that remove only artificial roughness (group)."""
     is_artificial = edges["cutoff_wavelength"] <= paper["short_transition_wavelength"]
     return _largest_change(edges, is_artificial).sel(side="short", drop=True)
 
@@ -209,7 +209,7 @@ def flat_limit_fraction(scales: xr.Dataset) -> xr.Dataset:
     """Return the force at the largest short cutoff relative to 2 pi R W of a plane (surface)."""
     force = mean_over_contacts(scales["pull_off_force"].sel(side="short"))
     force = force.sortby("cutoff_wavelength").dropna("cutoff_wavelength", how="all")
-    smooth = dmt_pull_off(1.0, scales.attrs["sphere_radius"])  # the forces are those at 1 J/m2
+    smooth = dmt_pull_off(1.0, scales.attrs["sphere_radius"])  # the forces are at 1 J/m2
     fraction = force.isel(cutoff_wavelength=-1, drop=True) / smooth
     return mean_over_scans(fraction, scales.attrs["confidence"], "realization")
 

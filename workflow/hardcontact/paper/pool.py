@@ -25,7 +25,7 @@ from hardcontact.surfaces.roughness_table import measured_metrics
 from hardcontact.surfaces.spectrum import Spectrum
 from hardcontact.surfaces.synthesis import ScanGrid, sample_scan
 
-#: Smallest height of a pool relative to the mean height: no set of a few scans has a smoother scan.
+#: Smallest rms height of a pool relative to the mean: sets with smoother scans are drawn again.
 MIN_HEIGHT_RATIO = 0.05
 
 
@@ -64,9 +64,9 @@ def read_pool_inputs(paths: Any, parameters: Mapping[str, Any]) -> PoolInputs:
 def pool_heights(targets: Targets, scan_count: int, count: int) -> Floats:
     """Return the ascending rms heights (count,) in nm at which the forces of a pool are computed.
 
-    No value of a sample of n is farther from its mean than (n - 1)/sqrt(n) of its standard
-    deviations. The heights are evenly spaced in their root, because forces change faster at small
-    heights. A set of one scan has no deviation and needs a single height.
+    They reach as far as a scan of a set can: (n - 1)/sqrt(n) standard deviations of a sample of n
+    from its mean. The heights are evenly spaced in their root, because forces change faster at
+    small heights. A set of one scan has no deviation and needs a single height.
     """
     mean = targets.means["rms_height"]
     if scan_count == 1:

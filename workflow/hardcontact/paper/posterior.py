@@ -1,7 +1,7 @@
-"""Posterior of range and work of adhesion: pairs that explain published mean forces, by weight.
+"""Posterior of range and work of adhesion: how probable the published mean forces make each pair.
 
 A replicate is one possible computation of the mean forces, such as a set of scans. All replicates
-have the same prior weight, range and work a uniform prior of their logarithms.
+have the same prior weight; the priors of range and work are uniform in their logarithms.
 """
 
 from collections.abc import Mapping
@@ -24,8 +24,8 @@ from hardcontact.base.units import JOULE_PER_M2, NM
 from hardcontact.contact.force_curves import interpolate_to_ranges
 from hardcontact.inference.fit import fine_ranges
 
-#: Independent tests that a published mean averages: the paper used at least six spheres, and two
-#: tests with one sphere share its summits. Each sphere then scatters as much as a single test.
+#: Number of independent forces in a published mean. The paper used at least six spheres; tests with
+#: the same sphere share its summits, so that each sphere counts as a single test.
 SPHERE_COUNT = 6
 #: Label of the posterior of all surfaces.
 NONE_LEFT_OUT = "none"
@@ -47,7 +47,7 @@ def posterior_samples(
 
     `log_curves` are logarithms of computed forces (replicate, surface, range) at 1 J/m²; the ranges
     are evenly spaced in their logarithm. `log_targets` are logarithms of measured mean forces
-    (surface,), `errors` their errors.
+    (surface,), `errors` the standard deviations of `log_targets`.
     """
     precision = 1 / errors**2
     log_works = log_targets[:, None] - log_curves
@@ -85,12 +85,12 @@ def posterior(mean_forces: xr.DataArray, published: pd.DataFrame, sampling: Samp
 def posteriors_without_each_surface(
     mean_forces: xr.DataArray, published: pd.DataFrame, sampling: Sampling
 ) -> xr.Dataset:
-    """Return the `posterior` of all surfaces and without one at a time: (left_out)."""
+    """Return the `posterior` (left_out) of all surfaces, and without each surface in turn."""
     surfaces = mean_forces["surface"].values.tolist()
-    results = {(NONE_LEFT_OUT,): posterior(mean_forces, published, sampling)}
+    posteriors = {(NONE_LEFT_OUT,): posterior(mean_forces, published, sampling)}
     for name in surfaces:
-        results[(name,)] = posterior(mean_forces.drop_sel(surface=name), published, sampling)
-    return stack(results, ["left_out"])
+        posteriors[(name,)] = posterior(mean_forces.drop_sel(surface=name), published, sampling)
+    return stack(posteriors, ["left_out"])
 
 
 def means_on_whole_surfaces(

@@ -42,7 +42,7 @@ MAX_MINIMA = 3
 #: Fitted variables, with their units.
 FITTED_UNITS = FIT_UNITS | {"range_from_ratios": NM}
 
-#: Fitted variables whose samples are returned, by a short name.
+#: Fitted variables with samples, by the end of the samples' name ``sampled_...``.
 SAMPLED_VARIABLES = {
     "range": "range_of_adhesion",
     "work": "work_of_adhesion",
@@ -228,8 +228,8 @@ def fit_ratios(
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return the index (...) of the range that fits force ratios to a reference surface best.
 
-    The work of adhesion cancels in these ratios. Computed forces are (..., surface, rho), published
-    forces (surface,). The second result are the mean relative errors (..., rho) of the ratios.
+    Also returns the mean relative errors (..., rho) of the ratios, in which the work of adhesion
+    cancels. Computed forces are (..., surface, rho), published forces (surface,).
     """
     ratios = computed_forces / computed_forces[..., [reference_index], :]
     published_ratios = (published_forces / published_forces[reference_index])[:, None]

@@ -1,7 +1,7 @@
 """Sets of scans, sampled from a pool and judged like the scans of the study.
 
 A set consists of scans of a pool. Each scan gets a new rms height, from which its forces follow.
-Scans of a surface with features are a sample of that surface, which no set shares.
+For a surface with features, every set has a sample of its own.
 """
 
 from collections.abc import Mapping, Sequence
@@ -60,7 +60,7 @@ class SetSettings(NamedTuple):
     seed: int  #: Seed of the study.
     set_count: int  #: Number of sets.
     realizations: int  #: Number of masters of each substrate in a set.
-    reference_surface: str  #: Surface to which force ratios are taken.
+    reference_surface: str  #: Surface whose mean force is the denominator of force ratios.
     tolerance: float  #: Relative change of the force that defines an edge.
     confidence: float  #: Confidence of the intervals.
 
@@ -98,9 +98,9 @@ def gather_inputs(
 def sample_scans(pool: xr.Dataset, rng: np.random.Generator, scan_count: int) -> xr.Dataset:
     """Sample a set of scans of one substrate from its pool, without replacement.
 
-    The rms heights of the set get the mean and the deviation of the pool. This may give a
-    scan a height below all heights of the pool, with six scans or more even a negative one. Such a
-    set is sampled again. Raises ValueError if no set with possible heights is found.
+    The rms heights of the set are scaled to the mean and the deviation of the pool. A height may
+    then be below the lowest computed height, for six scans or more even negative. Such a set is
+    sampled again. Raises ValueError if no set with possible heights is found.
     """
     lowest = pool["rms_height_of_force"].values.min()
     mean = pool.attrs["mean_rms_height"]
@@ -149,7 +149,7 @@ def scale_to_sampled_mean(forces: xr.DataArray, rng: np.random.Generator) -> xr.
 
 
 def sample_set_scans(inputs: SetInputs, seed: int, set_number: int) -> dict[str, xr.Dataset]:
-    """Sample the scans of a set for substrates with a pool or samples, as many as the study."""
+    """Sample as many scans as the study has, for each substrate with a pool or samples."""
     counts = inputs.topography["rms_height"].count("scan").to_series()
     sampled_scans = {
         name: sample_scans(pool, generator(seed, name, set_number, "set", "scans"), counts[name])
@@ -181,7 +181,7 @@ def set_adhesion(
     """Return the pull-off forces of a set, as in adhesion.nc.
 
     Forces of sampled scans are their forces on a smooth sphere times the factor of the rough
-    sphere. Other substrates keep their scans and get another mean.
+    sphere. Other substrates keep their scans and get a sampled mean.
     """
     study = inputs.adhesion
     surface_forces = []

@@ -61,8 +61,8 @@ class AcceptedRange:
     def verdict_of_samples(self, samples: np.ndarray, low: float, high: float) -> str:
         """Judge the samples (sample,) of a single number and its interval.
 
-        The scatter is the error of the number: a narrow range of accepted numbers within a wide
-        interval is undecided.
+        The samples scatter by the error of the number. Few of them agree if the accepted range is
+        narrow and the interval wide: then the statement is undecided, not rejected.
         """
         if self.accepts(samples).mean() >= REPRODUCED_SHARE:
             return REPRODUCED
@@ -114,8 +114,8 @@ def accepted_range(rule: str, published_low: float, published_high: float) -> Ac
 def sets_interval(samples: np.ndarray, confidence: float) -> np.ndarray:
     """Return the central intervals (..., 2) of the numbers (set, ...) of many sets.
 
-    A set without a number has NaN. The interval is NaN if fewer sets than the confidence have a
-    number.
+    A set without a number has NaN. The interval is NaN if the share of sets with a
+    number is below the confidence.
     """
     enough = np.isfinite(samples).sum(axis=0) >= confidence * len(samples)
     return np.where(enough[..., None], percentile_interval(samples, confidence), np.nan)
