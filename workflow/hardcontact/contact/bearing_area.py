@@ -111,8 +111,8 @@ class WindowTiles(NamedTuple):
 
     def select(self, index: slice | NDArray[np.int_] | NDArray[np.bool_]) -> "WindowTiles":
         """Return some of the tiles."""
-        numbers, row, column, bounds = self
-        return WindowTiles(numbers[index], row[index], column[index], bounds[index])
+        contacts, row, column, bounds = self
+        return WindowTiles(contacts[index], row[index], column[index], bounds[index])
 
     def up_to(self, limits: Floats) -> "WindowTiles":
         """Return the tiles whose bounds are at most the limits (contact,) in nm."""
@@ -157,30 +157,30 @@ class _Windows:
             bounds -= self.roughness.maxima.max()
         return np.asarray(bounds.reshape(contacts, -1))
 
-    def tiles_of_groups(self, numbers: NDArray[np.int_], group: NDArray[np.int_]) -> WindowTiles:
-        """Return the tiles of groups (k,), in this order; `numbers` (k,) are their contacts."""
+    def tiles_of_groups(self, contacts: NDArray[np.int_], group: NDArray[np.int_]) -> WindowTiles:
+        """Return the tiles of groups (k,), in this order; `contacts` (k,) are their contacts."""
         group_row, group_column = np.divmod(group, self.low.shape[-1] // GROUP)
         row = (group_row[:, None] * GROUP + np.arange(GROUP))[:, :, None]
         column = (group_column[:, None] * GROUP + np.arange(GROUP))[:, None, :]
-        number = numbers[:, None, None]
-        bounds = self.low[number, 0, row] + self.low[number, 1, column]
-        bounds -= self.substrate.maxima[self.index[number, 0, row], self.index[number, 1, column]]
+        contact = contacts[:, None, None]
+        bounds = self.low[contact, 0, row] + self.low[contact, 1, column]
+        bounds -= self.substrate.maxima[self.index[contact, 0, row], self.index[contact, 1, column]]
         if self.roughness is not None:
             bounds -= self.roughness.upper_bound(
-                self.offset[number, 0, row], self.offset[number, 1, column]
+                self.offset[contact, 0, row], self.offset[contact, 1, column]
             )
-        number, row, column = np.broadcast_arrays(number, row, column)
-        return WindowTiles(number.ravel(), row.ravel(), column.ravel(), bounds.ravel())
+        contact, row, column = np.broadcast_arrays(contact, row, column)
+        return WindowTiles(contact.ravel(), row.ravel(), column.ravel(), bounds.ravel())
 
     def gaps(self, tiles: WindowTiles) -> tuple[Floats, NDArray[np.int_], NDArray[np.int_]]:
         """Return the gaps (k, TILE, TILE) in nm of tiles (k,), infinite outside the window.
 
         Also returns the offsets (k, TILE) of their rows, and of their columns, from the apex.
         """
-        number, row, column, _ = tiles
-        y = self.offset[number, 0, row][:, None] + np.arange(TILE)
-        x = self.offset[number, 1, column][:, None] + np.arange(TILE)
-        tile_y, tile_x = self.index[number, 0, row], self.index[number, 1, column]
+        contact, row, column, _ = tiles
+        y = self.offset[contact, 0, row][:, None] + np.arange(TILE)
+        x = self.offset[contact, 1, column][:, None] + np.arange(TILE)
+        tile_y, tile_x = self.index[contact, 0, row], self.index[contact, 1, column]
         gaps: Floats = self._sphere_in_window(y)[:, :, None] + self._sphere_in_window(x)[:, None, :]
         gaps -= self.substrate.blocks[tile_y, :, tile_x, :]
         if self.roughness is not None:
@@ -210,8 +210,8 @@ def find_contact_pixels(
     group_bounds = windows.group_bounds()
     tile_count = -(-contact_pixel_count // TILE**2)
     best_groups = _lowest_columns(group_bounds, -(-tile_count // GROUP**2))
-    numbers = np.repeat(np.arange(len(positions)), best_groups.shape[1])
-    tiles = windows.tiles_of_groups(numbers, best_groups.ravel())
+    contacts = np.repeat(np.arange(len(positions)), best_groups.shape[1])
+    tiles = windows.tiles_of_groups(contacts, best_groups.ravel())
     limits = _limits_of_gaps(windows, tiles, contact_pixel_count)
     tiles = windows.tiles_of_groups(*np.nonzero(group_bounds <= limits[:, None])).up_to(limits)
     # The remaining tiles of lowest bounds, from all groups, give lower limits.
@@ -219,8 +219,8 @@ def find_contact_pixels(
     tiles = tiles.up_to(limits)
     batches = [slice(start, start + BATCH) for start in range(0, len(tiles.contact_numbers), BATCH)]
     low_gaps = [_gaps_up_to(windows, tiles.select(batch), limits) for batch in batches]
-    numbers, gaps, offsets = (np.concatenate(arrays) for arrays in zip(*low_gaps, strict=True))
-    ends = np.searchsorted(numbers, np.arange(1, len(positions)))
+    contacts, gaps, offsets = (np.concatenate(arrays) for arrays in zip(*low_gaps, strict=True))
+    ends = np.searchsorted(contacts, np.arange(1, len(positions)))
     return [
         _lowest(*candidates, contact_pixel_count)
         for candidates in zip(np.split(gaps, ends), np.split(offsets, ends), strict=True)
@@ -264,9 +264,9 @@ def _gaps_up_to(
     """
     gaps, rows, columns = windows.gaps(tiles)
     low = np.flatnonzero(gaps <= limits[tiles.contact_numbers, None, None])
-    number, y, x = np.unravel_index(low, gaps.shape)
-    offsets = np.stack([rows[number, y], columns[number, x]], axis=1)
-    return tiles.contact_numbers[number], gaps.ravel()[low], offsets
+    tile, y, x = np.unravel_index(low, gaps.shape)
+    offsets = np.stack([rows[tile, y], columns[tile, x]], axis=1)
+    return tiles.contact_numbers[tile], gaps.ravel()[low], offsets
 
 
 def _lowest(gaps: Floats, offsets: NDArray[np.int_], contact_pixel_count: int) -> ContactPixels:
@@ -284,8 +284,8 @@ def all_contact_pixels(bodies: Bodies, contact_pixel_count: int) -> PixelsByCont
     substrate = as_tiles(bodies.substrate)
     roughness = None if bodies.roughness is None else as_tiles(bodies.roughness)
     geometry = bodies.geometry
-    numbers = range(len(geometry.positions))
-    indices = [(i, j) for i in numbers for j in numbers]
+    axis = range(len(geometry.positions))
+    indices = [(i, j) for i in axis for j in axis]
     positions = geometry.positions[np.array(indices)]
     starts = range(0, len(indices), CONTACT_BATCH)
     batches = [positions[start : start + CONTACT_BATCH] for start in starts]

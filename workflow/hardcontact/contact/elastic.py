@@ -123,7 +123,7 @@ def press(half_space: HalfSpace, gap: Floats, load: float) -> Wall:
         overlaps = gap_left < -MAX_OVERLAP
         if not overlaps.any():
             return Wall(all_forces, gap_left)
-        # Few pixels under the whole load sink in so far that most others overlap: at most double.
+        # Few pixels under the whole load sink in far, and most others overlap: at most double.
         other_gaps = np.where(is_candidate, np.inf, gap_left)
         added_count = min(int((overlaps & ~is_candidate).sum()), len(pixels))
         is_candidate |= other_gaps <= largest_contact_gap(other_gaps, added_count)

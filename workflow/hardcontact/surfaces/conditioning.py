@@ -199,7 +199,7 @@ def _fit_group(matrices: Floats, targets: Targets) -> tuple[Floats, Floats, Floa
             f"{means[0]:.3g} nm and the deviation {targets.rms_height_std:.3g} nm, found one of "
             "zero or below: use fewer scans of this surface, whose rms heights deviate less"
         )
-    # The mean factor goes into the gain, so that the factors of the scans have the mean one.
+    # The mean factor goes into the gain, so that the factors of the scans have the mean 1.
     mean_factor = factors.mean()
     return mean_factor * np.exp(np.append(0.0, fit.x)), factors / mean_factor, mean_errors
 

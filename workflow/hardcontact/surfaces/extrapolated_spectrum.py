@@ -37,8 +37,8 @@ DIRECTION_COUNT = 64
 LOG_WAVEVECTORS = np.log(WAVEVECTORS)
 #: Exponents s of C0 (1 + (q/q_r)^2s)^(-(1 + H)/s): from a gradual to a sharp roll-off at q_r.
 SHARPNESS = (1.0, 2.0, 4.0)
-#: Bounds of the fitted roll-off: factors on the first and the last wavevector. Below the lower one
-#: the fit is a power law; above the upper one hardly a bin is left for its exponent.
+#: Bounds of the fitted roll-off: factors on the first and the last wavevector. Below the lower
+#: bound the fit is a power law; above the upper bound hardly a bin is left for its exponent.
 ROLLOFF_BOUNDS = (0.1, 0.7)
 #: Roll-off wavelengths that are compared. In a trial on a scan of 10 µm, four times as many changed
 #: the roll-off by 6 %, far less than its uncertainty, and the Hurst exponent by 0.0002.

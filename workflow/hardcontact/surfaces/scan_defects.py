@@ -152,7 +152,7 @@ def _spike_numbers(heights: Floats) -> list[float]:
 
 
 def _isolation(heights: Floats) -> Floats:
-    """Return the distance of each height to its nearest neighbour, in a map the second nearest."""
+    """Return the distance of each height to its nearest neighbour, or second nearest in a map."""
     padded = np.pad(heights, 1, constant_values=np.inf)
     nearest = second_nearest = np.full(heights.shape, np.inf)
     for start in product(range(3), repeat=heights.ndim):

@@ -221,7 +221,7 @@ def profile_over_isotropic(wavevector: Floats, hurst: float) -> Floats:
 
 
 def isotropic_through_points(wavevector: Floats, wavelengths: Floats, profile: Floats) -> Floats:
-    """Return C_iso (nm⁴) through points of C_1D (nm³), converted with one fitted Hurst exponent."""
+    """Return C_iso (nm⁴) through points of C_1D (nm³), converted with a fitted Hurst exponent."""
     log_points = np.log(2 * np.pi / wavelengths)
     log_profile = np.log(profile)
     hurst = (-np.polyfit(log_points, log_profile, 1)[0] - 1) / 2
