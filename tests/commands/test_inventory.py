@@ -92,7 +92,7 @@ def test_all_faulty_scans_and_duplicates_are_reported_at_once(tmp_path):
     assert_says(twin, "again.nc", "expected each scan once", "first.nc")
 
 
-def test_a_place_counts_once(tmp_path):
+def test_an_area_counts_once(tmp_path):
     rng = np.random.default_rng(1)
     trace = rng.standard_normal((64, 64))
     retrace = np.roll(trace, 2, axis=0) + 0.1 * rng.standard_normal((64, 64))
@@ -100,7 +100,7 @@ def test_a_place_counts_once(tmp_path):
     paths = [scan(tmp_path / f"{name}.nc", values) for name, values in scans.items()]
     entries, left_out, problems = inventory([source(path) for path in paths], None)
     assert [entry.name for entry in entries] == ["trace.nc", "other.nc"] and not problems
-    assert left_out == ["retrace.nc: it shows the same site as trace.nc, and a site counts once"]
+    assert left_out == ["retrace.nc: it shows the same area as trace.nc, and an area counts once"]
 
 
 @pytest.mark.parametrize(

@@ -16,7 +16,7 @@ def heights(pixels):
     return np.random.default_rng(1).standard_normal((pixels, pixels))
 
 
-def test_contacts_on_a_mirrored_surface_never_repeat_a_place():
+def test_contacts_on_a_mirrored_surface_never_repeat_a_position():
     # On a mirrored surface position p and n - 1 - p are alike; the array must not repeat itself.
     positions = geometry.contact_positions(1024, 20)
     folded = np.minimum(positions, 1023 - positions)

@@ -81,7 +81,7 @@ def test_octaves_are_those_of_the_rougher_body(wafer, sphere):
     assert sensitivities[0].min() < -0.5
 
 
-def test_the_interval_contains_the_forces_at_other_places_of_the_sphere(wafer, sphere):
+def test_the_interval_contains_the_forces_at_other_positions_on_the_sphere(wafer, sphere):
     forces = [
         forces_at_loads(
             join_bodies(mirror_stitch(wafer), position, CONTACT), [CONTACT], [CONTACT.rho]

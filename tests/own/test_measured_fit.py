@@ -163,14 +163,14 @@ def repeated_forces(seed, sites=5, tests=40):
     return between * np.exp(0.01 * rng.standard_normal((sites, tests)))
 
 
-def test_tests_at_one_place_count_once():
+def test_tests_at_one_site_count_once():
     forces = repeated_forces(0)
     rows = [("a", f, f, 1, f"p{site}") for site, row in enumerate(forces) for f in row]
-    placed = pd.DataFrame(rows, columns=COLUMNS)
+    repeated_tests = pd.DataFrame(rows, columns=COLUMNS)
     means = forces.mean(axis=1)
     expected = (means.mean(), np.log(means).std(ddof=1), 5, 200)
-    assert measured_tests(placed) == pytest.approx(expected)
-    assert not look_repeated(placed)
+    assert measured_tests(repeated_tests) == pytest.approx(expected)
+    assert not look_repeated(repeated_tests)
 
 
 def test_repeated_tests_are_recognised_and_independent_ones_are_not():

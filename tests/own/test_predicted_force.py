@@ -80,7 +80,7 @@ def test_three_scans_give_student_s_interval_and_fewer_a_wider_conditional_one()
     assert (width.diff("rho") > 0).all()  # The longer the range, the more quarters share.
 
 
-def test_the_interval_includes_the_place_on_a_rough_sphere():
+def test_the_interval_includes_the_position_on_a_rough_sphere():
     smooth = adhesion([3, 3], spread=1e-6).isel(sphere_scan=[0])
     logarithms = xr.DataArray(np.random.default_rng(2).normal(size=16), dims="sphere_scan")
     forces = smooth.pull_off_force.squeeze("sphere_scan") * np.exp(logarithms)
@@ -105,7 +105,7 @@ def test_a_contact_as_wide_as_the_scan_gives_no_interval():
     assert_says(message, "1, 5, 20 nm", "found 5.6 nm")
 
 
-def test_contacts_that_touch_few_places_give_no_interval():
+def test_contacts_that_touch_few_patches_give_no_interval():
     computed_forces = adhesion([3, 1])
     for patches, source in ((4.0, "quarters"), (3.0, "few_patches")):
         few_patches = computed_forces.assign(
@@ -122,7 +122,7 @@ def test_contacts_that_touch_few_places_give_no_interval():
 
 
 @pytest.mark.parametrize("pixels", [1, 8])
-def test_the_mean_over_places_is_at_most_that_of_a_smooth_sphere(pixels):
+def test_the_mean_over_positions_is_at_most_that_of_a_smooth_sphere(pixels):
     size, reach = 48, 4.0  # sqrt(R rho) in pixels; heights are in rho
     waves = np.hypot(np.fft.fftfreq(size)[:, None], np.fft.fftfreq(size)) * size
     noise = np.random.default_rng(1).normal(size=(size, size))

@@ -1,4 +1,4 @@
-"""Scans of one site are recognised after shifts, noise and levelling; other sites are not."""
+"""Scans of one area are recognised after shifts, noise and levelling; other areas are not."""
 
 import numpy as np
 import pytest
@@ -6,7 +6,7 @@ from measurements import measurement, self_affine_heights
 
 from hardcontact.base.random import generator
 from hardcontact.surfaces.height_map import level, level_lines
-from hardcontact.surfaces.repeated_scans import coarse_map, earlier_scans_of_sites, show_same_site
+from hardcontact.surfaces.repeated_scans import coarse_map, earlier_scans_of_areas, show_same_area
 
 PIXELS, PIXEL = 128, 10.0
 
@@ -24,7 +24,7 @@ def cut(heights, y=0, x=0, side=PIXELS):
 
 
 @pytest.mark.parametrize("hurst", [0.5, 0.9])
-def test_copies_of_a_place_are_recognised(hurst):
+def test_copies_of_an_area_are_recognised(hurst):
     surface = large_map(1, hurst)
     trace = coarse(cut(surface))
     noise = generator(2).standard_normal((PIXELS, PIXELS))
@@ -36,21 +36,21 @@ def test_copies_of_a_place_are_recognised(hurst):
         coarse(cut(surface)[::2, ::2], 2 * PIXEL),
         coarse(cut(surface, 5, 5, 7 * PIXELS // 8)),
     ):
-        assert show_same_site(trace, copy) and show_same_site(copy, trace)
+        assert show_same_area(trace, copy) and show_same_area(copy, trace)
 
 
 @pytest.mark.parametrize(("hurst", "rolloff"), [(0.5, 1e9), (1.0, 1e9), (0.8, PIXELS * PIXEL / 8)])
-def test_other_places_are_not_the_same(hurst, rolloff):
+def test_other_areas_are_not_the_same(hurst, rolloff):
     surface = large_map(3, hurst, rolloff)
-    sites = [coarse(cut(surface, y, x)) for y in (0, 128, 256) for x in (0, 128, 256)]
-    assert earlier_scans_of_sites(sites) == [None] * 9
-    assert earlier_scans_of_sites([*sites[:2], sites[0]]) == [None, None, 0]
+    areas = [coarse(cut(surface, y, x)) for y in (0, 128, 256) for x in (0, 128, 256)]
+    assert earlier_scans_of_areas(areas) == [None] * 9
+    assert earlier_scans_of_areas([*areas[:2], areas[0]]) == [None, None, 0]
 
 
 def test_flat_maps_are_no_copies():
     flat, step = np.zeros((PIXELS, PIXELS)), np.zeros((PIXELS, PIXELS))
     step[:5] = 3.0
-    assert not show_same_site(coarse(flat), coarse(step))
+    assert not show_same_area(coarse(flat), coarse(step))
 
 
 def test_gratings_and_lays_resemble_themselves_everywhere():
@@ -58,4 +58,4 @@ def test_gratings_and_lays_resemble_themselves_everywhere():
     lay = large_map(5)[0]
     for lines in (grating, lay, lay[:, None]):
         surface = large_map(4) / 20 + lines
-        assert not show_same_site(coarse(cut(surface)), coarse(cut(surface, 250, 220)))
+        assert not show_same_area(coarse(cut(surface)), coarse(cut(surface, 250, 220)))

@@ -147,7 +147,7 @@ def test_the_moments_of_a_mixture_equal_those_of_its_samples():
     assert mixture.log_force_std == pytest.approx(np.log(forces).std(), rel=0.01)
 
 
-def test_without_roughness_all_places_have_the_same_force():
+def test_without_roughness_all_positions_have_the_same_force():
     smooth = predict_statistics(rounded(1e-6, 1e5), contact_of_area(250e3, 5.6, 1.0, 400.0))
     assert smooth.log_force_std == 0
     assert smooth.force > 2 * np.pi * 250e3 * 1e-9

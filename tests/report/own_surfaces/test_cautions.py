@@ -106,7 +106,7 @@ def test_intervals_of_few_scans_are_conditional():
     assert caution.numbers["correlation"].value == 0.2 and caution.numbers["scans"].value == 3
 
 
-def test_contacts_that_touch_few_places_are_named():
+def test_contacts_that_touch_few_patches_are_named():
     counts = {"contacts": ("surface", [64]), "touched_patches": ("surface", [3.0])}
     few_patches = force().assign(counts | {"interval_source": ("surface", ["few_patches"])})
     few_patches["interval_is_conditional"][:] = 1
@@ -190,7 +190,7 @@ def test_cautions_of_the_reader_are_named():
     assert caution.texts["sentence"].endswith(": its mask marks 9 pixels")
 
 
-def test_scans_of_the_same_place_are_named():
+def test_scans_of_the_same_area_are_named():
     assert not find_cautions("repeated_scan")
     data = spectra()
     data["earlier_scan"] = data["earlier_scan"].astype(object)

@@ -122,7 +122,7 @@ def test_a_missing_interval_has_a_reason():
     assert np.isnan([mean.low, mean.high]).all() and mean.status == "no_interval"
 
 
-def test_contacts_that_touch_too_few_places_give_no_answer():
+def test_contacts_that_touch_too_few_patches_give_no_answer():
     few_patches = drop_interval(force()).assign(
         interval_source=("surface", ["few_patches"]),
         contacts=("surface", [64]),

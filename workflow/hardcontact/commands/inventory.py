@@ -54,7 +54,7 @@ class Entry:
     undefined_count: int  #: pixels, which were filled
     notes: tuple[str, ...]  #: what was done in reading
     defects: Mapping[str, Mapping[str, float]]  #: of `scan_defects`
-    coarse: HeightMap  #: levelled, to find scans of the same site
+    coarse: HeightMap  #: levelled, to find scans of the same area
 
     @property
     def undefined_share(self) -> float:
@@ -95,7 +95,7 @@ def inventory(
 ) -> tuple[list[Entry], list[str], list[str]]:
     """Return the topographies of files, lines on those that are left out, and problems.
 
-    Unusable members of containers, and scans of a site that an earlier scan shows, are left out.
+    Unusable members of containers, and scans of an area that an earlier scan shows, are left out.
     Tip radius and `map_size`, the longer side, are in nm; with `unit` they serve files that state
     none. `channel` is read from files that are not containers; empty for the file's own choice.
     """
@@ -157,7 +157,7 @@ def _twin_faults(entries: Sequence[Entry]) -> Iterator[str]:
 
 
 def _leave_out_repeated_scans(entries: Sequence[Entry]) -> tuple[list[Entry], list[str]]:
-    """Return the entries that show another site than those before, and a line on each other."""
+    """Return the entries that show another area than those before, and a line on each other."""
     kept_entries: list[Entry] = []
     lines: list[str] = []
     for scans in entries_by_surface(entries).values():

@@ -41,7 +41,9 @@ def measured_forces(
     table.require(
         [name for name in columns if name not in defaults],
         f"a row for each force, the columns {', '.join(TESTS)} or {', '.join(SUMMARIES)}, "
-        "separated by commas; a column such as value (uN) needs no unit, one surface no name",
+        "separated by commas; a column such as value (uN) needs no unit, one surface no name; "
+        "beside them only site, for tests repeated at one site",
+        {*TESTS, *SUMMARIES, "site"},
     )
     rows = table.convert(lambda row: _parse_force(defaults | dict(row), units, surfaces, radius))
     names = ["surface", "mean", "median", "count", "site"]

@@ -120,7 +120,7 @@ def _spectrum_of_table(path: str | Path) -> OwnSpectrum:
 def _spectrum_of_scans(
     scans: Sequence[HeightMap], names: Sequence[str], tip_radius: float | None, cautions: list[str]
 ) -> OwnSpectrum:
-    """Return the joined spectrum of scans of different sites, with cautions and other notes."""
+    """Return the joined spectrum of scans of different areas, with cautions and other notes."""
     defects = [
         (name, defect_sentence(code, numbers))
         for name, scan in zip(names, scans, strict=True)

@@ -1,4 +1,4 @@
-"""Find scans that show the same site, such as trace and retrace: they are one sample, not two."""
+"""Find scans that show the same area, such as trace and retrace: they are one sample, not two."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -8,18 +8,18 @@ import numpy as np
 from hardcontact.base.arrays import Floats
 from hardcontact.surfaces.height_map import HeightMap
 
-#: Correlation of heights, after the best shift, above which two maps show the same site.
-SAME_PLACE_CORRELATION = 0.5
+#: Correlation of heights, after the best shift, above which two maps show the same area.
+SAME_AREA_CORRELATION = 0.5
 #: Largest number of pixels per row of compared maps: means lower the noise, a pair takes 15 ms.
 COMPARED_PIXELS = 64
 #: Longest wavelength that is compared, as a share of the smaller side. Longer waves are few, so
-#: that maps of different sites correlate by chance; levelling also changes them.
+#: that maps of different areas correlate by chance; levelling also changes them.
 LONGEST_COMPARED_SHARE = 1 / 4
 #: Least overlap after a shift, as a share of the smaller map.
 MIN_OVERLAP = 0.5
 #: Least product of variances, relative to the largest: rounding of Fourier transforms is smaller.
 ROUNDING = 1e-9
-#: Largest ratio of the sides of two maps: a smaller part of a site shows other waves.
+#: Largest ratio of the sides of two maps: a smaller part of an area shows other waves.
 MAX_SIZE_RATIO = 1.25
 
 
@@ -34,31 +34,31 @@ def coarse_map(scan: HeightMap) -> HeightMap:
     return replace(scan, heights=means, pixel_size=step * scan.pixel_size)
 
 
-def earlier_scans_of_sites(scans: Sequence[HeightMap]) -> list[int | None]:
-    """Return for each scan the index of the first scan that shows its site; None if it is new.
+def earlier_scans_of_areas(scans: Sequence[HeightMap]) -> list[int | None]:
+    """Return for each scan the index of the first scan that shows its area; None if it is new.
 
     Scans are levelled; line scans are never compared.
     """
     maps = [coarse_map(scan) for scan in scans]
     earlier: list[int | None] = []
     for scan in maps:
-        new_sites = [index for index, first in enumerate(earlier) if first is None]
-        same = (index for index in new_sites if show_same_site(maps[index], scan))
+        new_areas = [index for index, first in enumerate(earlier) if first is None]
+        same = (index for index in new_areas if show_same_area(maps[index], scan))
         earlier.append(next(same, None))
     return earlier
 
 
 def repeated_scans(scans: Sequence[HeightMap], names: Sequence[str]) -> dict[int, str]:
-    """Return a line on each scan that shows the site of an earlier scan, by its index."""
+    """Return a line on each scan that shows the area of an earlier scan, by its index."""
     return {
-        index: f"{names[index]}: it shows the same site as {names[first]}, and a site counts once"
-        for index, first in enumerate(earlier_scans_of_sites(scans))
+        index: f"{names[index]}: it shows the same area as {names[first]}, and an area counts once"
+        for index, first in enumerate(earlier_scans_of_areas(scans))
         if first is not None
     }
 
 
-def show_same_site(first: HeightMap, second: HeightMap) -> bool:
-    """Return whether two levelled maps from `coarse_map` show the same site.
+def show_same_area(first: HeightMap, second: HeightMap) -> bool:
+    """Return whether two levelled maps from `coarse_map` show the same area.
 
     If its own halves correlate as much, as on a grating, correlation proves nothing.
     """
@@ -70,10 +70,10 @@ def show_same_site(first: HeightMap, second: HeightMap) -> bool:
     pixel_size = max(first.pixel_size, second.pixel_size)
     longest = LONGEST_COMPARED_SHARE * smaller.size / pixel_size
     waves, other_waves = (_short_waves(scan, pixel_size, longest) for scan in (smaller, larger))
-    if _best_correlation(waves, other_waves) <= SAME_PLACE_CORRELATION:
+    if _best_correlation(waves, other_waves) <= SAME_AREA_CORRELATION:
         return False
     halves = [np.array_split(waves, 2, axis=axis) for axis in (0, 1)]
-    return all(_best_correlation(*pair) <= SAME_PLACE_CORRELATION for pair in halves)
+    return all(_best_correlation(*pair) <= SAME_AREA_CORRELATION for pair in halves)
 
 
 def _short_waves(scan: HeightMap, pixel_size: float, longest: float) -> Floats:

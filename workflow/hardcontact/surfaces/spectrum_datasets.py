@@ -15,7 +15,7 @@ from hardcontact.surfaces.descriptions import DATA_EVIDENCE
 from hardcontact.surfaces.extrapolated_spectrum import Tail
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.reliable_band import ReliableBand
-from hardcontact.surfaces.repeated_scans import earlier_scans_of_sites
+from hardcontact.surfaces.repeated_scans import earlier_scans_of_areas
 from hardcontact.surfaces.scan_defects import DEFECT_UNITS
 from hardcontact.surfaces.spectrum import BIN_CENTRES, WAVEVECTORS, spectrum_of_dataset
 
@@ -32,7 +32,7 @@ def measurement_descriptions(
 
     The radii of their tips are in nm, None if unknown.
     """
-    earlier_measurements = earlier_scans_of_sites(measurements)
+    earlier_measurements = earlier_scans_of_areas(measurements)
     return [
         {
             "kind": measurement.kind,

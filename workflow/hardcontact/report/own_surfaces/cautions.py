@@ -126,7 +126,7 @@ def _reading(spectra: xr.Dataset) -> list[Caution]:
 
 
 def _repeated_scans(spectra: xr.Dataset) -> list[Caution]:
-    """Return a caution for each scan of a site that an earlier scan shows."""
+    """Return a caution for each scan of an area that an earlier scan shows."""
     return [
         Caution(
             "repeated_scan",
