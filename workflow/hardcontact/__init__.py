@@ -7,15 +7,8 @@ on them.
 workflow/README.md says what each room holds.
 """
 
-import gc
 import importlib
-import sys
 from typing import Any
-
-# The jobs of the study make hardly any reference cycles; looking for them would take a tenth of the
-# time of imports and figures.
-if hasattr(sys.modules["__main__"], "snakemake"):
-    gc.disable()
 
 #: What programs use of the library; each is defined in `api` or imported there.
 API = (
