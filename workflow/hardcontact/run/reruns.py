@@ -134,11 +134,20 @@ def _named_values(text: str) -> set[str]:
 
 
 def plan_by_records(workflow: Any) -> None:
-    """Make records decide which files are made again, in place of times and Snakemake's metadata.
+    """Make records decide which files are made again, since times and metadata can be lost.
 
-    The only trigger is a change of parameters: `_recorded_change` finds all changes. Private parts
-    of the pinned Snakemake are replaced: test an upgrade with `tests/workflow/test_reruns.py`.
+    Changed parameters remain the only trigger, and `_recorded_change` answers for all changes.
+    Parts of Snakemake are replaced: a missing one ends the run, and
+    `tests/workflow/test_reruns.py` fails if one has another meaning.
     """
+    replaced = {
+        type(workflow): ("rerun_triggers", "log_provenance_info"),
+        Job: ("output_mintime",),
+        PersistenceBase: ("has_metadata", "has_outdated_metadata", "params_changed"),
+    }
+    for owner, names in replaced.items():
+        if missing := [name for name in names if not hasattr(owner, name)]:
+            sys.exit(f"error: expected Snakemake with {owner.__name__}.{missing[0]}, found none")
     type(workflow).rerun_triggers = frozenset({RerunTrigger.PARAMS})
     workflow.log_provenance_info = lambda: None  # It advises to trust times.
     Job.output_mintime = property(_no_time)
