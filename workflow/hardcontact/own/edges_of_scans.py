@@ -59,7 +59,7 @@ def edges_of_scans(
 
 
 def _ratios(master_forces: MasterForces, confidence: float) -> xr.Dataset:
-    """Return the ratios of one surface and side, their intervals, and the source of these."""
+    """Return the ratios of one surface and side, their intervals, and the intervals' source."""
     half = half_width_over_masters(master_forces, truediv, "log_ratio_shift", confidence)
     ratio = master_forces.forces.filtered_force_ratio.mean("realization").values
     interval = logarithmic_interval(ratio, half)
@@ -78,7 +78,7 @@ def _ratios(master_forces: MasterForces, confidence: float) -> xr.Dataset:
 def _widen_ratios(curves: xr.Dataset, hindcast_ratio: xr.DataArray) -> xr.Dataset:
     """Return ratios whose intervals contain the error of artificial roughness (surface, side).
 
-    The error of the logarithm of a ratio is at most this logarithm.
+    The error of the logarithm of a ratio is limited to the logarithm itself.
     """
     log_error = abs(np.log(hindcast_ratio.reindex(surface=curves["surface"]).fillna(1)))
     log_ratio = abs(np.log(curves["filtered_force_ratio"]))
@@ -86,11 +86,11 @@ def _widen_ratios(curves: xr.Dataset, hindcast_ratio: xr.DataArray) -> xr.Datase
 
 
 def _without_ripples(edges: xr.Dataset, has_ripples: xr.DataArray) -> xr.Dataset:
-    """Return edges without the short edges of scans on which the filter ripples (surface)."""
+    """Return edges without the short edges of surfaces on which the filter makes ripples."""
     is_rippled = has_ripples.reindex(surface=edges["surface"], fill_value=False)
     is_kept = ~is_rippled | (edges["side"] != "short")
-    known = edges.where(is_kept)
-    return known.assign(edge_status=edges["edge_status"].where(is_kept, RIPPLES)).transpose(
+    kept_edges = edges.where(is_kept)
+    return kept_edges.assign(edge_status=edges["edge_status"].where(is_kept, RIPPLES)).transpose(
         "surface", "side", ...
     )
 
@@ -100,7 +100,7 @@ def edges_of_curves(ratios: xr.Dataset, tolerance: float) -> xr.Dataset:
 
     Ratios are ``filtered_force_ratio`` (..., cutoff_wavelength) with its interval, NaN at cutoffs
     that a curve does not have; side is a coordinate. Over the other dimensions ``edge``,
-    ``edge_bound`` and ``edge_interval`` are in nm, NaN if they are open; ``edge_status`` is that of
+    ``edge_bound`` and ``edge_interval`` are in nm, NaN if they are open; ``edge_status`` is as in
     `Edge`. A curve that `shows_ripples` has no edge.
     """
     dimensions = [dim for dim in ratios["filtered_force_ratio"].dims if dim != "cutoff_wavelength"]
@@ -133,7 +133,7 @@ def _curve_with_interval(
     ratio = ratios["filtered_force_ratio"].values
     interval = ratios["filtered_force_ratio_interval"].values
     if not np.isnan(interval).all():
-        # Where the other ratios have intervals, a ratio without one is the same in all parts.
+        # If other ratios have intervals, a ratio without one is equal in all parts: zero width.
         interval = np.where(np.isnan(interval), ratio[:, None], interval)
     with np.errstate(divide="ignore"):  # the lower end of an interval without bounds is zero
         lowest, highest = np.log(interval).T

@@ -27,11 +27,11 @@ from hardcontact.inference.scan_parts import (
 class SurfaceForces(NamedTuple):
     """Mean forces of one surface, over scans, scans of the sphere and contacts."""
 
-    ranges: np.ndarray  #: (rho,) of adhesion in nm.
-    mean: np.ndarray  #: (rho,) in N, at the work of adhesion of the single forces.
+    ranges: np.ndarray  #: (rho,) Ranges of adhesion in nm.
+    mean: np.ndarray  #: (rho,) Mean force in N, at the work of adhesion of the single forces.
     delete_one_log_means: np.ndarray  #: (part, rho) Logarithms of the mean of all parts but one.
     scan_parts: list[ScanParts]  #: (rho,) Parts correlate more at longer ranges.
-    #: (rho,) Of ln F between positions on a rough sphere; empty for a single position.
+    #: (rho,) Variance of ln F between positions on a rough sphere; empty for a single position.
     position_variances: list[Variance]
 
 

@@ -40,8 +40,8 @@ def fit_measured(
     Intervals come from random samples of the mean of the tests and of the mean over scans.
 
     `adhesion` holds the computed forces, `forces` the measured ones in N. Scan sizes (nm) and the
-    factors by which finer pixels may divide the force are by surface. Returns fit.nc: the variables
-    of `_fit_model` by contact_model.
+    factors by which finer pixels may divide the force have surfaces as keys. Returns fit.nc: the
+    variables of `_fit_model` by contact_model.
     """
     measured_surfaces = set(forces.surface)
     surfaces = [name for name in adhesion.surface.values.tolist() if name in measured_surfaces]
@@ -125,7 +125,7 @@ def _fit_model(
     pixel_factors: Mapping[str, float],
     sampling: Sampling,
 ) -> xr.Dataset:
-    """Return the fit of one contact model to measured forces (surface,) and samples of them in N.
+    """Return the fit of one contact model to measured forces (surface,) and their samples, in N.
 
     Returns ``work_by_range`` (surface, rho_fine) in J/m² with its interval; ``region`` (rho_fine,
         bound), the lowest and highest work in J/m² that all surfaces allow, or NaN, with its
@@ -142,7 +142,7 @@ def _fit_model(
     sampled_works = force_samples[:, :, None] / np.stack(force_samples_by_range, axis=1)
     works = measured_forces[:, None] / curves
     confidence = sampling.confidence
-    # Forces that finer pixels divide need more work.
+    # Finer pixels lower the computed force, so that the work may be higher by this factor.
     factors = np.stack([np.ones(len(computed)), [pixel_factors[name] for name in computed]], -1)
     intervals = factors[:, None] * _work_intervals(
         sampled_works, computed_ranges, ranges, confidence
@@ -203,8 +203,8 @@ def _best_pair(
 def _extent(region: np.ndarray, ranges: np.ndarray) -> dict[str, Any]:
     """Return the extent of a region (rho, bound), and the status of its ends.
 
-    If the region reaches the shortest or longest computed range, it may extend beyond. Then range
-    and work have no limit there.
+    If the region reaches the shortest or longest computed range, it may extend beyond. Its range is
+    then open at this end, and its work at both ends.
     """
     allowed = np.flatnonzero(np.isfinite(region).all(axis=-1))
     region_range, region_work = np.full(2, np.nan), np.full(2, np.nan)
@@ -261,7 +261,7 @@ def add_extrapolated_work(fitted: xr.Dataset, force: xr.Dataset) -> xr.Dataset:
 def _logarithmic_errors(data: xr.Dataset, name: str) -> tuple[xr.DataArray, xr.DataArray]:
     """Return the distances of the ends of an interval below and above a value, in the logarithm.
 
-    A lower end of zero is no bound: it lies infinitely far below.
+    A lower end of zero is no bound, and its distance is infinite.
     """
     low, high = bounds(data, name)
     with np.errstate(divide="ignore"):

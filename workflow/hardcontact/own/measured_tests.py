@@ -8,7 +8,7 @@ import pandas as pd
 
 from hardcontact.base.statistics import MAX_LOG_DEVIATION, lognormal_shape
 
-#: Chance that independent tests are taken for repeated ones.
+#: Chance that independent tests are mistaken for tests at repeated sites.
 REPEATED_BY_CHANCE = 1e-3
 
 

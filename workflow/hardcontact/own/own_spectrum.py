@@ -46,7 +46,7 @@ COLUMN_UNITS = {
     "c_iso": (r"(\D+?)(?:\^|\*\*)?[4⁴]", "a length to the power of 4, such as nm4"),
     "c_1d": (r"(\D+?)(?:\^|\*\*)?[3³]", "a length to the power of 3, such as nm3"),
 }
-#: Bytes of the first line of a file that tell a table from heights: more than any header has.
+#: Bytes of the first line that are read to tell a table from heights: more than any header has.
 MAX_LINE = 1000
 #: The first heading of a table of positions and heights.
 POSITION_HEADING = re.compile(r"\W*(x|position|distance|lateral)\b", re.IGNORECASE)
@@ -61,9 +61,9 @@ WAVES_OF_A_BIN = ENOUGH_WAVES
 class OwnSpectrum(NamedTuple):
     """C_iso of the user's files, with notes in words on changes and omissions in reading them."""
 
-    spectrum: Spectrum  #: Of scans a `ScanSpectrum`.
+    spectrum: Spectrum  #: A `ScanSpectrum` if it comes from scans.
     notes: tuple[str, ...]
-    scans: tuple[HeightMap, ...] = ()  #: Levelled; none of a table.
+    scans: tuple[HeightMap, ...] = ()  #: Levelled; empty for a table.
     #: The levelled maps of a substrate and of a rough sphere, whose sum is the only scan.
     bodies: tuple[HeightMap, ...] = ()
 
@@ -155,7 +155,7 @@ def _reading_notes(
 
 
 def _is_table(path: str | Path) -> bool:
-    """Return True if a file is a table of a spectrum: a CSV, but one of numbers or positions."""
+    """Return whether a file is a table of a spectrum: a CSV whose header names no positions."""
     if Path(path).suffix.lower() != ".csv":
         return False
     if not Path(path).is_file():

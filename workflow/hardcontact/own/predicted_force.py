@@ -1,6 +1,7 @@
 """The pull-off forces that a work and a range of adhesion predict, without a fit: force.nc.
 
-There are forces on the scans, and forces with roughness extrapolated beyond their wavelengths.
+One force has the roughness of the scans alone, another has roughness extrapolated beyond their
+wavelengths, too.
 """
 
 from collections.abc import Mapping, Sequence
@@ -53,8 +54,8 @@ def force_dataset(
     """Return the predicted forces of all surfaces, their limits and their scatter.
 
     The datasets are as in their files; `tolerance` is a relative change of the force. Forces on
-    scans and with extrapolated roughness never exceed that on a smooth sphere. Attributes have the
-    Tabor parameter and whether the bodies are hard.
+    scans and with extrapolated roughness never exceed the smooth sphere's force. Attributes have
+    the Tabor parameter and whether the bodies are hard.
     """
     force = forces_on_scans(
         adhesion,
@@ -88,8 +89,8 @@ def force_dataset(
 def _widen_intervals(force: xr.Dataset, sensitivity: xr.Dataset, rho: float) -> xr.Dataset:
     """Widen intervals by the position of the sphere, the hindcast and finer pixels, where known."""
     if "position_factor" in force:
-        at_range = force["position_factor"].sel(contact_model=PLASTIC, drop=True)
-        factor = at_range.sel(rho=rho, method="nearest", drop=True)
+        plastic_factor = force["position_factor"].sel(contact_model=PLASTIC, drop=True)
+        factor = plastic_factor.sel(rho=rho, method="nearest", drop=True)
         force = widen_interval(force, "extrapolated_force", factor)
     if "hindcast_ratio" in sensitivity:
         hindcast = sensitivity[
@@ -190,7 +191,7 @@ def _force_variables(
 
 
 def _position_factor(forces_by_model: Sequence[SurfaceForces], confidence: float) -> dict[str, Any]:
-    """Return ``position_factor`` (contact_model, rho) if the sphere is rough."""
+    """Return ``position_factor`` (contact_model, rho), exp(half width of ln F), or nothing."""
     factors = [np.exp(position_half_widths(forces, confidence)) for forces in forces_by_model]
     if not factors[0].size:
         return {}
@@ -252,14 +253,14 @@ def add_extrapolated_force(
 
 
 def include_finer_pixels(force: xr.Dataset) -> xr.Dataset:
-    """Return forces on the scans whose intervals include those on pixels WIDE_PIXEL times finer."""
+    """Extend the intervals of forces on scans to the forces on pixels WIDE_PIXEL times finer."""
     interval = force["force_interval"]
     widened = interval.where(interval["bound"] != "low", interval / pixel_factors(force))
     return force.assign(force_interval=widened.transpose(*interval.dims))
 
 
 def bound_by_smooth_sphere(force: xr.Dataset, area: float) -> xr.Dataset:
-    """Return predicted forces whose means and intervals never exceed that on a smooth sphere.
+    """Return predicted forces whose means and intervals never exceed the smooth sphere's force.
 
     The forces come from `add_extrapolated_force`; the `area` in plastic contact is in nm².
     ``smooth_bound`` (contact_model, rho) in N is added. Single contacts (`force_quantile`) have no

@@ -1,4 +1,4 @@
-"""The octaves of wavelengths that the force follows most, on a scan or from a spectrum."""
+"""The octaves of wavelengths whose amplitudes change the force most, on a scan or a spectrum."""
 
 from collections.abc import Iterator
 
@@ -29,7 +29,7 @@ def predicted_octaves(user_spectrum: OwnSpectrum, contact: Contact) -> Iterator[
     """Yield the `strongest_octaves` whose middles the user's files show.
 
     They have the status "on_scan" if a single map permits contacts, otherwise "closed_form".
-    Scans with steep edges then have none, because the closed form takes Gaussian heights.
+    The closed form takes Gaussian heights, and yields none for scans with steep edges.
     """
     spectrum = trim_spectrum(user_spectrum.spectrum)
     longest, shortest = 2 * np.pi / spectrum.wavevector[[0, -1]]

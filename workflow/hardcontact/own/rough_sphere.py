@@ -1,4 +1,4 @@
-"""The user's scans of a sphere, added to scans of a surface: one rough body on a smooth one."""
+"""The user's scans of a sphere, added to scans of a surface: one rough and one smooth body."""
 
 from dataclasses import replace
 

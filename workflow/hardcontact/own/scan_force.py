@@ -31,8 +31,8 @@ from hardcontact.theory.validity import OUTSIDE, is_validated, nearest_errors, t
 
 #: Contacts per row of their array, as in the paper.
 CONTACTS_PER_ROW = 20
-#: Most pixels per row of a scan, and most contact pixels of all contacts and force sums, with
-#: their images in the window: both keep the time below a few seconds.
+#: Largest number of pixels per row of a scan, and of contact pixels over all contacts, force sums
+#: and images in the window: both keep the time below a few seconds.
 MAX_QUICK_PIXELS = 2048
 MAX_QUICK_CONTACT_PIXELS = 2**23
 #: Statuses of a force that is not computed: there is no map or more than one, it is too large, or
@@ -45,7 +45,7 @@ RANGE_TOO_SHORT = "short_range"
 AGREES, NOT_GAUSSIAN = "agrees", "not_gaussian"
 #: Status of a scan that is smaller than twice the search size, and of a larger one.
 SMALL, LARGE = "small", "large"
-#: Predictions of the closed form that have an error.
+#: Names of the predictions of the closed form that have an interval.
 PREDICTED = [
     f"{prefix}{name}"
     for prefix, force in (("", "pull_off_force"), ("extrapolated_", "force"))
@@ -60,10 +60,10 @@ def add_force_on_scan(
     confidence: float,
     body_maps: Sequence[HeightMap] = (),
 ) -> dict[str, Number]:
-    """Return the numbers of a prediction, after the force on its levelled scans, if there are any.
+    """Return the force on levelled scans, if there are any, and the numbers of a prediction.
 
     `body_maps` are the maps of substrate and rough sphere, whose sum is the scan.
-    If the closed form disagrees with this force, its predictions lose their errors.
+    If the closed form disagrees with this force, its predictions lose their intervals.
     """
     if not scans:
         return dict(numbers)
@@ -137,9 +137,10 @@ def extend_low_end(number: Number, wide_pixel_ratio: float) -> Number:
 def _force_numbers(
     scan: HeightMap, contact: Contact, confidence: float, body_maps: Sequence[HeightMap]
 ) -> Iterator[Number]:
-    """Yield the mean plastic force on a levelled map, its share, and numbers to judge it by.
+    """Yield the mean plastic force on a levelled map, in N and relative to a smooth sphere.
 
-    As in `bound_by_smooth_sphere`, mean and interval never exceed a smooth sphere's force.
+    Further numbers serve to judge it. As in `bound_by_smooth_sphere`, mean and interval never
+    exceed a smooth sphere's force.
     """
     surface = stitched_map(scan)
     contact = contact_on_scan(scan, contact)
@@ -175,8 +176,8 @@ def _closed_form_numbers(
 ) -> tuple[Number, Number]:
     """Return the closed form for all waves of the stitched map, and the search size.
 
-    It agrees if its interval, with the factor that a scan of this size (nm) may add, contains the
-    force on the map. Heights are not Gaussian if both intervals have nothing in common.
+    It agrees if its interval, raised by the factor that a scan of this size (nm) may add, contains
+    the force on the map. Heights are not Gaussian if the intervals of both forces are disjoint.
     """
     wavevector, _, density = measured_psds(surface)
     has_waves = np.isfinite(density)

@@ -9,7 +9,7 @@ from hardcontact.config.grids import MAX_MAP_PIXELS
 #: adhesion (14 in the paper) and to the rms height.
 RANGES_IN_WINDOW = 14
 RMS_IN_WINDOW = 4
-#: Largest number of mirrored scans per row of the window: all have the same summits.
+#: Largest number of mirrored scans per row of the window: more only repeat the same summits.
 MAX_IMAGES = 10
 
 
@@ -18,8 +18,8 @@ def window_on_scans(
 ) -> tuple[float, str]:
     """Return the side of a window (nm), and the reason.
 
-    All lengths are in nm: the largest rms height of scans, their finest pixels and smallest size,
-    radius of the sphere and range of adhesion.
+    All lengths are in nm: the largest rms height, the finest pixels and the smallest size of the
+    scans, the radius of the sphere and the range of adhesion.
     """
     height = RANGES_IN_WINDOW * rho
     height_words = f"{RANGES_IN_WINDOW} ranges of adhesion"
