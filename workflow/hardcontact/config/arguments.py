@@ -1,4 +1,4 @@
-"""Checks of the arguments of functions and commands, in the words of the study."""
+"""Checks of the arguments of functions and commands, with the same messages as a study."""
 
 import math
 import re
@@ -35,7 +35,7 @@ USUAL_BOUNDS = {
     "work": ("0.1 mJ/m2", f"{STRONGEST_WORK:g} J/m2", "solids, up to diamond on itself"),
 }
 
-#: Remedies as messages of commands name them, and in the names of arguments. Lengths are in nm.
+#: Remedies in messages: patterns of options and keys, and the arguments of functions instead.
 ARGUMENTS = (
     (r"--levelling (\w+) \(scan\.levelling: \w+\)", r'levelling="\1"'),
     (r"--unit or the key scan\.unit, for example nm, or mm,nm", 'unit="nm", or unit="mm,nm"'),
@@ -61,7 +61,7 @@ def arguments_in_messages() -> Iterator[None]:
 def unit_question(quantity: str, number: float) -> str:
     """Return a question if a number, in the unit of the key, is not usual; else an empty text.
 
-    It names the number with another prefix, if that is usual.
+    It suggests the number with another prefix of the unit, if this number is usual.
     """
     *bounds, kind = USUAL_BOUNDS[quantity]
     unit = quantity_type(CONTACT_QUANTITIES[quantity][0]).unit

@@ -12,7 +12,7 @@ from hardcontact.paper.evaluation import CLAIM_DATASETS, DERIVED_QUANTITIES, NUM
 from hardcontact.paper.verdicts import accepted_range
 from hardcontact.surfaces.roughness_table import TABLE1_VARIABLES
 
-#: Columns, and the words that each may have; any text where there are none.
+#: Columns, and the words that each may have; an empty tuple permits any text.
 COLUMNS: dict[str, tuple[str, ...]] = {
     "id": (), "main": (), "section": (), "statement": (), "number": (), "unit": (), "rule": (),
     **dict.fromkeys(NUMBER_COLUMNS, ()),

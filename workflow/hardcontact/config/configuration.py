@@ -131,7 +131,7 @@ def apply_effort(config: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def combines_bodies(configuration: Mapping[str, Any]) -> bool:
-    """Return whether a study, of own surfaces, adds the roughness of a sphere to theirs."""
+    """Return whether a study of own surfaces adds the roughness of a scanned sphere to them."""
     sphere = configuration["sphere"]["surface"]
     return bool(configuration["published"] == NONE and sphere != SMOOTH_SPHERE)
 
@@ -183,7 +183,7 @@ def contact_words(config: Mapping[str, Any]) -> dict[str, str]:
 
 
 def assumed_quantities(config: Mapping[str, Any]) -> list[str]:
-    """Return the names of the CONTACT_QUANTITIES that are the paper's and nobody gave."""
+    """Return the names of the CONTACT_QUANTITIES that have the paper's value and were not given."""
     paper = Study().model_dump(warnings=False)
     return [
         name

@@ -1,4 +1,4 @@
-"""Own pull-off forces: single tests, or a mean and a median of each surface."""
+"""Read the table of own pull-off forces: single tests, or mean and median of each surface."""
 
 import re
 from collections.abc import Collection, Mapping, Sequence
@@ -11,10 +11,10 @@ from hardcontact.config.faults import quote_key, raise_faults
 from hardcontact.config.key_types import Quantity
 from hardcontact.config.tables import Row, decode_utf8, parse_number, user_table
 
-#: Columns of a table of single tests, and of one row a surface.
+#: Columns of a table of single tests, and of a table with one row per surface.
 TESTS = ("surface", "value", "unit")
 SUMMARIES = ("surface", "mean", "median", "count", "unit")
-#: Columns of forces.
+#: Columns whose cells are forces.
 FORCE_COLUMNS = ("value", "mean", "median")
 #: A column with its unit, such as "force (uN)" or "pull-off [nN]".
 COLUMN_WITH_UNIT = re.compile(r"(.*?)\s*[(\[]\s*(\S+?)\s*[)\]]")

@@ -80,7 +80,7 @@ def or_word(word: str) -> WrapValidator:
 ASCENDING = WrapValidator(_ascending)
 
 Length = Annotated[float, Quantity("nm", 0.01, 1e9)]
-#: A range of adhesion: an atom is ten times larger than the least.
+#: A range of adhesion. The lower bound is a tenth of the size of an atom.
 Range = Annotated[float, Quantity("nm", 0.01, 1000)]
 Radius = Annotated[float, Quantity("nm", 10, 1e9)]
 Force = Annotated[float, Quantity("N", 1e-12, 1)]
@@ -89,12 +89,12 @@ Work = Annotated[float, Quantity("J/m2", 1e-6, 100)]
 
 Lengths = Annotated[list[Length], Field(min_length=1), ASCENDING]
 Ranges = Annotated[list[Range], Field(min_length=1), ASCENDING]
-#: A file name holds no more of them.
+#: The numbers enter a file name, which holds no more of them.
 IN_FILE_NAMES = Field(min_length=1, max_length=20)
 Radii = Annotated[list[Radius], IN_FILE_NAMES, ASCENDING]
 Forces = Annotated[list[Force], IN_FILE_NAMES, ASCENDING]
 
-#: Contacts per row: 40 000 a pair of scans.
+#: Contacts per row; the bound permits 40 000 contacts of two scans.
 Count = Annotated[int, Field(ge=1, le=200)]
 ContactCount = Annotated[int, Field(ge=1, le=40000)]
 Realizations = Annotated[int, Field(ge=1, le=1000)]
@@ -109,7 +109,7 @@ UNIT = Matching(
     "none|(?:m|mm|[uµ]m|nm|Å|A|angstrom|pm)(?:,(?:m|mm|[uµ]m|nm|Å|A|angstrom|pm))?",
     "none, m, mm, um, nm, angstrom or pm, or two of these, such as mm,nm",
 )
-#: The project's own files in the folder of results are texts.
+#: Names that end with .txt belong to the project's own files in the folder of results.
 STUDY_NAME = Matching(
     r"(?!.*\.txt$)[A-Za-z0-9][A-Za-z0-9_.-]{0,99}",
     "a name of up to 100 letters, digits, dots, dashes and underscores, without .txt at the end",

@@ -1,4 +1,4 @@
-"""The keys of a study, one field a key: type, unit, limits, default and documentation.
+"""The keys of a study: each field has the type, unit, limits, default and meaning of a key.
 
 The defaults are the paper's. The string below a key gives its meaning; `key` names the section of
 the paper that the default comes from. config/config.yaml is made from this module:

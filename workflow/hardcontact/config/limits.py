@@ -43,7 +43,7 @@ class NamedContact:
 
 
 def study_contacts(config: dict[str, Any]) -> dict[str, NamedContact]:
-    """Return the contacts that a study computes, of each stage the one that first meets a limit."""
+    """Return the contact of each stage of a study that meets limits first, by stage."""
     contact = study_contact(config)
     scan_contact = NamedContact(replace(contact, rho=config["adhesion"]["ranges"][0]))
     master_contact = NamedContact(contact, range="config key scales.range")
@@ -110,7 +110,7 @@ def _scan_faults(config: dict[str, Any], surface: str, grid: Grid) -> list[str]:
     if surface == config["sphere"]["surface"] and radius < grid.size:
         accepted = f"at least the size of its scans ({grid.size:.6g} nm)"
         faults.append(key_fault("sphere.radius", accepted, f"{radius:.6g} nm"))
-    # Of the largest master only the size counts: its artificial pixels do not limit ranges.
+    # The master has the size of the largest one. Its artificial pixels do not limit ranges.
     master_grid = grid._replace(size=grid.size * config["scales"]["long"]["tiles"])
     for name, named_contact in study_contacts(config).items():
         on_masters = name in ("scales", "sets") and surface != config["sphere"]["surface"]

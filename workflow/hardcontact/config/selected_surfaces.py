@@ -19,7 +19,7 @@ from hardcontact.surfaces.descriptions import read_segments
 #: Stands for the number of a scan of a smooth sphere; scans are numbered from 1.
 NO_SCAN = 0
 
-#: The use of scans that contacts are made on; other scans only enter the spectrum of the surface.
+#: Word in the column `use` for scans with contacts; other scans only enter the spectrum.
 CONTACT = "contact"
 
 
@@ -119,7 +119,7 @@ class Selection:
         return 0 if scan in scans else 1 + (scan - max(scans) - 1) // len(scans)
 
     def scans_of_group(self, surface: str, group: int) -> list[int]:
-        """Return the scans of a group: as many as the study's, and conditioned together."""
+        """Return the scans of a group: as many as the study has, and conditioned together."""
         scans = self.scans(surface)
         start = max(scans) + 1 + (group - 1) * len(scans)
         return list(range(start, start + len(scans))) if group else scans
@@ -184,7 +184,7 @@ def surface_table(path: str | Path) -> pd.DataFrame:
 
 
 def digest_files(rows: pd.DataFrame) -> dict[str, str]:
-    """Return a digest of the files of each surface, in their order: a part of paths."""
+    """Return a digest of the files of each surface, which enters paths of intermediates."""
     surface_files: dict[str, dict[tuple[str, str, str], None]] = {}
     for row in rows.itertuples():
         file = (str(row.source), str(row.dataset), digest(str(row.path)))

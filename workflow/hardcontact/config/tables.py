@@ -23,7 +23,7 @@ from hardcontact.surfaces.descriptions import (
     read_segments,
 )
 
-#: Size of a table of a hundred thousand rows.
+#: Largest size of a table: a hundred thousand rows.
 MAX_BYTES = 10_000_000
 #: A number with a decimal comma.
 DECIMAL = re.compile(r"^([-+]?\d*),(\d+(?:[eE][-+]?\d+)?)$")
@@ -34,7 +34,7 @@ Result = TypeVar("Result")
 SEGMENT_MODELS = ("self-affine", "varying Hurst", "smooth roll-off", "profile", "power law")
 #: Columns of numbers that may be below zero: local exponents of shoulders are.
 SIGNED = ("hurst", "hurst_change")
-#: The local exponent of a C_iso that is constant.
+#: Smallest Hurst exponent: C_iso is then constant.
 FLATTEST = -1.0
 #: Columns of the points of a profile's spectrum.
 PROFILE_COLUMNS = ("wavelength_nm", "c1d_nm3")
@@ -205,7 +205,6 @@ def _description(
     content = f"a table with the columns {', '.join(columns)} (resources/README.md)"
     table = user_table(path, content)
     table.require(columns, content)
-
     return table.convert(partial(_row_of_numbers, numbers=numbers))
 
 
