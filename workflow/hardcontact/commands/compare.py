@@ -40,7 +40,8 @@ def compare_arguments(arguments: Sequence[str]) -> Namespace:
 def compare(arguments: Namespace) -> str:
     """Return the comparison as text, and write the page that was asked for.
 
-    A page named - replaces the text. Raises ValueError with a line for each problem.
+    If its name is -, the page is returned instead of the text. Raises ValueError with a line for
+    each problem.
     """
     paths = [_answer_path(path) for path in (arguments.first, arguments.second)]
     inputs = dict.fromkeys(paths, "those compared")

@@ -24,15 +24,15 @@ from hardcontact.own.scan_window import window_on_scans
 from hardcontact.surfaces.spectrum import BIN_CENTRES, Spectrum
 from hardcontact.theory.summits import search_size
 
-#: Fewest pixels that the interaction radius sqrt(D rho) spans on a scan that resolves it well, a
-#: tenth of those in the paper (1.7 µm at 5.6 nm, on pixels of 4.9 nm: 343).
+#: Fewest pixels that the interaction radius sqrt(D rho) spans on a scan that resolves it well: a
+#: tenth of the 343 pixels in the paper (1.7 µm at 5.6 nm, on pixels of 4.9 nm).
 MIN_RADIUS_PIXELS = 32
 #: The longest range of adhesion (nm) that is proposed if none is given, as in the paper's study.
 LONGEST_RANGE = 40.0
 #: Width of the long-edge master relative to a scan, and to the window.
 MASTER_SCANS = 8
 MASTER_WINDOWS = 1.6
-#: Scans of one surface on the same pixels.
+#: Scans of one surface with equal numbers and sizes of pixels.
 Group = list[Entry]
 
 

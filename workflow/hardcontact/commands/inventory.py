@@ -24,7 +24,7 @@ from hardcontact.surfaces.scans import list_scans, read_scan
 
 #: The use of scans that only enter the spectrum of their surface.
 SPECTRUM = "spectrum"
-#: How undefined pixels are filled, so that the file can be described.
+#: How undefined pixels are filled, so that the properties of the scan can be measured.
 FILLING = "harmonic"
 #: Columns of the table that is printed.
 ENTRY_COLUMNS = (
@@ -45,7 +45,7 @@ class Entry:
     pixels: int  #: per row of a map, or points of a line scan
     pixel_size: float
     rms_height: float  #: levelled, of the sphere without its paraboloid
-    peak_to_valley: float  #: the same
+    peak_to_valley: float  #: levelled, of the sphere without its paraboloid
     relief: float  #: the largest difference in height, levelled or not
     tip_radius: float | None
     tip_given: bool  #: by the user, as the file does not state it

@@ -110,7 +110,7 @@ def _input_checks(
     radius: float,
 ) -> Iterator[Callable[[], object]]:
     """Yield the checks of cells of the table and of measured forces."""
-    # Labels are checked once, elsewhere. The id stands in, so that no file repeats a fault of them.
+    # Labels are checked once, elsewhere. The id replaces them, so that no row repeats their faults.
     for row in rows:
         cells = {**row, "label": row["surface"]}
         yield partial(validate, SurfaceRow, cells, f"{row['path']!r}: ")

@@ -65,15 +65,15 @@ class Inputs(NamedTuple):
 
     quantities: dict[str, QuantityOption]  #: By name.
     contact: Contact
-    spectrum: OwnSpectrum  #: Of both bodies if the sphere is rough.
+    spectrum: OwnSpectrum  #: Spectrum of both bodies if the sphere is rough.
     notes: list[str]  #: Those that begin with TAKE_CARE are cautions.
 
 
 def predict(arguments: Namespace) -> str:
     """Return the prediction in words, and write the requested files of numbers.
 
-    The content of a file named - replaces the words. Raises ValueError with a line for each
-    problem.
+    If a file is named -, its content is returned instead of the words. Raises ValueError with a
+    line for each problem.
     """
     inputs = read_inputs(arguments)
     numbers = compute_numbers(inputs, arguments)

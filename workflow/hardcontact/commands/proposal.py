@@ -25,8 +25,8 @@ from hardcontact.contact.geometry import window_pixels
 from hardcontact.surfaces.reliable_band import LIMIT_NAMES
 from hardcontact.surfaces.spectrum import nearest_bin
 
-#: The shortest wave that is kept of a scan, in pixels, and the longest, relative to its size. As in
-#: the paper: 20 nm and 1000 nm on scans of 2500 nm with 512 pixels.
+#: Transitions to artificial roughness: the shortest wavelength that a scan keeps, in pixels, and
+#: the longest, relative to its size. In the paper 20 nm and 1000 nm on 2500 nm with 512 pixels.
 TRANSITION_PIXELS = 4
 TRANSITION_SHARE = 0.4
 #: Computed ranges go from the study's range of adhesion divided by this factor to the range times
@@ -40,12 +40,12 @@ ARRAY_WIDTHS = (20, 16, 12, 10, 8, 6, 4)
 #: Seconds that the contacts of one filtered surface may take. Chosen: the 150 filtered surfaces of
 #: a scan at full effort then take at most 5 minutes of processor time, whatever the scan.
 CONTACT_SECONDS = 2.0
-#: Seconds for a contact pixel in an image of the cell, and for a tile in the window (measured).
+#: Measured seconds for a contact pixel in one period of the map, and for a tile in the window.
 SECONDS_A_PIXEL = 4e-7
 SECONDS_A_TILE = 1e-8
 #: The smallest ratio of neighbouring cutoffs. Trial on the forces of the paper's study: each was
-#: interpolated between its neighbours. A median of 1 to 2 % is wrong if these are a factor 1.1 to
-#: 1.6 apart, whatever the factor, so that closer cutoffs gain nothing beside a tolerance of 10 %.
+#: interpolated between its neighbours. For neighbours a factor 1.1 to 1.6 apart the median error is
+#: 1 to 2 %, so that closer cutoffs gain nothing beside a tolerance of 10 %.
 MIN_CUTOFF_RATIO = 1.15
 
 
@@ -93,8 +93,8 @@ class Proposal(NamedTuple):
 
     contact_entries: list[Entry]  #: scans that contacts are made on; others only enter the spectrum
     choices: list[Choice]
-    quick: list[Choice]  #: what differs at quick effort
-    reasons: list[str]  #: for the scans of contacts, by surface
+    quick: list[Choice]  #: choices that differ at quick effort
+    reasons: list[str]  #: why these scans make contacts, a line for each surface
     cautions: list[str]  #: what the user should know before believing the answer
 
 

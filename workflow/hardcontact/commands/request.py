@@ -19,7 +19,7 @@ from hardcontact.surfaces.scans import MASKS
 
 #: Id and label of the sphere's surface.
 SPHERE = "sphere"
-#: Names of studies whose files or results are the project's own.
+#: Names that a study cannot have: the project's own files or results have them.
 RESERVED_NAMES = ("config", "paper", "quick", "store", "surfaces")
 #: Ids that surfaces cannot have: they stand for the mean over surfaces and for a smooth sphere.
 RESERVED_IDS = ("pooled", "smooth")
@@ -29,9 +29,9 @@ USAGE = Path(__file__).with_name("new_help.txt").read_text("utf-8")
 class QuantityOption(NamedTuple):
     """A quantity of the command line, or the paper's value."""
 
-    text: str  #: As written.
+    text: str  #: As written, with its unit.
     number: float  #: In `unit`.
-    unit: str  #: Of the study.
+    unit: str  #: Unit of the key in the study.
     is_given: bool  #: Whether the user gave it.
 
 
