@@ -73,7 +73,7 @@ def read_scan(
     member : str
         The scan in a container, or the channel of any other file; empty for the file's choice.
     undefined_pixels : str
-        ``"refuse"`` a scan with gaps, or fill them: ``"harmonic"``.
+        ``"refuse"`` a scan with undefined pixels, or fill them with a ``"harmonic"`` function.
     unit : str
         For a file that states none: a unit such as ``"nm"``, or ``"mm,nm"`` for positions and
         heights.
@@ -315,8 +315,8 @@ def force_ratios(
 ) -> xr.Dataset:
     """Compute the relative force if roughness beyond cutoffs is removed from the scan itself.
 
-    The study takes minutes and filters masters, which have extrapolated roughness beyond the
-    wavelengths of a scan. The edges from this function belong to the roughness on the scan.
+    The edges from this function belong to the roughness on the scan. A study takes minutes, because
+    it filters masters: scans with roughness extrapolated beyond their wavelengths.
 
     Parameters
     ----------
@@ -326,7 +326,7 @@ def force_ratios(
         Wavelengths in nm of more than two pixels. Shorter wavelengths are removed on the side
         ``"short"``, longer wavelengths on the side ``"long"``. One side suffices.
     rho, tolerance : float
-        Range of adhesion in nm; smallest relative change of the force that counts.
+        Range of adhesion in nm; relative change of the force that defines an edge.
     radius, preload, hardness, window, contacts_per_row, sphere : float, int, HeightMap or None
         As for `pull_off_forces`.
 
@@ -335,7 +335,7 @@ def force_ratios(
     xarray.Dataset
         ``edge`` (side) in nm, the cutoff where the force leaves its tolerance; ``edge_status``
         (side), ``"found"``, or ``"open_above"`` or ``"open_below"`` if the edge lies above or below
-        ``edge_bound`` (side) in nm, or ``"ripples"`` if those of the filter beside steps, not
+        ``edge_bound`` (side) in nm, or ``"ripples"`` if ripples of the filter beside steps, not
         roughness, change the force; ``filtered_force_ratio`` (side, cutoff_wavelength) of the mean
         plastic force to the force on the unfiltered scan, NaN at cutoffs of the other side.
 
@@ -394,8 +394,8 @@ def predict(
     ----------
     roughness : Spectrum or HeightMap
         C_iso in nm⁴ over growing wavevectors in rad/nm, without gaps; or a levelled map, whose
-        spectrum is measured at its reliable wavelengths. Steep edges of scans leave the closed form
-        unanswered.
+        spectrum is measured at its reliable wavelengths. The closed form gives no numbers for scans
+        with steep edges.
     radius, preload, hardness, work, rho, tolerance : float
         As for `pull_off_forces` and `force_ratios`.
 
@@ -403,10 +403,11 @@ def predict(
     -------
     dict of str to Number
         By name, such as ``pull_off_force``, ``short_edge`` and ``long_edge``: ``value``, ``unit``,
-        ``low`` and ``high`` of its interval, and ``status``: the numbers of ``--json`` except the
-        Tabor parameter. The status of a force with unknown error is ``"outside"``. If the status
-        of ``extrapolated_change`` is ``"matters"``, use ``extrapolated_force`` and its edges. An
-        extrapolated spectrum gives these as ``pull_off_force`` and edges, with the same status.
+        ``low`` and ``high`` of its interval, and ``status``. These are the numbers of `hardcontact
+        predict --json` except the Tabor parameter. The status of a force with unknown error is
+        ``"outside"``. If the status of ``extrapolated_change`` is ``"matters"``, use
+        ``extrapolated_force`` and its edges. An extrapolated spectrum gives these as
+        ``pull_off_force`` and edges, with the same status.
         A map has ``force_on_scan``, the mean force sum over its pixels, without a closed form, and
         ``closed_form_on_scan``, the closed form for all waves of the map. Unless its status is
         ``"agrees"``, numbers of the closed form have no interval.

@@ -60,7 +60,7 @@ def ends(dataset: xr.Dataset, name: str) -> tuple[float, float]:
 
 
 def ends_only(name: str, low: float, high: float, unit: str = "1") -> Number:
-    """Return a number of which only one end or both ends are known."""
+    """Return a number without a value: only one end or both ends of its interval are known."""
     is_known = math.isfinite(low) or math.isfinite(high)
     return Number(name, math.nan, unit, low, high, "ends" if is_known else "not_known")
 
@@ -108,7 +108,7 @@ def rounded(number: Number) -> str:
 
 
 def _unbounded(number: Number, digits: int) -> str:
-    """Return the words for an interval without one end, or without both."""
+    """Return the words after a value whose interval lacks one end or both, or an empty text."""
     low, high = math.isfinite(number.low), math.isfinite(number.high)
     if number.status in NO_INTERVAL:
         return f" ({NO_INTERVAL[number.status]})"

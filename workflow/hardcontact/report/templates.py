@@ -26,7 +26,7 @@ NO_BREAK = re.compile(
 class Frame(NamedTuple):
     """The facts that all pages of a study share."""
 
-    version: str  #: Of this program.
+    version: str  #: Version of this program.
     pages: Sequence[str] = ()  #: Names of the pages in the folder `report`, in their order.
 
 
@@ -103,7 +103,7 @@ def _commit() -> str:
 
 
 def _policy(script: str) -> str:
-    """Return the security policy of a page: its own style and script, pictures of its folder."""
+    """Return the security policy of a page: only its own style, script and folder's pictures."""
     digest = base64.b64encode(hashlib.sha256(script.encode()).digest()).decode()
     allowed = f"img-src data: file: 'self'; style-src 'unsafe-inline'; script-src 'sha256-{digest}'"
     return f"default-src 'none'; {allowed}"
