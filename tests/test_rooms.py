@@ -15,7 +15,7 @@ LIBRARY = ROOT / "workflow/hardcontact"
 ROOMS = re.findall(r"`(\w+)`", hardcontact.__doc__)
 #: Code lines that the library may have, without docstrings, comments and blank lines. A commit that
 #: raises it says what a user gets for it.
-MAX_CODE_LINES = 17_750
+MAX_CODE_LINES = 17_700
 NO_CODE = {
     tokenize.COMMENT,
     tokenize.NL,
