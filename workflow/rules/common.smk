@@ -7,7 +7,7 @@
 #   RANGES         the ranges of adhesion (nm) at which forces on scans are computed
 #   SAMPLING       the seed, the number of random samples and the confidence of intervals
 #   IS_PAPER_STUDY whether results are compared with the paper; false for own surfaces
-#   PAGES          title and category of each page of the report that is no figure
+#   PAGES          title and category of each page of the report except figures
 #   ANSWER         answer.html and answer.json
 #   parameters     turns the parameters of a script into one text
 # surfaces.smk makes those that depend on the table of surfaces.

@@ -39,5 +39,5 @@ with run_job(snakemake) as job:
     }
     job.write(
         stack(forces, ["realization", "side"]),
-        title=f"plastic pull-off of filtered masters of {params['surface']}",
+        title=f"pull-off of filtered masters of {params['surface']}",
     )

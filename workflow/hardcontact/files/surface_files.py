@@ -47,20 +47,20 @@ class SurfaceFiles:
         return pattern.format(surface=surface, **self._defaults | surface_values | wildcards)
 
     def paths(self, pattern: str, rows: Iterable[Any]) -> list[str]:
-        """Return the files of a pattern, one a row."""
+        """Return the paths of a pattern, one for each row."""
         return [self.path(pattern, **row._asdict()) for row in rows]
 
     # Surfaces
 
     def spectrum_path(self, surface: str) -> str:
-        """Return the spectrum of a surface at all scales."""
+        """Return the path of the spectrum of a surface at all scales."""
         is_measured = self.selection.basis[surface] == "measured"
         patterns = self.patterns
         pattern = patterns.measured_spectrum if is_measured else patterns.calibrated_spectrum
         return self.path(pattern, surface)
 
     def measurement_paths(self, surface: str) -> list[str]:
-        """Return the files of all scans of a measured surface; an empty list for a substitute."""
+        """Return the paths of all scans of a measured surface; none for a substitute."""
         if self.selection.basis[surface] != "measured":
             return []
         scans = self.selection.all_scans(surface)
@@ -79,7 +79,7 @@ class SurfaceFiles:
         return {"tip_radii": self.selection.tip_radii(surface), **self.levelling_settings(surface)}
 
     def conditioning_path(self, surface: str, scan: int) -> str:
-        """Return the file of the gain and factors that a substitute scan shares with its group."""
+        """Return the path of the gain and factors that a substitute scan shares with its group."""
         group = self.selection.group(surface, scan)
         first_scan = self.selection.scans_of_group(surface, group)[0]
         return self.path(self.patterns.conditioning, surface, scan=first_scan)
@@ -106,27 +106,27 @@ class SurfaceFiles:
         return groups
 
     def stitched_path(self, surface: str, scan: int) -> str:
-        """Return a levelled scan with its mirror images."""
+        """Return the path of a levelled scan with its mirror images."""
         return self.path(self.patterns.stitched, surface, scan=scan)
 
     def realization_scan_path(self, surface: str, realization: int) -> str:
-        """Return the scan of a realization; realizations use the scans in turn."""
+        """Return the path of the scan of a realization; realizations use the scans in turn."""
         scans = self.selection.scans(surface)
         return self.roughness_path(surface, scans[(realization - 1) % len(scans)])
 
     def separate_scan_path(self, surface: str, realization: int) -> str:
-        """Return a scan that no other realization uses; scans in turn for a measured surface."""
+        """Return the path of a scan of one realization only; measured scans come in turn."""
         if self.selection.basis[surface] == "measured":
             return self.realization_scan_path(surface, realization)
         return self.roughness_path(surface, self.selection.separate_scan(surface, realization))
 
     def master_path(self, surface: str, realization: int, side: str) -> str:
-        """Return the master of a realization on one side."""
+        """Return the path of the master of a realization on one side."""
         return self.path(self.patterns.master, surface, realization=realization, side=side)
 
     @property
     def first_sphere_path(self) -> str:
-        """The scan of the sphere that roughens the sphere of all masters."""
+        """The path of the scan that roughens the sphere on all masters."""
         sphere = self.selection.sphere
         return self.stitched_path(sphere, self.selection.scans(sphere)[0])
 
@@ -141,26 +141,26 @@ class SurfaceFiles:
         return [name for name in self.selection.substrates if basis[name] == "measured"]
 
     def rough_bodies(self, surface: str, scan: int) -> list[Scan]:
-        """Return the scan of a substrate, and the sphere's scan if its roughness is added."""
+        """Return the path of a substrate's scan, and of the sphere's if its roughness is added."""
         bodies = [Scan(surface, scan)]
         if surface in self.combined_surfaces:
             bodies.append(Scan(self.selection.sphere, self.sphere_scan(surface, scan)))
         return bodies
 
     def roughness_path(self, surface: str, scan: int) -> str:
-        """Return the stitched scan of a substrate, with the sphere's roughness if that is added."""
+        """Return the path of a stitched scan, with the sphere's roughness if that is added."""
         if surface not in self.combined_surfaces:
             return self.stitched_path(surface, scan)
         return self.path(self.patterns.both_stitched, surface, scan=scan)
 
     def roughness_spectrum_path(self, surface: str) -> str:
-        """Return the spectrum of a surface, with the sphere's if its roughness is added."""
+        """Return the path of a spectrum, with the sphere's roughness if that is added."""
         if surface not in self.combined_surfaces:
             return self.spectrum_path(surface)
         return self.path(self.patterns.both_spectrum, surface)
 
     def sampled_spectrum_path(self, surface: str, realization: int) -> str:
-        """Return a sampled spectrum of a surface, with the sphere's if its roughness is added."""
+        """Return the path of a sampled spectrum, with the sphere's roughness if that is added."""
         is_combined = surface in self.combined_surfaces
         patterns = self.patterns
         pattern = patterns.both_sampled_spectrum if is_combined else patterns.sampled_spectrum

@@ -36,7 +36,7 @@ class Change(NamedTuple):
 
     recorded: set[str]  #: Parameters and versions of the record alone.
     current: set[str]  #: Parameters and versions of now alone.
-    inputs: set[str]  #: Inputs that are new, gone, or have another content.
+    inputs: set[str]  #: Inputs that are new, gone, or have a different content.
 
 
 class Reruns:

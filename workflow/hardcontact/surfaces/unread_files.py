@@ -16,7 +16,7 @@ READER_MESSAGE = re.compile(r"tried (\w+): \n (.*?)\n\n(?=tried |\Z)", re.S)
 VALUE_UNIT = re.compile(r"(?:value units|z-unit|unit data)\s*[:=]\s*(\S+)", re.I)
 #: What to do with files that hold heights in a form that no reader takes.
 EXPORT = "save the heights as text or netCDF, for example with Gwyddion"
-PICTURE = f"a picture, whose grey values are no heights: {EXPORT}"
+PICTURE = f"a picture, whose grey values are not heights: {EXPORT}"
 ARCHIVE = "an archive: unpack it, and give the scans in it"
 MODEL = "a model of triangles or points: save its points as a text of x, y, height"
 #: Kinds of files that no reader knows, in words with the remedy; values are their first bytes.
