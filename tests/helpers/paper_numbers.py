@@ -6,7 +6,7 @@ from repository import ROOT
 from hardcontact.base import published
 from hardcontact.paper.classical_models import ElasticSphere, Roughness
 from hardcontact.paper.evaluation import read_statements
-from hardcontact.paper.features import ScanStatistics
+from hardcontact.surfaces.features import ScanStatistics
 
 SUBSTRATES = ["polished_uncd", "uncd", "ncd", "mcd"]
 LABELS = ["polished UNCD", "UNCD", "NCD", "MCD"]

@@ -17,8 +17,8 @@ from hardcontact.paper.featured_samples import (
     sample_of_set,
     samples_by_surface,
 )
-from hardcontact.paper.featured_scans import FeaturedSurface, sample_group
 from hardcontact.paper.published_fit import Pair, PublishedForces
+from hardcontact.surfaces.featured_scans import FeaturedSurface, sample_group
 from hardcontact.surfaces.height_map import level, metrics, mirror_stitch
 
 FEATURED = FeaturedSurface(

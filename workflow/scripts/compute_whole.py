@@ -7,7 +7,7 @@ from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import mean_pull_off_dataset
 from hardcontact.inference.octaves import make_force_function, octave_force_dataset, octave_limits
-from hardcontact.paper.featured_scans import whole_surfaces
+from hardcontact.surfaces.featured_scans import whole_surfaces
 
 with run_job(snakemake) as job:
     params = job.parameters

@@ -8,7 +8,7 @@ from hardcontact.contact.contact import Contact
 from hardcontact.inference.band_forces import band_force_dataset
 from hardcontact.inference.edges import pooled_band
 from hardcontact.inference.octaves import make_force_function
-from hardcontact.paper.featured_scans import whole_surfaces
+from hardcontact.surfaces.featured_scans import whole_surfaces
 
 with run_job(snakemake) as job:
     params = job.parameters

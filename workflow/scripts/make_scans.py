@@ -1,8 +1,8 @@
 """Substitute scans that are made together: levelled, and stitched."""
 
 from hardcontact.base.job import run_job
-from hardcontact.paper.featured_scans import featured_group
 from hardcontact.surfaces.conditioning import conditioned_group
+from hardcontact.surfaces.featured_scans import featured_group
 from hardcontact.surfaces.height_map import LEVELLED, STITCHED, level_and_stitch
 
 with run_job(snakemake) as job:

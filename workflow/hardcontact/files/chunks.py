@@ -14,7 +14,7 @@ from hardcontact.config.configuration import combines_bodies, get_key
 from hardcontact.files.master_purposes import MASTERS_CHUNK, PURPOSES, contact_grid, filter_settings
 from hardcontact.files.patterns import SCAN_KEYS, values_of_keys
 from hardcontact.files.surface_files import SurfaceFiles
-from hardcontact.paper.features import GAUSSIAN, SIGNS
+from hardcontact.surfaces.features import GAUSSIAN, SIGNS
 from hardcontact.surfaces.synthesis import SIDES
 
 #: Scans of a pool, and samples of surfaces with features, in one job: a trade, as MASTERS_CHUNK is.

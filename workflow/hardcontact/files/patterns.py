@@ -9,7 +9,7 @@ from hardcontact.base.origin import short_digest
 from hardcontact.config.configuration import combines_bodies, get_key
 from hardcontact.config.model import SMOOTH_SPHERE
 from hardcontact.files.master_purposes import PURPOSES
-from hardcontact.paper.features import KINDS
+from hardcontact.surfaces.features import KINDS
 
 _READING = ("scan.undefined_pixels", "scan.unit", "scan.map_size", "scan.mask")
 _MEASURED = (*_READING, "scan.levelling", "scans")

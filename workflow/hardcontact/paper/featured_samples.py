@@ -18,15 +18,15 @@ from hardcontact.base.statistics import lognormal_shape
 from hardcontact.base.units import DIMENSIONLESS, NEWTON
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.force_curves import interpolate_to_ranges
-from hardcontact.paper.featured_scans import (
+from hardcontact.paper.pool import smooth_sphere_forces
+from hardcontact.paper.published_fit import PublishedForces
+from hardcontact.surfaces.featured_scans import (
     FeaturedSurface,
     describe_features,
     read_featured_surface,
     sample_group,
 )
-from hardcontact.paper.features import KINDS, SIGNS
-from hardcontact.paper.pool import smooth_sphere_forces
-from hardcontact.paper.published_fit import PublishedForces
+from hardcontact.surfaces.features import KINDS, SIGNS
 from hardcontact.surfaces.height_map import TABLE1_METRICS, HeightMap, level
 from hardcontact.surfaces.roughness_table import measured_metrics
 

@@ -1,1 +1,1 @@
-"""Height maps: reading scans, levelling and stitching, power spectra, filters, synthesis."""
+"""Height maps: scans, levelling and stitching, power spectra, filters, synthesis, features."""

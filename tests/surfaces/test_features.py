@@ -9,8 +9,8 @@ from measurements import UNCD
 from paper_numbers import POLISHED
 from periodic_maps import height_map
 
-from hardcontact.paper.featured_scans import FeaturedSurface, nearest_group, sample_group
-from hardcontact.paper.features import (
+from hardcontact.surfaces.featured_scans import FeaturedSurface, nearest_group, sample_group
+from hardcontact.surfaces.features import (
     Features,
     add_features,
     expected_rms,
@@ -104,7 +104,7 @@ def test_deviations_are_in_standard_errors():
 
 
 def test_statistics_that_no_features_have_are_refused(monkeypatch):
-    monkeypatch.setattr("hardcontact.paper.features.MAX_BATCHES", 2)
+    monkeypatch.setattr("hardcontact.surfaces.features.MAX_BATCHES", 2)
     impossible = POLISHED._replace(deviations=POLISHED.deviations * [1, 100, 1])
     with pytest.raises(ValueError, match=r"3\.2 \+- 1\.6 nm, found none in 2000 tries"):
         sample_features(np.random.default_rng(1), impossible, 5, SIZE, PIXEL, 1)
@@ -144,7 +144,7 @@ def test_a_group_depends_on_its_names_and_the_seed_alone():
 
 
 def test_the_nearest_group_is_one_of_bumps_or_pits(monkeypatch):
-    monkeypatch.setattr("hardcontact.paper.featured_scans.CANDIDATES", 4)
+    monkeypatch.setattr("hardcontact.surfaces.featured_scans.CANDIDATES", 4)
     features, scans = nearest_group(SOURCE, [1, 2])
     candidates = [
         SOURCE.sample_features(kind, 2, 1, candidate)

@@ -11,7 +11,8 @@ import xarray as xr
 from hardcontact.base import dataset, published
 from hardcontact.base.random import generator
 from hardcontact.base.units import DIMENSIONLESS, NM
-from hardcontact.paper.features import (
+from hardcontact.surfaces.conditioning import read_targets
+from hardcontact.surfaces.features import (
     GAUSSIAN,
     SIGNS,
     Features,
@@ -24,7 +25,6 @@ from hardcontact.paper.features import (
     sample_features,
     standardized_differences,
 )
-from hardcontact.surfaces.conditioning import read_targets
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import Spectrum
 from hardcontact.surfaces.substitute_spectra import sample_permitted_spectrum
