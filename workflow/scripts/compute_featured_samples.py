@@ -1,13 +1,27 @@
 """Pull-off forces on scans of some surfaces with features, whose roughness is that of Table 1."""
 
 from hardcontact.base.job import run_job
-from hardcontact.paper.featured_samples import compute_samples, read_sample_inputs
+from hardcontact.contact.contact import Contact
+from hardcontact.paper.featured_samples import SampleInputs, compute_samples
+from hardcontact.surfaces.conditioning import read_substitute
+from hardcontact.surfaces.featured_scans import featured_surface
+from hardcontact.surfaces.synthesis import ScanGrid
 
 with run_job(snakemake) as job:
     params = job.parameters
     numbers = range(params["first"], params["last"] + 1)
+    substitute = read_substitute(
+        params["surface"],
+        job.input.spectrum,
+        job.input.published_table1,
+        job.input.published_constants,
+        ScanGrid(**params["scan"]),
+        params["seed"],
+    )
+    contact = Contact(radius=params["radius"], **params["contact"])
+    inputs = SampleInputs(featured_surface(substitute), params["scans"], contact, params["ranges"])
     job.write(
-        compute_samples(params["features"], numbers, read_sample_inputs(job.input, params)),
+        compute_samples(params["features"], numbers, inputs),
         title=f"pull-off forces on surfaces of {params['surface']} with features: "
         f"{params['features']}",
     )

@@ -1,13 +1,28 @@
 """Pull-off forces of some scans of the pool of one substrate, at several heights of each."""
 
 from hardcontact.base.job import run_job
-from hardcontact.paper.pool import compute_pool, read_pool_inputs
+from hardcontact.contact.contact import Contact
+from hardcontact.paper.pool import compute_pool, pool_inputs
+from hardcontact.surfaces.conditioning import read_substitute
+from hardcontact.surfaces.synthesis import ScanGrid
 
 with run_job(snakemake) as job:
     params = job.parameters
     surface = params["surface"]
     numbers = range(params["first"], params["last"] + 1)
+    substitute = read_substitute(
+        params["surface"],
+        job.input.spectrum,
+        job.input.published_table1,
+        job.input.published_constants,
+        ScanGrid(**params["scan"]),
+        params["seed"],
+    )
+    contact = Contact(radius=params["radius"], **params["contact"])
+    inputs = pool_inputs(
+        substitute, params["scans"], params["rms_height_count"], contact, params["ranges"]
+    )
     job.write(
-        compute_pool(numbers, read_pool_inputs(job.input, params)),
+        compute_pool(numbers, inputs),
         title=f"pull-off forces of scans {numbers[0]} to {numbers[-1]} of the pool of {surface}",
     )

@@ -7,16 +7,27 @@ from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import mean_pull_off_dataset
 from hardcontact.inference.octaves import make_force_function, octave_force_dataset, octave_limits
+from hardcontact.surfaces.conditioning import read_substitute
 from hardcontact.surfaces.featured_scans import whole_surfaces
+from hardcontact.surfaces.synthesis import ScanGrid
 
 with run_job(snakemake) as job:
     params = job.parameters
     contact = Contact(**params["contact"])
-    make_surface = whole_surfaces(job.input, params)
+    substitute = read_substitute(
+        params["surface"],
+        job.input.spectrum,
+        job.input.published_table1,
+        job.input.published_constants,
+        ScanGrid(**params["scan"]),
+        params["seed"],
+    )
+    make_surface = whole_surfaces(substitute, job.input.description, params["has_features"])
+    grid = params["grid"]
     realizations = params["realizations"]
     surfaces = {}
     for number in progress(realizations, len(realizations), "surfaces"):
-        surface = make_surface(number)
+        surface = make_surface(number, grid["pixels"], grid["pixel_size"])
         limits = octave_limits(2 * surface.pixel_size, 2 * surface.size)
         means = mean_pull_off_dataset(
             join_bodies(surface, None, contact), contact, params["ranges"]

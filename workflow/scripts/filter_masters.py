@@ -1,11 +1,28 @@
 """Plastic pull-off on masters of one surface, unfiltered and filtered at every cutoff."""
 
-from hardcontact.base.dataset import stack
-from hardcontact.base.job import run_job
+from hardcontact.base.dataset import read, stack
+from hardcontact.base.job import Job, run_job
+from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact
-from hardcontact.inference.filtered_masters import Filters, filtered_pull_off, masters_of_job
-from hardcontact.surfaces.height_map import read_height_map
-from hardcontact.surfaces.synthesis import SIDES
+from hardcontact.inference.filtered_masters import Filters, filtered_pull_off, sampled_master
+from hardcontact.surfaces.height_map import HeightMap, read_height_map
+from hardcontact.surfaces.synthesis import SEED_WORDS, SIDES
+
+
+def master(job: Job, side: str, index: int) -> HeightMap:
+    """Return the master of a side and of a realization, by its index: read it, or make it.
+
+    Without a `generator_name` masters are files. Others are made from scans and sampled spectra.
+    """
+    params = job.parameters
+    if params["generator_name"] is None:
+        return read_height_map(job.input[f"{side}_masters"][index])
+    purpose = f"{SEED_WORDS[side]}-scale {params['generator_name']}"
+    rng = generator(params["seed"], params["surface"], params["realizations"][index], purpose)
+    scan = read_height_map(job.input.scans[index])
+    spectrum_data = read(job.input.spectra[index])
+    return sampled_master(side, rng, scan, params["sides"][side], spectrum_data)
+
 
 with run_job(snakemake) as job:
     params = job.parameters
@@ -19,7 +36,6 @@ with run_job(snakemake) as job:
         for load in params["loads"]
     ]
     sphere = read_height_map(job.input.sphere) if job.input.sphere else None
-    master = masters_of_job(job.input, params)
     filters = {
         side: Filters(side, params["sides"][side]["pixels"], params["sides"][side]["cutoffs"])
         for side in SIDES
@@ -27,14 +43,14 @@ with run_job(snakemake) as job:
     }
     forces = {
         (realization, side): filtered_pull_off(
-            master(side, realization),
+            master(job, side, index),
             filters[side],
             loaded_contacts,
             sphere,
             params["radii"],
             params["ranges"],
         )
-        for realization in params["realizations"]
+        for index, realization in enumerate(params["realizations"])
         for side in filters
     }
     job.write(

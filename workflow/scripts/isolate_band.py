@@ -8,12 +8,23 @@ from hardcontact.contact.contact import Contact
 from hardcontact.inference.band_forces import band_force_dataset
 from hardcontact.inference.edges import pooled_band
 from hardcontact.inference.octaves import make_force_function
+from hardcontact.surfaces.conditioning import read_substitute
 from hardcontact.surfaces.featured_scans import whole_surfaces
+from hardcontact.surfaces.synthesis import ScanGrid
 
 with run_job(snakemake) as job:
     params = job.parameters
     forces = make_force_function(Contact(**params["contact"]))
-    make_surface = whole_surfaces(job.input, params)
+    substitute = read_substitute(
+        params["surface"],
+        job.input.spectrum,
+        job.input.published_table1,
+        job.input.published_constants,
+        ScanGrid(**params["scan"]),
+        params["seed"],
+    )
+    make_surface = whole_surfaces(substitute, job.input.description, params["has_features"])
+    grid = params["grid"]
     constants = published.read_constants(job.input.published_constants)["value"]
     bands = {
         "published": (constants["short_edge"], constants["long_edge"]),
@@ -22,7 +33,7 @@ with run_job(snakemake) as job:
     realizations = params["realizations"]
     surfaces = {}
     for number in progress(realizations, len(realizations), "surfaces"):
-        surface = make_surface(number)
+        surface = make_surface(number, grid["pixels"], grid["pixel_size"])
         surfaces[(number,)] = band_force_dataset(surface, bands, forces)
     job.write(
         stack(surfaces, ["map"]).assign_attrs(map_size=surface.size),

@@ -1,14 +1,27 @@
 """Substitute scans that are made together: levelled, and stitched."""
 
 from hardcontact.base.job import run_job
-from hardcontact.surfaces.conditioning import conditioned_group
+from hardcontact.surfaces.conditioning import conditioned_group, read_substitute
 from hardcontact.surfaces.featured_scans import featured_group
 from hardcontact.surfaces.height_map import LEVELLED, STITCHED, level_and_stitch
+from hardcontact.surfaces.synthesis import ScanGrid
 
 with run_job(snakemake) as job:
     params = job.parameters
-    make_group = featured_group if params["has_features"] else conditioned_group
-    conditioning, scans = make_group(job.input, params)
+    substitute = read_substitute(
+        params["surface"],
+        job.input.spectrum,
+        job.input.published_table1,
+        job.input.published_constants,
+        ScanGrid(**params["scan"]),
+        params["seed"],
+    )
+    if params["has_features"]:
+        conditioning, scans = featured_group(substitute, params["scans"])
+    else:
+        conditioning, scans = conditioned_group(
+            substitute, params["scans"], params["sphere_radius"]
+        )
     title = f"how substitute scans of {params['surface']} meet Table 1"
     job.write(conditioning, title, "conditioning")
     for number, scan in zip(params["scans"], scans, strict=True):

@@ -12,9 +12,7 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
-from hardcontact.base import dataset
 from hardcontact.base.progress import progress
-from hardcontact.base.random import generator
 from hardcontact.base.units import NM
 from hardcontact.contact.contact import CONTACT_AXES, Contact
 from hardcontact.contact.geometry import join_bodies
@@ -27,9 +25,9 @@ from hardcontact.contact.pull_off import (
     range_axis,
 )
 from hardcontact.surfaces.filters import filtered_series
-from hardcontact.surfaces.height_map import HeightMap, read_height_map
+from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import spectrum_of_dataset
-from hardcontact.surfaces.synthesis import SEED_WORDS, synthesize_master
+from hardcontact.surfaces.synthesis import synthesize_master
 
 
 class Filters(NamedTuple):
@@ -103,24 +101,17 @@ def filtered_pull_off(
     return filtered.assign(contact_area=contact_area).assign_coords(area=areas)
 
 
-def masters_of_job(inputs: Any, parameters: Mapping[str, Any]) -> Callable[[str, int], HeightMap]:
-    """Return a function of side and realization that reads the master, or makes it.
+def sampled_master(
+    side: str,
+    rng: np.random.Generator,
+    scan: HeightMap,
+    settings: Mapping[str, Any],
+    spectrum_data: xr.Dataset,
+) -> HeightMap:
+    """Return the master of a side, made from a scan and a sampled spectrum.
 
-    Without a `generator_name` masters are files. Others are made from scans and spectra; a sampled
-    spectrum has the attribute ``height_factor``, by which the heights of its scan are multiplied.
+    The spectrum may have the attribute ``height_factor``, by which the heights of its scan are
+    multiplied. `settings` are those of `synthesize_master`.
     """
-    indices = {realization: index for index, realization in enumerate(parameters["realizations"])}
-
-    def read_master(side: str, realization: int) -> HeightMap:
-        return read_height_map(inputs[f"{side}_masters"][indices[realization]])
-
-    def make_master(side: str, realization: int) -> HeightMap:
-        purpose = f"{SEED_WORDS[side]}-scale {parameters['generator_name']}"
-        rng = generator(parameters["seed"], parameters["surface"], realization, purpose)
-        spectrum_data = dataset.read(inputs.spectra[indices[realization]])
-        scan = read_height_map(inputs.scans[indices[realization]])
-        scaled = replace(scan, heights=scan.heights * spectrum_data.attrs.get("height_factor", 1.0))
-        spectrum = spectrum_of_dataset(spectrum_data)
-        return synthesize_master(side, rng, scaled, parameters["sides"][side], spectrum)
-
-    return read_master if parameters["generator_name"] is None else make_master
+    scaled = replace(scan, heights=scan.heights * spectrum_data.attrs.get("height_factor", 1.0))
+    return synthesize_master(side, rng, scaled, settings, spectrum_of_dataset(spectrum_data))

@@ -23,7 +23,6 @@ from hardcontact.paper.published_fit import PublishedForces
 from hardcontact.surfaces.featured_scans import (
     FeaturedSurface,
     describe_features,
-    read_featured_surface,
     sample_group,
 )
 from hardcontact.surfaces.features import KINDS, SIGNS
@@ -47,13 +46,6 @@ class SampleInputs(NamedTuple):
     scan_count: int  #: Number of scans of a sample.
     contact: Contact  #: Contact with a smooth sphere.
     ranges: list[float]  #: Ranges of adhesion in nm.
-
-
-def read_sample_inputs(paths: Any, parameters: Mapping[str, Any]) -> SampleInputs:
-    """Read the spectrum, Table 1 and constants from their paths."""
-    featured = read_featured_surface(paths, parameters)
-    contact = Contact(radius=parameters["radius"], **parameters["contact"])
-    return SampleInputs(featured, parameters["scans"], contact, parameters["ranges"])
 
 
 def compute_samples(kind: str, numbers: Sequence[int], inputs: SampleInputs) -> xr.Dataset:

@@ -4,9 +4,9 @@ A set multiplies the heights of each of its scans by a factor. Forces on a smoot
 computed at a few rms heights, which span all heights of sets, and are interpolated between them.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 import pandas as pd
@@ -19,10 +19,10 @@ from hardcontact.base.units import DIMENSIONLESS, NM
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import pull_off_dataset
-from hardcontact.surfaces.conditioning import Targets, read_targets
+from hardcontact.surfaces.conditioning import Substitute, Targets, required_targets
 from hardcontact.surfaces.height_map import TABLE1_METRICS, HeightMap, level, mirror_stitch
 from hardcontact.surfaces.roughness_table import measured_metrics
-from hardcontact.surfaces.spectrum import Spectrum
+from hardcontact.surfaces.spectrum import Spectrum, spectrum_of_dataset
 from hardcontact.surfaces.synthesis import ScanGrid, sample_scan
 
 #: Smallest rms height of a pool relative to the mean: sets with smoother scans are drawn again.
@@ -42,23 +42,22 @@ class PoolInputs(NamedTuple):
     seed: int  #: Seed of the study.
 
 
-def read_pool_inputs(paths: Any, parameters: Mapping[str, Any]) -> PoolInputs:
-    """Read the spectrum, Table 1 and constants from their paths, the inputs of a job.
+def pool_inputs(
+    substitute: Substitute,
+    scan_count: int,
+    rms_height_count: int,
+    contact: Contact,
+    ranges: list[float],
+) -> PoolInputs:
+    """Return what the pool of a substitute with a number of scans is made from.
 
     Raises ValueError if the paper has no rms height of the surface.
     """
-    grid = ScanGrid(**parameters["scan"])
-    spectrum, _, targets = read_targets(paths, parameters["surface"], grid)
-    return PoolInputs(
-        parameters["surface"],
-        spectrum,
-        targets,
-        pool_heights(targets, parameters["scans"], parameters["rms_height_count"]),
-        grid,
-        Contact(radius=parameters["radius"], **parameters["contact"]),
-        parameters["ranges"],
-        parameters["seed"],
-    )
+    targets = required_targets(substitute)
+    rms_heights = pool_heights(targets, scan_count, rms_height_count)
+    surface, spectrum_data, _, _, grid, seed = substitute
+    spectrum = spectrum_of_dataset(spectrum_data)
+    return PoolInputs(surface, spectrum, targets, rms_heights, grid, contact, ranges, seed)
 
 
 def pool_heights(targets: Targets, scan_count: int, count: int) -> Floats:

@@ -8,7 +8,7 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 import pandas as pd
@@ -22,7 +22,6 @@ from hardcontact.surfaces.descriptions import AFM_ROWS
 from hardcontact.surfaces.height_map import TABLE1_METRICS, HeightMap, level, metrics
 from hardcontact.surfaces.spectrum import (
     WAVEVECTORS,
-    Spectrum,
     SpectrumFunction,
     spectrum_of_dataset,
 )
@@ -42,12 +41,33 @@ COMPONENT_COUNT = 3
 MAX_AMPLITUDE_RATIO = 4.0
 
 
+class Substitute(NamedTuple):
+    """Everything from which the scans of a substitute are made."""
+
+    surface: str  #: Name of the surface.
+    spectrum_data: xr.Dataset  #: Its calibrated spectrum.
+    table1: pd.DataFrame  #: From `rows_of_surface`.
+    constants: pd.DataFrame  #: From `read_constants`.
+    grid: ScanGrid
+    seed: int  #: Seed of the study.
+
+
 class Targets(NamedTuple):
     """The statistics that a group of scans of one surface meets."""
 
     means: Mapping[str, float]  #: Mean height, slope and curvature, by `height_map.METRICS`.
     rms_height_std: float  #: Standard deviation of the rms heights in nm (ddof 1).
     met_rows: tuple[str, ...]  #: Names of the rows of Table 1 that these targets meet.
+
+
+def read_substitute(
+    surface: str, spectrum: str, table1: str, constants: str, grid: ScanGrid, seed: int
+) -> Substitute:
+    """Read the calibrated spectrum of a surface, Table 1 and the constants from their paths."""
+    rows = published.rows_of_surface(published.read_table1(table1), surface)
+    return Substitute(
+        surface, dataset.read(spectrum), rows, published.read_constants(constants), grid, seed
+    )
 
 
 def scan_targets(
@@ -86,20 +106,16 @@ def scan_targets(
     )
 
 
-def read_targets(
-    paths: Any, surface: str, grid: ScanGrid
-) -> tuple[Spectrum, pd.DataFrame, Targets]:
-    """Read the spectrum of a substitute, its rows of Table 1 and its `scan_targets`.
+def required_targets(substitute: Substitute) -> Targets:
+    """Return the `scan_targets` of a substitute.
 
     Raises ValueError if the paper has no rms height of the surface.
     """
-    spectrum_data = dataset.read(paths.spectrum)
-    rows = published.rows_of_surface(published.read_table1(paths.published_table1), surface)
-    constants = published.read_constants(paths.published_constants)
-    targets = scan_targets(spectrum_data, rows, constants, grid)
+    surface, spectrum_data, table1, constants, grid, _ = substitute
+    targets = scan_targets(spectrum_data, table1, constants, grid)
     if targets is None:
         raise ValueError(f"{surface}: expected a published rms height, found none")
-    return spectrum_of_dataset(spectrum_data), rows, targets
+    return targets
 
 
 def scale_rms_heights(rms_heights: Floats, mean: float, std: float) -> Floats:
@@ -268,25 +284,19 @@ def conditioned_scan(
 
 
 def conditioned_group(
-    inputs: Any, parameters: Mapping[str, Any]
+    substitute: Substitute, scans: Sequence[int], sphere_radius: float | None
 ) -> tuple[xr.Dataset, list[HeightMap]]:
-    """Return the conditioning of the scans that one job makes, and these scans.
+    """Return the conditioning of a group of scans, by their numbers, and these scans.
 
-    `inputs` are paths of the calibrated spectrum, Table 1 and the constants.
+    `sphere_radius` is as in `conditioned_scan`.
     """
-    surface, radius = parameters["surface"], parameters["sphere_radius"]
-    grid = ScanGrid(**parameters["scan"])
-    spectrum_data = dataset.read(inputs.spectrum)
-    rows = published.rows_of_surface(published.read_table1(inputs.published_table1), surface)
-    constants = published.read_constants(inputs.published_constants)
-    targets = scan_targets(spectrum_data, rows, constants, grid)
-    generator_functions = {
-        scan: partial(generator, parameters["seed"], surface, scan, "scan")
-        for scan in parameters["scans"]
-    }
+    surface, spectrum_data, table1, constants, grid, seed = substitute
+    targets = scan_targets(spectrum_data, table1, constants, grid)
+    generator_functions = {scan: partial(generator, seed, surface, scan, "scan") for scan in scans}
     conditioning = condition_group(spectrum_data, targets, generator_functions, grid)
-    scans = [
-        conditioned_scan(new_generator(), spectrum_data, conditioning.sel(scan=scan), grid, radius)
+    return conditioning, [
+        conditioned_scan(
+            new_generator(), spectrum_data, conditioning.sel(scan=scan), grid, sphere_radius
+        )
         for scan, new_generator in generator_functions.items()
     ]
-    return conditioning, scans

@@ -1,17 +1,16 @@
 """Substitute scans of one surface with bumps or pits that agree with Table 1, in groups."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import partial
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 import xarray as xr
 
-from hardcontact.base import dataset, published
 from hardcontact.base.random import generator
 from hardcontact.base.units import DIMENSIONLESS, NM
-from hardcontact.surfaces.conditioning import read_targets
+from hardcontact.surfaces.conditioning import Substitute, required_targets
 from hardcontact.surfaces.features import (
     GAUSSIAN,
     SIGNS,
@@ -26,7 +25,7 @@ from hardcontact.surfaces.features import (
     standardized_differences,
 )
 from hardcontact.surfaces.height_map import HeightMap
-from hardcontact.surfaces.spectrum import Spectrum
+from hardcontact.surfaces.spectrum import Spectrum, spectrum_of_dataset
 from hardcontact.surfaces.substitute_spectra import sample_permitted_spectrum
 from hardcontact.surfaces.synthesis import ScanGrid, sample_scan, whole_surface
 
@@ -83,42 +82,37 @@ class FeaturedSurface(NamedTuple):
         return add_features(rng, base, features, count)
 
 
-def read_featured_surface(inputs: Any, parameters: Mapping[str, Any]) -> FeaturedSurface:
-    """Read the source of scans with features: its spectrum, Table 1 and constants are inputs.
+def featured_surface(substitute: Substitute) -> FeaturedSurface:
+    """Return the source of scans with features of a substitute.
 
     Raises ValueError if the paper has no rms height of the surface.
     """
-    grid = ScanGrid(**parameters["scan"])
-    spectrum, rows, targets = read_targets(inputs, parameters["surface"], grid)
-    constants = published.read_constants(inputs.published_constants)["value"]
-    statistics = published_statistics(targets.means, rows, int(constants["scans_per_surface"]))
-    return FeaturedSurface(parameters["surface"], spectrum, statistics, grid, parameters["seed"])
+    surface, spectrum_data, table1, constants, grid, seed = substitute
+    means = required_targets(substitute).means
+    statistics = published_statistics(means, table1, int(constants["value"]["scans_per_surface"]))
+    return FeaturedSurface(surface, spectrum_of_dataset(spectrum_data), statistics, grid, seed)
 
 
-def whole_surfaces(inputs: Any, parameters: Mapping[str, Any]) -> Callable[[int], HeightMap]:
-    """Return a function that makes a whole surface by its number, with or without features.
+def permitted_surface(
+    substitute: Substitute, description: str, realization: int, pixels: int, pixel_size: float
+) -> HeightMap:
+    """Return a whole surface without features, with its own spectrum that Table 1 permits.
 
-    Each surface without features gets its own sample of the spectra that Table 1 permits. `inputs`
-    are paths of the description, the calibrated spectrum, Table 1 and the constants.
+    `description` is the path of the description of the spectrum; `pixel_size` is in nm.
     """
-    if parameters["has_features"]:
-        source = read_featured_surface(inputs, parameters)
-        return partial(source.whole_surface, **parameters["grid"])
-    surface, seed = parameters["surface"], parameters["seed"]
-    table1 = published.read_table1(inputs.published_table1)
-    constants = published.read_constants(inputs.published_constants)
+    surface, _, table1, constants, _, seed = substitute
+    rng = generator(seed, surface, realization, "permitted spectrum")
+    spectrum = sample_permitted_spectrum(rng, description, table1, constants)
+    return whole_surface(seed, surface, realization, spectrum, pixels, pixel_size)
 
-    def make_surface(realization: int) -> HeightMap:
-        """Return a whole surface with a spectrum of its own."""
-        spectrum = sample_permitted_spectrum(
-            generator(seed, surface, realization, "permitted spectrum"),
-            inputs.description,
-            published.rows_of_surface(table1, surface),
-            constants,
-        )
-        return whole_surface(seed, surface, realization, spectrum, **parameters["grid"])
 
-    return make_surface
+def whole_surfaces(
+    substitute: Substitute, description: str, has_features: bool
+) -> Callable[[int, int, float], HeightMap]:
+    """Return a function that makes a whole surface by its number, pixels and pixel size (nm)."""
+    if has_features:
+        return featured_surface(substitute).whole_surface
+    return partial(permitted_surface, substitute, description)
 
 
 def sample_group(
@@ -175,13 +169,10 @@ def describe_group(
 
 
 def featured_group(
-    inputs: Any, parameters: Mapping[str, Any]
+    substitute: Substitute, scans: Sequence[int]
 ) -> tuple[xr.Dataset, list[HeightMap]]:
-    """Return the `nearest_group` of scans that one job makes, its description before the scans.
-
-    `inputs` are paths of the calibrated spectrum, Table 1 and the constants.
-    """
-    source = read_featured_surface(inputs, parameters)
-    features, scans = nearest_group(source, parameters["scans"])
-    spectrum = dataset.read(inputs.spectrum)
-    return describe_group(features, parameters["scans"], spectrum, source.mean_rms_height), scans
+    """Return the `nearest_group` of scans, by their numbers; its description is first."""
+    source = featured_surface(substitute)
+    features, group = nearest_group(source, scans)
+    description = describe_group(features, scans, substitute.spectrum_data, source.mean_rms_height)
+    return description, group
