@@ -20,10 +20,10 @@ from scipy.stats import qmc
 from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact
 from hardcontact.inference.curve_edges import (
-    ChangeCurve,
     edge_interval,
     find_edge,
     logarithmic_limits,
+    ordered_curve,
 )
 from hardcontact.inference.filtered_masters import Filters, filtered_pull_off
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, self_affine, varying_hurst
@@ -164,11 +164,10 @@ def compute_row(row: dict[str, Any]) -> dict[str, Any]:
 
 def describe_edge(side: str, name: str, cutoffs: np.ndarray, ratios: np.ndarray) -> dict[str, Any]:
     """Return an edge of ratios (realization, cutoff) or its bound, with its interval."""
-    order = slice(None) if side == "short" else slice(None, None, -1)
-    mean, lowest, highest = np.log([ratios.mean(axis=0), ratios.min(axis=0), ratios.max(axis=0)])[
-        :, order
-    ]
-    curve = ChangeCurve(side, cutoffs[order], mean, logarithmic_limits(TOLERANCE))
+    log_ratios = np.log([ratios.mean(axis=0), ratios.min(axis=0), ratios.max(axis=0)])
+    curve, (lowest, highest) = ordered_curve(
+        side, cutoffs, log_ratios, logarithmic_limits(TOLERANCE)
+    )
     edge = find_edge(curve)
     low, high = edge_interval(curve, lowest, highest)
     status = {"found": "found", "open_above": "at least", "open_below": "at most"}[edge.status]

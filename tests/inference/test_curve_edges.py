@@ -11,6 +11,7 @@ from hardcontact.inference.curve_edges import (
     edge_interval,
     find_edge,
     interpolate_edge,
+    ordered_curve,
     shows_ripples,
 )
 from hardcontact.surfaces.synthesis import random_surface
@@ -30,6 +31,21 @@ def edge_of_ratios(side, cutoffs, ratio, low, high):
     """The edge of one surface, whose ratios have a sign, and its interval."""
     curve = ChangeCurve(side, cutoffs, np.log(ratio), (np.log(0.9), np.log(1.1)))
     return find_edge(curve).value, edge_interval(curve, np.log(low), np.log(high))
+
+
+@pytest.mark.parametrize(
+    ("side", "unfiltered", "order"),
+    [("short", None, [10, 1000]), ("long", None, [1000, 10]), ("long", 5000.0, [5000, 1000, 10])],
+)
+def test_a_curve_has_its_computed_cutoffs_in_the_order_of_growing_effect(side, unfiltered, order):
+    values = np.array([[1000.0, np.nan, 10.0], [-1000.0, 7.0, -10.0]])
+    curve, (negative,) = ordered_curve(
+        side, np.array([1000.0, 100.0, 10.0]), values, (-0.1, 0.1), unfiltered
+    )
+    np.testing.assert_array_equal(curve.cutoffs, order)
+    expected = [0 if cutoff == unfiltered else cutoff for cutoff in order]
+    np.testing.assert_array_equal(curve.values, expected)
+    np.testing.assert_array_equal(negative, np.negative(expected))
 
 
 def test_an_edge_is_interpolated_in_log_wavelength():

@@ -34,6 +34,27 @@ class Edge(NamedTuple):
     status: str
 
 
+def ordered_curve(
+    side: str,
+    cutoffs: np.ndarray,
+    values: np.ndarray,
+    limits: tuple[float, float],
+    unfiltered: float | None = None,
+) -> tuple[ChangeCurve, np.ndarray]:
+    """Return the curve of the first row of values (row, k), and the other rows at its cutoffs.
+
+    Cutoffs (k,) are in any order; those at which the first row is NaN are left out. All rows begin
+    with zero at the `unfiltered` wavelength (nm), if there is one.
+    """
+    computed = np.flatnonzero(np.isfinite(values[0]))
+    order = computed[np.argsort(cutoffs[computed])][:: 1 if side == "short" else -1]
+    cutoffs, values = cutoffs[order], values[:, order]
+    if unfiltered is not None:
+        cutoffs = np.append(unfiltered, cutoffs)
+        values = np.pad(values, ((0, 0), (1, 0)))
+    return ChangeCurve(side, cutoffs, values[0], limits), values[1:]
+
+
 def logarithmic_limits(tolerance: float) -> tuple[float, float]:
     """Return the limits of ln(ratio) between which the force counts as unchanged.
 

@@ -19,6 +19,7 @@ from hardcontact.inference.curve_edges import (
     find_edge,
     interpolate_edge,
     logarithmic_limits,
+    ordered_curve,
 )
 
 #: The group of all surfaces.
@@ -156,11 +157,9 @@ def _curves(
     unfiltered = np.concatenate([unfiltered, unfiltered.mean(axis=1, keepdims=True)], axis=1)
     limits = [logarithmic_limits(tolerance)] * ratio.shape[1] + [(-np.inf, tolerance)]
     for (index, side), group in product(enumerate(scales["side"].values), range(len(limits))):
-        computed = np.flatnonzero(np.isfinite(curves[0, index, group]))
-        order = computed if side == "short" else computed[::-1]
-        values = np.pad(curves[:, index, group, order], ((0, 0), (1, 0)))
-        ordered_cutoffs = np.append(unfiltered[index, group], cutoffs[order])
-        yield ChangeCurve(str(side), ordered_cutoffs, values[0], limits[group]), values[1:]
+        yield ordered_curve(
+            str(side), cutoffs, curves[:, index, group], limits[group], unfiltered[index, group]
+        )
 
 
 def _sampled_edges(curve: ChangeCurve, sampled_values: np.ndarray) -> np.ndarray:

@@ -18,6 +18,7 @@ from hardcontact.inference.curve_edges import (
     edge_interval,
     find_edge,
     logarithmic_limits,
+    ordered_curve,
     shows_ripples,
 )
 from hardcontact.inference.edges import edge_variables
@@ -108,7 +109,7 @@ def edges_of_curves(ratios: xr.Dataset, tolerance: float) -> xr.Dataset:
     edges = []
     intervals = []
     for index in np.ndindex(*shape):
-        curve, lowest, highest = _curve_with_interval(
+        curve, (lowest, highest) = _curve_with_interval(
             ratios.isel(dict(zip(dimensions, index, strict=True))), tolerance
         )
         if shows_ripples(curve):
@@ -123,20 +124,18 @@ def edges_of_curves(ratios: xr.Dataset, tolerance: float) -> xr.Dataset:
     return xr.Dataset(variables, {dim: ratios[dim] for dim in dimensions} | {"bound": ENDS})
 
 
-def _curve_with_interval(
-    ratios: xr.Dataset, tolerance: float
-) -> tuple[ChangeCurve, np.ndarray, np.ndarray]:
-    """Return one curve with the low and the high ends (k,) of the intervals of its values."""
-    side = str(ratios["side"].item())
-    ratios = ratios.dropna("cutoff_wavelength", subset=["filtered_force_ratio"])
-    ratios = ratios.sortby("cutoff_wavelength", ascending=side == "short")
+def _curve_with_interval(ratios: xr.Dataset, tolerance: float) -> tuple[ChangeCurve, np.ndarray]:
+    """Return one curve with the low and the high ends (2, k) of the intervals of its values."""
     ratio = ratios["filtered_force_ratio"].values
     interval = ratios["filtered_force_ratio_interval"].values
     if not np.isnan(interval).all():
         # If other ratios have intervals, a ratio without one is equal in all parts: zero width.
         interval = np.where(np.isnan(interval), ratio[:, None], interval)
     with np.errstate(divide="ignore"):  # the lower end of an interval without bounds is zero
-        lowest, highest = np.log(interval).T
-    cutoffs = ratios["cutoff_wavelength"].values
-    curve = ChangeCurve(side, cutoffs, np.log(ratio), logarithmic_limits(tolerance))
-    return curve, lowest, highest
+        log_ratios = np.log([ratio, *interval.T])
+    return ordered_curve(
+        str(ratios["side"].item()),
+        ratios["cutoff_wavelength"].values,
+        log_ratios,
+        logarithmic_limits(tolerance),
+    )

@@ -12,7 +12,7 @@ from hardcontact.base.arrays import Floats
 from hardcontact.base.statistics import jackknife_interval, student_interval, with_interval
 from hardcontact.base.units import DIMENSIONLESS
 from hardcontact.contact.contact import CONTACT_AXES
-from hardcontact.inference.curve_edges import ChangeCurve, find_edge, logarithmic_limits
+from hardcontact.inference.curve_edges import find_edge, logarithmic_limits, ordered_curve
 
 #: Quantities whose square roots are these lengths, in the order of the fitted exponents.
 SCALED_QUANTITIES = ["radius", "contact"]
@@ -81,11 +81,8 @@ def _edges(forces: xr.Dataset, tolerance: float) -> xr.DataArray:
 
     def edge(ratios: Floats, unfiltered: float, side: str) -> float:
         """Return the edge of mean ratios (cutoff,) of a side, NaN at cutoffs of the other side."""
-        is_known = np.isfinite(ratios)
-        order = np.argsort(cutoffs[is_known])[:: 1 if side == "short" else -1]
-        wavelengths = np.append(unfiltered, cutoffs[is_known][order])
-        values = np.append(0.0, np.log(ratios[is_known][order]))
-        curve = ChangeCurve(side, wavelengths, values, logarithmic_limits(tolerance))
+        limits = logarithmic_limits(tolerance)
+        curve, _ = ordered_curve(side, cutoffs, np.log(ratios)[None], limits, unfiltered)
         return find_edge(curve).value
 
     edges: xr.DataArray = xr.apply_ufunc(
