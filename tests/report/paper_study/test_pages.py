@@ -96,7 +96,9 @@ def test_a_verdict_on_an_edge_from_artificial_roughness_says_so():
     for transition, is_artificial in ((20.0, False), (80.0, True)):
         scales = datasets()["scales"].assign(transition=("side", [transition, 1e6]))
         page = Page(make_page(table, scales=scales))
-        (line,) = re.findall("if shorter wavelengths.*if longer ones", answer_words(page))
+        (line,) = re.findall(
+            "shortest wavelength that matters on any.*, the longest", answer_words(page)
+        )
         assert ("where roughness is artificial" in line) == is_artificial, line
         (row,) = [
             row

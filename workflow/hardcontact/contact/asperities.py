@@ -32,9 +32,9 @@ BIN_COUNT = 4096
 def asperities(
     attraction: Floats, share: float, pixel_size: float
 ) -> tuple[float, float, int, float]:
-    """Return the ASPERITY_UNITS of the fewest pixels that carry a share of the force.
+    """Return numbers of the patches formed by the fewest pixels that carry a share of the force.
 
-    These are the shares of the force that the largest patch and the two largest patches carry, the
+    They are the shares of the force that the largest patch and the two largest patches carry, the
     number of patches, and the diameter in nm of the circle about the centre of force that holds the
     share. The attraction (n, n) is proportional to the force on each pixel.
     """

@@ -30,10 +30,11 @@ from hardcontact.contact.smooth_sphere_sums import smooth_sphere_terms, sums_by_
 #: Looked up once: it takes milliseconds.
 LIBRARIES = ThreadpoolController()
 #: Largest penetration of a contact, in ranges of adhesion, at which contact pixels are subtracted,
-#: by the precision of the heights. Errors grow by exp(2) from 7 digits, or by exp(6) from 16.
+#: by the precision of the heights. Subtraction multiplies the relative error by the exponential of
+#: the penetration: by 7 at 7 digits, by 400 at 16.
 MAX_PENETRATION = {np.float32: 2.0, np.float64: 6.0}
-#: Largest depth of a contact below the highest point of the surface, relative to the range. Terms
-#: that round to zero are then less than exp(-47) of a contact pixel's term.
+#: Largest depth of a contact below the highest point of the surface, relative to the range. A
+#: term that rounds to zero is then less than exp(-47) times the term of a contact pixel.
 MAX_DEPTH = {np.float32: 40.0, np.float64: 660.0}
 
 

@@ -89,7 +89,7 @@ def fine_ranges(ranges: np.ndarray) -> np.ndarray:
 
 
 def best_fit(curves: np.ndarray, targets: np.ndarray, ranges: np.ndarray) -> dict[str, np.ndarray]:
-    """Return the variables (...) of FIT_UNITS, NaN where a curve has NaN.
+    """Return the best range, work and mean relative error (...), NaN where a curve has NaN.
 
     The curves are the computed mean forces (..., surface, range) at these ranges (nm), the targets
     the measured mean forces (surface,), both in N.

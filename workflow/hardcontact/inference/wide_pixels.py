@@ -43,8 +43,8 @@ def pixel_forces(surface: HeightMap, sphere: HeightMap | None, contact: Contact)
 def pixel_factors(force: xr.Dataset) -> xr.DataArray:
     """Return the factor (surface) by which finer pixels may divide the force on the scans.
 
-    Wider pixels multiply the force by no less (tests/benchmarks/validate_random_surfaces.py). The
-    factor is 1 for substitutes.
+    The factor is the rise of the force on wider pixels: the fall on finer ones is at most as large
+    (tests/benchmarks/validate_random_surfaces.py). It is 1 for substitutes.
     """
     unchanged = xr.ones_like(force["surface"], dtype=float)
     factors: xr.DataArray = force.get("wide_pixel_ratio", unchanged).fillna(1).clip(min=1)

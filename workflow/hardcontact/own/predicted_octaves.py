@@ -26,7 +26,7 @@ from hardcontact.theory.prediction import trim_spectrum
 
 
 def predicted_octaves(user_spectrum: OwnSpectrum, contact: Contact) -> Iterator[Number]:
-    """Yield the `strongest_octaves` whose middles the user's files show.
+    """Yield the octaves that matter most to the force, if the user's files show their middles.
 
     They have the status "on_scan" if a single map permits contacts, otherwise "closed_form".
     The closed form takes Gaussian heights, and yields none for scans with steep edges.

@@ -39,12 +39,12 @@ class AcceptedRange:
 
     low: float
     high: float
-    with_limits: bool  #: Whether a number at a limit agrees.
+    includes_limits: bool  #: Whether a number at a limit agrees.
 
     def accepts(self, values: ArrayLike) -> np.ndarray:
         """Return whether each number (...) agrees with the paper; NaN does not."""
         values = np.asarray(values)
-        if self.with_limits:
+        if self.includes_limits:
             return (self.low <= values) & (values <= self.high)
         return (self.low < values) & (values < self.high)
 
@@ -82,7 +82,7 @@ class AcceptedRange:
             return AGREES if self.accepts(computed) else NOT_REPRODUCED
         if self.accepts([low, high]).all():
             return REPRODUCED
-        if self.with_limits:
+        if self.includes_limits:
             overlaps = low <= self.high and self.low <= high
         else:
             overlaps = low < self.high and self.low < high
@@ -108,7 +108,7 @@ def accepted_range(rule: str, published_low: float, published_high: float) -> Ac
         raise ValueError(f"unknown rule {rule!r}")
     if np.isnan(limits).any():
         raise ValueError(f"rule {rule!r} lacks a published limit")
-    return AcceptedRange(*limits, with_limits=rule not in ONE_SIDED)
+    return AcceptedRange(*limits, includes_limits=rule not in ONE_SIDED)
 
 
 def sets_interval(samples: np.ndarray, confidence: float) -> np.ndarray:

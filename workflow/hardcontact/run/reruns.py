@@ -34,8 +34,8 @@ MAX_READ_SIZE = 1_000_000
 class Change(NamedTuple):
     """The differences between the record of a file and the file that would be made now."""
 
-    recorded: set[str]  #: Parameters and versions of the record alone.
-    current: set[str]  #: Parameters and versions of now alone.
+    recorded: set[str]  #: Parameters and versions found only in the record.
+    current: set[str]  #: Parameters and versions found only now.
     inputs: set[str]  #: Inputs that are new, gone, or have a different content.
 
 

@@ -37,8 +37,8 @@ MIN_COMPLEMENT = 1e-3
 LOG_NEGLIGIBLE_PROBABILITY = -45.0
 #: Lower levels have the clump radius of this level, because their points form no clumps. With 1 the
 #: logarithm of the force changes by 0.04 (median; at most 1.66) on 48 designed surfaces that were
-#: not held out. With 2 it changes by 0.02 (0.45) and its rms error falls from 0.21 to 0.12, which
-#: was found late and is not used.
+#: not held out. With 2 it changes by 0.02 (0.45) and its rms error falls from 0.21 to 0.12. It
+#: is not used, because the held-out surfaces had been looked at when it was found.
 LOWEST_CLUMP_LEVEL = 1.2
 #: A sphere follows waves whose total curvature is less than this share of its own curvature. With
 #: 0.05 the logarithm of the force changes by 0.002 (median; at most 0.09) on these surfaces, with
