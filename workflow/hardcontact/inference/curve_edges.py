@@ -102,6 +102,7 @@ def find_edge(curve: ChangeCurve) -> Edge:
         return Edge(edge, np.nan, FOUND)
     is_outside_at_once = first_outside(curve.values, curve.values, curve.limits) == 0
     bound = float(curve.cutoffs[0 if is_outside_at_once else -1])
+    # The first cutoff of a short side is its shortest, the first of a long side its longest.
     is_open_below = is_outside_at_once == (curve.side == "short")
     return Edge(np.nan, bound, OPEN_BELOW if is_open_below else OPEN_ABOVE)
 
@@ -114,7 +115,8 @@ def shows_ripples(curve: ChangeCurve) -> bool:
     its ripples beside steps.
     """
     crossing = first_outside(curve.values, curve.values, curve.limits)
-    return curve.side == "short" and bool((curve.values[crossing : crossing + 1] < 0).any())
+    value_outside = curve.values[crossing : crossing + 1]  # empty if the curve never leaves them
+    return curve.side == "short" and bool((value_outside < 0).any())
 
 
 def edge_interval(curve: ChangeCurve, lowest: np.ndarray, highest: np.ndarray) -> np.ndarray:
@@ -129,6 +131,7 @@ def edge_interval(curve: ChangeCurve, lowest: np.ndarray, highest: np.ndarray) -
         return np.full(2, np.nan)
     bounds = np.concatenate([[np.nan], curve.cutoffs, [np.nan]])
     first_possible = first_outside(lowest, highest, curve.limits)
+    # Swapped ends: even the value nearest to the limits is outside.
     last_possible = first_outside(highest, lowest, curve.limits)
     interval = np.array(
         [bounds[first_possible], bounds[last_possible + 1] if last_possible else np.nan]

@@ -25,7 +25,7 @@ from hardcontact.surfaces.roughness_table import measured_metrics
 from hardcontact.surfaces.spectrum import Spectrum, spectrum_of_dataset
 from hardcontact.surfaces.synthesis import ScanGrid, sample_scan
 
-#: Smallest rms height of a pool relative to the mean: sets with smoother scans are drawn again.
+#: Smallest rms height of a pool relative to the mean: sets with smoother scans are sampled again.
 MIN_HEIGHT_RATIO = 0.05
 
 
