@@ -55,6 +55,14 @@ def dmt_pull_off(work: Values, radius: Values) -> Values:
     return 2 * np.pi * work * radius * NANOMETRE
 
 
+def limit_forces(forces: Values, bound: Values) -> Values:
+    """Return mean forces, or ends of their intervals, that do not exceed a bound; infinity stays.
+
+    workflow/report/theory.md (Upper bound of the force) has the proof for a smooth sphere.
+    """
+    return np.where(np.isinf(forces), forces, np.minimum(forces, bound))
+
+
 def tabor_parameter(work: Values, radius: float, modulus: float, spacing: float) -> Values:
     """Return the Tabor parameter (RW²/E*²z0³)^⅓: small for DMT, large for JKR.
 

@@ -40,12 +40,16 @@ def pixel_forces(surface: HeightMap, sphere: HeightMap | None, contact: Contact)
     return xr.Dataset({name: (CONTACT_AXES, force, FORCE_ATTRS) for name, force in forces.items()})
 
 
-def pixel_factors(force: xr.Dataset) -> xr.DataArray:
-    """Return the factor (surface) by which finer pixels may divide the force on the scans.
+def finer_pixel_factor(wide_pixel_ratio: np.ndarray | float) -> np.ndarray:
+    """Return the factor by which finer pixels may divide a force, from its ratio on wider pixels.
 
     The factor is the rise of the force on wider pixels: the fall on finer ones is at most as large
-    (tests/benchmarks/validate_random_surfaces.py). It is 1 for substitutes.
+    (tests/benchmarks/validate_random_surfaces.py). It is 1 where the ratio is NaN.
     """
-    unchanged = xr.ones_like(force["surface"], dtype=float)
-    factors: xr.DataArray = force.get("wide_pixel_ratio", unchanged).fillna(1).clip(min=1)
-    return factors
+    return np.asarray(np.fmax(wide_pixel_ratio, 1.0))
+
+
+def pixel_factors(force: xr.Dataset) -> xr.DataArray:
+    """Return the `finer_pixel_factor` of each surface, 1 for substitutes."""
+    ratios = force.get("wide_pixel_ratio", xr.ones_like(force["surface"], dtype=float))
+    return ratios.copy(data=finer_pixel_factor(ratios.values))

@@ -17,7 +17,7 @@ from hardcontact.base.statistics import bounds, widen_interval, with_interval
 from hardcontact.base.units import DIMENSIONLESS, NEWTON, NM
 from hardcontact.contact.contact import CONTACT_AXES, PLASTIC, Contact
 from hardcontact.contact.finite_scan import add_sizes
-from hardcontact.contact.smooth_sphere import dmt_pull_off
+from hardcontact.contact.smooth_sphere import dmt_pull_off, limit_forces
 from hardcontact.inference.scan_parts import fewest_touched_patches, logarithmic_interval
 from hardcontact.inference.wide_pixels import pixel_factors
 from hardcontact.own.mean_forces import (
@@ -264,16 +264,8 @@ def bound_by_smooth_sphere(force: xr.Dataset, area: float) -> xr.Dataset:
 
     The forces come from `add_extrapolated_force`; the `area` in plastic contact is in nm².
     ``smooth_bound`` (contact_model, rho) in N is added. Single contacts (`force_quantile`) have no
-    such bound.
+    such bound. workflow/report/theory.md (Upper bound of the force) has the proof.
     """
-    # A sphere attracts a surface h by the integral of (W/rho) exp(-g/rho) over the gap g. If only
-    # long waves bend the surface, this is 2 pi R W/sqrt(D), D = det(1 - R Hess h) at the point of
-    # contact: more than 2 pi R W in a valley. When the point of contact covers an area, the apex
-    # covers D times this area. The mean force over positions of the apex is therefore the mean of
-    # 2 pi R W sqrt(D) over the surface, and sqrt(D) is at most 1 - R lap(h)/2, whose mean is one.
-    # Short waves lower the force, since their peaks keep the bodies apart. Pixels raise it by the
-    # factor 1 + A_pix/(12 R rho), since the highest pixel is not the highest point. In plastic
-    # contact, the area touches at zero gap and adds W/rho times this area.
     radius = force.attrs["sphere_radius"]
     work = force.attrs["work_of_adhesion"]
     touching = area * 1e-18 / (1e-9 * force["rho"])
@@ -282,12 +274,10 @@ def bound_by_smooth_sphere(force: xr.Dataset, area: float) -> xr.Dataset:
     rho = force.attrs["range_of_adhesion"]
     master_bound = bound.sel(contact_model=PLASTIC, drop=True).sel(rho=rho, method="nearest")
     bounded = {"smooth_bound": bound.assign_attrs(NEWTON)}
-    for name, limit in {
-        "force": bound,
-        "extrapolated_force": master_bound.drop_vars("rho"),
-    }.items():
+    limits = {"force": bound, "extrapolated_force": master_bound.drop_vars("rho")}
+    for name, limit in limits.items():
         for variable in (name, f"{name}_interval"):
-            value = force[variable]
-            # An unbounded interval stays unbounded.
-            bounded[variable] = value.where((value <= limit) | ~np.isfinite(value), limit)
+            bounded[variable] = xr.apply_ufunc(
+                limit_forces, force[variable], limit, keep_attrs=True
+            )
     return force.assign(bounded)

@@ -18,8 +18,9 @@ from hardcontact.contact.geometry import (
     spheres_at_positions,
 )
 from hardcontact.contact.scan_pull_off import pull_off_on_spheres
+from hardcontact.contact.smooth_sphere import limit_forces
 from hardcontact.inference.octaves import make_force_function
-from hardcontact.inference.wide_pixels import widen_pixels
+from hardcontact.inference.wide_pixels import finer_pixel_factor, widen_pixels
 from hardcontact.own.mean_forces import forces_of_surface, mean_intervals, position_half_widths
 from hardcontact.own.scan_window import window_on_scans
 from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
@@ -131,7 +132,7 @@ def _forces(surface: HeightMap, body_maps: Sequence[HeightMap], contact: Contact
 
 def extend_low_end(number: Number, wide_pixel_ratio: float) -> Number:
     """Return a force whose interval includes the force on finer pixels, as in a study."""
-    return number._replace(low=number.low / max(wide_pixel_ratio, 1.0))
+    return number._replace(low=number.low / float(finer_pixel_factor(wide_pixel_ratio)))
 
 
 def _force_numbers(
@@ -152,9 +153,9 @@ def _force_numbers(
     )
     smooth = smooth_force(contact)
     values = np.append(surface_forces.mean, mean_intervals(surface_forces, confidence)[0])
-    # An unbounded interval stays unbounded.
-    bounded = np.where(np.isinf(values[-1]), values, np.minimum(values, smooth))
-    mean, low, high = bounded.tolist()
+    # The mean with an unbounded interval is not limited either.
+    limited = values if np.isinf(values[-1]) else limit_forces(values, smooth)
+    mean, low, high = limited.tolist()
     force = Number("force_on_scan", mean, "N", low, high, surface_forces.scan_parts[0].source)
     forces_on_map = make_force_function(contact)
     wide_pixel_force = forces_on_map(stitched_map(widen_pixels(scan))).mean()
