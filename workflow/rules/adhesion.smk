@@ -29,7 +29,7 @@ rule aggregate_adhesion:
         PATTERNS.dataset("adhesion"),
     params:
         parameters=parameters(
-            scans=FILES.substrate_scans,
+            scan_keys=FILES.substrate_scans,
             **NAMED_SURFACES,
             sphere_radius=STUDY["sphere"]["radius"],
             reference_rho=STUDY["scales"]["range"],

@@ -26,7 +26,7 @@ rule answer_surfaces:
         parameters=parameters(
             study=STUDY["study"],
             effort=STUDY["effort"],
-            contact=contact_words(STUDY),
+            contact_words=contact_words(STUDY),
             assumed=assumed_quantities(STUDY),
             version=read_yaml("CITATION.cff")["version"],
         ),

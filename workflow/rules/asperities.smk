@@ -13,9 +13,8 @@ rule find_asperities:
         parameters=lambda w: parameters(
             surface=w.surface,
             scan=int(w.scan),
-            contact=STUDY["contact"],
+            contact=CONTACT,
             asperities=STUDY["asperities"],
-            radius=STUDY["sphere"]["radius"],
             seed=STUDY["seed"],
         ),
     script:
@@ -30,6 +29,6 @@ rule aggregate_asperities:
     output:
         PATTERNS.dataset("asperities"),
     params:
-        parameters=parameters(scans=FILES.substrate_scans, **NAMED_SURFACES),
+        parameters=parameters(scan_keys=FILES.substrate_scans, **NAMED_SURFACES),
     script:
         "../scripts/aggregate_asperities.py"

@@ -20,7 +20,7 @@ rule evaluate_claims:
         parameters=parameters(
             datasets=CLAIM_DATASETS,
             confidence=STUDY["inference"]["confidence"],
-            contact=paper_contact(STUDY),
+            contact_words=paper_contact(STUDY),
         ),
     script:
         "../scripts/evaluate_claims.py"

@@ -14,9 +14,8 @@ rule solve_elastic_contact:
         parameters=lambda w: parameters(
             surface=w.surface,
             scan=int(w.scan),
-            contact=STUDY["contact"],
+            contact=CONTACT,
             contacts=STUDY["elastic"]["contacts"],
-            radius=STUDY["sphere"]["radius"],
             seed=STUDY["seed"],
         ),
     script:
@@ -31,6 +30,6 @@ rule aggregate_elastic:
     output:
         PATTERNS.dataset("elastic"),
     params:
-        parameters=parameters(scans=FILES.substrate_scans, **NAMED_SURFACES),
+        parameters=parameters(scan_keys=FILES.substrate_scans, **NAMED_SURFACES),
     script:
         "../scripts/aggregate_elastic.py"

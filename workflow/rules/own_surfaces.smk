@@ -56,11 +56,8 @@ rule predict_force:
         force=PATTERNS.dataset("force"),
     params:
         parameters=parameters(
-            work=STUDY["adhesion"]["work"],
-            rho=STUDY["scales"]["range"],
-            radius=STUDY["sphere"]["radius"],
-            contact=STUDY["contact"],
-            scans={name: len(SELECTION.scans(name)) for name in SELECTION.substrates},
+            contact=CONTACT_AT_RANGE | {"work": STUDY["adhesion"]["work"]},
+            scan_counts={name: len(SELECTION.scans(name)) for name in SELECTION.substrates},
             tiles=STUDY["scales"]["long"]["tiles"],
             tolerance=STUDY["scales"]["tolerance"],
             confidence=STUDY["inference"]["confidence"],

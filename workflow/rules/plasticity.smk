@@ -14,13 +14,10 @@ rule measure_indents:
     params:
         parameters=parameters(
             **named(INDENTED),
-            scans=SELECTION.scans(INDENTED),
-            sphere_scans=SELECTION.scans(SPHERE),
+            scan_numbers=SELECTION.scans(INDENTED),
+            sphere_scan_numbers=SELECTION.scans(SPHERE),
             preloads=STUDY["indent"]["preloads"],
-            contact={
-                key: STUDY["contact"][key] for key in ("hardness", "window", "contacts_per_row")
-            },
-            radius=STUDY["sphere"]["radius"],
+            contact=CONTACT | {"preload": max(STUDY["indent"]["preloads"])},
         ),
     script:
         "../scripts/measure_indents.py"

@@ -65,8 +65,8 @@ for scans, surfaces in FILES.scan_groups.items():
             # `scans=scans` keeps the scans of this rule for when the loop has gone on.
             parameters=lambda w, scans=scans: parameters(
                 surface=w.surface,
-                scans=scans,
-                scan=SCAN_GRID,
+                scan_numbers=scans,
+                scan_grid=SCAN_GRID,
                 seed=STUDY["seed"],
                 sphere_radius=STUDY["sphere"]["radius"] if w.surface == SPHERE else None,
                 has_features=w.surface in FILES.featured_surfaces,

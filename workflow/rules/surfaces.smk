@@ -6,7 +6,8 @@
 #   NAMED_SURFACES     the label of each surface, and whether it was measured or is a substitute
 #   FILES              the files of each surface: spectra, scans, pairs of scans
 #   CHUNKS             what one job computes together: scans of pools, masters, whole surfaces
-#   CONTACT_AT_RANGE   the keys of `contact`, the sphere's radius and the range of adhesion (nm)
+#   CONTACT            the arguments of class Contact: the keys of `contact`, the sphere's radius
+#   CONTACT_AT_RANGE   these, and the range of adhesion (nm)
 #   SCAN_GRID          pixels and size (nm) of a substitute scan, and the pixels of the random surface
 #                      from which it is cut
 #   DESCRIPTION_INPUTS the description of a substitute, and the tables that it names
@@ -25,10 +26,8 @@ SPHERE = SELECTION.sphere
 NAMED_SURFACES = {"labels": SELECTION.labels, "basis": SELECTION.basis}
 FILES = SurfaceFiles(STUDY, SELECTION, PATTERNS)
 CHUNKS = Chunks(FILES)
-CONTACT_AT_RANGE = STUDY["contact"] | {
-    "radius": STUDY["sphere"]["radius"],
-    "rho": STUDY["scales"]["range"],
-}
+CONTACT = STUDY["contact"] | {"radius": STUDY["sphere"]["radius"]}
+CONTACT_AT_RANGE = CONTACT | {"rho": STUDY["scales"]["range"]}
 SCAN_GRID = {
     **{key: STUDY["scan"][key] for key in ("pixels", "size")},
     "surface_pixels": random_surface_pixels(STUDY["scan"]["pixels"]),
@@ -64,7 +63,7 @@ def whole_parameters(surface, realizations):
         "realizations": list(realizations),
         "seed": STUDY["seed"],
         "grid": FILES.whole_grid,
-        "scan": SCAN_GRID,
+        "scan_grid": SCAN_GRID,
         "has_features": surface in FILES.featured_surfaces,
         "contact": CONTACT_AT_RANGE,
     }
@@ -76,11 +75,10 @@ def chunk_parameters(wildcards):
         "surface": wildcards.surface,
         "first": int(wildcards.first),
         "last": int(wildcards.last),
-        "scans": len(SELECTION.scans(wildcards.surface)),
-        "scan": SCAN_GRID,
-        "contact": STUDY["contact"] | {"contacts_per_row": STUDY["sets"]["contacts_per_row"]},
+        "scan_count": len(SELECTION.scans(wildcards.surface)),
+        "scan_grid": SCAN_GRID,
+        "contact": CONTACT | {"contacts_per_row": STUDY["sets"]["contacts_per_row"]},
         "ranges": RANGES,
-        "radius": STUDY["sphere"]["radius"],
         "seed": STUDY["seed"],
     }
 

@@ -12,7 +12,7 @@ rule aggregate_topography:
         PATTERNS.dataset("topography"),
     params:
         parameters=parameters(
-            scans=FILES.scans,
+            scan_keys=FILES.scans,
             conditioned=list(FILES.conditioning_paths),
             **NAMED_SURFACES,
             sphere_surface=SPHERE,

@@ -19,10 +19,6 @@ rule trace_contact:
     output:
         PATTERNS.dataset("contact"),
     params:
-        parameters=parameters(
-            **TRACED,
-            contact_section=STUDY["contact"],
-            radius=STUDY["sphere"]["radius"],
-        ),
+        parameters=parameters(**TRACED, contact=CONTACT),
     script:
         "../scripts/trace_contact.py"

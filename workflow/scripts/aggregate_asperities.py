@@ -6,7 +6,7 @@ from hardcontact.contact.stacked_datasets import add_names
 
 with run_job(snakemake) as job:
     params = job.parameters
-    scans = read_all(params["scans"], job.input.scans)
+    scans = read_all(params["scan_keys"], job.input.scans)
     job.write(
         add_names(stack(scans, ["surface", "scan"]), params),
         title="asperities that carry the pull-off force of plastic contacts",

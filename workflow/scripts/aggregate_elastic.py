@@ -6,7 +6,7 @@ from hardcontact.contact.stacked_datasets import stack_elastic_contacts
 
 with run_job(snakemake) as job:
     params = job.parameters
-    scans = read_all(params["scans"], job.input.scans)
+    scans = read_all(params["scan_keys"], job.input.scans)
     job.write(
         stack_elastic_contacts(scans, params),
         title="elastic contacts: pressure at the preload, and pull-off beside that of rigid bodies",

@@ -7,7 +7,7 @@ from hardcontact.surfaces.roughness_table import measured_roughness, roughness_t
 
 with run_job(snakemake) as job:
     params = job.parameters
-    keys = [tuple(key) for key in params.pop("scans")]
+    keys = [tuple(key) for key in params.pop("scan_keys")]
     paths = dict(zip(keys, job.input.scans, strict=True))
     first_scans = {surface: path for (surface, _), path in reversed(paths.items())}
     surfaces = dict.fromkeys(surface for surface, _ in keys)

@@ -15,11 +15,13 @@ with run_job(snakemake) as job:
         job.input.spectrum,
         job.input.published_table1,
         job.input.published_constants,
-        ScanGrid(**params["scan"]),
+        ScanGrid(**params["scan_grid"]),
         params["seed"],
     )
-    contact = Contact(radius=params["radius"], **params["contact"])
-    inputs = SampleInputs(featured_surface(substitute), params["scans"], contact, params["ranges"])
+    contact = Contact(**params["contact"])
+    inputs = SampleInputs(
+        featured_surface(substitute), params["scan_count"], contact, params["ranges"]
+    )
     job.write(
         compute_samples(params["features"], numbers, inputs),
         title=f"pull-off forces on surfaces of {params['surface']} with features: "

@@ -15,12 +15,12 @@ with run_job(snakemake) as job:
         job.input.spectrum,
         job.input.published_table1,
         job.input.published_constants,
-        ScanGrid(**params["scan"]),
+        ScanGrid(**params["scan_grid"]),
         params["seed"],
     )
-    contact = Contact(radius=params["radius"], **params["contact"])
+    contact = Contact(**params["contact"])
     inputs = pool_inputs(
-        substitute, params["scans"], params["rms_height_count"], contact, params["ranges"]
+        substitute, params["scan_count"], params["rms_height_count"], contact, params["ranges"]
     )
     job.write(
         compute_pool(numbers, inputs),

@@ -19,7 +19,7 @@ with run_job(snakemake) as job:
         job.input.spectrum,
         job.input.published_table1,
         job.input.published_constants,
-        ScanGrid(**params["scan"]),
+        ScanGrid(**params["scan_grid"]),
         params["seed"],
     )
     make_surface = whole_surfaces(substitute, job.input.description, params["has_features"])

@@ -11,7 +11,7 @@ with run_job(snakemake) as job:
     settings = params["asperities"]
     surface = params["surface"]
     scan = params["scan"]
-    contact = Contact(radius=params["radius"], **params["contact"])
+    contact = Contact(**params["contact"])
     rng = generator(params["seed"], surface, scan, "contacts for asperities")
     job.write(
         find_carrying_asperities(

@@ -13,18 +13,18 @@ with run_job(snakemake) as job:
         job.input.spectrum,
         job.input.published_table1,
         job.input.published_constants,
-        ScanGrid(**params["scan"]),
+        ScanGrid(**params["scan_grid"]),
         params["seed"],
     )
     if params["has_features"]:
-        conditioning, scans = featured_group(substitute, params["scans"])
+        conditioning, scans = featured_group(substitute, params["scan_numbers"])
     else:
         conditioning, scans = conditioned_group(
-            substitute, params["scans"], params["sphere_radius"]
+            substitute, params["scan_numbers"], params["sphere_radius"]
         )
     title = f"how substitute scans of {params['surface']} meet Table 1"
     job.write(conditioning, title, "conditioning")
-    for number, scan in zip(params["scans"], scans, strict=True):
+    for number, scan in zip(params["scan_numbers"], scans, strict=True):
         levelled, stitched = level_and_stitch(scan, params["sphere_radius"])
         job.write(levelled, LEVELLED, f"levelled_{number}")
         job.write(stitched, STITCHED, f"stitched_{number}")

@@ -7,12 +7,12 @@ from hardcontact.surfaces.height_map import read_height_map
 
 with run_job(snakemake) as job:
     params = job.parameters
-    substrate_paths = zip(params["scans"], job.input.substrates, strict=True)
-    sphere_paths = zip(params["sphere_scans"], job.input.spheres, strict=True)
+    substrate_paths = zip(params["scan_numbers"], job.input.substrates, strict=True)
+    sphere_paths = zip(params["sphere_scan_numbers"], job.input.spheres, strict=True)
     indents = indents_of_scans(
         {scan: read_height_map(path) for scan, path in substrate_paths},
         {scan: read_height_map(path) for scan, path in sphere_paths},
-        Contact(radius=params["radius"], preload=max(params["preloads"]), **params["contact"]),
+        Contact(**params["contact"]),
         params["preloads"],
     )
     job.write(

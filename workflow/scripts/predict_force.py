@@ -14,16 +14,14 @@ with run_job(snakemake) as job:
     adhesion = read(job.input.adhesion)
     scales = read(job.input.scales)
     sensitivity = read(job.input.sensitivity)
-    master_scans = MasterScans(params["scans"], params["tiles"], fewest_touched_patches(adhesion))
+    touched_patches = fewest_touched_patches(adhesion)
+    master_scans = MasterScans(params["scan_counts"], params["tiles"], touched_patches)
     criteria = {name: params[name] for name in ("tolerance", "confidence")}
     edges = edges_of_scans(scales, sensitivity, master_scans, **criteria)
     job.write(
         labelled_edges(edges, scales, **criteria),
         title="pull-off force against cutoff wavelength, and the edges of the band",
         output="edges",
-    )
-    contact = Contact(
-        radius=params["radius"], rho=params["rho"], work=params["work"], **params["contact"]
     )
     job.write(
         force_dataset(
@@ -32,7 +30,7 @@ with run_job(snakemake) as job:
             read(job.input.topography),
             read(job.input.spectra),
             sensitivity,
-            contact=contact,
+            contact=Contact(**params["contact"]),
             master_scans=master_scans,
             **criteria,
         ),

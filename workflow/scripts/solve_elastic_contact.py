@@ -13,7 +13,6 @@ with run_job(snakemake) as job:
     scan = params["scan"]
     constants = published.read_constants(job.input.published_constants)["value"]
     contact = Contact(
-        radius=params["radius"],
         rho=constants["range_of_adhesion"],
         work=constants["work_of_adhesion"],
         **params["contact"],

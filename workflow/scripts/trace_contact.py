@@ -12,10 +12,9 @@ with run_job(snakemake) as job:
     params = job.parameters
     constants = published.read_constants(job.input.published_constants)["value"]
     contact = Contact(
-        radius=params["radius"],
         rho=constants["range_of_adhesion"],
         work=constants["work_of_adhesion"],
-        **params["contact_section"],
+        **params["contact"],
     )
     contact_index = params["contact_index"]
     bodies = read_bodies(job.input.substrate, job.input.sphere, contact)

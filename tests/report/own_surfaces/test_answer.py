@@ -62,8 +62,7 @@ def test_the_answer_follows_its_schema(case):
 def test_the_headline_has_a_range_that_the_scans_forced():
     assert content("one")["chosen"] == [] and len(content("one")["headline"]) == 3
     shortest = force().sel(rho=[RANGE, 10.0], method="nearest")
-    inputs = setting()._replace(contact=setting().contact)
-    raised = own_answer(datasets(force=shortest), inputs)
+    raised = own_answer(datasets(force=shortest), setting())
     assert raised["chosen"] == ["range of adhesion"]
     assert "5.6 nm, the least that" in raised["headline"][-1]
 

@@ -44,7 +44,7 @@ class Setting(NamedTuple):
     study: str  #: Its name.
     effort: str  #: full or quick.
     #: Inputs of the contacts as printed, such as "radius of the sphere": "250 µm".
-    contact: Mapping[str, str]
+    contact_words: Mapping[str, str]
     #: Names of those inputs that the user did not give, so that they are the paper's.
     assumed: Sequence[str]
     version: str  #: Version of the software.
