@@ -46,7 +46,8 @@ else:
 
 
 include: "workflow/rules/targets.smk"
-include: "workflow/rules/records.smk"
+# Last, because it lists the datasets of all rules before.
+include: "workflow/rules/describe_study.smk"
 
 
 start.keep_logs(workflow, PATTERNS)
@@ -71,4 +72,4 @@ rule all:
     default_target: True
     input:
         TARGETS.values(),
-        rules.keep_records.output,
+        rules.describe_study.output,

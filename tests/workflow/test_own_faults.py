@@ -223,7 +223,7 @@ if not tried:
 
 
 def test_a_failing_job_is_repeated_and_does_not_stop_others(copy, own_study):
-    alter(copy, "keep_records", FAILS_ONCE)
+    alter(copy, "describe_study", FAILS_ONCE)
     alter(copy, "answer_surfaces", 'raise RuntimeError("fails always")')
     (copy / RESULTS / "fit.nc").unlink()
     failed = run(copy)
@@ -231,7 +231,7 @@ def test_a_failing_job_is_repeated_and_does_not_stop_others(copy, own_study):
     answer = f"{RESULTS}/logs/answer_surfaces.log"
     assert errors(failed.stdout) == [
         f"error: fails always (see {answer})",
-        f"error: fails once (see {RESULTS}/logs/keep_records.log)",
+        f"error: fails once (see {RESULTS}/logs/describe_study.log)",
     ]
     assert_says(failed.stdout, "Error in rule answer_surfaces:")
     assert_says((copy / answer).read_text(), "Traceback", "RuntimeError: fails always")

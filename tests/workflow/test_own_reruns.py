@@ -32,7 +32,7 @@ def test_a_second_run_has_nothing_to_do(own_study):
 
 # Rules that a change repeats
 
-PAGE = {"answer_surfaces", "keep_records"}
+PAGE = {"answer_surfaces", "describe_study"}
 FORCES = {"compute_pull_off", "aggregate_adhesion", "predict_force", "fit_measured"}
 OCTAVES = {"amplify_octaves", "aggregate_sensitivity"}
 MASTERS = {"synthesize_masters", "filter_masters", "aggregate_scales", "predict_force"}

@@ -208,7 +208,7 @@ def test_records_decide_without_the_metadata_of_snakemake(dry, graph):
 # A key: the rules that it concerns, and all that is made from theirs
 
 #: Every value is in the configuration kept with the results and on pages.
-KEPT = {"keep_records", "answer_paper"}
+KEPT = {"describe_study", "answer_paper"}
 
 
 def overlay(key, value):

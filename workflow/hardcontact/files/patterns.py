@@ -140,8 +140,8 @@ class Patterns:
         """Return the path of a page of the report."""
         return f"{self.results}/report/{name}.html"
 
-    def run_record(self, kind: str, suffix: str, rule: str, output: str) -> str:
-        """Return the path of a record of the runs of a rule, with the wildcards of its output."""
+    def run_file(self, kind: str, suffix: str, rule: str, output: str) -> str:
+        """Return the path of the log or benchmark of a rule, with the wildcards of its output."""
         if "{" not in output:
             return f"{self.results}/{kind}/{rule}{suffix}"
         root = self.store if output.startswith(f"{self.store}/") else self.results

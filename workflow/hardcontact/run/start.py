@@ -207,9 +207,9 @@ def keep_logs(workflow: Any, patterns: Patterns) -> None:
         # What Snakemake itself does for the directives `log` and `benchmark`.
         rule.log_modifier = rule.benchmark_modifier = workflow.modifier.path_modifier
         output = strip_wildcard_constraints(rule.output[0]) if rule.output else ""
-        rule.set_log(patterns.run_record("logs", ".log", rule.name, output))
+        rule.set_log(patterns.run_file("logs", ".log", rule.name, output))
         if rule.output:
-            rule.benchmark = patterns.run_record("benchmarks", ".tsv", rule.name, output)
+            rule.benchmark = patterns.run_file("benchmarks", ".tsv", rule.name, output)
 
 
 def refuse_unwritable_folders(*folders: str) -> None:

@@ -1,4 +1,4 @@
-# Records of a study: its configuration, the list of its variables, and the check of its files.
+# Description of a study: its configuration, the list of its variables, and the check of its files.
 
 #: The final datasets of the study: those of all rules before, except the parts of a dataset.
 FINAL_DATASETS = [
@@ -9,12 +9,12 @@ FINAL_DATASETS = [
 ]
 
 
-rule keep_records:
+rule describe_study:
     """Keep the configuration and the table of surfaces, and list the variables of all datasets."""
     input:
         surfaces=STUDY["surfaces"],
         datasets=sorted(FINAL_DATASETS),
-        code=code_inputs("keep_records.py"),
+        code=code_inputs("describe_study.py"),
     output:
         configuration=PATTERNS.result("configuration.yaml"),
         surfaces=PATTERNS.result("surfaces.tsv"),
@@ -22,7 +22,7 @@ rule keep_records:
     params:
         parameters=parameters(**config),
     script:
-        "../scripts/keep_records.py"
+        "../scripts/describe_study.py"
 
 
 rule verify:
