@@ -27,7 +27,6 @@ if IS_PAPER_STUDY:
     include: "workflow/rules/figures.smk"
     include: "workflow/rules/answer_paper.smk"
     # What else the page shows: other contacts, models and substitutes, and the verdicts.
-    include: "workflow/rules/traced_contact.smk"
     include: "workflow/rules/elastic.smk"
     include: "workflow/rules/plasticity.smk"
     include: "workflow/rules/asperities.smk"

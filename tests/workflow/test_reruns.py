@@ -201,7 +201,7 @@ def test_a_pin_that_is_not_installed_is_refused_in_one_line(finished, tmp_path):
 def test_records_decide_without_the_metadata_of_snakemake(dry, graph):
     assert dry(change=lambda folder: (lose_metadata(folder), said_otherwise(folder))) == []
     jobs = dry(overlay("scales.tolerance", 0.2), empty_metadata)
-    concerned = {"find_edges", "sample_sets", "compare_short_edges"} | KEPT
+    concerned = {"find_edges", "sample_sets", "fit_exponents", "compare_short_edges"} | KEPT
     assert rules_of(jobs) == graph.following(graph.files_of_rules(concerned))
 
 
@@ -221,7 +221,8 @@ def overlay(key, value):
 @pytest.mark.parametrize(
     ("key", "value", "concerned"),
     [
-        ("scales.tolerance", 0.2, {"find_edges", "sample_sets", "compare_short_edges"}),
+        ("scales.tolerance", 0.2, {
+            "find_edges", "sample_sets", "fit_exponents", "compare_short_edges"}),
         ("elastic.contacts", 2, {"solve_elastic_contact"}),
         ("sets.pool_size", 12, {"compute_pool", "sample_sets"}),
         ("scales.short.transition", "90 nm", {

@@ -14,29 +14,24 @@ rule find_edges:
         "../scripts/find_edges.py"
 
 
-rule compare_short_edges:
-    """Compare short edges and forces by radius and load (exponents.nc), by range and plasticity (enhancement.nc)."""
+rule fit_exponents:
+    """Fit exponents of forces and edges to radius and load: exponents.nc."""
     input:
-        exponents=FILES.paths(PATTERNS.filtered, CHUNKS.filtered_masters("exponents")),
-        enhancement=FILES.paths(PATTERNS.filtered, CHUNKS.filtered_masters("enhancement")),
-        code=code_inputs("compare_short_edges.py"),
+        masters=FILES.paths(PATTERNS.filtered, CHUNKS.filtered_masters("exponents")),
+        code=code_inputs("fit_exponents.py"),
     output:
-        exponents=PATTERNS.dataset("exponents"),
-        enhancement=PATTERNS.dataset("enhancement"),
+        PATTERNS.dataset("exponents"),
     params:
         parameters=parameters(
-            surfaces={
-                purpose: [row.surface for row in CHUNKS.filtered_masters(purpose)]
-                for purpose in ("exponents", "enhancement")
-            },
+            surfaces=[row.surface for row in CHUNKS.filtered_masters("exponents")],
             realizations=STUDY["exponents"]["realizations"],
             tolerance=STUDY["scales"]["tolerance"],
             area=FILES.contact.area,
-            sampling=SAMPLING,
+            confidence=STUDY["inference"]["confidence"],
             **NAMED_SURFACES,
         ),
     script:
-        "../scripts/compare_short_edges.py"
+        "../scripts/fit_exponents.py"
 
 
 rule fit_published:

@@ -1,4 +1,4 @@
-# Plasticity: the indents that contacts leave in the sphere.
+# Plasticity: the indents that contacts leave in the sphere, and short edges without plasticity.
 
 INDENTED = STUDY["indent"]["surface"]
 
@@ -21,3 +21,22 @@ rule measure_indents:
         ),
     script:
         "../scripts/measure_indents.py"
+
+
+rule compare_short_edges:
+    """Compare the short edges of plastic and rigid contact at two ranges: enhancement.nc."""
+    input:
+        masters=FILES.paths(PATTERNS.filtered, CHUNKS.filtered_masters("enhancement")),
+        code=code_inputs("compare_short_edges.py"),
+    output:
+        PATTERNS.dataset("enhancement"),
+    params:
+        parameters=parameters(
+            surfaces=[row.surface for row in CHUNKS.filtered_masters("enhancement")],
+            realizations=STUDY["exponents"]["realizations"],
+            tolerance=STUDY["scales"]["tolerance"],
+            sampling=SAMPLING,
+            **NAMED_SURFACES,
+        ),
+    script:
+        "../scripts/compare_short_edges.py"

@@ -1,0 +1,26 @@
+"""Exponents of the pull-off force and of the edges of the band: exponents.nc."""
+
+import xarray as xr
+
+from hardcontact.base.job import run_job
+from hardcontact.contact.stacked_datasets import add_names
+from hardcontact.inference.master_datasets import read_master_forces
+from hardcontact.paper.exponents import edge_exponents, force_exponent
+
+with run_job(snakemake) as job:
+    params = job.parameters
+    area, tolerance, confidence = params["area"], params["tolerance"], params["confidence"]
+    forces = read_master_forces(params["surfaces"], job.input.masters, params["realizations"])
+    scaled = forces.squeeze("rho", drop=True).swap_dims(load="area").drop_vars("load")
+    exponents = xr.merge(
+        [
+            force_exponent(scaled, area, confidence),
+            edge_exponents(scaled, tolerance, confidence),
+        ]
+    )
+    job.write(
+        add_names(exponents, params).assign_attrs(
+            area=area, tolerance=tolerance, confidence=confidence
+        ),
+        title="exponents of the pull-off force and of the edges of the critical band",
+    )
