@@ -4,7 +4,7 @@ import numpy as np
 from periodic_maps import CONTACT, make_bodies, periodic_noise
 
 from hardcontact.contact.pull_off import pull_off_dataset
-from hardcontact.contact.scan_pull_off import judged_pull_off
+from hardcontact.contact.scan_pull_off import pull_off_with_checks
 
 RANGES = [1.0, CONTACT.rho]
 SUBSTRATE = periodic_noise(128, 20.0, 1)
@@ -16,7 +16,7 @@ PAIRS = {
 
 
 def test_the_forces_of_all_pairs_are_joined_by_the_numbers_of_contacts():
-    forces = judged_pull_off(PAIRS, CONTACT, RANGES)
+    forces = pull_off_with_checks(PAIRS, CONTACT, RANGES)
     assert forces["contact_x"].values.tolist() == [0, 1, 2]
     for number, bodies in PAIRS.items():
         pair_forces = pull_off_dataset(bodies, CONTACT, RANGES)["pull_off_force"]
@@ -25,7 +25,7 @@ def test_the_forces_of_all_pairs_are_joined_by_the_numbers_of_contacts():
 
 
 def test_a_smooth_sphere_and_the_effects_of_window_and_pixels_are_beside_the_forces():
-    forces = judged_pull_off(PAIRS, CONTACT, RANGES)
+    forces = pull_off_with_checks(PAIRS, CONTACT, RANGES)
     smooth_pair = make_bodies(SUBSTRATE, None, 8.0, 320, 3)
     smooth_forces = pull_off_dataset(smooth_pair, CONTACT, RANGES)["pull_off_force"]
     np.testing.assert_allclose(

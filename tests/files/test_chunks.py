@@ -17,7 +17,7 @@ def test_every_realization_of_the_study_is_filtered_from_its_own_masters():
     study = files("scales.realizations", 2)
     chunks = Chunks(study)
     rows = chunks.filtered_masters()
-    assert len(set(study.paths(PATTERNS.filtered, rows))) == 2 * len(SUBSTRATES)
+    assert len(set(study.paths(PATTERNS.master_forces, rows))) == 2 * len(SUBSTRATES)
     assert chunks.master_inputs(rows[1])["short_masters"] == [
         "results/store/masters/digest/polished_uncd/0123abcd/realization-2/short.nc"
     ]
@@ -75,7 +75,7 @@ def lists_of_files(*values):
     study_values = (study.contact.radius, study.contact.load_name, study.contact.rho)
     computed_at = {
         path: contact_grid(numbers(*values), row.purpose)
-        for row, path in zip(filtered, study.paths(PATTERNS.filtered, filtered), strict=True)
+        for row, path in zip(filtered, study.paths(PATTERNS.master_forces, filtered), strict=True)
     }
     for pattern, rows in (
         (PATTERNS.pull_off, study.substrate_scans),

@@ -35,7 +35,7 @@ VALUES = {
     "loads": ["H25GPa-F10uN", "H25GPa-F10uN+H16GPa-F10uN"],
     "ranges": ["rho5.6nm", "rho1.4nm+rho5.6nm"],
     "purpose": ["scales", "sampled", "sets", "exponents"],
-    "settings": ["0123abcd", "01234567"],
+    "settings_digest": ["0123abcd", "01234567"],
     "digest": ["0123abcd", "01234567"],
     "sphere_digest": ["0123abcd", "smooth"],
 }

@@ -88,8 +88,8 @@ def test_the_factor_of_the_sphere_is_the_ratio_of_mean_forces():
         for name, pool in pools.items()
         for first in (1, 7)
     }
-    study = {"topography": make_inputs().topography, "adhesion": adhesion}
-    inputs = gather_inputs(study, chunks, {}, SUBSTRATES, make_masters())
+    topography = make_inputs().topography
+    inputs = gather_inputs(topography, adhesion, chunks, {}, SUBSTRATES, make_masters())
     np.testing.assert_allclose(inputs.sphere_factor, 0.5, rtol=1e-12)
     assert set(inputs.sphere_factor.dims) == {"contact_model", "surface", "rho"}
     for name, pool in pools.items():
@@ -115,7 +115,7 @@ def test_topography_of_a_set_replaces_only_sampled_scans():
     inputs = make_inputs(measured_surfaces=["mcd"])
     sampled_scans = sample_set_scans(inputs, *DRAW)
     study = inputs.topography
-    topography = set_topography(study, sampled_scans, CONFIDENCE)
+    topography = set_topography(inputs, sampled_scans, CONFIDENCE)
     for name in TABLE1_METRICS.values():
         uncd_metric = topography[name].sel(surface="uncd")
         np.testing.assert_allclose(uncd_metric, sampled_scans["uncd"][name], rtol=1e-12)

@@ -9,9 +9,9 @@ import xarray as xr
 from hardcontact.base.number import Number
 from hardcontact.report.quantities import (
     answer_text,
-    ends_only,
     in_words,
     number_of,
+    number_without_value,
     numbers_by_name,
     quantity_mapping,
 )
@@ -46,9 +46,9 @@ def test_an_endless_interval_is_left_out():
         (Number("edge", 20.0, "nm", status="open_below"), "at most 20 nm"),
         (Number("edge", NAN, "nm", status="no_band"), "no band"),
         (Number("edge", NAN, "nm"), "not known"),
-        (ends_only("size", 1.0, 2.0), "1 to 2"),
-        (ends_only("size", 1.0, NAN), "more than 1"),
-        (ends_only("size", NAN, 2.0), "at most 2"),
+        (number_without_value("size", 1.0, 2.0), "1 to 2"),
+        (number_without_value("size", 1.0, NAN), "more than 1"),
+        (number_without_value("size", NAN, 2.0), "at most 2"),
     ],
 )  # fmt: skip
 def test_a_number_is_printed_with_its_interval_and_status(number, words):

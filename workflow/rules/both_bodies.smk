@@ -10,7 +10,7 @@ rule combine_scans:
         sphere=lambda w: FILES.stitched_path(SPHERE, FILES.sphere_scan(w.surface, int(w.scan))),
         code=code_inputs("combine_scans.py"),
     output:
-        PATTERNS.both_stitched,
+        PATTERNS.combined_scan,
     wildcard_constraints:
         surface=COMBINED,
     params:
@@ -31,7 +31,7 @@ rule combine_spectra:
         sphere=lambda w: FILES.spectrum_path(SPHERE),
         code=code_inputs("combine_spectra.py"),
     output:
-        PATTERNS.both_spectrum,
+        PATTERNS.combined_spectrum,
     wildcard_constraints:
         surface=COMBINED,
     params:
@@ -47,7 +47,7 @@ rule combine_sampled_spectra:
         sphere=lambda w: FILES.path(PATTERNS.sampled_spectrum, SPHERE, realization=w.realization),
         code=code_inputs("combine_sampled_spectra.py"),
     output:
-        PATTERNS.both_sampled_spectrum,
+        PATTERNS.combined_sampled_spectrum,
     wildcard_constraints:
         surface=COMBINED,
     params:

@@ -17,7 +17,7 @@ rule find_edges:
 rule fit_exponents:
     """Fit exponents of forces and edges to radius and load: exponents.nc."""
     input:
-        masters=FILES.paths(PATTERNS.filtered, CHUNKS.filtered_masters("exponents")),
+        masters=FILES.paths(PATTERNS.master_forces, CHUNKS.filtered_masters("exponents")),
         code=code_inputs("fit_exponents.py"),
     output:
         PATTERNS.dataset("exponents"),

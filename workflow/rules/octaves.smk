@@ -13,21 +13,21 @@ SPHERE_SCAN = (
 )
 
 
-rule compute_whole:
+rule compute_whole_surfaces:
     """Compute the forces on whole substitute surfaces, also with each octave amplified."""
     input:
         **DESCRIPTION_INPUTS,
         **SUBSTITUTE_INPUTS,
-        code=code_inputs("compute_whole.py"),
+        code=code_inputs("compute_whole_surfaces.py"),
     output:
-        PATTERNS.whole,
+        PATTERNS.whole_surface_forces,
     params:
         parameters=lambda w: parameters(
-            **whole_parameters(w.surface, range(int(w.first), int(w.last) + 1)),
+            **whole_surface_parameters(w.surface, range(int(w.first), int(w.last) + 1)),
             ranges=[rho for rho in RANGES if rho >= SHORTEST_WHOLE_RANGE],
         ),
     script:
-        "../scripts/compute_whole.py"
+        "../scripts/compute_whole_surfaces.py"
 
 
 rule amplify_octaves:
@@ -67,7 +67,7 @@ rule isolate_band:
         PATTERNS.band_forces,
     params:
         parameters=lambda w: parameters(
-            **whole_parameters(w.surface, range(1, STUDY["scales"]["whole_surfaces"] + 1))
+            **whole_surface_parameters(w.surface, range(1, STUDY["scales"]["whole_surfaces"] + 1))
         ),
     script:
         "../scripts/isolate_band.py"
@@ -77,7 +77,7 @@ rule aggregate_sensitivity:
     """Gather how the force follows each octave, and the forces on the band: sensitivity.nc."""
     input:
         maps=[
-            *FILES.paths(PATTERNS.whole, CHUNKS.whole_surfaces),
+            *FILES.paths(PATTERNS.whole_surface_forces, CHUNKS.whole_surfaces),
             *FILES.paths(PATTERNS.octaves, FILES.measured_scans),
         ],
         bands=[FILES.path(PATTERNS.band_forces, surface) for surface in BAND_SURFACES],

@@ -26,7 +26,7 @@ rule measure_indents:
 rule compare_short_edges:
     """Compare the short edges of plastic and rigid contact at two ranges: enhancement.nc."""
     input:
-        masters=FILES.paths(PATTERNS.filtered, CHUNKS.filtered_masters("enhancement")),
+        masters=FILES.paths(PATTERNS.master_forces, CHUNKS.filtered_masters("enhancement")),
         code=code_inputs("compare_short_edges.py"),
     output:
         PATTERNS.dataset("enhancement"),

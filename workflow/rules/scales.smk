@@ -40,7 +40,7 @@ rule filter_masters:
         sphere=lambda w: FILES.first_sphere_path if w.probe == "rough" else [],
         code=code_inputs("filter_masters.py"),
     output:
-        PATTERNS.filtered,
+        PATTERNS.master_forces,
     resources:
         mem_mb=filter_megabytes,
     params:
@@ -60,8 +60,8 @@ rule filter_masters:
 rule aggregate_scales:
     """Gather the forces of all filtered surfaces: scales.nc."""
     input:
-        masters=FILES.paths(PATTERNS.filtered, CHUNKS.filtered_masters()),
-        sampled=FILES.paths(PATTERNS.filtered, SAMPLED_MASTERS),
+        masters=FILES.paths(PATTERNS.master_forces, CHUNKS.filtered_masters()),
+        sampled=FILES.paths(PATTERNS.master_forces, SAMPLED_MASTERS),
         code=code_inputs("aggregate_scales.py"),
     output:
         PATTERNS.dataset("scales"),

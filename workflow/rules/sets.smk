@@ -38,7 +38,7 @@ rule sample_sets:
         adhesion=PATTERNS.dataset("adhesion"),
         pools=FILES.paths(PATTERNS.pool, CHUNKS.pools),
         samples=FILES.paths(PATTERNS.featured_samples, CHUNKS.featured_samples),
-        masters=FILES.paths(PATTERNS.filtered, CHUNKS.filtered_masters("sets")),
+        masters=FILES.paths(PATTERNS.master_forces, CHUNKS.filtered_masters("sets")),
         published_pull_off=PUBLISHED_TABLES["published_pull_off"],
         published_constants=PUBLISHED_TABLES["published_constants"],
         code=code_inputs("sample_sets.py"),
@@ -87,12 +87,12 @@ rule fit_posterior:
     """Weigh all pairs of range and work by the published forces: posterior.nc."""
     input:
         sets=PATTERNS.dataset("sets"),
-        whole=FILES.paths(PATTERNS.whole, CHUNKS.whole_surfaces),
+        whole_surfaces=FILES.paths(PATTERNS.whole_surface_forces, CHUNKS.whole_surfaces),
         published_pull_off=PUBLISHED_TABLES["published_pull_off"],
         code=code_inputs("fit_posterior.py"),
     output:
         PATTERNS.dataset("posterior"),
     params:
-        parameters=parameters(whole=CHUNKS.whole_surfaces, sampling=SAMPLING),
+        parameters=parameters(whole_surfaces=CHUNKS.whole_surfaces, sampling=SAMPLING),
     script:
         "../scripts/fit_posterior.py"

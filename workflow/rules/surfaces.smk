@@ -56,13 +56,13 @@ def named(surface):
     }
 
 
-def whole_parameters(surface, realizations):
+def whole_surface_parameters(surface, realizations):
     """Return the parameters of whole surfaces and of contacts on them."""
     return {
         "surface": surface,
         "realizations": list(realizations),
         "seed": STUDY["seed"],
-        "grid": FILES.whole_grid,
+        "grid": FILES.whole_surface_grid,
         "scan_grid": SCAN_GRID,
         "has_features": surface in FILES.featured_surfaces,
         "contact": CONTACT_AT_RANGE,

@@ -3,7 +3,7 @@
 from hardcontact.base.job import run_job
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies, spheres_at_positions
-from hardcontact.contact.scan_pull_off import judged_pull_off
+from hardcontact.contact.scan_pull_off import pull_off_with_checks
 from hardcontact.surfaces.height_map import read_height_map
 
 with run_job(snakemake) as job:
@@ -20,6 +20,6 @@ with run_job(snakemake) as job:
         for number, sphere in zip(params["sphere_positions"], spheres or [None], strict=True)
     }
     job.write(
-        judged_pull_off(pairs, contact, params["ranges"]),
+        pull_off_with_checks(pairs, contact, params["ranges"]),
         title="pull-off forces of one substrate scan on all scans of the sphere",
     )

@@ -13,7 +13,7 @@ with run_job(snakemake) as job:
     published_forces = published.read_measured_statistics(job.input.published_pull_off)
     sets = read(job.input.sets).sel(contact_model=PLASTIC)
     forces = {"scans": sets["mean_force"].rename(set="replicate")}
-    files = read_all(params["whole"], job.input.whole)
+    files = read_all(params["whole_surfaces"], job.input.whole_surfaces)
     if files:
         surfaces = {
             surface: maps["pull_off_force"].sel(contact_model=PLASTIC)

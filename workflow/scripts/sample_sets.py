@@ -14,7 +14,8 @@ with run_job(snakemake) as job:
     constants = published.read_constants(job.input.published_constants)
     pair = Pair(*constants.loc[["range_of_adhesion", "work_of_adhesion"], "value"])
     inputs = gather_inputs(
-        {name: read(job.input[name]) for name in ("topography", "adhesion")},
+        read(job.input.topography),
+        read(job.input.adhesion),
         read_all(params["chunks"], job.input.pools),
         read_all(params["sample_chunks"], job.input.samples),
         params["pooled"],

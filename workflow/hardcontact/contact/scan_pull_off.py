@@ -29,7 +29,7 @@ def pull_off_on_spheres(
     return stack(forces, ["sphere_scan"])
 
 
-def judged_pull_off(
+def pull_off_with_checks(
     pairs: Mapping[int, Bodies], contact: Contact, ranges: Sequence[float]
 ) -> xr.Dataset:
     """Return `pull_off_on_spheres` of one substrate, with three numbers to judge it by.

@@ -30,7 +30,7 @@ def add_names(dataset: xr.Dataset, named_surfaces: NamedSurfaces) -> xr.Dataset:
 def stack_pull_off_forces(scans: DatasetsByLabels, named_surfaces: NamedSurfaces) -> xr.Dataset:
     """Stack the pull-off forces of all surfaces, pairs of scans, contact models and ranges.
 
-    `scans` has the dataset of `judged_pull_off` by (surface, scan).
+    `scans` has the dataset of `pull_off_with_checks` by (surface, scan).
     Returns the same variables over (surface, scan, ...); ``contact_pixel_count`` (contact_model) is
     the largest of all pairs.
     """

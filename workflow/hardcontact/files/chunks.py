@@ -25,7 +25,7 @@ FEATURED_SAMPLES_CHUNK = 10
 Chunk = namedtuple("Chunk", "surface first last")
 SampleChunk = namedtuple("SampleChunk", "surface features first last")
 FilteredMasters = namedtuple(
-    "FilteredMasters", "purpose settings surface probe first last radii loads ranges"
+    "FilteredMasters", "purpose settings_digest surface probe first last radii loads ranges"
 )
 
 
@@ -69,7 +69,7 @@ class Chunks:
 
     @property
     def whole_surfaces(self) -> list[Chunk]:
-        """The whole surfaces of all substitute substrates: outputs of rule compute_whole."""
+        """The whole surfaces of all substitutes: outputs of rule compute_whole_surfaces."""
         chunks = _spans(self._configuration["scales"]["whole_surfaces"], MASTERS_CHUNK)
         return [Chunk(surface, *chunk) for surface in self._files.substitutes for chunk in chunks]
 
@@ -77,11 +77,11 @@ class Chunks:
 
     def filtered_masters(self, purpose: str = "scales") -> list[FilteredMasters]:
         """Return the masters of a purpose: outputs of rule filter_masters."""
-        count = get_key(self._configuration, PURPOSES[purpose].realizations)
+        count = get_key(self._configuration, PURPOSES[purpose].realizations_key)
         chunks = _spans(count, PURPOSES[purpose].realizations_in_job)
         shared_fields = {
             "purpose": purpose,
-            "settings": self._settings_digest(purpose),
+            "settings_digest": self._settings_digest(purpose),
             **self._grid_names(purpose),
         }
         return [

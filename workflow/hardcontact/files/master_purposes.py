@@ -24,8 +24,8 @@ class Purpose(NamedTuple):
     """The settings of masters of one purpose, with keys of the configuration."""
 
     section: str  #: Section of the pixels and cutoffs of masters.
-    contacts: str  #: Key of the number of contacts per row.
-    realizations: str  #: Key of the number of masters of a surface.
+    contacts_key: str  #: Key of the number of contacts per row.
+    realizations_key: str  #: Key of the number of masters of a surface.
     #: Name of the random numbers in masters; None if masters are files of the store.
     generator_name: str | None = "variant"
     realizations_in_job: int = MASTERS_CHUNK
@@ -77,4 +77,4 @@ def filter_settings(configuration: Mapping[str, Any], purpose: str) -> dict[str,
         }
         for side in settings.sides
     }
-    return {"contacts_per_row": get_key(configuration, settings.contacts), "sides": sides}
+    return {"contacts_per_row": get_key(configuration, settings.contacts_key), "sides": sides}

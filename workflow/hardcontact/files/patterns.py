@@ -101,7 +101,7 @@ class Patterns:
 
         contact = f"{{radius}}/{{load}}/{{range}}/{_SURFACE}"
         self.pool = f"{folder['pool']}/{contact}/scans-{{first}}-{{last}}.nc"
-        self.whole = f"{folder['whole']}/{contact}/surfaces-{{first}}-{{last}}.nc"
+        self.whole_surface_forces = f"{folder['whole']}/{contact}/surfaces-{{first}}-{{last}}.nc"
         self.octaves = f"{folder['octaves']}/{rough_sphere}/{contact}/scan-{{scan}}.nc"
         # Not in the store: these forces are of the band that the study itself found.
         self.band_forces = f"{results}/band/{{surface}}.nc"
@@ -114,15 +114,15 @@ class Patterns:
         self.long_master = self.master.replace("{side}", "long")
         # A spectrum sampled within the uncertainty of the measurements.
         self.sampled_spectrum = f"{folder['sampled_spectra']}/{_REALIZATION}.nc"
-        # Forces at lists of radii, loads and ranges; settings: `Chunks._settings_digest`.
-        grid = f"{{radii}}/{{loads}}/{{ranges}}/{_SURFACE}"
+        # Forces at lists of radii, loads and ranges; settings_digest: `Chunks._settings_digest`.
+        grid = f"{{settings_digest}}/{{radii}}/{{loads}}/{{ranges}}/{_SURFACE}"
         realizations = "realizations-{first}-{last}-{probe}-sphere"
         # The roughness of both bodies.
         both = f"{folder['both_bodies']}/{rough_sphere}"
-        self.both_stitched = f"{both}/{_SURFACE}/scan-{{scan}}.nc"
-        self.both_spectrum = f"{both}/{_SURFACE}/spectrum.nc"
-        self.both_sampled_spectrum = f"{both}/{_REALIZATION}.nc"
-        self.filtered = f"{store}/filtered/{{purpose}}/{{settings}}/{grid}/{realizations}.nc"
+        self.combined_scan = f"{both}/{_SURFACE}/scan-{{scan}}.nc"
+        self.combined_spectrum = f"{both}/{_SURFACE}/spectrum.nc"
+        self.combined_sampled_spectrum = f"{both}/{_REALIZATION}.nc"
+        self.master_forces = f"{store}/filtered/{{purpose}}/{grid}/{realizations}.nc"
 
     def dataset(self, name: str) -> str:
         """Return the path of a final dataset."""
@@ -188,7 +188,7 @@ def wildcard_constraints(surfaces: Iterable[str]) -> dict[str, str]:
         "loads": list_pattern(load),
         "ranges": list_pattern(rho),
         "purpose": "|".join(PURPOSES),
-        "settings": "[0-9a-f]+",
+        "settings_digest": "[0-9a-f]+",
         "digest": "[0-9a-f]+",
         "sphere_digest": f"[0-9a-f]+|{SMOOTH_SPHERE}",
     }

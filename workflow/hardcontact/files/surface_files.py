@@ -151,19 +151,19 @@ class SurfaceFiles:
         """Return the path of a stitched scan, with the sphere's roughness if that is added."""
         if surface not in self.combined_surfaces:
             return self.stitched_path(surface, scan)
-        return self.path(self.patterns.both_stitched, surface, scan=scan)
+        return self.path(self.patterns.combined_scan, surface, scan=scan)
 
     def roughness_spectrum_path(self, surface: str) -> str:
         """Return the path of a spectrum, with the sphere's roughness if that is added."""
         if surface not in self.combined_surfaces:
             return self.spectrum_path(surface)
-        return self.path(self.patterns.both_spectrum, surface)
+        return self.path(self.patterns.combined_spectrum, surface)
 
     def sampled_spectrum_path(self, surface: str, realization: int) -> str:
         """Return the path of a sampled spectrum, with the sphere's roughness if that is added."""
         is_combined = surface in self.combined_surfaces
         patterns = self.patterns
-        pattern = patterns.both_sampled_spectrum if is_combined else patterns.sampled_spectrum
+        pattern = patterns.combined_sampled_spectrum if is_combined else patterns.sampled_spectrum
         return self.path(pattern, surface, realization=realization)
 
     def sphere_scan(self, surface: str, scan: int) -> int:
@@ -247,7 +247,7 @@ class SurfaceFiles:
         return [name for name in self.selection.substrates_with_pool if name == surface]
 
     @property
-    def whole_grid(self) -> dict[str, Any]:
+    def whole_surface_grid(self) -> dict[str, Any]:
         """Pixels per row of a whole surface, and their size (nm), as of long masters."""
         scan = self.configuration["scan"]
         tiles = self.configuration["scales"]["long"]["tiles"]

@@ -66,7 +66,8 @@ class SetSettings(NamedTuple):
 
 
 def gather_inputs(
-    study: Mapping[str, xr.Dataset],
+    topography: xr.Dataset,
+    adhesion: xr.Dataset,
     chunks: Mapping[tuple[Any, ...], xr.Dataset],
     sample_chunks: Mapping[tuple[Any, ...], xr.Dataset],
     pooled: Sequence[str],
@@ -79,15 +80,15 @@ def gather_inputs(
     substrates with a pool or samples.
     """
     pools = concatenate(chunks, "scan", 1)
-    forces = study["adhesion"]["pull_off_force"]
+    forces = adhesion["pull_off_force"]
     rough = forces.mean(["scan", "sphere_scan", "contact_y", "contact_x"])
     factor = xr.full_like(rough, np.nan)
-    smooth = study["adhesion"]["smooth_sphere_force"].mean("scan")
+    smooth = adhesion["smooth_sphere_force"].mean("scan")
     for surface in pooled:
         factor.loc[{"surface": surface}] = (rough / smooth).sel(surface=surface, drop=True)
     return SetInputs(
-        study["topography"],
-        study["adhesion"],
+        topography,
+        adhesion,
         {surface: pool for (surface,), pool in pools.items()},
         samples_by_surface(sample_chunks),
         factor,
@@ -160,16 +161,17 @@ def sample_set_scans(inputs: SetInputs, seed: int, set_number: int) -> dict[str,
     }
 
 
-def set_topography(study: xr.Dataset, sampled_scans: SampledScans, confidence: float) -> xr.Dataset:
+def set_topography(inputs: SetInputs, sampled_scans: SampledScans, confidence: float) -> xr.Dataset:
     """Return the topography of a set, as in topography.nc: metrics, their averages and labels."""
+    topography = inputs.topography
     surface_scans = [
-        sampled_scans[name] if name in sampled_scans else study.sel(surface=name, drop=True)
-        for name in study["surface"].values
+        sampled_scans[name] if name in sampled_scans else topography.sel(surface=name, drop=True)
+        for name in topography["surface"].values
     ]
     metrics = [scans[list(TABLE1_METRICS.values())] for scans in surface_scans]
-    set_scans = xr.concat(metrics, study["surface"], join="outer")
-    constant = [name for name in study if str(name).startswith("all_scales_")]
-    labels = study[[*constant, "label", "basis", "table1_rows_met"]]
+    set_scans = xr.concat(metrics, topography["surface"], join="outer")
+    constant = [name for name in topography if str(name).startswith("all_scales_")]
+    labels = topography[[*constant, "label", "basis", "table1_rows_met"]]
     return xr.merge(
         [labels, set_scans, scan_averages(set_scans, confidence)], combine_attrs="override"
     )
@@ -183,23 +185,22 @@ def set_adhesion(
     Forces of sampled scans are their forces on a smooth sphere times the factor of the rough
     sphere. Other substrates keep their scans and get a sampled mean.
     """
-    study = inputs.adhesion
+    adhesion = inputs.adhesion
     surface_forces = []
-    for surface in study["surface"].values.tolist():
+    for surface in adhesion["surface"].values.tolist():
         if surface in sampled_scans:
             factor = inputs.sphere_factor.sel(surface=surface, drop=True)
-            forces = (sampled_scans[surface]["pull_off_force"] * factor).expand_dims(
-                sphere_scan=[1]
-            )
+            scaled_forces = sampled_scans[surface]["pull_off_force"] * factor
+            forces = scaled_forces.expand_dims(sphere_scan=[1])
         else:
-            study_forces = study["pull_off_force"].sel(surface=surface, drop=True)
+            study_forces = adhesion["pull_off_force"].sel(surface=surface, drop=True)
             study_forces = study_forces.dropna("scan", how="all").dropna("sphere_scan", how="all")
             rng = generator(seed, surface, set_number, "set", "mean force")
             forces = scale_to_sampled_mean(study_forces, rng)
         surface_forces.append(forces)
-    stacked_forces = xr.concat(surface_forces, study["surface"], join="outer")
-    return study[["label", "basis", "contact_pixel_count"]].assign(
-        pull_off_force=stacked_forces.transpose(*study["pull_off_force"].dims)
+    stacked_forces = xr.concat(surface_forces, adhesion["surface"], join="outer")
+    return adhesion[["label", "basis", "contact_pixel_count"]].assign(
+        pull_off_force=stacked_forces.transpose(*adhesion["pull_off_force"].dims)
     )
 
 
@@ -266,7 +267,7 @@ def _set_datasets(
         inputs.masters, settings.realizations, settings.tolerance, sampling, set_number
     )
     return {
-        "topography": set_topography(inputs.topography, sampled_scans, settings.confidence),
+        "topography": set_topography(inputs, sampled_scans, settings.confidence),
         "adhesion": adhesion,
         "fit": fit_published(
             adhesion,

@@ -59,19 +59,19 @@ def ends(dataset: xr.Dataset, name: str) -> tuple[float, float]:
     return low.item(), high.item()
 
 
-def ends_only(name: str, low: float, high: float, unit: str = "1") -> Number:
+def number_without_value(name: str, low: float, high: float, unit: str = "1") -> Number:
     """Return a number without a value: only one end or both ends of its interval are known."""
     is_known = math.isfinite(low) or math.isfinite(high)
     return Number(name, math.nan, unit, low, high, "ends" if is_known else "not_known")
 
 
-def bare(number: Number) -> Number:
+def remove_interval(number: Number) -> Number:
     """Return a number without its interval; a bound remains a bound."""
     status = number.status if number.status in OPEN_WORDS else ""
     return number._replace(low=math.nan, high=math.nan, status=status)
 
 
-def printed(number: Number, digits: int = 3, end: str = "") -> str:
+def format_number(number: Number, digits: int = 3, end: str = "") -> str:
     """Return a known number with its interval, "67 [47, 74] nm", or its "low" or "high" end.
 
     With the status "interval_open_high" only the other end is known: "67 [at least 47] nm".
@@ -90,19 +90,19 @@ def in_words(number: Number, digits: int = 3) -> str:
     """Return a number with its interval in words, as its status asks for."""
     if math.isfinite(number.value):
         bound = OPEN_WORDS.get(number.status, "")
-        return bound + printed(number, digits) + _unbounded(number, digits)
+        return bound + format_number(number, digits) + _unbounded(number, digits)
     low, high = math.isfinite(number.low), math.isfinite(number.high)
     if low and high:
-        both = [printed(number, digits, "low"), printed(number, digits, "high")]
+        both = [format_number(number, digits, "low"), format_number(number, digits, "high")]
         return " to ".join(dict.fromkeys(both))
     if low:
-        return f"more than {printed(number, digits, 'low')}"
+        return f"more than {format_number(number, digits, 'low')}"
     if high:
-        return f"at most {printed(number, digits, 'high')}"
+        return f"at most {format_number(number, digits, 'high')}"
     return NO_VALUE.get(number.status, "not known")
 
 
-def rounded(number: Number) -> str:
+def two_digit_words(number: Number) -> str:
     """Return a number in words, with two digits if it has no interval."""
     return in_words(number, 2)
 
@@ -113,9 +113,9 @@ def _unbounded(number: Number, digits: int) -> str:
     if number.status in NO_INTERVAL:
         return f" ({NO_INTERVAL[number.status]})"
     if low and not high:
-        return f" (at least {printed(number, digits, 'low')})"
+        return f" (at least {format_number(number, digits, 'low')})"
     if high and not low:
-        return f" (at most {printed(number, digits, 'high')})"
+        return f" (at most {format_number(number, digits, 'high')})"
     return ""
 
 

@@ -79,9 +79,10 @@ def _environment() -> Any:
         trim_blocks=True, lstrip_blocks=True,
     )  # fmt: skip
     environment.filters |= {
-        "printed": quantities.printed, "words": quantities.in_words, "rounded": quantities.rounded,
-        "bare": quantities.bare, "percent": format_share, "share_of_decades": _share_of_decades,
-        "unbroken": unbroken, "base64": _base64, "linked": _linked,
+        "printed": quantities.format_number, "words": quantities.in_words, "linked": _linked,
+        "rounded": quantities.two_digit_words, "bare": quantities.remove_interval,
+        "percent": format_share, "share_of_decades": _share_of_decades, "unbroken": unbroken,
+        "base64": _base64,
     }  # fmt: skip
     environment.globals["caption"] = caption
     environment.tests["known"] = math.isfinite

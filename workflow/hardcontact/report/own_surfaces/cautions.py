@@ -21,7 +21,7 @@ from hardcontact.report.own_surfaces.artificial_roughness import (
     split_scans,
 )
 from hardcontact.report.own_surfaces.datasets import Datasets, forces_at_range, stored_tabor_number
-from hardcontact.report.quantities import ends_only, number_of
+from hardcontact.report.quantities import number_of, number_without_value
 from hardcontact.surfaces.mean_spectrum import contradictions
 from hardcontact.surfaces.reliable_band import OTHER_BODY
 from hardcontact.surfaces.scan_defects import DEFECTS, defect_sentence
@@ -226,7 +226,7 @@ def _small_scans(data: Datasets) -> Caution | None:
         "size": Number("size", size, "nm"),
         "search_size": Number("search_size", search_size, "nm"),
         "share": Number("share", share),
-        "ratio": ends_only("ratio", low, high),
+        "ratio": number_without_value("ratio", low, high),
     }
     if share < SMALLEST_TESTED:
         numbers["tried"] = Number("tried", SMALLEST_TESTED)
@@ -275,7 +275,7 @@ def _contradiction(spectra: xr.Dataset) -> Caution | None:
         return None
     worst = pairs[0]
     numbers = {
-        "band": ends_only("band", worst.shortest, worst.longest, "nm"),
+        "band": number_without_value("band", worst.shortest, worst.longest, "nm"),
         "factor": Number("factor", worst.factor),
         "others": Number("others", len(pairs) - 1),
     }
@@ -302,7 +302,7 @@ def _excess_roughness(spectra: xr.Dataset) -> Caution | None:
     shortest, longest = wavelength[is_excess].min(), wavelength[is_excess].max()
     factor = (added_density[is_excess] / scan_density[is_excess]).max()
     numbers = {
-        "band": ends_only("band", float(shortest), float(longest), "nm"),
+        "band": number_without_value("band", float(shortest), float(longest), "nm"),
         "factor": Number("factor", float(factor)),
     }
     return Caution("more_than_measured", numbers=numbers)
@@ -340,7 +340,7 @@ def _tail(data: Datasets) -> Caution:
     numbers = {
         "hurst": Number("hurst", hurst, "1", low, high, source="extrapolated"),
         "known": Number("known", int(spectra["tail_known"].item() == 1)),
-        "fitted": ends_only("fitted", shortest, longest, "nm"),
+        "fitted": number_without_value("fitted", shortest, longest, "nm"),
         "ends_at": Number("ends_at", float(wavelength.min()), "nm"),
     }
     return Caution("tail", numbers=numbers, texts={"ended_by": spectra["tail_ended_by"].item()})

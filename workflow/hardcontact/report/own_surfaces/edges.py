@@ -17,7 +17,7 @@ from hardcontact.report.own_surfaces.artificial_roughness import (
     overlaps_any,
 )
 from hardcontact.report.own_surfaces.datasets import Datasets
-from hardcontact.report.quantities import OPEN_WORDS, bare, ends, ends_only
+from hardcontact.report.quantities import OPEN_WORDS, ends, number_without_value, remove_interval
 from hardcontact.surfaces.both_bodies import sphere_share
 from hardcontact.surfaces.synthesis import SIDES
 
@@ -126,7 +126,7 @@ def _cutoffs_around(edge: Number, side_edges: xr.Dataset) -> Number:
     """Return the two cutoffs between which an edge was found."""
     cutoffs = computed_cutoffs(side_edges["filtered_force_ratio"])
     index = np.clip(np.searchsorted(cutoffs, edge.value), 1, len(cutoffs) - 1)
-    return ends_only(f"{edge.name}_cutoffs", cutoffs[index - 1], cutoffs[index], "nm")
+    return number_without_value(f"{edge.name}_cutoffs", cutoffs[index - 1], cutoffs[index], "nm")
 
 
 def next_scans(edges: Iterable[Number], spectra: xr.Dataset) -> list[NextScan]:
@@ -195,4 +195,4 @@ def surface_verdict(numbers: Mapping[str, Number]) -> Verdict:
 def _drop_partial_interval(number: Number) -> Number:
     """Return a number without its interval if an end of it is not known."""
     is_whole = np.isfinite([number.low, number.high]).all() or np.isnan(number.value)
-    return number if is_whole else bare(number)
+    return number if is_whole else remove_interval(number)

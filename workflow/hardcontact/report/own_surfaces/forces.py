@@ -16,7 +16,7 @@ from hardcontact.report.own_surfaces.artificial_roughness import (
 )
 from hardcontact.report.own_surfaces.datasets import Datasets, forces_at_range, preferred_model
 from hardcontact.report.own_surfaces.edges import interval_status
-from hardcontact.report.quantities import ends_only, number_of
+from hardcontact.report.quantities import number_of, number_without_value
 from hardcontact.surfaces.synthesis import SIDES
 
 
@@ -41,7 +41,7 @@ def force_numbers(data: Datasets) -> list[Number]:
         _change_from_smooth(data),
         *_extrapolated_forces(data),
         Number("median_force", median, "N"),
-        ends_only("middle_forces", lowest, highest, "N"),
+        number_without_value("middle_forces", lowest, highest, "N"),
         Number("force_middle_share", share),
         Number("smooth_sphere", float(smooth), "N"),
         number_of(force, "log_force_std", "1", name="force_scatter"),
@@ -180,7 +180,7 @@ def fit_numbers(fit: xr.Dataset) -> list[Number]:
     agrees = np.isfinite(fit["region"].values).all(axis=-1)
     shortest, longest = fit["region_range"].values.tolist()
     weakest, strongest = fit["region_work"].values.tolist()
-    region = ends_only("fit_region_range", shortest, longest, "nm")
+    region = number_without_value("fit_region_range", shortest, longest, "nm")
     if fit.sizes["surface"] == 1:
         region = region._replace(status="one_force")
     elif fit["work_by_range_interval"].isnull().any():
@@ -193,7 +193,7 @@ def fit_numbers(fit: xr.Dataset) -> list[Number]:
         Number("fit_best_work", fit["work_of_adhesion"].item(), "J m-2"),
         Number("fit_best_error", fit["best_error"].item()),
         region,
-        ends_only("fit_region_work", weakest, strongest, "J m-2"),
+        number_without_value("fit_region_work", weakest, strongest, "J m-2"),
         Number("fit_exact_pairs", int(fit["exact_pairs"].item())),
         _gap(rho, agrees),
         Number("fit_range", fit.attrs["assumed_range"], "nm"),
@@ -208,4 +208,5 @@ def _gap(rho: np.ndarray, agrees: np.ndarray) -> Number:
     if not (steps > 1).any():
         return Number("fit_gap", np.nan, "nm")
     widest = steps.argmax()
-    return ends_only("fit_gap", float(agreeing[widest]), float(agreeing[widest + 1]), "nm")
+    low, high = agreeing[widest : widest + 2].tolist()
+    return number_without_value("fit_gap", low, high, "nm")
