@@ -86,7 +86,7 @@ def times_as_long(ratio):
 
 
 def pull_off(substrate):
-    """Plastic totals (contact, contact) of a smooth sphere, closest approach included."""
+    """Plastic totals (contact_y, contact_x) of a smooth sphere, closest approach included."""
     pair, contact_pixel_count = pair_under_sphere(substrate)
     contacts = all_contact_pixels(pair, contact_pixel_count)
     return attraction_totals(pair, contacts, [contact_pixel_count], [RHO])[0, 0]

@@ -42,7 +42,7 @@ def test_a_cutoff_keeps_the_wave_on_one_side_only(side, remaining, end):
 
 
 def master_forces(forces, unfiltered, cutoffs, end):
-    """Forces (cutoff, load, contact, contact), the same at all contacts but for their spread."""
+    """Forces (cutoff, load, contact_y, contact_x), the same at all contacts but for a spread."""
     spread = np.array([[0.5, 1.5], [1.0, 1.0]])
     return xr.Dataset(
         {

@@ -9,7 +9,7 @@ from hardcontact.base.arrays import Floats
 from hardcontact.contact.bearing_area import PixelsByContact
 from hardcontact.contact.geometry import Bodies, gaps_at
 
-#: Sums (contact, contact) over all pixels but contact pixels, and a function that returns the
+#: Sums (contact_y, contact_x) over all pixels but contact pixels, and a function that returns the
 #: factor of the sphere at the contact pixels as seen from the contact (i, j).
 SphereTerms = tuple[Floats, Callable[[tuple[int, int]], Floats]]
 

@@ -68,7 +68,7 @@ def attraction_totals(
     pixel_counts: Sequence[int],
     ranges: Sequence[float],
 ) -> Floats:
-    """Return the sums (pixel count, rho, contact, contact) of exp(-gap/rho) at closest approach.
+    """Return sums (pixel count, rho, contact_y, contact_x) of exp(-gap/rho) at closest approach.
 
     A pixel count is the number of pixels that touch; `pixels_by_contact` has at least as many.
     """
@@ -97,7 +97,7 @@ def _total_of_lowest(
 
 
 def _stacked_gaps(pixels_by_contact: PixelsByContact) -> Floats:
-    """Return the gaps (contact, contact, k) of all contacts in nm."""
+    """Return the gaps (contact_y, contact_x, k) of all contacts in nm."""
     contacts_per_row = math.isqrt(len(pixels_by_contact))
     gaps = np.array([contact_pixels.gaps for contact_pixels in pixels_by_contact.values()])
     return gaps.reshape(contacts_per_row, contacts_per_row, -1)
@@ -106,7 +106,7 @@ def _stacked_gaps(pixels_by_contact: PixelsByContact) -> Floats:
 def forces_at_loads(
     bodies: Bodies, loaded_contacts: Sequence[Contact], ranges: Sequence[float]
 ) -> Floats:
-    """Return the forces (load, rho, contact, contact) of a pair in N at 1 J/m².
+    """Return the forces (load, rho, contact_y, contact_x) of a pair in N at 1 J/m².
 
     The contacts differ in their loads alone; ranges of adhesion are in nm.
     """
@@ -222,8 +222,8 @@ def wider_window_change(
 ) -> xr.Dataset:
     """Return the change of the plastic force in a window larger by a period on each side.
 
-    The forces (pair, contact, contact) in N at 1 J/m² are at the range of the contact. All pairs
-    share the substrate. Returns the largest relative change over contacts and pairs.
+    The forces (pair, contact_y, contact_x) in N at 1 J/m² are at the range of the contact. All
+    pairs share the substrate. Returns the largest relative change over contacts and pairs.
     """
     changes = []
     for bodies, pair_forces in zip(pairs, forces.values, strict=True):

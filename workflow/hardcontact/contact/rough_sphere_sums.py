@@ -77,7 +77,7 @@ def _axis_factors_by_shift(
 def _correlation(
     attraction: NDArray[np.floating], kernel: Floats, positions: NDArray[np.int_]
 ) -> Floats:
-    """Return the sum (contact, contact) of attraction * kernel, shifted to each contact.
+    """Return the sum (contact_y, contact_x) of attraction * kernel, shifted to each contact.
 
     Fourier transforms take a third of the time of products, but their error is relative to the
     norms of both factors. They are used if all sums are large enough.

@@ -70,7 +70,7 @@ def _contact_sums(
     blocks: Iterable[tuple[slice, Sequence[NDArray[np.floating]]]],
     factors: Sequence[NDArray[np.floating]],
 ) -> Floats:
-    """Return G exp((z - highest)/rho) G^T, (rho, contact, contact), from blocks of rows.
+    """Return G exp((z - highest)/rho) G^T, (rho, contact_y, contact_x), from blocks of rows.
 
     A block has its rows and, for each range, the exponentials (rows, n); `factors` has G by range.
     """

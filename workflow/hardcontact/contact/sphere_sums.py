@@ -41,7 +41,7 @@ MAX_DEPTH = {np.float32: 40.0, np.float64: 660.0}
 def outside_sums(
     bodies: Bodies, pixels_by_contact: PixelsByContact, ranges: Sequence[float] | Floats
 ) -> Floats:
-    """Return the sum (rho, contact, contact) of exp(-(g + m)/rho) outside plastic contact.
+    """Return the sum (rho, contact_y, contact_x) of exp(-(g + m)/rho) outside plastic contact.
 
     m is the height of the apex at closest approach. `pixels_by_contact[i, j]` has the pixels that
     touch in the contact (i, j) of the array.

@@ -45,7 +45,7 @@ OCTAVES_NAMED = 3
 
 
 def make_force_function(contact: Contact, sphere: HeightMap | None = None) -> ForcesOnSurface:
-    """Return the function of a surface that gives its forces (contact, contact) in N at 1 J/m²."""
+    """Return a function of a surface: its forces (contact_y, contact_x) in N at 1 J/m²."""
 
     def compute_forces(surface: HeightMap) -> Floats:
         pair = join_bodies(surface, sphere, contact)
