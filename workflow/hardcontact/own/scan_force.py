@@ -153,9 +153,7 @@ def _force_numbers(
     )
     smooth = smooth_force(contact)
     values = np.append(surface_forces.mean, mean_intervals(surface_forces, confidence)[0])
-    # The mean with an unbounded interval is not limited either.
-    limited = values if np.isinf(values[-1]) else limit_forces(values, smooth)
-    mean, low, high = limited.tolist()
+    mean, low, high = limit_forces(values, smooth).tolist()
     force = Number("force_on_scan", mean, "N", low, high, surface_forces.scan_parts[0].source)
     forces_on_map = make_force_function(contact)
     wide_pixel_force = forces_on_map(stitched_map(widen_pixels(scan))).mean()
