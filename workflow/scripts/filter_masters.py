@@ -1,4 +1,4 @@
-"""Plastic pull-off on masters of one surface, unfiltered and filtered at every cutoff."""
+"""Pull-off on masters of one surface, unfiltered and filtered at every cutoff."""
 
 from hardcontact.base.dataset import read, stack
 from hardcontact.base.job import Job, run_job
