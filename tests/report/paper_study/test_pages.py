@@ -99,7 +99,7 @@ def test_a_verdict_on_an_edge_from_artificial_roughness_says_so():
         (line,) = re.findall(
             "shortest wavelength that matters on any.*, the longest", answer_words(page)
         )
-        assert ("where roughness is artificial" in line) == is_artificial, line
+        assert ("from artificial roughness" in line) == is_artificial, line
         (row,) = [
             row
             for row in page.rows
