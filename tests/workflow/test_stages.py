@@ -151,7 +151,7 @@ def test_the_costs_are_those_of_such_a_study(monkeypatch, project_folder, words,
 @pytest.mark.parametrize(
     ("name", "words", "remedy"),
     [
-        ("claim", [], "a target of README.md"),
+        ("claim", [], "a target (topography, adhesion"),
         ("fig7", [], "fig6"),
         ("fig6", ["--configfile", "config/crn.yaml"], "answer, which makes all figures"),
         ("claims", ["--configfile", "config/crn.yaml"], "a target of own surfaces (answer"),

@@ -35,7 +35,10 @@ def _missing_target(name: str) -> str:
     """Return the line of a target that no rule makes, with the targets of such a study."""
     from hardcontact.report.figures.listing import PAPER_FIGURES
 
-    targets = "a target of README.md"
+    targets = (
+        "a target (topography, adhesion, elastic, plasticity, asperities, scales, fit, classical, "
+        "sets, claims, figures, pages or answer)"
+    )
     if _has_own_surfaces():
         targets = (
             "a target of own surfaces (answer, which makes all figures; topography, adhesion, "
