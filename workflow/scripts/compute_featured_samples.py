@@ -5,19 +5,11 @@ from hardcontact.contact.contact import Contact
 from hardcontact.paper.featured_samples import SampleInputs, compute_samples
 from hardcontact.surfaces.conditioning import read_substitute
 from hardcontact.surfaces.featured_scans import featured_surface
-from hardcontact.surfaces.synthesis import ScanGrid
 
 with run_job(snakemake) as job:
     params = job.parameters
     numbers = range(params["first"], params["last"] + 1)
-    substitute = read_substitute(
-        params["surface"],
-        job.input.spectrum,
-        job.input.published_table1,
-        job.input.published_constants,
-        ScanGrid(**params["scan_grid"]),
-        params["seed"],
-    )
+    substitute = read_substitute(job)
     contact = Contact(**params["contact"])
     inputs = SampleInputs(
         featured_surface(substitute), params["scan_count"], contact, params["ranges"]

@@ -4,25 +4,17 @@ from hardcontact.base.job import run_job
 from hardcontact.contact.contact import Contact
 from hardcontact.paper.pool import compute_pool, pool_inputs
 from hardcontact.surfaces.conditioning import read_substitute
-from hardcontact.surfaces.synthesis import ScanGrid
 
 with run_job(snakemake) as job:
     params = job.parameters
-    surface = params["surface"]
     numbers = range(params["first"], params["last"] + 1)
-    substitute = read_substitute(
-        params["surface"],
-        job.input.spectrum,
-        job.input.published_table1,
-        job.input.published_constants,
-        ScanGrid(**params["scan_grid"]),
-        params["seed"],
-    )
+    substitute = read_substitute(job)
     contact = Contact(**params["contact"])
     inputs = pool_inputs(
         substitute, params["scan_count"], params["rms_height_count"], contact, params["ranges"]
     )
     job.write(
         compute_pool(numbers, inputs),
-        title=f"pull-off forces of scans {numbers[0]} to {numbers[-1]} of the pool of {surface}",
+        title=f"pull-off forces of scans {numbers[0]} to {numbers[-1]} "
+        f"of the pool of {params['surface']}",
     )

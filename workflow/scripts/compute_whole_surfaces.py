@@ -9,19 +9,11 @@ from hardcontact.contact.pull_off import mean_pull_off_dataset
 from hardcontact.inference.octaves import make_force_function, octave_force_dataset, octave_limits
 from hardcontact.surfaces.conditioning import read_substitute
 from hardcontact.surfaces.featured_scans import whole_surfaces
-from hardcontact.surfaces.synthesis import ScanGrid
 
 with run_job(snakemake) as job:
     params = job.parameters
     contact = Contact(**params["contact"])
-    substitute = read_substitute(
-        params["surface"],
-        job.input.spectrum,
-        job.input.published_table1,
-        job.input.published_constants,
-        ScanGrid(**params["scan_grid"]),
-        params["seed"],
-    )
+    substitute = read_substitute(job)
     make_surface = whole_surfaces(substitute, job.input.description, params["has_features"])
     grid = params["grid"]
     realizations = params["realizations"]

@@ -10,19 +10,11 @@ from hardcontact.inference.edges import pooled_band
 from hardcontact.inference.octaves import make_force_function
 from hardcontact.surfaces.conditioning import read_substitute
 from hardcontact.surfaces.featured_scans import whole_surfaces
-from hardcontact.surfaces.synthesis import ScanGrid
 
 with run_job(snakemake) as job:
     params = job.parameters
-    forces = make_force_function(Contact(**params["contact"]))
-    substitute = read_substitute(
-        params["surface"],
-        job.input.spectrum,
-        job.input.published_table1,
-        job.input.published_constants,
-        ScanGrid(**params["scan_grid"]),
-        params["seed"],
-    )
+    compute_forces = make_force_function(Contact(**params["contact"]))
+    substitute = read_substitute(job)
     make_surface = whole_surfaces(substitute, job.input.description, params["has_features"])
     grid = params["grid"]
     constants = published.read_constants(job.input.published_constants)["value"]
@@ -34,7 +26,7 @@ with run_job(snakemake) as job:
     surfaces = {}
     for number in progress(realizations, len(realizations), "surfaces"):
         surface = make_surface(number, grid["pixels"], grid["pixel_size"])
-        surfaces[(number,)] = band_force_dataset(surface, bands, forces)
+        surfaces[(number,)] = band_force_dataset(surface, bands, compute_forces)
     job.write(
         stack(surfaces, ["map"]).assign_attrs(map_size=surface.size),
         title=f"pull-off forces of {params['surface']} with a part of the roughness",

@@ -4,18 +4,10 @@ from hardcontact.base.job import run_job
 from hardcontact.surfaces.conditioning import conditioned_group, read_substitute
 from hardcontact.surfaces.featured_scans import featured_group
 from hardcontact.surfaces.height_map import LEVELLED, STITCHED, level_and_stitch
-from hardcontact.surfaces.synthesis import ScanGrid
 
 with run_job(snakemake) as job:
     params = job.parameters
-    substitute = read_substitute(
-        params["surface"],
-        job.input.spectrum,
-        job.input.published_table1,
-        job.input.published_constants,
-        ScanGrid(**params["scan_grid"]),
-        params["seed"],
-    )
+    substitute = read_substitute(job)
     if params["has_features"]:
         conditioning, scans = featured_group(substitute, params["scan_numbers"])
     else:

@@ -16,6 +16,7 @@ import xarray as xr
 
 from hardcontact.base import dataset, published
 from hardcontact.base.arrays import Floats
+from hardcontact.base.job import Job
 from hardcontact.base.random import generator
 from hardcontact.base.units import DIMENSIONLESS, RAD_PER_NM
 from hardcontact.surfaces.descriptions import AFM_ROWS
@@ -60,14 +61,14 @@ class Targets(NamedTuple):
     met_rows: tuple[str, ...]  #: Names of the rows of Table 1 that these targets meet.
 
 
-def read_substitute(
-    surface: str, spectrum: str, table1: str, constants: str, grid: ScanGrid, seed: int
-) -> Substitute:
-    """Read the calibrated spectrum of a surface, Table 1 and the constants from their paths."""
-    rows = published.rows_of_surface(published.read_table1(table1), surface)
-    return Substitute(
-        surface, dataset.read(spectrum), rows, published.read_constants(constants), grid, seed
-    )
+def read_substitute(job: Job) -> Substitute:
+    """Read from the inputs and parameters of a job what the scans of a substitute are made of."""
+    surface = job.parameters["surface"]
+    spectrum_data = dataset.read(job.input.spectrum)
+    table1 = published.rows_of_surface(published.read_table1(job.input.published_table1), surface)
+    constants = published.read_constants(job.input.published_constants)
+    grid = ScanGrid(**job.parameters["scan_grid"])
+    return Substitute(surface, spectrum_data, table1, constants, grid, job.parameters["seed"])
 
 
 def scan_targets(
