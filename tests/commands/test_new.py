@@ -183,7 +183,7 @@ def test_several_surfaces_a_sphere_and_forces_make_a_study(folder, run):
     assert table.label.tolist() == ["3 nm", "Coated (II)", "sphere"]
     assert "coated_ii is Coated (II)" in done.out
     assert config["sphere"] == {"surface": "sphere", "radius": 1e5}
-    assert config["forces"] == "my: #1.csv" and config["scales"]["range"] == 4
+    assert config["forces"] == "my: #1.csv" and config["adhesion"]["range"] == 4
     assert config["adhesion"]["work"] == 0.05
 
 
@@ -304,10 +304,10 @@ def test_an_overlay_is_read_back_as_it_was_written():
         Choice("study", "1e3", "a name that YAML takes for a number"),
         Choice("contact.contacts_per_row", 20, "in each direction, " * 20),
         Choice("scales.short.cutoffs", [f"{length} nm" for length in range(5, 60)], "many"),
-        Choice("scales.range", "5.6 nm", "the paper's"),
+        Choice("adhesion.range", "5.6 nm", "the paper's"),
     ]
     text = overlay_text("snakemake", choices, [Choice("study", "no", "")])
     overlay = set_keys({}, values_by_key(choices)) | {"quick": {"study": "no"}}
     assert yaml.safe_load(text) == overlay
-    base = {"scales": {"range": "1 nm", "long": {"tiles": 4}}, "seed": 1}
+    base = {"adhesion": {"range": "1 nm"}, "scales": {"long": {"tiles": 4}}, "seed": 1}
     assert set_keys(base, values_by_key(choices))["scales"]["long"] == {"tiles": 4}

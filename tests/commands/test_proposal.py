@@ -145,7 +145,7 @@ def check_refusal(line, scan, settings):
     area = 1e18 * settings.preload / settings.hardness
     if line.startswith("surface a: expected a height map"):
         assert scan.pixel_size < 0.05
-    elif line.startswith("config key scales.range"):
+    elif line.startswith("config key adhesion.range"):
         pixels = 2 * scan.pixel_size**2 / settings.radius
         depth = math.sqrt(area)
         assert max(pixels, scan.relief / 500, depth / 25) > 39.9, line
@@ -255,7 +255,7 @@ def test_unsuitable_scans_are_refused_in_one_line_each(entries, settings, messag
 @pytest.mark.parametrize(
     ("scan", "settings", "message_parts"),
     [
-        (entry(20000, 512, 700.0), probe(rho=6.0), ["scales.range: expected at least 11.2 nm"]),
+        (entry(20000, 512, 700.0), probe(rho=6.0), ["adhesion.range: expected at least 11.2 nm"]),
         # A quarter of the stitched scan, 6.25 um2, carries 6.25 mN at 1 GPa.
         (entry(), probe(preload=1.0, hardness=1e9), ["contact.preload", "at most 6.25 mN"]),
     ],

@@ -61,9 +61,11 @@ def tiny(draw):
             "preload": load,
             "hardness": f"{hardness} GPa",
         },
-        "adhesion": {"ranges": [pick("0.1 nm", "0.5 nm", "1 nm"), pick("5 nm", "1 um")]},
-        "scales": {
+        "adhesion": {
             "range": pick("0.1 nm", "1 nm", "5.6 nm", "5.6 nm", "1 um"),
+            "ranges": [pick("0.1 nm", "0.5 nm", "1 nm"), pick("5 nm", "1 um")],
+        },
+        "scales": {
             "sphere_roughness": pick(True, False),
             "short": {
                 "pixels": small,
@@ -153,7 +155,7 @@ def check_masters(config, rng, stitched, sphere, section, side):
     count_section = "contact" if section == "scales" else section
     contact = Contact(
         radius=config["sphere"]["radius"],
-        rho=config["scales"]["range"],
+        rho=config["adhesion"]["range"],
         **config["contact"] | {"contacts_per_row": config[count_section]["contacts_per_row"]},
     )
     probe = sphere if config["scales"]["sphere_roughness"] else None

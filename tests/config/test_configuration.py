@@ -24,6 +24,7 @@ from hardcontact.config.model import Study
         ("hardness", "3 GPa", ["found hardness (did you mean contact: {hardness: ...}?)"]),
         ("a\nb", 1, ["(top level)", "found 'a\\nb'"]),
         ("scales.small", {}, ["scales:", "found small (did you mean short?)"]),
+        ("scales.range", "1 nm", ["found range (did you mean adhesion: {range: ...}?)"]),
         ("scan.pixel", 5, ["scan:", "found pixel (did you mean pixels?)"]),
         ("sphere", "ruby", ["sphere:", "a mapping", "found 'ruby'"]),
         ("effort", "quik", ["effort: expected full or quick, found 'quik'"]),

@@ -57,7 +57,7 @@ SWEPT = {
     "sphere.radius": "300 um",
     "contact.preload": "12 uN",
     "contact.hardness": "30 GPa",
-    "scales.range": "3 nm",
+    "adhesion.range": "3 nm",
     "exponents.radii": ["5 um", "7 um"],
 }
 
@@ -98,7 +98,7 @@ def test_two_values_of_a_swept_key_have_different_files(key):
 def test_paths_do_not_depend_on_the_units_of_a_value():
     written_otherwise = [
         *("sphere.radius", "0.25 mm", "contact.preload", "0.01 mN"),
-        *("contact.hardness", "25000 MPa", "scales.range", "0.0056 um"),
+        *("contact.hardness", "25000 MPa", "adhesion.range", "0.0056 um"),
     ]
     assert lists_of_files(*written_otherwise) == lists_of_files()
     assert study_contact(numbers()).load_name == "H25GPa-F10uN"

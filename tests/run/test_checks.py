@@ -75,8 +75,8 @@ CONTRADICTING_VALUES = [
     ),
     (("scales.long.tiles", 8), "sets.long.pixels", "8192", "found 4096"),
     (
-        ("exponents.radii", ["30 nm", "250 um"], "scales.range", "1.4 nm"),
-        *("scales.range", "at least 1.59 nm on", "at R = 30 nm", "found 1.4 nm"),
+        ("exponents.radii", ["30 nm", "250 um"], "adhesion.range", "1.4 nm"),
+        *("adhesion.range", "at least 1.59 nm on", "at R = 30 nm", "found 1.4 nm"),
     ),
 ]
 
@@ -98,7 +98,7 @@ def test_keys_that_contradict_each_other_or_the_table_are_refused(
 def test_values_at_their_limits_are_accepted(tmp_path, project_folder):
     config = numbers(
         *("elastic.contacts", 401, "asperities.contacts", 401),  # all, if there are fewer
-        *("exponents.radii", ["50 nm"], "scales.range", "1 nm"),
+        *("exponents.radii", ["50 nm"], "adhesion.range", "1 nm"),
     )
     check(config, tmp_path)
 
@@ -113,8 +113,8 @@ def test_a_substrate_without_a_published_force_is_refused_beside_the_paper(
 
 def test_a_study_without_scaling_ignores_its_keys(project_folder):
     grids = {"glass": Grid(512, 4.883, 2500.0, 500.0)}
-    config = numbers("exponents.radii", ["10 nm"], "scales.range", "1 nm")
-    assert_says(refusal(refuse_unfit_grids, config, grids), "config key scales.range: expected")
+    config = numbers("exponents.radii", ["10 nm"], "adhesion.range", "1 nm")
+    assert_says(refusal(refuse_unfit_grids, config, grids), "config key adhesion.range: expected")
     refuse_unfit_grids(config | {"published": "none"}, grids)
 
 

@@ -245,7 +245,7 @@ def test_swept_values_share_masters(dry):
     values = {
         "contact": {"preload": "12 uN"},
         "sphere": {"radius": "300 um"},
-        "scales": {"range": "3 nm"},
+        "adhesion": {"range": "3 nm"},
     }
     jobs = dry(values)
     assert not any("/masters/" in output for _, output in jobs)

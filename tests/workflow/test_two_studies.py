@@ -25,7 +25,7 @@ FIXED = {
 }  # fmt: skip
 #: Keys whose values, or the numbers that they count, are part of paths.
 IN_PATHS = {
-    "sphere.radius", "contact.preload", "contact.hardness", "scales.range",
+    "sphere.radius", "contact.preload", "contact.hardness", "adhesion.range",
     "scales.sphere_roughness", "scales.realizations", "sets.pool_size", "sets.count",
     "sets.realizations", "exponents.realizations", "exponents.radii", "scales.whole_surfaces",
 }  # fmt: skip

@@ -23,7 +23,7 @@ from hardcontact.config.model import NONE, PAPER
 
 STUDY = start.checked_configuration(workflow, config)
 PATTERNS = study_patterns(STUDY)
-RANGES = sorted({*STUDY["adhesion"]["ranges"], STUDY["scales"]["range"]})
+RANGES = sorted({*STUDY["adhesion"]["ranges"], STUDY["adhesion"]["range"]})
 SAMPLING = STUDY["inference"] | {"seed": STUDY["seed"]}
 IS_PAPER_STUDY = STUDY["published"] == PAPER
 PAGES = read_yaml("workflow/report/pages.yaml")

@@ -91,7 +91,7 @@ rule aggregate_sensitivity:
             bands=BAND_SURFACES,
             **NAMED_SURFACES,
             radius=STUDY["sphere"]["radius"],
-            rho=STUDY["scales"]["range"],
+            rho=STUDY["adhesion"]["range"],
             tolerance=STUDY["scales"]["tolerance"],
             confidence=STUDY["inference"]["confidence"],
         ),

@@ -72,7 +72,7 @@ rule aggregate_scales:
             realizations=STUDY["scales"]["realizations"],
             load=FILES.contact.load_name,
             **NAMED_SURFACES,
-            rho=STUDY["scales"]["range"],
+            rho=STUDY["adhesion"]["range"],
             sphere_radius=STUDY["sphere"]["radius"],
             transitions={side: STUDY["scales"][side]["transition"] for side in SIDES},
         ),

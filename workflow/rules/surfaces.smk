@@ -27,7 +27,7 @@ NAMED_SURFACES = {"labels": SELECTION.labels, "basis": SELECTION.basis}
 FILES = SurfaceFiles(STUDY, SELECTION, PATTERNS)
 CHUNKS = Chunks(FILES)
 CONTACT = STUDY["contact"] | {"radius": STUDY["sphere"]["radius"]}
-CONTACT_AT_RANGE = CONTACT | {"rho": STUDY["scales"]["range"]}
+CONTACT_AT_RANGE = CONTACT | {"rho": STUDY["adhesion"]["range"]}
 SCAN_GRID = {
     **{key: STUDY["scan"][key] for key in ("pixels", "size")},
     "surface_pixels": random_surface_pixels(STUDY["scan"]["pixels"]),

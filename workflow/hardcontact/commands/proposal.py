@@ -151,8 +151,8 @@ def _choices(
     return [
         Choice("contact.window", _nm(contact.window), window.window_reason),
         Choice("contact.contacts_per_row", contacts_per_row, "contacts per row of their array"),
+        Choice("adhesion.range", _nm(contact.rho), window.range_reason),
         Choice("adhesion.ranges", ranges, f"for the force as a function of it; {permitted}"),
-        Choice("scales.range", _nm(contact.rho), window.range_reason),
         Choice("scales.realizations", realizations, "masters on each side"),
         *_master_choices(substrates, contact, transitions, effort, short_pixels),
     ]
@@ -288,7 +288,7 @@ def _ranges(rho: float, shortest_range: float, count: int) -> list[float]:
 
     Limits of the study refuse a range of the masters below the shortest range that scans permit.
     """
-    accepted = model.quantity_type("scales.range")
+    accepted = model.quantity_type("adhesion.range")
     shortest = min(max(shortest_range, rho / RANGE_SPAN, accepted.low), rho)
     longest = min(rho * RANGE_SPAN, accepted.high)
     shorter = np.geomspace(shortest, rho, count // 2 + 1)[:-1]

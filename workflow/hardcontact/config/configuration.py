@@ -152,7 +152,7 @@ def set_keys(config: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str, 
 def study_contact(config: Mapping[str, Any]) -> Contact:
     """Return the contact of the study."""
     return Contact(
-        **config["contact"], radius=config["sphere"]["radius"], rho=config["scales"]["range"]
+        **config["contact"], radius=config["sphere"]["radius"], rho=config["adhesion"]["range"]
     )
 
 

@@ -106,6 +106,8 @@ class AdhesionKeys(Keys):
 
     work: Work = key("46.3 mJ/m2", "Intrinsic Work of Adhesion")
     """With `published: none`: work of adhesion of the predicted force."""
+    range: Range = key("5.6 nm", "Most Relevant Length-scales")
+    """Range of adhesion at which the band is found and the force predicted."""
     ranges: Ranges = key(
         nm(0.05, 0.1, 0.2, 0.35, 0.5, 0.7, 1, 1.4, 2, 2.8, 4, 5, 5.6, 7, 8, 10, 14, 20, 28, 40),
         "Fig. 4, and beyond on both sides",
@@ -154,8 +156,6 @@ class LongSideKeys(Keys):
 class ScalesKeys(Keys):
     """Scales."""
 
-    range: Range = key("5.6 nm", "Most Relevant Length-scales")
-    """Range of adhesion at which the band is found and the force predicted."""
     tolerance: Fraction = key(0.1, "Most Relevant Length-scales")
     """Relative change up to which a force counts as unchanged."""
     realizations: Realizations = 5

@@ -46,7 +46,7 @@ def study_contacts(config: dict[str, Any]) -> dict[str, NamedContact]:
     """Return the contact of each stage of a study that meets limits first, by stage."""
     contact = study_contact(config)
     scan_contact = NamedContact(replace(contact, rho=config["adhesion"]["ranges"][0]))
-    master_contact = NamedContact(contact, range="config key scales.range")
+    master_contact = NamedContact(contact, range="config key adhesion.range")
     if config["published"] != PAPER:
         return {"scans": scan_contact, "scales": master_contact}
     largest = replace(scan_contact.contact, preload=config["indent"]["preloads"][-1])

@@ -24,7 +24,7 @@ CONTACT_QUANTITIES = {
     "radius": ("sphere.radius", "radius of the sphere"),
     "hardness": ("contact.hardness", "hardness"),
     "preload": ("contact.preload", "preload"),
-    "range": ("scales.range", "range of adhesion"),
+    "range": ("adhesion.range", "range of adhesion"),
     "work": ("adhesion.work", "work of adhesion"),
 }
 

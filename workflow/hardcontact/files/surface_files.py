@@ -32,7 +32,7 @@ class SurfaceFiles:
         self._defaults = {
             "radius": f"R{path_token(configuration['sphere']['radius'], 'um')}",
             "load": self.contact.load_name,
-            "range": f"rho{path_token(configuration['scales']['range'], 'nm')}",
+            "range": f"rho{path_token(configuration['adhesion']['range'], 'nm')}",
             "sphere_digest": self.sphere_digest,
         }
         self._combines_bodies = combines_bodies(configuration)
