@@ -83,7 +83,7 @@ def test_findings_that_only_larger_pixels_leave_untested_are_told_apart():
     slopes = table["id"].str.fullmatch("afm_rms_(slope|curvature)_.*")
     table.loc[slopes, ["verdict", "note"]] = [UNTESTABLE, f"A note. {LARGER_PIXELS}"]
     count = summary(table)["independent"].sum()
-    expected = f"findings of the paper ({count - 8} without slopes and curvatures"
+    expected = f"independent findings ({count - 8} without slopes and curvatures"
     assert slopes.sum() == 8
     assert expected in " ".join(answer(table)["verdicts"])
     assert "without slopes" not in " ".join(answer()["verdicts"])
