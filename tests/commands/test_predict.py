@@ -15,8 +15,8 @@ from hardcontact.base.published import RUBY_ON_DIAMOND_MODULUS, assumed_modulus
 from hardcontact.commands import request
 from hardcontact.commands.predict import predict_arguments
 from hardcontact.own.own_spectrum import table_spectrum
-from hardcontact.surfaces.extrapolated_spectrum import extrapolate_short_waves, fit_hurst_exponent
-from hardcontact.surfaces.measured_spectrum import CALIBRATION_SCATTER, isotropic_from_profile
+from hardcontact.scans.extrapolated_spectrum import extrapolate_short_waves, fit_hurst_exponent
+from hardcontact.scans.measured_spectrum import CALIBRATION_SCATTER, isotropic_from_profile
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
 from hardcontact.theory.closed_form import closed_form, critical_band
 from hardcontact.theory.prediction import trim_spectrum

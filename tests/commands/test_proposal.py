@@ -21,8 +21,8 @@ from hardcontact.config.configuration import set_keys
 from hardcontact.config.limits import refuse_unfit_grids
 from hardcontact.config.model import numeric_configuration
 from hardcontact.contact.contact import Contact
+from hardcontact.scans.reliable_band import ReliableBand
 from hardcontact.surfaces.height_map import HeightMap
-from hardcontact.surfaces.reliable_band import ReliableBand
 from hardcontact.surfaces.spectrum import BIN_CENTRES
 
 #: Width of a bin in ln q.

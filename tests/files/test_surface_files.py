@@ -7,8 +7,8 @@ from paper_numbers import SUBSTRATES, SURFACES
 from studies import files
 
 from hardcontact.files.surface_files import SurfaceFiles
+from hardcontact.scans.reading import read_scan
 from hardcontact.surfaces.height_map import remove_form
-from hardcontact.surfaces.scans import read_scan
 
 pytestmark = pytest.mark.usefixtures("project_folder")
 

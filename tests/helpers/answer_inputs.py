@@ -7,7 +7,7 @@ from intervals import between_multiples
 from hardcontact.base.statistics import with_interval
 from hardcontact.report.own_surfaces.answer import surface_answers
 from hardcontact.report.own_surfaces.datasets import Datasets, Setting
-from hardcontact.surfaces.scan_defects import DEFECT_UNITS
+from hardcontact.scans.defects import DEFECT_UNITS
 from hardcontact.surfaces.spectrum import BIN_EDGES, WAVEVECTORS
 
 CONFIDENCE = 0.95

@@ -12,9 +12,9 @@ from hardcontact.contact.geometry import join_bodies, spheres_at_positions
 from hardcontact.contact.pull_off import forces_at_loads, pull_off_force
 from hardcontact.inference.octaves import STEP, make_force_function, octave_forces
 from hardcontact.own.mean_forces import forces_of_surface, mean_intervals
-from hardcontact.surfaces.both_bodies import combine_maps, combine_spectra
+from hardcontact.scans.both_bodies import combine_maps, combine_spectra
+from hardcontact.scans.joined_spectrum import joined_spectrum
 from hardcontact.surfaces.height_map import mirror_stitch
-from hardcontact.surfaces.joined_spectrum import joined_spectrum
 
 PIXELS, PIXEL_SIZE = 128, 10.0
 CONTACT = Contact(

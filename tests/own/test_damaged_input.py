@@ -19,7 +19,7 @@ from hardcontact.config.model import numeric_configuration
 from hardcontact.config.selected_surfaces import surface_table
 from hardcontact.config.tables import refuse_description
 from hardcontact.own.own_spectrum import own_spectrum
-from hardcontact.surfaces.scans import list_scans, read_scan
+from hardcontact.scans.reading import list_scans, read_scan
 from hardcontact.surfaces.substitute_spectra import described_rms_height
 
 NUMBER = re.compile(rb"\d+")

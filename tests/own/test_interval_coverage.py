@@ -9,9 +9,9 @@ from measurements import line_of, map_of, measurement
 from scipy import stats
 
 from hardcontact.base.random import generator
-from hardcontact.surfaces.extrapolated_spectrum import MAX_GRADIENT, MAX_HALF_LAPLACIAN
-from hardcontact.surfaces.joined_spectrum import joined_spectrum, sample_spectra
-from hardcontact.surfaces.measured_spectrum import CALIBRATION_SCATTER
+from hardcontact.scans.extrapolated_spectrum import MAX_GRADIENT, MAX_HALF_LAPLACIAN
+from hardcontact.scans.joined_spectrum import joined_spectrum, sample_spectra
+from hardcontact.scans.measured_spectrum import CALIBRATION_SCATTER
 from hardcontact.surfaces.spectrum import (
     WAVEVECTORS,
     Spectrum,

@@ -13,7 +13,7 @@ from refusals import assert_says, refusal
 import hardcontact as hc
 from hardcontact.base.random import generator
 from hardcontact.own.own_spectrum import own_spectrum
-from hardcontact.surfaces.joined_spectrum import joined_spectrum
+from hardcontact.scans.joined_spectrum import joined_spectrum
 from hardcontact.surfaces.spectrum import spectrum_of_dataset
 from hardcontact.theory.closed_form import closed_form
 

@@ -37,13 +37,13 @@ from hardcontact.inference.master_datasets import stack_masters
 from hardcontact.own.edges_of_scans import edges_of_curves
 from hardcontact.own.own_spectrum import own_spectrum
 from hardcontact.own.scan_force import add_force_on_scan
+from hardcontact.scans.defects import scan_with_defects
+from hardcontact.scans.heights import map_values, unit_in_nm
+from hardcontact.scans.joined_spectrum import ScanSpectrum, joined_spectrum, reliable_spectrum
+from hardcontact.scans.reading import read_scan as read_any_scan
+from hardcontact.scans.refused_file import RefusedFile
 from hardcontact.surfaces.height_map import HeightMap, remove_form, require_map
 from hardcontact.surfaces.height_map import metrics as metrics
-from hardcontact.surfaces.joined_spectrum import ScanSpectrum, joined_spectrum, reliable_spectrum
-from hardcontact.surfaces.refused_file import RefusedFile
-from hardcontact.surfaces.scan_defects import scan_with_defects
-from hardcontact.surfaces.scan_heights import map_values, unit_in_nm
-from hardcontact.surfaces.scans import read_scan as read_any_scan
 from hardcontact.surfaces.spectrum import Spectrum
 from hardcontact.surfaces.spectrum import measured_psds as measured_psds
 from hardcontact.theory.prediction import prediction

@@ -2,7 +2,7 @@
 
 from hardcontact.base import dataset
 from hardcontact.base.job import run_job
-from hardcontact.surfaces.spectrum_datasets import convert_described_spectrum, stack_spectra
+from hardcontact.scans.spectrum_datasets import convert_described_spectrum, stack_spectra
 
 with run_job(snakemake) as job:
     params = job.parameters

@@ -2,7 +2,7 @@
 
 from hardcontact.base.dataset import read
 from hardcontact.base.job import run_job
-from hardcontact.surfaces.both_bodies import combine_sampled_spectra
+from hardcontact.scans.both_bodies import combine_sampled_spectra
 
 with run_job(snakemake) as job:
     job.write(

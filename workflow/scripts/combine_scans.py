@@ -2,7 +2,7 @@
 
 from hardcontact.base.job import run_job
 from hardcontact.base.random import generator
-from hardcontact.surfaces.both_bodies import combine_maps
+from hardcontact.scans.both_bodies import combine_maps
 from hardcontact.surfaces.height_map import read_height_map
 
 with run_job(snakemake) as job:

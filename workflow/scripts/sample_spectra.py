@@ -2,8 +2,8 @@
 
 from hardcontact.base.job import run_job
 from hardcontact.base.random import generator
+from hardcontact.scans.joined_spectrum import sample_spectra
 from hardcontact.surfaces.height_map import read_height_map, remove_form
-from hardcontact.surfaces.joined_spectrum import sample_spectra
 from hardcontact.surfaces.spectrum import spectrum_dataset
 
 with run_job(snakemake) as job:

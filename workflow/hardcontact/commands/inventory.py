@@ -13,14 +13,14 @@ from hardcontact.commands.output import align_cells
 from hardcontact.commands.request import Source
 from hardcontact.config.grids import Grid
 from hardcontact.config.selected_surfaces import CONTACT
+from hardcontact.scans.defects import scan_with_defects
+from hardcontact.scans.heights import split_notes
+from hardcontact.scans.mean_spectrum import contradictions, describe_contradictions
+from hardcontact.scans.measured_spectrum import isotropic_psd
+from hardcontact.scans.reading import list_scans, read_scan
+from hardcontact.scans.reliable_band import LIMIT_NAMES, ReliableBand, reliable_band
+from hardcontact.scans.repeated_scans import coarse_map, repeated_scans
 from hardcontact.surfaces.height_map import HeightMap
-from hardcontact.surfaces.mean_spectrum import contradictions, describe_contradictions
-from hardcontact.surfaces.measured_spectrum import isotropic_psd
-from hardcontact.surfaces.reliable_band import LIMIT_NAMES, ReliableBand, reliable_band
-from hardcontact.surfaces.repeated_scans import coarse_map, repeated_scans
-from hardcontact.surfaces.scan_defects import scan_with_defects
-from hardcontact.surfaces.scan_heights import split_notes
-from hardcontact.surfaces.scans import list_scans, read_scan
 
 #: The use of scans that only enter the spectrum of their surface.
 SPECTRUM = "spectrum"

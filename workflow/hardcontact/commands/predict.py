@@ -31,9 +31,9 @@ from hardcontact.own.own_spectrum import OwnSpectrum, own_spectrum
 from hardcontact.own.predicted_octaves import predicted_octaves
 from hardcontact.own.rough_sphere import combined_spectrum
 from hardcontact.own.scan_force import add_force_on_scan
-from hardcontact.surfaces.both_bodies import sphere_share
-from hardcontact.surfaces.joined_spectrum import ScanSpectrum
-from hardcontact.surfaces.scan_heights import TAKE_CARE
+from hardcontact.scans.both_bodies import sphere_share
+from hardcontact.scans.heights import TAKE_CARE
+from hardcontact.scans.joined_spectrum import ScanSpectrum
 from hardcontact.theory.prediction import prediction
 from hardcontact.theory.validity import MAX_NEGLIGIBLE_CHANGE, tabor_number, wide_contact_message
 

@@ -22,7 +22,7 @@ from hardcontact.config.grids import MAX_CONTACT_PIXELS, periods_in_window
 from hardcontact.contact.bearing_area import TILE
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import window_pixels
-from hardcontact.surfaces.reliable_band import LIMIT_NAMES
+from hardcontact.scans.reliable_band import LIMIT_NAMES
 from hardcontact.surfaces.spectrum import nearest_bin
 
 #: Transitions to artificial roughness: the shortest wavelength that a scan keeps, in pixels, and

@@ -14,8 +14,8 @@ from hardcontact.config.arguments import unit_question
 from hardcontact.config.key_types import STUDY_NAME, UNIT
 from hardcontact.config.model import CONTACT_QUANTITIES, QUICK_SUFFIX, key_field, quantity_type
 from hardcontact.config.selected_surfaces import LABEL, TIP_RADIUS
+from hardcontact.scans.reading import MASKS
 from hardcontact.surfaces.height_map import LEVELLING
-from hardcontact.surfaces.scans import MASKS
 
 #: Id and label of the sphere's surface.
 SPHERE = "sphere"

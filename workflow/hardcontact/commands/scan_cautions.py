@@ -15,8 +15,8 @@ from hardcontact.contact.finite_scan import (
     finite_scan_ratio,
     window_share,
 )
-from hardcontact.surfaces.scan_defects import defect_sentence
-from hardcontact.surfaces.scan_heights import split_notes
+from hardcontact.scans.defects import defect_sentence
+from hardcontact.scans.heights import split_notes
 from hardcontact.surfaces.spectrum import MIN_BINS
 
 #: Share of undefined pixels from which the user is told how they are filled.

@@ -18,8 +18,8 @@ from hardcontact.config.limits import NamedContact, contact_faults
 from hardcontact.config.model import CONTACT_QUANTITIES, quantity_type
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.smooth_sphere import STRONGEST_WORK
+from hardcontact.scans.reading import MASKS
 from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
-from hardcontact.surfaces.scans import MASKS
 from hardcontact.surfaces.synthesis import SIDES
 
 #: The usual values of CONTACT_QUANTITIES, beyond which the unit may be wrong. Sources: spheres and

@@ -17,16 +17,16 @@ import xarray as xr
 from hardcontact.base.units import parse_quantity
 from hardcontact.config.faults import quote_key
 from hardcontact.config.tables import Row, UserTable, parse_number, user_table
+from hardcontact.scans.defects import defect_sentence, scan_with_defects
+from hardcontact.scans.heights import LENGTH_BOUNDS, TAKE_CARE, split_notes
+from hardcontact.scans.joined_spectrum import joined_spectrum, reliable_spectrum
+from hardcontact.scans.mean_spectrum import contradictions, describe_contradictions
+from hardcontact.scans.measured_spectrum import ENOUGH_WAVES, isotropic_from_profile
+from hardcontact.scans.plain_text import ROW
+from hardcontact.scans.reading import list_scans, read_scan
+from hardcontact.scans.reliable_band import ReliableBand
+from hardcontact.scans.repeated_scans import repeated_scans
 from hardcontact.surfaces.height_map import HeightMap, metrics
-from hardcontact.surfaces.joined_spectrum import joined_spectrum, reliable_spectrum
-from hardcontact.surfaces.mean_spectrum import contradictions, describe_contradictions
-from hardcontact.surfaces.measured_spectrum import ENOUGH_WAVES, isotropic_from_profile
-from hardcontact.surfaces.plain_text import ROW
-from hardcontact.surfaces.reliable_band import ReliableBand
-from hardcontact.surfaces.repeated_scans import repeated_scans
-from hardcontact.surfaces.scan_defects import defect_sentence, scan_with_defects
-from hardcontact.surfaces.scan_heights import LENGTH_BOUNDS, TAKE_CARE, split_notes
-from hardcontact.surfaces.scans import list_scans, read_scan
 from hardcontact.surfaces.spectrum import Spectrum
 
 #: Pairs of columns. A table has one column of each pair, and a column with its unit.

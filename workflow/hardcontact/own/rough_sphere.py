@@ -5,9 +5,9 @@ from dataclasses import replace
 from hardcontact.base.random import generator
 from hardcontact.own.own_spectrum import OwnSpectrum
 from hardcontact.own.scan_force import stitched_map
-from hardcontact.surfaces.both_bodies import combine_maps, combine_spectra
+from hardcontact.scans.both_bodies import combine_maps, combine_spectra
+from hardcontact.scans.joined_spectrum import ScanSpectrum, reliable_spectrum
 from hardcontact.surfaces.height_map import HeightMap, metrics
-from hardcontact.surfaces.joined_spectrum import ScanSpectrum, reliable_spectrum
 
 
 def combined_spectrum(surface: OwnSpectrum, sphere: OwnSpectrum, seed: int) -> OwnSpectrum:

@@ -20,9 +20,9 @@ from hardcontact.config.model import CONTACT_QUANTITIES, NONE, PAPER, SMOOTH_SPH
 from hardcontact.config.selected_surfaces import CONTACT
 from hardcontact.config.tables import refuse_description, refuse_paper_surface
 from hardcontact.files.patterns import study_patterns
+from hardcontact.scans.reading import read_scan
 from hardcontact.surfaces.descriptions import needs_calibration, read_segments
 from hardcontact.surfaces.height_map import HeightMap, read_height_map, require_map
-from hardcontact.surfaces.scans import read_scan
 from hardcontact.surfaces.substitute_spectra import described_rms_height
 
 #: The statements of the paper.

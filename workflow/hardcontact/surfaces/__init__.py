@@ -1,1 +1,1 @@
-"""Height maps: scans, levelling and stitching, power spectra, filters, synthesis, features."""
+"""Height maps and their metrics, power spectra, filters; random surfaces and substitutes."""

@@ -14,9 +14,9 @@ from hardcontact.base.arrays import Floats
 from hardcontact.base.formatting import format_length
 from hardcontact.base.number import Number
 from hardcontact.contact.contact import Contact
-from hardcontact.surfaces.extrapolated_spectrum import extrapolate_short_waves, fit_hurst_exponent
-from hardcontact.surfaces.joined_spectrum import ScanSpectrum
-from hardcontact.surfaces.measured_spectrum import CALIBRATION_SCATTER
+from hardcontact.scans.extrapolated_spectrum import extrapolate_short_waves, fit_hurst_exponent
+from hardcontact.scans.joined_spectrum import ScanSpectrum
+from hardcontact.scans.measured_spectrum import CALIBRATION_SCATTER
 from hardcontact.surfaces.spectrum import MIN_BINS, WAVEVECTORS, Spectrum, all_scales_rms
 from hardcontact.theory.closed_form import ClosedForm, closed_form, critical_band, smooth_force
 from hardcontact.theory.pull_off_statistics import predict_statistics

@@ -22,10 +22,10 @@ from hardcontact.report.own_surfaces.artificial_roughness import (
 )
 from hardcontact.report.own_surfaces.datasets import Datasets, forces_at_range, stored_tabor_number
 from hardcontact.report.quantities import number_of, number_without_value
-from hardcontact.surfaces.mean_spectrum import contradictions
-from hardcontact.surfaces.reliable_band import OTHER_BODY
-from hardcontact.surfaces.scan_defects import DEFECTS, defect_sentence
-from hardcontact.surfaces.scan_heights import split_notes
+from hardcontact.scans.defects import DEFECTS, defect_sentence
+from hardcontact.scans.heights import split_notes
+from hardcontact.scans.mean_spectrum import contradictions
+from hardcontact.scans.reliable_band import OTHER_BODY
 from hardcontact.surfaces.synthesis import SIDES
 from hardcontact.theory.validity import HARD
 

@@ -18,7 +18,7 @@ from hardcontact.report.own_surfaces.artificial_roughness import (
 )
 from hardcontact.report.own_surfaces.datasets import Datasets
 from hardcontact.report.quantities import OPEN_WORDS, ends, number_without_value, remove_interval
-from hardcontact.surfaces.both_bodies import sphere_share
+from hardcontact.scans.both_bodies import sphere_share
 from hardcontact.surfaces.synthesis import SIDES
 
 EDGES = dict(zip(SIDES, ("short_edge", "long_edge"), strict=True))

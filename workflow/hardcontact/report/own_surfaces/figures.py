@@ -28,7 +28,7 @@ from hardcontact.report.own_surfaces.artificial_roughness import (
     split_scans,
 )
 from hardcontact.report.own_surfaces.datasets import Datasets, preferred_model
-from hardcontact.surfaces.both_bodies import sphere_share
+from hardcontact.scans.both_bodies import sphere_share
 
 #: Label and look of the curve for each side of the band.
 SIDE_LOOKS: dict[str, tuple[str, style.Look]] = {

@@ -6,7 +6,7 @@ from typing import Any
 from hardcontact.report.own_surfaces.artificial_roughness import NEARLY_ALL
 from hardcontact.report.page import render_page
 from hardcontact.report.templates import Frame
-from hardcontact.surfaces.reliable_band import LIMIT_NAMES, MIN_PIXELS, MIN_WAVES_IN_SIZE
+from hardcontact.scans.reliable_band import LIMIT_NAMES, MIN_PIXELS, MIN_WAVES_IN_SIZE
 
 
 def own_page(

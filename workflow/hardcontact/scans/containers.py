@@ -10,7 +10,7 @@ from typing import Any
 
 import yaml
 
-from hardcontact.surfaces.refused_file import RefusedFile
+from hardcontact.scans.refused_file import RefusedFile
 
 #: The lists of scans in containers, new and old, in the order in which they are looked for.
 INDEX_FILES = ("index.json", "meta.yml")

@@ -8,9 +8,9 @@ from measurements import map_of, measurement, self_affine_heights
 from scipy.ndimage import gaussian_filter
 
 from hardcontact.base.random import generator
+from hardcontact.scans.defects import DEFECTS, defect_sentence, scan_with_defects
 from hardcontact.surfaces.features import Features, add_features
 from hardcontact.surfaces.height_map import level_quadratic
-from hardcontact.surfaces.scan_defects import DEFECTS, defect_sentence, scan_with_defects
 from hardcontact.surfaces.spectrum import smooth_rolloff
 
 PIXEL, PIXELS = 20.0, 128

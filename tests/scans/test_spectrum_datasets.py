@@ -7,10 +7,10 @@ from measurements import map_of, two_sizes_and_a_line
 from hardcontact.base import dataset
 from hardcontact.base.random import generator
 from hardcontact.report.own_surfaces.artificial_roughness import artificial_bands
-from hardcontact.surfaces.extrapolated_spectrum import Tail
-from hardcontact.surfaces.joined_spectrum import joined_spectrum
+from hardcontact.scans.extrapolated_spectrum import Tail
+from hardcontact.scans.joined_spectrum import joined_spectrum
+from hardcontact.scans.spectrum_datasets import convert_described_spectrum, stack_spectra
 from hardcontact.surfaces.spectrum import WAVEVECTORS, self_affine, spectrum_dataset
-from hardcontact.surfaces.spectrum_datasets import convert_described_spectrum, stack_spectra
 
 SEGMENTS = pd.DataFrame(
     {

@@ -11,12 +11,12 @@ from numpy.typing import NDArray
 
 from hardcontact.base.arrays import Floats
 from hardcontact.base.units import NM4, RAD_PER_NM
+from hardcontact.scans.defects import DEFECT_UNITS
+from hardcontact.scans.extrapolated_spectrum import Tail
+from hardcontact.scans.reliable_band import ReliableBand
+from hardcontact.scans.repeated_scans import earlier_scans_of_areas
 from hardcontact.surfaces.descriptions import DATA_EVIDENCE
-from hardcontact.surfaces.extrapolated_spectrum import Tail
 from hardcontact.surfaces.height_map import HeightMap
-from hardcontact.surfaces.reliable_band import ReliableBand
-from hardcontact.surfaces.repeated_scans import earlier_scans_of_areas
-from hardcontact.surfaces.scan_defects import DEFECT_UNITS
 from hardcontact.surfaces.spectrum import BIN_CENTRES, WAVEVECTORS, spectrum_of_dataset
 
 #: Attributes of a spectrum about its ends, with their units; no unit for a text.

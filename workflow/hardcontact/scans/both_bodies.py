@@ -11,10 +11,10 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from hardcontact.base.units import DIMENSIONLESS
-from hardcontact.surfaces.extrapolated_spectrum import Tail
+from hardcontact.scans.extrapolated_spectrum import Tail
+from hardcontact.scans.reliable_band import OTHER_BODY
 from hardcontact.surfaces.filters import interpolate, lowpass
 from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
-from hardcontact.surfaces.reliable_band import OTHER_BODY
 from hardcontact.surfaces.spectrum import (
     BIN_CENTRES,
     all_scales_rms,

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from SurfaceTopography.IO import MagicMatch, readers
 from SurfaceTopography.Support.UnitConversion import is_length_unit
 
-from hardcontact.surfaces.plain_text import ROW
+from hardcontact.scans.plain_text import ROW
 
 #: SurfaceTopography's message on an unreadable file: a reader and its reason, in turn.
 READER_MESSAGE = re.compile(r"tried (\w+): \n (.*?)\n\n(?=tried |\Z)", re.S)

@@ -6,7 +6,7 @@ from measurements import PIXEL, line_of, map_of, measurement, profile_of, uncd
 from scipy.ndimage import gaussian_filter1d
 
 from hardcontact.base.random import generator
-from hardcontact.surfaces.measured_spectrum import (
+from hardcontact.scans.measured_spectrum import (
     axis_ratio,
     independent_waves,
     isotropic_from_profile,

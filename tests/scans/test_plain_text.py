@@ -5,8 +5,8 @@ import pytest
 from refusals import assert_says, refusal
 from scan_files import heights
 
-from hardcontact.surfaces.plain_text import readable_text
-from hardcontact.surfaces.scans import read_scan
+from hardcontact.scans.plain_text import readable_text
+from hardcontact.scans.reading import read_scan
 
 PIXELS = 24
 MAP = heights(PIXELS, PIXELS)  # in nm

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from hardcontact.base.arrays import Floats
 from hardcontact.base.formatting import format_length
-from hardcontact.surfaces.measured_spectrum import (
+from hardcontact.scans.measured_spectrum import (
     CALIBRATION_SCATTER,
     bias_of_log,
     variance_of_log,

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from scipy import ndimage
 
 from hardcontact.base.arrays import Floats
-from hardcontact.surfaces.scan_heights import MAX_UNDEFINED_SHARE, PIXEL_BOUNDS, POSITION_ROUNDING
+from hardcontact.scans.heights import MAX_UNDEFINED_SHARE, PIXEL_BOUNDS, POSITION_ROUNDING
 
 #: Bytes that no text has, but for UTF-16.
 BINARY = re.compile(rb"[\0-\x08\x0e-\x1f]")

@@ -11,7 +11,7 @@ import numpy as np
 
 from hardcontact.base.arrays import Floats
 from hardcontact.base.formatting import format_length, format_share
-from hardcontact.surfaces.refused_file import RefusedFile
+from hardcontact.scans.refused_file import RefusedFile
 
 #: Pixels per row of a map: substitutes have no fewer, and masters at least twice as many.
 PIXEL_BOUNDS = (16, 8192)

@@ -22,8 +22,8 @@ from typing import Any
 
 import numpy as np
 
+from hardcontact.scans.refused_file import RefusedFile
 from hardcontact.surfaces.height_map import HeightMap
-from hardcontact.surfaces.refused_file import RefusedFile
 
 #: The largest file in bytes: four times a map of 8192 x 8192 pixels in single precision.
 MAX_FILE_BYTES = 2**30
@@ -58,7 +58,7 @@ def read_scan(
     MASKS. Raises ValueError, in one line, if the scan cannot be used, or if it has undefined pixels
     and `undefined_pixels` is ``"refuse"``.
     """
-    from hardcontact.surfaces.scan_formats import read_fields
+    from hardcontact.scans.formats import read_fields
 
     fields = read_in_child(read_fields, Path(path), member, undefined_pixels, unit, map_size, mask)
     fields["notes"] = tuple(fields["notes"])
@@ -73,7 +73,7 @@ def list_scans(path: str | Path) -> list[str]:
     # A file that is no archive needs no child, which `read_scan` starts for it.
     if not (Path(path).is_file() and zipfile.is_zipfile(path)):
         return [""]
-    from hardcontact.surfaces.scan_formats import list_datasets
+    from hardcontact.scans.formats import list_datasets
 
     return list(read_in_child(list_datasets, Path(path))["datasets"])
 

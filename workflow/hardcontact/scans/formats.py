@@ -1,6 +1,6 @@
 """Read the bytes of a scan: any format of SurfaceTopography, or a contact.engineering container.
 
-`scans` calls this in a child process that cannot open files. Modules that readers import late are
+`reading` calls this in a child process that cannot open files. Modules that readers import late are
 therefore imported here.
 """
 
@@ -18,10 +18,8 @@ from SurfaceTopography import Topography, open_topography
 from SurfaceTopography.Exceptions import CannotDetectFileFormat, MetadataAlreadyFixedByFile
 from SurfaceTopography.IO import AscReader, GWYReader, XYZReader
 
-from hardcontact.surfaces.containers import container_entries, find_entry
-from hardcontact.surfaces.plain_text import POINT_COLUMNS, readable_text
-from hardcontact.surfaces.refused_file import RefusedFile
-from hardcontact.surfaces.scan_heights import (
+from hardcontact.scans.containers import container_entries, find_entry
+from hardcontact.scans.heights import (
     MAX_ASPECT_DEVIATION,
     TAKE_CARE,
     map_values,
@@ -30,7 +28,9 @@ from hardcontact.surfaces.scan_heights import (
     stated_tip_radius,
     unit_in_nm,
 )
-from hardcontact.surfaces.unread_files import KINDS_WITHOUT_HEIGHTS, describe_unread, kind_in_words
+from hardcontact.scans.plain_text import POINT_COLUMNS, readable_text
+from hardcontact.scans.refused_file import RefusedFile
+from hardcontact.scans.unread_files import KINDS_WITHOUT_HEIGHTS, describe_unread, kind_in_words
 
 #: Modules that readers import while they read.
 IMPORTED_LATE = (

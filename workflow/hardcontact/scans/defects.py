@@ -17,11 +17,11 @@ from numpy.typing import NDArray
 from hardcontact.base.arrays import Floats
 from hardcontact.base.formatting import format_length, format_share
 from hardcontact.base.statistics import MEDIAN_DEVIATION
+from hardcontact.scans.reliable_band import FLATTEST_SLOPE, MIN_STANDARD_ERRORS
 from hardcontact.surfaces.height_map import HeightMap, remove_form
-from hardcontact.surfaces.reliable_band import FLATTEST_SLOPE, MIN_STANDARD_ERRORS
 from hardcontact.surfaces.streaks import MIN_STREAK_STEPS, fill_streaks
 
-#: By code of a defect: its numbers with their units. scan_defects.yaml has a sentence on each.
+#: By code of a defect: its numbers with their units. defects.yaml has a sentence on each.
 DEFECTS = {
     "streaks": {
         "streak_lines": "1",

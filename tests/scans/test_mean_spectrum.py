@@ -8,9 +8,9 @@ from measurements import gentle, line_of, map_of, measurement, uncd
 from refusals import assert_says
 
 from hardcontact.base.random import generator
-from hardcontact.surfaces.joined_spectrum import joined_spectrum
-from hardcontact.surfaces.mean_spectrum import contradictions, describe_contradictions, smooth_curve
-from hardcontact.surfaces.measured_spectrum import CALIBRATION_SCATTER, variance_of_log
+from hardcontact.scans.joined_spectrum import joined_spectrum
+from hardcontact.scans.mean_spectrum import contradictions, describe_contradictions, smooth_curve
+from hardcontact.scans.measured_spectrum import CALIBRATION_SCATTER, variance_of_log
 from hardcontact.surfaces.spectrum import BIN_CENTRES, smooth_rolloff
 
 

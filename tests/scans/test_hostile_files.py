@@ -22,7 +22,7 @@ import yaml
 from refusals import assert_says, refusal
 from scan_files import heights, scan
 
-from hardcontact.surfaces import scans
+from hardcontact.scans import reading
 
 
 class Payload:
@@ -179,8 +179,8 @@ HOSTILE = {
 
 
 def read_all(path):
-    for dataset in scans.list_scans(path):
-        scans.read_scan(path, dataset)
+    for dataset in reading.list_scans(path):
+        reading.read_scan(path, dataset)
 
 
 @pytest.fixture
@@ -196,8 +196,8 @@ def folder(tmp_path, monkeypatch):
 
 @pytest.mark.parametrize("name", HOSTILE)
 def test_a_hostile_file_is_refused_in_one_line(folder, monkeypatch, name):
-    monkeypatch.setattr(scans, "SMALL_FILE_MEMORY", 2**26)
-    monkeypatch.setattr(scans, "SMALL_FILE_SECONDS", 1)
+    monkeypatch.setattr(reading, "SMALL_FILE_MEMORY", 2**26)
+    monkeypatch.setattr(reading, "SMALL_FILE_SECONDS", 1)
     write, message_part = HOSTILE[name]
     path = folder / "a.zip"
     write(path)
@@ -213,7 +213,7 @@ def test_a_hostile_file_is_refused_in_one_line(folder, monkeypatch, name):
 def test_a_member_with_the_name_of_another_file_is_read_in_its_archive(folder):
     container(folder / "a.zip", text(heights(32, 32)), "../outside.txt")
     files_before = sorted(folder.parent.rglob("*"))
-    np.testing.assert_allclose(scans.read_scan(folder / "a.zip", "one").heights, heights(32, 32))
+    np.testing.assert_allclose(reading.read_scan(folder / "a.zip", "one").heights, heights(32, 32))
     assert sorted(folder.parent.rglob("*")) == files_before
 
 
@@ -231,7 +231,7 @@ def hoard(_):
 
 
 def write_a_file(_):
-    with open(scans.__file__, "a"):
+    with open(reading.__file__, "a"):
         return {}
 
 
@@ -258,9 +258,9 @@ def chatter(_):
     ],
 )
 def test_a_misbehaving_reader_is_stopped(folder, monkeypatch, capfd, reader, message_part):
-    monkeypatch.setattr(scans, "MAX_SECONDS", 1)
+    monkeypatch.setattr(reading, "MAX_SECONDS", 1)
     path = scan(folder / "a.nc")
-    message = refusal(scans.read_in_child, reader, path)
+    message = refusal(reading.read_in_child, reader, path)
     assert_says(message, "a.nc: expected a readable", "found", message_part)
     assert capfd.readouterr() == ("", "")
     assert multiprocessing.active_children() == []
@@ -273,7 +273,7 @@ def test_a_child_cannot_write_to_a_file_that_is_open(folder):
             file.write(b"reader was here")
             return {}
 
-        assert_says(refusal(scans.read_in_child, write, scan(folder / "a.nc")), "OSError")
+        assert_says(refusal(reading.read_in_child, write, scan(folder / "a.nc")), "OSError")
     assert (folder / "open.txt").read_bytes() == b""
 
 
@@ -290,7 +290,7 @@ def imported_late(path):
 
 
 def test_late_imports_of_readers_are_loaded_before():
-    import_module("hardcontact.surfaces.scan_formats")
+    import_module("hardcontact.scans.formats")
     folder = Path(SurfaceTopography.__file__).parent / "IO"
     late = {name for path in folder.glob("*.py") for name in imported_late(path)}
     assert "tifffile" in late

@@ -9,7 +9,7 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from hardcontact.base.arrays import Floats
-from hardcontact.surfaces.extrapolated_spectrum import (
+from hardcontact.scans.extrapolated_spectrum import (
     HurstFit,
     RolloffEvidence,
     Tail,
@@ -18,8 +18,7 @@ from hardcontact.surfaces.extrapolated_spectrum import (
     fit_hurst_exponent,
     has_exponent,
 )
-from hardcontact.surfaces.height_map import HeightMap
-from hardcontact.surfaces.mean_spectrum import (
+from hardcontact.scans.mean_spectrum import (
     Curve,
     MeanBins,
     find_peak_bins,
@@ -27,13 +26,15 @@ from hardcontact.surfaces.mean_spectrum import (
     mean_bins,
     smooth_curve_without_peaks,
 )
-from hardcontact.surfaces.measured_spectrum import (
+from hardcontact.scans.measured_spectrum import (
     CALIBRATION_SCATTER,
     independent_waves,
     isotropic_psd,
     local_slopes,
 )
-from hardcontact.surfaces.reliable_band import ReliableBand, limit_by_tip, reliable_band
+from hardcontact.scans.reliable_band import ReliableBand, limit_by_tip, reliable_band
+from hardcontact.scans.spectrum_datasets import add_measurements, measurement_descriptions
+from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import (
     BIN_CENTRES,
     MIN_BINS,
@@ -42,7 +43,6 @@ from hardcontact.surfaces.spectrum import (
     spectrum_dataset,
     spectrum_of_dataset,
 )
-from hardcontact.surfaces.spectrum_datasets import add_measurements, measurement_descriptions
 
 #: Shortest and longest radius in nm of an unknown tip: a new tip, a blunt tip.
 UNKNOWN_TIP_RADII = (5.0, 50.0)

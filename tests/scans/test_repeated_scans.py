@@ -5,8 +5,8 @@ import pytest
 from measurements import measurement, self_affine_heights
 
 from hardcontact.base.random import generator
+from hardcontact.scans.repeated_scans import coarse_map, earlier_scans_of_areas, show_same_area
 from hardcontact.surfaces.height_map import level, level_lines
-from hardcontact.surfaces.repeated_scans import coarse_map, earlier_scans_of_areas, show_same_area
 
 PIXELS, PIXEL = 128, 10.0
 

@@ -15,14 +15,14 @@ from numpy.typing import NDArray
 
 from hardcontact.base.arrays import Floats
 from hardcontact.base.formatting import format_length
-from hardcontact.surfaces.height_map import HeightMap, level, to_surface_topography
-from hardcontact.surfaces.measured_spectrum import (
+from hardcontact.scans.measured_spectrum import (
     axis_ratio,
     independent_waves,
     isotropic_psd,
     local_slopes,
     variance_of_log,
 )
+from hardcontact.surfaces.height_map import HeightMap, level, to_surface_topography
 from hardcontact.surfaces.spectrum import BIN_CENTRES, HALF_DECADE_BINS
 
 #: The shortest wavelength in pixels, and the ratio of the size to the longest wavelength. Longer

@@ -7,7 +7,7 @@ from measurements import map_of, measurement, uncd
 from scipy import stats
 
 from hardcontact.base.random import generator
-from hardcontact.surfaces.extrapolated_spectrum import (
+from hardcontact.scans.extrapolated_spectrum import (
     ATOMIC_WAVELENGTH,
     MAX_GRADIENT,
     MAX_HALF_LAPLACIAN,
@@ -18,7 +18,7 @@ from hardcontact.surfaces.extrapolated_spectrum import (
     has_exponent,
     levelled_share,
 )
-from hardcontact.surfaces.joined_spectrum import joined_spectrum, sample_spectra
+from hardcontact.scans.joined_spectrum import joined_spectrum, sample_spectra
 from hardcontact.surfaces.spectrum import (
     WAVEVECTORS,
     Spectrum,

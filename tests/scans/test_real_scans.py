@@ -3,9 +3,9 @@
 import pytest
 from repository import ROOT
 
+from hardcontact.scans.defects import scan_with_defects
+from hardcontact.scans.reading import list_scans, read_scan
 from hardcontact.surfaces.height_map import level
-from hardcontact.surfaces.scan_defects import scan_with_defects
-from hardcontact.surfaces.scans import list_scans, read_scan
 
 SCANS = ROOT / "../shared/scans"
 pytestmark = pytest.mark.skipif(not SCANS.is_dir(), reason="no folder ../shared/scans")

@@ -10,9 +10,9 @@ from scan_files import MAPS, MAPS_AND_LINES, UNEVEN_LINES, container, heights, n
 from SurfaceTopography import NonuniformLineScan, Topography, UniformLineScan
 
 from hardcontact.base import dataset
+from hardcontact.scans.heights import stated_tip_radius
+from hardcontact.scans.reading import list_scans, read_scan
 from hardcontact.surfaces.height_map import HeightMap, read_height_map, require_map
-from hardcontact.surfaces.scan_heights import stated_tip_radius
-from hardcontact.surfaces.scans import list_scans, read_scan
 
 
 def write_and_list(write, path, topography):

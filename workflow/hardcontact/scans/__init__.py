@@ -1,0 +1,1 @@
+"""Measured scans: reading of files, defects, reliable bands, the spectrum that they give."""
