@@ -187,7 +187,7 @@ def test_a_claim_without_a_number_is_undecided():
         ({"dataset": "colours"}, "no dataset named 'colours'"),
         ({"select": "phase=solid"}, ".*phase"),
         ({"select": ""}, "rule 'interval' needs one number"),
-        ({"id": "two", "samples_from": "sets"}, "expected its numbers in sets.nc"),
+        ({"id": "two", "samples_from": "sets"}, "expected its values in sets.nc"),
     ],
 )
 def test_errors_name_the_claim(change, message):

@@ -14,7 +14,7 @@ QUANTITY = '''
 def largest_force(adhesion: xr.Dataset) -> xr.Dataset:
     """Return the largest force in N at 1 J/m² (surface, contact_model)."""
     forces = adhesion["pull_off_force"]
-    return number_with_interval(forces.max(set(forces.dims) - {"surface", "contact_model"}))
+    return as_estimate(forces.max(set(forces.dims) - {"surface", "contact_model"}))
 '''
 FIGURE = '''"""Ranges of adhesion."""
 

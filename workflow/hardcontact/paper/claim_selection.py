@@ -1,6 +1,6 @@
-"""Select the computed number that a claim is about, and give verdicts that need no number.
+"""Select the computed estimate that a claim is about, and give verdicts that need no estimate.
 
-A number is a dataset of `value` and `value_interval` (`paper.claim_numbers`).
+An estimate is a dataset of `value` and `value_interval` (`paper.estimates`).
 """
 
 from collections.abc import Iterable, Mapping
@@ -13,23 +13,23 @@ import pandas as pd
 import xarray as xr
 
 from hardcontact.base.published import rows_met
-from hardcontact.paper.claim_numbers import quotient
+from hardcontact.paper.estimates import quotient
 from hardcontact.paper.verdicts import BY_CONSTRUCTION, EXPERIMENT, ONE_SIDED, UNTESTABLE
 
 #: Groups of labels by dimension; `a > b` makes two groups.
 SelectedLabels = Mapping[str, list[list[Any]]]
 
 
-def parse_selection(number: xr.Dataset, select: str) -> SelectedLabels | None:
+def parse_selection(estimate: xr.Dataset, select: str) -> SelectedLabels | None:
     """Parse the column `select` of a claim: ``a=x;b=y,z>w`` means {a: [[x]], b: [[y, z], [w]]}.
 
     Labels are values of the coordinates; None if a coordinate lacks a label. Raises KeyError if the
-    number lacks a dimension.
+    estimate lacks a dimension.
     """
     labels: dict[str, list[list[Any]]] = {}
     for item in filter(None, select.split(";")):
         dim, groups = item.split("=", 1)
-        coordinate = number[dim].values
+        coordinate = estimate[dim].values
         labels[dim] = [
             [_label(coordinate, label) for label in group.split(",")] for group in groups.split(">")
         ]
@@ -46,31 +46,31 @@ def _label(coordinate: np.ndarray, label: str) -> Any:
     return coordinate[matches][0] if matches.any() else None
 
 
-def select_number(number: xr.Dataset, labels: SelectedLabels, rule: str) -> xr.Dataset:
-    """Return the single number that is judged, with its interval, by labels from `parse_selection`.
+def select_estimate(estimate: xr.Dataset, labels: SelectedLabels, rule: str) -> xr.Dataset:
+    """Return the single estimate that is judged, by labels from `parse_selection`.
 
-    The number of a chain of groups, ``a > b > c``, is the smallest ratio of a member of a group to
-    a member of the next group. A rule with one limit reduces dimensions without a selection to the
-    worst value. Raises ValueError if the rule has two limits and more than one number remains.
+    The estimate of a chain of groups, ``a > b > c``, is the smallest ratio of a value of a group to
+    a value of the next group. A rule with one limit reduces dimensions without a selection to the
+    worst value. Raises ValueError if the rule has two limits and more than one estimate remains.
     """
     for dim, groups in labels.items():
-        members = [number.sel({dim: group}) for group in groups]
-        number = _smallest_ratio(members, dim) if len(members) > 1 else members[0]
-    remaining = number["value"].dims
-    if number["value"].size == 1:
-        return number.squeeze(remaining, drop=True)
+        selected = [estimate.sel({dim: group}) for group in groups]
+        estimate = _smallest_ratio(selected, dim) if len(selected) > 1 else selected[0]
+    remaining = estimate["value"].dims
+    if estimate["value"].size == 1:
+        return estimate.squeeze(remaining, drop=True)
     if rule not in ONE_SIDED:
         raise ValueError(
             f"rule {rule!r} needs one number, not selected: {', '.join(map(str, remaining))}"
         )
-    worst = number.max(remaining) if rule == "below" else number.min(remaining)
-    # The worst number has no interval if any number lacks one: that number may be the worst.
-    has_interval = number["value_interval"].notnull().all("bound") | number["value"].isnull()
+    worst = estimate.max(remaining) if rule == "below" else estimate.min(remaining)
+    # The worst value has no interval if any value lacks one: that value may be the worst.
+    has_interval = estimate["value_interval"].notnull().all("bound") | estimate["value"].isnull()
     return worst.assign(value_interval=worst["value_interval"].where(has_interval.all()))
 
 
 def _smallest_ratio(groups: Iterable[xr.Dataset], dim: str) -> xr.Dataset:
-    """Return the smallest ratio of a number to a number of the next group; all are positive."""
+    """Return the smallest ratio of a value to a value of the next group; all are positive."""
     ratios = [
         quotient(upper.min(dim, skipna=False), lower.max(dim, skipna=False))
         for upper, lower in pairwise(groups)
@@ -104,7 +104,7 @@ def claim_surfaces(
 
 
 def claim_basis(claim: Any, surfaces: list[str], topography: xr.Dataset) -> str:
-    """Return the basis of a number: ``measured``, ``substitute scans`` or one of WITHOUT_SCAN."""
+    """Return the basis of a claim: ``measured``, ``substitute scans`` or one of WITHOUT_SCAN."""
     if claim.needs in WITHOUT_SCAN:
         return str(claim.needs)
     return "substitute scans" if any(_are_substitutes(surfaces, topography)) else "measured"
@@ -123,7 +123,7 @@ LARGER_PIXELS = "It depends on the size of a pixel, which is larger than the pap
 def fixed_verdict(
     claim: Any, surfaces: list[str], topography: xr.Dataset, constants: pd.DataFrame
 ) -> tuple[str, str]:
-    """Return a verdict that does not depend on the number, and its reason, or empty texts.
+    """Return a verdict that does not depend on the estimate, and its reason, or empty texts.
 
     ``table1_rows_met`` of topography.nc names the rows of Table 1 that the scans of a surface meet
     by construction.

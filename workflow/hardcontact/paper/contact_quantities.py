@@ -1,7 +1,7 @@
-"""Numbers about contact, classical models and effective works of adhesion.
+"""Estimates about contact, classical models and effective works of adhesion.
 
-Lengths in nm, forces in N, pressures in Pa. Each function returns a number, a dataset of `value`
-and `value_interval` (`paper.claim_numbers`); its dimensions are in brackets.
+Lengths in nm, forces in N, pressures in Pa. Each function returns an estimate, a dataset of `value`
+and `value_interval` (`paper.estimates`); its dimensions are in brackets.
 """
 
 import numpy as np
@@ -9,15 +9,15 @@ import xarray as xr
 
 from hardcontact.base.published import effective_modulus
 from hardcontact.base.statistics import bounds
-from hardcontact.paper.claim_numbers import (
+from hardcontact.paper.estimates import (
     absolute_value,
+    as_estimate,
     decades,
     mean_over_contacts,
     mean_over_scans,
-    number_with_interval,
     quotient,
     signed_mean_over_scans,
-    variable_as_number,
+    variable_estimate,
 )
 from hardcontact.surfaces.roughness_table import TABLE1_VARIABLES
 
@@ -28,12 +28,12 @@ SLOPE_OVER_PRESSURE = 3 * np.pi / (4 * np.sqrt(2))
 
 def effective_work_decades(classical: xr.Dataset) -> xr.Dataset:
     """Return the decades between the smallest and largest effective work (force_source)."""
-    return decades(variable_as_number(classical, "effective_work_of_adhesion"), "surface")
+    return decades(variable_estimate(classical, "effective_work_of_adhesion"), "surface")
 
 
 def printed_effective_work(classical: xr.Dataset) -> xr.Dataset:
     """Return effective works of adhesion of the published forces, without interval (surface)."""
-    return number_with_interval(
+    return as_estimate(
         classical["effective_work_of_adhesion"].sel(force_source="published", drop=True)
     )
 
@@ -45,7 +45,7 @@ def tabor_by_convention(classical: xr.Dataset) -> xr.Dataset:
     K = 4 E*/3 in place of (R W²/(E*² z0³))^(1/3).
     """
     tabor = classical["tabor_parameter"]
-    return number_with_interval(tabor, tabor, (9 / 4) ** (1 / 3) * tabor)
+    return as_estimate(tabor, tabor, (9 / 4) ** (1 / 3) * tabor)
 
 
 def classical_over_numerical(classical: xr.Dataset, fit: xr.Dataset) -> xr.Dataset:
@@ -54,7 +54,7 @@ def classical_over_numerical(classical: xr.Dataset, fit: xr.Dataset) -> xr.Datas
     Its dimensions are metrics, model, force_source and contact_model.
     """
     return quotient(
-        variable_as_number(classical, "mean_relative_error"), variable_as_number(fit, "best_error")
+        variable_estimate(classical, "mean_relative_error"), variable_estimate(fit, "best_error")
     )
 
 
@@ -71,7 +71,7 @@ def apex_level(adhesion: xr.Dataset, topography: xr.Dataset) -> xr.Dataset:
 def plastic_contact_area(adhesion: xr.Dataset) -> xr.Dataset:
     """Return the area in nm² of the pixels in contact (contact_model)."""
     pixel_area: float = adhesion.attrs["pixel_size"] ** 2
-    return number_with_interval(adhesion["contact_pixel_count"] * pixel_area)
+    return as_estimate(adhesion["contact_pixel_count"] * pixel_area)
 
 
 def finer_pixel_ratio(adhesion: xr.Dataset) -> xr.Dataset:
@@ -95,7 +95,7 @@ def median_share_above_hardness(elastic: xr.Dataset) -> xr.Dataset:
 
     It is the median over the surfaces.
     """
-    return variable_as_number(elastic, "share_above_hardness").median("surface", skipna=False)
+    return variable_estimate(elastic, "share_above_hardness").median("surface", skipna=False)
 
 
 def share_of_two_asperities(asperities: xr.Dataset) -> xr.Dataset:
@@ -103,9 +103,9 @@ def share_of_two_asperities(asperities: xr.Dataset) -> xr.Dataset:
 
     All patches together carry the attribute ``share`` of the force: the interval ends there.
     """
-    number = variable_as_number(asperities, "two_largest_share")
-    low, high = bounds(number, "value")
-    return number_with_interval(number["value"], low, high.clip(max=asperities.attrs["share"]))
+    share = variable_estimate(asperities, "two_largest_share")
+    low, high = bounds(share, "value")
+    return as_estimate(share["value"], low, high.clip(max=asperities.attrs["share"]))
 
 
 def median_plastic_over_elastic_area(elastic: xr.Dataset) -> xr.Dataset:
@@ -133,7 +133,7 @@ def deformation_over_adhesion(topography: xr.Dataset, elastic: xr.Dataset) -> xr
 
 def median_force_exponent(exponents: xr.Dataset) -> xr.Dataset:
     """Return d ln(force)/d ln(radius), the median over the surfaces (no dimensions)."""
-    return variable_as_number(exponents, "force_exponent").median("surface", skipna=False)
+    return variable_estimate(exponents, "force_exponent").median("surface", skipna=False)
 
 
 def median_edge_exponent(exponents: xr.Dataset) -> xr.Dataset:
@@ -142,7 +142,7 @@ def median_edge_exponent(exponents: xr.Dataset) -> xr.Dataset:
     NaN if the edges of a surface determine no exponent. The interval is the median over the
     surfaces with an interval.
     """
-    exponent = variable_as_number(exponents, "edge_exponent")
+    exponent = variable_estimate(exponents, "edge_exponent")
     is_known = exponent["value"].notnull().all("surface")
     return exponent.median("surface").where(is_known)
 
@@ -156,7 +156,7 @@ def elastic_pressure_over_hardness(topography: xr.Dataset, elastic: xr.Dataset) 
     """
     slope = topography[TABLE1_VARIABLES["all_rms_slope"]].sel(surface=elastic["surface"])
     pressure = elastic.attrs["effective_modulus"] * slope / SLOPE_OVER_PRESSURE
-    return number_with_interval(pressure / elastic.attrs["hardness"])
+    return as_estimate(pressure / elastic.attrs["hardness"])
 
 
 def nonstickiness(topography: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
@@ -173,7 +173,7 @@ def nonstickiness(topography: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
     shortest_range = paper["atomic_range_lower_bound"]
     repulsion = slope * shortest_range / (2 * adhesion_length)
     attraction = np.pi * (3 / 16) ** (2 / 3) * (shortest_range * curvature / slope**2) ** (2 / 3)
-    return number_with_interval(repulsion / attraction)
+    return as_estimate(repulsion / attraction)
 
 
 #: The functions that claims name.

@@ -1,8 +1,8 @@
-"""Statements of the paper, each compared with a computed number.
+"""Statements of the paper, each compared with a computed estimate.
 
-A claim names a number by dataset, quantity (a variable or a derived quantity) and selection. Its
-rule turns the number, its interval and the published limits into a verdict. A number is a dataset
-of `value` and `value_interval`, as from `paper.claim_numbers`.
+A claim names an estimate by dataset, quantity (a variable or a derived quantity) and selection. Its
+rule turns the estimate and the published limits into a verdict. An estimate is a dataset of `value`
+and `value_interval`, as from `paper.estimates`.
 """
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
@@ -16,7 +16,6 @@ import xarray as xr
 
 from hardcontact.base.statistics import bounds
 from hardcontact.paper import contact_quantities, force_quantities, inference_quantities
-from hardcontact.paper.claim_numbers import variable_as_number
 from hardcontact.paper.claim_selection import (
     WITHOUT_SCAN,
     SelectedLabels,
@@ -24,8 +23,9 @@ from hardcontact.paper.claim_selection import (
     claim_surfaces,
     fixed_verdict,
     parse_selection,
-    select_number,
+    select_estimate,
 )
+from hardcontact.paper.estimates import variable_estimate
 from hardcontact.paper.verdicts import accepted_range, interval_with_sets, samples_vary
 from hardcontact.surfaces.roughness_table import TABLE1_VARIABLES
 
@@ -40,14 +40,14 @@ DERIVED_QUANTITIES: dict[str, Callable[..., xr.Dataset]] = {
 }
 
 
-def estimate(quantity: str, dataset: xr.Dataset, *others: xr.Dataset) -> xr.Dataset:
-    """Return the number of a quantity: a derived quantity, a variable, or a row of Table 1.
+def estimate_quantity(quantity: str, dataset: xr.Dataset, *others: xr.Dataset) -> xr.Dataset:
+    """Return the estimate of a quantity: a derived quantity, a variable, or a row of Table 1.
 
     Raises KeyError if a variable or an attribute that is needed does not exist.
     """
     if quantity in DERIVED_QUANTITIES:
         return DERIVED_QUANTITIES[quantity](dataset, *others)
-    return variable_as_number(dataset, TABLE1_VARIABLES.get(quantity, quantity))
+    return variable_estimate(dataset, TABLE1_VARIABLES.get(quantity, quantity))
 
 
 #: Datasets that claims may name, besides `paper`.
@@ -73,7 +73,7 @@ def read_statements(path: str | Path) -> pd.DataFrame:
 
 
 def statements_of_sets(path: str | Path) -> list[dict[str, str]]:
-    """Return the columns that determine the numbers of the statements that sets.nc has."""
+    """Return the columns that determine the values of the statements that sets.nc has."""
     table = read_statements(path)
     set_statements = table[table["samples_from"] == "sets"]
     columns = ["id", "dataset", "quantity", "select", "rule"]
@@ -83,16 +83,16 @@ def statements_of_sets(path: str | Path) -> list[dict[str, str]]:
 def claim_values(
     statements: pd.DataFrame, datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame
 ) -> pd.Series:
-    """Compute the number of every claim by ``id``, without its interval.
+    """Compute the value of every claim by ``id``, without its interval.
 
-    It is NaN if no number exists or the datasets lack a label. Raises ValueError if a claim needs a
+    It is NaN if no value exists or the datasets lack a label. Raises ValueError if a claim needs a
     dataset, a variable or an attribute that is missing.
     """
-    numbers = {
-        claim.id: np.nan if claim_number is None else float(claim_number.number["value"])
-        for claim, claim_number in _compute_all(statements, datasets, constants, np.nan)
+    values = {
+        claim.id: np.nan if result is None else float(result.estimate["value"])
+        for claim, result in _compute_all(statements, datasets, constants, np.nan)
     }
-    return pd.Series(numbers, dtype=float).rename_axis("id")
+    return pd.Series(values, dtype=float).rename_axis("id")
 
 
 def evaluate(
@@ -102,7 +102,7 @@ def evaluate(
     confidence: float,
     sets: xr.Dataset,
 ) -> pd.DataFrame:
-    """Compare every claim with its computed number; return one row per claim with `COLUMNS`.
+    """Compare every claim with its computed estimate; return one row per claim with `COLUMNS`.
 
     ``value`` (set, claim) of sets.nc gives the agreeing share and, if it varies, the interval and
     the verdict of a claim. A claim about a surface or a contact model that the study lacks is
@@ -111,10 +111,10 @@ def evaluate(
     """
     common = _Common(datasets["topography"], constants, sets, confidence)
     rows = []
-    for claim, claim_number in _compute_all(statements, datasets, constants, confidence):
-        if claim_number is not None:
+    for claim, result in _compute_all(statements, datasets, constants, confidence):
+        if result is not None:
             with _prefix_errors(claim):
-                rows.append(_row(claim, claim_number, common))
+                rows.append(_row(claim, result, common))
     return pd.DataFrame(rows, columns=list(COLUMNS))
 
 
@@ -127,10 +127,10 @@ class _Common(NamedTuple):
     confidence: float
 
 
-class _ClaimNumber(NamedTuple):
-    """The number of a claim, the datasets from which it is computed, and the selected labels."""
+class _ClaimResult(NamedTuple):
+    """The estimate of a claim, the datasets from which it is computed, and the selected labels."""
 
-    number: xr.Dataset
+    estimate: xr.Dataset
     datasets: dict[str, xr.Dataset]
     labels: SelectedLabels
 
@@ -140,8 +140,8 @@ def _compute_all(
     datasets: Mapping[str, xr.Dataset],
     constants: pd.DataFrame,
     confidence: float,
-) -> Iterator[tuple[Any, _ClaimNumber | None]]:
-    """Yield each claim and its number, None if the datasets lack a label."""
+) -> Iterator[tuple[Any, _ClaimResult | None]]:
+    """Yield each claim and its estimate, None if the datasets lack a label."""
     complete = {
         name: _add_surface(data).assign_attrs(confidence=confidence)
         for name, data in datasets.items()
@@ -156,13 +156,13 @@ def _compute_all(
             }
             key = claim.dataset, claim.quantity
             if key not in estimates:
-                estimates[key] = estimate(claim.quantity, *claim_datasets.values())
+                estimates[key] = estimate_quantity(claim.quantity, *claim_datasets.values())
             labels = parse_selection(estimates[key], claim.select)
-            claim_number = None
+            result = None
             if labels is not None:
-                number = select_number(estimates[key], labels, claim.rule)
-                claim_number = _ClaimNumber(number, claim_datasets, labels)
-        yield claim, claim_number
+                selected = select_estimate(estimates[key], labels, claim.rule)
+                result = _ClaimResult(selected, claim_datasets, labels)
+        yield claim, result
 
 
 def _add_surface(data: xr.Dataset) -> xr.Dataset:
@@ -192,11 +192,11 @@ def _prefix_errors(claim: Any) -> Iterator[None]:
         raise ValueError(f"claim {claim.id}: {reason}") from error
 
 
-def _row(claim: Any, claim_number: _ClaimNumber, common: _Common) -> dict[str, Any]:
+def _row(claim: Any, result: _ClaimResult, common: _Common) -> dict[str, Any]:
     """Return one row of claims.csv: the columns of the claim and the results of its judgement."""
-    surfaces = claim_surfaces(claim, claim_number.datasets, claim_number.labels, common.topography)
+    surfaces = claim_surfaces(claim, result.datasets, result.labels, common.topography)
     fixed, reason = fixed_verdict(claim, surfaces, common.topography, common.constants)
-    judgement = _judge(claim, claim_number, fixed, common)
+    judgement = _judge(claim, result, fixed, common)
     no_value = "No value exists." if np.isnan(judgement["computed"]) else ""
     return {
         **claim._asdict(),
@@ -206,11 +206,11 @@ def _row(claim: Any, claim_number: _ClaimNumber, common: _Common) -> dict[str, A
     }
 
 
-def _judge(claim: Any, claim_number: _ClaimNumber, fixed: str, common: _Common) -> dict[str, Any]:
-    """Return number, interval, agreeing share and verdict; `fixed` is a verdict or ``""``."""
-    value = float(claim_number.number["value"])
-    samples = _claim_samples(claim, claim_number, common.sets)
-    low, high = _claim_interval(claim, claim_number.number, samples, common.confidence)
+def _judge(claim: Any, result: _ClaimResult, fixed: str, common: _Common) -> dict[str, Any]:
+    """Return value, interval, agreeing share and verdict; `fixed` is a verdict or ``""``."""
+    value = float(result.estimate["value"])
+    samples = _claim_samples(claim, result, common.sets)
+    low, high = _claim_interval(claim, result.estimate, samples, common.confidence)
     accepted = accepted_range(claim.rule, claim.published_low, claim.published_high)
     if claim.samples_from == "posterior":
         verdict = accepted.verdict_of_samples(samples, low, high)
@@ -229,30 +229,30 @@ def _judge(claim: Any, claim_number: _ClaimNumber, fixed: str, common: _Common) 
     }
 
 
-def _claim_samples(claim: Any, claim_number: _ClaimNumber, sets: xr.Dataset) -> np.ndarray:
-    """Return the samples of a claim's number, from sets or from the posterior; empty if none.
+def _claim_samples(claim: Any, result: _ClaimResult, sets: xr.Dataset) -> np.ndarray:
+    """Return the samples of a claim's value, from sets or from the posterior; empty if none.
 
-    The column `samples_from` is ``"sets"`` if sets.nc has the numbers, and ``"posterior"`` if the
+    The column `samples_from` is ``"sets"`` if sets.nc has the values, and ``"posterior"`` if the
     claim's dataset has them in a variable ``sampled_`` and the quantity.
     """
     if claim.samples_from == "posterior":
-        posterior = next(iter(claim_number.datasets.values()))
-        labels = {dimension: groups[0][0] for dimension, groups in claim_number.labels.items()}
+        posterior = next(iter(result.datasets.values()))
+        labels = {dimension: groups[0][0] for dimension, groups in result.labels.items()}
         return np.asarray(posterior[f"sampled_{claim.quantity}"].sel(labels))
     if claim.samples_from != "sets":
         return np.empty(0)
     if claim.id not in sets["claim"]:
-        raise KeyError("expected its numbers in sets.nc, found none")
+        raise KeyError("expected its values in sets.nc, found none")
     return np.asarray(sets["value"].sel(claim=claim.id))
 
 
 def _claim_interval(
-    claim: Any, number: xr.Dataset, samples: np.ndarray, confidence: float
+    claim: Any, estimate: xr.Dataset, samples: np.ndarray, confidence: float
 ) -> tuple[float, float]:
-    """Return the ends of the interval of a number, NaN if no interval exists.
+    """Return the ends of the interval of an estimate, NaN if no interval exists.
 
-    The interval comes from `interval_with_sets`. A number that needs no scan has zero width.
+    The interval comes from `interval_with_sets`. An estimate that needs no scan has zero width.
     """
-    value = float(number["value"])
-    ends = interval_with_sets(value, bounds(number, "value"), samples, confidence)
+    value = float(estimate["value"])
+    ends = interval_with_sets(value, bounds(estimate, "value"), samples, confidence)
     return (value, value) if claim.needs in WITHOUT_SCAN and np.isnan(ends[0]) else ends

@@ -1,8 +1,8 @@
-"""Numbers about pull-off forces, and about roughness of all scales relative to the AFM scans.
+"""Estimates about pull-off forces, and about roughness of all scales relative to the AFM scans.
 
 Forces in N, lengths in nm. The reference range is the computed range nearest to the attribute
-`reference_rho`. Each function returns a number, a dataset of `value` and `value_interval`
-(`paper.claim_numbers`); its dimensions are in brackets.
+`reference_rho`. Each function returns an estimate, a dataset of `value` and `value_interval`
+(`paper.estimates`); its dimensions are in brackets.
 """
 
 from collections.abc import Callable
@@ -11,13 +11,13 @@ import numpy as np
 import xarray as xr
 from scipy import special
 
-from hardcontact.paper.claim_numbers import (
+from hardcontact.paper.estimates import (
+    as_estimate,
     mean_over_contacts,
     mean_over_scans,
-    number_with_interval,
     quotient,
     signed_mean_over_scans,
-    variable_as_number,
+    variable_estimate,
 )
 from hardcontact.surfaces.roughness_table import TABLE1_VARIABLES
 
@@ -42,16 +42,16 @@ def curvature_growth_over_height_growth(topography: xr.Dataset) -> xr.Dataset:
 
 def _all_over_afm(topography: xr.Dataset, quantity: str) -> xr.Dataset:
     """Return a row of Table 1 for all scales relative to the row for the AFM scans."""
-    all_scales = variable_as_number(topography, TABLE1_VARIABLES[f"all_rms_{quantity}"])
-    afm = variable_as_number(topography, TABLE1_VARIABLES[f"afm_rms_{quantity}"])
+    all_scales = variable_estimate(topography, TABLE1_VARIABLES[f"all_rms_{quantity}"])
+    afm = variable_estimate(topography, TABLE1_VARIABLES[f"afm_rms_{quantity}"])
     return quotient(all_scales, afm)
 
 
 def mean_over_median(fit: xr.Dataset) -> xr.Dataset:
     """Return the mean relative to the median pull-off force (contact_model, pair, surface)."""
     return quotient(
-        variable_as_number(fit, "mean_force_at_pair"),
-        variable_as_number(fit, "median_force_at_pair"),
+        variable_estimate(fit, "mean_force_at_pair"),
+        variable_estimate(fit, "median_force_at_pair"),
     )
 
 
@@ -69,7 +69,7 @@ def plastic_over_rigid(adhesion: xr.Dataset) -> xr.Dataset:
 def range_exponent_of_force(adhesion: xr.Dataset) -> xr.Dataset:
     """Return d ln F / d ln rho of the mean force at the reference range (surface, contact_model).
 
-    The number is the mean of the exponents of all scans, with an interval over scans.
+    The estimate is the mean of the exponents of all scans, with an interval over scans.
     """
     mean = mean_over_contacts(adhesion["pull_off_force"])
     logarithm = xr.DataArray(np.log(mean)).assign_coords(rho=np.log(mean["rho"]))
@@ -111,7 +111,7 @@ def smooth_sphere_change(adhesion: xr.Dataset) -> xr.Dataset:
     half_width = int(12 * np.sqrt(radius * rho.max()) / pixel)
     position = xr.DataArray(pixel * np.arange(-half_width, half_width + 1), dims="position")
     force = np.exp(-(position**2) / (2 * radius * rho)).sum("position") ** 2 / rho
-    return number_with_interval(force.max() / force.min() - 1)
+    return as_estimate(force.max() / force.min() - 1)
 
 
 def lognormal_misfit(adhesion: xr.Dataset) -> xr.Dataset:
@@ -137,7 +137,7 @@ def force_decades(adhesion: xr.Dataset) -> xr.Dataset:
 def _force_statistic(adhesion: xr.Dataset, statistic: Callable[[np.ndarray], float]) -> xr.Dataset:
     """Return a statistic of all forces (n,) at the reference range; it has no interval."""
     forces = _forces_at_reference(adhesion["pull_off_force"], adhesion)
-    return number_with_interval(
+    return as_estimate(
         xr.apply_ufunc(
             lambda row: statistic(row[np.isfinite(row)]),
             forces.stack(sample=["scan", "sphere_scan", "contact_y", "contact_x"]),

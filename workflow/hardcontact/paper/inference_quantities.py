@@ -1,7 +1,7 @@
-"""Numbers about range and work of adhesion, and about the scales of roughness.
+"""Estimates about range and work of adhesion, and about the scales of roughness.
 
-Forces in N, lengths in nm, works of adhesion in J/m². Each function returns a number as
-`paper.claim_numbers` defines it; its dimensions are in brackets. `paper` contains the numbers of
+Forces in N, lengths in nm, works of adhesion in J/m². Each function returns an estimate as
+`paper.estimates` defines it; its dimensions are in brackets. `paper` contains the numbers of
 resources/paper/parameters.csv by name.
 """
 
@@ -12,11 +12,11 @@ from scipy import constants, special
 from hardcontact.base.statistics import bounds
 from hardcontact.contact.smooth_sphere import dmt_pull_off
 from hardcontact.inference.edges import POOLED, edges_or_bounds
-from hardcontact.paper.claim_numbers import (
+from hardcontact.paper.estimates import (
+    as_estimate,
     mean_over_contacts,
     mean_over_scans,
-    number_with_interval,
-    variable_as_number,
+    variable_estimate,
 )
 
 
@@ -25,7 +25,7 @@ def short_range_force(fit: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
 
     It is interpolated linearly between the computed ranges (contact_model, surface).
     """
-    force = variable_as_number(fit, "mean_force")
+    force = variable_estimate(fit, "mean_force")
     atomic_force: xr.Dataset = force.interp(rho=paper["atomic_range_upper_bound"]).drop_vars("rho")
     return paper["work_of_adhesion"] * atomic_force
 
@@ -33,7 +33,7 @@ def short_range_force(fit: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
 def short_range_error(fit: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
     """Return the smallest error at the ranges of atomic interactions (contact_model)."""
     error = fit["best_error_by_range"]
-    return number_with_interval(
+    return as_estimate(
         error.where(error["rho_fine"] <= paper["atomic_range_upper_bound"]).min("rho_fine")
     )
 
@@ -45,7 +45,7 @@ def error_of_second_minimum(fit: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
     threshold.
     """
     second_error = fit["error_at_minimum"].sel(minimum=2, drop=True).fillna(np.inf)
-    return number_with_interval(second_error.where(fit["best_error"] < paper["error_threshold"]))
+    return as_estimate(second_error.where(fit["best_error"] < paper["error_threshold"]))
 
 
 def strength_over_casimir(paper: xr.Dataset) -> xr.Dataset:
@@ -59,12 +59,12 @@ def strength_over_casimir(paper: xr.Dataset) -> xr.Dataset:
     gap = 4 * rho
     pressure = paper["work_of_adhesion"] / rho * np.exp(-gap / rho)
     pressure_of_metals = np.pi**2 * constants.hbar * constants.c / (240 * gap**4)
-    return number_with_interval(pressure / pressure_of_metals)
+    return as_estimate(pressure / pressure_of_metals)
 
 
 def least_ratio_error(fit: xr.Dataset) -> xr.Dataset:
     """Return the smallest mean relative error of the force ratios (contact_model)."""
-    return number_with_interval(fit["ratio_error"].min("rho_fine"))
+    return as_estimate(fit["ratio_error"].min("rho_fine"))
 
 
 def half_width_of_range(fit: xr.Dataset) -> xr.Dataset:
@@ -80,18 +80,18 @@ def half_width_of_work(fit: xr.Dataset) -> xr.Dataset:
 def _half_width(region: xr.DataArray) -> xr.Dataset:
     low = region.sel(bound="low", drop=True)
     high = region.sel(bound="high", drop=True)
-    return number_with_interval((high - low) / 2)
+    return as_estimate((high - low) / 2)
 
 
 def interaction_radius(paper: xr.Dataset) -> xr.Dataset:
     """Return the radius sqrt(D rho) in nm of the disk that attracts the published sphere ()."""
-    return number_with_interval((paper["sphere_diameter"] * paper["range_of_adhesion"]) ** 0.5)
+    return as_estimate((paper["sphere_diameter"] * paper["range_of_adhesion"]) ** 0.5)
 
 
 def interaction_radius_at_fit(fit: xr.Dataset) -> xr.Dataset:
     """Return sqrt(D rho) in nm for the sphere of the study at the fitted range (contact_model)."""
     diameter = 2 * fit.attrs["sphere_radius"]
-    area: xr.Dataset = diameter * variable_as_number(fit, "range_of_adhesion")
+    area: xr.Dataset = diameter * variable_estimate(fit, "range_of_adhesion")
     return area.map(np.sqrt)
 
 
@@ -102,7 +102,7 @@ def interaction_share(paper: xr.Dataset) -> xr.Dataset:
     """
     area = paper["sphere_diameter"] * paper["range_of_adhesion"]
     share = 1 - np.exp(-(interaction_radius(paper)["value"] ** 2) / area)
-    return number_with_interval(xr.DataArray(share))
+    return as_estimate(xr.DataArray(share))
 
 
 def sinusoid_share(paper: xr.Dataset) -> xr.Dataset:
@@ -115,7 +115,7 @@ def sinusoid_share(paper: xr.Dataset) -> xr.Dataset:
     ranges = [paper[f"sinusoid_range_{name}"].item() for name in ("short", "long")]
     ratio = paper["sinusoid_amplitude"].item() / np.array(ranges)
     share = (1 + special.modstruve(0, ratio) / special.iv(0, ratio)) / 2
-    return number_with_interval(xr.DataArray(share, {"rho": ranges}, "rho"))
+    return as_estimate(xr.DataArray(share, {"rho": ranges}, "rho"))
 
 
 def band_edge(edges: xr.Dataset) -> xr.Dataset:
@@ -123,7 +123,7 @@ def band_edge(edges: xr.Dataset) -> xr.Dataset:
 
     The bound is the last cutoff of the side, at which the change is still within the tolerance.
     """
-    return number_with_interval(edges_or_bounds(edges), *bounds(edges, "edge"))
+    return as_estimate(edges_or_bounds(edges), *bounds(edges, "edge"))
 
 
 def first_edge(edges: xr.Dataset) -> xr.Dataset:
@@ -140,7 +140,7 @@ def critical_over_interaction_radius(edges: xr.Dataset, paper: xr.Dataset) -> xr
     D is the diameter of the sphere of the study, rho the published range.
     """
     radius = (2 * edges.attrs["sphere_radius"] * paper["range_of_adhesion"]) ** 0.5
-    ratio: xr.Dataset = variable_as_number(edges, "edge") / radius
+    ratio: xr.Dataset = variable_estimate(edges, "edge") / radius
     return ratio
 
 
@@ -157,7 +157,7 @@ def change_inside_band(edges: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
 
     It is interpolated between the computed cutoffs of the side.
     """
-    change = variable_as_number(edges, "filtered_force_change")
+    change = variable_estimate(edges, "filtered_force_change")
     sides = [
         change.sel(side=side)
         .dropna("cutoff_wavelength", how="all")
@@ -185,7 +185,7 @@ def _outside_band(edges: xr.Dataset, paper: xr.Dataset) -> xr.DataArray:
 def _largest_change(edges: xr.Dataset, is_selected: xr.DataArray) -> xr.Dataset:
     """Return the largest change of the force by the selected cutoffs (side, group)."""
     return (
-        variable_as_number(edges, "filtered_force_change")
+        variable_estimate(edges, "filtered_force_change")
         .where(is_selected)
         .max("cutoff_wavelength")
     )
@@ -200,7 +200,7 @@ def stylus_change(edges: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
 
 def _short_side_variable(edges: xr.Dataset, name: str) -> xr.Dataset:
     """Return a variable of the short side at its cutoffs, in ascending order."""
-    values = variable_as_number(edges, name).sel(side="short", drop=True)
+    values = variable_estimate(edges, name).sel(side="short", drop=True)
     cutoffs = values["value"].dropna("cutoff_wavelength", how="all")["cutoff_wavelength"]
     return values.sel(cutoff_wavelength=np.sort(cutoffs))
 
@@ -225,7 +225,7 @@ def mean_band_ratio(sensitivity: xr.Dataset) -> xr.Dataset:
     count = ratio.sizes["surface"]
     below = np.sqrt(((ratio - low) ** 2).sum("surface", skipna=False)) / count
     above = np.sqrt(((high - ratio) ** 2).sum("surface", skipna=False)) / count
-    return number_with_interval(mean, mean - below, mean + above)
+    return as_estimate(mean, mean - below, mean + above)
 
 
 #: The functions that claims name.

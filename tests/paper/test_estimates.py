@@ -6,12 +6,12 @@ import xarray as xr
 from scipy import stats
 
 from hardcontact.base.statistics import bounds, with_interval
-from hardcontact.paper import claim_numbers
-from hardcontact.paper.claim_numbers import number_with_interval
+from hardcontact.paper import estimates
+from hardcontact.paper.estimates import as_estimate
 
 
 def scalar(value, low=np.nan, high=np.nan):
-    return number_with_interval(xr.DataArray(value), low, high)
+    return as_estimate(xr.DataArray(value), low, high)
 
 
 def ends(dataset, name="value"):
@@ -20,33 +20,31 @@ def ends(dataset, name="value"):
 
 def test_fewer_than_two_values_have_no_interval():
     values = xr.DataArray([[1.0, np.nan], [np.nan, np.nan]], dims=("surface", "scan"))
-    mean = claim_numbers.mean_over_scans(values, 0.95)
+    mean = estimates.mean_over_scans(values, 0.95)
     np.testing.assert_array_equal(mean.value, [1.0, np.nan])
     assert mean.value_interval.isnull().all()
-    single = claim_numbers.mean_over_scans(
-        xr.DataArray([2.0], dims="realization"), 0.95, "realization"
-    )
+    single = estimates.mean_over_scans(xr.DataArray([2.0], dims="realization"), 0.95, "realization")
     assert float(single.value) == 2.0 and single.value_interval.isnull().all()
 
 
 def test_a_number_that_is_zero_in_every_scan_is_zero():
     values = xr.DataArray([[0.0, 0.0, np.nan], [0.0, 0.1, 0.2]], dims=("surface", "scan"))
-    low, high = bounds(claim_numbers.mean_over_scans(values, 0.95), "value")
+    low, high = bounds(estimates.mean_over_scans(values, 0.95), "value")
     np.testing.assert_array_equal([low, high], [[0.0, np.nan], [0.0, np.nan]])
 
 
 def test_intervals_contain_the_mean_with_their_confidence():
     normal = xr.DataArray(np.random.default_rng(0).normal(size=(4000, 4)), dims=("run", "scan"))
-    low, high = bounds(claim_numbers.signed_mean_over_scans(normal, 0.8), "value")
+    low, high = bounds(estimates.signed_mean_over_scans(normal, 0.8), "value")
     assert float(((low < 0) & (high > 0)).mean()) == pytest.approx(0.8, abs=0.02)
-    low, high = bounds(claim_numbers.mean_over_scans(np.exp(0.3 * normal), 0.8), "value")
+    low, high = bounds(estimates.mean_over_scans(np.exp(0.3 * normal), 0.8), "value")
     mean = np.exp(0.3**2 / 2)
     assert float(((low < mean) & (high > mean)).mean()) == pytest.approx(0.8, abs=0.04)
 
 
 def test_a_value_of_zero_leaves_no_interval_on_logarithms():
     values = xr.DataArray([[1.0, 0.0, 2.0], [1.0, np.nan, 2.0]], dims=("surface", "scan"))
-    mean = claim_numbers.mean_over_scans(values, 0.95)
+    mean = estimates.mean_over_scans(values, 0.95)
     np.testing.assert_array_equal(mean.value, [1.0, 1.5])
     assert mean.value_interval.isnull().all("bound").values.tolist() == [True, False]
 
@@ -60,25 +58,25 @@ def test_a_variable_becomes_a_number_with_its_interval():
         | with_interval("work", (), 1.0, [0.5, 2.0], {}, 0.95),
         attrs={"confidence": 0.7},
     )
-    force = claim_numbers.variable_as_number(dataset, "force")
+    force = estimates.variable_estimate(dataset, "force")
     means = contacts.mean(("sphere_scan", "contact")).values
     assert float(force.value) == pytest.approx(means.mean())
     log_interval = stats.ttest_1samp(np.log(means), 0).confidence_interval(0.7)
     interval = means.mean() * np.exp(np.array(log_interval) - np.log(means).mean())
     np.testing.assert_allclose(force.value_interval, interval)
-    assert ends(claim_numbers.variable_as_number(dataset, "work")) == [0.5, 2.0]
-    height = claim_numbers.variable_as_number(dataset, "rms_height")
+    assert ends(estimates.variable_estimate(dataset, "work")) == [0.5, 2.0]
+    height = estimates.variable_estimate(dataset, "rms_height")
     assert height.value.dims == ("scan",) and height.value_interval.isnull().all()
     with pytest.raises(KeyError, match="expected an attribute named 'confidence', found none"):
-        claim_numbers.variable_as_number(dataset.drop_attrs(), "force")
+        estimates.variable_estimate(dataset.drop_attrs(), "force")
 
 
 def test_a_quotient_contains_all_ratios_of_the_intervals():
-    ratio = claim_numbers.quotient(scalar(4.0, 2.0, 8.0), scalar(2.0, 1.0, 4.0))
+    ratio = estimates.quotient(scalar(4.0, 2.0, 8.0), scalar(2.0, 1.0, 4.0))
     assert (float(ratio.value), *ends(ratio)) == (2.0, 0.5, 8.0)
-    below_zero = claim_numbers.quotient(scalar(4.0, -2.0, 8.0), scalar(2.0, -1.0, 4.0))
+    below_zero = estimates.quotient(scalar(4.0, -2.0, 8.0), scalar(2.0, -1.0, 4.0))
     assert ends(below_zero) == [0.0, np.inf]
-    assert claim_numbers.quotient(scalar(4.0), scalar(2.0)).value_interval.isnull().all()
+    assert estimates.quotient(scalar(4.0), scalar(2.0)).value_interval.isnull().all()
 
 
 @pytest.mark.parametrize(
@@ -86,14 +84,12 @@ def test_a_quotient_contains_all_ratios_of_the_intervals():
     [((2, 1, 3), (2, 1, 3)), ((-2, -3, -1), (2, 1, 3)), ((-0.5, -2, 1), (0.5, 0, 2))],
 )
 def test_an_absolute_value_has_the_interval_of_its_magnitudes(signed, absolute):
-    result = claim_numbers.absolute_value(scalar(*map(float, signed)))
+    result = estimates.absolute_value(scalar(*map(float, signed)))
     assert (float(result.value), *ends(result)) == absolute
 
 
 def test_decades_are_those_between_the_smallest_and_the_largest_number():
     values = xr.DataArray([1.0, 1000.0, 10.0], dims="surface")
-    decades = claim_numbers.decades(
-        number_with_interval(values, values / 10, values * 10), "surface"
-    )
+    decades = estimates.decades(as_estimate(values, values / 10, values * 10), "surface")
     assert float(decades.value) == pytest.approx(3)
     np.testing.assert_allclose(decades.value_interval, [1, 5])

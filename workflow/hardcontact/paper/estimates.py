@@ -1,6 +1,6 @@
-"""Numbers with intervals, and their arithmetic, for the claims of the paper.
+"""Estimates, which are values with intervals, and their arithmetic, for claims of the paper.
 
-A number is a dataset of `value` and `value_interval`, which is NaN if no interval is known.
+An estimate is a dataset of `value` and `value_interval`, which is NaN if no interval is known.
 """
 
 import numpy as np
@@ -15,16 +15,16 @@ from hardcontact.base.statistics import (
 from hardcontact.contact.contact import CONTACT_DIMENSIONS
 
 
-def number_with_interval(
+def as_estimate(
     value: xr.DataArray, low: xr.DataArray | float = np.nan, high: xr.DataArray | float = np.nan
 ) -> xr.Dataset:
-    """Return a number from values and the ends of their intervals; NaN for no interval."""
+    """Return an estimate from values and the ends of their intervals; NaN for no interval."""
     zero = xr.zeros_like(value)
     return xr.Dataset({"value": value, "value_interval": interval_between(zero + low, zero + high)})
 
 
-def variable_as_number(dataset: xr.Dataset, name: str) -> xr.Dataset:
-    """Return a variable as a number, with the variable's interval if it has one.
+def variable_estimate(dataset: xr.Dataset, name: str) -> xr.Dataset:
+    """Return a variable as an estimate, with the variable's interval if it has one.
 
     A variable of single contacts becomes its mean over contacts and scans, with an interval over
     scans. Other variables get no interval. Raises KeyError if the variable does not exist, or the
@@ -32,12 +32,12 @@ def variable_as_number(dataset: xr.Dataset, name: str) -> xr.Dataset:
     """
     value = dataset[name]
     if f"{name}_interval" in dataset:
-        return number_with_interval(value, *bounds(dataset, name))
+        return as_estimate(value, *bounds(dataset, name))
     if "scan" in value.dims and set(CONTACT_DIMENSIONS) & set(value.dims):
         if "confidence" not in dataset.attrs:
             raise KeyError("expected an attribute named 'confidence', found none")
         return mean_over_scans(mean_over_contacts(value), dataset.attrs["confidence"])
-    return number_with_interval(value)
+    return as_estimate(value)
 
 
 def mean_over_contacts(values: xr.DataArray) -> xr.DataArray:
@@ -46,7 +46,7 @@ def mean_over_contacts(values: xr.DataArray) -> xr.DataArray:
 
 
 def mean_over_scans(values: xr.DataArray, confidence: float, dim: str = "scan") -> xr.Dataset:
-    """Return the mean over a dimension as a number, with `student_log_interval`.
+    """Return the mean over a dimension as an estimate, with `student_log_interval`.
 
     The interval is NaN if a value is not positive, and has zero width if all values are zero.
     """
@@ -65,14 +65,14 @@ def signed_mean_over_scans(values: xr.DataArray, confidence: float) -> xr.Datase
 
 
 def quotient(upper: xr.Dataset, lower: xr.Dataset) -> xr.Dataset:
-    """Return the ratio of two positive numbers; negative ends of their intervals count as zero.
+    """Return the ratio of two positive estimates; negative ends of their intervals count as zero.
 
-    The ends of the interval are ratios of the ends of both intervals. If the two numbers are
+    The ends of the interval are ratios of the ends of both intervals. If the two are
     independent, the interval is wider than its confidence.
     """
     upper_low, upper_high = bounds(upper, "value")
     lower_low, lower_high = bounds(lower, "value")
-    return number_with_interval(
+    return as_estimate(
         upper["value"] / lower["value"],
         upper_low.clip(0) / lower_high,
         upper_high / lower_low.clip(0),
@@ -80,11 +80,11 @@ def quotient(upper: xr.Dataset, lower: xr.Dataset) -> xr.Dataset:
 
 
 def absolute_value(signed: xr.Dataset) -> xr.Dataset:
-    """Return the absolute value of a number; an interval across zero then begins at zero."""
+    """Return the absolute value of an estimate; an interval across zero then begins at zero."""
     low, high = bounds(signed, "value")
-    return number_with_interval(abs(signed["value"]), low.clip(-high).clip(0), high.clip(-low))
+    return as_estimate(abs(signed["value"]), low.clip(-high).clip(0), high.clip(-low))
 
 
-def decades(numbers: xr.Dataset, dim: str) -> xr.Dataset:
-    """Return the decades between the smallest and the largest number along a dimension."""
-    return quotient(numbers.max(dim), numbers.min(dim)).map(np.log10)
+def decades(estimate: xr.Dataset, dim: str) -> xr.Dataset:
+    """Return the decades between the smallest and the largest estimate along a dimension."""
+    return quotient(estimate.max(dim), estimate.min(dim)).map(np.log10)
