@@ -7,7 +7,7 @@ from periodic_maps import RADIUS, height_map, make_bodies, periodic_noise
 from hardcontact.contact import geometry
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import gap_map
-from hardcontact.contact.pull_off import forces_at_loads
+from hardcontact.contact.pull_off import forces_at_loadings
 
 CONTACT = Contact(radius=RADIUS, preload=1e-5, hardness=25e9, window=3000.0, contacts_per_row=4)
 
@@ -88,6 +88,6 @@ def test_heights_of_any_kind_have_their_force(kind):
     def forces(values):
         surface = height_map(values, 50.0)
         pairs = [geometry.join_bodies(surface, sphere, contact) for sphere in (surface, None)]
-        return [forces_at_loads(pair, [contact], [5.6]) for pair in pairs]
+        return [forces_at_loadings(pair, [contact], [5.6]) for pair in pairs]
 
     np.testing.assert_allclose(forces(whole_numbers.astype(kind)), forces(whole_numbers), rtol=1e-6)

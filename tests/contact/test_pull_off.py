@@ -55,9 +55,9 @@ def test_the_pull_off_force_of_a_pair_is_the_direct_sum_at_every_contact_and_ran
 
 
 def test_mean_pull_off_of_a_pair_is_the_mean_over_its_contacts():
-    for load in LOADED_CONTACTS:
-        means = mean_pull_off_dataset(pair(), load, RHOS)["pull_off_force"].values
-        forces = pull_off_dataset(pair(), load, RHOS)["pull_off_force"].values
+    for loaded in LOADED_CONTACTS:
+        means = mean_pull_off_dataset(pair(), loaded, RHOS)["pull_off_force"].values
+        forces = pull_off_dataset(pair(), loaded, RHOS)["pull_off_force"].values
         np.testing.assert_allclose(means, forces.mean(axis=(2, 3)), rtol=1e-12)
 
 
@@ -83,9 +83,9 @@ def test_the_change_by_a_wider_window_matches_the_direct_sum():
 @pytest.mark.parametrize(("pixels", "area_ratio"), [(1, 1 / 4), (4, 1), (40, 1)])
 def test_finer_pixels_change_only_the_contact_area_at_a_small_range(pixels, area_ratio):
     """One pixel of any size touches at least; a larger area is the same on all pixels."""
-    load = replace(CONTACT, preload=pixels / 4 * 25e9 * 64e-18, rho=0.02)
-    forces = pull_off_dataset(pair(), load, [load.rho]).pull_off_force
-    change = force_on_finer_pixels(pair(), load, forces.sel(contact_model="plastic"))
+    contact = replace(CONTACT, preload=pixels / 4 * 25e9 * 64e-18, rho=0.02)
+    forces = pull_off_dataset(pair(), contact, [contact.rho]).pull_off_force
+    change = force_on_finer_pixels(pair(), contact, forces.sel(contact_model="plastic"))
     change = change["finer_pixel_ratio"]
     assert change == pytest.approx(area_ratio, rel=0.05)
 
@@ -110,13 +110,13 @@ def test_the_force_on_every_filtered_master_is_the_direct_sum(sphere, side, end)
         (surface,) = filtered_series(master, side, [cutoff], 160)
         pair_on_filtered = join_bodies(surface, sphere, CONTACT)
         pixel_size = pair_on_filtered.geometry.pixel_size
-        for load in LOADED_CONTACTS:
-            count = load.pixel_count(pixel_size)
+        for loaded in LOADED_CONTACTS:
+            count = loaded.pixel_count(pixel_size)
             for contact in np.ndindex(3, 3):
                 direct_sum = direct_force(
                     gap_map(pair_on_filtered, contact), count, 5.6, pixel_size
                 )
-                force = forces.sel(load=load.load_name).values[contact]
+                force = forces.sel(loading=loaded.loading_name).values[contact]
                 # Sums on a smooth sphere are in single precision.
                 assert force == pytest.approx(direct_sum, rel=1e-6 if sphere is None else 1e-9)
 

@@ -63,7 +63,7 @@ SWEPT = {
 
 
 def lists_of_files(*values):
-    """Return the radii, loads and ranges that each file is computed at, by its path."""
+    """Return the radii, loadings and ranges that each file is computed at, by its path."""
     study = files(*values)
     chunks = Chunks(study)
     filtered = [
@@ -72,7 +72,7 @@ def lists_of_files(*values):
         *chunks.filtered_masters("sets"),
         *chunks.filtered_masters("enhancement"),
     ]
-    study_values = (study.contact.radius, study.contact.load_name, study.contact.rho)
+    study_values = (study.contact.radius, study.contact.loading_name, study.contact.rho)
     computed_at = {
         path: contact_grid(numbers(*values), row.purpose)
         for row, path in zip(filtered, study.paths(PATTERNS.master_forces, filtered), strict=True)
@@ -101,4 +101,4 @@ def test_paths_do_not_depend_on_the_units_of_a_value():
         *("contact.hardness", "25000 MPa", "adhesion.range", "0.0056 um"),
     ]
     assert lists_of_files(*written_otherwise) == lists_of_files()
-    assert study_contact(numbers()).load_name == "H25GPa-F10uN"
+    assert study_contact(numbers()).loading_name == "H25GPa-F10uN"

@@ -29,10 +29,10 @@ VALUES = {
     "side": ["short", "long"],
     "probe": ["smooth", "rough", "combined"],
     "radius": ["R250um", "R0.5um"],
-    "load": ["H25GPa-F10uN", "H1e-05GPa-F0.1uN"],
+    "loading": ["H25GPa-F10uN", "H1e-05GPa-F0.1uN"],
     "range": ["rho5.6nm"],
     "radii": ["R250um", "R5um+R0.5um"],
-    "loads": ["H25GPa-F10uN", "H25GPa-F10uN+H16GPa-F10uN"],
+    "loadings": ["H25GPa-F10uN", "H25GPa-F10uN+H16GPa-F10uN"],
     "ranges": ["rho5.6nm", "rho1.4nm+rho5.6nm"],
     "purpose": ["scales", "sampled", "sets", "exponents"],
     "settings_digest": ["0123abcd", "01234567"],
@@ -86,6 +86,6 @@ def test_intermediates_of_a_surface_are_in_a_folder_of_its_files():
 def test_wildcards_exclude_other_values():
     for name, value in (
         ("surface", "uncd/study"), ("surface", "bxc"), ("scan", "1a"),
-        ("shape", "sphere"), ("load", "H25GPa"), ("side", "both"),
+        ("shape", "sphere"), ("loading", "H25GPa"), ("side", "both"),
     ):  # fmt: skip
         assert not re.fullmatch(CONSTRAINTS[name], value), (name, value)

@@ -13,6 +13,6 @@ def direct_total(gap, contact_pixel_count, rho):
 
 
 def plastic_totals(bodies, pixel_counts, rho):
-    """Sums of exp(-gap/rho) of an array of plastic contacts: (load, contact_y, contact_x)."""
+    """Sums of exp(-gap/rho) of an array of plastic contacts: (loading, contact_y, contact_x)."""
     contacts = all_contact_pixels(bodies, max(pixel_counts))
     return attraction_totals(bodies, contacts, pixel_counts, [rho])[:, 0]

@@ -42,21 +42,21 @@ def test_a_cutoff_keeps_the_wave_on_one_side_only(side, remaining, end):
 
 
 def master_forces(forces, unfiltered, cutoffs, end):
-    """Forces (cutoff, load, contact_y, contact_x), the same at all contacts but for a spread."""
+    """Forces (cutoff, loading, contact_y, contact_x), the same at all contacts but for a spread."""
     spread = np.array([[0.5, 1.5], [1.0, 1.0]])
     return xr.Dataset(
         {
             "pull_off_force": (
-                ("cutoff_wavelength", "load", "contact_y", "contact_x"),
+                ("cutoff_wavelength", "loading", "contact_y", "contact_x"),
                 np.multiply.outer(forces, spread),
             ),
             "unfiltered_pull_off_force": (
-                ("load", "contact_y", "contact_x"),
+                ("loading", "contact_y", "contact_x"),
                 np.multiply.outer(unfiltered, spread),
             ),
             "unfiltered_wavelength": ((), end),
         },
-        {"cutoff_wavelength": cutoffs, "load": ["light", "heavy"]},
+        {"cutoff_wavelength": cutoffs, "loading": ["light", "heavy"]},
     )
 
 
@@ -72,7 +72,7 @@ def test_ratios_are_taken_of_mean_forces_over_contacts():
     scales = stack_masters(masters)
     assert scales.cutoff_wavelength.values.tolist() == [20.0, 43.0, 500.0, 1e3]
     empty = [np.nan, np.nan]
-    ratios_of_b = scales.filtered_force_ratio.sel(surface="b", load="light").transpose(
+    ratios_of_b = scales.filtered_force_ratio.sel(surface="b", loading="light").transpose(
         "side", "realization", ...
     )
     np.testing.assert_array_equal(
@@ -81,7 +81,7 @@ def test_ratios_are_taken_of_mean_forces_over_contacts():
     np.testing.assert_array_equal(
         ratios_of_b.sel(side="long"), [[*empty, 0.5, 0.25], [*empty, 0.5, 0.5]]
     )
-    np.testing.assert_array_equal(scales.filtered_force_ratio.sel(load="heavy").max(), 9.0)
+    np.testing.assert_array_equal(scales.filtered_force_ratio.sel(loading="heavy").max(), 9.0)
     assert scales.filtered_force_ratio.sel(surface="a", realization=2).isnull().all()
     assert scales.pull_off_force.dims[-2:] == ("contact_y", "contact_x")
     assert scales.unfiltered_wavelength.sel(surface="a").values.tolist() == [1.2, 2e4]

@@ -7,7 +7,7 @@ from periodic_maps import height_map, periodic_noise
 
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies
-from hardcontact.contact.pull_off import forces_at_loads
+from hardcontact.contact.pull_off import forces_at_loadings
 from hardcontact.inference.band_forces import (
     BAND_PARTS,
     band_force_dataset,
@@ -47,7 +47,7 @@ def mean_force(surface):
         radius=50e3, preload=10e-6, hardness=25e9, window=2560.0, contacts_per_row=16, rho=5.0
     )
     pair = join_bodies(surface, None, contact)
-    return forces_at_loads(pair, [contact], [contact.rho])[0, 0].mean()
+    return forces_at_loadings(pair, [contact], [contact.rho])[0, 0].mean()
 
 
 def whole_parts(count):

@@ -9,7 +9,7 @@ from measurements import map_of
 from hardcontact.base.random import generator
 from hardcontact.contact.contact import CONTACT_AXES, Contact
 from hardcontact.contact.geometry import join_bodies, spheres_at_positions
-from hardcontact.contact.pull_off import forces_at_loads, pull_off_force
+from hardcontact.contact.pull_off import forces_at_loadings, pull_off_force
 from hardcontact.inference.octaves import STEP, make_force_function, octave_forces
 from hardcontact.own.mean_forces import forces_of_surface, mean_intervals
 from hardcontact.scans.both_bodies import combine_maps, combine_spectra
@@ -58,7 +58,7 @@ def test_a_smooth_sphere_on_the_sum_of_both_touches_like_the_rough_one(wafer, sp
     combined = combine_maps(generator(1), mirror_stitch(wafer), mirror_stitch(sphere))
     start = generator(1).integers(2 * PIXELS, size=2)
     pair = join_bodies(combined, None, CONTACT)
-    forces = forces_at_loads(pair, [CONTACT], [CONTACT.rho])[0, 0]
+    forces = forces_at_loadings(pair, [CONTACT], [CONTACT.rho])[0, 0]
     # The window of this contact has no mirror image of the sum.
     contact_pixel = pair.geometry.positions[[1, 1]]
     assert (30 <= contact_pixel).all() and (contact_pixel < PIXELS - 30).all()
@@ -83,7 +83,7 @@ def test_octaves_are_those_of_the_rougher_body(wafer, sphere):
 
 def test_the_interval_contains_the_forces_at_other_positions_on_the_sphere(wafer, sphere):
     forces = [
-        forces_at_loads(
+        forces_at_loadings(
             join_bodies(mirror_stitch(wafer), position, CONTACT), [CONTACT], [CONTACT.rho]
         )
         for position in spheres_at_positions(mirror_stitch(sphere), 4)

@@ -33,7 +33,7 @@ def forces(masters, contact):
     """Return the forces on masters by realization and side, (filters, map), as in scales.nc."""
     filtered = {
         ("a", number, filters.side): filtered_pull_off(master, filters, [contact]).isel(
-            radius=0, load=0, rho=0, drop=True
+            radius=0, loading=0, rho=0, drop=True
         )
         for number, filters, master in masters
     }

@@ -1,4 +1,4 @@
-"""Bands of plastic and rigid contact have the load and range of their names."""
+"""Bands of plastic and rigid contact have the loading and range of their names."""
 
 import numpy as np
 import xarray as xr
@@ -13,8 +13,8 @@ CUTOFFS = np.array([20.0, 40.0, 80.0, 160.0])
 def test_each_contact_model_has_the_edge_of_its_forces():
     """Forces that grow in proportion to the cutoff reach 10 % at a prescribed edge."""
     edges = xr.DataArray(
-        [[100.0, 50.0], [30.0, 25.0]], {"area": ("load", [400.0, 1.0]), "rho": [5.6, 1.0]},
-        ["load", "rho"],
+        [[100.0, 50.0], [30.0, 25.0]], {"area": ("loading", [400.0, 1.0]), "rho": [5.6, 1.0]},
+        ["loading", "rho"],
     )  # fmt: skip
     cutoff = xr.DataArray(CUTOFFS, {"cutoff_wavelength": CUTOFFS}, ["cutoff_wavelength"])
     ratio = 1.1 ** (np.log(cutoff / 2) / np.log(edges / 2))  # ln F is linear in ln c from 2 nm on
@@ -40,10 +40,10 @@ def test_edges_that_scatter_together_have_a_certain_ratio():
     factors = 1.1 ** (np.array([0.7, 1.0, 1.4])[:, None] * np.log(CUTOFFS / 2) / np.log(20))
     ratio = xr.DataArray(
         factors, {"realization": [1, 2, 3], "cutoff_wavelength": CUTOFFS}
-    ).expand_dims(surface=["a"], side=["short"], radius=[1.0], load=2, rho=[5.6, 1.0])
-    forces = xr.Dataset({"filtered_force_ratio": ratio}, {"area": ("load", [400.0, 1.0])}).assign(
-        unfiltered_wavelength=(("surface", "side"), [[2.0]])
-    )
+    ).expand_dims(surface=["a"], side=["short"], radius=[1.0], loading=2, rho=[5.6, 1.0])
+    forces = xr.Dataset(
+        {"filtered_force_ratio": ratio}, {"area": ("loading", [400.0, 1.0])}
+    ).assign(unfiltered_wavelength=(("surface", "side"), [[2.0]]))
     bands = edges_by_contact(forces, 0.1, Sampling(1, 50, 0.95)).sel(group="a")
     low, high = np.moveaxis(bands["edge_interval"].values, -1, 0)
     assert (high > 1.2 * low).all()

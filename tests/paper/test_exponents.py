@@ -47,7 +47,8 @@ def test_every_combination_equals_its_single_contact():
     single = filtered_pull_off(master(3.0), FILTERS, [replace(CONTACTS[1], radius=2000.0, rho=5.0)])
     for name in ("pull_off_force", "unfiltered_pull_off_force"):
         np.testing.assert_allclose(
-            forces[name].isel(radius=1, load=1, rho=1), single[name].isel(radius=0, load=0, rho=0)
+            forces[name].isel(radius=1, loading=1, rho=1),
+            single[name].isel(radius=0, loading=0, rho=0),
         )
     assert forces["area"].values == pytest.approx([100.0, 800.0])
     assert forces["contact_area"].values == pytest.approx([100.0, 800.0])

@@ -366,7 +366,7 @@ def force_ratios(
         side_forces = filtered_pull_off(
             surface, Filters(side, surface.pixels, wavelengths), [contact], rough
         )
-        forces["scan", 0, side] = side_forces.isel(radius=0, load=0, rho=0, drop=True)
+        forces["scan", 0, side] = side_forces.isel(radius=0, loading=0, rho=0, drop=True)
     ratio = stack_masters(forces).filtered_force_ratio.isel(surface=0, realization=0, drop=True)
     ratios = xr.Dataset(
         {

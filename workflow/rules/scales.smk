@@ -70,7 +70,7 @@ rule aggregate_scales:
             surfaces=[row.surface for row in CHUNKS.filtered_masters()],
             sampled_surfaces=[row.surface for row in SAMPLED_MASTERS],
             realizations=STUDY["scales"]["realizations"],
-            load=FILES.contact.load_name,
+            loading=FILES.contact.loading_name,
             **NAMED_SURFACES,
             rho=STUDY["adhesion"]["range"],
             sphere_radius=STUDY["sphere"]["radius"],

@@ -52,7 +52,7 @@ rule sample_sets:
             pooled=SELECTION.substrates_with_pool,
             master_surfaces=[row.surface for row in CHUNKS.filtered_masters("sets")],
             realizations=STUDY["sets"]["realizations"],
-            load=FILES.contact.load_name,
+            loading=FILES.contact.loading_name,
             statements=statements_of_sets("resources/paper/claims.csv"),
             settings={
                 "seed": STUDY["seed"],

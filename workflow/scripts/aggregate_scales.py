@@ -10,11 +10,11 @@ from hardcontact.inference.master_datasets import (
 
 with run_job(snakemake) as job:
     params = job.parameters
-    count, load = params["realizations"], params["load"]
-    forces = read_master_forces(params["surfaces"], job.input.masters, count, load)
+    count, loading = params["realizations"], params["loading"]
+    forces = read_master_forces(params["surfaces"], job.input.masters, count, loading)
     if job.input.sampled:  # There are none if all surfaces are substitutes.
         sampled_forces = read_master_forces(
-            params["sampled_surfaces"], job.input.sampled, count, load
+            params["sampled_surfaces"], job.input.sampled, count, loading
         )
         forces = add_spectrum_shifts(forces, sampled_forces)
     job.write(

@@ -31,9 +31,9 @@ with run_job(snakemake) as job:
             radius=params["radii"][0],
             window=params["window"],
             contacts_per_row=params["contacts_per_row"],
-            **load,
+            **loading,
         )
-        for load in params["loads"]
+        for loading in params["loadings"]
     ]
     sphere = read_height_map(job.input.sphere) if job.input.sphere else None
     filters = {

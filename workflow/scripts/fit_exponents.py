@@ -11,7 +11,7 @@ with run_job(snakemake) as job:
     params = job.parameters
     area, tolerance, confidence = params["area"], params["tolerance"], params["confidence"]
     forces = read_master_forces(params["surfaces"], job.input.masters, params["realizations"])
-    scaled = forces.squeeze("rho", drop=True).swap_dims(load="area").drop_vars("load")
+    scaled = forces.squeeze("rho", drop=True).swap_dims(loading="area").drop_vars("loading")
     exponents = xr.merge(
         [
             force_exponent(scaled, area, confidence),

@@ -20,7 +20,7 @@ with run_job(snakemake) as job:
         read_all(params["sample_chunks"], job.input.samples),
         params["pooled"],
         read_master_forces(
-            params["master_surfaces"], job.input.masters, params["realizations"], params["load"]
+            params["master_surfaces"], job.input.masters, params["realizations"], params["loading"]
         ),
     )
     set_numbers = sample_sets(

@@ -33,7 +33,7 @@ class Contact:
     work: float = math.nan  #: Work of adhesion in J/m².
 
     @property
-    def load_name(self) -> str:
+    def loading_name(self) -> str:
         """Hardness and preload as a part of paths: ``"H25GPa-F10uN"``, ``"rigid-F10uN"``."""
         hardness = f"H{self.hardness / 1e9:.12g}GPa" if self.plastic else RIGID
         return f"{hardness}-F{self.preload * 1e6:.12g}uN"

@@ -1,4 +1,4 @@
-"""Pull-off of a pair of scans: rigid and plastic, at every range, at several loads.
+"""Pull-off of a pair of scans: rigid and plastic, at every range, at several loadings.
 
 A pixel at the gap g attracts with the pressure (W/rho) exp(-g/rho), Eq. 2 of the paper. Totals are
 sums of exp(-g/rho) at closest approach; `pull_off_force` turns them into forces, Eq. 3.
@@ -33,10 +33,10 @@ WORK_OF_ADHESION = 1.0
 FORCE_ATTRS = NEWTON | {"long_name": "pull-off force at W = 1 J/m2"}
 
 
-def load_axis(loaded_contacts: Sequence[Contact]) -> dict[str, Axis]:
-    """Return the coordinate of the loads of contacts, by name."""
-    names = [contact.load_name for contact in loaded_contacts]
-    return {"load": (("load",), names, {})}
+def loading_axis(loaded_contacts: Sequence[Contact]) -> dict[str, Axis]:
+    """Return the coordinate of the loadings of contacts, by name."""
+    names = [contact.loading_name for contact in loaded_contacts]
+    return {"loading": (("loading",), names, {})}
 
 
 def range_axis(ranges: Sequence[float]) -> dict[str, Axis]:
@@ -103,12 +103,12 @@ def _stacked_gaps(pixels_by_contact: PixelsByContact) -> Floats:
     return gaps.reshape(contacts_per_row, contacts_per_row, -1)
 
 
-def forces_at_loads(
+def forces_at_loadings(
     bodies: Bodies, loaded_contacts: Sequence[Contact], ranges: Sequence[float]
 ) -> Floats:
-    """Return the forces (load, rho, contact_y, contact_x) of a pair in N at 1 J/m².
+    """Return the forces (loading, rho, contact_y, contact_x) of a pair in N at 1 J/m².
 
-    The contacts differ in their loads alone; ranges of adhesion are in nm.
+    The contacts differ in their loading alone; ranges of adhesion are in nm.
     """
     return _pixels_and_forces(bodies, loaded_contacts, ranges)[2]
 
@@ -116,7 +116,7 @@ def forces_at_loads(
 def _pixels_and_forces(
     bodies: Bodies, loaded_contacts: Sequence[Contact], ranges: Sequence[float]
 ) -> tuple[list[int], PixelsByContact, Floats]:
-    """Return the numbers (load,) of contact pixels, the pixels, and `forces_at_loads`."""
+    """Return the numbers (loading,) of contact pixels, the pixels, and `forces_at_loadings`."""
     pixel_size = bodies.geometry.pixel_size
     pixel_counts = [contact.pixel_count(pixel_size) for contact in loaded_contacts]
     pixels_by_contact = all_contact_pixels(bodies, max(pixel_counts))
@@ -185,7 +185,7 @@ def mean_pull_off_dataset(bodies: Bodies, contact: Contact, ranges: Sequence[flo
     1 J/m².
     """
     loaded_contacts = [replace(contact, plastic=False), contact]
-    forces = forces_at_loads(bodies, loaded_contacts, ranges).mean(axis=(-2, -1))
+    forces = forces_at_loadings(bodies, loaded_contacts, ranges).mean(axis=(-2, -1))
     return xr.Dataset(
         {"pull_off_force": (("contact_model", "rho"), forces, FORCE_ATTRS)},
         {"contact_model": CONTACT_MODELS} | range_axis(ranges),
@@ -212,7 +212,7 @@ def force_on_finer_pixels(bodies: Bodies, contact: Contact, forces: xr.DataArray
             positions=2 * geometry.positions,
         ),
     )
-    fine = forces_at_loads(finer, [contact], [contact.rho]).mean()
+    fine = forces_at_loadings(finer, [contact], [contact.rho]).mean()
     ratio = fine / forces.values.mean()
     return xr.Dataset({"finer_pixel_ratio": ((), ratio, DIMENSIONLESS | {"rho": contact.rho})})
 
@@ -229,7 +229,7 @@ def wider_window_change(
     for bodies, pair_forces in zip(pairs, forces.values, strict=True):
         window_pixels = bodies.geometry.window_pixels + 2 * bodies.substrate.pixels
         wider = replace(bodies, geometry=replace(bodies.geometry, window_pixels=window_pixels))
-        wide = forces_at_loads(wider, [contact], [contact.rho])[0, 0]
+        wide = forces_at_loadings(wider, [contact], [contact.rho])[0, 0]
         changes.append(float(np.abs(wide / pair_forces - 1).max()))
     return xr.Dataset(
         {"wider_window_change": ((), max(changes), DIMENSIONLESS)}, {}, {"rho": contact.rho}

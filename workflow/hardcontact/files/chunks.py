@@ -25,7 +25,7 @@ FEATURED_SAMPLES_CHUNK = 10
 Chunk = namedtuple("Chunk", "surface first last")
 SampleChunk = namedtuple("SampleChunk", "surface features first last")
 FilteredMasters = namedtuple(
-    "FilteredMasters", "purpose settings_digest surface probe first last radii loads ranges"
+    "FilteredMasters", "purpose settings_digest surface probe first last radii loadings ranges"
 )
 
 
@@ -111,12 +111,12 @@ class Chunks:
         return "rough" if is_rough else "smooth"
 
     def _grid_names(self, purpose: str) -> dict[str, str]:
-        """Return radii, loads and ranges of a purpose as parts of paths."""
+        """Return radii, loadings and ranges of a purpose as parts of paths."""
         grid = contact_grid(self._configuration, purpose)
         return {
             "radii": "+".join(f"R{path_token(radius, 'um')}" for radius in grid["radii"]),
-            "loads": "+".join(
-                replace(self._files.contact, **load).load_name for load in grid["loads"]
+            "loadings": "+".join(
+                replace(self._files.contact, **loading).loading_name for loading in grid["loadings"]
             ),
             "ranges": "+".join(f"rho{path_token(rho, 'nm')}" for rho in grid["ranges"]),
         }

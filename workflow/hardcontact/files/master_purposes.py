@@ -50,7 +50,7 @@ PURPOSES = {
 
 
 def contact_grid(configuration: Mapping[str, Any], purpose: str) -> dict[str, list[Any]]:
-    """Return the radii (nm), loads (N, Pa) and ranges (nm) at which forces on masters are computed.
+    """Return the radii (nm), loadings (N, Pa) and ranges (nm) at which forces on masters are computed.
 
     ``"exponents"`` varies radius and preload, ``"enhancement"`` plasticity and range.
     """
@@ -62,9 +62,9 @@ def contact_grid(configuration: Mapping[str, Any], purpose: str) -> dict[str, li
     elif purpose == "enhancement":
         contacts = [contact, replace(contact, plastic=False)]
         ranges = [SHORT_ADHESION_RANGE, contact.rho]
-    load_keys = ("preload", "hardness", "plastic")
-    loads = [{key: getattr(load, key) for key in load_keys} for load in contacts]
-    return {"radii": radii, "loads": loads, "ranges": ranges}
+    keys = ("preload", "hardness", "plastic")
+    loadings = [{key: getattr(loaded, key) for key in keys} for loaded in contacts]
+    return {"radii": radii, "loadings": loadings, "ranges": ranges}
 
 
 def filter_settings(configuration: Mapping[str, Any], purpose: str) -> dict[str, Any]:

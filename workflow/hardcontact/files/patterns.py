@@ -95,11 +95,11 @@ class Patterns:
             f"{folder['stitched']}/{rough_sphere}/scan-{{sphere_scan}}-sphere-{{radius}}.nc"
         )
 
-        pair = f"{{radius}}/{{load}}/{_SURFACE}/scan-{{scan}}/{rough_sphere}"
+        pair = f"{{radius}}/{{loading}}/{_SURFACE}/scan-{{scan}}/{rough_sphere}"
         self.elastic = f"{folder['elastic']}/{pair}/scan-{{sphere_scan}}.nc"
         self.asperities = f"{folder['asperities']}/{pair}/scan-{{sphere_scan}}.nc"
 
-        contact = f"{{radius}}/{{load}}/{{range}}/{_SURFACE}"
+        contact = f"{{radius}}/{{loading}}/{{range}}/{_SURFACE}"
         self.pool = f"{folder['pool']}/{contact}/scans-{{first}}-{{last}}.nc"
         self.whole_surface_forces = f"{folder['whole']}/{contact}/surfaces-{{first}}-{{last}}.nc"
         self.octaves = f"{folder['octaves']}/{rough_sphere}/{contact}/scan-{{scan}}.nc"
@@ -114,8 +114,8 @@ class Patterns:
         self.long_master = self.master.replace("{side}", "long")
         # A spectrum sampled within the uncertainty of the measurements.
         self.sampled_spectrum = f"{folder['sampled_spectra']}/{_REALIZATION}.nc"
-        # Forces at lists of radii, loads and ranges; settings_digest: `Chunks._settings_digest`.
-        grid = f"{{settings_digest}}/{{radii}}/{{loads}}/{{ranges}}/{_SURFACE}"
+        # Forces at lists of radii, loadings and ranges; settings_digest: `Chunks._settings_digest`.
+        grid = f"{{settings_digest}}/{{radii}}/{{loadings}}/{{ranges}}/{_SURFACE}"
         realizations = "realizations-{first}-{last}-{probe}-sphere"
         # The roughness of both bodies.
         both = f"{folder['both_bodies']}/{rough_sphere}"
@@ -172,7 +172,7 @@ def list_pattern(expression: str) -> str:
 def wildcard_constraints(surfaces: Iterable[str]) -> dict[str, str]:
     """Return the regular expression that each wildcard must match."""
     radius = f"R{_NUMBER}um"
-    load = f"(H{_NUMBER}GPa|rigid)-F{_NUMBER}uN"
+    loading = f"(H{_NUMBER}GPa|rigid)-F{_NUMBER}uN"
     rho = f"rho{_NUMBER}nm"
     return {
         "surface": any_name_pattern(surfaces),
@@ -182,10 +182,10 @@ def wildcard_constraints(surfaces: Iterable[str]) -> dict[str, str]:
         "side": "short|long",
         "probe": "smooth|rough|combined",
         "radius": radius,
-        "load": load,
+        "loading": loading,
         "range": rho,
         "radii": list_pattern(radius),
-        "loads": list_pattern(load),
+        "loadings": list_pattern(loading),
         "ranges": list_pattern(rho),
         "purpose": "|".join(PURPOSES),
         "settings_digest": "[0-9a-f]+",

@@ -31,7 +31,7 @@ class SurfaceFiles:
         self.sphere_digest = selection.file_digests.get(selection.sphere, SMOOTH_SPHERE)
         self._defaults = {
             "radius": f"R{path_token(configuration['sphere']['radius'], 'um')}",
-            "load": self.contact.load_name,
+            "loading": self.contact.loading_name,
             "range": f"rho{path_token(configuration['adhesion']['range'], 'nm')}",
             "sphere_digest": self.sphere_digest,
         }

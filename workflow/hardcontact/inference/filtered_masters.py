@@ -20,8 +20,8 @@ from hardcontact.contact.pull_off import (
     FORCE_ATTRS,
     WORK_OF_ADHESION,
     Axis,
-    forces_at_loads,
-    load_axis,
+    forces_at_loadings,
+    loading_axis,
     range_axis,
 )
 from hardcontact.surfaces.filters import filtered_series
@@ -76,11 +76,11 @@ def filtered_pull_off(
     radii: Sequence[float] | None = None,
     ranges: Sequence[float] | None = None,
 ) -> xr.Dataset:
-    """Return `forces_at_cutoffs` of plastic contact at all radii, loads and ranges of adhesion.
+    """Return `forces_at_cutoffs` of plastic contact at all radii, loadings and ranges of adhesion.
 
-    The contacts differ only in their load. Radii and ranges (nm) are by default those of the first
-    contact. Forces are at 1 J/m². ``contact_area`` (load) is the area of the touching pixels, the
-    coordinate ``area`` (load) the preload divided by the hardness, both in nm².
+    The contacts differ only in their loading. Radii and ranges (nm) are by default those of the first
+    contact. Forces are at 1 J/m². ``contact_area`` (loading) is the area of the touching pixels, the
+    coordinate ``area`` (loading) the preload divided by the hardness, both in nm².
     """
     contact = loaded_contacts[0]
     pixel_size = master.size / filters.pixels
@@ -89,14 +89,14 @@ def filtered_pull_off(
 
     def compute_forces(surface: HeightMap) -> np.ndarray:
         pairs = [join_bodies(surface, sphere, replace(contact, radius=radius)) for radius in radii]
-        return np.array([forces_at_loads(pair, loaded_contacts, ranges) for pair in pairs])
+        return np.array([forces_at_loadings(pair, loaded_contacts, ranges) for pair in pairs])
 
     axes: dict[str, Axis] = {"radius": (("radius",), radii, NM)}
-    axes |= load_axis(loaded_contacts) | range_axis(ranges)
+    axes |= loading_axis(loaded_contacts) | range_axis(ranges)
     axes |= {axis: ((axis,), np.arange(contact.contacts_per_row), {}) for axis in CONTACT_AXES}
-    areas = ("load", [loaded.area for loaded in loaded_contacts], {"units": "nm2"})
+    areas = ("loading", [loaded.area for loaded in loaded_contacts], {"units": "nm2"})
     touching = [loaded.pixel_count(pixel_size) * pixel_size**2 for loaded in loaded_contacts]
-    contact_area = ("load", touching, {"units": "nm2"})
+    contact_area = ("loading", touching, {"units": "nm2"})
     filtered = forces_at_cutoffs(master, filters, compute_forces, axes)
     return filtered.assign(contact_area=contact_area).assign_coords(area=areas)
 

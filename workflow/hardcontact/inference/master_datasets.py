@@ -29,18 +29,18 @@ def stack_masters(master_datasets: DatasetsByLabels) -> xr.Dataset:
 
 
 def read_master_forces(
-    surfaces: Iterable[str], paths: Iterable[str], realizations: int, load: str | None = None
+    surfaces: Iterable[str], paths: Iterable[str], realizations: int, loading: str | None = None
 ) -> xr.Dataset:
     """Read files of `filtered_pull_off` and stack the forces, as `stack_masters` does.
 
-    Realizations after the given number are left out. `load` is the only load, at the single radius
+    Realizations after the given number are left out. `loading` is the only one, at the single radius
     and range of the files; None for all.
     """
     master_datasets: dict[tuple[Any, ...], xr.Dataset] = {}
     for surface, path in zip(surfaces, paths, strict=True):
         forces = read(path)
-        if load is not None:
-            forces = forces.sel(load=load, drop=True).squeeze(["radius", "rho"], drop=True)
+        if loading is not None:
+            forces = forces.sel(loading=loading, drop=True).squeeze(["radius", "rho"], drop=True)
             forces = forces.drop_vars("contact_area")
         for realization in forces["realization"].values.tolist():
             if realization <= realizations:

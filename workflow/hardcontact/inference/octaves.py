@@ -18,7 +18,7 @@ from hardcontact.base.statistics import with_interval
 from hardcontact.base.units import DIMENSIONLESS, NM
 from hardcontact.contact.contact import CONTACT_AXES, Contact
 from hardcontact.contact.geometry import join_bodies
-from hardcontact.contact.pull_off import FORCE_ATTRS, forces_at_loads
+from hardcontact.contact.pull_off import FORCE_ATTRS, forces_at_loadings
 from hardcontact.inference.scan_parts import (
     ScanParts,
     delete_one_logarithms,
@@ -49,7 +49,7 @@ def make_force_function(contact: Contact, sphere: HeightMap | None = None) -> Fo
 
     def compute_forces(surface: HeightMap) -> Floats:
         pair = join_bodies(surface, sphere, contact)
-        return np.asarray(forces_at_loads(pair, [contact], [contact.rho])[0, 0])
+        return np.asarray(forces_at_loadings(pair, [contact], [contact.rho])[0, 0])
 
     return compute_forces
 
