@@ -7,8 +7,9 @@ import pytest
 from direct_sum import direct_total
 from small_pool import CONTACT, GRID, HEIGHTS, POOL_INPUTS, TARGETS, pool_of, raw_scan
 
+from hardcontact.contact.force_curves import spline_weights
 from hardcontact.contact.geometry import gap_map, join_bodies
-from hardcontact.paper.pool import height_weights, pool_heights
+from hardcontact.paper.pool import pool_heights
 from hardcontact.surfaces.height_map import TABLE1_METRICS, metrics, mirror_stitch
 
 
@@ -33,15 +34,16 @@ def test_heights_of_the_pool_cover_those_of_any_set():
     np.testing.assert_array_equal(pool_heights(TARGETS, 1, 7), [10.0])
 
 
-def test_interpolation_is_exact_at_its_heights_and_of_cubics_in_the_root():
-    np.testing.assert_allclose(height_weights(HEIGHTS, HEIGHTS), np.eye(7), atol=1e-12)
+def test_interpolation_is_exact_at_its_heights_and_of_cubics():
+    np.testing.assert_allclose(spline_weights(HEIGHTS, HEIGHTS), np.eye(7), atol=1e-12)
     heights = np.array([4.0, 9.9, 16.0])
 
     def cubic(height):
-        return 1 + np.sqrt(height) - 0.3 * height + 0.02 * height**1.5
+        return 1 + height - 0.3 * height**2 + 0.02 * height**3
 
-    np.testing.assert_allclose(height_weights(HEIGHTS, heights) @ cubic(HEIGHTS), cubic(heights))
-    np.testing.assert_array_equal(height_weights(np.array([10.0]), heights), np.ones((3, 1)))
+    np.testing.assert_allclose(spline_weights(HEIGHTS, heights) @ cubic(HEIGHTS), cubic(heights))
+    single_height = spline_weights(np.array([10.0]), heights, extrapolate=True)
+    np.testing.assert_array_equal(single_height, np.ones((3, 1)))
 
 
 def test_forces_are_the_direct_sum_over_the_scan_at_each_height(pool):

@@ -89,18 +89,22 @@ def widen_interval(dataset: xr.Dataset, name: str, error: xr.DataArray) -> xr.Da
     return dataset.assign({f"{name}_interval": ends.assign_attrs(interval.attrs)})
 
 
+def student_quantile(degrees_of_freedom: Any, confidence: float) -> Any:
+    """Return the quantile of Student's t that ends its central interval."""
+    from scipy.special import stdtrit
+
+    return stdtrit(degrees_of_freedom, (1 + confidence) / 2)
+
+
 def student_interval(values: xr.DataArray, confidence: float, dim: str) -> xr.DataArray:
     """Return the interval of a mean of independent values along a dimension by Student's t.
 
     Missing values are NaN. Both ends, along the last dimension `bound`, are NaN for fewer than two
     values. The confidence is the probability that the interval holds the mean.
     """
-    from scipy import special
-
     mean = values.mean(dim)
     count = values.count(dim)
-    quantile = xr.apply_ufunc(special.stdtrit, count - 1, (1 + confidence) / 2)
-    half = quantile * values.std(dim, ddof=1) / np.sqrt(count)
+    half = student_quantile(count - 1, confidence) * values.std(dim, ddof=1) / np.sqrt(count)
     return interval_between(mean - half, mean + half).assign_attrs(confidence=confidence)
 
 
@@ -150,15 +154,13 @@ def jackknife_interval(value: ArrayLike, leave_one_out: ArrayLike, confidence: f
     each scan. The interval is Student's t on the logarithm with the standard error of the
     delete-one jackknife. NaN for fewer than two scans, or if a statistic is zero.
     """
-    from scipy import special
-
     statistics = np.asarray(leave_one_out, float)
     logarithms = np.log(np.where(statistics > 0, statistics, np.nan))
     count = len(logarithms)
     if count < 2:
         return np.full((*np.shape(value), 2), np.nan)
     error = np.sqrt((count - 1) * logarithms.var(axis=0))
-    half = special.stdtrit(count - 1, (1 + confidence) / 2) * error
+    half = student_quantile(count - 1, confidence) * error
     return np.stack([value * np.exp(-half), value * np.exp(half)], axis=-1)
 
 

@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
+from hardcontact.base.arrays import Floats
 from hardcontact.base.statistics import (
     Sampling,
     fit_lognormal,
@@ -75,30 +76,31 @@ def interpolate_to_ranges(
 
     NaN beyond the computed ranges (nm).
     """
-    interpolated: np.ndarray = np.exp(np.log(forces) @ _spline_weights(computed_ranges, new_ranges))
+    weights = spline_weights(np.log(computed_ranges), np.log(new_ranges))
+    interpolated: np.ndarray = np.exp(np.log(forces) @ weights.T)
     return interpolated
 
 
 def interpolate_to_range(forces: xr.DataArray, rho: float) -> xr.DataArray:
     """Return forces (..., rho, ...) at one rho (nm), by the spline of `interpolate_to_ranges`."""
-    weights = xr.DataArray(_spline_weights(forces.rho.values, np.array([rho]))[:, 0], dims="rho")
+    weights = spline_weights(np.log(forces.rho.values), np.log(rho))
     logarithms = xr.apply_ufunc(np.log, forces).drop_vars("rho")
     interpolated: xr.DataArray = xr.apply_ufunc(
-        np.exp, (logarithms * weights).sum("rho", skipna=False)
+        np.exp, (logarithms * xr.DataArray(weights, dims="rho")).sum("rho", skipna=False)
     )
     return interpolated
 
 
-def _spline_weights(computed_ranges: np.ndarray, new_ranges: np.ndarray) -> np.ndarray:
-    """Return the weights (computed range, new range) of ln F in its spline; NaN beyond the ends.
+def spline_weights(points: Floats, targets: Floats | float, *, extrapolate: bool = False) -> Floats:
+    """Return the weights (..., point) of a cubic spline through ascending points at targets (...).
 
-    A spline is linear in its data, so that one matrix serves all forces.
+    A spline is linear in its data, so that one matrix serves all data. NaN beyond the points unless
+    the spline is extrapolated.
     """
     from scipy.interpolate import make_interp_spline
 
-    count = len(computed_ranges)
-    spline = make_interp_spline(np.log(computed_ranges), np.eye(count), k=min(3, count - 1))
-    weights: np.ndarray = spline(np.log(new_ranges), extrapolate=False).T
+    spline = make_interp_spline(points, np.eye(len(points)), k=min(3, len(points) - 1))
+    weights: Floats = spline(targets, extrapolate=extrapolate)
     return weights
 
 

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from hardcontact.base.dataset import stack
 from hardcontact.base.random import generator
-from hardcontact.base.statistics import with_interval
+from hardcontact.base.statistics import student_quantile, with_interval
 from hardcontact.base.units import DIMENSIONLESS
 from hardcontact.contact.contact import CONTACT_AXES
 from hardcontact.contact.pull_off import FORCE_ATTRS
@@ -149,13 +149,11 @@ def hindcasts(forces: xr.Dataset, tolerance: float, confidence: float) -> xr.Dat
     random octave contains 1 if the scan's octave is random, too. The hindcast fails if it does not
     and the ratio differs from 1 by more than the tolerance, or if there is no octave.
     """
-    from scipy import special
-
     dimensions = ["map", *CONTACT_AXES]
     scan_log = xr.DataArray(np.log(forces["scan_octave_force"].mean(dimensions)))
     logs = xr.DataArray(np.log(forces["artificial_octave_force"].mean(dimensions)))
     count = logs.sizes["realization"]
-    quantile = special.stdtrit(count - 1, (1 + confidence) / 2)
+    quantile = student_quantile(count - 1, confidence)
     half = quantile * logs.std("realization", ddof=1) * np.sqrt(1 + 1 / count)
     log_ratio = logs.mean("realization") - scan_log
     interval = np.exp(np.stack([log_ratio - half, log_ratio + half], axis=-1))

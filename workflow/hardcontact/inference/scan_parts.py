@@ -18,7 +18,7 @@ from typing import NamedTuple
 import numpy as np
 import xarray as xr
 
-from hardcontact.base.statistics import MAX_LOG_DEVIATION
+from hardcontact.base.statistics import MAX_LOG_DEVIATION, student_quantile
 from hardcontact.contact.contact import CONTACT_AXES
 
 #: Fewer scans than these are divided into quarters.
@@ -188,13 +188,11 @@ def half_width(variances: Sequence[Variance], confidence: float) -> np.ndarray:
     degrees of freedom (sum v_i)²/sum(v_i²/f_i) of Welch and Satterthwaite. NaN if a variance is
     NaN, or if all variances are rounding.
     """
-    from scipy import special
-
     total = np.asarray(sum(variance.value for variance in variances))
     positive = np.where(total > 0, total, 1.0)
     inverse = sum((cause.value / positive) ** 2 / cause.degrees_of_freedom for cause in variances)
     inverse = np.where(total > 0, inverse, 1.0)
-    quantile = special.stdtrit(1 / inverse, (1 + confidence) / 2)
+    quantile = student_quantile(1 / inverse, confidence)
     half = np.minimum(quantile * np.sqrt(total), MAX_LOG_DEVIATION)
     return np.where(half > MIN_HALF_WIDTH, half, np.nan)
 

@@ -75,17 +75,6 @@ def pool_heights(targets: Targets, scan_count: int, count: int) -> Floats:
     return np.asarray(np.linspace(lowest**0.5, (mean + reach) ** 0.5, count) ** 2)
 
 
-def height_weights(heights: Floats, targets: Floats) -> Floats:
-    """Return the weights (target, height) of a cubic spline in the root of ascending heights."""
-    from scipy.interpolate import make_interp_spline
-
-    if len(heights) == 1:
-        return np.ones((len(targets), 1))
-    degree = min(3, len(heights) - 1)
-    spline = make_interp_spline(np.sqrt(heights), np.eye(len(heights)), k=degree)
-    return np.asarray(spline(np.sqrt(targets)))
-
-
 def compute_pool(numbers: Sequence[int], inputs: PoolInputs) -> xr.Dataset:
     """Return the `forces_at_heights` of some scans of a pool, by number of the scan."""
     scans = [

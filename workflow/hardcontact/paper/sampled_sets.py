@@ -17,11 +17,11 @@ from hardcontact.base.progress import progress
 from hardcontact.base.random import generator
 from hardcontact.base.statistics import Sampling, student_log_samples
 from hardcontact.base.units import DIMENSIONLESS, NEWTON
+from hardcontact.contact.force_curves import spline_weights
 from hardcontact.inference.edges import edges_with_samples
 from hardcontact.inference.fit import WITHOUT_SURFACE
 from hardcontact.paper.evaluation import claim_values
 from hardcontact.paper.featured_samples import sample_of_set, samples_by_surface
-from hardcontact.paper.pool import height_weights
 from hardcontact.paper.published_fit import PublishedForces, fit_published
 from hardcontact.surfaces.conditioning import scale_rms_heights
 from hardcontact.surfaces.height_map import TABLE1_METRICS
@@ -120,7 +120,9 @@ def sample_scans(pool: xr.Dataset, rng: np.random.Generator, scan_count: int) ->
 def _scale_scans(pool_scans: xr.Dataset, heights: Floats) -> xr.Dataset:
     """Return the forces and metrics of scans of a pool at other rms heights (scan,) in nm."""
     factor = heights / pool_scans["rms_height"].values
-    weights = height_weights(pool_scans["rms_height_of_force"].values, heights)
+    computed_heights = pool_scans["rms_height_of_force"].values
+    # The spline is smooth in the root, because forces change faster at small heights.
+    weights = spline_weights(np.sqrt(computed_heights), np.sqrt(heights), extrapolate=True)
     log_forces = np.einsum("na,na...->n...", weights, pool_scans["log_force"].values)
     axes = ("scan", "contact_model", "rho", "contact_y", "contact_x")
     variables = {

@@ -102,7 +102,9 @@ def scan_defects(
         else:  # Unmeasured lines would look like a lay or like streaks.
             levelled_heights, numbers["streaks"] = _without_streaks(levelled_heights)
             numbers["offset_lines"] = _line_offset_numbers(levelled_heights)
-            numbers["lay"], slope_ratio = _lay_numbers(levelled_heights)
+            window = np.hanning(len(levelled_heights) + 1)[:-1]
+            power = np.abs(np.fft.fft2(levelled_heights * np.outer(window, window))) ** 2
+            numbers["lay"], slope_ratio = _lay_numbers(power)
             if slope_ratio > MIN_LAY_RATIO and not (numbers["lay"] or numbers["offset_lines"]):
                 numbers["slopes"] = _slope_numbers(levelled_heights, pixel_size)
     numbers["spikes"] = _spike_numbers(levelled_heights)
@@ -112,7 +114,7 @@ def scan_defects(
         has_levels = np.median(np.abs(np.diff(raw_heights, axis=0))) == 0
         hides_noise = has_levels or numbers["edges"] or numbers.get("offset_lines")
         if raw_heights.ndim == 2 and not hides_noise:
-            numbers["noise"] = _noise_numbers(levelled_heights)
+            numbers["noise"] = _noise_numbers(levelled_heights.var(), power)
     return {
         code: dict(zip(units, numbers[code], strict=True))
         for code, units in DEFECTS.items()
@@ -233,14 +235,12 @@ def _slope_numbers(heights: Floats, pixel_size: float) -> list[float]:
     return [] if is_noise else slopes
 
 
-def _lay_numbers(heights: Floats) -> tuple[list[float], float]:
+def _lay_numbers(power: Floats) -> tuple[list[float], float]:
     """Return the ratio of variances of profiles along and across a lay, and of squared slopes.
 
     The ratio of variances is a list, empty if there is no lay.
     """
-    pixels = len(heights)
-    window = np.hanning(pixels + 1)[:-1]
-    power = np.abs(np.fft.fft2(heights * np.outer(window, window))) ** 2
+    pixels = len(power)
     waves = np.fft.fftfreq(pixels, 1 / pixels)
     wavevector = waves + 1j * waves[:, None]  # x + iy, in waves across the map
     size = np.abs(wavevector)
@@ -280,15 +280,13 @@ def _edge_numbers(heights: Floats) -> list[float]:
     return [share] if share > MIN_EDGE_SLOPE_SHARE else []
 
 
-def _noise_numbers(heights: Floats) -> list[float]:
+def _noise_numbers(variance: float, power: Floats) -> list[float]:
     """Return the rms of white noise and the rms height without it (nm); empty without noise.
 
     The spectrum of a noisy scan is flatter than any self-affine spectrum at two to four pixels, but
     steeper at longer waves.
     """
-    pixels = len(heights)
-    window = np.hanning(pixels + 1)[:-1]
-    power = np.abs(np.fft.fft2(heights * np.outer(window, window))) ** 2
+    pixels = len(power)
     waves = np.fft.fftfreq(pixels, 1 / pixels)
     half_octave = np.round(2 * np.log2(pixels / np.maximum(np.hypot(waves, waves[:, None]), 1)))
     half_octaves = np.arange(3, 2 * np.log2(pixels / MIN_WAVES))
@@ -305,8 +303,7 @@ def _noise_numbers(heights: Floats) -> list[float]:
         slopes[0] - MIN_STANDARD_ERRORS * errors[0] > FLATTEST_SLOPE
         and (slopes + MIN_STANDARD_ERRORS * errors).min() < FLATTEST_SLOPE
     )
-    noise = density[0] / (window**2).sum() ** 2
-    variance = heights.var()
+    noise = density[0] / (np.hanning(pixels + 1)[:-1] ** 2).sum() ** 2
     if not is_noisy or noise < MIN_NOISE_SHARE * variance:
         return []
     return [float(np.sqrt(noise)), float(np.sqrt(max(variance - noise, 0)))]

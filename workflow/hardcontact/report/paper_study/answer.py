@@ -8,7 +8,7 @@ import pandas as pd
 import xarray as xr
 
 from hardcontact.base.number import Number
-from hardcontact.base.statistics import bounds
+from hardcontact.base.statistics import bounds, percentile_interval
 from hardcontact.config.model import numeric_configuration
 from hardcontact.contact.contact import PLASTIC
 from hardcontact.files.master_purposes import SHORT_ADHESION_RANGE
@@ -259,9 +259,9 @@ def _feature_numbers(features: xr.Dataset, confidence: float) -> Iterator[Number
 
 def _median(prefix: str, name: str, sample: np.ndarray, confidence: float) -> Number:
     """Return the median over sets or samples of a number, with the interval of the claims."""
-    tail = (1 - confidence) / 2
-    low, median, high = np.quantile(sample, [tail, 0.5, 1 - tail])
-    return Number(f"{prefix}_{name}", median, (PAIR_UNITS | FORCE_UNITS)[name], low, high)
+    ends = percentile_interval(sample, confidence)
+    unit = (PAIR_UNITS | FORCE_UNITS)[name]
+    return Number(f"{prefix}_{name}", np.quantile(sample, 0.5), unit, *ends)
 
 
 def _settings(datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame) -> Iterator[Number]:
