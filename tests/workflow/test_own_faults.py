@@ -179,7 +179,7 @@ def test_altered_files_are_refused_and_made_again(copy, own_study):
     truncate_file(filtered, 0.7)
     flip_a_bit(spectra)
     verified = run(copy, "verify")
-    assert verified.returncode == 1 and "goes on from here" not in verified.stdout
+    assert verified.returncode == 1 and "to resume" not in verified.stdout
     for path in altered_files:
         assert f"{path.relative_to(copy)}: is not the file" in verified.stdout
     targets = ["topography", "adhesion", "scales"]  # of the spectra, forces and filtered masters

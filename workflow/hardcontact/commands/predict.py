@@ -46,7 +46,7 @@ def predict_arguments(arguments: Sequence[str]) -> Namespace:
     parser.add_argument("file", metavar="FILE", help="CSV of the power spectral density, or a scan")
     add_shared_options(parser)
     parser.add_argument(
-        "--sphere", metavar="FILE", help="scan of the sphere where it touches; without it is smooth"
+        "--sphere", metavar="FILE", help="scan of the sphere where it touches (default: smooth)"
     )
     parser.add_argument("--modulus", help="effective modulus of both bodies (default: the paper's)")
     parser.add_argument(

@@ -72,7 +72,7 @@ def parse_arguments(arguments: Sequence[str]) -> Namespace:
     )  # fmt: skip
     parser.add_argument(
         "--sphere", nargs="+", default=[], metavar="FILE",
-        help="scans of the sphere where it touches; without them it is smooth",
+        help="scans of the sphere where it touches (default: smooth)",
     )  # fmt: skip
     add_shared_options(parser)
     parser.add_argument(

@@ -47,7 +47,7 @@ def raise_faults(lines: Iterable[str]) -> None:
     reported = [*lines]
     if len(reported) > MAX_LINES:
         unreported = len(reported) - MAX_LINES + 1
-        reported[MAX_LINES - 1 :] = [f"expected fewer faults, found {unreported} more"]
+        reported[MAX_LINES - 1 :] = [f"and {unreported} more faults, not shown"]
     if reported:
         raise ValueError("\n".join(reported))
 

@@ -255,13 +255,13 @@ class StudyKeys(Keys):
     forces: FilePath = "none"
     """With `published: none`: table of forces measured on these surfaces, or `none`."""
     given: list[Literal["radius", "hardness", "preload", "range", "work"]] = []
-    """With `published: none`: known quantities; others that equal the paper's count as assumed."""
+    """With `published: none`: quantities you know; others equal to the paper's are assumed."""
     reference_surface: SurfaceId = key("uncd", "Fig. 4b")
     """Substrate whose force is the denominator of ratios of forces."""
     seed: Annotated[int, Field(ge=0, le=4294967295)] = 2021
     """Seed of all random numbers."""
     effort: Literal["full", "quick"] = "full"
-    """`quick`: the keys under `quick` replace others, for a first answer."""
+    """`quick`: values under the key `quick` apply, for a first answer."""
     quick: dict[Any, Any] = {}
     """Keys for `effort: quick`, which makes a study and a store whose names end with `-quick`."""
     sphere: SphereKeys = SphereKeys()

@@ -42,7 +42,7 @@ PURPOSES = {
     "sets": Purpose("sets", "sets.contacts_per_row", "sets.realizations"),
     # How the edges depend on radius and load, on a smooth sphere.
     "exponents": Purpose("sets", "sets.contacts_per_row", "exponents.realizations"),
-    # How plasticity and range enhance each other at the short edge.
+    # The short edge with and without plasticity and a long range of adhesion.
     "enhancement": Purpose(
         "sets", "sets.contacts_per_row", "exponents.realizations", sides=("short",)
     ),

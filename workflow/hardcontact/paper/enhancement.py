@@ -1,4 +1,4 @@
-"""Whether plasticity and a long range of adhesion enhance each other: edges with and without them.
+"""Short edges with and without plasticity and a long range of adhesion: `enhancement.nc`.
 
 Source: the paper, Determining the Most Relevant Length-scales of Roughness.
 """

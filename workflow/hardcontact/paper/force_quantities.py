@@ -28,15 +28,12 @@ def slope_growth(topography: xr.Dataset) -> xr.Dataset:
 
 
 def slope_growth_over_height_growth(topography: xr.Dataset) -> xr.Dataset:
-    """Return `slope_growth` divided by the same ratio of the rms heights (surface)."""
+    """Return the growth of rms slope from AFM to all scales over that of height (surface)."""
     return quotient(_all_over_afm(topography, "slope"), _all_over_afm(topography, "height"))
 
 
 def curvature_growth_over_height_growth(topography: xr.Dataset) -> xr.Dataset:
-    """Return the rms curvature of all scales relative to the AFM scans (surface).
-
-    It is divided by the same ratio of the rms heights.
-    """
+    """Return the growth of rms curvature from AFM to all scales over that of height (surface)."""
     return quotient(_all_over_afm(topography, "curvature"), _all_over_afm(topography, "height"))
 
 

@@ -97,11 +97,11 @@ def gather_inputs(
 
 
 def sample_scans(pool: xr.Dataset, rng: np.random.Generator, scan_count: int) -> xr.Dataset:
-    """Sample a set of scans of one substrate from its pool, without replacement.
+    """Sample the scans of one substrate in a set from its pool, without replacement.
 
-    The rms heights of the set are scaled to the mean and the deviation of the pool. A height may
-    then be below the lowest computed height, for six scans or more even negative. Such a set is
-    sampled again. Raises ValueError if no set with possible heights is found.
+    Their rms heights are scaled to the mean and deviation of Table 1. A height may then be below
+    the lowest computed height, for six scans or more even negative. Such a set is sampled again.
+    Raises ValueError if no set with possible heights is found.
     """
     lowest = pool["rms_height_of_force"].values.min()
     mean = pool.attrs["mean_rms_height"]

@@ -13,7 +13,7 @@ import psutil
 #: Logger of the study's own messages, which a terminal shows with the stages of a run.
 logger = logging.getLogger("snakemake.logging.study")
 #: The last line of a run that failed or was stopped.
-RESUME = "Not all is made: the same command goes on from here."
+RESUME = "The run is incomplete: repeat the command to resume."
 
 
 def log_answer(workflow: Any, page: str) -> None:

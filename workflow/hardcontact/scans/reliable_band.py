@@ -40,7 +40,7 @@ MIN_STANDARD_ERRORS = 2
 MAX_AXIS_RATIO = 2.0
 #: Bins beside a noise floor that also hold much noise: C ~ q^-3 is four times as high two bins on.
 NOISE_MARGIN_BINS = 2
-#: Least factor, and standard errors, of the rise of C_iso toward short wavelengths to a peak.
+#: Least rise of C_iso toward shorter wavelengths at a peak: a factor, and standard errors.
 MIN_PEAK_RISE = 2.0
 MIN_PEAK_ERRORS = 4
 #: Relative error of the tip's cutoff, far below the safety factor of its criterion.
