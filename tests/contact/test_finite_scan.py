@@ -25,7 +25,7 @@ def mean_force(surface):
     return pull_off_dataset(pair, contact, [5.6])["pull_off_force"].values[1].mean()
 
 
-def force_ratio(rms_height, pixels):
+def window_over_whole_force(rms_height, pixels):
     """Return the mean force on windows relative to the surfaces of 10 µm they are cut out of."""
     large, small = [], []
     for draw in range(20):
@@ -49,7 +49,7 @@ def test_forces_on_windows_exceed_those_on_large_surfaces_as_measured(rms_height
     )
     minimum, maximum = finite_scan_ratio(pixels * PIXEL, search_size(scaled, RADIUS, 400.0))
     # Twenty windows, whose forces scatter by a factor of two about their mean.
-    assert 0.75 * minimum < force_ratio(rms_height, pixels) < 1.25 * maximum
+    assert 0.75 * minimum < window_over_whole_force(rms_height, pixels) < 1.25 * maximum
 
 
 def test_a_large_scan_is_large_enough():

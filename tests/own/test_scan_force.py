@@ -87,7 +87,7 @@ def test_the_force_on_a_map_is_the_sum_over_its_pixels(kind, predictions):
     force = direct_force(level(hc.HeightMap(heights_of(kind), PIXEL_SIZE)))
     assert numbers["force_on_scan"]["value"] == pytest.approx(force, rel=1e-3)
     share = force / numbers["smooth_force"]["value"]
-    assert numbers["force_on_scan_share"]["value"] == pytest.approx(share, rel=1e-3)
+    assert numbers["force_on_scan_over_smooth"]["value"] == pytest.approx(share, rel=1e-3)
     if "interval" in numbers["force_on_scan"]:
         low, high = numbers["force_on_scan"]["interval"]
         assert low < force < high

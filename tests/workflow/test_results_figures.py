@@ -146,7 +146,7 @@ MICRO, MILLI, GIGA = 1e-6, 1e-3, 1e9
 PUBLISHED_WORK = 0.0463  # J/m²
 #: A figure, one of its panels by number, and numbers of a dataset that are drawn there.
 NUMBERS = [
-    ("fig4", 3, "fit", lambda data: data.force_ratio.sel(PLASTIC)),
+    ("fig4", 3, "fit", lambda data: data.force_over_reference.sel(PLASTIC)),
     ("fig4", 4, "fit", lambda data: PUBLISHED_WORK * data.mean_force.sel(PLASTIC) / MICRO),
     ("fig4", 4, "fit", lambda data: data.mean_force_at_pair.sel(FITTED) / MICRO),
     ("fig_fit", 0, "sets", lambda data: data.best_error.sel(PLASTIC)),

@@ -17,11 +17,11 @@ def compare(**others):
 
 
 def test_the_errors_of_both_forces_add_in_squares():
-    ratio = compare()["force_ratio"]
+    ratio = compare()["force_over_reference"]
     assert ratio.value == pytest.approx(2)
     error = np.exp(np.sqrt(2) * np.log(1.25))
     assert (ratio.low, ratio.high) == pytest.approx((2 / error, 2 * error))
-    assert compare(force=drop_interval(force(2)))["force_ratio"].status == "no_interval"
+    assert compare(force=drop_interval(force(2)))["force_over_reference"].status == "no_interval"
 
 
 def test_the_octave_whose_amplitude_differs_makes_the_ratio():
@@ -31,5 +31,6 @@ def test_the_octave_whose_amplitude_differs_makes_the_ratio():
     is_twin = data["surface"] == data["surface"][1]
     data["spectrum"] = data["spectrum"] * (1 - 0.75 * (is_octave & is_twin))  # half the amplitude
     numbers = compare(spectra=data)
-    assert numbers["force_ratio_octave_1"].value == OCTAVE
-    assert numbers["force_ratio_octave_1_factor"].value == pytest.approx(0.5**SENSITIVITY, rel=0.03)
+    name = "force_over_reference_octave_1"
+    assert numbers[name].value == OCTAVE
+    assert numbers[f"{name}_factor"].value == pytest.approx(0.5**SENSITIVITY, rel=0.03)

@@ -55,18 +55,18 @@ def force_curves(
     """Return mean forces and their ratios to a reference surface.
 
     Forces are (surface, scan, sphere_scan, rho, contact_y, contact_x) in N, their means and samples
-    from `mean_forces`. Returns ``mean_force`` in N and ``force_ratio`` with intervals.
+    from `mean_forces`. Returns ``mean_force`` in N and ``force_over_reference`` with intervals.
     """
     dimensions = ("surface", "rho")
     ratio = means / means[reference_index]
     ratio_samples = mean_samples / mean_samples[:, [reference_index]]
-    interval = student_log_interval(mean_of_each_scan(forces), sampling.confidence, "scan")
-    return {
-        **with_interval(
-            "mean_force", dimensions, means, interval.values, NEWTON, sampling.confidence
-        ),
-        **sampling.with_interval("force_ratio", dimensions, ratio, ratio_samples, DIMENSIONLESS),
-    }
+    confidence = sampling.confidence
+    interval = student_log_interval(mean_of_each_scan(forces), confidence, "scan").values
+    return with_interval(
+        "mean_force", dimensions, means, interval, NEWTON, confidence
+    ) | sampling.with_interval(
+        "force_over_reference", dimensions, ratio, ratio_samples, DIMENSIONLESS
+    )
 
 
 def interpolate_to_ranges(

@@ -160,7 +160,7 @@ def _force_numbers(
     wide_pixel_ratio = float(wide_pixel_force / forces_on_map(surface).mean())
     force = extend_low_end(force, wide_pixel_ratio)
     yield force
-    yield Number("force_on_scan_share", mean / smooth)
+    yield Number("force_on_scan_over_smooth", mean / smooth)
     yield Number("wide_pixel_ratio", wide_pixel_ratio)
     yield Number("touched_patches", touched_patches)
     for position_half_width in position_half_widths(surface_forces, confidence):

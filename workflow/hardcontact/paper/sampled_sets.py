@@ -35,7 +35,7 @@ MAX_TRIES = 1000
 #: Variables of the fit of a set that sets.nc contains.
 SET_FIT_VARIABLES = [
     "range_of_adhesion", "work_of_adhesion", "best_error", "range_at_minimum", "work_at_minimum",
-    "error_at_minimum", "mean_force", "force_ratio", *WITHOUT_SURFACE.values(),
+    "error_at_minimum", "mean_force", "force_over_reference", *WITHOUT_SURFACE.values(),
 ]  # fmt: skip
 #: Variables of the edges of a set that sets.nc contains.
 SET_EDGE_VARIABLES = ["filtered_force_ratio", "filtered_force_change", "edge", "edge_bound"]

@@ -87,7 +87,7 @@ def prediction(
         _force_number("pull_off_force", form, point, validated),
         *extrapolated,
         Number("force_scatter", predict_statistics(waves, contact).log_force_std),
-        Number("force_ratio", form.force / smooth_force(contact)),
+        Number("force_over_smooth", form.force / smooth_force(contact)),
         Number("apex_height", form.apex_height, "nm"),
         Number("weibull_modulus", form.weibull_modulus, status=form.regime.replace(" ", "_")),
         *_edge_numbers("", critical_band(waves, contact, tolerance), point, validated),

@@ -106,9 +106,9 @@ def _draw_ratios(axes: Axes, fit: xr.Dataset, set_fits: xr.Dataset, published: p
 
     The reference is the surface whose ratio is 1 everywhere.
     """
-    reference = abs(fit["force_ratio"] - 1).max("rho").idxmin("surface").item()
-    scans = value_and_interval(fit, "force_ratio")
-    set_spread = summarize_sets(set_fits["force_ratio"])
+    reference = abs(fit["force_over_reference"] - 1).max("rho").idxmin("surface").item()
+    scans = value_and_interval(fit, "force_over_reference")
+    set_spread = summarize_sets(set_fits["force_over_reference"])
     _draw_curves(axes, scans, set_spread, published / published[reference])
     best = value_and_bounds(fit, "range_from_ratios")
     ranges = [best[name] for name in ("low", "value", "high")]

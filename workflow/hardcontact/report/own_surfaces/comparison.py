@@ -25,9 +25,9 @@ POINTS = 33
 def comparison_numbers(data: Datasets, reference: Datasets) -> Iterator[Number]:
     """Yield the force on a surface relative to that on another, and the octaves that make it.
 
-    ``force_ratio_octave_1`` is the shortest wavelength of the octave that contributes most to the
-    ratio, ``force_ratio_octave_1_factor`` its part. Scans of both surfaces are independent: the
-    errors of the logarithms of both forces are added in squares.
+    ``force_over_reference_octave_1`` is the shortest wavelength of the octave that contributes most
+    to the ratio, ``force_over_reference_octave_1_factor`` its part. Scans of both surfaces are
+    independent: the errors of the logarithms of both forces are added in squares.
     """
     forces = [forces_at_range(surface.force) for surface in (data, reference)]
     force, reference_force = (number_of(surface_forces, "force") for surface_forces in forces)
@@ -36,13 +36,13 @@ def comparison_numbers(data: Datasets, reference: Datasets) -> Iterator[Number]:
     below, above = np.hypot(ends[0], ends[1][::-1])
     low, high = float(ratio * np.exp(-below)), float(ratio * np.exp(above))
     status = "" if np.isfinite([low, high]).any() else "no_interval"
-    yield Number("force_ratio", ratio, "1", low, high, status)
+    yield Number("force_over_reference", ratio, "1", low, high, status)
     octaves, contributions = octave_contributions(data, reference)
     # Some octaves may change the ratio in the opposite direction.
     shares = contributions * np.log(ratio)
     strongest = [index for index in np.argsort(-shares)[:OCTAVES_NAMED] if shares[index] > 0]
     for rank, index in enumerate(strongest, start=1):
-        name = f"force_ratio_octave_{rank}"
+        name = f"force_over_reference_octave_{rank}"
         yield Number(name, float(octaves[index]), "nm")
         yield Number(f"{name}_factor", math.exp(contributions[index]))
 
