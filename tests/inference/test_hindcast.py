@@ -10,9 +10,9 @@ from measurements import PIXEL, UNCD
 from hardcontact.base.random import generator
 from hardcontact.base.statistics import widen_interval
 from hardcontact.contact.contact import CONTACT_AXES, Contact
+from hardcontact.contact.pull_off import make_force_function
 from hardcontact.inference import hindcast, wide_pixels
 from hardcontact.inference.hindcast import RandomBody
-from hardcontact.inference.octaves import make_force_function
 from hardcontact.surfaces.height_map import mirror_stitch
 from hardcontact.surfaces.synthesis import random_surface
 

@@ -9,8 +9,8 @@ from measurements import map_of
 from hardcontact.base.random import generator
 from hardcontact.contact.contact import CONTACT_AXES, Contact
 from hardcontact.contact.geometry import join_bodies, spheres_at_positions
-from hardcontact.contact.pull_off import forces_at_loadings, pull_off_force
-from hardcontact.inference.octaves import STEP, make_force_function, octave_forces
+from hardcontact.contact.pull_off import forces_at_loadings, make_force_function, pull_off_force
+from hardcontact.inference.octaves import STEP, octave_forces
 from hardcontact.own.mean_forces import forces_of_surface, mean_intervals
 from hardcontact.scans.both_bodies import combine_maps, combine_spectra
 from hardcontact.scans.joined_spectrum import joined_spectrum

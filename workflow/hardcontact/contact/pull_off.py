@@ -5,7 +5,7 @@ sums of exp(-g/rho) at closest approach; `pull_off_force` turns them into forces
 """
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -17,13 +17,15 @@ from hardcontact.base.arrays import Floats
 from hardcontact.base.units import DIMENSIONLESS, NEWTON, NM, PASCAL
 from hardcontact.contact.bearing_area import PixelsByContact, all_contact_pixels
 from hardcontact.contact.contact import CONTACT_AXES, CONTACT_MODELS, Contact
-from hardcontact.contact.geometry import Bodies, gap_map, largest_contact_gap
+from hardcontact.contact.geometry import Bodies, gap_map, join_bodies, largest_contact_gap
 from hardcontact.contact.sphere_sums import outside_sums
 from hardcontact.surfaces.filters import interpolate
+from hardcontact.surfaces.height_map import HeightMap
 
 #: Dimension, values and attributes of a coordinate.
 Axis = tuple[tuple[str], Any, dict[str, str]]
-
+#: Forces on one surface, of any shape.
+ForcesOnSurface = Callable[[HeightMap], Floats]
 
 #: An energy per area of 1 J/m² times a length of 1 nm is a force of 1e-9 N.
 NEWTON_PER_JOULE_M2_NM = 1e-9
@@ -111,6 +113,16 @@ def forces_at_loadings(
     The contacts differ in their loading alone; ranges of adhesion are in nm.
     """
     return _pixels_and_forces(bodies, loaded_contacts, ranges)[2]
+
+
+def make_force_function(contact: Contact, sphere: HeightMap | None = None) -> ForcesOnSurface:
+    """Return a function of a surface: its forces (contact_y, contact_x) in N at 1 J/m²."""
+
+    def compute_forces(surface: HeightMap) -> Floats:
+        pair = join_bodies(surface, sphere, contact)
+        return np.asarray(forces_at_loadings(pair, [contact], [contact.rho])[0, 0])
+
+    return compute_forces
 
 
 def _pixels_and_forces(

@@ -4,13 +4,12 @@ A master is a scan with artificial roughness beyond its own wavelengths, on one 
 the side ``"short"`` removes wavelengths below the cutoff, of ``"long"`` wavelengths above it.
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
 import xarray as xr
-from numpy.typing import NDArray
 
 from hardcontact.base.progress import progress
 from hardcontact.base.units import NM
@@ -20,6 +19,7 @@ from hardcontact.contact.pull_off import (
     FORCE_ATTRS,
     WORK_OF_ADHESION,
     Axis,
+    ForcesOnSurface,
     forces_at_loadings,
     loading_axis,
     range_axis,
@@ -41,7 +41,7 @@ class Filters(NamedTuple):
 def forces_at_cutoffs(
     master: HeightMap,
     filters: Filters,
-    compute_forces: Callable[[HeightMap], NDArray[np.float64]],
+    compute_forces: ForcesOnSurface,
     axes: Mapping[str, Axis],
 ) -> xr.Dataset:
     """Return the forces on a periodic master, unfiltered and filtered at every cutoff of a side.

@@ -17,8 +17,7 @@ from hardcontact.base.random import generator
 from hardcontact.base.statistics import student_quantile, with_interval
 from hardcontact.base.units import DIMENSIONLESS
 from hardcontact.contact.contact import CONTACT_AXES
-from hardcontact.contact.pull_off import FORCE_ATTRS
-from hardcontact.inference.octaves import ForcesOnSurface
+from hardcontact.contact.pull_off import FORCE_ATTRS, ForcesOnSurface
 from hardcontact.surfaces.filters import filtered_series
 from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
 from hardcontact.surfaces.spectrum import SpectrumFunction

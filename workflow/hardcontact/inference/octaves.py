@@ -4,7 +4,7 @@ The waves of one octave are amplified and attenuated on the same surface. Both f
 other waves, so that their ratio scatters little. F is the mean force over contacts.
 """
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -16,9 +16,8 @@ from hardcontact.base.dataset import stack
 from hardcontact.base.number import Number
 from hardcontact.base.statistics import with_interval
 from hardcontact.base.units import DIMENSIONLESS, NM
-from hardcontact.contact.contact import CONTACT_AXES, Contact
-from hardcontact.contact.geometry import join_bodies
-from hardcontact.contact.pull_off import FORCE_ATTRS, forces_at_loadings
+from hardcontact.contact.contact import CONTACT_AXES
+from hardcontact.contact.pull_off import FORCE_ATTRS, ForcesOnSurface
 from hardcontact.inference.scan_parts import (
     ScanParts,
     delete_one_logarithms,
@@ -30,9 +29,6 @@ from hardcontact.inference.scan_parts import (
 from hardcontact.surfaces.filters import filtered_series
 from hardcontact.surfaces.height_map import HeightMap
 
-#: Forces on one surface, of any shape.
-ForcesOnSurface = Callable[[HeightMap], Floats]
-
 #: Limits of all octaves in nm: from below the wavelengths of spectra, 0.1 nm, to above 1 mm.
 OCTAVE_LIMITS: Floats = np.ldexp(10.0, np.arange(-7, 18))
 #: Relative change of an amplitude. A trade: smaller steps let single contact pixels decide, larger
@@ -42,16 +38,6 @@ STEP = 0.05
 AMPLITUDE_FACTORS = (1 - STEP, 1 + STEP)
 #: Number of octaves that an answer names, the strongest first.
 OCTAVES_NAMED = 3
-
-
-def make_force_function(contact: Contact, sphere: HeightMap | None = None) -> ForcesOnSurface:
-    """Return a function of a surface: its forces (contact_y, contact_x) in N at 1 J/m²."""
-
-    def compute_forces(surface: HeightMap) -> Floats:
-        pair = join_bodies(surface, sphere, contact)
-        return np.asarray(forces_at_loadings(pair, [contact], [contact.rho])[0, 0])
-
-    return compute_forces
 
 
 def octave_limits(shortest: float, longest: float) -> Floats:

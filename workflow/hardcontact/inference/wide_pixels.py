@@ -6,8 +6,7 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.contact.contact import CONTACT_AXES, Contact
-from hardcontact.contact.pull_off import FORCE_ATTRS
-from hardcontact.inference.octaves import make_force_function
+from hardcontact.contact.pull_off import FORCE_ATTRS, make_force_function
 from hardcontact.surfaces.height_map import HeightMap
 
 #: Pixels per row of a block with one height.

@@ -8,11 +8,11 @@ import xarray as xr
 from hardcontact.base.arrays import Floats
 from hardcontact.base.number import Number
 from hardcontact.contact.contact import Contact
+from hardcontact.contact.pull_off import make_force_function
 from hardcontact.inference.octaves import (
     AMPLITUDE_FACTORS,
     OCTAVE_LIMITS,
     STEP,
-    make_force_function,
     middles_within,
     octave_forces,
     strongest_octaves,

@@ -17,9 +17,9 @@ from hardcontact.contact.geometry import (
     join_bodies,
     spheres_at_positions,
 )
+from hardcontact.contact.pull_off import make_force_function
 from hardcontact.contact.scan_pull_off import pull_off_on_spheres
 from hardcontact.contact.smooth_sphere import limit_forces
-from hardcontact.inference.octaves import make_force_function
 from hardcontact.inference.wide_pixels import finer_pixel_factor, widen_pixels
 from hardcontact.own.mean_forces import forces_of_surface, mean_intervals, position_half_widths
 from hardcontact.own.scan_window import window_on_scans

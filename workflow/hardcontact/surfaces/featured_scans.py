@@ -2,15 +2,17 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from functools import partial
 from typing import NamedTuple
 
 import numpy as np
 import xarray as xr
 
+from hardcontact.base.dataset import stack
+from hardcontact.base.job import Job
+from hardcontact.base.progress import progress
 from hardcontact.base.random import generator
 from hardcontact.base.units import DIMENSIONLESS, NM
-from hardcontact.surfaces.conditioning import Substitute, required_targets
+from hardcontact.surfaces.conditioning import Substitute, read_substitute, required_targets
 from hardcontact.surfaces.features import (
     GAUSSIAN,
     SIGNS,
@@ -27,7 +29,7 @@ from hardcontact.surfaces.features import (
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import Spectrum, spectrum_of_dataset
 from hardcontact.surfaces.substitute_spectra import sample_permitted_spectrum
-from hardcontact.surfaces.synthesis import ScanGrid, sample_scan, whole_surface
+from hardcontact.surfaces.synthesis import ScanGrid, random_surface, sample_scan
 
 #: Samples of features from which the study takes the one nearest to Table 1: enough for all of its
 #: numbers to be within half of a standard error.
@@ -73,9 +75,8 @@ class FeaturedSurface(NamedTuple):
         features = self.sample_features(
             kind, self.statistics.scan_count, realization, "whole surface"
         )
-        base = whole_surface(
-            self.seed, self.surface, realization, self.spectrum, pixels, pixel_size
-        )
+        rng = generator(self.seed, self.surface, realization, "whole surface")
+        base = random_surface(rng, pixels, pixel_size, self.spectrum)
         base = replace(base, heights=np.float32(features.base_factor) * base.heights)
         rng = generator(self.seed, self.surface, realization, "whole surface", "features")
         count = rng.poisson(features.number_density * (base.size / 1e3) ** 2)
@@ -103,16 +104,22 @@ def permitted_surface(
     surface, _, table1, constants, _, seed = substitute
     rng = generator(seed, surface, realization, "permitted spectrum")
     spectrum = sample_permitted_spectrum(rng, description, table1, constants)
-    return whole_surface(seed, surface, realization, spectrum, pixels, pixel_size)
+    rng = generator(seed, surface, realization, "whole surface")
+    return random_surface(rng, pixels, pixel_size, spectrum)
 
 
-def whole_surfaces(
-    substitute: Substitute, description: str, has_features: bool
-) -> Callable[[int, int, float], HeightMap]:
-    """Return a function that makes a whole surface by its number, pixels and pixel size (nm)."""
-    if has_features:
-        return featured_surface(substitute).whole_surface
-    return partial(permitted_surface, substitute, description)
+def summarize_whole_surfaces(job: Job, summary: Callable[[HeightMap], xr.Dataset]) -> xr.Dataset:
+    """Return a summary of each whole surface of a job, over ``map``; ``map_size`` is in nm."""
+    numbers, grid = job.parameters["realizations"], job.parameters["grid"]
+    substitute = read_substitute(job)
+    summaries = {}
+    for number in progress(numbers, len(numbers), "surfaces"):
+        if job.parameters["has_features"]:
+            surface = featured_surface(substitute).whole_surface(number, **grid)
+        else:
+            surface = permitted_surface(substitute, job.input.description, number, **grid)
+        summaries[(number,)] = summary(surface)
+    return stack(summaries, ["map"]).assign_attrs(map_size=surface.size)
 
 
 def sample_group(

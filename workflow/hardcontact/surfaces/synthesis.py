@@ -11,7 +11,6 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from hardcontact.base.random import generator
 from hardcontact.surfaces.filters import BLOCK_ROWS, interpolate, lowpass
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import SpectrumFunction
@@ -90,20 +89,6 @@ def cut_scan(surface: HeightMap, pixels: int, factor: float = 1.0) -> HeightMap:
     """Return the corner (pixels, pixels) of a periodic surface, with heights times a factor."""
     heights = factor * surface.heights[:pixels, :pixels].astype(float)
     return replace(surface, heights=heights, periodic=False)
-
-
-def whole_surface(
-    seed: int,
-    surface: str,
-    realization: int,
-    spectrum: SpectrumFunction,
-    pixels: int,
-    pixel_size: float,
-) -> HeightMap:
-    """Return a periodic substitute surface (pixels, pixels), as large as a long-edge master."""
-    return random_surface(
-        generator(seed, surface, realization, "whole surface"), pixels, pixel_size, spectrum
-    )
 
 
 def sample_scan(
