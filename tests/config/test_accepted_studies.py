@@ -135,9 +135,10 @@ def check_pair(config, rng, substrate, sphere):
     assert_forces(pull_off_dataset(pair, contact, config["adhesion"]["ranges"]))
     for preload in config["indent"]["preloads"]:
         contact_pixel_count = replace(contact, preload=preload).pixel_count(pixel_size)
-        for lowest in all_contact_pixels(pair, contact_pixel_count).values():
-            assert len(lowest.gaps) == contact_pixel_count
-            depth, *_ = indent_sizes(lowest, pixel_size)
+        contacts = all_contact_pixels(pair, contact_pixel_count)
+        assert contacts.gaps.shape[-1] == contact_pixel_count
+        for index in np.ndindex(contacts.gaps.shape[:2]):
+            depth, *_ = indent_sizes(contacts.of_contact(index), pixel_size)
             assert 0 < depth < np.inf
     carried = config["asperities"]
     positions = sample_contacts(rng, contact.contacts_per_row, carried["contacts"])

@@ -17,7 +17,9 @@ def test_contact_pixels_equal_those_of_the_whole_window(case, contact_pixel_coun
     pixels, pixel_size, rms, period, window = case
     roughness = periodic_noise(period, 0.5, 2) if rough else None
     bodies = make_bodies(periodic_noise(pixels, rms, 1), roughness, pixel_size, window, 3)
-    for contact, (gaps, offsets) in all_contact_pixels(bodies, contact_pixel_count).items():
+    contacts = all_contact_pixels(bodies, contact_pixel_count)
+    for contact in np.ndindex(contacts.gaps.shape[:2]):
+        gaps, offsets = contacts.of_contact(contact)
         window_gaps = gap_map(bodies, contact)
         np.testing.assert_allclose(
             gaps, np.sort(window_gaps.ravel())[:contact_pixel_count], atol=1e-9
@@ -33,7 +35,7 @@ def test_the_bearing_area_of_a_gaussian_surface_is_its_quantile(share):
     sigma, pixels = 3.0, 512
     heights = np.random.default_rng(8).normal(0, sigma, (pixels, pixels))
     bodies = make_bodies(heights, None, 5.0, pixels, 1, radius=1e15)
-    ((gaps, _),) = all_contact_pixels(bodies, round(share * pixels**2)).values()
+    gaps = all_contact_pixels(bodies, round(share * pixels**2)).gaps[0, 0]
     quantile = norm.isf(share)
     error = sigma * np.sqrt(share * (1 - share)) / pixels / norm.pdf(quantile)
     assert -gaps[-1] == pytest.approx(sigma * quantile, abs=4 * error)

@@ -29,8 +29,8 @@ def test_indents_of_scans_equal_those_of_each_pair():
     pair = join_bodies(substrates[4], spheres[2], CONTACT)
     contacts = all_contact_pixels(pair, replace(CONTACT, preload=40e-6).pixel_count(8.0))
     depth = indents.depth.sel(scan=4, sphere_scan=2, preload=40e-6).values
-    for contact, (gaps, _) in contacts.items():
-        assert depth[contact] == pytest.approx(gaps[-1] - gaps[0], abs=1e-12)
+    expected_depth = contacts.gaps[..., -1] - contacts.gaps[..., 0]
+    np.testing.assert_allclose(depth, expected_depth, rtol=0, atol=1e-12)
     # The indents drawn are of a contact whose depth is the median of all.
     drawn_depth = indents.indentation.sel(preload=40e-6)
     assert drawn_depth.max() == np.sort(indents.depth.sel(preload=40e-6), axis=None)[18]

@@ -31,7 +31,7 @@ def test_the_force_at_every_range_is_the_direct_sum(case, contact_pixel_count, r
     contacts = all_contact_pixels(bodies, contact_pixel_count)
     counts = [contact_pixel_count, 1]
     totals = attraction_totals(bodies, contacts, counts, ranges)
-    for contact in contacts:
+    for contact in np.ndindex(contacts.gaps.shape[:2]):
         gap = gap_map(bodies, contact)
         sums = totals[..., *contact].flat
         for (count, rho), total in zip(product(counts, ranges), sums, strict=True):
@@ -45,7 +45,7 @@ def test_the_force_keeps_its_digits_if_little_attracts_outside_contact(case, rou
     bodies, rho = bodies_of(case, 3, rough), 0.1
     contacts = all_contact_pixels(bodies, 17)
     (sums,) = outside_sums(bodies, contacts, [rho])
-    for contact in contacts:
+    for contact in np.ndindex(sums.shape):
         ordered = np.sort(gap_map(bodies, contact), axis=None)
         direct_sum = np.exp((ordered[16] - ordered[17:]) / rho).sum()
         assert sums[contact] == pytest.approx(direct_sum, rel=1e-9)
@@ -75,7 +75,7 @@ def test_contact_pixels_are_subtracted_exactly_at_the_ends_of_its_use(
     (position,) = bodies.geometry.positions
     heights[:] = np.roll(heights, position - 12, axis=(0, 1))
     contacts = all_contact_pixels(bodies, 4)
-    gaps, _ = contacts[0, 0]
+    gaps = contacts.gaps[0, 0]
     assert gaps[-1] - gaps[0] > 0.9 * penetration * max_penetration * rho
     assert gaps[-1] + heights.max() > 0.9 * raised * max_depth * rho
     total = attraction_totals(bodies, contacts, [4], [rho]).item()
@@ -91,7 +91,7 @@ def test_the_force_on_mirrored_heights_is_the_direct_sum(axes):
     bodies = make_bodies(heights, None, 50.0, 140, 3)
     contacts = all_contact_pixels(bodies, 4)
     totals = attraction_totals(bodies, contacts, [4], [5.6])
-    for contact in contacts:
+    for contact in np.ndindex(contacts.gaps.shape[:2]):
         direct = direct_total(gap_map(bodies, contact), 4, 5.6)
         assert totals[..., *contact].item() == pytest.approx(direct, rel=1e-9)
 

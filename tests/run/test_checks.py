@@ -48,7 +48,7 @@ CONTRADICTIONS = [
     ("contact.window", "90 um", "16384", "found 18432"),
     # Loads
     ("contact.preload", "1 N", "a quarter of", "at most 156 mN", "found 1 N"),
-    ("indent.preloads", ["3 mN"], "4096", "found 5034"),
+    ("indent.preloads", ["0.1 uN"], "at least 2 contact pixels", "found 1"),
     # Ranges of adhesion
     ("adhesion.ranges", ["0.04 nm", "1 nm"], "at least 0.05 nm on", "25 nm apart", "found 0.04 nm"),
 ]
@@ -214,8 +214,8 @@ def test_contacts_on_a_described_surface_lie_within_its_relief(name):
     contact = Contact(radius=250e3, preload=1e-5, hardness=25e9, window=12.5e3, contacts_per_row=8)
     for seed in range(2):
         surface = random_surface(np.random.default_rng(seed), 256, 20e3 / 256, density)
-        lowest = all_contact_pixels(join_bodies(surface, None, contact), 1).values()
-        height_difference = float(surface.heights.max() + max(gaps.gaps[0] for gaps in lowest))
+        lowest = all_contact_pixels(join_bodies(surface, None, contact), 1).gaps
+        height_difference = float(surface.heights.max() + lowest.max())
         assert 0.2 * relief < height_difference < relief
 
 

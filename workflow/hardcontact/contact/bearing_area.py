@@ -7,7 +7,7 @@ below. Only tiles whose bound is below the N-th smallest gap known so far are re
 """
 
 from dataclasses import dataclass
-from itertools import chain, pairwise
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -89,16 +89,20 @@ def as_tiles(surface: HeightMap) -> Tiles:
 
 
 class ContactPixels(NamedTuple):
-    """The contact pixels of one contact."""
+    """The contact pixels of contacts (...): k of each."""
 
-    #: (contact_pixel_count,) nm, ascending. The first is minus the height of the apex at rigid
-    #: closest approach, the last minus that at plastic closest approach.
+    #: (..., k) nm, ascending. The first is minus the height of the apex at rigid closest approach,
+    #: the last minus that at plastic closest approach.
     gaps: Floats
-    offsets: NDArray[np.int_]  #: (contact_pixel_count, 2) pixels from the apex: row, column.
+    offsets: NDArray[np.int_]  #: (..., k, 2) pixels from the apex: row, column.
 
+    def lowest(self, count: int) -> "ContactPixels":
+        """Return as many of the pixels of each contact, those with the smallest gaps."""
+        return ContactPixels(self.gaps[..., :count], self.offsets[..., :count, :])
 
-#: Contact pixels by the index (i, j) of the contact in the array.
-PixelsByContact = dict[tuple[int, int], ContactPixels]
+    def of_contact(self, index: tuple[int, ...]) -> "ContactPixels":
+        """Return the pixels of one contact."""
+        return ContactPixels(self.gaps[index], self.offsets[index])
 
 
 class WindowTiles(NamedTuple):
@@ -200,7 +204,7 @@ def find_contact_pixels(
     positions: NDArray[np.int_],
     contact_pixel_count: int,
 ) -> list[ContactPixels]:
-    """Return the smallest gaps of contacts and the pixels that they belong to.
+    """Return the smallest gaps of each contact and the pixels that they belong to.
 
     Only tiles with a lower bound on their gaps below the largest gap of the contact are read. The
     positions (contact, 2) are the pixels of the apex: row, column. Equal gaps come in the order of
@@ -279,18 +283,17 @@ def _lowest(gaps: Floats, offsets: NDArray[np.int_], contact_pixel_count: int) -
     return ContactPixels(gaps[order], offsets[order])
 
 
-def all_contact_pixels(bodies: Bodies, contact_pixel_count: int) -> PixelsByContact:
-    """Return `find_contact_pixels` of every contact, by its index (i, j) in the array."""
+def all_contact_pixels(bodies: Bodies, contact_pixel_count: int) -> ContactPixels:
+    """Return the contact pixels (contact_y, contact_x, k) of every contact of the array."""
     substrate = as_tiles(bodies.substrate)
     roughness = None if bodies.roughness is None else as_tiles(bodies.roughness)
     geometry = bodies.geometry
-    axis = range(len(geometry.positions))
-    indices = [(i, j) for i in axis for j in axis]
-    positions = geometry.positions[np.array(indices)]
-    starts = range(0, len(indices), CONTACT_BATCH)
-    batches = [positions[start : start + CONTACT_BATCH] for start in starts]
-    pixels = chain.from_iterable(
-        find_contact_pixels(substrate, roughness, geometry, batch, contact_pixel_count)
-        for batch in batches
-    )
-    return dict(zip(indices, pixels, strict=True))
+    apexes = geometry.apexes()
+    positions = apexes.reshape(-1, 2)
+    pixels: list[ContactPixels] = []
+    for start in range(0, len(positions), CONTACT_BATCH):
+        batch = positions[start : start + CONTACT_BATCH]
+        pixels += find_contact_pixels(substrate, roughness, geometry, batch, contact_pixel_count)
+    gaps, offsets = (np.stack(arrays) for arrays in zip(*pixels, strict=True))
+    shape = apexes.shape[:2]
+    return ContactPixels(gaps.reshape(*shape, -1), offsets.reshape(*shape, -1, 2))

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hardcontact.base.arrays import Floats
-from hardcontact.contact.bearing_area import PixelsByContact
+from hardcontact.contact.bearing_area import ContactPixels
 from hardcontact.contact.geometry import Bodies, gaps_at
 
 #: Sums (contact_y, contact_x) over all pixels but contact pixels, and a function that returns the
@@ -21,20 +21,17 @@ class TouchedPixels:
     `row` and `column` (pixels,) are their positions on the substrate, by rows.
     """
 
-    def __init__(self, bodies: Bodies, pixels_by_contact: PixelsByContact) -> None:
+    def __init__(self, bodies: Bodies, contact_pixels: ContactPixels) -> None:
         pixels = bodies.substrate.pixels
-        positions = bodies.geometry.positions
-        touching = {}
-        for index, (_, offsets) in pixels_by_contact.items():
-            row, column = ((positions[list(index)] + offsets) % pixels).T
-            touching[index] = row * pixels + column
-        flat = np.unique(np.concatenate(list(touching.values())))
+        apexes = bodies.geometry.apexes()
+        touching = (apexes[:, :, None] + contact_pixels.offsets) % pixels @ (pixels, 1)
+        flat = np.unique(touching)
         self.row, self.column = np.divmod(flat, pixels)
-        self._own = {index: np.searchsorted(flat, pixel) for index, pixel in touching.items()}
-        self._gaps = {index: gaps for index, (gaps, _) in pixels_by_contact.items()}
+        self._own = np.searchsorted(flat, touching)
+        self._largest_gaps = contact_pixels.gaps[..., -1]
         self._image_gaps = {
-            index: _image_gaps(bodies, index, offsets)
-            for index, (_, offsets) in pixels_by_contact.items()
+            index: _image_gaps(bodies, apexes[index], contact_pixels.offsets[index])
+            for index in np.ndindex(self._largest_gaps.shape)
         }
 
     def leave_out(self, terms: NDArray[np.floating], first_row: int = 0) -> None:
@@ -53,12 +50,12 @@ class TouchedPixels:
         bodies in nm.
         """
         terms[self._own[index]] = 0.0
-        largest_gap = self._gaps[index][-1]
+        largest_gap = self._largest_gaps[index]
         image_sum = np.exp((largest_gap - self._image_gaps[index]) / rho).sum()
         return float(np.exp((largest_gap + highest) / rho) * (total + terms.sum()) + image_sum)
 
 
-def _image_gaps(bodies: Bodies, index: tuple[int, int], offsets: NDArray[np.int_]) -> Floats:
+def _image_gaps(bodies: Bodies, apex: NDArray[np.int_], offsets: NDArray[np.int_]) -> Floats:
     """Return the gaps (k,) in nm of the periodic images of contact pixels within the window."""
     pixels = bodies.substrate.pixels
     geometry = bodies.geometry
@@ -74,7 +71,7 @@ def _image_gaps(bodies: Bodies, index: tuple[int, int], offsets: NDArray[np.int_
     own_y, own_x = (offsets // pixels + reach).T
     in_window[inverse, own_y, own_x] = False
     images = np.stack(np.broadcast_arrays(y[:, :, None], x[:, None, :]), axis=-1)
-    return gaps_at(bodies, geometry.positions[list(index)], images[in_window])
+    return gaps_at(bodies, apex, images[in_window])
 
 
 def exponential(heights: NDArray[np.floating], highest: float, rho: float) -> NDArray[np.floating]:

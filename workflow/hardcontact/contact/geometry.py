@@ -43,6 +43,10 @@ class ContactGeometry:
         """Return the mask of offsets (pixels) from the apex that lie in the analysis window."""
         return (offsets >= -(self.window_pixels // 2)) & (offsets < self.window_pixels // 2)
 
+    def apexes(self) -> NDArray[np.int_]:
+        """Return the pixel (contact_y, contact_x, 2) of the apex at every contact: row, column."""
+        return np.stack(np.meshgrid(self.positions, self.positions, indexing="ij"), axis=-1)
+
     def offsets(self) -> NDArray[np.int_]:
         """Return all offsets (window_pixels,) from the apex along one axis, in pixels."""
         return np.arange(self.window_pixels) - self.window_pixels // 2

@@ -9,12 +9,12 @@ from dataclasses import replace
 import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
-from scipy.sparse.csgraph import connected_components
+from scipy.ndimage import label
 
 from hardcontact.base.dataset import stack
 from hardcontact.base.progress import progress
 from hardcontact.base.units import NEWTON, NM
-from hardcontact.contact.bearing_area import ContactPixels, PixelsByContact, all_contact_pixels
+from hardcontact.contact.bearing_area import ContactPixels, all_contact_pixels
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import Bodies, join_bodies
 from hardcontact.surfaces.height_map import HeightMap
@@ -33,11 +33,15 @@ def indent_sizes(pixels: ContactPixels, pixel_size: float) -> tuple[float, float
     """
     # The gaps ascend; the sphere comes down until the last of them is zero.
     gaps, offsets = pixels
-    are_neighbours = np.abs(offsets[:, None] - offsets).max(axis=-1) <= 1
-    count, labels = connected_components(are_neighbours, directed=False)
-    pixel_counts = np.bincount(labels)
-    largest_indent = offsets[labels == pixel_counts.argmax()]
-    equal_area_side = np.sqrt(pixel_counts.max()) * pixel_size
+    rows, columns = (offsets - offsets.min(axis=0)).T
+    touches = np.zeros((rows.max() + 1, columns.max() + 1), bool)
+    touches[rows, columns] = True
+    indents, count = label(touches, np.ones((3, 3)))
+    indent = indents[rows, columns]
+    pixel_counts = np.bincount(indent)[indent]
+    # Of equally large indents, the first of these pixels is in the deepest one.
+    largest_indent = offsets[indent == indent[pixel_counts.argmax()]]
+    equal_area_side = np.sqrt(len(largest_indent)) * pixel_size
     longer_side = (np.ptp(largest_indent, axis=0).max() + 1) * pixel_size
     return gaps[-1] - gaps[0], equal_area_side, longer_side, count
 
@@ -85,30 +89,23 @@ def indents_of_scans(
     )
 
 
-def _pixels_by_load(bodies: Bodies, loaded_contacts: Sequence[Contact]) -> list[PixelsByContact]:
-    """Return the contact pixels at each load, by the indices of the contact."""
+def _pixels_by_load(bodies: Bodies, loaded_contacts: Sequence[Contact]) -> list[ContactPixels]:
+    """Return the contact pixels of the array at each load."""
     counts = [contact.pixel_count(bodies.geometry.pixel_size) for contact in loaded_contacts]
-    pixels_by_contact = all_contact_pixels(bodies, max(counts))
-    return [
-        {
-            index: ContactPixels(gaps[:count], offsets[:count])
-            for index, (gaps, offsets) in pixels_by_contact.items()
-        }
-        for count in counts
-    ]
+    contact_pixels = all_contact_pixels(bodies, max(counts))
+    return [contact_pixels.lowest(count) for count in counts]
 
 
 def _sizes_of_bodies(bodies: Bodies, loaded_contacts: Sequence[Contact]) -> xr.Dataset:
     """Return the sizes of indents (preload, contact_y, contact_x) of one pair of scans."""
+    array_shape = [len(bodies.geometry.positions)] * 2
     sizes = np.array(
         [
-            [
-                indent_sizes(contact_pixels, bodies.geometry.pixel_size)
-                for contact_pixels in pixels_by_contact.values()
-            ]
-            for pixels_by_contact in _pixels_by_load(bodies, loaded_contacts)
+            indent_sizes(pixels.of_contact(index), bodies.geometry.pixel_size)
+            for pixels in _pixels_by_load(bodies, loaded_contacts)
+            for index in np.ndindex(*array_shape)
         ]
-    ).reshape(len(loaded_contacts), *[len(bodies.geometry.positions)] * 2, -1)
+    ).reshape(len(loaded_contacts), *array_shape, -1)
     dimensions = ("preload", "contact_y", "contact_x")
     return xr.Dataset(
         {
@@ -131,7 +128,9 @@ def _add_height_maps(
     sizes: xr.Dataset, bodies: Bodies, loaded_contacts: Sequence[Contact], index: tuple[int, int]
 ) -> xr.Dataset:
     """Add maps of the indents of one contact at every preload, and of the sphere there."""
-    pixels_by_load = [pixels[index] for pixels in _pixels_by_load(bodies, loaded_contacts)]
+    pixels_by_load = [
+        pixels.of_contact(index) for pixels in _pixels_by_load(bodies, loaded_contacts)
+    ]
     offsets = np.arange(-MAP_HALF_WIDTH, MAP_HALF_WIDTH + 1)
     row, column = pixels_by_load[0].offsets[0]
     position = offsets * bodies.geometry.pixel_size

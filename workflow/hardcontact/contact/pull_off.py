@@ -4,7 +4,6 @@ A pixel at the gap g attracts with the pressure (W/rho) exp(-g/rho), Eq. 2 of th
 sums of exp(-g/rho) at closest approach; `pull_off_force` turns them into forces, Eq. 3.
 """
 
-import math
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from typing import Any
@@ -15,7 +14,7 @@ from numpy.typing import ArrayLike
 
 from hardcontact.base.arrays import Floats
 from hardcontact.base.units import DIMENSIONLESS, NEWTON, NM, PASCAL
-from hardcontact.contact.bearing_area import PixelsByContact, all_contact_pixels
+from hardcontact.contact.bearing_area import ContactPixels, all_contact_pixels
 from hardcontact.contact.contact import CONTACT_AXES, CONTACT_MODELS, Contact
 from hardcontact.contact.geometry import Bodies, gap_map, join_bodies, largest_contact_gap
 from hardcontact.contact.sphere_sums import outside_sums
@@ -66,16 +65,16 @@ def pull_off_force(
 
 def attraction_totals(
     bodies: Bodies,
-    pixels_by_contact: PixelsByContact,
+    contact_pixels: ContactPixels,
     pixel_counts: Sequence[int],
     ranges: Sequence[float],
 ) -> Floats:
     """Return sums (pixel count, rho, contact_y, contact_x) of exp(-gap/rho) at closest approach.
 
-    A pixel count is the number of pixels that touch; `pixels_by_contact` has at least as many.
+    A pixel count is the number of pixels that touch; `contact_pixels` has at least as many.
     """
-    gaps = _stacked_gaps(pixels_by_contact)
-    sums_by_range = list(zip(outside_sums(bodies, pixels_by_contact, ranges), ranges, strict=True))
+    gaps = contact_pixels.gaps
+    sums_by_range = list(zip(outside_sums(bodies, contact_pixels, ranges), ranges, strict=True))
     totals = [
         [_total_of_lowest(outside_sum, gaps, count, rho) for outside_sum, rho in sums_by_range]
         for count in pixel_counts
@@ -96,13 +95,6 @@ def _total_of_lowest(
     return np.asarray(
         contact_pixel_count + opened + outside_sum * np.exp((largest_gap - gaps[..., -1]) / rho)
     )
-
-
-def _stacked_gaps(pixels_by_contact: PixelsByContact) -> Floats:
-    """Return the gaps (contact_y, contact_x, k) of all contacts in nm."""
-    contacts_per_row = math.isqrt(len(pixels_by_contact))
-    gaps = np.array([contact_pixels.gaps for contact_pixels in pixels_by_contact.values()])
-    return gaps.reshape(contacts_per_row, contacts_per_row, -1)
 
 
 def forces_at_loadings(
@@ -127,15 +119,15 @@ def make_force_function(contact: Contact, sphere: HeightMap | None = None) -> Fo
 
 def _pixels_and_forces(
     bodies: Bodies, loaded_contacts: Sequence[Contact], ranges: Sequence[float]
-) -> tuple[list[int], PixelsByContact, Floats]:
+) -> tuple[list[int], ContactPixels, Floats]:
     """Return the numbers (loading,) of contact pixels, the pixels, and `forces_at_loadings`."""
     pixel_size = bodies.geometry.pixel_size
     pixel_counts = [contact.pixel_count(pixel_size) for contact in loaded_contacts]
-    pixels_by_contact = all_contact_pixels(bodies, max(pixel_counts))
-    totals = attraction_totals(bodies, pixels_by_contact, pixel_counts, ranges)
+    contact_pixels = all_contact_pixels(bodies, max(pixel_counts))
+    totals = attraction_totals(bodies, contact_pixels, pixel_counts, ranges)
     rho = np.asarray(ranges, float)[:, None, None]
     forces = pull_off_force(totals, rho, pixel_size, WORK_OF_ADHESION)
-    return pixel_counts, pixels_by_contact, forces
+    return pixel_counts, contact_pixels, forces
 
 
 def pull_off_dataset(bodies: Bodies, contact: Contact, ranges: Sequence[float]) -> xr.Dataset:
@@ -147,8 +139,8 @@ def pull_off_dataset(bodies: Bodies, contact: Contact, ranges: Sequence[float]) 
     """
     pixel_size = bodies.geometry.pixel_size
     loaded_contacts = [replace(contact, plastic=False), contact]
-    counts, pixels_by_contact, forces = _pixels_and_forces(bodies, loaded_contacts, ranges)
-    gaps = _stacked_gaps(pixels_by_contact)
+    counts, contact_pixels, forces = _pixels_and_forces(bodies, loaded_contacts, ranges)
+    gaps = contact_pixels.gaps
     # At closest approach the largest gap of the touching pixels has become zero.
     apex_heights = -np.stack([gaps[..., 0], gaps[..., -1]])
     positions = bodies.geometry.positions * pixel_size
@@ -158,7 +150,7 @@ def pull_off_dataset(bodies: Bodies, contact: Contact, ranges: Sequence[float]) 
             "pull_off_force": (("contact_model", "rho", *CONTACT_AXES), forces, FORCE_ATTRS),
             "apex_height": (model_axes, apex_heights, NM),
             "contact_pixel_count": ("contact_model", counts, DIMENSIONLESS),
-            "touched_patches": ((), touched_patches(bodies, pixels_by_contact), DIMENSIONLESS),
+            "touched_patches": ((), touched_patches(bodies, contact_pixels), DIMENSIONLESS),
         },
         {"contact_model": CONTACT_MODELS}
         | range_axis(ranges)
@@ -167,7 +159,7 @@ def pull_off_dataset(bodies: Bodies, contact: Contact, ranges: Sequence[float]) 
     )
 
 
-def touched_patches(bodies: Bodies, pixels_by_contact: PixelsByContact) -> int:
+def touched_patches(bodies: Bodies, contact_pixels: ContactPixels) -> int:
     """Return the number of patches of a mirrored scan that hold the deepest pixel of some contact.
 
     A patch is a group of contact pixels that share edges or corners. If one particle on a flat
@@ -176,18 +168,14 @@ def touched_patches(bodies: Bodies, pixels_by_contact: PixelsByContact) -> int:
     from scipy.ndimage import label  # A slow import.
 
     pixels = bodies.substrate.pixels
-    contact_points = [
-        (bodies.geometry.positions[list(index)] + offsets) % pixels
-        for index, (_, offsets) in pixels_by_contact.items()
-    ]
+    points = (bodies.geometry.apexes()[:, :, None] + contact_pixels.offsets) % pixels
     # Fold the mirror images back onto the scan, a quarter of the map.
-    scan_pixels = [tuple(np.minimum(points, pixels - 1 - points).T) for points in contact_points]
+    rows, columns = np.moveaxis(np.minimum(points, pixels - 1 - points), -1, 0)
     is_touched = np.zeros((-(-pixels // 2),) * 2, bool)
-    for points in scan_pixels:
-        is_touched[points] = True
+    is_touched[rows, columns] = True
     patches, _ = label(is_touched, np.ones((3, 3)))
     # The first pixel of a contact has its lowest gap.
-    return len({patches[rows[0], columns[0]] for rows, columns in scan_pixels})
+    return len(np.unique(patches[rows[..., 0], columns[..., 0]]))
 
 
 def mean_pull_off_dataset(bodies: Bodies, contact: Contact, ranges: Sequence[float]) -> xr.Dataset:

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hardcontact.base.arrays import Floats
-from hardcontact.contact.bearing_area import PixelsByContact
+from hardcontact.contact.bearing_area import ContactPixels
 from hardcontact.contact.contact_pixels import SphereTerms, TouchedPixels, exponential
 from hardcontact.contact.geometry import Bodies, ContactGeometry
 
@@ -18,7 +18,7 @@ ROWS = 64
 
 
 def sums_by_subtraction(
-    bodies: Bodies, pixels_by_contact: PixelsByContact, ranges: Sequence[float]
+    bodies: Bodies, contact_pixels: ContactPixels, ranges: Sequence[float]
 ) -> Floats:
     """Return `outside_sums` on a smooth sphere: sums over all pixels less those in contact."""
     heights = bodies.substrate.heights
@@ -29,12 +29,12 @@ def sums_by_subtraction(
     ]
     quarter, quarter_factors = _without_mirror_images(heights, factors)
     all_sums = _contact_sums(_row_blocks(quarter, precision, highest, ranges), quarter_factors)
+    gaps = contact_pixels.gaps
+    largest_gap = gaps[..., -1]
     sums = np.empty_like(all_sums)
-    for index, (gaps, _) in pixels_by_contact.items():
-        for k, rho in enumerate(ranges):
-            contact_sum = np.exp((gaps[-1] - gaps) / rho).sum()
-            scale = np.exp((gaps[-1] + highest) / rho)
-            sums[k][index] = scale * all_sums[k][index] - contact_sum
+    for k, rho in enumerate(ranges):
+        contact_sum = np.exp((largest_gap[..., None] - gaps) / rho).sum(axis=-1)
+        sums[k] = np.exp((largest_gap + highest) / rho) * all_sums[k] - contact_sum
     return sums
 
 

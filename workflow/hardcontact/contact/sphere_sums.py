@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 from threadpoolctl import ThreadpoolController
 
 from hardcontact.base.arrays import Floats
-from hardcontact.contact.bearing_area import PixelsByContact
+from hardcontact.contact.bearing_area import ContactPixels
 from hardcontact.contact.contact_pixels import TouchedPixels, exponential
 from hardcontact.contact.geometry import Bodies
 from hardcontact.contact.rough_sphere_sums import rough_sphere_terms
@@ -39,25 +39,24 @@ MAX_DEPTH = {np.float32: 40.0, np.float64: 660.0}
 
 
 def outside_sums(
-    bodies: Bodies, pixels_by_contact: PixelsByContact, ranges: Sequence[float] | Floats
+    bodies: Bodies, contact_pixels: ContactPixels, ranges: Sequence[float] | Floats
 ) -> Floats:
     """Return the sum (rho, contact_y, contact_x) of exp(-(g + m)/rho) outside plastic contact.
 
-    m is the height of the apex at closest approach. `pixels_by_contact[i, j]` has the pixels that
-    touch in the contact (i, j) of the array.
+    m is the height of the apex at closest approach; the contact pixels are those of the array.
     """
     all_ranges = np.asarray(ranges, float)
     sums = np.empty((len(all_ranges), *[len(bodies.geometry.positions)] * 2))
-    subtract = _are_shallow(bodies, pixels_by_contact, all_ranges)
+    subtract = _are_shallow(bodies, contact_pixels, all_ranges)
     with LIBRARIES.limit(limits=1, user_api="blas"):
         for is_chosen, method in ((subtract, sums_by_subtraction), (~subtract, _sums_by_omission)):
             if is_chosen.any():
-                sums[is_chosen] = method(bodies, pixels_by_contact, all_ranges[is_chosen].tolist())
+                sums[is_chosen] = method(bodies, contact_pixels, all_ranges[is_chosen].tolist())
     return sums
 
 
 def _are_shallow(
-    bodies: Bodies, pixels_by_contact: PixelsByContact, ranges: Floats
+    bodies: Bodies, contact_pixels: ContactPixels, ranges: Floats
 ) -> NDArray[np.bool_]:
     """Return the mask of ranges (rho,) at which `sums_by_subtraction` keeps enough digits.
 
@@ -65,9 +64,9 @@ def _are_shallow(
     """
     if bodies.roughness is not None:
         return np.zeros(len(ranges), bool)
-    lowest, largest = np.array([gaps[[0, -1]] for gaps, _ in pixels_by_contact.values()]).T
-    penetration = (largest - lowest).max()
-    depth = (largest + bodies.substrate.heights.max()).max()
+    gaps = contact_pixels.gaps
+    penetration = (gaps[..., -1] - gaps[..., 0]).max()
+    depth = gaps[..., -1].max() + bodies.substrate.heights.max()
     precision = bodies.substrate.heights.dtype.type
     return np.asarray(
         (penetration <= MAX_PENETRATION[precision] * ranges)
@@ -76,12 +75,12 @@ def _are_shallow(
 
 
 def _sums_by_omission(
-    bodies: Bodies, pixels_by_contact: PixelsByContact, ranges: Sequence[float]
+    bodies: Bodies, contact_pixels: ContactPixels, ranges: Sequence[float]
 ) -> Floats:
     """Return `outside_sums` where no sum contains contact pixels, in double precision."""
     substrate = bodies.substrate
     roughness = bodies.roughness
-    touched_pixels = TouchedPixels(bodies, pixels_by_contact)
+    touched_pixels = TouchedPixels(bodies, contact_pixels)
     touching = substrate.heights[touched_pixels.row, touched_pixels.column].astype(float)
     highest_substrate = float(substrate.heights.max())
     highest_roughness = 0.0 if roughness is None else float(roughness.heights.max())
@@ -91,8 +90,8 @@ def _sums_by_omission(
     terms = sphere_terms(bodies, touched_pixels, ranges)
     for k, (rho, (total, factor)) in enumerate(zip(ranges, terms, strict=True)):
         attraction = exponential(touching, highest_substrate, rho)
-        for index in pixels_by_contact:
+        for index in np.ndindex(total.shape):
             sums[k][index] = touched_pixels.sum_outside(
-                index, total[index], attraction * factor(index), highest, rho
+                index, float(total[index]), attraction * factor(index), highest, rho
             )
     return sums
