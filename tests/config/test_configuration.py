@@ -145,7 +145,8 @@ def test_each_fault_is_reported_once_in_order():
 
 def test_only_the_first_of_many_faults_are_reported():
     message = refusal(lambda: raise_faults(f"line {k}: expected" for k in range(100_000)))
-    assert message.startswith("line 0: expected\n") and "99971 more" in message.splitlines()[-1]
+    assert message.startswith("line 0: expected\n")
+    assert message.endswith("and 99971 more faults, not shown")
     assert refusal(run_checks, [lambda: raise_faults(message.splitlines())]) == message
 
 

@@ -402,15 +402,24 @@ def predict(
     Returns
     -------
     dict of str to Number
-        By name, such as ``pull_off_force``, ``short_edge`` and ``long_edge``: ``value``, ``unit``,
-        ``low`` and ``high`` of its interval, and ``status``. These are the numbers of `hardcontact
-        predict --json` except the Tabor parameter. The status of a force with unknown error is
-        ``"outside"``. If the status of ``extrapolated_change`` is ``"matters"``, use
-        ``extrapolated_force`` and its edges. An extrapolated spectrum gives these as
-        ``pull_off_force`` and edges, with the same status.
-        A map has ``force_on_scan``, the mean force sum over its pixels, without a closed form, and
-        ``closed_form_on_scan``, the closed form for all waves of the map. Unless its status is
-        ``"agrees"``, numbers of the closed form have no interval.
+        Each with ``value``, ``unit``, ``low`` and ``high`` of its interval, and ``status``: the
+        numbers of `hardcontact predict --json` except the Tabor parameter.
+        ``pull_off_force``, ``short_edge``, ``long_edge`` : force and critical band in closed form.
+        The status of a force with unknown error is ``"outside"``.
+        ``extrapolated_change`` : change of the force by the roughness beyond the spectrum. If its
+        status is ``"matters"``, use ``extrapolated_force``, ``extrapolated_short_edge`` and
+        ``extrapolated_long_edge`` instead. ``extrapolated_to``, ``extrapolated_rolloff`` and
+        ``extrapolated_hurst`` say how the spectrum was extrapolated.
+        ``force_ratio`` (relative to ``smooth_force``), ``force_scatter`` (standard deviation of
+        ln F), ``apex_height``, ``weibull_modulus``, ``rms_height``, ``rms_gradient``,
+        ``shortest_wavelength``, ``longest_wavelength``, ``tolerance``.
+        ``longest_octave_change``, ``widest_gap``, ``skewness``, ``validated_...`` : checks of
+        whether the error of the closed form is known.
+        A map also has ``force_on_scan``, the mean force sum over its pixels,
+        ``force_on_scan_share`` (relative to a smooth sphere), ``wide_pixel_ratio``,
+        ``touched_patches``, ``search_size``, and ``closed_form_on_scan``, the closed form for all
+        waves of the map. Unless its status is ``"agrees"``, numbers of the closed form have no
+        interval. For a map that is too large there is a ``force_on_scan`` without a value.
 
     Examples
     --------

@@ -166,7 +166,4 @@ def refuse_changed_since(digests_before: Mapping[str, str]) -> None:
         if not Path(path).is_file() or digest(path) != value
     ]
     if changed:
-        raise ValueError(
-            f"{', '.join(changed)}: expected the content of when the job began, found that its "
-            "inputs changed; run again"
-        )
+        raise ValueError(f"inputs changed while the job ran: {', '.join(changed)}; run again")

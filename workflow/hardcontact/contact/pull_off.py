@@ -56,8 +56,8 @@ def pull_off_force(
     """
     if not np.isfinite(total).all():
         raise ValueError(
-            "expected a range of adhesion that resolves the relief of the surface, "
-            f"found rho = {np.min(rho):g} nm, too small for it"
+            f"rho = {np.min(rho):g} nm: expected a longer range of adhesion, because the surface "
+            "rises over 700 ranges above a contact, more than exp() can hold"
         )
     pixel_force = work_of_adhesion / np.asarray(rho) * pixel_size**2 * NEWTON_PER_JOULE_M2_NM
     return np.asarray(pixel_force * np.asarray(total))

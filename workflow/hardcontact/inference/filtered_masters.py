@@ -78,8 +78,8 @@ def filtered_pull_off(
 ) -> xr.Dataset:
     """Return `forces_at_cutoffs` of plastic contact at all radii, loadings and ranges of adhesion.
 
-    The contacts differ only in their loading. Radii and ranges (nm) are by default those of the first
-    contact. Forces are at 1 J/m². ``contact_area`` (loading) is the area of the touching pixels, the
+    The contacts differ only in their loading. Radii and ranges (nm) are by default those of the
+    first. Forces are at 1 J/m². ``contact_area`` (loading) is the area of the touching pixels, the
     coordinate ``area`` (loading) the preload divided by the hardness, both in nm².
     """
     contact = loaded_contacts[0]

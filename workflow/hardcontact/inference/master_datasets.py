@@ -33,8 +33,8 @@ def read_master_forces(
 ) -> xr.Dataset:
     """Read files of `filtered_pull_off` and stack the forces, as `stack_masters` does.
 
-    Realizations after the given number are left out. `loading` is the only one, at the single radius
-    and range of the files; None for all.
+    Realizations after the given number are left out. `loading` is the only one, at the single
+    radius and range of the files; None for all.
     """
     master_datasets: dict[tuple[Any, ...], xr.Dataset] = {}
     for surface, path in zip(surfaces, paths, strict=True):

@@ -18,18 +18,17 @@ from hardcontact.inference.edges import edges_with_samples
 def edges_by_contact(forces: xr.Dataset, tolerance: float, sampling: Sampling) -> xr.Dataset:
     """Return the edges of the band of plastic and rigid contact at each range of adhesion.
 
-    Forces come from `stack_masters`, with one radius and two loadings. ``edge_ratio`` (removed_cause,
-    side, group) is the edge in plastic contact at the longest range, relative to rigid contact at
-    this range (``"plasticity"``) or to plastic contact at the shortest range (``"long_range"``).
+    Forces come from `stack_masters`, with one radius and two loadings. ``edge_ratio``
+    (removed_cause, side, group) is the edge in plastic contact at the longest range, relative to
+    rigid contact at this range (``"plasticity"``) or to plastic contact at the shortest range
+    (``"long_range"``).
     """
     sorted_forces = forces.squeeze("radius", drop=True).sortby("area")
     ranges = sorted_forces["rho"].values.tolist()
     datasets = {}
     edge_samples = {}
-    for (loading_index, model), (column, rho) in product(
-        enumerate(CONTACT_MODELS), enumerate(ranges)
-    ):
-        model_forces = sorted_forces.isel(loading=loading_index, rho=column, drop=True)
+    for (index, model), (column, rho) in product(enumerate(CONTACT_MODELS), enumerate(ranges)):
+        model_forces = sorted_forces.isel(loading=index, rho=column, drop=True)
         datasets[model, rho], edge_samples[model, rho] = edges_with_samples(
             model_forces, tolerance, sampling
         )

@@ -71,8 +71,8 @@ def _refuse_touch() -> None:
     """Refuse to renew times, which decide nothing; without files Snakemake ends in a traceback."""
     if {"--touch", "-t"} & {*sys.argv[1:]}:
         _refuse(
-            "snakemake: expected no option --touch, because records, not file times, decide what "
-            "runs again, found it: `snakemake -n` names the jobs that would run"
+            "snakemake: --touch has no effect, because records of inputs, not file times, decide "
+            "what runs again; `snakemake -n` lists the jobs"
         )
 
 
