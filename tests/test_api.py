@@ -192,7 +192,7 @@ def test_ratios_equal_those_of_the_remaining_wave():
 def test_the_prediction_equals_that_of_the_command(files):
     numbers = hc.predict(hc.read_spectrum("my-psd.csv"), radius=250e3, rho=5.6, work=0.0463, **LOAD)
     numbers_written = json.loads(predict(predict_arguments(["my-psd.csv", "--json", "-"])))
-    assert numbers["pull_off_force"].status == "inside"
+    assert numbers["closed_form_force"].status == "inside"
     for name, number in numbers.items():
         assert numbers_written[name]["value"] == plain(number.value)
         assert (
@@ -286,15 +286,15 @@ def test_a_scan_and_its_spectrum_are_predicted_like_the_file(files):
     measured = hc.predict(hc.read_spectrum(path), **contact)
     extrapolated = hc.predict(hc.read_spectrum(path, extrapolated=True), **contact)
     for prefix, numbers in {"": measured, "extrapolated_": extrapolated}.items():
-        for name in ("pull_off_force", "short_edge", "long_edge"):
+        for name in ("closed_form_force", "short_edge", "long_edge"):
             number = numbers[name]
-            is_force = prefix and name == "pull_off_force"
+            is_force = prefix and name == "closed_form_force"
             command = written["extrapolated_force" if is_force else prefix + name]
             assert number.value == pytest.approx(command["value"])
             assert number.status == command["status"]
             assert np.isfinite(number.low) == ("interval" in command)
-    assert extrapolated["pull_off_force"].status == "inside"
-    for name in ("pull_off_force", "extrapolated_force", "short_edge"):
+    assert extrapolated["closed_form_force"].status == "inside"
+    for name in ("closed_form_force", "extrapolated_force", "short_edge"):
         assert scan_numbers[name].value == pytest.approx(written[name]["value"], rel=1e-4)
 
 
@@ -302,7 +302,7 @@ def test_the_force_on_pillars_is_withheld():
     y, x = np.indices((128, 128)) % 32 - 15.5
     heights = 100.0 * (np.hypot(x, y) < 8) + generator(1).normal(0, 0.3, x.shape)
     contact = {"radius": 250e3, "rho": 5.6, "work": 0.0463} | LOAD
-    force = hc.predict(hc.HeightMap(heights, PIXEL), **contact)["pull_off_force"]
+    force = hc.predict(hc.HeightMap(heights, PIXEL), **contact)["closed_form_force"]
     assert np.isnan(force.value) and force.status == "steep_edges"
 
 

@@ -17,7 +17,7 @@ spectrum = hardcontact.read_spectrum(sys.argv[1])
 numbers = hardcontact.predict(
     spectrum, radius=250e3, preload=10e-6, hardness=25e9, rho=5.6, work=0.0463
 )
-print(numbers["pull_off_force"].value)
+print(numbers["closed_form_force"].value)
 """
 
 
@@ -46,7 +46,7 @@ def test_the_installed_package_predicts_as_the_library_here(programs, tmp_path, 
         ).stdout
 
     words = ["predict", str(SCAN), "--json", "-"]
-    expected_force = json.loads(predict(predict_arguments(words[1:])))["pull_off_force"]["value"]
-    by_command = json.loads(output("hardcontact", *words))["pull_off_force"]["value"]
+    expected_force = json.loads(predict(predict_arguments(words[1:])))["closed_form_force"]["value"]
+    by_command = json.loads(output("hardcontact", *words))["closed_form_force"]["value"]
     by_program = float(output("python", "-c", PROGRAM, str(SCAN)))
     assert [by_command, by_program] == pytest.approx([expected_force] * 2, rel=1e-6)

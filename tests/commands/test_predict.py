@@ -128,7 +128,7 @@ def test_nothing_is_replaced_unasked(table, tmp_path):
     assert_says(refusal(printed, path, "--json", str(numbers)), "new file", "add --overwrite")
     assert numbers.read_text() == "{}"
     printed(path, "--json", str(numbers), "--overwrite")
-    assert "pull_off_force" in json.loads(numbers.read_text())
+    assert "closed_form_force" in json.loads(numbers.read_text())
     pipe = tmp_path / "pipe"
     os.mkfifo(pipe)
     with ThreadPoolExecutor() as reader:
@@ -147,7 +147,7 @@ def test_every_format_has_the_numbers_of_the_closed_form(table, tmp_path):
     numbers = numbers_of(table(*rows_of(spectrum)), *options)
     contact = contact_of_area(250e3, 8.0, 0.05, 400.0)
     prediction = closed_form(spectrum, contact)
-    force = numbers["pull_off_force"]
+    force = numbers["closed_form_force"]
     assert force["value"] == pytest.approx(prediction.force, rel=1e-6)
     assert force["unit"] == "N" and force["status"] == "inside"
     coordinates = table_coordinates(trim_spectrum(spectrum), contact, prediction)
@@ -173,8 +173,8 @@ def test_unknown_quantities_have_a_status_and_no_number(table):
     numbers = numbers_of(table(*rows_of(rough(0.02, 1000, 0.8, 20))), "--radius", "5um")
     assert numbers["short_edge"] == {"value": None, "unit": "nm", "status": "none"}
     assert numbers["weibull_modulus"]["status"] == "smooth"
-    assert numbers["pull_off_force"]["status"] == "outside"
-    assert "interval" not in numbers["pull_off_force"]
+    assert numbers["closed_form_force"]["status"] == "outside"
+    assert "interval" not in numbers["closed_form_force"]
 
 
 def test_short_waves_missing_from_the_table_are_extrapolated(table):

@@ -23,7 +23,7 @@ from hardcontact.surfaces.synthesis import random_surface
 
 FAMILIES = ("gaussian", "plateau", "pits", "peaks", "pillars", "steps")
 #: Forces that `hardcontact predict` may print of a map.
-FORCES = ("force_on_scan", "closed_form_on_scan", "pull_off_force", "extrapolated_force")
+FORCES = ("force_on_scan", "closed_form_on_scan", "closed_form_force", "extrapolated_force")
 
 
 class Case(NamedTuple):

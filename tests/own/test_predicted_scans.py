@@ -57,7 +57,7 @@ def test_a_scan_is_predicted_from_its_reliable_wavelengths(kind, tmp_path, capsy
     numbers = numbers_of(str(path))
     assert f"{path}: reliable from" in capsys.readouterr().err
     force = closed_form(spectrum, CONTACT).force
-    assert numbers["pull_off_force"]["value"] == pytest.approx(force)
+    assert numbers["closed_form_force"]["value"] == pytest.approx(force)
     # It is extrapolated like the masters of the study, up to a roll-off beyond the scan.
     force = closed_form(spectrum_of_dataset(joined_scans), CONTACT).force
     assert numbers["extrapolated_force"]["value"] == pytest.approx(force, rel=1e-3)
@@ -76,7 +76,7 @@ def test_the_force_on_pillars_is_not_predicted(tmp_path):
     )
     assert "edge:" not in report and "error was measured" not in report
     numbers = json.loads((tmp_path / "numbers.json").read_text())
-    assert numbers["pull_off_force"] == {"value": None, "unit": "N", "status": "steep_edges"}
+    assert numbers["closed_form_force"] == {"value": None, "unit": "N", "status": "steep_edges"}
     smooth = 2 * np.pi * 250e-6 * 0.0463
     assert numbers["smooth_force"]["value"] == pytest.approx(smooth, rel=0.01)
     assert "short_edge" not in numbers and "extrapolated_force" not in numbers
@@ -111,7 +111,7 @@ def test_heights_that_are_not_gaussian_are_a_caution_without_a_known_error(tmp_p
     summed = forces.pull_off_force.sel(contact_model="plastic").mean().item()
     path = scan_files.scan(tmp_path / "skewed.nc", heights.T, (5120.0, 5120.0))
     numbers = numbers_of(str(path))
-    predicted = numbers["pull_off_force"]
+    predicted = numbers["closed_form_force"]
     assert (summed / predicted["value"]) ** sign < 0.5
     assert predicted["status"] == "outside" and numbers["skewness"]["value"] * sign > 1
     assert_says(printed(str(path), "--verbose"), "take care: heights have a skewness of")

@@ -404,7 +404,7 @@ def predict(
     dict of str to Number
         Each with ``value``, ``unit``, ``low`` and ``high`` of its interval, and ``status``: the
         numbers of `hardcontact predict --json` except the Tabor parameter.
-        ``pull_off_force``, ``short_edge``, ``long_edge`` : force and critical band in closed form.
+        ``closed_form_force``, ``short_edge``, ``long_edge`` : pull-off force and critical band.
         The status of a force with unknown error is ``"outside"``.
         ``extrapolated_change`` : change of the force by the roughness beyond the spectrum. If its
         status is ``"matters"``, use ``extrapolated_force``, ``extrapolated_short_edge`` and
@@ -427,7 +427,7 @@ def predict(
     >>> numbers = hc.predict(
     ...     spectrum, radius=250e3, preload=10e-6, hardness=25e9, rho=5.6, work=0.0463
     ... )
-    >>> force = numbers["pull_off_force"].value  # N
+    >>> force = numbers["closed_form_force"].value  # N
     """
     check_quantities(radius=radius, preload=preload, hardness=hardness, rho=rho, work=work)
     check_positive(tolerance=tolerance)

@@ -49,7 +49,7 @@ SMALL, LARGE = "small", "large"
 #: Names of the predictions of the closed form that have an interval.
 PREDICTED = [
     f"{prefix}{name}"
-    for prefix, force in (("", "pull_off_force"), ("extrapolated_", "force"))
+    for prefix, force in (("", "closed_form_force"), ("extrapolated_", "force"))
     for name in (force, *EDGE_NAMES)
 ]
 

@@ -104,9 +104,7 @@ def compare_models(
     for name, model in MODELS.items():
         force = model.force(work, mean, sphere)
         force_samples = model.force(work, samples, sphere)
-        variables = sampling.with_interval(
-            "pull_off_force", "surface", force, force_samples, NEWTON
-        )
+        variables = sampling.with_interval("model_force", "surface", force, force_samples, NEWTON)
         forces[(name,)] = xr.Dataset(variables)
         for force_source, target in targets.items():
             _, error = fit_classical_work(model, mean, sphere, target)

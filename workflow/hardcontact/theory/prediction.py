@@ -64,7 +64,7 @@ def prediction(
     inputs = _input_numbers(waves, contact, tolerance)
     scans = spectrum if isinstance(spectrum, ScanSpectrum) else None
     if scans is not None and scans.joined["edge_slope_share"].notnull().any():
-        force = Number("pull_off_force", math.nan, "N", status=STEEP_EDGES)
+        force = Number("closed_form_force", math.nan, "N", status=STEEP_EDGES)
         return {number.name: number for number in (*inputs, force)}
     form = closed_form(waves, contact)
     checks = _spectrum_checks(waves, contact, form, 0.0 if scans is None else scans.skewness)
@@ -84,7 +84,7 @@ def prediction(
     point = table_coordinates(waves, contact, form)
     numbers = [
         *inputs,
-        _force_number("pull_off_force", form, point, validated),
+        _force_number("closed_form_force", form, point, validated),
         *extrapolated,
         Number("force_scatter", predict_statistics(waves, contact).log_force_std),
         Number("force_over_smooth", form.force / smooth_force(contact)),
@@ -168,7 +168,7 @@ def _is_measured_error_known(
 ) -> bool:
     """Return whether the error of the force is known without the scans' extrapolated waves."""
     numbers = prediction(scans.measured(), contact, tolerance, name)
-    return numbers.get("extrapolated_force", numbers["pull_off_force"]).status == INSIDE
+    return numbers.get("extrapolated_force", numbers["closed_form_force"]).status == INSIDE
 
 
 def _validated_interval(

@@ -53,7 +53,7 @@ def _draw_point(axes: Axes, x: float, point: xr.Dataset, **look: Any) -> None:
 
 def _draw_forces(axes: Axes, classical: xr.Dataset) -> None:
     """Draw the forces (µN) on each surface: published, computed, and by each model."""
-    names = ("published_mean_force", "computed_mean_force", "pull_off_force")
+    names = ("published_mean_force", "computed_mean_force", "model_force")
     values = np.concatenate([classical[name].values.ravel() for name in names]) / style.MICRONEWTON
     drawn_values = values[values > MIN_DRAWN_FORCE]
     # The strip above the bottom is for smaller forces.
@@ -68,7 +68,7 @@ def _draw_forces(axes: Axes, classical: xr.Dataset) -> None:
             _draw_point(axes, x + offset, force, **look)
         published = surface_data["published_mean_force"].item() / style.MICRONEWTON
         axes.axhline(published, color=colour, zorder=0, **PUBLISHED_LINE)
-        forces = value_and_interval(surface_data, "pull_off_force") / style.MICRONEWTON
+        forces = value_and_interval(surface_data, "model_force") / style.MICRONEWTON
         for x, model in enumerate(classical["model"].values, start=2):
             for metrics, shift in zip(METRIC_LABELS, (-0.04, 0.04), strict=True):
                 force = forces.sel(model=model, metrics=metrics)
