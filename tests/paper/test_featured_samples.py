@@ -1,11 +1,13 @@
 """Samples of features: forces on their scans, sets that take them, comparison with the paper."""
 
+from dataclasses import replace
+
 import numpy as np
 import pandas as pd
 import pytest
 import xarray as xr
 from paper_numbers import POLISHED
-from small_pool import CONTACT, GRID, POOL_INPUTS
+from small_pool import CONTACT, GRID, SUBSTITUTE
 
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import pull_off_dataset
@@ -21,9 +23,7 @@ from hardcontact.paper.published_fit import Pair, PublishedForces
 from hardcontact.surfaces.featured_scans import FeaturedSurface, sample_group
 from hardcontact.surfaces.height_map import level, metrics, mirror_stitch
 
-FEATURED = FeaturedSurface(
-    "uncd", POOL_INPUTS.spectrum, POLISHED, GRID._replace(size=2500.0), seed=3
-)
+FEATURED = FeaturedSurface(replace(SUBSTITUTE, grid=GRID._replace(size=2500.0), seed=3), POLISHED)
 SAMPLE_SOURCES = SampleInputs(FEATURED, 2, CONTACT, [1.0, 5.6])
 PAIR = Pair(5.6, 0.05)
 

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from direct_sum import direct_total
-from small_pool import CONTACT, GRID, HEIGHTS, POOL_INPUTS, TARGETS, pool_of, raw_scan
+from small_pool import CONTACT, GRID, HEIGHTS, RANGES, SUBSTITUTE, pool_of, raw_scan
 
 from hardcontact.contact.force_curves import spline_weights
 from hardcontact.contact.geometry import gap_map, join_bodies
@@ -31,7 +31,7 @@ def test_heights_of_the_pool_cover_those_of_any_set():
     reach = (sample.max() - sample.mean()) / sample.std(ddof=1)
     np.testing.assert_allclose(HEIGHTS[[0, -1]], [10 - 4 * reach, 10 + 4 * reach])
     np.testing.assert_allclose(np.diff(np.sqrt(HEIGHTS), 2), 0, atol=1e-12)
-    np.testing.assert_array_equal(pool_heights(TARGETS, 1, 7), [10.0])
+    np.testing.assert_array_equal(pool_heights(SUBSTITUTE.targets, 1, 7), [10.0])
 
 
 def test_interpolation_is_exact_at_its_heights_and_of_cubics():
@@ -53,7 +53,7 @@ def test_forces_are_the_direct_sum_over_the_scan_at_each_height(pool):
     forces = np.exp(pool["log_force"].sel(scan=4).values.astype(float))
     for i in (0, 6):
         factor = HEIGHTS[i] / scan.heights.std()
-        for k, rho in enumerate(POOL_INPUTS.ranges):
+        for k, rho in enumerate(RANGES):
             for model, pixels in enumerate((1, count)):
                 force = direct_force(scan, factor, pixels, rho, (0, 1))
                 assert forces[i, model, k, 0, 1] == pytest.approx(force, rel=1e-5)

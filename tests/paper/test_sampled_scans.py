@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import xarray as xr
 from refusals import assert_says, refusal
-from small_pool import CONTACT, POOL_INPUTS, pool_of, raw_scan
+from small_pool import CONTACT, RANGES, pool_of, raw_scan
 
 from hardcontact.base.random import generator
 from hardcontact.base.statistics import student_log_interval
@@ -41,7 +41,7 @@ def test_a_set_has_the_forces_and_roughness_of_its_scans_at_the_sampled_heights(
         for name in TABLE1_METRICS.values():
             assert sampled_scan[name].item() == pytest.approx(values[name], rel=1e-9)
         pair = join_bodies(mirror_stitch(scaled), None, CONTACT)
-        direct = pull_off_dataset(pair, CONTACT, POOL_INPUTS.ranges)["pull_off_force"].values
+        direct = pull_off_dataset(pair, CONTACT, RANGES)["pull_off_force"].values
         np.testing.assert_allclose(
             sampled_scan["pull_off_force"].squeeze("scan"), direct, rtol=0.15
         )

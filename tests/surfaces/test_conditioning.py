@@ -34,6 +34,10 @@ TABLE1 = pd.DataFrame(
 CONSTANTS = pd.DataFrame({"value": {"scan_pixels": 64.0, "scan_size": 64 * PIXEL}})
 
 
+def scan_targets(spectrum, table1=TABLE1, constants=CONSTANTS, grid=GRID):
+    return conditioning.Substitute("uncd", spectrum, table1, constants, grid, 7).targets
+
+
 def generators(*numbers, seed=7, surface="uncd"):
     return {number: partial(generator, seed, surface, number, "scan") for number in numbers}
 
@@ -95,7 +99,7 @@ def test_scans_of_the_default_study_keep_table_1(surface, count, grid, rows):
     table1 = published.rows_of_surface(table1, surface)
     constants = published.read_constants(ROOT / "resources/paper/parameters.csv")
     spectrum = substitute_spectrum(ROOT / f"resources/spectra/{surface}.csv", table1, constants)
-    targets = conditioning.scan_targets(spectrum, table1, constants, grid)
+    targets = scan_targets(spectrum, table1, constants, grid)
     assert targets.met_rows == tuple(rows)
     published_means = table1.value[list(rows)]
     np.testing.assert_allclose(list(targets.means.values())[: len(rows)], published_means)
@@ -110,7 +114,7 @@ def test_scans_of_the_default_study_keep_table_1(surface, count, grid, rows):
 
 
 def test_targets_on_the_paper_s_pixels_are_those_of_table_1(spectrum):
-    targets = conditioning.scan_targets(spectrum, TABLE1, CONSTANTS, GRID)
+    targets = scan_targets(spectrum)
     np.testing.assert_array_equal(list(targets.means.values()), TABLE1["value"])
     assert targets.rms_height_std == pytest.approx(5.0)
     assert targets.met_rows == AFM_ROWS
@@ -118,7 +122,7 @@ def test_targets_on_the_paper_s_pixels_are_those_of_table_1(spectrum):
 
 def test_a_spectrum_that_is_not_calibrated_has_its_own_targets(spectrum):
     given_spectrum = spectrum.assign_attrs(table1_rows_met="")
-    targets = conditioning.scan_targets(given_spectrum, TABLE1, CONSTANTS, GRID)
+    targets = scan_targets(given_spectrum)
     rms_values = spectrum.attrs["expected_scan_rms"]
     np.testing.assert_array_equal(list(targets.means.values()), rms_values)
     assert targets.rms_height_std == pytest.approx(0.25 * rms_values[0])
@@ -127,7 +131,7 @@ def test_a_spectrum_that_is_not_calibrated_has_its_own_targets(spectrum):
 
 def test_coarser_pixels_keep_the_rms_height(spectrum):
     coarse = ScanGrid(32, GRID.size, 128)
-    targets = conditioning.scan_targets(spectrum, TABLE1, CONSTANTS, coarse)
+    targets = scan_targets(spectrum, grid=coarse)
     rms_values = expected_scan_rms(uncd, transfer_weights(128, 2 * PIXEL, 32))
     np.testing.assert_allclose(list(targets.means.values()), [20.0, *rms_values[1:]], rtol=1e-3)
     assert targets.met_rows == ("afm_rms_height",)
@@ -136,7 +140,7 @@ def test_coarser_pixels_keep_the_rms_height(spectrum):
 
 
 def test_a_surface_without_published_roughness_is_not_conditioned(spectrum):
-    assert conditioning.scan_targets(spectrum, TABLE1.iloc[:0], CONSTANTS, GRID) is None
+    assert scan_targets(spectrum, TABLE1.iloc[:0]) is None
     group = conditioning.condition_group(spectrum, None, generators(1, 2), GRID)
     assert (group.amplitude_gain == 1).all() and (group.factor == 1).all()
     np.testing.assert_array_equal(group.scan, [1, 2])
@@ -163,7 +167,7 @@ def test_rows_of_table_1_beyond_a_smooth_gain_are_not_met(spectrum):
 
 def test_scans_of_another_size_meet_no_row_of_table_1(spectrum):
     grid = ScanGrid(128, 2 * GRID.size, 256)
-    targets = conditioning.scan_targets(spectrum, TABLE1, CONSTANTS, grid)
+    targets = scan_targets(spectrum, grid=grid)
     rms_values = expected_scan_rms(UNCD, transfer_weights(512, PIXEL, 128))
     np.testing.assert_allclose(list(targets.means.values()), rms_values)
     assert targets.met_rows == ()

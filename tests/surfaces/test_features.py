@@ -9,6 +9,7 @@ from measurements import UNCD
 from paper_numbers import POLISHED
 from periodic_maps import height_map
 
+from hardcontact.surfaces.conditioning import Substitute
 from hardcontact.surfaces.featured_scans import FeaturedSurface, nearest_group, sample_group
 from hardcontact.surfaces.features import (
     Features,
@@ -21,6 +22,7 @@ from hardcontact.surfaces.features import (
     standardized_differences,
 )
 from hardcontact.surfaces.height_map import TABLE1_METRICS, level, metrics
+from hardcontact.surfaces.spectrum import spectrum_dataset
 from hardcontact.surfaces.synthesis import ScanGrid
 
 PIXELS, PIXEL = 200, 12.5  # 2.5 µm
@@ -125,7 +127,10 @@ def test_published_statistics_keep_the_relative_deviations_of_table_1():
     assert statistics.all_rms_height == 4.2
 
 
-SOURCE = FeaturedSurface("uncd", UNCD, POLISHED, ScanGrid(64, SIZE, 64), seed=1)
+SUBSTITUTE = Substitute(
+    "uncd", spectrum_dataset(UNCD.density), None, None, ScanGrid(64, SIZE, 64), seed=1
+)
+SOURCE = FeaturedSurface(SUBSTITUTE, POLISHED)
 
 
 def test_a_group_depends_on_its_names_and_the_seed_alone():
@@ -136,7 +141,7 @@ def test_a_group_depends_on_its_names_and_the_seed_alone():
     others = [
         sample_group(SOURCE, "pits", [1, 2], 3),
         sample_group(SOURCE, "bumps", [1, 2], 4),
-        sample_group(SOURCE._replace(seed=2), "bumps", [1, 2], 3),
+        sample_group(FeaturedSurface(replace(SUBSTITUTE, seed=2), POLISHED), "bumps", [1, 2], 3),
     ]
     for other_features, other_scans in others:
         assert other_features.width != features.width

@@ -2,19 +2,19 @@
 
 from hardcontact.base.job import run_job
 from hardcontact.contact.contact import Contact
-from hardcontact.paper.pool import compute_pool, pool_inputs
-from hardcontact.surfaces.conditioning import read_substitute
+from hardcontact.paper.pool import compute_pool, pool_heights
+from hardcontact.surfaces.conditioning import read_substitute, required_targets
 
 with run_job(snakemake) as job:
     params = job.parameters
     numbers = range(params["first"], params["last"] + 1)
     substitute = read_substitute(job)
     contact = Contact(**params["contact"])
-    inputs = pool_inputs(
-        substitute, params["scan_count"], params["rms_height_count"], contact, params["ranges"]
+    rms_heights = pool_heights(
+        required_targets(substitute), params["scan_count"], params["rms_height_count"]
     )
     job.write(
-        compute_pool(numbers, inputs),
+        compute_pool(numbers, substitute, rms_heights, contact, params["ranges"]),
         title=f"pull-off forces of scans {numbers[0]} to {numbers[-1]} "
         f"of the pool of {params['surface']}",
     )

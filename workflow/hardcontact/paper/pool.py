@@ -6,7 +6,6 @@ computed at a few rms heights, which span all heights of sets, and are interpola
 
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import NamedTuple
 
 import numpy as np
 import pandas as pd
@@ -14,7 +13,6 @@ import xarray as xr
 
 from hardcontact.base.arrays import Floats
 from hardcontact.base.progress import progress
-from hardcontact.base.random import generator
 from hardcontact.base.units import DIMENSIONLESS, NM
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies
@@ -22,42 +20,10 @@ from hardcontact.contact.pull_off import pull_off_dataset
 from hardcontact.surfaces.conditioning import Substitute, Targets, required_targets
 from hardcontact.surfaces.height_map import TABLE1_METRICS, HeightMap, level, mirror_stitch
 from hardcontact.surfaces.roughness_table import measured_metrics
-from hardcontact.surfaces.spectrum import Spectrum, spectrum_of_dataset
-from hardcontact.surfaces.synthesis import ScanGrid, sample_scan
+from hardcontact.surfaces.synthesis import sample_scan
 
 #: Smallest rms height of a pool relative to the mean: sets with smoother scans are sampled again.
 MIN_HEIGHT_RATIO = 0.05
-
-
-class PoolInputs(NamedTuple):
-    """Everything from which the scans of a pool are made."""
-
-    surface: str  #: Name of the substrate.
-    spectrum: Spectrum  #: C_iso of the substrate.
-    targets: Targets
-    rms_heights: Floats  #: From `pool_heights`.
-    grid: ScanGrid
-    contact: Contact  #: Contact with a smooth sphere.
-    ranges: list[float]  #: Ranges of adhesion in nm.
-    seed: int  #: Seed of the study.
-
-
-def pool_inputs(
-    substitute: Substitute,
-    scan_count: int,
-    rms_height_count: int,
-    contact: Contact,
-    ranges: list[float],
-) -> PoolInputs:
-    """Return what the pool of a substitute with a number of scans is made from.
-
-    Raises ValueError if the paper has no rms height of the surface.
-    """
-    targets = required_targets(substitute)
-    rms_heights = pool_heights(targets, scan_count, rms_height_count)
-    surface, spectrum_data, _, _, grid, seed = substitute
-    spectrum = spectrum_of_dataset(spectrum_data)
-    return PoolInputs(surface, spectrum, targets, rms_heights, grid, contact, ranges, seed)
 
 
 def pool_heights(targets: Targets, scan_count: int, count: int) -> Floats:
@@ -75,22 +41,28 @@ def pool_heights(targets: Targets, scan_count: int, count: int) -> Floats:
     return np.asarray(np.linspace(lowest**0.5, (mean + reach) ** 0.5, count) ** 2)
 
 
-def compute_pool(numbers: Sequence[int], inputs: PoolInputs) -> xr.Dataset:
+def compute_pool(
+    numbers: Sequence[int],
+    substitute: Substitute,
+    rms_heights: Floats,
+    contact: Contact,
+    ranges: list[float],
+) -> xr.Dataset:
     """Return the `forces_at_heights` of some scans of a pool, by number of the scan."""
     scans = [
-        forces_at_heights(pool_scan(number, inputs), inputs)
+        forces_at_heights(pool_scan(number, substitute), rms_heights, contact, ranges)
         for number in progress(numbers, len(numbers), "scans of the pool")
     ]
-    targets = inputs.targets
+    targets = required_targets(substitute)
     return xr.concat(scans, pd.Index(list(numbers), name="scan")).assign_attrs(
         mean_rms_height=targets.means["rms_height"], rms_height_deviation=targets.rms_height_std
     )
 
 
-def pool_scan(number: int, inputs: PoolInputs) -> HeightMap:
+def pool_scan(number: int, substitute: Substitute) -> HeightMap:
     """Return a levelled scan of the pool, with the rms height of its sample."""
-    rng = generator(inputs.seed, inputs.surface, number, "pool")
-    return level(sample_scan(rng, inputs.spectrum, inputs.grid))
+    rng = substitute.generator(number, "pool")
+    return level(sample_scan(rng, substitute.spectrum, substitute.grid))
 
 
 def smooth_sphere_forces(scan: HeightMap, contact: Contact, ranges: list[float]) -> xr.DataArray:
@@ -99,19 +71,21 @@ def smooth_sphere_forces(scan: HeightMap, contact: Contact, ranges: list[float])
     return pull_off_dataset(bodies, contact, ranges)["pull_off_force"]
 
 
-def forces_at_heights(scan: HeightMap, inputs: PoolInputs) -> xr.Dataset:
+def forces_at_heights(
+    scan: HeightMap, rms_heights: Floats, contact: Contact, ranges: list[float]
+) -> xr.Dataset:
     """Return the forces on a levelled scan at several rms heights, and its unscaled metrics.
 
     ``log_force`` (rms_height_of_force, contact_model, rho, contact_y, contact_x) is ln(force in N).
+    Rms heights and ranges of adhesion are in nm.
     """
-    contact = inputs.contact
     roughness = measured_metrics(scan, TABLE1_METRICS.values())
     forces = []
-    for rms_height in inputs.rms_heights:
+    for rms_height in rms_heights:
         factor = rms_height / roughness["rms_height"].item()
         scaled = replace(scan, heights=factor * scan.heights)
-        forces.append(smooth_sphere_forces(scaled, contact, inputs.ranges))
-    axis = xr.Variable("rms_height_of_force", inputs.rms_heights, NM)
+        forces.append(smooth_sphere_forces(scaled, contact, ranges))
+    axis = xr.Variable("rms_height_of_force", rms_heights, NM)
     height_forces = xr.concat(forces, xr.DataArray(axis, name="rms_height_of_force"))
     log_force: xr.DataArray = xr.apply_ufunc(np.log, height_forces).astype("float32")
     log_force.attrs = DIMENSIONLESS

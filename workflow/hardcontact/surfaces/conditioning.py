@@ -6,8 +6,8 @@ the published mean and standard deviation of rms heights, and mean slope and cur
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
-from functools import partial
+from dataclasses import dataclass, replace
+from functools import cached_property, partial
 from typing import NamedTuple
 
 import numpy as np
@@ -23,6 +23,7 @@ from hardcontact.surfaces.descriptions import AFM_ROWS
 from hardcontact.surfaces.height_map import TABLE1_METRICS, HeightMap, level, metrics
 from hardcontact.surfaces.spectrum import (
     WAVEVECTORS,
+    Spectrum,
     SpectrumFunction,
     spectrum_of_dataset,
 )
@@ -42,7 +43,16 @@ COMPONENT_COUNT = 3
 MAX_AMPLITUDE_RATIO = 4.0
 
 
-class Substitute(NamedTuple):
+class Targets(NamedTuple):
+    """The statistics that a group of scans of one surface meets."""
+
+    means: Mapping[str, float]  #: Mean height, slope and curvature, by `height_map.METRICS`.
+    rms_height_std: float  #: Standard deviation of the rms heights in nm (ddof 1).
+    met_rows: tuple[str, ...]  #: Names of the rows of Table 1 that these targets meet.
+
+
+@dataclass(frozen=True, eq=False)
+class Substitute:
     """Everything from which the scans of a substitute are made."""
 
     surface: str  #: Name of the surface.
@@ -52,13 +62,45 @@ class Substitute(NamedTuple):
     grid: ScanGrid
     seed: int  #: Seed of the study.
 
+    def generator(self, *names: object) -> np.random.Generator:
+        """Return the random generator of one sampled quantity of the surface."""
+        return generator(self.seed, self.surface, *names)
 
-class Targets(NamedTuple):
-    """The statistics that a group of scans of one surface meets."""
+    @cached_property
+    def spectrum(self) -> Spectrum:
+        """The calibrated C_iso."""
+        return spectrum_of_dataset(self.spectrum_data)
 
-    means: Mapping[str, float]  #: Mean height, slope and curvature, by `height_map.METRICS`.
-    rms_height_std: float  #: Standard deviation of the rms heights in nm (ddof 1).
-    met_rows: tuple[str, ...]  #: Names of the rows of Table 1 that these targets meet.
+    @cached_property
+    def targets(self) -> Targets | None:
+        """The targets of scans on the study's pixels; None if no rms height is published.
+
+        On the paper's pixels and size, rows to which the spectrum is calibrated are taken from
+        Table 1. Other targets are what the spectrum gives on average.
+        """
+        if "afm_rms_height" not in self.table1.index:
+            return None
+        grid, paper_grid = self.grid, self.constants["value"]
+        same_size = math.isclose(grid.size, paper_grid["scan_size"])
+        same_pixels = same_size and grid.pixels == paper_grid["scan_pixels"]
+        rms_values = np.array(self.spectrum_data.attrs["expected_scan_rms"])
+        if not same_pixels:
+            weights = transfer_weights(4 * grid.pixels, grid.pixel_size, grid.pixels)
+            rms_values = expected_scan_rms(self.spectrum, weights)
+        calibrated_rows = published.rows_met(self.spectrum_data.attrs["table1_rows_met"])
+        met_rows = []
+        for i, (row, is_published) in enumerate(
+            zip(AFM_ROWS, (same_size, same_pixels, same_pixels), strict=True)
+        ):
+            if is_published and row in calibrated_rows:
+                rms_values[i] = self.table1.loc[row, "value"]
+                met_rows.append(row)
+        height = self.table1.loc["afm_rms_height"]
+        return Targets(
+            dict(zip(TABLE1_METRICS.values(), rms_values.tolist(), strict=True)),
+            float(rms_values[0] * height["uncertainty"] / height["value"]),
+            tuple(met_rows),
+        )
 
 
 def read_substitute(job: Job) -> Substitute:
@@ -71,52 +113,11 @@ def read_substitute(job: Job) -> Substitute:
     return Substitute(surface, spectrum_data, table1, constants, grid, job.parameters["seed"])
 
 
-def scan_targets(
-    spectrum_data: xr.Dataset, table1: pd.DataFrame, constants: pd.DataFrame, grid: ScanGrid
-) -> Targets | None:
-    """Return the targets of substitute scans on the study's pixels.
-
-    None if no rms height is published. On the paper's pixels and size, rows to which the spectrum
-    is calibrated are taken from Table 1. Other targets are what the spectrum gives on average.
-    `table1` comes from `rows_of_surface`.
-    """
-    if "afm_rms_height" not in table1.index:
-        return None
-    pixels = int(constants["value"]["scan_pixels"])
-    size = float(constants["value"]["scan_size"])
-    same_size = math.isclose(grid.size, size)
-    same_pixels = same_size and grid.pixels == pixels
-    rms_values = np.array(spectrum_data.attrs["expected_scan_rms"])
-    if not same_pixels:
-        spectrum = spectrum_of_dataset(spectrum_data)
-        weights = transfer_weights(4 * grid.pixels, grid.pixel_size, grid.pixels)
-        rms_values = expected_scan_rms(spectrum, weights)
-    calibrated_rows = published.rows_met(spectrum_data.attrs["table1_rows_met"])
-    met_rows = []
-    for i, (row, is_published) in enumerate(
-        zip(AFM_ROWS, (same_size, same_pixels, same_pixels), strict=True)
-    ):
-        if is_published and row in calibrated_rows:
-            rms_values[i] = table1.loc[row, "value"]
-            met_rows.append(row)
-    height = table1.loc["afm_rms_height"]
-    return Targets(
-        dict(zip(TABLE1_METRICS.values(), rms_values.tolist(), strict=True)),
-        float(rms_values[0] * height["uncertainty"] / height["value"]),
-        tuple(met_rows),
-    )
-
-
 def required_targets(substitute: Substitute) -> Targets:
-    """Return the `scan_targets` of a substitute.
-
-    Raises ValueError if the paper has no rms height of the surface.
-    """
-    surface, spectrum_data, table1, constants, grid, _ = substitute
-    targets = scan_targets(spectrum_data, table1, constants, grid)
-    if targets is None:
-        raise ValueError(f"{surface}: expected a published rms height, found none")
-    return targets
+    """Return the targets of a substitute; raises ValueError if it has no published rms height."""
+    if substitute.targets is None:
+        raise ValueError(f"{substitute.surface}: expected a published rms height, found none")
+    return substitute.targets
 
 
 def scale_rms_heights(rms_heights: Floats, mean: float, std: float) -> Floats:
@@ -291,10 +292,9 @@ def conditioned_group(
 
     `sphere_radius` is as in `conditioned_scan`.
     """
-    surface, spectrum_data, table1, constants, grid, seed = substitute
-    targets = scan_targets(spectrum_data, table1, constants, grid)
-    generator_functions = {scan: partial(generator, seed, surface, scan, "scan") for scan in scans}
-    conditioning = condition_group(spectrum_data, targets, generator_functions, grid)
+    generator_functions = {scan: partial(substitute.generator, scan, "scan") for scan in scans}
+    spectrum_data, grid = substitute.spectrum_data, substitute.grid
+    conditioning = condition_group(spectrum_data, substitute.targets, generator_functions, grid)
     return conditioning, [
         conditioned_scan(
             new_generator(), spectrum_data, conditioning.sel(scan=scan), grid, sphere_radius

@@ -10,7 +10,6 @@ import xarray as xr
 from hardcontact.base.dataset import stack
 from hardcontact.base.job import Job
 from hardcontact.base.progress import progress
-from hardcontact.base.random import generator
 from hardcontact.base.units import DIMENSIONLESS, NM
 from hardcontact.surfaces.conditioning import Substitute, read_substitute, required_targets
 from hardcontact.surfaces.features import (
@@ -27,9 +26,8 @@ from hardcontact.surfaces.features import (
     standardized_differences,
 )
 from hardcontact.surfaces.height_map import HeightMap
-from hardcontact.surfaces.spectrum import Spectrum, spectrum_of_dataset
 from hardcontact.surfaces.substitute_spectra import sample_permitted_spectrum
-from hardcontact.surfaces.synthesis import ScanGrid, random_surface, sample_scan
+from hardcontact.surfaces.synthesis import random_surface, sample_scan
 
 #: Samples of features from which the study takes the one nearest to Table 1: enough for all of its
 #: numbers to be within half of a standard error.
@@ -39,11 +37,8 @@ CANDIDATES = 100
 class FeaturedSurface(NamedTuple):
     """Everything from which scans with features are made."""
 
-    surface: str  #: Name of the surface.
-    spectrum: Spectrum  #: C_iso of the base, before its factor.
+    substitute: Substitute  #: Its spectrum is that of the base, before its factor.
     statistics: ScanStatistics
-    grid: ScanGrid
-    seed: int  #: Seed of the study.
 
     @property
     def mean_rms_height(self) -> float:
@@ -54,19 +49,22 @@ class FeaturedSurface(NamedTuple):
         """Sample the features of a surface of a kind: bumps, pits or gaussian."""
         if kind == GAUSSIAN:
             return no_features(self.statistics, scan_count)
-        rng = generator(self.seed, self.surface, kind, *names, "features")
-        size, pixel_size = self.grid.size, self.grid.pixel_size
-        return sample_features(rng, self.statistics, scan_count, size, pixel_size, SIGNS[kind])
+        rng = self.substitute.generator(kind, *names, "features")
+        grid = self.substitute.grid
+        return sample_features(
+            rng, self.statistics, scan_count, grid.size, grid.pixel_size, SIGNS[kind]
+        )
 
     def distance_from_table1(self, features: Features) -> float:
         """Return the root sum of squares of the expected `standardized_differences`."""
-        added = feature_squares(features.height, features.width, self.grid.size)
+        added = feature_squares(features.height, features.width, self.substitute.grid.size)
         rms_values = expected_rms(features.base_factor, features.counts, added, self.statistics)
         return float(np.linalg.norm(standardized_differences(rms_values, self.statistics)))
 
     def scan(self, rng: np.random.Generator, features: Features, count: int) -> HeightMap:
         """Return a scan with a number of features."""
-        base = sample_scan(rng, self.spectrum, self.grid, features.base_factor)
+        substitute = self.substitute
+        base = sample_scan(rng, substitute.spectrum, substitute.grid, features.base_factor)
         return add_features(rng, base, features, count)
 
     def whole_surface(self, realization: int, pixels: int, pixel_size: float) -> HeightMap:
@@ -75,10 +73,10 @@ class FeaturedSurface(NamedTuple):
         features = self.sample_features(
             kind, self.statistics.scan_count, realization, "whole surface"
         )
-        rng = generator(self.seed, self.surface, realization, "whole surface")
-        base = random_surface(rng, pixels, pixel_size, self.spectrum)
+        rng = self.substitute.generator(realization, "whole surface")
+        base = random_surface(rng, pixels, pixel_size, self.substitute.spectrum)
         base = replace(base, heights=np.float32(features.base_factor) * base.heights)
-        rng = generator(self.seed, self.surface, realization, "whole surface", "features")
+        rng = self.substitute.generator(realization, "whole surface", "features")
         count = rng.poisson(features.number_density * (base.size / 1e3) ** 2)
         return add_features(rng, base, features, count)
 
@@ -88,10 +86,10 @@ def featured_surface(substitute: Substitute) -> FeaturedSurface:
 
     Raises ValueError if the paper has no rms height of the surface.
     """
-    surface, spectrum_data, table1, constants, grid, seed = substitute
+    scan_count = int(substitute.constants["value"]["scans_per_surface"])
     means = required_targets(substitute).means
-    statistics = published_statistics(means, table1, int(constants["value"]["scans_per_surface"]))
-    return FeaturedSurface(surface, spectrum_of_dataset(spectrum_data), statistics, grid, seed)
+    statistics = published_statistics(means, substitute.table1, scan_count)
+    return FeaturedSurface(substitute, statistics)
 
 
 def permitted_surface(
@@ -101,10 +99,10 @@ def permitted_surface(
 
     `description` is the path of the description of the spectrum; `pixel_size` is in nm.
     """
-    surface, _, table1, constants, _, seed = substitute
-    rng = generator(seed, surface, realization, "permitted spectrum")
+    rng = substitute.generator(realization, "permitted spectrum")
+    table1, constants = substitute.table1, substitute.constants
     spectrum = sample_permitted_spectrum(rng, description, table1, constants)
-    rng = generator(seed, surface, realization, "whole surface")
+    rng = substitute.generator(realization, "whole surface")
     return random_surface(rng, pixels, pixel_size, spectrum)
 
 
@@ -129,7 +127,7 @@ def sample_group(
     features = source.sample_features(kind, len(scans), *names)
     group = []
     for scan, count in zip(scans, features.counts, strict=True):
-        rng = generator(source.seed, source.surface, kind, *names, scan, "featured scan")
+        rng = source.substitute.generator(kind, *names, scan, "featured scan")
         group.append(source.scan(rng, features, count))
     return features, group
 
