@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
-from hardcontact.base.formatting import format_share
+from hardcontact.base.formatting import format_quantity, format_share
 from hardcontact.report.figures import drawing, panels, style
 from hardcontact.report.figures.values import published_edge, value_and_interval
 
@@ -27,8 +27,10 @@ def draw(sensitivity: xr.Dataset, edges: xr.Dataset, published_constants: pd.Dat
     for letter, axes, kind in zip("bc", bottom, ("published", "found"), strict=True):
         ratios = sensitivity.sel(band=kind)
         _draw_band_ratios(axes, ratios, tolerance)
-        ends = ratios["band_end"].values
-        style.label_panel(axes, letter, f"{kind} band: {ends[0]:.3g} to {ends[1]:.4g} nm")
+        shortest, longest = (
+            format_quantity(end, "nm", digits=2) for end in ratios["band_end"].values
+        )
+        style.label_panel(axes, letter, f"{kind} band: {shortest} to {longest}")
     bottom[0].set_ylabel("force / unfiltered force")
     style.legend_above(figure, _legend_handles(sensitivity, tolerance))
     return figure
