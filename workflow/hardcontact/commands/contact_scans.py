@@ -193,7 +193,7 @@ def choose_window(
 
 
 def _window(scans: Sequence[Entry], radius: float, rho: float) -> tuple[float, str]:
-    """Return the side of the window (nm) for a range of adhesion (nm), and the reason."""
+    """Return the width of the window (nm) for a range of adhesion (nm), and the reason."""
     return window_on_scans(
         max(scan.rms_height for scan in scans),
         min(scan.pixel_size for scan in scans),

@@ -155,7 +155,7 @@ def implausible_quantities(quantities: Mapping[str, QuantityOption]) -> Iterator
 
 
 def one_pixel_touches(area: float, pixel_sizes: Sequence[float]) -> Iterator[str]:
-    """Yield a caution if less than a pixel (side in nm) of some scan carries the preload."""
+    """Yield a caution if less than a pixel (width in nm) of some scan carries the preload."""
     largest_pixel = max(pixel_sizes, default=0.0) ** 2
     if area < largest_pixel:
         yield (

@@ -33,7 +33,7 @@ BASE_MEGABYTES = 500
 class Grid(NamedTuple):
     """The grid of all scans of a surface: pixels per row, and lengths in nm.
 
-    These are the side of a pixel and of the scan, and the relief, the largest difference in height.
+    These are the widths of a pixel and of the scan, and the relief: highest minus lowest height.
     """
 
     pixels: int
@@ -85,7 +85,7 @@ def master_megabytes(pixels: int, minimum: int) -> int:
 def periods_in_window(window: float, scan_size: float) -> float:
     """Return the number of periods of a stitched scan within a window.
 
-    The sides of the window and of the scan before stitching are in nm.
+    The widths of the window and of the scan before stitching are in nm.
     """
     return max(1.0, window / (2 * scan_size)) ** 2
 
@@ -93,7 +93,7 @@ def periods_in_window(window: float, scan_size: float) -> float:
 def penetration_depth(contact: Contact, relief: float) -> float:
     """Return an estimate of the penetration (nm) of the bodies under a load.
 
-    It is the side of the contact area: on slopes near one, a contact is about as deep as it is
+    It is the width of the contact area: on slopes near one, a contact is about as deep as it is
     wide. It is at most the relief, the highest minus the lowest height (nm).
     """
     return min(math.sqrt(contact.preload / contact.hardness) * 1e9, relief)

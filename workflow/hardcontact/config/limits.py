@@ -210,7 +210,7 @@ def _memory_faults(
 ) -> list[str]:
     """Return the fault of a load whose contact pixels do not fit into memory at once.
 
-    Each pixel (side in nm) lies `periods` times in the window.
+    Each pixel (width in nm) lies `periods` times in the window.
     """
     contact = named_contact.contact
     count_key = named_contact.contacts_per_row.removeprefix("config key ")
@@ -225,7 +225,7 @@ def _memory_faults(
 def _load_faults(
     name: str, contact: Contact, available_pixels: int, pixel_size: float, reason: str
 ) -> list[str]:
-    """Return the fault of a load with more contact pixels (side in nm) than are available."""
+    """Return the fault of a load with more contact pixels (width in nm) than are available."""
     if contact.pixel_count(pixel_size) <= available_pixels:
         return []
     max_load = available_pixels * (pixel_size * 1e-9) ** 2 * contact.hardness

@@ -1,6 +1,6 @@
 """Find the asperities that carry the force of some contacts of one pair of scans.
 
-Pixels that share an edge or a corner belong to one patch.
+Pixels that touch, also at a corner, belong to one patch.
 """
 
 import math

@@ -30,7 +30,7 @@ from hardcontact.contact.smooth_sphere import hertz_contact
 PASCAL_PER_GPA = 1e9
 NEWTON_PER_NN = 1e-9
 
-#: Side in nm of the window about a contact in which elastic and rigid pull-off are compared.
+#: Width in nm of the window about a contact in which elastic and rigid pull-off are compared.
 PULL_OFF_WINDOW = 2500.0
 #: Largest number of pixels per row of the map of the pressure in one contact.
 PRESSURE_MAP_PIXELS = 64
@@ -206,7 +206,7 @@ def solve_elastic_contacts(
     """Solve some contacts of a pair of scans with elasticity, without plasticity.
 
     The indices (contact, 2) are row and column in the array; the effective modulus is in Pa, the
-    side of the pull-off window about the lowest gap in nm. Returns ELASTIC_UNITS (contact), and
+    width of the pull-off window about the lowest gap in nm. Returns ELASTIC_UNITS (contact), and
     ``pressure`` (y, x) in Pa of the first contact. Raises ValueError if no equilibrium is found.
     """
     geometry = bodies.geometry

@@ -38,7 +38,7 @@ def window_share(contact: Contact, rho: ArrayLike) -> NDArray[np.float64]:
     """Return the share of the attraction of a smooth sphere within the window, at ranges (nm).
 
     The attraction is proportional to exp(-r²/(2 R rho)) at the distance r from its apex (Eq. 3 of
-    the paper). A square window of the edge L therefore holds the share erf(L/sqrt(8 R rho))² of it.
+    the paper). A square window of width L therefore holds the share erf(L/sqrt(8 R rho))² of it.
     """
     return np.asarray(erf(contact.window / np.sqrt(8 * contact.radius * np.asarray(rho))) ** 2)
 

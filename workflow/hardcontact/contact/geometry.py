@@ -27,7 +27,7 @@ class ContactGeometry:
     """The smooth sphere, its analysis window and the array of contacts."""
 
     radius: float  #: Of the sphere, in nm.
-    pixel_size: float  #: Side of a pixel in nm.
+    pixel_size: float  #: Width of a pixel in nm.
     window_pixels: int  #: Pixels per row of the analysis window, even.
     #: (contact,) pixels along either axis; the contacts are all pairs of them.
     positions: NDArray[np.int_]
@@ -78,7 +78,7 @@ def window_pixels(window: float, pixel_size: float) -> int:
 def contact_positions(pixels: int, contacts_per_row: int) -> NDArray[np.int_]:
     """Return the pixels (contacts_per_row,) of contacts evenly over one period of the substrate.
 
-    The first lies a quarter of a step from the edge, so that no two contacts are mirror images of
+    The first lies a quarter of a step from the border, so that no two contacts are mirror images of
     each other on a mirror-stitched surface.
     """
     steps = np.arange(contacts_per_row) + 0.25

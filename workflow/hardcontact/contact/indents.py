@@ -1,6 +1,6 @@
 """Indents that plastic contacts leave in the sphere: sizes of all indents, a map of one contact.
 
-Contact pixels that share an edge or a corner belong to one indent.
+Contact pixels that touch, also at a corner, belong to one indent.
 """
 
 from collections.abc import Mapping, Sequence
@@ -28,7 +28,7 @@ INDENT_UNITS = {"depth": "nm", "equal_area_side": "nm", "longer_side": "nm", "in
 def indent_sizes(pixels: ContactPixels, pixel_size: float) -> tuple[float, float, float, int]:
     """Return the INDENT_UNITS of the indents of one contact: depth, two sizes (nm), number.
 
-    The depth is the penetration of the deepest pixel. The sizes are the side of a square with the
+    The depth is the penetration of the deepest pixel. The sizes are the width of a square with the
     area of the largest indent, and the longer side of its bounding box.
     """
     # The gaps ascend; the sphere comes down until the last of them is zero.

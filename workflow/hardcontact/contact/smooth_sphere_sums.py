@@ -131,7 +131,7 @@ def _without_mirror_images(
 
 
 def _is_mirrored(heights: NDArray[np.floating]) -> bool:
-    """Return whether heights equal both their mirror images; edges of most maps differ already."""
+    """Return whether heights equal both mirror images; borders of most maps differ already."""
     return (
         np.array_equal(heights[0], heights[-1])
         and np.array_equal(heights, heights[::-1])

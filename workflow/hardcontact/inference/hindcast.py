@@ -36,7 +36,7 @@ class RandomBody(NamedTuple):
     """Random roughness that replaces the roughness on the scan of a body: substrate or sphere."""
 
     spectrum: SpectrumFunction  #: C_iso in nm⁴.
-    size: float  #: Side of the scan in nm.
+    size: float  #: Width of the scan in nm.
     seed: int  #: Seed of the study.
     scan: Sequence[str | int]  #: Surface and number of the scan, which name its random numbers.
 

@@ -150,7 +150,7 @@ def sensitivities_by_surface(
     """Return ``octave_sensitivity`` (surface, octave), NaN for an octave that a map lacks.
 
     Radius and range are in nm; `touched_patches` comes from `fewest_touched_patches`.
-    ``map_size`` is the side of the maps in nm.
+    ``map_size`` is the width of the maps in nm.
     """
     surfaces = {}
     for surface, forces in maps.items():

@@ -127,7 +127,7 @@ def parts_of_scans(
     """Return the parts of the scans of a surface: scans if there are three, otherwise quarters.
 
     `scan_of_map` (map,) numbers the scan of each map, `quarters` come from `quarters_of_contacts`.
-    The side of a scan and the `weight_deviation` sqrt(R rho), with which a contact feels the
+    The width of a scan and the `weight_deviation` sqrt(R rho), with which a contact feels the
     surface, are in nm. `touched_patches` comes from `fewest_touched_patches`.
     """
     scans, scan = np.unique(scan_of_map, return_inverse=True)

@@ -41,7 +41,7 @@ def forces_of_surface(
     """Return the mean forces of one surface and contact model, with and without each part.
 
     Forces (scan, sphere_scan, rho, contact_y, contact_x) are in N, NaN where a scan is missing.
-    `size` is the side of a scan and `radius` the radius of the sphere, in nm; `touched_patches`
+    `size` is the width of a scan and `radius` the radius of the sphere, in nm; `touched_patches`
     comes from `fewest_touched_patches`.
     """
     scan_forces = forces.dropna("scan", how="all").mean("sphere_scan")

@@ -39,7 +39,7 @@ def predicted_octaves(user_spectrum: OwnSpectrum, contact: Contact) -> Iterator[
     if len(octaves) and not obstacle:
         derivatives = derivatives_on_scan(scans[0], octaves, contact)
         status = "on_scan"
-    elif any("edges" in scan.defects for scan in scans):
+    elif any("walls" in scan.defects for scan in scans):
         return
     else:
         derivatives = derivatives_in_closed_form(spectrum, octaves, contact)

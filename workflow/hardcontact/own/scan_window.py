@@ -16,7 +16,7 @@ MAX_IMAGES = 10
 def window_on_scans(
     rms_height: float, min_pixel_size: float, min_scan_size: float, radius: float, rho: float
 ) -> tuple[float, str]:
-    """Return the side of a window (nm), and the reason.
+    """Return the width of a window (nm), and the reason.
 
     All lengths are in nm: the largest rms height, the finest pixels and the smallest size of the
     scans, the radius of the sphere and the range of adhesion.

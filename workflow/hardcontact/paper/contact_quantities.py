@@ -77,7 +77,7 @@ def plastic_contact_area(adhesion: xr.Dataset) -> xr.Dataset:
 def finer_pixel_ratio(adhesion: xr.Dataset) -> xr.Dataset:
     """Return the plastic force on finer pixels relative to the pixels of the study (surface).
 
-    The force is taken at the smallest computed range. The finer pixels have half the side.
+    The force is taken at the smallest computed range. The finer pixels have half the width.
     """
     return mean_over_scans(adhesion["finer_pixel_ratio"], adhesion.attrs["confidence"])
 

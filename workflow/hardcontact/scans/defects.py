@@ -1,7 +1,7 @@
 """Defects of a scan that make forces wrong although its file is readable.
 
 The defects are streaks, spikes, lines that were not measured, a clipped range, a curvature that
-remains after levelling, offsets of lines, a lay, edges and noise.
+remains after levelling, offsets of lines, a lay, steep walls and noise.
 """
 
 from collections.abc import Mapping
@@ -37,7 +37,7 @@ DEFECTS = {
     "offset_lines": {"line_offset": "nm"},
     "lay": {"lay_ratio": "1"},
     "slopes": {"slope_along_x": "1", "slope_along_y": "1"},
-    "edges": {"edge_slope_share": "1"},
+    "walls": {"wall_slope_share": "1"},
     "noise": {"noise_height": "nm", "rms_height_without_noise": "nm"},
 }
 #: The numbers of all defects with their units.
@@ -72,10 +72,10 @@ MIN_WAVES = 4
 #: Smallest correlation of a step from line to line with the next step. It is 0 if heights walk at
 #: random, and -0.5 if each line is offset at random, which is noise of the instrument.
 MIN_STEP_CORRELATION = -0.25
-#: Share of the steepest pixels, and their least share of the squared slopes if they are edges. On
+#: Share of the steepest pixels, and their least share of the squared slopes if they are walls. On
 #: rough surfaces 5 % of the pixels have 0.2 to 0.45 of it; with pillars and steps, 0.8 to 1.
-EDGE_PIXEL_SHARE = 0.05
-MIN_EDGE_SLOPE_SHARE = 0.7
+WALL_PIXEL_SHARE = 0.05
+MIN_WALL_SLOPE_SHARE = 0.7
 #: Least share of noise in the variance of heights: it changes the rms height by one per cent.
 MIN_NOISE_SHARE = 0.02
 #: Largest ratio of powers: a pattern without noise would have an infinite ratio.
@@ -110,9 +110,9 @@ def scan_defects(
     numbers["spikes"] = _spike_numbers(levelled_heights)
     numbers["highest"], numbers["lowest"] = _clipping_numbers(measured_heights)
     if not numbers["spikes"] and "equal_lines" not in numbers:
-        numbers["edges"] = _edge_numbers(levelled_heights)
+        numbers["walls"] = _wall_numbers(levelled_heights)
         has_levels = np.median(np.abs(np.diff(raw_heights, axis=0))) == 0
-        hides_noise = has_levels or numbers["edges"] or numbers.get("offset_lines")
+        hides_noise = has_levels or numbers["walls"] or numbers.get("offset_lines")
         if raw_heights.ndim == 2 and not hides_noise:
             numbers["noise"] = _noise_numbers(levelled_heights.var(), power)
     return {
@@ -208,8 +208,8 @@ def _curvature_numbers(heights: Floats, pixel_size: float) -> list[float]:
         return []
     terms_of_order = np.linalg.solve(triangle, np.where(orders == 2, amplitudes, 0))
     yy, xy, xx = terms_of_order[orders == 2]
-    half_edge = (len(points) - 1) * step * pixel_size / 2
-    curvatures = np.linalg.eigvalsh([[2 * yy, xy], [xy, 2 * xx]]) / half_edge**2
+    half_width = (len(points) - 1) * step * pixel_size / 2
+    curvatures = np.linalg.eigvalsh([[2 * yy, xy], [xy, 2 * xx]]) / half_width**2
     return [float(1 / np.abs(curvatures).max()), float(np.sqrt(uncurved_power / total))]
 
 
@@ -268,16 +268,16 @@ def _ratio(larger: float, smaller: float) -> float:
     return float(larger / max(smaller, larger / LARGEST_RATIO)) if larger else 1.0
 
 
-def _edge_numbers(heights: Floats) -> list[float]:
-    """Return the share of the squared slopes at the steepest pixels; empty without edges."""
+def _wall_numbers(heights: Floats) -> list[float]:
+    """Return the share of the squared slopes at the steepest pixels; empty without walls."""
     if heights.ndim == 2:
         squares = np.diff(heights, axis=0)[:, 1:] ** 2 + np.diff(heights, axis=1)[1:] ** 2
     else:
         squares = np.diff(heights) ** 2
     squares = np.sort(squares, axis=None)
-    steepest = squares[-max(1, round(EDGE_PIXEL_SHARE * squares.size)) :]
+    steepest = squares[-max(1, round(WALL_PIXEL_SHARE * squares.size)) :]
     share = float(steepest.sum() / squares.sum())
-    return [share] if share > MIN_EDGE_SLOPE_SHARE else []
+    return [share] if share > MIN_WALL_SLOPE_SHARE else []
 
 
 def _noise_numbers(variance: float, power: Floats) -> list[float]:
@@ -316,7 +316,7 @@ def defect_sentence(code: str, numbers: Mapping[str, float]) -> str:
         **words,
         streak=MIN_STREAK_STEPS,
         spike=MIN_SPIKE_DISTANCE,
-        edge_pixels=format_share(EDGE_PIXEL_SHARE),
+        wall_pixels=format_share(WALL_PIXEL_SHARE),
     )
 
 

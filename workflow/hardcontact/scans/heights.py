@@ -20,12 +20,12 @@ POINT_BOUNDS = (16, 2**20)
 #: Pixels and heights of a scan in nm, 1 pm to 1 cm: the range of all microscopes, and squares of
 #: these keep their digits. A damaged header may state any number.
 LENGTH_BOUNDS = (1e-3, 1e7)
-#: Largest relative difference between the edges of a square pixel.
+#: Largest relative difference between the widths of a square pixel.
 MAX_ASPECT_DEVIATION = 1e-3
 #: Share of undefined pixels beyond which a scan is more filled than measured.
 MAX_UNDEFINED_SHARE = 0.5
-#: Least ratio of the sides of a strip: its central square leaves most of it out.
-MIN_STRIP_SIDES = 2
+#: Least length of a strip in widths: its central square leaves most of it out.
+MIN_STRIP_LENGTH = 2
 #: The largest mean slope: no tip follows 84 degrees; heights read from a wrong place in a file
 #: are steeper.
 MAX_MEAN_SLOPE = 10
@@ -102,13 +102,13 @@ def map_values(topography: Any, factor: float, undefined_pixels: str) -> dict[st
     )
     columns, rows = heights.shape
     heights = _largest_square(heights)
-    side = len(heights)
-    if (side, side) != (columns, rows):
+    width = len(heights)
+    if (width, width) != (columns, rows):
         caution = ""
-        if max(rows, columns) >= MIN_STRIP_SIDES * side:
-            share = format_share(side / max(rows, columns))
+        if max(rows, columns) >= MIN_STRIP_LENGTH * width:
+            share = format_share(width / max(rows, columns))
             caution = f"{TAKE_CARE}only {share} of this strip is used: "
-        notes.append(f"{caution}cropped from {columns} x {rows} to {side} x {side} pixels")
+        notes.append(f"{caution}cropped from {columns} x {rows} to {width} x {width} pixels")
     undefined_count, undefined_notes = _count_undefined(heights, undefined_pixels)
     filled = heights.data
     if undefined_count:
@@ -126,9 +126,9 @@ def _largest_square(heights: np.ma.MaskedArray) -> np.ma.MaskedArray:
     from scipy import ndimage
 
     columns, rows = heights.shape
-    side = min(rows, columns)
-    first_column, first_row = (columns - side) // 2, (rows - side) // 2
-    central = heights[first_column : first_column + side, first_row : first_row + side]
+    width = min(rows, columns)
+    first_column, first_row = (columns - width) // 2, (rows - width) // 2
+    central = heights[first_column : first_column + width, first_row : first_row + width]
     regions, _ = ndimage.label(heights.mask)
     corners = regions[[0, 0, -1, -1], [0, -1, 0, -1]]
     if not corners.all() or central.mask.mean() > MAX_UNDEFINED_SHARE:
@@ -142,34 +142,34 @@ def _largest_square(heights: np.ma.MaskedArray) -> np.ma.MaskedArray:
 
 
 def _square_pixels(
-    heights: np.ma.MaskedArray, edges: Floats
+    heights: np.ma.MaskedArray, widths: Floats
 ) -> tuple[np.ma.MaskedArray, float, list[str]]:
-    """Return heights (x, y) on square pixels, interpolated from pixels of these edges (nm)."""
-    # Squares of the shorter edge would lack short waves along one axis.
-    longer = float(edges.max())
-    if not 0 < edges.min() <= longer < np.inf:
-        raise RefusedFile(f"expected pixels of positive edges, found edges of {edges} nm")
-    if longer <= (1 + MAX_ASPECT_DEVIATION) * edges.min():
-        return heights, float(edges.mean()), []
+    """Return heights (x, y) on square pixels, interpolated from pixels of these widths (nm)."""
+    # Squares of the smaller width would lack short waves along one axis.
+    wider = float(widths.max())
+    if not 0 < widths.min() <= wider < np.inf:
+        raise RefusedFile(f"expected pixels of positive widths, found widths of {widths} nm")
+    if wider <= (1 + MAX_ASPECT_DEVIATION) * widths.min():
+        return heights, float(widths.mean()), []
     values = heights.filled(np.nan)
-    for axis, edge in enumerate(edges):
-        positions = np.arange(values.shape[axis]) * edge
-        squares = np.arange(int(values.shape[axis] * edge / longer * (1 + 1e-9))) * longer
+    for axis, width in enumerate(widths):
+        positions = np.arange(values.shape[axis]) * width
+        squares = np.arange(int(values.shape[axis] * width / wider * (1 + 1e-9))) * wider
         lines = [np.interp(squares, positions, line) for line in np.moveaxis(values, axis, -1)]
         values = np.moveaxis(np.array(lines), -1, axis)
     refuse_point_counts(values.shape)
-    notes = [f"resampled from pixels of {edges[0]:.4g} nm x {edges[1]:.4g} nm to {longer:.4g} nm"]
-    width, height = edges * heights.shape
-    if abs(width / height - 1) <= MAX_ASPECT_DEVIATION:
+    notes = [f"resampled from pixels of {widths[0]:.4g} nm x {widths[1]:.4g} nm to {wider:.4g} nm"]
+    size_x, size_y = widths * heights.shape
+    if abs(size_x / size_y - 1) <= MAX_ASPECT_DEVIATION:
         # Files of Bruker state the size of the full scan, also of one with fewer lines.
-        square = " x ".join(format_length(count * edges.min()) for count in heights.shape)
+        square = " x ".join(format_length(count * widths.min()) for count in heights.shape)
         notes.append(
-            f"{TAKE_CARE}the file states {format_length(width)} x {format_length(height)} for "
+            f"{TAKE_CARE}the file states {format_length(size_x)} x {format_length(size_y)} for "
             f"{heights.shape[0]} x {heights.shape[1]} pixels, and is read so; if its pixels are "
             f"square, {square} were scanned, and heights are stretched "
-            f"{longer / edges.min():.3g} times along {'xy'[edges.argmax()]}"
+            f"{wider / widths.min():.3g} times along {'xy'[widths.argmax()]}"
         )
-    return _masked(values), longer, notes
+    return _masked(values), wider, notes
 
 
 def _masked(heights: Floats) -> np.ma.MaskedArray:

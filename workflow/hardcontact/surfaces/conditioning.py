@@ -137,7 +137,7 @@ def component_shares(grid: ScanGrid) -> Floats:
 
     They add up to one. Towards shorter wavelengths each component gives way to the next as sin²,
     linear in the logarithm of wavelength: the first to the second between the size L of a scan and
-    sqrt(2 p L), then to the third at 2 p; p is the side of a pixel.
+    sqrt(2 p L), then to the third at 2 p; p is the width of a pixel.
     """
     longest, shortest = grid.size, 2 * grid.pixel_size
     log_position = np.log(longest * WAVEVECTORS / (2 * np.pi)) / np.log(longest / shortest)

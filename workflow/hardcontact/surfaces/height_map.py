@@ -21,8 +21,8 @@ if TYPE_CHECKING:
 class HeightMap:
     """A surface on square pixels, or a line scan; heights grow out of the material.
 
-    Heights (y, x), or (x,) of a line scan, and the side of a pixel are in nm. A periodic map
-    repeats beyond its edges. The basis is ``"measured"`` or ``"substitute"``.
+    Heights (y, x), or (x,) of a line scan, and the width of a pixel are in nm. A periodic map
+    repeats beyond its borders. The basis is ``"measured"`` or ``"substitute"``.
     """
 
     heights: np.ndarray

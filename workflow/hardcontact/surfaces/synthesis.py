@@ -23,12 +23,12 @@ class ScanGrid(NamedTuple):
     """The pixels and size of substitute scans."""
 
     pixels: int  #: Pixels per row of a scan.
-    size: float  #: Side of a scan in nm.
+    size: float  #: Width of a scan in nm.
     surface_pixels: int  #: Pixels per row of the random surfaces.
 
     @property
     def pixel_size(self) -> float:
-        """Side of a pixel in nm."""
+        """Width of a pixel in nm."""
         return self.size / self.pixels
 
 
@@ -146,7 +146,7 @@ def long_edge_master(
 ) -> HeightMap:
     """Return a mirror-stitched scan whose wavelengths above the transition (nm) are artificial.
 
-    The scan is repeated `tiles` times along each side. A random surface with the C_iso `spectrum`
+    The scan is repeated `tiles` times along each axis. A random surface with the C_iso `spectrum`
     replaces the wavelengths above the transition. Source: as for `short_edge_master`.
     """
     repeated = replace(stitched, heights=np.tile(stitched.heights, (tiles, tiles)))

@@ -63,7 +63,7 @@ def prediction(
     waves = trim_spectrum(spectrum, name)
     inputs = _input_numbers(waves, contact, tolerance)
     scans = spectrum if isinstance(spectrum, ScanSpectrum) else None
-    if scans is not None and scans.joined["edge_slope_share"].notnull().any():
+    if scans is not None and scans.joined["wall_slope_share"].notnull().any():
         force = Number("closed_form_force", math.nan, "N", status=STEEP_EDGES)
         return {number.name: number for number in (*inputs, force)}
     form = closed_form(waves, contact)

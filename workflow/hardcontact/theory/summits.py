@@ -163,12 +163,12 @@ def clumps_above(waves: Spectrum, radius: float) -> tuple[Floats, Floats, Floats
 
 
 def search_size(spectrum: Spectrum, radius: float, area: float) -> float:
-    """Return the edge 2 sqrt(2 R sigma/t) (nm) of the area in which a sphere finds its summits.
+    """Return the width 2 sqrt(2 R sigma/t) (nm) of the area in which a sphere finds its summits.
 
     At the distance r from the apex heights touch if they are r²/2R above the level t. At high
     levels such Gaussian heights are rarer by exp(-t r²/(2 R sigma)). Touching points therefore have
     the rms distance sqrt(2 R sigma/t). Levels below one count as one. Radius and area in contact
-    are in nm and nm². The edge is 0 for a surface that the sphere follows.
+    are in nm and nm². The width is 0 for a surface that the sphere follows.
     """
     waves = rough_waves(spectrum, radius)
     if waves is None:
