@@ -303,7 +303,7 @@ def test_the_force_on_pillars_is_withheld():
     heights = 100.0 * (np.hypot(x, y) < 8) + generator(1).normal(0, 0.3, x.shape)
     contact = {"radius": 250e3, "rho": 5.6, "work": 0.0463} | LOAD
     force = hc.predict(hc.HeightMap(heights, PIXEL), **contact)["closed_form_force"]
-    assert np.isnan(force.value) and force.status == "steep_edges"
+    assert np.isnan(force.value) and force.status == "steep_sidewalls"
 
 
 def test_unusual_quantities_are_questioned(files):

@@ -105,7 +105,9 @@ CASES = {
     "cylinder": (curved(33, 0.5, 1e5, np.inf), {"curvature": (1e5, None)}),
     "grating": (grating(300, 0), {"lay": [None]}),
     "oblique grating": (grating(700, 45), {"lay": [None]}),
-    "step": (np.where(X > SIZE / 8, 18.0, 0.0) + rough(41, 0.6), {"lay": [None], "walls": [None]}),
+    "step": (
+        np.where(X > SIZE / 8, 18.0, 0.0) + rough(41, 0.6), {"lay": [None], "sidewalls": [None]}
+    ),
     "offset lines": (
         rough(43, 0.2) + generator(44).normal(0, 0.3, (PIXELS, 1)), {"offset_lines": [0.3]},
     ),
@@ -115,7 +117,7 @@ CASES = {
     ),
     "lay of short waves": (LONG_WAVES + SHORT_WAVE, {"slopes": [None, SHORT_SLOPE]}),
     "lay": (gaussian_filter(generator(42).standard_normal(X.shape), (12, 2)), {"lay": [None]}),
-    "pillars": (pillars(generator(62)), {"walls": [None]}),
+    "pillars": (pillars(generator(62)), {"sidewalls": [None]}),
 }  # fmt: skip
 
 

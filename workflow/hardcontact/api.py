@@ -395,7 +395,7 @@ def predict(
     roughness : Spectrum or HeightMap
         C_iso in nm⁴ over growing wavevectors in rad/nm, without gaps; or a levelled map, whose
         spectrum is measured at its reliable wavelengths. The closed form gives no numbers for scans
-        with steep edges.
+        with steep sidewalls.
     radius, preload, hardness, work, rho, tolerance : float
         As for `pull_off_forces` and `force_ratios`.
 

@@ -11,7 +11,7 @@ PIXEL_SIZES = (0.05, 1e4)
 #: Largest number of pixels per row of a map: arrays of more than 2 GiB are not validated.
 MAX_MAP_PIXELS = 16384
 #: Width of the periodic random surface from which a substitute is cut, in widths of the substitute.
-#: A real scan has waves longer than itself and does not continue at its edges; a larger surface
+#: A real scan has waves longer than itself and does not continue at its borders; a larger surface
 #: would imitate this better, but takes more memory.
 RANDOM_SURFACE_OVER_SCAN = 4
 #: Contact pixels of all contacts on a scan, with their images in the window: all are kept in memory

@@ -29,7 +29,7 @@ def predicted_octaves(user_spectrum: OwnSpectrum, contact: Contact) -> Iterator[
     """Yield the octaves that matter most to the force, if the user's files show their middles.
 
     They have the status "on_scan" if a single map permits contacts, otherwise "closed_form".
-    The closed form takes Gaussian heights, and yields none for scans with steep edges.
+    The closed form takes Gaussian heights, and yields none for scans with steep sidewalls.
     """
     spectrum = trim_spectrum(user_spectrum.spectrum)
     longest, shortest = 2 * np.pi / spectrum.wavevector[[0, -1]]
@@ -39,7 +39,7 @@ def predicted_octaves(user_spectrum: OwnSpectrum, contact: Contact) -> Iterator[
     if len(octaves) and not obstacle:
         derivatives = derivatives_on_scan(scans[0], octaves, contact)
         status = "on_scan"
-    elif any("walls" in scan.defects for scan in scans):
+    elif any("sidewalls" in scan.defects for scan in scans):
         return
     else:
         derivatives = derivatives_in_closed_form(spectrum, octaves, contact)

@@ -1,7 +1,7 @@
 """Defects of a scan that make forces wrong although its file is readable.
 
 The defects are streaks, spikes, lines that were not measured, a clipped range, a curvature that
-remains after levelling, offsets of lines, a lay, steep walls and noise.
+remains after levelling, offsets of lines, a lay, sidewalls and noise.
 """
 
 from collections.abc import Mapping
@@ -37,7 +37,7 @@ DEFECTS = {
     "offset_lines": {"line_offset": "nm"},
     "lay": {"lay_ratio": "1"},
     "slopes": {"slope_along_x": "1", "slope_along_y": "1"},
-    "walls": {"wall_slope_share": "1"},
+    "sidewalls": {"sidewall_slope_share": "1"},
     "noise": {"noise_height": "nm", "rms_height_without_noise": "nm"},
 }
 #: The numbers of all defects with their units.
@@ -72,10 +72,10 @@ MIN_WAVES = 4
 #: Smallest correlation of a step from line to line with the next step. It is 0 if heights walk at
 #: random, and -0.5 if each line is offset at random, which is noise of the instrument.
 MIN_STEP_CORRELATION = -0.25
-#: Share of the steepest pixels, and their least share of the squared slopes if they are walls. On
-#: rough surfaces 5 % of the pixels have 0.2 to 0.45 of it; with pillars and steps, 0.8 to 1.
-WALL_PIXEL_SHARE = 0.05
-MIN_WALL_SLOPE_SHARE = 0.7
+#: Share of the steepest pixels, and their least share of the squared slopes if they are sidewalls.
+#: On rough surfaces 5 % of the pixels have 0.2 to 0.45 of it; with pillars and steps, 0.8 to 1.
+SIDEWALL_PIXEL_SHARE = 0.05
+MIN_SIDEWALL_SLOPE_SHARE = 0.7
 #: Least share of noise in the variance of heights: it changes the rms height by one per cent.
 MIN_NOISE_SHARE = 0.02
 #: Largest ratio of powers: a pattern without noise would have an infinite ratio.
@@ -110,9 +110,9 @@ def scan_defects(
     numbers["spikes"] = _spike_numbers(levelled_heights)
     numbers["highest"], numbers["lowest"] = _clipping_numbers(measured_heights)
     if not numbers["spikes"] and "equal_lines" not in numbers:
-        numbers["walls"] = _wall_numbers(levelled_heights)
+        numbers["sidewalls"] = _sidewall_numbers(levelled_heights)
         has_levels = np.median(np.abs(np.diff(raw_heights, axis=0))) == 0
-        hides_noise = has_levels or numbers["walls"] or numbers.get("offset_lines")
+        hides_noise = has_levels or numbers["sidewalls"] or numbers.get("offset_lines")
         if raw_heights.ndim == 2 and not hides_noise:
             numbers["noise"] = _noise_numbers(levelled_heights.var(), power)
     return {
@@ -268,16 +268,16 @@ def _ratio(larger: float, smaller: float) -> float:
     return float(larger / max(smaller, larger / LARGEST_RATIO)) if larger else 1.0
 
 
-def _wall_numbers(heights: Floats) -> list[float]:
-    """Return the share of the squared slopes at the steepest pixels; empty without walls."""
+def _sidewall_numbers(heights: Floats) -> list[float]:
+    """Return the share of the squared slopes at the steepest pixels; empty without sidewalls."""
     if heights.ndim == 2:
         squares = np.diff(heights, axis=0)[:, 1:] ** 2 + np.diff(heights, axis=1)[1:] ** 2
     else:
         squares = np.diff(heights) ** 2
     squares = np.sort(squares, axis=None)
-    steepest = squares[-max(1, round(WALL_PIXEL_SHARE * squares.size)) :]
+    steepest = squares[-max(1, round(SIDEWALL_PIXEL_SHARE * squares.size)) :]
     share = float(steepest.sum() / squares.sum())
-    return [share] if share > MIN_WALL_SLOPE_SHARE else []
+    return [share] if share > MIN_SIDEWALL_SLOPE_SHARE else []
 
 
 def _noise_numbers(variance: float, power: Floats) -> list[float]:
@@ -316,7 +316,7 @@ def defect_sentence(code: str, numbers: Mapping[str, float]) -> str:
         **words,
         streak=MIN_STREAK_STEPS,
         spike=MIN_SPIKE_DISTANCE,
-        wall_pixels=format_share(WALL_PIXEL_SHARE),
+        sidewall_pixels=format_share(SIDEWALL_PIXEL_SHARE),
     )
 
 

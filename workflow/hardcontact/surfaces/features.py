@@ -161,7 +161,7 @@ def no_features(statistics: ScanStatistics, scan_count: int) -> Features:
 def add_features(
     rng: np.random.Generator, surface: HeightMap, features: Features, count: int
 ) -> HeightMap:
-    """Add features at random positions; on a periodic surface they reach over its edges."""
+    """Add features at random positions; on a periodic surface they reach over its borders."""
     position = (np.arange(surface.pixels) + 0.5) * surface.pixel_size
     centres = rng.uniform(0, surface.size, (2, count, 1))
     distance = position - centres

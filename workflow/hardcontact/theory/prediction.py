@@ -45,8 +45,8 @@ MAX_SKEWNESS = 1.0
 #: The edges of the band among the predicted quantities.
 EDGE_NAMES = VALIDATED_QUANTITIES[1:]
 MATTERS, NEGLIGIBLE = "matters", "negligible"
-#: Status of a force without a value: heights with steep edges are not Gaussian.
-STEEP_EDGES = "steep_edges"
+#: Status of a force without a value: heights with steep sidewalls are not Gaussian.
+STEEP_SIDEWALLS = "steep_sidewalls"
 
 
 def prediction(
@@ -57,14 +57,14 @@ def prediction(
     Above its longest wavelength an extrapolated spectrum of scans rises as their rms height
     requires; a table is constant there. ``extrapolated_force`` is the force with the spectrum
     extrapolated to short waves. Without a known error intervals are NaN and the force has the
-    status OUTSIDE. For scans with steep edges the force has no value. Raises ValueError if
+    status OUTSIDE. For scans with steep sidewalls the force has no value. Raises ValueError if
     `trim_spectrum` refuses the spectrum, which messages call `name`.
     """
     waves = trim_spectrum(spectrum, name)
     inputs = _input_numbers(waves, contact, tolerance)
     scans = spectrum if isinstance(spectrum, ScanSpectrum) else None
-    if scans is not None and scans.joined["wall_slope_share"].notnull().any():
-        force = Number("closed_form_force", math.nan, "N", status=STEEP_EDGES)
+    if scans is not None and scans.joined["sidewall_slope_share"].notnull().any():
+        force = Number("closed_form_force", math.nan, "N", status=STEEP_SIDEWALLS)
         return {number.name: number for number in (*inputs, force)}
     form = closed_form(waves, contact)
     checks = _spectrum_checks(waves, contact, form, 0.0 if scans is None else scans.skewness)
