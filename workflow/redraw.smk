@@ -1,7 +1,7 @@
 """Draw the figures and pages of a finished study again, from its datasets: no scan, no store."""
 
 from hardcontact.run import endings, reruns, start
-from hardcontact.base.packages import write_pins
+from hardcontact.records.packages import write_pins
 
 start.prepare(workflow)
 

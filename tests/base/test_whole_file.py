@@ -9,8 +9,8 @@ import xarray as xr
 from refusals import assert_says
 
 from hardcontact.base import dataset
-from hardcontact.base.origin import Origin, keep_records
 from hardcontact.base.whole_file import PART, remove_parts, whole_file
+from hardcontact.records.origin import Origin, keep_records
 
 
 def test_a_file_appears_when_the_block_has_ended(tmp_path):

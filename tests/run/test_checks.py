@@ -12,7 +12,6 @@ from scan_files import heights, scan
 from studies import FILES_DIGEST, ROWS, check, numbers, own_scans
 
 from hardcontact.base import dataset
-from hardcontact.base.origin import Origin, canonical_json, digests, keep_records
 from hardcontact.config.configuration import reading_keys
 from hardcontact.config.grids import Grid
 from hardcontact.config.limits import refuse_unfit_grids
@@ -20,6 +19,7 @@ from hardcontact.contact.bearing_area import all_contact_pixels
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.files.patterns import study_patterns
+from hardcontact.records.origin import Origin, canonical_json, digests, keep_records
 from hardcontact.run.checks import SUBSTITUTE_RELIEF, stored_scan, surface_grid
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum

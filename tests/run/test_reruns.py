@@ -5,8 +5,8 @@ from types import SimpleNamespace
 
 import pytest
 
-from hardcontact.base import origin
-from hardcontact.base.origin import Origin, canonical_json, digests, keep_records, record_path
+from hardcontact.records import origin
+from hardcontact.records.origin import Origin, canonical_json, digests, keep_records, record_path
 from hardcontact.run import reruns
 
 

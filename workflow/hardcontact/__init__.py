@@ -1,9 +1,9 @@
 """Adhesion of hard, rough contacts: from height maps to pull-off forces and the scales that matter.
 
-Its rooms, each importing only from those before it: `base`, `surfaces`, `scans`, `contact`,
-`inference`, `theory`, `paper`, `config`, `files`, `run`, `own`, `report`, `commands` and `api`,
-whose functions are those of this package, too. They are loaded when one is first used: no job of
-the study depends on them.
+Its rooms, each importing only from those before it: `base`, `records`, `surfaces`, `scans`,
+`contact`, `inference`, `theory`, `paper`, `config`, `files`, `run`, `own`, `report`, `commands` and
+`api`, whose functions are those of this package, too. They are loaded when one is first used: no
+job of the study depends on them.
 workflow/README.md says what each room holds.
 """
 

@@ -12,9 +12,9 @@
 #   parameters     turns the parameters of a script into one text
 # surfaces.smk makes those that depend on the table of surfaces.
 
-from hardcontact.base.code import code_inputs, page_templates
-from hardcontact.base.origin import canonical_json
-from hardcontact.base.packages import PINS
+from hardcontact.records.code import code_inputs, page_templates
+from hardcontact.records.origin import canonical_json
+from hardcontact.records.packages import PINS
 from hardcontact.run import start
 from hardcontact.config.configuration import read_yaml
 from hardcontact.base.published import PUBLISHED_TABLES

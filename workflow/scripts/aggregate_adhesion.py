@@ -1,8 +1,8 @@
 """Pull-off forces of all surfaces, pairs of scans, contact models and ranges of adhesion."""
 
 from hardcontact.base.dataset import read_all
-from hardcontact.base.job import run_job
 from hardcontact.contact.stacked_datasets import stack_pull_off_forces
+from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:
     params = job.parameters

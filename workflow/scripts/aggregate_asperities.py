@@ -1,8 +1,8 @@
 """Asperities that carry the force, of all surfaces and scans."""
 
 from hardcontact.base.dataset import read_all, stack
-from hardcontact.base.job import run_job
 from hardcontact.contact.stacked_datasets import add_names
+from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:
     params = job.parameters

@@ -1,8 +1,8 @@
 """Elastic contacts of all surfaces and scans."""
 
 from hardcontact.base.dataset import read_all
-from hardcontact.base.job import run_job
 from hardcontact.contact.stacked_datasets import stack_elastic_contacts
+from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:
     params = job.parameters

@@ -1,12 +1,12 @@
 """Pull-off forces of every filtered master, and their ratio to the unfiltered force."""
 
-from hardcontact.base.job import run_job
 from hardcontact.contact.stacked_datasets import add_names
 from hardcontact.inference.master_datasets import (
     add_spectrum_shifts,
     add_transitions,
     read_master_forces,
 )
+from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:
     params = job.parameters

@@ -3,12 +3,12 @@
 import xarray as xr
 
 from hardcontact.base.dataset import concatenate, read, read_all
-from hardcontact.base.job import run_job
 from hardcontact.contact.stacked_datasets import add_names
 from hardcontact.inference.band_forces import band_ratios_by_surface
 from hardcontact.inference.hindcast import all_hindcasts
 from hardcontact.inference.octaves import sensitivities_by_surface
 from hardcontact.inference.scan_parts import fewest_touched_patches
+from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:
     params = job.parameters

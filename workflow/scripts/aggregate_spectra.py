@@ -1,7 +1,7 @@
 """Spectra of all surfaces: joined from measured scans, or described for substitutes."""
 
 from hardcontact.base import dataset
-from hardcontact.base.job import run_job
+from hardcontact.records.job import run_job
 from hardcontact.scans.spectrum_datasets import convert_described_spectrum, stack_spectra
 
 with run_job(snakemake) as job:

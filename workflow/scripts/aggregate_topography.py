@@ -1,7 +1,7 @@
 """Table 1 and the PSDs: every scan, and their averages."""
 
 from hardcontact.base import dataset
-from hardcontact.base.job import run_job
+from hardcontact.records.job import run_job
 from hardcontact.surfaces.height_map import read_height_map
 from hardcontact.surfaces.roughness_table import measured_roughness, roughness_table
 

@@ -6,9 +6,9 @@ import yaml
 
 from hardcontact.base import published
 from hardcontact.base.dataset import read
-from hardcontact.base.job import run_job
-from hardcontact.base.packages import read_pins
 from hardcontact.paper.verdicts import add_open_ends, read_verdicts
+from hardcontact.records.job import run_job
+from hardcontact.records.packages import read_pins
 from hardcontact.report.figures.listing import caption
 from hardcontact.report.paper_study.answer import paper_answer
 from hardcontact.report.paper_study.pages import figures_page, paper_page, report_pages

@@ -6,7 +6,7 @@ import pandas as pd
 import yaml
 
 from hardcontact.base import dataset
-from hardcontact.base.job import run_job
+from hardcontact.records.job import run_job
 from hardcontact.report.figures.listing import FILE_KINDS
 from hardcontact.report.own_surfaces.answer import own_answer
 from hardcontact.report.own_surfaces.datasets import Datasets, Setting

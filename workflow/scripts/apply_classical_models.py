@@ -2,9 +2,9 @@
 
 from hardcontact.base import published
 from hardcontact.base.dataset import read
-from hardcontact.base.job import run_job
 from hardcontact.base.statistics import Sampling
 from hardcontact.paper.classical_comparison import apply_classical_models
+from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:
     job.write(

@@ -1,7 +1,7 @@
 """C_iso of a substitute surface, from its description and the published Table 1."""
 
 from hardcontact.base import published
-from hardcontact.base.job import run_job
+from hardcontact.records.job import run_job
 from hardcontact.surfaces.substitute_spectra import substitute_spectrum
 
 with run_job(snakemake) as job:

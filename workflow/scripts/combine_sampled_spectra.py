@@ -1,7 +1,7 @@
 """A spectrum of both bodies, sampled within the uncertainty of the measurements of each."""
 
 from hardcontact.base.dataset import read
-from hardcontact.base.job import run_job
+from hardcontact.records.job import run_job
 from hardcontact.scans.both_bodies import combine_sampled_spectra
 
 with run_job(snakemake) as job:

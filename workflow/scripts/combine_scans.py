@@ -1,7 +1,7 @@
 """The roughness of both bodies in one stitched map, on which a smooth sphere makes contacts."""
 
-from hardcontact.base.job import run_job
 from hardcontact.base.random import generator
+from hardcontact.records.job import run_job
 from hardcontact.scans.both_bodies import combine_maps
 from hardcontact.surfaces.height_map import read_height_map
 

@@ -1,7 +1,7 @@
 """C_iso of both bodies: the sum of that of a substrate and that of the sphere."""
 
 from hardcontact.base.dataset import read
-from hardcontact.base.job import run_job
+from hardcontact.records.job import run_job
 from hardcontact.scans.both_bodies import combine_spectra
 
 with run_job(snakemake) as job:

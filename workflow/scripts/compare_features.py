@@ -2,7 +2,6 @@
 
 from hardcontact.base import published
 from hardcontact.base.dataset import read, read_all
-from hardcontact.base.job import run_job
 from hardcontact.contact.contact import PLASTIC
 from hardcontact.paper.featured_samples import (
     compare_with_published,
@@ -10,6 +9,7 @@ from hardcontact.paper.featured_samples import (
     samples_by_surface,
 )
 from hardcontact.paper.published_fit import Pair, PublishedForces
+from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:
     constants = published.read_constants(job.input.published_constants)["value"]

@@ -1,10 +1,10 @@
 """Short edges of plastic and rigid contact at two ranges of adhesion: enhancement.nc."""
 
-from hardcontact.base.job import run_job
 from hardcontact.base.statistics import Sampling
 from hardcontact.contact.stacked_datasets import add_names
 from hardcontact.inference.master_datasets import read_master_forces
 from hardcontact.paper.enhancement import edges_by_contact
+from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:
     params = job.parameters

@@ -1,8 +1,8 @@
 """Pull-off forces on scans of some surfaces with features, whose roughness is that of Table 1."""
 
-from hardcontact.base.job import run_job
 from hardcontact.contact.contact import Contact
 from hardcontact.paper.featured_samples import SampleInputs, compute_samples
+from hardcontact.records.job import run_job
 from hardcontact.surfaces.conditioning import read_substitute
 from hardcontact.surfaces.featured_scans import featured_surface
 

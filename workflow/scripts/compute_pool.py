@@ -1,8 +1,8 @@
 """Pull-off forces of some scans of the pool of one substrate, at several heights of each."""
 
-from hardcontact.base.job import run_job
 from hardcontact.contact.contact import Contact
 from hardcontact.paper.pool import compute_pool, pool_heights
+from hardcontact.records.job import run_job
 from hardcontact.surfaces.conditioning import read_substitute, required_targets
 
 with run_job(snakemake) as job:

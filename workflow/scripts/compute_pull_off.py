@@ -1,9 +1,9 @@
 """Pull-off of a scan on all scans of the sphere and on a smooth one, and the effect of the grid."""
 
-from hardcontact.base.job import run_job
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies, spheres_at_positions
 from hardcontact.contact.scan_pull_off import pull_off_with_checks
+from hardcontact.records.job import run_job
 from hardcontact.surfaces.height_map import read_height_map
 
 with run_job(snakemake) as job:

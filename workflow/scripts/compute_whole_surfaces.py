@@ -2,11 +2,11 @@
 
 import xarray as xr
 
-from hardcontact.base.job import run_job
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import make_force_function, mean_pull_off_dataset
 from hardcontact.inference.octaves import octave_force_dataset, octave_limits
+from hardcontact.records.job import run_job
 from hardcontact.surfaces.featured_scans import summarize_whole_surfaces
 from hardcontact.surfaces.height_map import HeightMap
 

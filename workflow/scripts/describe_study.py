@@ -5,7 +5,7 @@ from pathlib import Path
 import yaml
 
 from hardcontact.base.dataset import read
-from hardcontact.base.job import run_job
+from hardcontact.records.job import run_job
 from hardcontact.report.dataset_dictionary import page
 
 with run_job(snakemake) as job:

@@ -1,6 +1,6 @@
 """One figure as PDF, PNG and SVG."""
 
-from hardcontact.base.job import run_job
+from hardcontact.records.job import run_job
 from hardcontact.report.figures.drawing import draw_figure
 
 with run_job(snakemake) as job:

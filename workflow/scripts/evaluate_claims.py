@@ -2,9 +2,9 @@
 
 from hardcontact.base import published
 from hardcontact.base.dataset import read
-from hardcontact.base.job import run_job
 from hardcontact.paper.evaluation import evaluate, read_statements
 from hardcontact.paper.verdicts import without_verdicts
+from hardcontact.records.job import run_job
 from hardcontact.report.paper_study.changed_inputs import changed_inputs
 
 with run_job(snakemake) as job:

@@ -1,10 +1,10 @@
 """Pull-off on masters of one surface, unfiltered and filtered at every cutoff."""
 
 from hardcontact.base.dataset import read, stack
-from hardcontact.base.job import Job, run_job
 from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact
 from hardcontact.inference.filtered_masters import Filters, filtered_pull_off, sampled_master
+from hardcontact.records.job import Job, run_job
 from hardcontact.surfaces.height_map import HeightMap, read_height_map
 from hardcontact.surfaces.synthesis import SEED_WORDS, SIDES
 

@@ -1,10 +1,10 @@
 """Which asperities carry the force of some plastic contacts on one scan, by range of adhesion."""
 
-from hardcontact.base.job import run_job
 from hardcontact.base.random import generator
 from hardcontact.contact.asperities import CARRIED_SHARE, find_carrying_asperities
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import read_bodies, sample_contacts
+from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:
     params = job.parameters

@@ -1,9 +1,9 @@
 """The wavelengths whose removal changes the pull-off force, with their intervals."""
 
 from hardcontact.base import dataset
-from hardcontact.base.job import run_job
 from hardcontact.base.statistics import Sampling
 from hardcontact.inference.edges import edges_with_samples, labelled_edges
+from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:
     params = job.parameters

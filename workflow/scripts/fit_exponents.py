@@ -2,10 +2,10 @@
 
 import xarray as xr
 
-from hardcontact.base.job import run_job
 from hardcontact.contact.stacked_datasets import add_names
 from hardcontact.inference.master_datasets import read_master_forces
 from hardcontact.paper.exponents import edge_exponents, force_exponent
+from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:
     params = job.parameters

@@ -1,11 +1,11 @@
 """Range and work of adhesion that the user's own forces allow."""
 
 from hardcontact.base import dataset
-from hardcontact.base.job import run_job
 from hardcontact.base.statistics import Sampling
 from hardcontact.config.force_table import measured_forces
 from hardcontact.inference.wide_pixels import pixel_factors
 from hardcontact.own.measured_fit import add_extrapolated_work, fit_measured
+from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:
     adhesion = dataset.read(job.input.adhesion)

@@ -2,10 +2,10 @@
 
 from hardcontact.base import published
 from hardcontact.base.dataset import concatenate, read, read_all, stack
-from hardcontact.base.job import run_job
 from hardcontact.base.statistics import Sampling
 from hardcontact.contact.contact import PLASTIC
 from hardcontact.paper.posterior import means_on_whole_surfaces, posteriors_without_each_surface
+from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:
     params = job.parameters

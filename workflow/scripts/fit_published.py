@@ -1,9 +1,9 @@
 """Range and work of adhesion and force statistics of every contact model."""
 
 from hardcontact.base import dataset, published
-from hardcontact.base.job import run_job
 from hardcontact.base.statistics import Sampling
 from hardcontact.paper.published_fit import Pair, PublishedForces, fit_published
+from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:
     params = job.parameters

@@ -2,11 +2,11 @@
 
 from hardcontact.base import published
 from hardcontact.base.dataset import read
-from hardcontact.base.job import run_job
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.pull_off import make_force_function
 from hardcontact.inference.band_forces import band_force_dataset
 from hardcontact.inference.edges import pooled_band
+from hardcontact.records.job import run_job
 from hardcontact.surfaces.featured_scans import summarize_whole_surfaces
 
 with run_job(snakemake) as job:

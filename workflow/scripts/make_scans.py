@@ -1,6 +1,6 @@
 """Substitute scans that are made together: levelled, and stitched."""
 
-from hardcontact.base.job import run_job
+from hardcontact.records.job import run_job
 from hardcontact.surfaces.conditioning import conditioned_group, read_substitute
 from hardcontact.surfaces.featured_scans import featured_group
 from hardcontact.surfaces.height_map import LEVELLED, STITCHED, level_and_stitch

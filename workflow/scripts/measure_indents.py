@@ -1,8 +1,8 @@
 """Indents that plastic contact leaves in the sphere: the sizes of all, and a map of one."""
 
-from hardcontact.base.job import run_job
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.indents import indents_of_scans
+from hardcontact.records.job import run_job
 from hardcontact.surfaces.height_map import read_height_map
 
 with run_job(snakemake) as job:

@@ -1,6 +1,6 @@
 """C_iso of a measured surface: joined from all its measurements, and extrapolated beyond them."""
 
-from hardcontact.base.job import run_job
+from hardcontact.records.job import run_job
 from hardcontact.scans.defects import scan_with_defects
 from hardcontact.scans.joined_spectrum import joined_spectrum
 from hardcontact.surfaces.height_map import read_height_map

@@ -1,13 +1,13 @@
 """The edges of the band of own surfaces, and the force that a work and a range predict."""
 
 from hardcontact.base.dataset import read
-from hardcontact.base.job import run_job
 from hardcontact.contact.contact import Contact
 from hardcontact.inference.edges import labelled_edges
 from hardcontact.inference.scan_parts import fewest_touched_patches
 from hardcontact.own.edges_of_scans import edges_of_scans
 from hardcontact.own.mean_forces import MasterScans
 from hardcontact.own.predicted_force import force_dataset
+from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:
     params = job.parameters

@@ -1,6 +1,6 @@
 """A measured scan: levelled, the sphere subtracted if there is one; stitched."""
 
-from hardcontact.base.job import run_job
+from hardcontact.records.job import run_job
 from hardcontact.surfaces.height_map import LEVELLED, STITCHED, level_and_stitch, read_height_map
 
 with run_job(snakemake) as job:

@@ -1,6 +1,6 @@
 """A measured scan as its file has it, in nm: a map on square pixels, or a line scan."""
 
-from hardcontact.base.job import run_job
+from hardcontact.records.job import run_job
 from hardcontact.scans.reading import read_scan
 
 with run_job(snakemake) as job:

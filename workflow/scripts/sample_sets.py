@@ -4,10 +4,10 @@ import pandas as pd
 
 from hardcontact.base import published
 from hardcontact.base.dataset import read, read_all
-from hardcontact.base.job import run_job
 from hardcontact.inference.master_datasets import read_master_forces
 from hardcontact.paper.published_fit import Pair, PublishedForces
 from hardcontact.paper.sampled_sets import SetSettings, gather_inputs, sample_sets
+from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:
     params = job.parameters

@@ -1,7 +1,7 @@
 """Spectra sampled within the uncertainty of the measurements of a surface, one per realization."""
 
-from hardcontact.base.job import run_job
 from hardcontact.base.random import generator
+from hardcontact.records.job import run_job
 from hardcontact.scans.joined_spectrum import sample_spectra
 from hardcontact.surfaces.height_map import read_height_map, remove_form
 from hardcontact.surfaces.spectrum import spectrum_dataset

@@ -1,11 +1,11 @@
 """Elastic contact of one pair of scans at some contacts: pressure at the preload, and pull-off."""
 
 from hardcontact.base import published
-from hardcontact.base.job import run_job
 from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.elastic import PULL_OFF_WINDOW, solve_elastic_contacts
 from hardcontact.contact.geometry import read_bodies, sample_contacts
+from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:
     params = job.parameters

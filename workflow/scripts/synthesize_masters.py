@@ -1,7 +1,7 @@
 """Masters of Fig. 6: a scan with artificial roughness below or above a transition wavelength."""
 
-from hardcontact.base.job import run_job
 from hardcontact.base.random import generator
+from hardcontact.records.job import run_job
 from hardcontact.surfaces.height_map import read_height_map
 from hardcontact.surfaces.spectrum import read_spectrum
 from hardcontact.surfaces.synthesis import SEED_WORDS, synthesize_master

@@ -1,10 +1,10 @@
 """One contact: its gap, the adhesive pressure after plastic contact, and the force on parting."""
 
 from hardcontact.base import published
-from hardcontact.base.job import run_job
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import read_bodies
 from hardcontact.contact.pull_off import trace_contact
+from hardcontact.records.job import run_job
 
 ATTRIBUTES = "surface", "scan", "sphere_scan", "label", "basis"
 

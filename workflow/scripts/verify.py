@@ -2,8 +2,8 @@
 
 import sys
 
-from hardcontact.base.job import run_job
-from hardcontact.base.verification import verify_study
+from hardcontact.records.job import run_job
+from hardcontact.records.verification import verify_study
 
 with run_job(snakemake) as job:
     faults, summary = verify_study(job.parameters["results"])

@@ -1,1 +1,1 @@
-"""Files, units, statistics, named random generators and the formatting of numbers."""
+"""Files, units, statistics, named random generators, and the formatting of numbers."""

@@ -10,12 +10,11 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from hardcontact.base.code import LIBRARY
 from hardcontact.base.whole_file import whole_file
 
 #: Table of the meanings of variables, by dataset (`*`: all datasets). No job depends on it: like a
 #: comment, a changed meaning makes no file stale.
-MEANINGS = LIBRARY.parent / "report/variables.tsv"
+MEANINGS = Path(__file__).resolve().parents[2] / "report/variables.tsv"
 #: End of the name of a variable that holds the interval of another one.
 INTERVAL = "_interval"
 

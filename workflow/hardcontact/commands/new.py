@@ -10,7 +10,6 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from hardcontact.base.code import ROOT
 from hardcontact.base.whole_file import whole_file
 from hardcontact.commands.inventory import (
     SPECTRUM,
@@ -39,6 +38,7 @@ from hardcontact.config.limits import refuse_unfit_grids
 from hardcontact.config.model import CONTACT_QUANTITIES, NONE, SMOOTH_SPHERE, numeric_configuration
 from hardcontact.config.selected_surfaces import CONTACT, SurfaceRow
 from hardcontact.contact.contact import Contact
+from hardcontact.records.code import ROOT
 
 
 def new_study(arguments: Namespace) -> str:

@@ -8,12 +8,12 @@ from importlib.metadata import version
 from pathlib import Path
 from typing import NamedTuple
 
-from hardcontact.base.code import ROOT
 from hardcontact.commands.parser import CommandLine
 from hardcontact.config.arguments import unit_question
 from hardcontact.config.key_types import STUDY_NAME, UNIT
 from hardcontact.config.model import CONTACT_QUANTITIES, QUICK_SUFFIX, key_field, quantity_type
 from hardcontact.config.selected_surfaces import LABEL, TIP_RADIUS
+from hardcontact.records.code import ROOT
 from hardcontact.scans.reading import MASKS
 from hardcontact.surfaces.height_map import LEVELLING
 

@@ -6,13 +6,13 @@ from argparse import Namespace
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from hardcontact.base.code import ROOT
-from hardcontact.base.origin import canonical_json, read_record
-from hardcontact.base.verification import verify_study
 from hardcontact.commands.parser import CommandLine
 from hardcontact.config.configuration import apply_effort, key_values, merge, read_yaml
 from hardcontact.config.faults import shorten
 from hardcontact.config.model import QUICK_SUFFIX
+from hardcontact.records.code import ROOT
+from hardcontact.records.origin import canonical_json, read_record
+from hardcontact.records.verification import verify_study
 
 
 def verify_arguments(arguments: Sequence[str]) -> Namespace:

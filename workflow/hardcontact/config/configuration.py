@@ -9,7 +9,6 @@ from typing import Any
 
 import yaml
 
-from hardcontact.base.code import ROOT
 from hardcontact.base.units import format_exact
 from hardcontact.config.faults import quote_key
 from hardcontact.config.model import (
@@ -21,6 +20,7 @@ from hardcontact.config.model import (
     quantity_type,
 )
 from hardcontact.contact.contact import Contact
+from hardcontact.records.code import ROOT
 
 #: The most bytes and values of a configuration: a hundred times as many as the paper's study has.
 MAX_SIZE = 1_000_000

@@ -8,12 +8,12 @@ from typing import Annotated, Literal
 
 import pandas as pd
 
-from hardcontact.base.origin import digest, short_digest
 from hardcontact.base.published import PUBLISHED_TABLES
 from hardcontact.config.faults import validate
 from hardcontact.config.key_types import FilePath, Matching, Quantity, or_word
 from hardcontact.config.keys import Keys
 from hardcontact.config.tables import user_table
+from hardcontact.records.origin import digest, short_digest
 from hardcontact.surfaces.descriptions import read_segments
 
 #: Stands for the number of a scan of a smooth sphere; scans are numbered from 1.

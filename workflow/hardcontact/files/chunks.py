@@ -8,12 +8,12 @@ from dataclasses import replace
 from math import ceil
 from typing import Any
 
-from hardcontact.base.origin import short_digest
 from hardcontact.base.units import path_token
 from hardcontact.config.configuration import combines_bodies, get_key
 from hardcontact.files.master_purposes import MASTERS_CHUNK, PURPOSES, contact_grid, filter_settings
 from hardcontact.files.patterns import SCAN_KEYS, values_of_keys
 from hardcontact.files.surface_files import SurfaceFiles
+from hardcontact.records.origin import short_digest
 from hardcontact.surfaces.features import GAUSSIAN, SIGNS
 from hardcontact.surfaces.synthesis import SIDES
 

@@ -5,10 +5,10 @@ from collections.abc import Iterable, Mapping
 from pathlib import PurePosixPath
 from typing import Any
 
-from hardcontact.base.origin import short_digest
 from hardcontact.config.configuration import combines_bodies, get_key
 from hardcontact.config.model import SMOOTH_SPHERE
 from hardcontact.files.master_purposes import PURPOSES
+from hardcontact.records.origin import short_digest
 from hardcontact.surfaces.features import KINDS
 
 _READING = ("scan.undefined_pixels", "scan.unit", "scan.map_size", "scan.mask")

@@ -9,7 +9,6 @@ import numpy as np
 import pandas as pd
 
 from hardcontact.base import published
-from hardcontact.base.origin import canonical_json, is_current
 from hardcontact.config.arguments import unit_question
 from hardcontact.config.configuration import contact_words, get_key, reading_keys
 from hardcontact.config.faults import key_fault, raise_faults, run_checks
@@ -20,6 +19,7 @@ from hardcontact.config.model import CONTACT_QUANTITIES, NONE, PAPER, SMOOTH_SPH
 from hardcontact.config.selected_surfaces import CONTACT
 from hardcontact.config.tables import refuse_description, refuse_paper_surface
 from hardcontact.files.patterns import study_patterns
+from hardcontact.records.origin import canonical_json, is_current
 from hardcontact.scans.reading import read_scan
 from hardcontact.surfaces.descriptions import needs_calibration, read_segments
 from hardcontact.surfaces.height_map import HeightMap, read_height_map, require_map

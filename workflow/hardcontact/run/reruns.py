@@ -16,7 +16,7 @@ from snakemake.jobs import Job
 from snakemake.persistence import ParamsChange, PersistenceBase
 from snakemake.settings.types import RerunTrigger
 
-from hardcontact.base.origin import (
+from hardcontact.records.origin import (
     Record,
     canonical_json,
     digest,

@@ -15,9 +15,6 @@ from snakemake.settings.types import ExecMode
 from snakemake.utils import min_version
 
 from hardcontact.base import published
-from hardcontact.base.code import ROOT
-from hardcontact.base.origin import digests, refuse_changed
-from hardcontact.base.packages import refuse_other_versions, write_pins
 from hardcontact.config.configuration import (
     apply_effort,
     get_key,
@@ -34,6 +31,9 @@ from hardcontact.config.selected_surfaces import (
     surface_table,
 )
 from hardcontact.files.patterns import Patterns
+from hardcontact.records.code import ROOT
+from hardcontact.records.origin import digests, refuse_changed
+from hardcontact.records.packages import refuse_other_versions, write_pins
 from hardcontact.run.endings import end_at_interrupt
 from hardcontact.run.reruns import plan_by_records
 

@@ -16,9 +16,9 @@ import xarray as xr
 
 from hardcontact.base import dataset, published
 from hardcontact.base.arrays import Floats
-from hardcontact.base.job import Job
 from hardcontact.base.random import generator
 from hardcontact.base.units import DIMENSIONLESS, RAD_PER_NM
+from hardcontact.records.job import Job
 from hardcontact.surfaces.descriptions import AFM_ROWS
 from hardcontact.surfaces.height_map import TABLE1_METRICS, HeightMap, level, metrics
 from hardcontact.surfaces.spectrum import (

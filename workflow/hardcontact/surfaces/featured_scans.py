@@ -8,9 +8,9 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.base.dataset import stack
-from hardcontact.base.job import Job
 from hardcontact.base.progress import progress
 from hardcontact.base.units import DIMENSIONLESS, NM
+from hardcontact.records.job import Job
 from hardcontact.surfaces.conditioning import Substitute, read_substitute, required_targets
 from hardcontact.surfaces.features import (
     GAUSSIAN,

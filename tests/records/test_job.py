@@ -13,9 +13,9 @@ from refusals import assert_says
 from repository import ROOT, environment
 
 from hardcontact.base import dataset
-from hardcontact.base.job import job_log, run_job
-from hardcontact.base.origin import canonical_json, digest, read_record
 from hardcontact.base.progress import progress
+from hardcontact.records.job import job_log, run_job
+from hardcontact.records.origin import canonical_json, digest, read_record
 
 PARAMETERS = {"surface": "uncd", "range": 5.6}
 
@@ -119,7 +119,7 @@ def test_a_job_that_is_killed_leaves_no_record_of_an_earlier_file(snakemake):
     ],
 )
 def test_an_error_is_one_line_that_names_the_log(tmp_path, block, path, code, message):
-    program = f"from hardcontact.base.job import job_log\nwith job_log({path!r}):\n    {block}\n"
+    program = f"from hardcontact.records.job import job_log\nwith job_log({path!r}):\n    {block}\n"
     run = subprocess.run(
         [sys.executable, "-c", program],
         cwd=tmp_path, env=environment(ROOT), capture_output=True, text=True,

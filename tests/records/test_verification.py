@@ -10,7 +10,9 @@ import pytest
 from refusals import assert_says, refusal
 from repository import PAPER, merged
 
-from hardcontact.base.origin import (
+from hardcontact.commands import command_line
+from hardcontact.commands.verify import verify, verify_arguments
+from hardcontact.records.origin import (
     Origin,
     canonical_json,
     digest,
@@ -18,9 +20,7 @@ from hardcontact.base.origin import (
     keep_records,
     record_path,
 )
-from hardcontact.base.verification import traced_records, verify_study
-from hardcontact.commands import command_line
-from hardcontact.commands.verify import verify, verify_arguments
+from hardcontact.records.verification import traced_records, verify_study
 
 # A small study: source.txt -> store/a.nc -> results/final.nc -> results/table.csv
 

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 from refusals import assert_says, refusal
 
-from hardcontact.base import packages
+from hardcontact.records import packages
 
 #: Requirements of the same meaning: plain, and with reasons and hashes.
 PLAIN = "numpy==2.0\nattrs==25.1\n"

@@ -2,7 +2,7 @@
 
 import pytest
 
-from hardcontact.base import code
+from hardcontact.records import code
 
 
 @pytest.fixture

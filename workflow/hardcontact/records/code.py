@@ -7,7 +7,7 @@ from functools import cache
 from pathlib import Path
 
 import hardcontact
-from hardcontact.base.packages import PINS
+from hardcontact.records.packages import PINS
 
 #: The folder of the imported library, and the folder of the scripts beside it.
 LIBRARY = Path(str(hardcontact.__file__)).resolve().parent

@@ -7,7 +7,7 @@ from importlib.metadata import version
 import pytest
 from refusals import assert_says, refusal
 
-from hardcontact.base.origin import (
+from hardcontact.records.origin import (
     Origin,
     canonical_json,
     digests,

@@ -15,7 +15,8 @@ from typing import Any, NamedTuple
 import xarray as xr
 
 from hardcontact.base import dataset
-from hardcontact.base.origin import (
+from hardcontact.base.whole_file import remove_parts, whole_file
+from hardcontact.records.origin import (
     Origin,
     digests,
     keep_records,
@@ -23,7 +24,6 @@ from hardcontact.base.origin import (
     refuse_changed,
     refuse_changed_since,
 )
-from hardcontact.base.whole_file import remove_parts, whole_file
 
 _logger = logging.getLogger("hardcontact")
 
