@@ -9,12 +9,6 @@ from scan_files import heights, truncate_file
 from hardcontact.base import dataset
 
 
-def test_a_dataset_is_read_back_as_it_was_written(tmp_path):
-    values = xr.Dataset({"heights": (("y", "x"), heights(8, 8))}, attrs={"title": "a"})
-    dataset.write(values, tmp_path / "a.nc")
-    xr.testing.assert_identical(dataset.read(tmp_path / "a.nc"), values)
-
-
 def test_texts_of_different_length_are_stacked_whole(tmp_path):
     for name, word in {"a": "pixels", "b": "smoothing"}.items():
         dataset.write(xr.Dataset({"limit": ("scan", [word])}), tmp_path / name)

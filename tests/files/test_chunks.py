@@ -1,7 +1,6 @@
 """Jobs compute their files in chunks, and different files for different swept values."""
 
 import pytest
-from paper_numbers import SUBSTRATES
 from studies import PATTERNS, files, numbers
 
 from hardcontact.config.configuration import study_contact
@@ -9,46 +8,6 @@ from hardcontact.files.chunks import Chunks
 from hardcontact.files.master_purposes import contact_grid
 
 pytestmark = pytest.mark.usefixtures("project_folder")
-
-# Masters and pools
-
-
-def test_every_realization_of_the_study_is_filtered_from_its_own_masters():
-    study = files("scales.realizations", 2)
-    chunks = Chunks(study)
-    rows = chunks.filtered_masters()
-    assert len(set(study.paths(PATTERNS.master_forces, rows))) == 2 * len(SUBSTRATES)
-    assert chunks.master_inputs(rows[1])["short_masters"] == [
-        "results/store/masters/digest/polished_uncd/0123abcd/realization-2/short.nc"
-    ]
-
-
-def test_masters_of_sets_are_filtered_in_chunks():
-    chunks = Chunks(files("sets.realizations", 12))
-    rows = chunks.filtered_masters("sets")
-    assert [(row.first, row.last) for row in rows] == [(1, 5), (6, 10), (11, 12)] * len(SUBSTRATES)
-    sources = chunks.master_inputs(rows[0])
-    assert len(sources["scans"]) == len(sources["spectra"]) == 5
-
-
-def test_only_substitutes_have_pools_computed_in_chunks():
-    chunks = Chunks(files("sets.pool_size", 32, measured_surfaces=["mcd"]))
-    scans = [(1, 15), (16, 30), (31, 32)]
-    assert chunks.pools == [(surface, *ends) for surface in ("uncd", "ncd") for ends in scans]
-
-
-def test_each_set_has_a_draw_of_the_surface_with_features():
-    chunks = Chunks(files("sets.count", 25))
-    kinds = {"bumps": ((1, 10), (11, 13)), "pits": ((1, 10), (11, 13)), "gaussian": ((1, 10),)}
-    assert chunks.featured_samples == [
-        ("polished_uncd", kind, *ends) for kind, samples in kinds.items() for ends in samples
-    ]
-    assert "polished_uncd" not in {chunk.surface for chunk in chunks.pools}
-
-
-def test_no_surface_may_have_features():
-    assert Chunks(files("scan.featured_surface", "none")).featured_samples == []
-    assert Chunks(files(measured_surfaces=["polished_uncd"])).featured_samples == []
 
 
 # Swept values

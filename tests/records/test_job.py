@@ -13,8 +13,7 @@ from refusals import assert_says
 from repository import ROOT, environment
 
 from hardcontact.base import dataset
-from hardcontact.base.progress import progress
-from hardcontact.records.job import job_log, run_job
+from hardcontact.records.job import run_job
 from hardcontact.records.origin import canonical_json, digest, read_record
 
 PARAMETERS = {"surface": "uncd", "range": 5.6}
@@ -129,12 +128,3 @@ def test_an_error_is_one_line_that_names_the_log(tmp_path, block, path, code, me
     if "ValueError" in block:
         text = (tmp_path / "a.log").read_text()
         assert "Traceback" in text and "ValueError: a\n b" in text
-
-
-@pytest.mark.parametrize(("total", "lines"), [(25, 10), (2, 2)])
-def test_progress_yields_every_step_and_is_logged_about_ten_times(tmp_path, total, lines):
-    with job_log(tmp_path / "a.log"):
-        assert list(progress(range(total), total, "contacts")) == list(range(total))
-    logged = (tmp_path / "a.log").read_text().splitlines()
-    assert logged[-1].endswith(f"contacts: {total} of {total}") and len(logged) == lines
-    assert logging.getLogger("hardcontact").handlers == []

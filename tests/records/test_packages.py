@@ -76,13 +76,3 @@ def test_a_list_that_was_not_made_anew_is_refused(write):
     write("numpy==2.1\n", "numpy==2.0\n")
     message = refusal(packages.refuse_other_versions)
     assert_says(message, "workflow/lock.txt: expected numpy", ".ci/lock")
-
-
-def test_tools_are_not_pinned_for_runs(project_folder):
-    runs = packages.read_pins(packages.LOCK)
-    tools = packages.read_pins("tests/lock.txt")
-    assert {"numpy", "snakemake"} <= runs.keys() and {"ruff", "pytest"} <= tools.keys()
-    text = Path(packages.LOCK).read_text()
-    shared = runs.keys() & tools.keys()  # those that runs need on some systems only
-    assert all(f"{name}=={runs[name]} ; " in text for name in shared)
-    assert text.count("==") <= text.count("--hash=sha256:")
