@@ -6,8 +6,7 @@ from elastic_libraries import library_pressure, library_pull_off
 from paper_numbers import MODULUS, RADIUS
 from periodic_maps import periodic_noise
 
-from hardcontact.contact import elastic
-from hardcontact.contact.elastic import HalfSpace, adhesive_pull_off, press, pressure_at_load
+from hardcontact.contact.elastic import adhesive_pull_off, pressure_at_load
 from hardcontact.contact.smooth_sphere import hertz_contact
 
 LOAD = 10e-6
@@ -59,48 +58,6 @@ def test_pull_off_is_that_of_a_minimizer_outside_a_wall(rms):
     assert force >= expected * (1 - 1e-8)
 
 
-def test_the_wall_carries_the_load_and_nothing_overlaps():
-    gap = rough_gap(5.0)
-    wall = press(HalfSpace(64, 12.0, MODULUS), gap, 1e4)
-    assert wall.forces.sum() == pytest.approx(1e4, rel=1e-12)
-    assert wall.forces.min() == 0
-    assert wall.gap.min() > -elastic.MAX_OVERLAP
-    touching = wall.forces > 0
-    np.testing.assert_allclose(wall.gap[touching], 0, atol=elastic.MAX_OVERLAP)
-    assert 1 < touching.sum() < touching.size
-
-
-def test_a_vanishing_load_touches_the_lowest_pixel_alone():
-    gap = rough_gap(5.0)
-    wall = press(HalfSpace(64, 12.0, MODULUS), gap, 1e-9)
-    assert np.flatnonzero(wall.forces).tolist() == [gap.argmin()]
-
-
-def test_without_a_load_the_lowest_pixel_touches_without_a_force():
-    gap = rough_gap(5.0)
-    wall = press(HalfSpace(64, 12.0, MODULUS), gap, 0.0)
-    assert not wall.forces.any()
-    np.testing.assert_allclose(wall.gap, gap - gap.min())
-
-
-def test_displacements_are_those_of_the_kernel_of_a_pixel():
-    body = HalfSpace(64, 12.0, MODULUS)
-    pixels = np.array([[3, 60], [10, 2], [3, 61]])
-    forces = np.zeros((64, 64))
-    forces[tuple(pixels.T)] = [5.0, 7.0, 11.0]
-    displaced = body.displacement(forces)
-    np.testing.assert_allclose(
-        body.influence(pixels) @ [5.0, 7.0, 11.0], displaced[tuple(pixels.T)], rtol=1e-10
-    )
-    assert displaced.mean() == pytest.approx(0, abs=1e-12)
-
-
-def test_lifting_the_gap_changes_no_pressure():
-    gap = sphere_gap(64, 12.0)
-    near, far = (pressure_at_load(gap + lift, 12.0, MODULUS, LOAD / 10) for lift in (0.0, 300.0))
-    np.testing.assert_allclose(near, far, rtol=1e-6, atol=1e-6 * near.max())
-
-
 def test_a_load_that_flattens_everything_is_refused():
     with pytest.raises(ValueError, match="found more than 4000 touching pixels"):
         pressure_at_load(sphere_gap(72, 1.0, 1e9), 1.0, MODULUS, LOAD)
@@ -131,27 +88,6 @@ def test_lengths_scale_forces_with_their_square(scale):
     forces = np.array(adhesive_pull_off(gap, 12.0, MODULUS / 10, WORK, RHO))
     scaled = adhesive_pull_off(scale * gap, scale * 12.0, MODULUS / 10, scale * WORK, scale * RHO)
     np.testing.assert_allclose(scaled, scale**2 * forces, rtol=1e-6)
-
-
-def pull_off_at_wall_load(gap, modulus, wall_load):
-    """Pull-off force (N) where the wall carries a load (N): twenty steps of the attraction."""
-    body = HalfSpace(len(gap), 12.0, modulus)
-    attraction = np.zeros_like(gap)
-    for _ in range(20):
-        wall = press(body, gap - body.displacement(attraction), wall_load * 1e9)
-        attraction = WORK / RHO * 12.0**2 * np.exp(-np.maximum(wall.gap, 0) / RHO)
-    return attraction.sum() * 1e-9 - wall_load
-
-
-@pytest.mark.parametrize(("softer", "wall_carries"), [(1, False), (10, True)])
-def test_pull_off_is_the_best_of_all_loads_of_the_wall(softer, wall_carries):
-    gap = rough_gap(0.5)
-    rigid, pull_off = adhesive_pull_off(gap, 12.0, MODULUS / softer, WORK, RHO)
-    loads = rigid * np.append(0, np.geomspace(1e-6, 0.3, 60))
-    forces = [pull_off_at_wall_load(gap, MODULUS / softer, load) for load in loads]
-    assert pull_off >= max(forces) * (1 - 1e-8)
-    assert pull_off == pytest.approx(max(forces), rel=1e-4)
-    assert (np.argmax(forces) > 0) == wall_carries
 
 
 def test_bodies_too_soft_are_refused():

@@ -122,28 +122,6 @@ def test_the_interval_comes_from_scans_and_not_from_contacts():
     np.testing.assert_allclose(statistics.censored_fraction_interval, 0.0)
 
 
-COVERED = {"median_force_at_pair": 0.94, "lognormal_median": 0.94, "lognormal_shape": 0.79}
-
-
-@pytest.mark.study
-def test_the_intervals_of_pooled_statistics_have_their_measured_coverage():
-    """Five scans with a log-normal factor each, which enters the shape squared: it covers less."""
-    rng = np.random.default_rng(0)
-    shape, scatter, runs = 0.8, 0.4, 300
-    true_values = {"lognormal_shape": np.hypot(shape, scatter)}
-    counts = dict.fromkeys(COVERED, 0)
-    for _ in range(runs):
-        factor = rng.lognormal(0, scatter, (5, 1, 1))
-        forces = factor * rng.lognormal(0, shape, (5, 1, 200))
-        statistics = force_statistics(forces, 1e-9, Sampling(0, 1, 0.95))
-        for name in counts:
-            low, high = bounds(statistics, name)
-            counts[name] += bool(low <= true_values.get(name, 1.0) <= high)
-    assert {name: count / runs for name, count in counts.items()} == pytest.approx(
-        COVERED, abs=0.04
-    )
-
-
 def test_missing_forces_have_no_statistics():
     statistics = force_statistics(np.full((2, 2, 3), np.nan), 3e-8, Sampling(0, 1, 0.9))
     assert all(statistics[name].isnull().all() for name in statistics.data_vars)

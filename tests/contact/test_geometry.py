@@ -36,14 +36,6 @@ def test_the_coarser_map_is_interpolated():
     assert pair.geometry.window_pixels == 300
 
 
-def test_a_period_is_stretched_by_at_most_half_a_pixel():
-    pair = geometry.join_bodies(
-        height_map(heights(50), 30.0), height_map(heights(100), 11.0), CONTACT
-    )
-    assert pair.substrate.pixels == round(1500 / 11)
-    assert abs(pair.substrate.size - 1500) <= 11 / 2
-
-
 def test_more_sampled_contacts_include_the_fewer_and_never_repeat():
     five, twenty, all_contacts, no_more = (
         geometry.sample_contacts(np.random.default_rng(3), 6, contacts)
@@ -70,13 +62,6 @@ def test_gaps_at_offsets_equal_those_of_the_whole_window():
     y, x = np.indices((200, 200)) - 100
     gaps = geometry.gaps_at(pair, pair.geometry.positions[[2, 1]], np.stack([y, x], -1))
     np.testing.assert_allclose(gaps, gap_map(pair, (2, 1)), atol=1e-12)
-
-
-def test_a_sphere_without_roughness_is_its_paraboloid():
-    pair = make_bodies(heights(80), np.zeros((96, 96)), 25.0, 120, 4)
-    cap = pair.sphere(7 + np.arange(-2, 3), -30 + np.arange(-2, 3))
-    y, x = (np.arange(5)[:, None] + 5) * 25.0, (np.arange(5) - 32) * 25.0
-    np.testing.assert_allclose(cap, (y**2 + x**2) / (2 * RADIUS), rtol=1e-12)
 
 
 @pytest.mark.parametrize("kind", [np.float32, ">f4", ">f8", np.float16, np.int64])

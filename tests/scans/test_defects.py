@@ -8,7 +8,7 @@ from measurements import map_of, measurement, self_affine_heights
 from scipy.ndimage import gaussian_filter
 
 from hardcontact.base.random import generator
-from hardcontact.scans.defects import DEFECTS, defect_sentence, scan_with_defects
+from hardcontact.scans.defects import DEFECTS, scan_with_defects
 from hardcontact.surfaces.features import Features, add_features
 from hardcontact.surfaces.height_map import level_quadratic
 from hardcontact.surfaces.spectrum import smooth_rolloff
@@ -130,18 +130,6 @@ def test_each_defect_is_named_with_its_numbers(case):
         assert list(defects[code]) == list(DEFECTS[code])
         for number, true_number in zip(defects[code].values(), numbers, strict=True):
             assert true_number is None or number == pytest.approx(true_number, rel=0.05)
-
-
-@pytest.mark.parametrize("code", DEFECTS)
-def test_a_sentence_has_every_number_with_its_unit(code):
-    units = DEFECTS[code]
-    numbers = {name: 0.25 if name.endswith("_share") else 3100.0 for name in units}
-    sentence = defect_sentence(code, numbers)
-    for name, unit in units.items():
-        assert (
-            "25 %" if name.endswith("_share") else "3.1 µm" if unit == "nm" else "3100"
-        ) in sentence
-    assert "{" not in sentence
 
 
 def test_curvature_has_the_share_of_the_rms_height_without_it():

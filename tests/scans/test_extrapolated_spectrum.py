@@ -2,9 +2,8 @@
 
 import numpy as np
 import pytest
-from known_spectra import BINS, contact_of_area
-from measurements import map_of, measurement, uncd
-from scipy import stats
+from known_spectra import BINS
+from measurements import measurement, uncd
 
 from hardcontact.base.random import generator
 from hardcontact.scans.extrapolated_spectrum import (
@@ -18,18 +17,14 @@ from hardcontact.scans.extrapolated_spectrum import (
     has_exponent,
     levelled_share,
 )
-from hardcontact.scans.joined_spectrum import joined_spectrum, sample_spectra
+from hardcontact.scans.joined_spectrum import joined_spectrum
 from hardcontact.surfaces.spectrum import (
     WAVEVECTORS,
     Spectrum,
     all_scales_rms,
     self_affine,
-    smooth_rolloff,
-    spectrum_of_dataset,
 )
 from hardcontact.surfaces.synthesis import random_surface
-from hardcontact.theory.closed_form import closed_form
-from hardcontact.theory.prediction import trim_spectrum
 
 SIZE, PIXELS = 5000.0, 128
 KNOWN_TIP = [1e-3]
@@ -74,16 +69,6 @@ def test_noise_does_not_lengthen_the_rolloff():
     assert noisy - clean < 0.02
 
 
-def test_a_draw_depends_on_its_generator_and_samples_unknown_tips():
-    scan, _ = scan_of(generator(7), SIZE, level=1.0)
-    spectra = [
-        next(sample_spectra([generator(8, draw)], [scan], radii))[0].density
-        for draw, radii in ((1, [None]), (1, [None]), (2, [None]), (1, [1.0]))
-    ]
-    np.testing.assert_array_equal(spectra[0], spectra[1])
-    assert (spectra[0] != spectra[2]).any() and (spectra[0] != spectra[3]).any()
-
-
 def extrapolate(density, wavevector=BINS):
     values = density(wavevector) if callable(density) else density
     fit = fit_hurst_exponent(wavevector, values, np.full(wavevector.shape, 1e-4))
@@ -109,45 +94,6 @@ def test_a_power_law_is_extrapolated_to_atoms_and_constant_at_long_waves():
     assert tail.tail_hurst == pytest.approx(0.84, abs=0.005) and tail.tail_ended_by == "atoms"
     assert tail.tail_fit_shortest == pytest.approx(2 * np.pi / BINS[-1])
     assert tail.tail_fit_longest == pytest.approx(10 * tail.tail_fit_shortest)
-
-
-def coarse_surface(rng, model, size):
-    """A surface of at most 60 nm and known slopes, H of 0.3 to 1, roll-off to half of the size."""
-    hurst, rolloff_ratio = rng.uniform(0.3, 1), np.exp(rng.uniform(*np.log([0.05, 0.5])))
-    density = model(WAVEVECTORS, 1.0, rolloff_ratio * size, hurst)
-    density[2 * np.pi / WAVEVECTORS < ATOMIC_WAVELENGTH] = 0
-    largest = np.array([60.0, 0.7 * MAX_GRADIENT, 0.7 * MAX_HALF_LAPLACIAN])
-    factor = (largest / all_scales_rms(Spectrum(WAVEVECTORS, density))).min()
-    return hurst, Spectrum(WAVEVECTORS, factor**2 * density)
-
-
-@pytest.mark.study
-def test_intervals_from_coarse_maps_contain_exponent_and_force():
-    pixels, pixel, draws = 256, 400.0, 8
-    contact = contact_of_area(250e3, 5.6, 0.05, 400.0)
-
-    def log_force(spectrum):
-        return np.log(closed_form(trim_spectrum(spectrum), contact).force)
-
-    errors, contained_exponents, contained_forces = [], 0, 0
-    for number in range(20):
-        rng, model = generator(51, number), (smooth_rolloff, self_affine)[number % 2]
-        hurst, surface = coarse_surface(rng, model, pixels * pixel)
-        scans = [map_of(rng, pixels, pixel, surface)]
-        joined_data = joined_spectrum(scans, KNOWN_TIP)
-        error = abs(joined_data.attrs["tail_hurst"] - hurst)
-        errors.append(error)
-        contained_exponents += error < 1.96 * joined_data.attrs["tail_hurst_error"]
-        force = log_force(spectrum_of_dataset(joined_data))
-        rngs = (generator(52, number, draw) for draw in range(draws))
-        shifts = [
-            log_force(sampled_spectrum) - force
-            for sampled_spectrum, _ in sample_spectra(rngs, scans, KNOWN_TIP)
-        ]
-        half_width = stats.t.ppf(0.975, draws) * np.sqrt(np.mean(np.square(shifts)))
-        contained_forces += abs(log_force(surface) - force) < half_width
-    assert np.median(errors) < 0.05
-    assert contained_exponents >= 18 and contained_forces >= 18
 
 
 @pytest.mark.parametrize(

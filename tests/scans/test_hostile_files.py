@@ -1,23 +1,17 @@
 """Hostile files are refused in one line; nothing is executed or written, no other file is read."""
 
-import ast
 import io
 import json
 import multiprocessing
 import os
 import signal
 import struct
-import sys
 import time
 import zipfile
-from importlib import import_module
-from importlib.util import resolve_name
-from pathlib import Path
 
 import h5py
 import numpy as np
 import pytest
-import SurfaceTopography
 import yaml
 from refusals import assert_says, refusal
 from scan_files import heights, scan
@@ -275,23 +269,3 @@ def test_a_child_cannot_write_to_a_file_that_is_open(folder):
 
         assert_says(refusal(reading.read_in_child, write, scan(folder / "a.nc")), "OSError")
     assert (folder / "open.txt").read_bytes() == b""
-
-
-def imported_late(path):
-    """Yield the modules that functions of a file import, except for parallel and written files."""
-    package = path.parent.relative_to(Path(SurfaceTopography.__file__).parents[1]).as_posix()
-    for node in ast.walk(ast.parse(path.read_text("utf-8"))):
-        for late in ast.walk(node) if isinstance(node, ast.FunctionDef) else ():
-            if isinstance(late, ast.Import):
-                yield from (alias.name for alias in late.names)
-            elif isinstance(late, ast.ImportFrom):
-                name = "." * late.level + (late.module or "")
-                yield resolve_name(name, package.replace("/", ".")) if late.level else name
-
-
-def test_late_imports_of_readers_are_loaded_before():
-    import_module("hardcontact.scans.formats")
-    folder = Path(SurfaceTopography.__file__).parent / "IO"
-    late = {name for path in folder.glob("*.py") for name in imported_late(path)}
-    assert "tifffile" in late
-    assert late - set(sys.modules) <= {"netCDF4"}  # of files that many processes share

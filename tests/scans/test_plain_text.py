@@ -163,14 +163,3 @@ def test_points_that_make_no_map_are_refused(tmp_path, points):
 )
 def test_other_texts_keep_their_words(content):
     assert readable_text(content)[0].replace(b" ", b",") == content.replace(b" ", b",")
-
-
-def test_values_other_than_lengths_are_refused_with_their_unit(tmp_path):
-    lines = [*HEAD[:3], "# Value units: mV", *matrix(" ")]
-    path = written(tmp_path / "a.txt", [line.replace(",", ".") for line in lines])
-    assert_says(refusal(read_scan, path), "found a text of values in mV")
-
-
-def test_ragged_rows_are_refused(tmp_path):
-    path = written(tmp_path / "a.txt", [*matrix(" "), "1 2 3 4 5 6"])
-    assert_says(refusal(read_scan, path), "found a text that is neither a matrix")

@@ -313,13 +313,3 @@ def test_the_tip_radius_is_read_from_the_file_or_from_words(file, container, rad
     stated_radius, notes = stated_tip_radius(file, container)
     assert stated_radius == (None if radius is None else pytest.approx(radius))
     assert len(notes) == (radius is not None)
-
-
-def test_a_stylus_file_states_its_radius(tmp_path):
-    rows = "\n".join(f"{0.1 * k:.1f},{height:.6f}," for k, height in enumerate(heights(40) / 100))
-    text = "Scan Parameters,\nStylus,Radius: 2.5 um\nScan Data,\n\nLateral um,Raw Micrometer,\n"
-    (tmp_path / "a.csv").write_text(text + rows + "\n")
-    measurement = read_scan(tmp_path / "a.csv")
-    assert (measurement.kind, measurement.tip_radius) == ("line scan", pytest.approx(2500.0))
-    assert measurement.pixel_size == pytest.approx(100.0)
-    np.testing.assert_allclose(measurement.heights, 10 * heights(40), atol=1e-3)

@@ -6,7 +6,6 @@ from measurements import map_of, two_sizes_and_a_line
 
 from hardcontact.base import dataset
 from hardcontact.base.random import generator
-from hardcontact.report.own_surfaces.artificial_roughness import artificial_bands
 from hardcontact.scans.extrapolated_spectrum import Tail
 from hardcontact.scans.joined_spectrum import joined_spectrum
 from hardcontact.scans.spectrum_datasets import convert_described_spectrum, stack_spectra
@@ -41,12 +40,6 @@ def test_only_published_or_measured_bands_are_known():
     np.testing.assert_allclose(spectrum.joined_psd, density, rtol=0.03)
     assert np.isnan(spectrum.attrs["tail_hurst"])
     assert set(spectrum.limited_by.values) == {"source"}
-
-
-def test_unknown_bands_are_artificial():
-    table = stack_spectra({"x": convert_described_spectrum(substitute(), "x.csv")}, {"x": "X"})
-    bands = artificial_bands(table.sel(surface="x"))
-    np.testing.assert_allclose(bands, [(0, 10), (100, 1000), (1e6, np.inf)])
 
 
 def test_surfaces_are_stacked_with_their_limits_and_empty_entries(tmp_path):

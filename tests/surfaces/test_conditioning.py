@@ -17,7 +17,7 @@ from hardcontact.surfaces import conditioning
 from hardcontact.surfaces.conditioning import Targets
 from hardcontact.surfaces.descriptions import AFM_ROWS
 from hardcontact.surfaces.height_map import level, metrics
-from hardcontact.surfaces.spectrum import WAVEVECTORS, spectrum_dataset
+from hardcontact.surfaces.spectrum import spectrum_dataset
 from hardcontact.surfaces.substitute_spectra import (
     expected_scan_rms,
     substitute_spectrum,
@@ -171,11 +171,3 @@ def test_scans_of_another_size_meet_no_row_of_table_1(spectrum):
     rms_values = expected_scan_rms(UNCD, transfer_weights(512, PIXEL, 128))
     np.testing.assert_allclose(list(targets.means.values()), rms_values)
     assert targets.met_rows == ()
-
-
-def test_band_shares_are_smooth_and_add_up_to_one():
-    shares = conditioning.component_shares(GRID)
-    np.testing.assert_allclose(shares.sum(axis=0), 1, rtol=1e-12)
-    assert (shares >= 0).all() and np.abs(np.diff(shares, axis=1)).max() < 0.1
-    assert (shares[0, WAVEVECTORS < 2 * np.pi / GRID.size] == 1).all()
-    assert (shares[2, WAVEVECTORS > np.pi / PIXEL] == 1).all()

@@ -10,13 +10,12 @@ from paper_numbers import POLISHED
 from periodic_maps import height_map
 
 from hardcontact.surfaces.conditioning import Substitute
-from hardcontact.surfaces.featured_scans import FeaturedSurface, nearest_group, sample_group
+from hardcontact.surfaces.featured_scans import FeaturedSurface, nearest_group
 from hardcontact.surfaces.features import (
     Features,
     add_features,
     expected_rms,
     feature_squares,
-    no_features,
     published_statistics,
     sample_features,
     standardized_differences,
@@ -105,19 +104,6 @@ def test_deviations_are_in_standard_errors():
     np.testing.assert_allclose(shifted[:3], 1)
 
 
-def test_statistics_that_no_features_have_are_refused(monkeypatch):
-    monkeypatch.setattr("hardcontact.surfaces.features.MAX_BATCHES", 2)
-    impossible = POLISHED._replace(deviations=POLISHED.deviations * [1, 100, 1])
-    with pytest.raises(ValueError, match=r"3\.2 \+- 1\.6 nm, found none in 2000 tries"):
-        sample_features(np.random.default_rng(1), impossible, 5, SIZE, PIXEL, 1)
-
-
-def test_a_gaussian_surface_has_the_height_over_all_scales():
-    features = no_features(POLISHED, 2)
-    assert features.base_factor * 3.2 == pytest.approx(4.2)
-    assert features.counts == (0, 0)
-
-
 def test_published_statistics_keep_the_relative_deviations_of_table_1():
     table = pd.read_csv("resources/paper/table1.csv")
     rows = table[table["surface"] == "polished_uncd"].set_index("quantity")
@@ -133,21 +119,6 @@ SUBSTITUTE = Substitute(
 SOURCE = FeaturedSurface(SUBSTITUTE, POLISHED)
 
 
-def test_a_group_depends_on_its_names_and_the_seed_alone():
-    features, scans = sample_group(SOURCE, "bumps", [1, 2], 3)
-    again, scans_again = sample_group(SOURCE, "bumps", [1, 2], 3)
-    assert features == again
-    np.testing.assert_array_equal(scans[1].heights, scans_again[1].heights)
-    others = [
-        sample_group(SOURCE, "pits", [1, 2], 3),
-        sample_group(SOURCE, "bumps", [1, 2], 4),
-        sample_group(FeaturedSurface(replace(SUBSTITUTE, seed=2), POLISHED), "bumps", [1, 2], 3),
-    ]
-    for other_features, other_scans in others:
-        assert other_features.width != features.width
-        assert not np.allclose(other_scans[0].heights, scans[0].heights)
-
-
 def test_the_nearest_group_is_one_of_bumps_or_pits(monkeypatch):
     monkeypatch.setattr("hardcontact.surfaces.featured_scans.CANDIDATES", 4)
     features, scans = nearest_group(SOURCE, [1, 2])
@@ -161,10 +132,3 @@ def test_the_nearest_group_is_one_of_bumps_or_pits(monkeypatch):
     ]
     assert features == candidates[int(np.argmin(distances))]
     assert [scan.pixels for scan in scans] == [64, 64]
-
-
-def test_a_whole_surface_is_periodic_and_has_features_at_their_density():
-    surface = SOURCE.whole_surface(1, 256, 20.0)
-    assert surface.periodic and surface.heights.dtype == np.float32
-    np.testing.assert_array_equal(surface.heights, SOURCE.whole_surface(1, 256, 20.0).heights)
-    assert not np.allclose(surface.heights, SOURCE.whole_surface(2, 256, 20.0).heights)

@@ -15,16 +15,6 @@ def noise(pixels, seed=0):
     return height_map(np.random.default_rng(seed).standard_normal((pixels, pixels)), 10.0)
 
 
-@pytest.mark.parametrize("coarse, fine", [(16, 64), (15, 45), (32, 32), (20, 60)])
-def test_interpolation_passes_through_the_points(coarse, fine):
-    surface = noise(coarse)
-    step = fine // coarse
-    interpolated = interpolate(surface, fine)
-    np.testing.assert_allclose(interpolated.heights[::step, ::step], surface.heights, atol=2e-6)
-    assert interpolated.size == pytest.approx(surface.size)
-    assert (interpolated.periodic, interpolated.basis) == (True, "substitute")
-
-
 def test_interpolation_reproduces_a_wave():
     x = np.arange(24) / 24
     wave = np.cos(2 * np.pi * (3 * x[:, None] - 5 * x))
@@ -82,9 +72,3 @@ def test_a_series_is_the_master_filtered_at_each_cutoff(side, pixels):
             heights = low if side == "short" else unfiltered - low
         np.testing.assert_allclose(surface.heights, heights, atol=2e-6)
         assert surface.size == pytest.approx(master.size)
-
-
-def test_a_filtered_master_needs_only_pixels_for_its_long_waves():
-    shorter = filtered(noise(64), "short", 100.0, 32)
-    interpolated = interpolate(lowpass(noise(64), 100.0), 32)
-    np.testing.assert_allclose(shorter.heights, interpolated.heights, atol=1e-6)

@@ -2,18 +2,14 @@
 
 import numpy as np
 import pytest
-from refusals import assert_says, refusal
-from scan_files import truncate_file
 from scipy import stats
 
-from hardcontact.base import dataset
 from hardcontact.surfaces.height_map import (
     HeightMap,
     level,
     level_lines,
     metrics,
     mirror_stitch,
-    read_height_map,
     remove_form,
     to_surface_topography,
 )
@@ -23,21 +19,6 @@ RADIUS = 250e3
 
 def scan_of(heights, pixel_size=10.0):
     return HeightMap(heights, pixel_size, periodic=False, basis="measured")
-
-
-def test_a_map_is_read_back_as_it_was_written(tmp_path):
-    heights = np.random.default_rng(0).standard_normal((8, 12))
-    surface = HeightMap(heights, 2500 / 512, periodic=True, basis="measured")
-    dataset.write(surface.to_dataset(), tmp_path / "a.nc")
-    read_scan = read_height_map(tmp_path / "a.nc")
-    np.testing.assert_array_equal(read_scan.heights, heights)
-    assert (read_scan.pixel_size, read_scan.periodic, read_scan.basis) == (
-        2500 / 512,
-        True,
-        "measured",
-    )
-    message = refusal(read_height_map, truncate_file(tmp_path / "a.nc", 0.5))
-    assert_says(message, "a.nc: expected a complete netCDF file, found")
 
 
 @pytest.mark.parametrize("shape", [(64, 64), (9, 12)])
@@ -73,19 +54,6 @@ def test_a_stitched_map_is_mirror_symmetric():
     for axis in (0, 1):
         mirrored = np.flip(stitched.heights, axis)
         np.testing.assert_array_equal(stitched.heights, mirrored)
-
-
-def test_a_wave_has_the_metrics_in_closed_form():
-    pixels, pixel_size, amplitude, order = 256, 3.0, 2.0, 16
-    wave = amplitude * np.sin(2 * np.pi * order * np.arange(pixels) / pixels)
-    values = metrics(scan_of(wave * np.ones((pixels, 1)), pixel_size))
-    rms, difference = amplitude / 2**0.5, 2 * np.sin(np.pi * order / pixels) / pixel_size
-    assert values["rms_height"] == pytest.approx(rms)
-    assert values["rms_gradient"] == pytest.approx(rms * difference, rel=0.01)
-    assert values["rms_profile_slope"] == pytest.approx(rms * difference, rel=0.01)
-    assert values["rms_laplacian"] == pytest.approx(rms * difference**2, rel=0.01)
-    assert values["kurtosis"] == pytest.approx(1.5) and values["skewness"] == pytest.approx(0)
-    assert values["peak_to_valley"] == pytest.approx(2 * amplitude)
 
 
 @pytest.mark.parametrize("shape", [(64, 64), (30, 47)])

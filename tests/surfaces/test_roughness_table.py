@@ -8,9 +8,8 @@ import xarray as xr
 from measurements import PIXEL, UNCD, levelled_scan, measurement
 
 from hardcontact.base.random import generator
-from hardcontact.base.statistics import bounds
-from hardcontact.surfaces.height_map import METRICS, level_and_stitch, metrics, remove_form
-from hardcontact.surfaces.roughness_table import measured_roughness, roughness_table, scan_averages
+from hardcontact.surfaces.height_map import level_and_stitch, metrics, remove_form
+from hardcontact.surfaces.roughness_table import measured_roughness, roughness_table
 from hardcontact.surfaces.spectrum import measured_psds, spectrum_dataset
 from hardcontact.surfaces.synthesis import add_sphere
 
@@ -21,18 +20,6 @@ SETTINGS = dict(
     reference_surface="uncd",
     confidence=0.9,
 )
-
-
-def test_means_over_scans_have_student_s_interval():
-    rows = [[1.0, 2.0, 3.0], [5.0, 7.0, np.nan]]
-    scans = xr.Dataset({name: (("surface", "scan"), rows, {"units": "nm"}) for name in METRICS})
-    mean = scan_averages(scans, 0.95)
-    np.testing.assert_allclose(mean["rms_height_mean"], [2, 6])
-    np.testing.assert_allclose(mean["rms_height_std"], [1, np.sqrt(2)])
-    # Student's t: 4.303 for two degrees of freedom, 12.706 for one.
-    reach = np.array([4.3027 / 3**0.5, 12.7062])
-    ends = [[2, 6] - reach, [2, 6] + reach]
-    np.testing.assert_allclose(bounds(mean, "rms_height_mean"), ends, rtol=1e-4)
 
 
 @pytest.fixture(scope="module")

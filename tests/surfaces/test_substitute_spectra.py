@@ -29,25 +29,6 @@ def weights():
     return transfer_weights(1024, PIXEL, 256)
 
 
-@pytest.mark.parametrize(
-    ("model", "rolloff", "truth", "names"),
-    [
-        ("self-affine", np.nan, (1.0e7, 800.0, 0.9), ["plateau_nm4", "rolloff_nm", "hurst"]),
-        ("varying Hurst", 2000.0, (1.0e10, 1.6, -0.5), ["plateau_nm4", "hurst", "hurst_change"]),
-    ],
-)
-def test_calibration_recovers_the_spectrum_of_its_scans(weights, model, rolloff, truth, names):
-    if model == "self-affine":
-        density = spectrum.self_affine(WAVEVECTORS, *truth)
-    else:
-        density = spectrum.varying_hurst(WAVEVECTORS, truth[0], rolloff, *truth[1:])
-    rms_values = expected_scan_rms(Spectrum(WAVEVECTORS, density), weights)
-    table1 = pd.DataFrame({"value": rms_values}, index=list(descriptions.AFM_ROWS))
-    parameters = substitute_spectra.calibrate_model(band(model, rolloff), table1, weights)
-    assert list(parameters) == names
-    np.testing.assert_allclose(list(parameters.values()), truth, rtol=1e-6)
-
-
 def test_no_self_affine_spectrum_has_the_scans_of_ncd(project_folder):
     table = published.read_table1("resources/paper/table1.csv")
     ncd = published.rows_of_surface(table, "ncd")
@@ -61,15 +42,6 @@ def test_no_self_affine_spectrum_has_the_scans_of_ncd(project_folder):
 def longer_waves():
     """UNCD's spectrum on WAVEVECTORS down to 20 nm."""
     return np.where(2 * np.pi / WAVEVECTORS > 20, UNCD.density, 0)
-
-
-@pytest.mark.parametrize("rms_values", [(1.17, 6.32), (1.0, 4.0), (0.9, 5.9)])
-def test_a_tail_completes_slope_and_curvature(longer_waves, rms_values):
-    tail = spectrum.power_law_tail(
-        longer_waves, *substitute_spectra.calibrate_tail(longer_waves, *rms_values)
-    )
-    completed_rms = all_scales_rms(Spectrum(WAVEVECTORS, longer_waves + tail))[1:]
-    np.testing.assert_allclose(completed_rms, rms_values, rtol=1e-9)
 
 
 @pytest.mark.parametrize(
@@ -167,28 +139,6 @@ def test_default_spectra_meet_table_1(surface):
     if surface != "polished_uncd":  # a Gaussian surface that Table 1 rejects
         error = height - table1.value["all_rms_height"]
         assert abs(error) < table1.uncertainty["all_rms_height"]
-
-
-def test_default_uncd_is_near_the_public_measurements():
-    """The ratios whose range workflow/report/departures.md reports."""
-    table1, default = default_spectrum("uncd")
-    path = ROOT / "resources/spectra/uncd-measured.csv"
-    measured_density, *_ = substitute_spectra.spectrum_from_description(path, table1, WEIGHTS)
-    q = 2 * np.pi / np.array([2000, 1000, 500, 200, 100, 50])
-    ratio = Spectrum(WAVEVECTORS, default.spectrum.values)(q) / Spectrum(
-        WAVEVECTORS, measured_density
-    )(q)
-    np.testing.assert_allclose(ratio, [1.29, 2.00, 0.86, 0.68, 0.71, 0.75], atol=0.005)
-
-
-@pytest.mark.parametrize(
-    ("band", "message_part"),
-    [("inf,20,profile,,,,,none.csv", "none.csv"), ("inf,20,self-affine,,,,,", "afm_rms_height")],
-)
-def test_a_band_that_cannot_be_made_is_named(write_description, band, message_part):
-    path = write_description(band)
-    with pytest.raises(ValueError, match=f"surface.csv: segment from inf nm: .*{message_part}"):
-        substitute_spectra.spectrum_from_description(path, NO_TABLE1, WEIGHTS)
 
 
 def test_permitted_spectra_scatter_like_the_means_of_table_1(write_description):

@@ -16,19 +16,6 @@ def radii(pixels, pixel_size):
     return np.hypot(wave[:, None], wave)
 
 
-def grid_variance(density, pixels, pixel_size):
-    """Variance that a spectrum has on a periodic grid (Parseval), its mean left out."""
-    modes = density(radii(pixels, pixel_size))
-    modes[0, 0] = 0
-    return modes.sum() / (pixels * pixel_size) ** 2
-
-
-def test_random_surface_has_the_variance_of_its_spectrum():
-    variances = [random_surface(generator(1, k), 256, 20.0, uncd).heights.var() for k in range(40)]
-    error = np.std(variances) / np.sqrt(len(variances))
-    assert abs(np.mean(variances) - grid_variance(uncd, 256, 20.0)) < 4 * error
-
-
 def test_scans_have_the_spectrum_they_are_made_from():
     pixels, pixel_size = 256, 20.0
     mean = np.zeros((pixels, pixels))

@@ -81,15 +81,6 @@ def test_a_single_smooth_summit_attracts_like_a_sphere_of_its_radius():
     assert form.dmt_ratio == pytest.approx(summit / flat, rel=0.1)
 
 
-def test_force_is_linear_in_work_and_area_of_contact_attracts():
-    double = closed_form(rough(), contact_of_area(RADIUS, 5.6, 2.0, 400.0))
-    assert double.force == pytest.approx(2 * closed_form(rough(), contact()).force)
-    rigid = closed_form(rough(), contact(area=0.0))
-    plastic = closed_form(rough(), contact(area=400.0))
-    assert plastic.apex_height < rigid.apex_height
-    assert plastic.force > rigid.force
-
-
 @pytest.mark.parametrize(("rms", "rho", "error"), [(4, 5.6, 0.2), (4, 20, 0.05), (40, 5.6, 0.4)])
 def test_the_closed_form_predicts_forces_on_random_surfaces(rms, rho, error):
     pixels, size, radius = 512, 10e3, 50e3
