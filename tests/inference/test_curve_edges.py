@@ -120,16 +120,6 @@ def test_an_open_edge_may_have_one_end_of_its_interval():
     np.testing.assert_allclose(interval, [100, np.nan])
 
 
-def test_an_interval_open_on_both_sides_is_left_out():
-    result, interval = edge("short", [0.2, 0.3, 0.4], [0.15, 0.2, 0.3], [0.3, 0.4, 0.5])
-    assert result.bound == 10 and np.isnan(interval).all()
-
-
-def test_an_exact_curve_has_its_edge_between_two_cutoffs():
-    changes = [0.05, 0.15, 0.4]
-    assert edge("short", changes, changes, changes)[1].tolist() == [10, 100]
-
-
 @pytest.mark.parametrize(
     ("side", "ratio", "ripples"),
     [

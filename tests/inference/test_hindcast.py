@@ -102,21 +102,6 @@ def test_errors_add_in_squares():
     np.testing.assert_allclose(same["force_interval"], force["force_interval"])
 
 
-@pytest.mark.parametrize(
-    ("side", "limits", "octave"),
-    [
-        ("short", (20, 10, 1000), (20, 40)),
-        ("short", (20, 30, 1000), (30, 60)),
-        ("long", (1000, 10, 2000), (500, 1000)),
-        ("long", (1000, 10, 800), (400, 800)),
-        ("short", (20, 30, 50), None),
-        ("long", (1000, 600, 2000), None),
-    ],
-)
-def test_the_octave_is_the_last_that_the_scan_shows(side, limits, octave):
-    assert hindcast.last_octave(side, *limits) == octave
-
-
 def test_each_side_ends_with_an_octave_within_the_reliable_wavelengths():
     measurements = xr.Dataset(
         {

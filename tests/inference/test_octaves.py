@@ -3,11 +3,8 @@
 import numpy as np
 import pytest
 import xarray as xr
-from periodic_maps import height_map, periodic_noise
+from periodic_maps import height_map
 
-from hardcontact.contact.contact import Contact
-from hardcontact.contact.geometry import join_bodies
-from hardcontact.contact.pull_off import forces_at_loadings
 from hardcontact.inference.band_forces import (
     BAND_PARTS,
     band_force_dataset,
@@ -15,10 +12,8 @@ from hardcontact.inference.band_forces import (
     band_ratios,
 )
 from hardcontact.inference.octaves import (
-    AMPLITUDE_FACTORS,
     STEP,
     octave_force_dataset,
-    octave_forces,
     octave_limits,
     octave_sensitivities,
     split_octaves,
@@ -34,20 +29,6 @@ def wavy(*wavelengths):
     y = np.arange(PIXELS) * PIXEL_SIZE
     profile = sum(np.cos(2 * np.pi * y / wavelength) for wavelength in wavelengths)
     return height_map(np.tile(profile[:, None], PIXELS), PIXEL_SIZE)
-
-
-def rough_map():
-    """A map without waves beyond its octaves, of 4 nm."""
-    noise = height_map(periodic_noise(PIXELS, 4.0, 3), PIXEL_SIZE)
-    return next(band_parts(noise, [(80.0, 2561.0)]))["only the band"]
-
-
-def mean_force(surface):
-    contact = Contact(
-        radius=50e3, preload=10e-6, hardness=25e9, window=2560.0, contacts_per_row=16, rho=5.0
-    )
-    pair = join_bodies(surface, None, contact)
-    return forces_at_loadings(pair, [contact], [contact.rho])[0, 0].mean()
 
 
 def whole_parts(count):
@@ -82,30 +63,6 @@ def test_a_part_of_the_roughness_keeps_its_waves_alone(name, wavelengths):
     (parts,) = band_parts(wavy(160.0, 512.0, 1280.0), [(200.0, 600.0)])
     part = parts[name]
     np.testing.assert_allclose(part.heights, wavy(*wavelengths).heights, atol=1e-5)
-
-
-def test_the_octaves_add_up_to_the_derivative_for_all_roughness():
-    surface = rough_map()
-    limits = [80.0, 160.0, 320.0, 640.0, 1280.0, 2561.0]
-    weak, strong = octave_forces(surface, limits, mean_force).T
-    total = np.log(strong / weak).sum() / (2 * STEP)
-    low, high = (mean_force(height_map(surface.heights * f, PIXEL_SIZE)) for f in AMPLITUDE_FACTORS)
-    assert total == pytest.approx(np.log(high / low) / (2 * STEP), rel=0.02)
-    assert abs(total) > 0.3
-
-
-def test_the_central_difference_converges(monkeypatch):
-    surface = rough_map()
-
-    def derivative(step):
-        monkeypatch.setattr("hardcontact.inference.octaves.AMPLITUDE_FACTORS", (1 - step, 1 + step))
-        ((weak, strong),) = octave_forces(surface, [640.0, 1280.0], mean_force)
-        return np.log(strong / weak) / (2 * step)
-
-    limit = derivative(0.001)
-    errors = [abs(derivative(step) - limit) for step in (4 * STEP, 2 * STEP, STEP)]
-    assert errors[0] > errors[1] > errors[2]
-    assert errors[2] < 0.05 * abs(limit)
 
 
 def test_the_sensitivity_of_a_power_is_its_exponent():
@@ -144,22 +101,3 @@ def test_ratios_of_a_band_are_relative_to_the_force_with_all_roughness():
     # Each map has the same ratios: the jackknife has nothing but rounding to vary.
     widths = np.ptp(ratios.band_force_ratio_interval.values, axis=-1)
     np.testing.assert_allclose(widths[np.isfinite(widths)], 0, atol=1e-5)
-
-
-def test_the_interval_of_a_ratio_is_that_of_student_on_linear_scatter():
-    # Nearly equal maps: the jackknife is Student's t of the relative scatter.
-    rng = np.random.default_rng(1)
-    scatter = 1 + 1e-4 * rng.standard_normal(5)
-    part_forces = np.stack([scatter, np.ones(5), np.ones(5)], 1)[:, None, :, None, None]
-    contacts = ("contact_y", "contact_x")
-    forces = xr.Dataset(
-        {
-            "force": (("map", *contacts), np.ones((5, 1, 1))),
-            "band_force": (("map", "band", "band_part", *contacts), part_forces),
-        },
-        {"band": ["published"], "band_part": list(BAND_PARTS)},
-    )
-    low, high = band_ratios(forces, whole_parts(5), 0.95).band_force_ratio_interval[0, 0].values
-    quantile = 2.7764451051977934  # Student's t of four degrees of freedom
-    half = quantile * scatter.std(ddof=1) / np.sqrt(5)
-    assert (high - low) / 2 == pytest.approx(half, rel=1e-3)

@@ -93,11 +93,6 @@ def test_the_region_contains_the_true_pair_in_nineteen_of_twenty_draws_and_no_di
     assert RHOS[0] < low < RHO < high < RHOS[-1]
 
 
-def test_the_region_from_one_scan_per_surface_contains_the_true_pair():
-    # Quarters are all that differs here: with spread 0 no scan has a factor of its own.
-    assert sum(holds(sampled_fit(seed, scans=1, spread=0.0)) for seed in range(10)) >= 9
-
-
 def test_finer_pixels_raise_the_upper_end_of_the_work_alone():
     rng = np.random.default_rng(5)
     computed_forces, tests = adhesion(rng), sampled_tests(rng)

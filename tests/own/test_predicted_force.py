@@ -12,7 +12,7 @@ from scipy import stats
 
 from hardcontact.base.random import generator
 from hardcontact.base.statistics import student_interval
-from hardcontact.own.mean_forces import MasterScans, forces_of_masters, half_width_over_masters
+from hardcontact.own.mean_forces import MasterScans
 from hardcontact.own.predicted_force import (
     add_extrapolated_force,
     bound_by_smooth_sphere,
@@ -199,25 +199,6 @@ def test_the_extrapolated_force_differs_beyond_its_interval_and_the_tolerance(ra
     )
     comparison = add_extrapolated_force(scan_forces, extrapolated_forces, 0.1).extrapolation_matters
     assert comparison.sel(side="short").values.tolist() == [differs]
-
-
-@pytest.mark.study
-@pytest.mark.parametrize("count", [2, 5])
-def test_the_interval_covers_the_scatter_between_realizations(count):
-    rng, contained = np.random.default_rng(3), []
-    template = master_forces(realizations=count)
-    for _ in range(100):
-        shared = 0.3 * rng.standard_normal((1, count, 1, 1, 1))
-        single = 0.05 * rng.standard_normal((1, count, 2, 4, 4))
-        forces = xr.zeros_like(template.unfiltered_pull_off_force) + np.exp(shared + single)
-        sampled_forces = template.assign(unfiltered_pull_off_force=forces)
-        forces = forces_of_masters(sampled_forces, "a", "short", MASTERS)
-        half = half_width_over_masters(
-            forces, lambda filtered, whole: whole, "log_unfiltered_force_shift", 0.95
-        )
-        mean = float(forces.forces.unfiltered_pull_off_force.mean())
-        contained.append(abs(np.log(mean) - (0.3**2 + 0.05**2) / 2) < half)
-    assert np.mean(contained) >= 0.9
 
 
 def test_the_needed_number_of_contacts_keeps_the_mean_within_the_tolerance():

@@ -1,7 +1,5 @@
 """The octaves of a prediction are derivatives, on a scan and in closed form."""
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 import scan_files
@@ -16,7 +14,6 @@ from hardcontact.inference.octaves import AMPLITUDE_FACTORS, STEP
 from hardcontact.own import predicted_octaves, scan_force
 from hardcontact.own.own_spectrum import OwnSpectrum, own_spectrum
 from hardcontact.own.predicted_octaves import derivatives_in_closed_form, derivatives_on_scan
-from hardcontact.own.scan_force import RANGE_TOO_SHORT, TOO_LARGE, obstacle_to_force
 from hardcontact.own.scan_window import window_on_scans
 from hardcontact.surfaces.spectrum import Spectrum
 from hardcontact.theory.closed_form import closed_form
@@ -108,12 +105,3 @@ def test_a_map_has_octaves_of_its_force_sum_and_a_table_those_of_the_closed_form
         predicted_octaves.predicted_octaves(OwnSpectrum(rough(17, 1000, 0.8, 20), ()), CONTACT)
     )
     assert len(of_table) == 6 and {number.status for number in of_table} == {"closed_form"}
-
-
-def test_large_maps_and_ranges_that_a_map_does_not_resolve_have_no_force_sum():
-    scan = band_limited_map()
-    large = hc.HeightMap(np.tile(scan.heights, (20, 20)), PIXEL_SIZE)
-    assert obstacle_to_force([scan], CONTACT, 8)[0] == ""
-    assert obstacle_to_force([scan], replace(CONTACT, rho=0.001), 8)[0] == RANGE_TOO_SHORT
-    assert obstacle_to_force([large], CONTACT, 8)[0] == TOO_LARGE
-    assert obstacle_to_force([scan], CONTACT, 10**6)[0] == TOO_LARGE

@@ -6,11 +6,10 @@ import numpy as np
 import pytest
 import scan_files
 from known_spectra import contact_of_area
-from measurements import PIXEL, line_of, map_of, measurement, self_affine_heights
-from prediction_command import numbers_of, printed, rolled_off
+from measurements import PIXEL, line_of, map_of, measurement
+from prediction_command import numbers_of, printed
 from refusals import assert_says, refusal
 
-import hardcontact as hc
 from hardcontact.base.random import generator
 from hardcontact.own.own_spectrum import own_spectrum
 from hardcontact.scans.joined_spectrum import joined_spectrum
@@ -20,22 +19,6 @@ from hardcontact.theory.closed_form import closed_form
 #: The paper's contact, in closed form.
 CONTACT = contact_of_area(250e3, 5.6, 0.0463, 400.0)
 pytestmark = pytest.mark.usefixtures("few_cutoffs")
-
-
-def test_a_profile_under_headings_is_a_scan(tmp_path):
-    path = tmp_path / "profile.csv"
-    positions, heights = np.arange(1024) * 5e-4, line_of(generator(3), 1024, PIXEL).heights
-    headings = "x [mm],z [nm]"
-    np.savetxt(
-        path, np.column_stack([positions, heights]), delimiter=",", header=headings, comments=""
-    )
-    (scan_note,) = own_spectrum([path], unit="mm,nm").notes
-    assert_says(scan_note, "reliable from 2 µm (4 pixels)")
-    # The range of the spectrum differs from that of the scan, and says why.
-    assert_says(
-        printed(str(path), "--unit", "mm,nm", "--verbose"),
-        "spectrum used: 2.24 µm to 89.1 µm (the bins, ten a decade, with centres at reliable",
-    )
 
 
 @pytest.mark.parametrize("kind", ["map", "line"])
@@ -80,50 +63,6 @@ def test_the_force_on_pillars_is_not_predicted(tmp_path):
     smooth = 2 * np.pi * 250e-6 * 0.0463
     assert numbers["smooth_force"]["value"] == pytest.approx(smooth, rel=0.01)
     assert "short_edge" not in numbers and "extrapolated_force" not in numbers
-
-
-def test_a_defect_is_a_caution_and_levelling_is_an_option(tmp_path):
-    heights = self_affine_heights(generator(1), 128, 40.0, 8.0)
-    y, x = np.indices(heights.shape) - 64
-    path, size = tmp_path / "a.nc", (5120.0, 5120.0)
-
-    def report(heights, *options):
-        return printed(str(scan_files.scan(path, heights.T, size)), *options)
-
-    assert f"take care: {path}" not in report(heights)
-    clipped = np.minimum(heights, np.quantile(heights, 0.9))
-    assert_says(report(clipped), f"take care: {path}: 10 % of its pixels have the highest value")
-    bowed = heights - (x**2 + y**2 / 2) * 0.02
-    assert "curvature" in report(bowed)
-    assert "curvature" not in report(bowed, "--levelling", "quadratic")
-
-
-@pytest.mark.parametrize("sign", [1, -1])
-def test_heights_that_are_not_gaussian_are_a_caution_without_a_known_error(tmp_path, sign):
-    """The sum over pixels is less than half the closed form on bumps, above twice it on pores."""
-    base, second_map = (map_of(generator(seed), 128, 40.0, rolled_off).heights for seed in (3, 4))
-    base, second_map = 4 * base / base.std(), second_map / second_map.std()
-    heights = base + sign * 10 * np.maximum(second_map - 0.3, 0) ** 2
-    contact = {"radius": 250e3, "preload": 10e-6, "hardness": 25e9}
-    forces = hc.pull_off_forces(
-        hc.HeightMap(heights, 40.0), ranges=[5.6], work=0.0463, contacts_per_row=6, **contact
-    )
-    summed = forces.pull_off_force.sel(contact_model="plastic").mean().item()
-    path = scan_files.scan(tmp_path / "skewed.nc", heights.T, (5120.0, 5120.0))
-    numbers = numbers_of(str(path))
-    predicted = numbers["closed_form_force"]
-    assert (summed / predicted["value"]) ** sign < 0.5
-    assert predicted["status"] == "outside" and numbers["skewness"]["value"] * sign > 1
-    assert_says(printed(str(path), "--verbose"), "take care: heights have a skewness of")
-
-
-def test_a_csv_of_heights_is_read_as_a_scan(tmp_path):
-    heights = map_of(generator(3), 64, 10.0).heights
-    scan_files.scan(tmp_path / "scan.nc", heights.T, (640.0, 640.0))
-    np.savetxt(tmp_path / "scan.csv", heights, delimiter=",")
-    spectra = [own_spectrum([tmp_path / "scan.nc"])]
-    spectra.append(own_spectrum([tmp_path / "scan.csv"], unit="nm", map_size=640.0))
-    assert spectra[1].spectrum.density == pytest.approx(spectra[0].spectrum.density)
 
 
 def test_members_of_a_container_are_joined_or_chosen(tmp_path):

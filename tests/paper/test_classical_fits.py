@@ -2,15 +2,12 @@
 
 import numpy as np
 import pytest
-from paper_numbers import AFM, MEAN_FORCE, SPHERE, UNCERTAINTY
+from paper_numbers import AFM, MEAN_FORCE, SPHERE
 from scipy.optimize import minimize
 
-from hardcontact.base.statistics import Sampling, bounds
 from hardcontact.paper.classical_fits import (
     fit_classical_work,
     power_law_error,
-    power_laws,
-    sample_roughness,
 )
 from hardcontact.paper.classical_models import MODELS, Roughness
 
@@ -31,13 +28,6 @@ def test_fit_of_forces_that_vanish_has_no_work():
     assert np.isnan(work) and error == pytest.approx(1)
 
 
-def test_sampled_roughness_is_positive_and_spreads_as_printed():
-    samples = sample_roughness(np.random.default_rng(0), AFM, UNCERTAINTY, 4000)
-    assert all((values > 0).all() and values.shape == (4000, 4) for values in samples)
-    np.testing.assert_allclose(samples.height[:, 2].std(), 11.2, rtol=0.05)
-    assert abs(np.corrcoef(samples.height[:, 2], samples.slope[:, 2])[0, 1]) < 0.05
-
-
 def test_a_power_law_has_the_least_mean_relative_error():
     works = 3 * AFM.height**-1.2
     assert power_law_error(AFM.height, works) == pytest.approx(0, abs=1e-12)
@@ -54,15 +44,3 @@ def test_a_power_law_has_the_least_mean_relative_error():
     )
     assert 0.1 < smallest < error(line[::-1])
     assert power_law_error(AFM.slope, works) == pytest.approx(smallest, rel=1e-6)
-
-
-def test_power_laws_of_all_parameters_have_intervals_over_the_draws():
-    samples = Roughness(*(np.stack([0.9 * values, 1.1 * values]) for values in AFM))
-    works = {"published": MEAN_FORCE, "computed": 0.5 * MEAN_FORCE}
-    laws = power_laws(AFM, samples, works, Sampling(0, 2, 0.95))
-    assert list(laws.rms_parameter.values) == list(Roughness._fields)
-    assert list(laws.force_source.values) == list(works)
-    # A factor common to all surfaces changes no error.
-    low, high = bounds(laws, "power_law_error")
-    np.testing.assert_allclose(low, high)
-    np.testing.assert_allclose(low, laws.power_law_error)

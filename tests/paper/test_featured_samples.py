@@ -17,7 +17,6 @@ from hardcontact.paper.featured_samples import (
     compute_samples,
     no_samples,
     sample_of_set,
-    samples_by_surface,
 )
 from hardcontact.paper.published_fit import Pair, PublishedForces
 from hardcontact.surfaces.featured_scans import FeaturedSurface, sample_group
@@ -53,17 +52,6 @@ def test_each_set_has_a_sample_of_its_own_with_bumps_and_pits_in_turn(samples):
     heights = [float(sample_of_set(samples, number)["feature_height"]) for number in (1, 2, 3, 4)]
     assert len(set(heights)) == 4
     assert np.sign(heights).tolist() == [1, -1, 1, -1]
-
-
-def test_chunks_are_joined_by_surface_and_kind(samples):
-    chunks = {
-        ("uncd", kind, number, number): kind_samples.sel(sample=[number])
-        for kind, kind_samples in samples.items()
-        for number in (1, 2)
-    }
-    joined = samples_by_surface(chunks)["uncd"]
-    for kind, kind_samples in samples.items():
-        xr.testing.assert_equal(joined[kind], kind_samples)
 
 
 def test_the_comparison_has_the_forces_at_the_published_pair(samples):

@@ -30,17 +30,6 @@ def test_the_fit_finds_the_range_and_work_that_made_the_forces():
         assert low < value < high
 
 
-def test_intervals_have_the_requested_confidence():
-    narrow = fit_model(power_forces(spread=0.3), sampling=Sampling(1, 200, 0.5))
-    wide = fit_model(power_forces(spread=0.3), sampling=Sampling(1, 200, 0.95))
-    assert narrow.mean_force_interval.attrs == {"units": "N", "confidence": 0.5}
-    narrow_widths = narrow.mean_force_interval.diff("bound").values
-    assert (narrow_widths < wide.mean_force_interval.diff("bound").values).all()
-    np.testing.assert_array_equal(narrow.mean_force, wide.mean_force)
-    low, high = np.quantile(narrow.sampled_range, [0.25, 0.75])
-    np.testing.assert_allclose(narrow.range_of_adhesion_interval, [low, high])
-
-
 def test_a_surface_without_a_published_force_does_not_enter_the_fit():
     forces = power_forces()
     forces[0] *= 100

@@ -50,13 +50,6 @@ def test_a_set_has_the_forces_and_roughness_of_its_scans_at_the_sampled_heights(
         np.testing.assert_allclose(means, direct.mean(axis=(2, 3)), rtol=0.03)
 
 
-def test_every_scan_of_the_pool_is_sampled_equally_often():
-    pool, draws = pool_of(*POOL), 300
-    numbers = [sample_scans(pool, generator(2, n), 2)["number"].values for n in range(draws)]
-    _, counts = np.unique(numbers, return_counts=True)
-    assert (np.abs(counts - draws / 3) < 4 * np.sqrt(draws * 2 / 9)).all()
-
-
 def test_sets_that_would_need_a_flatter_scan_are_sampled_again_or_refused():
     wide = pool_of(*POOL).assign_attrs(rms_height_deviation=6.5)
     lowest = wide["rms_height_of_force"].min().item()
@@ -93,9 +86,3 @@ def test_sampled_means_of_measured_scans_spread_over_their_interval():
     )
     share = ((means > low) & (means < high)).mean(axis=0)
     np.testing.assert_allclose(share, 0.9, atol=4 * np.sqrt(0.09 / 400))
-
-
-def test_a_single_measured_scan_keeps_its_forces():
-    xr.testing.assert_identical(
-        scale_to_sampled_mean(measured_forces(1), generator(6)), measured_forces(1)
-    )

@@ -8,7 +8,6 @@ from paper_numbers import CONSTANTS, MEAN_FORCE, STATEMENTS, SUBSTRATES
 from set_inputs import CONFIDENCE, SCANS, make_adhesion, make_inputs, make_masters, make_pool
 
 from hardcontact.base.statistics import Sampling
-from hardcontact.inference.edges import edges_with_samples
 from hardcontact.paper.published_fit import Pair, PublishedForces, fit_published
 from hardcontact.paper.sampled_sets import (
     SetSettings,
@@ -39,19 +38,6 @@ def sets():
     return sample_sets(make_inputs(), *PAPER, SETTINGS)
 
 
-def test_every_claim_of_the_sets_has_a_number_of_every_set(sets):
-    replicated = REPLICATED["id"]
-    assert sets["value"].dims == ("set", "claim")
-    assert sets["claim"].values.tolist() == replicated.tolist()
-    unfitted_claims = sets["claim"].values[np.isnan(sets["value"]).any("set")]
-    assert set(unfitted_claims) <= {
-        "half_width_of_range",
-        "half_width_of_work",
-    }  # no fit is good enough
-    height = sets["value"].sel(claim="afm_rms_height_uncd")
-    np.testing.assert_allclose(height, 17.4, rtol=1e-12)
-
-
 def test_numbers_are_those_of_each_set(sets):
     inputs = make_inputs()
     models = ["rigid", "plastic"]
@@ -66,16 +52,6 @@ def test_numbers_are_those_of_each_set(sets):
         np.testing.assert_allclose(inference["range_of_adhesion"].sel(contact_model=models), ranges)
         gradient = sampled_scans["ncd"]["rms_gradient"].mean().item()
         assert numbers.sel(claim="afm_rms_slope_ncd").item() == pytest.approx(gradient)
-
-
-def test_a_set_depends_on_its_number_and_the_seed_alone(sets):
-    fewer = sample_sets(make_inputs(), *PAPER, SETTINGS._replace(set_count=1))
-    xr.testing.assert_identical(fewer.isel(set=0), sets.isel(set=0))
-    other_seed = sample_sets(make_inputs(), *PAPER, SETTINGS._replace(set_count=1, seed=2))
-    assert not np.allclose(
-        other_seed["value"].isel(set=0), sets["value"].isel(set=0), equal_nan=True
-    )
-    assert len(np.unique(sets["range_of_adhesion"])) > 2
 
 
 def test_the_factor_of_the_sphere_is_the_ratio_of_mean_forces():
@@ -96,19 +72,9 @@ def test_the_factor_of_the_sphere_is_the_ratio_of_mean_forces():
         xr.testing.assert_identical(inputs.pools[name], pool)
 
 
-def test_measured_surfaces_make_sets_too():
-    inputs = make_inputs(measured_surfaces=SUBSTRATES)
-    sets = sample_sets(inputs, *PAPER, SETTINGS._replace(set_count=2))
-    gradient = inputs.topography["rms_gradient_mean"].sel(surface="ncd")
-    assert sets["value"].isel(set=0).sel(claim="afm_rms_slope_ncd") == gradient
-    ranges = sets["range_of_adhesion"].sel(contact_model="plastic")
-    assert ranges[0] != ranges[1]
-
-
 #: Seed of the study and number of the set.
 DRAW = 1, 3
 NO_SAMPLES = Sampling(1, 0, CONFIDENCE)
-CONTACTS = ["contact_y", "contact_x"]
 
 
 def test_topography_of_a_set_replaces_only_sampled_scans():
@@ -156,15 +122,6 @@ def test_forces_on_measured_scans_change_by_one_factor_per_range():
     # Arrays of sampled scans have fewer contacts; they are padded with NaN.
     uncd_forces = adhesion["pull_off_force"].sel(surface="uncd")
     assert np.isfinite(uncd_forces).sum() == SCANS * 2 * ranges * 9
-
-
-def test_equal_masters_have_the_band_of_one():
-    masters = make_masters()
-    alike = masters.isel(realization=[0] * 6).assign_coords(realization=range(1, 7))
-    band = set_edges(alike, 5, 0.1, NO_SAMPLES, 3)
-    single_band, _ = edges_with_samples(alike.isel(realization=[0]), 0.1, NO_SAMPLES)
-    for name in ("filtered_force_ratio", "filtered_force_change", "edge"):
-        np.testing.assert_allclose(band[name], single_band[name], rtol=1e-12)
 
 
 def test_masters_are_sampled_again_for_every_set_and_surface():

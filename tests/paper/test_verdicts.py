@@ -134,35 +134,6 @@ def test_an_interval_is_stretched_to_its_number(ends, value, stretched):
     np.testing.assert_array_equal(stretch_interval(ends, value), stretched)
 
 
-@pytest.mark.parametrize(
-    ("agreeing", "verdict"),
-    [(20, "reproduced"), (19, "reproduced"), (18, "undecided"), (2, "undecided"),
-     (1, "not reproduced"), (0, "not reproduced")],
-)  # fmt: skip
-def test_the_share_of_sets_that_agree_decides(agreeing, verdict):
-    samples = np.array([5.0] * agreeing + [7.0] * (20 - agreeing))
-    assert accepted_range("interval", 4.0, 6.0).verdict_of_sets(samples) == verdict
-
-
-@pytest.mark.parametrize(
-    ("samples", "verdict"),
-    [
-        (np.linspace(4.2, 5.8, 101), "reproduced"),
-        (np.linspace(1.0, 9.0, 101), "undecided"),  # few samples agree, and the interval has all
-        (np.linspace(6.1, 9.0, 101), "not reproduced"),
-        (np.linspace(3.9, 5.8, 101), "undecided"),
-    ],
-)
-def test_samples_of_one_number_are_judged_with_its_interval(samples, verdict):
-    low, high = np.percentile(samples, [2.5, 97.5])
-    assert accepted_range("interval", 4.0, 6.0).verdict_of_samples(samples, low, high) == verdict
-
-
-def test_a_set_without_a_number_does_not_agree():
-    samples = np.array([5.0] * 17 + [nan] * 3)
-    assert accepted_range("interval", 4.0, 6.0).verdict_of_sets(samples) == "undecided"
-
-
 # --- open ends --------------------------------------------------------------------------------
 
 
