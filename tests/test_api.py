@@ -24,7 +24,6 @@ from SurfaceTopography import Topography
 
 import hardcontact as hc
 from hardcontact import api
-from hardcontact.base.number import Number, plain
 from hardcontact.base.random import generator
 from hardcontact.commands.predict import predict, predict_arguments
 from hardcontact.contact.contact import Contact
@@ -189,18 +188,6 @@ def test_ratios_equal_those_of_the_remaining_wave():
     assert open_edge.edge_status == "open_above"
 
 
-def test_the_prediction_equals_that_of_the_command(files):
-    numbers = hc.predict(hc.read_spectrum("my-psd.csv"), radius=250e3, rho=5.6, work=0.0463, **LOAD)
-    numbers_written = json.loads(predict(predict_arguments(["my-psd.csv", "--json", "-"])))
-    assert numbers["closed_form_force"].status == "inside"
-    for name, number in numbers.items():
-        assert numbers_written[name]["value"] == plain(number.value)
-        assert (
-            numbers_written[name]["unit"] == number.unit
-            and numbers_written[name].get("status", "") == number.status
-        )
-
-
 #: Arguments that are refused, and parts of the message.
 WRONG = [
     ({"radius": -1.0}, ["radius: expected a positive number, found -1.0"]),
@@ -228,19 +215,6 @@ WRONG = [
         ["scan: expected a square map", "16 x 32 pixels"],
     ),
 ]
-
-
-def test_maps_spectra_and_numbers_print_in_a_line_with_units(files):
-    scan, spectrum = hc.read_scan("scan.nc"), hc.read_spectrum("scan.nc")
-    rms = scan.heights.std()
-    assert repr(scan) == (
-        f"HeightMap(128 x 128 pixels of 10 nm, rms height {rms:.3g} nm, measured)"
-    )
-    shortest, longest = 2 * np.pi / spectrum.wavevector[[-1, 0]]
-    assert_says(repr(spectrum), f"from {shortest:.3g} nm to {longest:.3g} nm")
-    force = Number("force", 2e-6, "N", 1e-6, 3e-6, "inside")
-    assert repr(force) == "Number(force: 2e-06 [1e-06, 3e-06] N, inside)"
-    assert repr(Number("share", 0.25)) == "Number(share: 0.25)"
 
 
 def test_plots_show_the_heights_and_densities(files):
@@ -296,14 +270,6 @@ def test_a_scan_and_its_spectrum_are_predicted_like_the_file(files):
     assert extrapolated["closed_form_force"].status == "inside"
     for name in ("closed_form_force", "extrapolated_force", "short_edge"):
         assert scan_numbers[name].value == pytest.approx(written[name]["value"], rel=1e-4)
-
-
-def test_the_force_on_pillars_is_withheld():
-    y, x = np.indices((128, 128)) % 32 - 15.5
-    heights = 100.0 * (np.hypot(x, y) < 8) + generator(1).normal(0, 0.3, x.shape)
-    contact = {"radius": 250e3, "rho": 5.6, "work": 0.0463} | LOAD
-    force = hc.predict(hc.HeightMap(heights, PIXEL), **contact)["closed_form_force"]
-    assert np.isnan(force.value) and force.status == "steep_sidewalls"
 
 
 def test_unusual_quantities_are_questioned(files):

@@ -4,7 +4,6 @@ import json
 from copy import deepcopy
 
 import pytest
-from answer_inputs import datasets, fit, setting
 from html_page import Page
 from paper_study import answer
 from refusals import assert_says, refusal
@@ -12,8 +11,6 @@ from repository import PAPER, merged
 
 from hardcontact.base.number import Number
 from hardcontact.commands.compare import compare, compare_arguments
-from hardcontact.report.own_surfaces.answer import own_answer
-from hardcontact.report.quantities import answer_text
 from hardcontact.report.study_comparison import ComparedNumber, compare_answers
 
 HARDER = merged(PAPER, {"study": "harder", "contact": {"hardness": "30 GPa"}})
@@ -99,18 +96,6 @@ def test_numbers_are_the_same_if_their_intervals_overlap(first, second, agreemen
         assert ComparedNumber("", "n", *pair).agreement == agreement
 
 
-def test_the_table_begins_with_the_inputs_that_differ(written):
-    lines = printed(written / "paper", "harder").splitlines()
-    assert [line.split() for line in lines[:2]] == [
-        ["input", "paper", "harder"], ["hardness", "25", "GPa", "30", "GPa"],
-    ]  # fmt: skip
-    assert lines[2].startswith("number")
-    assert "0 differ" in lines[-1]
-    assert all("equal" in line for line in lines[3:-2])
-    assert_says(lines[-2], "not paired", "sets.nc")
-    assert {path.name for path in written.rglob("*")} == {"paper", "harder", "answer.json"}
-
-
 def test_the_page_has_the_bands_and_the_numbers_of_both(written):
     page = written / "both.html"
     words = [written / "paper", written / "harder/answer.json", "--html", page]
@@ -123,28 +108,6 @@ def test_the_page_has_the_bands_and_the_numbers_of_both(written):
     assert [label.split(",")[0].strip() for label in labels] == ["paper", "harder"]
     assert_says(refusal(printed, *words), "--html: expected a new file", "--overwrite")
     printed(*words, "--overwrite")
-
-
-def test_numbers_have_the_words_of_the_page(written, paper):
-    answers = {"paper": paper, "own": own_answer(datasets(2), setting())}
-    answers["fitted"] = own_answer(datasets(2, fit=fit(2)), setting())
-    (written / "own.json").write_text(answer_text(answers["own"]))
-    (written / "fitted.json").write_text(answer_text(answers["fitted"]))
-    plain = {"short edge", "long edge", "range of adhesion", "work of adhesion", "median force"}
-    plain |= {"measured force", "pixel size", "tip radius"}
-    for name, path in {"paper": "paper", "own": "own.json", "fitted": "fitted.json"}.items():
-        lines = printed(written / path, written / path).splitlines()[3:-2]
-        labels = {line.split("  ")[0].rpartition(": ")[2] for line in lines}
-        raw = {row["name"].replace("_", " ") for row in answers[name]["quantities"]}
-        assert {label for label in labels & raw if " " in label} <= plain, name
-    assert "mean pull-off force" in printed(written / "own.json", written / "own.json")
-
-
-def test_a_ratio_that_rounds_to_one_is_no_change(written, paper):
-    moved = scaled(paper, 1.001, "octave_1_sensitivity")
-    (written / "moved.json").write_text(json.dumps(moved | {"study": "moved"}))
-    text = printed("paper", written / "moved.json")
-    assert "less than 0.5 %" in text and "× 1" not in text.replace("\N{NO-BREAK SPACE}", " ")
 
 
 def test_single_surfaces_of_two_own_studies_are_compared_whatever_their_names():

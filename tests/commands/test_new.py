@@ -14,7 +14,7 @@ from hardcontact.commands import command_line, new, request
 from hardcontact.commands.new import overlay_text, values_by_key
 from hardcontact.commands.predict import predict, predict_arguments
 from hardcontact.commands.proposal import Choice
-from hardcontact.config.configuration import apply_effort, assumed_quantities, set_keys
+from hardcontact.config.configuration import apply_effort, set_keys
 from hardcontact.config.model import numeric_configuration
 from hardcontact.config.selected_surfaces import surface_table
 from hardcontact.run import checks
@@ -89,12 +89,6 @@ def test_one_scan_makes_a_full_and_a_quick_study(folder, run):
     assert quick["study"] != config["study"] and quick["store"] != config["store"]
 
 
-def test_given_quantities_are_not_assumed_though_they_equal_the_paper_s(folder, run):
-    own_scan(folder / "one.nc")
-    config, _ = accepted(folder, run(NAME, "one.nc", "--work", "46.3 mJ/m2", "--radius", "0.25mm"))
-    assert assumed_quantities(config) == ["hardness", "preload", "range of adhesion"]
-
-
 def test_options_state_what_files_lack_and_are_kept(folder, run):
     nanoscope(folder / "a.001", 10 * rough(), (2500.0, 2500.0), ["Height", "Sensor"])
     scan(folder / "bare.nc", 1e-3 * rough(seed=2), (2.5, 2.5), unit=None)
@@ -121,42 +115,6 @@ def test_a_scan_of_fewer_lines_in_a_square_frame_is_a_caution(folder, run):
     )
     report = predict(predict_arguments([str(folder / "a.001")]))
     assert f"take care: {folder}/a.001: the file states 2.5 µm x 2.5 µm" in report
-
-
-def test_a_scan_without_a_spectrum_is_refused_with_its_spikes(folder, run):
-    heights = rough(128, 20.0)
-    heights.flat[:: 128 * 9 + 7] += 2000
-    scan(folder / "a.nc", heights, (5120.0, 5120.0))
-    done = run(NAME, "a.nc")
-    assert_says(" ".join(done.errors), "a noise floor", "of its pixels are spikes")
-
-
-def test_a_bare_matrix_is_read_with_the_given_size_and_unit(folder, run):
-    np.savetxt(folder / "bare.csv", rough(), "%.6f", ",")
-    done = run(NAME, "bare.csv", "--size", "2.5 um", "--unit", "mm,nm", "--work", "46.3J/m2")
-    config, _ = accepted(folder, done)
-    assert config["scan"]["map_size"] == 2500.0 and config["scan"]["unit"] == "mm,nm"
-    assert "2.5 µm" in done.out and "- --work 46.3J/m2: is the unit right?" in done.out
-
-
-def test_a_unit_may_stand_apart_from_its_number(folder, run, capsys):
-    own_scan(folder / "one.nc")
-    done = run(NAME, "one.nc", "--radius", "100", "um", "--work=46.3", "mJ/m²", "--preload", "10mN")
-    config, _ = accepted(folder, done)
-    assert config["sphere"]["radius"] == 1e5 and config["adhesion"]["work"] == 0.0463
-    assert "- --preload 10mN: is the unit right?" in done.out and "10 µN?" in done.out
-    with pytest.raises(SystemExit):
-        run(NAME, "one.nc", "--diameter", "500", "um")
-    assert_says(capsys.readouterr().err, "did you mean --radius, with half of it?")
-
-
-def test_a_surface_may_be_called_smooth(folder, run):
-    own_scan(folder / "one.nc")
-    (folder / "my.csv").write_text("surface,value,unit\nsurface_smooth,3,nN\n")
-    done = run(NAME, "--surface", "smooth", "one.nc", "--forces", "my.csv")
-    _, table = accepted(folder, done)
-    assert set(table.surface) == {"surface_smooth"} and set(table.label) == {"smooth"}
-    assert "surface_smooth is smooth" in done.out
 
 
 def test_scans_without_contacts_enter_the_spectrum(folder, run):
@@ -273,30 +231,6 @@ def test_faulty_arguments_are_refused_in_one_line_and_nothing_is_written(folder,
             all(message_part in line for message_part in message_parts) for line in done.errors
         ), done.errors
         assert sorted(folder.rglob("*")) == files_before
-
-
-def test_an_unknown_option_is_refused_with_the_one_that_it_resembles(run, capsys):
-    for option in ("--hardnes", "--hardnes=3GPa"):
-        with pytest.raises(SystemExit) as caught:
-            run(NAME, "one.nc", option)
-        (line,) = capsys.readouterr().err.splitlines()
-        assert caught.value.code == 2
-        assert_says(line, f"error: unrecognized arguments: {option}", "did you mean --hardness?")
-
-
-def test_an_unknown_command_is_refused_with_the_one_that_it_resembles(capsys):
-    with pytest.raises(SystemExit):
-        request.parse_arguments(["predcit", "one.nc"])
-    assert_says(capsys.readouterr().err, "'predcit'", "did you mean predict?")
-
-
-def test_an_interruption_ends_in_one_line(run, monkeypatch):
-    def interrupted(arguments):
-        raise KeyboardInterrupt
-
-    monkeypatch.setattr(command_line, "parse_arguments", interrupted)
-    done = run("mine", "a.nc")
-    assert done.code == 130 and len(done.errors) == 1
 
 
 def test_an_overlay_is_read_back_as_it_was_written():

@@ -11,7 +11,6 @@ from known_spectra import contact_of_area, rough
 from prediction_command import numbers_of, printed
 from refusals import assert_says, refusal
 
-from hardcontact.base.published import RUBY_ON_DIAMOND_MODULUS, assumed_modulus
 from hardcontact.commands import request
 from hardcontact.commands.predict import predict_arguments
 from hardcontact.own.own_spectrum import table_spectrum
@@ -193,39 +192,6 @@ def test_short_waves_missing_from_the_table_are_extrapolated(table):
         assert numbers["extrapolated_change"]["status"] == "negligible"
 
 
-def remove_bins(spectrum, kept_bins):
-    """Return a spectrum without some of its wavelengths."""
-    return Spectrum(spectrum.wavevector[kept_bins], spectrum.density[kept_bins])
-
-
-KNOWN, SMOOTHER = rough(17, 1000, 0.8, 20), rough(17, 300, 0.8, 20)
-GAP = np.abs(np.log(KNOWN.wavevector * 200 / 2 / np.pi)) > np.log(2.5)
-LONG = rough(60, 2e4, 0.8, 20)  # it rolls off beyond 3 um
-SHORT = 2 * np.pi / np.array([100.0, 90, 80, 70, 60])
-
-
-@pytest.mark.parametrize(
-    ("spectrum", "options", "cause"),
-    [
-        (SMOOTHER, ["--range", "0.3nm"], "not at 0.3 nm"),
-        (SMOOTHER, ["--radius", "1um", "--preload", "100nN"], "not at 1 µm"),
-        (SMOOTHER, ["--preload", "500uN"], "contact area over the roll-off"),
-        (
-            remove_bins(LONG, LONG.wavevector > 2 * np.pi / 3000),
-            [],
-            "take care: wavelengths longer than",
-        ),
-        (Spectrum(SHORT, 1e-4 * (2 * np.pi / SHORT) ** 4), [], "wavelengths longer than 100 nm"),
-        (remove_bins(KNOWN, GAP), [], "a factor of 6.3 apart"),
-    ],
-)
-def test_an_unknown_error_has_a_stated_cause(table, spectrum, options, cause):
-    report = printed(table(*rows_of(spectrum)), *options, "--work", "25 N/m", "--verbose")
-    assert_says(report, "error is not known", cause)
-    # The work scales the force alone.
-    assert_says(report, "take care: --work 25 N/m: is the unit right? 0.1 mJ/m2 to 10.6 J/m2 are")
-
-
 @pytest.mark.parametrize(
     ("name", "usual", "questioned"),
     [
@@ -245,19 +211,3 @@ def test_implausible_quantities_are_questioned(name, usual, questioned):
             lines = list(request.implausible_quantities(quantities))
             assert not faults and len(lines) == count, lines
             assert all(line.startswith(f"--{name} {text}: is the unit right?") for line in lines)
-
-
-def test_a_compliant_sphere_has_a_large_tabor_parameter(table):
-    """A smooth sphere has the Tabor parameter (R W²/(E*² rho³))^(1/3)."""
-    path = table(*rows_of(rough(17, 1000, 0.8, 20)))
-    hard, soft = (numbers_of(path, "--modulus", modulus) for modulus in ("290GPa", "1MPa"))
-    number = (250e-6 * 0.0463**2 / (1e6**2 * 5.6e-9**3)) ** (1 / 3)
-    assert soft["tabor_parameter"]["value"] == pytest.approx(number, rel=1e-3)
-    assert soft["tabor_parameter"]["status"] == "soft"
-    assert hard["tabor_parameter"].get("status", "") != "soft"
-
-
-def test_the_modulus_of_soft_bodies_is_not_taken_from_the_paper(table):
-    path = table(*rows_of(rough(17, 1000, 0.8, 20)))
-    assert_says(printed(path, "--hardness", "1GPa"), "may be too soft", "--modulus tells")
-    assert assumed_modulus(5e9) == RUBY_ON_DIAMOND_MODULUS and np.isnan(assumed_modulus(1e9))

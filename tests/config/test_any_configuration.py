@@ -108,18 +108,6 @@ def test_any_value_at_any_key_is_accepted_or_refused_with_the_key(path, value):
     assert message is None or message.startswith("config key")
 
 
-def test_missing_keys_have_their_defaults():
-    for branch in filter(None, BRANCHES):
-        config = replace_value(PAPER, branch.split("."), {})
-        assert numeric_configuration(config) == numeric_configuration(PAPER), branch
-
-
-@pytest.mark.parametrize("key", ["scans", "scales.short.cutoffs", "deep"])
-def test_deeply_nested_values_are_refused(key):
-    nested = reduce(lambda inner, _: [inner], range(50_000), "1 nm")
-    assert outcome(replace_value(PAPER, key.split("."), nested))
-
-
 @pytest.mark.parametrize("config", [None, [], "", 5, {None: None}, {5: 6}, {("a", 1): 2}])
 def test_a_configuration_that_is_no_mapping_is_refused(config):
     assert "(top level)" in outcome(config)

@@ -7,7 +7,7 @@ from refusals import NESTED_ALIASES, assert_says, refusal
 from repository import PAPER, ROOT, leaves
 from studies import numbers
 
-from hardcontact.config import configuration, key_tables, model
+from hardcontact.config import configuration, key_tables
 from hardcontact.config.faults import raise_faults, run_checks
 from hardcontact.config.model import Study
 
@@ -68,10 +68,6 @@ def test_a_link_to_a_missing_folder_is_refused(tmp_path, monkeypatch, link):
     assert_says(line, "study and store", f"found {link}, a link to nowhere, which is missing")
 
 
-def test_only_a_similar_key_is_suggested():
-    assert "did you mean" not in refusal(numbers, "colour", 1)
-
-
 # Files
 
 
@@ -114,11 +110,6 @@ def test_a_file_too_large_for_a_configuration_is_not_read(tmp_path):
     assert_says(message, "at most 1 MB, found 200,000,000 bytes")
 
 
-def test_a_missing_configuration_is_named(tmp_path):
-    message = refusal(configuration.refuse_unreadable, tmp_path / "harder.yml")
-    assert "harder.yml: expected a YAML file, found none" in message
-
-
 @pytest.mark.parametrize(
     "text",
     [
@@ -141,37 +132,6 @@ def test_each_fault_is_reported_once_in_order():
     assert message == "b: expected\na: expected"
     with pytest.raises(ZeroDivisionError):  # a fault of the study, not of its input
         run_checks([lambda: 1 / 0])
-
-
-def test_only_the_first_of_many_faults_are_reported():
-    message = refusal(lambda: raise_faults(f"line {k}: expected" for k in range(100_000)))
-    assert message.startswith("line 0: expected\n")
-    assert message.endswith("and 99971 more faults, not shown")
-    assert refusal(run_checks, [lambda: raise_faults(message.splitlines())]) == message
-
-
-# Words
-
-
-def test_the_contact_is_described_with_the_quantities_taken_from_the_paper():
-    own_configuration = model.numeric_configuration(
-        {
-            "sphere": {"surface": "smooth", "radius": "0.25mm"},
-            "contact": {"hardness": "5GPa", "preload": "10 uN"},
-            "adhesion": {"work": "46mJ/m2"},
-        }
-    )
-    assert configuration.contact_words(own_configuration) == {
-        "sphere": "smooth", "radius of the sphere": "250 µm", "hardness": "5 GPa",
-        "preload": "10 µN", "range of adhesion": "5.6 nm", "work of adhesion": "46 mJ/m²",
-    }  # fmt: skip
-    assert configuration.assumed_quantities(own_configuration) == [
-        "radius of the sphere",
-        "preload",
-        "range of adhesion",
-    ]
-    known = own_configuration | {"given": ["preload", "range"]}
-    assert configuration.assumed_quantities(known) == ["radius of the sphere"]
 
 
 DOCUMENTATION = (ROOT / "config/README.md").read_text("utf-8")

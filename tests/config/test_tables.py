@@ -97,16 +97,6 @@ def test_each_kind_of_fault_of_a_table_of_forces_has_its_line(table):
         assert_says(line, f"{path}: line {number}", *parts)
 
 
-def test_a_table_with_another_column_is_refused(table):
-    path = table("surface,place,value,unit", "bare,a,1,uN")
-    assert_says(refusal(measured_forces, path, SURFACES, RADIUS), "site", "found surface, place")
-
-
-def test_a_cell_too_many_is_explained(table):
-    path = table("surface,value,unit", "bare,11,749,uN")
-    assert_says(refusal(measured_forces, path, SURFACES, RADIUS), "found 4", "semicolons")
-
-
 @pytest.mark.parametrize(
     ("row", "message_parts"),
     [

@@ -1,44 +1,16 @@
 """The messages at the end of a run: of its answer, and after Ctrl-C."""
 
-import logging
 import os
 import signal
 import subprocess
 import sys
 import time
-from pathlib import Path
-from types import SimpleNamespace
 
 import pytest
 from repository import ROOT, TINY, copy_repository, environment
 from studies import TINY_DIGESTS, TINY_PATTERNS
 
 from hardcontact.run import endings
-
-
-@pytest.mark.parametrize(
-    ("outputs", "messages"),
-    [
-        (
-            ["answer.html", "answer.json"],
-            ["Band 1 to 2 nm.", "One holds.", "Take care.", "The answer is made: open answer.html"],
-        ),
-        (["other.nc"], []),
-    ],
-)
-def test_a_run_ends_with_its_headline_and_the_page_to_open(
-    caplog, tmp_path, monkeypatch, outputs, messages
-):
-    monkeypatch.chdir(tmp_path)
-    Path("answer.json").write_text(
-        '{"headline": ["Band 1 to 2 nm."], "verdicts": ["One holds."], '
-        '"notes": [{"grave": true, "text": "Take care."}, '
-        '{"grave": false, "text": "Less so."}]}'
-    )
-    caplog.set_level(logging.INFO, endings.logger.name)
-    workflow = SimpleNamespace(dag=SimpleNamespace(jobs=[SimpleNamespace(output=outputs)]))
-    endings.log_answer(workflow, "answer.html")
-    assert caplog.messages == messages
 
 
 def listen_to_ctrl_c():

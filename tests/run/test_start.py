@@ -1,14 +1,12 @@
 """The refusals of a run before its first job."""
 
 import logging
-import subprocess
-import sys
 from copy import deepcopy
 from types import SimpleNamespace
 
 import pytest
-from refusals import NESTED_ALIASES, assert_says
-from repository import PAPER, ROOT, TINY, environment
+from refusals import assert_says
+from repository import PAPER, ROOT, TINY
 from snakemake.cli import parse_config
 from snakemake.settings.types import ExecMode
 from snakemake.utils import update_config
@@ -100,14 +98,6 @@ def test_a_quick_study_has_its_own_folders():
         assert configured["contact"]["contacts_per_row"] == 6
 
 
-def test_values_of_the_command_line_are_read_as_in_a_file():
-    words = ["scales={sphere_roughness: true, short: {cutoffs: [30 nm, 40 nm]}}", "scans=[1, 2]"]
-    numbers = start.checked_configuration(*configured(*words, "seed=7", "study=own"))
-    assert numbers["scales"]["sphere_roughness"] is True
-    assert numbers["scales"]["short"]["cutoffs"] == [30, 40]
-    assert (numbers["scans"], numbers["seed"]) == ([1, 2], 7)
-
-
 @pytest.mark.parametrize("text", ["2026-13-45", "'a: b: c'", "four", "2.5"])
 def test_a_faulty_value_of_the_command_line_is_refused_with_its_key(text):
     study = configured(f"asperities={{contacts: {text}}}")
@@ -127,24 +117,3 @@ def test_a_key_given_twice_is_refused_before_the_first_job(tmp_path):
 
 
 # The command line
-
-
-#: Runs Snakemake and prints its largest memory (KB), which counts that of the process before it.
-PEAK_MEMORY = """
-import resource, subprocess, sys
-run = subprocess.run([sys.executable, "-m", "snakemake", *sys.argv[1:]], stdout=sys.stderr)
-print(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss)
-sys.exit(run.returncode)
-"""
-
-
-@pytest.mark.study
-def test_nested_aliases_are_refused_before_they_fill_the_memory(repository):
-    (repository / "nested.yaml").write_bytes(NESTED_ALIASES)
-    run = subprocess.run(
-        [sys.executable, "-c", PEAK_MEMORY, "-n", "--configfile", "nested.yaml"],
-        cwd=repository, env=environment(repository), capture_output=True, text=True,
-    )  # fmt: skip
-    assert_says(run.stderr.splitlines()[-1], "error: nested.yaml: expected YAML", "expanded")
-    assert run.returncode == 1 and int(run.stdout) < 300_000
-    assert "Traceback" not in run.stderr and not (repository / "results").exists()
