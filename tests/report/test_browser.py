@@ -7,7 +7,7 @@ import pytest
 from answer_inputs import datasets, fit, open_edges, setting, spectra, topography
 from browser import SCHEMES, WIDTHS, audit_page, measure_pages, needs_browser, run_on_page
 from html_page import Page
-from paper_study import CITATION, FRAME, make_figures_page, make_page, open_claims, svg
+from paper_study import CITATION, FRAME, make_page, open_claims, svg
 from repository import PAPER, ROOT
 
 from hardcontact.paper.verdicts import VERDICTS
@@ -52,12 +52,6 @@ def test_axe_finds_no_fault(name, scheme, tmp_path):
     assert found["dark"] == (scheme == "dark")
 
 
-def test_axe_finds_what_is_wrong(tmp_path):
-    page = page_of("theory").replace("<h1>", '<img src="data:,"><h1 style="color: #ccc">')
-    faults = dict(audit_page(page, tmp_path, "light")["faults"])
-    assert {"image-alt", "color-contrast"} <= set(faults)
-
-
 def test_pages_fit_every_screen(tmp_path):
     names = ["own", "own, with a long name", "claims", "parameters"]
     frames = measure_pages(map(page_of, names), tmp_path)
@@ -89,21 +83,6 @@ def test_sorted_rows_of_a_surface_stay_together(tmp_path):
             name for name, before in zip(surfaces, ["", *surfaces], strict=False) if name != before
         ]
         assert len(changes) == len(set(surfaces)) == 2
-
-
-def test_sorted_rows_stay_below_the_row_that_they_add_to(tmp_path):
-    """In Table 1 rows of computed numbers follow that of the published ones."""
-    page = make_figures_page()
-    quantities = [row[0].strip() for row in Page(page).rows[1:]]
-    for sorted_quantities in run_on_page(page, SORT % (1, 0), tmp_path):
-        assert sorted_quantities != quantities
-        assert groups_of(sorted_quantities) == groups_of(quantities)
-
-
-def groups_of(quantities):
-    """The groups of rows of Table 1."""
-    text = "\n".join(quantities).replace("\ncomputed", "; computed")
-    return set(text.split("\n"))
 
 
 #: Copies the first table of claims, follows a link to a folded row, and prints.

@@ -5,23 +5,6 @@ import xarray as xr
 from comparison import undescribed
 
 from hardcontact.base.dataset import describe, read_meanings
-from hardcontact.report.dataset_dictionary import page
-
-
-def test_a_table_shows_each_variable_and_marks_those_with_an_interval():
-    attributes = {"units": "N", "long_name": "Pull-off force."}
-    interval = xr.DataArray([[1.0, 2.0]], dims=("x", "bound"), attrs=attributes)
-    data = xr.Dataset(
-        {"force": ("x", [1.0], attributes), "force_interval": interval},
-        coords={"x": ("x", ["a"], {"long_name": "Place."})},
-        attrs={"title": "Forces"},
-    )
-    text = page({"adhesion": data})
-    assert "## adhesion.nc\n\nForces.\n" in text
-    assert text.splitlines()[-2:] == [
-        "| `force` \\* | x | N | Pull-off force. |",
-        "| `x` | x |  | Place. |",
-    ]
 
 
 def test_variables_are_described_and_others_keep_their_names():

@@ -5,7 +5,7 @@ import pytest
 import xarray as xr
 from matplotlib.figure import Figure
 
-from hardcontact.report.figures import fig_scales, panels, values
+from hardcontact.report.figures import fig_scales, panels
 
 CURVE = xr.Dataset(
     {"value": ("x", [1.0, 2, 4]), "low": ("x", [0.5, 1, np.nan]), "high": ("x", [3.0, 5, np.nan])},
@@ -54,34 +54,6 @@ def test_shades_end_with_the_axes():
     spans = [(patch.get_x(), patch.get_x() + patch.get_width()) for patch in axes.patches]
     assert np.allclose(spans, [(10, 20), (500, 1000)])
     assert axes.get_xlim() == (10, 1000)
-
-
-FITS = xr.Dataset(
-    {
-        "force": ("surface", [1.0, 2.0]),
-        "force_interval": (("surface", "bound"), [[0.8, 1.2], [1.6, np.nan]]),
-    },
-    {"surface": ["uncd", "mcd"], "bound": ["low", "high"]},
-)
-
-
-def test_values_have_the_ends_of_their_interval():
-    curves = values.value_and_interval(FITS, "force")
-    assert list(curves["low"]) == [0.8, 1.6] and curves["high"].isnull().values.tolist() == [0, 1]
-    assert "bound" not in curves.coords
-    numbers = values.value_and_bounds(FITS.sel(surface="uncd"), "force")
-    assert numbers == {"value": 1.0, "low": 0.8, "high": 1.2}
-
-
-def test_sets_are_summarized_by_the_median_and_the_central_nine_tenths():
-    summary = values.summarize_sets(xr.DataArray(np.arange(101.0)[::-1], dims="set"))
-    numbers = {str(name): number.item() for name, number in summary.items()}
-    assert numbers == pytest.approx({"value": 50.0, "low": 5.0, "high": 95.0})
-
-
-def test_maps_lose_their_padding_and_their_mean():
-    padded = xr.DataArray([[1.0, 3, np.nan], [2, 6, np.nan], [np.nan] * 3], dims=("row", "column"))
-    assert values.mean_free_heights(padded).tolist() == [[-2, 0], [-1, 3]]
 
 
 def test_maps_of_the_question_lack_the_waves_on_one_side_of_the_band():

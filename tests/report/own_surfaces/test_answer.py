@@ -59,14 +59,6 @@ def test_the_answer_follows_its_schema(case):
     Draft202012Validator(SCHEMA).validate(content(case))
 
 
-def test_the_headline_has_a_range_that_the_scans_forced():
-    assert content("one")["chosen"] == [] and len(content("one")["headline"]) == 3
-    shortest = force().sel(rho=[RANGE, 10.0], method="nearest")
-    raised = own_answer(datasets(force=shortest), setting())
-    assert raised["chosen"] == ["range of adhesion"]
-    assert "5.6 nm, the least that" in raised["headline"][-1]
-
-
 def test_the_answer_has_the_numbers_of_the_datasets():
     study_rows, surface_rows = quantities("one", ""), quantities("one")
     assert (study_rows["range_of_adhesion"]["value"], study_rows["work_of_adhesion"]["value"]) == (
@@ -102,18 +94,6 @@ def test_cautions_are_codes_with_their_numbers():
     assert {"contradiction", "tail"} <= {note["code"] for note in cautions}
     factor = quantities("contradiction")["contradiction_factor"]["value"]
     assert factor == pytest.approx(100, rel=0.2)
-
-
-def test_the_head_says_whether_each_surface_is_answered():
-    (surface,) = content("no band")["surfaces"]
-    assert (surface["name"], surface["answered"]) == ("my_coating", "no")
-    names = [surface["name"] for surface in content("two substitutes, forces")["surfaces"]]
-    assert names == ["my_coating", "twin"]
-
-
-def test_substitutes_are_a_grave_note():
-    (note,) = [n for n in content("two substitutes, forces")["notes"] if n["grave"]]
-    assert note["code"] == "substitutes" and "my coating (substitute) and twin" in note["text"]
 
 
 @pytest.mark.parametrize(("paper_values", "count"), [(["work of adhesion"], 2), (["hardness"], 0)])

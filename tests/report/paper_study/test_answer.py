@@ -12,10 +12,9 @@ from repository import PAPER, ROOT, merged
 
 from hardcontact.base.number import Number
 from hardcontact.config.model import numeric_configuration
-from hardcontact.paper.featured_samples import no_samples
 from hardcontact.report.paper_study.answer import ANSWER_CLAIMS
 from hardcontact.report.paper_study.changed_inputs import changed_inputs, paper_contact
-from hardcontact.report.paper_study.table1 import decimals_of, table1_rows
+from hardcontact.report.paper_study.table1 import table1_rows
 from hardcontact.report.quantities import numbers_by_name
 
 SCHEMA = json.loads((ROOT / "workflow/schemas/answer.schema.json").read_text("utf-8"))
@@ -92,12 +91,6 @@ def test_another_coating_is_another_study():
     assert changed_inputs(contact, SUBSTRATES[::-1], published_table1()) == []
 
 
-def test_the_strongest_octaves_come_first():
-    numbers = numbers_of()
-    assert [numbers[f"octave_{rank}"].value for rank in (1, 2, 3)] == [640, 320, 160]
-    assert numbers["octave_1_sensitivity"].value == pytest.approx(-0.8)
-
-
 @pytest.mark.parametrize(
     ("side", "name", "status"),
     [("short", "short_edge", "open_above"), ("long", "long_edge", "open_below")],
@@ -163,13 +156,6 @@ def test_table_1_compares_values_and_marks_those_by_construction():
     assert marked == ["computed", "computed, gradient", "computed, half the Laplacian"]
 
 
-@pytest.mark.parametrize(
-    ("value", "uncertainty", "decimals"), [(108, 11, 0), (3.2, 0.04, 2), (0.51, 0.0, 3), (0, 0, 2)]
-)
-def test_computed_values_keep_two_digits_of_their_uncertainty(value, uncertainty, decimals):
-    assert decimals_of(value, uncertainty) == decimals
-
-
 def test_forces_on_features_are_medians_over_samples():
     numbers = numbers_of()
     number = numbers["bumps_mean_force"]
@@ -178,21 +164,3 @@ def test_forces_on_features_are_medians_over_samples():
     assert numbers["bumps_samples_that_agree"].value == 0.5
     assert numbers["pits_samples_that_agree"].value == 0
     assert numbers["featured_mean_force_published"].value == 8.8e-6
-
-
-def test_the_note_names_the_features_that_the_forces_ask_for():
-    def note_of(**changed):
-        notes = [note for note in answer(**changed)["notes"] if note["kind"] == "features"]
-        return notes[0]["text"] if notes else ""
-
-    assert "it asks for bumps." in note_of()
-    forces = datasets()["features"]
-    swapped = forces.assign_coords(features=["pits", "bumps", "gaussian"])
-    assert "it asks for pits." in note_of(features=swapped)
-    assert note_of(features=no_samples()) == ""
-
-
-def test_the_fit_without_the_decisive_surface_has_the_interval_of_the_sets():
-    reduced_fits = datasets()["sets"].sel(left_out=SUBSTRATES[0], contact_model="plastic")
-    upper_end = reduced_fits["work_without_surface"].quantile(0.95).item()
-    assert numbers_of()["without_decisive_work_of_adhesion"].high == pytest.approx(upper_end)

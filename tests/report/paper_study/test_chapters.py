@@ -1,14 +1,11 @@
 """Pages of the report are complete, and texts are escaped."""
 
 import re
-import subprocess
-from importlib.metadata import version
 from xml.etree import ElementTree
 
 import numpy as np
 import pandas as pd
 import pytest
-import yaml
 from html_page import Page, dead_links
 from paper_study import FRAME, PAGES, make_figures_page, make_page, open_claims
 from paper_study import claims as all_claims
@@ -122,19 +119,6 @@ def test_the_page_of_claims_has_a_row_for_each_and_counts_verdicts():
     assert set(table["id"]) <= set(page.values("id"))
 
 
-def test_the_page_of_claims_opens_with_what_is_not_reproduced_and_names_limits_of_the_study():
-    table = evaluated(verdict="not reproduced", evidence="assumed")
-    page = Page(make_pages(table)["claims"])
-    (item,) = page.texts["li"][-1:]
-    printed = " ".join(item.split())
-    assert_says(printed, "Rms height: 3.2 [2.8, 3.8] nm; paper: 3 nm.")
-    words = " ".join(page.texts["main"][0].split())
-    assert words.index(printed) < words.index("The paper makes 3 statements")
-    rows = [row for row in page.rows if len(row) == 6 and row[0].strip() != "statement"]
-    assert ["a limit of this study" in row[2] for row in rows] == [True, False, True]
-    assert [" ".join(row[1].split()) for row in rows] == ["3 nm", "–", "–"]
-
-
 @pytest.mark.parametrize("column", ["section", "statement", "number", "unit", "basis", "note"])
 def test_claims_are_text_not_markup(column):
     page = make_pages(evaluated(**{column: HOSTILE}))["claims"]
@@ -180,14 +164,6 @@ def test_a_chapter_without_a_title_is_refused(text):
     assert_says(refusal(convert_chapter, text), "expected", "'# '", "found")
 
 
-def test_anchors_are_those_of_github():
-    """Links of documents lead to the same anchors there and on pages."""
-    (section,) = convert_chapter(
-        "# Title\n\n## What's C_iso(q), and a well-known *edge*?\n"
-    ).sections
-    assert section[0] == "whats-c_isoq-and-a-well-known-edge"
-
-
 def all_pages():
     """Every page of a study, by its path."""
     texts = {path.stem: path.read_text("utf-8") for path in (ROOT / "workflow/report").glob("*.md")}
@@ -206,31 +182,6 @@ def test_every_page_links_to_all_others_and_no_link_is_dead():
         assert menu.count("<a ") == len(PAGES) and menu.count('aria-current="page"') == 1, path
 
 
-def test_pages_name_the_version_and_the_commit():
-    words = ["git", "rev-parse", "HEAD"]
-    head = subprocess.run(words, cwd=ROOT, capture_output=True, text=True, check=False).stdout
-    (foot,) = Page(make_page()).texts["footer"]
-    program, _, commit = foot.partition(", commit ")
-    assert program == "hardcontact 1.2.3"
-    assert head.startswith(commit.removesuffix("-dirty")) and bool(head) == bool(commit)
-
-
-def test_a_dead_link_is_found():
-    study_pages = {"answer.html": '<a href="report/a.html#b"></a>', "report/a.html": '<a href="c">'}
-    study_pages["report/a.html"] += '</a><a href="../answer.html"></a>'
-    assert dead_links(study_pages, {"c"}) == [
-        ("answer.html", "report/a.html#b"),
-        ("report/a.html", "c"),
-    ]
-
-
-@pytest.mark.parametrize("path", sorted((ROOT / "workflow/report").glob("*.md")))
-def test_every_chapter_has_a_title_and_unique_anchors(path):
-    page = convert_chapter(path.read_text())
-    anchors = [anchor for anchor, _ in page.sections]
-    assert page.title and len(anchors) == len(set(anchors))
-
-
 @pytest.mark.parametrize("path", sorted((ROOT / "workflow/report").glob("*.md")))
 def test_every_formula_of_a_chapter_is_mathml(path):
     """An unknown command would keep its backslash."""
@@ -238,15 +189,6 @@ def test_every_formula_of_a_chapter_is_mathml(path):
     formulas = re.findall("<math.*?</math>", convert_chapter(text).html)
     assert 2 * len(formulas) == text.count("$$")
     assert not [formula for formula in formulas if "\\" in formula or "<merror" in formula]
-
-
-def test_parameters_are_the_whole_configuration_and_every_version():
-    versions = {name: version(name) for name in ("numpy", "snakemake")} | {"a<b": "1<2"}
-    configuration = PAPER | {"store": "a<b>&c"}
-    page = Page(report_pages(evaluated(), [], {}, configuration, versions, FRAME)["parameters"])
-    assert yaml.safe_load(page.texts["pre"][0]) == configuration
-    cells = [[cell.strip() for cell in row] for row in page.rows]
-    assert cells[1:] == [[name, number] for name, number in versions.items()]
 
 
 def test_statements_beside_other_contacts_have_numbers_and_no_verdicts():
