@@ -8,7 +8,7 @@ import time
 
 import pytest
 from comparison import damaged, differences, paths
-from forked_runs import call_main, run_program
+from forked_runs import call_main
 from repository import environment, snakemake
 
 from hardcontact.base.whole_file import PART
@@ -19,24 +19,6 @@ KILLS, FILES = 8, 3
 PATIENCE = 300
 WORDS = ["--configfile", "config/probe.yaml", "few.yaml", "--config", "effort=quick"]
 RESUME = ["--nolock", *WORDS]  # A killed run leaves Snakemake's lock.
-
-#: Python runs a module of this name when it starts. In each process of a job, the first attempt to
-#: give a file its name, and so to write it, fails as on a full disk.
-FAILING_WRITES = """
-import os
-from pathlib import Path
-
-replace = os.replace
-
-def fail_once(source, target):
-    failed = Path(os.environ["FAILED_WRITES"], str(target).replace("/", "+"))
-    if not failed.exists():
-        failed.touch()
-        raise OSError(28, "No space left on device")
-    replace(source, target)
-
-os.replace = fail_once
-"""
 
 
 @pytest.fixture
@@ -86,23 +68,3 @@ def test_a_study_that_is_killed_eight_times_ends_as_one_that_is_not(empty, probe
     assert run.returncode == 0, run.stdout
     assert differences_from(probe, empty / "results") == []
     assert not list((empty / "results").rglob(f"{PART}*"))
-
-
-@pytest.mark.system
-def test_a_study_whose_every_write_fails_once_ends_as_one_without_failures(empty, probe, tmp_path):
-    (tmp_path / "failing").mkdir()
-    (tmp_path / "failing/sitecustomize.py").write_text(FAILING_WRITES)
-    (tmp_path / "failed").mkdir()
-    variables = environment(empty)
-    variables["PYTHONPATH"] = f"{tmp_path / 'failing'}{os.pathsep}{variables['PYTHONPATH']}"
-    variables["FAILED_WRITES"] = str(tmp_path / "failed")
-    for _ in range(10):  # some jobs are not tried again in the same run
-        run = run_program(empty, "snakemake.cli", ["--retries", "40", *WORDS], variables)
-        assert "Traceback" not in run.stdout
-        if run.returncode == 0:
-            break
-    assert run.returncode == 0, run.stdout
-    failed_writes = {name.replace("+", "/") for name in os.listdir(tmp_path / "failed")}
-    study_files = {f"results/{path}" for path in paths(empty / "results") if len(path.parts) > 1}
-    assert study_files <= failed_writes  # The planning process writes the lists of pins.
-    assert differences_from(probe, empty / "results") == []

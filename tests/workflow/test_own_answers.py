@@ -11,7 +11,6 @@ from comparison import undescribed
 from html_page import Page, dead_links
 from jsonschema import Draft202012Validator
 from own_studies import RANGE, WORK, numbers, quantities, quick
-from refusals import assert_says
 from repository import ROOT
 from scipy import stats
 
@@ -83,19 +82,6 @@ def assert_bounded(side):
 # Files of all kinds, surfaces on different grids
 
 
-def test_files_of_all_kinds_are_reported_and_used(own_study, several):
-    output = (own_study / "said.txt").read_text()
-    assert_says(output, "cropped", "96 x 96", "line scan", "undefined pixels", "5 nm")
-    overlay = yaml.safe_load((own_study / "config/several.yaml").read_text())
-    assert overlay["scan"]["undefined_pixels"] == "harmonic"
-    spectra = xr.load_dataset(several / "spectra.nc")
-    film, twin = spectra["kind"].values[:2].tolist()
-    # The scans of the sphere are the last.
-    assert film == ["map", "line scan", "map", "map"] and twin[:3] == ["map"] * 3
-    assert "4 undefined pixels" in spectra["notes"].values[1, 0]
-    assert spectra["label"].values[0] == "My film"
-
-
 def test_surfaces_on_different_grids_have_their_own_answers(several):
     assert_honest(several, fitted=True)
     surfaces = quantities(several)
@@ -119,14 +105,6 @@ def test_the_interval_from_own_forces_contains_the_true_work(several):
     assert low < WORK < high < 1.3 * low * strong / weak
     # The scan of the film is too small for an interval, so that no pair is known.
     assert works.sel(surface="my_film").isnull().all() and fit.region.isnull().all()
-
-
-def test_the_page_shows_own_forces_as_measured(several):
-    assert "forces" in [section["id"] for section in page_of(several).attributes["section"]]
-    for name in ("my_film", "twin"):
-        surface = quantities(several)[name]
-        assert surface["measured_force"]["source"] == "measured"
-        assert surface["measured_force_tests"]["value"] == 40
 
 
 # A rough sphere
@@ -196,13 +174,3 @@ def test_a_colloidal_probe_has_a_force_below_the_smooth_limit(probe):
     assert study["work_of_adhesion"]["value"] == pytest.approx(0.03)
     # Less than the smooth limit 2 pi R W, by the roughness.
     assert surface["mean_force"]["value"] < 0.5 * 2 * np.pi * 5e-6 * 0.03
-
-
-def test_the_report_shows_only_the_answer(probe, tmp_path):
-    report = tmp_path / "report.html"
-    run = quick(probe.parents[1], "probe", "--report", str(report), overlays=["few.yaml"])
-    assert run.returncode == 0, run.stdout[-3000:]
-    text = report.read_text("utf-8")
-    (categories,) = re.findall(r"var categories = (\{.*\});", text)
-    assert categories.startswith('{"0. Answer"') and "Verdicts" not in categories
-    assert "these are other surfaces" in text and "Fig. 3" not in text

@@ -11,7 +11,7 @@ from contextlib import contextmanager
 from textwrap import indent
 
 import pytest
-from comparison import damaged, differences
+from comparison import differences
 from own_studies import quick
 from refusals import assert_says
 from repository import ROOT, environment
@@ -36,13 +36,6 @@ def errors(output):
 def copy(own_study, tmp_path):
     """Copy the finished study, to be changed."""
     return shutil.copytree(own_study, tmp_path / "copy", symlinks=True)
-
-
-@pytest.fixture
-def empty(own_study, tmp_path):
-    """Copy the study without its results."""
-    ignored = shutil.ignore_patterns("results", ".snakemake")
-    return shutil.copytree(own_study, tmp_path / "empty", ignore=ignored)
 
 
 # Disks that are full, and folders that cannot be written to
@@ -103,60 +96,6 @@ def test_a_job_on_a_full_disk_ends_in_one_line(tmp_path, room):
         message = "error: made/a.nc: expected a file to be written, found:"
         assert_says(job.stderr, message, "MB of the disk are free")
         assert list(folder.glob("made/*")) == []
-
-
-def test_a_study_continues_after_a_full_disk(empty, own_study):
-    (scan,) = (own_study / STORE / "measurements").glob("*/twin/*/scan-1.nc")
-    target = str(scan.relative_to(own_study))
-    with disk(empty / "results", "20M") as folder:
-        filler = fill(folder, 50_000)
-        full = run(empty, target)
-        assert full.returncode != 0
-        assert errors(full.stdout) and "free" in full.stdout, full.stdout
-        assert damaged(folder) == []
-        filler.unlink()
-        done = run(empty, target)
-        assert done.returncode == 0 and errors(done.stdout) == [], done.stdout
-        lines = differences(folder, own_study / "results")
-        assert [line for line in lines if "missing" not in line] == []
-        assert (empty / target).is_file()
-
-
-@contextmanager
-def read_only(folder):
-    """Let nothing be written in a folder; root is only stopped by a mount."""
-    mount("--bind", folder, folder)
-    try:
-        mount("-o", "remount,bind,ro", folder)
-        yield
-    finally:
-        subprocess.run(["umount", folder], check=True)
-
-
-def test_a_read_only_folder_is_named(copy):
-    # Snakemake itself refuses to replace existing files, before the study can.
-    for name in ("configuration.yaml", "surfaces.tsv", "datasets.md"):
-        (copy / RESULTS / name).unlink()
-    with read_only(copy / RESULTS):
-        failed_run = run(copy)
-    assert failed_run.returncode != 0
-    (line,) = errors(failed_run.stdout)
-    assert_says(line, f"{RESULTS}: expected a folder to write to, found")
-
-
-VERIFY = "import sys; from hardcontact.commands.command_line import main; sys.exit(main())"
-
-
-def test_verify_writes_nothing_and_needs_no_snakemake(copy, tmp_path):
-    (tmp_path / "snakemake.py").write_text("raise ImportError")
-    paths = os.pathsep.join([str(tmp_path), str(ROOT / "workflow")])
-    with read_only(copy):
-        run = subprocess.run(
-            [sys.executable, "-B", "-c", VERIFY, "verify", copy / RESULTS],
-            env=environment(ROOT) | {"PYTHONPATH": paths}, capture_output=True, text=True,
-        )  # fmt: skip
-    assert_says(run.stdout, f"{RESULTS}: ", "files checked, 0 faults, 0 inputs not at hand")
-    assert run.returncode == 0 and run.stderr == ""
 
 
 # Altered files

@@ -1,15 +1,12 @@
 """A changed key or column repeats exactly its dependents in a study of own surfaces."""
 
-import os
 import re
 
 import pandas as pd
 import pytest
 import yaml
-from own_studies import change_file, rough, spm
+from own_studies import change_file
 from repository import plan
-
-from hardcontact.base.random import generator
 
 pytestmark = pytest.mark.study
 
@@ -58,35 +55,6 @@ def test_a_changed_key_repeats_exactly_its_dependents(own_study, key, value, rul
         value = {key_name: value}
     (own_study / "other.yaml").write_text(yaml.safe_dump(value))
     assert planned(own_study, "other.yaml") == rules | PAGE
-
-
-def test_another_study_replaces_no_file_of_the_first(own_study):
-    (own_study / "other.yaml").write_text("{study: other, scan: {levelling: lines}}")
-    output = run_dry(own_study, "other.yaml")
-    outputs = [
-        path for line in re.findall("^    output: (.*)$", output, re.M)
-        for path in line.split(", ")
-    ]  # fmt: skip
-    assert outputs and not any((own_study / path).exists() for path in outputs)
-
-
-def test_another_scan_replaces_no_intermediate(own_study):
-    path = own_study / "scans/rectangle.001"
-    scan = path.read_bytes()
-    try:
-        spm(path, rough(generator(9), 128, rms=3.0)[:96], 2000.0)
-        os.utime(path, (0, 0))
-        outputs = re.findall("^    output: (.*)$", run_dry(own_study), re.M)
-    finally:
-        path.write_bytes(scan)
-    stored = [path for line in outputs for path in line.split(", ") if "/store-" in path]
-    assert stored and not any((own_study / path).exists() for path in stored)
-
-
-def test_more_forces_repeat_only_the_fit(own_study):
-    path = own_study / "my.csv"
-    with change_file(path, path.read_text() + "twin,1.0,uN\n"):
-        assert planned(own_study) == {"fit_measured", *PAGE}
 
 
 def test_a_changed_column_repeats_exactly_its_dependents(own_study):

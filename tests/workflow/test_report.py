@@ -35,10 +35,6 @@ def test_files_named_in_the_documentation_exist(path):
     assert [name for name in paths_named - made_by_the_user if not (ROOT / name).exists()] == []
 
 
-def test_the_readme_is_short():
-    assert len(README.read_text().splitlines()) <= 110
-
-
 def is_rounded(printed, number):
     """Whether a text is a number with fewer decimals."""
     decimals = len(printed.partition(".")[2])

@@ -13,11 +13,9 @@ import re
 import sys
 from pathlib import Path
 
-import pandas as pd
 import pytest
 import yaml
 from forked_runs import forked, use_library_of
-from refusals import assert_says
 from repository import PARTS, ROOT, TINY, linked_copy, plan, run_snakemake
 
 import hardcontact
@@ -135,16 +133,6 @@ def test_the_modules_that_a_script_loads_are_inputs_of_its_jobs(graph):
         assert programs_run == {frozenset(forked(load, *program))}, program
 
 
-def test_every_rule_keeps_logs_and_benchmarks(graph, finished):
-    for kind, suffix in (("logs", "log"), ("benchmarks", "tsv")):
-        unchanged = {
-            path.relative_to(folder).with_suffix("").parts[0]
-            for folder in (finished / "results").glob(f"*/{kind}")
-            for path in folder.rglob(f"*.{suffix}")
-        }
-        assert set(graph.rule.values()) <= unchanged, kind
-
-
 # Nothing changed
 
 
@@ -168,11 +156,6 @@ def test_rewritten_files_of_the_same_meaning_make_nothing(dry):
     assert dry(change=said_otherwise) == []
 
 
-def test_pins_of_tools_are_inputs_of_no_job(graph):
-    inputs = set().union(*graph.inputs.values())
-    assert "results/lock.txt" in inputs and not any(path.startswith("tests/") for path in inputs)
-
-
 def lose_metadata(folder):
     """Remove what Snakemake remembers of a run, as a copy of the results alone does."""
     (folder / ".snakemake").unlink()
@@ -186,16 +169,6 @@ def empty_metadata(folder):
         copy = folder / ".snakemake/metadata" / path.name
         copy.parent.mkdir(parents=True, exist_ok=True)
         copy.touch()
-
-
-def test_a_pin_that_is_not_installed_is_refused_in_one_line(finished, tmp_path):
-    folder = linked_copy(finished, tmp_path / "study")
-    for path in (folder / "environment.txt", folder / "workflow/lock.txt"):
-        path.write_text(re.sub("scipy==.*?(?=[ \n])", "scipy==0.1", path.read_text()))
-    run = run_snakemake(folder, "-n")
-    (line,) = re.findall("^error: .*", run.stdout, re.M)
-    assert run.returncode == 1 and "Traceback" not in run.stdout
-    assert_says(line, "scipy 0.1, found", "pip install --require-hashes -r workflow/lock.txt")
 
 
 def test_records_decide_without_the_metadata_of_snakemake(dry, graph):
@@ -235,12 +208,6 @@ def test_a_changed_key_repeats_exactly_its_dependents(dry, graph, key, value, co
     )
 
 
-def test_one_more_realization_computes_only_this_realization(dry):
-    jobs = dry(overlay("scales.realizations", 3))
-    force_files = [output for _, output in jobs if "store-tiny" in output]
-    assert force_files and all(re.search("realizations?-3", output) for output in force_files)
-
-
 def test_swept_values_share_masters(dry):
     values = {
         "contact": {"preload": "12 uN"},
@@ -258,36 +225,7 @@ def test_swept_values_share_masters(dry):
         assert all(token in output for output in filtered)
 
 
-def test_another_study_shares_all_intermediates(dry):
-    assert all("results/second/" in output for _, output in dry({"study": "second"}))
-
-
 # A column, a file, a script, a module
-
-
-def relabelled(folder):
-    """Give the rows of a surface another label."""
-    path = folder / "config/surfaces.tsv"
-    table = pd.read_csv(path, sep="\t", dtype=str, keep_default_na=False)
-    table.loc[table.surface == "mcd", "label"] = "another"
-    table.to_csv(path, sep="\t", index=False)
-
-
-def test_a_label_computes_no_forces(dry):
-    jobs = rules_of(dry(change=relabelled))
-    assert "aggregate_adhesion" in jobs
-    assert not {"compute_pull_off", "filter_masters", "compute_pool"} & jobs
-
-
-def reworded(folder):
-    """Reword a statement of the paper."""
-    path = folder / "resources/paper/claims.csv"
-    path.write_text(path.read_text().replace("The rms height of", "The rms roughness of"))
-
-
-def test_rewording_a_statement_computes_no_sets(dry):
-    jobs = rules_of(dry(change=reworded))
-    assert "evaluate_claims" in jobs and "sample_sets" not in jobs
 
 
 def append_line(path):
@@ -298,21 +236,6 @@ def append_line(path):
             file.write("\n" if path.endswith((".csv", ".tsv")) else "\n# another line\n")
 
     return change
-
-
-def older(path):
-    """Return a change that moves another version of a file into place, with a time long past."""
-
-    def change(folder):
-        append_line(path)(folder)
-        os.utime(folder / path, (0, 0))
-
-    return change
-
-
-def test_an_older_file_repeats_exactly_its_dependents(dry, graph):
-    path = "resources/paper/pull_off.csv"
-    assert rules_of(dry(change=older(path))) == graph.following(graph.readers(path))
 
 
 @pytest.mark.parametrize(

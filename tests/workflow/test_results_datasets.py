@@ -35,14 +35,6 @@ def test_substitutes_are_labelled(final, finished):
             assert data.attrs["basis"] == "substitute", path
 
 
-def test_forces_are_positive_and_complete(results):
-    force = dataset.read(results / "adhesion.nc").pull_off_force
-    assert np.isfinite(force).all() and (force > 0).all()
-    assert force.sizes["contact_y"] == force.sizes["contact_x"] == 6
-    rigid, plastic = (force.sel(contact_model=model) for model in ("rigid", "plastic"))
-    assert (plastic >= rigid).all()
-
-
 # The same seed, the same values
 
 

@@ -7,7 +7,7 @@ from browser import measure_pages, needs_browser
 from html_page import Page, dead_links
 from jsonschema import Draft202012Validator
 from paper_numbers import SUBSTRATES
-from repository import ROOT, run_snakemake
+from repository import ROOT
 
 from hardcontact.base import dataset
 from hardcontact.config.configuration import read_yaml
@@ -16,7 +16,6 @@ from hardcontact.paper.evaluation import COLUMNS
 from hardcontact.paper.verdicts import VERDICTS
 from hardcontact.report.figures.listing import PAPER_FIGURES
 from hardcontact.report.paper_study.answer import ANSWER_CLAIMS
-from hardcontact.report.paper_study.paired_changes import SET_DATASETS, pairing
 
 PAGES = read_yaml("workflow/report/pages.yaml")
 
@@ -31,12 +30,6 @@ def test_every_claim_has_a_verdict_and_a_basis(results):
     replicated = published.set_index("id").loc[claims.id, "samples_from"].notna()
     assert list(claims.agreeing_share.notna()) == list(replicated)
     assert claims.agreeing_share.dropna().between(0, 1).all()
-
-
-def test_a_study_is_paired_with_itself(results):
-    """The parameters that rules record are those by which studies are compared."""
-    study = {name: dataset.read(results / f"{name}.nc") for name in SET_DATASETS}
-    assert pairing(study, study) == "paired"
 
 
 def test_the_answer_has_the_numbers_of_the_claims_and_of_the_datasets(results):
@@ -77,18 +70,3 @@ def test_a_browser_shows_pages_on_phone_and_desk(results, tmp_path):
     for text_box in measure_pages(opened, tmp_path):
         assert text_box["overflow"] == 0 and text_box["requests"] == 0
         assert text_box["loaded"] == text_box["pictures"] > 0
-
-
-def test_the_report_contains_the_answer_every_figure_and_every_page(finished, tmp_path):
-    run = run_snakemake(finished, "--report", str(tmp_path / "report.html"))
-    assert run.returncode == 0, run.stdout[-3000:]
-    text = (tmp_path / "report.html").read_text()
-    sections = ["answer.html", *(f"{name}.png" for name in PAPER_FIGURES)]
-    sections += [f"{name}.html" for name in PAGES]
-    assert [name for name in sections if name not in text] == []
-    assert '"0. Answer": {' in text
-
-
-def test_nothing_is_left_half_written(finished):
-    files = [path for path in (finished / "results").rglob("*") if path.is_file()]
-    assert [path for path in files if path.name.startswith(".") or not path.suffix] == []

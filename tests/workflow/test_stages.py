@@ -3,7 +3,6 @@
 import logging
 import re
 import sys
-import time
 from types import SimpleNamespace
 from unittest.mock import MagicMock
 
@@ -14,7 +13,7 @@ from snakemake_interface_logger_plugins.common import LogEvent
 
 from snakemake_logger_plugin_stages import STUDY_LOGGER, LogHandler
 from snakemake_logger_plugin_stages.command_line import cost_column
-from snakemake_logger_plugin_stages.costs import Stage, read_stages, stage_of
+from snakemake_logger_plugin_stages.costs import Stage, read_stages
 
 JOBS = ["level_scan", "level_scan", "stitch"]
 
@@ -84,24 +83,6 @@ def test_time_left_counts_what_jobs_cost(capsys, monkeypatch):
     assert "2 of 3 jobs done, about 0:00:44 left" in line
 
 
-def test_a_long_job_is_reported(capsys, monkeypatch):
-    monkeypatch.setattr("snakemake_logger_plugin_stages.MAX_SILENCE_SECONDS", 0)
-
-    def slow():
-        yield from run(1)
-        time.sleep(1.5)
-
-    assert "1 of 3 jobs done, about" in show(capsys, slow())[-1]
-
-
-def test_stages_of_the_study_are_named():
-    stages = read_stages("quick")
-    assert stage_of("make_scans_1_2", stages).name == "substitute scans 1 to 2"
-    assert stage_of("make_scans_3", stages).name == "substitute scans 3"
-    assert stage_of("draw_fig_fit", stages).name == "figure fig_fit"
-    assert stage_of("unheard_of", stages).name == "unheard of"
-
-
 def test_every_rule_with_jobs_has_a_name_for_people():
     rules = {
         name
@@ -168,15 +149,6 @@ def test_a_target_that_no_rule_makes_is_refused_in_one_line(
     assert remedy in line
 
 
-def test_messages_of_the_study_and_warnings_are_shown(capsys):
-    records = [
-        (logging.INFO, STUDY_LOGGER, "open answer.html", {}),
-        (logging.WARNING, "snakemake.logging", "disk is nearly full", {}),
-        info("Select jobs to execute..."),
-    ]
-    assert show(capsys, records) == ["open answer.html", "disk is nearly full"]
-
-
 def test_a_job_that_a_cluster_ends_is_shown_by_the_study_alone(capsys):
     """Snakemake reports each rule of the job, and its plugin what sacct did not answer."""
     plan = info("long list", LogEvent.RUN_INFO, stats={"stitch": 1, "total": 1})
@@ -189,12 +161,6 @@ def test_a_job_that_a_cluster_ends_is_shown_by_the_study_alone(capsys):
         (logging.WARNING, "snakemake.logging", "No account was given, not able via sacct", {}),
     ]
     assert show(capsys, [plan, *records])[1:] == ["SLURM job stitch: TIMEOUT"]
-
-
-@pytest.mark.parametrize("setting", ["dryrun", "verbose", "quiet"])
-def test_options_show_the_whole_log(capsys, setting):
-    lines = show(capsys, [info("Select jobs to execute...")], **{setting: True})
-    assert lines == ["Select jobs to execute..."]
 
 
 @pytest.mark.parametrize(
