@@ -45,7 +45,7 @@ def test_octaves_end_within_the_waves_of_a_map():
 def test_each_wave_is_in_one_octave_with_its_shorter_limit():
     surface = wavy(160.0, 256.0, 1280.0)
     limits = [80.0, 160.0, 320.0, 640.0, 1280.0, 2560.0]
-    waves = np.array([octave.heights.copy() for octave in split_octaves(surface, limits)])
+    waves = np.array([octave.heights for octave in split_octaves(surface, limits)])
     rms = waves.std(axis=(1, 2))
     np.testing.assert_allclose(rms, [0, 1, 0, 0, np.sqrt(0.5)], atol=1e-6)
     np.testing.assert_allclose(waves.sum(axis=0), surface.heights, atol=1e-5)

@@ -30,8 +30,7 @@ def band_parts(
     """
     for shortest, longest in bands:
         series = filtered_series(surface, "short", [shortest, longest], surface.pixels)
-        band_and_longer = next(series).heights.copy()
-        longer = next(series).heights
+        band_and_longer, longer = (waves.heights for waves in series)
         heights = (band_and_longer - longer, band_and_longer, surface.heights - longer)
         yield {
             name: replace(surface, heights=part_heights)

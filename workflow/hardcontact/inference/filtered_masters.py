@@ -51,7 +51,8 @@ def forces_at_cutoffs(
     (...) and ``unfiltered_wavelength``, the end of the unfiltered spectrum in nm.
     """
     side, pixels, cutoffs = filters
-    surfaces = filtered_series(master, side, [None, *cutoffs], pixels)
+    out = np.empty((pixels, pixels), np.float32)  # A new array for each surface takes longer.
+    surfaces = filtered_series(master, side, [None, *cutoffs], pixels, out)
     surface_forces = (compute_forces(surface) for surface in surfaces)
     unfiltered, *filtered = progress(surface_forces, 1 + len(cutoffs), "cutoffs")
     end = 2 * master.size / pixels if side == "short" else master.size

@@ -115,7 +115,7 @@ def _split_at_octave(
     Shorter waves are beyond an octave of the short side, longer waves of the long side.
     """
     series = filtered_series(stitched, "short", list(octave), stitched.pixels)
-    octave_and_longer, longer = (waves.heights.copy() for waves in series)
+    octave_and_longer, longer = (waves.heights for waves in series)
     near_side = longer if side == "short" else stitched.heights - octave_and_longer
     return near_side, octave_and_longer - longer
 

@@ -6,6 +6,7 @@ other waves, so that their ratio scatters little. F is the mean force over conta
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 import xarray as xr
@@ -46,17 +47,10 @@ def octave_limits(shortest: float, longest: float) -> Floats:
 
 
 def split_octaves(surface: HeightMap, limits: Sequence[float] | Floats) -> Iterator[HeightMap]:
-    """Yield the waves of a periodic surface from each limit (nm, ascending) to the next.
-
-    The next octave overwrites the heights of the last: a caller that keeps them copies them.
-    """
-    longer_waves = filtered_series(surface, "short", list(limits), surface.pixels)
-    waves = next(longer_waves).heights.copy()
-    heights = np.empty_like(waves)
-    for longer in longer_waves:
-        np.subtract(waves, longer.heights, out=heights)
-        yield replace(surface, heights=heights)
-        waves[...] = longer.heights
+    """Yield the waves of a periodic surface from each limit (nm, ascending) to the next."""
+    series = filtered_series(surface, "short", list(limits), surface.pixels)
+    for waves, longer in pairwise(series):
+        yield replace(surface, heights=waves.heights - longer.heights)
 
 
 def octave_forces(

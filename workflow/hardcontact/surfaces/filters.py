@@ -125,12 +125,16 @@ def _inverse_blocks(padded: AnyTransform) -> Iterator[tuple[slice, NDArray[np.fl
 
 
 def filtered_series(
-    master: HeightMap, side: str, cutoffs: Sequence[float | None], pixels: int
+    master: HeightMap,
+    side: str,
+    cutoffs: Sequence[float | None],
+    pixels: int,
+    out: NDArray[np.float32] | None = None,
 ) -> Iterator[HeightMap]:
     """Yield a periodic, square master without the wavelengths beyond each cutoff in nm.
 
     The side ``"short"`` removes shorter, ``"long"`` longer wavelengths; a cutoff of None removes
-    none. Each filtered surface overwrites the heights of the previous one. Raises ValueError if
+    none. Each filtered surface overwrites `out` (pixels, pixels), if given. Raises ValueError if
     wavelengths need more pixels, or a cutoff is two pixels or less.
     """
     size = master.size
@@ -147,11 +151,11 @@ def filtered_series(
     if highest is not None:
         transform = _lowest_orders(master, highest)
         waves = (transform * (pixels / master.pixels) ** 2).astype(np.complex64)
-        heights = np.empty((pixels, pixels), np.float32)
     for limit in limits:
         if limit is None:
             yield unfiltered
             continue
+        heights = np.empty((pixels, pixels), np.float32) if out is None else out
         for rows, band in _inverse_blocks(_pad_orders(_drop_higher_orders(waves, limit), pixels)):
             heights[rows] = band
             if side == "long":
