@@ -58,7 +58,7 @@ def band() -> xr.Dataset:
     """Return a band with both edges of all substrates, changes NaN where a side has no cutoff."""
     cutoffs = np.concatenate(list(CUTOFFS.values()))
     is_computed = np.array([np.isin(cutoffs, side_cutoffs) for side_cutoffs in CUTOFFS.values()])
-    groups = [*SUBSTRATES, "pooled"]
+    groups = [*SUBSTRATES, "mean"]
     change = xr.DataArray(np.where(is_computed, 0.1, np.nan), dims=("side", "cutoff_wavelength"))
     return xr.Dataset(
         {

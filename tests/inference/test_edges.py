@@ -13,7 +13,7 @@ LONG = [np.nan, np.nan, 3.0, 1.0]
 CROSSINGS = np.log(1.1) / np.log([1.2, 3.0])  # where ln(SHORT) and ln(LONG) cross ln(1.1)
 EDGES = {
     "a": {"short": 10 ** (1 + CROSSINGS[0]), "long": 10 ** (4 - CROSSINGS[1])},
-    "pooled": {"short": 10**1.5, "long": 10**3.95},  # where the mean of |ratio - 1| crosses 0.1
+    "mean": {"short": 10**1.5, "long": 10**3.95},  # where the mean of |ratio - 1| crosses 0.1
 }
 
 
@@ -45,12 +45,12 @@ def test_each_edge_is_the_first_cutoff_from_the_unfiltered_end():
             np.testing.assert_allclose(selected.edge_interval, wavelength)
 
 
-def test_pooled_change_is_the_mean_of_absolute_changes():
+def test_mean_change_is_the_mean_of_absolute_changes():
     increasing = [[1.0, 1.2, np.nan, np.nan], [np.nan, np.nan, 3.0, 1.0]]
     decreasing = [[1.0, 0.8, np.nan, np.nan], [np.nan, np.nan, 0.6, 1.0]]
     bands, _ = edges_with_samples(scales([[increasing], [decreasing]]), 0.1, Sampling(0, 0, 0.95))
     np.testing.assert_allclose(
-        bands.filtered_force_change.sel(group="pooled"),
+        bands.filtered_force_change.sel(group="mean"),
         [[0.0, 0.2, np.nan, np.nan], [np.nan, np.nan, 1.2, 0.0]],
     )
     assert bands.filtered_force_ratio.dims == ("side", "surface", "cutoff_wavelength")

@@ -306,7 +306,7 @@ def test_the_first_edge_is_that_of_the_first_surface_to_leave():
                 ("side", "group", "bound"), np.multiply.outer(edges, [0.9, 1.1])
             ),
         },
-        {"side": ["short", "long"], "group": ["uncd", "mcd", "pooled"],
+        {"side": ["short", "long"], "group": ["uncd", "mcd", "mean"],
          "cutoff_wavelength": cutoffs, "bound": ["low", "high"]},
     )  # fmt: skip
     first_edge = inference.first_edge(band)

@@ -404,7 +404,7 @@ def predict(
     dict of str to Number
         Each with ``value``, ``unit``, ``low`` and ``high`` of its interval, and ``status``: the
         numbers of `hardcontact predict --json` except the Tabor parameter.
-        ``closed_form_force``, ``short_edge``, ``long_edge`` : pull-off force and critical band.
+        ``closed_form_force``, ``short_edge``, ``long_edge`` : force and band in closed form.
         The status of a force with unknown error is ``"outside"``.
         ``extrapolated_change`` : change of the force by the roughness beyond the spectrum. If its
         status is ``"matters"``, use ``extrapolated_force``, ``extrapolated_short_edge`` and

@@ -49,7 +49,7 @@ rule sample_sets:
         parameters=parameters(
             chunks=CHUNKS.pools,
             sample_chunks=CHUNKS.featured_samples,
-            pooled=SELECTION.substrates_with_pool,
+            sampled_substrates=SELECTION.sampled_substrates,
             master_surfaces=[row.surface for row in CHUNKS.filtered_masters("sets")],
             realizations=STUDY["sets"]["realizations"],
             loading=FILES.contact.loading_name,

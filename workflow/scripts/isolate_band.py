@@ -5,7 +5,7 @@ from hardcontact.base.dataset import read
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.pull_off import make_force_function
 from hardcontact.inference.band_forces import band_force_dataset
-from hardcontact.inference.edges import pooled_band
+from hardcontact.inference.edges import mean_band
 from hardcontact.records.job import run_job
 from hardcontact.surfaces.featured_scans import summarize_whole_surfaces
 
@@ -14,7 +14,7 @@ with run_job(snakemake) as job:
     constants = published.read_constants(job.input.published_constants)["value"]
     bands = {
         "published": (constants["short_edge"], constants["long_edge"]),
-        "found": pooled_band(read(job.input.edges)),
+        "found": mean_band(read(job.input.edges)),
     }
     job.write(
         summarize_whole_surfaces(

@@ -18,7 +18,7 @@ with run_job(snakemake) as job:
         read(job.input.adhesion),
         read_all(params["chunks"], job.input.pools),
         read_all(params["sample_chunks"], job.input.samples),
-        params["pooled"],
+        params["sampled_substrates"],
         read_master_forces(
             params["master_surfaces"], job.input.masters, params["realizations"], params["loading"]
         ),

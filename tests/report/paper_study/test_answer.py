@@ -31,7 +31,7 @@ def change_claim(name, **values):
 def move_edge(side, wavelength):
     """A band whose edge of all substrates is at a wavelength."""
     moved = band()
-    moved["edge"].loc[{"side": side, "group": "pooled"}] = wavelength
+    moved["edge"].loc[{"side": side, "group": "mean"}] = wavelength
     return moved
 
 

@@ -15,7 +15,7 @@ from hardcontact.surfaces.height_map import TABLE1_METRICS
 SETS = 20_000
 SCATTER = 0.01
 SAMPLING = {
-    "chunks": [["uncd", 1, 15]], "sample_chunks": [], "pooled": ["uncd"],
+    "chunks": [["uncd", 1, 15]], "sample_chunks": [], "sampled_substrates": ["uncd"],
     "master_surfaces": ["uncd"], "realizations": 20, "loading": "H25GPa-F10uN",
     "settings": {"seed": 2021, "realizations": 5, "tolerance": 0.1},
 }  # fmt: skip

@@ -22,7 +22,7 @@ SPHERE = "sphere"
 #: Names that a study cannot have: the project's own files or results have them.
 RESERVED_NAMES = ("config", "paper", "quick", "store", "surfaces")
 #: Ids that surfaces cannot have: they stand for the mean over surfaces and for a smooth sphere.
-RESERVED_IDS = ("pooled", "smooth")
+RESERVED_IDS = ("mean", "smooth")
 USAGE = Path(__file__).with_name("new_help.txt").read_text("utf-8")
 
 

@@ -33,10 +33,10 @@ class SurfaceRow(Keys):
 
     surface: Annotated[
         str,
-        # pooled is the mean over surfaces, smooth a sphere
+        # mean stands for the mean over surfaces, smooth for a sphere
         Matching(
-            "(?!(pooled|smooth)$)[a-z][a-z0-9_]{0,39}",
-            "up to 40 lower-case letters, digits and underscores, a letter first, neither pooled "
+            "(?!(mean|smooth)$)[a-z][a-z0-9_]{0,39}",
+            "up to 40 lower-case letters, digits and underscores, a letter first, neither mean "
             "nor smooth",
         ),
     ]
@@ -125,8 +125,8 @@ class Selection:
         return list(range(start, start + len(scans))) if group else scans
 
     @property
-    def substrates_with_pool(self) -> list[str]:
-        """Substrates with a pool of scans for the sets: substitutes with a published rms height."""
+    def sampled_substrates(self) -> list[str]:
+        """Substrates that each set samples: substitutes with a published rms height."""
         table1 = pd.read_csv(PUBLISHED_TABLES["published_table1"])
         published_surfaces = set(table1.surface[table1.quantity == "afm_rms_height"])
         return [

@@ -134,8 +134,8 @@ def force_statistics(forces: np.ndarray, force_floor: float, sampling: Sampling)
     mean = scan_forces.mean("contact")
     censored = (scan_forces < force_floor).mean("contact")
     confidence = sampling.confidence
-    pooled_statistics = _jackknife_statistics(finite_forces, force_floor)
-    statistics = dict(zip(JACKKNIFE_STATISTICS, pooled_statistics, strict=True))
+    surface_statistics = _jackknife_statistics(finite_forces, force_floor)
+    statistics = dict(zip(JACKKNIFE_STATISTICS, surface_statistics, strict=True))
     statistics |= {
         "mean_force_at_pair": float(mean.mean()),
         "censored_fraction": float(censored.mean()),
@@ -146,9 +146,9 @@ def force_statistics(forces: np.ndarray, force_floor: float, sampling: Sampling)
             _jackknife_statistics(np.delete(finite_forces, scan, axis=0), force_floor)
             for scan in range(len(finite_forces))
         ]
-        pooled_intervals = jackknife_interval(pooled_statistics, without_one_scan, confidence)
+        surface_intervals = jackknife_interval(surface_statistics, without_one_scan, confidence)
         censored_interval = student_interval(censored, confidence, "scan").clip(0, 1)
-        intervals = dict(zip(JACKKNIFE_STATISTICS, pooled_intervals, strict=True))
+        intervals = dict(zip(JACKKNIFE_STATISTICS, surface_intervals, strict=True))
         intervals["mean_force_at_pair"] = student_log_interval(mean, confidence, "scan").values
         intervals["censored_fraction"] = censored_interval.values
     variables: dict[str, Any] = {}

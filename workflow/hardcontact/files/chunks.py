@@ -49,8 +49,8 @@ class Chunks:
         """The scans of all pools, for the sets: outputs of rule compute_pool."""
         chunks = _spans(self._configuration["sets"]["pool_size"], POOL_CHUNK)
         featured = self._files.featured_surfaces
-        pooled = [name for name in self._selection.substrates_with_pool if name not in featured]
-        return [Chunk(surface, *chunk) for surface in pooled for chunk in chunks]
+        surfaces = [name for name in self._selection.sampled_substrates if name not in featured]
+        return [Chunk(surface, *chunk) for surface in surfaces for chunk in chunks]
 
     @property
     def featured_samples(self) -> list[SampleChunk]:

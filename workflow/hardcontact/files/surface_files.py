@@ -244,7 +244,7 @@ class SurfaceFiles:
     def featured_surfaces(self) -> list[str]:
         """The substrate whose scans have features, if it is a substitute of a published surface."""
         surface = self.configuration["scan"]["featured_surface"]
-        return [name for name in self.selection.substrates_with_pool if name == surface]
+        return [name for name in self.selection.sampled_substrates if name == surface]
 
     @property
     def whole_surface_grid(self) -> dict[str, Any]:

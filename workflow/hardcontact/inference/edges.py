@@ -23,7 +23,7 @@ from hardcontact.inference.curve_edges import (
 )
 
 #: The group of all surfaces.
-POOLED = "pooled"
+MEAN_GROUP = "mean"
 AXES = ("side", "surface", "cutoff_wavelength")
 
 
@@ -47,10 +47,10 @@ def edges_or_bounds(edges: xr.Dataset) -> xr.DataArray:
     return edges["edge"].fillna(edges["edge_bound"])
 
 
-def pooled_band(edges: xr.Dataset) -> tuple[float, float]:
+def mean_band(edges: xr.Dataset) -> tuple[float, float]:
     """Return both edges (nm) of the mean change over all surfaces, or their bounds."""
-    pooled = edges_or_bounds(edges).sel(group=POOLED)
-    return float(pooled.sel(side="short")), float(pooled.sel(side="long"))
+    mean_edges = edges_or_bounds(edges).sel(group=MEAN_GROUP)
+    return float(mean_edges.sel(side="short")), float(mean_edges.sel(side="long"))
 
 
 def labelled_edges(
@@ -86,8 +86,8 @@ def edges_with_samples(
     """Return ratio curves, changes of the force and edges, and sampled edges (sample, side, group).
 
     `scales` has ``filtered_force_ratio`` (surface, realization, side, cutoff_wavelength), NaN at
-    cutoffs of the other side, and ``unfiltered_wavelength`` (surface, side) in nm. The group POOLED
-    of ``filtered_force_change``, |ratio - 1|, is the mean over surfaces. An open edge is NaN; in a
+    cutoffs of the other side, and ``unfiltered_wavelength`` (surface, side) in nm. MEAN_GROUP of
+    ``filtered_force_change``, |ratio - 1|, is the mean over surfaces. An open edge is NaN; in a
     sample its bound replaces it. Random numbers depend on the surface alone.
     """
     ratio, ratio_samples = _mean_ratios(scales, sampling)
@@ -112,7 +112,7 @@ def edges_with_samples(
     coordinates = {
         "side": scales["side"].values,
         "surface": scales["surface"].values,
-        "group": [*scales["surface"].values.tolist(), POOLED],
+        "group": [*scales["surface"].values.tolist(), MEAN_GROUP],
         "cutoff_wavelength": scales["cutoff_wavelength"],
     }
     return xr.Dataset(variables, coordinates), edge_samples
@@ -147,7 +147,7 @@ def _curves(
     """Yield the curve of each side and group, and samples (sample, k) of its values.
 
     Mean ratios (AXES) and their samples (sample, AXES) come from `_mean_ratios`. The curve of a
-    surface is ln(ratio) with two limits, the pooled curve is the mean |ratio - 1| with an upper
+    surface is ln(ratio) with two limits, the mean curve is that of |ratio - 1| with an upper
     limit. Each curve begins at the unfiltered wavelength, where it is zero.
     """
     ratios = np.concatenate([ratio[None], ratio_samples])

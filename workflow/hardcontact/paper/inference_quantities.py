@@ -11,7 +11,7 @@ from scipy import constants, special
 
 from hardcontact.base.statistics import bounds
 from hardcontact.contact.smooth_sphere import dmt_pull_off
-from hardcontact.inference.edges import POOLED, edges_or_bounds
+from hardcontact.inference.edges import MEAN_GROUP, edges_or_bounds
 from hardcontact.paper.estimates import (
     as_estimate,
     mean_over_contacts,
@@ -128,7 +128,7 @@ def band_edge(edges: xr.Dataset) -> xr.Dataset:
 
 def first_edge(edges: xr.Dataset) -> xr.Dataset:
     """Return the `band_edge` of the surface whose force leaves its tolerance first (side)."""
-    wavelengths = band_edge(edges).drop_sel(group=POOLED)
+    wavelengths = band_edge(edges).drop_sel(group=MEAN_GROUP)
     short_edge = wavelengths.sel(side="short").min("group")
     long_edge = wavelengths.sel(side="long").max("group")
     return xr.concat([short_edge, long_edge], "side")

@@ -70,21 +70,21 @@ def gather_inputs(
     adhesion: xr.Dataset,
     chunks: Mapping[tuple[Any, ...], xr.Dataset],
     sample_chunks: Mapping[tuple[Any, ...], xr.Dataset],
-    pooled: Sequence[str],
+    sampled_substrates: Sequence[str],
     masters: xr.Dataset,
 ) -> SetInputs:
     """Join the chunks of pools and samples, and compute the factor of the rough sphere.
 
     `chunks` come from `pool.compute_pool`, by substrate, first and last scan; `sample_chunks` from
-    `featured_samples.compute_samples`, by substrate, kind, first and last sample. `pooled` are the
-    substrates with a pool or samples.
+    `featured_samples.compute_samples`, by substrate, kind, first and last sample. The
+    `sampled_substrates` have a pool or samples.
     """
     pools = concatenate(chunks, "scan", 1)
     forces = adhesion["pull_off_force"]
     rough = forces.mean(["scan", "sphere_scan", "contact_y", "contact_x"])
     factor = xr.full_like(rough, np.nan)
     smooth = adhesion["smooth_sphere_force"].mean("scan")
-    for surface in pooled:
+    for surface in sampled_substrates:
         factor.loc[{"surface": surface}] = (rough / smooth).sel(surface=surface, drop=True)
     return SetInputs(
         topography,

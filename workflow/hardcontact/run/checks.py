@@ -107,8 +107,8 @@ def _paper_faults(
         )
         faults.append(key_fault("surfaces", accepted, ", ".join(unpublished)))
     pool = config["sets"]["pool_size"]
-    pooled = contacts[(contacts.source == "substitute") & (contacts.surface != sphere)]
-    scans = pooled.surface.value_counts(sort=False)
+    substitutes = contacts[(contacts.source == "substitute") & (contacts.surface != sphere)]
+    scans = substitutes.surface.value_counts(sort=False)
     if len(scans) and scans.max() > pool:
         accepted = f"at least the {scans.max()} scans of {scans.idxmax()}"
         faults.append(key_fault("sets.pool_size", accepted, pool))

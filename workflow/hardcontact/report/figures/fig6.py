@@ -10,7 +10,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 from hardcontact.base.formatting import format_share
-from hardcontact.inference.edges import POOLED, last_cutoff
+from hardcontact.inference.edges import MEAN_GROUP, last_cutoff
 from hardcontact.report.figures import drawing, panels, style
 from hardcontact.report.figures.values import published_edge, value_and_interval
 
@@ -71,11 +71,11 @@ def _draw_side(column: np.ndarray, edges: xr.Dataset) -> None:
 def _draw_changes(axes: Axes, change: xr.Dataset, tolerance: float) -> None:
     """Draw |ratio - 1| in percent against cutoff (nm), and its mean over the substrates."""
     cutoffs = change["cutoff_wavelength"]
-    surfaces = [group for group in change["group"].values if group != POOLED]
+    surfaces = [group for group in change["group"].values if group != MEAN_GROUP]
     for surface, look in style.looks(surfaces).items():
         axes.plot(cutoffs, change["value"].sel(group=surface), lw=0.8, ms=2.5, **look)
-    pooled = change.sel(group=POOLED)
-    panels.draw_bars(axes, cutoffs, pooled, elinewidth=0.9, lw=1.8, **style.POOLED_LOOK)
+    mean_change = change.sel(group=MEAN_GROUP)
+    panels.draw_bars(axes, cutoffs, mean_change, elinewidth=0.9, lw=1.8, **style.MEAN_LOOK)
     axes.set(yscale="log", ylabel="change (%)")
     axes.set_ylim(bottom=max(SMALLEST_CHANGE, axes.get_ylim()[0]))
     axes.axhline(tolerance, **TOLERANCE_LINE)
@@ -87,7 +87,7 @@ def _legend_handles(edges: xr.Dataset, short: float, long: float) -> list[Artist
     tolerance = format_share(edges.attrs["tolerance"])
     return [
         *style.surface_handles(edges),
-        Line2D([], [], lw=1.8, label="mean change of all", **style.POOLED_LOOK),
+        Line2D([], [], lw=1.8, label="mean change of all", **style.MEAN_LOOK),
         Line2D([], [], lw=1.4, color="0.3", label=f"{confidence} interval (bars)"),
         Patch(label=f"change below {tolerance}", **panels.UNCHANGED_LOOK),
         Line2D([], [], label=f"change of {tolerance}", **TOLERANCE_LINE),

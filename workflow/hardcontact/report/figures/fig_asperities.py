@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
 from hardcontact.base.formatting import format_share
-from hardcontact.inference.edges import POOLED
+from hardcontact.inference.edges import MEAN_GROUP
 from hardcontact.report.figures import drawing, panels, style
 from hardcontact.report.figures.values import published_edge, value_and_bounds
 
@@ -70,8 +70,8 @@ def _draw_smooth(axes: Axes, asperities: xr.Dataset) -> None:
 
 def _draw_critical(axes: Axes, edges: xr.Dataset, published_constants: pd.DataFrame) -> None:
     """Draw the long edge (µm) of the mean force, computed and published."""
-    pooled_band = edges.sel(side="long", group=POOLED)
-    edge = value_and_bounds(pooled_band, "edge")
+    mean_band = edges.sel(side="long", group=MEAN_GROUP)
+    edge = value_and_bounds(mean_band, "edge")
     value, low, high = np.array([edge["value"], edge["low"], edge["high"]]) / MICROMETRE
     published = published_edge(published_constants, "long")
     confidence = format_share(edges.attrs["confidence"])

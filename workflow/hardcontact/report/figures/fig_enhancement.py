@@ -30,7 +30,7 @@ def draw(enhancement: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
     tolerance = format_share(enhancement.attrs["tolerance"])
     handles = [
         *style.surface_handles(enhancement),
-        Line2D([], [], label="mean change of all", **style.POOLED_LOOK),
+        Line2D([], [], label="mean change of all", **style.MEAN_LOOK),
         Line2D([], [], label=f"published: {edge:g} nm", **style.PUBLISHED_RANGE),
         Line2D([], [], lw=1.4, color="0.3", label="interval (bars)"),
         Patch(label=f"change below {tolerance}", **panels.UNCHANGED_LOOK),

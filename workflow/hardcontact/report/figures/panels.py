@@ -10,7 +10,7 @@ from matplotlib import rcParams
 from matplotlib.axes import Axes
 
 from hardcontact.base.formatting import format_share
-from hardcontact.inference.edges import POOLED
+from hardcontact.inference.edges import MEAN_GROUP
 from hardcontact.report.figures import style
 from hardcontact.report.figures.style import Look
 from hardcontact.report.figures.values import value_and_interval
@@ -66,7 +66,7 @@ def draw_edges(
 
     An edge or an end of an interval at the position (nm) of an arrow lies there or beyond.
     """
-    looks = style.looks(labels["surface"].values) | {POOLED: style.POOLED_LOOK}
+    looks = style.looks(labels["surface"].values) | {MEAN_GROUP: style.MEAN_LOOK}
     for row, (group, look) in enumerate(looks.items()):
         value, low, high = edges[["value", "low", "high"]].sel(group=group).to_array().values
         axes.plot([low, high], [row, row], color=look["color"], lw=1.4)

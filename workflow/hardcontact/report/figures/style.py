@@ -22,7 +22,7 @@ from hardcontact.base.formatting import format_share
 from hardcontact.report.figures.values import SHARE_OF_SETS
 
 # The palette of Okabe & Ito (2008), readable with every common colour blindness. Its grey is kept
-# for the sphere, its black for published and pooled values; its yellow is too pale for thin lines.
+# for the sphere, its black for published and mean values; its yellow is too pale for thin lines.
 SUBSTRATE_COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
 SPHERE_COLOUR = "#7F7F7F"
 PUBLISHED_COLOUR = "#000000"
@@ -44,7 +44,7 @@ REMOVED_TITLES = {
     "short": "roughness below the cutoff removed",
     "long": "roughness above the cutoff removed",
 }
-POOLED_LOOK: Look = {"color": "black", "marker": "h"}  # of the mean of all surfaces
+MEAN_LOOK: Look = {"color": "black", "marker": "h"}  # of the mean of all surfaces
 PUBLISHED_RANGE: Look = {"color": "0.25", "lw": 1.0, "ls": (0, (4, 2))}
 PUBLISHED_FIT: Look = {"fmt": "o", "color": "black", "mec": "white", "mew": 0.5, "ms": 5, "lw": 1.4}
 TILTED: Look = {"rotation": 25, "ha": "right", "rotation_mode": "anchor"}  # names on an axis

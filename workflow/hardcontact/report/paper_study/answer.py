@@ -12,7 +12,7 @@ from hardcontact.base.statistics import bounds, percentile_interval
 from hardcontact.config.model import numeric_configuration
 from hardcontact.contact.contact import PLASTIC
 from hardcontact.files.master_purposes import SHORT_ADHESION_RANGE
-from hardcontact.inference.edges import POOLED, edges_or_bounds
+from hardcontact.inference.edges import MEAN_GROUP, edges_or_bounds
 from hardcontact.inference.fit import WITHOUT_SURFACE
 from hardcontact.inference.octaves import strongest_octaves
 from hardcontact.paper.verdicts import interval_with_sets, open_end, summary
@@ -176,7 +176,7 @@ def _claim_numbers(name: str, row: Any, datasets: Mapping[str, xr.Dataset]) -> l
     status = f"interval_open_{row.open_end}" if row.open_end else ""
     if name in EDGE_SIDES:
         side, open_status = EDGE_SIDES[name]
-        if np.isnan(datasets["edges"]["edge"].sel(side=side, group=POOLED).item()):
+        if np.isnan(datasets["edges"]["edge"].sel(side=side, group=MEAN_GROUP).item()):
             status = open_status
     return [
         Number(name, row.computed, row.unit, row.low, row.high, status, source),

@@ -19,7 +19,9 @@ from hardcontact.surfaces.height_map import TABLE1_METRICS
 
 SET_DATASETS = ("sets", "topography", "scales", "features")
 #: Parameters of sets.nc that decide which scans and masters a set has.
-SAMPLING_PARAMETERS = ("chunks", "sample_chunks", "pooled", "master_surfaces", "realizations")
+SAMPLING_PARAMETERS = (
+    "chunks", "sample_chunks", "sampled_substrates", "master_surfaces", "realizations",
+)  # fmt: skip
 SAMPLING_SETTINGS = ("seed", "realizations")
 #: Relative difference of equal surfaces: far more than other processors cause, 7e-16.
 TOLERANCE = 1e-6
