@@ -30,9 +30,10 @@ def test_a_second_run_has_nothing_to_do(own_study):
 # Rules that a change repeats
 
 PAGE = {"answer_surfaces", "describe_study"}
-FORCES = {"compute_pull_off", "aggregate_adhesion", "predict_force", "fit_measured"}
-OCTAVES = {"amplify_octaves", "aggregate_sensitivity"}
-MASTERS = {"synthesize_masters", "filter_masters", "aggregate_scales", "predict_force"}
+EDGES = {"find_edges_of_scans", "predict_force"}
+FORCES = {"compute_pull_off", "aggregate_adhesion", "fit_measured"} | EDGES
+OCTAVES = {"perturb_scan", "aggregate_sensitivity"}
+MASTERS = {"synthesize_masters", "filter_masters", "aggregate_scales"} | EDGES
 SPECTRA = {
     "measure_spectrum", "sample_spectra", "aggregate_spectra",
     "combine_spectra", "combine_sampled_spectra",

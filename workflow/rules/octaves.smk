@@ -30,8 +30,8 @@ rule compute_whole_surfaces:
         "../scripts/compute_whole_surfaces.py"
 
 
-rule amplify_octaves:
-    """Compute the forces on a measured scan with each octave amplified, or the last replaced."""
+rule perturb_scan:
+    """Compute forces on a scan with each octave amplified, the last replaced, or wide pixels."""
     input:
         stitched=lambda w: FILES.roughness_path(w.surface, int(w.scan)),
         spectrum=lambda w: FILES.roughness_spectrum_path(w.surface),
@@ -40,7 +40,7 @@ rule amplify_octaves:
             for body in FILES.rough_bodies(w.surface, int(w.scan))
         ],
         sphere=SPHERE_SCAN,
-        code=code_inputs("amplify_octaves.py"),
+        code=code_inputs("perturb_scan.py"),
     output:
         PATTERNS.octaves,
     params:
@@ -53,7 +53,7 @@ rule amplify_octaves:
             transitions={side: STUDY["scales"][side]["transition"] for side in SIDES},
         ),
     script:
-        "../scripts/amplify_octaves.py"
+        "../scripts/perturb_scan.py"
 
 
 rule isolate_band:

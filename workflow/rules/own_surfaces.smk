@@ -42,8 +42,32 @@ rule sample_spectra:
         "../scripts/sample_spectra.py"
 
 
+#: The scans of masters, and how forces on them are compared.
+MASTER_PARAMETERS = {
+    "scan_counts": {name: len(SELECTION.scans(name)) for name in SELECTION.substrates},
+    "tiles": STUDY["scales"]["long"]["tiles"],
+    "tolerance": STUDY["scales"]["tolerance"],
+    "confidence": STUDY["inference"]["confidence"],
+}
+
+
+rule find_edges_of_scans:
+    """Find the wavelengths whose removal changes the force: edges.nc."""
+    input:
+        adhesion=PATTERNS.dataset("adhesion"),
+        scales=PATTERNS.dataset("scales"),
+        sensitivity=PATTERNS.dataset("sensitivity"),
+        code=code_inputs("find_edges_of_scans.py"),
+    output:
+        PATTERNS.dataset("edges"),
+    params:
+        parameters=parameters(**MASTER_PARAMETERS),
+    script:
+        "../scripts/find_edges_of_scans.py"
+
+
 rule predict_force:
-    """Find the edges of the band, and predict the pull-off force: edges.nc, force.nc."""
+    """Predict the pull-off force, also with extrapolated roughness: force.nc."""
     input:
         adhesion=PATTERNS.dataset("adhesion"),
         scales=PATTERNS.dataset("scales"),
@@ -52,15 +76,11 @@ rule predict_force:
         sensitivity=PATTERNS.dataset("sensitivity"),
         code=code_inputs("predict_force.py"),
     output:
-        edges=PATTERNS.dataset("edges"),
-        force=PATTERNS.dataset("force"),
+        PATTERNS.dataset("force"),
     params:
         parameters=parameters(
             contact=CONTACT_AT_RANGE | {"work": STUDY["adhesion"]["work"]},
-            scan_counts={name: len(SELECTION.scans(name)) for name in SELECTION.substrates},
-            tiles=STUDY["scales"]["long"]["tiles"],
-            tolerance=STUDY["scales"]["tolerance"],
-            confidence=STUDY["inference"]["confidence"],
+            **MASTER_PARAMETERS,
         ),
     script:
         "../scripts/predict_force.py"

@@ -1,4 +1,4 @@
-"""Forces on a measured scan with each octave of its own waves amplified, or the last replaced."""
+"""Forces on perturbed scans: each octave of waves amplified, the last replaced, pixels widened."""
 
 import xarray as xr
 

@@ -1,0 +1,24 @@
+"""The wavelengths whose removal changes the pull-off force on own surfaces."""
+
+from hardcontact.base.dataset import read
+from hardcontact.base.job import run_job
+from hardcontact.inference.edges import labelled_edges
+from hardcontact.inference.scan_parts import fewest_touched_patches
+from hardcontact.own.edges_of_scans import edges_of_scans
+from hardcontact.own.mean_forces import MasterScans
+
+with run_job(snakemake) as job:
+    params = job.parameters
+    scales = read(job.input.scales)
+    touched_patches = fewest_touched_patches(read(job.input.adhesion))
+    edges = edges_of_scans(
+        scales,
+        read(job.input.sensitivity),
+        MasterScans(params["scan_counts"], params["tiles"], touched_patches),
+        params["tolerance"],
+        params["confidence"],
+    )
+    job.write(
+        labelled_edges(edges, scales, params["tolerance"], params["confidence"]),
+        title="pull-off force against cutoff wavelength, and the edges of the band",
+    )
