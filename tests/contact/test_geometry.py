@@ -27,11 +27,12 @@ def test_contacts_on_a_mirrored_surface_never_repeat_a_position():
 def test_the_coarser_map_is_interpolated():
     coarse, fine = 5.0 * heights(50), heights(120)
     pair = geometry.join_bodies(height_map(coarse, 30.0), height_map(fine, 10.0), CONTACT)
-    assert pair.substrate.pixels == 150 and pair.roughness.pixels == 120
+    assert pair.substrate.pixels == 150 and pair.sphere_roughness.pixels == 120
     assert pair.geometry.pixel_size == 10.0
     np.testing.assert_allclose(pair.substrate.heights[::3, ::3], coarse, atol=1e-5)
     # The apex lies in the middle of the sphere's scan, a quarter of its stitched period in.
-    np.testing.assert_array_equal(pair.roughness.heights, np.roll(fine, (-30, -30), axis=(0, 1)))
+    shifted = np.roll(fine, (-30, -30), axis=(0, 1))
+    np.testing.assert_array_equal(pair.sphere_roughness.heights, shifted)
     np.testing.assert_array_equal(pair.geometry.positions, geometry.contact_positions(150, 4))
     assert pair.geometry.window_pixels == 300
 

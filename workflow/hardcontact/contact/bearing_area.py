@@ -133,12 +133,12 @@ class _Windows:
     def __init__(
         self,
         substrate: Tiles,
-        roughness: Tiles | None,
+        sphere_roughness: Tiles | None,
         geometry: ContactGeometry,
         positions: NDArray[np.int_],
     ) -> None:
         self.substrate = substrate
-        self.roughness = roughness
+        self.sphere_roughness = sphere_roughness
         self.geometry = geometry
         offset, index, meets = substrate.in_window(positions, geometry.window_pixels)
         # The lowest point of the sphere over the TILE pixels that begin at each offset.
@@ -157,8 +157,8 @@ class _Windows:
         groups = self.index[:, :, ::GROUP]
         bounds = low[:, 0, :, None] + low[:, 1, None, :]
         bounds -= self.substrate.group_maxima[groups[:, 0, :, None], groups[:, 1, None, :]]
-        if self.roughness is not None:
-            bounds -= self.roughness.maxima.max()
+        if self.sphere_roughness is not None:
+            bounds -= self.sphere_roughness.maxima.max()
         return np.asarray(bounds.reshape(contacts, -1))
 
     def tiles_of_groups(self, contacts: NDArray[np.int_], group: NDArray[np.int_]) -> WindowTiles:
@@ -169,8 +169,8 @@ class _Windows:
         contact = contacts[:, None, None]
         bounds = self.low[contact, 0, row] + self.low[contact, 1, column]
         bounds -= self.substrate.maxima[self.index[contact, 0, row], self.index[contact, 1, column]]
-        if self.roughness is not None:
-            bounds -= self.roughness.upper_bound(
+        if self.sphere_roughness is not None:
+            bounds -= self.sphere_roughness.upper_bound(
                 self.offset[contact, 0, row], self.offset[contact, 1, column]
             )
         contact, row, column = np.broadcast_arrays(contact, row, column)
@@ -187,8 +187,8 @@ class _Windows:
         tile_y, tile_x = self.index[contact, 0, row], self.index[contact, 1, column]
         gaps: Floats = self._sphere_in_window(y)[:, :, None] + self._sphere_in_window(x)[:, None, :]
         gaps -= self.substrate.blocks[tile_y, :, tile_x, :]
-        if self.roughness is not None:
-            gaps -= self.roughness.heights_at(y[:, :, None], x[:, None, :])
+        if self.sphere_roughness is not None:
+            gaps -= self.sphere_roughness.heights_at(y[:, :, None], x[:, None, :])
         return gaps, y, x
 
     def _sphere_in_window(self, offset: NDArray[np.int_]) -> Floats:
@@ -199,7 +199,7 @@ class _Windows:
 
 def find_contact_pixels(
     substrate: Tiles,
-    roughness: Tiles | None,
+    sphere_roughness: Tiles | None,
     geometry: ContactGeometry,
     positions: NDArray[np.int_],
     contact_pixel_count: int,
@@ -210,7 +210,7 @@ def find_contact_pixels(
     positions (contact, 2) are the pixels of the apex: row, column. Equal gaps come in the order of
     their offsets.
     """
-    windows = _Windows(substrate, roughness, geometry, positions)
+    windows = _Windows(substrate, sphere_roughness, geometry, positions)
     group_bounds = windows.group_bounds()
     tile_count = -(-contact_pixel_count // TILE**2)
     best_groups = _lowest_columns(group_bounds, -(-tile_count // GROUP**2))
@@ -286,14 +286,15 @@ def _lowest(gaps: Floats, offsets: NDArray[np.int_], contact_pixel_count: int) -
 def all_contact_pixels(bodies: Bodies, contact_pixel_count: int) -> ContactPixels:
     """Return the contact pixels (contact_y, contact_x, k) of every contact of the array."""
     substrate = as_tiles(bodies.substrate)
-    roughness = None if bodies.roughness is None else as_tiles(bodies.roughness)
+    sphere = bodies.sphere_roughness
+    rough_tiles = None if sphere is None else as_tiles(sphere)
     geometry = bodies.geometry
     apexes = geometry.apexes()
     positions = apexes.reshape(-1, 2)
     pixels: list[ContactPixels] = []
     for start in range(0, len(positions), CONTACT_BATCH):
         batch = positions[start : start + CONTACT_BATCH]
-        pixels += find_contact_pixels(substrate, roughness, geometry, batch, contact_pixel_count)
+        pixels += find_contact_pixels(substrate, rough_tiles, geometry, batch, contact_pixel_count)
     gaps, offsets = (np.stack(arrays) for arrays in zip(*pixels, strict=True))
     shape = apexes.shape[:2]
     return ContactPixels(gaps.reshape(*shape, -1), offsets.reshape(*shape, -1, 2))

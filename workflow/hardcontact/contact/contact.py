@@ -18,9 +18,10 @@ CONTACT_DIMENSIONS = ("sphere_scan", "contact", *CONTACT_AXES)
 
 @dataclass(frozen=True, kw_only=True)
 class Contact:
-    """Sphere, load, adhesion and array that all contacts of a computation share.
+    """Sphere, loading, adhesion and array that all contacts of a computation share.
 
-    Window, range and work may be left out if nothing uses them.
+    Every computation needs the first three fields. Height maps also need window and array; forces
+    at one range need `rho`, forces in N other than at 1 J/m² `work`. A field left out is NaN.
     """
 
     radius: float  #: Radius of the sphere in nm.

@@ -58,15 +58,15 @@ class Bodies:
 
     substrate: HeightMap  #: Heights z (n, n), periodic.
     #: Heights u (m, m) of the sphere, periodic, its apex at the origin; None for a smooth sphere.
-    roughness: HeightMap | None
+    sphere_roughness: HeightMap | None
     geometry: ContactGeometry
 
     def sphere(self, rows: NDArray[np.int_], columns: NDArray[np.int_]) -> Floats:
         """Return the height y - u (k, l) of a rough sphere in nm, k and l pixels from its apex."""
         shape = self.geometry.paraboloid(rows)[:, None] + self.geometry.paraboloid(columns)
-        if self.roughness is not None:
-            period = self.roughness.pixels
-            shape -= self.roughness.heights[np.ix_(rows % period, columns % period)]
+        if self.sphere_roughness is not None:
+            period = self.sphere_roughness.pixels
+            shape -= self.sphere_roughness.heights[np.ix_(rows % period, columns % period)]
         return shape
 
 
@@ -104,7 +104,7 @@ def join_bodies(substrate: HeightMap, sphere: HeightMap | None, contact: Contact
     sphere is its mirror-stitched roughness, or None for a smooth sphere.
     """
     substrate = _in_native_precision(substrate)
-    roughness = None
+    sphere_roughness = None
     if sphere is not None:
         sphere = _in_native_precision(sphere)
         fine = min(substrate.pixel_size, sphere.pixel_size)
@@ -113,14 +113,14 @@ def join_bodies(substrate: HeightMap, sphere: HeightMap | None, contact: Contact
         # The origin of a stitched map is a corner of the scan, the apex in the middle of it.
         middle = rough.pixels // 4
         heights = np.roll(rough.heights, (-middle, -middle), axis=(0, 1))
-        roughness = replace(rough, heights=heights)
+        sphere_roughness = replace(rough, heights=heights)
     geometry = ContactGeometry(
         contact.radius,
         substrate.pixel_size,
         window_pixels(contact.window, substrate.pixel_size),
         contact_positions(substrate.pixels, contact.contacts_per_row),
     )
-    return Bodies(substrate, roughness, geometry)
+    return Bodies(substrate, sphere_roughness, geometry)
 
 
 def spheres_at_positions(sphere: HeightMap, positions_per_row: int) -> list[HeightMap]:
@@ -139,8 +139,8 @@ def spheres_at_positions(sphere: HeightMap, positions_per_row: int) -> list[Heig
 
 def read_bodies(substrate: str, sphere: str | None, contact: Contact) -> Bodies:
     """Bring together two height maps, read from files that the study wrote, as in `join_bodies`."""
-    roughness = None if sphere is None else read_height_map(sphere)
-    return join_bodies(read_height_map(substrate), roughness, contact)
+    sphere_map = read_height_map(sphere) if sphere else None
+    return join_bodies(read_height_map(substrate), sphere_map, contact)
 
 
 def _in_native_precision(surface: HeightMap) -> HeightMap:
@@ -161,9 +161,9 @@ def gaps_at(bodies: Bodies, position: NDArray[np.int_], offsets: NDArray[np.int_
     """Return the gaps (...) in nm at offsets (..., 2) in pixels from an apex at a position (2,)."""
     y, x = np.moveaxis((position + offsets) % bodies.substrate.pixels, -1, 0)
     gaps = bodies.geometry.paraboloid(offsets).sum(axis=-1) - bodies.substrate.heights[y, x]
-    if bodies.roughness is not None:
-        v, u = np.moveaxis(offsets % bodies.roughness.pixels, -1, 0)
-        gaps -= bodies.roughness.heights[v, u]
+    if bodies.sphere_roughness is not None:
+        v, u = np.moveaxis(offsets % bodies.sphere_roughness.pixels, -1, 0)
+        gaps -= bodies.sphere_roughness.heights[v, u]
     return np.asarray(gaps)
 
 

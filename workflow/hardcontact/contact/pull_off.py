@@ -201,7 +201,7 @@ def force_on_finer_pixels(bodies: Bodies, contact: Contact, forces: xr.DataArray
     """
     geometry = bodies.geometry
     substrate = bodies.substrate
-    sphere = bodies.roughness
+    sphere = bodies.sphere_roughness
     finer = Bodies(
         interpolate(substrate, 2 * substrate.pixels),
         sphere and interpolate(sphere, 2 * sphere.pixels),

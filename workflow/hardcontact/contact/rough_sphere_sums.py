@@ -23,11 +23,11 @@ def rough_sphere_terms(
     bodies: Bodies, touched_pixels: TouchedPixels, ranges: Sequence[float]
 ) -> Iterator[SphereTerms]:
     """Yield the `SphereTerms` of each range, relative to the highest u of the rough sphere."""
-    assert bodies.roughness is not None
+    assert bodies.sphere_roughness is not None
     pixels = bodies.substrate.pixels
     positions = bodies.geometry.positions
     heights = bodies.substrate.heights.astype(float)
-    roughness = bodies.roughness.heights.astype(float)
+    roughness = bodies.sphere_roughness.heights.astype(float)
     # Flat row indices, and columns, of contact pixels from each position: (position, pixels).
     rows = (touched_pixels.row - positions[:, None]) % pixels * pixels
     columns = (touched_pixels.column - positions[:, None]) % pixels

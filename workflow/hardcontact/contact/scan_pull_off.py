@@ -42,7 +42,7 @@ def pull_off_with_checks(
     first_pair = next(iter(pairs.values()))
     shortest = replace(contact, rho=min(ranges))
     first_forces = plastic_force.isel(sphere_scan=0).sel(rho=shortest.rho)
-    smooth = mean_pull_off_dataset(replace(first_pair, roughness=None), contact, ranges)
+    smooth = mean_pull_off_dataset(replace(first_pair, sphere_roughness=None), contact, ranges)
     return forces.assign(
         {
             **wider_window_change(pairs.values(), contact, plastic_force.sel(rho=contact.rho)),

@@ -62,7 +62,7 @@ def _are_shallow(
 
     It is False for rough spheres: their maps are small, so that exact sums cost little.
     """
-    if bodies.roughness is not None:
+    if bodies.sphere_roughness is not None:
         return np.zeros(len(ranges), bool)
     gaps = contact_pixels.gaps
     penetration = (gaps[..., -1] - gaps[..., 0]).max()
@@ -79,7 +79,7 @@ def _sums_by_omission(
 ) -> Floats:
     """Return `outside_sums` where no sum contains contact pixels, in double precision."""
     substrate = bodies.substrate
-    roughness = bodies.roughness
+    roughness = bodies.sphere_roughness
     touched_pixels = TouchedPixels(bodies, contact_pixels)
     touching = substrate.heights[touched_pixels.row, touched_pixels.column].astype(float)
     highest_substrate = float(substrate.heights.max())
