@@ -10,9 +10,8 @@ configfile: "config/config.yaml"
 
 include: "workflow/rules/common.smk"
 include: "workflow/rules/surfaces.smk"
-# The path of a height map, from the file of a scan to forces by cutoff wavelength.
+# The path of a height map: scans, contacts on them, forces by cutoff wavelength and by octave.
 include: "workflow/rules/scans.smk"
-include: "workflow/rules/topography.smk"
 include: "workflow/rules/adhesion.smk"
 include: "workflow/rules/scales.smk"
 include: "workflow/rules/octaves.smk"
@@ -22,24 +21,18 @@ if IS_PAPER_STUDY:
 
     report: "workflow/report/workflow.rst"
 
-    # Edges of the band, Fig. 6, and the page.
+    # Contacts in detail, edges and fits, other substitutes, verdicts, figures and pages.
+    include: "workflow/rules/single_contacts.smk"
     include: "workflow/rules/inference.smk"
-    include: "workflow/rules/figures.smk"
-    include: "workflow/rules/answer_paper.smk"
-    # What else the page shows: other contacts, models and substitutes, and the verdicts.
-    include: "workflow/rules/elastic.smk"
-    include: "workflow/rules/plasticity.smk"
-    include: "workflow/rules/asperities.smk"
-    include: "workflow/rules/classical.smk"
     include: "workflow/rules/sets.smk"
     include: "workflow/rules/claims.smk"
+    include: "workflow/rules/answer_paper.smk"
 
 else:
 
     report: "workflow/report/own_surfaces.rst"
 
     # Roughness of both bodies, edges of the band, predicted force, and the page.
-    include: "workflow/rules/both_bodies.smk"
     include: "workflow/rules/own_surfaces.smk"
     include: "workflow/rules/answer_surfaces.smk"
 

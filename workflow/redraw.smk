@@ -19,7 +19,6 @@ if IS_PAPER_STUDY:
 
     report: "report/workflow.rst"
 
-    include: "rules/figures.smk"
     include: "rules/answer_paper.smk"
 
 else:

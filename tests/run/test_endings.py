@@ -22,8 +22,8 @@ def listen_to_ctrl_c():
 def test_a_stopped_run_reports_that_the_same_command_continues_it(tmp_path):
     study = copy_repository(tmp_path / "study")
     # Three jobs, one after the other: the first ends before the others begin.
-    master = TINY_PATTERNS.short_master.format(
-        surface="uncd", digest=TINY_DIGESTS["uncd"], realization=1
+    master = TINY_PATTERNS.master.format(
+        surface="uncd", digest=TINY_DIGESTS["uncd"], realization=1, side="short"
     )
     with subprocess.Popen(
         [sys.executable, "-m", "snakemake", master, "--configfile", TINY],

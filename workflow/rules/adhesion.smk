@@ -1,5 +1,4 @@
-# Adhesion: rigid and plastic pull-off for every pair of substrate and sphere scan, and the
-# separation of one contact, drawn in Fig. 4a.
+# Adhesion: rigid and plastic pull-off for every pair of substrate and sphere scan.
 
 
 rule compute_pull_off:
@@ -37,29 +36,3 @@ rule aggregate_adhesion:
         ),
     script:
         "../scripts/aggregate_adhesion.py"
-
-
-if IS_PAPER_STUDY:
-
-    # The paper does not say which contact Fig. 4a shows. This one is in the middle of the first
-    # scans of the reference surface.
-    TRACED = {
-        **named(STUDY["reference_surface"]),
-        "scan": SELECTION.scans(STUDY["reference_surface"])[0],
-        "sphere_scan": SELECTION.scans(SPHERE)[0],
-        "contact_index": [STUDY["contact"]["contacts_per_row"] // 2] * 2,
-    }
-
-    rule trace_contact:
-        """Trace gap, adhesive pressure and force over separation of one contact: contact.nc."""
-        input:
-            substrate=FILES.stitched_path(TRACED["surface"], TRACED["scan"]),
-            sphere=FILES.stitched_path(SPHERE, TRACED["sphere_scan"]),
-            published_constants=PUBLISHED_TABLES["published_constants"],
-            code=code_inputs("trace_contact.py"),
-        output:
-            PATTERNS.dataset("contact"),
-        params:
-            parameters=parameters(**TRACED, contact=CONTACT),
-        script:
-            "../scripts/trace_contact.py"

@@ -1,6 +1,37 @@
-# The answer of the paper's study and the pages of its report. `snakemake --report` gathers them.
+# The figures, the answer of the paper's study, and the pages of its report, which
+# `snakemake --report` gathers. redraw.smk makes them from final datasets and published tables alone.
 
-from hardcontact.report.figures.listing import PAPER_FIGURES
+from hardcontact.records.code import page_templates
+from hardcontact.records.packages import PINS
+from hardcontact.report.figures.listing import PAPER_FIGURES, caption, describe_figure
+
+for name in PAPER_FIGURES:
+    figure = describe_figure(name)
+
+    rule:
+        """Draw a figure."""
+        name:
+            f"draw_{name}"
+        input:
+            **{
+                source: PUBLISHED_TABLES.get(source, PATTERNS.dataset(source))
+                for source in figure.inputs
+            },
+            code=code_inputs("draw_figure.py", f"hardcontact.report.figures.{name}"),
+        output:
+            pdf=PATTERNS.figure(name, "pdf"),
+            png=report(
+                PATTERNS.figure(name, "png"),
+                caption="../report/figure.rst",
+                category=figure.chapter,
+                labels={"figure": figure.title},
+            ),
+            svg=PATTERNS.figure(name, "svg"),
+        params:
+            parameters=parameters(figure=name, title=figure.title, inputs=figure.inputs),
+            caption="\n\n".join(caption(name, config)[:3]),
+        script:
+            "../scripts/draw_figure.py"
 
 
 rule answer_paper:

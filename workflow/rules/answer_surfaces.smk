@@ -1,9 +1,10 @@
 # The page that answers for own surfaces, and its figures.
 
-from hardcontact.config.configuration import contact_words, assumed_quantities
+from hardcontact.records.code import page_templates
+from hardcontact.config.configuration import assumed_quantities, contact_words, read_yaml
 from hardcontact.report.figures.listing import FILE_KINDS, OWN_FIGURES
 
-DRAWN_FIGURES = [name for name in OWN_FIGURES if name != "works" or STUDY["forces"] != NONE]
+DRAWN_FIGURES = [name for name in OWN_FIGURES if name != "works" or HAS_FORCES]
 
 
 rule answer_surfaces:
@@ -13,7 +14,7 @@ rule answer_surfaces:
             name: PATTERNS.dataset(name)
             for name in ("topography", "spectra", "edges", "force", "sensitivity")
         },
-        fit=[] if STUDY["forces"] == NONE else PATTERNS.dataset("fit"),
+        fit=PATTERNS.dataset("fit") if HAS_FORCES else [],
         code=code_inputs("answer_surfaces.py"),
         templates=page_templates(),
         captions="workflow/report/figures.yaml",

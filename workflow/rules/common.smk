@@ -7,25 +7,30 @@
 #   RANGES         the ranges of adhesion (nm) at which forces on scans are computed
 #   SAMPLING       the seed, the number of random samples and the confidence of intervals
 #   IS_PAPER_STUDY whether results are compared with the paper; false for own surfaces
+#   HAS_FORCES     whether own surfaces have a table of measured forces
 #   PAGES          title and category of each page of the report except figures
 #   ANSWER         answer.html and answer.json
 #   parameters     turns the parameters of a script into one text
-# surfaces.smk makes those that depend on the table of surfaces.
+# and of the library
+#   code_inputs    lists the modules that a script imports, because a change of them makes files anew
+#   PUBLISHED_TABLES  the tables of the paper, by name
+# surfaces.smk makes those that depend on the table of surfaces. All other names are used only in the
+# file that defines or imports them.
 
-from hardcontact.records.code import code_inputs, page_templates
-from hardcontact.records.origin import canonical_json
-from hardcontact.records.packages import PINS
-from hardcontact.run import start
-from hardcontact.config.configuration import read_yaml
 from hardcontact.base.published import PUBLISHED_TABLES
-from hardcontact.files.patterns import study_patterns
+from hardcontact.config.configuration import read_yaml
 from hardcontact.config.model import NONE, PAPER
+from hardcontact.files.patterns import study_patterns
+from hardcontact.records.code import code_inputs
+from hardcontact.records.origin import canonical_json
+from hardcontact.run import start
 
 STUDY = start.checked_configuration(workflow, config)
 PATTERNS = study_patterns(STUDY)
 RANGES = sorted({*STUDY["adhesion"]["ranges"], STUDY["adhesion"]["range"]})
 SAMPLING = STUDY["inference"] | {"seed": STUDY["seed"]}
 IS_PAPER_STUDY = STUDY["published"] == PAPER
+HAS_FORCES = STUDY["forces"] != NONE
 PAGES = read_yaml("workflow/report/pages.yaml")
 ANSWER = {
     "page": report(

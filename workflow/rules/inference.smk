@@ -1,4 +1,5 @@
-# Inference: edges of the band and exponents, range and work of adhesion from published forces.
+# Inference: edges of the band and how they depend on contacts, range and work of adhesion from
+# published forces, and classical models.
 
 
 rule find_edges:
@@ -34,6 +35,25 @@ rule fit_exponents:
         "../scripts/fit_exponents.py"
 
 
+rule compare_short_edges:
+    """Compare the short edges of plastic and rigid contact at two ranges: enhancement.nc."""
+    input:
+        masters=FILES.paths(PATTERNS.master_forces, CHUNKS.filtered_masters("enhancement")),
+        code=code_inputs("compare_short_edges.py"),
+    output:
+        PATTERNS.dataset("enhancement"),
+    params:
+        parameters=parameters(
+            surfaces=[row.surface for row in CHUNKS.filtered_masters("enhancement")],
+            realizations=STUDY["exponents"]["realizations"],
+            tolerance=STUDY["scales"]["tolerance"],
+            sampling=SAMPLING,
+            **NAMED_SURFACES,
+        ),
+    script:
+        "../scripts/compare_short_edges.py"
+
+
 rule fit_published:
     """Fit range and work of adhesion to the published forces: fit.nc."""
     input:
@@ -47,3 +67,17 @@ rule fit_published:
         parameters=parameters(reference_surface=STUDY["reference_surface"], sampling=SAMPLING),
     script:
         "../scripts/fit_published.py"
+
+
+rule apply_classical_models:
+    """Apply classical models of smooth and rough adhesion to the published forces: classical.nc."""
+    input:
+        **PUBLISHED_TABLES,
+        fit=PATTERNS.dataset("fit"),
+        code=code_inputs("apply_classical_models.py"),
+    output:
+        PATTERNS.dataset("classical"),
+    params:
+        parameters=parameters(**SAMPLING),
+    script:
+        "../scripts/apply_classical_models.py"

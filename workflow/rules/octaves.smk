@@ -11,6 +11,13 @@ BAND_SURFACES = FILES.substitutes if IS_PAPER_STUDY else []
 SPHERE_SCAN = (
     FILES.first_sphere_path if SELECTION.scans(SPHERE) and not FILES.combined_surfaces else []
 )
+#: Parameters of whole surfaces, and of contacts on them.
+WHOLE_SURFACES = {
+    "seed": STUDY["seed"],
+    "grid": FILES.whole_surface_grid,
+    "scan_grid": SCAN_GRID,
+    "contact": CONTACT_AT_RANGE,
+}
 
 
 rule compute_whole_surfaces:
@@ -23,7 +30,10 @@ rule compute_whole_surfaces:
         PATTERNS.whole_surface_forces,
     params:
         parameters=lambda w: parameters(
-            **whole_surface_parameters(w.surface, range(int(w.first), int(w.last) + 1)),
+            **WHOLE_SURFACES,
+            surface=w.surface,
+            realizations=list(range(int(w.first), int(w.last) + 1)),
+            has_features=w.surface in FILES.featured_surfaces,
             ranges=[rho for rho in RANGES if rho >= SHORTEST_WHOLE_RANGE],
         ),
     script:
@@ -67,7 +77,10 @@ rule isolate_band:
         PATTERNS.band_forces,
     params:
         parameters=lambda w: parameters(
-            **whole_surface_parameters(w.surface, range(1, STUDY["scales"]["whole_surfaces"] + 1))
+            **WHOLE_SURFACES,
+            surface=w.surface,
+            realizations=list(range(1, STUDY["scales"]["whole_surfaces"] + 1)),
+            has_features=w.surface in FILES.featured_surfaces,
         ),
     script:
         "../scripts/isolate_band.py"

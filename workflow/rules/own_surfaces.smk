@@ -1,4 +1,62 @@
-# Own surfaces: edges of the band, predicted force, fit to own forces.
+# Own surfaces: the roughness of both bodies in one under a scanned sphere, edges of the band,
+# predicted force, and the fit to own forces.
+
+from hardcontact.files.patterns import any_name_pattern
+
+COMBINED = any_name_pattern(FILES.combined_surfaces)
+
+
+rule combine_scans:
+    """Add the roughness of a scan of the sphere, at a random position, to that of a substrate."""
+    input:
+        substrate=PATTERNS.stitched_substrate,
+        sphere=lambda w: FILES.stitched_path(SPHERE, FILES.sphere_scan(w.surface, int(w.scan))),
+        code=code_inputs("combine_scans.py"),
+    output:
+        PATTERNS.combined_scan,
+    wildcard_constraints:
+        surface=COMBINED,
+    params:
+        parameters=lambda w: parameters(
+            surface=w.surface,
+            scan=int(w.scan),
+            sphere_scan=FILES.sphere_scan(w.surface, int(w.scan)),
+            seed=STUDY["seed"],
+        ),
+    script:
+        "../scripts/combine_scans.py"
+
+
+rule combine_spectra:
+    """Add the spectrum of the sphere to that of a substrate."""
+    input:
+        substrate=lambda w: FILES.spectrum_path(w.surface),
+        sphere=lambda w: FILES.spectrum_path(SPHERE),
+        code=code_inputs("combine_spectra.py"),
+    output:
+        PATTERNS.combined_spectrum,
+    wildcard_constraints:
+        surface=COMBINED,
+    params:
+        parameters=lambda w: parameters(surface=w.surface),
+    script:
+        "../scripts/combine_spectra.py"
+
+
+rule combine_sampled_spectra:
+    """Add a sampled spectrum of the sphere to one of a substrate."""
+    input:
+        substrate=PATTERNS.sampled_spectrum,
+        sphere=lambda w: FILES.path(PATTERNS.sampled_spectrum, SPHERE, realization=w.realization),
+        code=code_inputs("combine_sampled_spectra.py"),
+    output:
+        PATTERNS.combined_sampled_spectrum,
+    wildcard_constraints:
+        surface=COMBINED,
+    params:
+        parameters=lambda w: parameters(surface=w.surface),
+    script:
+        "../scripts/combine_sampled_spectra.py"
 
 
 rule aggregate_spectra:
@@ -86,7 +144,7 @@ rule predict_force:
         "../scripts/predict_force.py"
 
 
-if STUDY["forces"] != NONE:
+if HAS_FORCES:
 
     rule fit_measured:
         """Fit range and work of adhesion to own pull-off forces: fit.nc."""

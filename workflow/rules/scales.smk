@@ -1,7 +1,12 @@
 # Scales: multi-scale masters, cutoff filters, pull-off of each filtered surface.
 
 from hardcontact.config.grids import master_megabytes
-from hardcontact.files.master_purposes import PURPOSES, contact_grid, filter_settings
+from hardcontact.files.master_purposes import (
+    PURPOSES,
+    contact_grid,
+    filter_megabytes,
+    filter_settings,
+)
 from hardcontact.surfaces.synthesis import SIDES
 
 #: Masters of sampled spectra, which own surfaces alone have.
@@ -15,10 +20,9 @@ rule synthesize_masters:
         spectrum=lambda w: FILES.roughness_spectrum_path(w.surface),
         code=code_inputs("synthesize_masters.py"),
     output:
-        short=PATTERNS.short_master,
-        long=PATTERNS.long_master,
+        **{side: PATTERNS.master.replace("{side}", side) for side in SIDES},
     resources:
-        mem_mb=master_megabytes(STUDY["scales"]["short"]["pixels"], 3000),
+        mem_mb=master_megabytes(STUDY["scales"]["short"]["pixels"]),
     params:
         parameters=lambda w: parameters(
             surface=w.surface,
@@ -42,7 +46,7 @@ rule filter_masters:
     output:
         PATTERNS.master_forces,
     resources:
-        mem_mb=filter_megabytes,
+        mem_mb=lambda w: filter_megabytes(STUDY, w.purpose),
     params:
         parameters=lambda w: parameters(
             surface=w.surface,

@@ -1,6 +1,7 @@
-# Scans: substitutes where none was measured; all scans are then prepared in the same way.
+# Scans: substitutes where none was measured; all are then prepared and measured in the same way.
 
 from hardcontact.config.configuration import reading_keys
+from hardcontact.files.patterns import any_name_pattern
 
 
 rule calibrate_spectrum:
@@ -91,3 +92,25 @@ rule prepare_scan:
         parameters=lambda w: parameters(**FILES.levelling_settings(w.surface)),
     script:
         "../scripts/prepare_scan.py"
+
+
+rule aggregate_topography:
+    """Measure rms metrics and power spectra of all scans, with averages: topography.nc."""
+    input:
+        scans=FILES.paths(PATTERNS.levelled, FILES.scans),
+        spectra=[FILES.spectrum_path(surface) for surface in SELECTION.surfaces],
+        conditionings=FILES.conditioning_paths.values(),
+        code=code_inputs("aggregate_topography.py"),
+    output:
+        PATTERNS.dataset("topography"),
+    params:
+        parameters=parameters(
+            scan_keys=FILES.scans,
+            conditioned=list(FILES.conditioning_paths),
+            **NAMED_SURFACES,
+            sphere_surface=SPHERE,
+            reference_surface=STUDY["reference_surface"],
+            confidence=STUDY["inference"]["confidence"],
+        ),
+    script:
+        "../scripts/aggregate_topography.py"

@@ -2,6 +2,14 @@
 
 from hardcontact.paper.evaluation import statements_of_sets
 
+#: Parameters of the surfaces of pools and of samples, and of contacts on them.
+SET_SURFACES = {
+    "scan_grid": SCAN_GRID,
+    "contact": CONTACT | {"contacts_per_row": STUDY["sets"]["contacts_per_row"]},
+    "ranges": RANGES,
+    "seed": STUDY["seed"],
+}
+
 
 rule compute_pool:
     """Compute the forces of some scans of a pool at several heights of each."""
@@ -12,7 +20,12 @@ rule compute_pool:
         PATTERNS.pool,
     params:
         parameters=lambda w: parameters(
-            **chunk_parameters(w), rms_height_count=STUDY["sets"]["rms_height_count"]
+            **SET_SURFACES,
+            surface=w.surface,
+            first=int(w.first),
+            last=int(w.last),
+            scan_count=len(SELECTION.scans(w.surface)),
+            rms_height_count=STUDY["sets"]["rms_height_count"],
         ),
     script:
         "../scripts/compute_pool.py"
@@ -26,7 +39,14 @@ rule compute_featured_samples:
     output:
         PATTERNS.featured_samples,
     params:
-        parameters=lambda w: parameters(**chunk_parameters(w), features=w.features),
+        parameters=lambda w: parameters(
+            **SET_SURFACES,
+            surface=w.surface,
+            first=int(w.first),
+            last=int(w.last),
+            scan_count=len(SELECTION.scans(w.surface)),
+            features=w.features,
+        ),
     script:
         "../scripts/compute_featured_samples.py"
 

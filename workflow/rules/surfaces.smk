@@ -1,6 +1,6 @@
 # The surfaces of the study, and the lists of their files.
 #
-# Names that several files of rules use:
+# Names that the rules of several files use:
 #   SELECTION          the surfaces of the table, with their labels, scans and source files
 #   SPHERE             the name of the sphere's surface
 #   NAMED_SURFACES     the label of each surface, and whether it was measured or is a substitute
@@ -12,14 +12,12 @@
 #                      from which it is cut
 #   DESCRIPTION_INPUTS the description of a substitute, and the tables that it names
 #   SUBSTITUTE_INPUTS  from which random surfaces like a substitute are made
-# Functions are here, because the linter of Snakemake wants them apart from rules.
 
-from hardcontact.config.grids import master_megabytes, random_surface_pixels
+from hardcontact.config.grids import random_surface_pixels
 from hardcontact.files.chunks import Chunks
-from hardcontact.files.master_purposes import filter_settings
-from hardcontact.files.patterns import any_name_pattern
 from hardcontact.files.patterns import wildcard_constraints as constraints
 from hardcontact.files.surface_files import SurfaceFiles
+from hardcontact.run import start
 
 SELECTION = start.checked_selection(workflow, STUDY)
 SPHERE = SELECTION.sphere
@@ -45,45 +43,3 @@ SUBSTITUTE_INPUTS = {
 
 wildcard_constraints:
     **constraints(SELECTION.surfaces),
-
-
-def named(surface):
-    """Return the name of a surface, its label, and whether it was measured or is a substitute."""
-    return {
-        "surface": surface,
-        "label": SELECTION.labels[surface],
-        "basis": SELECTION.basis[surface],
-    }
-
-
-def whole_surface_parameters(surface, realizations):
-    """Return the parameters of whole surfaces and of contacts on them."""
-    return {
-        "surface": surface,
-        "realizations": list(realizations),
-        "seed": STUDY["seed"],
-        "grid": FILES.whole_surface_grid,
-        "scan_grid": SCAN_GRID,
-        "has_features": surface in FILES.featured_surfaces,
-        "contact": CONTACT_AT_RANGE,
-    }
-
-
-def chunk_parameters(wildcards):
-    """Return the parameters of the surfaces of a pool or of samples, and of contacts on them."""
-    return {
-        "surface": wildcards.surface,
-        "first": int(wildcards.first),
-        "last": int(wildcards.last),
-        "scan_count": len(SELECTION.scans(wildcards.surface)),
-        "scan_grid": SCAN_GRID,
-        "contact": CONTACT | {"contacts_per_row": STUDY["sets"]["contacts_per_row"]},
-        "ranges": RANGES,
-        "seed": STUDY["seed"],
-    }
-
-
-def filter_megabytes(wildcards):
-    """Return the memory of a job that filters masters, by the larger of its two masters."""
-    sides = filter_settings(STUDY, wildcards.purpose)["sides"]
-    return master_megabytes(max(side["pixels"] for side in sides.values()), 3000)

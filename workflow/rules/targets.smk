@@ -21,7 +21,7 @@ else:
         "adhesion": ["adhesion"],
         "scales": ["scales", "edges", "sensitivity"],
         "force": ["force"],
-        **({"fit": ["fit"]} if STUDY["forces"] != NONE else {}),
+        **({"fit": ["fit"]} if HAS_FORCES else {}),
     }
 FIGURE_FILES = {
     figure: [PATTERNS.figure(figure, kind) for kind in FILE_KINDS]

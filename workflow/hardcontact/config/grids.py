@@ -28,6 +28,8 @@ PENETRATION_OVER_RANGE = 25.0
 BYTES_A_PIXEL = 17.0
 #: Megabytes of Python, its packages, the scan, and blocks of rows in double precision.
 BASE_MEGABYTES = 500
+#: Megabytes of a job on small masters, with those of Snakemake beside it.
+MINIMUM_MEGABYTES = 3000
 
 
 class Grid(NamedTuple):
@@ -74,12 +76,12 @@ def minimum_range(radius: float, window: float, grid: Grid) -> tuple[float, str]
     return round_with(math.ceil, shortest), reason
 
 
-def master_megabytes(pixels: int, minimum: int) -> int:
+def master_megabytes(pixels: int) -> int:
     """Return the memory (10^6 bytes) of a job that makes a master, or filters and presses it.
 
-    It depends on the pixels per row of the master; smaller masters take the minimum.
+    It depends on the pixels per row of the master.
     """
-    return max(minimum, BASE_MEGABYTES + math.ceil(BYTES_A_PIXEL * pixels**2 / 1e6))
+    return max(MINIMUM_MEGABYTES, BASE_MEGABYTES + math.ceil(BYTES_A_PIXEL * pixels**2 / 1e6))
 
 
 def periods_in_window(window: float, scan_size: float) -> float:

@@ -89,6 +89,10 @@ class Selection:
         """Numbers of the scans of the sphere; NO_SCAN alone for a smooth sphere."""
         return self.scans(self.sphere) or [NO_SCAN]
 
+    def attributes(self, surface: str) -> dict[str, str]:
+        """Return the attributes of a dataset of one surface: its name, its label and its basis."""
+        return {"surface": surface, "label": self.labels[surface], "basis": self.basis[surface]}
+
     def all_scans(self, surface: str) -> list[int]:
         """Return the numbers of all scans of a surface, also those that only enter its spectrum."""
         return [int(scan) for scan in self._all_rows.scan[self._all_rows.surface == surface]]

@@ -79,21 +79,14 @@ class Chunks:
         """Return the masters of a purpose: outputs of rule filter_masters."""
         count = get_key(self._configuration, PURPOSES[purpose].realizations_key)
         chunks = _spans(count, PURPOSES[purpose].realizations_in_job)
-        shared_fields = {
-            "purpose": purpose,
-            "settings_digest": self._settings_digest(purpose),
-            **self._grid_names(purpose),
-        }
+        digest = self._settings_digest(purpose)
+        grid_names = self._grid_names(purpose)
         return [
             FilteredMasters(
-                surface=surface,
-                probe=self._probe(purpose, surface),
-                first=first,
-                last=last,
-                **shared_fields,
+                purpose, digest, surface, self._probe(purpose, surface), *chunk, **grid_names
             )
             for surface in self._master_surfaces(purpose)
-            for first, last in chunks
+            for chunk in chunks
         ]
 
     def _master_surfaces(self, purpose: str) -> list[str]:

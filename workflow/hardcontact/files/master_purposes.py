@@ -8,6 +8,7 @@ from dataclasses import replace
 from typing import Any, NamedTuple
 
 from hardcontact.config.configuration import get_key, master_keys, study_contact
+from hardcontact.config.grids import master_megabytes
 from hardcontact.surfaces.synthesis import SIDES
 
 #: A range of adhesion (nm) that is much shorter than the published range.
@@ -78,3 +79,9 @@ def filter_settings(configuration: Mapping[str, Any], purpose: str) -> dict[str,
         for side in settings.sides
     }
     return {"contacts_per_row": get_key(configuration, settings.contacts_key), "sides": sides}
+
+
+def filter_megabytes(configuration: Mapping[str, Any], purpose: str) -> int:
+    """Return the memory of a job that filters masters, by the larger of its two masters."""
+    sides = filter_settings(configuration, purpose)["sides"]
+    return master_megabytes(max(side["pixels"] for side in sides.values()))

@@ -110,8 +110,6 @@ class Patterns:
         )
         self.pull_off = f"{folder['pull_off']}/{rough_sphere}/{contact}/scan-{{scan}}.nc"
         self.master = f"{folder['masters']}/{_REALIZATION}/{{side}}.nc"
-        self.short_master = self.master.replace("{side}", "short")
-        self.long_master = self.master.replace("{side}", "long")
         # A spectrum sampled within the uncertainty of the measurements.
         self.sampled_spectrum = f"{folder['sampled_spectra']}/{_REALIZATION}.nc"
         # Forces at lists of radii, loadings and ranges; settings_digest: `Chunks._settings_digest`.

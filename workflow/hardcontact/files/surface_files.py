@@ -78,17 +78,12 @@ class SurfaceFiles:
         """Return the levelling and the tip radii (nm) of the measurements of a surface."""
         return {"tip_radii": self.selection.tip_radii(surface), **self.levelling_settings(surface)}
 
-    def conditioning_path(self, surface: str, scan: int) -> str:
-        """Return the path of the gain and factors that a substitute scan shares with its group."""
-        group = self.selection.group(surface, scan)
-        first_scan = self.selection.scans_of_group(surface, group)[0]
-        return self.path(self.patterns.conditioning, surface, scan=first_scan)
-
     @property
     def conditioning_paths(self) -> dict[str, str]:
-        """The conditioning of the study's own scans of each substitute, by surface."""
+        """The gain and factors that the study's own scans of each substitute share, by surface."""
+        scans = self.selection.scans
         return {
-            surface: self.conditioning_path(surface, self.selection.scans(surface)[0])
+            surface: self.path(self.patterns.conditioning, surface, scan=scans(surface)[0])
             for surface, basis in self.selection.basis.items()
             if basis == "substitute"
         }

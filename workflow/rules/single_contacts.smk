@@ -1,0 +1,114 @@
+# Single contacts: the separation of one, drawn in Fig. 4a, elastic contacts, the indents that
+# contacts leave in the sphere, and the patches that carry their force.
+
+# The paper does not say which contact Fig. 4a shows. This one is in the middle of the first
+# scans of the reference surface.
+TRACED = {
+    **SELECTION.attributes(STUDY["reference_surface"]),
+    "scan": SELECTION.scans(STUDY["reference_surface"])[0],
+    "sphere_scan": SELECTION.scans(SPHERE)[0],
+    "contact_index": [STUDY["contact"]["contacts_per_row"] // 2] * 2,
+}
+INDENTED = STUDY["indent"]["surface"]
+
+
+rule trace_contact:
+    """Trace gap, adhesive pressure and force over separation of one contact: contact.nc."""
+    input:
+        substrate=FILES.stitched_path(TRACED["surface"], TRACED["scan"]),
+        sphere=FILES.stitched_path(SPHERE, TRACED["sphere_scan"]),
+        published_constants=PUBLISHED_TABLES["published_constants"],
+        code=code_inputs("trace_contact.py"),
+    output:
+        PATTERNS.dataset("contact"),
+    params:
+        parameters=parameters(**TRACED, contact=CONTACT),
+    script:
+        "../scripts/trace_contact.py"
+
+
+rule solve_elastic_contact:
+    """Solve elastic contact, without and with adhesion, of a sample of contacts of one scan."""
+    input:
+        substrate=PATTERNS.stitched_substrate,
+        sphere=PATTERNS.stitched_sphere,
+        published_constants=PUBLISHED_TABLES["published_constants"],
+        code=code_inputs("solve_elastic_contact.py"),
+    output:
+        PATTERNS.elastic,
+    params:
+        parameters=lambda w: parameters(
+            surface=w.surface,
+            scan=int(w.scan),
+            contact=CONTACT,
+            contacts=STUDY["elastic"]["contacts"],
+            seed=STUDY["seed"],
+        ),
+    script:
+        "../scripts/solve_elastic_contact.py"
+
+
+rule aggregate_elastic:
+    """Gather elastic contact of all scans: elastic.nc."""
+    input:
+        scans=FILES.paths(PATTERNS.elastic, FILES.pairs_in_turn),
+        code=code_inputs("aggregate_elastic.py"),
+    output:
+        PATTERNS.dataset("elastic"),
+    params:
+        parameters=parameters(scan_keys=FILES.substrate_scans, **NAMED_SURFACES),
+    script:
+        "../scripts/aggregate_elastic.py"
+
+
+rule measure_indents:
+    """Measure the indents that contacts on one surface leave in the sphere: indent.nc."""
+    input:
+        substrates=[FILES.stitched_path(INDENTED, scan) for scan in SELECTION.scans(INDENTED)],
+        spheres=[FILES.stitched_path(SPHERE, scan) for scan in SELECTION.scans(SPHERE)],
+        code=code_inputs("measure_indents.py"),
+    output:
+        PATTERNS.dataset("indent"),
+    params:
+        parameters=parameters(
+            **SELECTION.attributes(INDENTED),
+            scan_numbers=SELECTION.scans(INDENTED),
+            sphere_scan_numbers=SELECTION.scans(SPHERE),
+            preloads=STUDY["indent"]["preloads"],
+            contact=CONTACT | {"preload": max(STUDY["indent"]["preloads"])},
+        ),
+    script:
+        "../scripts/measure_indents.py"
+
+
+rule find_asperities:
+    """Find the patches that carry most of the force of a sample of contacts of one scan."""
+    input:
+        substrate=PATTERNS.stitched_substrate,
+        sphere=PATTERNS.stitched_sphere,
+        code=code_inputs("find_asperities.py"),
+    output:
+        PATTERNS.asperities,
+    params:
+        parameters=lambda w: parameters(
+            surface=w.surface,
+            scan=int(w.scan),
+            contact=CONTACT,
+            asperities=STUDY["asperities"],
+            seed=STUDY["seed"],
+        ),
+    script:
+        "../scripts/find_asperities.py"
+
+
+rule aggregate_asperities:
+    """Gather the patches of all scans: asperities.nc."""
+    input:
+        scans=FILES.paths(PATTERNS.asperities, FILES.pairs_in_turn),
+        code=code_inputs("aggregate_asperities.py"),
+    output:
+        PATTERNS.dataset("asperities"),
+    params:
+        parameters=parameters(scan_keys=FILES.substrate_scans, **NAMED_SURFACES),
+    script:
+        "../scripts/aggregate_asperities.py"
