@@ -11,9 +11,8 @@
 #   PAGES          title and category of each page of the report except figures
 #   ANSWER         answer.html and answer.json
 #   parameters     turns the parameters of a script into one text
-# and of the library
-#   code_inputs    lists the modules that a script imports, because a change of them makes files anew
-#   PUBLISHED_TABLES  the tables of the paper, by name
+#   code_inputs    lists a script and what it imports, because a change of these makes files anew
+#   PUBLISHED_TABLES   the tables of the paper, by name
 # surfaces.smk makes those that depend on the table of surfaces. All other names are used only in the
 # file that defines or imports them.
 
