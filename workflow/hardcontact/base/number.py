@@ -1,7 +1,47 @@
 """One number with unit, interval, status and source, as pages, files and programs use it."""
 
 import math
+from enum import StrEnum
 from typing import Any, NamedTuple
+
+
+class Status(StrEnum):
+    """The codes of `Number.status`, which `report.quantities` and templates turn into words."""
+
+    #: `value` is a bound: the number lies above or below it.
+    OPEN_ABOVE, OPEN_BELOW = "open_above", "open_below"
+    #: `low` or `high` is a bound.
+    INTERVAL_OPEN_LOW, INTERVAL_OPEN_HIGH = "interval_open_low", "interval_open_high"
+    #: A value is known; ends of its interval alone are known; nothing is known.
+    KNOWN, ONLY_ENDS, NOT_KNOWN = "known", "ends", "not_known"
+    #: There is no interval: scans do not bound the number, or contacts touch too few patches.
+    NO_INTERVAL, FEW_PATCHES = "no_interval", "few_patches"
+    #: An edge is found; the filter's ripples hide it; no cutoff changes the force by the tolerance.
+    FOUND, RIPPLES, NO_EDGE, NO_BAND = "found", "ripples", "none", "no_band"
+    #: Artificial roughness is untested, or does not follow from the scans.
+    NO_HINDCAST, NO_EXPONENT = "no_hindcast", "no_exponent"
+    #: No pair fits the measured forces; a single force does not determine a pair.
+    NO_AGREEMENT, ONE_FORCE = "no_agreement", "one_force"
+    #: An input of the closed form is within the validated ranges or not.
+    INSIDE, OUTSIDE = "inside", "outside"
+    #: A change of the force by what the closed form leaves out.
+    MATTERS, NEGLIGIBLE, UNKNOWN = "matters", "negligible", "unknown"
+    #: Bodies of a contact, by their elasticity.
+    HARD, SOFT = "hard", "soft"
+    #: Heights with steep sidewalls are not Gaussian: the closed form gives no force.
+    STEEP_SIDEWALLS = "steep_sidewalls"
+    #: A number of octaves is of a sum over the scan, or of the closed form.
+    ON_SCAN, IN_CLOSED_FORM = "on_scan", "closed_form"
+    #: No force on a scan: there is no map or more than one, it is too large, or the range of
+    #: adhesion is too short for its pixels or its relief.
+    NO_MAP, SEVERAL_SCANS = "no_map", "several_scans"
+    TOO_LARGE, RANGE_TOO_SHORT = "too_large", "short_range"
+    #: The closed form for the spectrum of a map, by its force relative to the force on the map.
+    AGREES, NOT_GAUSSIAN = "agrees", "not_gaussian"
+    #: A scan is smaller than twice the search size, or larger.
+    SMALL, LARGE = "small", "large"
+    #: An input is given, or the paper's.
+    GIVEN, FROM_PAPER = "given", "paper"
 
 
 class Number(NamedTuple):
@@ -10,9 +50,7 @@ class Number(NamedTuple):
     name: name of the quantity.
     value, low, high: the number and the ends of its interval, in `unit`.
     unit: a unit of datasets: "nm", "N", "J m-2", "1".
-    status: a code, which `report.quantities` and templates turn into words: "open_above" or
-        "open_below" if `value` is a bound, "interval_open_low" or "interval_open_high" if an end
-        of the interval is a bound. Modules that make numbers list their codes as constants.
+    status: a `Status`, or an empty text.
     source: a code for the origin: "computed", "measured", "from_measured", "extrapolated",
         "artificial", "partly_artificial", "interval_artificial", "published", "given", "assumed",
         "file".
@@ -38,7 +76,7 @@ class Number(NamedTuple):
 def plain(value: Any) -> Any:
     """Return a value for JSON: numbers as mappings, None in place of infinite values and NaN."""
     if isinstance(value, Number):
-        known = "known" if math.isfinite(value.value) else "not_known"
+        known = Status.KNOWN if math.isfinite(value.value) else Status.NOT_KNOWN
         return plain(value._asdict() | {"status": value.status or known})
     if isinstance(value, dict):
         return {key: plain(item) for key, item in value.items()}

@@ -12,7 +12,7 @@ from typing import NamedTuple
 import pandas as pd
 
 from hardcontact.base.formatting import format_length, format_quantity
-from hardcontact.base.number import Number, plain
+from hardcontact.base.number import Number, Status, plain
 from hardcontact.base.published import assumed_modulus
 from hardcontact.commands.output import output_faults, write_output
 from hardcontact.commands.parser import CommandLine
@@ -141,7 +141,8 @@ def compute_numbers(inputs: Inputs, arguments: Namespace) -> dict[str, Number]:
         middle = math.sqrt(2) * numbers["octave_1"].value
         share = sphere_share(spectrum.joined, middle)
         numbers["octave_1_sphere_share"] = Number("octave_1_sphere_share", share)
-    numbers["modulus"] = Number("modulus", assumed_modulus(contact.hardness), "Pa", status="paper")
+    modulus = assumed_modulus(contact.hardness)
+    numbers["modulus"] = Number("modulus", modulus, "Pa", status=Status.FROM_PAPER)
     if "modulus" in quantities:
         numbers["modulus"] = _quantity_number("modulus", quantities["modulus"])
     numbers["tabor_parameter"] = tabor_number(contact, numbers["modulus"].value)
@@ -150,7 +151,7 @@ def compute_numbers(inputs: Inputs, arguments: Namespace) -> dict[str, Number]:
 
 def _quantity_number(name: str, option: QuantityOption) -> Number:
     """Return the number of a quantity, which the user gave or which is the paper's."""
-    status = "given" if option.is_given else "paper"
+    status = Status.GIVEN if option.is_given else Status.FROM_PAPER
     return Number(name, option.number, option.unit, status=status)
 
 

@@ -4,11 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-#: Codes of `Edge.status`.
-FOUND = "found"
-OPEN_ABOVE = "open_above"
-OPEN_BELOW = "open_below"
-RIPPLES = "ripples"
+from hardcontact.base.number import Status
 
 
 class ChangeCurve(NamedTuple):
@@ -31,7 +27,7 @@ class Edge(NamedTuple):
     bound: float  #: Cutoff in nm beyond which an open edge lies; NaN for another status.
     #: FOUND; OPEN_ABOVE if the edge is longer than its bound, OPEN_BELOW if shorter; RIPPLES if
     #: there is no edge, because the curve shows the filter.
-    status: str
+    status: Status
 
 
 def ordered_curve(
@@ -99,12 +95,12 @@ def find_edge(curve: ChangeCurve) -> Edge:
     """
     edge = interpolate_edge(curve.cutoffs, curve.values, curve.limits)
     if np.isfinite(edge):
-        return Edge(edge, np.nan, FOUND)
+        return Edge(edge, np.nan, Status.FOUND)
     is_outside_at_once = first_outside(curve.values, curve.values, curve.limits) == 0
     bound = float(curve.cutoffs[0 if is_outside_at_once else -1])
     # The first cutoff of a short side is its shortest, the first of a long side its longest.
     is_open_below = is_outside_at_once == (curve.side == "short")
-    return Edge(np.nan, bound, OPEN_BELOW if is_open_below else OPEN_ABOVE)
+    return Edge(np.nan, bound, Status.OPEN_BELOW if is_open_below else Status.OPEN_ABOVE)
 
 
 def shows_ripples(curve: ChangeCurve) -> bool:

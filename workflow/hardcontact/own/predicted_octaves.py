@@ -6,7 +6,7 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.base.arrays import Floats
-from hardcontact.base.number import Number
+from hardcontact.base.number import Number, Status
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.pull_off import make_force_function
 from hardcontact.inference.octaves import (
@@ -28,7 +28,7 @@ from hardcontact.theory.prediction import trim_spectrum
 def predicted_octaves(user_spectrum: OwnSpectrum, contact: Contact) -> Iterator[Number]:
     """Yield the octaves that matter most to the force, if the user's files show their middles.
 
-    They have the status "on_scan" if a single map permits contacts, otherwise "closed_form".
+    They have the status ON_SCAN if a single map permits contacts, otherwise IN_CLOSED_FORM.
     The closed form takes Gaussian heights, and yields none for scans with steep sidewalls.
     """
     spectrum = trim_spectrum(user_spectrum.spectrum)
@@ -38,12 +38,12 @@ def predicted_octaves(user_spectrum: OwnSpectrum, contact: Contact) -> Iterator[
     obstacle, _ = obstacle_to_force(scans, contact, len(AMPLITUDE_FACTORS) * len(octaves))
     if len(octaves) and not obstacle:
         derivatives = derivatives_on_scan(scans[0], octaves, contact)
-        status = "on_scan"
+        status = Status.ON_SCAN
     elif any("sidewalls" in scan.defects for scan in scans):
         return
     else:
         derivatives = derivatives_in_closed_form(spectrum, octaves, contact)
-        status = "closed_form"
+        status = Status.IN_CLOSED_FORM
     sensitivity = xr.Dataset({"octave_sensitivity": ("octave", derivatives)}, {"octave": octaves})
     for number in strongest_octaves(sensitivity):
         yield number._replace(status=status)

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import xarray as xr
 
-from hardcontact.base.number import Number
+from hardcontact.base.number import Number, Status
 from hardcontact.config.grids import Grid, minimum_range, periods_in_window
 from hardcontact.contact.contact import PLASTIC, Contact
 from hardcontact.contact.finite_scan import LARGE_ENOUGH, finite_scan_ratio
@@ -28,7 +28,7 @@ from hardcontact.surfaces.spectrum import Spectrum, measured_psds
 from hardcontact.theory.closed_form import closed_form, smooth_force
 from hardcontact.theory.prediction import EDGE_NAMES
 from hardcontact.theory.summits import search_size
-from hardcontact.theory.validity import OUTSIDE, is_validated, nearest_errors, table_coordinates
+from hardcontact.theory.validity import is_validated, nearest_errors, table_coordinates
 
 #: Contacts per row of their array, as in the paper.
 CONTACTS_PER_ROW = 20
@@ -36,16 +36,6 @@ CONTACTS_PER_ROW = 20
 #: and images in the window: both keep the time below a few seconds.
 MAX_QUICK_PIXELS = 2048
 MAX_QUICK_CONTACT_PIXELS = 2**23
-#: Statuses of a force that is not computed: there is no map or more than one, it is too large, or
-#: the range of adhesion is too short for its pixels or its relief.
-NO_MAP = "no_map"
-SEVERAL_SCANS = "several_scans"
-TOO_LARGE = "too_large"
-RANGE_TOO_SHORT = "short_range"
-#: Statuses of the closed form for the spectrum of a map, by its force relative to that on the map.
-AGREES, NOT_GAUSSIAN = "agrees", "not_gaussian"
-#: Status of a scan that is smaller than twice the search size, and of a larger one.
-SMALL, LARGE = "small", "large"
 #: Names of the predictions of the closed form that have an interval.
 PREDICTED = [
     f"{prefix}{name}"
@@ -71,16 +61,16 @@ def add_force_on_scan(
     status, shortest_range = obstacle_to_force(scans, contact)
     if status:
         scan_numbers = [Number("force_on_scan", math.nan, "N", status=status)]
-        if status == RANGE_TOO_SHORT:
+        if status == Status.RANGE_TOO_SHORT:
             scan_numbers.append(Number("shortest_range", shortest_range, "nm"))
     else:
         scan_numbers = list(_force_numbers(scans[0], contact, confidence, body_maps))
     result = {number.name: number for number in scan_numbers} | dict(numbers)
-    if not status and result["closed_form_on_scan"].status != AGREES:
+    if not status and result["closed_form_on_scan"].status != Status.AGREES:
         for name in result.keys() & set(PREDICTED):
             number = result[name]._replace(low=math.nan, high=math.nan)
             has_force_status = number.unit == "N" and math.isfinite(number.value)
-            result[name] = number._replace(status=OUTSIDE) if has_force_status else number
+            result[name] = number._replace(status=Status.OUTSIDE) if has_force_status else number
     return result
 
 
@@ -92,18 +82,18 @@ def obstacle_to_force(
     The range is the shortest that a single map resolves. `sums` is the number of force sums.
     """
     if not any(scan.kind == "map" for scan in scans):
-        return NO_MAP, math.nan
+        return Status.NO_MAP, math.nan
     if len(scans) > 1:
-        return SEVERAL_SCANS, math.nan
+        return Status.SEVERAL_SCANS, math.nan
     (scan,) = scans
     window = contact_on_scan(scan, contact).window
     contact_pixels = contact.pixel_count(scan.pixel_size) * periods_in_window(window, scan.size)
     contact_pixels *= CONTACTS_PER_ROW**2 * sums
     if scan.pixels > MAX_QUICK_PIXELS or contact_pixels > MAX_QUICK_CONTACT_PIXELS:
-        return TOO_LARGE, math.nan
+        return Status.TOO_LARGE, math.nan
     grid = Grid(scan.pixels, scan.pixel_size, scan.size, float(np.ptp(scan.heights)))
     shortest_range, _ = minimum_range(contact.radius, window, grid)
-    return RANGE_TOO_SHORT if contact.rho < shortest_range else "", shortest_range
+    return Status.RANGE_TOO_SHORT if contact.rho < shortest_range else "", shortest_range
 
 
 def contact_on_scan(scan: HeightMap, contact: Contact) -> Contact:
@@ -189,15 +179,14 @@ def _closed_form_numbers(
     is_bounded = math.isfinite(force.low + force.high)
     force_low, force_high = (force.low, force.high) if is_bounded else (force.value, force.value)
     if low > force_high or high < force_low:
-        status = NOT_GAUSSIAN
+        status = Status.NOT_GAUSSIAN
     elif low <= force.value <= high and is_validated(spectrum, contact, form):
-        status = AGREES
+        status = Status.AGREES
     else:
-        status = OUTSIDE
-    interval = (low, high) if status == AGREES else (math.nan, math.nan)
+        status = Status.OUTSIDE
+    interval = (low, high) if status == Status.AGREES else (math.nan, math.nan)
+    size_status = Status.SMALL if size < LARGE_ENOUGH * search else Status.LARGE
     return (
         Number("closed_form_on_scan", form.force, "N", *interval, status),
-        Number(
-            "search_size", search, "nm", status=SMALL if size < LARGE_ENOUGH * search else LARGE
-        ),
+        Number("search_size", search, "nm", status=size_status),
     )

@@ -8,26 +8,26 @@ from typing import Any
 import xarray as xr
 
 from hardcontact.base.formatting import PRINTED_UNITS, format_as_paper, format_quantity
-from hardcontact.base.number import Number, plain
+from hardcontact.base.number import Number, Status, plain
 from hardcontact.base.statistics import bounds
 
 QuantityMapping = dict[str, Any]
 
 #: Words in place of an unknown value, by its status.
-NO_VALUE = {
-    "no_band": "no band",
-    "no_hindcast": "not answered: nothing shows that random roughness extends these scans",
-    "ripples": "none: the filter's ripples beside steps or pits change the force",
-    "no_exponent": "not answered: the scans do not tell how their roughness goes on",
-    "no_agreement": "none agrees",
+NO_VALUE_WORDS: dict[str, str] = {
+    Status.NO_BAND: "no band",
+    Status.NO_HINDCAST: "not answered: nothing shows that random roughness extends these scans",
+    Status.RIPPLES: "none: the filter's ripples beside steps or pits change the force",
+    Status.NO_EXPONENT: "not answered: the scans do not tell how their roughness goes on",
+    Status.NO_AGREEMENT: "none agrees",
 }
 #: Words after a value without an interval, by its status.
-NO_INTERVAL = {
-    "no_interval": "not bounded by these scans",
-    "few_patches": "not bounded: contacts touch too few patches",
+NO_INTERVAL_WORDS: dict[str, str] = {
+    Status.NO_INTERVAL: "not bounded by these scans",
+    Status.FEW_PATCHES: "not bounded: contacts touch too few patches",
 }
 #: Words before a value that is a bound, by its status.
-OPEN_WORDS = {"open_above": "at least ", "open_below": "at most "}
+OPEN_WORDS: dict[str, str] = {Status.OPEN_ABOVE: "at least ", Status.OPEN_BELOW: "at most "}
 
 
 def number_of(
@@ -49,7 +49,7 @@ def number_of(
         return number
     low, high = ends(dataset, variable)
     if (low, high) == (0, math.inf):
-        return number._replace(status="no_interval")
+        return number._replace(status=Status.NO_INTERVAL)
     return number._replace(low=low, high=high)
 
 
@@ -62,7 +62,8 @@ def ends(dataset: xr.Dataset, name: str) -> tuple[float, float]:
 def number_without_value(name: str, low: float, high: float, unit: str = "1") -> Number:
     """Return a number without a value: only one end or both ends of its interval are known."""
     is_known = math.isfinite(low) or math.isfinite(high)
-    return Number(name, math.nan, unit, low, high, "ends" if is_known else "not_known")
+    status = Status.ONLY_ENDS if is_known else Status.NOT_KNOWN
+    return Number(name, math.nan, unit, low, high, status)
 
 
 def remove_interval(number: Number) -> Number:
@@ -74,7 +75,7 @@ def remove_interval(number: Number) -> Number:
 def format_number(number: Number, digits: int = 3, end: str = "") -> str:
     """Return a known number with its interval, "67 [47, 74] nm", or its "low" or "high" end.
 
-    With the status "interval_open_high" only the other end is known: "67 [at least 47] nm".
+    With the status INTERVAL_OPEN_HIGH only the other end is known: "67 [at least 47] nm".
     """
     open_end = ""
     if number.status.startswith("interval_open_"):
@@ -99,7 +100,7 @@ def in_words(number: Number, digits: int = 3) -> str:
         return f"more than {format_number(number, digits, 'low')}"
     if high:
         return f"at most {format_number(number, digits, 'high')}"
-    return NO_VALUE.get(number.status, "not known")
+    return NO_VALUE_WORDS.get(number.status, "not known")
 
 
 def two_digit_words(number: Number) -> str:
@@ -110,8 +111,8 @@ def two_digit_words(number: Number) -> str:
 def _unbounded(number: Number, digits: int) -> str:
     """Return the words after a value whose interval lacks one end or both, or an empty text."""
     low, high = math.isfinite(number.low), math.isfinite(number.high)
-    if number.status in NO_INTERVAL:
-        return f" ({NO_INTERVAL[number.status]})"
+    if number.status in NO_INTERVAL_WORDS:
+        return f" ({NO_INTERVAL_WORDS[number.status]})"
     if low and not high:
         return f" (at least {format_number(number, digits, 'low')})"
     if high and not low:
@@ -143,7 +144,7 @@ def numbers_by_name(answer: Mapping[str, Any], surface: str = "") -> dict[str, N
             for key in ("value", "low", "high"):
                 if values[key] is None:
                     values[key] = math.nan
-            if values["status"] in ("known", "not_known"):
+            if values["status"] in (Status.KNOWN, Status.NOT_KNOWN):
                 values["status"] = ""
             numbers[values["name"]] = Number(**values)
     return numbers

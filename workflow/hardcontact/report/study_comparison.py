@@ -6,13 +6,16 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from hardcontact.base.number import Number
-from hardcontact.report.quantities import NO_INTERVAL, numbers_by_name
+from hardcontact.base.number import Number, Status
+from hardcontact.report.quantities import NO_INTERVAL_WORDS, numbers_by_name
 
 #: Digits to which equal numbers agree. Processors with other kernels move numbers by up to 1.7e-10.
 EQUAL_DIGITS = 8
 #: Sources of numbers that are inputs of a study, not results.
 INPUT_SOURCES = ("given", "assumed", "file")
+#: Statuses of numbers without a low, and without a high end.
+NO_LOW_END = (Status.OPEN_BELOW, Status.INTERVAL_OPEN_LOW, *NO_INTERVAL_WORDS)
+NO_HIGH_END = (Status.OPEN_ABOVE, Status.INTERVAL_OPEN_HIGH, *NO_INTERVAL_WORDS)
 
 
 class ChangedInput(NamedTuple):
@@ -140,7 +143,8 @@ def is_known(number: Number) -> bool:
 
 def is_bare(number: Number) -> bool:
     """Return whether a number has neither an interval nor a bound."""
-    return math.isnan(number.low) and math.isnan(number.high) and number.status in ("", "known")
+    has_no_end = math.isnan(number.low) and math.isnan(number.high)
+    return has_no_end and number.status in ("", Status.KNOWN)
 
 
 def interval(number: Number) -> tuple[float, float]:
@@ -148,8 +152,8 @@ def interval(number: Number) -> tuple[float, float]:
     low, high = number.low, number.high
     if math.isnan(low) and math.isnan(high):
         low = high = number.value
-    if math.isnan(low) or number.status in ("open_below", "interval_open_low", *NO_INTERVAL):
+    if math.isnan(low) or number.status in NO_LOW_END:
         low = -math.inf
-    if math.isnan(high) or number.status in ("open_above", "interval_open_high", *NO_INTERVAL):
+    if math.isnan(high) or number.status in NO_HIGH_END:
         high = math.inf
     return low, high

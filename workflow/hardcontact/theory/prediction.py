@@ -12,7 +12,7 @@ import numpy as np
 
 from hardcontact.base.arrays import Floats
 from hardcontact.base.formatting import format_length
-from hardcontact.base.number import Number
+from hardcontact.base.number import Number, Status
 from hardcontact.contact.contact import Contact
 from hardcontact.scans.extrapolated_spectrum import extrapolate_short_waves, fit_hurst_exponent
 from hardcontact.scans.joined_spectrum import ScanSpectrum
@@ -21,12 +21,7 @@ from hardcontact.surfaces.spectrum import MIN_BINS, WAVEVECTORS, Spectrum, all_s
 from hardcontact.theory.closed_form import ClosedForm, closed_form, critical_band, smooth_force
 from hardcontact.theory.pull_off_statistics import predict_statistics
 from hardcontact.theory.validity import (
-    EDGE_FOUND,
-    INSIDE,
     MAX_NEGLIGIBLE_CHANGE,
-    NO_EDGE,
-    OUTSIDE,
-    UNKNOWN,
     VALIDATED_QUANTITIES,
     is_validated,
     nearest_errors,
@@ -44,9 +39,6 @@ MAX_WAVELENGTH_RATIO = 4.0
 MAX_SKEWNESS = 1.0
 #: The edges of the band among the predicted quantities.
 EDGE_NAMES = VALIDATED_QUANTITIES[1:]
-MATTERS, NEGLIGIBLE = "matters", "negligible"
-#: Status of a force without a value: heights with steep sidewalls are not Gaussian.
-STEEP_SIDEWALLS = "steep_sidewalls"
 
 
 def prediction(
@@ -64,23 +56,25 @@ def prediction(
     inputs = _input_numbers(waves, contact, tolerance)
     scans = spectrum if isinstance(spectrum, ScanSpectrum) else None
     if scans is not None and scans.joined["sidewall_slope_share"].notnull().any():
-        force = Number("closed_form_force", math.nan, "N", status=STEEP_SIDEWALLS)
+        force = Number("closed_form_force", math.nan, "N", status=Status.STEEP_SIDEWALLS)
         return {number.name: number for number in (*inputs, force)}
     form = closed_form(waves, contact)
     checks = _spectrum_checks(waves, contact, form, 0.0 if scans is None else scans.skewness)
-    error_is_known = all(number.status == NEGLIGIBLE for number in checks)
+    error_is_known = all(number.status == Status.NEGLIGIBLE for number in checks)
     if scans is not None and scans.is_extrapolated:
         error_is_known &= _is_measured_error_known(scans, contact, tolerance, name)
     tail = _short_wave_tail(spectrum, waves)
     is_unknown = tail is None and spectrum.density[-1] > 0
-    change = Number("extrapolated_change", math.nan, status=UNKNOWN if is_unknown else NEGLIGIBLE)
+    change_status = Status.UNKNOWN if is_unknown else Status.NEGLIGIBLE
+    change = Number("extrapolated_change", math.nan, status=change_status)
     extrapolated: list[Number] = []
     # Without an exponent no waves are added: slope or curvature are at their bounds already.
     if tail is not None and (math.isfinite(tail.hurst) or tail.rolloff > _longest(waves)):
         extrapolated = _extrapolated_numbers(tail, contact, tolerance, error_is_known)
         change = _force_change("extrapolated_change", extrapolated[0].value, form)
     checks += [change, *validated_ranges(waves, contact, form)]
-    validated = error_is_known and all(number.status in (NEGLIGIBLE, INSIDE) for number in checks)
+    harmless = Status.NEGLIGIBLE, Status.INSIDE
+    validated = error_is_known and all(number.status in harmless for number in checks)
     point = table_coordinates(waves, contact, form)
     numbers = [
         *inputs,
@@ -154,8 +148,8 @@ def _spectrum_checks(
 ) -> list[Number]:
     """Return longest octave, widest gap and skewness, each NEGLIGIBLE if the closed form holds."""
     gap = float((waves.wavevector[1:] / waves.wavevector[:-1]).max())
-    gap_status = UNKNOWN if gap > MAX_WAVELENGTH_RATIO else NEGLIGIBLE
-    skewness_status = MATTERS if abs(skewness) > MAX_SKEWNESS else NEGLIGIBLE
+    gap_status = Status.UNKNOWN if gap > MAX_WAVELENGTH_RATIO else Status.NEGLIGIBLE
+    skewness_status = Status.MATTERS if abs(skewness) > MAX_SKEWNESS else Status.NEGLIGIBLE
     return [
         _longest_octave(waves, contact, form),
         Number("widest_gap", gap, status=gap_status),
@@ -168,7 +162,8 @@ def _is_measured_error_known(
 ) -> bool:
     """Return whether the error of the force is known without the scans' extrapolated waves."""
     numbers = prediction(scans.measured(), contact, tolerance, name)
-    return numbers.get("extrapolated_force", numbers["closed_form_force"]).status == INSIDE
+    force = numbers.get("extrapolated_force", numbers["closed_form_force"])
+    return force.status == Status.INSIDE
 
 
 def _validated_interval(
@@ -185,7 +180,7 @@ def _validated_interval(
 def _force_number(name: str, form: ClosedForm, point: Mapping[str, Any], validated: bool) -> Number:
     """Return a force (N) with its interval; the status says whether its error is known."""
     interval = _validated_interval("force", form.force, point, validated)
-    return Number(name, form.force, "N", *interval, INSIDE if validated else OUTSIDE)
+    return Number(name, form.force, "N", *interval, Status.INSIDE if validated else Status.OUTSIDE)
 
 
 def _edge_numbers(
@@ -195,9 +190,9 @@ def _edge_numbers(
     for name, edge in zip(EDGE_NAMES, band, strict=True):
         if math.isfinite(edge):
             interval = _validated_interval(name, edge, point, validated)
-            yield Number(f"{prefix}{name}", edge, "nm", *interval, EDGE_FOUND)
+            yield Number(f"{prefix}{name}", edge, "nm", *interval, Status.FOUND)
         else:
-            yield Number(f"{prefix}{name}", edge, "nm", status=NO_EDGE)
+            yield Number(f"{prefix}{name}", edge, "nm", status=Status.NO_EDGE)
 
 
 class _Tail(NamedTuple):
@@ -254,7 +249,8 @@ def _extrapolated_numbers(
 def _force_change(name: str, changed_force: float, form: ClosedForm) -> Number:
     """Return the relative change of the force (N) of a closed form, and whether it matters."""
     change = abs(changed_force / form.force - 1)
-    return Number(name, change, status=MATTERS if change > MAX_NEGLIGIBLE_CHANGE else NEGLIGIBLE)
+    matters = change > MAX_NEGLIGIBLE_CHANGE
+    return Number(name, change, status=Status.MATTERS if matters else Status.NEGLIGIBLE)
 
 
 def _longest_octave(waves: Spectrum, contact: Contact, form: ClosedForm) -> Number:
@@ -264,6 +260,6 @@ def _longest_octave(waves: Spectrum, contact: Contact, form: ClosedForm) -> Numb
     """
     is_shorter = waves.wavevector >= 2 * waves.wavevector[0]
     if is_shorter.sum() < 2:
-        return Number("longest_octave_change", math.nan, status=UNKNOWN)
+        return Number("longest_octave_change", math.nan, status=Status.UNKNOWN)
     shorter_waves = Spectrum(waves.wavevector[is_shorter], waves.density[is_shorter])
     return _force_change("longest_octave_change", closed_form(shorter_waves, contact).force, form)

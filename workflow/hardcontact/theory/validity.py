@@ -14,7 +14,7 @@ import numpy as np
 import pandas as pd
 
 from hardcontact.base.formatting import format_quantity
-from hardcontact.base.number import Number
+from hardcontact.base.number import Number, Status
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.smooth_sphere import (
     maugis_parameter,
@@ -45,13 +45,8 @@ VALIDATED_PARAMETERS = {
 }
 #: Points of a spectrum to which a Hurst exponent and its change are fitted.
 FITTED_POINTS = 40
-#: Statuses: inside or outside the validated ranges; whether an edge exists.
-INSIDE, OUTSIDE = "inside", "outside"
-EDGE_FOUND, NO_EDGE = "found", "none"
 #: Largest relative change of the force, by missing waves or by elasticity, that is negligible.
 MAX_NEGLIGIBLE_CHANGE = 0.1
-#: Statuses of the bodies of a contact.
-HARD, SOFT, UNKNOWN = "hard", "soft", "unknown"
 
 
 @cache
@@ -66,7 +61,7 @@ def held_out_surfaces() -> pd.DataFrame:
     for name in VALIDATED_QUANTITIES:
         error = held_out[name] / held_out[f"predicted_{name}"]
         if f"{name}_status" in held_out:
-            error = error.where(held_out[f"{name}_status"] == EDGE_FOUND)
+            error = error.where(held_out[f"{name}_status"] == Status.FOUND)
         held_out[f"{name}_error"] = error
     return held_out
 
@@ -122,7 +117,7 @@ def nearest_errors(point: Mapping[str, Any], name: str) -> tuple[float, float]:
 
 def is_validated(waves: Spectrum, contact: Contact, form: ClosedForm) -> bool:
     """Return whether the table covers a contact, so that the error of its closed form is known."""
-    return all(number.status == INSIDE for number in validated_ranges(waves, contact, form))
+    return all(number.status == Status.INSIDE for number in validated_ranges(waves, contact, form))
 
 
 def validated_ranges(waves: Spectrum, contact: Contact, form: ClosedForm) -> Iterator[Number]:
@@ -134,7 +129,7 @@ def validated_ranges(waves: Spectrum, contact: Contact, form: ClosedForm) -> Ite
     }
     for name, unit in VALIDATED_PARAMETERS.items():
         lowest, highest = held_out_surfaces()[name].agg(["min", "max"])
-        status = INSIDE if lowest <= parameters[name] <= highest else OUTSIDE
+        status = Status.INSIDE if lowest <= parameters[name] <= highest else Status.OUTSIDE
         yield Number(f"validated_{name}", parameters[name], unit, lowest, highest, status)
 
 
@@ -145,12 +140,11 @@ def tabor_number(contact: Contact, effective_modulus: float) -> Number:
     force of a smooth sphere by more than MAX_NEGLIGIBLE_CHANGE, otherwise HARD.
     """
     if math.isnan(effective_modulus):
-        return Number("tabor_parameter", effective_modulus, status=UNKNOWN)
+        return Number("tabor_parameter", effective_modulus, status=Status.UNKNOWN)
     value = float(tabor_parameter(contact.work, contact.radius, effective_modulus, contact.rho))
     softening = 1 - float(pull_off_coefficient(maugis_parameter(value))) / 2
-    return Number(
-        "tabor_parameter", value, status=SOFT if softening > MAX_NEGLIGIBLE_CHANGE else HARD
-    )
+    status = Status.SOFT if softening > MAX_NEGLIGIBLE_CHANGE else Status.HARD
+    return Number("tabor_parameter", value, status=status)
 
 
 def wide_contact_message(contact: Contact) -> str:

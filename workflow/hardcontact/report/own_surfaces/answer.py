@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import xarray as xr
 
-from hardcontact.base.number import Number
+from hardcontact.base.number import Number, Status
 from hardcontact.inference.octaves import strongest_octaves
 from hardcontact.report.figures.values import mean_free_heights
 from hardcontact.report.notes import note, substitutes_note
@@ -205,7 +205,8 @@ def _scan_numbers(data: Datasets) -> Iterator[Number]:
     for name in ("scan_size", "pixel_size"):
         yield number_of(topography, name, "nm", source="file")
     heights = mean_free_heights(topography["example_heights"])
-    yield Number("heights", np.nan, "nm", float(heights.min()), float(heights.max()), "ends")
+    lowest, highest = float(heights.min()), float(heights.max())
+    yield Number("heights", np.nan, "nm", lowest, highest, Status.ONLY_ENDS)
     scans = topography.dropna("scan", subset=["rms_height"])
     for index in range(scans.sizes["scan"]):
         for name in SHOWN_METRICS:

@@ -10,10 +10,9 @@ from statistics import NormalDist
 import numpy as np
 import xarray as xr
 
-from hardcontact.base.number import Number
+from hardcontact.base.number import Number, Status
 from hardcontact.contact.finite_scan import MIN_WINDOW_SHARE, SMALLEST_TESTED
 from hardcontact.contact.smooth_sphere import STRONGEST_WORK
-from hardcontact.inference.curve_edges import RIPPLES
 from hardcontact.report.own_surfaces.artificial_roughness import (
     fails_hindcast,
     measurement_name,
@@ -27,7 +26,6 @@ from hardcontact.scans.heights import split_notes
 from hardcontact.scans.mean_spectrum import contradictions
 from hardcontact.scans.reliable_band import OTHER_BODY
 from hardcontact.surfaces.synthesis import SIDES
-from hardcontact.theory.validity import HARD
 
 #: Fewest pixels in contact: below, rounding to whole pixels may change the area by over 5 %.
 MIN_CONTACT_PIXELS = 10
@@ -143,7 +141,7 @@ def _repeated_scans(spectra: xr.Dataset) -> list[Caution]:
 
 def _few_patches(force: xr.Dataset) -> Caution | None:
     """Return a caution if the contacts on a scan touch too few patches for an interval."""
-    if force["interval_source"].item() != "few_patches":
+    if force["interval_source"].item() != Status.FEW_PATCHES:
         return None
     names = ("contacts", "touched_patches")
     numbers = {name: Number(name, int(force[name].item())) for name in names}
@@ -153,7 +151,7 @@ def _few_patches(force: xr.Dataset) -> Caution | None:
 def _soft_bodies(force: xr.Dataset) -> Caution | None:
     """Return a caution if the bodies are, or may be, too soft for a hard contact."""
     number = stored_tabor_number(force)
-    if number.status == HARD:
+    if number.status == Status.HARD:
         return None
     return Caution("soft_bodies", grave=True, numbers={"tabor": number})
 
@@ -249,7 +247,7 @@ def _few_pixels(force: xr.Dataset) -> Caution | None:
 
 def _conditional_intervals(force: xr.Dataset) -> Caution | None:
     """Return a caution if intervals are conditional on the scans at hand."""
-    has_no_interval = force["interval_source"].item() in ("none", "few_patches")
+    has_no_interval = force["interval_source"].item() in ("none", Status.FEW_PATCHES)
     if not force["interval_is_conditional"].item() or has_no_interval:
         return None
     numbers = {
@@ -325,7 +323,7 @@ def _hindcasts(data: Datasets) -> list[Caution]:
 
 def _ripples(edges: xr.Dataset) -> Caution | None:
     """Return a caution if the short edge would show the ripples of the filter."""
-    return Caution("ripples") if (edges["edge_status"] == RIPPLES).any() else None
+    return Caution("ripples") if (edges["edge_status"] == Status.RIPPLES).any() else None
 
 
 def _tail(data: Datasets) -> Caution:

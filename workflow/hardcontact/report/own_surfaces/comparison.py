@@ -11,7 +11,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from hardcontact.base.arrays import Floats
-from hardcontact.base.number import Number
+from hardcontact.base.number import Number, Status
 from hardcontact.inference.octaves import OCTAVES_NAMED
 from hardcontact.report.own_surfaces.artificial_roughness import shown_octaves
 from hardcontact.report.own_surfaces.datasets import Datasets, forces_at_range
@@ -35,7 +35,7 @@ def comparison_numbers(data: Datasets, reference: Datasets) -> Iterator[Number]:
     ends = [_log_distances(number) for number in (force, reference_force)]
     below, above = np.hypot(ends[0], ends[1][::-1])
     low, high = float(ratio * np.exp(-below)), float(ratio * np.exp(above))
-    status = "" if np.isfinite([low, high]).any() else "no_interval"
+    status = "" if np.isfinite([low, high]).any() else Status.NO_INTERVAL
     yield Number("force_over_reference", ratio, "1", low, high, status)
     octaves, contributions = octave_contributions(data, reference)
     # Some octaves may change the ratio in the opposite direction.

@@ -6,8 +6,7 @@ from typing import NamedTuple
 import numpy as np
 import xarray as xr
 
-from hardcontact.base.number import Number
-from hardcontact.inference.curve_edges import RIPPLES
+from hardcontact.base.number import Number, Status
 from hardcontact.inference.edges import computed_cutoffs
 from hardcontact.report.own_surfaces.artificial_roughness import (
     artificial_bands,
@@ -63,7 +62,7 @@ class Verdict(NamedTuple):
 
 def interval_status(source: xr.DataArray) -> str:
     """Return the status of a number without interval: few patches touch, or no scan bounds it."""
-    return "few_patches" if source.item() == "few_patches" else "no_interval"
+    return Status.FEW_PATCHES if source.item() == Status.FEW_PATCHES else Status.NO_INTERVAL
 
 
 def edge_number(side_edges: xr.Dataset, name: str, source: str = "computed") -> Number:
@@ -82,19 +81,19 @@ def edge_number(side_edges: xr.Dataset, name: str, source: str = "computed") -> 
 def resolves_nothing(edges: xr.Dataset) -> bool:
     """Return whether no cutoff changes the force on one surface: it is that on a smooth surface."""
     short, long = [edge_number(edges.sel(side=side), EDGES[side]) for side in SIDES]
-    return (short.status, long.status) == ("open_above", "open_below")
+    return (short.status, long.status) == (Status.OPEN_ABOVE, Status.OPEN_BELOW)
 
 
 def edge_numbers(data: Datasets) -> list[Number]:
     """Return the edges of one surface, each with its measured share and the cutoffs around it."""
     if resolves_nothing(data.edges):
-        return [Number(name, np.nan, "nm", status="no_band") for name in EDGES.values()]
+        return [Number(name, np.nan, "nm", status=Status.NO_BAND) for name in EDGES.values()]
     numbers = []
     for side in SIDES:
         edge = _known_ends(data, side)
         share = measured_share_at_edge(data, side)
         numbers += [edge, Number(f"{edge.name}_measured_share", share, source=edge.source)]
-        if edge.status == "no_interval":
+        if edge.status == Status.NO_INTERVAL:
             numbers.append(_cutoffs_around(edge, data.edges.sel(side=side)))
     return numbers
 
@@ -106,8 +105,8 @@ def _known_ends(data: Datasets, side: str) -> Number:
     has artificial roughness.
     """
     status = data.edges["edge_status"].sel(side=side).item()
-    if status != RIPPLES and fails_hindcast(data, side):
-        return Number(EDGES[side], np.nan, "nm", status="no_hindcast", source="artificial")
+    if status != Status.RIPPLES and fails_hindcast(data, side):
+        return Number(EDGES[side], np.nan, "nm", status=Status.NO_HINDCAST, source="artificial")
     source = EDGE_SOURCES[classify_edge(data, side)]
     edge = edge_number(data.edges.sel(side=side), EDGES[side], source)
     bands = artificial_bands(data.spectra)
@@ -134,7 +133,7 @@ def next_scans(edges: Iterable[Number], spectra: xr.Dataset) -> list[NextScan]:
     return [
         _next_scan(edge, spectra)
         for edge in edges
-        if edge.status in (*OPEN_WORDS, "no_band")
+        if edge.status in (*OPEN_WORDS, Status.NO_BAND)
         or edge.source in ("artificial", "partly_artificial")
     ]
 
@@ -152,7 +151,7 @@ def _next_scan(edge: Number, spectra: xr.Dataset) -> NextScan:
         measured_end = "shortest_measured" if is_finer else "longest_measured"
         wavelength = spectra[measured_end].item()
     if edge.status in OPEN_WORDS:
-        is_finer = edge.status == "open_below"
+        is_finer = edge.status == Status.OPEN_BELOW
     if is_finer:
         _, longest_below = max(band for band in bands if band[0] < wavelength)
         limit = min(wavelength, longest_below)
@@ -174,11 +173,11 @@ def surface_verdict(numbers: Mapping[str, Number]) -> Verdict:
     force = _drop_partial_interval(numbers["mean_force"])
     sides = [side for side in SIDES if f"force_extrapolated_{side}" in numbers]
     sources = {short.source, long.source, numbers["mean_force_change"].source}
-    if numbers["mean_force"].status == "few_patches":
+    if numbers["mean_force"].status == Status.FEW_PATCHES:
         band = "few_patches"
-    elif short.status == "no_band":
+    elif short.status == Status.NO_BAND:
         band = "none"
-    elif {"no_hindcast", RIPPLES} & {short.status, long.status}:
+    elif {Status.NO_HINDCAST, Status.RIPPLES} & {short.status, long.status}:
         band = "unknown"
     else:
         band = "overlapping" if short.value >= long.value else "found"

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from hardcontact.base.number import Number
+from hardcontact.base.number import Number, Status
 from hardcontact.contact.smooth_sphere import dmt_pull_off
 from hardcontact.report.own_surfaces.artificial_roughness import (
     NEARLY_ALL,
@@ -22,7 +22,8 @@ from hardcontact.surfaces.synthesis import SIDES
 
 def add_status(number: Number, source: xr.DataArray) -> Number:
     """Return a number; if it has no interval, its status says why."""
-    if np.isfinite([number.low, number.high]).any() or number.status not in ("", "no_interval"):
+    is_bounded = np.isfinite([number.low, number.high]).any()
+    if is_bounded or number.status not in ("", Status.NO_INTERVAL):
         return number
     return number._replace(status=interval_status(source))
 
@@ -97,9 +98,9 @@ def extrapolated_number(side_data: xr.Dataset, variable: str, name: str, data: D
     side = str(side_data["side"].item())
     unknown = Number(name, np.nan, number.unit, source=number.source)
     if fails_hindcast(data, side):
-        return unknown._replace(status="no_hindcast")
+        return unknown._replace(status=Status.NO_HINDCAST)
     if side == "short" and data.spectra["tail_known"].item() != 1:
-        return unknown._replace(status="no_exponent")
+        return unknown._replace(status=Status.NO_EXPONENT)
     return number
 
 
@@ -182,11 +183,11 @@ def fit_numbers(fit: xr.Dataset) -> list[Number]:
     weakest, strongest = fit["region_work"].values.tolist()
     region = number_without_value("fit_region_range", shortest, longest, "nm")
     if fit.sizes["surface"] == 1:
-        region = region._replace(status="one_force")
+        region = region._replace(status=Status.ONE_FORCE)
     elif fit["work_by_range_interval"].isnull().any():
-        region = region._replace(status="no_interval")
+        region = region._replace(status=Status.NO_INTERVAL)
     elif not agrees.any():
-        region = region._replace(status="no_agreement")
+        region = region._replace(status=Status.NO_AGREEMENT)
     nearest = np.abs(rho - fit.attrs["assumed_range"]).argmin()
     return [
         Number("fit_best_range", fit["range_of_adhesion"].item(), "nm"),

@@ -7,7 +7,7 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from hardcontact.base.number import Number
+from hardcontact.base.number import Number, Status
 from hardcontact.base.statistics import bounds, percentile_interval
 from hardcontact.config.model import numeric_configuration
 from hardcontact.contact.contact import PLASTIC
@@ -40,8 +40,8 @@ ANSWER_CLAIMS = {
 }
 #: Side of each edge of the band in the datasets, and its status if it lies beyond the cutoffs.
 EDGE_SIDES = {
-    "short_edge": ("short", "open_above"),
-    "long_edge": ("long", "open_below"),
+    "short_edge": ("short", Status.OPEN_ABOVE),
+    "long_edge": ("long", Status.OPEN_BELOW),
 }
 #: Parameters that are fitted to the forces of each set of scans, with units.
 PAIR_UNITS = {"range_of_adhesion": "nm", "work_of_adhesion": "J/m2"}

@@ -7,6 +7,7 @@ import numpy as np
 import pandas as pd
 
 from hardcontact.base.formatting import format_as_paper, is_boundless
+from hardcontact.base.number import Status
 from hardcontact.paper.claim_selection import LARGER_PIXELS, WITHOUT_SCAN
 from hardcontact.paper.verdicts import (
     BY_CONSTRUCTION,
@@ -16,7 +17,7 @@ from hardcontact.paper.verdicts import (
     REPRODUCED_SHARE,
     summary,
 )
-from hardcontact.report.quantities import NO_INTERVAL
+from hardcontact.report.quantities import NO_INTERVAL_WORDS
 
 
 def plain_rows(table: pd.DataFrame) -> list[dict[Any, Any]]:
@@ -69,7 +70,8 @@ def _printed_claim(row: Mapping[Any, Any]) -> dict[str, Any]:
     if row["low"] == row["high"]:
         computed_text = format_as_paper(row["computed"], unit)
     elif is_boundless(row["computed"], *interval, unit):
-        computed_text = f"{format_as_paper(row['computed'], unit)} ({NO_INTERVAL['no_interval']})"
+        no_interval = NO_INTERVAL_WORDS[Status.NO_INTERVAL]
+        computed_text = f"{format_as_paper(row['computed'], unit)} ({no_interval})"
     return {
         "published_text": "" if is_limit else format_as_paper(row["published"], unit),
         "accepted_text": _print_accepted_range(row["accepted_low"], row["accepted_high"], unit),
