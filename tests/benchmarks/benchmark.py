@@ -32,8 +32,10 @@ from hardcontact.contact.elastic import adhesive_pull_off, pressure_at_load
 from hardcontact.contact.geometry import gap_map, join_bodies, part_around_lowest
 from hardcontact.contact.pull_off import attraction_totals
 from hardcontact.contact.sphere_sums import outside_sums
-from hardcontact.surfaces import height_map, spectrum
+from hardcontact.surfaces import spectrum
 from hardcontact.surfaces.filters import interpolate, lowpass
+from hardcontact.surfaces.height_map import mirror_stitch
+from hardcontact.surfaces.levelling import level
 from hardcontact.surfaces.synthesis import cut_scan, random_surface
 
 RADIUS, RHO = 250e3, 5.6
@@ -123,7 +125,7 @@ def stitched(seed, scale):
     rng = generator(seed, "benchmark pair")
     random = random_surface(rng, 1024, 2500 / 512, lambda q: scale * uncd(q))
     scan = cut_scan(random, 512)
-    return height_map.mirror_stitch(height_map.level(scan))
+    return mirror_stitch(level(scan))
 
 
 def rough_sphere():

@@ -29,7 +29,8 @@ from hardcontact.contact.geometry import join_bodies, window_pixels
 from hardcontact.contact.pull_off import FORCE_ATTRS, mean_pull_off_dataset
 from hardcontact.own.edges_of_scans import edges_of_curves
 from hardcontact.surfaces.filters import filtered_series
-from hardcontact.surfaces.height_map import HeightMap, level, mirror_stitch
+from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
+from hardcontact.surfaces.levelling import level
 from hardcontact.surfaces.spectrum import Spectrum, SpectrumFunction, spectrum_of_dataset
 from hardcontact.surfaces.substitute_spectra import substitute_spectrum
 from hardcontact.surfaces.synthesis import cut_scan, random_surface

@@ -23,7 +23,8 @@ from hardcontact.files.master_purposes import PRELOAD_SHARES
 from hardcontact.inference.filtered_masters import Filters, filtered_pull_off
 from hardcontact.run import checks
 from hardcontact.surfaces import spectrum, synthesis
-from hardcontact.surfaces.height_map import level, mirror_stitch, remove_form
+from hardcontact.surfaces.height_map import mirror_stitch
+from hardcontact.surfaces.levelling import level, remove_form
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
 from hardcontact.surfaces.synthesis import add_sphere, cut_scan, synthesize_master
 

@@ -11,7 +11,8 @@ from hardcontact.contact.contact import Contact
 from hardcontact.contact.finite_scan import LARGE_ENOUGH, RATIOS, add_sizes, finite_scan_ratio
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import pull_off_dataset
-from hardcontact.surfaces.height_map import level, mirror_stitch
+from hardcontact.surfaces.height_map import mirror_stitch
+from hardcontact.surfaces.levelling import level
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, smooth_rolloff
 from hardcontact.surfaces.synthesis import cut_scan, random_surface
 from hardcontact.theory.summits import search_size, spectral_moment, spectrum_between

@@ -7,7 +7,7 @@ from studies import files
 
 from hardcontact.files.surface_files import SurfaceFiles
 from hardcontact.scans.reading import read_scan
-from hardcontact.surfaces.height_map import remove_form
+from hardcontact.surfaces.levelling import remove_form
 
 pytestmark = pytest.mark.usefixtures("project_folder")
 

@@ -5,7 +5,8 @@ from functools import cache, partial
 import numpy as np
 
 from hardcontact.base.random import generator
-from hardcontact.surfaces.height_map import HeightMap, level
+from hardcontact.surfaces.height_map import HeightMap
+from hardcontact.surfaces.levelling import level
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, smooth_rolloff
 from hardcontact.surfaces.synthesis import cut_scan, random_surface
 

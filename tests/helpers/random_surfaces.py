@@ -17,7 +17,8 @@ from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import mean_pull_off_dataset
 from hardcontact.inference.wide_pixels import WIDE_PIXEL
 from hardcontact.own.scan_force import contact_on_scan, stitched_map
-from hardcontact.surfaces.height_map import HeightMap, level
+from hardcontact.surfaces.height_map import HeightMap
+from hardcontact.surfaces.levelling import level
 from hardcontact.surfaces.spectrum import smooth_rolloff
 from hardcontact.surfaces.synthesis import random_surface
 

@@ -6,7 +6,7 @@ import xarray as xr
 from paper_numbers import MEAN_FORCE, SUBSTRATES, SURFACES, TABLE1
 
 from hardcontact.paper.sampled_sets import SetInputs
-from hardcontact.surfaces.height_map import METRICS
+from hardcontact.surfaces.metrics import METRICS
 from hardcontact.surfaces.roughness_table import scan_averages
 
 CONFIDENCE, SCANS, CONTACTS = 0.95, 5, 3

@@ -9,7 +9,7 @@ from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact
 from hardcontact.paper.pool import compute_pool, pool_heights
 from hardcontact.surfaces.conditioning import Substitute
-from hardcontact.surfaces.height_map import level
+from hardcontact.surfaces.levelling import level
 from hardcontact.surfaces.spectrum import spectrum_dataset
 from hardcontact.surfaces.synthesis import ScanGrid, cut_scan, random_surface
 

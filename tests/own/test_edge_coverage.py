@@ -14,7 +14,8 @@ from hardcontact.inference.master_datasets import add_spectrum_shifts, stack_mas
 from hardcontact.own.edges_of_scans import edges_of_scans
 from hardcontact.own.mean_forces import MasterScans
 from hardcontact.scans.joined_spectrum import joined_spectrum, sample_spectra
-from hardcontact.surfaces.height_map import HeightMap, level, mirror_stitch
+from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
+from hardcontact.surfaces.levelling import level
 from hardcontact.surfaces.spectrum import self_affine, smooth_rolloff, spectrum_of_dataset
 from hardcontact.surfaces.synthesis import (
     cut_scan,

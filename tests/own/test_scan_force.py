@@ -18,7 +18,7 @@ from hardcontact.config.model import Study
 from hardcontact.contact.geometry import contact_positions, window_pixels
 from hardcontact.own import scan_force
 from hardcontact.own.scan_force import add_force_on_scan, contact_on_scan, stitched_map
-from hardcontact.surfaces.height_map import level
+from hardcontact.surfaces.levelling import level
 
 PIXELS, PIXEL_SIZE = 128, 40.0
 CONTACTS = 8

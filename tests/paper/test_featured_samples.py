@@ -20,7 +20,9 @@ from hardcontact.paper.featured_samples import (
 )
 from hardcontact.paper.published_fit import Pair, PublishedForces
 from hardcontact.surfaces.featured_scans import FeaturedSurface, sample_group
-from hardcontact.surfaces.height_map import level, metrics, mirror_stitch
+from hardcontact.surfaces.height_map import mirror_stitch
+from hardcontact.surfaces.levelling import level
+from hardcontact.surfaces.metrics import metrics
 
 FEATURED = FeaturedSurface(replace(SUBSTITUTE, grid=GRID._replace(size=2500.0), seed=3), POLISHED)
 SAMPLE_SOURCES = SampleInputs(FEATURED, 2, CONTACT, [1.0, 5.6])

@@ -10,7 +10,8 @@ from small_pool import CONTACT, GRID, HEIGHTS, RANGES, SUBSTITUTE, pool_of, raw_
 from hardcontact.contact.force_curves import spline_weights
 from hardcontact.contact.geometry import gap_map, join_bodies
 from hardcontact.paper.pool import pool_heights
-from hardcontact.surfaces.height_map import TABLE1_METRICS, metrics, mirror_stitch
+from hardcontact.surfaces.height_map import mirror_stitch
+from hardcontact.surfaces.metrics import TABLE1_METRICS, metrics
 
 
 def direct_force(scan, factor, contact_pixel_count, rho, contact):

@@ -18,7 +18,7 @@ from hardcontact.paper.sampled_sets import (
     set_edges,
     set_topography,
 )
-from hardcontact.surfaces.height_map import TABLE1_METRICS
+from hardcontact.surfaces.metrics import TABLE1_METRICS
 
 SETTINGS = SetSettings(
     seed=1,

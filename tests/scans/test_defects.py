@@ -10,7 +10,7 @@ from scipy.ndimage import gaussian_filter
 from hardcontact.base.random import generator
 from hardcontact.scans.defects import DEFECTS, scan_with_defects
 from hardcontact.surfaces.features import Features, add_features
-from hardcontact.surfaces.height_map import level_quadratic
+from hardcontact.surfaces.levelling import level_quadratic
 from hardcontact.surfaces.spectrum import smooth_rolloff
 
 PIXEL, PIXELS = 20.0, 128

@@ -5,7 +5,7 @@ from repository import ROOT
 
 from hardcontact.scans.defects import scan_with_defects
 from hardcontact.scans.reading import list_scans, read_scan
-from hardcontact.surfaces.height_map import level
+from hardcontact.surfaces.levelling import level
 
 SCANS = ROOT / "../shared/scans"
 pytestmark = pytest.mark.skipif(not SCANS.is_dir(), reason="no folder ../shared/scans")

@@ -8,7 +8,8 @@ from scipy.ndimage import gaussian_filter, gaussian_filter1d, grey_dilation
 from hardcontact.base.random import generator
 from hardcontact.scans.measured_spectrum import isotropic_psd
 from hardcontact.scans.reliable_band import reliable_band
-from hardcontact.surfaces.height_map import level, to_surface_topography
+from hardcontact.surfaces.height_map import to_surface_topography
+from hardcontact.surfaces.levelling import level
 from hardcontact.surfaces.spectrum import BIN_CENTRES, smooth_rolloff
 from hardcontact.surfaces.synthesis import random_surface
 

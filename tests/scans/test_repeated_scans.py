@@ -6,7 +6,7 @@ from measurements import measurement, self_affine_heights
 
 from hardcontact.base.random import generator
 from hardcontact.scans.repeated_scans import coarse_map, earlier_scans_of_areas, show_same_area
-from hardcontact.surfaces.height_map import level, level_lines
+from hardcontact.surfaces.levelling import level, level_lines
 
 PIXELS, PIXEL = 128, 10.0
 

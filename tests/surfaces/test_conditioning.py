@@ -16,7 +16,8 @@ from hardcontact.config.grids import random_surface_pixels
 from hardcontact.surfaces import conditioning
 from hardcontact.surfaces.conditioning import Targets
 from hardcontact.surfaces.descriptions import AFM_ROWS
-from hardcontact.surfaces.height_map import level, metrics
+from hardcontact.surfaces.levelling import level
+from hardcontact.surfaces.metrics import metrics
 from hardcontact.surfaces.spectrum import spectrum_dataset
 from hardcontact.surfaces.substitute_spectra import (
     expected_scan_rms,

@@ -20,7 +20,8 @@ from hardcontact.surfaces.features import (
     sample_features,
     standardized_differences,
 )
-from hardcontact.surfaces.height_map import TABLE1_METRICS, level, metrics
+from hardcontact.surfaces.levelling import level
+from hardcontact.surfaces.metrics import TABLE1_METRICS, metrics
 from hardcontact.surfaces.spectrum import spectrum_dataset
 from hardcontact.surfaces.synthesis import ScanGrid
 

@@ -4,15 +4,9 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from hardcontact.surfaces.height_map import (
-    HeightMap,
-    level,
-    level_lines,
-    metrics,
-    mirror_stitch,
-    remove_form,
-    to_surface_topography,
-)
+from hardcontact.surfaces.height_map import HeightMap, mirror_stitch, to_surface_topography
+from hardcontact.surfaces.levelling import level, level_lines, remove_form
+from hardcontact.surfaces.metrics import metrics
 
 RADIUS = 250e3
 

@@ -8,7 +8,8 @@ import xarray as xr
 from measurements import PIXEL, UNCD, levelled_scan, measurement
 
 from hardcontact.base.random import generator
-from hardcontact.surfaces.height_map import level_and_stitch, metrics, remove_form
+from hardcontact.surfaces.levelling import level_and_stitch, remove_form
+from hardcontact.surfaces.metrics import metrics
 from hardcontact.surfaces.roughness_table import measured_roughness, roughness_table
 from hardcontact.surfaces.spectrum import measured_psds, spectrum_dataset
 from hardcontact.surfaces.synthesis import add_sphere

@@ -5,7 +5,8 @@ import pytest
 from measurements import PIXEL, uncd
 
 from hardcontact.base.random import generator
-from hardcontact.surfaces.height_map import HeightMap, level, remove_form
+from hardcontact.surfaces.height_map import HeightMap
+from hardcontact.surfaces.levelling import level, remove_form
 from hardcontact.surfaces.synthesis import (
     ScanGrid,
     add_sphere,

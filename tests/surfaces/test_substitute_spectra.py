@@ -13,7 +13,8 @@ from scipy import stats
 from hardcontact.base import published
 from hardcontact.base.random import generator
 from hardcontact.surfaces import descriptions, spectrum, substitute_spectra
-from hardcontact.surfaces.height_map import level, metrics
+from hardcontact.surfaces.levelling import level
+from hardcontact.surfaces.metrics import metrics
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_rms
 from hardcontact.surfaces.substitute_spectra import expected_scan_rms, transfer_weights
 from hardcontact.surfaces.synthesis import cut_scan, random_surface

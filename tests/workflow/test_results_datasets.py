@@ -11,7 +11,8 @@ from studies import TINY_DIGESTS, TINY_PATTERNS
 
 from hardcontact.base import dataset
 from hardcontact.base.random import generator
-from hardcontact.surfaces.height_map import HeightMap, level
+from hardcontact.surfaces.height_map import HeightMap
+from hardcontact.surfaces.levelling import level
 
 
 @pytest.fixture(scope="module")

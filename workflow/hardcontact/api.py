@@ -42,8 +42,9 @@ from hardcontact.scans.heights import map_values, unit_in_nm
 from hardcontact.scans.joined_spectrum import ScanSpectrum, joined_spectrum, reliable_spectrum
 from hardcontact.scans.reading import read_scan as read_any_scan
 from hardcontact.scans.refused_file import RefusedFile
-from hardcontact.surfaces.height_map import HeightMap, remove_form, require_map
-from hardcontact.surfaces.height_map import metrics as metrics
+from hardcontact.surfaces.height_map import HeightMap, require_map
+from hardcontact.surfaces.levelling import remove_form
+from hardcontact.surfaces.metrics import metrics as metrics
 from hardcontact.surfaces.spectrum import Spectrum
 from hardcontact.surfaces.spectrum import measured_psds as measured_psds
 from hardcontact.theory.prediction import prediction

@@ -3,7 +3,7 @@
 from hardcontact.records.job import run_job
 from hardcontact.surfaces.conditioning import conditioned_group, read_substitute
 from hardcontact.surfaces.featured_scans import featured_group
-from hardcontact.surfaces.height_map import LEVELLED, STITCHED, level_and_stitch
+from hardcontact.surfaces.levelling import LEVELLED, STITCHED, level_and_stitch
 
 with run_job(snakemake) as job:
     params = job.parameters

@@ -1,7 +1,8 @@
 """A measured scan: levelled, the sphere subtracted if there is one; stitched."""
 
 from hardcontact.records.job import run_job
-from hardcontact.surfaces.height_map import LEVELLED, STITCHED, level_and_stitch, read_height_map
+from hardcontact.surfaces.height_map import read_height_map
+from hardcontact.surfaces.levelling import LEVELLED, STITCHED, level_and_stitch
 
 with run_job(snakemake) as job:
     scan = read_height_map(job.input.measurement)

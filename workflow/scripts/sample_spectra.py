@@ -3,7 +3,8 @@
 from hardcontact.base.random import generator
 from hardcontact.records.job import run_job
 from hardcontact.scans.joined_spectrum import sample_spectra
-from hardcontact.surfaces.height_map import read_height_map, remove_form
+from hardcontact.surfaces.height_map import read_height_map
+from hardcontact.surfaces.levelling import remove_form
 from hardcontact.surfaces.spectrum import spectrum_dataset
 
 with run_job(snakemake) as job:

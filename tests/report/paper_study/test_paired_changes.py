@@ -10,7 +10,7 @@ from hardcontact.base.number import Number
 from hardcontact.report.paper_study.answer import FORCE_UNITS
 from hardcontact.report.paper_study.paired_changes import add_paired_intervals, pairing
 from hardcontact.report.study_comparison import ComparedNumber
-from hardcontact.surfaces.height_map import TABLE1_METRICS
+from hardcontact.surfaces.metrics import TABLE1_METRICS
 
 SETS = 20_000
 SCATTER = 0.01

@@ -15,7 +15,7 @@ from hardcontact.config.model import CONTACT_QUANTITIES, QUICK_SUFFIX, key_field
 from hardcontact.config.selected_surfaces import LABEL, TIP_RADIUS
 from hardcontact.records.code import ROOT
 from hardcontact.scans.reading import MASKS
-from hardcontact.surfaces.height_map import LEVELLING
+from hardcontact.surfaces.levelling import LEVELLING
 
 #: Id and label of the sphere's surface.
 SPHERE = "sphere"

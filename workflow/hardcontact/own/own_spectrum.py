@@ -26,7 +26,8 @@ from hardcontact.scans.plain_text import ROW
 from hardcontact.scans.reading import list_scans, read_scan
 from hardcontact.scans.reliable_band import ReliableBand
 from hardcontact.scans.repeated_scans import repeated_scans
-from hardcontact.surfaces.height_map import HeightMap, metrics
+from hardcontact.surfaces.height_map import HeightMap
+from hardcontact.surfaces.metrics import metrics
 from hardcontact.surfaces.spectrum import Spectrum
 
 #: Pairs of columns. A table has one column of each pair, and a column with its unit.

@@ -7,7 +7,8 @@ from hardcontact.own.own_spectrum import OwnSpectrum
 from hardcontact.own.scan_force import stitched_map
 from hardcontact.scans.both_bodies import combine_maps, combine_spectra
 from hardcontact.scans.joined_spectrum import ScanSpectrum, reliable_spectrum
-from hardcontact.surfaces.height_map import HeightMap, metrics
+from hardcontact.surfaces.height_map import HeightMap
+from hardcontact.surfaces.metrics import metrics
 
 
 def combined_spectrum(surface: OwnSpectrum, sphere: OwnSpectrum, seed: int) -> OwnSpectrum:

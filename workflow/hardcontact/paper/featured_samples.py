@@ -26,7 +26,9 @@ from hardcontact.surfaces.featured_scans import (
     sample_group,
 )
 from hardcontact.surfaces.features import KINDS, SIGNS
-from hardcontact.surfaces.height_map import TABLE1_METRICS, HeightMap, level
+from hardcontact.surfaces.height_map import HeightMap
+from hardcontact.surfaces.levelling import level
+from hardcontact.surfaces.metrics import TABLE1_METRICS
 from hardcontact.surfaces.roughness_table import measured_metrics
 
 #: Largest factor between computed and published force of a sample that agrees. It holds for the

@@ -18,7 +18,9 @@ from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import pull_off_dataset
 from hardcontact.surfaces.conditioning import Substitute, Targets, required_targets
-from hardcontact.surfaces.height_map import TABLE1_METRICS, HeightMap, level, mirror_stitch
+from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
+from hardcontact.surfaces.levelling import level
+from hardcontact.surfaces.metrics import TABLE1_METRICS
 from hardcontact.surfaces.roughness_table import measured_metrics
 from hardcontact.surfaces.synthesis import sample_scan
 

@@ -24,7 +24,7 @@ from hardcontact.paper.evaluation import claim_values
 from hardcontact.paper.featured_samples import sample_of_set, samples_by_surface
 from hardcontact.paper.published_fit import PublishedForces, fit_published
 from hardcontact.surfaces.conditioning import scale_rms_heights
-from hardcontact.surfaces.height_map import TABLE1_METRICS
+from hardcontact.surfaces.metrics import TABLE1_METRICS
 from hardcontact.surfaces.roughness_table import scan_averages
 
 #: Scans of one set, by substrate.

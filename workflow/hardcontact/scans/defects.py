@@ -18,7 +18,8 @@ from hardcontact.base.arrays import Floats
 from hardcontact.base.formatting import format_length, format_share
 from hardcontact.base.statistics import MEDIAN_DEVIATION
 from hardcontact.scans.reliable_band import FLATTEST_SLOPE, MIN_STANDARD_ERRORS
-from hardcontact.surfaces.height_map import HeightMap, remove_form
+from hardcontact.surfaces.height_map import HeightMap
+from hardcontact.surfaces.levelling import remove_form
 from hardcontact.surfaces.streaks import MIN_STREAK_STEPS, fill_streaks
 
 #: By code of a defect: its numbers with their units. defects.yaml has a sentence on each.

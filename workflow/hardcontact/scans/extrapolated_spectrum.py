@@ -14,7 +14,8 @@ import numpy as np
 from hardcontact.base.arrays import Floats
 from hardcontact.base.published import MAX_GRADIENT, MAX_HALF_LAPLACIAN
 from hardcontact.scans.reliable_band import STEEPEST_SELF_AFFINE_SLOPE, ReliableBand
-from hardcontact.surfaces.height_map import HeightMap, level
+from hardcontact.surfaces.height_map import HeightMap
+from hardcontact.surfaces.levelling import level
 from hardcontact.surfaces.spectrum import (
     BIN_CENTRES,
     BIN_WIDTH,

@@ -9,7 +9,8 @@ from dataclasses import replace
 import numpy as np
 
 from hardcontact.base.arrays import Floats
-from hardcontact.surfaces.height_map import HeightMap, level
+from hardcontact.surfaces.height_map import HeightMap
+from hardcontact.surfaces.levelling import level
 from hardcontact.surfaces.spectrum import BIN_CENTRES, BIN_EDGES, measured_psds, profile_psd
 
 #: Share of independent waves under a Hann window, along one axis:

@@ -22,7 +22,8 @@ from hardcontact.scans.measured_spectrum import (
     local_slopes,
     variance_of_log,
 )
-from hardcontact.surfaces.height_map import HeightMap, level, to_surface_topography
+from hardcontact.surfaces.height_map import HeightMap, to_surface_topography
+from hardcontact.surfaces.levelling import level
 from hardcontact.surfaces.spectrum import BIN_CENTRES, HALF_DECADE_BINS
 
 #: The shortest wavelength in pixels, and the ratio of the size to the longest wavelength. Longer

@@ -20,7 +20,9 @@ from hardcontact.base.random import generator
 from hardcontact.base.units import DIMENSIONLESS, RAD_PER_NM
 from hardcontact.records.job import Job
 from hardcontact.surfaces.descriptions import AFM_ROWS
-from hardcontact.surfaces.height_map import TABLE1_METRICS, HeightMap, level, metrics
+from hardcontact.surfaces.height_map import HeightMap
+from hardcontact.surfaces.levelling import level
+from hardcontact.surfaces.metrics import TABLE1_METRICS, metrics
 from hardcontact.surfaces.spectrum import (
     WAVEVECTORS,
     Spectrum,
@@ -46,7 +48,7 @@ MAX_AMPLITUDE_RATIO = 4.0
 class Targets(NamedTuple):
     """The statistics that a group of scans of one surface meets."""
 
-    means: Mapping[str, float]  #: Mean height, slope and curvature, by `height_map.METRICS`.
+    means: Mapping[str, float]  #: Mean height, slope and curvature, by `metrics.METRICS`.
     rms_height_std: float  #: Standard deviation of the rms heights in nm (ddof 1).
     met_rows: tuple[str, ...]  #: Names of the rows of Table 1 that these targets meet.
 
@@ -164,7 +166,7 @@ def metric_matrices(components: Sequence[HeightMap], names: Sequence[str]) -> Fl
     """Return a matrix G for each metric (metric, component, component), in its unit squared.
 
     The squared metric of the sum of a_k h_k is aᵀ G a, where h_k are the levelled components. The
-    names are `height_map.METRICS` whose square is quadratic in the heights.
+    names are `metrics.METRICS` whose square is quadratic in the heights.
     """
 
     def squared_metrics(heights: np.ndarray) -> Floats:

@@ -14,7 +14,8 @@ import pandas as pd
 from numpy.typing import ArrayLike
 
 from hardcontact.base.arrays import Floats
-from hardcontact.surfaces.height_map import TABLE1_METRICS, HeightMap
+from hardcontact.surfaces.height_map import HeightMap
+from hardcontact.surfaces.metrics import TABLE1_METRICS
 
 #: Signs of the heights of features, by their names.
 SIGNS = {"bumps": 1, "pits": -1}

@@ -1,6 +1,6 @@
-"""Height maps and line scans: levelling, subtracting the sphere, mirror stitching, rms metrics."""
+"""Height maps and line scans, their files, and mirror images."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
@@ -10,7 +10,6 @@ import xarray as xr
 from hardcontact.base import dataset
 from hardcontact.base.formatting import format_length
 from hardcontact.base.units import NM
-from hardcontact.surfaces.streaks import fill_streaks
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -93,19 +92,12 @@ class HeightMap:
     def to_dataset(self) -> xr.Dataset:
         """Return heights with coordinates in nm; all other fields but defects are attributes."""
         axes = ("y", "x")[-self.heights.ndim :]
+        positions = [(0.5 + np.arange(count)) * self.pixel_size for count in self.heights.shape]
         coordinates = {
-            axis: (
-                (axis,),
-                (0.5 + np.arange(count)) * self.pixel_size,
-                NM | {"long_name": f"{axis} position"},
-            )
-            for axis, count in zip(axes, self.heights.shape, strict=True)
+            axis: (axis, position, NM | {"long_name": f"{axis} position"})
+            for axis, position in zip(axes, positions, strict=True)
         }
-        labels = {
-            "units": "nm",
-            "long_name": "surface height",
-            "pixel_size": float(self.pixel_size),
-        }
+        labels = NM | {"long_name": "surface height", "pixel_size": float(self.pixel_size)}
         attributes = {
             **{name: getattr(self, name) for name in TEXT_FIELDS},
             "dataset": self.member,
@@ -152,68 +144,6 @@ def to_surface_topography(scan: HeightMap) -> "Topography | UniformLineScan":
     return Topography(heights, sizes, unit="nm")
 
 
-def level(scan: HeightMap) -> HeightMap:
-    """Return a scan minus its least-squares plane or line, equal to SurfaceTopography's."""
-    heights = np.asarray(scan.heights, dtype=float).T
-    axes = np.meshgrid(*(np.arange(count) / count for count in heights.shape), indexing="ij")
-    design = np.column_stack([np.ones(heights.size), *(axis.ravel() for axis in axes)])
-    offset, *slopes = np.linalg.lstsq(design, heights.ravel(), rcond=None)[0]
-    levelled = heights - offset
-    for slope, axis in zip(slopes, axes, strict=True):
-        levelled = levelled - slope * axis
-    return replace(scan, heights=levelled.T)
-
-
-def level_lines(scan: HeightMap) -> HeightMap:
-    """Return a scan without streaks, its lines along x aligned, minus its least-squares plane.
-
-    Each line loses its least-squares line, then its median: drift and jumps of the feedback, and
-    real roughness whose wavevector points along y. Source: ``ScanLineAlignedTopography``.
-    """
-    heights, is_filled = fill_streaks(level(scan).heights)
-    scan = replace(scan, heights=heights)
-    streak_lines = int(is_filled.any(axis=1).sum())
-    if streak_lines:
-        note = f"streaks along {streak_lines} lines filled from the lines beside them"
-        scan = replace(scan, notes=(*scan.notes, note))
-    aligned = to_surface_topography(scan).scan_line_align(direction="x", mode="median", degree=1)
-    return level(replace(scan, heights=aligned.heights().T))
-
-
-def level_quadratic(scan: HeightMap) -> HeightMap:
-    """Return a scan minus its least-squares polynomial of second order, to remove a bow."""
-    return replace(scan, heights=to_surface_topography(scan).detrend("curvature").heights().T)
-
-
-#: Ways to level a scan, by their names in the configuration.
-LEVELLING: dict[str, Callable[[HeightMap], HeightMap]] = {
-    "plane": level,
-    "lines": level_lines,
-    "quadratic": level_quadratic,
-}
-
-
-def remove_form(
-    scan: HeightMap, sphere_radius: float | None = None, levelling: str = "plane"
-) -> HeightMap:
-    """Return a levelled scan; first the sphere that a map shows (radius in nm) is subtracted.
-
-    The apex of the paraboloid x²/2R is taken at the centre of the scan: elsewhere it would only
-    add a plane, which levelling removes. A line scan loses its mean line, whatever the levelling.
-    """
-    if levelling not in LEVELLING:
-        raise ValueError(f"levelling: expected {', '.join(LEVELLING)}, found {levelling}")
-    if scan.kind == "line scan":
-        return level(scan)
-    if sphere_radius is not None:
-        rows, columns = scan.heights.shape
-        y = (np.arange(rows) - (rows - 1) / 2) * scan.pixel_size
-        x = (np.arange(columns) - (columns - 1) / 2) * scan.pixel_size
-        heights = scan.heights + (y[:, None] ** 2 + x**2) / (2 * sphere_radius)
-        scan = replace(scan, heights=heights)
-    return LEVELLING[levelling](scan)
-
-
 def mirror_stitch(scan: HeightMap) -> HeightMap:
     """Return a periodic map (2y, 2x) of a scan and its mirror images, so that all edges match.
 
@@ -228,94 +158,3 @@ def require_map(scan: HeightMap) -> HeightMap:
     if scan.kind != "map":
         raise ValueError(f"{scan.path}: expected a height map, found a line scan")
     return scan
-
-
-#: Titles of the files with the results of `level_and_stitch`.
-LEVELLED = "levelled scan, the sphere subtracted if it shows one"
-STITCHED = "scan and its mirror images, periodic"
-
-
-def level_and_stitch(
-    scan: HeightMap, sphere_radius: float | None = None, levelling: str = "plane"
-) -> tuple[xr.Dataset, xr.Dataset]:
-    """Return a levelled map and its mirror-stitched map (y, x) in nm, in float32.
-
-    The levelled scan of a sphere (radius in nm) also has ``as_scanned``, the heights as read.
-    """
-    flat = remove_form(require_map(scan), sphere_radius, levelling)
-    flat = replace(flat, heights=flat.heights.astype("float32"))
-    levelled = flat.to_dataset()
-    if sphere_radius is not None:
-        labels = NM | {"long_name": "height of the sphere as scanned"}
-        levelled["as_scanned"] = (("y", "x"), scan.heights.astype("float32"), labels)
-    return levelled, mirror_stitch(flat).to_dataset()
-
-
-#: Metrics of a height map with their units and long names, in the order of Table 1.
-METRICS = {
-    "rms_height": ("nm", "rms height"),
-    "rms_gradient": ("1", "rms gradient (2D slope)"),
-    "rms_profile_slope": ("1", "rms slope of profiles along x"),
-    "rms_half_laplacian": ("nm-1", "half the rms Laplacian (mean curvature)"),
-    "rms_laplacian": ("nm-1", "rms Laplacian"),
-    "skewness": ("1", "skewness of heights"),
-    "kurtosis": ("1", "kurtosis of heights (3 for a Gaussian)"),
-    "peak_to_valley": ("nm", "peak to valley"),
-}
-#: The metrics of Table 1, which does not define slope and curvature, by its rows for AFM scans.
-TABLE1_METRICS = {
-    "afm_rms_height": "rms_height",
-    "afm_rms_slope": "rms_gradient",
-    "afm_rms_curvature": "rms_half_laplacian",
-}
-
-
-def metrics(scan: HeightMap) -> dict[str, float]:
-    """Return the METRICS of a scan.
-
-    Derivatives are finite differences between neighbouring pixels, as in SurfaceTopography, at the
-    pixels that have both derivatives.
-
-    Parameters
-    ----------
-    scan : HeightMap
-        Levelled, not periodic.
-
-    Returns
-    -------
-    dict of str to float
-        By name, such as ``rms_height``, in powers of nm.
-
-    Examples
-    --------
-    >>> scan = hc.read_scan("scan.nc")
-    >>> rms_height = hc.metrics(scan)["rms_height"]  # nm
-    """
-    heights = scan.heights.astype(float)
-    pixel_size = scan.pixel_size
-    slope_y = np.diff(heights, axis=0)[:, :-1] / pixel_size
-    slope_x = np.diff(heights, axis=1)[:-1] / pixel_size
-    bend = np.diff(heights, 2, axis=0)[:, 1:-1] + np.diff(heights, 2, axis=1)[1:-1]
-    laplacian = float(np.sqrt((bend**2).mean())) / pixel_size**2
-    flat_heights = heights.ravel()
-    skewness, kurtosis = skewness_and_kurtosis(flat_heights)
-    return {
-        "rms_height": float(flat_heights.std()),
-        "rms_gradient": float(np.sqrt((slope_x**2 + slope_y**2).mean())),
-        "rms_profile_slope": float(np.sqrt((slope_x**2).mean())),
-        "rms_half_laplacian": laplacian / 2,
-        "rms_laplacian": laplacian,
-        "skewness": skewness,
-        "kurtosis": kurtosis,
-        "peak_to_valley": float(np.ptp(flat_heights)),
-    }
-
-
-def skewness_and_kurtosis(heights: np.ndarray) -> tuple[float, float]:
-    """Return skewness and kurtosis of heights of any shape; the kurtosis of a Gaussian is 3."""
-    deviation = heights.ravel() - heights.mean()
-    square = deviation**2
-    variance = square.mean()
-    skewness = float((square * deviation).mean() / variance**1.5)
-    kurtosis = float((square**2).mean() / variance**2)
-    return skewness, kurtosis

@@ -10,7 +10,8 @@ from hardcontact.base.arrays import Floats
 from hardcontact.base.dataset import stack
 from hardcontact.base.statistics import student_interval, with_interval
 from hardcontact.base.units import DIMENSIONLESS, NM, NM4, RAD_PER_NM
-from hardcontact.surfaces.height_map import METRICS, TABLE1_METRICS, HeightMap, metrics
+from hardcontact.surfaces.height_map import HeightMap
+from hardcontact.surfaces.metrics import METRICS, TABLE1_METRICS, metrics
 from hardcontact.surfaces.spectrum import all_scales_rms, measured_psds, spectrum_of_dataset
 
 #: The variables of topography.nc by the rows of Table 1.

@@ -44,7 +44,7 @@ from hardcontact.report.quantities import all_quantities, number_of
 from hardcontact.report.templates import render_lines, render_text
 from hardcontact.scans.both_bodies import sphere_share
 from hardcontact.scans.reliable_band import MIN_PIXELS, MIN_WAVES_IN_SIZE, OTHER_BODY
-from hardcontact.surfaces.height_map import METRICS
+from hardcontact.surfaces.metrics import METRICS
 
 #: The name of the range of adhesion among the inputs of contacts.
 RANGE = "range of adhesion"

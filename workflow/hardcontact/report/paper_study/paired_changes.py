@@ -15,7 +15,7 @@ from hardcontact.contact.contact import PLASTIC
 from hardcontact.paper.verdicts import sets_interval, stretch_interval
 from hardcontact.report.paper_study.answer import ANSWER_CLAIMS, EDGE_SIDES, FORCE_UNITS, PAIR_UNITS
 from hardcontact.report.study_comparison import ComparedNumber
-from hardcontact.surfaces.height_map import TABLE1_METRICS
+from hardcontact.surfaces.metrics import TABLE1_METRICS
 
 SET_DATASETS = ("sets", "topography", "scales", "features")
 #: Parameters of sets.nc that decide which scans and masters a set has.

@@ -1,0 +1,99 @@
+"""Levelling: the planes, bows and spheres that are subtracted from scans."""
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+import xarray as xr
+
+from hardcontact.base.units import NM
+from hardcontact.surfaces.height_map import (
+    HeightMap,
+    mirror_stitch,
+    require_map,
+    to_surface_topography,
+)
+from hardcontact.surfaces.streaks import fill_streaks
+
+
+def level(scan: HeightMap) -> HeightMap:
+    """Return a scan minus its least-squares plane or line, equal to SurfaceTopography's."""
+    heights = np.asarray(scan.heights, dtype=float).T
+    axes = np.meshgrid(*(np.arange(count) / count for count in heights.shape), indexing="ij")
+    design = np.column_stack([np.ones(heights.size), *(axis.ravel() for axis in axes)])
+    offset, *slopes = np.linalg.lstsq(design, heights.ravel(), rcond=None)[0]
+    levelled = heights - offset
+    for slope, axis in zip(slopes, axes, strict=True):
+        levelled = levelled - slope * axis
+    return replace(scan, heights=levelled.T)
+
+
+def level_lines(scan: HeightMap) -> HeightMap:
+    """Return a scan without streaks, its lines along x aligned, minus its least-squares plane.
+
+    Each line loses its least-squares line, then its median: drift and jumps of the feedback, and
+    real roughness whose wavevector points along y. Source: ``ScanLineAlignedTopography``.
+    """
+    heights, is_filled = fill_streaks(level(scan).heights)
+    scan = replace(scan, heights=heights)
+    streak_lines = int(is_filled.any(axis=1).sum())
+    if streak_lines:
+        note = f"streaks along {streak_lines} lines filled from the lines beside them"
+        scan = replace(scan, notes=(*scan.notes, note))
+    aligned = to_surface_topography(scan).scan_line_align(direction="x", mode="median", degree=1)
+    return level(replace(scan, heights=aligned.heights().T))
+
+
+def level_quadratic(scan: HeightMap) -> HeightMap:
+    """Return a scan minus its least-squares polynomial of second order, to remove a bow."""
+    return replace(scan, heights=to_surface_topography(scan).detrend("curvature").heights().T)
+
+
+#: Ways to level a scan, by their names in the configuration.
+LEVELLING: dict[str, Callable[[HeightMap], HeightMap]] = {
+    "plane": level,
+    "lines": level_lines,
+    "quadratic": level_quadratic,
+}
+
+
+def remove_form(
+    scan: HeightMap, sphere_radius: float | None = None, levelling: str = "plane"
+) -> HeightMap:
+    """Return a levelled scan; first the sphere that a map shows (radius in nm) is subtracted.
+
+    The apex of the paraboloid x²/2R is taken at the centre of the scan: elsewhere it would only
+    add a plane, which levelling removes. A line scan loses its mean line, whatever the levelling.
+    """
+    if levelling not in LEVELLING:
+        raise ValueError(f"levelling: expected {', '.join(LEVELLING)}, found {levelling}")
+    if scan.kind == "line scan":
+        return level(scan)
+    if sphere_radius is not None:
+        rows, columns = scan.heights.shape
+        y = (np.arange(rows) - (rows - 1) / 2) * scan.pixel_size
+        x = (np.arange(columns) - (columns - 1) / 2) * scan.pixel_size
+        heights = scan.heights + (y[:, None] ** 2 + x**2) / (2 * sphere_radius)
+        scan = replace(scan, heights=heights)
+    return LEVELLING[levelling](scan)
+
+
+#: Titles of the files with the results of `level_and_stitch`.
+LEVELLED = "levelled scan, the sphere subtracted if it shows one"
+STITCHED = "scan and its mirror images, periodic"
+
+
+def level_and_stitch(
+    scan: HeightMap, sphere_radius: float | None = None, levelling: str = "plane"
+) -> tuple[xr.Dataset, xr.Dataset]:
+    """Return a levelled map and its mirror-stitched map (y, x) in nm, in float32.
+
+    The levelled scan of a sphere (radius in nm) also has ``as_scanned``, the heights as read.
+    """
+    flat = remove_form(require_map(scan), sphere_radius, levelling)
+    flat = replace(flat, heights=flat.heights.astype("float32"))
+    levelled = flat.to_dataset()
+    if sphere_radius is not None:
+        labels = NM | {"long_name": "height of the sphere as scanned"}
+        levelled["as_scanned"] = (("y", "x"), scan.heights.astype("float32"), labels)
+    return levelled, mirror_stitch(flat).to_dataset()

@@ -1,0 +1,66 @@
+"""Metrics of height maps: rms values, skewness, kurtosis and peak to valley."""
+
+import numpy as np
+
+from hardcontact.surfaces.height_map import HeightMap
+
+#: Metrics of a height map with their units and long names, in the order of Table 1.
+METRICS = {
+    "rms_height": ("nm", "rms height"),
+    "rms_gradient": ("1", "rms gradient (2D slope)"),
+    "rms_profile_slope": ("1", "rms slope of profiles along x"),
+    "rms_half_laplacian": ("nm-1", "half the rms Laplacian (mean curvature)"),
+    "rms_laplacian": ("nm-1", "rms Laplacian"),
+    "skewness": ("1", "skewness of heights"),
+    "kurtosis": ("1", "kurtosis of heights (3 for a Gaussian)"),
+    "peak_to_valley": ("nm", "peak to valley"),
+}
+#: The metrics of Table 1, which does not define slope and curvature, by its rows for AFM scans.
+TABLE1_METRICS = {
+    "afm_rms_height": "rms_height",
+    "afm_rms_slope": "rms_gradient",
+    "afm_rms_curvature": "rms_half_laplacian",
+}
+
+
+def metrics(scan: HeightMap) -> dict[str, float]:
+    """Return the METRICS of a scan.
+
+    Derivatives are finite differences between neighbouring pixels, as in SurfaceTopography, at the
+    pixels that have both derivatives.
+
+    Parameters
+    ----------
+    scan : HeightMap
+        Levelled, not periodic.
+
+    Returns
+    -------
+    dict of str to float
+        By name, such as ``rms_height``, in powers of nm.
+
+    Examples
+    --------
+    >>> scan = hc.read_scan("scan.nc")
+    >>> rms_height = hc.metrics(scan)["rms_height"]  # nm
+    """
+    heights = scan.heights.astype(float)
+    pixel_size = scan.pixel_size
+    slope_y = np.diff(heights, axis=0)[:, :-1] / pixel_size
+    slope_x = np.diff(heights, axis=1)[:-1] / pixel_size
+    bend = np.diff(heights, 2, axis=0)[:, 1:-1] + np.diff(heights, 2, axis=1)[1:-1]
+    laplacian = float(np.sqrt((bend**2).mean())) / pixel_size**2
+    flat_heights = heights.ravel()
+    deviation = flat_heights - flat_heights.mean()
+    square = deviation**2
+    variance = square.mean()
+    return {
+        "rms_height": float(flat_heights.std()),
+        "rms_gradient": float(np.sqrt((slope_x**2 + slope_y**2).mean())),
+        "rms_profile_slope": float(np.sqrt((slope_x**2).mean())),
+        "rms_half_laplacian": laplacian / 2,
+        "rms_laplacian": laplacian,
+        "skewness": float((square * deviation).mean() / variance**1.5),
+        "kurtosis": float((square**2).mean() / variance**2),
+        "peak_to_valley": float(np.ptp(flat_heights)),
+    }
