@@ -44,7 +44,7 @@ def test_elastic_contacts_carry_the_preload():
     solved = solve_elastic_contacts(pair, CONTACT, positions, MODULUS, 600.0)
     assert {name: solved[name].units for name in ELASTIC_UNITS} == ELASTIC_UNITS
     assert solved.sizes["contact"] == 2
-    load = solved.contact_area * 1e-18 * solved.mean_pressure
+    load = solved.elastic_contact_area * 1e-18 * solved.mean_pressure
     np.testing.assert_allclose(load, 10e-6, rtol=1e-5)
     assert (solved.elastic_pull_off_force <= solved.rigid_pull_off_force * (1 + 1e-6)).all()
     assert solved.pressure.max() == solved.peak_pressure[0]

@@ -13,7 +13,8 @@ CUTOFFS = np.array([20.0, 40.0, 80.0, 160.0])
 def test_each_contact_model_has_the_edge_of_its_forces():
     """Forces that grow in proportion to the cutoff reach 10 % at a prescribed edge."""
     edges = xr.DataArray(
-        [[100.0, 50.0], [30.0, 25.0]], {"area": ("loading", [400.0, 1.0]), "rho": [5.6, 1.0]},
+        [[100.0, 50.0], [30.0, 25.0]],
+        {"contact_area": ("loading", [400.0, 1.0]), "rho": [5.6, 1.0]},
         ["loading", "rho"],
     )  # fmt: skip
     cutoff = xr.DataArray(CUTOFFS, {"cutoff_wavelength": CUTOFFS}, ["cutoff_wavelength"])
@@ -42,7 +43,7 @@ def test_edges_that_scatter_together_have_a_certain_ratio():
         factors, {"realization": [1, 2, 3], "cutoff_wavelength": CUTOFFS}
     ).expand_dims(surface=["a"], side=["short"], radius=[1.0], loading=2, rho=[5.6, 1.0])
     forces = xr.Dataset(
-        {"filtered_force_ratio": ratio}, {"area": ("loading", [400.0, 1.0])}
+        {"filtered_force_ratio": ratio}, {"contact_area": ("loading", [400.0, 1.0])}
     ).assign(unfiltered_wavelength=(("surface", "side"), [[2.0]]))
     bands = edges_by_contact(forces, 0.1, Sampling(1, 50, 0.95)).sel(group="a")
     low, high = np.moveaxis(bands["edge_interval"].values, -1, 0)

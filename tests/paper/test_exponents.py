@@ -50,8 +50,8 @@ def test_every_combination_equals_its_single_contact():
             forces[name].isel(radius=1, loading=1, rho=1),
             single[name].isel(radius=0, loading=0, rho=0),
         )
-    assert forces["area"].values == pytest.approx([100.0, 800.0])
     assert forces["contact_area"].values == pytest.approx([100.0, 800.0])
+    assert forces["touching_area"].values == pytest.approx([100.0, 800.0])
 
 
 RADII, AREAS = [1e4, 1e5, 1e6], [50.0, 400.0, 3200.0]
@@ -61,7 +61,7 @@ CUTOFFS = np.geomspace(10, 2e4, 60)
 def power_law(radius_exponent, contact_exponent):
     """Return edges in nm over RADII and AREAS; exponents may differ by realization."""
     radius = xr.DataArray(RADII, {"radius": RADII}, "radius")
-    area = xr.DataArray(AREAS, {"area": AREAS}, "area")
+    area = xr.DataArray(AREAS, {"contact_area": AREAS}, "contact_area")
     return 600 * np.sqrt(radius / 1e5) ** radius_exponent * np.sqrt(area / 400) ** contact_exponent
 
 
@@ -83,7 +83,10 @@ def curves(*exponents, scatter=0.0):
         {
             "filtered_force_ratio": ratio,
             "unfiltered_wavelength": (("surface", "side"), [[5.0, 4e4]]),
-            "contact_area": (("surface", "realization", "side", "area"), [[[AREAS] * 2] * 3]),
+            "touching_area": (
+                ("surface", "realization", "side", "contact_area"),
+                [[[AREAS] * 2] * 3],
+            ),
         }
     )
 
@@ -107,10 +110,10 @@ def test_the_exponent_of_a_force_in_the_radius_is_recovered():
     radius = xr.DataArray(RADII, {"radius": RADII}, "radius")
     power = xr.DataArray([0.3, 0.4, 0.5], {"realization": [1, 2, 3]}, "realization")
     factor = xr.DataArray([[1.0, 3.0]], dims=("contact_y", "contact_x"))
-    axes = {"side": ["short", "long"], "surface": ["a"], "area": AREAS}
+    axes = {"side": ["short", "long"], "surface": ["a"], "contact_area": AREAS}
     forces = (1e-6 * factor * (radius / 1e5) ** power).expand_dims(axes)
     # Forces at another side or contact area differ.
-    is_other = (forces["side"] == "short") | (forces["area"] != 400)
+    is_other = (forces["side"] == "short") | (forces["contact_area"] != 400)
     data = xr.Dataset({"unfiltered_pull_off_force": forces.where(~is_other, 1.0)})
     exponent = force_exponent(data, 400.0, 0.95)
     assert exponent["force_exponent"].item() == pytest.approx(0.4)

@@ -95,15 +95,15 @@ def test_elastic_contact_is_compared_with_rigid_and_plastic_contact():
             "rigid_pull_off_force": (dims, rigid),
             "elastic_pull_off_force": (dims, 0.99 * rigid),
             "share_above_hardness": (dims, [[0.2, 0.4], [0.5, 0.7]]),
-            "contact_area": (dims, [[100.0, 100.0], [400.0, 400.0]]),
+            "elastic_contact_area": (dims, [[100.0, 100.0], [400.0, 400.0]]),
         },
         attrs={"hardness": 25e9, "preload": 10e-6, "confidence": 0.95},
     )
     near(contact.elastic_change(elastic), 0.01)
     # The median of three surfaces is the second one.
     scale = xr.DataArray([0.1, 1.0, 1.3], dims="surface")
-    areas, shares = elastic["contact_area"] * scale, elastic["share_above_hardness"] * scale
-    three = elastic.assign(contact_area=areas, share_above_hardness=shares)
+    areas, shares = elastic["elastic_contact_area"] * scale, elastic["share_above_hardness"] * scale
+    three = elastic.assign(elastic_contact_area=areas, share_above_hardness=shares)
     near(contact.median_share_above_hardness(three), 0.45)
     near(contact.median_plastic_over_elastic_area(three), (4 + 1) / 2)  # 400 nm² carry the preload
     exponents = xr.Dataset({"force_exponent": ("surface", [0.7, 0.1, 0.0])})

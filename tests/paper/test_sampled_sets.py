@@ -11,12 +11,12 @@ from hardcontact.base.statistics import Sampling
 from hardcontact.paper.published_fit import Pair, PublishedForces, fit_published
 from hardcontact.paper.sampled_sets import (
     SetSettings,
+    adhesion_of_set,
+    edges_of_set,
     gather_inputs,
     sample_set_scans,
     sample_sets,
-    set_adhesion,
-    set_edges,
-    set_topography,
+    topography_of_set,
 )
 from hardcontact.surfaces.metrics import TABLE1_METRICS
 
@@ -44,7 +44,7 @@ def test_numbers_are_those_of_each_set(sets):
     for number in (1, 3):
         numbers = sets["value"].sel(set=number)
         sampled_scans = sample_set_scans(inputs, 1, number)
-        adhesion = set_adhesion(inputs, sampled_scans, 1, number)
+        adhesion = adhesion_of_set(inputs, sampled_scans, 1, number)
         inference = fit_published(
             adhesion, PAPER[2], "uncd", 0.1, 30e-9, Sampling(1, 0, CONFIDENCE)
         )
@@ -81,7 +81,7 @@ def test_topography_of_a_set_replaces_only_sampled_scans():
     inputs = make_inputs(measured_surfaces=["mcd"])
     sampled_scans = sample_set_scans(inputs, *DRAW)
     study = inputs.topography
-    topography = set_topography(inputs, sampled_scans, CONFIDENCE)
+    topography = topography_of_set(inputs, sampled_scans, CONFIDENCE)
     for name in TABLE1_METRICS.values():
         uncd_metric = topography[name].sel(surface="uncd")
         np.testing.assert_allclose(uncd_metric, sampled_scans["uncd"][name], rtol=1e-12)
@@ -101,7 +101,7 @@ def test_topography_of_a_set_replaces_only_sampled_scans():
 def test_forces_of_sampled_scans_are_scaled_to_the_rough_sphere():
     inputs = make_inputs()
     sampled_scans = sample_set_scans(inputs, *DRAW)
-    adhesion = set_adhesion(inputs, sampled_scans, *DRAW)
+    adhesion = adhesion_of_set(inputs, sampled_scans, *DRAW)
     assert adhesion["pull_off_force"].dims == inputs.adhesion["pull_off_force"].dims
     assert adhesion.attrs == inputs.adhesion.attrs
     for surface, scans in sampled_scans.items():
@@ -112,7 +112,7 @@ def test_forces_of_sampled_scans_are_scaled_to_the_rough_sphere():
 
 def test_forces_on_measured_scans_change_by_one_factor_per_range():
     inputs = make_inputs(measured_surfaces=["mcd"])
-    adhesion = set_adhesion(inputs, sample_set_scans(inputs, *DRAW), *DRAW)
+    adhesion = adhesion_of_set(inputs, sample_set_scans(inputs, *DRAW), *DRAW)
     set_forces = adhesion["pull_off_force"].transpose("contact_model", "rho", ...)
     study_forces = inputs.adhesion["pull_off_force"].transpose("contact_model", "rho", ...)
     ranges = study_forces.sizes["rho"]
@@ -126,7 +126,7 @@ def test_forces_on_measured_scans_change_by_one_factor_per_range():
 
 def test_masters_are_sampled_again_for_every_set_and_surface():
     masters = make_masters().isel(surface=slice(2))
-    bands = [set_edges(masters, 5, 0.1, NO_SAMPLES, n) for n in range(100)]
+    bands = [edges_of_set(masters, 5, 0.1, NO_SAMPLES, n) for n in range(100)]
     ratio = np.array([band["filtered_force_ratio"].values for band in bands])
     mean = (
         masters["filtered_force_ratio"].mean("realization").transpose("side", "surface", ...).values

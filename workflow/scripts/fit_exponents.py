@@ -9,18 +9,18 @@ from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:
     params = job.parameters
-    area, tolerance, confidence = params["area"], params["tolerance"], params["confidence"]
+    tolerance, confidence = params["tolerance"], params["confidence"]
     forces = read_master_forces(params["surfaces"], job.input.masters, params["realizations"])
-    scaled = forces.squeeze("rho", drop=True).swap_dims(loading="area").drop_vars("loading")
+    scaled = forces.squeeze("rho", drop=True).swap_dims(loading="contact_area").drop_vars("loading")
     exponents = xr.merge(
         [
-            force_exponent(scaled, area, confidence),
+            force_exponent(scaled, params["contact_area"], confidence),
             edge_exponents(scaled, tolerance, confidence),
         ]
     )
     job.write(
         add_names(exponents, params).assign_attrs(
-            area=area, tolerance=tolerance, confidence=confidence
+            contact_area=params["contact_area"], tolerance=tolerance, confidence=confidence
         ),
         title="exponents of the pull-off force and of the edges of the critical band",
     )

@@ -180,7 +180,7 @@ def adhesive_pull_off(
 
 
 ELASTIC_UNITS = {
-    "contact_area": "nm2",
+    "elastic_contact_area": "nm2",
     "share_above_hardness": "1",
     "peak_pressure": "Pa",
     "mean_pressure": "Pa",

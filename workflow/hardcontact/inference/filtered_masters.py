@@ -80,8 +80,8 @@ def filtered_pull_off(
     """Return `forces_at_cutoffs` of plastic contact at all radii, loadings and ranges of adhesion.
 
     The contacts differ only in their loading. Radii and ranges (nm) are by default those of the
-    first. Forces are at 1 J/m². ``contact_area`` (loading) is the area of the touching pixels, the
-    coordinate ``area`` (loading) the preload divided by the hardness, both in nm².
+    first. Forces are at 1 J/m². ``touching_area`` (loading) is the area of the touching pixels,
+    the coordinate ``contact_area`` (loading) the preload over the hardness, both in nm².
     """
     contact = loaded_contacts[0]
     pixel_size = master.size / filters.pixels
@@ -95,11 +95,11 @@ def filtered_pull_off(
     axes: dict[str, Axis] = {"radius": (("radius",), radii, NM)}
     axes |= loading_axis(loaded_contacts) | range_axis(ranges)
     axes |= {axis: ((axis,), np.arange(contact.contacts_per_row), {}) for axis in CONTACT_AXES}
-    areas = ("loading", [loaded.area for loaded in loaded_contacts], {"units": "nm2"})
+    contact_area = ("loading", [loaded.area for loaded in loaded_contacts], {"units": "nm2"})
     touching = [loaded.pixel_count(pixel_size) * pixel_size**2 for loaded in loaded_contacts]
-    contact_area = ("loading", touching, {"units": "nm2"})
+    touching_area = ("loading", touching, {"units": "nm2"})
     filtered = forces_at_cutoffs(master, filters, compute_forces, axes)
-    return filtered.assign(contact_area=contact_area).assign_coords(area=areas)
+    return filtered.assign(touching_area=touching_area).assign_coords(contact_area=contact_area)
 
 
 def sampled_master(

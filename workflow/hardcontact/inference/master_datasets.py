@@ -41,7 +41,7 @@ def read_master_forces(
         forces = read(path)
         if loading is not None:
             forces = forces.sel(loading=loading, drop=True).squeeze(["radius", "rho"], drop=True)
-            forces = forces.drop_vars("contact_area")
+            forces = forces.drop_vars("touching_area")
         for realization in forces["realization"].values.tolist():
             if realization <= realizations:
                 for side in forces["side"].values.tolist():

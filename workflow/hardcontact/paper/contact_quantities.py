@@ -114,7 +114,7 @@ def median_plastic_over_elastic_area(elastic: xr.Dataset) -> xr.Dataset:
     It is the median over the surfaces; the area of plastic contact is preload/hardness.
     """
     plastic_area = elastic.attrs["preload"] / elastic.attrs["hardness"] / M2_PER_NM2
-    ratio = plastic_area / mean_over_contacts(elastic["contact_area"])
+    ratio = plastic_area / mean_over_contacts(elastic["elastic_contact_area"])
     return mean_over_scans(ratio, elastic.attrs["confidence"]).median("surface", skipna=False)
 
 

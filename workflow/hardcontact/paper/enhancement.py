@@ -23,7 +23,7 @@ def edges_by_contact(forces: xr.Dataset, tolerance: float, sampling: Sampling) -
     rigid contact at this range (``"plasticity"``) or to plastic contact at the shortest range
     (``"long_range"``).
     """
-    sorted_forces = forces.squeeze("radius", drop=True).sortby("area")
+    sorted_forces = forces.squeeze("radius", drop=True).sortby("contact_area")
     ranges = sorted_forces["rho"].values.tolist()
     datasets = {}
     edge_samples = {}

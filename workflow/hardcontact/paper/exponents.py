@@ -18,14 +18,14 @@ from hardcontact.inference.curve_edges import find_edge, logarithmic_limits, ord
 SCALED_QUANTITIES = ["radius", "contact"]
 
 
-def force_exponent(forces: xr.Dataset, area: float, confidence: float) -> xr.Dataset:
+def force_exponent(forces: xr.Dataset, contact_area: float, confidence: float) -> xr.Dataset:
     """Return the exponent of the radius in the mean force on unfiltered masters with long waves.
 
-    Forces come from `stack_masters`, at the nearest area in contact (nm²). The fit is by least
+    Forces come from `stack_masters`, at the nearest contact area (nm²). The fit is by least
     squares of ln F against ln R, the interval is over realizations.
     """
     long_wave_forces = forces["unfiltered_pull_off_force"].sel(side="long")
-    means = long_wave_forces.sel(area=area, method="nearest").mean(CONTACT_AXES)
+    means = long_wave_forces.sel(contact_area=contact_area, method="nearest").mean(CONTACT_AXES)
     logarithms = xr.DataArray(np.log(means)).assign_coords(radius=np.log(means["radius"]))
     slopes = logarithms.polyfit("radius", 1)["polyfit_coefficients"].sel(degree=1, drop=True)
     interval = student_interval(slopes, confidence, "realization").transpose("surface", "bound")
@@ -62,13 +62,13 @@ def edge_exponents(forces: xr.Dataset, tolerance: float, confidence: float) -> x
 
 def _fit_all_exponents(forces: xr.Dataset, tolerance: float) -> Floats:
     """Return the exponents (surface, side, exponent_of) of the edges of all surfaces."""
-    contact_area = forces["contact_area"].isel(surface=0, realization=0, side=0)
-    log_lengths = [np.log(forces["radius"]) / 2, np.log(contact_area) / 2]
+    touching_area = forces["touching_area"].isel(surface=0, realization=0, side=0)
+    log_lengths = [np.log(forces["radius"]) / 2, np.log(touching_area) / 2]
     exponents: xr.DataArray = xr.apply_ufunc(
         _fit_exponents,
         np.log(_edges(forces, tolerance)),
         *log_lengths,
-        input_core_dims=[["radius", "area"], ["radius"], ["area"]],
+        input_core_dims=[["radius", "contact_area"], ["radius"], ["contact_area"]],
         output_core_dims=[["exponent_of"]],
         vectorize=True,
     )
@@ -76,7 +76,7 @@ def _fit_all_exponents(forces: xr.Dataset, tolerance: float) -> Floats:
 
 
 def _edges(forces: xr.Dataset, tolerance: float) -> xr.DataArray:
-    """Return the edges (surface, side, radius, area) in nm, NaN if they are open."""
+    """Return the edges (surface, side, radius, contact_area) in nm, NaN if they are open."""
     cutoffs = forces["cutoff_wavelength"].values
 
     def edge(ratios: Floats, unfiltered: float, side: str) -> float:
@@ -96,13 +96,13 @@ def _edges(forces: xr.Dataset, tolerance: float) -> xr.DataArray:
     return edges
 
 
-def _fit_exponents(edge: Floats, radius: Floats, contact_area: Floats) -> Floats:
+def _fit_exponents(edge: Floats, radius: Floats, touching_area: Floats) -> Floats:
     """Return the exponents (2,) of SCALED_QUANTITIES, NaN if the edges do not determine them.
 
-    All arguments are logarithms: the edge (radius, area), NaN if open, and the square roots of
-    radius and contact area.
+    All arguments are logarithms: the edge (radius, contact_area), NaN if open, and the square
+    roots of radius and touching area.
     """
-    log_lengths = np.broadcast_arrays(radius[:, None], contact_area)
+    log_lengths = np.broadcast_arrays(radius[:, None], touching_area)
     is_found = np.isfinite(edge)
     columns = [np.ones(is_found.sum()), *(length[is_found] for length in log_lengths)]
     design = np.stack(columns, axis=-1)

@@ -163,7 +163,9 @@ def sample_set_scans(inputs: SetInputs, seed: int, set_number: int) -> dict[str,
     }
 
 
-def set_topography(inputs: SetInputs, sampled_scans: SampledScans, confidence: float) -> xr.Dataset:
+def topography_of_set(
+    inputs: SetInputs, sampled_scans: SampledScans, confidence: float
+) -> xr.Dataset:
     """Return the topography of a set, as in topography.nc: metrics, their averages and labels."""
     topography = inputs.topography
     surface_scans = [
@@ -179,7 +181,7 @@ def set_topography(inputs: SetInputs, sampled_scans: SampledScans, confidence: f
     )
 
 
-def set_adhesion(
+def adhesion_of_set(
     inputs: SetInputs, sampled_scans: SampledScans, seed: int, set_number: int
 ) -> xr.Dataset:
     """Return the pull-off forces of a set, as in adhesion.nc.
@@ -206,7 +208,7 @@ def set_adhesion(
     )
 
 
-def set_edges(
+def edges_of_set(
     masters: xr.Dataset, realizations: int, tolerance: float, sampling: Sampling, set_number: int
 ) -> xr.Dataset:
     """Return the critical band of masters of each substrate, sampled with replacement."""
@@ -264,12 +266,12 @@ def _set_datasets(
     """Return the datasets of one set by the names that claims give them."""
     sampling = Sampling(settings.seed, 0, settings.confidence)
     sampled_scans = sample_set_scans(inputs, settings.seed, set_number)
-    adhesion = set_adhesion(inputs, sampled_scans, settings.seed, set_number)
-    edges = set_edges(
+    adhesion = adhesion_of_set(inputs, sampled_scans, settings.seed, set_number)
+    edges = edges_of_set(
         inputs.masters, settings.realizations, settings.tolerance, sampling, set_number
     )
     return {
-        "topography": set_topography(inputs, sampled_scans, settings.confidence),
+        "topography": topography_of_set(inputs, sampled_scans, settings.confidence),
         "adhesion": adhesion,
         "fit": fit_published(
             adhesion,
