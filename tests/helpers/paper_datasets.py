@@ -172,8 +172,8 @@ def features() -> xr.Dataset:
     forces = np.array([[8e-6, 20e-6], [30e-6, 40e-6], [20e-6, 25e-6]])
     return xr.Dataset(
         {
-            "mean_force": (axes, forces),
-            "median_force": (axes, 0.2 * forces),
+            "mean_force_at_pair": (axes, forces),
+            "median_force_at_pair": (axes, 0.2 * forces),
             "log_force_std": (axes, [[1.8, 2.0], [0.2, 0.3], [0.4, 0.4]]),
             "agrees": (axes, [[1.0, 0.0], [0.0, 0.0], [0.0, 0.0]]),
         },

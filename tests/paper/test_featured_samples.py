@@ -67,8 +67,8 @@ def test_the_comparison_has_the_forces_at_the_published_pair(samples):
     factor = xr.DataArray([0.5, 0.5], {"rho": [1.0, 5.6]})
     comparison = compare_with_published(plastic, factor, measured, "uncd")
     sample = comparison.sel(features="pits", sample=1)
-    assert sample["mean_force"].item() == pytest.approx(forces.mean().item())
-    assert sample["median_force"].item() == pytest.approx(forces.median().item())
+    assert sample["mean_force_at_pair"].item() == pytest.approx(forces.mean().item())
+    assert sample["median_force_at_pair"].item() == pytest.approx(forces.median().item())
     assert sample["log_force_std"].item() == pytest.approx(np.log(forces).std().item())
     assert sample["agrees"] == 1
     halved = measured._replace(forces=measured.forces * [1.2, 1])

@@ -36,7 +36,7 @@ from hardcontact.surfaces.roughness_table import measured_metrics
 MAX_FORCE_FACTOR = 2.0
 #: Statistics of forces on a sample, with their units.
 SAMPLE_STATISTICS = {
-    "mean_force": NEWTON, "median_force": NEWTON, "log_force_std": DIMENSIONLESS,
+    "mean_force_at_pair": NEWTON, "median_force_at_pair": NEWTON, "log_force_std": DIMENSIONLESS,
     "agrees": DIMENSIONLESS,
 }  # fmt: skip
 

@@ -26,8 +26,8 @@ def draw(features: xr.Dataset, published_pull_off: pd.DataFrame) -> Figure:
     median_axes, scatter_axes = figure.subplots(1, 2)
     for kind, look in KIND_LOOKS.items():
         samples = features.sel(features=kind)
-        mean = samples["mean_force"] / style.MICRONEWTON
-        median_axes.scatter(mean, samples["median_force"] / style.MICRONEWTON, s=14, **look)
+        mean = samples["mean_force_at_pair"] / style.MICRONEWTON
+        median_axes.scatter(mean, samples["median_force_at_pair"] / style.MICRONEWTON, s=14, **look)
         scatter_axes.scatter(mean, samples["log_force_std"], s=14, **look)
     measured = published_pull_off.reindex([features.attrs["surface"]]).iloc[0]
     mean, median = (measured[name] / style.MICRONEWTON for name in ("mean_force", "median_force"))
@@ -52,6 +52,6 @@ def draw(features: xr.Dataset, published_pull_off: pd.DataFrame) -> Figure:
 
 def _draw_equality(axes: Axes, features: xr.Dataset, published_mean: float) -> None:
     """Draw the line on which the median is the mean."""
-    means = features["mean_force"].values / style.MICRONEWTON
+    means = features["mean_force_at_pair"].values / style.MICRONEWTON
     ends = [np.nanmin(means, initial=published_mean), np.nanmax(means, initial=published_mean)]
     axes.plot(ends, ends, zorder=0, **EQUALITY_LOOK)

@@ -46,7 +46,7 @@ EDGE_SIDES = {
 #: Parameters that are fitted to the forces of each set of scans, with units.
 PAIR_UNITS = {"range_of_adhesion": "nm", "work_of_adhesion": "J/m2"}
 #: Statistics of the forces on surfaces with features, with units.
-FORCE_UNITS = {"mean_force": "N", "median_force": "N", "log_force_std": "1"}
+FORCE_UNITS = {"mean_force_at_pair": "N", "median_force_at_pair": "N", "log_force_std": "1"}
 #: Part of the roughness whose force says whether the published band is sufficient.
 BAND_ALONE = {"band": "published", "band_part": "only the band"}
 #: Sizes in the study that the paper also prints, with units.
@@ -236,9 +236,9 @@ def _fit_samples(datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame) ->
     sets = datasets["sets"].sel(contact_model=PLASTIC)
     without_decisive = sets.sel(left_out=_decisive_surface(datasets["sets"]))
     for name in PAIR_UNITS:
-        yield _median("all_surfaces", name, sets[name].values, confidence)
+        yield _median(f"all_surfaces_{name}", PAIR_UNITS[name], sets[name].values, confidence)
         sample = without_decisive[WITHOUT_SURFACE[name]].values
-        yield _median("without_decisive", name, sample, confidence)
+        yield _median(f"without_decisive_{name}", PAIR_UNITS[name], sample, confidence)
         yield Number(f"{name}_scatter", float(sets[name].std(ddof=1)), PAIR_UNITS[name])
         uncertainty = constants["uncertainty"][name]
         yield Number(f"{name}_uncertainty", uncertainty, PAIR_UNITS[name], source="published")
@@ -250,18 +250,19 @@ def _feature_numbers(features: xr.Dataset, confidence: float) -> Iterator[Number
         return
     for kind, samples in features.groupby("features"):
         yield Number(f"{kind}_samples_that_agree", samples["agrees"].mean().item())
-        for name in FORCE_UNITS:
-            yield _median(str(kind), name, samples[name].values.ravel(), confidence)
-    for name, unit in FORCE_UNITS.items():
-        published_value = features.attrs[f"published_{name}"]
-        yield Number(f"featured_{name}_published", published_value, unit, source="published")
+        for variable, unit in FORCE_UNITS.items():
+            name = f"{kind}_{variable.removesuffix('_at_pair')}"
+            yield _median(name, unit, samples[variable].values.ravel(), confidence)
+    for variable, unit in FORCE_UNITS.items():
+        name = variable.removesuffix("_at_pair")
+        value = features.attrs[f"published_{name}"]
+        yield Number(f"featured_{name}_published", value, unit, source="published")
 
 
-def _median(prefix: str, name: str, sample: np.ndarray, confidence: float) -> Number:
+def _median(name: str, unit: str, sample: np.ndarray, confidence: float) -> Number:
     """Return the median over sets or samples of a number, with the interval of the claims."""
     ends = percentile_interval(sample, confidence)
-    unit = (PAIR_UNITS | FORCE_UNITS)[name]
-    return Number(f"{prefix}_{name}", np.quantile(sample, 0.5), unit, *ends)
+    return Number(name, np.quantile(sample, 0.5), unit, *ends)
 
 
 def _settings(datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame) -> Iterator[Number]:

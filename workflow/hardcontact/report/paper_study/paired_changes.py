@@ -103,7 +103,7 @@ def _set_numbers(study: Mapping[str, xr.Dataset]) -> dict[tuple[str, str], xr.Da
         for surface in sets["surface"].values
     }
     forces = {
-        ("", f"{kind}_{name}"): study["features"][name].sel(features=kind)
+        ("", f"{kind}_{name.removesuffix('_at_pair')}"): study["features"][name].sel(features=kind)
         for kind in study["features"]["features"].values
         for name in FORCE_UNITS
     }
