@@ -160,7 +160,7 @@ def check_refusal(line, scan, settings):
         ), line
 
 
-@settings(max_examples=60, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck))
+@settings(max_examples=40, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck))
 @given(
     scans(),
     st.builds(

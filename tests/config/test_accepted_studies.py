@@ -170,7 +170,7 @@ def check_masters(config, rng, stitched, sphere, section, side):
 
 
 #: Studies that are computed.
-EXAMPLES = 8
+EXAMPLES = 5
 
 
 def test_every_accepted_study_can_be_computed(project_folder):

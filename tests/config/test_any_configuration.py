@@ -24,7 +24,7 @@ MESSAGE = re.compile(r"config key [^:]+: expected .+ found .+|\S+: .*expected .+
 #: Plain runs of pytest are short; the marker asks for more.
 #: The same examples in every run.
 SETTINGS = settings(
-    max_examples=60,
+    max_examples=30,
     deadline=None,
     derandomize=True,
     suppress_health_check=[

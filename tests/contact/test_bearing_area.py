@@ -11,7 +11,7 @@ from hardcontact.contact.geometry import gap_map, part_around_lowest
 
 
 @pytest.mark.parametrize("case", CASES)
-@pytest.mark.parametrize("contact_pixel_count", [1, 9, 4097, 9000])
+@pytest.mark.parametrize("contact_pixel_count", [1, 9000])
 @pytest.mark.parametrize("rough", [False, True])
 def test_contact_pixels_equal_those_of_the_whole_window(case, contact_pixel_count, rough):
     pixels, pixel_size, rms, period, window = case

@@ -141,7 +141,7 @@ def test_every_damaged_file_is_read_or_refused_in_clear_lines(tmp_path, kind):
     (tmp_path / "whole").mkdir()
     files = files_of(tmp_path / "whole")
     rng, refusals = random.Random(2026), 0
-    for number in range(40):
+    for number in range(20):
         name = rng.choice(sorted(files))
         path = tmp_path / f"{number}-{name}"
         path.write_bytes(mutated(files[name], rng))

@@ -177,7 +177,7 @@ def test_repeated_tests_are_recognised_and_independent_ones_are_not():
     assert looks(forces.ravel()) and looks(forces.T.ravel())  # blocks, and rounds
     assert looks(np.repeat([3.0, 1.0, 2.0], 2))
     rng = np.random.default_rng(2)
-    independent = [np.exp(0.6 * rng.standard_normal(n)) for n in (3, 5, 10, 40, 200) * 100]
+    independent = [np.exp(0.6 * rng.standard_normal(n)) for n in (3, 5, 10, 40, 200) * 40]
     assert sum(map(looks, independent)) <= 3  # a chance of 0.001 each
 
 

@@ -29,7 +29,7 @@ def test_two_powers_determine_range_and_work():
 
 
 def test_an_even_error_of_the_draws_adds_to_that_of_the_forces():
-    log_range, _ = sample([1.0, -1.0], [3.0, 1.0], [0.1, 0.1], draws=4000, scatter=0.3)
+    log_range, _ = sample([1.0, -1.0], [3.0, 1.0], [0.1, 0.1], draws=1000, scatter=0.3)
     assert log_range.std() == pytest.approx(np.sqrt(2 * (0.1**2 + 0.3**2)) / 2, rel=0.05)
 
 

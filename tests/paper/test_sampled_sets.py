@@ -22,7 +22,7 @@ from hardcontact.surfaces.metrics import TABLE1_METRICS
 
 SETTINGS = SetSettings(
     seed=1,
-    set_count=3,
+    set_count=2,
     realizations=5,
     reference_surface="uncd",
     tolerance=0.1,
@@ -41,7 +41,7 @@ def sets():
 def test_numbers_are_those_of_each_set(sets):
     inputs = make_inputs()
     models = ["rigid", "plastic"]
-    for number in (1, 3):
+    for number in (1, 2):
         numbers = sets["value"].sel(set=number)
         sampled_scans = sample_set_scans(inputs, 1, number)
         adhesion = adhesion_of_set(inputs, sampled_scans, 1, number)
@@ -126,7 +126,7 @@ def test_forces_on_measured_scans_change_by_one_factor_per_range():
 
 def test_masters_are_sampled_again_for_every_set_and_surface():
     masters = make_masters().isel(surface=slice(2))
-    bands = [edges_of_set(masters, 5, 0.1, NO_SAMPLES, n) for n in range(100)]
+    bands = [edges_of_set(masters, 5, 0.1, NO_SAMPLES, n) for n in range(60)]
     ratio = np.array([band["filtered_force_ratio"].values for band in bands])
     mean = (
         masters["filtered_force_ratio"].mean("realization").transpose("side", "surface", ...).values
@@ -135,6 +135,6 @@ def test_masters_are_sampled_again_for_every_set_and_surface():
         masters["filtered_force_ratio"].std("realization").transpose("side", "surface", ...).values
     )
     error = deviation / np.sqrt(5)
-    np.testing.assert_allclose(ratio.std(axis=0), error, rtol=0.24)
-    assert (np.abs(ratio.mean(axis=0) - mean) < 4 * error / np.sqrt(100))[~np.isnan(mean)].all()
+    np.testing.assert_allclose(ratio.std(axis=0), error, rtol=0.3)
+    assert (np.abs(ratio.mean(axis=0) - mean) < 4 * error / np.sqrt(60))[~np.isnan(mean)].all()
     assert abs(np.corrcoef(ratio[:, 0, 0, 0], ratio[:, 0, 1, 0])[0, 1]) < 0.2

@@ -111,7 +111,6 @@ def test_a_job_that_is_killed_leaves_no_record_of_an_earlier_file(snakemake):
 @pytest.mark.parametrize(
     ("block", "path", "code", "message"),
     [
-        ("pass", "a.log", 0, ""),
         ("raise ValueError('a\\n b')", "a.log", 1, "error: a b (see a.log)\n"),
         ("raise KeyboardInterrupt", "a.log", 130, ""),
         ("pass", "none/a.log", 1, "error: [Errno 2] No such file or directory: 'none/a.log'\n"),

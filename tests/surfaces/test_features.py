@@ -57,9 +57,9 @@ def test_a_feature_is_a_gaussian_of_its_height_and_width(periodic):
     np.testing.assert_allclose(heights, -20 * np.exp(-distance / (2 * 60.0**2)), atol=1e-9)
 
 
-@pytest.mark.parametrize(("density", "width"), [(0.3, 50.0), (2.0, 120.0)])
-def test_mean_and_variance_of_squares_follow_campbells_theorem(density, width):
+def test_mean_and_variance_of_squares_follow_campbells_theorem():
     """The variance of the mean square height has a term of pairs: twice the squared covariance."""
+    density, width = 2.0, 120.0
     features = Features(density, 30.0, width, 1.0, ())
     rng = np.random.default_rng(1)
     mean_count = density * (SIZE / 1e3) ** 2
@@ -85,15 +85,6 @@ def test_sampled_features_have_the_published_statistics(sign, scans):
         if scans > 1:
             ratios = rms_values.std(axis=0, ddof=1)[:2] / POLISHED.deviations[:2]
             assert (np.abs(ratios - 1) <= 1 / np.sqrt(8)).all()
-
-
-def test_scans_have_the_expected_statistics():
-    features = Features(0.5, 25.0, 90.0, 0.0, (1, 3, 6))
-    expected = expected_rms_of(features) ** 2
-    rng = np.random.default_rng(5)
-    for count, expected_squares in zip(features.counts, expected, strict=True):
-        values = [squares(add_features(rng, FLAT, features, count)) for _ in range(200)]
-        np.testing.assert_allclose(np.mean(values, axis=0), expected_squares, rtol=0.1)
 
 
 def test_deviations_are_in_standard_errors():
