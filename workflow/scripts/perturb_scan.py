@@ -4,8 +4,9 @@ import xarray as xr
 
 from hardcontact.base.dataset import read
 from hardcontact.contact.contact import Contact
+from hardcontact.contact.pull_off import make_force_function
 from hardcontact.inference.hindcast import RandomBody, hindcast_forces, last_octaves
-from hardcontact.inference.octaves import make_force_function, octave_force_dataset, octave_limits
+from hardcontact.inference.octaves import octave_force_dataset, octave_limits
 from hardcontact.inference.wide_pixels import pixel_forces
 from hardcontact.records.job import run_job
 from hardcontact.surfaces.height_map import read_height_map
