@@ -7,6 +7,7 @@ from hardcontact.base import published
 from hardcontact.paper.classical_models import ElasticSphere, Roughness
 from hardcontact.paper.evaluation import read_statements
 from hardcontact.surfaces.features import ScanStatistics
+from hardcontact.theory.validity import RUBY_ON_DIAMOND_MODULUS
 
 SUBSTRATES = ["polished_uncd", "uncd", "ncd", "mcd"]
 LABELS = ["polished UNCD", "UNCD", "NCD", "MCD"]
@@ -24,7 +25,7 @@ TABLE1 = {
 }
 #: The sphere (nm), the range of Maugis' model (nm) and the work of adhesion (J/m²).
 RADIUS, SPACING, WORK = 250e3, 0.3, 0.0463
-MODULUS = published.RUBY_ON_DIAMOND_MODULUS
+MODULUS = RUBY_ON_DIAMOND_MODULUS
 SPHERE = ElasticSphere(RADIUS, MODULUS, SPACING)
 AFM, UNCERTAINTY = (
     Roughness(*(np.array(TABLE1[f"afm_rms_{name}"][column]) for name in Roughness._fields))

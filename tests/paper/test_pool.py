@@ -7,7 +7,7 @@ import pytest
 from direct_sum import direct_total
 from small_pool import CONTACT, GRID, HEIGHTS, RANGES, SUBSTITUTE, pool_of, raw_scan
 
-from hardcontact.contact.force_curves import spline_weights
+from hardcontact.contact.force_interpolation import spline_weights
 from hardcontact.contact.geometry import gap_map, join_bodies
 from hardcontact.paper.pool import pool_heights
 from hardcontact.surfaces.height_map import mirror_stitch

@@ -1,6 +1,5 @@
-"""Numbers that the paper prints: tables of `resources/paper`, and constants assumed elsewhere."""
+"""Numbers that the paper prints: the tables of `resources/paper`."""
 
-import math
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -13,23 +12,6 @@ PUBLISHED_TABLES = {
     "published_pull_off": "resources/paper/pull_off.csv",
     "published_table1": "resources/paper/table1.csv",
 }
-
-#: Effective modulus in Pa of ruby on diamond, `effective_modulus` of `parameters.csv`.
-RUBY_ON_DIAMOND_MODULUS = 1 / ((1 - 0.29**2) / 365e9 + (1 - 0.22**2) / 1010e9)
-#: Hardness in Pa below which this modulus is not assumed: a tenth of the ruby's hardness. Moduli
-#: are ten to some hundred times the hardness (ceramics, metals), so bodies of this hardness may be
-#: ten times as compliant.
-SOFT_HARDNESS = 2.5e9
-#: The largest rms gradient, and half-Laplacian in 1/nm, over all scales: those of UNCD, the
-#: roughest hard surface of Table 1, with their uncertainties (1.17 + 0.28, 6.32 + 1.20). A sphere
-#: of such a curvature has the radius of an atom.
-MAX_GRADIENT = 1.45
-MAX_HALF_LAPLACIAN = 7.52
-
-
-def assumed_modulus(hardness: float) -> float:
-    """Return the effective modulus (Pa) to assume at a hardness (Pa); NaN below SOFT_HARDNESS."""
-    return RUBY_ON_DIAMOND_MODULUS if hardness >= SOFT_HARDNESS else math.nan
 
 
 def effective_modulus(constants: Mapping[Any, Any]) -> float:

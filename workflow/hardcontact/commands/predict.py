@@ -13,7 +13,6 @@ import pandas as pd
 
 from hardcontact.base.formatting import format_length, format_quantity
 from hardcontact.base.number import Number, Status, plain
-from hardcontact.base.published import assumed_modulus
 from hardcontact.commands.output import output_faults, write_output
 from hardcontact.commands.parser import CommandLine
 from hardcontact.commands.request import (
@@ -35,7 +34,12 @@ from hardcontact.scans.both_bodies import sphere_share
 from hardcontact.scans.heights import TAKE_CARE
 from hardcontact.scans.joined_spectrum import ScanSpectrum
 from hardcontact.theory.prediction import prediction
-from hardcontact.theory.validity import MAX_NEGLIGIBLE_CHANGE, tabor_number, wide_contact_message
+from hardcontact.theory.validity import (
+    MAX_NEGLIGIBLE_CHANGE,
+    assumed_modulus,
+    tabor_number,
+    wide_contact_message,
+)
 
 USAGE = Path(__file__).with_name("predict_help.txt").read_text("utf-8")
 

@@ -5,14 +5,10 @@ comes to rest t rms heights sigma above the mean plane (`theory.summits`). A sma
 shows the same summits everywhere, and the force on it is too large.
 """
 
-from collections.abc import Mapping
-
 import numpy as np
-import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 from scipy.special import erf
 
-from hardcontact.base.units import DIMENSIONLESS, NM
 from hardcontact.contact.contact import Contact
 
 #: By the size of a window relative to the search size: the smallest and the largest mean force on
@@ -41,22 +37,3 @@ def window_share(contact: Contact, rho: ArrayLike) -> NDArray[np.float64]:
     the paper). A square window of width L therefore holds the share erf(L/sqrt(8 R rho))² of it.
     """
     return np.asarray(erf(contact.window / np.sqrt(8 * contact.radius * np.asarray(rho))) ** 2)
-
-
-def add_sizes(
-    force: xr.Dataset, topography: xr.Dataset, contact: Contact, search_sizes: Mapping[str, float]
-) -> xr.Dataset:
-    """Return predicted forces (surface) with sizes of scans, window and pixels.
-
-    Sizes are in nm; ``window_share`` (rho) comes from the function of this name.
-    """
-    scans = topography[["scan_size", "pixel_size"]].sel(surface=force["surface"])
-    lengths = [search_sizes[name] for name in force["surface"].values.tolist()]
-    sizes = zip(scans["scan_size"].values.tolist(), lengths, strict=True)
-    ratios = [finite_scan_ratio(size, search_size) for size, search_size in sizes]
-    return force.assign(
-        search_size=("surface", lengths, NM),
-        finite_scan_ratio=(("surface", "bound"), ratios, DIMENSIONLESS),
-        pixel_area=("surface", scans["pixel_size"].values ** 2, {"units": "nm2"}),
-        window_share=("rho", window_share(contact, force["rho"].values), DIMENSIONLESS),
-    ).assign_attrs(window=contact.window, contact_area=contact.area)

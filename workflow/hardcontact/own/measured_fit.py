@@ -21,7 +21,7 @@ from hardcontact.base.statistics import (
     with_interval,
 )
 from hardcontact.base.units import DIMENSIONLESS, JOULE_PER_M2, NEWTON, NM
-from hardcontact.contact.force_curves import interpolate_to_ranges
+from hardcontact.contact.force_interpolation import interpolate_to_ranges
 from hardcontact.inference.fit import FIT_UNITS, best_fit, fine_ranges
 from hardcontact.inference.scan_parts import fewest_touched_patches, sampled_deviations
 from hardcontact.own.mean_forces import SurfaceForces, forces_of_surface

@@ -12,11 +12,10 @@ import xarray as xr
 from scipy import special
 
 from hardcontact.base.dataset import stack
-from hardcontact.base.published import assumed_modulus
 from hardcontact.base.statistics import bounds, widen_interval, with_interval
 from hardcontact.base.units import DIMENSIONLESS, NEWTON, NM
 from hardcontact.contact.contact import CONTACT_AXES, PLASTIC, Contact
-from hardcontact.contact.finite_scan import add_sizes
+from hardcontact.contact.finite_scan import finite_scan_ratio, window_share
 from hardcontact.contact.smooth_sphere import dmt_pull_off, limit_forces
 from hardcontact.inference.scan_parts import fewest_touched_patches, logarithmic_interval
 from hardcontact.inference.wide_pixels import pixel_factors
@@ -33,7 +32,7 @@ from hardcontact.own.mean_forces import (
 from hardcontact.surfaces.spectrum import Spectrum, spectrum_of_dataset
 from hardcontact.theory.pull_off_statistics import predict_statistics
 from hardcontact.theory.summits import search_size
-from hardcontact.theory.validity import tabor_number
+from hardcontact.theory.validity import assumed_modulus, tabor_number
 
 #: Quantiles of the forces of single contacts.
 QUANTILES = [0.05, 0.25, 0.5, 0.75, 0.95]
@@ -84,6 +83,25 @@ def force_dataset(
     force = force.merge(xr.concat(scatter, force["surface"]))
     tabor = tabor_number(contact, assumed_modulus(contact.hardness))
     return force.assign_attrs(tabor_parameter=tabor.value, bodies=tabor.status)
+
+
+def add_sizes(
+    force: xr.Dataset, topography: xr.Dataset, contact: Contact, search_sizes: Mapping[str, float]
+) -> xr.Dataset:
+    """Return predicted forces (surface) with sizes of scans, window and pixels.
+
+    Sizes are in nm; ``window_share`` (rho) comes from the function of this name.
+    """
+    scans = topography[["scan_size", "pixel_size"]].sel(surface=force["surface"])
+    lengths = [search_sizes[name] for name in force["surface"].values.tolist()]
+    sizes = zip(scans["scan_size"].values.tolist(), lengths, strict=True)
+    ratios = [finite_scan_ratio(size, search_size) for size, search_size in sizes]
+    return force.assign(
+        search_size=("surface", lengths, NM),
+        finite_scan_ratio=(("surface", "bound"), ratios, DIMENSIONLESS),
+        pixel_area=("surface", scans["pixel_size"].values ** 2, {"units": "nm2"}),
+        window_share=("rho", window_share(contact, force["rho"].values), DIMENSIONLESS),
+    ).assign_attrs(window=contact.window, contact_area=contact.area)
 
 
 def _widen_intervals(force: xr.Dataset, sensitivity: xr.Dataset, rho: float) -> xr.Dataset:

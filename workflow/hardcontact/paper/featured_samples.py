@@ -17,7 +17,7 @@ from hardcontact.base.progress import progress
 from hardcontact.base.statistics import lognormal_shape
 from hardcontact.base.units import DIMENSIONLESS, NEWTON
 from hardcontact.contact.contact import Contact
-from hardcontact.contact.force_curves import interpolate_to_ranges
+from hardcontact.contact.force_interpolation import interpolate_to_ranges
 from hardcontact.paper.pool import smooth_sphere_forces
 from hardcontact.paper.published_fit import PublishedForces
 from hardcontact.surfaces.featured_scans import (

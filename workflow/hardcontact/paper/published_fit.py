@@ -15,13 +15,7 @@ from hardcontact.base.progress import progress
 from hardcontact.base.statistics import Sampling
 from hardcontact.base.units import DIMENSIONLESS, JOULE_PER_M2, NM
 from hardcontact.contact.contact import CONTACT_AXES
-from hardcontact.contact.force_curves import (
-    force_curves,
-    force_statistics,
-    interpolate_to_range,
-    interpolate_to_ranges,
-    mean_forces,
-)
+from hardcontact.contact.force_interpolation import interpolate_to_range, interpolate_to_ranges
 from hardcontact.inference.fit import (
     FIT_UNITS,
     best_fit,
@@ -30,6 +24,7 @@ from hardcontact.inference.fit import (
     fit_work,
     mean_relative_error,
 )
+from hardcontact.paper.force_statistics import force_curves, force_statistics, mean_forces
 
 #: Labels of the pairs of range and work of adhesion.
 PAIRS = ["published", "fitted"]

@@ -17,7 +17,7 @@ from hardcontact.base.progress import progress
 from hardcontact.base.random import generator
 from hardcontact.base.statistics import Sampling, student_log_samples
 from hardcontact.base.units import DIMENSIONLESS, NEWTON
-from hardcontact.contact.force_curves import spline_weights
+from hardcontact.contact.force_interpolation import spline_weights
 from hardcontact.inference.edges import edges_with_samples
 from hardcontact.inference.fit import WITHOUT_SURFACE
 from hardcontact.paper.evaluation import claim_values

@@ -12,7 +12,6 @@ from typing import NamedTuple
 import numpy as np
 
 from hardcontact.base.arrays import Floats
-from hardcontact.base.published import MAX_GRADIENT, MAX_HALF_LAPLACIAN
 from hardcontact.scans.reliable_band import STEEPEST_SELF_AFFINE_SLOPE, ReliableBand
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.levelling import level
@@ -25,6 +24,11 @@ from hardcontact.surfaces.spectrum import (
     power_law_tail,
 )
 
+#: The largest rms gradient, and half-Laplacian in 1/nm, over all scales: those of UNCD, the
+#: roughest hard surface of Table 1, with their uncertainties (1.17 + 0.28, 6.32 + 1.20). A sphere
+#: of such a curvature has the radius of an atom.
+MAX_GRADIENT = 1.45
+MAX_HALF_LAPLACIAN = 7.52
 #: The shortest wave of a row of atoms in nm: two bonds of diamond, 0.154 nm each.
 ATOMIC_WAVELENGTH = 0.3
 #: Ratio of the longest possible roll-off wavelength to the size of the scan: a scan shows longer

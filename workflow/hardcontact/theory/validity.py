@@ -26,6 +26,12 @@ from hardcontact.theory.closed_form import ClosedForm, contact_term
 
 #: Designed surfaces, computed and predicted; resources/validation/README.md describes the columns.
 DESIGNED_SURFACES = Path(__file__).with_name("designed_surfaces.csv")
+#: Effective modulus in Pa of ruby on diamond, `effective_modulus` of `parameters.csv`.
+RUBY_ON_DIAMOND_MODULUS = 1 / ((1 - 0.29**2) / 365e9 + (1 - 0.22**2) / 1010e9)
+#: Hardness in Pa below which this modulus is not assumed: a tenth of the ruby's hardness. Moduli
+#: are ten to some hundred times the hardness (ceramics, metals), so bodies of this hardness may be
+#: ten times as compliant.
+SOFT_HARDNESS = 2.5e9
 #: Number of surfaces nearest to an input whose errors count. Another error of the same distribution
 #: lies between the smallest and the largest of n errors with the probability (n - 1)/(n + 1): 0.9.
 NEAREST_SURFACES = 19
@@ -131,6 +137,11 @@ def validated_ranges(waves: Spectrum, contact: Contact, form: ClosedForm) -> Ite
         lowest, highest = held_out_surfaces()[name].agg(["min", "max"])
         status = Status.INSIDE if lowest <= parameters[name] <= highest else Status.OUTSIDE
         yield Number(f"validated_{name}", parameters[name], unit, lowest, highest, status)
+
+
+def assumed_modulus(hardness: float) -> float:
+    """Return the effective modulus (Pa) to assume at a hardness (Pa); NaN below SOFT_HARDNESS."""
+    return RUBY_ON_DIAMOND_MODULUS if hardness >= SOFT_HARDNESS else math.nan
 
 
 def tabor_number(contact: Contact, effective_modulus: float) -> Number:
