@@ -89,3 +89,13 @@ def test_published_roughness_leaves_no_elastic_adhesion():
     assert index[0] == pytest.approx(1602, rel=1e-3) and (index > 1000).all()
     for name in ("fuller_tabor", "maugis"):
         assert (MODELS[name].force(WORK, AFM, SPHERE) < 1e-15).all()
+
+
+def test_close_packed_asperities_have_the_rms_height_of_the_models():
+    """Rms of hexagonally packed hemispheres and paraboloids, heights from their base."""
+    cell = 2 * np.sqrt(3)  # of asperities of base radius 1
+    hemisphere = quad(lambda r: 2 * np.pi * r * (1 - r**2), 0, 1)[0] / cell
+    assert hemisphere**-0.5 == pytest.approx(classical_models.HEMISPHERE_OVER_RMS)
+    assert hemisphere**-0.5 == pytest.approx(1.485, abs=5e-4)
+    paraboloid = quad(lambda r: 2 * np.pi * r * (1 - r**2) ** 2, 0, 1)[0] / cell
+    assert paraboloid**-0.5 == pytest.approx(classical_models.PEAK_OVER_RMS, rel=2e-3)

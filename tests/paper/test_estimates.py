@@ -71,3 +71,16 @@ def test_decades_are_those_between_the_smallest_and_the_largest_number():
     decades = estimates.decades(as_estimate(values, values / 10, values * 10), "surface")
     assert float(decades.value) == pytest.approx(3)
     np.testing.assert_allclose(decades.value_interval, [1, 5])
+
+
+def test_a_number_that_is_zero_in_every_scan_is_zero():
+    values = xr.DataArray([[0.0, 0.0, np.nan], [0.0, 0.1, 0.2]], dims=("surface", "scan"))
+    low, high = bounds(estimates.mean_over_scans(values, 0.95), "value")
+    np.testing.assert_array_equal([low, high], [[0.0, np.nan], [0.0, np.nan]])
+
+
+def test_a_value_of_zero_leaves_no_interval_on_logarithms():
+    values = xr.DataArray([[1.0, 0.0, 2.0], [1.0, np.nan, 2.0]], dims=("surface", "scan"))
+    mean = estimates.mean_over_scans(values, 0.95)
+    np.testing.assert_array_equal(mean.value, [1.0, 1.5])
+    assert mean.value_interval.isnull().all("bound").values.tolist() == [True, False]
