@@ -179,7 +179,7 @@ def test_maps_are_those_of_the_dataset(draw_checked, read_inputs):
 def test_histograms_hold_all_forces_and_name_the_fitted_shape(draw_checked, read_inputs):
     axes = draw_checked("fig3").axes[len(SUBSTRATES)]
     fit = read_inputs("fig3")["fit"].sel(PUBLISHED).isel(surface=0)
-    assert f"here {fit.lognormal_shape.item():.2f}" in axes.get_title(loc="left")
+    assert f"here {fit.log_force_std.item():.2f}" in axes.get_title(loc="left")
     histograms = [patch.get_data() for patch in axes.patches if isinstance(patch, StepPatch)]
     totals = [np.sum(density * np.diff(edges)) for density, edges, _ in histograms]
     assert np.allclose(totals, 1) and len(totals) == 2

@@ -411,7 +411,7 @@ def predict(
         status is ``"matters"``, use ``extrapolated_force``, ``extrapolated_short_edge`` and
         ``extrapolated_long_edge`` instead. ``extrapolated_to``, ``extrapolated_rolloff`` and
         ``extrapolated_hurst`` say how the spectrum was extrapolated.
-        ``force_ratio`` (relative to ``smooth_force``), ``force_scatter`` (standard deviation of
+        ``force_ratio`` (relative to ``smooth_force``), ``log_force_std`` (standard deviation of
         ln F), ``apex_height``, ``weibull_modulus``, ``rms_height``, ``rms_gradient``,
         ``shortest_wavelength``, ``longest_wavelength``, ``tolerance``.
         ``longest_octave_change``, ``widest_gap``, ``skewness``, ``validated_...`` : checks of

@@ -72,13 +72,13 @@ def force_curves(
 FORCE_STATISTICS = {
     "mean_force_at_pair": "N",
     "median_force_at_pair": "N",
-    "lognormal_shape": "1",
+    "log_force_std": "1",
     "lognormal_median": "N",
     "censored_fraction": "1",
 }
 
 #: Statistics of the forces on all scans together; their intervals come from the jackknife.
-JACKKNIFE_STATISTICS = ["median_force_at_pair", "lognormal_shape", "lognormal_median"]
+JACKKNIFE_STATISTICS = ["median_force_at_pair", "log_force_std", "lognormal_median"]
 
 
 def force_statistics(forces: np.ndarray, force_floor: float, sampling: Sampling) -> xr.Dataset:

@@ -80,7 +80,7 @@ def prediction(
         *inputs,
         _force_number("closed_form_force", form, point, validated),
         *extrapolated,
-        Number("force_scatter", predict_statistics(waves, contact).log_force_std),
+        Number("log_force_std", predict_statistics(waves, contact).log_force_std),
         Number("force_over_smooth", form.force / smooth_force(contact)),
         Number("apex_height", form.apex_height, "nm"),
         Number("weibull_modulus", form.weibull_modulus, status=form.regime.replace(" ", "_")),

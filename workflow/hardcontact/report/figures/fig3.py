@@ -60,7 +60,7 @@ def draw(
         _draw_linear(linear, surface_forces, lognormals[0], colour)
         _draw_logarithmic(logarithmic, surface_forces, lognormals, floor, colour)
         style.label_panel(linear, f"{letter}_1", str(surface_fit["label"].item()))
-        shape = format_with_interval(value_and_bounds(surface_fit, "lognormal_shape"), ".2f")
+        shape = format_with_interval(value_and_bounds(surface_fit, "log_force_std"), ".2f")
         title = f"published $s$ = {lognormals[0].args[0]:.2f}\nhere {shape}"
         style.label_panel(logarithmic, f"{letter}_2", title)
         for axes in (linear, logarithmic):
@@ -85,7 +85,7 @@ def _lognormals(mean: float, median: float, fit: xr.Dataset) -> tuple[Any, Any]:
 
     The published one has the published mean and median force.
     """
-    shape, centre = fit["lognormal_shape"].item(), fit["lognormal_median"].item()
+    shape, centre = fit["log_force_std"].item(), fit["lognormal_median"].item()
     return lognorm(lognormal_shape(mean, median), scale=median), lognorm(shape, scale=centre)
 
 
