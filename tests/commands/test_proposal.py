@@ -12,7 +12,7 @@ from measurements import uncd
 from refusals import assert_says, refusal
 from repository import PAPER
 
-from hardcontact.commands.contact_scans import contact_scans, search_sizes
+from hardcontact.commands.contact_scans import all_search_sizes, contact_scans
 from hardcontact.commands.inventory import Entry
 from hardcontact.commands.new import values_by_key
 from hardcontact.commands.proposal import propose
@@ -95,7 +95,7 @@ BALL = [entry(size, rms=1.0, surface="sphere") for size in (2500, 2500, 6000)]
 )  # fmt: skip
 def test_contacts_are_made_on_scans_that_hold_and_resolve_the_summits(entries, radius, size_counts):
     sphere = "sphere" if entries[-1].source.surface == "sphere" else None
-    sizes = search_sizes(entries, sphere, probe(radius))
+    sizes = all_search_sizes(entries, sphere, probe(radius))
     selected_scans, _ = contact_scans(entries, sphere, probe(radius), sizes)
     assert Counter(round(scan.size) for scan in selected_scans) == size_counts
 

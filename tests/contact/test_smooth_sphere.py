@@ -23,7 +23,7 @@ def test_ruby_on_diamond_has_the_published_numbers():
 
 def test_the_pressure_of_hertz_carries_the_load():
     contact = smooth_sphere.hertz_contact(3e-6, 5e3, 100e9)
-    carried = 2 / 3 * contact.peak_pressure * np.pi * (contact.radius * 1e-9) ** 2
+    carried = 2 / 3 * contact.peak_pressure * np.pi * (contact.contact_radius * 1e-9) ** 2
     assert carried == pytest.approx(3e-6)
 
 

@@ -5,7 +5,7 @@ from studies import PATTERNS, files, numbers
 
 from hardcontact.config.configuration import study_contact
 from hardcontact.files.chunks import Chunks
-from hardcontact.files.master_purposes import contact_grid
+from hardcontact.files.master_purposes import contact_sweep
 
 pytestmark = pytest.mark.usefixtures("project_folder")
 
@@ -33,7 +33,7 @@ def lists_of_files(*values):
     ]
     study_values = (study.contact.radius, study.contact.loading_name, study.contact.rho)
     computed_at = {
-        path: contact_grid(numbers(*values), row.purpose)
+        path: contact_sweep(numbers(*values), row.purpose)
         for row, path in zip(filtered, study.paths(PATTERNS.master_forces, filtered), strict=True)
     }
     for pattern, rows in (

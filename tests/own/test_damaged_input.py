@@ -18,7 +18,7 @@ from hardcontact.config.force_table import measured_forces
 from hardcontact.config.model import numeric_configuration
 from hardcontact.config.selected_surfaces import surface_table
 from hardcontact.config.tables import refuse_description
-from hardcontact.own.own_spectrum import own_spectrum
+from hardcontact.own.own_spectrum import read_own_spectrum
 from hardcontact.scans.reading import list_scans, read_scan
 from hardcontact.surfaces.substitute_spectra import described_rms_height
 
@@ -117,7 +117,7 @@ def read_overlay(path):
 KINDS = {
     "scan": (scans, read_scans),
     "text": (texts, lambda path: read_scan(path, "", "harmonic", "um,nm", 200.0)),
-    "spectrum": (lambda _: {"a.csv": POWER.encode()}, lambda path: own_spectrum([path])),
+    "spectrum": (lambda _: {"a.csv": POWER.encode()}, lambda path: read_own_spectrum([path])),
     "forces": (
         lambda _: {"a.csv": b"surface,value,unit\na,1,uN\nb,2.5,nN\na,3,uN\n"},
         lambda path: measured_forces(path, ["a", "b"], 250e3),

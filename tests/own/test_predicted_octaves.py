@@ -12,7 +12,7 @@ from hardcontact.commands.predict import predict, predict_arguments
 from hardcontact.contact.contact import Contact
 from hardcontact.inference.octaves import AMPLITUDE_FACTORS, STEP
 from hardcontact.own import predicted_octaves, scan_force
-from hardcontact.own.own_spectrum import OwnSpectrum, own_spectrum
+from hardcontact.own.own_spectrum import OwnSpectrum, read_own_spectrum
 from hardcontact.own.predicted_octaves import derivatives_in_closed_form, derivatives_on_scan
 from hardcontact.own.scan_window import window_on_scans
 from hardcontact.surfaces.spectrum import Spectrum
@@ -90,16 +90,16 @@ def test_a_map_has_octaves_of_its_force_sum_and_a_table_those_of_the_closed_form
     path = scan_files.scan(tmp_path / "scan.nc", heights.T, (128 * PIXEL, 128 * PIXEL))
     words = predict(predict_arguments([str(path)]))
     (line,) = [line for line in words.splitlines() if line.startswith("octaves that matter most")]
-    user_spectrum = own_spectrum([path])
-    longest, shortest = 2 * np.pi / user_spectrum.spectrum.wavevector[[0, -1]]
-    numbers = list(predicted_octaves.predicted_octaves(user_spectrum, CONTACT))
+    own_spectrum = read_own_spectrum([path])
+    longest, shortest = 2 * np.pi / own_spectrum.spectrum.wavevector[[0, -1]]
+    numbers = list(predicted_octaves.predicted_octaves(own_spectrum, CONTACT))
     octaves, derivatives = numbers[::2], [number.value for number in numbers[1::2]]
     assert sorted(derivatives, key=abs, reverse=True) == derivatives
     assert all(shortest < np.sqrt(2) * octave.value < longest for octave in octaves)
     assert {number.status for number in numbers} == {"on_scan"}
     assert f"{derivatives[0]:+.2g} %" in line and "(sum over the scan)" in line
     first = np.array([octaves[0].value])
-    (scan,) = user_spectrum.scans
+    (scan,) = own_spectrum.scans
     assert derivatives_on_scan(scan, first, CONTACT)[0] == pytest.approx(derivatives[0], rel=1e-3)
     of_table = list(
         predicted_octaves.predicted_octaves(OwnSpectrum(rough(17, 1000, 0.8, 20), ()), CONTACT)

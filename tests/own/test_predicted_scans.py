@@ -11,7 +11,7 @@ from prediction_command import numbers_of, printed
 from refusals import assert_says, refusal
 
 from hardcontact.base.random import generator
-from hardcontact.own.own_spectrum import own_spectrum
+from hardcontact.own.own_spectrum import read_own_spectrum
 from hardcontact.scans.joined_spectrum import joined_spectrum
 from hardcontact.surfaces.spectrum import spectrum_of_dataset
 from hardcontact.theory.closed_form import closed_form
@@ -31,7 +31,7 @@ def test_a_scan_is_predicted_from_its_reliable_wavelengths(kind, tmp_path, capsy
     else:
         scan_files.write_coordinates(scan_files.line(heights, size), path)
     joined_scans = joined_spectrum([measurement(heights, PIXEL)], [None])
-    spectrum = own_spectrum([path]).spectrum
+    spectrum = read_own_spectrum([path]).spectrum
     has_roughness = np.isfinite(joined_scans.joined_psd.values)
     assert spectrum.density == pytest.approx(
         joined_scans.joined_psd.values[has_roughness], rel=1e-4
@@ -72,8 +72,9 @@ def test_members_of_a_container_are_joined_or_chosen(tmp_path):
         files[path.name] = scan_files.scan(path, heights, (640.0, 640.0))
     members = [{"name": f"scan {file}", "datafile": {"original": file}} for file in files]
     path = scan_files.container(tmp_path / "twin.zip", members, files)
-    joined_members, second_member = own_spectrum([path]), own_spectrum([path], member="scan 2.nc")
-    densities = [own_spectrum([file]).spectrum.density for file in files.values()]
+    joined_members = read_own_spectrum([path])
+    second_member = read_own_spectrum([path], member="scan 2.nc")
+    densities = [read_own_spectrum([file]).spectrum.density for file in files.values()]
     assert second_member.spectrum.density == pytest.approx(densities[1])
     assert joined_members.spectrum.density == pytest.approx(
         np.sqrt(densities[0] * densities[1]), rel=0.05
@@ -94,5 +95,5 @@ def test_files_without_a_spectrum_are_refused_in_one_line(tmp_path):
         assert_says(message, "from 0.1 nm to 100 µm", "found 0", f"{name} from 200 µm (4 pixels)")
         assert message.endswith("is the unit of length right?")
         assert len(message.splitlines()) == 1, message
-    message = refusal(own_spectrum, [tmp_path / "flat.nc", tmp_path / "none.csv"])
+    message = refusal(read_own_spectrum, [tmp_path / "flat.nc", tmp_path / "none.csv"])
     assert_says(message, "none.csv: expected one table, or scans alone")

@@ -29,13 +29,13 @@ from hardcontact.config.arguments import (
 )
 from hardcontact.config.faults import raise_faults
 from hardcontact.config.model import NONE, Study
-from hardcontact.contact.contact import Contact
+from hardcontact.contact.contact import PLASTIC, Contact
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import WORK_OF_ADHESION, pull_off_dataset, wider_window_change
 from hardcontact.inference.filtered_masters import Filters, filtered_pull_off
 from hardcontact.inference.master_datasets import stack_masters
 from hardcontact.own.edges_of_scans import edges_of_curves
-from hardcontact.own.own_spectrum import own_spectrum
+from hardcontact.own.own_spectrum import read_own_spectrum
 from hardcontact.own.scan_force import add_force_on_scan
 from hardcontact.scans.defects import scan_with_defects
 from hardcontact.scans.heights import map_values, unit_in_nm
@@ -208,7 +208,7 @@ def read_spectrum(
         sphere_radius=sphere_radius,
     )
     with arguments_in_messages():
-        spectrum = own_spectrum(
+        spectrum = read_own_spectrum(
             files,
             member=member,
             tip_radius=tip_radius,
@@ -282,7 +282,7 @@ def pull_off_forces(
     bodies = join_bodies(surface, rough, contact)
     longest = replace(contact, rho=max(ranges))
     forces = pull_off_dataset(bodies, contact, ranges)
-    plastic_forces = forces["pull_off_force"].sel(contact_model=["plastic"], rho=longest.rho)
+    plastic_forces = forces["pull_off_force"].sel(contact_model=[PLASTIC], rho=longest.rho)
     forces = forces.merge(wider_window_change([bodies], longest, plastic_forces))
     force_at_work = forces.pull_off_force * (work / WORK_OF_ADHESION)
     attributes = {"units": "N", "long_name": "pull-off force"}

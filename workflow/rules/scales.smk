@@ -3,7 +3,7 @@
 from hardcontact.config.grids import master_megabytes
 from hardcontact.files.master_purposes import (
     PURPOSES,
-    contact_grid,
+    contact_sweep,
     filter_megabytes,
     filter_settings,
 )
@@ -55,7 +55,7 @@ rule filter_masters:
             generator_name=PURPOSES[w.purpose].generator_name,
             window=STUDY["contact"]["window"],
             **filter_settings(STUDY, w.purpose),
-            **contact_grid(STUDY, w.purpose),
+            **contact_sweep(STUDY, w.purpose),
         ),
     script:
         "../scripts/filter_masters.py"

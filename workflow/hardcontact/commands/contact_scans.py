@@ -36,7 +36,9 @@ MASTER_WINDOWS = 1.6
 Group = list[Entry]
 
 
-def search_sizes(entries: Sequence[Entry], sphere: str | None, probe: Contact) -> dict[str, float]:
+def all_search_sizes(
+    entries: Sequence[Entry], sphere: str | None, probe: Contact
+) -> dict[str, float]:
     """Return the search size (nm) of each surface but the sphere's, with the sphere's roughness.
 
     A contact finds its summits within the search size. The largest of a surface's scans counts.

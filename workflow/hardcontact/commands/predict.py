@@ -26,7 +26,7 @@ from hardcontact.config.faults import raise_faults, run_checks
 from hardcontact.config.model import CONTACT_QUANTITIES, NONE, Study
 from hardcontact.contact.contact import Contact
 from hardcontact.inference.wide_pixels import WIDE_PIXEL
-from hardcontact.own.own_spectrum import OwnSpectrum, own_spectrum
+from hardcontact.own.own_spectrum import OwnSpectrum, read_own_spectrum
 from hardcontact.own.predicted_octaves import predicted_octaves
 from hardcontact.own.rough_sphere import combined_spectrum
 from hardcontact.own.scan_force import add_force_on_scan
@@ -115,7 +115,7 @@ def _spectrum_readers(
 ) -> list[Callable[[], OwnSpectrum]]:
     """Return the functions that read the spectra of the surface and of a rough sphere."""
     reader = partial(
-        own_spectrum,
+        read_own_spectrum,
         tip_radius=quantities["tip"].number if "tip" in quantities else None,
         unit=arguments.unit,
         map_size=quantities["size"].number if "size" in quantities else NONE,
@@ -131,16 +131,16 @@ def _spectrum_readers(
 
 def compute_numbers(inputs: Inputs, arguments: Namespace) -> dict[str, Number]:
     """Return the numbers of a prediction by name: its quantities, forces, octaves and modulus."""
-    quantities, contact, user_spectrum, _ = inputs
-    spectrum = user_spectrum.spectrum
+    quantities, contact, own_spectrum, _ = inputs
+    spectrum = own_spectrum.spectrum
     numbers = {name: _quantity_number(name, quantities[name]) for name in CONTACT_QUANTITIES}
     study = Study()
     predicted_numbers = prediction(spectrum, contact, study.scales.tolerance, arguments.file)
     confidence = study.inference.confidence
     numbers |= add_force_on_scan(
-        predicted_numbers, user_spectrum.scans, contact, confidence, user_spectrum.bodies
+        predicted_numbers, own_spectrum.scans, contact, confidence, own_spectrum.bodies
     )
-    numbers |= {number.name: number for number in predicted_octaves(user_spectrum, contact)}
+    numbers |= {number.name: number for number in predicted_octaves(own_spectrum, contact)}
     if arguments.sphere and isinstance(spectrum, ScanSpectrum) and "octave_1" in numbers:
         middle = math.sqrt(2) * numbers["octave_1"].value
         share = sphere_share(spectrum.joined, middle)

@@ -10,10 +10,10 @@ import numpy as np
 from hardcontact.base.formatting import format_length
 from hardcontact.commands.contact_scans import (
     WindowChoice,
+    all_search_sizes,
     choose_window,
     contact_scans,
     count_tiles,
-    search_sizes,
 )
 from hardcontact.commands.inventory import FILLING, Entry
 from hardcontact.commands.scan_cautions import scan_cautions
@@ -107,7 +107,7 @@ def propose(
     the range of adhesion, a longer one may be chosen. Raises ValueError, with a line for each
     surface without a height map, or if scans are too different for one study.
     """
-    sizes = search_sizes(entries, sphere, probe)
+    sizes = all_search_sizes(entries, sphere, probe)
     scans, reasons = contact_scans(entries, sphere, probe, sizes)
     substrates = [scan for scan in scans if scan.source.surface != sphere]
     coarsest = max(substrates, key=lambda scan: scan.pixel_size)

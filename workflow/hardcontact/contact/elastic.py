@@ -157,8 +157,8 @@ def adhesive_pull_off(
     if elongation > rho / 10:
         raise ValueError(f"{EXPECTED}, found bodies stretched by {elongation:.2g} nm")
 
-    def force(wall_load: float) -> float:
-        """Return the load of the wall less the attraction (nN): minus the pull on the bodies.
+    def pull(wall_load: float) -> float:
+        """Return the pull on the bodies (nN): the attraction less the load of the wall.
 
         The iteration starts from the attraction of the previous call.
         """
@@ -169,14 +169,15 @@ def adhesive_pull_off(
             # Gaps may be negative by MAX_OVERLAP.
             attraction = strength * np.exp(-np.maximum(wall.gap, 0) / rho)
             if np.abs(attraction - former_attraction).sum() < RELATIVE_RESIDUAL * attraction.sum():
-                return wall_load - float(attraction.sum())
+                return float(attraction.sum()) - wall_load
 
     step = LOAD_STEP * rigid
-    elastic = force(0.0)
+    elastic = pull(0.0)
     # A contact stiffens under its load: if the first step gains nothing, no later one does.
-    if force(step) < elastic:
-        elastic = minimize_scalar(force, bounds=(0, rigid), options={"xatol": step}).fun
-    return rigid * NEWTON_PER_NN, -elastic * NEWTON_PER_NN
+    if pull(step) > elastic:
+        best = minimize_scalar(lambda load: -pull(load), bounds=(0, rigid), options={"xatol": step})
+        elastic = -best.fun
+    return rigid * NEWTON_PER_NN, elastic * NEWTON_PER_NN
 
 
 ELASTIC_UNITS = {

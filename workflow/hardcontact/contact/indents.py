@@ -15,7 +15,7 @@ from hardcontact.base.dataset import stack
 from hardcontact.base.progress import progress
 from hardcontact.base.units import NEWTON, NM
 from hardcontact.contact.bearing_area import ContactPixels, all_contact_pixels
-from hardcontact.contact.contact import Contact
+from hardcontact.contact.contact import CONTACT_AXES, Contact
 from hardcontact.contact.geometry import Bodies, join_bodies
 from hardcontact.surfaces.height_map import HeightMap
 
@@ -106,7 +106,7 @@ def _sizes_of_bodies(bodies: Bodies, loaded_contacts: Sequence[Contact]) -> xr.D
             for index in np.ndindex(*array_shape)
         ]
     ).reshape(len(loaded_contacts), *array_shape, -1)
-    dimensions = ("preload", "contact_y", "contact_x")
+    dimensions = ("preload", *CONTACT_AXES)
     return xr.Dataset(
         {
             name: (dimensions, sizes[..., k], {"units": unit})
@@ -117,7 +117,7 @@ def _sizes_of_bodies(bodies: Bodies, loaded_contacts: Sequence[Contact]) -> xr.D
 
 def _median_contact(sizes: xr.Dataset) -> tuple[tuple[int, int], tuple[int, int]]:
     """Return scans and indices of the contact of median depth at the largest preload."""
-    dimensions = ["scan", "sphere_scan", "contact_y", "contact_x"]
+    dimensions = ["scan", "sphere_scan", *CONTACT_AXES]
     depth = sizes.depth.sel(preload=sizes.preload.max()).transpose(*dimensions).to_numpy()
     flat_index = np.argsort(depth, axis=None)[depth.size // 2]
     scan, sphere_scan, i, j = (int(index) for index in np.unravel_index(flat_index, depth.shape))

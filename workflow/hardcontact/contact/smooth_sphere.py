@@ -17,7 +17,7 @@ Values = Any
 class HertzContact(NamedTuple):
     """A smooth elastic sphere on a flat without adhesion."""
 
-    radius: float  #: In nm.
+    contact_radius: float  #: In nm.
     peak_pressure: float  #: In Pa.
     approach: float  #: In nm.
 

@@ -10,7 +10,12 @@ from typing import Any
 
 from hardcontact.base.units import path_token
 from hardcontact.config.configuration import combines_bodies, get_key
-from hardcontact.files.master_purposes import MASTERS_CHUNK, PURPOSES, contact_grid, filter_settings
+from hardcontact.files.master_purposes import (
+    MASTERS_CHUNK,
+    PURPOSES,
+    contact_sweep,
+    filter_settings,
+)
 from hardcontact.files.patterns import SCAN_KEYS, values_of_keys
 from hardcontact.files.surface_files import SurfaceFiles
 from hardcontact.records.origin import short_digest
@@ -80,10 +85,10 @@ class Chunks:
         count = get_key(self._configuration, PURPOSES[purpose].realizations_key)
         chunks = _spans(count, PURPOSES[purpose].realizations_in_job)
         digest = self._settings_digest(purpose)
-        grid_names = self._grid_names(purpose)
+        sweep_names = self._sweep_names(purpose)
         return [
             FilteredMasters(
-                purpose, digest, surface, self._probe(purpose, surface), *chunk, **grid_names
+                purpose, digest, surface, self._probe(purpose, surface), *chunk, **sweep_names
             )
             for surface in self._master_surfaces(purpose)
             for chunk in chunks
@@ -103,15 +108,14 @@ class Chunks:
         is_rough = self._configuration["scales"]["sphere_roughness"] and purpose != "exponents"
         return "rough" if is_rough else "smooth"
 
-    def _grid_names(self, purpose: str) -> dict[str, str]:
+    def _sweep_names(self, purpose: str) -> dict[str, str]:
         """Return radii, loadings and ranges of a purpose as parts of paths."""
-        grid = contact_grid(self._configuration, purpose)
+        sweep = contact_sweep(self._configuration, purpose)
+        contacts = [replace(self._files.contact, **loading) for loading in sweep["loadings"]]
         return {
-            "radii": "+".join(f"R{path_token(radius, 'um')}" for radius in grid["radii"]),
-            "loadings": "+".join(
-                replace(self._files.contact, **loading).loading_name for loading in grid["loadings"]
-            ),
-            "ranges": "+".join(f"rho{path_token(rho, 'nm')}" for rho in grid["ranges"]),
+            "radii": "+".join(f"R{path_token(radius, 'um')}" for radius in sweep["radii"]),
+            "loadings": "+".join(contact.loading_name for contact in contacts),
+            "ranges": "+".join(f"rho{path_token(rho, 'nm')}" for rho in sweep["ranges"]),
         }
 
     def _settings_digest(self, purpose: str) -> str:

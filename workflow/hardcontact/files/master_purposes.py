@@ -50,7 +50,7 @@ PURPOSES = {
 }
 
 
-def contact_grid(configuration: Mapping[str, Any], purpose: str) -> dict[str, list[Any]]:
+def contact_sweep(configuration: Mapping[str, Any], purpose: str) -> dict[str, list[Any]]:
     """Return radii (nm), loadings (N, Pa) and ranges (nm) at which forces on masters are computed.
 
     ``"exponents"`` varies radius and preload, ``"enhancement"`` plasticity and range.

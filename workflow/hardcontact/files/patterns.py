@@ -113,14 +113,14 @@ class Patterns:
         # A spectrum sampled within the uncertainty of the measurements.
         self.sampled_spectrum = f"{folder['sampled_spectra']}/{_REALIZATION}.nc"
         # Forces at lists of radii, loadings and ranges; settings_digest: `Chunks._settings_digest`.
-        grid = f"{{settings_digest}}/{{radii}}/{{loadings}}/{{ranges}}/{_SURFACE}"
+        sweep = f"{{settings_digest}}/{{radii}}/{{loadings}}/{{ranges}}/{_SURFACE}"
         realizations = "realizations-{first}-{last}-{probe}-sphere"
         # The roughness of both bodies.
         both = f"{folder['both_bodies']}/{rough_sphere}"
         self.combined_scan = f"{both}/{_SURFACE}/scan-{{scan}}.nc"
         self.combined_spectrum = f"{both}/{_SURFACE}/spectrum.nc"
         self.combined_sampled_spectrum = f"{both}/{_REALIZATION}.nc"
-        self.master_forces = f"{store}/filtered/{{purpose}}/{grid}/{realizations}.nc"
+        self.master_forces = f"{store}/filtered/{{purpose}}/{sweep}/{realizations}.nc"
 
     def dataset(self, name: str) -> str:
         """Return the path of a final dataset."""

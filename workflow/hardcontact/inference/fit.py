@@ -16,7 +16,7 @@ from hardcontact.contact.force_interpolation import interpolate_to_ranges
 #: between 0.05 and 40 nm are 0.8 %, far below the interval of a fitted range.
 RANGE_COUNT = 801
 #: Variables of the best fit, with their units.
-FIT_UNITS = {
+FIT_ATTRS = {
     "range_of_adhesion": NM,
     "work_of_adhesion": JOULE_PER_M2,
     "best_error": DIMENSIONLESS,
@@ -111,7 +111,7 @@ def fit_mean_forces(mean_forces: xr.DataArray, measured_forces: pd.Series) -> xr
     curves = interpolate_to_ranges(forces.values, forces["rho"].values, ranges)
     fit = best_fit(curves, targets.to_numpy(), ranges)
     return xr.Dataset(
-        {name: (dimensions, fit[name], attributes) for name, attributes in FIT_UNITS.items()},
+        {name: (dimensions, fit[name], attributes) for name, attributes in FIT_ATTRS.items()},
         {dim: forces[dim] for dim in dimensions},
     )
 

@@ -159,14 +159,14 @@ def _correlation_of_quarters(size: float, weight_deviation: float) -> np.ndarray
 
 
 def delete_one_logarithms(
-    scan_parts: ScanParts, maps: str, statistic: Callable[[xr.DataArray], xr.DataArray]
+    scan_parts: ScanParts, map_dimension: str, statistic: Callable[[xr.DataArray], xr.DataArray]
 ) -> np.ndarray:
     """Return the logarithms (part, ...) of a statistic over all parts except one.
 
-    The statistic (...) is a function of the mask (maps, contact_y, contact_x) of kept contacts;
-    `maps` names the first dimension.
+    The statistic (...) is a function of the mask (map, contact_y, contact_x) of kept contacts;
+    `map_dimension` is the name of the first dimension.
     """
-    part_of_contact = xr.DataArray(scan_parts.part_of_contact, dims=(maps, *CONTACT_AXES))
+    part_of_contact = xr.DataArray(scan_parts.part_of_contact, dims=(map_dimension, *CONTACT_AXES))
     part_count = len(scan_parts.correlation)
     statistics = [statistic(part_of_contact != part).values for part in range(part_count)]
     return np.asarray(np.log(statistics))

@@ -147,7 +147,7 @@ def summarize_masters(
 def half_width_over_masters(
     master_forces: MasterForces,
     statistic: Callable[[xr.DataArray, xr.DataArray], xr.DataArray],
-    shift: str,
+    shift_name: str,
     confidence: float,
 ) -> np.ndarray:
     """Return the half width (...) of the interval of the logarithm of a mean over masters.
@@ -155,7 +155,8 @@ def half_width_over_masters(
     The statistic (realization, ...) takes the mean forces with and without a filter. Sources of
     variance: (1) the jackknife over parts of scans; (2) if the parts are quarters, which share
     their realizations, the variance of the mean over realizations; (3) if spectra were sampled, the
-    mean square of `shift`, because another spectrum moves all realizations at once.
+    mean square of the variable
+    `shift_name`, because another spectrum moves all realizations at once.
     """
 
     def contact_statistic(kept_contacts: xr.DataArray) -> xr.DataArray:
@@ -176,7 +177,7 @@ def half_width_over_masters(
     if master_forces.scan_parts.are_quarters and count > 1:
         logarithms = np.log(contact_statistic(xr.DataArray(True)).values)
         variances.append(Variance(logarithms.var(axis=0, ddof=1) / count, count - 1))
-    shifts = master_forces.forces.get(shift)
+    shifts = master_forces.forces.get(shift_name)
     if shifts is not None and shifts.notnull().any():
         variances.append(Variance((shifts**2).mean("realization").values, count))
     return half_width(variances, confidence)

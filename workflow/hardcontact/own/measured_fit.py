@@ -22,7 +22,7 @@ from hardcontact.base.statistics import (
 )
 from hardcontact.base.units import DIMENSIONLESS, JOULE_PER_M2, NEWTON, NM
 from hardcontact.contact.force_interpolation import interpolate_to_ranges
-from hardcontact.inference.fit import FIT_UNITS, best_fit, fine_ranges
+from hardcontact.inference.fit import FIT_ATTRS, best_fit, fine_ranges
 from hardcontact.inference.scan_parts import fewest_touched_patches, sampled_deviations
 from hardcontact.own.mean_forces import SurfaceForces, forces_of_surface
 from hardcontact.own.measured_tests import look_repeated, measured_tests, sampled_means
@@ -196,7 +196,7 @@ def _best_pair(
         exact_pairs = int(np.count_nonzero(np.diff(second_work > first_work)))
     if exact_pairs:
         fit["best_error"] = np.array(np.nan)
-    variables = {name: ((), fit[name], attributes) for name, attributes in FIT_UNITS.items()}
+    variables = {name: ((), fit[name], attributes) for name, attributes in FIT_ATTRS.items()}
     return variables | {"exact_pairs": ((), exact_pairs, DIMENSIONLESS)}
 
 

@@ -69,7 +69,7 @@ class OwnSpectrum(NamedTuple):
     bodies: tuple[HeightMap, ...] = ()
 
 
-def own_spectrum(
+def read_own_spectrum(
     files: Sequence[str | Path],
     *,
     member: str = "",

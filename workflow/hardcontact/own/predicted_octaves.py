@@ -25,16 +25,16 @@ from hardcontact.theory.closed_form import closed_form
 from hardcontact.theory.prediction import trim_spectrum
 
 
-def predicted_octaves(user_spectrum: OwnSpectrum, contact: Contact) -> Iterator[Number]:
+def predicted_octaves(own_spectrum: OwnSpectrum, contact: Contact) -> Iterator[Number]:
     """Yield the octaves that matter most to the force, if the user's files show their middles.
 
     They have the status ON_SCAN if a single map permits contacts, otherwise IN_CLOSED_FORM.
     The closed form takes Gaussian heights, and yields none for scans with steep sidewalls.
     """
-    spectrum = trim_spectrum(user_spectrum.spectrum)
+    spectrum = trim_spectrum(own_spectrum.spectrum)
     longest, shortest = 2 * np.pi / spectrum.wavevector[[0, -1]]
     octaves = OCTAVE_LIMITS[middles_within(OCTAVE_LIMITS, shortest, longest)]
-    scans = user_spectrum.scans
+    scans = own_spectrum.scans
     obstacle, _ = obstacle_to_force(scans, contact, len(AMPLITUDE_FACTORS) * len(octaves))
     if len(octaves) and not obstacle:
         derivatives = derivatives_on_scan(scans[0], octaves, contact)

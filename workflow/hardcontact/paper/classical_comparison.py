@@ -17,6 +17,7 @@ from hardcontact.base.published import effective_modulus
 from hardcontact.base.statistics import Sampling, with_interval
 from hardcontact.base.units import DIMENSIONLESS, JOULE_PER_M2, NEWTON, PASCAL
 from hardcontact.contact import smooth_sphere
+from hardcontact.contact.contact import PLASTIC
 from hardcontact.paper.classical_fits import compare_models, power_laws, sample_roughness
 from hardcontact.paper.classical_models import MODELS, ElasticSphere, Roughness
 
@@ -100,7 +101,7 @@ def _smooth_contact(sphere: ElasticSphere, constants: Mapping[Any, float]) -> xr
 
 def _forces_at_published_pair(fit: xr.Dataset) -> np.ndarray:
     """Return the mean forces of plastic contact and the ends of their intervals, (surface, 3)."""
-    plastic = fit.sel(contact_model="plastic", pair="published")
+    plastic = fit.sel(contact_model=PLASTIC, pair="published")
     interval = plastic["mean_force_at_pair_interval"].transpose("surface", "bound")
     return np.column_stack([plastic["mean_force_at_pair"].values, interval.values])
 

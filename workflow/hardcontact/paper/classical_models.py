@@ -65,8 +65,8 @@ def rumpf(work: Values, radius: Values, asperity_radius: Values, spacing: float)
     sphere 2πWR; z0 is the spacing. The asperity of the radius r stands on a plane. Rumpf, Particle
     Technology (1990). Unverified against the primary source.
     """
-    contact = asperity_radius * radius / (asperity_radius + radius)
-    return dmt_pull_off(work, contact + radius / (1 + asperity_radius / spacing) ** 2)
+    reduced_radius = asperity_radius * radius / (asperity_radius + radius)
+    return dmt_pull_off(work, reduced_radius + radius / (1 + asperity_radius / spacing) ** 2)
 
 
 def rabinovich(work: Values, roughness: Roughness, sphere: ElasticSphere) -> Values:
@@ -80,8 +80,9 @@ def rabinovich(work: Values, roughness: Roughness, sphere: ElasticSphere) -> Val
     """
     distance = 2 * np.pi * roughness.height / roughness.slope
     peak = PEAK_OVER_RMS * roughness.height
-    contact = 1 / (1 + 32 * peak * sphere.radius / distance**2)
-    return dmt_pull_off(work, sphere.radius) * (contact + 1 / (1 + peak / sphere.spacing) ** 2)
+    contact_share = 1 / (1 + 32 * peak * sphere.radius / distance**2)
+    sphere_share = 1 / (1 + peak / sphere.spacing) ** 2
+    return dmt_pull_off(work, sphere.radius) * (contact_share + sphere_share)
 
 
 def adhesion_index(work: Values, roughness: Roughness, modulus: float) -> Values:

@@ -16,7 +16,7 @@ from hardcontact.base.dataset import concatenate, stack
 from hardcontact.base.progress import progress
 from hardcontact.base.statistics import lognormal_shape
 from hardcontact.base.units import DIMENSIONLESS, NEWTON
-from hardcontact.contact.contact import Contact
+from hardcontact.contact.contact import CONTACT_AXES, Contact
 from hardcontact.contact.force_interpolation import interpolate_to_ranges
 from hardcontact.paper.pool import smooth_sphere_forces
 from hardcontact.paper.published_fit import PublishedForces
@@ -35,7 +35,7 @@ from hardcontact.surfaces.roughness_table import measured_metrics
 #: mean and for the median force, at the published range and work of adhesion.
 MAX_FORCE_FACTOR = 2.0
 #: Statistics of forces on a sample, with their units.
-SAMPLE_STATISTICS = {
+SAMPLE_ATTRS = {
     "mean_force_at_pair": NEWTON, "median_force_at_pair": NEWTON, "log_force_std": DIMENSIONLESS,
     "agrees": DIMENSIONLESS,
 }  # fmt: skip
@@ -115,7 +115,7 @@ def compare_with_published(
     kinds = []
     for kind_samples in samples.values():
         forces = kind_samples["pull_off_force"] * sphere_factor
-        forces = forces.stack(contact=("scan", "contact_y", "contact_x"))
+        forces = forces.stack(contact=("scan", *CONTACT_AXES))
         values = forces.transpose("sample", "contact", "rho").values
         pair_forces = work * interpolate_to_ranges(values, forces["rho"].values, np.array([rho]))
         statistics = _force_statistics(pair_forces[..., 0], targets)
@@ -135,14 +135,14 @@ def no_samples() -> xr.Dataset:
     """Return an empty dataset like `compare_with_published`, for a study without features."""
     empty = ("features", "sample"), np.empty((len(KINDS), 0))
     return xr.Dataset(
-        {name: (*empty, unit) for name, unit in SAMPLE_STATISTICS.items()},
+        {name: (*empty, unit) for name, unit in SAMPLE_ATTRS.items()},
         {"features": list(KINDS), "sample": np.arange(0)},
         {"surface": "", "label": "", "basis": "substitute"},
     )
 
 
 def _force_statistics(forces: Floats, targets: Mapping[Any, float]) -> dict[str, Any]:
-    """Return the SAMPLE_STATISTICS of forces (sample, contact) in N."""
+    """Return the SAMPLE_ATTRS of forces (sample, contact) in N."""
     mean = forces.mean(axis=1)
     median = np.median(forces, axis=1)
     scatter = np.log(forces).std(axis=1)
@@ -151,5 +151,5 @@ def _force_statistics(forces: Floats, targets: Mapping[Any, float]) -> dict[str,
     values = (mean, median, scatter, agrees.astype(float))
     return {
         name: ("sample", value, unit)
-        for (name, unit), value in zip(SAMPLE_STATISTICS.items(), values, strict=True)
+        for (name, unit), value in zip(SAMPLE_ATTRS.items(), values, strict=True)
     }

@@ -11,6 +11,7 @@ import numpy as np
 import xarray as xr
 from scipy import special
 
+from hardcontact.contact.contact import CONTACT_AXES, PLASTIC, RIGID
 from hardcontact.paper.estimates import (
     as_estimate,
     mean_over_contacts,
@@ -58,8 +59,8 @@ def plastic_over_rigid(adhesion: xr.Dataset) -> xr.Dataset:
     The ratio is taken scan by scan.
     """
     mean = mean_over_contacts(_forces_at_reference(adhesion["pull_off_force"], adhesion))
-    plastic = mean.sel(contact_model="plastic", drop=True)
-    rigid = mean.sel(contact_model="rigid", drop=True)
+    plastic = mean.sel(contact_model=PLASTIC, drop=True)
+    rigid = mean.sel(contact_model=RIGID, drop=True)
     return mean_over_scans(plastic / rigid, adhesion.attrs["confidence"])
 
 
@@ -137,7 +138,7 @@ def _force_statistic(adhesion: xr.Dataset, statistic: Callable[[np.ndarray], flo
     return as_estimate(
         xr.apply_ufunc(
             lambda row: statistic(row[np.isfinite(row)]),
-            forces.stack(sample=["scan", "sphere_scan", "contact_y", "contact_x"]),
+            forces.stack(sample=["scan", "sphere_scan", *CONTACT_AXES]),
             input_core_dims=[["sample"]],
             vectorize=True,
         )

@@ -69,7 +69,7 @@ def force_curves(
 
 
 #: Statistics of the forces on one surface, with their units.
-FORCE_STATISTICS = {
+STATISTIC_UNITS = {
     "mean_force_at_pair": "N",
     "median_force_at_pair": "N",
     "log_force_std": "1",
@@ -85,7 +85,7 @@ def force_statistics(forces: np.ndarray, force_floor: float, sampling: Sampling)
     """Return mean, median and censored log-normal fit of the computed forces of one surface.
 
     Forces (scan, sphere_scan, contact) are in N, censored below the floor, NaN for a missing scan.
-    Returns FORCE_STATISTICS with intervals over substrate scans: JACKKNIFE_STATISTICS by the
+    Returns STATISTIC_UNITS with intervals over substrate scans: JACKKNIFE_STATISTICS by the
     jackknife, the others by Student's t. Intervals are NaN if `sampling.sample_count` is 0.
     """
     is_finite = np.isfinite(forces)
@@ -104,7 +104,7 @@ def force_statistics(forces: np.ndarray, force_floor: float, sampling: Sampling)
         "mean_force_at_pair": float(mean.mean()),
         "censored_fraction": float(censored.mean()),
     }
-    intervals = dict.fromkeys(FORCE_STATISTICS, np.full(2, np.nan))
+    intervals = dict.fromkeys(STATISTIC_UNITS, np.full(2, np.nan))
     if sampling.sample_count:
         without_one_scan = [
             _jackknife_statistics(np.delete(finite_forces, scan, axis=0), force_floor)
@@ -116,7 +116,7 @@ def force_statistics(forces: np.ndarray, force_floor: float, sampling: Sampling)
         intervals["mean_force_at_pair"] = student_log_interval(mean, confidence, "scan").values
         intervals["censored_fraction"] = censored_interval.values
     variables: dict[str, Any] = {}
-    for name, unit in FORCE_STATISTICS.items():
+    for name, unit in STATISTIC_UNITS.items():
         variables |= with_interval(
             name, (), statistics[name], intervals[name], {"units": unit}, confidence
         )

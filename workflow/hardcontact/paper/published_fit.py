@@ -14,10 +14,10 @@ from hardcontact.base.dataset import stack
 from hardcontact.base.progress import progress
 from hardcontact.base.statistics import Sampling
 from hardcontact.base.units import DIMENSIONLESS, JOULE_PER_M2, NM
-from hardcontact.contact.contact import CONTACT_AXES
+from hardcontact.contact.contact import CONTACT_AXES, PLASTIC, RIGID
 from hardcontact.contact.force_interpolation import interpolate_to_range, interpolate_to_ranges
 from hardcontact.inference.fit import (
-    FIT_UNITS,
+    FIT_ATTRS,
     best_fit,
     fine_ranges,
     fit_without_each_surface,
@@ -35,7 +35,7 @@ MAPPED_WORKS = np.geomspace(1e-3, 10.0, 501)
 MAX_MINIMA = 3
 
 #: Fitted variables, with their units.
-FITTED_UNITS = FIT_UNITS | {"range_from_ratios": NM}
+FITTED_ATTRS = FIT_ATTRS | {"range_from_ratios": NM}
 
 #: Fitted variables with samples, by the end of the samples' name ``sampled_...``.
 SAMPLED_VARIABLES = {
@@ -102,8 +102,8 @@ def fit_published(
 
 def _model_error_ratio(models: xr.Dataset, sampling: Sampling) -> dict[str, Any]:
     """Return the smallest error of rigid contact relative to plastic contact, with an interval."""
-    rigid = models.sel(contact_model="rigid")
-    plastic = models.sel(contact_model="plastic")
+    rigid = models.sel(contact_model=RIGID)
+    plastic = models.sel(contact_model=PLASTIC)
     value = rigid["best_error"].item() / plastic["best_error"].item()
     samples = rigid["sampled_error"].values / plastic["sampled_error"].values
     return sampling.with_interval("model_error_ratio", (), value, samples, DIMENSIONLESS)
@@ -152,10 +152,10 @@ def fit_model(
     fits = _fit_curves(curves, published_forces, fitted_reference_index, ranges)
     sampled_fits = _fit_curves(curve_samples, published_forces, fitted_reference_index, ranges)
     variables: dict[str, Any] = {
-        f"sampled_{name}": ("sample", sampled_fits[variable], FITTED_UNITS[variable])
+        f"sampled_{name}": ("sample", sampled_fits[variable], FITTED_ATTRS[variable])
         for name, variable in SAMPLED_VARIABLES.items()
     }
-    for name, attributes in FITTED_UNITS.items():
+    for name, attributes in FITTED_ATTRS.items():
         variables |= sampling.with_interval(name, (), fits[name], sampled_fits[name], attributes)
     variables |= _error_variables(curves, published_forces, ranges, threshold)
     _, ratio_errors = fit_ratios(curves, published_forces, fitted_reference_index)
@@ -172,7 +172,7 @@ def fit_model(
 def _fit_curves(
     curves: np.ndarray, published_forces: np.ndarray, reference_index: int, ranges: np.ndarray
 ) -> dict[str, np.ndarray]:
-    """Return the variables (...) of FITTED_UNITS, as `best_fit` returns its variables."""
+    """Return the variables (...) of FITTED_ATTRS, as `best_fit` returns its variables."""
     fit = best_fit(curves, published_forces, ranges)
     best_index, _ = fit_ratios(curves, published_forces, reference_index)
     is_fitted = np.isfinite(fit["best_error"])

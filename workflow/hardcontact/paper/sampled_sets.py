@@ -17,6 +17,7 @@ from hardcontact.base.progress import progress
 from hardcontact.base.random import generator
 from hardcontact.base.statistics import Sampling, student_log_samples
 from hardcontact.base.units import DIMENSIONLESS, NEWTON
+from hardcontact.contact.contact import CONTACT_AXES
 from hardcontact.contact.force_interpolation import spline_weights
 from hardcontact.inference.edges import edges_with_samples
 from hardcontact.inference.fit import WITHOUT_SURFACE
@@ -81,7 +82,7 @@ def gather_inputs(
     """
     pools = concatenate(chunks, "scan", 1)
     forces = adhesion["pull_off_force"]
-    rough = forces.mean(["scan", "sphere_scan", "contact_y", "contact_x"])
+    rough = forces.mean(["scan", "sphere_scan", *CONTACT_AXES])
     factor = xr.full_like(rough, np.nan)
     smooth = adhesion["smooth_sphere_force"].mean("scan")
     for surface in sampled_substrates:
@@ -124,7 +125,7 @@ def _scale_scans(pool_scans: xr.Dataset, heights: Floats) -> xr.Dataset:
     # The spline is smooth in the root, because forces change faster at small heights.
     weights = spline_weights(np.sqrt(computed_heights), np.sqrt(heights), extrapolate=True)
     log_forces = np.einsum("na,na...->n...", weights, pool_scans["log_force"].values)
-    axes = ("scan", "contact_model", "rho", "contact_y", "contact_x")
+    axes = ("scan", "contact_model", "rho", *CONTACT_AXES)
     variables = {
         name: ("scan", pool_scans[name].values * factor, pool_scans[name].attrs)
         for name in TABLE1_METRICS.values()
