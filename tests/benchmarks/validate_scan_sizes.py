@@ -10,18 +10,14 @@ All settings are taken from the paper's study. resources/validation/README.md de
 """
 
 import argparse
-from collections.abc import Iterator, Mapping
 from concurrent.futures import ProcessPoolExecutor
-from dataclasses import dataclass, replace
-from itertools import repeat
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import xarray as xr
 
 from hardcontact.base import dataset, published
-from hardcontact.base.arrays import Floats
-from hardcontact.base.dataset import stack
 from hardcontact.base.random import generator
 from hardcontact.base.statistics import student_log_interval
 from hardcontact.contact.contact import Contact
@@ -29,9 +25,9 @@ from hardcontact.contact.geometry import join_bodies, window_pixels
 from hardcontact.contact.pull_off import FORCE_ATTRS, mean_pull_off_dataset
 from hardcontact.own.edges_of_scans import edges_of_curves
 from hardcontact.surfaces.filters import filtered_series
-from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
+from hardcontact.surfaces.height_map import mirror_stitch
 from hardcontact.surfaces.levelling import level
-from hardcontact.surfaces.spectrum import Spectrum, SpectrumFunction, spectrum_of_dataset
+from hardcontact.surfaces.spectrum import spectrum_of_dataset
 from hardcontact.surfaces.substitute_spectra import substitute_spectrum
 from hardcontact.surfaces.synthesis import cut_scan, random_surface
 
@@ -39,191 +35,98 @@ RESOURCES = Path(__file__).parents[2] / "resources"
 TABLE = RESOURCES / "validation/scan_size.nc"
 #: Substitutes whose random surfaces are cut into windows.
 SURFACES = {"polished_uncd": "polished UNCD", "uncd": "UNCD", "ncd": "NCD", "mcd": "MCD"}
-CONFIDENCE, TOLERANCE = 0.95, 0.1
-#: Range of adhesion in nm.
-RANGE = 5.6
+CONFIDENCE, TOLERANCE, SEED = 0.95, 0.1, 2021
+#: Edges (nm) of two whole surfaces, and of windows along the diagonal of the second.
+SIZES, WINDOWS, WINDOW_COUNT = [20e3, 40e3], [1250.0, 2500.0, 5000.0, 10e3], 3
+PIXEL_SIZE, REALIZATIONS = 20e3 / 1024, 7
+#: Longer waves are removed.
+CUTOFFS = [
+    300.0, 450.0, 650.0, 850.0, 1000.0, 1200.0, 1400.0, 1700.0, 2000.0, 2500.0, 3500.0, 5000.0,
+    10e3,
+]  # fmt: skip
+CONTACT = Contact(
+    radius=250e3, preload=10e-6, hardness=25e9, window=12.5e3, contacts_per_row=10, rho=5.6
+)
+#: Mirrored windows hold few peaks, so that half as many contacts per row suffice.
+WINDOW_CONTACT = replace(CONTACT, contacts_per_row=5)
 
 
-@dataclass(frozen=True)
-class Windows:
-    """Windows that are cut out of a surface, and the contacts on them; lengths in nm."""
-
-    sizes: list[float]  #: Edges of the windows.
-    per_size: int  #: Windows of every size, along the diagonal of the surface.
-    ranges: list[float]  #: Ranges of adhesion.
-    contact: Contact  #: Contacts of a smooth sphere; their range is not used.
-
-
-@dataclass(frozen=True)
-class WindowFilters:
-    """Random surfaces, the windows cut out of them, and the cutoffs; lengths in nm."""
-
-    sizes: list[float]  #: Edges of two whole surfaces; windows are cut out of the second.
-    pixel_size: float
-    realizations: int  #: Surfaces of each size.
-    cutoffs: list[float]  #: Ascending; wavelengths above are removed.
-    seed: int
-    #: At one range of adhesion, with the contacts on whole surfaces. Mirrored windows hold few
-    #: peaks, so that half as many contacts per row suffice there.
-    windows: Windows
-
-
-#: Surfaces, windows and contacts.
-FILTERS = WindowFilters(
-    sizes=[20e3, 40e3],
-    pixel_size=20e3 / 1024,
-    realizations=7,
-    cutoffs=[300.0, 450.0, 650.0, 850.0, 1000.0, 1200.0, 1400.0, 1700.0, 2000.0, 2500.0, 3500.0,
-             5000.0, 10e3],
-    seed=2021,
-    windows=Windows(
-        sizes=[1250.0, 2500.0, 5000.0, 10e3],
-        per_size=3,
-        ranges=[RANGE],
-        contact=Contact(
-            radius=250e3, preload=10e-6, hardness=25e9, window=12.5e3, contacts_per_row=10
-        ),
-    ),
-)  # fmt: skip
-
-
-def mirrored_windows(surface: HeightMap, size: float, count: int) -> Iterator[HeightMap]:
-    """Yield levelled and mirrored windows of a periodic surface, along its diagonal.
-
-    Windows have the edge `size` (nm); mirrored they are periodic over twice that size.
-    """
-    pixels = round(size / surface.pixel_size)
-    for start in np.arange(count) * (surface.pixels // count):
+def mirrored_windows(surface, size):
+    """Yield levelled windows of an edge (nm), which mirrored are periodic over twice that size."""
+    for start in np.arange(WINDOW_COUNT) * (surface.pixels // WINDOW_COUNT):
         shifted = replace(surface, heights=np.roll(surface.heights, (-start, -start), (0, 1)))
-        yield mirror_stitch(level(cut_scan(shifted, pixels)))
+        yield mirror_stitch(level(cut_scan(shifted, round(size / surface.pixel_size))))
 
 
-def mean_forces(surface: HeightMap, windows: Windows) -> Floats:
-    """Return the plastic pull-off (rho,) in N at 1 J/m² on a periodic surface, over contacts."""
-    pair = join_bodies(surface, None, windows.contact)
-    forces = mean_pull_off_dataset(pair, windows.contact, windows.ranges)["pull_off_force"]
-    return np.asarray(forces.sel(contact_model="plastic").values)
+def mean_force(surface, contact):
+    """Return the mean plastic pull-off force in N at 1 J/m² on a periodic surface."""
+    pair = join_bodies(surface, None, contact)
+    forces = mean_pull_off_dataset(pair, contact, [contact.rho])["pull_off_force"]
+    return forces.sel(contact_model="plastic").item()
 
 
-def filtered_forces(surface: HeightMap, cutoffs: list[float], windows: Windows) -> Floats:
-    """Return the mean force on a periodic surface and the ratios to it without long waves.
+def filtered_forces(surface, contact):
+    """Return the mean force and its ratios without long waves, (1 + cutoff,).
 
-    The values are (1 + cutoff,): the force in N at 1 J/m² at the first range of adhesion, then the
-    ratios at the cutoffs (nm, ascending). A cutoff above the period removes nothing, which does not
-    show that longer waves do not matter: its ratio is NaN.
+    A cutoff above the period removes nothing, which does not show that longer waves do not matter:
+    its ratio is NaN.
     """
-    limit = surface.size * (1 + 1e-12)
-    passed_cutoffs = [cutoff for cutoff in cutoffs if cutoff <= limit]
-    surfaces = filtered_series(surface, "long", [None, *passed_cutoffs], surface.pixels)
-    force, *filtered = (mean_forces(filtered_surface, windows)[0] for filtered_surface in surfaces)
-    missing_ratios = [np.nan] * (len(cutoffs) - len(passed_cutoffs))
+    cutoffs = [cutoff for cutoff in CUTOFFS if cutoff <= surface.size * (1 + 1e-12)]
+    surfaces = filtered_series(surface, "long", [None, *cutoffs], surface.pixels)
+    force, *filtered = (mean_force(filtered_surface, contact) for filtered_surface in surfaces)
+    missing_ratios = [np.nan] * (len(CUTOFFS) - len(cutoffs))
     return np.array([force, *(value / force for value in filtered), *missing_ratios])
 
 
-def filtered_window_forces(
-    name: str, spectrum: SpectrumFunction, filters: WindowFilters
-) -> xr.Dataset:
-    """Return the forces on windows and whole surfaces of a spectrum, with and without long waves.
+def realization_forces(name, spectrum, realization):
+    """Return the mean `filtered_forces` on windows of every size, then those on whole surfaces."""
+    surfaces = []
+    for size in SIZES:
+        rng = generator(SEED, name, realization, f"window edges {size:g} nm")
+        pixels = window_pixels(size, PIXEL_SIZE)
+        surfaces.append(random_surface(rng, pixels, PIXEL_SIZE, spectrum))
+    means = [
+        np.mean([filtered_forces(scan, WINDOW_CONTACT) for scan in windows], axis=0)
+        for windows in (mirrored_windows(surfaces[-1], size) for size in WINDOWS)
+    ]
+    return [*means, *(filtered_forces(surface, CONTACT) for surface in surfaces)]
 
-    The name is for random numbers, C_iso in nm⁴. Forces (realization, map_size) and the ratios at
-    the cutoffs are means over windows, those of windows before those of whole surfaces.
-    """
-    realizations = range(filters.realizations)
-    means = np.array([_realization_forces(name, spectrum, filters, k) for k in realizations])
-    window_sizes, surface_sizes = filters.windows.sizes, filters.sizes
-    nm, axes = {"units": "nm"}, ("realization", "map_size")
-    periods = [*(2 * size for size in window_sizes), *surface_sizes]
-    ratio_attributes = {
-        "units": "1",
-        "long_name": "force without longer waves, relative to the force with all waves",
-    }
-    mirrored_attributes = {
-        "units": "1",
-        "long_name": "1 for mirrored windows, 0 for whole surfaces",
-    }
-    cutoff_attributes = nm | {"long_name": "wavelength above which roughness is removed"}
+
+def surface_forces(name):
+    """Return the forces (realization, map_size) on a substitute, and the ratios at the cutoffs."""
+    rows = published.rows_of_surface(published.read_table1(RESOURCES / "paper/table1.csv"), name)
+    constants = published.read_constants(RESOURCES / "paper/parameters.csv")
+    stored_spectrum = substitute_spectrum(RESOURCES / f"spectra/{name}.csv", rows, constants)
+    spectrum = spectrum_of_dataset(stored_spectrum)
+    means = np.array([realization_forces(name, spectrum, k) for k in range(REALIZATIONS)])
+    axes = ("realization", "map_size")
+    ratio_name = "force without longer waves, relative to the force with all waves"
+    ratio_attributes = {"units": "1", "long_name": ratio_name}
     return xr.Dataset(
         {
             "pull_off_force": (axes, means[..., 0], FORCE_ATTRS),
             "filtered_force_ratio": (
-                (*axes, "cutoff_wavelength"),
-                means[..., 1:],
-                ratio_attributes,
+                (*axes, "cutoff_wavelength"), means[..., 1:], ratio_attributes
             ),
-            "period": ("map_size", periods, nm | {"long_name": "longest wave of the surface"}),
-            "mirrored": (
-                "map_size",
-                [1] * len(window_sizes) + [0] * len(surface_sizes),
-                mirrored_attributes,
-            ),
-        },
-        {
-            "map_size": (
-                "map_size",
-                [*window_sizes, *surface_sizes],
-                nm | {"long_name": "size of the mirrored windows, then of the whole surfaces"},
-            ),
-            "cutoff_wavelength": ("cutoff_wavelength", filters.cutoffs, cutoff_attributes),
-        },
-    )
+        }
+    )  # fmt: skip
 
 
-def _realization_forces(
-    name: str, spectrum: SpectrumFunction, filters: WindowFilters, realization: int
-) -> list[Floats]:
-    """Return the mean `filtered_forces` of windows of every size, then those of whole surfaces."""
-    windows, cutoffs, pixel_size = filters.windows, filters.cutoffs, filters.pixel_size
-    half_as_many = replace(
-        windows.contact, contacts_per_row=-(-windows.contact.contacts_per_row // 2)
-    )
-    fewer_contacts = replace(windows, contact=half_as_many)
-    surfaces = []
-    for size in filters.sizes:
-        rng = generator(filters.seed, name, realization, f"window edges {size:g} nm")
-        pixels = window_pixels(size, pixel_size)
-        surfaces.append(random_surface(rng, pixels, pixel_size, spectrum))
-    means = []
-    for size in windows.sizes:
-        scans = mirrored_windows(surfaces[-1], size, windows.per_size)
-        forces = [filtered_forces(scan, cutoffs, fewer_contacts) for scan in scans]
-        means.append(np.mean(forces, axis=0))
-    return [*means, *(filtered_forces(surface, cutoffs, windows) for surface in surfaces)]
-
-
-def ratio_of_means(
-    forces: xr.DataArray, reference: xr.DataArray
-) -> tuple[xr.DataArray, xr.DataArray]:
-    """Return the mean force over realizations relative to a reference, and its interval.
-
-    The interval comes from Student's t of the logarithms of the ratios of single realizations; it
-    is centred at the ratio of the means.
-    """
-    ratio = forces.mean("realization") / reference.mean("realization")
-    single = forces / reference
-    interval = student_log_interval(single, CONFIDENCE, "realization")
-    return ratio.assign_attrs(units="1"), ratio * interval / single.mean("realization")
-
-
-def window_edges(forces: Mapping[str, xr.Dataset]) -> xr.Dataset:
-    """Return the long edges of the band from windows and whole surfaces, and the forces on them.
-
-    From results of `filtered_window_forces` by surface: means over realizations with intervals,
-    and the edges of each map size, whose names begin with ``long_``.
-    """
-    windows = next(iter(forces.values()))[["period", "mirrored"]]
-    all_forces = stack(
-        {(name,): forces_on_one for name, forces_on_one in forces.items()}, ["surface"]
-    )
+def window_edges(all_forces):
+    """Return means over realizations (surface, map_size) with intervals, and the long edges."""
     ratio = all_forces["filtered_force_ratio"].mean("realization", keep_attrs=True)
     interval = student_log_interval(all_forces["filtered_force_ratio"], CONFIDENCE, "realization")
+    ratios = xr.Dataset({"filtered_force_ratio": ratio, "filtered_force_ratio_interval": interval})
+    edges = edges_of_curves(ratios.assign_coords(side="long"), TOLERANCE)
     force = all_forces["pull_off_force"]
-    relative_force, relative_interval = ratio_of_means(force, force.isel(map_size=-1, drop=True))
-    ratios = xr.Dataset(
-        {"filtered_force_ratio": ratio, "filtered_force_ratio_interval": interval}
-    ).assign_coords(side="long")
-    edges = edges_of_curves(ratios, TOLERANCE)
+    largest = force.isel(map_size=-1, drop=True)
+    relative_force = force.mean("realization") / largest.mean("realization")
+    # Student's t of the ratios of single realizations, centred at the ratio of the means.
+    single = force / largest
+    relative_interval = student_log_interval(single, CONFIDENCE, "realization")
+    relative_interval = relative_force * relative_interval / single.mean("realization")
     attributes = {"units": "1", "long_name": "force relative to that on the larger whole surface"}
-    return windows.assign({f"long_{name}": edge for name, edge in edges.items()}).assign(
+    return xr.Dataset({f"long_{name}": edge for name, edge in edges.items()}).assign(
         filtered_force_ratio=ratio,
         filtered_force_ratio_interval=interval.assign_attrs(units="1"),
         force_over_largest=relative_force.assign_attrs(attributes),
@@ -233,35 +136,46 @@ def window_edges(forces: Mapping[str, xr.Dataset]) -> xr.Dataset:
     )
 
 
-def study_spectrum(surface: str) -> Spectrum:
-    """Return the spectrum of the substitute for a surface, as the paper's study calibrates it."""
-    table1 = published.read_table1(RESOURCES / "paper/table1.csv")
-    rows = published.rows_of_surface(table1, surface)
-    constants = published.read_constants(RESOURCES / "paper/parameters.csv")
-    stored_spectrum = substitute_spectrum(RESOURCES / f"spectra/{surface}.csv", rows, constants)
-    return spectrum_of_dataset(stored_spectrum)
-
-
-def main() -> None:
-    """Compute the table from nothing."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--table", type=Path, default=TABLE)
-    parser.add_argument("--processes", type=int, default=2)
-    arguments = parser.parse_args()
-    spectra = [study_spectrum(surface) for surface in SURFACES]
-    with ProcessPoolExecutor(arguments.processes) as pool:
-        forces = pool.map(filtered_window_forces, SURFACES, spectra, repeat(FILTERS))
-        table = window_edges(dict(zip(SURFACES, forces, strict=True)))
-    table = table.assign(
+def described_table(all_forces):
+    """Return the table of the forces of all surfaces, with its coordinates and attributes."""
+    lengths = {
+        "map_size": ([*WINDOWS, *SIZES], "size of the mirrored windows, then of whole surfaces"),
+        "cutoff_wavelength": (CUTOFFS, "wavelength above which roughness is removed"),
+    }
+    coordinates = {
+        name: (name, values, {"units": "nm", "long_name": meaning})
+        for name, (values, meaning) in lengths.items()
+    }
+    mirrored = [1] * len(WINDOWS) + [0] * len(SIZES)
+    mirrored_attributes = {
+        "units": "1", "long_name": "1 for mirrored windows, 0 for whole surfaces"
+    }  # fmt: skip
+    periods = [*(2 * size for size in WINDOWS), *SIZES]
+    period_attributes = {"units": "nm", "long_name": "longest wave of the surface"}
+    table = window_edges(all_forces.assign_coords(coordinates))
+    return table.assign(
+        period=("map_size", periods, period_attributes),
+        mirrored=("map_size", mirrored, mirrored_attributes),
         label=("surface", list(SURFACES.values())),
         basis=("surface", ["substitute"] * len(SURFACES)),
     ).assign_attrs(
         title="forces and long edges on mirrored windows of random surfaces",
         history="computed by tests/benchmarks/validate_scan_sizes.py",
-        sphere_radius=FILTERS.windows.contact.radius, rho=RANGE,
+        sphere_radius=CONTACT.radius, rho=CONTACT.rho,
         tolerance=TOLERANCE, confidence=CONFIDENCE,
     )  # fmt: skip
-    dataset.write(table, arguments.table)
+
+
+def main():
+    """Compute the table from nothing."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--table", type=Path, default=TABLE)
+    parser.add_argument("--processes", type=int, default=2)
+    arguments = parser.parse_args()
+    with ProcessPoolExecutor(arguments.processes) as pool:
+        forces = zip(SURFACES, pool.map(surface_forces, SURFACES), strict=True)
+        all_forces = dataset.stack({(name,): data for name, data in forces}, ["surface"])
+    dataset.write(described_table(all_forces), arguments.table)
 
 
 if __name__ == "__main__":
