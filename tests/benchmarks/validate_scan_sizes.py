@@ -157,7 +157,7 @@ def described_table(all_forces):
         period=("map_size", periods, period_attributes),
         mirrored=("map_size", mirrored, mirrored_attributes),
         label=("surface", list(SURFACES.values())),
-        basis=("surface", ["substitute"] * len(SURFACES)),
+        source=("surface", ["substitute"] * len(SURFACES)),
     ).assign_attrs(
         title="forces and long edges on mirrored windows of random surfaces",
         history="computed by tests/benchmarks/validate_scan_sizes.py",

@@ -6,7 +6,7 @@ import xarray as xr
 from hardcontact.base.dataset import stack
 from hardcontact.contact import stacked_datasets
 
-DESCRIBED = {"labels": {"a": "A", "b": "B"}, "basis": {"a": "measured", "b": "substitute"}}
+DESCRIBED = {"labels": {"a": "A", "b": "B"}, "source": {"a": "measured", "b": "substitute"}}
 CONTACTS = ("contact_y", "contact_x")
 
 
@@ -41,5 +41,5 @@ def test_forces_of_all_pairs_are_stacked_with_nan_for_missing_pairs():
     assert forces.wider_window_change.dims == ("surface", "scan")
     np.testing.assert_array_equal(forces.wider_window_change, [[0.1, np.nan], [0.2, 0.3]])
     assert forces.label.values.tolist() == ["A", "B"]
-    assert forces.basis.values.tolist() == ["measured", "substitute"]
+    assert forces.source.values.tolist() == ["measured", "substitute"]
     assert forces.attrs["work_of_adhesion"] == 1.0

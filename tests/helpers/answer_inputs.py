@@ -43,7 +43,7 @@ def power_law(wavevector):
     return 1e-3 * rolled**-3.6
 
 
-def topography(count=1, basis="measured"):
+def topography(count=1, source="measured"):
     """Return the roughness of surfaces with SCANS scans each."""
     rng = generator()
     surfaces = SURFACES[:count]
@@ -70,7 +70,7 @@ def topography(count=1, basis="measured"):
     data["scan_size"] = "surface", np.full(count, SIZE)
     data["pixel_size"] = "surface", np.full(count, PIXEL_SIZE)
     data["label"] = "surface", LABELS[:count]
-    data["basis"] = "surface", [basis] * count
+    data["source"] = "surface", [source] * count
     return data.assign_attrs(confidence=CONFIDENCE)
 
 
@@ -319,7 +319,7 @@ def fit(count=1):
             interval_source=("surface", ["scans"] * count),
         )
         .assign(extrapolated_work(count))
-        .assign_attrs(basis="measured", confidence=CONFIDENCE, assumed_range=RANGE)
+        .assign_attrs(source="measured", confidence=CONFIDENCE, assumed_range=RANGE)
     )
 
 

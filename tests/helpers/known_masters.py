@@ -30,7 +30,7 @@ def scales(curves, spread=0.0, realizations=3, seed=0, count=4):
             "unfiltered_pull_off_force": ((*SURFACE, "contact_y", "contact_x"), unfiltered),
             "unfiltered_wavelength": (("surface", "side"), [[1.0, 10e3]] * len(curves)),
             "label": ("surface", list("AB"[: len(curves)])),
-            "basis": ("surface", ["measured"] * len(curves)),
+            "source": ("surface", ["measured"] * len(curves)),
         },
         {
             "surface": list("ab"[: len(curves)]),

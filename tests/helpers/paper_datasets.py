@@ -44,7 +44,7 @@ def topography(pixels: int = 512) -> xr.Dataset:
         {name: ("surface", values) for name, values in rms_values.items()}
         | {
             "label": ("surface", [*LABELS, "ruby"]),
-            "basis": ("surface", ["substitute"] * len(names)),
+            "source": ("surface", ["substitute"] * len(names)),
             "scan_size": ("surface", [2500.0] * len(names)),
             "table1_rows_met": ("surface", [constructed] * len(SUBSTRATES) + [""]),
             "example_heights": (("surface", "row"), np.zeros((len(names), pixels))),

@@ -61,8 +61,8 @@ def make_topography(measured_surfaces=()):
     ]
     scan_table = xr.concat(surfaces_scans, pd.Index(SURFACES, name="surface"))
     scan_table = scan_table.assign_coords(scan=range(1, SCANS + 1))
-    basis = ["measured" if name in measured_surfaces else "substitute" for name in SURFACES]
-    descriptions = {"label": SURFACES, "basis": basis, "table1_rows_met": [""] * len(SURFACES)}
+    source = ["measured" if name in measured_surfaces else "substitute" for name in SURFACES]
+    descriptions = {"label": SURFACES, "source": source, "table1_rows_met": [""] * len(SURFACES)}
     return (
         xr.merge([scan_table, scan_averages(scan_table, CONFIDENCE)])
         .assign({f"all_scales_{name}": ("surface", np.ones(len(SURFACES))) for name in METRICS})
@@ -82,7 +82,7 @@ def make_adhesion():
             "pull_off_force": (("surface", "scan", "sphere_scan", *AXES), forces, {"units": "N"}),
             "contact_pixel_count": ("contact_model", [1, 17]),
             "label": ("surface", SUBSTRATES),
-            "basis": ("surface", ["substitute"] * 4),
+            "source": ("surface", ["substitute"] * 4),
         },
         {
             "surface": SUBSTRATES,

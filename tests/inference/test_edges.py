@@ -29,7 +29,7 @@ def scales(ratios):
             ),
             "unfiltered_wavelength": (("surface", "side"), [[1.0, 20000.0]] * len(ratios)),
             "label": ("surface", [f"surface {name}" for name in surfaces]),
-            "basis": ("surface", ["measured"] * len(surfaces)),
+            "source": ("surface", ["measured"] * len(surfaces)),
         },
         {"surface": surfaces, "side": ["short", "long"], "cutoff_wavelength": CUTOFFS},
         {"sphere_radius": 0.25e6, "parameters": "those of scales"},

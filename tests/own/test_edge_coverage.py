@@ -39,7 +39,7 @@ def forces(masters, contact):
         for number, filters, master in masters
     }
     scales = stack_masters(filtered)
-    named_scales = scales.assign(label=("surface", ["A"]), basis=("surface", ["measured"]))
+    named_scales = scales.assign(label=("surface", ["A"]), source=("surface", ["measured"]))
     return named_scales.assign_attrs(rho=contact.rho, sphere_radius=contact.radius)
 
 

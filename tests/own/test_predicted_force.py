@@ -40,7 +40,7 @@ def adhesion(scans, radius=5e3, spread=0.3):
             "pull_off_force": (FORCE_DIMS, forces),
             "touched_patches": (FORCE_DIMS[:3], forces[:, :, :, 0, 0, 0, 0] * 0 + 9),
             "label": ("surface", ["A", "B"]),
-            "basis": ("surface", ["measured", "measured"]),
+            "source": ("surface", ["measured", "measured"]),
         },
         {"surface": ["a", "b"], "contact_model": ["rigid", "plastic"], "rho": RHOS},
         {"sphere_radius": radius},

@@ -18,7 +18,7 @@ def make_inference(surfaces=SUBSTRATES, forces=MEAN_FORCE):
             "mean_force_at_pair": (dims, [[forces]]),
             "mean_force_at_pair_interval": ((*dims, "bound"), [[np.outer(forces, [0.99, 1.01])]]),
             "label": ("surface", surfaces),
-            "basis": ("surface", ["measured"] * len(surfaces)),
+            "source": ("surface", ["measured"] * len(surfaces)),
         },
         {"contact_model": ["plastic"], "pair": ["published"], "surface": surfaces,
          "bound": ["low", "high"]},

@@ -25,7 +25,10 @@ def make_datasets(substitutes=(), surfaces=SURFACES):
         {
             "rms_height_mean": ("surface", [1.0, 2.0, 4.0, 0.5]),
             "rms_gradient_mean": ("surface", [0.1, 0.2, 0.4, 0.05]),
-            "basis": ("surface", ["substitute" if n in substitutes else "measured" for n in names]),
+            "source": (
+                "surface",
+                ["substitute" if n in substitutes else "measured" for n in names],
+            ),
             "table1_rows_met": ("surface", ["afm_rms_height"] * 3 + [""]),
         },
         {"surface": names},

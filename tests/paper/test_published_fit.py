@@ -94,7 +94,7 @@ def test_one_scan_is_fitted_without_interval():
 
 
 def make_adhesion(plastic):
-    names = ("label", "basis")
+    names = ("label", "source")
     return xr.Dataset(
         {"pull_off_force": xr.concat([plastic, plastic / 2], "contact_model")}
         | {name: ("surface", [f"{name} of {surface}" for surface in SUBSTRATES]) for name in names},

@@ -94,7 +94,7 @@ def test_topography_of_a_set_replaces_only_sampled_scans():
     heights = topography["rms_height_mean"].sel(surface="uncd").item()
     assert heights == pytest.approx(17.4, rel=1e-12)
     assert topography["rms_height_std"].sel(surface="uncd").item() == pytest.approx(3.48)
-    xr.testing.assert_identical(topography["basis"], study["basis"])
+    xr.testing.assert_identical(topography["source"], study["source"])
     assert topography.attrs == study.attrs
 
 

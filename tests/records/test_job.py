@@ -48,9 +48,9 @@ def snakemake(tmp_path, monkeypatch):
 
 def test_a_dataset_is_written_with_its_origin(snakemake):
     with run_job(snakemake) as job:
-        job.write(xr.Dataset({"a": ("x", [1.0])}, attrs={"basis": "measured"}), "a title", "data")
+        job.write(xr.Dataset({"a": ("x", [1.0])}, attrs={"source": "measured"}), "a title", "data")
     written = dataset.read("made/data.nc")
-    assert written.a.values.tolist() == [1.0] and written.attrs["basis"] == "measured"
+    assert written.a.values.tolist() == [1.0] and written.attrs["source"] == "measured"
     assert written.attrs["title"] == "a title" and written.attrs["Conventions"].startswith("CF-")
     assert json.loads(written.attrs["parameters"]) == PARAMETERS
     assert json.loads(written.attrs["input_digests"]).keys() == {"scan.txt", "script.py"}

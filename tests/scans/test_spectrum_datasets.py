@@ -24,7 +24,7 @@ SEGMENTS = pd.DataFrame(
 def substitute(segments=SEGMENTS):
     """Return the spectrum of a substitute."""
     return spectrum_dataset(self_affine(WAVEVECTORS, 1e9, 2000.0, 0.8)).assign_attrs(
-        basis="substitute", table1_rows_met="", segments=segments.to_csv(index=False)
+        source="substitute", table1_rows_met="", segments=segments.to_csv(index=False)
     )
 
 

@@ -12,7 +12,7 @@ RADIUS = 250e3
 
 
 def scan_of(heights, pixel_size=10.0):
-    return HeightMap(heights, pixel_size, periodic=False, basis="measured")
+    return HeightMap(heights, pixel_size, periodic=False, source="measured")
 
 
 @pytest.mark.parametrize("shape", [(64, 64), (9, 12)])

@@ -16,7 +16,7 @@ from hardcontact.surfaces.synthesis import add_sphere
 
 SETTINGS = dict(
     labels={"uncd": "UNCD", "ruby": "ruby"},
-    basis={"uncd": "measured", "ruby": "substitute"},
+    source={"uncd": "measured", "ruby": "substitute"},
     sphere_surface="ruby",
     reference_surface="uncd",
     confidence=0.9,

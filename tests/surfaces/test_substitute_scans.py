@@ -19,7 +19,7 @@ SPHERE_RADIUS = 250e3
 
 
 def test_the_apex_of_a_sphere_lies_in_the_middle_half_of_its_scan():
-    flat = HeightMap(np.zeros((64, 64)), 40.0, periodic=False, basis="substitute")
+    flat = HeightMap(np.zeros((64, 64)), 40.0, periodic=False, source="substitute")
     for k in range(20):
         scan = add_sphere(generator(k), flat, SPHERE_RADIUS)
         row, column = np.unravel_index(scan.heights.argmax(), scan.heights.shape)

@@ -49,7 +49,7 @@ def test_short_edge_master_keeps_the_scan_above_the_transition(stitched):
 
 def test_short_edge_master_adds_the_spectrum_below_and_a_plateau_above(stitched):
     # The scan's part set to zero: what is left is the added roughness alone.
-    flat = HeightMap(np.zeros_like(stitched.heights), 20.0, periodic=True, basis="measured")
+    flat = HeightMap(np.zeros_like(stitched.heights), 20.0, periodic=True, source="measured")
     masters = [short_edge_master(generator(9, k), flat, 512, 100.0, UNCD) for k in range(8)]
     power = np.mean([np.abs(np.fft.fft2(m.heights)) ** 2 for m in masters], axis=0) * (5 / 512) ** 2
     radius = radii(512, 5.0)
@@ -69,7 +69,7 @@ def test_long_edge_master_keeps_the_scan_below_the_transition(stitched):
 
 
 def test_long_edge_master_adds_the_spectrum_above_the_transition(stitched):
-    flat = HeightMap(np.zeros_like(stitched.heights), 20.0, periodic=True, basis="measured")
+    flat = HeightMap(np.zeros_like(stitched.heights), 20.0, periodic=True, source="measured")
     masters = [long_edge_master(generator(3, k), flat, 2, 500.0, UNCD) for k in range(12)]
     pixels, radius = masters[0].pixels, radii(masters[0].pixels, 20.0)
     power = np.mean([np.abs(np.fft.fft2(m.heights)) ** 2 for m in masters], axis=0)

@@ -22,10 +22,10 @@ def final(results):
 
 
 def test_substitutes_are_labelled(final, finished):
-    surfaces = {name: data for name, data in final.items() if "basis" in data}
+    surfaces = {name: data for name, data in final.items() if "source" in data}
     assert surfaces.keys() >= {"topography", "adhesion", "scales", "fit", "edges"}
     for name, data in surfaces.items():
-        assert set(data.basis.values.ravel()) <= {"substitute"}, name
+        assert set(data.source.values.ravel()) <= {"substitute"}, name
     assert set(SUBSTRATES) <= set(final["adhesion"].surface.values)
     store = finished / "results" / "store-tiny"
     maps = [path for kind in ("scans", "stitched", "masters")
@@ -33,7 +33,7 @@ def test_substitutes_are_labelled(final, finished):
     assert maps
     for path in maps:
         with xr.open_dataset(path) as data:
-            assert data.attrs["basis"] == "substitute", path
+            assert data.attrs["source"] == "substitute", path
 
 
 # The same seed, the same values
@@ -93,7 +93,7 @@ def test_a_study_may_have_an_own_scan_among_substitutes(finished_copy):
         dataset.read(folder / f"results/own/{name}.nc") for name in ("topography", "adhesion")
     )
     uncd = topography.sel(surface="uncd")
-    assert uncd.basis == "measured" and topography.basis.sel(surface="mcd") == "substitute"
+    assert uncd.source == "measured" and topography.source.sel(surface="mcd") == "substitute"
     levelled_rms = level(HeightMap(heights, 2500 / 128)).heights.std()
     np.testing.assert_allclose(uncd.rms_height, [levelled_rms, np.nan], rtol=1e-5)
     assert uncd.scan_size == pytest.approx(2500)

@@ -86,7 +86,7 @@ rule prepare_scan:
         stitched=PATTERNS.stitched,
     wildcard_constraints:
         surface=any_name_pattern(
-            name for name, basis in SELECTION.basis.items() if basis == "measured"
+            name for name, source in SELECTION.source.items() if source == "measured"
         ),
     params:
         parameters=lambda w: parameters(**FILES.levelling_settings(w.surface)),

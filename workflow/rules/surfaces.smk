@@ -21,7 +21,7 @@ from hardcontact.run import start
 
 SELECTION = start.checked_selection(workflow, STUDY)
 SPHERE = SELECTION.sphere
-NAMED_SURFACES = {"labels": SELECTION.labels, "basis": SELECTION.basis}
+NAMED_SURFACES = {"labels": SELECTION.labels, "source": SELECTION.source}
 FILES = SurfaceFiles(STUDY, SELECTION, PATTERNS)
 CHUNKS = Chunks(FILES)
 CONTACT = STUDY["contact"] | {"radius": STUDY["sphere"]["radius"]}

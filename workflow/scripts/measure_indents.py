@@ -16,6 +16,6 @@ with run_job(snakemake) as job:
         params["preloads"],
     )
     job.write(
-        indents.assign_attrs({name: params[name] for name in ("surface", "label", "basis")}),
+        indents.assign_attrs({name: params[name] for name in ("surface", "label", "source")}),
         title=f"indents left in the sphere by contacts on {params['label']}",
     )

@@ -6,7 +6,7 @@ from hardcontact.contact.geometry import read_bodies
 from hardcontact.contact.pull_off import trace_contact
 from hardcontact.records.job import run_job
 
-ATTRIBUTES = "surface", "scan", "sphere_scan", "label", "basis"
+ATTRIBUTES = "surface", "scan", "sphere_scan", "label", "source"
 
 with run_job(snakemake) as job:
     params = job.parameters

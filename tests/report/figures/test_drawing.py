@@ -10,7 +10,7 @@ from PIL import Image
 from hardcontact.report.figures import drawing
 
 SURFACES = xr.Dataset(
-    {"label": ("surface", ["UNCD", "NCD"]), "basis": ("surface", ["measured", "substitute"])}
+    {"label": ("surface", ["UNCD", "NCD"]), "source": ("surface", ["measured", "substitute"])}
 )
 
 
@@ -39,7 +39,7 @@ def test_drawing_twice_gives_the_same_bytes(tmp_path):
 def test_a_figure_names_only_the_substitutes():
     (note,) = figure().texts
     assert note.get_text().startswith("substitute surfaces: NCD (")
-    all_measured = SURFACES.assign(basis=("surface", ["measured"] * 2))
+    all_measured = SURFACES.assign(source=("surface", ["measured"] * 2))
     assert drawing.create(3, all_measured).texts[0].get_text() == "all surfaces measured"
 
 

@@ -99,7 +99,7 @@ def test_a_study_of_other_contacts_shows_both_values_and_judges_nothing():
 
 def test_only_substitutes_are_labelled_as_such(page):
     assert any("UNCD (substitute)" in row[0] for row in page.rows)
-    measured_topography = datasets()["topography"].assign(basis=("surface", ["measured"] * 5))
+    measured_topography = datasets()["topography"].assign(source=("surface", ["measured"] * 5))
     measured_page = Page(make_page(topography=measured_topography))
     assert not any("(substitute)" in text for text in measured_page.texts["main"])
 

@@ -65,7 +65,7 @@ class Selection:
 
     The rows, one a scan, come from `selected_scans`. A sphere that is not in the table is smooth.
     `surfaces` are in the order of the table; `substrates` are all surfaces except the sphere's. By
-    surface, `labels` has the name to print, `basis` has ``"measured"`` or ``"substitute"``, and
+    surface, `labels` has the name to print, `source` has ``"measured"`` or ``"substitute"``, and
     `file_digests` the digest of its files from `digest_files`.
     """
 
@@ -78,7 +78,7 @@ class Selection:
         self.surfaces: list[str] = list(rows.surface.unique())
         self.substrates = [surface for surface in self.surfaces if surface != sphere]
         self.labels: dict[str, str] = dict(zip(rows.surface, rows.label, strict=True))
-        self.basis: dict[str, str] = dict(zip(rows.surface, rows.source, strict=True))
+        self.source: dict[str, str] = dict(zip(rows.surface, rows.source, strict=True))
 
     def scans(self, surface: str) -> list[int]:
         """Return the numbers of the scans of a surface that contacts are made on."""
@@ -90,8 +90,8 @@ class Selection:
         return self.scans(self.sphere) or [NO_SCAN]
 
     def attributes(self, surface: str) -> dict[str, str]:
-        """Return the attributes of a dataset of one surface: its name, its label and its basis."""
-        return {"surface": surface, "label": self.labels[surface], "basis": self.basis[surface]}
+        """Return the attributes of a dataset of one surface: its name, its label and its source."""
+        return {"surface": surface, "label": self.labels[surface], "source": self.source[surface]}
 
     def all_scans(self, surface: str) -> list[int]:
         """Return the numbers of all scans of a surface, also those that only enter its spectrum."""
@@ -136,7 +136,7 @@ class Selection:
         return [
             surface
             for surface in self.substrates
-            if surface in published_surfaces and self.basis[surface] == "substitute"
+            if surface in published_surfaces and self.source[surface] == "substitute"
         ]
 
     def path(self, surface: str, scan: int) -> str:
@@ -145,7 +145,7 @@ class Selection:
 
     def dataset(self, surface: str, scan: int) -> str:
         """Return the dataset of a scan in its container; empty for a plain file."""
-        is_measured = self.basis[surface] == "measured"
+        is_measured = self.source[surface] == "measured"
         return str(self._cells.dataset[surface, scan]) if is_measured else ""
 
     def description(self, surface: str) -> str:

@@ -15,15 +15,15 @@ class NamedSurfaces(TypedDict):
     """Label of each surface, and whether it was measured or is a substitute."""
 
     labels: Mapping[str, str]
-    basis: Mapping[str, str]
+    source: Mapping[str, str]
 
 
 def add_names(dataset: xr.Dataset, named_surfaces: NamedSurfaces) -> xr.Dataset:
-    """Return a dataset with the label and the basis of each of its surfaces."""
+    """Return a dataset with the label and the source of each of its surfaces."""
     surfaces = dataset["surface"].values.tolist()
     return dataset.assign(
         label=("surface", [named_surfaces["labels"][surface] for surface in surfaces]),
-        basis=("surface", [named_surfaces["basis"][surface] for surface in surfaces]),
+        source=("surface", [named_surfaces["source"][surface] for surface in surfaces]),
     )
 
 

@@ -98,7 +98,7 @@ class Chunks:
         """Return the substrates with masters; only spectra of measured surfaces are sampled."""
         substrates = self._selection.substrates
         if purpose == "sampled":
-            return [name for name in substrates if self._selection.basis[name] == "measured"]
+            return [name for name in substrates if self._selection.source[name] == "measured"]
         return substrates
 
     def _probe(self, purpose: str, surface: str) -> str:

@@ -54,14 +54,14 @@ class SurfaceFiles:
 
     def spectrum_path(self, surface: str) -> str:
         """Return the path of the spectrum of a surface at all scales."""
-        is_measured = self.selection.basis[surface] == "measured"
+        is_measured = self.selection.source[surface] == "measured"
         patterns = self.patterns
         pattern = patterns.measured_spectrum if is_measured else patterns.calibrated_spectrum
         return self.path(pattern, surface)
 
     def measurement_paths(self, surface: str) -> list[str]:
         """Return the paths of all scans of a measured surface; none for a substitute."""
-        if self.selection.basis[surface] != "measured":
+        if self.selection.source[surface] != "measured":
             return []
         scans = self.selection.all_scans(surface)
         return [self.path(self.patterns.measurement, surface, scan=scan) for scan in scans]
@@ -84,8 +84,8 @@ class SurfaceFiles:
         scans = self.selection.scans
         return {
             surface: self.path(self.patterns.conditioning, surface, scan=scans(surface)[0])
-            for surface, basis in self.selection.basis.items()
-            if basis == "substitute"
+            for surface, source in self.selection.source.items()
+            if source == "substitute"
         }
 
     @property
@@ -111,7 +111,7 @@ class SurfaceFiles:
 
     def separate_scan_path(self, surface: str, realization: int) -> str:
         """Return the path of a scan of one realization only; measured scans come in turn."""
-        if self.selection.basis[surface] == "measured":
+        if self.selection.source[surface] == "measured":
             return self.realization_scan_path(surface, realization)
         return self.roughness_path(surface, self.selection.separate_scan(surface, realization))
 
@@ -130,10 +130,10 @@ class SurfaceFiles:
     @property
     def combined_surfaces(self) -> list[str]:
         """The measured substrates to which the roughness of a measured sphere is added."""
-        basis = self.selection.basis
-        if not self._combines_bodies or basis[self.selection.sphere] != "measured":
+        source = self.selection.source
+        if not self._combines_bodies or source[self.selection.sphere] != "measured":
             return []
-        return [name for name in self.selection.substrates if basis[name] == "measured"]
+        return [name for name in self.selection.substrates if source[name] == "measured"]
 
     def rough_bodies(self, surface: str, scan: int) -> list[Scan]:
         """Return the path of a substrate's scan, and of the sphere's if its roughness is added."""
@@ -227,8 +227,8 @@ class SurfaceFiles:
     @property
     def substitutes(self) -> list[str]:
         """The substitute substrates."""
-        basis = self.selection.basis
-        return [name for name in self.selection.substrates if basis[name] == "substitute"]
+        source = self.selection.source
+        return [name for name in self.selection.substrates if source[name] == "substitute"]
 
     @property
     def measured_scans(self) -> list[Scan]:

@@ -57,7 +57,7 @@ def labelled_edges(
     edges: xr.Dataset, scales: xr.Dataset, tolerance: float, confidence: float
 ) -> xr.Dataset:
     """Return edges.nc: edges with the names of the surfaces and the settings that they hold for."""
-    return edges.assign(label=scales["label"], basis=scales["basis"]).assign_attrs(
+    return edges.assign(label=scales["label"], source=scales["source"]).assign_attrs(
         tolerance=tolerance,
         confidence=confidence,
         rho=scales.attrs["rho"],

@@ -76,7 +76,7 @@ def fit_measured(
         stack(fits, ["contact_model"])
         .assign(variables)
         .assign_attrs(
-            basis="measured",
+            source="measured",
             confidence=sampling.confidence,
             sphere_radius=adhesion.attrs["sphere_radius"],
         )

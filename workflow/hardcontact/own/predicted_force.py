@@ -162,7 +162,7 @@ def forces_on_scans(
         for surface in adhesion.surface.values.tolist()
     }
     force = stack(surfaces, ["surface"])
-    return force.assign(label=adhesion.label, basis=adhesion.basis).assign_attrs(
+    return force.assign(label=adhesion.label, source=adhesion.source).assign_attrs(
         work_of_adhesion=work,
         range_of_adhesion=rho,
         confidence=confidence,

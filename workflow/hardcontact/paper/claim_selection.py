@@ -111,7 +111,7 @@ def claim_basis(claim: Any, surfaces: list[str], topography: xr.Dataset) -> str:
 
 
 def _are_substitutes(surfaces: list[str], topography: xr.Dataset) -> list[bool]:
-    return [basis == "substitute" for basis in topography["basis"].sel(surface=surfaces).values]
+    return [source == "substitute" for source in topography["source"].sel(surface=surfaces).values]
 
 
 #: Quantities of Table 1 that depend on the size of a pixel.

@@ -76,7 +76,7 @@ def apply_classical_models(
         .assign(
             model_label=("model", [model.label for model in MODELS.values()]),
             label=fit["label"],
-            basis=fit["basis"],
+            source=fit["source"],
         )
         .assign_attrs(error_threshold=fit.attrs["error_threshold"], confidence=sampling.confidence)
     )

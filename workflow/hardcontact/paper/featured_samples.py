@@ -124,7 +124,7 @@ def compare_with_published(
     shape = lognormal_shape(targets["mean_force"], targets["median_force"])
     return xr.concat(kinds, pd.Index(list(samples), name="features"), join="outer").assign_attrs(
         surface=surface,
-        basis="substitute",
+        source="substitute",
         published_mean_force=targets["mean_force"],
         published_median_force=targets["median_force"],
         published_log_force_std=float(shape),
@@ -137,7 +137,7 @@ def no_samples() -> xr.Dataset:
     return xr.Dataset(
         {name: (*empty, unit) for name, unit in SAMPLE_ATTRS.items()},
         {"features": list(KINDS), "sample": np.arange(0)},
-        {"surface": "", "label": "", "basis": "substitute"},
+        {"surface": "", "label": "", "source": "substitute"},
     )
 
 

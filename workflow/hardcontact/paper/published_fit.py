@@ -90,7 +90,7 @@ def fit_published(
     return (
         models.merge(fit_without_each_surface(models["mean_force"], published.forces.mean_force))
         .assign(_model_error_ratio(models, sampling))
-        .assign(label=adhesion.label, basis=adhesion.basis)
+        .assign(label=adhesion.label, source=adhesion.source)
         .assign_attrs(
             error_threshold=error_threshold,
             force_floor=force_floor,

@@ -176,7 +176,7 @@ def topography_of_set(
     metrics = [scans[list(TABLE1_METRICS.values())] for scans in surface_scans]
     set_scans = xr.concat(metrics, topography["surface"], join="outer")
     constant = [name for name in topography if str(name).startswith("all_scales_")]
-    labels = topography[[*constant, "label", "basis", "table1_rows_met"]]
+    labels = topography[[*constant, "label", "source", "table1_rows_met"]]
     return xr.merge(
         [labels, set_scans, scan_averages(set_scans, confidence)], combine_attrs="override"
     )
@@ -204,7 +204,7 @@ def adhesion_of_set(
             forces = scale_to_sampled_mean(study_forces, rng)
         surface_forces.append(forces)
     stacked_forces = xr.concat(surface_forces, adhesion["surface"], join="outer")
-    return adhesion[["label", "basis", "contact_pixel_count"]].assign(
+    return adhesion[["label", "source", "contact_pixel_count"]].assign(
         pull_off_force=stacked_forces.transpose(*adhesion["pull_off_force"].dims)
     )
 

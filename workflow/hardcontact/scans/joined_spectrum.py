@@ -120,7 +120,7 @@ def joined_spectrum(
         reliable,
         measurement_descriptions(measurements, spectra.radii, spectra.bands),
     ).assign_attrs(
-        basis="measured",
+        source="measured",
         table1_rows_met="",
         shortest_measured=min(band.shortest for band in used_bands),
         longest_measured=max(band.longest for band in used_bands),

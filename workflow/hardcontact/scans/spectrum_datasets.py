@@ -125,7 +125,7 @@ def convert_described_spectrum(substitute: xr.Dataset, path: str) -> xr.Dataset:
     return add_measurements(
         substitute[["spectrum"]], joined_density, psds, reliable, descriptions.to_dict("records")
     ).assign_attrs(
-        basis="substitute",
+        source="substitute",
         table1_rows_met=substitute.attrs["table1_rows_met"],
         shortest_measured=descriptions.shortest_reliable.min(),
         longest_measured=descriptions.longest_reliable.max(),

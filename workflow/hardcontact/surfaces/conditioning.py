@@ -265,7 +265,7 @@ def condition_group(
             "factor": ("scan", factors, DIMENSIONLESS),
         },
         {"wavevector": ("wavevector", WAVEVECTORS, RAD_PER_NM), "scan": list(generator_functions)},
-        {"basis": "substitute", "table1_rows_met": ",".join(met_rows)},
+        {"source": "substitute", "table1_rows_met": ",".join(met_rows)},
     )
 
 

@@ -169,7 +169,7 @@ def describe_group(
         "feature_count": xr.Variable("scan", list(features.counts), DIMENSIONLESS)
     }
     met_rows = spectrum_data.attrs["table1_rows_met"]
-    attributes = {"basis": "substitute", "table1_rows_met": met_rows}
+    attributes = {"source": "substitute", "table1_rows_met": met_rows}
     return xr.Dataset(variables, {"scan": list(scans)}, attributes)
 
 

@@ -21,13 +21,13 @@ class HeightMap:
     """A surface on square pixels, or a line scan; heights grow out of the material.
 
     Heights (y, x), or (x,) of a line scan, and the width of a pixel are in nm. A periodic map
-    repeats beyond its borders. The basis is ``"measured"`` or ``"substitute"``.
+    repeats beyond its borders. The source is ``"measured"`` or ``"substitute"``.
     """
 
     heights: np.ndarray
     pixel_size: float
     periodic: bool = False
-    basis: str = "measured"
+    source: str = "measured"
     path: str = "scan"  #: Path of the file, as messages name it.
     member: str = ""  #: Data file in a container, the channel of any other file, or empty.
     channel: str = ""  #: Name of the channel that was read.
@@ -41,7 +41,7 @@ class HeightMap:
     def __repr__(self) -> str:
         """Return pixels, their size and the rms height."""
         counts = " x ".join(map(str, reversed(self.heights.shape)))
-        kind = f"periodic, {self.basis}" if self.periodic else self.basis
+        kind = f"periodic, {self.source}" if self.periodic else self.source
         return (
             f"HeightMap({counts} pixels of {format_length(self.pixel_size)}, rms height "
             f"{format_length(float(self.heights.std()))}, {kind})"
@@ -110,7 +110,7 @@ class HeightMap:
 
 
 #: Fields of a height map that are texts and attributes of the same name.
-TEXT_FIELDS = ("basis", "path", "channel", "file_unit")
+TEXT_FIELDS = ("source", "path", "channel", "file_unit")
 
 
 def read_height_map(path: str) -> HeightMap:

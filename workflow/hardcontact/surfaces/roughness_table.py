@@ -64,7 +64,7 @@ def roughness_table(
     examples: Mapping[str, xr.Dataset],
     *,
     labels: Mapping[str, str],
-    basis: Mapping[str, str],
+    source: Mapping[str, str],
     sphere_surface: str,
     reference_surface: str,
     confidence: float,
@@ -88,7 +88,7 @@ def roughness_table(
     calibrated = [conditionings.get(name, spectra[name]).attrs["table1_rows_met"] for name in names]
     return table.assign(
         label=("surface", [labels[name] for name in names]),
-        basis=("surface", [basis[name] for name in names]),
+        source=("surface", [source[name] for name in names]),
         table1_rows_met=("surface", calibrated),
     ).assign_attrs(
         sphere_surface=sphere_surface, reference_surface=reference_surface, confidence=confidence

@@ -309,7 +309,7 @@ def substitute_spectrum(
     weights = paper_weights(constants)
     density, segments, calibrated = spectrum_from_description(description, table1, weights)
     return spectrum_dataset(density).assign_attrs(
-        basis="substitute",
+        source="substitute",
         table1_rows_met=",".join(calibrated),
         segments=segments.to_csv(index=False),
         expected_scan_rms=expected_scan_rms(Spectrum(WAVEVECTORS, density), weights),

@@ -66,7 +66,7 @@ def random_surface(
     transform = white_noise(rng, pixels)
     scale_noise(transform, pixel_size, spectrum)
     heights = fft.irfft2(transform, s=(pixels, pixels), overwrite_x=True)
-    return HeightMap(heights, pixel_size, periodic=True, basis="substitute")
+    return HeightMap(heights, pixel_size, periodic=True, source="substitute")
 
 
 def random_corner(
@@ -82,7 +82,7 @@ def random_corner(
     scale_noise(transform, pixel_size, spectrum)
     rows = fft.ifft(transform, axis=0, overwrite_x=True)[:corner_pixels]
     heights = fft.irfft(rows, len(noise), axis=1)[:, :corner_pixels]
-    return HeightMap(heights, pixel_size, basis="substitute")
+    return HeightMap(heights, pixel_size, source="substitute")
 
 
 def cut_scan(surface: HeightMap, pixels: int, factor: float = 1.0) -> HeightMap:
@@ -134,7 +134,7 @@ def short_edge_master(
         rng, pixels, stitched.size / pixels, lambda q: spectrum(np.maximum(q, transition_q))
     )
     master.heights[...] += interpolate(long_waves, pixels).heights
-    return replace(master, basis=stitched.basis)
+    return replace(master, source=stitched.source)
 
 
 def long_edge_master(

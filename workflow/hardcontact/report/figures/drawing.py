@@ -100,14 +100,14 @@ def create(height: float, surfaces: xr.Dataset) -> Figure:
     """Return an empty figure of print width and a height (inch).
 
     A line at its foot names the substitute surfaces. The dataset has `label(surface)` and
-    `basis(surface)`, "substitute" or "measured", or both as attributes for a single surface.
+    `source(surface)`, "substitute" or "measured", or both as attributes for a single surface.
     """
     footer = FOOTER / height
     layout = ConstrainedLayoutEngine(rect=(0, footer, 1, 1 - footer))
     figure = Figure(figsize=(WIDTH, height), layout=layout)
     data: Any = surfaces if "label" in surfaces else surfaces.attrs
     labels = np.atleast_1d(data["label"])
-    substitutes = labels[np.atleast_1d(data["basis"]) == "substitute"]
+    substitutes = labels[np.atleast_1d(data["source"]) == "substitute"]
     note = "all surfaces measured"
     if substitutes.size:
         names = ", ".join(map(str, substitutes))

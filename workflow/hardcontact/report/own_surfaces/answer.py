@@ -59,7 +59,7 @@ class SurfaceAnswer(NamedTuple):
 
     name: str
     label: str
-    basis: str  #: measured or substitute.
+    source: str  #: measured or substitute.
     numbers: dict[str, Number]
     verdict: Verdict
     cautions: list[Caution]
@@ -138,9 +138,9 @@ def _surface_answer(
         *_scan_numbers(data),
     ]
     named_numbers = {number.name: number for number in numbers}
-    basis = str(data.topography["basis"].item())
+    source = str(data.topography["source"].item())
     verdict = surface_verdict(named_numbers)
-    return SurfaceAnswer(name, label, basis, named_numbers, verdict, surface_cautions, to_scan)
+    return SurfaceAnswer(name, label, source, named_numbers, verdict, surface_cautions, to_scan)
 
 
 def _octave_numbers(data: Datasets) -> Iterator[Number]:
@@ -170,7 +170,9 @@ def _notes(
     surfaces: list[SurfaceAnswer], numbers: Mapping[str, Number], fit_text: str
 ) -> list[dict[str, Any]]:
     """Return the notes in words: cautions, measurements to make next, the fit."""
-    notes = substitutes_note([surface.label for surface in surfaces if surface.basis != "measured"])
+    notes = substitutes_note(
+        [surface.label for surface in surfaces if surface.source != "measured"]
+    )
     several = len(surfaces) > 1
     for surface in surfaces:
         facts = {"label": surface.label, "several": several}
@@ -236,7 +238,7 @@ def _surface_head(surface: SurfaceAnswer, spectra: xr.Dataset) -> dict[str, Any]
     return {
         "name": surface.name,
         "label": surface.label,
-        "basis": surface.basis,
+        "source": surface.source,
         "answered": surface.verdict.answer,
         "measurements": [
             {

@@ -31,10 +31,10 @@ class Datasets(NamedTuple):
     def labels(self) -> dict[str, str]:
         """Return the printed name of each surface with a band; a substitute is called so."""
         topography = self.topography.sel(surface=self.edges["surface"])
-        names = (topography[name].values for name in ("surface", "label", "basis"))
+        names = (topography[name].values for name in ("surface", "label", "source"))
         return {
-            str(surface): f"{label} (substitute)" if basis == "substitute" else str(label)
-            for surface, label, basis in zip(*names, strict=True)
+            str(surface): f"{label} (substitute)" if source == "substitute" else str(label)
+            for surface, label, source in zip(*names, strict=True)
         }
 
 

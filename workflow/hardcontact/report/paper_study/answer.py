@@ -70,7 +70,7 @@ def paper_answer(
     topography = datasets["topography"]
     facts = _facts(claims, datasets, constants)
     numbers, surfaces, labels = facts["numbers"], facts["surfaces"], facts["labels"]
-    basis = topography["basis"].to_series()
+    source = topography["source"].to_series()
     contact = paper_contact(numeric_configuration(configuration))
     changed = changed_inputs(contact, list(surfaces), table1)
     judgements = [] if changed else _judgements(claims)
@@ -86,7 +86,7 @@ def paper_answer(
         "assumed": [],
         "chosen": [],
         "surfaces": [
-            {"name": name, "label": labels[name], "basis": basis[name]}
+            {"name": name, "label": labels[name], "source": source[name]}
             for name in (*surfaces, topography.attrs["sphere_surface"])
         ],
         "notes": _notes(topography, facts),
@@ -108,7 +108,7 @@ def _facts(
         "numbers": numbers,
         "surfaces": {name: surface_numbers(name, datasets) for name in substrates},
         "labels": labels,
-        "is_substitute": bool((topography["basis"] == "substitute").any()),
+        "is_substitute": bool((topography["source"] == "substitute").any()),
         "decisive": labels[_decisive_surface(datasets["sets"])],
         "featured": datasets["features"].attrs["label"],
         "coarse": is_coarse(numbers),
@@ -118,7 +118,7 @@ def _facts(
 
 def _notes(topography: xr.Dataset, facts: Mapping[str, Any]) -> list[dict[str, Any]]:
     """Return the notes on substitutes and on rare bumps or pits."""
-    is_substitute = (topography["basis"] == "substitute").values
+    is_substitute = (topography["source"] == "substitute").values
     notes = substitutes_note(topography["label"].values[is_substitute].tolist())
     if facts["featured"]:
         notes.append(note("features", render_text("paper_features.txt", **facts)))
