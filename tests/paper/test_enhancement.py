@@ -31,9 +31,9 @@ def test_each_contact_model_has_the_edge_of_its_forces():
     assert bands["contact_model"].values.tolist() == CONTACT_MODELS
     for model, edge in {"plastic": edges[0], "rigid": edges[1]}.items():
         np.testing.assert_allclose(critical.sel(contact_model=model), edge, rtol=1e-9)
-    ratio = bands["edge_ratio"].sel(group="a", side="short")
-    edge_ratios = [edges[0, 0] / edges[1, 0], edges[0, 0] / edges[0, 1]]
-    np.testing.assert_allclose(ratio.sel(removed_cause=["plasticity", "long_range"]), edge_ratios)
+    shift = bands["edge_shift"].sel(group="a", side="short")
+    shifts = [edges[0, 0] / edges[1, 0], edges[0, 0] / edges[0, 1]]
+    np.testing.assert_allclose(shift.sel(cause=["plasticity", "range"]), shifts)
 
 
 def test_edges_that_scatter_together_have_a_certain_ratio():
@@ -48,4 +48,4 @@ def test_edges_that_scatter_together_have_a_certain_ratio():
     bands = edges_by_contact(forces, 0.1, Sampling(1, 50, 0.95)).sel(group="a")
     low, high = np.moveaxis(bands["edge_interval"].values, -1, 0)
     assert (high > 1.2 * low).all()
-    np.testing.assert_allclose(bands["edge_ratio_interval"], 1)
+    np.testing.assert_allclose(bands["edge_shift_interval"], 1)

@@ -18,10 +18,9 @@ from hardcontact.inference.edges import edges_with_samples
 def edges_by_contact(forces: xr.Dataset, tolerance: float, sampling: Sampling) -> xr.Dataset:
     """Return the edges of the band of plastic and rigid contact at each range of adhesion.
 
-    Forces come from `stack_masters`, with one radius and two loadings. ``edge_ratio``
-    (removed_cause, side, group) is the edge in plastic contact at the longest range, relative to
-    rigid contact at this range (``"plasticity"``) or to plastic contact at the shortest range
-    (``"long_range"``).
+    Forces come from `stack_masters`, with one radius and two loadings. ``edge_shift``
+    (cause, side, group) is the edge in plastic contact at the longest range, relative to rigid
+    contact at this range (``"plasticity"``) or to plastic contact at the shortest (``"range"``).
     """
     sorted_forces = forces.squeeze("radius", drop=True).sortby("contact_area")
     ranges = sorted_forces["rho"].values.tolist()
@@ -34,15 +33,15 @@ def edges_by_contact(forces: xr.Dataset, tolerance: float, sampling: Sampling) -
         )
     edges = stack(datasets, ["contact_model", "rho"])
     complete = PLASTIC, max(ranges)
-    reduced = {"plasticity": (RIGID, max(ranges)), "long_range": (PLASTIC, min(ranges))}
+    reduced = {"plasticity": (RIGID, max(ranges)), "range": (PLASTIC, min(ranges))}
     ratios = [datasets[complete]["edge"] / datasets[key]["edge"] for key in reduced.values()]
     samples = [edge_samples[complete] / edge_samples[key] for key in reduced.values()]
-    edge_ratio = sampling.with_interval(
-        "edge_ratio",
-        ("removed_cause", "side", "group"),
+    edge_shift = sampling.with_interval(
+        "edge_shift",
+        ("cause", "side", "group"),
         ratios,
         np.stack(samples, 1),
         DIMENSIONLESS,
     )
-    coordinates = {"rho": sorted_forces["rho"], "removed_cause": list(reduced)}
-    return edges.assign_coords(coordinates).assign(edge_ratio)
+    coordinates = {"rho": sorted_forces["rho"], "cause": list(reduced)}
+    return edges.assign_coords(coordinates).assign(edge_shift)
