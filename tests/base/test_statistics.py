@@ -22,7 +22,7 @@ def test_student_interval_equals_that_of_a_t_test(confidence):
     interval = statistics.student_interval(
         xr.DataArray(values, {"surface": ["a", "b"]}, ("surface", "scan")), confidence, "scan"
     )
-    assert interval.dims == ("surface", "bound") and interval.attrs == {"confidence": confidence}
+    assert interval.dims == ("surface", "end") and interval.attrs == {"confidence": confidence}
     for row, row_values in zip(interval.values, values, strict=True):
         t_test_interval = stats.ttest_1samp(
             row_values[np.isfinite(row_values)], 0
@@ -36,7 +36,7 @@ def test_student_log_interval_equals_a_t_test_on_logarithms_about_the_mean():
     interval = statistics.student_log_interval(
         xr.DataArray(values, {"surface": ["a", "b"]}, ("surface", "scan")), 0.9, "scan"
     )
-    assert interval.dims == ("surface", "bound") and interval.attrs == {"confidence": 0.9}
+    assert interval.dims == ("surface", "end") and interval.attrs == {"confidence": 0.9}
     for row, row_values in zip(interval.values, values, strict=True):
         logarithms = np.log(row_values[np.isfinite(row_values)])
         t_test_interval = stats.ttest_1samp(logarithms, 0).confidence_interval(0.9)

@@ -234,7 +234,7 @@ def force(count=1):
     data = data.merge(extrapolated_force(count))
     data["correlation_of_parts"] = "surface", [0.0] * count
     data["search_size"] = "surface", np.full(count, SIZE / 2)
-    data["finite_scan_ratio"] = ("surface", "bound"), np.ones((count, 2))
+    data["finite_scan_ratio"] = ("surface", "end"), np.ones((count, 2))
     data["window_share"] = "rho", np.ones(RHOS.size)
     data["pixel_area"] = "surface", np.full(count, PIXEL_SIZE**2)
     for name, value in SCATTER.items():
@@ -295,8 +295,8 @@ def fit(count=1):
         {"contact_model": MODELS, "surface": surfaces, "rho_fine": rho},
     )  # fmt: skip
     interval = data["work_by_range_interval"]
-    low, high = interval.max("surface").sel(bound="low"), interval.min("surface").sel(bound="high")
-    region = xr.concat([low, high], "bound").transpose("contact_model", "rho_fine", "bound")
+    low, high = interval.max("surface").sel(end="low"), interval.min("surface").sel(end="high")
+    region = xr.concat([low, high], "end").transpose("contact_model", "rho_fine", "end")
     best = np.nan if count == 1 else np.array([1.0, 1.0])
     return (
         data.assign(
@@ -309,9 +309,9 @@ def fit(count=1):
             ),
             best_error=("contact_model", 0.05 * best * np.ones(2)),
             exact_pairs=("contact_model", [0, 0]),
-            region_range=(("contact_model", "bound"), [[3.2, np.nan]] * 2),
-            region_work=(("contact_model", "bound"), np.full((2, 2), np.nan)),
-            region_status=(("contact_model", "bound"), [["found", "open"]] * 2),
+            region_range=(("contact_model", "end"), [[3.2, np.nan]] * 2),
+            region_work=(("contact_model", "end"), np.full((2, 2), np.nan)),
+            region_status=(("contact_model", "end"), [["found", "open"]] * 2),
             test_count=("surface", [40] * count),
             site_count=("surface", [40] * count),
             look_repeated=("surface", [0] * count),

@@ -66,11 +66,11 @@ def band() -> xr.Dataset:
             "edge": (("side", "group"), [[60.0] * 5, [1667.0] * 5]),
             "edge_bound": (("side", "group"), np.full((2, 5), np.nan)),
             "edge_interval": (
-                ("side", "group", "bound"), [[[50.0, 70.0]] * 5, [[1500.0, 1900.0]] * 5]
+                ("side", "group", "end"), [[[50.0, 70.0]] * 5, [[1500.0, 1900.0]] * 5]
             ),
         },
         {"side": list(CUTOFFS), "cutoff_wavelength": cutoffs, "surface": SUBSTRATES,
-         "bound": ["low", "high"]},
+         "end": ["low", "high"]},
         {"tolerance": 0.1, "confidence": 0.9},
     )  # fmt: skip
 
@@ -81,7 +81,7 @@ def sensitivity() -> xr.Dataset:
     parts = ["only the band", "no shorter waves", "no longer waves"]
     shape = len(SUBSTRATES), 2, len(parts)
     ratio = ("surface", "band", "band_part"), np.full(shape, 1.05)
-    interval = (*ratio[0], "bound"), np.broadcast_to([1.0, 1.1], (*shape, 2))
+    interval = (*ratio[0], "end"), np.broadcast_to([1.0, 1.1], (*shape, 2))
     values = np.tile([-0.1, -0.4, -0.6, -0.8, -0.2], (len(SUBSTRATES), 1))
     return xr.Dataset(
         {
@@ -92,7 +92,7 @@ def sensitivity() -> xr.Dataset:
         },
         {
             "surface": SUBSTRATES, "octave": octaves, "band": ["published", "found"],
-            "band_part": parts, "bound": ["low", "high"],
+            "band_part": parts, "end": ["low", "high"],
         },
     )  # fmt: skip
 
@@ -135,10 +135,10 @@ def fit() -> xr.Dataset:
     mean = 1e-6 * np.arange(1.0, len(SUBSTRATES) + 1)
     coordinates = {"surface": SUBSTRATES, "pair": ["published"], "contact_model": ["plastic"]}
     dimensions = ["contact_model", "pair", "surface"]
-    forces = xr.Dataset(coords=coordinates | {"bound": ["low", "high"]})
+    forces = xr.Dataset(coords=coordinates | {"end": ["low", "high"]})
     forces["mean_force_at_pair"] = dimensions, mean[None, None], {"units": "N"}
     interval = np.stack([0.9 * mean, 1.1 * mean], axis=-1)
-    forces["mean_force_at_pair_interval"] = [*dimensions, "bound"], interval[None, None]
+    forces["mean_force_at_pair_interval"] = [*dimensions, "end"], interval[None, None]
     return forces
 
 

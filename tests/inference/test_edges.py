@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from hardcontact.base.statistics import Sampling, bounds, student_log_interval
+from hardcontact.base.statistics import Sampling, interval_ends, student_log_interval
 from hardcontact.inference.edges import edges_with_samples
 
 CUTOFFS = [10.0, 100.0, 1000.0, 10000.0]
@@ -83,7 +83,7 @@ def test_intervals_describe_the_scatter_of_realizations():
     np.testing.assert_allclose(
         short.filtered_force_change_interval.sel(group="a"), ratio_interval - 1, rtol=0.2
     )
-    low, high = bounds(bands.sel(side="short", group="a"), "edge")
+    low, high = interval_ends(bands.sel(side="short", group="a"), "edge")
     # The upper end of the change gives the lower end of the wavelength.
     edge_interval = 10 ** (1 + np.log(1.1) / np.log(ratio_interval.values))
     np.testing.assert_allclose([high, low], edge_interval, rtol=0.3)

@@ -94,8 +94,8 @@ def test_a_scan_without_an_octave_proves_no_artificial_roughness():
 
 
 def test_errors_add_in_squares():
-    interval = ("bound", np.exp([-0.3, 0.4]))
-    force = xr.Dataset({"force": 1.0, "force_interval": interval}, {"bound": ["low", "high"]})
+    interval = ("end", np.exp([-0.3, 0.4]))
+    force = xr.Dataset({"force": 1.0, "force_interval": interval}, {"end": ["low", "high"]})
     wide = widen_interval(force, "force", xr.DataArray(np.exp(-0.4)))
     np.testing.assert_allclose(np.log(wide["force_interval"]), [-0.5, np.hypot(0.4, 0.4)])
     same = widen_interval(force, "force", xr.DataArray(np.nan))

@@ -32,11 +32,11 @@ def test_edges_lie_where_the_mean_ratio_leaves_the_tolerance():
 @pytest.mark.parametrize("scans", [1, 2, 3])
 def test_intervals_surround_the_edge_within_the_cutoffs_of_their_side(scans):
     band = edges([[SHORT, LONG]], [scans], spread=0.2).sel(surface="a")
-    low, high = band.edge_interval.sel(bound="low"), band.edge_interval.sel(bound="high")
+    low, high = band.edge_interval.sel(end="low"), band.edge_interval.sel(end="high")
     assert not (low >= band.edge).any() and not (high <= band.edge).any()
     assert band.edge_interval.notnull().any()
     for side, ends in (("short", [10, 1000]), ("long", [1000, 4000])):
-        bounds = band.edge_interval.sel(side=side).dropna("bound")
+        bounds = band.edge_interval.sel(side=side).dropna("end")
         assert ((bounds >= ends[0]) & (bounds <= ends[1])).all()
     assert int(band.interval_is_conditional) == (scans < 3)
 
@@ -77,7 +77,7 @@ def test_a_ratio_without_scatter_has_no_interval():
     )
     assert short_side.filtered_force_ratio_interval.isel(cutoff_wavelength=0).isnull().all()
     assert (
-        short_side.edge_interval.notnull().all() and short_side.edge_interval.sel(bound="low") >= 10
+        short_side.edge_interval.notnull().all() and short_side.edge_interval.sel(end="low") >= 10
     )
 
 
@@ -93,7 +93,7 @@ def test_the_error_of_artificial_roughness_widens_intervals():
         surface="a"
     )
     half, wide_half = (
-        np.log(band.filtered_force_ratio_interval.sel(bound="high") / band.filtered_force_ratio)
+        np.log(band.filtered_force_ratio_interval.sel(end="high") / band.filtered_force_ratio)
         for band in (plain, wide)
     )
     added = np.sqrt(wide_half**2 - half**2)

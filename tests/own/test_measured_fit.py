@@ -6,7 +6,7 @@ import pytest
 import xarray as xr
 from known_forces import FORCE_DIMS
 
-from hardcontact.base.statistics import Sampling, bounds
+from hardcontact.base.statistics import Sampling, interval_ends
 from hardcontact.own.measured_fit import add_extrapolated_work, fit_measured
 from hardcontact.own.measured_tests import (
     MeasuredTests,
@@ -96,8 +96,8 @@ def test_the_region_contains_the_true_pair_in_nineteen_of_twenty_draws_and_no_di
 def test_finer_pixels_raise_the_upper_end_of_the_work_alone():
     rng = np.random.default_rng(5)
     computed_forces, tests = adhesion(rng), sampled_tests(rng)
-    low, high = bounds(fitted(computed_forces, tests), "work_by_range")
-    low_with, high_with = bounds(fitted(computed_forces, tests, factor=2.0), "work_by_range")
+    low, high = interval_ends(fitted(computed_forces, tests), "work_by_range")
+    low_with, high_with = interval_ends(fitted(computed_forces, tests, factor=2.0), "work_by_range")
     np.testing.assert_allclose(low_with, low)
     np.testing.assert_allclose(high_with, 2 * high)
 
@@ -115,7 +115,7 @@ def test_one_surface_gives_a_curve_of_works_and_no_range():
     rng = np.random.default_rng(5)
     fit = fitted(adhesion(rng), sampled_tests(rng, surfaces="a"))
     true_work = WORK * mean_force("a", RHO) / mean_force("a", fit.rho_fine)
-    low, high = fit.work_by_range_interval.sel(surface="a").transpose("bound", "rho_fine")
+    low, high = fit.work_by_range_interval.sel(surface="a").transpose("end", "rho_fine")
     assert ((low < true_work) & (true_work < high)).all()
     assert fit.range_of_adhesion.isnull() and fit.region_range.isnull().all()
 
@@ -194,10 +194,10 @@ def test_sampled_means_cover_the_mean_with_their_confidence(shape, number):
 
 def test_work_with_extrapolated_roughness_is_inversely_proportional_to_the_force():
     measured_force, extrapolated_force = 0.32, 0.08  # N, the latter at 0.05 J/m²
-    ends = ("surface", "bound"), [[measured_force / 1.1, measured_force * 1.1]]
+    ends = ("surface", "end"), [[measured_force / 1.1, measured_force * 1.1]]
     fit = xr.Dataset(
         {"measured_force": ("surface", [measured_force]), "measured_force_interval": ends},
-        {"surface": ["a"], "bound": ["low", "high"]},
+        {"surface": ["a"], "end": ["low", "high"]},
         {"confidence": 0.95},
     )
     sides = ("surface", "side")
@@ -205,13 +205,13 @@ def test_work_with_extrapolated_roughness_is_inversely_proportional_to_the_force
         {
             "extrapolated_force": (sides, [[extrapolated_force]]),
             "extrapolated_force_interval": (
-                (*sides, "bound"),
+                (*sides, "end"),
                 [[[extrapolated_force / 1.2, extrapolated_force * 1.3]]],
             ),
             "extrapolation_matters": (sides, [[1]]),
             "transition": ("side", [20.0]),
         },
-        {"surface": ["a"], "side": ["short"], "bound": ["low", "high"]},
+        {"surface": ["a"], "side": ["short"], "end": ["low", "high"]},
         {"work_of_adhesion": 0.05, "range_of_adhesion": 5.0},
     )
     fit_with_work = add_extrapolated_work(fit, force).sel(surface="a", side="short")

@@ -74,7 +74,7 @@ def test_three_scans_give_student_s_interval_and_fewer_a_wider_conditional_one()
     )
     assert prediction.interval_is_conditional.values.tolist() == [0, 1]
     assert prediction.interval_source.values.tolist() == ["scans", "quarters"]
-    low, high = (prediction.force_interval.isel(bound=bound) for bound in (0, 1))
+    low, high = (prediction.force_interval.isel(end=index) for index in (0, 1))
     assert (low < prediction.force).all() and (prediction.force < high).all()
     width = np.log(high / low).sel(surface="b", contact_model="rigid")
     assert (width.diff("rho") > 0).all()  # The longer the range, the more quarters share.
@@ -93,8 +93,8 @@ def test_the_interval_includes_the_position_on_a_rough_sphere():
     half = stats.t(15).ppf(0.95) * logarithms.std(ddof=1).item() * np.sqrt(1 + 1 / 16)
     np.testing.assert_allclose(prediction.position_factor, np.exp(half), rtol=1e-4)
     ends = prediction.force_interval / prediction.force
-    np.testing.assert_allclose(ends.isel(bound=0), np.exp(-half), rtol=1e-3)
-    np.testing.assert_allclose(ends.isel(bound=1), np.exp(half), rtol=1e-3)
+    np.testing.assert_allclose(ends.isel(end=0), np.exp(-half), rtol=1e-3)
+    np.testing.assert_allclose(ends.isel(end=1), np.exp(half), rtol=1e-3)
 
 
 def test_a_contact_as_wide_as_the_scan_gives_no_interval():
@@ -192,9 +192,9 @@ def test_the_extrapolated_force_differs_beyond_its_interval_and_the_tolerance(ra
     scan_forces = xr.Dataset(
         {
             "force": (axes, unit * relative[0]),
-            "force_interval": ((*axes, "bound"), unit * relative[1]),
+            "force_interval": ((*axes, "end"), unit * relative[1]),
         },
-        {"surface": ["a"], "contact_model": ["plastic"], "rho": [5.0], "bound": ["low", "high"]},
+        {"surface": ["a"], "contact_model": ["plastic"], "rho": [5.0], "end": ["low", "high"]},
         {"range_of_adhesion": 5.0},
     )
     comparison = add_extrapolated_force(scan_forces, extrapolated_forces, 0.1).extrapolation_matters
@@ -218,7 +218,7 @@ def test_intervals_include_the_effect_of_finer_pixels():
     prediction = forces_on_scans(adhesion([3, 3]), **PREDICTION)
     wide_pixels = prediction.assign(wide_pixel_ratio=("surface", [1.5, 0.9]))
     result = include_finer_pixels(wide_pixels).force_interval
-    change = (result / prediction.force_interval).transpose("surface", "bound", ...)
-    np.testing.assert_allclose(change.isel(surface=0, bound=0), 1 / 1.5)
-    np.testing.assert_allclose(change.isel(surface=0, bound=1), 1)
+    change = (result / prediction.force_interval).transpose("surface", "end", ...)
+    np.testing.assert_allclose(change.isel(surface=0, end=0), 1 / 1.5)
+    np.testing.assert_allclose(change.isel(surface=0, end=1), 1)
     np.testing.assert_allclose(change.isel(surface=1), 1)

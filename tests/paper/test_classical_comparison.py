@@ -6,7 +6,7 @@ import xarray as xr
 from paper_numbers import MEAN_FORCE, RADIUS, SUBSTRATES, TABLES
 
 from hardcontact.base import published
-from hardcontact.base.statistics import Sampling, bounds
+from hardcontact.base.statistics import Sampling, interval_ends
 from hardcontact.paper.classical_comparison import apply_classical_models
 
 
@@ -16,12 +16,12 @@ def make_inference(surfaces=SUBSTRATES, forces=MEAN_FORCE):
     return xr.Dataset(
         {
             "mean_force_at_pair": (dims, [[forces]]),
-            "mean_force_at_pair_interval": ((*dims, "bound"), [[np.outer(forces, [0.99, 1.01])]]),
+            "mean_force_at_pair_interval": ((*dims, "end"), [[np.outer(forces, [0.99, 1.01])]]),
             "label": ("surface", surfaces),
             "source": ("surface", ["measured"] * len(surfaces)),
         },
         {"contact_model": ["plastic"], "pair": ["published"], "surface": surfaces,
-         "bound": ["low", "high"]},
+         "end": ["low", "high"]},
         {"sphere_radius": RADIUS, "error_threshold": 0.1},
     )  # fmt: skip
 
@@ -44,11 +44,11 @@ def classical():
 def test_polished_uncd_has_the_published_force_and_work(classical):
     """The paper prints 8.8 µN and, with the printed Tabor parameter, 7.15 mJ/m²."""
     uncd = classical.sel(surface="polished_uncd")
-    low, high = bounds(uncd, "published_mean_force")
+    low, high = interval_ends(uncd, "published_mean_force")
     assert (float(low), float(high)) == pytest.approx((8.75e-6, 8.85e-6))
     work = uncd["effective_work_of_adhesion"].sel(force_source="published")
     assert work.item() == pytest.approx(6.97e-3, rel=1e-3)
-    low, high = bounds(uncd, "effective_work_of_adhesion")
+    low, high = interval_ends(uncd, "effective_work_of_adhesion")
     work = uncd["effective_work_of_adhesion"].sel(force_source="computed").item()
     ends = [end.sel(force_source="computed").item() / work for end in (low, high)]
     assert ends == pytest.approx([0.99, 1.01])

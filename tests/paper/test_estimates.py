@@ -5,7 +5,7 @@ import pytest
 import xarray as xr
 from scipy import stats
 
-from hardcontact.base.statistics import bounds, with_interval
+from hardcontact.base.statistics import interval_ends, with_interval
 from hardcontact.paper import estimates
 from hardcontact.paper.estimates import as_estimate
 
@@ -15,14 +15,14 @@ def scalar(value, low=np.nan, high=np.nan):
 
 
 def ends(dataset, name="value"):
-    return [end.values.tolist() for end in bounds(dataset, name)]
+    return [end.values.tolist() for end in interval_ends(dataset, name)]
 
 
 def test_intervals_contain_the_mean_with_their_confidence():
     normal = xr.DataArray(np.random.default_rng(0).normal(size=(4000, 4)), dims=("run", "scan"))
-    low, high = bounds(estimates.signed_mean_over_scans(normal, 0.8), "value")
+    low, high = interval_ends(estimates.signed_mean_over_scans(normal, 0.8), "value")
     assert float(((low < 0) & (high > 0)).mean()) == pytest.approx(0.8, abs=0.02)
-    low, high = bounds(estimates.mean_over_scans(np.exp(0.3 * normal), 0.8), "value")
+    low, high = interval_ends(estimates.mean_over_scans(np.exp(0.3 * normal), 0.8), "value")
     mean = np.exp(0.3**2 / 2)
     assert float(((low < mean) & (high > mean)).mean()) == pytest.approx(0.8, abs=0.04)
 
@@ -75,7 +75,7 @@ def test_decades_are_those_between_the_smallest_and_the_largest_number():
 
 def test_a_number_that_is_zero_in_every_scan_is_zero():
     values = xr.DataArray([[0.0, 0.0, np.nan], [0.0, 0.1, 0.2]], dims=("surface", "scan"))
-    low, high = bounds(estimates.mean_over_scans(values, 0.95), "value")
+    low, high = interval_ends(estimates.mean_over_scans(values, 0.95), "value")
     np.testing.assert_array_equal([low, high], [[0.0, np.nan], [0.0, np.nan]])
 
 
@@ -83,4 +83,4 @@ def test_a_value_of_zero_leaves_no_interval_on_logarithms():
     values = xr.DataArray([[1.0, 0.0, 2.0], [1.0, np.nan, 2.0]], dims=("surface", "scan"))
     mean = estimates.mean_over_scans(values, 0.95)
     np.testing.assert_array_equal(mean.value, [1.0, 1.5])
-    assert mean.value_interval.isnull().all("bound").values.tolist() == [True, False]
+    assert mean.value_interval.isnull().all("end").values.tolist() == [True, False]

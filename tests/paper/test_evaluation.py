@@ -38,10 +38,10 @@ def make_datasets(substitutes=(), surfaces=SURFACES):
     forces = xr.Dataset(
         {
             "force": ("surface", force),
-            "force_interval": (("surface", "bound"), np.outer(force, [0.9, 1.1])),
+            "force_interval": (("surface", "end"), np.outer(force, [0.9, 1.1])),
             "change": (("surface", "scan"), np.full((3, 3), 1e-3)),
         },
-        {"surface": SURFACES, "bound": ["low", "high"]},
+        {"surface": SURFACES, "end": ["low", "high"]},
     )
     return {
         "topography": topography.sel(surface=[*surfaces, "sphere"]),

@@ -9,7 +9,7 @@ from periodic_maps import height_map
 from scipy import stats
 from scipy.special import erf
 
-from hardcontact.base.statistics import bounds
+from hardcontact.base.statistics import interval_ends
 from hardcontact.contact.contact import Contact
 from hardcontact.inference.filtered_masters import Filters, filtered_pull_off
 from hardcontact.paper.exponents import edge_exponents, force_exponent
@@ -96,7 +96,7 @@ def test_exponents_of_a_known_power_law_are_recovered(exponents):
     fitted = edge_exponents(curves(*exponents, scatter=0.02), 0.1, 0.95).sel(surface="a")
     exponent = fitted["edge_exponent"]
     np.testing.assert_allclose(exponent, [exponents] * 2, atol=0.02)
-    low, high = bounds(fitted, "edge_exponent")
+    low, high = interval_ends(fitted, "edge_exponent")
     assert (low <= exponent).all() and (exponent <= high).all()
 
 
@@ -119,5 +119,5 @@ def test_the_exponent_of_a_force_in_the_radius_is_recovered():
     assert exponent["force_exponent"].item() == pytest.approx(0.4)
     half_width = stats.t.ppf(0.975, 2) * 0.1 / np.sqrt(3)
     np.testing.assert_allclose(
-        bounds(exponent, "force_exponent"), [[0.4 - half_width], [0.4 + half_width]]
+        interval_ends(exponent, "force_exponent"), [[0.4 - half_width], [0.4 + half_width]]
     )

@@ -6,7 +6,12 @@ import xarray as xr
 from known_forces import power_forces
 from scipy.stats import lognorm
 
-from hardcontact.base.statistics import Sampling, bounds, percentile_interval, student_log_interval
+from hardcontact.base.statistics import (
+    Sampling,
+    interval_ends,
+    percentile_interval,
+    student_log_interval,
+)
 from hardcontact.paper.force_statistics import STATISTIC_UNITS, force_statistics, mean_forces
 
 
@@ -16,9 +21,7 @@ def test_means_are_sampled_over_scans():
     scans = forces.mean(["sphere_scan", "contact_y", "contact_x"])
     np.testing.assert_allclose(means, scans.mean("scan"))
     sampled_interval = percentile_interval(samples, 0.95)
-    student_interval = student_log_interval(scans, 0.95, "scan").transpose(
-        "surface", "rho", "bound"
-    )
+    student_interval = student_log_interval(scans, 0.95, "scan").transpose("surface", "rho", "end")
     np.testing.assert_allclose(sampled_interval, student_interval, rtol=0.02)
 
 
@@ -51,7 +54,7 @@ def test_statistics_recover_a_known_distribution():
     for (name, unit), value in zip(STATISTIC_UNITS.items(), known_values, strict=True):
         assert float(statistics[name]) == pytest.approx(value, rel=0.1), name
         assert statistics[name].attrs["units"] == unit
-        low, high = bounds(statistics, name)
+        low, high = interval_ends(statistics, name)
         assert low < statistics[name] < high, name
     assert float(statistics.mean_force_at_pair) == pytest.approx(FORCES.mean())
     assert float(statistics.median_force_at_pair) == pytest.approx(np.median(FORCES))

@@ -7,7 +7,7 @@ from paper_numbers import PARAMETERS
 from scipy import constants, stats
 from scipy.integrate import quad
 
-from hardcontact.base.statistics import Sampling, bounds
+from hardcontact.base.statistics import Sampling, interval_ends
 from hardcontact.inference.edges import edges_with_samples
 from hardcontact.paper import contact_quantities as contact
 from hardcontact.paper import force_quantities as force
@@ -62,7 +62,7 @@ def test_apex_level_is_a_ratio_of_each_scan():
     topography = xr.Dataset({"rms_height": ("scan", rms)})
     height = contact.apex_level(adhesion.assign_attrs(confidence=0.95), topography)
     near(height, 3.4)
-    np.testing.assert_allclose(*bounds(height, "value"))
+    np.testing.assert_allclose(*interval_ends(height, "value"))
 
 
 def test_surfaces_that_are_rough_for_their_stiffness_do_not_stick():
@@ -266,9 +266,9 @@ def band():
             "filtered_force_change": (dims, np.abs(np.array(ratio) - 1)),
             "edge": ("side", critical),
             "edge_bound": ("side", [1000.0, 200.0]),
-            "edge_interval": (("side", "bound"), np.outer(critical, [0.9, 1.1])),
+            "edge_interval": (("side", "end"), np.outer(critical, [0.9, 1.1])),
         },
-        {"side": ["short", "long"], "cutoff_wavelength": cutoffs, "bound": ["low", "high"]},
+        {"side": ["short", "long"], "cutoff_wavelength": cutoffs, "end": ["low", "high"]},
         {"sphere_radius": RADIUS},
     )
 
@@ -303,11 +303,11 @@ def test_the_first_edge_is_that_of_the_first_surface_to_leave():
             "edge": (("side", "group"), edges),
             "edge_bound": (("side", "group"), np.where(np.isnan(edges), 20.0, np.nan)),
             "edge_interval": (
-                ("side", "group", "bound"), np.multiply.outer(edges, [0.9, 1.1])
+                ("side", "group", "end"), np.multiply.outer(edges, [0.9, 1.1])
             ),
         },
         {"side": ["short", "long"], "group": ["uncd", "mcd", "mean"],
-         "cutoff_wavelength": cutoffs, "bound": ["low", "high"]},
+         "cutoff_wavelength": cutoffs, "end": ["low", "high"]},
     )  # fmt: skip
     first_edge = inference.first_edge(band)
     near(first_edge, [40.0, 1500.0])

@@ -21,8 +21,8 @@ NAN = np.nan
 
 def force(value, low, high):
     return xr.Dataset(
-        {"force": ((), value, {"units": "N"}), "force_interval": ("bound", [low, high])},
-        {"bound": ["low", "high"]},
+        {"force": ((), value, {"units": "N"}), "force_interval": ("end", [low, high])},
+        {"end": ["low", "high"]},
     )
 
 

@@ -372,7 +372,7 @@ def force_ratios(
     ratios = xr.Dataset(
         {
             "filtered_force_ratio": ratio,
-            "filtered_force_ratio_interval": ratio.expand_dims(bound=2, axis=-1) * np.nan,
+            "filtered_force_ratio_interval": ratio.expand_dims(end=2, axis=-1) * np.nan,
         }
     )
     edges = edges_of_curves(ratios, tolerance)[["edge", "edge_status", "edge_bound"]]

@@ -44,7 +44,7 @@ def added_spectrum():
     return {"spectra": data.assign(psd=smooth)}
 
 
-RATIO = {"finite_scan_ratio": (("surface", "bound"), [[2.0, 4.0]])}
+RATIO = {"finite_scan_ratio": (("surface", "end"), [[2.0, 4.0]])}
 FEW_PATCHES = {
     "contacts": ("surface", [64]), "touched_patches": ("surface", [3.0]),
     "interval_source": ("surface", ["few_patches"]), "interval_is_conditional": ("surface", [1]),
@@ -126,7 +126,7 @@ def test_a_tail_of_unknown_exponent_gives_no_force():
 @pytest.mark.parametrize(("high", "count"), [(700.0, 0), (900.0, 1)])
 def test_a_lopsided_interval_of_few_tests_is_named(high, count):
     data = fit()
-    data["measured_force_interval"].loc[{"bound": "high"}] = 1e-9 * high
+    data["measured_force_interval"].loc[{"end": "high"}] = 1e-9 * high
     assert len(find_cautions("few_tests", fit=data)) == count
 
 

@@ -116,8 +116,8 @@ def test_a_missing_interval_has_a_reason():
     assert (half.low, plain(half.high), half.status) == (90.0, None, "")
     assert numbers_of(force=drop_interval(force()))["mean_force"].status == "no_interval"
     endless = force()
-    endless["force_interval"].loc[{"bound": "low"}] = 0
-    endless["force_interval"].loc[{"bound": "high"}] = np.inf
+    endless["force_interval"].loc[{"end": "low"}] = 0
+    endless["force_interval"].loc[{"end": "high"}] = np.inf
     mean = numbers_of(force=endless)["mean_force"]
     assert np.isnan([mean.low, mean.high]).all() and mean.status == "no_interval"
 

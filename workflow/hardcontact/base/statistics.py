@@ -3,7 +3,7 @@
 Uncertainty comes from scans, not from contacts, because contacts on one scan see the same peaks.
 In the study of the paper whole scans vary; quantities that combine several means are sampled. Own
 surfaces may have only one or two scans, so that their parts vary (`inference.scan_parts`). The
-interval of a variable `name` is the variable `name_interval` with the further dimension `bound`.
+interval of a variable `name` is the variable `name_interval` with the further dimension `end`.
 """
 
 import warnings
@@ -25,7 +25,7 @@ MAX_LOG_DEVIATION = 50.0
 
 #: Median distance of normal values from their mean, in standard deviations.
 MEDIAN_DEVIATION = 0.6745
-#: The ends of an interval, in their order along the dimension `bound`.
+#: The ends of an interval, in their order along the dimension `end`.
 ENDS = ["low", "high"]
 
 
@@ -39,22 +39,22 @@ def with_interval(
 ) -> dict[str, Any]:
     """Return the variables `name` and `name_interval`, ready for `xarray.Dataset`.
 
-    The value (...) has the dimensions; the interval (..., 2) also has `bound`, low and high. Both
+    The value (...) has the dimensions; the interval (..., 2) also has `end`, low and high. Both
     have the attributes; the interval also has the attribute ``confidence``.
     """
     names = (dimensions,) if isinstance(dimensions, str) else tuple(dimensions)
     return {
         name: (names, value, attributes),
         f"{name}_interval": xr.DataArray(
-            interval, {"bound": ENDS}, (*names, "bound"), attrs=attributes
+            interval, {"end": ENDS}, (*names, "end"), attrs=attributes
         ).assign_attrs(confidence=confidence),
     }
 
 
-def bounds(dataset: xr.Dataset, name: str) -> tuple[xr.DataArray, xr.DataArray]:
-    """Return the low and the high end of a variable's interval, without the dimension `bound`."""
+def interval_ends(dataset: xr.Dataset, name: str) -> tuple[xr.DataArray, xr.DataArray]:
+    """Return the low and the high end of a variable's interval, without the dimension `end`."""
     interval = dataset[f"{name}_interval"]
-    return interval.sel(bound="low", drop=True), interval.sel(bound="high", drop=True)
+    return interval.sel(end="low", drop=True), interval.sel(end="high", drop=True)
 
 
 def percentile_interval(samples: ArrayLike, confidence: float) -> np.ndarray:
@@ -81,11 +81,11 @@ def widen_interval(dataset: xr.Dataset, name: str, error: xr.DataArray) -> xr.Da
     """
     value = dataset[name]
     log_error = abs(np.log(error.fillna(1)))
-    low, high = bounds(dataset, name)
+    low, high = interval_ends(dataset, name)
     low = value * np.exp(-np.hypot(np.log(value / low), log_error))
     high = value * np.exp(np.hypot(np.log(high / value), log_error))
     interval = dataset[f"{name}_interval"]
-    ends = xr.concat([low, high], interval["bound"]).transpose(*interval.dims)
+    ends = xr.concat([low, high], interval["end"]).transpose(*interval.dims)
     return dataset.assign({f"{name}_interval": ends.assign_attrs(interval.attrs)})
 
 
@@ -99,7 +99,7 @@ def student_quantile(degrees_of_freedom: Any, confidence: float) -> Any:
 def student_interval(values: xr.DataArray, confidence: float, dim: str) -> xr.DataArray:
     """Return the interval of a mean of independent values along a dimension by Student's t.
 
-    Missing values are NaN. Both ends, along the last dimension `bound`, are NaN for fewer than two
+    Missing values are NaN. Both ends, along the last dimension `end`, are NaN for fewer than two
     values. The confidence is the probability that the interval holds the mean.
     """
     mean = values.mean(dim)
@@ -117,14 +117,14 @@ def student_log_interval(values: xr.DataArray, confidence: float, dim: str) -> x
     logarithms: xr.DataArray = xr.apply_ufunc(np.log, values)
     about_zero = student_interval(logarithms, confidence, dim) - logarithms.mean(dim)
     interval: xr.DataArray = values.mean(dim) * xr.apply_ufunc(np.exp, about_zero)
-    return interval.transpose(..., "bound").assign_attrs(confidence=confidence)
+    return interval.transpose(..., "end").assign_attrs(confidence=confidence)
 
 
 def interval_between(low: xr.DataArray, high: xr.DataArray) -> xr.DataArray:
-    """Return both ends of an interval in one array, along a new last dimension `bound`."""
+    """Return both ends of an interval in one array, along a new last dimension `end`."""
     low, high = xr.broadcast(low, high)
     ends = np.stack([low.values, high.values], axis=-1)  # xr.concat takes five times as long
-    return xr.DataArray(ends, {**low.coords, "bound": ENDS}, (*low.dims, "bound"))
+    return xr.DataArray(ends, {**low.coords, "end": ENDS}, (*low.dims, "end"))
 
 
 def student_log_samples(rng: np.random.Generator, values: Floats, sample_count: int) -> Floats:

@@ -120,8 +120,8 @@ def edges_of_curves(ratios: xr.Dataset, tolerance: float) -> xr.Dataset:
             intervals.append(edge_interval(curve, lowest, highest))
     variables = edge_variables(edges, dimensions, shape)
     interval = np.reshape(intervals, (*shape, 2))
-    variables["edge_interval"] = ((*dimensions, "bound"), interval, NM)
-    return xr.Dataset(variables, {dim: ratios[dim] for dim in dimensions} | {"bound": ENDS})
+    variables["edge_interval"] = ((*dimensions, "end"), interval, NM)
+    return xr.Dataset(variables, {dim: ratios[dim] for dim in dimensions} | {"end": ENDS})
 
 
 def _curve_with_interval(ratios: xr.Dataset, tolerance: float) -> tuple[ChangeCurve, np.ndarray]:

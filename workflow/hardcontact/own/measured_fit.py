@@ -15,8 +15,8 @@ import xarray as xr
 from hardcontact.base.dataset import stack
 from hardcontact.base.statistics import (
     Sampling,
-    bounds,
     interval_between,
+    interval_ends,
     percentile_interval,
     with_interval,
 )
@@ -128,7 +128,7 @@ def _fit_model(
     """Return the fit of one contact model to measured forces (surface,) and their samples, in N.
 
     Returns ``work_by_range`` (surface, rho_fine) in J/m² with its interval; ``region`` (rho_fine,
-        bound), the lowest and highest work in J/m² that all surfaces allow, or NaN, with its
+        end), the lowest and highest work in J/m² that all surfaces allow, or NaN, with its
         `_extent`; and the variables of `_best_pair`.
     """
     computed_ranges = next(iter(computed.values())).ranges
@@ -156,7 +156,7 @@ def _fit_model(
         with_interval(
             "work_by_range", ("surface", "rho_fine"), works, intervals, JOULE_PER_M2, confidence
         )
-        | {"region": (("rho_fine", "bound"), region, JOULE_PER_M2)}
+        | {"region": (("rho_fine", "end"), region, JOULE_PER_M2)}
         | _extent(region, ranges)
         | _best_pair(curves, measured_forces, ranges),
         {"surface": list(computed), "rho_fine": ("rho_fine", ranges, NM)},
@@ -201,7 +201,7 @@ def _best_pair(
 
 
 def _extent(region: np.ndarray, ranges: np.ndarray) -> dict[str, Any]:
-    """Return the extent of a region (rho, bound), and the status of its ends.
+    """Return the extent of a region (rho, end), and the status of its ends.
 
     If the region reaches the shortest or longest computed range, it may extend beyond. Its range is
     then open at this end, and its work at both ends.
@@ -217,9 +217,9 @@ def _extent(region: np.ndarray, ranges: np.ndarray) -> dict[str, Any]:
         if not is_open.any():
             region_work = np.array([np.nanmin(region[:, 0]), np.nanmax(region[:, 1])])
     return {
-        "region_range": ("bound", region_range, NM),
-        "region_work": ("bound", region_work, JOULE_PER_M2),
-        "region_status": ("bound", status),
+        "region_range": ("end", region_range, NM),
+        "region_work": ("end", region_work, JOULE_PER_M2),
+        "region_status": ("end", status),
     }
 
 
@@ -244,7 +244,7 @@ def add_extrapolated_work(fitted: xr.Dataset, force: xr.Dataset) -> xr.Dataset:
         "extrapolated_work",
         work.dims,
         work.values,
-        interval.transpose(*work.dims, "bound").values,
+        interval.transpose(*work.dims, "end").values,
         JOULE_PER_M2,
         fitted.attrs["confidence"],
     )
@@ -263,7 +263,7 @@ def _logarithmic_errors(data: xr.Dataset, name: str) -> tuple[xr.DataArray, xr.D
 
     A lower end of zero is no bound, and its distance is infinite.
     """
-    low, high = bounds(data, name)
+    low, high = interval_ends(data, name)
     with np.errstate(divide="ignore"):
         below: xr.DataArray = xr.apply_ufunc(np.log, data[name] / low)
         above: xr.DataArray = xr.apply_ufunc(np.log, high / data[name])

@@ -12,7 +12,7 @@ import xarray as xr
 from scipy import special
 
 from hardcontact.base.dataset import stack
-from hardcontact.base.statistics import bounds, widen_interval, with_interval
+from hardcontact.base.statistics import interval_ends, widen_interval, with_interval
 from hardcontact.base.units import DIMENSIONLESS, NEWTON, NM
 from hardcontact.contact.contact import CONTACT_AXES, PLASTIC, Contact
 from hardcontact.contact.finite_scan import finite_scan_ratio, window_share
@@ -98,7 +98,7 @@ def add_sizes(
     ratios = [finite_scan_ratio(size, search_size) for size, search_size in sizes]
     return force.assign(
         search_size=("surface", lengths, NM),
-        finite_scan_ratio=(("surface", "bound"), ratios, DIMENSIONLESS),
+        finite_scan_ratio=(("surface", "end"), ratios, DIMENSIONLESS),
         pixel_area=("surface", scans["pixel_size"].values ** 2, {"units": "nm2"}),
         window_share=("rho", window_share(contact, force["rho"].values), DIMENSIONLESS),
     ).assign_attrs(window=contact.window, contact_area=contact.area)
@@ -258,7 +258,7 @@ def add_extrapolated_force(
     """
     rho = force.attrs["range_of_adhesion"]
     scan_force = force.sel(contact_model=PLASTIC).sel(rho=rho, method="nearest", drop=True)
-    low, high = bounds(scan_force, "force")
+    low, high = interval_ends(scan_force, "force")
     is_inside = (low <= extrapolated_forces.extrapolated_force) & (
         extrapolated_forces.extrapolated_force <= high
     )
@@ -273,7 +273,7 @@ def add_extrapolated_force(
 def include_finer_pixels(force: xr.Dataset) -> xr.Dataset:
     """Extend the intervals of forces on scans to the forces on pixels WIDE_PIXEL times finer."""
     interval = force["force_interval"]
-    widened = interval.where(interval["bound"] != "low", interval / pixel_factors(force))
+    widened = interval.where(interval["end"] != "low", interval / pixel_factors(force))
     return force.assign(force_interval=widened.transpose(*interval.dims))
 
 

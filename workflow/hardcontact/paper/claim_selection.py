@@ -65,7 +65,7 @@ def select_estimate(estimate: xr.Dataset, labels: SelectedLabels, rule: str) -> 
         )
     worst = estimate.max(remaining) if rule == "below" else estimate.min(remaining)
     # The worst value has no interval if any value lacks one: that value may be the worst.
-    has_interval = estimate["value_interval"].notnull().all("bound") | estimate["value"].isnull()
+    has_interval = estimate["value_interval"].notnull().all("end") | estimate["value"].isnull()
     return worst.assign(value_interval=worst["value_interval"].where(has_interval.all()))
 
 

@@ -102,7 +102,7 @@ def _smooth_contact(sphere: ElasticSphere, constants: Mapping[Any, float]) -> xr
 def _forces_at_published_pair(fit: xr.Dataset) -> np.ndarray:
     """Return the mean forces of plastic contact and the ends of their intervals, (surface, 3)."""
     plastic = fit.sel(contact_model=PLASTIC, pair="published")
-    interval = plastic["mean_force_at_pair_interval"].transpose("surface", "bound")
+    interval = plastic["mean_force_at_pair_interval"].transpose("surface", "end")
     return np.column_stack([plastic["mean_force_at_pair"].values, interval.values])
 
 

@@ -8,7 +8,7 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.base.published import effective_modulus
-from hardcontact.base.statistics import bounds
+from hardcontact.base.statistics import interval_ends
 from hardcontact.paper.estimates import (
     absolute_value,
     as_estimate,
@@ -104,7 +104,7 @@ def share_of_two_asperities(asperities: xr.Dataset) -> xr.Dataset:
     All patches together carry the attribute ``share`` of the force: the interval ends there.
     """
     share = variable_estimate(asperities, "two_largest_share")
-    low, high = bounds(share, "value")
+    low, high = interval_ends(share, "value")
     return as_estimate(share["value"], low, high.clip(max=asperities.attrs["share"]))
 
 

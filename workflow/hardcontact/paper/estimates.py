@@ -7,8 +7,8 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.base.statistics import (
-    bounds,
     interval_between,
+    interval_ends,
     student_interval,
     student_log_interval,
 )
@@ -32,7 +32,7 @@ def variable_estimate(dataset: xr.Dataset, name: str) -> xr.Dataset:
     """
     value = dataset[name]
     if f"{name}_interval" in dataset:
-        return as_estimate(value, *bounds(dataset, name))
+        return as_estimate(value, *interval_ends(dataset, name))
     if "scan" in value.dims and set(CONTACT_DIMENSIONS) & set(value.dims):
         if "confidence" not in dataset.attrs:
             raise KeyError("expected an attribute named 'confidence', found none")
@@ -70,8 +70,8 @@ def quotient(upper: xr.Dataset, lower: xr.Dataset) -> xr.Dataset:
     The ends of the interval are ratios of the ends of both intervals. If the two are
     independent, the interval is wider than its confidence.
     """
-    upper_low, upper_high = bounds(upper, "value")
-    lower_low, lower_high = bounds(lower, "value")
+    upper_low, upper_high = interval_ends(upper, "value")
+    lower_low, lower_high = interval_ends(lower, "value")
     return as_estimate(
         upper["value"] / lower["value"],
         upper_low.clip(0) / lower_high,
@@ -81,7 +81,7 @@ def quotient(upper: xr.Dataset, lower: xr.Dataset) -> xr.Dataset:
 
 def absolute_value(signed: xr.Dataset) -> xr.Dataset:
     """Return the absolute value of an estimate; an interval across zero then begins at zero."""
-    low, high = bounds(signed, "value")
+    low, high = interval_ends(signed, "value")
     return as_estimate(abs(signed["value"]), low.clip(-high).clip(0), high.clip(-low))
 
 

@@ -14,7 +14,7 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from hardcontact.base.statistics import bounds
+from hardcontact.base.statistics import interval_ends
 from hardcontact.paper import contact_quantities, force_quantities, inference_quantities
 from hardcontact.paper.claim_selection import (
     WITHOUT_SCAN,
@@ -254,5 +254,5 @@ def _claim_interval(
     The interval comes from `interval_with_sets`. An estimate that needs no scan has zero width.
     """
     value = float(estimate["value"])
-    ends = interval_with_sets(value, bounds(estimate, "value"), samples, confidence)
+    ends = interval_with_sets(value, interval_ends(estimate, "value"), samples, confidence)
     return (value, value) if claim.needs in WITHOUT_SCAN and np.isnan(ends[0]) else ends

@@ -28,7 +28,7 @@ def force_exponent(forces: xr.Dataset, contact_area: float, confidence: float) -
     means = long_wave_forces.sel(contact_area=contact_area, method="nearest").mean(CONTACT_AXES)
     logarithms = xr.DataArray(np.log(means)).assign_coords(radius=np.log(means["radius"]))
     slopes = logarithms.polyfit("radius", 1)["polyfit_coefficients"].sel(degree=1, drop=True)
-    interval = student_interval(slopes, confidence, "realization").transpose("surface", "bound")
+    interval = student_interval(slopes, confidence, "realization").transpose("surface", "end")
     exponent = slopes.mean("realization")
     variables = with_interval(
         "force_exponent", "surface", exponent.values, interval.values, DIMENSIONLESS, confidence

@@ -9,7 +9,7 @@ import numpy as np
 import xarray as xr
 from scipy import constants, special
 
-from hardcontact.base.statistics import bounds
+from hardcontact.base.statistics import interval_ends
 from hardcontact.contact.smooth_sphere import dmt_pull_off
 from hardcontact.inference.edges import MEAN_GROUP, edges_or_bounds
 from hardcontact.paper.estimates import (
@@ -78,8 +78,8 @@ def half_width_of_work(fit: xr.Dataset) -> xr.Dataset:
 
 
 def _half_width(region: xr.DataArray) -> xr.Dataset:
-    low = region.sel(bound="low", drop=True)
-    high = region.sel(bound="high", drop=True)
+    low = region.sel(end="low", drop=True)
+    high = region.sel(end="high", drop=True)
     return as_estimate((high - low) / 2)
 
 
@@ -123,7 +123,7 @@ def band_edge(edges: xr.Dataset) -> xr.Dataset:
 
     The bound is the last cutoff of the side, at which the change is still within the tolerance.
     """
-    return as_estimate(edges_or_bounds(edges), *bounds(edges, "edge"))
+    return as_estimate(edges_or_bounds(edges), *interval_ends(edges, "edge"))
 
 
 def first_edge(edges: xr.Dataset) -> xr.Dataset:
@@ -220,7 +220,7 @@ def mean_band_ratio(sensitivity: xr.Dataset) -> xr.Dataset:
     The surfaces are independent: the half widths of their intervals add in squares.
     """
     ratio = sensitivity["band_force_ratio"]
-    low, high = bounds(sensitivity, "band_force_ratio")
+    low, high = interval_ends(sensitivity, "band_force_ratio")
     mean = ratio.mean("surface")
     count = ratio.sizes["surface"]
     below = np.sqrt(((ratio - low) ** 2).sum("surface", skipna=False)) / count

@@ -191,8 +191,8 @@ def _error_variables(
     return {
         "mean_relative_error": (("rho_fine", "work"), errors, DIMENSIONLESS),
         "best_error_by_range": ("rho_fine", smallest_errors, DIMENSIONLESS),
-        "low_error_range": ("bound", region_range, NM),
-        "low_error_work": ("bound", region_work, JOULE_PER_M2),
+        "low_error_range": ("end", region_range, NM),
+        "low_error_work": ("end", region_work, JOULE_PER_M2),
     } | {
         f"{name}_at_minimum": (
             "minimum",

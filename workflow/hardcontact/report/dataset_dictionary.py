@@ -10,7 +10,7 @@ HEAD = """\
 # The datasets of this study
 
 The unit `1` says that a number has none. A variable with \\* has an interval beside it,
-`<name>_interval`, over `bound` (low, high).
+`<name>_interval`, over `end` (low, high).
 """
 
 

@@ -9,7 +9,7 @@ import xarray as xr
 
 from hardcontact.base.formatting import PRINTED_UNITS, format_as_paper, format_quantity
 from hardcontact.base.number import Number, Status, plain
-from hardcontact.base.statistics import bounds
+from hardcontact.base.statistics import interval_ends
 
 QuantityMapping = dict[str, Any]
 
@@ -47,16 +47,10 @@ def number_of(
     number = Number(name or variable, float(dataset[variable].item()), unit, source=source)
     if not math.isfinite(number.value) or f"{variable}_interval" not in dataset:
         return number
-    low, high = ends(dataset, variable)
+    low, high = (end.item() for end in interval_ends(dataset, variable))
     if (low, high) == (0, math.inf):
         return number._replace(status=Status.NO_INTERVAL)
     return number._replace(low=low, high=high)
-
-
-def ends(dataset: xr.Dataset, name: str) -> tuple[float, float]:
-    """Return both ends of the interval of a variable without dimensions."""
-    low, high = bounds(dataset, name)
-    return low.item(), high.item()
 
 
 def number_without_value(name: str, low: float, high: float, unit: str = "1") -> Number:

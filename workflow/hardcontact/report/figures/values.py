@@ -6,7 +6,7 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from hardcontact.base.statistics import bounds
+from hardcontact.base.statistics import interval_ends
 
 #: Share of the sets of substitutes between `low` and `high`: the middle of all sets.
 SHARE_OF_SETS = 0.9
@@ -17,7 +17,7 @@ def value_and_interval(data: xr.Dataset, name: str) -> xr.Dataset:
     value = data[[name]].rename({name: "value"})
     if f"{name}_interval" not in data:
         return value
-    low, high = bounds(data, name)
+    low, high = interval_ends(data, name)
     return value.assign(low=low, high=high)
 
 

@@ -7,6 +7,7 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.base.number import Number, Status
+from hardcontact.base.statistics import interval_ends
 from hardcontact.inference.edges import computed_cutoffs
 from hardcontact.report.own_surfaces.artificial_roughness import (
     artificial_bands,
@@ -16,7 +17,7 @@ from hardcontact.report.own_surfaces.artificial_roughness import (
     overlaps_any,
 )
 from hardcontact.report.own_surfaces.datasets import Datasets
-from hardcontact.report.quantities import OPEN_WORDS, ends, number_without_value, remove_interval
+from hardcontact.report.quantities import OPEN_WORDS, number_without_value, remove_interval
 from hardcontact.scans.both_bodies import sphere_share
 from hardcontact.surfaces.synthesis import SIDES
 
@@ -71,7 +72,7 @@ def edge_number(side_edges: xr.Dataset, name: str, source: str = "computed") -> 
     `side_edges` is the part of edges.nc at one side of one surface.
     """
     edge = side_edges["edge"].item()
-    low, high = ends(side_edges, "edge")
+    low, high = (end.item() for end in interval_ends(side_edges, "edge"))
     if np.isfinite(edge):
         return Number(name, edge, "nm", low, high, "", source)
     bound, status = side_edges["edge_bound"].item(), side_edges["edge_status"].item()

@@ -8,7 +8,7 @@ import pandas as pd
 import xarray as xr
 
 from hardcontact.base.number import Number, Status
-from hardcontact.base.statistics import bounds, percentile_interval
+from hardcontact.base.statistics import interval_ends, percentile_interval
 from hardcontact.config.model import numeric_configuration
 from hardcontact.contact.contact import PLASTIC
 from hardcontact.files.master_purposes import SHORT_ADHESION_RANGE
@@ -195,7 +195,7 @@ def surface_numbers(surface: str, datasets: Mapping[str, xr.Dataset]) -> dict[st
         labels = {"side": side, "group": surface}
         value = edges_or_bounds(band).sel(labels).item()
         samples = edges_or_bounds(sets).sel(labels).values
-        interval = bounds(band.sel(labels), "edge")
+        interval = interval_ends(band.sel(labels), "edge")
         low, high = interval_with_sets(value, interval, samples, band.attrs["confidence"])
         end = open_end(side, value, low, high, [band, sets])
         status = f"interval_open_{end}" if end else ""
