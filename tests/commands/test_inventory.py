@@ -1,4 +1,4 @@
-"""The inventory of files has the roughness of their scans, and names unusable members."""
+"""The inventory of files has the roughness of their scans, and names unusable datasets."""
 
 from dataclasses import replace
 
@@ -44,16 +44,16 @@ def test_roughness_excludes_tilt_and_the_shape_of_the_sphere(tmp_path):
 def test_an_unreadable_member_of_a_container_is_skipped(tmp_path):
     sound_scan = scan(tmp_path / "good.nc")
     (tmp_path / "bad.txt").write_text("nothing")
-    members = [
+    datasets = [
         {"name": name, "datafile": {"original": name}, "unit": "nm", "size": [320.0, 320.0]}
         for name in ("good.nc", "bad.txt")
     ]
     files = {"good.nc": sound_scan, "bad.txt": tmp_path / "bad.txt"}
-    twin = container(tmp_path / "twin.zip", members, files)
+    twin = container(tmp_path / "twin.zip", datasets, files)
     ((entry,), (line,), problems) = inventory([source(twin)], None)
-    assert entry.member == "good.nc" and not problems
+    assert entry.dataset == "good.nc" and not problems
     assert_says(line, "twin.zip: bad.txt: expected")
-    unusable_container = container(tmp_path / "bad.zip", members[1:], files)
+    unusable_container = container(tmp_path / "bad.zip", datasets[1:], files)
     entries, unreadable, problems = inventory([source(unusable_container)], None)
     assert not entries and not unreadable and len(problems) == 1
 

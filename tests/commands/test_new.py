@@ -120,8 +120,8 @@ def test_a_scan_of_fewer_lines_in_a_square_frame_is_a_caution(folder, run):
 def test_scans_without_contacts_enter_the_spectrum(folder, run):
     own_scan(folder / "large.nc", 10000.0, pixels=256)
     small = own_scan(folder / "small.nc", 500.0)
-    member = {"name": "s", "datafile": {"original": "s.nc"}, "unit": "nm", "size": [500.0] * 2}
-    container(folder / "twin.zip", [member], {"s.nc": small})
+    dataset = {"name": "s", "datafile": {"original": "s.nc"}, "unit": "nm", "size": [500.0] * 2}
+    container(folder / "twin.zip", [dataset], {"s.nc": small})
     _, table = accepted(folder, run(NAME, "twin.zip", "large.nc", "--tip", "8 nm"))
     assert table.use.tolist() == ["contact", "spectrum"]
     assert table.dataset.tolist() == ["", "s.nc"] and set(table.tip_radius) == {"8.0"}

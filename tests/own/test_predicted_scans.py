@@ -70,13 +70,13 @@ def test_members_of_a_container_are_joined_or_chosen(tmp_path):
     for number in (1, 2):
         heights, path = map_of(generator(number), 64, 10.0).heights, tmp_path / f"{number}.nc"
         files[path.name] = scan_files.scan(path, heights, (640.0, 640.0))
-    members = [{"name": f"scan {file}", "datafile": {"original": file}} for file in files]
-    path = scan_files.container(tmp_path / "twin.zip", members, files)
-    joined_members = read_own_spectrum([path])
-    second_member = read_own_spectrum([path], member="scan 2.nc")
+    datasets = [{"name": f"scan {file}", "datafile": {"original": file}} for file in files]
+    path = scan_files.container(tmp_path / "twin.zip", datasets, files)
+    joined_datasets = read_own_spectrum([path])
+    second_dataset = read_own_spectrum([path], dataset="scan 2.nc")
     densities = [read_own_spectrum([file]).spectrum.density for file in files.values()]
-    assert second_member.spectrum.density == pytest.approx(densities[1])
-    assert joined_members.spectrum.density == pytest.approx(
+    assert second_dataset.spectrum.density == pytest.approx(densities[1])
+    assert joined_datasets.spectrum.density == pytest.approx(
         np.sqrt(densities[0] * densities[1]), rel=0.05
     )
 

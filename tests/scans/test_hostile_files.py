@@ -42,14 +42,14 @@ def text(values):
     return lines.getvalue()
 
 
-def scan_list(member="a.txt", **other):
+def scan_list(dataset="a.txt", **other):
     """A container's meta.yml with one scan, called one."""
-    entry = {"name": "one", "datafile": {"original": member}, "size": [320, 320], "unit": "nm"}
+    entry = {"name": "one", "datafile": {"original": dataset}, "size": [320, 320], "unit": "nm"}
     return yaml.safe_dump({"surfaces": [{"topographies": [entry | other]}]})
 
 
-def container(path, content, member="a.txt"):
-    archive(path, {"meta.yml": scan_list(member), member: content})
+def container(path, content, dataset="a.txt"):
+    archive(path, {"meta.yml": scan_list(dataset), dataset: content})
 
 
 def listing(content):

@@ -18,8 +18,8 @@ from hardcontact.surfaces.height_map import HeightMap, read_height_map, require_
 def write_and_list(write, path, topography):
     """Write a topography; return its path and the name of the dataset."""
     write(topography, path)
-    (member,) = list_scans(path)
-    return path, member
+    (dataset,) = list_scans(path)
+    return path, dataset
 
 
 def map_of(values):

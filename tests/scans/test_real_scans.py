@@ -16,11 +16,11 @@ MEMBER = "gain_control_uncd_35.001"
 
 
 @pytest.mark.parametrize(
-    ("path", "member", "size", "rms_height"),
+    ("path", "dataset", "size", "rms_height"),
     [(AFM, "", 10_000.0, 14.3), (CONTAINER, MEMBER, 100.0, 4.69)],
 )
-def test_real_scans_have_their_levelled_rms_height(path, member, size, rms_height):
-    scan = read_scan(path, member)
+def test_real_scans_have_their_levelled_rms_height(path, dataset, size, rms_height):
+    scan = read_scan(path, dataset)
     assert scan.heights.shape == (512, 512)
     assert scan.size == pytest.approx(size)
     assert level(scan).heights.std() == pytest.approx(rms_height, abs=0.05)

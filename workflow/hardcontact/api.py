@@ -56,7 +56,7 @@ if TYPE_CHECKING:
 
 def read_scan(
     path: str | Path,
-    member: str = "",
+    dataset: str = "",
     *,
     undefined_pixels: str = "refuse",
     unit: str = NONE,
@@ -71,7 +71,7 @@ def read_scan(
     ----------
     path : str or Path
         Any format that SurfaceTopography reads, or a container of scans.
-    member : str
+    dataset : str
         The scan in a container, or the channel of any other file; empty for the file's choice.
     undefined_pixels : str
         ``"refuse"`` a scan with undefined pixels, or fill them with a ``"harmonic"`` function.
@@ -99,13 +99,13 @@ def read_scan(
     >>> size = scan.size  # nm
     """
     check_read_arguments(
-        [path], member=member, unit=unit, undefined_pixels=undefined_pixels, mask=mask
+        [path], dataset=dataset, unit=unit, undefined_pixels=undefined_pixels, mask=mask
     )
     check_optional_lengths(
         map_size=map_size if map_size != NONE else None, sphere_radius=sphere_radius
     )
     with arguments_in_messages():
-        scan = require_map(read_any_scan(path, member, undefined_pixels, unit, map_size, mask))
+        scan = require_map(read_any_scan(path, dataset, undefined_pixels, unit, map_size, mask))
     return _prepare(scan, sphere_radius, levelling)
 
 
@@ -161,7 +161,7 @@ def _prepare(scan: HeightMap, sphere_radius: float | None, levelling: str) -> He
 
 def read_spectrum(
     *files: str | Path,
-    member: str = "",
+    dataset: str = "",
     tip_radius: float | None = None,
     undefined_pixels: str = "harmonic",
     unit: str = NONE,
@@ -177,7 +177,7 @@ def read_spectrum(
     ----------
     *files : str or Path
         One table in the format of `hardcontact predict`; or height maps, line scans and containers.
-    member : str
+    dataset : str
         Name of the only scan in a container to read; empty: all scans.
     tip_radius : float or None
         Radius of the tip in nm for scans whose files do not state it.
@@ -200,7 +200,7 @@ def read_spectrum(
     >>> shortest = 2 * np.pi / spectrum.wavevector[-1]  # nm
     """
     check_read_arguments(
-        files, member=member, unit=unit, undefined_pixels=undefined_pixels, mask=mask
+        files, dataset=dataset, unit=unit, undefined_pixels=undefined_pixels, mask=mask
     )
     check_optional_lengths(
         map_size=map_size if map_size != NONE else None,
@@ -210,7 +210,7 @@ def read_spectrum(
     with arguments_in_messages():
         spectrum = read_own_spectrum(
             files,
-            member=member,
+            dataset=dataset,
             tip_radius=tip_radius,
             undefined_pixels=undefined_pixels,
             unit=unit,

@@ -1,4 +1,4 @@
-"""The contents of the files of own surfaces: one entry per topography, and unreadable members."""
+"""The contents of the files of own surfaces: one entry per topography, and unreadable datasets."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -38,7 +38,7 @@ class Entry:
     """One topography: the statements of its file, and measured properties; lengths in nm."""
 
     source: Source
-    member: str
+    dataset: str
     channel: str
     file_unit: str
     kind: str
@@ -80,7 +80,7 @@ class Entry:
     def name(self) -> str:
         """The file without its folder, and for a container the data file in it."""
         file = PurePath(self.source.path).name
-        return f"{file}/{self.member}" if self.member else file
+        return f"{file}/{self.dataset}" if self.dataset else file
 
 
 def inventory(
@@ -95,7 +95,7 @@ def inventory(
 ) -> tuple[list[Entry], list[str], list[str]]:
     """Return the topographies of files, lines on those that are left out, and problems.
 
-    Unusable members of containers, and scans of an area that an earlier scan shows, are left out.
+    Unusable datasets of containers, and scans of an area that an earlier scan shows, are left out.
     Tip radius and `map_size`, the longer side, are in nm; with `unit` they serve files that state
     none. `channel` is read from files that are not containers; empty for the file's own choice.
     """
@@ -103,14 +103,14 @@ def inventory(
     unreadable: list[str] = []
     problems: list[str] = []
 
-    def read_entry(source: Source, member: str) -> Entry:
-        scan = read_scan(source.file, member or channel, FILLING, unit, map_size, mask)
+    def read_entry(source: Source, dataset: str) -> Entry:
+        scan = read_scan(source.file, dataset or channel, FILLING, unit, map_size, mask)
         return _entry(source, scan, tip_radius, levelling)
 
     for source in sources:
         file_entries, faults = _read_file(source, read_entry)
         entries += file_entries
-        # A member that cannot be used stops nothing: the user cannot take it out.
+        # A dataset that cannot be used stops nothing: the user cannot take it out.
         (unreadable if file_entries or source.is_in_folder else problems).extend(faults)
     if not entries and not problems:
         problems += unreadable
@@ -122,17 +122,17 @@ def inventory(
 def _read_file(
     source: Source, read_entry: Callable[[Source, str], Entry]
 ) -> tuple[list[Entry], list[str]]:
-    """Return the entries of usable members of a file, and a line on each fault of unusable ones."""
+    """Return the entries of usable datasets of a file, and a line on each fault of others."""
     entries = []
     faults = []
     try:
-        for member in list_scans(source.file):
+        for dataset in list_scans(source.file):
             try:
-                entries.append(read_entry(source, member))
+                entries.append(read_entry(source, dataset))
             except ValueError as error:
                 file = f"{source.file}: "
                 faults += [
-                    f"{file}{member}: {line.removeprefix(file)}" if member else line
+                    f"{file}{dataset}: {line.removeprefix(file)}" if dataset else line
                     for line in str(error).splitlines()
                 ]
     except ValueError as error:
@@ -200,7 +200,7 @@ def _entry(source: Source, scan: HeightMap, tip_radius: float | None, levelling:
     radius = tip_radius if stated_radius is None else stated_radius
     return Entry(
         source=source,
-        member=scan.member,
+        dataset=scan.dataset,
         channel=scan.channel,
         file_unit=scan.file_unit,
         kind=scan.kind,
@@ -269,7 +269,7 @@ def table_rows(
             "scan": str(number),
             "source": "measured",
             "path": entry.source.path,
-            "dataset": entry.member,
+            "dataset": entry.dataset,
             "use": CONTACT if id(entry) in contact_ids else SPECTRUM,
             "tip_radius": tip_radius if entry.tip_given else "",
         }

@@ -122,7 +122,7 @@ def _spectrum_readers(
         levelling=arguments.levelling,
         mask=arguments.mask,
     )
-    readers = [partial(reader, [arguments.file], member=arguments.dataset)]
+    readers = [partial(reader, [arguments.file], dataset=arguments.dataset)]
     if arguments.sphere is not None:
         radius = quantities["radius"].number
         readers.append(partial(reader, [arguments.sphere], sphere_radius=radius))

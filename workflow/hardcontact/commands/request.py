@@ -236,14 +236,12 @@ def list_sources(arguments: Namespace, radius: float) -> tuple[list[Source], lis
         labels.setdefault(surface, label)
         sphere_radius = radius if files is arguments.sphere else None
         for file in files:
-            members = _files_in(file)
-            if not members:
+            scan_files = _files_in(file)
+            if not scan_files:
                 faults.append(f"{file}: expected a folder with files of scans, found none")
             sources += [
-                Source(
-                    surface, label, member, path_from_root(member), sphere_radius, member != file
-                )
-                for member in members
+                Source(surface, label, path, path_from_root(path), sphere_radius, path != file)
+                for path in scan_files
             ]
     paths = [source.path for source in sources]
     faults += [

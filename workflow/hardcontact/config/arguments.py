@@ -42,7 +42,7 @@ ARGUMENTS = (
     (r"--unit (\w+(?:,\w+)?)", r'unit="\1"'),
     (r"--size 5um, or the key scan\.map_size,", "map_size=5000, in nm,"),
     (r"the key scan\.undefined_pixels: (\w+)", r'undefined_pixels="\1"'),
-    (r"--dataset, or the column dataset,", "member"),
+    (r"--dataset, or the column dataset,", "dataset"),
 )
 
 

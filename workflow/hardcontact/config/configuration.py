@@ -156,10 +156,10 @@ def study_contact(config: Mapping[str, Any]) -> Contact:
     )
 
 
-def reading_keys(config: Mapping[str, Any], member: str) -> dict[str, Any]:
+def reading_keys(config: Mapping[str, Any], dataset: str) -> dict[str, Any]:
     """Return the arguments of `read_scan` for a scan of the study, given its name in the file."""
     names = ("undefined_pixels", "unit", "map_size", "mask")
-    return {"member": member} | {name: config["scan"][name] for name in names}
+    return {"dataset": dataset} | {name: config["scan"][name] for name in names}
 
 
 def master_keys(config: Mapping[str, Any], section: str, side: str) -> dict[str, str]:

@@ -72,7 +72,7 @@ class OwnSpectrum(NamedTuple):
 def read_own_spectrum(
     files: Sequence[str | Path],
     *,
-    member: str = "",
+    dataset: str = "",
     tip_radius: float | None = None,
     undefined_pixels: str = "harmonic",
     unit: str = "none",
@@ -83,7 +83,7 @@ def read_own_spectrum(
 ) -> OwnSpectrum:
     """Return the spectrum of a table, or of scans of one surface at their reliable wavelengths.
 
-    `member` is the only scan to read. Tip radius and `map_size`, the longer side, are in nm;
+    `dataset` is the only scan to read. Tip radius and `map_size`, the longer side, are in nm;
     with `unit` they serve files that state none. `sphere_radius` is in nm. Raises ValueError, with
     a line for each fault, if a file is invalid.
     """
@@ -97,13 +97,13 @@ def read_own_spectrum(
     read_scans = (
         read_scan(path, name, undefined_pixels, unit, map_size, mask)
         for path in files
-        for name in ([member] if member else list_scans(path))
+        for name in ([dataset] if dataset else list_scans(path))
     )
     scans = [scan_with_defects(scan, sphere_radius, levelling) for scan in read_scans]
     for scan in scans:
         if np.ptp(scan.heights) < LENGTH_BOUNDS[0]:
             raise ValueError(f"{scan.path}: expected a rough surface, found constant height")
-    names = [f"{scan.path} {scan.member}".strip() for scan in scans]
+    names = [f"{scan.path} {scan.dataset}".strip() for scan in scans]
     repeated = repeated_scans(scans, names)
     scans = [scan for number, scan in enumerate(scans) if number not in repeated]
     names = [name for number, name in enumerate(names) if number not in repeated]

@@ -60,13 +60,13 @@ def _entry(scan: dict[str, Any]) -> dict[str, Any]:
     return kept_metadata | {"name": scan.get("name") or file, "file": file}
 
 
-def find_entry(entries: list[dict[str, Any]], member: str) -> dict[str, Any]:
+def find_entry(entries: list[dict[str, Any]], dataset: str) -> dict[str, Any]:
     """Return the metadata of the only scan with this name or data file."""
-    named_entries = [entry for entry in entries if member in (entry["file"], entry["name"])]
+    named_entries = [entry for entry in entries if dataset in (entry["file"], entry["name"])]
     if len(named_entries) != 1:
         scans = ", ".join(f"{entry['name']} ({entry['file']})" for entry in entries)
         raise RefusedFile(
             "expected --dataset, or the column dataset, to name one scan, "
-            f"found {len(named_entries)} of {member!r} among {scans}"
+            f"found {len(named_entries)} of {dataset!r} among {scans}"
         )
     return named_entries[0]

@@ -62,20 +62,20 @@ def list_datasets(content: bytes) -> dict[str, Any]:
 
 
 def read_fields(
-    content: bytes, member: str, undefined_pixels: str, unit: str, map_size: float | str, mask: str
+    content: bytes, dataset: str, undefined_pixels: str, unit: str, map_size: float | str, mask: str
 ) -> dict[str, Any]:
     """Return the fields of a `HeightMap` that its file states, for `scans.read_scan`."""
     content = _decompressed(content)
     entries = container_entries(content)
     entry: dict[str, Any] = {}
     if entries is not None:
-        entry = find_entry(entries, member)
+        entry = find_entry(entries, dataset)
         with zipfile.ZipFile(io.BytesIO(content)) as container:
             content = container.read(entry["file"])
     content, text_notes = readable_text(content)
     unit = unit.replace("angstrom", "Å")
     reader = _open(content)
-    channel, notes = _height_channel(reader, entry, "" if entry else member)
+    channel, notes = _height_channel(reader, entry, "" if entry else dataset)
     notes = text_notes + notes
     topography, metadata_in_words = _read_topography(
         channel, entry or _user_metadata(channel, unit, map_size)
@@ -98,7 +98,7 @@ def read_fields(
         raise RefusedFile(f"{error}{remedy if unit == topography.unit else ''}") from None
     tip_radius, tip_notes = stated_tip_radius(topography.info, entry)
     return {
-        "member": member if entry or len(reader.channels) > 1 else "",
+        "dataset": dataset if entry or len(reader.channels) > 1 else "",
         "channel": channel.name,
         "file_unit": topography.unit,
         "tip_radius": tip_radius,

@@ -82,7 +82,7 @@ def _measured_spectra(
     count = int(_reliable_mask(densities, bands).any(axis=0).sum())
     if count < MIN_BINS:
         listing = "; ".join(
-            f"{measurement.path} {measurement.member}".strip() + f" {band}"
+            f"{measurement.path} {measurement.dataset}".strip() + f" {band}"
             for measurement, band in zip(measurements, bands, strict=True)
         )
         is_too_large = min(band.shortest for band in bands) > 2 * np.pi / BIN_CENTRES[0]

@@ -45,7 +45,7 @@ MAX_MESSAGE_LENGTH = 2000
 
 def read_scan(
     path: str | Path,
-    member: str = "",
+    dataset: str = "",
     undefined_pixels: str = "refuse",
     unit: str = "none",
     map_size: float | str = "none",
@@ -53,14 +53,14 @@ def read_scan(
 ) -> HeightMap:
     """Read the central square of a map, or a line scan, in nm, not levelled.
 
-    `member` names a scan of a container, or a channel. `unit` ("nm", or "mm,nm" for positions and
+    `dataset` names a scan of a container, or a channel. `unit` ("nm", or "mm,nm" for positions and
     heights) and `map_size`, the longer side in nm, serve files that state none. `mask` is one of
     MASKS. Raises ValueError, in one line, if the scan cannot be used, or if it has undefined pixels
     and `undefined_pixels` is ``"refuse"``.
     """
     from hardcontact.scans.formats import read_fields
 
-    fields = read_in_child(read_fields, Path(path), member, undefined_pixels, unit, map_size, mask)
+    fields = read_in_child(read_fields, Path(path), dataset, undefined_pixels, unit, map_size, mask)
     fields["notes"] = tuple(fields["notes"])
     return HeightMap(path=str(path), **fields)
 

@@ -42,7 +42,7 @@ def measurement_descriptions(
             "longest_reliable": band.longest,
             "limited_by": band.limited_by,
             "path": measurement.path,
-            "dataset": measurement.member,
+            "dataset": measurement.dataset,
             "tip_radius": np.nan if radius is None else radius,
             "notes": "; ".join(measurement.notes),
             "earlier_scan": "" if earlier is None else measurements[earlier].name,

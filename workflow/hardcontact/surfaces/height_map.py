@@ -29,7 +29,7 @@ class HeightMap:
     periodic: bool = False
     source: str = "measured"
     path: str = "scan"  #: Path of the file, as messages name it.
-    member: str = ""  #: Data file in a container, the channel of any other file, or empty.
+    dataset: str = ""  #: Data file in a container, the channel of any other file, or empty.
     channel: str = ""  #: Name of the channel that was read.
     file_unit: str = "nm"  #: Unit of length that the file, or its container, states.
     tip_radius: float | None = None  #: In nm, if the file or its container states one.
@@ -50,7 +50,7 @@ class HeightMap:
     @property
     def name(self) -> str:
         """The path of the file and, if the file has several scans, the name of this one in it."""
-        return f"{self.path}: {self.member}" if self.member else self.path
+        return f"{self.path}: {self.dataset}" if self.dataset else self.path
 
     @property
     def kind(self) -> str:
@@ -100,7 +100,7 @@ class HeightMap:
         labels = NM | {"long_name": "surface height", "pixel_size": float(self.pixel_size)}
         attributes = {
             **{name: getattr(self, name) for name in TEXT_FIELDS},
-            "dataset": self.member,
+            "dataset": self.dataset,
             "periodic": int(self.periodic),
             "tip_radius": np.nan if self.tip_radius is None else self.tip_radius,
             "notes": "; ".join(self.notes),
@@ -126,7 +126,7 @@ def read_height_map(path: str) -> HeightMap:
         float(heights.attrs["pixel_size"]),
         bool(attributes["periodic"]),
         **texts,
-        member=str(attributes["dataset"]),
+        dataset=str(attributes["dataset"]),
         tip_radius=None if np.isnan(tip_radius) else tip_radius,
         notes=tuple(notes.split("; ")) if notes else (),
         undefined_count=int(attributes["undefined"]),
