@@ -11,10 +11,7 @@ from repository import PAPER, ROOT, merged
 from scan_files import container, nanoscope, scan
 
 from hardcontact.commands import command_line, new, request
-from hardcontact.commands.new import overlay_text, values_by_key
-from hardcontact.commands.predict import predict, predict_arguments
-from hardcontact.commands.proposal import Choice
-from hardcontact.config.configuration import apply_effort, set_keys
+from hardcontact.config.configuration import apply_effort
 from hardcontact.config.model import numeric_configuration
 from hardcontact.config.selected_surfaces import surface_table
 from hardcontact.run import checks
@@ -100,21 +97,6 @@ def test_options_state_what_files_lack_and_are_kept(folder, run):
         folder, run(NAME, "bare.nc", "--unit", "um", "--levelling", "quadratic", "--overwrite")
     )
     assert config["scan"]["unit"] == "um" and config["scan"]["levelling"] == "quadratic"
-
-
-def test_a_scan_of_fewer_lines_in_a_square_frame_is_a_caution(folder, run):
-    """Nanoscope files may state the full frame of a stopped scan, so that pixels look oblong."""
-    lines = rough()
-    kept_lines = lines[: round(0.7 * len(lines))]
-    nanoscope(folder / "a.001", 10 * kept_lines, (2500.0, 2500.0))
-    done = run(NAME, "a.001")
-    (caution,) = [line for line in done.out.splitlines() if "the file states" in line]
-    width, height = kept_lines.shape[::-1]
-    assert_says(
-        caution, "- a.001: the file states", f"{width} x {height} pixels", "2.5 µm x 1.7", "along y"
-    )
-    report = predict(predict_arguments([str(folder / "a.001")]))
-    assert f"take care: {folder}/a.001: the file states 2.5 µm x 2.5 µm" in report
 
 
 def test_scans_without_contacts_enter_the_spectrum(folder, run):
@@ -231,17 +213,3 @@ def test_faulty_arguments_are_refused_in_one_line_and_nothing_is_written(folder,
             all(message_part in line for message_part in message_parts) for line in done.errors
         ), done.errors
         assert sorted(folder.rglob("*")) == files_before
-
-
-def test_an_overlay_is_read_back_as_it_was_written():
-    choices = [
-        Choice("study", "1e3", "a name that YAML takes for a number"),
-        Choice("contact.contacts_per_row", 20, "in each direction, " * 20),
-        Choice("scales.short.cutoffs", [f"{length} nm" for length in range(5, 60)], "many"),
-        Choice("adhesion.range", "5.6 nm", "the paper's"),
-    ]
-    text = overlay_text("snakemake", choices, [Choice("study", "no", "")])
-    overlay = set_keys({}, values_by_key(choices)) | {"quick": {"study": "no"}}
-    assert yaml.safe_load(text) == overlay
-    base = {"adhesion": {"range": "1 nm"}, "scales": {"long": {"tiles": 4}}, "seed": 1}
-    assert set_keys(base, values_by_key(choices))["scales"]["long"] == {"tiles": 4}

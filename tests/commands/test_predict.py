@@ -211,3 +211,13 @@ def test_implausible_quantities_are_questioned(name, usual, questioned):
             lines = list(request.implausible_quantities(quantities))
             assert not faults and len(lines) == count, lines
             assert all(line.startswith(f"--{name} {text}: is the unit right?") for line in lines)
+
+
+def test_a_compliant_sphere_has_a_large_tabor_parameter(table):
+    """A smooth sphere has the Tabor parameter (R W²/(E*² rho³))^(1/3)."""
+    path = table(*rows_of(rough(17, 1000, 0.8, 20)))
+    hard, soft = (numbers_of(path, "--modulus", modulus) for modulus in ("290GPa", "1MPa"))
+    number = (250e-6 * 0.0463**2 / (1e6**2 * 5.6e-9**3)) ** (1 / 3)
+    assert soft["tabor_parameter"]["value"] == pytest.approx(number, rel=1e-3)
+    assert soft["tabor_parameter"]["status"] == "soft"
+    assert hard["tabor_parameter"].get("status", "") != "soft"

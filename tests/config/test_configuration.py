@@ -7,7 +7,7 @@ from refusals import NESTED_ALIASES, assert_says, refusal
 from repository import PAPER, ROOT, leaves
 from studies import numbers
 
-from hardcontact.config import configuration, key_tables
+from hardcontact.config import configuration, key_tables, model
 from hardcontact.config.faults import raise_faults, run_checks
 from hardcontact.config.model import Study
 
@@ -110,19 +110,6 @@ def test_a_file_too_large_for_a_configuration_is_not_read(tmp_path):
     assert_says(message, "at most 1 MB, found 200,000,000 bytes")
 
 
-@pytest.mark.parametrize(
-    "text",
-    [
-        "contact: {contacts_per_row: 1}\nsets: {contacts_per_row: 1}",
-        "scan: &a {size: 1 nm, again: *a}\ncontact: *a",  # an alias that holds itself
-    ],
-)
-def test_repeated_names_in_different_sections_are_accepted(tmp_path, text):
-    path = tmp_path / "a.yaml"
-    path.write_text(text)
-    configuration.refuse_unreadable(path)
-
-
 # Many faults
 
 
@@ -148,3 +135,9 @@ def test_the_configuration_and_its_documentation_are_made_from_the_model():
 def test_the_configuration_of_the_paper_has_every_key_and_its_default():
     assert Study.model_validate(PAPER) == Study()
     assert sorted(leaves(PAPER)) == sorted(leaves(Study().model_dump(warnings=False)))
+
+
+def test_quantities_of_the_paper_are_assumed_unless_they_are_given():
+    config = model.numeric_configuration({"contact": {"hardness": "5 GPa", "preload": "10 uN"}})
+    assumed = configuration.assumed_quantities(config | {"given": ["work", "radius"]})
+    assert assumed == ["preload", "range of adhesion"]

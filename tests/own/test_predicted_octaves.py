@@ -85,7 +85,10 @@ def test_central_differences_converge(method, monkeypatch):
     assert errors[2] < 0.05 * abs(limit)
 
 
-def test_a_map_has_octaves_of_its_force_sum_and_a_table_those_of_the_closed_form(tmp_path):
+def test_a_map_has_octaves_of_its_force_sum_and_a_table_those_of_the_closed_form(
+    tmp_path, few_cutoffs, monkeypatch
+):
+    monkeypatch.setattr("hardcontact.own.scan_force.CONTACTS_PER_ROW", 10)
     heights = map_of(generator(3), 128, PIXEL).heights
     path = scan_files.scan(tmp_path / "scan.nc", heights.T, (128 * PIXEL, 128 * PIXEL))
     words = predict(predict_arguments([str(path)]))

@@ -86,13 +86,6 @@ def test_an_end_of_the_sweep_is_a_minimum_if_the_error_falls_towards_it():
     assert fit.local_minima(np.arange(4.0), 3).tolist() == [0]
 
 
-def test_one_scan_is_fitted_without_interval():
-    fits = fit_model(power_forces(scans=1))
-    assert float(fits.range_of_adhesion) == pytest.approx(4.0, rel=0.01)
-    for name in ("range_of_adhesion", "work_of_adhesion", "best_error", "mean_force"):
-        assert fits[f"{name}_interval"].isnull().all(), name
-
-
 def make_adhesion(plastic):
     names = ("label", "source")
     return xr.Dataset(

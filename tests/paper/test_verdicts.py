@@ -172,3 +172,17 @@ def test_an_end_at_or_beyond_the_last_cutoff_is_open(side, edge, low, high, end)
     names = [f"{side}_edge_first", f"{side}_edge_pooled_at_least", "range_of_adhesion"]
     claims = add_open_ends(pd.DataFrame([{"id": name, **numbers} for name in names]), BANDS)
     assert claims["open_end"].tolist() == [end, end, ""]
+
+
+@pytest.mark.parametrize(
+    ("samples", "verdict"),
+    [
+        (np.linspace(4.2, 5.8, 101), "reproduced"),
+        (np.linspace(1.0, 9.0, 101), "undecided"),  # few samples agree, and the interval has all
+        (np.linspace(6.1, 9.0, 101), "not reproduced"),
+        (np.linspace(3.9, 5.8, 101), "undecided"),
+    ],
+)
+def test_samples_of_one_number_are_judged_with_its_interval(samples, verdict):
+    low, high = np.percentile(samples, [2.5, 97.5])
+    assert accepted_range("interval", 4.0, 6.0).verdict_of_samples(samples, low, high) == verdict

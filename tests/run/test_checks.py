@@ -13,14 +13,12 @@ from studies import FILES_DIGEST, ROWS, check, numbers, own_scans
 
 from hardcontact.base import dataset
 from hardcontact.config.configuration import reading_keys
-from hardcontact.config.grids import Grid
-from hardcontact.config.limits import refuse_unfit_grids
 from hardcontact.contact.bearing_area import all_contact_pixels
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.files.patterns import study_patterns
 from hardcontact.records.origin import Origin, canonical_json, digests, keep_records
-from hardcontact.run.checks import SUBSTITUTE_RELIEF, stored_scan, surface_grid
+from hardcontact.run.checks import stored_scan, surface_grid
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
 from hardcontact.surfaces.substitute_spectra import described_rms_height, spectrum_from_description
@@ -109,13 +107,6 @@ def test_a_substrate_without_a_published_force_is_refused_beside_the_paper(
     rows = ROWS.replace("mcd\tMCD", "waves\twaves")
     message = refusal(check, numbers(), tmp_path, rows)
     assert_says(message, "config key surfaces", "published: none", "found waves")
-
-
-def test_a_study_without_scaling_ignores_its_keys(project_folder):
-    grids = {"glass": Grid(512, 4.883, 2500.0, 500.0)}
-    config = numbers("exponents.radii", ["10 nm"], "adhesion.range", "1 nm")
-    assert_says(refusal(refuse_unfit_grids, config, grids), "config key adhesion.range: expected")
-    refuse_unfit_grids(config | {"published": "none"}, grids)
 
 
 def test_a_wrong_unit_is_refused_once_with_the_unit_that_may_be_meant(tmp_path, project_folder):
@@ -217,10 +208,6 @@ def test_contacts_on_a_described_surface_lie_within_its_relief(name):
         lowest = all_contact_pixels(join_bodies(surface, None, contact), 1).gaps
         height_difference = float(surface.heights.max() + lowest.max())
         assert 0.2 * relief < height_difference < relief
-
-
-def test_a_substitute_of_the_paper_has_the_fixed_relief():
-    assert surface_grid(CONFIG, "mcd", rows("mcd")).relief == SUBSTITUTE_RELIEF
 
 
 def test_rms_height_counts_only_waves_within_the_domain(tmp_path):

@@ -12,7 +12,6 @@ from snakemake.logging import DefaultFormatter
 from snakemake_interface_logger_plugins.common import LogEvent
 
 from snakemake_logger_plugin_stages import STUDY_LOGGER, LogHandler
-from snakemake_logger_plugin_stages.command_line import cost_column
 from snakemake_logger_plugin_stages.costs import Stage, read_stages
 
 JOBS = ["level_scan", "level_scan", "stitch"]
@@ -114,19 +113,6 @@ def test_a_job_that_fails_has_one_line_that_names_its_log(capsys, tmp_path, has_
     ]
     _, line = show(capsys, [*run(0), *errors])
     assert line == "Error in rule stitch" + f": see {log}" * has_log
-
-
-@pytest.mark.parametrize(
-    ("words", "column"),
-    [
-        ([], "full"),
-        (["--configfile", "config/crn.yaml"], "own"),
-        (["--configfile", "config/crn.yaml", "--config", "effort=quick"], "quick"),
-    ],
-)
-def test_the_costs_are_those_of_such_a_study(monkeypatch, project_folder, words, column):
-    monkeypatch.setattr(sys, "argv", ["snakemake", *words])
-    assert cost_column() == column
 
 
 @pytest.mark.parametrize(

@@ -13,14 +13,6 @@ CURVE = xr.Dataset(
 )
 
 
-def test_bars_reach_from_low_to_high_and_are_missing_without_an_interval():
-    axes = Figure().subplots()
-    panels.draw_bars(axes, CURVE["x"], CURVE)
-    (bars,) = axes.collections
-    ends = [segment[:, 1].tolist() for segment in bars.get_segments()]
-    assert ends == [[0.5, 3], [1, 5], [4, 4]]
-
-
 def test_bands_are_filled_where_both_ends_are_bounded():
     axes = Figure().subplots()
     unbounded = CURVE.assign(low=("x", [0.5, 1.0, 2.0]), high=("x", [3.0, 5.0, np.inf]))

@@ -10,7 +10,6 @@ from paper_study import (
     answer,
     captions,
     claims,
-    datasets,
     figures,
     make_figures_page,
     make_page,
@@ -95,13 +94,6 @@ def test_a_study_of_other_contacts_shows_both_values_and_judges_nothing():
     for verdict in VERDICTS:
         assert f"verdict-{verdict.replace(' ', '-')}" not in page.values("class")
         assert verdict not in words
-
-
-def test_only_substitutes_are_labelled_as_such(page):
-    assert any("UNCD (substitute)" in row[0] for row in page.rows)
-    measured_topography = datasets()["topography"].assign(source=("surface", ["measured"] * 5))
-    measured_page = Page(make_page(topography=measured_topography))
-    assert not any("(substitute)" in text for text in measured_page.texts["main"])
 
 
 def test_a_page_without_numbers_still_has_its_figures(page):
