@@ -139,5 +139,5 @@ def test_the_interval_from_one_scan_and_its_spectrum_contains_the_long_edge(roll
     def density(wavevector):
         return self_affine(wavevector, plateau, rolloff, 0.8)
 
-    low, high = np.array([interval_of_one_scan(density, number) for number in range(12)]).T
-    assert_held(low, high, edge, finite=12)
+    low, high = np.array([interval_of_one_scan(density, number) for number in range(8)]).T
+    assert_held(low, high, edge, finite=8)

@@ -86,15 +86,16 @@ PAPER_GRID = ScanGrid(
 )
 
 
-# Plain runs look at the smaller scans of the tiny study.
+COARSE_GRID = ScanGrid(128, 2500.0, 512)
+
+
 @pytest.mark.parametrize(
-    ("count", "grid", "rows"),
+    ("surface", "count", "grid", "rows"),
     [
-        (2, ScanGrid(128, 2500.0, 512), ("afm_rms_height",)),
-        pytest.param(5, PAPER_GRID, AFM_ROWS, marks=pytest.mark.study),
+        *((surface, 2, COARSE_GRID, ("afm_rms_height",)) for surface in SUBSTRATES),
+        pytest.param("mcd", 5, PAPER_GRID, AFM_ROWS, marks=pytest.mark.study),
     ],
 )
-@pytest.mark.parametrize("surface", SUBSTRATES)
 def test_scans_of_the_default_study_keep_table_1(surface, count, grid, rows):
     table1 = published.read_table1(ROOT / "resources/paper/table1.csv")
     table1 = published.rows_of_surface(table1, surface)

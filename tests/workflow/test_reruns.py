@@ -194,9 +194,6 @@ def overlay(key, value):
 @pytest.mark.parametrize(
     ("key", "value", "concerned"),
     [
-        ("scales.tolerance", 0.2, {
-            "find_edges", "sample_sets", "fit_exponents", "compare_short_edges"}),
-        ("elastic.contacts", 2, {"solve_elastic_contact"}),
         ("sets.pool_size", 12, {"compute_pool", "sample_sets"}),
         ("scales.short.transition", "90 nm", {
             "synthesize_masters", "filter_masters", "aggregate_scales"}),
@@ -242,7 +239,6 @@ def append_line(path):
     "path",
     [
         "resources/spectra/mcd.csv",
-        "workflow/scripts/solve_elastic_contact.py",
         "workflow/hardcontact/contact/sphere_sums.py",
     ],
 )
