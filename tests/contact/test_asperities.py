@@ -49,8 +49,8 @@ def test_a_single_peak_carries_the_force_of_every_contact():
     heights[105, 94] = 60.0
     contact = Contact(radius=RADIUS, preload=1e-6, hardness=25e9)
     positions = np.array([(0, 0), (0, 1), (1, 0), (1, 1)])
-    pair = make_bodies(heights, None, 20.0, 200, 2)
-    carriers = find_carrying_asperities(pair, contact, positions, 0.9, [1.0])
+    bodies = make_bodies(heights, None, 20.0, 200, 2)
+    carriers = find_carrying_asperities(bodies, contact, positions, 0.9, [1.0])
     assert (carriers["patch_count"] == 1).all()
     assert carriers["largest_share"].values == pytest.approx(np.ones((4, 1)), abs=0.01)
     assert carriers["contact_y"].values.tolist() == [0, 0, 1, 1]

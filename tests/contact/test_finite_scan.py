@@ -23,8 +23,8 @@ RADIUS, PIXEL = 250e3, 10e3 / 256
 
 def mean_force(surface):
     contact = Contact(radius=RADIUS, preload=10e-6, hardness=25e9, window=10e3, contacts_per_row=4)
-    pair = join_bodies(surface, None, contact)
-    return pull_off_dataset(pair, contact, [5.6])["pull_off_force"].values[1].mean()
+    bodies = join_bodies(surface, None, contact)
+    return pull_off_dataset(bodies, contact, [5.6])["pull_off_force"].values[1].mean()
 
 
 def window_over_whole_force(rms_height, pixels):

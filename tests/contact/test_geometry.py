@@ -26,15 +26,15 @@ def test_contacts_on_a_mirrored_surface_never_repeat_a_position():
 
 def test_the_coarser_map_is_interpolated():
     coarse, fine = 5.0 * heights(50), heights(120)
-    pair = geometry.join_bodies(height_map(coarse, 30.0), height_map(fine, 10.0), CONTACT)
-    assert pair.substrate.pixels == 150 and pair.sphere_roughness.pixels == 120
-    assert pair.geometry.pixel_size == 10.0
-    np.testing.assert_allclose(pair.substrate.heights[::3, ::3], coarse, atol=1e-5)
+    bodies = geometry.join_bodies(height_map(coarse, 30.0), height_map(fine, 10.0), CONTACT)
+    assert bodies.substrate.pixels == 150 and bodies.sphere_roughness.pixels == 120
+    assert bodies.geometry.pixel_size == 10.0
+    np.testing.assert_allclose(bodies.substrate.heights[::3, ::3], coarse, atol=1e-5)
     # The apex lies in the middle of the sphere's scan, a quarter of its stitched period in.
     shifted = np.roll(fine, (-30, -30), axis=(0, 1))
-    np.testing.assert_array_equal(pair.sphere_roughness.heights, shifted)
-    np.testing.assert_array_equal(pair.geometry.positions, geometry.contact_positions(150, 4))
-    assert pair.geometry.window_pixels == 300
+    np.testing.assert_array_equal(bodies.sphere_roughness.heights, shifted)
+    np.testing.assert_array_equal(bodies.geometry.positions, geometry.contact_positions(150, 4))
+    assert bodies.geometry.window_pixels == 300
 
 
 def test_more_sampled_contacts_include_the_fewer_and_never_repeat():
@@ -52,17 +52,17 @@ def test_more_sampled_contacts_include_the_fewer_and_never_repeat():
 
 @pytest.mark.parametrize("centre", [(0, 0), (7, -30), (-41, 44)])
 def test_the_gap_to_a_flat_is_the_rough_sphere(centre):
-    pair = make_bodies(np.zeros((80, 80)), heights(96), 25.0, 120, 4)
+    bodies = make_bodies(np.zeros((80, 80)), heights(96), 25.0, 120, 4)
     rows, columns = (slice(60 + index - 10, 60 + index + 11) for index in centre)
-    cap = pair.sphere(*(index + np.arange(-10, 11) for index in centre))
-    np.testing.assert_allclose(cap, gap_map(pair, (1, 2))[rows, columns], atol=1e-12)
+    cap = bodies.sphere(*(index + np.arange(-10, 11) for index in centre))
+    np.testing.assert_allclose(cap, gap_map(bodies, (1, 2))[rows, columns], atol=1e-12)
 
 
 def test_gaps_at_offsets_equal_those_of_the_whole_window():
-    pair = make_bodies(periodic_noise(96, 5.0, 1), periodic_noise(70, 0.5, 2), 20.0, 200, 3)
+    bodies = make_bodies(periodic_noise(96, 5.0, 1), periodic_noise(70, 0.5, 2), 20.0, 200, 3)
     y, x = np.indices((200, 200)) - 100
-    gaps = geometry.gaps_at(pair, pair.geometry.positions[[2, 1]], np.stack([y, x], -1))
-    np.testing.assert_allclose(gaps, gap_map(pair, (2, 1)), atol=1e-12)
+    gaps = geometry.gaps_at(bodies, bodies.geometry.positions[[2, 1]], np.stack([y, x], -1))
+    np.testing.assert_allclose(gaps, gap_map(bodies, (2, 1)), atol=1e-12)
 
 
 @pytest.mark.parametrize("kind", [np.float32, ">f4", ">f8", np.float16, np.int64])
@@ -73,7 +73,7 @@ def test_heights_of_any_kind_have_their_force(kind):
 
     def forces(values):
         surface = height_map(values, 50.0)
-        pairs = [geometry.join_bodies(surface, sphere, contact) for sphere in (surface, None)]
-        return [forces_at_loadings(pair, [contact], [5.6]) for pair in pairs]
+        all_bodies = [geometry.join_bodies(surface, sphere, contact) for sphere in (surface, None)]
+        return [forces_at_loadings(bodies, [contact], [5.6]) for bodies in all_bodies]
 
     np.testing.assert_allclose(forces(whole_numbers.astype(kind)), forces(whole_numbers), rtol=1e-6)

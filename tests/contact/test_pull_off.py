@@ -1,4 +1,4 @@
-"""Pull-off of pairs of scans and of filtered masters against the direct sum over every pixel."""
+"""Pull-off of two bodies and of filtered masters against the direct sum over every pixel."""
 
 from dataclasses import replace
 
@@ -23,7 +23,7 @@ LOADED_CONTACTS = [CONTACT, replace(CONTACT, preload=40e-6)]
 RHOS = [1.0, 5.6]
 
 
-def pair(seed=1):
+def rough_bodies(seed=1):
     return make_bodies(
         periodic_noise(128, 20.0, seed), periodic_noise(128, 0.5, seed + 1), 8.0, 320, 3
     )
@@ -35,15 +35,15 @@ def direct_force(gap, contact_pixel_count, rho, pixel_size, work=1.0):
     return pressure * (pixel_size * 1e-9) ** 2 * direct_total(gap, contact_pixel_count, rho)
 
 
-def test_the_pull_off_force_of_a_pair_is_the_direct_sum_at_every_contact_and_range():
-    arrays, bodies_of_pair = pull_off_dataset(pair(), CONTACT, RHOS), pair()
+def test_the_pull_off_force_of_two_bodies_is_the_direct_sum_at_every_contact_and_range():
+    arrays, bodies = pull_off_dataset(rough_bodies(), CONTACT, RHOS), rough_bodies()
     forces = arrays["pull_off_force"].values
     apex_heights = arrays["apex_height"].values
     count = CONTACT.pixel_count(8.0)
     assert forces.shape == (2, 2, 3, 3) and count == 7
     assert arrays["contact_pixel_count"].values.tolist() == [1, count]
     for contact in np.ndindex(3, 3):
-        gap = gap_map(bodies_of_pair, contact)
+        gap = gap_map(bodies, contact)
         for model, contact_pixel_count in enumerate((1, count)):
             ordered = np.sort(gap, axis=None)
             assert apex_heights[model][contact] == pytest.approx(
@@ -54,29 +54,32 @@ def test_the_pull_off_force_of_a_pair_is_the_direct_sum_at_every_contact_and_ran
                 assert forces[model, k][contact] == pytest.approx(direct_sum, rel=1e-9)
 
 
-def test_mean_pull_off_of_a_pair_is_the_mean_over_its_contacts():
+def test_mean_pull_off_of_two_bodies_is_the_mean_over_its_contacts():
     for loaded in LOADED_CONTACTS:
-        means = mean_pull_off_dataset(pair(), loaded, RHOS)["pull_off_force"].values
-        forces = pull_off_dataset(pair(), loaded, RHOS)["pull_off_force"].values
+        means = mean_pull_off_dataset(rough_bodies(), loaded, RHOS)["pull_off_force"].values
+        forces = pull_off_dataset(rough_bodies(), loaded, RHOS)["pull_off_force"].values
         np.testing.assert_allclose(means, forces.mean(axis=(2, 3)), rtol=1e-12)
 
 
 def test_the_change_by_a_wider_window_matches_the_direct_sum():
-    pairs = [pair(seed) for seed in (1, 3)]
+    all_bodies = [rough_bodies(seed) for seed in (1, 3)]
     count, rho, changes = CONTACT.pixel_count(8.0), 5.6, []
-    for narrow_pair in pairs:
-        wider_pair = replace(
-            narrow_pair, geometry=replace(narrow_pair.geometry, window_pixels=320 + 2 * 128)
+    for narrow_bodies in all_bodies:
+        wider_bodies = replace(
+            narrow_bodies, geometry=replace(narrow_bodies.geometry, window_pixels=320 + 2 * 128)
         )
         for contact in np.ndindex(3, 3):
             narrow, wide = (
-                direct_total(gap_map(bodies_of_pair, contact), count, rho)
-                for bodies_of_pair in (narrow_pair, wider_pair)
+                direct_total(gap_map(bodies, contact), count, rho)
+                for bodies in (narrow_bodies, wider_bodies)
             )
             changes.append(abs(wide / narrow - 1))
-    forces = [pull_off_dataset(narrow_pair, CONTACT, [rho]).pull_off_force for narrow_pair in pairs]
-    plastic_forces = xr.concat(forces, "pair").sel(contact_model="plastic", rho=rho)
-    arrays = wider_window_change(iter(pairs), CONTACT, plastic_forces)
+    forces = [
+        pull_off_dataset(narrow_bodies, CONTACT, [rho]).pull_off_force
+        for narrow_bodies in all_bodies
+    ]
+    plastic_forces = xr.concat(forces, "sphere_scan").sel(contact_model="plastic", rho=rho)
+    arrays = wider_window_change(iter(all_bodies), CONTACT, plastic_forces)
     assert arrays["wider_window_change"].values == pytest.approx(max(changes), rel=1e-6)
 
 
@@ -84,8 +87,8 @@ def test_the_change_by_a_wider_window_matches_the_direct_sum():
 def test_finer_pixels_change_only_the_contact_area_at_a_small_range(pixels, area_ratio):
     """One pixel of any size touches at least; a larger area is the same on all pixels."""
     contact = replace(CONTACT, preload=pixels / 4 * 25e9 * 64e-18, rho=0.02)
-    forces = pull_off_dataset(pair(), contact, [contact.rho]).pull_off_force
-    change = force_on_finer_pixels(pair(), contact, forces.sel(contact_model="plastic"))
+    forces = pull_off_dataset(rough_bodies(), contact, [contact.rho]).pull_off_force
+    change = force_on_finer_pixels(rough_bodies(), contact, forces.sel(contact_model="plastic"))
     change = change["finer_pixel_ratio"]
     assert change == pytest.approx(area_ratio, rel=0.05)
 
@@ -108,22 +111,20 @@ def test_the_force_on_every_filtered_master_is_the_direct_sum(sphere, side, end)
     ]
     for cutoff, forces in zip([None, *cutoffs], forces_by_cutoff, strict=True):
         (surface,) = filtered_series(master, side, [cutoff], 160)
-        pair_on_filtered = join_bodies(surface, sphere, CONTACT)
-        pixel_size = pair_on_filtered.geometry.pixel_size
+        bodies = join_bodies(surface, sphere, CONTACT)
+        pixel_size = bodies.geometry.pixel_size
         for loaded in LOADED_CONTACTS:
             count = loaded.pixel_count(pixel_size)
             for contact in np.ndindex(3, 3):
-                direct_sum = direct_force(
-                    gap_map(pair_on_filtered, contact), count, 5.6, pixel_size
-                )
+                direct_sum = direct_force(gap_map(bodies, contact), count, 5.6, pixel_size)
                 force = forces.sel(loading=loaded.loading_name).values[contact]
                 # Sums on a smooth sphere are in single precision.
                 assert force == pytest.approx(direct_sum, rel=1e-6 if sphere is None else 1e-9)
 
 
-def test_a_traced_contact_has_the_force_of_its_pair():
-    traced = trace_contact(pair(), (1, 2), CONTACT)
-    arrays = pull_off_dataset(pair(), CONTACT, [5.6])
+def test_a_traced_contact_has_the_force_of_its_bodies():
+    traced = trace_contact(rough_bodies(), (1, 2), CONTACT)
+    arrays = pull_off_dataset(rough_bodies(), CONTACT, [5.6])
     force = 46.3e-3 * arrays["pull_off_force"].values[1, 0, 1, 2]
     assert traced.attrs["pull_off_force"] == pytest.approx(force, rel=1e-9)
     gap, pressure = (traced[name].values for name in ("gap", "adhesive_pressure"))

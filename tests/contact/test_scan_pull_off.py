@@ -1,4 +1,4 @@
-"""Pull-off of one scan on all scans of the sphere has the forces of each pair."""
+"""Pull-off of one scan on all scans of the sphere has the forces on each of them."""
 
 import numpy as np
 from periodic_maps import CONTACT, make_bodies, periodic_noise
@@ -15,19 +15,19 @@ PAIRS = {
 }
 
 
-def test_the_forces_of_all_pairs_are_joined_by_the_numbers_of_contacts():
+def test_the_forces_on_all_scans_are_joined_by_the_numbers_of_contacts():
     forces = pull_off_with_checks(PAIRS, CONTACT, RANGES)
     assert forces["contact_x"].values.tolist() == [0, 1, 2]
     for number, bodies in PAIRS.items():
-        pair_forces = pull_off_dataset(bodies, CONTACT, RANGES)["pull_off_force"]
+        forces_on_sphere = pull_off_dataset(bodies, CONTACT, RANGES)["pull_off_force"]
         joined_forces = forces["pull_off_force"].sel(sphere_scan=number)
-        np.testing.assert_array_equal(joined_forces, pair_forces)
+        np.testing.assert_array_equal(joined_forces, forces_on_sphere)
 
 
 def test_a_smooth_sphere_and_the_effects_of_window_and_pixels_are_beside_the_forces():
     forces = pull_off_with_checks(PAIRS, CONTACT, RANGES)
-    smooth_pair = make_bodies(SUBSTRATE, None, 8.0, 320, 3)
-    smooth_forces = pull_off_dataset(smooth_pair, CONTACT, RANGES)["pull_off_force"]
+    smooth_bodies = make_bodies(SUBSTRATE, None, 8.0, 320, 3)
+    smooth_forces = pull_off_dataset(smooth_bodies, CONTACT, RANGES)["pull_off_force"]
     np.testing.assert_allclose(
         forces["smooth_sphere_force"], smooth_forces.mean(["contact_y", "contact_x"])
     )

@@ -27,8 +27,8 @@ Y, X = np.indices((PIXELS, PIXELS)) * PIXEL
 
 def patches(heights, contact=CONTACT):
     scan = mirror_stitch(HeightMap(heights, PIXEL, False, "measured"))
-    pair = join_bodies(scan, None, contact)
-    return int(pull_off_dataset(pair, contact, [5.6]).touched_patches)
+    bodies = join_bodies(scan, None, contact)
+    return int(pull_off_dataset(bodies, contact, [5.6]).touched_patches)
 
 
 def rough(seed, rms_height):

@@ -42,7 +42,8 @@ def lists_of_files(*values):
     ):
         computed_at |= dict.fromkeys(study.paths(pattern, rows), study_values)
     for pattern in (PATTERNS.elastic, PATTERNS.asperities):
-        computed_at |= dict.fromkeys(study.paths(pattern, study.pairs_in_turn), study_values[:2])
+        paths = study.paths(pattern, study.scan_pairs_in_turn)
+        computed_at |= dict.fromkeys(paths, study_values[:2])
     return computed_at
 
 

@@ -92,8 +92,8 @@ def _features(rng, pixels, width, are_flat):
 def true_force(case):
     """Return the mean plastic force (N) on the fine pixels, at the contacts on the scan."""
     contact = contact_on_scan(case.scan, case.contact)
-    pair = join_bodies(stitched_map(case.fine), None, contact)
-    forces = mean_pull_off_dataset(pair, contact, [contact.rho])["pull_off_force"]
+    bodies = join_bodies(stitched_map(case.fine), None, contact)
+    forces = mean_pull_off_dataset(bodies, contact, [contact.rho])["pull_off_force"]
     return contact.work * forces.sel(contact_model="plastic").item()
 
 

@@ -57,10 +57,10 @@ def direct_force(wafer, sphere, contact_pixel, position):
 def test_a_smooth_sphere_on_the_sum_of_both_touches_like_the_rough_one(wafer, sphere):
     combined = combine_maps(generator(1), mirror_stitch(wafer), mirror_stitch(sphere))
     start = generator(1).integers(2 * PIXELS, size=2)
-    pair = join_bodies(combined, None, CONTACT)
-    forces = forces_at_loadings(pair, [CONTACT], [CONTACT.rho])[0, 0]
+    bodies = join_bodies(combined, None, CONTACT)
+    forces = forces_at_loadings(bodies, [CONTACT], [CONTACT.rho])[0, 0]
     # The window of this contact has no mirror image of the sum.
-    contact_pixel = pair.geometry.positions[[1, 1]]
+    contact_pixel = bodies.geometry.positions[[1, 1]]
     assert (30 <= contact_pixel).all() and (contact_pixel < PIXELS - 30).all()
     direct = direct_force(wafer, sphere, contact_pixel, start + contact_pixel)
     assert forces[1, 1] == pytest.approx(direct, rel=1e-4)

@@ -51,7 +51,7 @@ rule solve_elastic_contact:
 rule aggregate_elastic:
     """Gather elastic contact of all scans: elastic.nc."""
     input:
-        scans=FILES.paths(PATTERNS.elastic, FILES.pairs_in_turn),
+        scans=FILES.paths(PATTERNS.elastic, FILES.scan_pairs_in_turn),
         code=code_inputs("aggregate_elastic.py"),
     output:
         PATTERNS.dataset("elastic"),
@@ -104,7 +104,7 @@ rule find_asperities:
 rule aggregate_asperities:
     """Gather the patches of all scans: asperities.nc."""
     input:
-        scans=FILES.paths(PATTERNS.asperities, FILES.pairs_in_turn),
+        scans=FILES.paths(PATTERNS.asperities, FILES.scan_pairs_in_turn),
         code=code_inputs("aggregate_asperities.py"),
     output:
         PATTERNS.dataset("asperities"),

@@ -15,11 +15,11 @@ with run_job(snakemake) as job:
         for path in job.input.spheres
         for sphere in spheres_at_positions(read_height_map(path), params["positions_per_row"])
     ]
-    pairs = {
+    all_bodies = {
         number: join_bodies(substrate, sphere, contact)
         for number, sphere in zip(params["sphere_positions"], spheres or [None], strict=True)
     }
     job.write(
-        pull_off_with_checks(pairs, contact, params["ranges"]),
+        pull_off_with_checks(all_bodies, contact, params["ranges"]),
         title="pull-off forces of one substrate scan on all scans of the sphere",
     )

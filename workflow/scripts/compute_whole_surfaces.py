@@ -17,9 +17,9 @@ with run_job(snakemake) as job:
     def forces_on(surface: HeightMap) -> xr.Dataset:
         """Return the forces on a surface as it is, and with each octave amplified."""
         limits = octave_limits(2 * surface.pixel_size, 2 * surface.size)
-        pair = join_bodies(surface, None, contact)
+        bodies = join_bodies(surface, None, contact)
         return octave_force_dataset(surface, limits, make_force_function(contact)).merge(
-            mean_pull_off_dataset(pair, contact, params["ranges"])
+            mean_pull_off_dataset(bodies, contact, params["ranges"])
         )
 
     job.write(

@@ -15,7 +15,7 @@ from hardcontact.config.grids import Grid
 from hardcontact.config.selected_surfaces import CONTACT
 from hardcontact.scans.defects import scan_with_defects
 from hardcontact.scans.heights import split_notes
-from hardcontact.scans.mean_spectrum import contradictions, describe_contradictions
+from hardcontact.scans.mean_spectrum import describe_contradictions, find_contradictions
 from hardcontact.scans.measured_spectrum import isotropic_psd
 from hardcontact.scans.reading import list_scans, read_scan
 from hardcontact.scans.reliable_band import LIMIT_NAMES, ReliableBand, reliable_band
@@ -178,14 +178,14 @@ def entries_by_surface(entries: Sequence[Entry]) -> dict[str, list[Entry]]:
 def entry_contradiction_lines(entries: Sequence[Entry]) -> Iterator[str]:
     """Yield a line for each surface whose scans contradict each other."""
     for scans in entries_by_surface(entries).values():
-        differences = contradictions(
+        contradictions = find_contradictions(
             np.array([scan.density for scan in scans]),
             [scan.band.bins for scan in scans],
             [scan.kind for scan in scans],
             [scan.size for scan in scans],
         )
-        if differences:
-            yield describe_contradictions(differences, [scan.name for scan in scans])
+        if contradictions:
+            yield describe_contradictions(contradictions, [scan.name for scan in scans])
 
 
 def _entry(source: Source, scan: HeightMap, tip_radius: float | None, levelling: str) -> Entry:

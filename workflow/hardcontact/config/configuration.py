@@ -63,8 +63,8 @@ def _expanded_size(node: Any, sizes: dict[int, int]) -> int:
     if id(node) not in sizes:
         sizes[id(node)] = 1  # An alias that holds itself adds nothing.
         children = node.value if isinstance(node, yaml.CollectionNode) else []
-        pairs = [child if isinstance(child, tuple) else (child,) for child in children]
-        sizes[id(node)] += sum(_expanded_size(item, sizes) for pair in pairs for item in pair)
+        entries = [child if isinstance(child, tuple) else (child,) for child in children]
+        sizes[id(node)] += sum(_expanded_size(item, sizes) for entry in entries for item in entry)
     return sizes[id(node)]
 
 

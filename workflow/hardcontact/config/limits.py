@@ -73,7 +73,7 @@ def refuse_unfit_grids(config: dict[str, Any], grids: Mapping[str, Grid]) -> Non
         faults += _scan_faults(config, surface, grid)[:1]
         if surface != sphere_surface:
             sphere_grid = grids.get(sphere_surface, grid)  # for a smooth sphere: the substrate's
-            faults += _pair_faults(config, surface, grid, sphere_grid)[:1]
+            faults += _body_faults(config, surface, grid, sphere_grid)[:1]
             for section, side in product(("scales", "sets"), SIDES):
                 if section in study_contacts(config):
                     faults += _master_faults(config, section, side, surface, grid, sphere_grid)[:1]
@@ -115,7 +115,7 @@ def _scan_faults(config: dict[str, Any], surface: str, grid: Grid) -> list[str]:
     return faults
 
 
-def _pair_faults(config: dict[str, Any], surface: str, grid: Grid, sphere_grid: Grid) -> list[str]:
+def _body_faults(config: dict[str, Any], surface: str, grid: Grid, sphere_grid: Grid) -> list[str]:
     """Return the faults on a scan of a substrate and a scan of the sphere, on common pixels."""
     faults = []
     window = config["contact"]["window"]

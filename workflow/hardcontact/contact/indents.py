@@ -77,11 +77,11 @@ def indents_of_scans(
 
     loaded_contacts = [replace(contact, preload=preload) for preload in preloads]
     keys = [(scan, sphere_scan) for scan in substrates for sphere_scan in spheres]
-    pair_sizes = {
+    sizes_by_scans = {
         key: _sizes_of_bodies(make_bodies(*key), loaded_contacts)
         for key in progress(keys, len(keys), "pairs of scans")
     }
-    sizes = stack(pair_sizes, ["scan", "sphere_scan"])
+    sizes = stack(sizes_by_scans, ["scan", "sphere_scan"])
     sizes = sizes.assign_coords(preload=("preload", list(preloads), NEWTON))
     key, index = _median_contact(sizes)
     return _add_height_maps(sizes, make_bodies(*key), loaded_contacts, index).assign_attrs(

@@ -100,7 +100,7 @@ def _total_of_lowest(
 def forces_at_loadings(
     bodies: Bodies, loaded_contacts: Sequence[Contact], ranges: Sequence[float]
 ) -> Floats:
-    """Return the forces (loading, rho, contact_y, contact_x) of a pair in N at 1 J/m².
+    """Return the forces (loading, rho, contact_y, contact_x) of two bodies in N at 1 J/m².
 
     The contacts differ in their loading alone; ranges of adhesion are in nm.
     """
@@ -111,8 +111,8 @@ def make_force_function(contact: Contact, sphere: HeightMap | None = None) -> Fo
     """Return a function of a surface: its forces (contact_y, contact_x) in N at 1 J/m²."""
 
     def compute_forces(surface: HeightMap) -> Floats:
-        pair = join_bodies(surface, sphere, contact)
-        return np.asarray(forces_at_loadings(pair, [contact], [contact.rho])[0, 0])
+        bodies = join_bodies(surface, sphere, contact)
+        return np.asarray(forces_at_loadings(bodies, [contact], [contact.rho])[0, 0])
 
     return compute_forces
 
@@ -194,7 +194,7 @@ def mean_pull_off_dataset(bodies: Bodies, contact: Contact, ranges: Sequence[flo
 
 
 def force_on_finer_pixels(bodies: Bodies, contact: Contact, forces: xr.DataArray) -> xr.Dataset:
-    """Return the mean plastic force on pixels of half the size, relative to the pair's own pixels.
+    """Return the mean plastic force on pixels of half the size, relative to the bodies' own pixels.
 
     Both maps are Fourier interpolated, so that the surfaces stay the same. The forces (...) of the
     pair in N at 1 J/m² are at the range of the contact.
@@ -218,19 +218,19 @@ def force_on_finer_pixels(bodies: Bodies, contact: Contact, forces: xr.DataArray
 
 
 def wider_window_change(
-    pairs: Iterable[Bodies], contact: Contact, forces: xr.DataArray
+    all_bodies: Iterable[Bodies], contact: Contact, forces: xr.DataArray
 ) -> xr.Dataset:
     """Return the change of the plastic force in a window larger by a period on each side.
 
-    The forces (pair, contact_y, contact_x) in N at 1 J/m² are at the range of the contact. All
-    pairs share the substrate. Returns the largest relative change over contacts and pairs.
+    The forces (sphere_scan, contact_y, contact_x) in N at 1 J/m² are at the range of the contact.
+    All bodies share the substrate. Returns the largest relative change over contacts and bodies.
     """
     changes = []
-    for bodies, pair_forces in zip(pairs, forces.values, strict=True):
+    for bodies, narrow in zip(all_bodies, forces.values, strict=True):
         window_pixels = bodies.geometry.window_pixels + 2 * bodies.substrate.pixels
         wider = replace(bodies, geometry=replace(bodies.geometry, window_pixels=window_pixels))
         wide = forces_at_loadings(wider, [contact], [contact.rho])[0, 0]
-        changes.append(float(np.abs(wide / pair_forces - 1).max()))
+        changes.append(float(np.abs(wide / narrow - 1).max()))
     return xr.Dataset(
         {"wider_window_change": ((), max(changes), DIMENSIONLESS)}, {}, {"rho": contact.rho}
     )

@@ -95,9 +95,9 @@ class Patterns:
             f"{folder['stitched']}/{rough_sphere}/scan-{{sphere_scan}}-sphere-{{radius}}.nc"
         )
 
-        pair = f"{{radius}}/{{loading}}/{_SURFACE}/scan-{{scan}}/{rough_sphere}"
-        self.elastic = f"{folder['elastic']}/{pair}/scan-{{sphere_scan}}.nc"
-        self.asperities = f"{folder['asperities']}/{pair}/scan-{{sphere_scan}}.nc"
+        both_scans = f"{{radius}}/{{loading}}/{_SURFACE}/scan-{{scan}}/{rough_sphere}"
+        self.elastic = f"{folder['elastic']}/{both_scans}/scan-{{sphere_scan}}.nc"
+        self.asperities = f"{folder['asperities']}/{both_scans}/scan-{{sphere_scan}}.nc"
 
         contact = f"{{radius}}/{{loading}}/{{range}}/{_SURFACE}"
         self.pool = f"{folder['pool']}/{contact}/scans-{{first}}-{{last}}.nc"

@@ -163,8 +163,8 @@ class SurfaceFiles:
 
     def sphere_scan(self, surface: str, scan: int) -> int:
         """Return the scan of the sphere that meets a scan of a substrate, in turn."""
-        pairs = {pair[:2]: pair.sphere_scan for pair in self.pairs_in_turn}
-        return int(pairs[surface, scan])
+        sphere_scans = {pair[:2]: pair.sphere_scan for pair in self.scan_pairs_in_turn}
+        return int(sphere_scans[surface, scan])
 
     def measurements_of_map(self, surface: str, scan: int) -> list[int]:
         """Return the indices of the measurements, in a spectrum, whose roughness a map has."""
@@ -214,7 +214,7 @@ class SurfaceFiles:
         return [Scan(surface, scan) for surface in surfaces for scan in scans(surface)]
 
     @property
-    def pairs_in_turn(self) -> list[ScanPair]:
+    def scan_pairs_in_turn(self) -> list[ScanPair]:
         """One scan of the sphere for each scan of a substrate, in turn."""
         return [
             ScanPair(surface, scan, sphere_scan)

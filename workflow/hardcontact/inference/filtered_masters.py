@@ -89,8 +89,8 @@ def filtered_pull_off(
     ranges = ranges or [contact.rho]
 
     def compute_forces(surface: HeightMap) -> np.ndarray:
-        pairs = [join_bodies(surface, sphere, replace(contact, radius=radius)) for radius in radii]
-        return np.array([forces_at_loadings(pair, loaded_contacts, ranges) for pair in pairs])
+        bodies = [join_bodies(surface, sphere, replace(contact, radius=radius)) for radius in radii]
+        return np.array([forces_at_loadings(both, loaded_contacts, ranges) for both in bodies])
 
     axes: dict[str, Axis] = {"radius": (("radius",), radii, NM)}
     axes |= loading_axis(loaded_contacts) | range_axis(ranges)

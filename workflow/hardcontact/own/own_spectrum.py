@@ -20,7 +20,7 @@ from hardcontact.config.tables import Row, UserTable, parse_number, user_table
 from hardcontact.scans.defects import defect_sentence, scan_with_defects
 from hardcontact.scans.heights import LENGTH_BOUNDS, TAKE_CARE, split_notes
 from hardcontact.scans.joined_spectrum import joined_spectrum, reliable_spectrum
-from hardcontact.scans.mean_spectrum import contradictions, describe_contradictions
+from hardcontact.scans.mean_spectrum import describe_contradictions, find_contradictions
 from hardcontact.scans.measured_spectrum import ENOUGH_WAVES, isotropic_from_profile
 from hardcontact.scans.plain_text import ROW
 from hardcontact.scans.reading import list_scans, read_scan
@@ -30,7 +30,7 @@ from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.metrics import metrics
 from hardcontact.surfaces.spectrum import Spectrum
 
-#: Pairs of columns. A table has one column of each pair, and a column with its unit.
+#: Alternative columns. A table has one column of each tuple, and a column with its unit.
 WAVE_COLUMNS = ("wavevector", "wavelength")
 DENSITY_COLUMNS = ("c_iso", "c_1d")
 EXPECTED_COLUMNS = (
@@ -136,8 +136,8 @@ def _spectrum_of_scans(
     notes = [f"{TAKE_CARE}{line}" for line in cautions]
     notes += _reading_notes(scans, names, joined)
     columns = (joined[name].values for name in ("psd", "reliable", "kind", "size"))
-    if pairs := contradictions(*columns):
-        notes.append(f"{TAKE_CARE}{describe_contradictions(pairs, names)}")
+    if contradictions := find_contradictions(*columns):
+        notes.append(f"{TAKE_CARE}{describe_contradictions(contradictions, names)}")
     notes += [f"{TAKE_CARE}{name}: {line}" for name, line in defects]
     skewnesses = [metrics(scan)["skewness"] for scan in scans if scan.kind == "map"]
     spectrum = reliable_spectrum(joined, max(skewnesses, key=abs, default=0.0))

@@ -111,13 +111,13 @@ def stitched_map(scan: HeightMap) -> HeightMap:
 
 def _forces(surface: HeightMap, body_maps: Sequence[HeightMap], contact: Contact) -> xr.Dataset:
     """Return the forces (sphere_scan, ...) of a smooth sphere, or of a rough one by position."""
-    pairs = [join_bodies(surface, None, contact)]
+    all_bodies = [join_bodies(surface, None, contact)]
     if body_maps:
         substrate, sphere = (stitched_map(body) for body in body_maps)
         contact = replace(contact, contacts_per_row=POSITION_CONTACTS_PER_ROW)
         positions = spheres_at_positions(sphere, math.isqrt(SPHERE_POSITIONS))
-        pairs = [join_bodies(substrate, position, contact) for position in positions]
-    return pull_off_on_spheres(dict(enumerate(pairs)), contact, [contact.rho])
+        all_bodies = [join_bodies(substrate, position, contact) for position in positions]
+    return pull_off_on_spheres(dict(enumerate(all_bodies)), contact, [contact.rho])
 
 
 def extend_low_end(number: Number, wide_pixel_ratio: float) -> Number:

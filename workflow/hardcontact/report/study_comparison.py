@@ -84,20 +84,20 @@ def compare_answers(first: Mapping[str, Any], second: Mapping[str, Any]) -> Comp
             f"{second['study']}: expected a study of the kind of {first['study']}, "
             f"{first['kind']}, found {second['kind']}"
         )
-    pairs = [
+    compared = [
         ComparedNumber(label, name, numbers[0][name], numbers[1][name])
-        for label, *numbers in _paired_numbers(first, second)
+        for label, *numbers in _numbers_of_both(first, second)
         for name in numbers[0]
         if name in numbers[1] and numbers[0][name].source != "published"
         if is_known(numbers[0][name]) or is_known(numbers[1][name])
     ]
-    given = [pair for pair in pairs if pair.first.source in INPUT_SOURCES]
+    given = [number for number in compared if number.first.source in INPUT_SOURCES]
     inputs = [
-        ChangedInput(pair.surface, pair.name, pair.first, pair.second)
-        for pair in given
-        if pair.name.replace("_", " ") not in first["contact"] and pair.agreement != "equal"
+        ChangedInput(number.surface, number.name, number.first, number.second)
+        for number in given
+        if number.name.replace("_", " ") not in first["contact"] and number.agreement != "equal"
     ]
-    results = [pair for pair in pairs if pair.first.source not in INPUT_SOURCES]
+    results = [number for number in compared if number.first.source not in INPUT_SOURCES]
     return Comparison([*_changed_contact(first, second), *inputs], results)
 
 
@@ -113,7 +113,7 @@ def _changed_contact(first: Mapping[str, Any], second: Mapping[str, Any]) -> Ite
             yield ChangedInput("", name, *values)
 
 
-def _paired_numbers(
+def _numbers_of_both(
     first: Mapping[str, Any], second: Mapping[str, Any]
 ) -> Iterator[tuple[str, dict[str, Number], dict[str, Number]]]:
     """Yield the numbers of whole studies, then the numbers of each surface below its label."""
@@ -122,10 +122,10 @@ def _paired_numbers(
         {surface["name"]: surface["label"] for surface in answer["surfaces"]}
         for answer in (first, second)
     ]
-    pairs = [(name, name) for name in surfaces[0] if name in surfaces[1]]
+    names = [(name, name) for name in surfaces[0] if name in surfaces[1]]
     if len(surfaces[0]) == len(surfaces[1]) == 1:
-        pairs = [(*surfaces[0], *surfaces[1])]
-    for name, other_name in pairs:
+        names = [(*surfaces[0], *surfaces[1])]
+    for name, other_name in names:
         yield surfaces[0][name], numbers_by_name(first, name), numbers_by_name(second, other_name)
 
 

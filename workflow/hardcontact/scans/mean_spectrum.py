@@ -151,18 +151,18 @@ class Contradiction(NamedTuple):
     longest: float
 
 
-def describe_contradictions(pairs: Sequence[Contradiction], names: Sequence[str]) -> str:
+def describe_contradictions(contradictions: Sequence[Contradiction], names: Sequence[str]) -> str:
     """Return a line on the first contradiction, with the names of measurements, and a count."""
-    pair = pairs[0]
-    remainder = f"; more pairs that do: {len(pairs) - 1}" if pairs[1:] else ""
+    worst = contradictions[0]
+    remainder = f"; more pairs that do: {len(contradictions) - 1}" if contradictions[1:] else ""
     return (
-        f"{names[pair.higher]} and {names[pair.lower]} contradict each other: at wavelengths "
-        f"from {format_length(pair.shortest)} to {format_length(pair.longest)} the power "
-        f"spectral density of the first is {pair.factor:.2g} times that of the other{remainder}"
+        f"{names[worst.higher]} and {names[worst.lower]} contradict each other: at wavelengths "
+        f"from {format_length(worst.shortest)} to {format_length(worst.longest)} the power "
+        f"spectral density of the first is {worst.factor:.2g} times that of the other{remainder}"
     )
 
 
-def contradictions(
+def find_contradictions(
     density: Floats, reliable: ArrayLike, kinds: Iterable[str], sizes: Iterable[float]
 ) -> list[Contradiction]:
     """Return the pairs of measurements that contradict each other, the largest factor first.
@@ -175,7 +175,7 @@ def contradictions(
     waves = np.array([waves_in_bins(kind, size) for kind, size in zip(kinds, sizes, strict=True)])
     logs = np.log(np.where(usable, density, 1.0)) + bias_of_log(waves)
     variances = variance_of_log(waves)
-    pairs = []
+    results = []
     for left, right in combinations(range(len(logs)), 2):
         (shared,) = np.nonzero(usable[left] & usable[right])
         if not shared.size:
@@ -195,8 +195,8 @@ def contradictions(
             higher, lower = (left, right) if mean > 0 else (right, left)
             shortest, longest = 2 * np.pi / BIN_CENTRES[bins[[-1, 0]]]
             factor = float(np.exp(abs(mean)))
-            pairs.append(Contradiction(higher, lower, factor, float(shortest), float(longest)))
-    return sorted(pairs, key=lambda pair: -pair.factor)
+            results.append(Contradiction(higher, lower, factor, float(shortest), float(longest)))
+    return sorted(results, key=lambda result: -result.factor)
 
 
 def _mean_difference(difference: Floats, variance: Floats) -> tuple[float, float]:

@@ -23,7 +23,7 @@ from hardcontact.report.own_surfaces.datasets import Datasets, forces_at_range, 
 from hardcontact.report.quantities import number_of, number_without_value
 from hardcontact.scans.defects import DEFECTS, defect_sentence
 from hardcontact.scans.heights import split_notes
-from hardcontact.scans.mean_spectrum import contradictions
+from hardcontact.scans.mean_spectrum import find_contradictions
 from hardcontact.scans.reliable_band import OTHER_BODY
 from hardcontact.surfaces.synthesis import SIDES
 
@@ -268,14 +268,14 @@ def _contradiction(spectra: xr.Dataset) -> Caution | None:
     """Return a caution about the two measurements that contradict each other most, if any do."""
     scans = scans_of(spectra)
     arrays = [scans[name].values for name in ("psd", "reliable", "kind", "size")]
-    pairs = contradictions(*arrays)
-    if not pairs:
+    contradictions = find_contradictions(*arrays)
+    if not contradictions:
         return None
-    worst = pairs[0]
+    worst = contradictions[0]
     numbers = {
         "band": number_without_value("band", worst.shortest, worst.longest, "nm"),
         "factor": Number("factor", worst.factor),
-        "others": Number("others", len(pairs) - 1),
+        "others": Number("others", len(contradictions) - 1),
     }
     texts = {
         "higher": measurement_name(scans.isel(measurement=worst.higher)),

@@ -140,8 +140,8 @@ def draw_spectra(datasets: Datasets) -> Figure:
         all_measurements = scans_of(data.spectra)
         has_data = np.isfinite(all_measurements["psd"].values).any(axis=0)
         shows_unreliable = all_measurements.sizes["measurement"] <= MAX_UNRELIABLE_CURVES
-        pairs = zip(split_scans(all_measurements), cycle(style.MARKERS), strict=False)
-        for measurement, marker in pairs:
+        marked_measurements = zip(split_scans(all_measurements), cycle(style.MARKERS), strict=False)
+        for measurement, marker in marked_measurements:
             _draw_measurement(axes, wavelengths, measurement, marker, shows_unreliable)
         used_density = _used_spectrum(data.spectra)[has_data]
         joined_density = data.spectra["joined_psd"].values[has_data]

@@ -34,8 +34,8 @@ def claim_facts(claims: pd.DataFrame) -> dict[str, Any]:
     The numbers of findings: `without_scan` reproduced without any scan, `larger_pixels` testable
     only with the paper's pixels.
     """
-    pairs = zip(plain_rows(claims), claims.to_dict("records"), strict=True)
-    facts = {str(row["id"]): plain | _printed_claim(row) for plain, row in pairs}
+    rows = zip(plain_rows(claims), claims.to_dict("records"), strict=True)
+    facts = {str(row["id"]): plain | _printed_claim(row) for plain, row in rows}
     ranks = {name: int(row["main"]) for name, row in facts.items() if row["main"]}
     main_findings = sorted(ranks, key=lambda name: ranks[name])
     return {
