@@ -57,7 +57,7 @@ def test_octaves_on_a_scan_add_up_to_the_derivative_for_all_roughness():
 
 def test_octaves_in_closed_form_add_up_to_the_derivative_for_all_roughness():
     spectrum = rough(17, 1000, 0.8, 20)
-    longest = 2 * np.pi / spectrum.wavevector[0]
+    longest = spectrum.wavelength[0]
     octaves = 10 * 2.0 ** np.arange(np.ceil(np.log2(longest / 10)) + 1)
     weak, strong = (
         closed_form(Spectrum(spectrum.wavevector, factor**2 * spectrum.density), CONTACT).force

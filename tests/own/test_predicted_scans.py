@@ -36,7 +36,7 @@ def test_a_scan_is_predicted_from_its_reliable_wavelengths(kind, tmp_path, capsy
     assert spectrum.density == pytest.approx(
         joined_scans.joined_psd.values[has_roughness], rel=1e-4
     )
-    assert 2 * np.pi / spectrum.wavevector[-1] >= 4 * PIXEL
+    assert spectrum.wavelength[-1] >= 4 * PIXEL
     numbers = numbers_of(str(path))
     assert f"{path}: reliable from" in capsys.readouterr().err
     force = closed_form(spectrum, CONTACT).force

@@ -197,7 +197,7 @@ def read_spectrum(
     Examples
     --------
     >>> spectrum = hc.read_spectrum("scan.nc")
-    >>> shortest = 2 * np.pi / spectrum.wavevector[-1]  # nm
+    >>> shortest = spectrum.wavelength[-1]  # nm
     """
     check_read_arguments(
         files, dataset=dataset, unit=unit, undefined_pixels=undefined_pixels, mask=mask

@@ -32,7 +32,7 @@ def predicted_octaves(own_spectrum: OwnSpectrum, contact: Contact) -> Iterator[N
     The closed form takes Gaussian heights, and yields none for scans with steep sidewalls.
     """
     spectrum = trim_spectrum(own_spectrum.spectrum)
-    longest, shortest = 2 * np.pi / spectrum.wavevector[[0, -1]]
+    longest, shortest = spectrum.wavelength[[0, -1]]
     octaves = OCTAVE_LIMITS[middles_within(OCTAVE_LIMITS, shortest, longest)]
     scans = own_spectrum.scans
     obstacle, _ = obstacle_to_force(scans, contact, len(AMPLITUDE_FACTORS) * len(octaves))
@@ -62,7 +62,7 @@ def derivatives_on_scan(scan: HeightMap, octaves: Floats, contact: Contact) -> F
 
 def derivatives_in_closed_form(spectrum: Spectrum, octaves: Floats, contact: Contact) -> Floats:
     """Return d ln F / d ln a (octave,) of the closed form for a spectrum."""
-    wavelength = 2 * np.pi / spectrum.wavevector
+    wavelength = spectrum.wavelength
 
     def log_force(octave: float, factor: float) -> float:
         """Return the logarithm of the force with the amplitude of one octave times a factor."""

@@ -45,9 +45,14 @@ class Spectrum:
     wavevector: Floats
     density: Floats
 
+    @property
+    def wavelength(self) -> Floats:
+        """The wavelengths (points,) in nm, falling."""
+        return 2 * np.pi / self.wavevector
+
     def __repr__(self) -> str:
         """Return the number of wavelengths, and the longest and the shortest."""
-        longest, shortest = 2 * np.pi / self.wavevector[[0, -1]]
+        longest, shortest = self.wavelength[[0, -1]]
         return (
             f"Spectrum({len(self.wavevector)} wavelengths from {format_length(shortest)} to "
             f"{format_length(longest)})"
@@ -69,7 +74,7 @@ class Spectrum:
         import matplotlib.pyplot as plt
 
         axes = plt.subplots()[1] if axes is None else axes
-        axes.loglog(2 * np.pi / self.wavevector, self.density)
+        axes.loglog(self.wavelength, self.density)
         axes.set(xlabel="wavelength (nm)", ylabel="power spectral density (nm⁴)")
         return axes
 
@@ -158,7 +163,7 @@ def peak_wavelength(spectrum: Spectrum) -> float:
     It is the roll-off of a self-affine surface.
     """
     variance = spectrum.wavevector**2 * spectrum.density
-    return float(2 * np.pi / spectrum.wavevector[variance.argmax()])
+    return float(spectrum.wavelength[variance.argmax()])
 
 
 def self_affine(wavevector: Floats, plateau: float, rolloff: float, hurst: float) -> Floats:

@@ -180,7 +180,7 @@ def critical_band(spectrum: Spectrum, contact: Contact, tolerance: float) -> tup
     force changes by the tolerance. An edge is NaN if no cutoff does this. Summits below the sphere
     count as smooth: on held-out surfaces rough summits improve forces of single peaks, not edges.
     """
-    wavelengths = 2 * np.pi / spectrum.wavevector[spectrum.density > 0]
+    wavelengths = spectrum.wavelength[spectrum.density > 0]
     if not len(wavelengths):
         return np.nan, np.nan
     cutoffs = np.geomspace(wavelengths[-1], wavelengths[0], CUTOFFS)

@@ -69,7 +69,7 @@ def prediction(
     change = Number("extrapolated_change", math.nan, status=change_status)
     extrapolated: list[Number] = []
     # Without an exponent no waves are added: slope or curvature are at their bounds already.
-    if tail is not None and (math.isfinite(tail.hurst) or tail.rolloff > _longest(waves)):
+    if tail is not None and (math.isfinite(tail.hurst) or tail.rolloff > waves.wavelength[0]):
         extrapolated = _extrapolated_numbers(tail, contact, tolerance, error_is_known)
         change = _force_change("extrapolated_change", extrapolated[0].value, form)
     checks += [change, *validated_ranges(waves, contact, form)]
@@ -107,7 +107,7 @@ def trim_spectrum(spectrum: Spectrum, name: str = "spectrum") -> Spectrum:
         raise ValueError(f"{name}: expected roughness at two wavelengths or more, found less")
     rough_slice = slice(rough_indices[0], rough_indices[-1] + 1)
     rough = Spectrum(spectrum.wavevector[rough_slice], spectrum.density[rough_slice])
-    shortest, longest = 2 * np.pi / rough.wavevector[[-1, 0]]
+    shortest, longest = rough.wavelength[[-1, 0]]
     minimum, maximum = 2 * np.pi / WAVEVECTORS[[-1, 0]]
     if shortest < minimum * (1 - 1e-9) or longest > maximum * (1 + 1e-9):
         raise ValueError(
@@ -125,17 +125,12 @@ def trim_spectrum(spectrum: Spectrum, name: str = "spectrum") -> Spectrum:
     return rough
 
 
-def _longest(waves: Spectrum) -> float:
-    """Return the longest wavelength of a spectrum in nm."""
-    return float(2 * np.pi / waves.wavevector[0])
-
-
 def _input_numbers(waves: Spectrum, contact: Contact, tolerance: float) -> list[Number]:
     """Return the properties of a spectrum, the force on a smooth surface and the tolerance."""
     height, gradient, _ = all_scales_rms(waves)
     return [
-        Number("shortest_wavelength", float(2 * np.pi / waves.wavevector[-1]), "nm"),
-        Number("longest_wavelength", _longest(waves), "nm"),
+        Number("shortest_wavelength", float(waves.wavelength[-1]), "nm"),
+        Number("longest_wavelength", float(waves.wavelength[0]), "nm"),
         Number("rms_height", float(height), "nm"),
         Number("rms_gradient", float(gradient)),
         Number("smooth_force", smooth_force(contact), "N"),
@@ -221,7 +216,7 @@ def _short_wave_tail(spectrum: Spectrum, waves: Spectrum) -> _Tail | None:
     variance = np.full(waves.density.shape, CALIBRATION_SCATTER**2)
     fit = fit_hurst_exponent(waves.wavevector, waves.density, variance)
     density, tail = extrapolate_short_waves(waves.wavevector, waves.density, fit)
-    return _Tail(density, _longest(waves), tail.tail_hurst, tail.tail_ended_by)
+    return _Tail(density, float(waves.wavelength[0]), tail.tail_hurst, tail.tail_ended_by)
 
 
 def _extrapolated_numbers(
@@ -240,7 +235,7 @@ def _extrapolated_numbers(
     return [
         _force_number("extrapolated_force", form, point, validated),
         *_edge_numbers("extrapolated_", band, point, validated),
-        Number("extrapolated_to", float(2 * np.pi / waves.wavevector[-1]), "nm"),
+        Number("extrapolated_to", float(waves.wavelength[-1]), "nm"),
         Number("extrapolated_rolloff", tail.rolloff, "nm"),
         Number("extrapolated_hurst", tail.hurst, status=tail.ended_by),
     ]
