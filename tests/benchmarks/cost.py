@@ -17,7 +17,7 @@ import yaml
 
 #: Rules with jobs for each realization.
 MASTERS = ["synthesize_masters"]
-FILTERED = ["filter_masters/scales"]
+FILTERED = ["compute_filtered_forces/scales"]
 
 
 def processor(row):
@@ -41,7 +41,7 @@ def jobs(folders):
             row = pd.read_csv(path, sep="\t").iloc[-1]
             rule, *wildcards = path.relative_to(Path(folder, "benchmarks")).with_suffix("").parts
             rule = re.sub(r"(_\d+)+$", "", rule)  # the numbers of scans that are made together
-            if rule == "filter_masters":  # by their purpose: scales, sets, enhancement, exponents
+            if rule == "compute_filtered_forces":  # by purpose: scales, sets, and so on
                 rule = f"{rule}/{wildcards[0]}"
             rows.append(
                 {"rule": rule, "seconds": processor(row), "memory": row.max_rss * 2**20 / 1e6}

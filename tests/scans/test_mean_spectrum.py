@@ -48,13 +48,13 @@ def test_a_joined_spectrum_keeps_the_variance_of_its_bins(kind):
 
 
 def test_sampled_curves_scatter_with_the_stated_variance():
-    waves = np.where((BIN_CENTRES > 0.02) & (BIN_CENTRES < 0.3), 0.01 / BIN_CENTRES**2, 1.5)
+    modes = np.where((BIN_CENTRES > 0.02) & (BIN_CENTRES < 0.3), 0.01 / BIN_CENTRES**2, 1.5)
     is_measured = (
         (BIN_CENTRES > 0.005) & (BIN_CENTRES < 2) & ~((BIN_CENTRES > 0.1) & (BIN_CENTRES < 0.3))
     )
     points = (
         np.where(is_measured, gentle(BIN_CENTRES), np.nan),
-        np.where(is_measured, variance_of_log(waves), np.nan),
+        np.where(is_measured, variance_of_log(modes), np.nan),
     )
     wavevector, mean, variance = smooth_curve(*points)
     sampled_logs = np.log([smooth_curve(*points, generator(23, draw))[1] for draw in range(400)])

@@ -8,7 +8,7 @@ from scipy.ndimage import gaussian_filter1d
 from hardcontact.base.random import generator
 from hardcontact.scans.measured_spectrum import (
     axis_ratio,
-    independent_waves,
+    independent_modes,
     isotropic_from_profile,
     isotropic_psd,
     local_slopes,
@@ -38,7 +38,7 @@ def test_line_scans_have_the_spectrum_of_their_surface():
 
 
 @pytest.mark.parametrize("kind", ["map", "line scan"])
-def test_spectra_scatter_by_their_number_of_independent_waves(kind):
+def test_spectra_scatter_by_their_number_of_independent_modes(kind):
     draws = [
         map_of(generator(4, k), 64, 20.0) if kind == "map" else line_of(generator(5, k), 256, 20.0)
         for k in range(100)
@@ -49,7 +49,7 @@ def test_spectra_scatter_by_their_number_of_independent_waves(kind):
     is_reliable = (
         np.isfinite(logs).all(axis=0) & (wavelength > 60) & (wavelength < draws[0].size / 3)
     )
-    predicted_scatter = np.sqrt(variance_of_log(independent_waves(draws[0])[is_reliable]))
+    predicted_scatter = np.sqrt(variance_of_log(independent_modes(draws[0])[is_reliable]))
     assert np.median(logs.std(axis=0)[is_reliable] / predicted_scatter) == pytest.approx(
         1, abs=0.25
     )
@@ -114,19 +114,19 @@ def test_bent_spectra_are_recovered_from_their_profiles(density, tolerance):
 def test_scatter_is_not_amplified_and_empty_bins_stay_empty():
     # A line of 20 µm: half a wave in a bin at its longest wavelengths, a hundred at 100 nm.
     is_reliable = WAVEVECTORS > 2 * np.pi / 20_000
-    waves = np.maximum(0.37e3 * WAVEVECTORS[is_reliable], 1)
+    modes = np.maximum(0.37e3 * WAVEVECTORS[is_reliable], 1)
     errors = []
     for k in range(50):
-        scatter = generator(1, k).gamma(waves, 1 / waves)
+        scatter = generator(1, k).gamma(modes, 1 / modes)
         profile = profile_of(uncd, WAVEVECTORS[is_reliable]) * scatter
         profile[[1, 3]] = np.nan
-        converted = isotropic_from_profile(WAVEVECTORS[is_reliable], profile, waves)
+        converted = isotropic_from_profile(WAVEVECTORS[is_reliable], profile, modes)
         np.testing.assert_array_equal(np.isnan(converted), np.isnan(profile))
         errors.append(np.log(converted / uncd(WAVEVECTORS[is_reliable])))
     is_finite = np.isfinite(profile)
     error = np.array(errors)[:, is_finite]
-    predicted_scatter = np.sqrt(variance_of_log(waves[is_finite]))
+    predicted_scatter = np.sqrt(variance_of_log(modes[is_finite]))
     assert np.median(error.std(axis=0) / predicted_scatter) < 1.25
-    # The median logarithm of one wave is -0.37, and the plateau falls in steps that scatter gives.
+    # The median logarithm of one mode is -0.37, and the plateau falls in steps that scatter gives.
     bias = np.abs(np.median(error, axis=0))
-    assert bias.max() < 1.1 and bias[waves[is_finite] > 10].max() < 0.25
+    assert bias.max() < 1.1 and bias[modes[is_finite] > 10].max() < 0.25

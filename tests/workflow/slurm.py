@@ -16,7 +16,7 @@ from repository import TINY, environment
 PROFILE = "profiles/slurm"
 PROGRAMS = ["munged", "slurmctld", "slurmd", "sbatch", "squeue", "scontrol"]
 #: The group with the job to be cancelled, and the rule that it then computes.
-CANCELLED = ("cutoffs", "filter_masters")
+CANCELLED = ("cutoffs", "compute_filtered_forces")
 #: Files are visible at once on one machine, and jobs are short.
 LOCAL_OPTIONS = ["--slurm-init-seconds-before-status-checks", "2", "--latency-wait", "5"]
 LIMIT = 1800  # seconds for the whole run

@@ -23,9 +23,9 @@ FAULTS = [
     ("--default-resources slurm_partition=nowhere", {}, "Invalid partition", "slurm_partition"),
     ("--default-resources slurm_partition=members slurm_account=nobody", {}, "Invalid account",
      "slurm_account"),
-    ("--set-resources filter_masters:runtime=1", {"STEP_DELAY": "100"}, "DUE TO TIME LIMIT",
-     "runtime"),
-    ("--set-resources filter_masters:mem_mb=60", {}, "exceeded memory limit", "mem_mb"),
+    ("--set-resources compute_filtered_forces:runtime=1", {"STEP_DELAY": "100"},
+     "DUE TO TIME LIMIT", "runtime"),
+    ("--set-resources compute_filtered_forces:mem_mb=60", {}, "exceeded memory limit", "mem_mb"),
 ]  # fmt: skip
 
 
@@ -59,8 +59,8 @@ def test_a_job_that_slurm_refuses_or_ends_has_one_line_with_the_remedy(
     assert codes == [1] * len(FAULTS)
     for number, (_, _, reason, key) in enumerate(FAULTS):
         text = (tmp_path / f"{number}").read_text()
-        (line,) = [line for line in text.splitlines() if "filter_masters" in line]
-        assert_says(line, "SLURM job cutoffs_filter_masters: ", reason, f"change {key}")
+        (line,) = [line for line in text.splitlines() if "compute_filtered_forces" in line]
+        assert_says(line, "SLURM job cutoffs_compute_filtered_forces: ", reason, f"change {key}")
         assert not re.search("sacct|Error|Traceback", text), text
 
 

@@ -33,7 +33,8 @@ PAGE = {"answer_surfaces", "describe_study"}
 EDGES = {"find_edges_of_scans", "predict_force"}
 FORCES = {"compute_pull_off", "aggregate_adhesion", "fit_measured"} | EDGES
 OCTAVES = {"perturb_scan", "aggregate_sensitivity"}
-MASTERS = {"synthesize_masters", "filter_masters", "aggregate_scales"} | EDGES
+FILTERED = {"compute_filtered_forces", "aggregate_scales"}
+MASTERS = {"synthesize_masters"} | FILTERED | EDGES
 SPECTRA = {
     "measure_spectrum", "sample_spectra", "aggregate_spectra",
     "combine_spectra", "combine_sampled_spectra",
@@ -48,7 +49,7 @@ SCANS = {"prepare_scan", "combine_scans"} | TOPOGRAPHY
     [
         ("adhesion.work", "60 mJ/m2", {"predict_force", "fit_measured"}),
         ("scan.levelling", "lines", SCANS | SPECTRA | FORCES | OCTAVES | MASTERS),
-        ("contact.preload", "20 uN", FORCES | OCTAVES | {"filter_masters", "aggregate_scales"}),
+        ("contact.preload", "20 uN", FORCES | OCTAVES | FILTERED),
     ],
 )
 def test_a_changed_key_repeats_exactly_its_dependents(own_study, key, value, rules):

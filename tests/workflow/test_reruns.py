@@ -196,7 +196,7 @@ def overlay(key, value):
     [
         ("sets.pool_size", 12, {"compute_pool", "sample_sets"}),
         ("scales.short.transition", "90 nm", {
-            "synthesize_masters", "filter_masters", "aggregate_scales"}),
+            "synthesize_masters", "compute_filtered_forces", "aggregate_scales"}),
     ],
 )  # fmt: skip
 def test_a_changed_key_repeats_exactly_its_dependents(dry, graph, key, value, concerned):
@@ -215,7 +215,9 @@ def test_swept_values_share_masters(dry):
     assert not any("/masters/" in output for _, output in jobs)
     # Masters for exponents have radii of their own.
     filtered = [
-        output for rule, output in jobs if rule == "filter_masters" and "/exponents/" not in output
+        output
+        for rule, output in jobs
+        if rule == "compute_filtered_forces" and "/exponents/" not in output
     ]
     assert filtered
     for token in ("F12uN", "R300um", "rho3nm"):

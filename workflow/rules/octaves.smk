@@ -20,12 +20,12 @@ WHOLE_SURFACES = {
 }
 
 
-rule compute_whole_surfaces:
+rule compute_whole_surface_forces:
     """Compute the forces on whole substitute surfaces, also with each octave amplified."""
     input:
         **DESCRIPTION_INPUTS,
         **SUBSTITUTE_INPUTS,
-        code=code_inputs("compute_whole_surfaces.py"),
+        code=code_inputs("compute_whole_surface_forces.py"),
     output:
         PATTERNS.whole_surface_forces,
     params:
@@ -37,7 +37,7 @@ rule compute_whole_surfaces:
             ranges=[rho for rho in RANGES if rho >= SHORTEST_WHOLE_RANGE],
         ),
     script:
-        "../scripts/compute_whole_surfaces.py"
+        "../scripts/compute_whole_surface_forces.py"
 
 
 rule perturb_scan:
@@ -66,13 +66,13 @@ rule perturb_scan:
         "../scripts/perturb_scan.py"
 
 
-rule isolate_band:
+rule compute_band_forces:
     """Compute the forces on whole surfaces with the roughness of a band alone, and without."""
     input:
         **DESCRIPTION_INPUTS,
         **SUBSTITUTE_INPUTS,
         edges=PATTERNS.dataset("edges"),
-        code=code_inputs("isolate_band.py"),
+        code=code_inputs("compute_band_forces.py"),
     output:
         PATTERNS.band_forces,
     params:
@@ -83,7 +83,7 @@ rule isolate_band:
             has_features=w.surface in FILES.featured_surfaces,
         ),
     script:
-        "../scripts/isolate_band.py"
+        "../scripts/compute_band_forces.py"
 
 
 rule aggregate_sensitivity:

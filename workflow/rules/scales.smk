@@ -37,12 +37,12 @@ rule synthesize_masters:
         "../scripts/synthesize_masters.py"
 
 
-rule filter_masters:
+rule compute_filtered_forces:
     """Compute the forces of masters with all scales, and without those beyond each cutoff."""
     input:
         unpack(CHUNKS.master_inputs),
         sphere=lambda w: FILES.first_sphere_path if w.probe == "rough" else [],
-        code=code_inputs("filter_masters.py"),
+        code=code_inputs("compute_filtered_forces.py"),
     output:
         PATTERNS.master_forces,
     resources:
@@ -58,7 +58,7 @@ rule filter_masters:
             **contact_sweep(STUDY, w.purpose),
         ),
     script:
-        "../scripts/filter_masters.py"
+        "../scripts/compute_filtered_forces.py"
 
 
 rule aggregate_scales:

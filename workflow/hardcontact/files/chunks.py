@@ -74,14 +74,14 @@ class Chunks:
 
     @property
     def whole_surfaces(self) -> list[Chunk]:
-        """The whole surfaces of all substitutes: outputs of rule compute_whole_surfaces."""
+        """The whole surfaces of all substitutes: outputs of rule compute_whole_surface_forces."""
         chunks = _spans(self._configuration["scales"]["whole_surfaces"], MASTERS_CHUNK)
         return [Chunk(surface, *chunk) for surface in self._files.substitutes for chunk in chunks]
 
     # Masters
 
     def filtered_masters(self, purpose: str = "scales") -> list[FilteredMasters]:
-        """Return the masters of a purpose: outputs of rule filter_masters."""
+        """Return the masters of a purpose: outputs of rule compute_filtered_forces."""
         count = get_key(self._configuration, PURPOSES[purpose].realizations_key)
         chunks = _spans(count, PURPOSES[purpose].realizations_in_job)
         digest = self._settings_digest(purpose)
@@ -127,7 +127,7 @@ class Chunks:
         return short_digest([filter_settings(configuration, purpose), values])
 
     def master_inputs(self, chunk: Any) -> dict[str, list[str]]:
-        """Return the inputs of rule filter_masters for a chunk, one file for each realization.
+        """Return the inputs of rule compute_filtered_forces, one file for each realization.
 
         Masters of the study are files of their own; the job makes others from scans and spectra.
         """

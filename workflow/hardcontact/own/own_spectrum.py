@@ -21,7 +21,7 @@ from hardcontact.scans.defects import defect_sentence, scan_with_defects
 from hardcontact.scans.heights import LENGTH_BOUNDS, TAKE_CARE, split_notes
 from hardcontact.scans.joined_spectrum import joined_spectrum, reliable_spectrum
 from hardcontact.scans.mean_spectrum import describe_contradictions, find_contradictions
-from hardcontact.scans.measured_spectrum import ENOUGH_WAVES, isotropic_from_profile
+from hardcontact.scans.measured_spectrum import ENOUGH_MODES, isotropic_from_profile
 from hardcontact.scans.plain_text import ROW
 from hardcontact.scans.reading import list_scans, read_scan
 from hardcontact.scans.reliable_band import ReliableBand
@@ -54,9 +54,9 @@ POSITION_HEADING = re.compile(r"\W*(x|position|distance|lateral)\b", re.IGNORECA
 #: The fewest wavelengths with roughness that a table must have. In a trial with roll-offs, the rms
 #: height between so many points over four decades was wrong by up to 41 %, with one less by 57 %.
 MIN_WAVELENGTHS = 5
-#: Independent waves that each bin of a profile's density is taken to have when it is converted, as
+#: Independent modes that each bin of a profile's density is taken to have when it is converted, as
 #: a table does not tell them: enough for the usual width of smoothing.
-WAVES_OF_A_BIN = ENOUGH_WAVES
+MODES_OF_A_BIN = ENOUGH_MODES
 
 
 class OwnSpectrum(NamedTuple):
@@ -190,8 +190,8 @@ def table_spectrum(path: str | Path) -> Spectrum:
         raise ValueError(f"{path}: expected at least {MIN_WAVELENGTHS} wavelengths, found {rough}")
     wavevectors, densities = np.array(sorted(points.values())).T
     if density == "c_1d":
-        waves = np.full(densities.shape, WAVES_OF_A_BIN)
-        densities = isotropic_from_profile(wavevectors, densities, waves)
+        modes = np.full(densities.shape, MODES_OF_A_BIN)
+        densities = isotropic_from_profile(wavevectors, densities, modes)
     return Spectrum(wavevectors, densities)
 
 

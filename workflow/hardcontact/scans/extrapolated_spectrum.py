@@ -284,11 +284,11 @@ class RolloffEvidence:
         """Return the logarithm of the likelihood of the measured variance, up to a constant."""
         from scipy.special import gammaln
 
-        # The power of each of N independent waves is distributed exponentially, so that their sum
+        # The power of each of N independent modes is distributed exponentially, so that their sum
         # is a gamma variable of relative variance 1/N. N per ln q is q²L²/4π in a map and qL/2π
         # along a line, and 1 for waves longer than the scan, which appear as a bow.
         waves = WAVEVECTORS * self.size / (2 * np.pi)
-        wave_count = np.maximum(waves if self.kind == "line scan" else np.pi * waves**2, 1)
+        mode_count = np.maximum(waves if self.kind == "line scan" else np.pi * waves**2, 1)
         power = density * WAVEVECTORS**2 * self._share / (2 * np.pi)
         # Noise at wavelengths too short to be reliable adds to the heights of the surface.
         excess = self._density - np.interp(BIN_CENTRES, WAVEVECTORS, density)
@@ -299,7 +299,7 @@ class RolloffEvidence:
         )
         expected_variance = np.trapezoid(power, LOG_WAVEVECTORS) + noise
         shape = (
-            expected_variance**2 / np.trapezoid(power**2 / wave_count, LOG_WAVEVECTORS) * self.count
+            expected_variance**2 / np.trapezoid(power**2 / mode_count, LOG_WAVEVECTORS) * self.count
         )
         scale = expected_variance / shape
         ratio = self.variance / scale

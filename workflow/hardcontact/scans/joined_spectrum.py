@@ -28,7 +28,7 @@ from hardcontact.scans.mean_spectrum import (
 )
 from hardcontact.scans.measured_spectrum import (
     CALIBRATION_SCATTER,
-    independent_waves,
+    independent_modes,
     isotropic_psd,
     local_slopes,
 )
@@ -53,7 +53,7 @@ class _MeasuredSpectra(NamedTuple):
 
     radii: Sequence[float | None]  #: Radii of the tips in nm; None if unknown.
     densities: Floats  #: (measurement, bins) C_iso in nm⁴, NaN in empty bins.
-    waves: Floats  #: (measurement, bins) numbers of independent waves.
+    modes: Floats  #: (measurement, bins) numbers of independent modes.
     bands: Sequence[ReliableBand]
     rolloff_evidence: RolloffEvidence
 
@@ -75,9 +75,9 @@ def _measured_spectra(
     bands = [
         reliable_band(*arguments) for arguments in zip(measurements, radii, densities, strict=True)
     ]
-    waves = np.array([independent_waves(measurement) for measurement in measurements])
+    modes = np.array([independent_modes(measurement) for measurement in measurements])
     spectra = _MeasuredSpectra(
-        radii, densities, waves, bands, RolloffEvidence(measurements, densities, bands)
+        radii, densities, modes, bands, RolloffEvidence(measurements, densities, bands)
     )
     count = int(_reliable_mask(densities, bands).any(axis=0).sum())
     if count < MIN_BINS:
@@ -105,7 +105,7 @@ def joined_spectrum(
     """
     spectra = _measured_spectra(measurements, tip_radii)
     reliable = _reliable_mask(spectra.densities, spectra.bands)
-    bins = mean_bins(reliable, spectra.densities, spectra.waves)
+    bins = mean_bins(reliable, spectra.densities, spectra.modes)
     peaks = find_peak_bins(bins)
     curve = match_height_variance(smooth_curve_without_peaks(bins, peaks), bins.power)
     density = Spectrum(curve.wavevector, curve.density)(BIN_CENTRES)
@@ -153,7 +153,7 @@ def sample_spectra(
         calibration = CALIBRATION_SCATTER * rng.standard_normal(len(bands))
         mean_calibration = calibration.mean()
         densities = spectra.densities * np.exp(calibration - mean_calibration)[:, None]
-        bins = mean_bins(reliable, densities, spectra.waves)
+        bins = mean_bins(reliable, densities, spectra.modes)
         peaks = find_peak_bins(bins)
         curve = smooth_curve_without_peaks(bins, peaks, rng)
         hurst = _fit_hurst_without_peaks(bins, peaks)

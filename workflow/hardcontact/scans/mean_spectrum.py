@@ -16,8 +16,8 @@ from hardcontact.base.formatting import format_length
 from hardcontact.scans.measured_spectrum import (
     CALIBRATION_SCATTER,
     bias_of_log,
+    modes_in_bins,
     variance_of_log,
-    waves_in_bins,
 )
 from hardcontact.surfaces.spectrum import BIN_CENTRES, BIN_WIDTH, HALF_DECADE_BINS, Spectrum
 
@@ -31,7 +31,7 @@ PEAK_PROBABILITY = 1e-4
 #: difference in ln C.
 MAX_LOG_CHANGE = 20.0
 #: Standard errors by which the mean logarithms of two measurements differ before they contradict
-#: each other: a factor of 3.1 in C_iso, 1.8 in heights, if both have many waves.
+#: each other: a factor of 3.1 in C_iso, 1.8 in heights, if both have many modes.
 MIN_CONTRADICTION_ERRORS = 4
 
 
@@ -40,7 +40,7 @@ class MeanBins(NamedTuple):
 
     #: (bins,) C_iso in nm⁴ from the mean of ln C, without the bias of the logarithm.
     density: Floats
-    variance: Floats  #: (bins,) variance of ln C, from the number of waves alone.
+    variance: Floats  #: (bins,) variance of ln C, from the number of modes alone.
     power: Floats  #: (bins,) mean C_iso in nm⁴.
 
 
@@ -52,14 +52,14 @@ class Curve(NamedTuple):
     variance: Floats  #: Variance of ln C, with that of the calibration.
 
 
-def mean_bins(reliable: NDArray[np.bool_], density: Floats, waves: Floats) -> MeanBins:
+def mean_bins(reliable: NDArray[np.bool_], density: Floats, modes: Floats) -> MeanBins:
     """Return the mean over measurements of their reliable C_iso (measurement, bins) in nm⁴."""
-    wave_variance = variance_of_log(waves)
-    weight = np.where(reliable, 1 / (wave_variance + CALIBRATION_SCATTER**2), 0.0)
-    logs = np.where(reliable, np.log(density) + bias_of_log(waves), 0.0)
+    mode_variance = variance_of_log(modes)
+    weight = np.where(reliable, 1 / (mode_variance + CALIBRATION_SCATTER**2), 0.0)
+    logs = np.where(reliable, np.log(density) + bias_of_log(modes), 0.0)
     with np.errstate(divide="ignore", invalid="ignore"):
         weight = weight / weight.sum(axis=0)
-    variance = (weight**2 * wave_variance).sum(axis=0)
+    variance = (weight**2 * mode_variance).sum(axis=0)
     power = (weight * np.where(reliable, density, 0.0)).sum(axis=0)
     return MeanBins(np.exp((weight * logs).sum(axis=0)), variance, power)
 
@@ -69,13 +69,13 @@ def find_peak_bins(bins: MeanBins) -> NDArray[np.bool_]:
     from scipy.special import gammaincc
 
     inner = np.flatnonzero(np.isfinite(bins.density))[1:-1]
-    waves = 1 / bins.variance[inner] + 0.5  # inverts the variance, trigamma(n) ≈ 1/(n - 0.5)
+    modes = 1 / bins.variance[inner] + 0.5  # inverts the variance, trigamma(n) ≈ 1/(n - 0.5)
     peaks = np.zeros(len(bins.power), bool)
     while True:
         curve = smooth_curve(np.where(peaks, np.nan, bins.density), bins.variance)
         smooth_power = Spectrum(curve.wavevector, curve.density)(BIN_CENTRES[inner])
-        # The power of n waves over its mean is a gamma variable.
-        chance = gammaincc(waves, waves * bins.power[inner] / smooth_power)
+        # The power of n modes over its mean is a gamma variable.
+        chance = gammaincc(modes, modes * bins.power[inner] / smooth_power)
         new_peaks = inner[(chance < PEAK_PROBABILITY) & ~peaks[inner]]
         if not len(new_peaks):
             return peaks
@@ -87,7 +87,7 @@ def smooth_curve(
 ) -> Curve:
     """Return a smooth curve through bins and gaps; with `rng`, a sample of the posterior.
 
-    C_iso (bins,) in nm⁴ is NaN in gaps. `variance` of ln C comes from the number of waves. The
+    C_iso (bins,) in nm⁴ is NaN in gaps. `variance` of ln C comes from the number of modes. The
     slope d ln C/d ln q is a Wiener process that changes by SLOPE_CHANGE over a decade, so that the
     posterior mean is a smoothing spline (Wahba, J. R. Stat. Soc. B 40 (1978) 364).
     """
@@ -172,9 +172,9 @@ def find_contradictions(
     range with the largest difference in standard errors.
     """
     usable = np.asarray(reliable, bool) & np.isfinite(density)
-    waves = np.array([waves_in_bins(kind, size) for kind, size in zip(kinds, sizes, strict=True)])
-    logs = np.log(np.where(usable, density, 1.0)) + bias_of_log(waves)
-    variances = variance_of_log(waves)
+    modes = np.array([modes_in_bins(kind, size) for kind, size in zip(kinds, sizes, strict=True)])
+    logs = np.log(np.where(usable, density, 1.0)) + bias_of_log(modes)
+    variances = variance_of_log(modes)
     results = []
     for left, right in combinations(range(len(logs)), 2):
         (shared,) = np.nonzero(usable[left] & usable[right])

@@ -1,4 +1,4 @@
-"""C_iso of one measurement, map or profile, and its independent waves and slopes.
+"""C_iso of one measurement, map or profile, and its independent modes and slopes.
 
 C_iso of a surface follows from C_1D of its profiles by an inverse Abel transform (Bracewell, The
 Fourier Transform and Its Applications): C_iso(q) = -2 ∫_q^∞ C_1D'(p) / sqrt(p² - q²) dp.
@@ -13,19 +13,19 @@ from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.levelling import level
 from hardcontact.surfaces.spectrum import BIN_CENTRES, BIN_EDGES, measured_psds, profile_psd
 
-#: Share of independent waves under a Hann window, along one axis:
+#: Share of independent modes under a Hann window, along one axis:
 #: (mean w²)² / mean w⁴ = (3/8)² / (35/128).
 INDEPENDENT_SHARE = (3 / 8) ** 2 / (35 / 128)
-#: Relative standard deviation of C_iso between measurements with many waves, because microscopes
+#: Relative standard deviation of C_iso between measurements with many modes, because microscopes
 #: have their heights calibrated to about ten per cent. It limits the weight of a measurement.
 CALIBRATION_SCATTER = 0.2
 #: Half the width, in ln q, of the interval to which a local slope is fitted: five bins.
 SLOPE_HALF_WIDTH = 0.25 * np.log(10)
 #: Standard deviation, in ln q, of the kernel that smooths a spectrum: one bin of BIN_EDGES. It is
-#: up to MAX_WIDENING times as wide in bins with fewer independent waves than ENOUGH_WAVES.
+#: up to MAX_WIDENING times as wide in bins with fewer independent modes than ENOUGH_MODES.
 SMOOTHING_WIDTH = 0.1 * np.log(10)
 MAX_WIDENING = 4.0
-ENOUGH_WAVES = 20.0
+ENOUGH_MODES = 20.0
 #: Values of u with p = q cosh u in the integral. They reach a thousandth of the wavelength; shorter
 #: waves add less than a thousandth, even if C_1D ~ 1/q.
 INTEGRATION_POINTS = np.linspace(0, 7.6, 400)
@@ -38,8 +38,8 @@ def isotropic_psd(scan: HeightMap) -> Floats:
     levelled = level(scan)
     if scan.kind == "map":
         return measured_psds(levelled)[2]
-    waves = independent_waves(scan)
-    return isotropic_from_profile(BIN_CENTRES, profile_psd(levelled), waves)
+    modes = independent_modes(scan)
+    return isotropic_from_profile(BIN_CENTRES, profile_psd(levelled), modes)
 
 
 def axis_ratio(scan: HeightMap) -> Floats:
@@ -56,13 +56,13 @@ def axis_ratio(scan: HeightMap) -> Floats:
     return np.asarray(np.where(np.isfinite(ratio), ratio, 1.0), float)
 
 
-def independent_waves(scan: HeightMap) -> Floats:
-    """Return the number of independent waves in each bin of a measured PSD, at least 1."""
-    return waves_in_bins(scan.kind, scan.size)
+def independent_modes(scan: HeightMap) -> Floats:
+    """Return the number of independent modes in each bin of a measured PSD, at least 1."""
+    return modes_in_bins(scan.kind, scan.size)
 
 
-def waves_in_bins(kind: str, size: float) -> Floats:
-    """Return the independent waves in each bin of a square map or a line scan of a size (nm).
+def modes_in_bins(kind: str, size: float) -> Floats:
+    """Return the independent modes in each bin of a square map or a line scan of a size (nm).
 
     One of each pair ±q counts, times the share that the Hann window leaves independent.
     """
@@ -73,25 +73,25 @@ def waves_in_bins(kind: str, size: float) -> Floats:
     return np.asarray(np.maximum(count, INDEPENDENT_SHARE), float)
 
 
-def variance_of_log(waves: Floats) -> Floats:
-    """Return the variance of ln C of a mean over independent waves: the trigamma of their number.
+def variance_of_log(modes: Floats) -> Floats:
+    """Return the variance of ln C of a mean over independent modes: the trigamma of their number.
 
     Squares of Fourier amplitudes are distributed exponentially, their mean as a gamma variable.
     """
     from scipy.special import polygamma
 
-    return np.asarray(polygamma(1, np.maximum(waves, 1.0)) / np.minimum(waves, 1.0), float)
+    return np.asarray(polygamma(1, np.maximum(modes, 1.0)) / np.minimum(modes, 1.0), float)
 
 
-def bias_of_log(waves: Floats) -> Floats:
-    """Return ln of the mean of C minus the mean of ln C over a number of independent waves.
+def bias_of_log(modes: Floats) -> Floats:
+    """Return ln of the mean of C minus the mean of ln C over a number of independent modes.
 
-    A gamma variable of n waves has ln n minus the digamma function of n.
+    A gamma variable of n modes has ln n minus the digamma function of n.
     """
     from scipy.special import digamma
 
-    waves = np.maximum(waves, 1.0)
-    return np.asarray(np.log(waves) - digamma(waves), float)
+    modes = np.maximum(modes, 1.0)
+    return np.asarray(np.log(modes) - digamma(modes), float)
 
 
 def local_slopes(wavevector: Floats, density: Floats, variance: Floats) -> tuple[Floats, Floats]:
@@ -112,18 +112,18 @@ def local_slopes(wavevector: Floats, density: Floats, variance: Floats) -> tuple
     return slope, np.where(has_enough, 1 / np.sqrt(spread), np.inf)
 
 
-def isotropic_from_profile(wavevector: Floats, profile: Floats, waves: Floats) -> Floats:
+def isotropic_from_profile(wavevector: Floats, profile: Floats, modes: Floats) -> Floats:
     """Return C_iso (bins,) in nm⁴ of a surface whose profiles have a measured C_1D (bins,) in nm³.
 
     The ratio C_iso/C_1D comes from the smoothed, falling spectrum, so that the scatter of C_1D is
-    neither amplified nor made negative. `waves` (bins,) are numbers of independent waves. Empty
+    neither amplified nor made negative. `modes` (bins,) are numbers of independent modes. Empty
     bins are NaN; all are if C_1D has fewer than two values.
     """
     finite = np.isfinite(profile)
     if finite.sum() < 2:
         return np.full(profile.shape, np.nan)
     log_q = np.log(wavevector[finite])
-    smooth, last_slope = _smooth_falling_spectrum(log_q, np.log(profile[finite]), waves[finite])
+    smooth, last_slope = _smooth_falling_spectrum(log_q, np.log(profile[finite]), modes[finite])
     density = np.full(profile.shape, np.nan)
     ratio = _inverse_abel(log_q, smooth, min(last_slope, FLATTEST_PROFILE_SLOPE)) / np.exp(smooth)
     density[finite] = profile[finite] * ratio
@@ -131,20 +131,20 @@ def isotropic_from_profile(wavevector: Floats, profile: Floats, waves: Floats) -
 
 
 def _smooth_falling_spectrum(
-    log_q: Floats, log_density: Floats, waves: Floats
+    log_q: Floats, log_density: Floats, modes: Floats
 ) -> tuple[Floats, float]:
     """Return ln C smoothed by local lines and falling (bins,), and its slope at the end."""
     from scipy.optimize import isotonic_regression
 
     distance = log_q - log_q[:, None]
-    width = SMOOTHING_WIDTH * np.clip(ENOUGH_WAVES / waves, 1, MAX_WIDENING)
-    weight = waves * np.exp(-((distance / width[:, None]) ** 2) / 2)
+    width = SMOOTHING_WIDTH * np.clip(ENOUGH_MODES / modes, 1, MAX_WIDENING)
+    weight = modes * np.exp(-((distance / width[:, None]) ** 2) / 2)
     weight /= weight.sum(axis=1, keepdims=True)
     centre = (weight * distance).sum(axis=1)
     mean = weight @ log_density
     variance = (weight * distance**2).sum(axis=1) - centre**2
     slope = ((weight * distance) @ log_density - centre * mean) / variance
-    smooth = isotonic_regression(mean - slope * centre, weights=waves, increasing=False).x
+    smooth = isotonic_regression(mean - slope * centre, weights=modes, increasing=False).x
     return np.asarray(smooth, float), float(slope[-1])
 
 

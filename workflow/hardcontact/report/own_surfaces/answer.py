@@ -223,7 +223,7 @@ def _scan_numbers(data: Datasets) -> Iterator[Number]:
             yield number._replace(name=f"measurement_{index}_{name}")
 
 
-def _shortest_by(scan: xr.Dataset) -> str:
+def _limit_name(scan: xr.Dataset) -> str:
     """Return the limit of the shortest reliable wavelengths; an empty text if none is reliable.
 
     A scan of the smoother body may be reliable where only waves of the rougher body count.
@@ -244,7 +244,7 @@ def _surface_head(surface: SurfaceAnswer, spectra: xr.Dataset) -> dict[str, Any]
             {
                 "name": measurement_name(scan),
                 "kind": str(scan["kind"].item()),
-                "shortest_by": _shortest_by(scan),
+                "limited_by": _limit_name(scan),
                 "notes": str(scan["notes"].item()),
             }
             for scan in scans
