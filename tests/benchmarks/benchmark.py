@@ -24,6 +24,7 @@ sys.path.insert(0, str(Path(__file__).parents[1] / "helpers"))
 
 from direct_sum import direct_total
 from elastic_libraries import library_pressure, library_pull_off
+from measurements import uncd
 
 from hardcontact.base.random import generator
 from hardcontact.contact.bearing_area import all_contact_pixels
@@ -32,7 +33,6 @@ from hardcontact.contact.elastic import adhesive_pull_off, pressure_at_load
 from hardcontact.contact.geometry import gap_map, join_bodies, part_around_lowest
 from hardcontact.contact.pull_off import attraction_totals
 from hardcontact.contact.sphere_sums import outside_sums
-from hardcontact.surfaces import spectrum
 from hardcontact.surfaces.filters import interpolate, lowpass
 from hardcontact.surfaces.height_map import mirror_stitch
 from hardcontact.surfaces.levelling import level
@@ -45,11 +45,6 @@ CONTACT = Contact(
 )
 MODULUS, WORK = 289.7e9, 46.3e-3
 RHOS = [0.5, 1, 2, 3, 4, 5, 5.6, 6, 7, 8, 9, 10]
-
-
-def uncd(q):
-    """Measured C_iso (nm⁴) of UNCD: resources/spectra/uncd.csv."""
-    return spectrum.smooth_rolloff(q, 6.1e7, 930.0, 0.84)
 
 
 def surface(pixels):

@@ -9,6 +9,22 @@ LONG = [np.nan, np.nan, 2.0, 1.3, 1.02]
 SURFACE = ("surface", "realization", "side")
 
 
+def master_ratios(ratios, cutoffs, surfaces=None, shortest=1.0):
+    """Return ratios (surface, realization, side, cutoff) of masters down to a wavelength (nm)."""
+    ratios = np.asarray(ratios)
+    wavelengths = [[shortest, 20e3]] * len(ratios)
+    return xr.Dataset(
+        {
+            "filtered_force_ratio": ((*SURFACE, "cutoff_wavelength"), ratios),
+            "unfiltered_wavelength": (("surface", "side"), wavelengths),
+        },
+        {
+            "surface": surfaces or list("ab"[: len(ratios)]), "side": ["short", "long"],
+            "realization": np.arange(1, ratios.shape[1] + 1), "cutoff_wavelength": cutoffs,
+        },
+    )  # fmt: skip
+
+
 def scales(curves, spread=0.0, realizations=3, seed=0, count=4):
     """Forces of surfaces with ratios (surface, side, cutoff), spread over scans and contacts."""
     rng = np.random.default_rng(seed)

@@ -3,6 +3,7 @@
 import numpy as np
 import pandas as pd
 import xarray as xr
+from known_masters import master_ratios
 from paper_numbers import MEAN_FORCE, SUBSTRATES, SURFACES, TABLE1
 
 from hardcontact.paper.sampled_sets import SetInputs
@@ -105,21 +106,7 @@ def make_masters(realizations=6):
     ratio = np.full((4, realizations, 2, len(cutoffs)), np.nan)
     ratio[:, :, 0, :3] = 1 + 0.1 * slope * cutoffs[:3] / 43
     ratio[:, :, 1, 3:] = 1 - 0.1 * slope * 1800 / cutoffs[3:]
-    return xr.Dataset(
-        {
-            "filtered_force_ratio": (
-                ("surface", "realization", "side", "cutoff_wavelength"),
-                ratio,
-            ),
-            "unfiltered_wavelength": (("surface", "side"), [[2.44, 20_000.0]] * 4),
-        },
-        {
-            "surface": SUBSTRATES,
-            "realization": range(1, realizations + 1),
-            "side": ["short", "long"],
-            "cutoff_wavelength": cutoffs,
-        },
-    )
+    return master_ratios(ratio, cutoffs, SUBSTRATES, 2.44)
 
 
 def make_inputs(measured_surfaces=()):

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 import xarray as xr
+from known_masters import master_ratios
 
 from hardcontact.base.statistics import Sampling, interval_ends, student_log_interval
 from hardcontact.inference.edges import edges_with_samples
@@ -17,27 +18,15 @@ EDGES = {
 }
 
 
-def scales(ratios):
-    """Scales with these ratios (surface, realization, side, cutoff)."""
-    ratios = np.asarray(ratios)
-    surfaces = ["a", "b"][: len(ratios)]
-    return xr.Dataset(
-        {
-            "filtered_force_ratio": (
-                ("surface", "realization", "side", "cutoff_wavelength"),
-                ratios,
-            ),
-            "unfiltered_wavelength": (("surface", "side"), [[1.0, 20000.0]] * len(ratios)),
-            "label": ("surface", [f"surface {name}" for name in surfaces]),
-            "source": ("surface", ["measured"] * len(surfaces)),
-        },
-        {"surface": surfaces, "side": ["short", "long"], "cutoff_wavelength": CUTOFFS},
-        {"sphere_radius": 0.25e6, "parameters": "those of scales"},
-    )
+def edges_of(ratios, sampling):
+    """Return edges of ratios (surface, realization, side, cutoff) and their samples."""
+    return edges_with_samples(master_ratios(ratios, CUTOFFS), 0.1, sampling)
 
 
 def test_each_edge_is_the_first_cutoff_from_the_unfiltered_end():
-    bands, _ = edges_with_samples(scales([[[SHORT, LONG]] * 3]), 0.1, Sampling(0, 20, 0.95))
+    bands, _ = edges_with_samples(
+        master_ratios([[[SHORT, LONG]] * 3], CUTOFFS), 0.1, Sampling(0, 20, 0.95)
+    )
     for group, sides in EDGES.items():
         for side, wavelength in sides.items():
             selected = bands.sel(side=side, group=group)
@@ -48,7 +37,9 @@ def test_each_edge_is_the_first_cutoff_from_the_unfiltered_end():
 def test_mean_change_is_the_mean_of_absolute_changes():
     increasing = [[1.0, 1.2, np.nan, np.nan], [np.nan, np.nan, 3.0, 1.0]]
     decreasing = [[1.0, 0.8, np.nan, np.nan], [np.nan, np.nan, 0.6, 1.0]]
-    bands, _ = edges_with_samples(scales([[increasing], [decreasing]]), 0.1, Sampling(0, 0, 0.95))
+    bands, _ = edges_with_samples(
+        master_ratios([[increasing], [decreasing]], CUTOFFS), 0.1, Sampling(0, 0, 0.95)
+    )
     np.testing.assert_allclose(
         bands.filtered_force_change.sel(group="mean"),
         [[0.0, 0.2, np.nan, np.nan], [np.nan, np.nan, 1.2, 0.0]],
@@ -66,7 +57,7 @@ FLAT = [[1.0, 1.0, np.nan, np.nan], [np.nan, np.nan, 1.0, 1.0]]
 
 
 def test_curves_within_the_tolerance_have_the_last_cutoff_as_interval():
-    bands, _ = edges_with_samples(scales([[FLAT] * 2]), 0.1, Sampling(0, 5, 0.95))
+    bands, _ = edges_of([[FLAT] * 2], Sampling(0, 5, 0.95))
     assert bands.edge.isnull().all()
     np.testing.assert_array_equal(bands.edge_bound, [[100.0] * 2, [1000.0] * 2])
     np.testing.assert_array_equal(bands.edge_status, [["open_above"] * 2, ["open_below"] * 2])
@@ -76,7 +67,7 @@ def test_curves_within_the_tolerance_have_the_last_cutoff_as_interval():
 
 def test_intervals_describe_the_scatter_of_realizations():
     rows = [[[1.0, ratio, np.nan, np.nan], LONG] for ratio in (1.2, 1.3, 1.45)]
-    bands, _ = edges_with_samples(scales([rows]), 0.1, Sampling(0, 4000, 0.9))
+    bands, _ = edges_of([rows], Sampling(0, 4000, 0.9))
     short = bands.sel(side="short", cutoff_wavelength=100.0)
     ratio_interval = student_log_interval(xr.DataArray([1.2, 1.3, 1.45], dims="n"), 0.9, "n")
     np.testing.assert_allclose(short.filtered_force_ratio_interval[0], ratio_interval, rtol=0.03)

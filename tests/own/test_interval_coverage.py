@@ -25,7 +25,7 @@ from hardcontact.theory.closed_form import closed_form, filtered_spectrum
 pytestmark = pytest.mark.study
 
 CONTACT = contact_of_area(100e3, 5.6, 0.05, 400.0)
-TRIALS, DRAWS = 20, 8
+TRIALS, DRAWS = 12, 8
 #: Wavelengths in nm that no scan shows: above, in the gap between map and line, below.
 HELD_BACK = 2 * np.pi / np.array([15_000.0, 110.0, 8.0])
 KNOWN_TIPS = [1e-3, 1e-3]

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 import xarray as xr
+from known_masters import master_ratios
 from paper_numbers import PARAMETERS
 from scipy import constants, stats
 from scipy.integrate import quad
@@ -331,15 +332,8 @@ def test_edge_and_change_of_a_curve_give_the_same_verdict(seed):
     cutoffs = [10.0, 20.0, 43.0, 80.0, 500.0, 1800.0, 2700.0, 5000.0]
     noise = np.random.default_rng(seed).normal(size=(40, 1, 2, 8))
     has_cutoff = np.array([np.arange(8) < 4, np.arange(8) >= 4])
-    dims = ("surface", "realization", "side", "cutoff_wavelength")
-    scales = xr.Dataset(
-        {
-            "filtered_force_ratio": (dims, np.where(has_cutoff, 1 + 0.12 * noise, np.nan)),
-            "unfiltered_wavelength": (("surface", "side"), np.tile([1.0, 2e4], (40, 1))),
-        },
-        {"surface": [f"s{number}" for number in range(40)], "side": ["short", "long"],
-         "cutoff_wavelength": cutoffs},
-    )  # fmt: skip
+    ratios = np.where(has_cutoff, 1 + 0.12 * noise, np.nan)
+    scales = master_ratios(ratios, cutoffs, [f"s{number}" for number in range(40)])
     curves, _ = edges_with_samples(scales, 0.1, Sampling(0, 0, 0.95))
     edge = inference.band_edge(curves)["value"]
     change = inference.change_outside_band(curves, PAPER)["value"]
