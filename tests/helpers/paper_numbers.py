@@ -5,7 +5,7 @@ from repository import ROOT
 
 from hardcontact.base import published
 from hardcontact.paper.classical_models import ElasticSphere, Roughness
-from hardcontact.paper.evaluation import read_statements
+from hardcontact.paper.evaluation import read_claims
 from hardcontact.surfaces.features import ScanStatistics
 from hardcontact.theory.validity import RUBY_ON_DIAMOND_MODULUS
 
@@ -36,6 +36,6 @@ POLISHED = ScanStatistics(
     np.array([3.2, 0.04, 2e-3]), np.array([1.6, 0.01, 1.3e-3]), scan_count=5, all_rms_height=4.2
 )
 TABLES = ROOT / "resources/paper"
-STATEMENTS = read_statements(TABLES / "claims.csv")
+CLAIMS = read_claims(TABLES / "claims.csv")
 CONSTANTS = published.read_constants(TABLES / "parameters.csv")
 PARAMETERS = CONSTANTS["value"]

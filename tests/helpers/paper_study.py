@@ -16,7 +16,7 @@ from paper_datasets import (
     sets,
     topography,
 )
-from paper_numbers import CONSTANTS, STATEMENTS
+from paper_numbers import CLAIMS, CONSTANTS
 from repository import PAPER, ROOT
 
 from hardcontact.paper.evaluation import COLUMNS
@@ -35,16 +35,16 @@ FRAME = Frame("1.2.3", list(PAGES))
 
 def claims():
     """Return every statement of the paper with its own numbers; the verdicts alternate."""
-    numbers = np.arange(len(STATEMENTS)) + 1.0
-    return STATEMENTS.assign(
+    numbers = np.arange(len(CLAIMS)) + 1.0
+    return CLAIMS.assign(
         computed=1.01 * numbers,
         low=np.where(numbers % 3, 0.9 * numbers, np.nan),
         high=np.where(numbers % 3, 1.1 * numbers, np.nan),
-        evidence=STATEMENTS["evidence"],
+        evidence=CLAIMS["evidence"],
         accepted_low=0.8 * numbers,
         accepted_high=np.where(numbers % 2, 1.25 * numbers, np.inf),
         agreeing_share=np.where(numbers % 3, 0.58, np.nan),
-        verdict=[VERDICTS[number % len(VERDICTS)] for number in range(len(STATEMENTS))],
+        verdict=[VERDICTS[number % len(VERDICTS)] for number in range(len(CLAIMS))],
         basis="substitute scans",
     )[list(COLUMNS)]
 

@@ -58,8 +58,8 @@ def judge_all(datasets, samples=(), confidence=0.95, **changes):
     sets = xr.Dataset(
         {"value": (("set", "claim"), np.reshape(samples, (-1, 1)))}, {"claim": ["claim"]}
     )
-    statements = pd.DataFrame([CLAIM | changes])
-    return evaluate(statements, datasets, CONSTANTS, confidence, sets)
+    claims = pd.DataFrame([CLAIM | changes])
+    return evaluate(claims, datasets, CONSTANTS, confidence, sets)
 
 
 def judge(datasets=None, *samples, **changes):

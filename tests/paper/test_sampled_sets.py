@@ -4,7 +4,7 @@ import numpy as np
 import pandas as pd
 import pytest
 import xarray as xr
-from paper_numbers import CONSTANTS, MEAN_FORCE, STATEMENTS, SUBSTRATES
+from paper_numbers import CLAIMS, CONSTANTS, MEAN_FORCE, SUBSTRATES
 from set_inputs import CONFIDENCE, SCANS, make_adhesion, make_inputs, make_masters, make_pool
 
 from hardcontact.base.statistics import Sampling
@@ -29,7 +29,7 @@ SETTINGS = SetSettings(
     confidence=CONFIDENCE,
 )
 FORCES = pd.DataFrame({"mean_force": MEAN_FORCE}, index=SUBSTRATES)
-REPLICATED = STATEMENTS[STATEMENTS["samples_from"] == "sets"]
+REPLICATED = CLAIMS[CLAIMS["samples_from"] == "sets"]
 PAPER = REPLICATED, CONSTANTS, PublishedForces(FORCES, Pair(5.6, 46.3e-3))
 
 

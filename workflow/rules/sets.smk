@@ -1,6 +1,6 @@
 # Sets of substitute scans, sampled from pools, and the numbers of each.
 
-from hardcontact.paper.evaluation import statements_of_sets
+from hardcontact.paper.evaluation import claims_of_sets
 
 #: Parameters of the surfaces of pools and of samples, and of contacts on them.
 SET_SURFACES = {
@@ -73,7 +73,7 @@ rule sample_sets:
             master_surfaces=[row.surface for row in CHUNKS.filtered_masters("sets")],
             realizations=STUDY["sets"]["realizations"],
             loading=FILES.contact.loading_name,
-            statements=statements_of_sets("resources/paper/claims.csv"),
+            claims=claims_of_sets("resources/paper/claims.csv"),
             settings={
                 "seed": STUDY["seed"],
                 "set_count": STUDY["sets"]["count"],

@@ -25,7 +25,7 @@ with run_job(snakemake) as job:
     )
     set_numbers = sample_sets(
         inputs,
-        pd.DataFrame(params["statements"]),
+        pd.DataFrame(params["claims"]),
         constants,
         PublishedForces(published.read_measured_statistics(job.input.published_pull_off), pair),
         SetSettings(**params["settings"]),

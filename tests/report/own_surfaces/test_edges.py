@@ -1,4 +1,4 @@
-"""Edges of own surfaces, what to measure next, and the verdict on their scans."""
+"""Edges of own surfaces, what to measure next, and the conclusion on their scans."""
 
 import numpy as np
 import pytest
@@ -21,7 +21,7 @@ from hardcontact.base.number import Number, plain
 from hardcontact.inference.edges import computed_cutoffs
 from hardcontact.report.own_surfaces.answer import surface_answers
 from hardcontact.report.own_surfaces.artificial_roughness import classify_edge, parts_of_change
-from hardcontact.report.own_surfaces.edges import surface_verdict
+from hardcontact.report.own_surfaces.edges import surface_conclusion
 
 
 @pytest.mark.parametrize(
@@ -128,18 +128,18 @@ def test_contacts_that_touch_too_few_patches_give_no_answer():
         contacts=("surface", [64]),
         touched_patches=("surface", [3.0]),
     )
-    verdict = surface_verdict(numbers_of(force=few_patches))
-    assert (verdict.answer, verdict.band) == ("no", "few_patches")
+    conclusion = surface_conclusion(numbers_of(force=few_patches))
+    assert (conclusion.answer, conclusion.band) == ("no", "few_patches")
 
 
 def answer_of(data, wavelengths, force_data=None):
-    """The verdict on edges with scans of these reliable wavelengths (nm)."""
+    """The conclusion on edges with scans of these reliable wavelengths (nm)."""
     scan = ("map", 2 * wavelengths[1], 1, *wavelengths, "pixels", np.nan)
     numbers = numbers_of(
         edges=data, spectra=spectra(scans={"scan.spm": scan}), force=force_data or force()
     )
-    verdict = surface_verdict(numbers)
-    return verdict.answer, verdict.band
+    conclusion = surface_conclusion(numbers)
+    return conclusion.answer, conclusion.band
 
 
 @pytest.mark.parametrize(
@@ -170,15 +170,15 @@ def test_the_verdict_has_the_force_with_and_without_extrapolated_roughness():
     assert extrapolated.value == pytest.approx(0.16e-6) and extrapolated.source == "extrapolated"
     assert numbers["force_extrapolated_short_start"].value == 20.0
     assert numbers["force_extrapolated_short_end"].value == 5.0
-    verdict = surface_verdict(numbers)
-    assert verdict.extrapolated == ["short"]
-    assert (verdict.force.value, verdict.force.low) == pytest.approx((0.64e-6, 0.512e-6))
+    conclusion = surface_conclusion(numbers)
+    assert conclusion.extrapolated == ["short"]
+    assert (conclusion.force.value, conclusion.force.low) == pytest.approx((0.64e-6, 0.512e-6))
 
 
 def test_a_force_with_an_unknown_extrapolation_is_not_in_the_verdict():
     unknown = spectra().assign(tail_known=("surface", [0]))
     extrapolated_force = scale_extrapolated_force(force(), short=0.25)
-    partial = surface_verdict(numbers_of(force=extrapolated_force, spectra=unknown))
+    partial = surface_conclusion(numbers_of(force=extrapolated_force, spectra=unknown))
     assert (partial.answer, partial.extrapolated) == ("partly", [])
-    alike = surface_verdict(numbers_of())
+    alike = surface_conclusion(numbers_of())
     assert alike.extrapolated == [] and alike.short_edge.value == 37.0

@@ -63,8 +63,8 @@ COLUMNS = (
 NUMBER_COLUMNS = ("published", "published_low", "published_high")
 
 
-def read_statements(path: str | Path) -> pd.DataFrame:
-    """Read the statements of the paper, one row each, from a table like resources/paper/claims.csv.
+def read_claims(path: str | Path) -> pd.DataFrame:
+    """Read the claims of the paper, one row each, from a table like resources/paper/claims.csv.
 
     Published numbers are floats, NaN if blank; other columns are text.
     """
@@ -72,16 +72,16 @@ def read_statements(path: str | Path) -> pd.DataFrame:
     return table.assign(**{name: pd.to_numeric(table[name]) for name in NUMBER_COLUMNS})
 
 
-def statements_of_sets(path: str | Path) -> list[dict[str, str]]:
-    """Return the columns that determine the values of the statements that sets.nc has."""
-    table = read_statements(path)
-    set_statements = table[table["samples_from"] == "sets"]
+def claims_of_sets(path: str | Path) -> list[dict[str, str]]:
+    """Return the columns that determine the values of the claims that sets.nc has."""
+    table = read_claims(path)
+    set_claims = table[table["samples_from"] == "sets"]
     columns = ["id", "dataset", "quantity", "select", "rule"]
-    return [dict(zip(columns, row, strict=True)) for row in set_statements[columns].values.tolist()]
+    return [dict(zip(columns, row, strict=True)) for row in set_claims[columns].values.tolist()]
 
 
 def claim_values(
-    statements: pd.DataFrame, datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame
+    claims: pd.DataFrame, datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame
 ) -> pd.Series:
     """Compute the value of every claim by ``id``, without its interval.
 
@@ -90,13 +90,13 @@ def claim_values(
     """
     values = {
         claim.id: np.nan if result is None else float(result.estimate["value"])
-        for claim, result in _compute_all(statements, datasets, constants, np.nan)
+        for claim, result in _compute_all(claims, datasets, constants, np.nan)
     }
     return pd.Series(values, dtype=float).rename_axis("id")
 
 
 def evaluate(
-    statements: pd.DataFrame,
+    claims: pd.DataFrame,
     datasets: Mapping[str, xr.Dataset],
     constants: pd.DataFrame,
     confidence: float,
@@ -111,7 +111,7 @@ def evaluate(
     """
     common = _Common(datasets["topography"], constants, sets, confidence)
     rows = []
-    for claim, result in _compute_all(statements, datasets, constants, confidence):
+    for claim, result in _compute_all(claims, datasets, constants, confidence):
         if result is not None:
             with _prefix_errors(claim):
                 rows.append(_row(claim, result, common))
@@ -136,7 +136,7 @@ class _ClaimResult(NamedTuple):
 
 
 def _compute_all(
-    statements: pd.DataFrame,
+    claims: pd.DataFrame,
     datasets: Mapping[str, xr.Dataset],
     constants: pd.DataFrame,
     confidence: float,
@@ -148,8 +148,8 @@ def _compute_all(
     }
     complete["paper"] = xr.Dataset(constants["value"].to_dict())
     estimates: dict[tuple[str, str], xr.Dataset] = {}
-    claims: Iterable[Any] = statements.itertuples(index=False)
-    for claim in claims:
+    rows: Iterable[Any] = claims.itertuples(index=False)
+    for claim in rows:
         with _prefix_errors(claim):
             claim_datasets = {
                 name: _get_dataset(complete, name) for name in claim.dataset.split("+")

@@ -230,7 +230,7 @@ def edges_of_set(
 
 def sample_sets(
     inputs: SetInputs,
-    statements: pd.DataFrame,
+    claims: pd.DataFrame,
     constants: pd.DataFrame,
     published: PublishedForces,
     settings: SetSettings,
@@ -244,10 +244,10 @@ def sample_sets(
     sets = []
     for set_number in progress(numbers, len(numbers), "sets"):
         datasets = _set_datasets(inputs, constants["value"], published, settings, set_number)
-        value = claim_values(statements, datasets, constants)
-        claims = xr.Dataset({"value": ("claim", value)}, {"claim": value.index.to_list()})
+        values = claim_values(claims, datasets, constants)
+        claim_dataset = xr.Dataset({"value": ("claim", values)}, {"claim": values.index.to_list()})
         variables = [
-            claims,
+            claim_dataset,
             datasets["fit"][SET_FIT_VARIABLES],
             datasets["edges"][SET_EDGE_VARIABLES],
         ]

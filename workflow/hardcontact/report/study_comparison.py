@@ -60,7 +60,7 @@ class ComparedNumber(NamedTuple):
         if math.isfinite(low_change):
             no_change = 1 if self.change.name == "ratio" else 0
             return "unchanged" if low_change <= no_change <= high_change else "changed"
-        if is_bare(self.first) and is_bare(self.second):
+        if lacks_interval(self.first) and lacks_interval(self.second):
             return "no_interval"
         low, high = zip(interval(self.first), interval(self.second), strict=True)
         return "same" if max(low) <= min(high) else "different"
@@ -141,7 +141,7 @@ def is_known(number: Number) -> bool:
     return any(map(math.isfinite, (number.value, number.low, number.high)))
 
 
-def is_bare(number: Number) -> bool:
+def lacks_interval(number: Number) -> bool:
     """Return whether a number has neither an interval nor a bound."""
     has_no_end = math.isnan(number.low) and math.isnan(number.high)
     return has_no_end and number.status in ("", Status.KNOWN)

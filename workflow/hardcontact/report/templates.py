@@ -79,10 +79,10 @@ def _environment() -> Any:
         trim_blocks=True, lstrip_blocks=True,
     )  # fmt: skip
     environment.filters |= {
-        "printed": quantities.format_number, "words": quantities.in_words, "linked": _linked,
-        "rounded": quantities.two_digit_words, "bare": quantities.remove_interval,
+        "format_number": quantities.format_number, "remove_interval": quantities.remove_interval,
+        "two_digit_words": quantities.two_digit_words, "in_words": quantities.in_words,
         "percent": format_share, "share_of_decades": _share_of_decades, "unbroken": unbroken,
-        "base64": _base64,
+        "linked": _linked, "base64": _base64,
     }  # fmt: skip
     environment.globals["caption"] = caption
     environment.tests["known"] = math.isfinite

@@ -27,11 +27,11 @@ from hardcontact.report.own_surfaces.datasets import (
 )
 from hardcontact.report.own_surfaces.edges import (
     EDGES,
+    Conclusion,
     NextScan,
-    Verdict,
     edge_numbers,
     next_scans,
-    surface_verdict,
+    surface_conclusion,
 )
 from hardcontact.report.own_surfaces.forces import (
     fit_numbers,
@@ -61,7 +61,7 @@ class SurfaceAnswer(NamedTuple):
     label: str
     source: str  #: measured or substitute.
     numbers: dict[str, Number]
-    verdict: Verdict
+    conclusion: Conclusion
     cautions: list[Caution]
     next_scans: list[NextScan]
 
@@ -139,8 +139,8 @@ def _surface_answer(
     ]
     named_numbers = {number.name: number for number in numbers}
     source = str(data.topography["source"].item())
-    verdict = surface_verdict(named_numbers)
-    return SurfaceAnswer(name, label, source, named_numbers, verdict, surface_cautions, to_scan)
+    conclusion = surface_conclusion(named_numbers)
+    return SurfaceAnswer(name, label, source, named_numbers, conclusion, surface_cautions, to_scan)
 
 
 def _octave_numbers(data: Datasets) -> Iterator[Number]:
@@ -233,13 +233,13 @@ def _limit_name(scan: xr.Dataset) -> str:
 
 
 def _surface_head(surface: SurfaceAnswer, spectra: xr.Dataset) -> dict[str, Any]:
-    """Return the head of one surface in answer.json: its name, verdict and measurements."""
+    """Return the head of one surface in answer.json: its name, conclusion and measurements."""
     scans = split_scans(scans_of(spectra.sel(surface=surface.name)))
     return {
         "name": surface.name,
         "label": surface.label,
         "source": surface.source,
-        "answered": surface.verdict.answer,
+        "answered": surface.conclusion.answer,
         "measurements": [
             {
                 "name": measurement_name(scan),

@@ -1,4 +1,4 @@
-"""The edges of the band of an own surface, the verdict on its scans, and further measurements."""
+"""The edges of the band of an own surface, the conclusion from its scans, and what to measure."""
 
 from collections.abc import Iterable, Mapping
 from typing import NamedTuple
@@ -40,7 +40,7 @@ class NextScan(NamedTuple):
     body: str = ""  #: "sphere" or "surface", the rougher one there; "" under a smooth sphere.
 
 
-class Verdict(NamedTuple):
+class Conclusion(NamedTuple):
     """The answer of one surface in short; printed intervals have both ends.
 
     answer: "yes" if both edges are found, no second force has extrapolated roughness, and force
@@ -165,8 +165,8 @@ def _next_scan(edge: Number, spectra: xr.Dataset) -> NextScan:
     return NextScan(edge.name, "finer" if is_finer else "larger", number, body)
 
 
-def surface_verdict(numbers: Mapping[str, Number]) -> Verdict:
-    """Return the verdict on one surface from its numbers by name."""
+def surface_conclusion(numbers: Mapping[str, Number]) -> Conclusion:
+    """Return the conclusion on one surface from its numbers by name."""
     short, long = (
         _drop_partial_interval(numbers["short_edge"]),
         _drop_partial_interval(numbers["long_edge"]),
@@ -189,7 +189,7 @@ def surface_verdict(numbers: Mapping[str, Number]) -> Verdict:
     else:
         answer = "partly"
     known = [side for side in sides if np.isfinite(numbers[f"force_extrapolated_{side}"].value)]
-    return Verdict(answer, band, short, long, force, known)
+    return Conclusion(answer, band, short, long, force, known)
 
 
 def _drop_partial_interval(number: Number) -> Number:

@@ -3,11 +3,11 @@
 import numpy as np
 import pandas as pd
 import pytest
-from paper_numbers import STATEMENTS, TABLES
+from paper_numbers import CLAIMS, TABLES
 
 from hardcontact.paper.verdicts import accepted_range
 
-ROWS = STATEMENTS.set_index("id")
+ROWS = CLAIMS.set_index("id")
 TABLE1 = pd.read_csv(TABLES / "table1.csv")
 PRINTED = pd.read_csv(TABLES / "pull_off.csv").pivot(
     index="surface", columns="quantity", values="value"
@@ -27,7 +27,7 @@ def test_claims_repeat_table1():
             [row.value, row.value - row.uncertainty, row.value + row.uncertainty]
         )
         assert (claim["unit"], claim["quantity"]) == (row.unit, row.quantity)
-    assert len(TABLE1) == (STATEMENTS["section"] == "Table 1").sum() == 24
+    assert len(TABLE1) == (CLAIMS["section"] == "Table 1").sum() == 24
 
 
 def test_claims_repeat_the_printed_forces_and_what_follows_from_them():
