@@ -32,6 +32,9 @@ FACTORS = {
     for unit, powers in POWERS_OF_TEN.items()
 }
 FACTORS["N"] |= {f"{prefix}gf": 9.80665e-3 * 10.0**power for prefix, power in PREFIXES.items()}
+#: Units of formulas, in SI units.
+NANOMETRE = NANONEWTON = 1e-9
+GIGAPASCAL = 1e9
 #: Attributes of variables of datasets, by their unit.
 NM = {"units": "nm"}
 NM4 = {"units": "nm4"}

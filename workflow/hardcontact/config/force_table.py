@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pandas as pd
 
-from hardcontact.base.units import parse_quantity
+from hardcontact.base.units import NANOMETRE, parse_quantity
 from hardcontact.config.faults import quote_key, raise_faults
 from hardcontact.config.key_types import Quantity
 from hardcontact.config.tables import Row, decode_utf8, parse_number, user_table
@@ -98,7 +98,7 @@ def _is_force_unit(unit: str) -> bool:
 def _convert_to_newton(number: str, unit: str, radius: float) -> float:
     """Return a force in N; a force over the radius of the probe (nm) is multiplied by it."""
     if unit.endswith("N/m"):
-        return parse_quantity(f"{number} {unit}", "J/m2") * radius * 1e-9
+        return parse_quantity(f"{number} {unit}", "J/m2") * radius * NANOMETRE
     return parse_quantity(f"{number} {unit}", "N")
 
 

@@ -16,7 +16,7 @@ from threadpoolctl import threadpool_limits
 
 from hardcontact.base.arrays import Floats
 from hardcontact.base.progress import progress
-from hardcontact.base.units import NM, PASCAL
+from hardcontact.base.units import GIGAPASCAL, NANONEWTON, NM, PASCAL
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import (
     Bodies,
@@ -26,9 +26,6 @@ from hardcontact.contact.geometry import (
     window_pixels,
 )
 from hardcontact.contact.smooth_sphere import hertz_contact
-
-PASCAL_PER_GPA = 1e9
-NEWTON_PER_NN = 1e-9
 
 #: Width in nm of the window about a contact in which elastic and rigid pull-off are compared.
 PULL_OFF_WINDOW = 2500.0
@@ -61,7 +58,7 @@ class HalfSpace:
         wavevector[0, 0] = np.inf
         self._shape = (pixels, pixels)
         # A wave of pressure p displaces by 2p/(E* q); a force on a pixel is p pixel_size².
-        self._compliance = 2 * PASCAL_PER_GPA / (modulus * wavevector * pixel_size**2)
+        self._compliance = 2 * GIGAPASCAL / (modulus * wavevector * pixel_size**2)
         self._response = fft.irfft2(self._compliance, s=self._shape)  # to 1 nN on the first pixel
 
     def displacement(self, forces: Floats) -> Floats:
@@ -136,7 +133,7 @@ def pressure_at_load(gap: Floats, pixel_size: float, modulus: float, load: float
     load in N. Raises ValueError if too many pixels touch.
     """
     half_space = HalfSpace(len(gap), pixel_size, modulus)
-    return press(half_space, gap, load / NEWTON_PER_NN).forces / pixel_size**2 * PASCAL_PER_GPA
+    return press(half_space, gap, load / NANONEWTON).forces / pixel_size**2 * GIGAPASCAL
 
 
 def adhesive_pull_off(
@@ -177,7 +174,7 @@ def adhesive_pull_off(
     if pull(step) > elastic:
         best = minimize_scalar(lambda load: -pull(load), bounds=(0, rigid), options={"xatol": step})
         elastic = -best.fun
-    return rigid * NEWTON_PER_NN, elastic * NEWTON_PER_NN
+    return rigid * NANONEWTON, elastic * NANONEWTON
 
 
 ELASTIC_UNITS = {

@@ -13,7 +13,7 @@ import xarray as xr
 from numpy.typing import ArrayLike
 
 from hardcontact.base.arrays import Floats
-from hardcontact.base.units import DIMENSIONLESS, NEWTON, NM, PASCAL
+from hardcontact.base.units import DIMENSIONLESS, NANOMETRE, NEWTON, NM, PASCAL
 from hardcontact.contact.bearing_area import ContactPixels, all_contact_pixels
 from hardcontact.contact.contact import CONTACT_AXES, CONTACT_MODELS, Contact
 from hardcontact.contact.geometry import Bodies, gap_map, join_bodies, largest_contact_gap
@@ -26,8 +26,6 @@ Axis = tuple[tuple[str], Any, dict[str, str]]
 #: Forces on one surface, of any shape.
 ForcesOnSurface = Callable[[HeightMap], Floats]
 
-#: An energy per area of 1 J/m² times a length of 1 nm is a force of 1e-9 N.
-NEWTON_PER_JOULE_M2_NM = 1e-9
 #: Work of adhesion (J/m²) of all stored forces, which are proportional to it.
 WORK_OF_ADHESION = 1.0
 #: Attributes of a stored force.
@@ -59,7 +57,7 @@ def pull_off_force(
             f"rho = {np.min(rho):g} nm: expected a longer range of adhesion, because the surface "
             "rises over 700 ranges above a contact, more than exp() can hold"
         )
-    pixel_force = work_of_adhesion / np.asarray(rho) * pixel_size**2 * NEWTON_PER_JOULE_M2_NM
+    pixel_force = work_of_adhesion / np.asarray(rho) * pixel_size**2 * NANOMETRE
     return np.asarray(pixel_force * np.asarray(total))
 
 
@@ -248,7 +246,7 @@ def trace_contact(bodies: Bodies, index: tuple[int, int], contact: Contact) -> x
     gap = gap_map(bodies, index)
     gap -= largest_contact_gap(gap, contact.pixel_count(geometry.pixel_size))
     attraction = np.exp(-np.maximum(gap, 0) / rho)
-    pressure = work / (rho * 1e-9) * attraction
+    pressure = work / (rho * NANOMETRE) * attraction
     pull_off = float(pull_off_force(attraction.sum(), rho, geometry.pixel_size, work))
     # The bodies keep their deformed shape: all gaps grow by the same length.
     separation = np.linspace(0, 10 * rho, 201)

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-NANOMETRE = 1e-9  # m
+from hardcontact.base.units import NANOMETRE
 
 #: A number or an array of any shape; arrays broadcast.
 Values = Any

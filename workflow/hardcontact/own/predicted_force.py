@@ -13,7 +13,7 @@ from scipy import special
 
 from hardcontact.base.dataset import stack
 from hardcontact.base.statistics import interval_ends, widen_interval, with_interval
-from hardcontact.base.units import DIMENSIONLESS, NEWTON, NM
+from hardcontact.base.units import DIMENSIONLESS, NANOMETRE, NEWTON, NM
 from hardcontact.contact.contact import CONTACT_AXES, PLASTIC, Contact
 from hardcontact.contact.finite_scan import finite_scan_ratio, window_share
 from hardcontact.contact.smooth_sphere import dmt_pull_off, limit_forces
@@ -286,7 +286,7 @@ def bound_by_smooth_sphere(force: xr.Dataset, area: float) -> xr.Dataset:
     """
     radius = force.attrs["sphere_radius"]
     work = force.attrs["work_of_adhesion"]
-    touching = area * 1e-18 / (1e-9 * force["rho"])
+    touching = area * NANOMETRE**2 / (NANOMETRE * force["rho"])
     yields = force["contact_model"] == PLASTIC
     bound = dmt_pull_off(work, radius) + work * (touching * yields).transpose("contact_model", ...)
     rho = force.attrs["range_of_adhesion"]

@@ -9,6 +9,7 @@ import xarray as xr
 
 from hardcontact.base.published import effective_modulus
 from hardcontact.base.statistics import interval_ends
+from hardcontact.base.units import NANOMETRE
 from hardcontact.paper.estimates import (
     absolute_value,
     as_estimate,
@@ -21,7 +22,6 @@ from hardcontact.paper.estimates import (
 )
 from hardcontact.surfaces.roughness_table import TABLE1_VARIABLES
 
-M2_PER_NM2 = 1e-18
 #: E* h' of a smooth sphere relative to its mean pressure, by Hertz.
 SLOPE_OVER_PRESSURE = 3 * np.pi / (4 * np.sqrt(2))
 
@@ -113,7 +113,7 @@ def median_plastic_over_elastic_area(elastic: xr.Dataset) -> xr.Dataset:
 
     It is the median over the surfaces; the area of plastic contact is preload/hardness.
     """
-    plastic_area = elastic.attrs["preload"] / elastic.attrs["hardness"] / M2_PER_NM2
+    plastic_area = elastic.attrs["preload"] / elastic.attrs["hardness"] / NANOMETRE**2
     ratio = plastic_area / mean_over_contacts(elastic["elastic_contact_area"])
     return mean_over_scans(ratio, elastic.attrs["confidence"]).median("surface", skipna=False)
 
@@ -126,7 +126,7 @@ def deformation_over_adhesion(topography: xr.Dataset, elastic: xr.Dataset) -> xr
     """
     spectrum = topography["psd_isotropic"].sel(surface=elastic["surface"]).fillna(0)
     moment = (topography["wavevector"] ** 2 * spectrum).integrate("wavevector") / (2 * np.pi)
-    energy_per_area = elastic.attrs["effective_modulus"] / 4 * 1e-9 * moment.where(moment > 0)
+    energy_per_area = elastic.attrs["effective_modulus"] / 4 * NANOMETRE * moment.where(moment > 0)
     ratio = energy_per_area / elastic.attrs["work_of_adhesion"]
     return mean_over_scans(ratio, elastic.attrs["confidence"])
 

@@ -8,9 +8,9 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
+from hardcontact.base.units import GIGAPASCAL
 from hardcontact.report.figures import drawing, style
 
-GIGAPASCAL = 1e9
 PRESSURE_COLOURS = "RdBu_r"  # white at the hardness
 PRESSURE_TICKS = np.array([0.1, 0.3, 1, 3, 10])  # of the pressure, over the hardness
 NO_CONTACT_COLOUR = "0.75"
