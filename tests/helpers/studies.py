@@ -71,7 +71,7 @@ def files(*values, scans=(1, 2), measured_surfaces=()):
     Surfaces that are measured have files.
     """
     table = pd.read_csv(ROOT / "config/surfaces.tsv", sep="\t", keep_default_na=False)
-    table = table.assign(use=selected_surfaces.CONTACT, tip_radius="")
+    table = table.assign(use=selected_surfaces.CONTACT_USE, tip_radius="")
     rows = table[table.scan.isin(scans)].copy()
     is_measured = rows.surface.isin(measured_surfaces)
     rows.loc[is_measured, "source"] = "measured"

@@ -134,7 +134,7 @@ def test_one_wave_has_the_deformation_energy_in_closed_form():
     spectrum = np.zeros((2, 1, 201))
     spectrum[0, 0, 100] = 2 * np.pi * height**2 / (q * width)  # h_rms² = 1/2π ∫ q C dq
     topography = xr.Dataset(
-        {"psd_isotropic": (("surface", "scan", "wavevector"), spectrum)},
+        {"isotropic_psd": (("surface", "scan", "wavevector"), spectrum)},
         {"surface": ["mcd", "unknown"], "wavevector": wavevector},
     )
     elastic = xr.Dataset(

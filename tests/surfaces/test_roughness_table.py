@@ -50,7 +50,7 @@ def test_the_table_has_every_scan_and_nan_for_missing_scans(table, maps):
     for (surface, scan), heights in maps.items():
         row = table.sel(surface=surface, scan=scan)
         assert row.rms_height == metrics(heights)["rms_height"]
-        np.testing.assert_array_equal(row.psd_isotropic, measured_psds(heights)[2])
+        np.testing.assert_array_equal(row.isotropic_psd, measured_psds(heights)[2])
     assert np.isnan(table.rms_height.sel(surface="ruby", scan=2))
     assert list(table.table1_rows_met.values) == ["uncd", "afm_rms_height"]
 

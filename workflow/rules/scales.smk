@@ -41,7 +41,7 @@ rule compute_filtered_forces:
     """Compute the forces of masters with all scales, and without those beyond each cutoff."""
     input:
         unpack(CHUNKS.master_inputs),
-        sphere=lambda w: FILES.first_sphere_path if w.probe == "rough" else [],
+        sphere=lambda w: FILES.first_sphere_path if w.sphere_kind == "rough" else [],
         code=code_inputs("compute_filtered_forces.py"),
     output:
         PATTERNS.master_forces,

@@ -12,7 +12,7 @@ from hardcontact.base.formatting import format_length
 from hardcontact.commands.output import align_cells
 from hardcontact.commands.request import Source
 from hardcontact.config.grids import Grid
-from hardcontact.config.selected_surfaces import CONTACT
+from hardcontact.config.selected_surfaces import CONTACT_USE
 from hardcontact.scans.defects import scan_with_defects
 from hardcontact.scans.heights import split_notes
 from hardcontact.scans.mean_spectrum import describe_contradictions, find_contradictions
@@ -23,7 +23,7 @@ from hardcontact.scans.repeated_scans import coarse_map, repeated_scans
 from hardcontact.surfaces.height_map import HeightMap
 
 #: The use of scans that only enter the spectrum of their surface.
-SPECTRUM = "spectrum"
+SPECTRUM_USE = "spectrum"
 #: How undefined pixels are filled, so that the properties of the scan can be measured.
 FILLING = "harmonic"
 #: Columns of the table that is printed.
@@ -270,7 +270,7 @@ def table_rows(
             "source": "measured",
             "path": entry.source.path,
             "dataset": entry.dataset,
-            "use": CONTACT if id(entry) in contact_ids else SPECTRUM,
+            "use": CONTACT_USE if id(entry) in contact_ids else SPECTRUM_USE,
             "tip_radius": tip_radius if entry.tip_given else "",
         }
         for surface, scans in entries_by_surface(entries).items()

@@ -12,7 +12,7 @@ from typing import Any
 
 from hardcontact.base.whole_file import whole_file
 from hardcontact.commands.inventory import (
-    SPECTRUM,
+    SPECTRUM_USE,
     Entry,
     entries_by_surface,
     inventory,
@@ -36,7 +36,7 @@ from hardcontact.config.force_table import measured_forces
 from hardcontact.config.key_tables import commented_yaml
 from hardcontact.config.limits import refuse_unfit_grids
 from hardcontact.config.model import CONTACT_QUANTITIES, NONE, SMOOTH_SPHERE, numeric_configuration
-from hardcontact.config.selected_surfaces import CONTACT, SurfaceRow
+from hardcontact.config.selected_surfaces import CONTACT_USE, SurfaceRow
 from hardcontact.contact.contact import Contact
 from hardcontact.records.code import ROOT
 
@@ -193,7 +193,7 @@ def _report_lines(
     contact_ids = {id(entry) for entry in proposal.contact_entries}
     yield "Found:"
     yield printed_table(
-        entries, [CONTACT if id(entry) in contact_ids else SPECTRUM for entry in entries]
+        entries, [CONTACT_USE if id(entry) in contact_ids else SPECTRUM_USE for entry in entries]
     )
     labels = {entry.source.surface: entry.source.label for entry in entries}
     renamed = [f"{surface} is {label}" for surface, label in labels.items() if surface != label]

@@ -20,7 +20,7 @@ from hardcontact.surfaces.descriptions import read_segments
 NO_SCAN = 0
 
 #: Word in the column `use` for scans with contacts; other scans only enter the spectrum.
-CONTACT = "contact"
+CONTACT_USE = "contact"
 
 
 #: The radius of the tip that measured a scan, from a sharp tip to a blunt stylus.
@@ -72,7 +72,7 @@ class Selection:
     def __init__(self, rows: pd.DataFrame, sphere: str, file_digests: Mapping[str, str]) -> None:
         self._all_rows = rows
         self.file_digests = file_digests
-        self._rows = rows[rows.use == CONTACT]
+        self._rows = rows[rows.use == CONTACT_USE]
         self._cells = rows.set_index(["surface", "scan"])
         self.sphere = sphere
         self.surfaces: list[str] = list(rows.surface.unique())
@@ -105,7 +105,7 @@ class Selection:
     def contact_scan_indices(self, surface: str) -> list[int]:
         """Return the indices, from 0, of the measured scans of a surface that make contacts."""
         uses = self._all_rows.use[self._all_rows.surface == surface]
-        return [index for index, use in enumerate(uses) if use == CONTACT]
+        return [index for index, use in enumerate(uses) if use == CONTACT_USE]
 
     def separate_scan(self, surface: str, realization: int) -> int:
         """Return the number of the substitute scan that belongs to one realization alone.
@@ -163,7 +163,7 @@ def surface_table(path: str | Path) -> pd.DataFrame:
     """Read the table of surfaces, which is tab-separated, and check that its rows agree.
 
     Returns one row a scan, indexed by the line of the file, with the columns of `SurfaceRow`;
-    `scan` is an int, `tip_radius` a number in nm as text or empty, an empty `use` CONTACT.
+    `scan` is an int, `tip_radius` a number in nm as text or empty, an empty `use` CONTACT_USE.
     Raises ValueError with a line for each fault, which names the file and the line or the surface.
     """
     if not os.path.isfile(path):
@@ -177,7 +177,7 @@ def surface_table(path: str | Path) -> pd.DataFrame:
     rows = written.convert(lambda row: validate(SurfaceRow, row).model_dump())
     table = pd.DataFrame.from_dict(rows, orient="index", dtype=str)
     table["scan"] = table["scan"].astype(int)
-    table["use"] = table["use"].replace("", CONTACT)
+    table["use"] = table["use"].replace("", CONTACT_USE)
     _refuse_repeated(path, table, ["surface", "scan"])
     _refuse_repeated(path, table[table.source == "measured"], ["path", "dataset"])
     _refuse_disagreement(path, table)
@@ -228,13 +228,13 @@ def _refuse_disagreement(path: str | Path, table: pd.DataFrame) -> None:
         shared_columns = ["label", "source"]
         if rows.source.iloc[0] == "substitute":
             shared_columns.append("path")
-            if list(uses) != [CONTACT]:
+            if list(uses) != [CONTACT_USE]:
                 raise ValueError(
-                    f"{location}: expected the use {CONTACT} of substitutes, found "
+                    f"{location}: expected the use {CONTACT_USE} of substitutes, found "
                     f"{', '.join(uses)}"
                 )
-        if CONTACT not in uses:
-            raise ValueError(f"{location}: expected a scan with the use {CONTACT}, found none")
+        if CONTACT_USE not in uses:
+            raise ValueError(f"{location}: expected a scan with the use {CONTACT_USE}, found none")
         for column in shared_columns:
             values = rows[column].unique()
             if len(values) > 1:

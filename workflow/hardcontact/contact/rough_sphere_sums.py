@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hardcontact.base.arrays import Floats
-from hardcontact.contact.contact_pixels import SphereTerms, TouchedPixels, exponential
 from hardcontact.contact.geometry import Bodies, ContactGeometry
+from hardcontact.contact.touched_pixels import SphereTerms, TouchedPixels, exponential
 
 #: Rows of the kernel that are made at once: few enough for the cache.
 ROWS = 64

@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 from hardcontact.base.arrays import Floats
 from hardcontact.contact.bearing_area import ContactPixels
-from hardcontact.contact.contact_pixels import SphereTerms, TouchedPixels, exponential
 from hardcontact.contact.geometry import Bodies, ContactGeometry
+from hardcontact.contact.touched_pixels import SphereTerms, TouchedPixels, exponential
 
 #: Rows of the substrate in a block: few enough for the cache.
 ROWS = 64

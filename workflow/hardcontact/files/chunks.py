@@ -30,7 +30,8 @@ FEATURED_SAMPLES_CHUNK = 10
 Chunk = namedtuple("Chunk", "surface first last")
 SampleChunk = namedtuple("SampleChunk", "surface features first last")
 FilteredMasters = namedtuple(
-    "FilteredMasters", "purpose settings_digest surface probe first last radii loadings ranges"
+    "FilteredMasters",
+    "purpose settings_digest surface sphere_kind first last radii loadings ranges",
 )
 
 
@@ -88,7 +89,7 @@ class Chunks:
         sweep_names = self._sweep_names(purpose)
         return [
             FilteredMasters(
-                purpose, digest, surface, self._probe(purpose, surface), *chunk, **sweep_names
+                purpose, digest, surface, self._sphere_kind(purpose, surface), *chunk, **sweep_names
             )
             for surface in self._master_surfaces(purpose)
             for chunk in chunks
@@ -101,7 +102,7 @@ class Chunks:
             return [name for name in substrates if self._selection.source[name] == "measured"]
         return substrates
 
-    def _probe(self, purpose: str, surface: str) -> str:
+    def _sphere_kind(self, purpose: str, surface: str) -> str:
         """Return which sphere touches the masters; combined if masters have its roughness."""
         if surface in self._files.combined_surfaces:
             return "combined"

@@ -114,7 +114,7 @@ class Patterns:
         self.sampled_spectrum = f"{folder['sampled_spectra']}/{_REALIZATION}.nc"
         # Forces at lists of radii, loadings and ranges; settings_digest: `Chunks._settings_digest`.
         sweep = f"{{settings_digest}}/{{radii}}/{{loadings}}/{{ranges}}/{_SURFACE}"
-        realizations = "realizations-{first}-{last}-{probe}-sphere"
+        realizations = "realizations-{first}-{last}-{sphere_kind}-sphere"
         # The roughness of both bodies.
         both = f"{folder['both_bodies']}/{rough_sphere}"
         self.combined_scan = f"{both}/{_SURFACE}/scan-{{scan}}.nc"
@@ -178,7 +178,7 @@ def wildcard_constraints(surfaces: Iterable[str]) -> dict[str, str]:
         **dict.fromkeys(("scan", "sphere_scan", "first", "last", "realization"), r"\d+"),
         "shape": f"flat|sphere-R{_NUMBER}um",
         "side": "short|long",
-        "probe": "smooth|rough|combined",
+        "sphere_kind": "smooth|rough|combined",
         "radius": radius,
         "loading": loading,
         "range": rho,

@@ -124,7 +124,7 @@ def deformation_over_adhesion(topography: xr.Dataset, elastic: xr.Dataset) -> xr
     The energy is E*/4 (1/2π) ∫ q² C dq for the AFM scans of one body; Persson and Tosatti, J. Chem.
     Phys. 115 (2001) 5597. Wavelengths beyond the scans would add to it.
     """
-    spectrum = topography["psd_isotropic"].sel(surface=elastic["surface"]).fillna(0)
+    spectrum = topography["isotropic_psd"].sel(surface=elastic["surface"]).fillna(0)
     moment = (topography["wavevector"] ** 2 * spectrum).integrate("wavevector") / (2 * np.pi)
     energy_per_area = elastic.attrs["effective_modulus"] / 4 * NANOMETRE * moment.where(moment > 0)
     ratio = energy_per_area / elastic.attrs["work_of_adhesion"]

@@ -16,7 +16,7 @@ from hardcontact.config.force_table import measured_forces
 from hardcontact.config.grids import PIXEL_SIZES, Grid, same_grid
 from hardcontact.config.limits import refuse_unfit_grids
 from hardcontact.config.model import CONTACT_QUANTITIES, NONE, PAPER, SMOOTH_SPHERE
-from hardcontact.config.selected_surfaces import CONTACT
+from hardcontact.config.selected_surfaces import CONTACT_USE
 from hardcontact.config.tables import refuse_description, refuse_paper_surface
 from hardcontact.files.patterns import study_patterns
 from hardcontact.records.origin import canonical_json, is_current
@@ -42,7 +42,7 @@ def check_study(config: dict[str, Any], table: pd.DataFrame, compared: Collectio
     Quantities in `config` are numbers; `compared` are the surfaces with a published pull-off force.
     Raises ValueError with a line for each fault, which names the key or the file.
     """
-    contacts = table[table.use == CONTACT]
+    contacts = table[table.use == CONTACT_USE]
     substitutes = table[table.source == "substitute"].drop_duplicates("surface")
     table1 = published.read_table1(published.PUBLISHED_TABLES["published_table1"])
     rows_of_table1 = {str(name): set(rows.quantity) for name, rows in table1.groupby("surface")}
@@ -126,7 +126,7 @@ def _own_surface_checks(
         partial(refuse_paper_surface, path, surface, paper_surfaces)
         for surface, path in zip(substitutes.surface, substitutes.path, strict=True)
     ]
-    spectrum_scans = table[table.use != CONTACT]
+    spectrum_scans = table[table.use != CONTACT_USE]
     checks += [partial(stored_scan, config, row) for row in spectrum_scans.itertuples()]
     if config["forces"] != NONE:
         substrates = table.surface[table.surface != config["sphere"]["surface"]]

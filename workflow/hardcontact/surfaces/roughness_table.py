@@ -32,10 +32,10 @@ def measured_metrics(scan: HeightMap, names: Iterable[str]) -> xr.Dataset:
 
 def measured_roughness(scan: HeightMap) -> xr.Dataset:
     """Return the METRICS of a scan, and its PSD over wavevector in nm⁴."""
-    wavevector, _, isotropic = measured_psds(scan)
+    wavevector, _, isotropic_psd = measured_psds(scan)
     attributes = NM4 | {"long_name": "C_iso"}
     return measured_metrics(scan, METRICS).assign(
-        psd_isotropic=("wavevector", isotropic, attributes),
+        isotropic_psd=("wavevector", isotropic_psd, attributes),
         wavevector=("wavevector", wavevector, RAD_PER_NM),
     )
 

@@ -99,7 +99,7 @@ def _draw_spectra(
     for surface, look in _surface_looks(topography).items():
         surface_topography = topography.sel(surface=surface)
         spectrum = surface_topography["spectrum"].where(lambda values: values > MIN_SPECTRUM)
-        scan_spectrum = surface_topography["psd_isotropic"].mean("scan")
+        scan_spectrum = surface_topography["isotropic_psd"].mean("scan")
         line: style.Look = look | {"marker": ""}
         axes.plot(wavelengths, spectrum.where(~is_artificial), **line)
         axes.plot(wavelengths, spectrum, **look | ARTIFICIAL_LINE)

@@ -15,7 +15,7 @@ from hardcontact.contact.contact import CONTACT_MODELS, PLASTIC, RIGID
 from hardcontact.inference.edges import edges_with_samples
 
 
-def edges_by_contact(forces: xr.Dataset, tolerance: float, sampling: Sampling) -> xr.Dataset:
+def compare_short_edges(forces: xr.Dataset, tolerance: float, sampling: Sampling) -> xr.Dataset:
     """Return the edges of the band of plastic and rigid contact at each range of adhesion.
 
     Forces come from `stack_masters`, with one radius and two loadings. ``edge_shift``
