@@ -97,7 +97,7 @@ def test_ratios_of_a_band_are_relative_to_the_force_with_all_roughness():
     np.testing.assert_allclose(
         ratios.band_force_ratio, [[1 / 3, 2 / 3, 2 / 3], [1, 1, 1]], rtol=1e-6
     )
-    np.testing.assert_array_equal(maps[0].band_end, list(bands.values()))
+    np.testing.assert_array_equal(maps[0].band_edge, list(bands.values()))
     # Each map has the same ratios: the jackknife has nothing but rounding to vary.
     widths = np.ptp(ratios.band_force_ratio_interval.values, axis=-1)
     np.testing.assert_allclose(widths[np.isfinite(widths)], 0, atol=1e-5)

@@ -260,14 +260,14 @@ def band():
     cutoffs = [10.0, 43.0, 200.0, 1000.0, 1800.0, 5000.0]
     ratio = [[1.0, 1.05, 2.0, 4.0, np.nan, np.nan], [np.nan, np.nan, 0.4, 0.7, 0.95, 1.0]]
     dims = ("side", "cutoff_wavelength")
-    critical = np.array([46.0, 1750.0])
+    edges = np.array([46.0, 1750.0])
     return xr.Dataset(
         {
             "filtered_force_ratio": (dims, ratio),
             "filtered_force_change": (dims, np.abs(np.array(ratio) - 1)),
-            "edge": ("side", critical),
+            "edge": ("side", edges),
             "edge_bound": ("side", [1000.0, 200.0]),
-            "edge_interval": (("side", "end"), np.outer(critical, [0.9, 1.1])),
+            "edge_interval": (("side", "end"), np.outer(edges, [0.9, 1.1])),
         },
         {"side": ["short", "long"], "cutoff_wavelength": cutoffs, "end": ["low", "high"]},
         {"sphere_radius": RADIUS},
@@ -285,7 +285,7 @@ def test_changes_are_read_outside_and_inside_the_published_band(band):
 
 def test_an_open_edge_is_its_bound(band):
     near(inference.band_edge(band), [46.0, 1750.0])
-    ratio = inference.critical_over_interaction_radius(band, PAPER)
+    ratio = inference.edge_over_interaction_radius(band, PAPER)
     near(ratio.sel(side="long"), 1750 / 1673, rtol=1e-3)
     band["edge"][:] = np.nan
     near(inference.band_edge(band), [1000.0, 200.0])

@@ -27,10 +27,10 @@ def test_each_contact_model_has_the_edge_of_its_forces():
         }
     ).assign(unfiltered_wavelength=(("surface", "side"), [[2.0]]))
     bands = compare_short_edges(forces, 0.1, Sampling(1, 0, 0.95))
-    critical = bands["edge"].sel(group="a", side="short")
+    model_edges = bands["edge"].sel(group="a", side="short")
     assert bands["contact_model"].values.tolist() == CONTACT_MODELS
     for model, edge in {"plastic": edges[0], "rigid": edges[1]}.items():
-        np.testing.assert_allclose(critical.sel(contact_model=model), edge, rtol=1e-9)
+        np.testing.assert_allclose(model_edges.sel(contact_model=model), edge, rtol=1e-9)
     shift = bands["edge_shift"].sel(group="a", side="short")
     shifts = [edges[0, 0] / edges[1, 0], edges[0, 0] / edges[0, 1]]
     np.testing.assert_allclose(shift.sel(cause=["plasticity", "range"]), shifts)

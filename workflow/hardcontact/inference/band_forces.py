@@ -44,7 +44,7 @@ def band_force_dataset(
     """Return the forces on a surface with all roughness, and with parts of it, for some bands.
 
     A band has its shortest and its longest wavelength in nm. ``force`` (contact_y, contact_x) and
-    ``band_force`` (band, band_part, contact_y, contact_x) are in N at 1 J/m²; ``band_end`` (band,
+    ``band_force`` (band, band_part, contact_y, contact_x) are in N at 1 J/m²; ``band_edge`` (band,
     side) are the wavelengths.
     """
     parts_by_band = band_parts(surface, bands.values())
@@ -53,7 +53,7 @@ def band_force_dataset(
         {
             "force": (CONTACT_AXES, compute_forces(surface), FORCE_ATTRS),
             "band_force": (("band", "band_part", *CONTACT_AXES), part_forces, FORCE_ATTRS),
-            "band_end": (("band", "side"), np.array(list(bands.values())), NM),
+            "band_edge": (("band", "side"), np.array(list(bands.values())), NM),
         },
         {"band": list(bands), "band_part": list(BAND_PARTS), "side": list(SIDES)},
     )
@@ -76,10 +76,10 @@ def band_ratios(forces: xr.Dataset, scan_parts: ScanParts, confidence: float) ->
 def band_ratios_by_surface(
     bands: Mapping[str, xr.Dataset], radius: float, rho: float, confidence: float
 ) -> xr.Dataset:
-    """Return ``band_force_ratio`` (surface, band, band_part) and ``band_end`` (band, side)."""
+    """Return ``band_force_ratio`` (surface, band, band_part) and ``band_edge`` (band, side)."""
     surfaces = {
         (surface,): band_ratios(forces, parts_of_maps(forces, radius, rho), confidence)
         for surface, forces in bands.items()
     }
-    ends = next(iter(bands.values()))["band_end"].isel(map=0, drop=True)
-    return stack(surfaces, ["surface"]).assign(band_end=ends)
+    edges = next(iter(bands.values()))["band_edge"].isel(map=0, drop=True)
+    return stack(surfaces, ["surface"]).assign(band_edge=edges)

@@ -134,7 +134,7 @@ def first_edge(edges: xr.Dataset) -> xr.Dataset:
     return xr.concat([short_edge, long_edge], "side")
 
 
-def critical_over_interaction_radius(edges: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
+def edge_over_interaction_radius(edges: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
     """Return the edge relative to sqrt(D rho) (side, group).
 
     D is the diameter of the sphere of the study, rho the published range.
@@ -233,6 +233,6 @@ QUANTITIES = (
     short_range_force, short_range_error, error_of_second_minimum,
     strength_over_casimir, least_ratio_error, half_width_of_range, half_width_of_work,
     interaction_radius, interaction_radius_at_fit, interaction_share, sinusoid_share, band_edge,
-    first_edge, critical_over_interaction_radius, change_outside_band, change_inside_band,
+    first_edge, edge_over_interaction_radius, change_outside_band, change_inside_band,
     short_cutoff_change, stylus_change, flat_limit_fraction, mean_band_ratio,
 )  # fmt: skip

@@ -43,7 +43,7 @@ def draw(asperities: xr.Dataset, edges: xr.Dataset, published_constants: pd.Data
         axes.axhline(0.5, color="0.4", lw=0.8, ls=":", label="half of the force (a, b)")
         axes.set_ylim(0, 1)
     _draw_smooth(grid[1, 1], asperities)
-    _draw_critical(grid[1, 1], edges, published_constants)
+    _draw_long_edge(grid[1, 1], edges, published_constants)
     for axes in grid[1]:
         axes.set(xscale="log", yscale="log", xlabel="range of adhesion ρ (nm)")
         style.label_logarithmic(axes.xaxis, axes.yaxis)
@@ -68,7 +68,7 @@ def _draw_smooth(axes: Axes, asperities: xr.Dataset) -> None:
         axes.plot(lengths["rho"], lengths / MICROMETRE, **look)
 
 
-def _draw_critical(axes: Axes, edges: xr.Dataset, published_constants: pd.DataFrame) -> None:
+def _draw_long_edge(axes: Axes, edges: xr.Dataset, published_constants: pd.DataFrame) -> None:
     """Draw the long edge (µm) of the mean force, computed and published."""
     mean_band = edges.sel(side="long", group=MEAN_GROUP)
     edge = value_and_bounds(mean_band, "edge")

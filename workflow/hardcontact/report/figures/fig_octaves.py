@@ -28,7 +28,7 @@ def draw(sensitivity: xr.Dataset, edges: xr.Dataset, published_constants: pd.Dat
         ratios = sensitivity.sel(band=kind)
         _draw_band_ratios(axes, ratios, tolerance)
         shortest, longest = (
-            format_quantity(end, "nm", digits=2) for end in ratios["band_end"].values
+            format_quantity(edge, "nm", digits=2) for edge in ratios["band_edge"].values
         )
         style.label_panel(axes, letter, f"{kind} band: {shortest} to {longest}")
     bottom[0].set_ylabel("force / unfiltered force")

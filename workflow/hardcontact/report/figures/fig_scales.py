@@ -64,7 +64,7 @@ def draw(topography: xr.Dataset, scales: xr.Dataset, published_constants: pd.Dat
 def filtered_heights(scan: xr.Dataset, band: Sequence[float]) -> ScanMaps:
     """Return the maps of a scan with all waves, and without those below and above a band (nm).
 
-    The map has the waves of the scan and its mirror images, on pixels that resolve the short end.
+    The map has the waves of the scan and its mirror images, on pixels that resolve the short edge.
     """
     heights = mean_free_heights(scan["example_heights"])
     stitched = mirror_stitch(HeightMap(heights, scan["scan_size"].item() / len(heights)))
@@ -153,7 +153,7 @@ def _draw_profiles(
 def _legend_handles(topography: xr.Dataset, band: Sequence[float]) -> list[Artist]:
     """Return one entry a surface and one for each kind of mark."""
     labels = topography["label"]
-    short, long = (format_length(end) for end in band)
+    short, long = (format_length(edge) for edge in band)
     return [
         *(
             Line2D([], [], label=labels.sel(surface=surface).item(), **look)
