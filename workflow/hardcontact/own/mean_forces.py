@@ -16,6 +16,7 @@ from hardcontact.inference.scan_parts import (
     ScanParts,
     Variance,
     delete_one_logarithms,
+    fewest_touched_patches,
     half_width,
     jackknife_variance,
     logarithmic_interval,
@@ -29,10 +30,10 @@ class SurfaceForces(NamedTuple):
 
     ranges: np.ndarray  #: (rho,) Ranges of adhesion in nm.
     mean: np.ndarray  #: (rho,) Mean force in N, at the work of adhesion of the single forces.
-    delete_one_log_means: np.ndarray  #: (part, rho) Logarithms of the mean of all parts but one.
+    delete_one_log_means: np.ndarray  #: (rho, part) Logarithms of the mean of all parts but one.
     scan_parts: list[ScanParts]  #: (rho,) Parts correlate more at longer ranges.
-    #: (rho,) Variance of ln F between positions on a rough sphere; empty for a single position.
-    position_variances: list[Variance]
+    #: (rho,) Variance of ln F between positions on a rough sphere; None for a single position.
+    position_variance: Variance | None
 
 
 def forces_of_surface(
@@ -56,23 +57,37 @@ def forces_of_surface(
         scan_parts[0], "scan", lambda kept: scan_forces.where(kept).mean(CONTACT_AXES).mean("scan")
     )
     mean = scan_forces.mean(CONTACT_AXES).mean("scan").values
-    variances = _position_variances(forces)
-    return SurfaceForces(scan_forces.rho.values, mean, delete_one_log_means, scan_parts, variances)
+    variance = _position_variance(forces)
+    return SurfaceForces(scan_forces.rho.values, mean, delete_one_log_means.T, scan_parts, variance)
 
 
-def _position_variances(forces: xr.DataArray) -> list[Variance]:
-    """Return the variance (rho,) of ln F at a new position of the sphere; none for one position."""
+def forces_by_surface(
+    adhesion: xr.Dataset, scan_sizes: Mapping[str, float]
+) -> dict[str, SurfaceForces]:
+    """Return the `forces_of_surface` in one contact model, by surface; scan sizes are in nm."""
+    radius = float(adhesion.attrs["sphere_radius"])
+    return {
+        name: forces_of_surface(
+            adhesion.pull_off_force.sel(surface=name), scan_sizes[name], radius, touched_patches
+        )
+        for name, touched_patches in fewest_touched_patches(adhesion).items()
+    }
+
+
+def _position_variance(forces: xr.DataArray) -> Variance | None:
+    """Return the variance (rho,) of ln F at a new position of the sphere; None for one position."""
     count = forces.sizes["sphere_scan"]
     if count < 2:
-        return []
+        return None
     position_means = forces.mean(["scan", *CONTACT_AXES]).transpose("rho", "sphere_scan").values
     variances = (1 + 1 / count) * np.log(position_means).var(axis=1, ddof=1)
-    return [Variance(variance, count - 1) for variance in variances]
+    return Variance(variances, count - 1)
 
 
-def position_half_widths(surface_forces: SurfaceForces, confidence: float) -> list[np.ndarray]:
-    """Return half widths (rho,) of intervals of ln F for the position of the sphere."""
-    return [half_width([variance], confidence) for variance in surface_forces.position_variances]
+def position_half_width(surface_forces: SurfaceForces, confidence: float) -> np.ndarray | None:
+    """Return the half width (rho,) of the interval of ln F for the position of the sphere."""
+    variance = surface_forces.position_variance
+    return None if variance is None else half_width([variance], confidence)
 
 
 def mean_intervals(surface_forces: SurfaceForces, confidence: float) -> np.ndarray:
@@ -81,18 +96,17 @@ def mean_intervals(surface_forces: SurfaceForces, confidence: float) -> np.ndarr
     A rough sphere touches at one position of its scan, which is not known: half widths of scan
     parts and of positions add in squares.
     """
-    left_out_parts = zip(
-        surface_forces.delete_one_log_means.T, surface_forces.scan_parts, strict=True
-    )
+    _, mean, delete_one_log_means, scan_parts, _ = surface_forces
     half = np.array(
         [
-            half_width([jackknife_variance(log_means, scan_parts)], confidence)
-            for log_means, scan_parts in left_out_parts
+            half_width([jackknife_variance(log_means, parts)], confidence)
+            for log_means, parts in zip(delete_one_log_means, scan_parts, strict=True)
         ]
     )
-    for index, position_half_width in enumerate(position_half_widths(surface_forces, confidence)):
-        half[index] = np.hypot(half[index], position_half_width)
-    return logarithmic_interval(surface_forces.mean, half)
+    position_half = position_half_width(surface_forces, confidence)
+    if position_half is not None:
+        half = np.hypot(half, position_half)
+    return logarithmic_interval(mean, half)
 
 
 class MasterScans(NamedTuple):

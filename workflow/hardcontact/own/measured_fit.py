@@ -5,7 +5,7 @@ makes them agree. One surface gives a curve W(rho). For several surfaces, the re
 pairs of range and work within the intervals of all surfaces at once.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -23,8 +23,8 @@ from hardcontact.base.statistics import (
 from hardcontact.base.units import DIMENSIONLESS, JOULE_PER_M2, NEWTON, NM
 from hardcontact.contact.force_interpolation import interpolate_to_ranges
 from hardcontact.inference.fit import FIT_ATTRS, best_fit, fine_ranges
-from hardcontact.inference.scan_parts import fewest_touched_patches, sampled_deviations
-from hardcontact.own.mean_forces import SurfaceForces, forces_of_surface
+from hardcontact.inference.scan_parts import sampled_deviations
+from hardcontact.own.mean_forces import SurfaceForces, forces_by_surface
 from hardcontact.own.measured_tests import look_repeated, measured_tests, sampled_means
 
 
@@ -54,9 +54,10 @@ def fit_measured(
     ]
     force_samples = np.stack(samples, axis=1)
     test_means = np.array([test.mean for test in tests])
+    measured_adhesion = adhesion.sel(surface=surfaces)
     fits = {}
     for model in adhesion.contact_model.values.tolist():
-        computed = _computed_forces(adhesion.sel(contact_model=model), surfaces, scan_sizes)
+        computed = forces_by_surface(measured_adhesion.sel(contact_model=model), scan_sizes)
         fits[(model,)] = _fit_model(computed, test_means, force_samples, pixel_factors, sampling)
     # Tests and parts of scans, and so the sources of intervals, are the same for all models.
     sources = [
@@ -83,39 +84,23 @@ def fit_measured(
     )
 
 
-def _computed_forces(
-    adhesion: xr.Dataset, surfaces: Sequence[str], scan_sizes: Mapping[str, float]
-) -> dict[str, SurfaceForces]:
-    """Return the computed mean forces of the surfaces in one contact model."""
-    radius = float(adhesion.attrs["sphere_radius"])
-    touched = fewest_touched_patches(adhesion)
-    return {
-        name: forces_of_surface(
-            adhesion.pull_off_force.sel(surface=name), scan_sizes[name], radius, touched[name]
-        )
-        for name in surfaces
-    }
-
-
 def _sampled_forces(surface_forces: SurfaceForces, surface: str, sampling: Sampling) -> np.ndarray:
     """Sample mean forces (sample, rho) of a surface: the same random numbers at every range.
 
     The position at which a rough sphere touches is the same on all surfaces.
     """
+    _, mean, delete_one_log_means, scan_parts, position_variance = surface_forces
     count = sampling.sample_count
-    deviations = [
-        sampled_deviations(
-            sampling.generator("scans", surface), delete_one_log_means, scan_parts, count
-        )
-        for delete_one_log_means, scan_parts in zip(
-            surface_forces.delete_one_log_means.T, surface_forces.scan_parts, strict=True
-        )
+    scan_deviations = [
+        sampled_deviations(sampling.generator("scans", surface), log_means, parts, count)
+        for log_means, parts in zip(delete_one_log_means, scan_parts, strict=True)
     ]
-    for index, variance in enumerate(surface_forces.position_variances):
+    deviations = np.stack(scan_deviations, axis=1)
+    if position_variance is not None:
         rng = sampling.generator("place on the sphere")
-        samples = rng.standard_t(variance.degrees_of_freedom, count)
-        deviations[index] = deviations[index] + samples * np.sqrt(variance.value)
-    return np.asarray(surface_forces.mean * np.exp(np.stack(deviations, axis=1)))
+        samples = rng.standard_t(position_variance.degrees_of_freedom, (count, 1))
+        deviations += samples * np.sqrt(position_variance.value)
+    return np.asarray(mean * np.exp(deviations))
 
 
 def _fit_model(

@@ -17,16 +17,16 @@ from hardcontact.base.units import DIMENSIONLESS, NANOMETRE, NEWTON, NM
 from hardcontact.contact.contact import CONTACT_AXES, PLASTIC, Contact
 from hardcontact.contact.finite_scan import finite_scan_ratio, window_share
 from hardcontact.contact.smooth_sphere import dmt_pull_off, limit_forces
-from hardcontact.inference.scan_parts import fewest_touched_patches, logarithmic_interval
+from hardcontact.inference.scan_parts import logarithmic_interval
 from hardcontact.inference.wide_pixels import pixel_factors
 from hardcontact.own.mean_forces import (
     MasterForces,
     MasterScans,
     SurfaceForces,
-    forces_of_surface,
+    forces_by_surface,
     half_width_over_masters,
     mean_intervals,
-    position_half_widths,
+    position_half_width,
     summarize_masters,
 )
 from hardcontact.surfaces.spectrum import Spectrum, spectrum_of_dataset
@@ -153,11 +153,17 @@ def forces_on_scans(
             f"expected a range of adhesion that was computed ({', '.join(f'{r:g}' for r in ranges)}"
             f" nm), found {rho:g} nm"
         )
-    touched = fewest_touched_patches(adhesion)
     forces = adhesion.assign(pull_off_force=adhesion.pull_off_force * work)
+    forces_by_model = [
+        forces_by_surface(forces.sel(contact_model=model), sizes)
+        for model in adhesion.contact_model.values
+    ]
     surfaces = {
         (surface,): _force_variables(
-            forces.sel(surface=surface), sizes[surface], touched[surface], rho, confidence
+            forces.sel(surface=surface),
+            [model_forces[surface] for model_forces in forces_by_model],
+            rho,
+            confidence,
         )
         for surface in adhesion.surface.values.tolist()
     }
@@ -171,21 +177,17 @@ def forces_on_scans(
 
 
 def _force_variables(
-    adhesion: xr.Dataset, size: float, touched_patches: float, rho: float, confidence: float
+    adhesion: xr.Dataset, forces_by_model: Sequence[SurfaceForces], rho: float, confidence: float
 ) -> xr.Dataset:
     """Return the variables of one surface, from its forces at the work of adhesion."""
-    radius = float(adhesion.attrs["sphere_radius"])
     forces = adhesion.pull_off_force
-    forces_by_model = [
-        forces_of_surface(forces.sel(contact_model=model), size, radius, touched_patches)
-        for model in forces.contact_model.values
-    ]
     mean = np.array([model_forces.mean for model_forces in forces_by_model])
     intervals = [mean_intervals(model_forces, confidence) for model_forces in forces_by_model]
     quantiles = forces.quantile(QUANTILES, ["scan", "sphere_scan", *CONTACT_AXES]).transpose(
         "contact_model", "rho", "quantile"
     )
     scan_parts = forces_by_model[0].scan_parts[int(np.abs(adhesion.rho.values - rho).argmin())]
+    contact_count = np.prod([adhesion.sizes[axis] for axis in CONTACT_AXES])
     dimensions = ("contact_model", "rho")
     return xr.Dataset(
         with_interval("force", dimensions, mean, np.array(intervals), NEWTON, confidence)
@@ -194,12 +196,8 @@ def _force_variables(
             "interval_is_conditional": int(scan_parts.are_quarters),
             "interval_source": scan_parts.source,
             "interval_scans": scan_parts.scan_count,
-            "contacts": (
-                (),
-                np.prod([adhesion.sizes[axis] for axis in CONTACT_AXES]),
-                DIMENSIONLESS,
-            ),
-            "touched_patches": ((), touched_patches, DIMENSIONLESS),
+            "contacts": ((), contact_count, DIMENSIONLESS),
+            "touched_patches": ((), scan_parts.touched_patches, DIMENSIONLESS),
             "correlation_of_parts": ((), scan_parts.mean_correlation, DIMENSIONLESS),
         }
         | _position_factor(forces_by_model, confidence),
@@ -210,10 +208,12 @@ def _force_variables(
 
 def _position_factor(forces_by_model: Sequence[SurfaceForces], confidence: float) -> dict[str, Any]:
     """Return ``position_factor`` (contact_model, rho), exp(half width of ln F), or nothing."""
-    factors = [np.exp(position_half_widths(forces, confidence)) for forces in forces_by_model]
-    if not factors[0].size:
+    half_widths = [position_half_width(forces, confidence) for forces in forces_by_model]
+    if half_widths[0] is None:
         return {}
-    return {"position_factor": (("contact_model", "rho"), factors, DIMENSIONLESS)}
+    return {
+        "position_factor": (("contact_model", "rho"), np.exp(np.array(half_widths)), DIMENSIONLESS)
+    }
 
 
 def extrapolated_force(

@@ -21,7 +21,7 @@ from hardcontact.contact.pull_off import make_force_function
 from hardcontact.contact.scan_pull_off import pull_off_on_spheres
 from hardcontact.contact.smooth_sphere import limit_forces
 from hardcontact.inference.wide_pixels import finer_pixel_factor, widen_pixels
-from hardcontact.own.mean_forces import forces_of_surface, mean_intervals, position_half_widths
+from hardcontact.own.mean_forces import forces_of_surface, mean_intervals, position_half_width
 from hardcontact.own.scan_window import window_on_scans
 from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
 from hardcontact.surfaces.spectrum import Spectrum, measured_psds
@@ -153,8 +153,9 @@ def _force_numbers(
     yield Number("force_on_scan_over_smooth", mean / smooth)
     yield Number("wide_pixel_ratio", wide_pixel_ratio)
     yield Number("touched_patches", touched_patches)
-    for position_half_width in position_half_widths(surface_forces, confidence):
-        yield Number("position_factor", float(np.exp(position_half_width)))
+    position_half = position_half_width(surface_forces, confidence)
+    if position_half is not None:
+        yield Number("position_factor", float(np.exp(position_half[0])))
     form, search = _closed_form_numbers(surface, force, scan.size, contact)
     yield search
     yield extend_low_end(form, wide_pixel_ratio)
