@@ -10,13 +10,13 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from hardcontact.base.formatting import format_share, format_with_interval
-from hardcontact.contact.contact import PLASTIC
+from hardcontact.contact.contact import PLASTIC, RIGID
 from hardcontact.report.figures import drawing, panels, style
 from hardcontact.report.figures.values import value_and_bounds
 
 MODEL_LOOKS: dict[str, style.Look] = {
-    "plastic": {"color": "black", "ls": "-"},
-    "rigid": {"color": "0.45", "ls": "--"},
+    PLASTIC: {"color": "black", "ls": "-"},
+    RIGID: {"color": "0.45", "ls": "--"},
 }
 MAX_MAPPED_ERROR = 0.7  # the map has the works of adhesion with a smaller error at some range
 ON_MAP: style.Look = {"frameon": True, "facecolor": "0.6", "framealpha": 0.9}
