@@ -42,7 +42,7 @@ def lists_of_files(*values):
     ):
         computed_at |= dict.fromkeys(study.paths(pattern, rows), study_values)
     for pattern in (PATTERNS.elastic, PATTERNS.asperities):
-        paths = study.paths(pattern, study.scan_pairs_in_turn)
+        paths = [study.path(pattern, surface) for surface in study.selection.substrates]
         computed_at |= dict.fromkeys(paths, study_values[:2])
     return computed_at
 

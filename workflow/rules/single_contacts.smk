@@ -10,6 +10,16 @@ TRACED = {
     "contact_index": [STUDY["contact"]["contacts_per_row"] // 2] * 2,
 }
 INDENTED = STUDY["indent"]["surface"]
+#: All scans of a substrate, each with a scan of the sphere, in turn.
+SCANS_IN_TURN = {
+    "substrates": lambda w: [
+        FILES.stitched_path(w.surface, scan) for scan in SELECTION.scans(w.surface)
+    ],
+    "spheres": lambda w: [
+        FILES.stitched_path(SPHERE, FILES.sphere_scan(w.surface, scan))
+        for scan in SELECTION.scans(w.surface)
+    ],
+}
 
 
 rule trace_contact:
@@ -27,38 +37,41 @@ rule trace_contact:
         "../scripts/trace_contact.py"
 
 
-rule solve_elastic_contact:
-    """Solve elastic contact, without and with adhesion, of a sample of contacts of one scan."""
+rule solve_elastic_contacts:
+    """Solve elastic contact, without and with adhesion, of a sample of contacts of one surface."""
     input:
-        substrate=PATTERNS.stitched_substrate,
-        sphere=PATTERNS.stitched_sphere,
+        **SCANS_IN_TURN,
         published_constants=PUBLISHED_TABLES["published_constants"],
-        code=code_inputs("solve_elastic_contact.py"),
+        code=code_inputs("solve_elastic_contacts.py"),
     output:
         PATTERNS.elastic,
     params:
         parameters=lambda w: parameters(
             surface=w.surface,
-            scan=int(w.scan),
+            scans=SELECTION.scans(w.surface),
             contact=CONTACT,
             contacts=STUDY["elastic"]["contacts"],
             seed=STUDY["seed"],
         ),
     script:
-        "../scripts/solve_elastic_contact.py"
+        "../scripts/solve_elastic_contacts.py"
 
 
 rule aggregate_elastic:
-    """Gather elastic contact of all scans: elastic.nc."""
+    """Gather elastic contact of all surfaces: elastic.nc."""
     input:
-        scans=FILES.paths(PATTERNS.elastic, FILES.scan_pairs_in_turn),
-        code=code_inputs("aggregate_elastic.py"),
+        surfaces=[FILES.path(PATTERNS.elastic, surface) for surface in SELECTION.substrates],
+        code=code_inputs("aggregate_contacts.py"),
     output:
         PATTERNS.dataset("elastic"),
     params:
-        parameters=parameters(scan_keys=FILES.substrate_scans, **NAMED_SURFACES),
+        parameters=parameters(
+            surfaces=SELECTION.substrates,
+            **NAMED_SURFACES,
+            title="elastic contacts: pressure at the preload, and pull-off beside that of rigid bodies",
+        ),
     script:
-        "../scripts/aggregate_elastic.py"
+        "../scripts/aggregate_contacts.py"
 
 
 rule measure_indents:
@@ -82,17 +95,16 @@ rule measure_indents:
 
 
 rule find_asperities:
-    """Find the patches that carry most of the force of a sample of contacts of one scan."""
+    """Find the patches that carry most of the force of a sample of contacts of one surface."""
     input:
-        substrate=PATTERNS.stitched_substrate,
-        sphere=PATTERNS.stitched_sphere,
+        **SCANS_IN_TURN,
         code=code_inputs("find_asperities.py"),
     output:
         PATTERNS.asperities,
     params:
         parameters=lambda w: parameters(
             surface=w.surface,
-            scan=int(w.scan),
+            scans=SELECTION.scans(w.surface),
             contact=CONTACT,
             asperities=STUDY["asperities"],
             seed=STUDY["seed"],
@@ -102,13 +114,17 @@ rule find_asperities:
 
 
 rule aggregate_asperities:
-    """Gather the patches of all scans: asperities.nc."""
+    """Gather the patches of all surfaces: asperities.nc."""
     input:
-        scans=FILES.paths(PATTERNS.asperities, FILES.scan_pairs_in_turn),
-        code=code_inputs("aggregate_asperities.py"),
+        surfaces=[FILES.path(PATTERNS.asperities, surface) for surface in SELECTION.substrates],
+        code=code_inputs("aggregate_contacts.py"),
     output:
         PATTERNS.dataset("asperities"),
     params:
-        parameters=parameters(scan_keys=FILES.substrate_scans, **NAMED_SURFACES),
+        parameters=parameters(
+            surfaces=SELECTION.substrates,
+            **NAMED_SURFACES,
+            title="asperities that carry the pull-off force of plastic contacts",
+        ),
     script:
-        "../scripts/aggregate_asperities.py"
+        "../scripts/aggregate_contacts.py"

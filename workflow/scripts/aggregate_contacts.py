@@ -1,4 +1,4 @@
-"""Asperities that carry the force, of all surfaces and scans."""
+"""Single contacts on all surfaces: elastic ones, or the asperities that carry their force."""
 
 from hardcontact.base.dataset import read_all, stack
 from hardcontact.contact.stacked_datasets import add_names
@@ -6,8 +6,5 @@ from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:
     params = job.parameters
-    scans = read_all(params["scan_keys"], job.input.scans)
-    job.write(
-        add_names(stack(scans, ["surface", "scan"]), params),
-        title="asperities that carry the pull-off force of plastic contacts",
-    )
+    surfaces = read_all(((surface,) for surface in params["surfaces"]), job.input.surfaces)
+    job.write(add_names(stack(surfaces, ["surface"]), params), title=params["title"])

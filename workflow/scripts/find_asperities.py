@@ -1,5 +1,6 @@
-"""Which asperities carry the force of some plastic contacts on one scan, by range of adhesion."""
+"""Which asperities carry the force of some plastic contacts on a surface, by range of adhesion."""
 
+from hardcontact.base.dataset import stack
 from hardcontact.base.random import generator
 from hardcontact.contact.asperities import CARRIED_SHARE, find_carrying_asperities
 from hardcontact.contact.contact import Contact
@@ -10,16 +11,16 @@ with run_job(snakemake) as job:
     params = job.parameters
     settings = params["asperities"]
     surface = params["surface"]
-    scan = params["scan"]
     contact = Contact(**params["contact"])
-    rng = generator(params["seed"], surface, scan, "contacts for asperities")
-    job.write(
-        find_carrying_asperities(
-            read_bodies(job.input.substrate, job.input.sphere, contact),
+    scans = zip(params["scans"], job.input.substrates, job.input.spheres, strict=True)
+    asperities = {}
+    for scan, *paths in scans:
+        rng = generator(params["seed"], surface, scan, "contacts for asperities")
+        asperities[(scan,)] = find_carrying_asperities(
+            read_bodies(*paths, contact),
             contact,
             sample_contacts(rng, contact.contacts_per_row, settings["contacts"]),
             CARRIED_SHARE,
             settings["ranges"],
-        ),
-        title=f"asperities of scan {scan} of {surface}",
-    )
+        )
+    job.write(stack(asperities, ["scan"]), title=f"asperities of {surface}")

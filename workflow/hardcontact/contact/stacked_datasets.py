@@ -40,19 +40,11 @@ def stack_pull_off_forces(scans: DatasetsByLabels, named_surfaces: NamedSurfaces
     return add_names(forces.assign(contact_pixel_count=largest), named_surfaces)
 
 
-def stack_elastic_contacts(scans: DatasetsByLabels, named_surfaces: NamedSurfaces) -> xr.Dataset:
-    """Stack the elastic contacts of all surfaces and scans.
+def stack_elastic_contacts(scans: DatasetsByLabels) -> xr.Dataset:
+    """Stack the elastic contacts on all scans of one surface.
 
-    `scans` has the dataset of `solve_elastic_contacts` by (surface, scan). Returns the same
-    variables over (surface, scan, ...); ``pressure`` (surface, y, x) in Pa shows one contact on the
-    first scan of each surface.
+    `scans` has the dataset of `solve_elastic_contacts` by (scan,). Returns the same variables over
+    (scan, ...); ``pressure`` (y, x) in Pa shows one contact on the first scan.
     """
-    contacts = stack(
-        {key: scan.drop_vars(["pressure", "y", "x"]) for key, scan in scans.items()},
-        ["surface", "scan"],
-    )
-    pressures: dict[tuple[Any, ...], xr.Dataset] = {}
-    for (surface, _), scan in scans.items():
-        pressures.setdefault((surface,), scan[["pressure"]])
-    pressure = stack(pressures, ["surface"]).pressure
-    return add_names(contacts.assign(pressure=pressure), named_surfaces)
+    numbers = {key: scan.drop_vars(["pressure", "y", "x"]) for key, scan in scans.items()}
+    return stack(numbers, ["scan"]).assign(pressure=next(iter(scans.values()))["pressure"])

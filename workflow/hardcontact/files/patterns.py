@@ -91,13 +91,10 @@ class Patterns:
         self.levelled = f"{folder['scans']}/{_SCAN}"
         self.stitched = f"{folder['stitched']}/{_SCAN}"
         self.stitched_substrate = self.stitched.replace("{shape}", "flat")
-        self.stitched_sphere = (
-            f"{folder['stitched']}/{rough_sphere}/scan-{{sphere_scan}}-sphere-{{radius}}.nc"
-        )
 
-        both_scans = f"{{radius}}/{{loading}}/{_SURFACE}/scan-{{scan}}/{rough_sphere}"
-        self.elastic = f"{folder['elastic']}/{both_scans}/scan-{{sphere_scan}}.nc"
-        self.asperities = f"{folder['asperities']}/{both_scans}/scan-{{sphere_scan}}.nc"
+        both_surfaces = f"{{radius}}/{{loading}}/{_SURFACE}/{rough_sphere}.nc"
+        self.elastic = f"{folder['elastic']}/{both_surfaces}"
+        self.asperities = f"{folder['asperities']}/{both_surfaces}"
 
         contact = f"{{radius}}/{{loading}}/{{range}}/{_SURFACE}"
         self.pool = f"{folder['pool']}/{contact}/scans-{{first}}-{{last}}.nc"
@@ -175,7 +172,7 @@ def wildcard_constraints(surfaces: Iterable[str]) -> dict[str, str]:
     return {
         "surface": any_name_pattern(surfaces),
         "features": "|".join(KINDS),
-        **dict.fromkeys(("scan", "sphere_scan", "first", "last", "realization"), r"\d+"),
+        **dict.fromkeys(("scan", "first", "last", "realization"), r"\d+"),
         "shape": f"flat|sphere-R{_NUMBER}um",
         "side": "short|long",
         "sphere_kind": "smooth|rough|combined",

@@ -2,7 +2,6 @@
 
 from collections import defaultdict, namedtuple
 from collections.abc import Iterable, Mapping
-from itertools import cycle
 from math import ceil, sqrt
 from typing import Any
 
@@ -13,9 +12,8 @@ from hardcontact.config.selected_surfaces import Selection
 from hardcontact.contact.geometry import POSITION_CONTACTS_PER_ROW, SPHERE_POSITIONS
 from hardcontact.files.patterns import Patterns
 
-# Rows of lists: their fields are wildcards of patterns.
+# A row of lists: its fields are wildcards of patterns.
 Scan = namedtuple("Scan", "surface scan")
-ScanPair = namedtuple("ScanPair", "surface scan sphere_scan")
 
 
 class SurfaceFiles:
@@ -163,8 +161,8 @@ class SurfaceFiles:
 
     def sphere_scan(self, surface: str, scan: int) -> int:
         """Return the scan of the sphere that meets a scan of a substrate, in turn."""
-        sphere_scans = {pair[:2]: pair.sphere_scan for pair in self.scan_pairs_in_turn}
-        return int(sphere_scans[surface, scan])
+        sphere_scans = self.selection.sphere_scans
+        return sphere_scans[self.selection.scans(surface).index(scan) % len(sphere_scans)]
 
     def measurements_of_map(self, surface: str, scan: int) -> list[int]:
         """Return the indices of the measurements, in a spectrum, whose roughness a map has."""
@@ -212,17 +210,6 @@ class SurfaceFiles:
         """Return every scan of surfaces."""
         scans = self.selection.scans
         return [Scan(surface, scan) for surface in surfaces for scan in scans(surface)]
-
-    @property
-    def scan_pairs_in_turn(self) -> list[ScanPair]:
-        """One scan of the sphere for each scan of a substrate, in turn."""
-        return [
-            ScanPair(surface, scan, sphere_scan)
-            for surface in self.selection.substrates
-            for scan, sphere_scan in zip(
-                self.selection.scans(surface), cycle(self.selection.sphere_scans), strict=False
-            )
-        ]
 
     @property
     def substitutes(self) -> list[str]:
