@@ -57,7 +57,7 @@ def interval_ends(dataset: xr.Dataset, name: str) -> tuple[xr.DataArray, xr.Data
     return interval.sel(end="low", drop=True), interval.sel(end="high", drop=True)
 
 
-def percentile_interval(samples: ArrayLike, confidence: float) -> np.ndarray:
+def percentile_interval(samples: ArrayLike, confidence: float) -> Floats:
     """Return the central interval (..., 2) of samples (samples, ...), which may be NaN.
 
     The confidence is the share of the samples inside. Ends are NaN if all samples are NaN.
@@ -147,7 +147,7 @@ def student_log_samples(rng: np.random.Generator, values: Floats, sample_count: 
     return np.asarray(values.mean(axis=0) * np.exp(log_deviation))
 
 
-def jackknife_interval(value: ArrayLike, leave_one_out: ArrayLike, confidence: float) -> np.ndarray:
+def jackknife_interval(value: ArrayLike, leave_one_out: ArrayLike, confidence: float) -> Floats:
     """Return the interval (..., 2) of a positive statistic of n scans by the jackknife.
 
     `value` (...) is the statistic of all scans, `leave_one_out` (n, ...) has its values without
@@ -164,7 +164,7 @@ def jackknife_interval(value: ArrayLike, leave_one_out: ArrayLike, confidence: f
     return np.stack([value * np.exp(-half), value * np.exp(half)], axis=-1)
 
 
-def lognormal_shape(mean: ArrayLike, median: ArrayLike) -> np.ndarray:
+def lognormal_shape(mean: ArrayLike, median: ArrayLike) -> Floats:
     """Return the shape (standard deviation of ln F) of the log-normal with this mean and median.
 
     mean/median = exp(s²/2). It is biased if forces below a floor were not measured.
@@ -172,7 +172,7 @@ def lognormal_shape(mean: ArrayLike, median: ArrayLike) -> np.ndarray:
     return np.asarray(np.sqrt(2 * np.log(np.asarray(mean) / np.asarray(median))))
 
 
-def fit_lognormal(forces: np.ndarray, floor: float) -> tuple[float, float, float]:
+def fit_lognormal(forces: Floats, floor: float) -> tuple[float, float, float]:
     """Fit the maximum-likelihood log-normal to forces (n,), left-censored below a floor, in N.
 
     Returns its shape, its median in N and the censored share of forces; the first two are NaN if
@@ -199,7 +199,7 @@ def _censored_normal_fit(limit: float, censored: float) -> tuple[float, float]:
     """
     from scipy import optimize, special
 
-    def negative_log_likelihood(parameters: np.ndarray) -> tuple[float, np.ndarray]:
+    def negative_log_likelihood(parameters: Floats) -> tuple[float, Floats]:
         """Return the mean over forces at mean and log deviation, and its gradient."""
         mean, log_deviation = parameters
         deviation = np.exp(log_deviation)

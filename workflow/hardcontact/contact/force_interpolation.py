@@ -6,16 +6,13 @@ import xarray as xr
 from hardcontact.base.arrays import Floats
 
 
-def interpolate_to_ranges(
-    forces: np.ndarray, computed_ranges: np.ndarray, new_ranges: np.ndarray
-) -> np.ndarray:
+def interpolate_to_ranges(forces: Floats, computed_ranges: Floats, new_ranges: Floats) -> Floats:
     """Return forces (..., rho) at new ranges (nm), by a cubic spline in log F and log rho.
 
     NaN beyond the computed ranges (nm).
     """
     weights = spline_weights(np.log(computed_ranges), np.log(new_ranges))
-    interpolated: np.ndarray = np.exp(np.log(forces) @ weights.T)
-    return interpolated
+    return np.asarray(np.exp(np.log(forces) @ weights.T))
 
 
 def interpolate_to_range(forces: xr.DataArray, rho: float) -> xr.DataArray:
@@ -37,5 +34,4 @@ def spline_weights(points: Floats, targets: Floats | float, *, extrapolate: bool
     from scipy.interpolate import make_interp_spline
 
     spline = make_interp_spline(points, np.eye(len(points)), k=min(3, len(points) - 1))
-    weights: Floats = spline(targets, extrapolate=extrapolate)
-    return weights
+    return np.asarray(spline(targets, extrapolate=extrapolate))

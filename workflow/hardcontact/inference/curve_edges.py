@@ -4,6 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from hardcontact.base.arrays import Floats
 from hardcontact.base.number import Status
 
 
@@ -13,10 +14,10 @@ class ChangeCurve(NamedTuple):
     side: str  #: short: wavelengths below the cutoff are removed; long: wavelengths above it.
     #: (k,) in nm, in the order of growing effect: ascending on the short side, descending on the
     #: long side.
-    cutoffs: np.ndarray
+    cutoffs: Floats
     #: (k,) ln(ratio) for a single surface, which passes through zero where the ratio crosses one;
     #: the mean of |ratio - 1| for several.
-    values: np.ndarray
+    values: Floats
     limits: tuple[float, float]  #: Lower and upper limit; a change within them does not count.
 
 
@@ -32,11 +33,11 @@ class Edge(NamedTuple):
 
 def ordered_curve(
     side: str,
-    cutoffs: np.ndarray,
-    values: np.ndarray,
+    cutoffs: Floats,
+    values: Floats,
     limits: tuple[float, float],
     unfiltered: float | None = None,
-) -> tuple[ChangeCurve, np.ndarray]:
+) -> tuple[ChangeCurve, Floats]:
     """Return the curve of the first row of values (row, k), and the other rows at its cutoffs.
 
     Cutoffs (k,) are in any order; those at which the first row is NaN are left out. All rows begin
@@ -59,7 +60,7 @@ def logarithmic_limits(tolerance: float) -> tuple[float, float]:
     return float(np.log1p(-tolerance)), float(np.log1p(tolerance))
 
 
-def first_outside(lowest: np.ndarray, highest: np.ndarray, limits: tuple[float, float]) -> int:
+def first_outside(lowest: Floats, highest: Floats, limits: tuple[float, float]) -> int:
     """Return the index of the first cutoff at which a curve is outside its limits.
 
     The lowest values (k,) are compared with the lower limit, the highest values with the upper
@@ -70,7 +71,7 @@ def first_outside(lowest: np.ndarray, highest: np.ndarray, limits: tuple[float, 
     return int(is_outside.argmax()) if is_outside.any() else len(is_outside)
 
 
-def interpolate_edge(cutoffs: np.ndarray, curve: np.ndarray, limits: tuple[float, float]) -> float:
+def interpolate_edge(cutoffs: Floats, curve: Floats, limits: tuple[float, float]) -> float:
     """Return the cutoff (nm) at which a curve first leaves its limits.
 
     Cutoffs and curve (k,) are in the order of growing effect; the curve is interpolated linearly in
@@ -115,7 +116,7 @@ def shows_ripples(curve: ChangeCurve) -> bool:
     return curve.side == "short" and bool((value_outside < 0).any())
 
 
-def edge_interval(curve: ChangeCurve, lowest: np.ndarray, highest: np.ndarray) -> np.ndarray:
+def edge_interval(curve: ChangeCurve, lowest: Floats, highest: Floats) -> Floats:
     """Return the cutoffs (2,) in nm between which the edge lies, from the intervals of a curve.
 
     lowest, highest: ends (k,) of the intervals of the values. One end is the last cutoff before any

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
+from hardcontact.base.arrays import Floats
 from hardcontact.base.statistics import Sampling, student_log_samples
 from hardcontact.base.units import DIMENSIONLESS, NM
 from hardcontact.inference.curve_edges import (
@@ -27,7 +28,7 @@ MEAN_GROUP = "mean"
 AXES = ("side", "surface", "cutoff_wavelength")
 
 
-def computed_cutoffs(values: xr.DataArray) -> np.ndarray:
+def computed_cutoffs(values: xr.DataArray) -> Floats:
     """Return the ascending cutoffs (nm) at which any value (..., cutoff_wavelength) is finite."""
     dimensions = [dim for dim in values.dims if dim != "cutoff_wavelength"]
     cutoffs = values["cutoff_wavelength"].values[values.notnull().any(dimensions).values]
@@ -82,7 +83,7 @@ def edge_variables(
 
 def edges_with_samples(
     scales: xr.Dataset, tolerance: float, sampling: Sampling
-) -> tuple[xr.Dataset, np.ndarray]:
+) -> tuple[xr.Dataset, Floats]:
     """Return ratio curves, changes of the force and edges, and sampled edges (sample, side, group).
 
     `scales` has ``filtered_force_ratio`` (surface, realization, side, cutoff_wavelength), NaN at
@@ -118,7 +119,7 @@ def edges_with_samples(
     return xr.Dataset(variables, coordinates), edge_samples
 
 
-def _mean_ratios(scales: xr.Dataset, sampling: Sampling) -> tuple[np.ndarray, np.ndarray]:
+def _mean_ratios(scales: xr.Dataset, sampling: Sampling) -> tuple[Floats, Floats]:
     """Return the ratios (AXES), means over realizations, and their samples (sample, AXES)."""
     realizations = scales["filtered_force_ratio"].transpose("realization", *AXES)
     samples = [
@@ -132,7 +133,7 @@ def _mean_ratios(scales: xr.Dataset, sampling: Sampling) -> tuple[np.ndarray, np
     return realizations.mean("realization").values, np.stack(samples, axis=2)
 
 
-def _changes(ratios: np.ndarray) -> np.ndarray:
+def _changes(ratios: Floats) -> Floats:
     """Return |ratio - 1| (..., group, cutoff) of ratios (..., surface, cutoff).
 
     The last group is the mean over surfaces.
@@ -142,8 +143,8 @@ def _changes(ratios: np.ndarray) -> np.ndarray:
 
 
 def _curves(
-    scales: xr.Dataset, ratio: np.ndarray, ratio_samples: np.ndarray, tolerance: float
-) -> Iterator[tuple[ChangeCurve, np.ndarray]]:
+    scales: xr.Dataset, ratio: Floats, ratio_samples: Floats, tolerance: float
+) -> Iterator[tuple[ChangeCurve, Floats]]:
     """Yield the curve of each side and group, and samples (sample, k) of its values.
 
     Mean ratios (AXES) and their samples (sample, AXES) come from `_mean_ratios`. The curve of a
@@ -162,7 +163,7 @@ def _curves(
         )
 
 
-def _sampled_edges(curve: ChangeCurve, sampled_values: np.ndarray) -> np.ndarray:
+def _sampled_edges(curve: ChangeCurve, sampled_values: Floats) -> Floats:
     """Return the edges (sample,) in nm of a curve with sampled values (sample, k).
 
     The last cutoff stands for an open edge. NaN if the values are NaN.

@@ -9,6 +9,7 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
+from hardcontact.base.arrays import Floats
 from hardcontact.base.units import DIMENSIONLESS, JOULE_PER_M2, NM
 from hardcontact.contact.force_interpolation import interpolate_to_ranges
 
@@ -29,9 +30,7 @@ WITHOUT_SURFACE = {
 }
 
 
-def mean_relative_error(
-    mean_forces: np.ndarray, measured_forces: np.ndarray, works: np.ndarray
-) -> np.ndarray:
+def mean_relative_error(mean_forces: Floats, measured_forces: Floats, works: Floats) -> Floats:
     """Return the mean over surfaces of |W f/F - 1|, (..., rho, k).
 
     Computed forces f (..., surface, rho) are in N at 1 J/m², measured forces F (surface,) in N,
@@ -41,9 +40,7 @@ def mean_relative_error(
     return np.asarray(np.abs(relative[..., None] * works - 1).mean(axis=-3))
 
 
-def minimum_along_axis(
-    errors: np.ndarray, values: np.ndarray, axis: int = -1
-) -> tuple[np.ndarray, np.ndarray]:
+def minimum_along_axis(errors: Floats, values: Floats, axis: int = -1) -> tuple[Floats, Floats]:
     """Return the values at the minima of errors along an axis, and these minima."""
     best_index = np.expand_dims(errors.argmin(axis=axis), axis)
     value = np.take_along_axis(values, best_index, axis).squeeze(axis)
@@ -51,7 +48,7 @@ def minimum_along_axis(
     return value, error
 
 
-def fit_work(mean_forces: np.ndarray, measured_forces: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def fit_work(mean_forces: Floats, measured_forces: Floats) -> tuple[Floats, Floats]:
     """Return the work of adhesion (..., rho) in J/m² with the smallest error, and this error.
 
     The error is piecewise linear in W. Its minimum is therefore at a W that matches the force on
@@ -71,8 +68,8 @@ def fit_work(mean_forces: np.ndarray, measured_forces: np.ndarray) -> tuple[np.n
 
 
 def fit_range_and_work(
-    mean_forces: np.ndarray, measured_forces: np.ndarray
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    mean_forces: Floats, measured_forces: Floats
+) -> tuple[Floats, Floats, Floats]:
     """Return the index of the best range, its work of adhesion in J/m² and its error, each (...).
 
     Forces are as in `mean_relative_error`.
@@ -81,14 +78,14 @@ def fit_range_and_work(
     return error.argmin(axis=-1), *minimum_along_axis(error, work)
 
 
-def fine_ranges(ranges: np.ndarray) -> np.ndarray:
+def fine_ranges(ranges: Floats) -> Floats:
     """Return the ranges (nm) of a fit, from the shortest to the longest of the computed ranges."""
     if len(ranges) == 1:
         return ranges
     return np.geomspace(ranges[0], ranges[-1], RANGE_COUNT)
 
 
-def best_fit(curves: np.ndarray, targets: np.ndarray, ranges: np.ndarray) -> dict[str, np.ndarray]:
+def best_fit(curves: Floats, targets: Floats, ranges: Floats) -> dict[str, Floats]:
     """Return the best range, work and mean relative error (...), NaN where a curve has NaN.
 
     The curves are the computed mean forces (..., surface, range) at these ranges (nm), the targets

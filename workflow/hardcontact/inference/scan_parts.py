@@ -17,7 +17,9 @@ from typing import NamedTuple
 
 import numpy as np
 import xarray as xr
+from numpy.typing import NDArray
 
+from hardcontact.base.arrays import Floats
 from hardcontact.base.statistics import MAX_LOG_DEVIATION, student_quantile
 from hardcontact.contact.contact import CONTACT_AXES
 
@@ -34,7 +36,7 @@ SAME_CORRELATION = 1 - 1e-9
 class Variance(NamedTuple):
     """Variance of the logarithm of a statistic from one cause, such as few scans."""
 
-    value: np.ndarray  #: (...), NaN where the variance is unknown.
+    value: Floats  #: (...), NaN where the variance is unknown.
     degrees_of_freedom: float
 
 
@@ -43,8 +45,8 @@ class ScanParts:
     """Parts of the scans of one surface."""
 
     #: (map, contact_y, contact_x), the number of the part in which a contact of a map lies.
-    part_of_contact: np.ndarray
-    correlation: np.ndarray  #: (part, part), of mean forces of parts.
+    part_of_contact: NDArray[np.int_]
+    correlation: Floats  #: (part, part), of mean forces of parts.
     scan_count: int  #: Number of scans.
     touched_patches: float = np.inf  #: Number of patches that contacts of a scan touch at least.
 
@@ -104,7 +106,7 @@ def fewest_touched_patches(adhesion: xr.Dataset) -> dict[str, float]:
     return {str(name): float(patches.sel(surface=name)) for name in patches.surface.values}
 
 
-def quarters_of_contacts(contacts_per_row: int, tiles: int) -> np.ndarray:
+def quarters_of_contacts(contacts_per_row: int, tiles: int) -> NDArray[np.int_]:
     """Return the quarter of the scan that holds each contact of a square array.
 
     A map is a mirrored scan, repeated `tiles` times along each axis; `contact_positions` gives the
@@ -118,8 +120,8 @@ def quarters_of_contacts(contacts_per_row: int, tiles: int) -> np.ndarray:
 
 
 def parts_of_scans(
-    scan_of_map: np.ndarray,
-    quarters: np.ndarray,
+    scan_of_map: NDArray[np.int_],
+    quarters: NDArray[np.int_],
     size: float,
     weight_deviation: float,
     touched_patches: float = np.inf,
@@ -137,11 +139,11 @@ def parts_of_scans(
     numbers, quarter = np.unique(quarters, return_inverse=True)
     part_of_contact = scan[:, None, None] * len(numbers) + quarter.reshape(quarters.shape)
     correlation = _correlation_of_quarters(size, weight_deviation)[np.ix_(numbers, numbers)]
-    correlations = np.kron(np.eye(len(scans)), correlation)
+    correlations = np.asarray(np.kron(np.eye(len(scans)), correlation), float)
     return ScanParts(part_of_contact, correlations, len(scans), touched_patches)
 
 
-def _correlation_of_quarters(size: float, weight_deviation: float) -> np.ndarray:
+def _correlation_of_quarters(size: float, weight_deviation: float) -> Floats:
     """Return the correlation (4, 4) of mean forces of the quarters of a mirrored scan.
 
     Along one axis, the contacts of one half feel the surface with the indicator of this half,
@@ -160,7 +162,7 @@ def _correlation_of_quarters(size: float, weight_deviation: float) -> np.ndarray
 
 def delete_one_logarithms(
     scan_parts: ScanParts, map_dimension: str, statistic: Callable[[xr.DataArray], xr.DataArray]
-) -> np.ndarray:
+) -> Floats:
     """Return the logarithms (part, ...) of a statistic over all parts except one.
 
     The statistic (...) is a function of the mask (map, contact_y, contact_x) of kept contacts;
@@ -172,7 +174,7 @@ def delete_one_logarithms(
     return np.asarray(np.log(statistics))
 
 
-def jackknife_variance(logarithms: np.ndarray, scan_parts: ScanParts) -> Variance:
+def jackknife_variance(logarithms: Floats, scan_parts: ScanParts) -> Variance:
     """Return the corrected variance of the delete-one jackknife: see `variance_correction`.
 
     `logarithms` (part, ...) come from `delete_one_logarithms`.
@@ -181,7 +183,7 @@ def jackknife_variance(logarithms: np.ndarray, scan_parts: ScanParts) -> Varianc
     return Variance((len(logarithms) - 1) * logarithms.var(axis=0) * factor, degrees_of_freedom)
 
 
-def half_width(variances: Sequence[Variance], confidence: float) -> np.ndarray:
+def half_width(variances: Sequence[Variance], confidence: float) -> Floats:
     """Return the half width of the interval of a logarithm with several causes of variance.
 
     It follows from Student's t with the sum of the independent variances v_i (...) and the
@@ -197,7 +199,7 @@ def half_width(variances: Sequence[Variance], confidence: float) -> np.ndarray:
     return np.where(half > MIN_HALF_WIDTH, half, np.nan)
 
 
-def logarithmic_interval(value: np.ndarray, half: np.ndarray) -> np.ndarray:
+def logarithmic_interval(value: Floats, half: Floats) -> Floats:
     """Return the interval (..., 2) of a positive value from the half width of its logarithm.
 
     An interval that would span a factor of a thousand or more to each side becomes zero to
@@ -209,8 +211,8 @@ def logarithmic_interval(value: np.ndarray, half: np.ndarray) -> np.ndarray:
 
 
 def sampled_deviations(
-    rng: np.random.Generator, logarithms: np.ndarray, scan_parts: ScanParts, samples: int
-) -> np.ndarray:
+    rng: np.random.Generator, logarithms: Floats, scan_parts: ScanParts, samples: int
+) -> Floats:
     """Sample deviations (samples, ...) of the logarithm of a statistic from its mean over parts.
 
     They follow Student's t, as in `half_width`; `logarithms` (part, ...) come from

@@ -10,6 +10,7 @@ from typing import NamedTuple
 import numpy as np
 import xarray as xr
 
+from hardcontact.base.arrays import Floats
 from hardcontact.base.dataset import stack
 from hardcontact.contact.contact import CONTACT_AXES
 from hardcontact.inference.scan_parts import (
@@ -28,9 +29,9 @@ from hardcontact.inference.scan_parts import (
 class SurfaceForces(NamedTuple):
     """Mean forces of one surface, over scans, scans of the sphere and contacts."""
 
-    ranges: np.ndarray  #: (rho,) Ranges of adhesion in nm.
-    mean: np.ndarray  #: (rho,) Mean force in N, at the work of adhesion of the single forces.
-    delete_one_log_means: np.ndarray  #: (rho, part) Logarithms of the mean of all parts but one.
+    ranges: Floats  #: (rho,) Ranges of adhesion in nm.
+    mean: Floats  #: (rho,) Mean force in N, at the work of adhesion of the single forces.
+    delete_one_log_means: Floats  #: (rho, part) Logarithms of the mean of all parts but one.
     scan_parts: list[ScanParts]  #: (rho,) Parts correlate more at longer ranges.
     #: (rho,) Variance of ln F between positions on a rough sphere; None for a single position.
     position_variance: Variance | None
@@ -84,13 +85,13 @@ def _position_variance(forces: xr.DataArray) -> Variance | None:
     return Variance(variances, count - 1)
 
 
-def position_half_width(surface_forces: SurfaceForces, confidence: float) -> np.ndarray | None:
+def position_half_width(surface_forces: SurfaceForces, confidence: float) -> Floats | None:
     """Return the half width (rho,) of the interval of ln F for the position of the sphere."""
     variance = surface_forces.position_variance
     return None if variance is None else half_width([variance], confidence)
 
 
-def mean_intervals(surface_forces: SurfaceForces, confidence: float) -> np.ndarray:
+def mean_intervals(surface_forces: SurfaceForces, confidence: float) -> Floats:
     """Return the intervals (rho, 2) of the mean forces of one surface, in N.
 
     A rough sphere touches at one position of its scan, which is not known: half widths of scan
@@ -163,7 +164,7 @@ def half_width_over_masters(
     statistic: Callable[[xr.DataArray, xr.DataArray], xr.DataArray],
     shift_name: str,
     confidence: float,
-) -> np.ndarray:
+) -> Floats:
     """Return the half width (...) of the interval of the logarithm of a mean over masters.
 
     The statistic (realization, ...) takes the mean forces with and without a filter. Sources of

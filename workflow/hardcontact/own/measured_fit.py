@@ -12,6 +12,7 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
+from hardcontact.base.arrays import Floats
 from hardcontact.base.dataset import stack
 from hardcontact.base.statistics import (
     Sampling,
@@ -84,7 +85,7 @@ def fit_measured(
     )
 
 
-def _sampled_forces(surface_forces: SurfaceForces, surface: str, sampling: Sampling) -> np.ndarray:
+def _sampled_forces(surface_forces: SurfaceForces, surface: str, sampling: Sampling) -> Floats:
     """Sample mean forces (sample, rho) of a surface: the same random numbers at every range.
 
     The position at which a rough sphere touches is the same on all surfaces.
@@ -105,8 +106,8 @@ def _sampled_forces(surface_forces: SurfaceForces, surface: str, sampling: Sampl
 
 def _fit_model(
     computed: Mapping[str, SurfaceForces],
-    measured_forces: np.ndarray,
-    force_samples: np.ndarray,
+    measured_forces: Floats,
+    force_samples: Floats,
     pixel_factors: Mapping[str, float],
     sampling: Sampling,
 ) -> xr.Dataset:
@@ -149,23 +150,21 @@ def _fit_model(
 
 
 def _work_intervals(
-    sampled_works: np.ndarray, computed_ranges: np.ndarray, ranges: np.ndarray, confidence: float
-) -> np.ndarray:
+    sampled_works: Floats, computed_ranges: Floats, ranges: Floats, confidence: float
+) -> Floats:
     """Return the central intervals (surface, range, 2) of sampled works (sample, surface, rho)."""
     ends = np.moveaxis(percentile_interval(sampled_works, confidence), -1, 0)
     return np.moveaxis(interpolate_to_ranges(ends, computed_ranges, ranges), 0, -1)
 
 
-def _common_region(intervals: np.ndarray) -> np.ndarray:
+def _common_region(intervals: Floats) -> Floats:
     """Return the works (range, 2) in all intervals (surface, range, 2), NaN if there are none."""
     region = np.stack([intervals[..., 0].max(axis=0), intervals[..., 1].min(axis=0)], axis=-1)
     is_empty = ~(region[:, 0] < region[:, 1])
     return np.where(is_empty[:, None], np.nan, region)
 
 
-def _best_pair(
-    curves: np.ndarray, measured_forces: np.ndarray, ranges: np.ndarray
-) -> dict[str, Any]:
+def _best_pair(curves: Floats, measured_forces: Floats, ranges: Floats) -> dict[str, Any]:
     """Return the `best_fit` of curves (surface, range) and the number of pairs that fit exactly.
 
     One surface has no best range: all are NaN. For two surfaces ``exact_pairs`` counts the pairs
@@ -185,7 +184,7 @@ def _best_pair(
     return variables | {"exact_pairs": ((), exact_pairs, DIMENSIONLESS)}
 
 
-def _extent(region: np.ndarray, ranges: np.ndarray) -> dict[str, Any]:
+def _extent(region: Floats, ranges: Floats) -> dict[str, Any]:
     """Return the extent of a region (rho, end), and the status of its ends.
 
     If the region reaches the shortest or longest computed range, it may extend beyond. Its range is

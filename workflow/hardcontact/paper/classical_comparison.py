@@ -12,6 +12,7 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
+from hardcontact.base.arrays import Floats
 from hardcontact.base.dataset import stack
 from hardcontact.base.published import effective_modulus
 from hardcontact.base.statistics import Sampling, with_interval
@@ -99,20 +100,20 @@ def _smooth_contact(sphere: ElasticSphere, constants: Mapping[Any, float]) -> xr
     )
 
 
-def _forces_at_published_pair(fit: xr.Dataset) -> np.ndarray:
+def _forces_at_published_pair(fit: xr.Dataset) -> Floats:
     """Return the mean forces of plastic contact and the ends of their intervals, (surface, 3)."""
     plastic = fit.sel(contact_model=PLASTIC, pair="published")
     interval = plastic["mean_force_at_pair_interval"].transpose("surface", "end")
     return np.column_stack([plastic["mean_force_at_pair"].values, interval.values])
 
 
-def _values(with_ends: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
+def _values(with_ends: Mapping[str, Floats]) -> dict[str, Floats]:
     """Return the first columns of arrays (surface, 3), which hold value, low and high end."""
     return {source: ends[:, 0] for source, ends in with_ends.items()}
 
 
 def _forces_and_works(
-    forces: Mapping[str, np.ndarray], works: Mapping[str, np.ndarray], confidence: float
+    forces: Mapping[str, Floats], works: Mapping[str, Floats], confidence: float
 ) -> xr.Dataset:
     """Return mean forces and effective works from arrays (surface, 3): value, low and high end."""
     variables: dict[str, Any] = {}
@@ -134,7 +135,7 @@ def _roughness(rows: pd.DataFrame, column: str, prefix: str) -> Roughness:
     return Roughness(*(rows[name].to_numpy() for name in names))
 
 
-def rounded_numbers(printed: "pd.Series[str]") -> np.ndarray:
+def rounded_numbers(printed: "pd.Series[str]") -> Floats:
     """Return printed numbers, and the smallest and largest number rounded to them, (n, 3)."""
     value = printed.astype(float).to_numpy()
     half = printed.map(_half_unit).astype(float).to_numpy()

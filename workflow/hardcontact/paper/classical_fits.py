@@ -9,6 +9,7 @@ import numpy as np
 import xarray as xr
 from scipy.stats import truncnorm
 
+from hardcontact.base.arrays import Floats
 from hardcontact.base.dataset import stack
 from hardcontact.base.statistics import Sampling
 from hardcontact.base.units import DIMENSIONLESS, NEWTON
@@ -43,8 +44,8 @@ def sample_roughness(
 
 
 def fit_classical_work(
-    model: ClassicalModel, roughness: Roughness, sphere: ElasticSphere, target: np.ndarray
-) -> tuple[np.ndarray, np.ndarray]:
+    model: ClassicalModel, roughness: Roughness, sphere: ElasticSphere, target: Floats
+) -> tuple[Floats, Floats]:
     """Return the work (...) in J/m² that fits a model to forces (surface,) in N, and the error.
 
     The fit minimizes the mean over surfaces of |F/target - 1|. If the force of the model is not
@@ -69,7 +70,7 @@ def fit_classical_work(
     return np.where(error < 1 - MIN_FORCE_RATIO, best, np.nan), error
 
 
-def power_law_error(parameter: np.ndarray, work: np.ndarray) -> np.ndarray:
+def power_law_error(parameter: Floats, work: Floats) -> Floats:
     """Return the smallest error (...) of a power law for works of adhesion (surface,).
 
     The factor and the exponent of the parameter (..., surface) minimize the error. Exponents are
@@ -91,7 +92,7 @@ def compare_models(
     samples: Roughness,
     sphere: ElasticSphere,
     work: float,
-    targets: Mapping[str, np.ndarray],
+    targets: Mapping[str, Floats],
     sampling: Sampling,
 ) -> xr.Dataset:
     """Return the forces of every model, and the error of its fit to target forces.
@@ -117,7 +118,7 @@ def compare_models(
 
 
 def power_laws(
-    mean: Roughness, samples: Roughness, works: Mapping[str, np.ndarray], sampling: Sampling
+    mean: Roughness, samples: Roughness, works: Mapping[str, Floats], sampling: Sampling
 ) -> xr.Dataset:
     """Return ``power_law_error`` of single roughness parameters for effective works of adhesion.
 

@@ -14,6 +14,7 @@ import numpy as np
 from scipy.interpolate import CubicSpline
 from scipy.optimize import brentq, minimize_scalar
 
+from hardcontact.base.arrays import Floats
 from hardcontact.base.units import NANOMETRE
 from hardcontact.contact.smooth_sphere import Values, dmt_pull_off, jkr_pull_off
 
@@ -31,7 +32,7 @@ ADHESION_INDICES = (1e-4, 1e7)
 MAX_HEIGHT_DEVIATIONS = 9.0
 
 #: Tension of asperities by compression, relative to the pull-off force of a single asperity.
-Tension = Callable[[np.ndarray], Values]
+Tension = Callable[[Floats], Values]
 
 
 class ElasticSphere(NamedTuple):
@@ -45,9 +46,9 @@ class ElasticSphere(NamedTuple):
 class Roughness(NamedTuple):
     """Three rows of Table 1: rms values (..., surface) in nm, 1 and nm⁻¹."""
 
-    height: np.ndarray
-    slope: np.ndarray
-    curvature: np.ndarray
+    height: Floats
+    slope: Floats
+    curvature: Floats
 
 
 class ClassicalModel(NamedTuple):
@@ -122,7 +123,7 @@ def maugis_rough_dmt(work: Values, roughness: Roughness, sphere: ElasticSphere) 
     return dmt_pull_off(work, sphere.radius) * _relative_pull_off(_dmt_tension, 4, index)
 
 
-def _jkr_tension(compression: np.ndarray) -> Values:
+def _jkr_tension(compression: Floats) -> Values:
     """Return the tension of an asperity relative to its pull-off force 1.5πβW.
 
     The compression, in (π²W²β/K²)^⅓, is zero where the asperity detaches at fixed grips. It is
@@ -138,7 +139,7 @@ def _jkr_tension(compression: np.ndarray) -> Values:
     return (np.sqrt(6) * cube - cube**2) / 1.5
 
 
-def _dmt_tension(compression: np.ndarray) -> Values:
+def _dmt_tension(compression: Floats) -> Values:
     """Return the tension relative to 2πβW; the compression, in (2πβW/Kβ^½)^⅔, balances it at 1."""
     return 1 - compression**1.5
 

@@ -14,6 +14,7 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
+from hardcontact.base.arrays import Floats
 from hardcontact.base.statistics import interval_ends
 from hardcontact.paper import contact_quantities, force_quantities, inference_quantities
 from hardcontact.paper.claim_selection import (
@@ -229,7 +230,7 @@ def _judge(claim: Any, result: _ClaimResult, fixed: str, common: _Common) -> dic
     }
 
 
-def _claim_samples(claim: Any, result: _ClaimResult, sets: xr.Dataset) -> np.ndarray:
+def _claim_samples(claim: Any, result: _ClaimResult, sets: xr.Dataset) -> Floats:
     """Return the samples of a claim's value, from sets or from the posterior; empty if none.
 
     The column `samples_from` is ``"sets"`` if sets.nc has the values, and ``"posterior"`` if the
@@ -247,7 +248,7 @@ def _claim_samples(claim: Any, result: _ClaimResult, sets: xr.Dataset) -> np.nda
 
 
 def _claim_interval(
-    claim: Any, estimate: xr.Dataset, samples: np.ndarray, confidence: float
+    claim: Any, estimate: xr.Dataset, samples: Floats, confidence: float
 ) -> tuple[float, float]:
     """Return the ends of the interval of an estimate, NaN if no interval exists.
 

@@ -11,6 +11,7 @@ import numpy as np
 import xarray as xr
 from scipy import special
 
+from hardcontact.base.arrays import Floats
 from hardcontact.contact.contact import CONTACT_AXES, PLASTIC, RIGID
 from hardcontact.paper.estimates import (
     as_estimate,
@@ -132,7 +133,7 @@ def force_decades(adhesion: xr.Dataset) -> xr.Dataset:
     return _force_statistic(adhesion, lambda forces: float(np.ptp(np.log10(forces))))
 
 
-def _force_statistic(adhesion: xr.Dataset, statistic: Callable[[np.ndarray], float]) -> xr.Dataset:
+def _force_statistic(adhesion: xr.Dataset, statistic: Callable[[Floats], float]) -> xr.Dataset:
     """Return a statistic of all forces (n,) at the reference range; it has no interval."""
     forces = _forces_at_reference(adhesion["pull_off_force"], adhesion)
     return as_estimate(
@@ -150,9 +151,7 @@ def _forces_at_reference(forces: xr.DataArray, adhesion: xr.Dataset) -> xr.DataA
     return forces.sel(rho=adhesion.attrs["reference_rho"], method="nearest", drop=True)
 
 
-def _kolmogorov_distance(
-    values: np.ndarray, cumulative_distribution: Callable[..., np.ndarray]
-) -> float:
+def _kolmogorov_distance(values: Floats, cumulative_distribution: Callable[..., Floats]) -> float:
     """Return the largest difference between the empirical distribution of values (n,) and a model.
 
     `cumulative_distribution` is the distribution function of the model.
@@ -162,17 +161,17 @@ def _kolmogorov_distance(
     return float(max((steps[1:] - expected).max(), (expected - steps[:-1]).max()))
 
 
-def _normal_distance(values: np.ndarray) -> float:
+def _normal_distance(values: Floats) -> float:
     """Return the Kolmogorov distance to the normal distribution of the same moments."""
     return _kolmogorov_distance((values - values.mean()) / values.std(ddof=1), special.ndtr)
 
 
-def _half_gaussian_distance(values: np.ndarray) -> float:
+def _half_gaussian_distance(values: Floats) -> float:
     """Return the Kolmogorov distance to the most likely half-Gaussian about zero."""
     return _kolmogorov_distance(values / np.sqrt(2 * np.mean(values**2)), special.erf)
 
 
-def _inverse_gaussian_distance(values: np.ndarray) -> float:
+def _inverse_gaussian_distance(values: Floats) -> float:
     """Return the Kolmogorov distance to the most likely inverse Gaussian.
 
     It has the mean of the values and the shape 1/(mean of 1/value - 1/mean).
@@ -180,7 +179,7 @@ def _inverse_gaussian_distance(values: np.ndarray) -> float:
     mean = values.mean()
     shape = 1 / np.mean(1 / values - 1 / mean)
 
-    def cumulative(value: np.ndarray) -> np.ndarray:
+    def cumulative(value: Floats) -> Floats:
         root = np.sqrt(shape / value)
         mirrored = np.exp(2 * shape / mean + special.log_ndtr(-root * (value / mean + 1)))
         return np.asarray(special.ndtr(root * (value / mean - 1)) + mirrored)

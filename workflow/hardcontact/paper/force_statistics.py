@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
+from hardcontact.base.arrays import Floats
 from hardcontact.base.statistics import (
     Sampling,
     fit_lognormal,
@@ -25,7 +26,7 @@ def mean_of_each_scan(forces: xr.DataArray) -> xr.DataArray:
     return forces.mean(contact_dimensions).transpose("surface", "scan", "rho")
 
 
-def mean_forces(forces: xr.DataArray, sampling: Sampling) -> tuple[np.ndarray, np.ndarray]:
+def mean_forces(forces: xr.DataArray, sampling: Sampling) -> tuple[Floats, Floats]:
     """Average forces over all scans of each surface, and sample this mean.
 
     Forces (surface, scan, rho, ...) are in N, NaN for a missing scan. Returns means (surface, rho)
@@ -46,8 +47,8 @@ def mean_forces(forces: xr.DataArray, sampling: Sampling) -> tuple[np.ndarray, n
 
 def force_curves(
     forces: xr.DataArray,
-    means: np.ndarray,
-    mean_samples: np.ndarray,
+    means: Floats,
+    mean_samples: Floats,
     reference_index: int,
     sampling: Sampling,
 ) -> dict[str, Any]:
@@ -81,7 +82,7 @@ STATISTIC_UNITS = {
 JACKKNIFE_STATISTICS = ["median_force_at_pair", "log_force_std", "lognormal_median"]
 
 
-def force_statistics(forces: np.ndarray, force_floor: float, sampling: Sampling) -> xr.Dataset:
+def force_statistics(forces: Floats, force_floor: float, sampling: Sampling) -> xr.Dataset:
     """Return mean, median and censored log-normal fit of the computed forces of one surface.
 
     Forces (scan, sphere_scan, contact) are in N, censored below the floor, NaN for a missing scan.
@@ -123,7 +124,7 @@ def force_statistics(forces: np.ndarray, force_floor: float, sampling: Sampling)
     return xr.Dataset(variables)
 
 
-def _jackknife_statistics(forces: np.ndarray, floor: float) -> np.ndarray:
+def _jackknife_statistics(forces: Floats, floor: float) -> Floats:
     """Return the JACKKNIFE_STATISTICS (3,) of all forces (N) together; NaN without forces."""
     if not forces.size:
         return np.full(len(JACKKNIFE_STATISTICS), np.nan)

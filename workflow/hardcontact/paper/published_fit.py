@@ -9,7 +9,9 @@ from typing import Any, NamedTuple
 import numpy as np
 import pandas as pd
 import xarray as xr
+from numpy.typing import NDArray
 
+from hardcontact.base.arrays import Floats
 from hardcontact.base.dataset import stack
 from hardcontact.base.progress import progress
 from hardcontact.base.statistics import Sampling
@@ -129,7 +131,7 @@ def _forces_at_pair(
 
 def fit_model(
     forces: xr.DataArray,
-    published_forces: np.ndarray,
+    published_forces: Floats,
     reference_index: int,
     threshold: float,
     sampling: Sampling,
@@ -170,8 +172,8 @@ def fit_model(
 
 
 def _fit_curves(
-    curves: np.ndarray, published_forces: np.ndarray, reference_index: int, ranges: np.ndarray
-) -> dict[str, np.ndarray]:
+    curves: Floats, published_forces: Floats, reference_index: int, ranges: Floats
+) -> dict[str, Floats]:
     """Return the variables (...) of FITTED_ATTRS, as `best_fit` returns its variables."""
     fit = best_fit(curves, published_forces, ranges)
     best_index, _ = fit_ratios(curves, published_forces, reference_index)
@@ -180,7 +182,7 @@ def _fit_curves(
 
 
 def _error_variables(
-    curves: np.ndarray, published_forces: np.ndarray, ranges: np.ndarray, threshold: float
+    curves: Floats, published_forces: Floats, ranges: Floats, threshold: float
 ) -> dict[str, Any]:
     """Return the error map, its local minima, and the region of small error."""
     errors = mean_relative_error(curves, published_forces, MAPPED_WORKS)
@@ -207,7 +209,7 @@ def _error_variables(
     }
 
 
-def local_minima(errors: np.ndarray, count: int) -> np.ndarray:
+def local_minima(errors: Floats, count: int) -> NDArray[np.int_]:
     """Return the indices of at most `count` local minima of errors (rho,), the smallest first.
 
     An end of the ranges is a minimum if the error grows from it inwards.
@@ -219,8 +221,8 @@ def local_minima(errors: np.ndarray, count: int) -> np.ndarray:
 
 
 def fit_ratios(
-    computed_forces: np.ndarray, published_forces: np.ndarray, reference_index: int
-) -> tuple[np.ndarray, np.ndarray]:
+    computed_forces: Floats, published_forces: Floats, reference_index: int
+) -> tuple[NDArray[np.int_], Floats]:
     """Return the index (...) of the range that fits force ratios to a reference surface best.
 
     Also returns the mean relative errors (..., rho) of the ratios, in which the work of adhesion
@@ -234,8 +236,8 @@ def fit_ratios(
 
 
 def error_region(
-    errors: np.ndarray, ranges: np.ndarray, works: np.ndarray, threshold: float
-) -> tuple[np.ndarray, np.ndarray]:
+    errors: Floats, ranges: Floats, works: Floats, threshold: float
+) -> tuple[Floats, Floats]:
     """Return the smallest and largest range (2,) and work (2,) of the pairs that fit, or NaN.
 
     Pairs (rho, work) whose error is below the threshold fit; ranges are in nm, works in J/m².

@@ -10,8 +10,9 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 import xarray as xr
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
+from hardcontact.base.arrays import Floats
 from hardcontact.base.statistics import percentile_interval
 from hardcontact.inference.edges import last_cutoff
 
@@ -41,14 +42,14 @@ class AcceptedRange:
     high: float
     includes_limits: bool  #: Whether a number at a limit agrees.
 
-    def accepts(self, values: ArrayLike) -> np.ndarray:
+    def accepts(self, values: ArrayLike) -> NDArray[np.bool_]:
         """Return whether each number (...) agrees with the paper; NaN does not."""
         values = np.asarray(values)
         if self.includes_limits:
             return (self.low <= values) & (values <= self.high)
         return (self.low < values) & (values < self.high)
 
-    def verdict_of_sets(self, samples: np.ndarray) -> str:
+    def verdict_of_sets(self, samples: Floats) -> str:
         """Judge the numbers (set,) of sets of scans by the share of sets that agree.
 
         A set without a number does not agree.
@@ -58,7 +59,7 @@ class AcceptedRange:
             return REPRODUCED
         return NOT_REPRODUCED if share <= 1 - REPRODUCED_SHARE else UNDECIDED
 
-    def verdict_of_samples(self, samples: np.ndarray, low: float, high: float) -> str:
+    def verdict_of_samples(self, samples: Floats, low: float, high: float) -> str:
         """Judge the samples (sample,) of a single number and its interval.
 
         The samples scatter by the error of the number. Few of them agree if the accepted range is
@@ -111,7 +112,7 @@ def accepted_range(rule: str, published_low: float, published_high: float) -> Ac
     return AcceptedRange(*limits, includes_limits=rule not in ONE_SIDED)
 
 
-def sets_interval(samples: np.ndarray, confidence: float) -> np.ndarray:
+def sets_interval(samples: Floats, confidence: float) -> Floats:
     """Return the central intervals (..., 2) of the numbers (set, ...) of many sets.
 
     A set without a number has NaN. The interval is NaN if the share of sets with a
@@ -121,7 +122,7 @@ def sets_interval(samples: np.ndarray, confidence: float) -> np.ndarray:
     return np.where(enough[..., None], percentile_interval(samples, confidence), np.nan)
 
 
-def stretch_interval(ends: ArrayLike, value: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
+def stretch_interval(ends: ArrayLike, value: ArrayLike) -> tuple[Floats, Floats]:
     """Return both ends (...) of intervals (..., 2), stretched to contain their numbers (...).
 
     This is how intervals are judged and printed. NaN leaves the interval as it is.
@@ -133,14 +134,14 @@ def stretch_interval(ends: ArrayLike, value: ArrayLike) -> tuple[np.ndarray, np.
     return stretched_low, stretched_high
 
 
-def samples_vary(samples: np.ndarray) -> bool:
+def samples_vary(samples: Floats) -> bool:
     """Return whether the numbers (set,) of the sets differ; NaN does not count."""
     finite = samples[np.isfinite(samples)]
-    return len(finite) > 0 and np.ptp(finite) > 0
+    return bool(len(finite) > 0 and np.ptp(finite) > 0)
 
 
 def interval_with_sets(
-    value: float, interval: tuple[ArrayLike, ArrayLike], samples: np.ndarray, confidence: float
+    value: float, interval: tuple[ArrayLike, ArrayLike], samples: Floats, confidence: float
 ) -> tuple[float, float]:
     """Return both ends of the interval of a number, stretched to contain it; NaN if none.
 
