@@ -18,6 +18,7 @@ from hardcontact.config.model import Study
 from hardcontact.contact.geometry import contact_positions, window_pixels
 from hardcontact.own import scan_force
 from hardcontact.own.scan_force import add_force_on_scan, contact_on_scan, stitched_map
+from hardcontact.scans.joined_spectrum import joined_spectrum, reliable_spectrum
 from hardcontact.surfaces.levelling import level
 
 PIXELS, PIXEL_SIZE = 128, 40.0
@@ -146,6 +147,7 @@ def test_a_force_that_is_not_computed_has_a_reason():
     scan = hc.HeightMap(heights_of("gaussian"), PIXEL_SIZE)
     line = hc.HeightMap(scan.heights[0], PIXEL_SIZE)
     large = hc.HeightMap(np.tile(scan.heights, (20, 20)), PIXEL_SIZE)
+    spectrum = reliable_spectrum(joined_spectrum([scan], [None]), 0.0)
     short_range = replace(CONTACT, rho=0.001)
     for scans, contact, status in (
         ([line], CONTACT, "no_map"),
@@ -153,7 +155,7 @@ def test_a_force_that_is_not_computed_has_a_reason():
         ([large], CONTACT, "too_large"),
         ([scan], short_range, "short_range"),
     ):
-        numbers = add_force_on_scan({}, scans, contact, Study().inference.confidence)
+        numbers = add_force_on_scan({}, scans, spectrum, contact, Study().inference.confidence)
         assert numbers["force_on_scan"].status == status
         assert np.isnan(numbers["force_on_scan"].value)
-    assert add_force_on_scan({}, [], CONTACT, 0.95) == {}
+    assert add_force_on_scan({}, [], spectrum, CONTACT, 0.95) == {}

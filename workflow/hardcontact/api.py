@@ -449,4 +449,4 @@ def predict(
     raise_faults(filter(None, [wide_contact_message(contact)]))
     numbers = prediction(spectrum, contact, tolerance)
     confidence = Study().inference.confidence
-    return add_force_on_scan(numbers, scans, contact, confidence)
+    return add_force_on_scan(numbers, scans, spectrum, contact, confidence)

@@ -138,7 +138,7 @@ def compute_numbers(inputs: Inputs, arguments: Namespace) -> dict[str, Number]:
     predicted_numbers = prediction(spectrum, contact, study.scales.tolerance, arguments.file)
     confidence = study.inference.confidence
     numbers |= add_force_on_scan(
-        predicted_numbers, own_spectrum.scans, contact, confidence, own_spectrum.bodies
+        predicted_numbers, own_spectrum.scans, spectrum, contact, confidence, own_spectrum.bodies
     )
     numbers |= {number.name: number for number in predicted_octaves(own_spectrum, contact)}
     if arguments.sphere and isinstance(spectrum, ScanSpectrum) and "octave_1" in numbers:

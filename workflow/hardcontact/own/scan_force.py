@@ -23,6 +23,7 @@ from hardcontact.contact.smooth_sphere import limit_forces
 from hardcontact.inference.wide_pixels import finer_pixel_factor, widen_pixels
 from hardcontact.own.mean_forces import forces_of_surface, mean_intervals, position_half_width
 from hardcontact.own.scan_window import window_on_scans
+from hardcontact.scans.joined_spectrum import ScanSpectrum
 from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
 from hardcontact.surfaces.spectrum import Spectrum, measured_psds
 from hardcontact.theory.closed_form import closed_form, smooth_force
@@ -47,16 +48,18 @@ PREDICTED = [
 def add_force_on_scan(
     numbers: Mapping[str, Number],
     scans: Sequence[HeightMap],
+    spectrum: Spectrum,
     contact: Contact,
     confidence: float,
     body_maps: Sequence[HeightMap] = (),
 ) -> dict[str, Number]:
     """Return the force on levelled scans, if there are any, and the numbers of a prediction.
 
-    `body_maps` are the maps of substrate and rough sphere, whose sum is the scan.
+    The spectrum is that of the scans; it is used extrapolated, as a study does. `body_maps` are
+    the maps of substrate and rough sphere, whose sum is the scan.
     If the closed form disagrees with this force, its predictions lose their intervals.
     """
-    if not scans:
+    if not (scans and isinstance(spectrum, ScanSpectrum)):
         return dict(numbers)
     status, shortest_range = obstacle_to_force(scans, contact)
     if status:
@@ -64,7 +67,8 @@ def add_force_on_scan(
         if status == Status.RANGE_TOO_SHORT:
             scan_numbers.append(Number("shortest_range", shortest_range, "nm"))
     else:
-        scan_numbers = list(_force_numbers(scans[0], contact, confidence, body_maps))
+        search = search_size(spectrum.extrapolated(), contact.radius, contact.area)
+        scan_numbers = list(_force_numbers(scans[0], search, contact, confidence, body_maps))
     result = {number.name: number for number in scan_numbers} | dict(numbers)
     if not status and result["closed_form_on_scan"].status != Status.AGREES:
         for name in result.keys() & set(PREDICTED):
@@ -126,12 +130,16 @@ def extend_low_end(number: Number, wide_pixel_ratio: float) -> Number:
 
 
 def _force_numbers(
-    scan: HeightMap, contact: Contact, confidence: float, body_maps: Sequence[HeightMap]
+    scan: HeightMap,
+    search: float,
+    contact: Contact,
+    confidence: float,
+    body_maps: Sequence[HeightMap],
 ) -> Iterator[Number]:
     """Yield the mean plastic force on a levelled map, in N and relative to a smooth sphere.
 
-    Further numbers serve to judge it. As in `bound_by_smooth_sphere`, mean and interval never
-    exceed a smooth sphere's force.
+    Further numbers serve to judge it; the search size is in nm. As in `bound_by_smooth_sphere`,
+    mean and interval never exceed a smooth sphere's force.
     """
     surface = stitched_map(scan)
     contact = contact_on_scan(scan, contact)
@@ -156,25 +164,25 @@ def _force_numbers(
     position_half = position_half_width(surface_forces, confidence)
     if position_half is not None:
         yield Number("position_factor", float(np.exp(position_half[0])))
-    form, search = _closed_form_numbers(surface, force, scan.size, contact)
-    yield search
+    status = Status.SMALL if scan.size < LARGE_ENOUGH * search else Status.LARGE
+    yield Number("search_size", search, "nm", status=status)
+    _, small_scan_ratio = finite_scan_ratio(scan.size, search)
+    form = _closed_form_number(surface, force, small_scan_ratio, contact)
     yield extend_low_end(form, wide_pixel_ratio)
 
 
-def _closed_form_numbers(
-    surface: HeightMap, force: Number, size: float, contact: Contact
-) -> tuple[Number, Number]:
-    """Return the closed form for all waves of the stitched map, and the search size.
+def _closed_form_number(
+    surface: HeightMap, force: Number, small_scan_ratio: float, contact: Contact
+) -> Number:
+    """Return the closed form for all waves of the stitched map.
 
-    It agrees if its interval, raised by the factor that a scan of this size (nm) may add, contains
-    the force on the map. Heights are not Gaussian if the intervals of both forces are disjoint.
+    It agrees if its interval, raised by the factor that a scan of this size may add, contains the
+    force on the map. Heights are not Gaussian if the intervals of both forces are disjoint.
     """
     wavevector, _, density = measured_psds(surface)
     has_waves = np.isfinite(density)
     spectrum = Spectrum(wavevector[has_waves], density[has_waves])
     form = closed_form(spectrum, contact)
-    search = search_size(spectrum, contact.radius, contact.area)
-    _, small_scan_ratio = finite_scan_ratio(size, search)
     lowest, highest = nearest_errors(table_coordinates(spectrum, contact, form), "force")
     low, high = lowest * form.force, highest * small_scan_ratio * form.force
     is_bounded = math.isfinite(force.low + force.high)
@@ -186,8 +194,4 @@ def _closed_form_numbers(
     else:
         status = Status.OUTSIDE
     interval = (low, high) if status == Status.AGREES else (math.nan, math.nan)
-    size_status = Status.SMALL if size < LARGE_ENOUGH * search else Status.LARGE
-    return (
-        Number("closed_form_on_scan", form.force, "N", *interval, status),
-        Number("search_size", search, "nm", status=size_status),
-    )
+    return Number("closed_form_on_scan", form.force, "N", *interval, status)
