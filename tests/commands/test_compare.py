@@ -96,6 +96,33 @@ def test_numbers_are_the_same_if_their_intervals_overlap(first, second, agreemen
         assert ComparedNumber("", "n", *pair).agreement == agreement
 
 
+def test_the_largest_resolved_changes_of_the_answer_come_first():
+    """The side numbers of an answer, such as forces on bumps, come last."""
+    interval = {"low": 0.9, "high": 1.1}
+    rows = [
+        ComparedNumber("", "bumps_mean_force", Number("n", 1, **interval), Number("n", 9)),
+        ComparedNumber("", "equal", Number("n", 1), Number("n", 1)),
+        ComparedNumber("", "unknown", Number("n", 1), Number("n", float("nan"))),
+        ComparedNumber("", "unresolved", Number("n", 1, low=0.1, high=9), Number("n", 4)),
+        ComparedNumber("", "small", Number("n", 1, **interval), Number("n", 1.2)),
+        ComparedNumber("", "large", Number("n", 1, **interval), Number("n", 0.5)),
+    ]
+    names = [row.name for row in sorted(rows, key=lambda row: row.rank)]
+    assert names == ["large", "small", "unresolved", "unknown", "equal", "bumps_mean_force"]
+
+
+def test_the_table_begins_with_the_inputs_that_differ(written):
+    lines = printed(written / "paper", "harder").splitlines()
+    assert [line.split() for line in lines[:2]] == [
+        ["input", "paper", "harder"], ["hardness", "25", "GPa", "30", "GPa"],
+    ]  # fmt: skip
+    assert lines[2].startswith("number")
+    assert "0 differ" in lines[-1]
+    assert all("equal" in line for line in lines[3:-2])
+    assert_says(lines[-2], "not paired", "sets.nc")
+    assert {path.name for path in written.rglob("*")} == {"paper", "harder", "answer.json"}
+
+
 def test_the_page_has_the_bands_and_the_numbers_of_both(written):
     page = written / "both.html"
     words = [written / "paper", written / "harder/answer.json", "--html", page]

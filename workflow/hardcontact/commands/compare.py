@@ -55,10 +55,11 @@ def compare(arguments: Namespace) -> str:
     comparison = compare_answers(*answers)
     first, second = (_read_sets(path) for path in paths)
     facts = {"studies": names, "digits": EQUAL_DIGITS, "pairing": pairing(first, second)}
-    facts |= comparison._asdict()
+    facts["inputs"], numbers = comparison
     if facts["pairing"] == "paired":
-        facts["numbers"] = add_paired_intervals(comparison.numbers, first, second)
+        numbers = add_paired_intervals(numbers, first, second)
         facts["confidence"] = first["sets"].attrs["confidence"]
+    facts["numbers"] = sorted(numbers, key=lambda number: number.rank)
     if arguments.html is not None:
         page = render_document("compare.html", Frame(version("hardcontact")), "comparison", **facts)
         if arguments.html == "-":

@@ -1,6 +1,7 @@
 """The numbers of two studies side by side, from their answer.json."""
 
 import math
+import re
 from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple
 
@@ -16,6 +17,10 @@ INPUT_SOURCES = ("given", "assumed", "file")
 #: Statuses of numbers without a low, and without a high end.
 NO_LOW_END = (Status.OPEN_BELOW, Status.INTERVAL_OPEN_LOW, *NO_INTERVAL_WORDS)
 NO_HIGH_END = (Status.OPEN_ABOVE, Status.INTERVAL_OPEN_HIGH, *NO_INTERVAL_WORDS)
+#: Agreements in the order of rows; the others, which resolve no change, stand between.
+AGREEMENT_RANKS = {"changed": 0, "different": 1, "equal": 3}
+#: Begins and ends of the names of numbers that come last.
+SIDE_NUMBERS = re.compile("(bumps|pits|gaussian|verdicts)_.*|.*_(scatter|agreeing_share)")
 
 
 class ChangedInput(NamedTuple):
@@ -64,6 +69,15 @@ class ComparedNumber(NamedTuple):
             return "no_interval"
         low, high = zip(interval(self.first), interval(self.second), strict=True)
         return "same" if max(low) <= min(high) else "different"
+
+    @property
+    def rank(self) -> tuple[bool, int, float]:
+        """Key that sorts rows: numbers of the answer, resolved changes, the largest change."""
+        change = abs(self.change.value)
+        largest = max(abs(self.first.value), abs(self.second.value)) or 1.0
+        size = abs(math.log(change)) if self.change.name == "ratio" else change / largest
+        agreement_rank = AGREEMENT_RANKS.get(self.agreement, 2)
+        return bool(SIDE_NUMBERS.fullmatch(self.name)), agreement_rank, -np.nan_to_num(size)
 
 
 class Comparison(NamedTuple):

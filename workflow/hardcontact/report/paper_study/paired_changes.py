@@ -66,19 +66,15 @@ def add_paired_intervals(
     first: Mapping[str, xr.Dataset],
     second: Mapping[str, xr.Dataset],
 ) -> list[ComparedNumber]:
-    """Add the intervals of changes between paired studies, as far as sets have the numbers.
-
-    Numbers that changed beyond their interval come first.
-    """
+    """Add the intervals of changes between paired studies, as far as sets have the numbers."""
     first_values, second_values = _set_numbers(first), _set_numbers(second)
     confidence = first["sets"].attrs["confidence"]
-    compared = [
+    return [
         _with_interval(number, first_values[key], second_values[key], confidence)
         if (key := (number.surface, number.name)) in first_values and key in second_values
         else number
         for number in numbers
     ]
-    return sorted(compared, key=lambda number: number.agreement != "changed")
 
 
 def _set_numbers(study: Mapping[str, xr.Dataset]) -> dict[tuple[str, str], xr.DataArray]:
@@ -86,10 +82,15 @@ def _set_numbers(study: Mapping[str, xr.Dataset]) -> dict[tuple[str, str], xr.Da
 
     The label is empty for the whole study, and names are as in answer.json.
     """
-    sets, labels = study["sets"], study["topography"]["label"]
+    sets = study["sets"]
+    labels = study["topography"]["label"].to_series()[sets["surface"].values]
+    claim_names = {("", name): claim for name, claim in ANSWER_CLAIMS.items()}
+    claim_names |= {
+        (label, "mean_force"): f"mean_force_{surface}" for surface, label in labels.items()
+    }
     claims = {
-        ("", name): sets["value"].sel(claim=claim)
-        for name, claim in ANSWER_CLAIMS.items()
+        key: sets["value"].sel(claim=claim)
+        for key, claim in claim_names.items()
         if claim in sets["claim"].values
     }
     fits = {
@@ -98,9 +99,9 @@ def _set_numbers(study: Mapping[str, xr.Dataset]) -> dict[tuple[str, str], xr.Da
         for prefix in ("", "all_surfaces_")
     }
     edges = {
-        (labels.sel(surface=surface).item(), name): sets["edge"].sel(side=side, group=surface)
+        (label, name): sets["edge"].sel(side=side, group=surface)
         for name, (side, _) in EDGE_SIDES.items()
-        for surface in sets["surface"].values
+        for surface, label in labels.items()
     }
     forces = {
         ("", f"{kind}_{name.removesuffix('_at_pair')}"): study["features"][name].sel(features=kind)
