@@ -14,6 +14,7 @@ from hardcontact.report.quantities import (
     number_without_value,
     numbers_by_name,
     quantity_mapping,
+    without_interval,
 )
 
 NAN = np.nan
@@ -53,6 +54,20 @@ def test_an_endless_interval_is_left_out():
 )  # fmt: skip
 def test_a_number_is_printed_with_its_interval_and_status(number, words):
     assert in_words(number) == words
+
+
+@pytest.mark.parametrize(
+    ("number", "words"),
+    [
+        (Number("edge", 269.4, "nm", 227.0, 270.0, "interval_open_high"), "269 nm"),
+        (Number("edge", 269.4, "nm"), "270 nm"),
+        (Number("edge", 269.4, "nm", 227.0), "270 nm"),
+        (Number("edge", 2004.0, "nm", 1000.0, 2900.0), "2.0 µm"),
+        (Number("edge", 2560.0, "nm", status="open_above"), "at least 2.6 µm"),
+    ],
+)
+def test_a_number_without_its_interval_keeps_the_digits(number, words):
+    assert without_interval(number) == words
 
 
 def test_two_quantities_of_one_name_are_refused():

@@ -1,7 +1,7 @@
 """Format numbers for readers: few digits, the best prefix, intervals such as 67 [47, 74] nm."""
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 
 #: By the unit of a dataset: the units that are printed, largest first, each in that unit.
 PRINTED_UNITS = {
@@ -22,6 +22,8 @@ UNITS_OF_PAPER = {
 
 #: Largest ratio of the ends of a printed interval; a wider one only says that scans are too few.
 MAX_END_RATIO = 100
+#: Relative and absolute difference from a limit up to which a number counts as at the limit.
+NEAR = 1e-5
 
 
 def format_number(value: float, digits: int = 3) -> str:
@@ -35,29 +37,39 @@ def round_with(rounding: Callable[[float], int], value: float) -> float:
     return float(f"{rounding(value / step) * step:.3g}")
 
 
-def format_value_and_ends(value: float, low: float, high: float) -> list[str]:
+def format_value_and_ends(value: float, low: float, high: float, *limits: float) -> list[str]:
     """Return a number and both ends of its interval, with the same number of decimals.
 
     The last digit is about a fifth of the interval's width or of the smallest number. If the ends
     have one sign and differ by more than three times, or an end is infinite, each number has two
-    digits instead.
+    digits instead. An end has more digits if fewer would move it to or across one of the `limits`.
     """
     numbers = (value, low, high)
     if not all(map(math.isfinite, numbers)):
         return [format_number(number, 2) for number in numbers]
     smallest, _, largest = sorted(map(abs, numbers))
     has_one_sign = low > 0 or high < 0
-    if has_one_sign and largest > 3 * smallest:
-        return [_format_down_to(abs(number) / 10 or 1, number) for number in numbers]
     finest = min(high - low, smallest) if has_one_sign else high - low
-    last_digit = max(finest / 5, largest / 1000) or 1
-    return [_format_down_to(last_digit, number) for number in numbers]
+    last_digits = [max(finest / 5, largest / 1000) or 1] * 3
+    if has_one_sign and largest > 3 * smallest:
+        last_digits = [abs(number) / 10 or 1 for number in numbers]
+    arguments = zip(last_digits, numbers, ((), limits, limits), strict=True)
+    return [_format_down_to(*row) for row in arguments]
 
 
-def _format_down_to(last_digit: float, number: float) -> str:
-    """Return a number rounded to the decimal place of `last_digit`: 0.03 keeps hundredths."""
+def _format_down_to(last_digit: float, number: float, limits: Sequence[float] = ()) -> str:
+    """Return a number rounded to the decimal place of `last_digit`: 0.03 keeps hundredths.
+
+    Further digits follow until it is on its side of all limits that are not NEAR it.
+    """
     exponent = math.floor(math.log10(last_digit))
-    return f"{round(number, -exponent):z.{max(-exponent, 0)}f}"
+    text = f"{round(number, -exponent):z.{max(-exponent, 0)}f}"
+    is_hidden = any(
+        (float(text) - limit) * (number - limit) <= 0
+        for limit in limits
+        if not math.isclose(number, limit, rel_tol=NEAR, abs_tol=NEAR)
+    )
+    return _format_down_to(last_digit / 10, number, limits) if is_hidden else text
 
 
 def _bracketed(number: str, low: str, high: str, unit: str = "") -> str:
@@ -71,6 +83,7 @@ def _format(
     interval: tuple[float, float],
     digits: int,
     open_end: str = "",
+    limits: Sequence[float] = (),
 ) -> str:
     """Return a number in the unit that fits best, with its interval if both ends are known.
 
@@ -82,8 +95,8 @@ def _format(
     name = next(fitting, list(units)[-1])
     if any(map(math.isnan, interval)):
         return f"{format_number(value / units[name], digits)} {name}".rstrip()
-    size = units[name]
-    number, low, high = format_value_and_ends(*(end / size for end in (value, *interval)))
+    scaled = [number / units[name] for number in (value, *interval, *limits)]
+    number, low, high = format_value_and_ends(*scaled)
     if open_end:
         bound = f"at least {low}" if open_end == "high" else f"at most {high}"
         return f"{number} [{bound}] {name}".rstrip()
@@ -122,16 +135,19 @@ def format_as_paper(
     interval: tuple[float, float] = (math.nan, math.nan),
     digits: int = 3,
     open_end: str = "",
+    limits: Sequence[float] = (),
 ) -> str:
     """Return a quantity in the units of the paper, with its interval: "1.66 [1.38, 2.84] µm".
 
     All are in `unit`, a unit of the datasets; a unit that is not in `UNITS_OF_PAPER` is printed as
     it is. An unknown interval is NaN. The text is empty if the value is NaN. `open_end` is the end,
-    "low" or "high", that is only a bound: "250 [at least 175] nm".
+    "low" or "high", that is only a bound: "250 [at least 175] nm". Digits of ends show on which
+    side of each of the `limits` they lie; a number without a unit has the limits 0 and 1, too.
     """
     if math.isnan(value):
         return ""
-    return _format(value, UNITS_OF_PAPER.get(unit, {unit: 1.0}), interval, digits, open_end)
+    limits = (*limits, 0, 1) if unit == "1" else limits
+    return _format(value, UNITS_OF_PAPER.get(unit, {unit: 1.0}), interval, digits, open_end, limits)
 
 
 def is_boundless(value: float, low: float, high: float, unit: str) -> bool:

@@ -7,7 +7,7 @@ from argparse import Namespace
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import pandas as pd
 
@@ -174,16 +174,13 @@ def write_numbers(numbers: Mapping[str, Number], notes: Sequence[str], arguments
 
 def _json(numbers: Mapping[str, Number]) -> str:
     """Return numbers by name, each with value, unit, and its interval and status if it has any."""
-    entries = {
-        name: {"value": plain(number.value), "unit": number.unit}
-        | (
-            {"interval": [number.low, number.high]}
-            if math.isfinite(number.low + number.high)
-            else {}
-        )
-        | ({"status": number.status} if number.status else {})
-        for name, number in numbers.items()
-    }
+    entries: dict[str, dict[str, Any]] = {}
+    for name, number in numbers.items():
+        entries[name] = {"value": plain(number.value), "unit": number.unit}
+        if math.isfinite(number.low + number.high):
+            entries[name]["interval"] = [number.low, number.high]
+        if number.status:
+            entries[name]["status"] = number.status
     return json.dumps(entries, indent=2, allow_nan=False)
 
 

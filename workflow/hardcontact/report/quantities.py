@@ -2,6 +2,7 @@
 
 import json
 import math
+import re
 from collections.abc import Iterable, Mapping
 from typing import Any
 
@@ -60,12 +61,6 @@ def number_without_value(name: str, low: float, high: float, unit: str = "1") ->
     return Number(name, math.nan, unit, low, high, status)
 
 
-def remove_interval(number: Number) -> Number:
-    """Return a number without its interval; a bound remains a bound."""
-    status = number.status if number.status in OPEN_WORDS else ""
-    return number._replace(low=math.nan, high=math.nan, status=status)
-
-
 def format_number(number: Number, digits: int = 3, end: str = "") -> str:
     """Return a known number with its interval, "67 [47, 74] nm", or its "low" or "high" end.
 
@@ -97,9 +92,9 @@ def in_words(number: Number, digits: int = 3) -> str:
     return NO_VALUE_WORDS.get(number.status, "not known")
 
 
-def two_digit_words(number: Number) -> str:
-    """Return a number in words, with two digits if it has no interval."""
-    return in_words(number, 2)
+def without_interval(number: Number) -> str:
+    """Return a number in words without its interval, with the digits that it has beside it."""
+    return re.sub(r" \[[^]]*\]| \(.*\)", "", in_words(number, 2))
 
 
 def _unbounded(number: Number, digits: int) -> str:

@@ -73,11 +73,10 @@ class ComparedNumber(NamedTuple):
     @property
     def rank(self) -> tuple[bool, int, float]:
         """Key that sorts rows: numbers of the answer, resolved changes, the largest change."""
-        change = abs(self.change.value)
         largest = max(abs(self.first.value), abs(self.second.value)) or 1.0
-        size = abs(math.log(change)) if self.change.name == "ratio" else change / largest
-        agreement_rank = AGREEMENT_RANKS.get(self.agreement, 2)
-        return bool(SIDE_NUMBERS.fullmatch(self.name)), agreement_rank, -np.nan_to_num(size)
+        size = np.nan_to_num(abs(self.second.value - self.first.value) / largest)
+        ranks = bool(SIDE_NUMBERS.fullmatch(self.name)), AGREEMENT_RANKS.get(self.agreement, 2)
+        return *ranks, -size
 
 
 class Comparison(NamedTuple):

@@ -79,10 +79,11 @@ def _environment() -> Any:
         trim_blocks=True, lstrip_blocks=True,
     )  # fmt: skip
     environment.filters |= {
-        "format_number": quantities.format_number, "remove_interval": quantities.remove_interval,
-        "two_digit_words": quantities.two_digit_words, "in_words": quantities.in_words,
-        "percent": format_share, "share_of_decades": _share_of_decades, "unbroken": unbroken,
-        "linked": _linked, "base64": _base64,
+        "format_number": quantities.format_number, "in_words": quantities.in_words,
+        "two_digit_words": lambda number: quantities.in_words(number, 2), "linked": _linked,
+        "without_interval": quantities.without_interval, "unbroken": unbroken,
+        "percent": format_share, "share_of_decades": _share_of_decades,
+        "base64": lambda data: base64.b64encode(data).decode("ascii"),
     }  # fmt: skip
     environment.globals["caption"] = caption
     environment.tests["known"] = math.isfinite
@@ -129,7 +130,3 @@ def _linked(text: str, names: Collection[str]) -> Any:
     words = re.split(r"(\w+)", text)
     link = Markup('<a href="#{0}">{0}</a>')
     return Markup("").join(link.format(word) if word in names else escape(word) for word in words)
-
-
-def _base64(data: bytes) -> str:
-    return base64.b64encode(data).decode("ascii")

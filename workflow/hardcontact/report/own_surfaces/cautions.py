@@ -75,7 +75,7 @@ def cautions(data: Datasets, numbers: Mapping[str, Number]) -> list[Caution]:
         _contradiction(data.spectra),
         _excess_roughness(data.spectra),
         *_hindcasts(data),
-        _ripples(data.edges),
+        Caution("ripples") if (data.edges["edge_status"] == Status.RIPPLES).any() else None,
         _tail(data),
         _long_waves(data),
         _small_window(data),
@@ -319,11 +319,6 @@ def _hindcasts(data: Datasets) -> list[Caution]:
             numbers = {"ratio": ratio, "start": number_of(force, "transition", "nm", name="start")}
             side_cautions.append(Caution(f"hindcast_{side}", fails, numbers, {"side": side}))
     return side_cautions
-
-
-def _ripples(edges: xr.Dataset) -> Caution | None:
-    """Return a caution if the short edge would show the ripples of the filter."""
-    return Caution("ripples") if (edges["edge_status"] == Status.RIPPLES).any() else None
 
 
 def _tail(data: Datasets) -> Caution:

@@ -17,7 +17,7 @@ from hardcontact.report.own_surfaces.artificial_roughness import (
     overlaps_any,
 )
 from hardcontact.report.own_surfaces.datasets import Datasets
-from hardcontact.report.quantities import OPEN_WORDS, number_without_value, remove_interval
+from hardcontact.report.quantities import OPEN_WORDS, number_without_value
 from hardcontact.scans.both_bodies import sphere_share
 from hardcontact.surfaces.synthesis import SIDES
 
@@ -167,10 +167,8 @@ def _next_scan(edge: Number, spectra: xr.Dataset) -> NextScan:
 
 def surface_conclusion(numbers: Mapping[str, Number]) -> Conclusion:
     """Return the conclusion on one surface from its numbers by name."""
-    short, long = (
-        _drop_partial_interval(numbers["short_edge"]),
-        _drop_partial_interval(numbers["long_edge"]),
-    )
+    short = _drop_partial_interval(numbers["short_edge"])
+    long = _drop_partial_interval(numbers["long_edge"])
     force = _drop_partial_interval(numbers["mean_force"])
     sides = [side for side in SIDES if f"force_extrapolated_{side}" in numbers]
     sources = {short.source, long.source, numbers["mean_force_change"].source}
@@ -195,4 +193,5 @@ def surface_conclusion(numbers: Mapping[str, Number]) -> Conclusion:
 def _drop_partial_interval(number: Number) -> Number:
     """Return a number without its interval if an end of it is not known."""
     is_whole = np.isfinite([number.low, number.high]).all() or np.isnan(number.value)
-    return number if is_whole else remove_interval(number)
+    status = number.status if number.status in OPEN_WORDS else ""
+    return number if is_whole else number._replace(low=np.nan, high=np.nan, status=status)

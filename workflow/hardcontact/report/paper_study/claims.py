@@ -66,12 +66,13 @@ def _printed_claim(row: Mapping[Any, Any]) -> dict[str, Any]:
     is_limit = row["rule"] in ONE_SIDED  # which the accepted range shows
     interval = (row["low"], row["high"])
     kind = "follows" if row["follows_from"] else "independent"
-    computed_text = format_as_paper(row["computed"], unit, interval, open_end=row["open_end"])
-    if row["low"] == row["high"]:
-        computed_text = format_as_paper(row["computed"], unit)
-    elif is_boundless(row["computed"], *interval, unit):
-        no_interval = NO_INTERVAL_WORDS[Status.NO_INTERVAL]
-        computed_text = f"{format_as_paper(row['computed'], unit)} ({no_interval})"
+    limits = () if row["agreeing_share"] >= 0 else (row["accepted_low"], row["accepted_high"])
+    computed_text = format_as_paper(row["computed"], unit)
+    if is_boundless(row["computed"], *interval, unit):
+        computed_text += f" ({NO_INTERVAL_WORDS[Status.NO_INTERVAL]})"
+    elif row["low"] != row["high"]:
+        bounds = {"open_end": row["open_end"], "limits": limits}
+        computed_text = format_as_paper(row["computed"], unit, interval, **bounds)
     return {
         "published_text": "" if is_limit else format_as_paper(row["published"], unit),
         "accepted_text": _print_accepted_range(row["accepted_low"], row["accepted_high"], unit),
