@@ -1,7 +1,5 @@
 """Conditioning of scans: their statistics are the targets, whatever their number and pixels."""
 
-from functools import partial
-
 import numpy as np
 import pandas as pd
 import pytest
@@ -11,7 +9,6 @@ from refusals import assert_says, refusal
 from repository import PAPER, ROOT
 
 from hardcontact.base import published
-from hardcontact.base.random import generator
 from hardcontact.config.grids import random_surface_pixels
 from hardcontact.surfaces import conditioning
 from hardcontact.surfaces.conditioning import Targets
@@ -35,12 +32,8 @@ TABLE1 = pd.DataFrame(
 CONSTANTS = pd.DataFrame({"value": {"scan_pixels": 64.0, "scan_size": 64 * PIXEL}})
 
 
-def scan_targets(spectrum, table1=TABLE1, constants=CONSTANTS, grid=GRID):
-    return conditioning.Substitute("uncd", spectrum, table1, constants, grid, 7).targets
-
-
-def generators(*numbers, seed=7, surface="uncd"):
-    return {number: partial(generator, seed, surface, number, "scan") for number in numbers}
+def substitute(spectrum, grid=GRID, table1=TABLE1):
+    return conditioning.Substitute("uncd", spectrum, table1, CONSTANTS, grid, 7)
 
 
 def assert_met(targets, scan_metrics):
@@ -63,22 +56,18 @@ def spectrum():
     )
 
 
-def synthesized_metrics(spectrum, group, grid, seed=7, surface="uncd"):
+def synthesized_metrics(source, group):
     """Metrics of every synthesized scan of a group: a column each metric."""
-    values = []
-    for number in group.scan.values:
-        rng = generator(seed, surface, number, "scan")
-        scan = conditioning.conditioned_scan(rng, spectrum, group.sel(scan=number), grid)
-        values.append(metrics(level(scan)))
-    return pd.DataFrame(values)
+    scans = (conditioning.conditioned_scan(source, k, group) for k in group.scan.values)
+    return pd.DataFrame([metrics(level(scan)) for scan in scans])
 
 
 @pytest.mark.parametrize("numbers", [(1,), (1, 2), (6, 7, 8, 9, 10)])
 def test_conditioned_scans_have_the_given_statistics(spectrum, numbers):
     rms_values = spectrum.attrs["expected_scan_rms"] * np.array([1.02, 0.97, 1.01])
     targets = Targets(dict(zip(NAMES, rms_values, strict=True)), 0.2 * rms_values[0], ())
-    group = conditioning.condition_group(spectrum, targets, generators(*numbers), GRID)
-    assert_met(targets, synthesized_metrics(spectrum, group, GRID))
+    group = conditioning.condition_group(substitute(spectrum), targets, numbers)
+    assert_met(targets, synthesized_metrics(substitute(spectrum), group))
 
 
 PAPER_GRID = ScanGrid(
@@ -101,22 +90,18 @@ def test_scans_of_the_default_study_keep_table_1(surface, count, grid, rows):
     table1 = published.rows_of_surface(table1, surface)
     constants = published.read_constants(ROOT / "resources/paper/parameters.csv")
     spectrum = substitute_spectrum(ROOT / f"resources/spectra/{surface}.csv", table1, constants)
-    targets = scan_targets(spectrum, table1, constants, grid)
+    source = conditioning.Substitute(surface, spectrum, table1, constants, grid, PAPER["seed"])
+    targets = source.targets
     assert targets.met_rows == tuple(rows)
     published_means = table1.value[list(rows)]
     np.testing.assert_allclose(list(targets.means.values())[: len(rows)], published_means)
     assert targets.rms_height_std == pytest.approx(table1.uncertainty["afm_rms_height"])
-    group = conditioning.condition_group(
-        spectrum,
-        targets,
-        generators(*range(1, count + 1), seed=PAPER["seed"], surface=surface),
-        grid,
-    )
-    assert_met(targets, synthesized_metrics(spectrum, group, grid, PAPER["seed"], surface))
+    group = conditioning.condition_group(source, targets, range(1, count + 1))
+    assert_met(targets, synthesized_metrics(source, group))
 
 
 def test_targets_on_the_paper_s_pixels_are_those_of_table_1(spectrum):
-    targets = scan_targets(spectrum)
+    targets = substitute(spectrum).targets
     np.testing.assert_array_equal(list(targets.means.values()), TABLE1["value"])
     assert targets.rms_height_std == pytest.approx(5.0)
     assert targets.met_rows == AFM_ROWS
@@ -124,7 +109,7 @@ def test_targets_on_the_paper_s_pixels_are_those_of_table_1(spectrum):
 
 def test_a_spectrum_that_is_not_calibrated_has_its_own_targets(spectrum):
     given_spectrum = spectrum.assign_attrs(table1_rows_met="")
-    targets = scan_targets(given_spectrum)
+    targets = substitute(given_spectrum).targets
     rms_values = spectrum.attrs["expected_scan_rms"]
     np.testing.assert_array_equal(list(targets.means.values()), rms_values)
     assert targets.rms_height_std == pytest.approx(0.25 * rms_values[0])
@@ -133,26 +118,25 @@ def test_a_spectrum_that_is_not_calibrated_has_its_own_targets(spectrum):
 
 def test_coarser_pixels_keep_the_rms_height(spectrum):
     coarse = ScanGrid(32, GRID.size, 128)
-    targets = scan_targets(spectrum, grid=coarse)
+    source = substitute(spectrum, coarse)
+    targets = source.targets
     rms_values = expected_scan_rms(uncd, transfer_weights(128, 2 * PIXEL, 32))
     np.testing.assert_allclose(list(targets.means.values()), [20.0, *rms_values[1:]], rtol=1e-3)
     assert targets.met_rows == ("afm_rms_height",)
-    group = conditioning.condition_group(spectrum, targets, generators(1, 2), coarse)
+    group = conditioning.condition_group(source, targets, [1, 2])
     assert group.attrs["table1_rows_met"] == "afm_rms_height,all_rms_slope"
 
 
 def test_a_surface_without_published_roughness_is_not_conditioned(spectrum):
-    assert scan_targets(spectrum, TABLE1.iloc[:0]) is None
-    group = conditioning.condition_group(spectrum, None, generators(1, 2), GRID)
+    assert substitute(spectrum, table1=TABLE1.iloc[:0]).targets is None
+    group = conditioning.condition_group(substitute(spectrum), None, [1, 2])
     assert (group.amplitude_gain == 1).all() and (group.factor == 1).all()
     np.testing.assert_array_equal(group.scan, [1, 2])
 
 
 def test_negative_heights_are_refused_in_one_line(spectrum):
     targets = Targets(dict(zip(NAMES, (20.0, 0.4, 0.05), strict=True)), 40.0, ())
-    message = refusal(
-        conditioning.condition_group, spectrum, targets, generators(1, 2, 3, 4, 5), GRID
-    )
+    message = refusal(conditioning.condition_group, substitute(spectrum), targets, range(1, 6))
     assert_says(message, "5 scans with the mean 20 nm and the deviation 40 nm", "expected", "found")
 
 
@@ -160,16 +144,16 @@ def test_rows_of_table_1_beyond_a_smooth_gain_are_not_met(spectrum):
     height, slope, curvature = spectrum.attrs["expected_scan_rms"]
     rows = ("afm_rms_height", "afm_rms_slope", "afm_rms_curvature")
     targets = Targets(dict(zip(NAMES, (height, 0.05 * slope, curvature), strict=True)), 1.0, rows)
-    group = conditioning.condition_group(spectrum, targets, generators(1, 2, 3), GRID)
+    group = conditioning.condition_group(substitute(spectrum), targets, [1, 2, 3])
     assert group.attrs["table1_rows_met"] == "afm_rms_height,all_rms_slope"
-    scan_metrics = synthesized_metrics(spectrum, group, GRID)
+    scan_metrics = synthesized_metrics(substitute(spectrum), group)
     assert scan_metrics.rms_height.mean() == pytest.approx(height, rel=1e-6)
     assert scan_metrics.rms_height.std(ddof=1) == pytest.approx(1.0, rel=1e-6)
 
 
 def test_scans_of_another_size_meet_no_row_of_table_1(spectrum):
     grid = ScanGrid(128, 2 * GRID.size, 256)
-    targets = scan_targets(spectrum, grid=grid)
+    targets = substitute(spectrum, grid).targets
     rms_values = expected_scan_rms(UNCD, transfer_weights(512, PIXEL, 128))
     np.testing.assert_allclose(list(targets.means.values()), rms_values)
     assert targets.met_rows == ()

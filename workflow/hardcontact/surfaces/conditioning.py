@@ -5,9 +5,9 @@ the published mean and standard deviation of rms heights, and mean slope and cur
 """
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property, partial
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -225,31 +225,25 @@ def _fit_group(matrices: Floats, targets: Targets) -> tuple[Floats, Floats, Floa
 
 
 def condition_group(
-    spectrum_data: xr.Dataset,
-    targets: Targets | None,
-    generator_functions: Mapping[int, Callable[[], np.random.Generator]],
-    grid: ScanGrid,
+    substitute: Substitute, targets: Targets | None, scans: Sequence[int]
 ) -> xr.Dataset:
     """Return the gain of amplitudes of a group of scans, and the factor of heights of each scan.
 
-    Each function of `generator_functions` returns a new generator for its scan. ``amplitude_gain``
-    (wavevector) and ``factor`` (scan) are 1 without targets. The attribute ``table1_rows_met``
-    lists the rows met by construction. Raises ValueError if an rms height would be negative.
+    ``amplitude_gain`` (wavevector) and ``factor`` (scan) are 1 without targets. The attribute
+    ``table1_rows_met`` lists the rows met by construction. Raises ValueError if an rms height would
+    be negative.
     """
+    grid = substitute.grid
     amplitude_gain = np.ones_like(WAVEVECTORS)
-    factors = np.ones(len(generator_functions))
-    met_rows = published.rows_met(spectrum_data.attrs["table1_rows_met"])
+    factors = np.ones(len(scans))
+    met_rows = published.rows_met(substitute.spectrum_data.attrs["table1_rows_met"])
     if targets is not None:
         shares = component_shares(grid)
-        spectrum = spectrum_of_dataset(spectrum_data)
-        component_spectra = [multiply_amplitudes(spectrum, share) for share in shares]
+        spectra = [multiply_amplitudes(substitute.spectrum, share) for share in shares]
         matrices = []
-        for make_generator in generator_functions.values():
-            noise = white_noise(make_generator(), grid.surface_pixels)
-            components = [
-                level(scan_of_noise(noise, component_spectrum, grid))
-                for component_spectrum in component_spectra
-            ]
+        for scan in scans:
+            noise = white_noise(substitute.generator(scan, "scan"), grid.surface_pixels)
+            components = [level(scan_of_noise(noise, spectrum, grid)) for spectrum in spectra]
             matrices.append(metric_matrices(components, list(targets.means)))
         amplitudes, factors, mean_errors = _fit_group(np.array(matrices), targets)
         amplitude_gain = amplitudes @ shares
@@ -264,27 +258,23 @@ def condition_group(
             "amplitude_gain": ("wavevector", amplitude_gain, DIMENSIONLESS),
             "factor": ("scan", factors, DIMENSIONLESS),
         },
-        {"wavevector": ("wavevector", WAVEVECTORS, RAD_PER_NM), "scan": list(generator_functions)},
+        {"wavevector": ("wavevector", WAVEVECTORS, RAD_PER_NM), "scan": list(scans)},
         {"source": "substitute", "table1_rows_met": ",".join(met_rows)},
     )
 
 
 def conditioned_scan(
-    rng: np.random.Generator,
-    spectrum_data: xr.Dataset,
-    conditioning: xr.Dataset,
-    grid: ScanGrid,
-    sphere_radius: float | None = None,
+    substitute: Substitute, scan: int, conditioning: xr.Dataset, sphere_radius: float | None = None
 ) -> HeightMap:
-    """Return a scan with the gain and the factor of its group, from `condition_group`.
+    """Return a scan, by its number, with the gain and its factor from `condition_group`.
 
     `sphere_radius` is the radius in nm of a sphere that the scan shows; None for a flat surface.
     """
-    spectrum = multiply_amplitudes(
-        spectrum_of_dataset(spectrum_data), conditioning["amplitude_gain"].values
-    )
-    scan = sample_scan(rng, spectrum, grid, conditioning["factor"].item())
-    return scan if sphere_radius is None else add_sphere(rng, scan, sphere_radius)
+    rng = substitute.generator(scan, "scan")
+    spectrum = multiply_amplitudes(substitute.spectrum, conditioning["amplitude_gain"].values)
+    factor = conditioning["factor"].sel(scan=scan).item()
+    flat_scan = sample_scan(rng, spectrum, substitute.grid, factor)
+    return flat_scan if sphere_radius is None else add_sphere(rng, flat_scan, sphere_radius)
 
 
 def conditioned_group(
@@ -294,12 +284,7 @@ def conditioned_group(
 
     `sphere_radius` is as in `conditioned_scan`.
     """
-    generator_functions = {scan: partial(substitute.generator, scan, "scan") for scan in scans}
-    spectrum_data, grid = substitute.spectrum_data, substitute.grid
-    conditioning = condition_group(spectrum_data, substitute.targets, generator_functions, grid)
+    conditioning = condition_group(substitute, substitute.targets, scans)
     return conditioning, [
-        conditioned_scan(
-            new_generator(), spectrum_data, conditioning.sel(scan=scan), grid, sphere_radius
-        )
-        for scan, new_generator in generator_functions.items()
+        conditioned_scan(substitute, scan, conditioning, sphere_radius) for scan in scans
     ]
