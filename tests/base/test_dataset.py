@@ -1,4 +1,4 @@
-"""Datasets are written whole or not at all, and stacked along new dimensions."""
+"""Datasets are written completely or not at all, and stacked along new dimensions."""
 
 import numpy as np
 import pytest

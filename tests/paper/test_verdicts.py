@@ -98,7 +98,7 @@ def test_a_truncated_table_is_refused(tmp_path):
     assert claims["verdict"].tolist() == ["reproduced"]
     assert claims[["follows_from", "note"]].values.tolist() == [["", ""]]
     path.write_text("id,verdict,follows_from,note\nfirst,reprod")
-    assert_says(refusal(read_verdicts, path), str(path), "whole table", "cut short")
+    assert_says(refusal(read_verdicts, path), str(path), "complete table", "a part")
 
 
 def test_claims_without_verdicts_are_read_back_and_counted_as_none(tmp_path):

@@ -1,4 +1,4 @@
-"""A job writes whole files with a record of their origin, and keeps its log."""
+"""A job writes complete files with a record of their origin, and keeps its log."""
 
 import json
 import logging

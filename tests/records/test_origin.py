@@ -63,4 +63,6 @@ def test_a_changed_file_of_a_job_is_refused(made_file, tmp_path):
 @pytest.mark.parametrize("content", [b"", b"\xff\0", b"{", b"[]", b"{}", b'{"sha256": "1"}'])
 def test_a_damaged_record_refuses_its_file(made_file, content):
     record_path(made_file).write_bytes(content)
-    assert_says(refusal(refuse_changed, digests([made_file])), "made.nc: expected a whole record")
+    assert_says(
+        refusal(refuse_changed, digests([made_file])), "made.nc: expected a complete record"
+    )

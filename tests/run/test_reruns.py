@@ -86,7 +86,7 @@ def test_added_and_removed_inputs_are_changes(study):
 )
 def test_a_file_without_a_whole_record_is_made_again(study, damage):
     damage(record_path("fit.nc"))
-    assert change(study, "fit.nc").recorded == {"no whole record of fit.nc"}
+    assert change(study, "fit.nc").recorded == {"no complete record of fit.nc"}
 
 
 def test_changes_behind_a_missing_intermediate_are_found(study):

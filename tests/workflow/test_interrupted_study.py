@@ -11,7 +11,7 @@ from comparison import damaged, differences, paths
 from forked_runs import call_main
 from repository import environment, snakemake
 
-from hardcontact.base.whole_file import PART
+from hardcontact.base.atomic_file import PART
 
 #: Kills, and the files that a run may write before each: in all, most files of the study.
 KILLS, FILES = 4, 5

@@ -57,7 +57,7 @@ def test_maps_of_the_question_lack_the_waves_on_one_side_of_the_band():
     scan = xr.Dataset({"example_heights": (("row", "column"), heights), "scan_size": size})
     maps = fig_scales.filtered_heights(scan, [43.0, 1800.0])
     assert fig_scales.map_titles([43.0, 1800.0]) == [
-        "whole",
+        "all wavelengths",
         "no wavelengths below 43 nm",
         "no wavelengths above 1.8 µm",
     ]

@@ -1,4 +1,4 @@
-"""Labelled datasets on disk: written whole or not at all, checked when read."""
+"""Labelled datasets on disk: written completely or not at all, checked when read."""
 
 import csv
 from collections.abc import Iterable, Mapping, Sequence
@@ -10,7 +10,7 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from hardcontact.base.whole_file import whole_file
+from hardcontact.base.atomic_file import atomic_file
 
 #: Table of the meanings of variables, by dataset (`*`: all datasets). No job depends on it: like a
 #: comment, a changed meaning makes no file stale.
@@ -20,15 +20,15 @@ INTERVAL = "_interval"
 
 
 def write(dataset: xr.Dataset, path: str | Path) -> None:
-    """Write a dataset whole or not at all.
+    """Write a dataset completely or not at all.
 
     An existing file is replaced. Raises ValueError if the file cannot be written.
     """
-    with whole_file(path) as temporary:
+    with atomic_file(path) as temporary:
         try:
             dataset.to_netcdf(temporary, engine="netcdf4")
         except RuntimeError as error:  # netCDF raises it for any error of the system
-            raise OSError(str(error)) from error  # `whole_file` makes it a ValueError.
+            raise OSError(str(error)) from error  # `atomic_file` makes it a ValueError.
 
 
 @cache

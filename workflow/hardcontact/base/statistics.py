@@ -1,7 +1,7 @@
-"""Intervals of means over whole scans, samples of uncertain quantities, and log-normal fits.
+"""Intervals of means over scans, samples of uncertain quantities, and log-normal fits.
 
 Uncertainty comes from scans, not from contacts, because contacts on one scan see the same peaks.
-In the study of the paper whole scans vary; quantities that combine several means are sampled. Own
+In the study of the paper scans vary; quantities that combine several means are sampled. Own
 surfaces may have only one or two scans, so that their parts vary (`inference.scan_parts`). The
 interval of a variable `name` is the variable `name_interval` with the further dimension `end`.
 """

@@ -10,7 +10,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from hardcontact.base.whole_file import whole_file
+from hardcontact.base.atomic_file import atomic_file
 from hardcontact.commands.inventory import (
     SPECTRUM_USE,
     Entry,
@@ -94,7 +94,7 @@ def _write_study(
     command = f"snakemake --configfile {overlay_path}"
     texts = {table_path: table, overlay_path: overlay_text(command, choices, quick)}
     for path, text in texts.items():
-        with whole_file(ROOT / path) as temporary:
+        with atomic_file(ROOT / path) as temporary:
             Path(temporary).write_text(text, "utf-8")
     return [
         f"\nWritten: {overlay_path}, {table_path}. Now run, in {ROOT}:",

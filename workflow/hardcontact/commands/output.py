@@ -4,7 +4,7 @@ import os
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
-from hardcontact.base.whole_file import whole_file
+from hardcontact.base.atomic_file import atomic_file
 
 
 def output_faults(
@@ -45,9 +45,9 @@ def align_cells(rows: Sequence[Sequence[str]]) -> list[str]:
 
 
 def write_output(path: str, text: str) -> None:
-    """Write a file whole; pipes and devices take the text as it comes."""
+    """Write a file completely; pipes and devices take the text as it comes."""
     if Path(path).exists() and not Path(path).is_file():
         Path(path).write_text(text, "utf-8")
         return
-    with whole_file(os.path.realpath(path)) as temporary:
+    with atomic_file(os.path.realpath(path)) as temporary:
         Path(temporary).write_text(text, "utf-8")

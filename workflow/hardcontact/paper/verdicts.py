@@ -160,7 +160,7 @@ def read_verdicts(path: str | Path) -> pd.DataFrame:
     """
     if not Path(path).read_bytes().endswith(b"\n"):
         raise ValueError(
-            f"{path}: expected a whole table, found one that is cut short; delete it and run again"
+            f"{path}: expected a complete table, found a part of it; delete it and run again"
         )
     text = dict.fromkeys(["main", "unit", "follows_from", "note", "verdict"], str)
     return pd.read_csv(path, dtype=text).fillna(dict.fromkeys(text, ""))

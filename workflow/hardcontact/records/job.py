@@ -1,4 +1,4 @@
-"""One job of a rule: its log, its parameters, and whole files with their origin."""
+"""One job of a rule: its log, its parameters, and complete files with their origin."""
 
 import gc
 import json
@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 import xarray as xr
 
 from hardcontact.base import dataset
-from hardcontact.base.whole_file import remove_parts, whole_file
+from hardcontact.base.atomic_file import atomic_file, remove_parts
 from hardcontact.records.origin import (
     Origin,
     digests,
@@ -52,13 +52,13 @@ class Job(NamedTuple):
         dataset.write(complete, path)
 
     def write_text(self, text: str, output: int | str = 0) -> None:
-        """Write a text whole."""
-        with whole_file(self._path(output)) as path:
+        """Write a text completely or not at all."""
+        with atomic_file(self._path(output)) as path:
             Path(path).write_text(text, "utf-8")
 
     def copy(self, source: str | Path, output: int | str = 0) -> None:
         """Copy a file, byte by byte."""
-        with whole_file(self._path(output)) as path:
+        with atomic_file(self._path(output)) as path:
             shutil.copyfile(source, path)
 
     def _path(self, output: int | str) -> str:

@@ -13,7 +13,7 @@ from importlib.metadata import version
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from hardcontact.base.whole_file import whole_file
+from hardcontact.base.atomic_file import atomic_file
 
 #: Packages whose versions every file names.
 PACKAGES = ("numpy", "scipy", "xarray", "netCDF4", "SurfaceTopography", "snakemake")
@@ -106,7 +106,7 @@ def keep_records(paths: Iterable[str | Path], origin: Origin) -> None:
     }
     for path, sha256 in digests(paths).items():
         record = shared_record | {"sha256": sha256}
-        with whole_file(record_path(path)) as temporary:
+        with atomic_file(record_path(path)) as temporary:
             Path(temporary).write_text(canonical_json(record), "utf-8")
 
 
@@ -124,7 +124,7 @@ def read_record(path: str | Path) -> Record | None:
         return record | inputs | {"sha256": str(record["sha256"])}
     except (ValueError, TypeError, KeyError) as error:
         raise ValueError(
-            f"{path}: expected a whole record of its origin in {path_of_record}, found: "
+            f"{path}: expected a complete record of its origin in {path_of_record}, found: "
             f"{' '.join(str(error).split())}; delete {path} and run again"
         ) from None
 

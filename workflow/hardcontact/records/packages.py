@@ -5,7 +5,7 @@ from functools import cache
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
-from hardcontact.base.whole_file import remove_parts, whole_file
+from hardcontact.base.atomic_file import atomic_file, remove_parts
 
 #: The packages that the study imports, and the same with all packages that these need in turn.
 ENVIRONMENT = "environment.txt"
@@ -29,7 +29,7 @@ def write_pins() -> None:
         text = "".join(f"{name}=={pin}\n" for name, pin in read_pins(source).items())
         if not Path(path).is_file() or Path(path).read_text("utf-8") != text:
             remove_parts(path)
-            with whole_file(path) as temporary:
+            with atomic_file(path) as temporary:
                 Path(temporary).write_text(text, "utf-8")
 
 

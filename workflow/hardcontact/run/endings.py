@@ -43,7 +43,7 @@ def _cancel_timers() -> None:
 
 
 def _stop(workflow: Any) -> NoReturn:
-    """End a run and its jobs, whose files are whole or not there, at once and in one line."""
+    """End a run and its jobs, whose files are complete or missing, at once and in one line."""
     for process in psutil.Process().children(recursive=True):
         process.kill()
     if workflow.persistence:

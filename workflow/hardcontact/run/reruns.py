@@ -59,7 +59,7 @@ class Reruns:
             record = read_record(path) or {}
             recorded = _named_values(record["parameters"]) | _named_values(record["versions"])
         except (ValueError, KeyError, TypeError, AttributeError):  # whatever a damage leaves
-            return Change({f"no whole record of {path}"}, set(), set())
+            return Change({f"no complete record of {path}"}, set(), set())
         current = _named_values(job.params.parameters) | _named_values(canonical_json(versions()))
         changed_inputs = self._changed_inputs(job, record)
         self._changed |= changed_inputs
@@ -84,7 +84,7 @@ class Reruns:
 
     def refuse_altered(self) -> None:
         """Raise ValueError if inputs that made a file stale are not as a job wrote them."""
-        recorded = filter(_whole_record, self._changed)
+        recorded = filter(_complete_record, self._changed)
         refuse_changed({path: value for path in recorded if (value := self._digest(path))})
 
     def _lineage(self, job: Any) -> str:
@@ -110,11 +110,11 @@ def _inputs(job: Any) -> set[str]:
 
 def _own_digest(path: str) -> str:
     """Return the SHA-256 of a file; that in its record, if the file is large and has one."""
-    record = _whole_record(path) if Path(path).stat().st_size > MAX_READ_SIZE else None
+    record = _complete_record(path) if Path(path).stat().st_size > MAX_READ_SIZE else None
     return record["sha256"] if record else digest(path)
 
 
-def _whole_record(path: str) -> Record | None:
+def _complete_record(path: str) -> Record | None:
     """Return the record of a file, None if it is missing or damaged."""
     try:
         return read_record(path)
@@ -124,7 +124,7 @@ def _whole_record(path: str) -> Record | None:
 
 def _own_lineage(path: str) -> str:
     """Return the lineage of a file that no job of the run makes."""
-    record = _whole_record(path)
+    record = _complete_record(path)
     return str(record.get("lineage", "")) if record else digest(path)
 
 

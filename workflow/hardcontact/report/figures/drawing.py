@@ -18,7 +18,7 @@ from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.lines import Line2D
 
 from hardcontact.base import dataset, published
-from hardcontact.base.whole_file import whole_file
+from hardcontact.base.atomic_file import atomic_file
 from hardcontact.report.figures import style
 from hardcontact.report.figures.listing import FILE_KINDS
 
@@ -56,7 +56,7 @@ def save(
     """
     style.freeze_layout(figure)
     with ExitStack() as stack:
-        paths = {kind: stack.enter_context(whole_file(outputs[kind])) for kind in FILE_KINDS}
+        paths = {kind: stack.enter_context(atomic_file(outputs[kind])) for kind in FILE_KINDS}
         for kind, constant in (("png", {"Software": None}), ("pdf", {"CreationDate": None})):
             metadata = {"Title": title} | constant
             figure.savefig(paths[kind], format=kind, dpi=RESOLUTION, metadata=metadata)

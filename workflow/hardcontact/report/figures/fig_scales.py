@@ -38,7 +38,7 @@ SHOWN_DECADES = 14  # of the spectra
 class ScanMaps(NamedTuple):
     """Heights (nm) of one scan, with all waves and without those on one side of a band."""
 
-    whole: np.ndarray
+    unfiltered: np.ndarray
     without_shorter: np.ndarray
     without_longer: np.ndarray
 
@@ -79,7 +79,7 @@ def filtered_heights(scan: xr.Dataset, band: Sequence[float]) -> ScanMaps:
 def map_titles(band: Sequence[float]) -> list[str]:
     """Return the title of each of the `ScanMaps` for a band (nm)."""
     short, long = (format_length(edge) for edge in band)
-    return ["whole", f"no wavelengths below {short}", f"no wavelengths above {long}"]
+    return ["all wavelengths", f"no wavelengths below {short}", f"no wavelengths above {long}"]
 
 
 def _surface_looks(topography: xr.Dataset) -> dict[str, style.Look]:
@@ -118,7 +118,7 @@ def _draw_spectra(
 def _draw_maps(row: np.ndarray, scan: xr.Dataset, maps: ScanMaps, titles: Sequence[str]) -> None:
     """Map the heights on one scale, with a bar of SCALE_BAR and the line of the profiles."""
     size = scan["scan_size"].item()
-    height_range = {"vmin": maps.whole.min(), "vmax": maps.whole.max()}
+    height_range = {"vmin": maps.unfiltered.min(), "vmax": maps.unfiltered.max()}
     for axes, letter, heights, title in zip(row, "bcd", maps, titles, strict=True):
         image = axes.imshow(heights, cmap=MAP_COLOURS, extent=(0, size, size, 0), **height_range)
         axes.axhline(size / 2, color="white", lw=0.7, ls=":")
@@ -140,7 +140,7 @@ def _draw_profiles(
         line: style.Look = {"color": colour} | look
         axes.plot(x, heights[len(heights) // 2], label=title, **line)
     parabola = (x - x.mean()) ** 2 / (2 * radius)
-    profile = maps.whole[len(x) // 2]
+    profile = maps.unfiltered[len(x) // 2]
     label = f"smooth sphere, radius {format_length(radius)}"
     axes.plot(x, parabola + (profile - parabola).max(), **SPHERE_LOOK, label=label)
     axes.set(xlabel="position (nm)", ylabel="height (nm)", xlim=(0, scan["scan_size"].item()))

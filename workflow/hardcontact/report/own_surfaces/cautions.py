@@ -351,6 +351,6 @@ def _long_waves(data: Datasets) -> Caution | None:
     if "sphere_share" not in data.spectra:  # Otherwise the spectrum is of both bodies.
         numbers |= {
             "of_scans": Number("of_scans", float(data.topography["rms_height"].mean()), "nm"),
-            "whole": number_of(data.topography, "all_scales_rms_height", "nm"),
+            "all_scales": number_of(data.topography, "all_scales_rms_height", "nm"),
         }
     return Caution("long_waves", numbers=numbers)

@@ -1,4 +1,4 @@
-"""Files that appear whole or not at all."""
+"""Files that appear completely or not at all."""
 
 import glob
 import os
@@ -13,7 +13,7 @@ PART = ".part-"
 
 
 @contextmanager
-def whole_file(path: str | Path) -> Iterator[str]:
+def atomic_file(path: str | Path) -> Iterator[str]:
     """Yield a temporary path in the same folder; rename it if the block succeeds, else remove it.
 
     Missing folders are made. The content reaches the disk before the name, so that no power loss

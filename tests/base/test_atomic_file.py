@@ -1,4 +1,4 @@
-"""Files are written whole or not at all."""
+"""Files are written completely or not at all."""
 
 import os
 from itertools import count
@@ -8,16 +8,16 @@ import pytest
 import xarray as xr
 
 from hardcontact.base import dataset
-from hardcontact.base.whole_file import PART, remove_parts, whole_file
+from hardcontact.base.atomic_file import PART, atomic_file, remove_parts
 from hardcontact.records.origin import Origin, keep_records
 
 
 def test_a_file_appears_when_the_block_has_ended(tmp_path):
     path = tmp_path / "made" / "a.txt"
-    with whole_file(path) as temporary:
-        Path(temporary).write_text("whole")
+    with atomic_file(path) as temporary:
+        Path(temporary).write_text("content")
         assert not path.exists() and Path(temporary).suffix == ".txt"
-    assert path.read_text() == "whole"
+    assert path.read_text() == "content"
     assert [entry.name for entry in path.parent.iterdir()] == ["a.txt"]
 
 
