@@ -121,12 +121,12 @@ def test_altered_files_are_refused_and_made_again(copy, own_study):
     assert verified.returncode == 1 and "to resume" not in verified.stdout
     for path in altered_files:
         assert f"{path.relative_to(copy)}: is not the file" in verified.stdout
-    targets = ["topography", "adhesion", "scales"]  # of the spectra, forces and filtered masters
+    targets = ["force", "adhesion", "scales"]  # of the spectra, forces and filtered masters
     for name in targets[1:]:
         (copy / RESULTS / f"{name}.nc").unlink()
     refused = run(copy, *targets)
     (line,) = errors(refused.stdout)
-    assert refused.returncode == 1 and (copy / RESULTS / "topography.nc").is_file()
+    assert refused.returncode == 1 and (copy / RESULTS / "force.nc").is_file()
     assert_says(line, f"{spectra.relative_to(copy)}: expected the file that the study wrote")
     spectra.unlink()
     failed_run = run(copy, *targets, "--keep-going")
