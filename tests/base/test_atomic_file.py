@@ -39,7 +39,7 @@ def failing(call, number, calls):
     return call_or_fail
 
 
-def test_a_failure_at_any_write_leaves_whole_files(tmp_path, monkeypatch):
+def test_a_failure_at_any_write_leaves_complete_files(tmp_path, monkeypatch):
     path = tmp_path / "a.nc"
 
     def write(text):
