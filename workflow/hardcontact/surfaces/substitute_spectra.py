@@ -72,15 +72,13 @@ def transfer_weights(pixels: int, pixel_size: float, window_pixels: int) -> Weig
     mean = spherical_jn(0, phase) ** 2
     tilt = 3 * spherical_jn(1, phase) ** 2
     difference = (2 * np.sin(wave * pixel_size / 2) / pixel_size) ** 2
-    orders_x = slice(0, len(half))
+    mean_x, tilt_x, difference_x = (values[: len(half)] for values in (mean, tilt, difference))
     weights = np.zeros((3, BIN_COUNT))
     for start in range(0, pixels, BLOCK_ROWS):
         rows = slice(start, start + BLOCK_ROWS)
-        mean_y = mean[rows, None]
-        tilt_y = tilt[rows, None]
-        difference_y = difference[rows, None]
-        removed = mean_y * mean[orders_x] + tilt_y * mean[orders_x] + mean_y * tilt[orders_x]
-        laplacian = difference_y + difference[orders_x]
+        mean_y, tilt_y = mean[rows, None], tilt[rows, None]
+        removed = mean_y * mean_x + tilt_y * mean_x + mean_y * tilt_x
+        laplacian = difference[rows, None] + difference_x
         radius = np.hypot(wave[rows, None], half)
         if start == 0:
             radius[0, 0] = half[1]  # The mean has no weight, but needs a bin.
@@ -114,11 +112,10 @@ def calibrate_model(segment: pd.Series, table1: pd.DataFrame, weights: Weights) 
         }
 
     def mismatch(solution: Floats) -> Floats:
-        band_parameters = dict(segment) | parameters(solution)
-        table = Spectrum(
-            WAVEVECTORS, model(WAVEVECTORS, *(band_parameters[name] for name in names))
-        )
-        return np.asarray(np.log(expected_scan_rms(table, weights) / published_rms))
+        segment_parameters = dict(segment) | parameters(solution)
+        density = model(WAVEVECTORS, *(segment_parameters[name] for name in names))
+        scan_rms = expected_scan_rms(Spectrum(WAVEVECTORS, density), weights)
+        return np.asarray(np.log(scan_rms / published_rms))
 
     start = {
         "plateau_nm4": 2 * np.log(published_rms[0] * 1000),
@@ -126,13 +123,9 @@ def calibrate_model(segment: pd.Series, table1: pd.DataFrame, weights: Weights) 
         "hurst": 0.9,
         "hurst_change": 0.0,
     }
+    first_guess = [start[name] for name in searched]
     fit = least_squares(
-        mismatch,
-        [start[name] for name in searched],
-        x_scale=(1, 0.3, 0.3),
-        xtol=1e-15,
-        ftol=1e-15,
-        gtol=1e-15,
+        mismatch, first_guess, x_scale=(1, 0.3, 0.3), xtol=1e-15, ftol=1e-15, gtol=1e-15
     )
     if np.abs(fit.fun).max() > MET_ERROR:
         worst = int(np.abs(fit.fun).argmax())
@@ -146,7 +139,7 @@ def calibrate_model(segment: pd.Series, table1: pd.DataFrame, weights: Weights) 
 
 def calibrate_tail(
     longer_waves: Floats, gradient: float, half_laplacian: float
-) -> tuple[float, float]:
+) -> dict[str, float]:
     """Return Hurst exponent and shortest wavelength (nm) of a power law below a spectrum.
 
     The tail adds the rms gradient and the half-Laplacian (1/nm) that the spectrum `longer_waves`
@@ -170,9 +163,11 @@ def calibrate_tail(
         return float(np.log(added**2 / missing_squares[index]))
 
     def find_hurst(shortest: float) -> float:
-        return float(
-            brentq(lambda hurst: excess(0, hurst, shortest), *TAIL_HURST_BOUNDS, xtol=1e-14)
-        )
+        search = brentq(lambda hurst: excess(0, hurst, shortest), *TAIL_HURST_BOUNDS, xtol=1e-14)
+        return float(search)
+
+    def laplacian_excess(shortest: float) -> float:
+        return excess(1, find_hurst(shortest), shortest)
 
     # If tails add the same gradient, the tail that ends later adds more to the half-Laplacian.
     possible_ends = [
@@ -180,13 +175,13 @@ def calibrate_tail(
         for end in ends
         if excess(0, TAIL_HURST_BOUNDS[0], end) > 0 > excess(0, TAIL_HURST_BOUNDS[1], end)
     ]
-    excesses = [excess(1, find_hurst(end), end) for end in possible_ends]
-    if not excesses or not excesses[0] < 0 < excesses[-1]:
+    if not possible_ends:
         raise refusal
-    shortest = brentq(
-        lambda end: excess(1, find_hurst(end), end), possible_ends[0], possible_ends[-1], xtol=1e-14
-    )
-    return find_hurst(shortest), float(shortest)
+    longest_end, shortest_end = possible_ends[0], possible_ends[-1]
+    if not laplacian_excess(longest_end) < 0 < laplacian_excess(shortest_end):
+        raise refusal
+    shortest = float(brentq(laplacian_excess, longest_end, shortest_end, xtol=1e-14))
+    return {"hurst": find_hurst(shortest), "shortest_nm": shortest}
 
 
 def spectrum_from_description(
@@ -214,8 +209,7 @@ def _spectrum_of_segments(
                 if segment.model in SPECTRAL_MODELS:
                     parameters = calibrate_model(segment, table1, weights)
                 else:
-                    hurst, shortest = calibrate_tail(density, *table1.loc[list(TAIL_ROWS), "value"])
-                    parameters = {"hurst": hurst, "shortest_nm": shortest}
+                    parameters = calibrate_tail(density, *table1.loc[list(TAIL_ROWS), "value"])
                 segment = pd.Series(dict(segment) | parameters)
                 calibrated += CALIBRATION_ROWS[segment.model]
             density += _segment_density(segment, density, path.parent)
@@ -265,16 +259,14 @@ def sample_permitted_spectrum(
     segments = read_segments(description)
     weights = paper_weights(constants)
     rows = list(AFM_ROWS)
+    scan_count = constants["value"]["scans_per_surface"]
     is_free = segments.hurst.isna() & segments.model.isin(SPECTRAL_MODELS)
     for _ in range(MAX_SAMPLES):
         drawn_rows, drawn_segments = table1.copy(), segments.copy()
         if is_free.any():
-            errors = table1.loc[rows, "uncertainty"] / np.sqrt(
-                constants["value"]["scans_per_surface"]
-            )
+            errors = table1.loc[rows, "uncertainty"] / np.sqrt(scan_count)
             drawn_rows.loc[rows, "value"] += rng.standard_normal(len(rows)) * errors
-            factor = ROLLOFF_FACTOR ** rng.uniform(-1, 1)
-            drawn_segments.loc[is_free, "rolloff_nm"] *= factor
+            drawn_segments.loc[is_free, "rolloff_nm"] *= ROLLOFF_FACTOR ** rng.uniform(-1, 1)
         try:
             with np.errstate(over="ignore"):  # A search may try absurd parameters.
                 density, *_ = _spectrum_of_segments(
