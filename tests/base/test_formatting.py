@@ -10,7 +10,7 @@ from hardcontact.base.formatting import (
     format_quantity,
     format_value_and_ends,
     format_with_interval,
-    is_boundless,
+    is_unbounded,
 )
 
 
@@ -100,7 +100,7 @@ def test_digits_are_as_asked_and_without_exponent():
 
 
 @pytest.mark.parametrize(
-    ("value", "low", "high", "unit", "boundless"),
+    ("value", "low", "high", "unit", "unbounded"),
     [
         (5.9, 2.2, 200, "1", False),
         (5.9, 2.2, 350, "1", True),
@@ -115,5 +115,5 @@ def test_digits_are_as_asked_and_without_exponent():
         (5.0, 0.1, inf, "nm", True),
     ],
 )
-def test_an_interval_far_beyond_its_number_is_boundless(value, low, high, unit, boundless):
-    assert is_boundless(value, low, high, unit) == boundless
+def test_an_interval_far_beyond_its_number_is_unbounded(value, low, high, unit, unbounded):
+    assert is_unbounded(value, low, high, unit) == unbounded

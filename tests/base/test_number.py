@@ -3,15 +3,15 @@
 import json
 import math
 
-from hardcontact.base.number import Number, plain
+from hardcontact.base.number import Number, json_value
 
 
 def test_unknown_numbers_are_none_in_json():
     numbers = {
         "edges": [Number("short", 37.0, "nm", 30.0, math.inf), Number("long", math.nan, "nm")]
     }
-    short, long = json.loads(json.dumps(plain(numbers), allow_nan=False))["edges"]
+    short, long = json.loads(json.dumps(json_value(numbers), allow_nan=False))["edges"]
     assert list(short) == ["name", "value", "unit", "low", "high", "status", "source"]
     assert (short["value"], short["low"], short["high"]) == (37.0, 30.0, None)
     assert (short["status"], long["status"], long["value"]) == ("known", "not_known", None)
-    assert plain(Number("force", math.nan, status="open_above"))["status"] == "open_above"
+    assert json_value(Number("force", math.nan, status="open_above"))["status"] == "open_above"

@@ -139,7 +139,7 @@ def check_pair(config, rng, substrate, sphere):
         contacts = all_contact_pixels(pair, contact_pixel_count)
         assert contacts.gaps.shape[-1] == contact_pixel_count
         for index in np.ndindex(contacts.gaps.shape[:2]):
-            depth, *_ = indent_sizes(contacts.of_contact(index), pixel_size)
+            depth, *_ = indent_sizes(contacts.pixels_of_contact(index), pixel_size)
             assert 0 < depth < np.inf
     carried = config["asperities"]
     positions = sample_contacts(rng, contact.contacts_per_row, carried["contacts"])

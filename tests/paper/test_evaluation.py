@@ -6,7 +6,7 @@ import pytest
 import xarray as xr
 from scipy import stats
 
-from hardcontact.paper.evaluation import COLUMNS, claim_values, evaluate
+from hardcontact.paper.evaluation import COLUMNS, claim_values, judge_claims
 
 SURFACES = ["smooth", "middle", "rough"]
 CONSTANTS = pd.DataFrame({"value": {"spacing": 2.0, "scan_size": 5e3, "scan_pixels": 512.0}})
@@ -59,7 +59,7 @@ def judge_all(datasets, samples=(), confidence=0.95, **changes):
         {"value": (("set", "claim"), np.reshape(samples, (-1, 1)))}, {"claim": ["claim"]}
     )
     claims = pd.DataFrame([CLAIM | changes])
-    return evaluate(claims, datasets, CONSTANTS, confidence, sets)
+    return judge_claims(claims, datasets, CONSTANTS, confidence, sets)
 
 
 def judge(datasets=None, *samples, **changes):

@@ -15,7 +15,7 @@ from hardcontact.paper.featured_samples import (
     SampleInputs,
     compare_with_published,
     compute_samples,
-    no_samples,
+    empty_comparison,
     sample_of_set,
 )
 from hardcontact.paper.published_fit import Pair, PublishedForces
@@ -78,5 +78,5 @@ def test_the_comparison_has_the_forces_at_the_published_pair(samples):
         )
         == 0
     )
-    assert set(no_samples()) <= set(comparison)
-    assert set(no_samples().attrs) <= set(comparison.assign_attrs(label="").attrs)
+    assert set(empty_comparison()) <= set(comparison)
+    assert set(empty_comparison().attrs) <= set(comparison.assign_attrs(label="").attrs)

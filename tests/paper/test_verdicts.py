@@ -12,10 +12,10 @@ from hardcontact.paper.verdicts import (
     VERDICTS,
     accepted_range,
     add_open_ends,
+    count_verdicts,
     read_verdicts,
     sets_interval,
     stretch_interval,
-    summary,
     without_verdicts,
 )
 
@@ -83,7 +83,7 @@ def test_summary_lists_every_verdict_and_counts_independent_findings():
             "follows_from": ["", "", "first", "first", ""],
         }
     )
-    result = summary(evaluated).set_index("verdict")
+    result = count_verdicts(evaluated).set_index("verdict")
     assert list(result.index) == list(VERDICTS)
     assert result.loc["reproduced"].to_dict() == {"independent": 1, "claims": 2}
     assert result.loc["agrees"].to_dict() == {"independent": 1, "claims": 2}
@@ -106,7 +106,7 @@ def test_claims_without_verdicts_are_read_back_and_counted_as_none(tmp_path):
     path.write_text("id,agreeing_share,verdict,follows_from,note\nfirst,0.99,reproduced,,\n")
     without_verdicts(read_verdicts(path)).to_csv(path, index=False)
     assert path.read_text().splitlines()[1].startswith("first,,,")
-    assert summary(read_verdicts(path))["claims"].sum() == 0
+    assert count_verdicts(read_verdicts(path))["claims"].sum() == 0
 
 
 # --- sets of scans ----------------------------------------------------------------------------

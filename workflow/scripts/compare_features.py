@@ -5,7 +5,7 @@ from hardcontact.base.dataset import read, read_all
 from hardcontact.contact.contact import PLASTIC
 from hardcontact.paper.featured_samples import (
     compare_with_published,
-    no_samples,
+    empty_comparison,
     samples_by_surface,
 )
 from hardcontact.paper.published_fit import Pair, PublishedForces
@@ -30,6 +30,6 @@ with run_job(snakemake) as job:
     ]
     job.write(
         # Without substitutes of the surface there are no samples.
-        comparisons[0] if comparisons else no_samples(),
+        comparisons[0] if comparisons else empty_comparison(),
         title="forces on surfaces with features at the published range and work of adhesion",
     )

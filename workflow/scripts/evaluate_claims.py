@@ -2,7 +2,7 @@
 
 from hardcontact.base import published
 from hardcontact.base.dataset import read
-from hardcontact.paper.evaluation import evaluate, read_claims
+from hardcontact.paper.evaluation import judge_claims, read_claims
 from hardcontact.paper.verdicts import without_verdicts
 from hardcontact.records.job import run_job
 from hardcontact.report.paper_study.changed_inputs import changed_inputs
@@ -10,7 +10,7 @@ from hardcontact.report.paper_study.changed_inputs import changed_inputs
 with run_job(snakemake) as job:
     params = job.parameters
     datasets = {name: read(job.input[name]) for name in params["datasets"]}
-    claims = evaluate(
+    claims = judge_claims(
         read_claims(job.input.claims),
         datasets,
         published.read_constants(job.input.published_constants),

@@ -8,7 +8,7 @@ from hardcontact.report.own_surfaces.artificial_roughness import (
     artificial_bands,
     overlaps_any,
     reliable_scans,
-    scans_of,
+    without_padding,
 )
 
 
@@ -38,7 +38,7 @@ def test_an_unreliable_scan_closes_no_gap():
 def test_empty_entries_are_no_measurements():
     twin = spectra(2).sel(surface=SURFACES[1])
     assert twin.sizes["measurement"] == 3
-    assert scans_of(twin)["path"].values.tolist() == ["scans/fine.spm", "scans/coarse.spm"]
+    assert without_padding(twin)["path"].values.tolist() == ["scans/fine.spm", "scans/coarse.spm"]
     assert artificial_bands(twin)[-1] == (5000.0, np.inf)
 
 

@@ -17,7 +17,7 @@ from answer_inputs import (
     unresolved_edges,
 )  # fmt: skip
 
-from hardcontact.base.number import Number, plain
+from hardcontact.base.number import Number, json_value
 from hardcontact.inference.edges import computed_cutoffs
 from hardcontact.report.own_surfaces.answer import surface_answers
 from hardcontact.report.own_surfaces.artificial_roughness import classify_edge, parts_of_change
@@ -35,7 +35,7 @@ from hardcontact.report.own_surfaces.edges import surface_conclusion
     ],
 )
 def test_artificial_ends_of_intervals_are_left_out(data, source):
-    fact = plain(numbers_of(edges=data)["short_edge"])
+    fact = json_value(numbers_of(edges=data)["short_edge"])
     assert (fact["source"], fact["low"], fact["high"]) == source
 
 
@@ -58,7 +58,7 @@ def test_the_change_at_an_edge_is_split_at_the_shortest_reliable_wavelength():
 
 def test_open_edges_are_bounds():
     bound = Number("long_edge", 2560.0, "nm", status="open_above", source="measured")
-    assert plain(numbers_of(edges=open_edges())["long_edge"]) == plain(bound)
+    assert json_value(numbers_of(edges=open_edges())["long_edge"]) == json_value(bound)
     lower_bound = open_edges()
     lower_bound["edge_status"].loc[{"side": "long"}] = "open_below"
     assert numbers_of(edges=lower_bound)["long_edge"].status == "open_below"
@@ -113,7 +113,7 @@ def test_a_missing_interval_has_a_reason():
         edges_without_interval = data.assign(interval_source=("surface", [source]))
         assert numbers_of(edges=edges_without_interval)["short_edge"].status == status
     half = numbers_of(edges=move_edge(120.0, 90.0, np.nan))["short_edge"]
-    assert (half.low, plain(half.high), half.status) == (90.0, None, "")
+    assert (half.low, json_value(half.high), half.status) == (90.0, None, "")
     assert numbers_of(force=drop_interval(force()))["mean_force"].status == "no_interval"
     endless = force()
     endless["force_interval"].loc[{"end": "low"}] = 0

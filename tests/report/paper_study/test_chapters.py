@@ -11,7 +11,7 @@ from paper_study import claims as all_claims
 from refusals import assert_says
 from repository import PAPER, ROOT
 
-from hardcontact.paper.verdicts import VERDICTS, summary
+from hardcontact.paper.verdicts import VERDICTS, count_verdicts
 from hardcontact.report.figures.listing import PAPER_FIGURES
 from hardcontact.report.paper_study.chapters import convert_chapter
 from hardcontact.report.paper_study.claims import claim_facts
@@ -69,7 +69,7 @@ def test_facts_are_the_claims_with_their_numbers_as_printed():
     assert rows["second"]["computed_text"] == "1.5" and rows["second"]["published_text"] == ""
     assert rows["third"]["computed_text"] == "" and rows["third"]["computed"] is None
     assert [row["kind"] for row in rows.values()] == ["independent", "follows", "independent"]
-    assert facts["counts"] == summary(evaluated()).to_dict("records")
+    assert facts["counts"] == count_verdicts(evaluated()).to_dict("records")
     row = claim_facts(evaluated(verdict="by construction"))["claims"]["first"]
     assert row["kind"] == "by construction"
 

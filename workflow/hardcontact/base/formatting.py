@@ -72,7 +72,7 @@ def _format_down_to(last_digit: float, number: float, limits: Sequence[float] = 
     return _format_down_to(last_digit / 10, number, limits) if is_hidden else text
 
 
-def _bracketed(number: str, low: str, high: str, unit: str = "") -> str:
+def _add_interval(number: str, low: str, high: str, unit: str = "") -> str:
     """Return a number, its interval and its unit as "67 [47, 74] nm"."""
     return f"{number} [{low}, {high}] {unit}".rstrip()
 
@@ -100,7 +100,7 @@ def _format(
     if open_end:
         bound = f"at least {low}" if open_end == "high" else f"at most {high}"
         return f"{number} [{bound}] {name}".rstrip()
-    return _bracketed(number, low, high, name)
+    return _add_interval(number, low, high, name)
 
 
 def format_quantity(
@@ -118,10 +118,10 @@ def format_quantity(
     a bound: "0.64 [at least 0.5] µN".
     """
     finite = math.isfinite(low + high)
-    boundless = finite and is_boundless(value, low, high, unit)
-    interval = (low, high) if finite and not boundless else (math.nan, math.nan)
+    unbounded = finite and is_unbounded(value, low, high, unit)
+    interval = (low, high) if finite and not unbounded else (math.nan, math.nan)
     text = _format(value, PRINTED_UNITS[unit], interval, digits, open_end)
-    return f"{text} [not bounded]" if boundless or (low, high) == (0, math.inf) else text
+    return f"{text} [not bounded]" if unbounded or (low, high) == (0, math.inf) else text
 
 
 def format_length(length: float) -> str:
@@ -150,7 +150,7 @@ def format_as_paper(
     return _format(value, UNITS_OF_PAPER.get(unit, {unit: 1.0}), interval, digits, open_end, limits)
 
 
-def is_boundless(value: float, low: float, high: float, unit: str) -> bool:
+def is_unbounded(value: float, low: float, high: float, unit: str) -> bool:
     """Return whether the ends of an interval differ by more than `MAX_END_RATIO`; False for NaN.
 
     All are in `unit`. If the interval contains zero, its farther end is compared with the value
@@ -174,4 +174,4 @@ def format_with_interval(ends: Mapping[str, float], form: str) -> str:
     `form` is the format of each number, such as ".2g". No unit is printed.
     """
     number, low, high = (f"{ends[name]:{form}}" for name in ("value", "low", "high"))
-    return _bracketed(number, low, high) if math.isfinite(ends["low"] + ends["high"]) else number
+    return _add_interval(number, low, high) if math.isfinite(ends["low"] + ends["high"]) else number

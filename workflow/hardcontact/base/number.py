@@ -73,13 +73,13 @@ class Number(NamedTuple):
         return f"Number({self.name}: {self.value:.3g}{interval}{unit}{status})"
 
 
-def plain(value: Any) -> Any:
+def json_value(value: Any) -> Any:
     """Return a value for JSON: numbers as mappings, None in place of infinite values and NaN."""
     if isinstance(value, Number):
         known = Status.KNOWN if math.isfinite(value.value) else Status.NOT_KNOWN
-        return plain(value._asdict() | {"status": value.status or known})
+        return json_value(value._asdict() | {"status": value.status or known})
     if isinstance(value, dict):
-        return {key: plain(item) for key, item in value.items()}
+        return {key: json_value(item) for key, item in value.items()}
     if isinstance(value, list):
-        return [plain(item) for item in value]
+        return [json_value(item) for item in value]
     return None if isinstance(value, float) and not math.isfinite(value) else value

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import pandas as pd
 
 from hardcontact.base.formatting import format_length, format_quantity
-from hardcontact.base.number import Number, Status, plain
+from hardcontact.base.number import Number, Status, json_value
 from hardcontact.commands.output import output_faults, write_output
 from hardcontact.commands.parser import CommandLine
 from hardcontact.commands.request import (
@@ -176,7 +176,7 @@ def _json(numbers: Mapping[str, Number]) -> str:
     """Return numbers by name, each with value, unit, and its interval and status if it has any."""
     entries: dict[str, dict[str, Any]] = {}
     for name, number in numbers.items():
-        entries[name] = {"value": plain(number.value), "unit": number.unit}
+        entries[name] = {"value": json_value(number.value), "unit": number.unit}
         if math.isfinite(number.low + number.high):
             entries[name]["interval"] = [number.low, number.high]
         if number.status:

@@ -39,7 +39,7 @@ def asperities(
     share. The attraction (n, n) is proportional to the force on each pixel.
     """
     total = attraction.sum()
-    is_carrier = attraction >= weakest_carrier(attraction, share, total)
+    is_carrier = attraction >= least_carrying_attraction(attraction, share, total)
     rows = np.flatnonzero(is_carrier.any(axis=1))
     columns = np.flatnonzero(is_carrier.any(axis=0))
     box = np.s_[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1]
@@ -49,7 +49,7 @@ def asperities(
     return forces[0], forces[:2].sum(), count, extent
 
 
-def weakest_carrier(attraction: Floats, share: float, total: float) -> float:
+def least_carrying_attraction(attraction: Floats, share: float, total: float) -> float:
     """Return the smallest attraction of the fewest pixels that carry a share of the total.
 
     A histogram finds the few attractions to sort: those of the bin in which the share is reached.

@@ -35,7 +35,7 @@ class Tiles:
     #: (tiles, tiles), the highest point of the GROUP x GROUP tiles that begin at each tile.
     group_maxima: NDArray[np.floating]
 
-    def in_window(
+    def tiles_in_window(
         self, positions: NDArray[np.int_], window: int
     ) -> tuple[NDArray[np.int_], NDArray[np.int_], NDArray[np.bool_]]:
         """Return the tiles that meet windows of pixels about positions (...), along one axis.
@@ -76,7 +76,7 @@ def _maxima_of_squares(maxima: NDArray[np.floating], count: int) -> NDArray[np.f
     return np.asarray(np.maximum.reduce([np.roll(rows, -i, axis=1) for i in range(count)]))
 
 
-def as_tiles(surface: HeightMap) -> Tiles:
+def cut_into_tiles(surface: HeightMap) -> Tiles:
     """Cut a square periodic map into tiles."""
     heights = surface.heights
     count = -(-surface.pixels // TILE)
@@ -100,7 +100,7 @@ class ContactPixels(NamedTuple):
         """Return as many of the pixels of each contact, those with the smallest gaps."""
         return ContactPixels(self.gaps[..., :count], self.offsets[..., :count, :])
 
-    def of_contact(self, index: tuple[int, ...]) -> "ContactPixels":
+    def pixels_of_contact(self, index: tuple[int, ...]) -> "ContactPixels":
         """Return the pixels of one contact."""
         return ContactPixels(self.gaps[index], self.offsets[index])
 
@@ -118,7 +118,7 @@ class WindowTiles(NamedTuple):
         contacts, row, column, bounds = self
         return WindowTiles(contacts[index], row[index], column[index], bounds[index])
 
-    def up_to(self, limits: Floats) -> "WindowTiles":
+    def tiles_within(self, limits: Floats) -> "WindowTiles":
         """Return the tiles whose bounds are at most the limits (contact,) in nm."""
         return self.select(self.bounds <= limits[self.contact_numbers])
 
@@ -140,7 +140,7 @@ class _Windows:
         self.substrate = substrate
         self.sphere_roughness = sphere_roughness
         self.geometry = geometry
-        offset, index, meets = substrate.in_window(positions, geometry.window_pixels)
+        offset, index, meets = substrate.tiles_in_window(positions, geometry.window_pixels)
         # The lowest point of the sphere over the TILE pixels that begin at each offset.
         nearest = np.maximum(np.maximum(offset, -(offset + TILE - 1)), 0)
         low = np.where(meets, geometry.paraboloid(nearest), np.inf)
@@ -217,10 +217,11 @@ def find_contact_pixels(
     contacts = np.repeat(np.arange(len(positions)), best_groups.shape[1])
     tiles = windows.tiles_of_groups(contacts, best_groups.ravel())
     limits = _limits_of_gaps(windows, tiles, contact_pixel_count)
-    tiles = windows.tiles_of_groups(*np.nonzero(group_bounds <= limits[:, None])).up_to(limits)
+    low_groups = np.nonzero(group_bounds <= limits[:, None])
+    tiles = windows.tiles_of_groups(*low_groups).tiles_within(limits)
     # The remaining tiles of lowest bounds, from all groups, give lower limits.
     limits = _limits_of_gaps(windows, tiles, contact_pixel_count)
-    tiles = tiles.up_to(limits)
+    tiles = tiles.tiles_within(limits)
     batches = [slice(start, start + BATCH) for start in range(0, len(tiles.contact_numbers), BATCH)]
     low_gaps = [_gaps_up_to(windows, tiles.select(batch), limits) for batch in batches]
     contacts, gaps, offsets = (np.concatenate(arrays) for arrays in zip(*low_gaps, strict=True))
@@ -285,9 +286,9 @@ def _lowest(gaps: Floats, offsets: NDArray[np.int_], contact_pixel_count: int) -
 
 def all_contact_pixels(bodies: Bodies, contact_pixel_count: int) -> ContactPixels:
     """Return the contact pixels (contact_y, contact_x, k) of every contact of the array."""
-    substrate = as_tiles(bodies.substrate)
+    substrate = cut_into_tiles(bodies.substrate)
     sphere = bodies.sphere_roughness
-    rough_tiles = None if sphere is None else as_tiles(sphere)
+    rough_tiles = None if sphere is None else cut_into_tiles(sphere)
     geometry = bodies.geometry
     apexes = geometry.apexes()
     positions = apexes.reshape(-1, 2)

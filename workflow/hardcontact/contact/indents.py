@@ -101,7 +101,7 @@ def _sizes_of_bodies(bodies: Bodies, loaded_contacts: Sequence[Contact]) -> xr.D
     array_shape = [len(bodies.geometry.positions)] * 2
     sizes = np.array(
         [
-            indent_sizes(pixels.of_contact(index), bodies.geometry.pixel_size)
+            indent_sizes(pixels.pixels_of_contact(index), bodies.geometry.pixel_size)
             for pixels in _pixels_by_load(bodies, loaded_contacts)
             for index in np.ndindex(*array_shape)
         ]
@@ -129,7 +129,7 @@ def _add_height_maps(
 ) -> xr.Dataset:
     """Add maps of the indents of one contact at every preload, and of the sphere there."""
     pixels_by_load = [
-        pixels.of_contact(index) for pixels in _pixels_by_load(bodies, loaded_contacts)
+        pixels.pixels_of_contact(index) for pixels in _pixels_by_load(bodies, loaded_contacts)
     ]
     offsets = np.arange(-MAP_HALF_WIDTH, MAP_HALF_WIDTH + 1)
     row, column = pixels_by_load[0].offsets[0]

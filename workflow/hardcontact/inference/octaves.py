@@ -83,7 +83,7 @@ def octave_force_dataset(
     )
 
 
-def middles_within(octave_starts: Floats, shortest: float, longest: float) -> NDArray[np.bool_]:
+def have_middle_within(octave_starts: Floats, shortest: float, longest: float) -> NDArray[np.bool_]:
     """Return the mask of octaves (by their shortest wavelengths) whose middle is in a band (nm)."""
     middle = np.sqrt(2) * octave_starts
     return np.asarray((shortest < middle) & (middle < longest))

@@ -115,7 +115,7 @@ def _fit_model(
 
     Returns ``work_by_range`` (surface, rho_fine) in J/m² with its interval; ``region`` (rho_fine,
         end), the lowest and highest work in J/m² that all surfaces allow, or NaN, with its
-        `_extent`; and the variables of `_best_pair`.
+        `_region_extent`; and the variables of `_best_pair`.
     """
     computed_ranges = next(iter(computed.values())).ranges
     # The curves contain the computed ranges, so that the works at these are exact.
@@ -143,7 +143,7 @@ def _fit_model(
             "work_by_range", ("surface", "rho_fine"), works, intervals, JOULE_PER_M2, confidence
         )
         | {"region": (("rho_fine", "end"), region, JOULE_PER_M2)}
-        | _extent(region, ranges)
+        | _region_extent(region, ranges)
         | _best_pair(curves, measured_forces, ranges),
         {"surface": list(computed), "rho_fine": ("rho_fine", ranges, NM)},
     )
@@ -184,7 +184,7 @@ def _best_pair(curves: Floats, measured_forces: Floats, ranges: Floats) -> dict[
     return variables | {"exact_pairs": ((), exact_pairs, DIMENSIONLESS)}
 
 
-def _extent(region: Floats, ranges: Floats) -> dict[str, Any]:
+def _region_extent(region: Floats, ranges: Floats) -> dict[str, Any]:
     """Return the extent of a region (rho, end), and the status of its ends.
 
     If the region reaches the shortest or longest computed range, it may extend beyond. Its range is

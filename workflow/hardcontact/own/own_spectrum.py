@@ -174,9 +174,9 @@ def table_spectrum(path: str | Path) -> Spectrum:
     faulty row.
     """
     table = user_table(path, "a table of a power spectral density")
-    wave = _column(table, WAVE_COLUMNS)
-    density = _column(table, DENSITY_COLUMNS)
-    points = table.convert(partial(_point, wave=wave, density=density))
+    wave = _find_column(table, WAVE_COLUMNS)
+    density = _find_column(table, DENSITY_COLUMNS)
+    points = table.convert(partial(_wavevector_and_density, wave=wave, density=density))
     lines = dict[str, int]()
     for line, (wavevector, _) in points.items():
         first_line = lines.setdefault(f"{wavevector:.9g}", line)
@@ -195,7 +195,7 @@ def table_spectrum(path: str | Path) -> Spectrum:
     return Spectrum(wavevectors, densities)
 
 
-def _column(table: UserTable, names: Sequence[str]) -> str:
+def _find_column(table: UserTable, names: Sequence[str]) -> str:
     """Return the name of the column that a table has, out of two; its unit must be there, too."""
     present = [name for name in names if name in table.header]
     if len(present) != 1:
@@ -207,7 +207,7 @@ def _column(table: UserTable, names: Sequence[str]) -> str:
     return present[0]
 
 
-def _point(row: Row, wave: str, density: str) -> tuple[float, float]:
+def _wavevector_and_density(row: Row, wave: str, density: str) -> tuple[float, float]:
     """Return wavevector (1/nm) and density (C_iso in nm⁴, C_1D in nm³) of a row."""
     value = parse_number(row[density])
     power = 4 if density == "c_iso" else 3
@@ -216,13 +216,13 @@ def _point(row: Row, wave: str, density: str) -> tuple[float, float]:
     if not (0 < value < math.inf or (power == 4 and value == 0)):
         accepted = "a number of at least 0" if power == 4 else "a positive number"
         raise ValueError(f"{density}: expected {accepted}, found {quote_key(row[density])}")
-    wavevector = parse_number(row[wave]) / _nanometres(row, wave)
+    wavevector = parse_number(row[wave]) / _length_in_nm(row, wave)
     if wave == "wavelength":
-        wavevector = 2 * math.pi / (parse_number(row[wave]) * _nanometres(row, wave))
-    return wavevector, value * _nanometres(row, density) ** power
+        wavevector = 2 * math.pi / (parse_number(row[wave]) * _length_in_nm(row, wave))
+    return wavevector, value * _length_in_nm(row, density) ** power
 
 
-def _nanometres(row: Row, name: str) -> float:
+def _length_in_nm(row: Row, name: str) -> float:
     """Return the length in the unit of a column, in nm; refuse a unit of another quantity."""
     pattern, words = COLUMN_UNITS[name]
     unit = row[f"{name}_unit"]

@@ -13,12 +13,12 @@ from hardcontact.inference.octaves import (
     AMPLITUDE_FACTORS,
     OCTAVE_LIMITS,
     STEP,
-    middles_within,
+    have_middle_within,
     octave_forces,
     strongest_octaves,
 )
 from hardcontact.own.own_spectrum import OwnSpectrum
-from hardcontact.own.scan_force import contact_on_scan, obstacle_to_force, stitched_map
+from hardcontact.own.scan_force import contact_on_scan, reason_without_force, stitched_map
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import Spectrum
 from hardcontact.theory.closed_form import closed_form
@@ -33,9 +33,9 @@ def predicted_octaves(own_spectrum: OwnSpectrum, contact: Contact) -> Iterator[N
     """
     spectrum = trim_spectrum(own_spectrum.spectrum)
     longest, shortest = spectrum.wavelength[[0, -1]]
-    octaves = OCTAVE_LIMITS[middles_within(OCTAVE_LIMITS, shortest, longest)]
+    octaves = OCTAVE_LIMITS[have_middle_within(OCTAVE_LIMITS, shortest, longest)]
     scans = own_spectrum.scans
-    obstacle, _ = obstacle_to_force(scans, contact, len(AMPLITUDE_FACTORS) * len(octaves))
+    obstacle, _ = reason_without_force(scans, contact, len(AMPLITUDE_FACTORS) * len(octaves))
     if len(octaves) and not obstacle:
         derivatives = derivatives_on_scan(scans[0], octaves, contact)
         status = Status.ON_SCAN

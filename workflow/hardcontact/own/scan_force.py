@@ -61,7 +61,7 @@ def add_force_on_scan(
     """
     if not (scans and isinstance(spectrum, ScanSpectrum)):
         return dict(numbers)
-    status, shortest_range = obstacle_to_force(scans, contact)
+    status, shortest_range = reason_without_force(scans, contact)
     if status:
         scan_numbers = [Number("force_on_scan", math.nan, "N", status=status)]
         if status == Status.RANGE_TOO_SHORT:
@@ -78,7 +78,7 @@ def add_force_on_scan(
     return result
 
 
-def obstacle_to_force(
+def reason_without_force(
     scans: Sequence[HeightMap], contact: Contact, sums: int = 1
 ) -> tuple[str, float]:
     """Return why levelled scans give no force, "" if they do, and the shortest range (nm).

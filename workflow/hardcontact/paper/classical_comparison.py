@@ -64,9 +64,9 @@ def apply_classical_models(
         rng = sampling.generator(metrics)
         samples = sample_roughness(rng, mean, uncertainty, sampling.sample_count)
         comparison = compare_models(
-            mean, samples, sphere, value["work_of_adhesion"], _values(forces), sampling
+            mean, samples, sphere, value["work_of_adhesion"], _first_columns(forces), sampling
         )
-        laws = power_laws(mean, samples, _values(works), sampling)
+        laws = power_laws(mean, samples, _first_columns(works), sampling)
         models[(metrics,)] = comparison.merge(laws)
     return (
         stack(models, ["metrics"])
@@ -107,7 +107,7 @@ def _forces_at_published_pair(fit: xr.Dataset) -> Floats:
     return np.column_stack([plastic["mean_force_at_pair"].values, interval.values])
 
 
-def _values(with_ends: Mapping[str, Floats]) -> dict[str, Floats]:
+def _first_columns(with_ends: Mapping[str, Floats]) -> dict[str, Floats]:
     """Return the first columns of arrays (surface, 3), which hold value, low and high end."""
     return {source: ends[:, 0] for source, ends in with_ends.items()}
 

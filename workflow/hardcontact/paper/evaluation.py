@@ -91,12 +91,12 @@ def claim_values(
     """
     values = {
         claim.id: np.nan if result is None else float(result.estimate["value"])
-        for claim, result in _compute_all(claims, datasets, constants, np.nan)
+        for claim, result in _estimate_claims(claims, datasets, constants, np.nan)
     }
     return pd.Series(values, dtype=float).rename_axis("id")
 
 
-def evaluate(
+def judge_claims(
     claims: pd.DataFrame,
     datasets: Mapping[str, xr.Dataset],
     constants: pd.DataFrame,
@@ -112,15 +112,15 @@ def evaluate(
     """
     common = _Common(datasets["topography"], constants, sets, confidence)
     rows = []
-    for claim, result in _compute_all(claims, datasets, constants, confidence):
+    for claim, result in _estimate_claims(claims, datasets, constants, confidence):
         if result is not None:
             with _prefix_errors(claim):
-                rows.append(_row(claim, result, common))
+                rows.append(_judged_row(claim, result, common))
     return pd.DataFrame(rows, columns=list(COLUMNS))
 
 
 class _Common(NamedTuple):
-    """The inputs with which all claims are judged, as for `evaluate`."""
+    """The inputs with which all claims are judged, as for `judge_claims`."""
 
     topography: xr.Dataset
     constants: pd.DataFrame
@@ -136,7 +136,7 @@ class _ClaimResult(NamedTuple):
     labels: SelectedLabels
 
 
-def _compute_all(
+def _estimate_claims(
     claims: pd.DataFrame,
     datasets: Mapping[str, xr.Dataset],
     constants: pd.DataFrame,
@@ -193,7 +193,7 @@ def _prefix_errors(claim: Any) -> Iterator[None]:
         raise ValueError(f"claim {claim.id}: {reason}") from error
 
 
-def _row(claim: Any, result: _ClaimResult, common: _Common) -> dict[str, Any]:
+def _judged_row(claim: Any, result: _ClaimResult, common: _Common) -> dict[str, Any]:
     """Return one row of claims.csv: the columns of the claim and the results of its judgement."""
     surfaces = claim_surfaces(claim, result.datasets, result.labels, common.topography)
     fixed, reason = fixed_verdict(claim, surfaces, common.topography, common.constants)

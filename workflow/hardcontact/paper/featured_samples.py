@@ -131,7 +131,7 @@ def compare_with_published(
     )
 
 
-def no_samples() -> xr.Dataset:
+def empty_comparison() -> xr.Dataset:
     """Return an empty dataset like `compare_with_published`, for a study without features."""
     empty = ("features", "sample"), np.empty((len(KINDS), 0))
     return xr.Dataset(

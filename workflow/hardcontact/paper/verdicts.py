@@ -154,7 +154,7 @@ def interval_with_sets(
 
 
 def read_verdicts(path: str | Path) -> pd.DataFrame:
-    """Read the claims.csv of a study, as from `evaluation.evaluate`.
+    """Read the claims.csv of a study, as from `evaluation.judge_claims`.
 
     Raises ValueError if the file ends within a line.
     """
@@ -171,7 +171,7 @@ def without_verdicts(evaluated: pd.DataFrame) -> pd.DataFrame:
     return evaluated.assign(verdict="", agreeing_share=np.nan)
 
 
-def summary(evaluated: pd.DataFrame) -> pd.DataFrame:
+def count_verdicts(evaluated: pd.DataFrame) -> pd.DataFrame:
     """Count the claims of each of `VERDICTS`, and the independent findings among them.
 
     A claim is not independent if it follows from another claim, holds by construction, or compares

@@ -14,7 +14,7 @@ The unit `1` says that a number has none. A variable with \\* has an interval be
 """
 
 
-def page(datasets: Mapping[str, xr.Dataset]) -> str:
+def dictionary_page(datasets: Mapping[str, xr.Dataset]) -> str:
     """Return the page in Markdown, a table for each dataset, by its name."""
     return "\n".join([HEAD, *(_table(name, data) for name, data in datasets.items())])
 

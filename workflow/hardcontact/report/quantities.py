@@ -9,7 +9,7 @@ from typing import Any
 import xarray as xr
 
 from hardcontact.base.formatting import PRINTED_UNITS, format_as_paper, format_quantity
-from hardcontact.base.number import Number, Status, plain
+from hardcontact.base.number import Number, Status, json_value
 from hardcontact.base.statistics import interval_ends
 
 QuantityMapping = dict[str, Any]
@@ -111,7 +111,7 @@ def _unbounded(number: Number, digits: int) -> str:
 
 def quantity_mapping(number: Number, surface: str = "") -> QuantityMapping:
     """Return a number as a mapping for answer.json; without a surface it is of the whole study."""
-    return {"surface": surface, **plain(number)}
+    return {"surface": surface, **json_value(number)}
 
 
 def all_quantities(

@@ -58,7 +58,7 @@ def combine_spectra(substrate: xr.Dataset, sphere: xr.Dataset) -> xr.Dataset:
     with np.errstate(invalid="ignore"):
         share = densities[1] / total
     is_sphere = densities[1] > densities[0]
-    bodies = [_dominant(substrate, ~is_sphere), _dominant(sphere, is_sphere)]
+    bodies = [_limit_to_dominant(substrate, ~is_sphere), _limit_to_dominant(sphere, is_sphere)]
     measurements = xr.concat(
         bodies, "measurement", data_vars="minimal", coords="minimal", compat="override"
     )
@@ -87,7 +87,7 @@ def combine_spectra(substrate: xr.Dataset, sphere: xr.Dataset) -> xr.Dataset:
     )
 
 
-def _dominant(body: xr.Dataset, is_dominant: NDArray[np.bool_]) -> xr.Dataset:
+def _limit_to_dominant(body: xr.Dataset, is_dominant: NDArray[np.bool_]) -> xr.Dataset:
     """Return the spectrum of a body whose measurements are reliable only where it dominates."""
     was_reliable = body["reliable"].values == 1
     reliable = was_reliable & is_dominant

@@ -56,7 +56,7 @@ UNKNOWN_UNIT = re.compile("Unknown unit '(.*)'|.* while unit '(.*)' is of kind")
 
 def list_datasets(content: bytes) -> dict[str, Any]:
     """Return {"datasets": names}: the data files in a container, or one empty name otherwise."""
-    content = _decompressed(content)
+    content = _decompress(content)
     entries = container_entries(content)
     return {"datasets": [""] if entries is None else [entry["file"] for entry in entries]}
 
@@ -65,7 +65,7 @@ def read_fields(
     content: bytes, dataset: str, undefined_pixels: str, unit: str, map_size: float | str, mask: str
 ) -> dict[str, Any]:
     """Return the fields of a `HeightMap` that its file states, for `scans.read_scan`."""
-    content = _decompressed(content)
+    content = _decompress(content)
     entries = container_entries(content)
     entry: dict[str, Any] = {}
     if entries is not None:
@@ -74,7 +74,7 @@ def read_fields(
             content = container.read(entry["file"])
     content, text_notes = readable_text(content)
     unit = unit.replace("angstrom", "Å")
-    reader = _open(content)
+    reader = _open_reader(content)
     channel, notes = _height_channel(reader, entry, "" if entry else dataset)
     notes = text_notes + notes
     topography, metadata_in_words = _read_topography(
@@ -150,12 +150,12 @@ def _keep_marked_pixels(topography: Any) -> tuple[Any, list[str]]:
     return Topography(heights, sizes, unit=unit, info=topography.info), [caution]
 
 
-def _decompressed(content: bytes) -> bytes:
+def _decompress(content: bytes) -> bytes:
     """Return the content of a file of gzip; any other content stays as it is."""
     return gzip.decompress(content) if content.startswith(GZIP) else content
 
 
-def _open(content: bytes) -> Any:
+def _open_reader(content: bytes) -> Any:
     """Return a reader whose channels can be listed; refuse other files with the remedy."""
     kind = kind_in_words(content, KINDS_WITHOUT_HEIGHTS)
     if kind:

@@ -98,7 +98,7 @@ def map_values(topography: Any, factor: float, undefined_pixels: str) -> dict[st
 
     sizes = np.asarray(topography.physical_sizes, float) * factor
     heights, pixel_size, notes = _square_pixels(
-        _masked(topography.heights()), sizes / topography.nb_grid_pts
+        _mask_undefined(topography.heights()), sizes / topography.nb_grid_pts
     )
     columns, rows = heights.shape
     heights = _largest_square(heights)
@@ -169,10 +169,10 @@ def _square_pixels(
             f"square, {square} were scanned, and heights are stretched "
             f"{wider / widths.min():.3g} times along {'xy'[widths.argmax()]}"
         )
-    return _masked(values), wider, notes
+    return _mask_undefined(values), wider, notes
 
 
-def _masked(heights: Floats) -> np.ma.MaskedArray:
+def _mask_undefined(heights: Floats) -> np.ma.MaskedArray:
     """Return heights whose undefined pixels are masked, however the reader marked them."""
     values = np.asarray(np.ma.getdata(heights), dtype=float)
     return np.ma.masked_array(values, np.ma.getmaskarray(heights) | ~np.isfinite(values))
@@ -196,7 +196,7 @@ def _count_undefined(heights: np.ma.MaskedArray, undefined_pixels: str) -> tuple
 
 def profile_values(line_scan: Any, factor: float, undefined_pixels: str) -> dict[str, Any]:
     """Return `_fields` of a line scan on uniform spacing, gaps filled; its unit is `factor` nm."""
-    heights = _masked(line_scan.heights())
+    heights = _mask_undefined(line_scan.heights())
     positions = np.asarray(line_scan.positions(), float) * factor
     if positions[-1] < positions[0]:
         positions, heights = positions[::-1], heights[::-1]

@@ -13,9 +13,9 @@ from hardcontact.report.notes import note, substitutes_note
 from hardcontact.report.own_surfaces.artificial_roughness import (
     MEASUREMENT_LENGTHS,
     measurement_name,
-    scans_of,
     shown_octaves,
     split_scans,
+    without_padding,
 )
 from hardcontact.report.own_surfaces.cautions import Caution, cautions
 from hardcontact.report.own_surfaces.comparison import comparison_numbers
@@ -217,7 +217,7 @@ def _scan_numbers(data: Datasets) -> Iterator[Number]:
     for name in SHOWN_METRICS:
         if f"all_scales_{name}" in topography:
             yield number_of(topography, f"all_scales_{name}", METRICS[name][0])
-    for index, measurement in enumerate(split_scans(scans_of(data.spectra)), start=1):
+    for index, measurement in enumerate(split_scans(without_padding(data.spectra)), start=1):
         for name in MEASUREMENT_LENGTHS:
             number = number_of(measurement, name, "nm", source="file")
             yield number._replace(name=f"measurement_{index}_{name}")
@@ -234,7 +234,7 @@ def _limit_name(scan: xr.Dataset) -> str:
 
 def _surface_head(surface: SurfaceAnswer, spectra: xr.Dataset) -> dict[str, Any]:
     """Return the head of one surface in answer.json: its name, conclusion and measurements."""
-    scans = split_scans(scans_of(spectra.sel(surface=surface.name)))
+    scans = split_scans(without_padding(spectra.sel(surface=surface.name)))
     return {
         "name": surface.name,
         "label": surface.label,

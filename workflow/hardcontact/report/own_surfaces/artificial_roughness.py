@@ -6,7 +6,7 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.inference.edges import computed_cutoffs
-from hardcontact.inference.octaves import middles_within
+from hardcontact.inference.octaves import have_middle_within
 from hardcontact.report.own_surfaces.datasets import Datasets
 
 #: Kinds of measurement; a substitute has a description instead. If a surface has fewer measurements
@@ -18,14 +18,14 @@ NEARLY_ALL = 0.9
 MEASUREMENT_LENGTHS = ("size", "pixel_size", "shortest_reliable", "longest_reliable", "tip_radius")
 
 
-def scans_of(spectra: xr.Dataset) -> xr.Dataset:
+def without_padding(spectra: xr.Dataset) -> xr.Dataset:
     """Return the spectra of one surface without the padding along `measurement`."""
     return spectra.isel(measurement=np.isin(spectra["kind"].values.astype(str), MEASUREMENT_KINDS))
 
 
 def reliable_scans(spectra: xr.Dataset) -> xr.Dataset:
     """Return the spectra of one surface without measurements that are reliable nowhere."""
-    reliable = scans_of(spectra)
+    reliable = without_padding(spectra)
     return reliable.isel(measurement=(reliable["reliable"].values == 1).any(axis=1))
 
 
@@ -62,7 +62,7 @@ def overlaps_any(low: float, high: float, bands: Iterable[tuple[float, float]]) 
 def shown_octaves(data: Datasets) -> np.ndarray:
     """Return the mask (octave,) of octaves at whose middle a scan of one surface is reliable."""
     octaves = data.sensitivity["octave"].values
-    hidden = [middles_within(octaves, *band) for band in artificial_bands(data.spectra)]
+    hidden = [have_middle_within(octaves, *band) for band in artificial_bands(data.spectra)]
     return np.asarray(np.logical_not(hidden).all(axis=0))
 
 

@@ -16,8 +16,8 @@ from hardcontact.contact.smooth_sphere import STRONGEST_WORK
 from hardcontact.report.own_surfaces.artificial_roughness import (
     fails_hindcast,
     measurement_name,
-    scans_of,
     split_scans,
+    without_padding,
 )
 from hardcontact.report.own_surfaces.datasets import Datasets, forces_at_range, stored_tabor_number
 from hardcontact.report.quantities import number_of, number_without_value
@@ -58,8 +58,8 @@ def cautions(data: Datasets, numbers: Mapping[str, Number]) -> list[Caution]:
     """
     possible_cautions = [
         _blind_scans(data),
-        *_defects(data.spectra, MISLEADING_DEFECTS, grave=True),
-        *_reading(data.spectra),
+        *_defect_cautions(data.spectra, MISLEADING_DEFECTS, grave=True),
+        *_reading_cautions(data.spectra),
         *_repeated_scans(data.spectra),
         _few_patches(data.force),
         _soft_bodies(data.force),
@@ -71,13 +71,13 @@ def cautions(data: Datasets, numbers: Mapping[str, Number]) -> list[Caution]:
         _smooth_bound(data.force, numbers),
         _conditional_intervals(data.force),
         _sphere_positions(numbers),
-        *_defects(data.spectra, set(DEFECTS) - MISLEADING_DEFECTS, grave=False),
+        *_defect_cautions(data.spectra, set(DEFECTS) - MISLEADING_DEFECTS, grave=False),
         _contradiction(data.spectra),
         _excess_roughness(data.spectra),
         *_hindcasts(data),
         Caution("ripples") if (data.edges["edge_status"] == Status.RIPPLES).any() else None,
-        _tail(data),
-        _long_waves(data),
+        _tail_caution(data),
+        _long_wave_caution(data),
         _small_window(data),
     ]
     surface_cautions = [caution for caution in possible_cautions if caution is not None]
@@ -86,7 +86,7 @@ def cautions(data: Datasets, numbers: Mapping[str, Number]) -> list[Caution]:
 
 def _blind_scans(data: Datasets) -> Caution | None:
     """Return a caution if the scans in contact, known by their pixels, are reliable nowhere."""
-    scans = scans_of(data.spectra)
+    scans = without_padding(data.spectra)
     makes_contacts = (scans["kind"].values.astype(str) == "map") & np.isclose(
         scans["pixel_size"].values ** 2, data.force["pixel_area"].item()
     )
@@ -96,10 +96,10 @@ def _blind_scans(data: Datasets) -> Caution | None:
     return Caution("blind_scans", grave=True) if is_blind else None
 
 
-def _defects(spectra: xr.Dataset, codes: Collection[str], *, grave: bool) -> list[Caution]:
+def _defect_cautions(spectra: xr.Dataset, codes: Collection[str], *, grave: bool) -> list[Caution]:
     """Return the defects with these codes in the measurements of a surface, with sentences."""
     defects = []
-    for index, measurement in enumerate(split_scans(scans_of(spectra)), start=1):
+    for index, measurement in enumerate(split_scans(without_padding(spectra)), start=1):
         for code in codes:
             units = DEFECTS[code]
             values = {name: measurement[name].item() for name in units}
@@ -114,11 +114,11 @@ def _defects(spectra: xr.Dataset, codes: Collection[str], *, grave: bool) -> lis
     return defects
 
 
-def _reading(spectra: xr.Dataset) -> list[Caution]:
+def _reading_cautions(spectra: xr.Dataset) -> list[Caution]:
     """Return the cautions of the reader of each measurement, as sentences."""
     return [
         Caution("reading", texts={"sentence": f"{measurement_name(measurement)}: {line}"})
-        for measurement in split_scans(scans_of(spectra))
+        for measurement in split_scans(without_padding(spectra))
         for line in split_notes(str(measurement["notes"].item()).split("; "))[1]
     ]
 
@@ -134,7 +134,7 @@ def _repeated_scans(spectra: xr.Dataset) -> list[Caution]:
                 "first": str(measurement["earlier_scan"].item()),
             },
         )
-        for measurement in split_scans(scans_of(spectra))
+        for measurement in split_scans(without_padding(spectra))
         if measurement["earlier_scan"].item()
     ]
 
@@ -266,7 +266,7 @@ def _sphere_positions(numbers: Mapping[str, Number]) -> Caution | None:
 
 def _contradiction(spectra: xr.Dataset) -> Caution | None:
     """Return a caution about the two measurements that contradict each other most, if any do."""
-    scans = scans_of(spectra)
+    scans = without_padding(spectra)
     arrays = [scans[name].values for name in ("psd", "reliable", "kind", "size")]
     contradictions = find_contradictions(*arrays)
     if not contradictions:
@@ -288,7 +288,7 @@ def _excess_roughness(spectra: xr.Dataset) -> Caution | None:
     """Return a caution if the added roughness exceeds that in the scans, which may be smoothed."""
     q = spectra["bin_wavevector"].values
     wavelength = 2 * np.pi / q
-    scans = scans_of(spectra)
+    scans = without_padding(spectra)
     is_resolved = wavelength >= NYQUIST_PIXELS * scans["pixel_size"].values[:, None]
     densities = np.where(is_resolved & np.isfinite(scans["psd"].values), scans["psd"].values, 0.0)
     scan_density = densities.max(axis=0, initial=0.0)
@@ -321,7 +321,7 @@ def _hindcasts(data: Datasets) -> list[Caution]:
     return side_cautions
 
 
-def _tail(data: Datasets) -> Caution:
+def _tail_caution(data: Datasets) -> Caution:
     """Return the caution on the extrapolation of the spectrum to short wavelengths."""
     spectra = data.spectra
     wavelength = 2 * np.pi / spectra["wavevector"].values[spectra["spectrum"].values > 0]
@@ -339,7 +339,7 @@ def _tail(data: Datasets) -> Caution:
     return Caution("tail", numbers=numbers, texts={"ended_by": spectra["tail_ended_by"].item()})
 
 
-def _long_waves(data: Datasets) -> Caution | None:
+def _long_wave_caution(data: Datasets) -> Caution | None:
     """Return a caution on the extrapolation of the spectrum to long wavelengths, if any."""
     rolloff = data.spectra["rolloff"].item()
     if not np.isfinite(rolloff):

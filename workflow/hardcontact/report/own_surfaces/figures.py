@@ -23,9 +23,9 @@ from hardcontact.report.own_surfaces.artificial_roughness import (
     artificial_bands,
     fails_hindcast,
     measurement_name,
-    scans_of,
     shown_octaves,
     split_scans,
+    without_padding,
 )
 from hardcontact.report.own_surfaces.datasets import Datasets, preferred_model
 from hardcontact.scans.both_bodies import sphere_share
@@ -137,7 +137,7 @@ def draw_spectra(datasets: Datasets) -> Figure:
     figure, surface_panels = _surface_panels(datasets, 3.6)
     for axes, colour, data in surface_panels:
         wavelengths = 2 * np.pi / data.spectra["bin_wavevector"].values
-        all_measurements = scans_of(data.spectra)
+        all_measurements = without_padding(data.spectra)
         has_data = np.isfinite(all_measurements["psd"].values).any(axis=0)
         shows_unreliable = all_measurements.sizes["measurement"] <= MAX_UNRELIABLE_CURVES
         marked_measurements = zip(split_scans(all_measurements), cycle(style.MARKERS), strict=False)

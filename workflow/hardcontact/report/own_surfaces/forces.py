@@ -196,13 +196,13 @@ def fit_numbers(fit: xr.Dataset) -> list[Number]:
         region,
         number_without_value("fit_region_work", weakest, strongest, "J m-2"),
         Number("fit_exact_pairs", int(fit["exact_pairs"].item())),
-        _gap(rho, agrees),
+        _widest_gap(rho, agrees),
         Number("fit_range", fit.attrs["assumed_range"], "nm"),
         Number("fit_agrees", int(agrees[nearest])),
     ]
 
 
-def _gap(rho: np.ndarray, agrees: np.ndarray) -> Number:
+def _widest_gap(rho: np.ndarray, agrees: np.ndarray) -> Number:
     """Return the ranges (nm) that agree on both sides of the widest gap of a region."""
     agreeing = rho[agrees]
     steps = np.diff(np.flatnonzero(agrees))

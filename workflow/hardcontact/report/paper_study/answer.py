@@ -15,7 +15,7 @@ from hardcontact.files.master_purposes import SHORT_ADHESION_RANGE
 from hardcontact.inference.edges import MEAN_GROUP, edges_or_bounds
 from hardcontact.inference.fit import WITHOUT_SURFACE
 from hardcontact.inference.octaves import strongest_octaves
-from hardcontact.paper.verdicts import interval_with_sets, open_end, summary
+from hardcontact.paper.verdicts import count_verdicts, interval_with_sets, open_end
 from hardcontact.report.notes import note, substitutes_note
 from hardcontact.report.paper_study.changed_inputs import changed_inputs, paper_contact
 from hardcontact.report.paper_study.claims import claim_facts
@@ -154,7 +154,7 @@ def _judgements(claims: pd.DataFrame) -> Iterator[Number]:
     for name, claim in ANSWER_CLAIMS.items():
         if claim in agreeing_shares:
             yield Number(f"{name}_agreeing_share", agreeing_shares[claim])
-    for row in summary(claims).to_dict("records"):
+    for row in count_verdicts(claims).to_dict("records"):
         name = "verdicts_" + row["verdict"].replace(" ", "_")
         yield Number(name, row["claims"])
         yield Number(f"{name}_independent", row["independent"])

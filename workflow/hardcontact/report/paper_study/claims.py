@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from hardcontact.base.formatting import format_as_paper, is_boundless
+from hardcontact.base.formatting import format_as_paper, is_unbounded
 from hardcontact.base.number import Status
 from hardcontact.paper.claim_selection import LARGER_PIXELS, WITHOUT_SCAN
 from hardcontact.paper.verdicts import (
@@ -15,7 +15,7 @@ from hardcontact.paper.verdicts import (
     ONE_SIDED,
     REPRODUCED,
     REPRODUCED_SHARE,
-    summary,
+    count_verdicts,
 )
 from hardcontact.report.quantities import NO_INTERVAL_WORDS
 
@@ -30,7 +30,7 @@ def claim_facts(claims: pd.DataFrame) -> dict[str, Any]:
 
     `claims` has rows by their ids, with printed numbers, `main_findings` the ids of these by rank,
     `contradicted` the rows of independent findings that are not reproduced, main ones first, and
-    `counts` rows of `verdicts.summary`.
+    `counts` rows of `verdicts.count_verdicts`.
     The numbers of findings: `without_scan` reproduced without any scan, `larger_pixels` testable
     only with the paper's pixels.
     """
@@ -46,7 +46,7 @@ def claim_facts(claims: pd.DataFrame) -> dict[str, Any]:
             for row in sorted(facts.values(), key=lambda row: row["main"] == "")
             if (row["kind"], row["verdict"]) == ("independent", NOT_REPRODUCED)
         ],
-        "counts": summary(claims).to_dict("records"),
+        "counts": count_verdicts(claims).to_dict("records"),
         "decisive_share": REPRODUCED_SHARE,
         "without_scan": sum(
             (row["kind"], row["verdict"]) == ("independent", REPRODUCED)
@@ -68,7 +68,7 @@ def _printed_claim(row: Mapping[Any, Any]) -> dict[str, Any]:
     kind = "follows" if row["follows_from"] else "independent"
     limits = () if row["agreeing_share"] >= 0 else (row["accepted_low"], row["accepted_high"])
     computed_text = format_as_paper(row["computed"], unit)
-    if is_boundless(row["computed"], *interval, unit):
+    if is_unbounded(row["computed"], *interval, unit):
         computed_text += f" ({NO_INTERVAL_WORDS[Status.NO_INTERVAL]})"
     elif row["low"] != row["high"]:
         bounds = {"open_end": row["open_end"], "limits": limits}
