@@ -165,14 +165,11 @@ def extrapolate_short_waves(
     exponent = float(np.clip(hurst.exponent + change, 0, 1))
     # The tail starts at the log-mean of the last points, each moved along the tail.
     relative = wavevector[-MIN_BINS:] / wavevector[-1]
-    first_density = float(
-        np.exp(np.mean(np.log(density[-MIN_BINS:] * relative ** (2 + 2 * exponent))))
-    )
+    fall = 2 + 2 * exponent
+    first_density = np.exp(np.mean(np.log(density[-MIN_BINS:] * relative**fall)))
     last_index = measured_density.nonzero()[0][-1]
     tail_start = measured_density.copy()
-    tail_start[last_index] = first_density * (WAVEVECTORS[last_index] / wavevector[-1]) ** (
-        -2 - 2 * exponent
-    )
+    tail_start[last_index] = first_density * (WAVEVECTORS[last_index] / wavevector[-1]) ** -fall
     spectrum = measured_density + power_law_tail(tail_start, exponent, ATOMIC_WAVELENGTH)
     end_index, ended_by = _find_tail_end(spectrum)
     spectrum = np.where(np.arange(len(WAVEVECTORS)) <= max(end_index, last_index), spectrum, 0.0)
@@ -245,7 +242,7 @@ class RolloffEvidence:
         """Store the evidence of all scans, with their PSDs (scan, bins) in nm⁴ and their bands."""
         longest = max(band.longest for band in bands)
         widest_indices = [index for index, band in enumerate(bands) if band.longest == longest]
-        self.kind = scans[widest_indices[0]].kind
+        kind = scans[widest_indices[0]].kind
         self.size = scans[widest_indices[0]].size
         self.count = len(widest_indices)
         variances = [level(scans[index]).heights.T.var() for index in widest_indices]
@@ -254,7 +251,11 @@ class RolloffEvidence:
         self._density = np.nan_to_num(densities[widest_indices]).mean(axis=0)
         shortest = min(bands[index].shortest for index in widest_indices)
         self._unreliable = 2 * np.pi / BIN_CENTRES < shortest
-        self._share = levelled_share(WAVEVECTORS, self.size, self.kind)
+        self._share = levelled_share(WAVEVECTORS, self.size, kind)
+        # Independent modes per ln q: q²L²/4π in a map, qL/2π along a line, and 1 for waves longer
+        # than the scan, which appear as a bow.
+        waves = WAVEVECTORS * self.size / (2 * np.pi)
+        self._mode_count = np.maximum(waves if kind == "line scan" else np.pi * waves**2, 1)
 
     def rolloff_quantile(
         self, density: Floats, longest: float, slope: float, probability: float
@@ -270,37 +271,33 @@ class RolloffEvidence:
         rolloffs = np.geomspace(
             longest, max(MAX_ROLLOFF_OVER_SIZE * self.size, 1.01 * longest), ROLLOFF_COUNT
         )
-        log_likelihoods = np.array(
-            [
-                self._log_likelihood(extrapolate_long_waves(density, longest, slope, rolloff))
-                for rolloff in rolloffs
-            ]
-        )
+        spectra = (extrapolate_long_waves(density, longest, slope, rolloff) for rolloff in rolloffs)
+        log_likelihoods = np.array([self._log_likelihood(spectrum) for spectrum in spectra])
         posterior = np.exp(log_likelihoods - log_likelihoods.max())
         cumulative = (np.cumsum(posterior) - posterior / 2) / posterior.sum()
         return float(np.exp(np.interp(probability, cumulative, np.log(rolloffs))))
 
     def _log_likelihood(self, density: Floats) -> float:
-        """Return the logarithm of the likelihood of the measured variance, up to a constant."""
+        """Return the logarithm of the likelihood of the measured variance, up to a constant.
+
+        The power of each of N independent modes is distributed exponentially, so that their sum is
+        a gamma variable of relative variance 1/N.
+        """
         from scipy.special import gammaln
 
-        # The power of each of N independent modes is distributed exponentially, so that their sum
-        # is a gamma variable of relative variance 1/N. N per ln q is q²L²/4π in a map and qL/2π
-        # along a line, and 1 for waves longer than the scan, which appear as a bow.
-        waves = WAVEVECTORS * self.size / (2 * np.pi)
-        mode_count = np.maximum(waves if self.kind == "line scan" else np.pi * waves**2, 1)
         power = density * WAVEVECTORS**2 * self._share / (2 * np.pi)
-        # Noise at wavelengths too short to be reliable adds to the heights of the surface.
-        excess = self._density - np.interp(BIN_CENTRES, WAVEVECTORS, density)
-        noise = (
-            (np.maximum(excess, 0) * BIN_CENTRES**2)[self._unreliable].sum()
-            * BIN_WIDTH
-            / (2 * np.pi)
-        )
-        expected_variance = np.trapezoid(power, LOG_WAVEVECTORS) + noise
-        shape = (
-            expected_variance**2 / np.trapezoid(power**2 / mode_count, LOG_WAVEVECTORS) * self.count
-        )
+        expected_variance = np.trapezoid(power, LOG_WAVEVECTORS) + self._noise_variance(density)
+        variance_of_scan = np.trapezoid(power**2 / self._mode_count, LOG_WAVEVECTORS)
+        shape = expected_variance**2 / variance_of_scan * self.count
         scale = expected_variance / shape
         ratio = self.variance / scale
         return float((shape - 1) * np.log(ratio) - ratio - gammaln(shape) - np.log(scale))
+
+    def _noise_variance(self, density: Floats) -> float:
+        """Return the variance of heights (nm²) from noise at wavelengths too short to be reliable.
+
+        It is what the measured spectrum has in excess of the surface's C_iso.
+        """
+        excess = self._density - np.interp(BIN_CENTRES, WAVEVECTORS, density)
+        power = (np.maximum(excess, 0) * BIN_CENTRES**2)[self._unreliable]
+        return float(power.sum() * BIN_WIDTH / (2 * np.pi))
