@@ -184,3 +184,12 @@ def test_own_studies_refuse_substitutes_for_the_paper():
     ):
         message = refusal(refuse_paper_surface, SPECTRA / f"{name}.csv", surface, {"uncd", "ncd"})
         assert_says(message, "expected", *message_parts)
+
+
+def test_another_column_is_refused_only_if_it_resembles_one_that_is_read(table):
+    path = table("surface,operator,value,unit", "bare,a,1,uN")
+    assert measured_forces(path, SURFACES, RADIUS)["mean"].tolist() == [1e-6]
+    path = table("surface,sites,value,unit", "bare,a,1,uN")
+    message = refusal(measured_forces, path, SURFACES, RADIUS)
+    assert_says(message, "found sites (did you mean site?)")
+    assert "\n" not in message

@@ -1,5 +1,6 @@
 """Read the table of own pull-off forces: single tests, or mean and median of each surface."""
 
+import difflib
 import re
 from collections.abc import Collection, Mapping, Sequence
 from pathlib import Path
@@ -7,13 +8,15 @@ from pathlib import Path
 import pandas as pd
 
 from hardcontact.base.units import NANOMETRE, parse_quantity
-from hardcontact.config.faults import quote_key, raise_faults
+from hardcontact.config.faults import SIMILARITY, quote_key, raise_faults
 from hardcontact.config.key_types import Quantity
 from hardcontact.config.tables import Row, decode_utf8, parse_number, user_table
 
 #: Columns of a table of single tests, and of a table with one row per surface.
 TESTS = ("surface", "value", "unit")
 SUMMARIES = ("surface", "mean", "median", "count", "unit")
+#: Columns that are read; `site` names the site of tests that were repeated there.
+KNOWN_COLUMNS = {*TESTS, *SUMMARIES, "site"}
 #: Columns whose cells are forces.
 FORCE_COLUMNS = ("value", "mean", "median")
 #: A column with its unit, such as "force (uN)" or "pull-off [nN]".
@@ -27,10 +30,10 @@ def measured_forces(
 ) -> pd.DataFrame:
     """Read the user's own pull-off forces on the surfaces of a study.
 
-    The columns are TESTS, and perhaps `site`, or SUMMARIES with one row per surface; messages
-    name `given_as`. Forces over the radius of the probe (nm) are multiplied by it. Returns by line
-    of the file: surface, mean and median in N (of a single test its force), count of tests, and
-    site, blank if not given. Raises ValueError with a line for each fault.
+    The columns are TESTS, and perhaps `site`, or SUMMARIES with one row per surface; others are not
+    read, and messages name `given_as`. Forces over the radius of the probe (nm) are multiplied by
+    it. Returns by line of the file: surface, mean and median in N (of a single test its force),
+    count of tests, and site, blank if not given. Raises ValueError with a line for each fault.
     """
     table = user_table(path, f"a table of forces ({given_as})", decode=_decode)
     header, units = _split_units(table.header)
@@ -41,9 +44,13 @@ def measured_forces(
     table.require(
         [name for name in columns if name not in defaults],
         f"a row for each force, the columns {', '.join(TESTS)} or {', '.join(SUMMARIES)}, "
-        "separated by commas; a column such as value (uN) needs no unit, one surface no name; "
-        "beside them only site, for tests repeated at one site",
-        {*TESTS, *SUMMARIES, "site"},
+        "separated by commas; a column such as value (uN) needs no unit, one surface no name",
+    )
+    raise_faults(
+        f"{path}: expected no column whose name resembles another, found {quote_key(name)} (did "
+        f"you mean {similar}?)"
+        for name in set(header) - KNOWN_COLUMNS
+        for similar in difflib.get_close_matches(name, KNOWN_COLUMNS, 1, SIMILARITY)
     )
     rows = table.convert(lambda row: _parse_force(defaults | dict(row), units, surfaces, radius))
     names = ["surface", "mean", "median", "count", "site"]
