@@ -11,6 +11,7 @@ import numpy as np
 import xarray as xr
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
+from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
@@ -47,6 +48,7 @@ MAX_UNRELIABLE_CURVES = 3
 MARKED_POINTS = 12  # about as many symbols on a line
 MAP_RESOLUTION = 72  # dots per inch of height maps in the SVG, which are most of a page
 MAX_OCTAVE_MARGIN = 2.0  # of the axis relative to the largest bar; intervals may be much longer
+CUT_LOOK: style.Look = {"color": "0.25", "ms": 3.5, "mew": 0, "clip_on": False, "zorder": 4}
 PAGE_WIDTH = 3.8  # inch: 360 pixels of a phone show 7 points as 9 pixels
 
 
@@ -84,7 +86,13 @@ def draw_octaves(datasets: Datasets) -> Figure:
     panels.draw_octaves(axes, sensitivity.assign(is_shown=(("surface", "octave"), is_shown)))
     low, high = axes.get_ylim()
     limit = MAX_OCTAVE_MARGIN * float(np.abs(sensitivity["octave_sensitivity"]).max())
-    axes.set_ylim(max(low, -limit), min(high, limit))
+    low, high = axes.set_ylim(max(low, -limit), min(high, limit))
+    lines = [artist for artist in axes.collections if isinstance(artist, LineCollection)]
+    segments = [segment for line in lines for segment in line.get_segments() if len(segment) == 2]
+    intervals = np.array(segments).reshape(-1, 2, 2)  # line, end, x and y
+    for end, arrow in ((low, "v"), (high, "^")):
+        is_cut = (intervals[..., 1] < low if arrow == "v" else intervals[..., 1] > high).any(axis=1)
+        axes.plot(intervals[is_cut, 0, 0], np.full(is_cut.sum(), end), arrow, **CUT_LOOK)
     style.legend_above(figure, handles, max_columns=2)
     return figure
 
