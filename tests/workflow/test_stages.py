@@ -60,6 +60,21 @@ def test_a_stage_has_a_line_once_all_of_its_jobs_are_done(capsys, ended):
         assert "3 of 3" in lines[-1] and "about 0:00:00 left" in lines[-1]
 
 
+@pytest.fixture(autouse=True)
+def idle_machine(monkeypatch):
+    monkeypatch.setattr("os.getloadavg", lambda: (0.0, 0.0, 0.0))
+
+
+def test_other_processes_lengthen_the_planned_time(capsys, monkeypatch):
+    """Six processes of others beside two cores in use: the run has a quarter of both cores."""
+    monkeypatch.setattr("os.cpu_count", lambda: 2)
+    stages = {"level_scan": Stage(80.0, "level scan"), "stitch": Stage(80.0, "stitch")}
+    monkeypatch.setattr("snakemake_logger_plugin_stages.read_stages", lambda column: stages)
+    for load, minutes in ((0.0, 2), (6.0, 8)):
+        monkeypatch.setattr("os.getloadavg", lambda load=load: (load, 0.0, 0.0))
+        assert show(capsys, run(0))[0] == f"3 jobs, about {minutes} minutes"
+
+
 def test_time_left_counts_what_jobs_cost(capsys, monkeypatch):
     monkeypatch.setattr(
         "snakemake_logger_plugin_stages.read_stages",

@@ -68,6 +68,7 @@ class LogHandler(LogHandlerBase):
         self._stages: dict[str, Stage] = {}
         self._planned: dict[str, int] = {}  # jobs of each rule
         self._cores = os.cpu_count() or 1
+        self._crowding = 1.0
         self._done = Counter[str]()
         self._rules: dict[int, str] = {}  # by job
         self._begin: dict[str, float] = {}  # of the first job of each rule
@@ -129,15 +130,18 @@ class LogHandler(LogHandlerBase):
         self._total = self._planned.pop("total")
         self._stages = {rule: stage_of(rule, stages) for rule in self._planned}
         self._run_begin = time.monotonic()
+        # Processes of others share the processors; the average is that of the last minute.
+        processes = os.getloadavg()[0] + self._cores
+        self._crowding = max(1.0, processes / (os.cpu_count() or 1))
         minutes = math.ceil(self._cost(self._planned) / 60)
         how_long = f"about {minutes} minutes" if minutes > 1 else "about a minute or less"
         self._say(f"{_jobs(self._total)}, {how_long}")
         threading.Thread(target=self._break_silence, daemon=True).start()
 
     def _cost(self, jobs: Mapping[str, int]) -> float:
-        """Return the time (s) that numbers of jobs by rule take on the cores of the run."""
+        """Return the time (s) that numbers of jobs by rule take on the cores, which others share."""
         seconds = sum(self._stages[rule].seconds * count for rule, count in jobs.items())
-        return seconds / self._cores
+        return seconds / self._cores * self._crowding
 
     def _position(self) -> str:
         """Return the number of finished jobs, and the remaining time from the costs of jobs.
