@@ -2,8 +2,8 @@
 
 from hardcontact.surfaces.synthesis import SIDES
 
-#: The shortest range of adhesion (nm) on whole surfaces. They may rise several hundred shorter
-#: ranges above a contact, more than the exponential of a floating-point number holds.
+#: The shortest range of adhesion (nm) on whole surfaces. They may rise above a contact by several
+#: hundred times a shorter range, and exp() would overflow.
 SHORTEST_WHOLE_RANGE = 0.7
 #: Bands need whole surfaces: scans are too small for their long waves.
 BAND_SURFACES = FILES.substitutes if IS_PAPER_STUDY else []

@@ -1,9 +1,9 @@
 """Intervals of means over scans, samples of uncertain quantities, and log-normal fits.
 
 Uncertainty comes from scans, not from contacts, because contacts on one scan see the same peaks.
-In the study of the paper scans vary; quantities that combine several means are sampled. Own
-surfaces may have only one or two scans, so that their parts vary (`inference.scan_parts`). The
-interval of a variable `name` is the variable `name_interval` with the further dimension `end`.
+The study of the paper varies scans: a single mean gets Student's t, a quantity of several means
+gets random samples. Own surfaces may have only one or two scans: quarters of a scan vary
+(`inference.scan_parts`). The interval of `name` is `name_interval`, with the dimension `end`.
 """
 
 import warnings

@@ -1,4 +1,4 @@
-"""The command line of `hardcontact new`: its arguments and their faults."""
+"""The arguments of the program, those that `new` and `predict` share, and the faults of `new`."""
 
 import os
 import re

@@ -163,7 +163,7 @@ def touched_patches(bodies: Bodies, contact_pixels: ContactPixels) -> int:
     A patch is a group of contact pixels that share edges or corners. If one particle on a flat
     scan carried every contact, forces would scatter little, however wrong they were.
     """
-    from scipy.ndimage import label  # A slow import.
+    from scipy.ndimage import label
 
     pixels = bodies.substrate.pixels
     points = (bodies.geometry.apexes()[:, :, None] + contact_pixels.offsets) % pixels

@@ -62,7 +62,8 @@ class Chunks:
     def featured_samples(self) -> list[SampleChunk]:
         """The samples of surfaces with features, for the sets: outputs of compute_featured_samples.
 
-        Each set takes one sample, of bumps and pits in turn. Gaussian surfaces make one chunk.
+        Each set takes one sample, of bumps and pits in turn. Gaussian surfaces make one chunk,
+        because they serve for comparison alone.
         """
         samples = ceil(self._configuration["sets"]["count"] / len(SIGNS))
         counts = dict.fromkeys(SIGNS, samples) | {GAUSSIAN: min(samples, FEATURED_SAMPLES_CHUNK)}

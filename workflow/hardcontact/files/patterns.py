@@ -22,10 +22,10 @@ _FORCES_OF_SETS = (*_GAUSSIAN, "sets.contacts_per_row", "contact.window", "adhes
 _TRANSITIONS = ("scales.short.transition", "scales.long.transition")
 
 #: For each kind of intermediate, the keys on which it and its inputs depend: its path has a digest
-#: of their values. Not listed are keys whose values stand in the path, and the files of a surface,
-#: because paths have a digest of their content. If another column of the table of surfaces changes,
-#: the path stays and the file is replaced. tests/workflow/test_two_studies.py finds missing keys,
-#: except those of files of measured surfaces.
+#: of their values. Left out: (a) keys whose value is in the path; (b) the files of a surface, which
+#: `{digest}` covers. Labels and other columns of the table of surfaces are in neither: a change
+#: rewrites the file at the same path. tests/workflow/test_two_studies.py finds missing keys, except
+#: those of files of measured surfaces.
 STORE_KEYS = {
     "measurements": _READING,
     "measured_spectra": _MEASURED,

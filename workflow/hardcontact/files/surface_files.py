@@ -134,7 +134,7 @@ class SurfaceFiles:
         return [name for name in self.selection.substrates if source[name] == "measured"]
 
     def rough_bodies(self, surface: str, scan: int) -> list[Scan]:
-        """Return the path of a substrate's scan, and of the sphere's if its roughness is added."""
+        """Return a substrate's scan, and the sphere's scan if its roughness is added."""
         bodies = [Scan(surface, scan)]
         if surface in self.combined_surfaces:
             bodies.append(Scan(self.selection.sphere, self.sphere_scan(surface, scan)))

@@ -170,8 +170,8 @@ def half_width_over_masters(
     The statistic (realization, ...) takes the mean forces with and without a filter. Sources of
     variance: (1) the jackknife over parts of scans; (2) if the parts are quarters, which share
     their realizations, the variance of the mean over realizations; (3) if spectra were sampled, the
-    mean square of the variable
-    `shift_name`, because another spectrum moves all realizations at once.
+    mean square of the variable `shift_name`, because another spectrum moves all realizations at
+    once. No mean of the shifts is estimated, so that each is a degree of freedom.
     """
 
     def contact_statistic(kept_contacts: xr.DataArray) -> xr.DataArray:

@@ -176,8 +176,8 @@ def _closed_form_number(
 ) -> Number:
     """Return the closed form for all waves of the stitched map.
 
-    It agrees if its interval, raised by the factor that a scan of this size may add, contains the
-    force on the map. Heights are not Gaussian if the intervals of both forces are disjoint.
+    AGREES: the force on the map lies between the lower end of its interval and the upper end times
+    `finite_scan_ratio`. NOT_GAUSSIAN: the intervals of both forces are disjoint.
     """
     wavevector, _, density = measured_psds(surface)
     has_waves = np.isfinite(density)

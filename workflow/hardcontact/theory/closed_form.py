@@ -37,8 +37,8 @@ SMOOTH_SHARE = 0.9
 #: Largest number of nested generations: summits on summits on the surface.
 GENERATIONS = 8
 #: Waves shorter than this number of clump radii are roughness on a summit. The number was chosen
-#: with the forces and edges of 48 designed surfaces that were not held out. With 2 ln F changes by
-#: 0.02 (median; at most 0.58), with pi by 0.04 (0.44).
+#: with the forces and edges of 48 designed surfaces that were not held out. If it were 2, ln F
+#: would change by 0.02 in the median and by 0.58 at most; if pi, by 0.04 and 0.44.
 SUMMIT_SIZE = 2.5
 #: Smallest rms height on a summit that counts as roughness, in ranges of adhesion.
 MIN_SUMMIT_ROUGHNESS = 0.005

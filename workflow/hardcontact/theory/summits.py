@@ -35,14 +35,14 @@ MAX_POISSON_CLUMPS = 50.0
 MIN_COMPLEMENT = 1e-3
 #: Logarithm of a probability that does not count beside one, to the last digit.
 LOG_NEGLIGIBLE_PROBABILITY = -45.0
-#: Lower levels have the clump radius of this level, because their points form no clumps. With 1 the
-#: logarithm of the force changes by 0.04 (median; at most 1.66) on 48 designed surfaces that were
-#: not held out. With 2 it changes by 0.02 (0.45) and its rms error falls from 0.21 to 0.12. It
-#: is not used, because the held-out surfaces had been looked at when it was found.
+#: Lower levels have the clump radius of this level, because their points form no clumps. If it were
+#: 1, ln F would change by 0.04 in the median and by 1.66 at most on 48 designed surfaces that were
+#: not held out; if 2, by 0.02 and 0.45. The value 2 is better (rms error 0.12, not 0.21), but is
+#: not used, because it was found after the held-out surfaces had been seen.
 LOWEST_CLUMP_LEVEL = 1.2
-#: A sphere follows waves whose total curvature is less than this share of its own curvature. With
-#: 0.05 the logarithm of the force changes by 0.002 (median; at most 0.09) on these surfaces, with
-#: 0.2 by 0.003 (0.10), and the logarithm of the long edge by at most 0.44.
+#: A sphere follows waves whose total curvature is less than this share of its own curvature. If it
+#: were 0.05, ln F would change by 0.002 in the median and by 0.09 at most on these surfaces; if
+#: 0.2, by 0.003 and 0.10. The logarithm of the long edge would change by at most 0.44.
 MAX_FOLLOWED_CURVATURE = 0.1
 
 

@@ -43,7 +43,7 @@ def convert_chapter(text: str, pages: Sequence[str] = ()) -> Chapter:
 
 def _mathml(formula: str, options: Mapping[str, bool]) -> str:
     """Return a formula in LaTeX as MathML; `options` says whether it has a line of its own."""
-    from latex2mathml.converter import convert  # here, because it takes long to load
+    from latex2mathml.converter import convert
 
     return convert(formula, display="block" if options["display_mode"] else "inline")
 
