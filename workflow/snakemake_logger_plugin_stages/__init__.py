@@ -139,7 +139,7 @@ class LogHandler(LogHandlerBase):
         threading.Thread(target=self._break_silence, daemon=True).start()
 
     def _cost(self, jobs: Mapping[str, int]) -> float:
-        """Return the time (s) that numbers of jobs by rule take on the cores, which others share."""
+        """Return the time (s) that numbers of jobs by rule take on cores that others share."""
         seconds = sum(self._stages[rule].seconds * count for rule, count in jobs.items())
         return seconds / self._cores * self._crowding
 

@@ -1,4 +1,4 @@
-"""The rooms of the library: each imports only from itself and from those before it."""
+"""The layers of the library: each imports only from itself and from lower layers."""
 
 import ast
 import io
@@ -11,8 +11,8 @@ from repository import ROOT
 import hardcontact
 
 LIBRARY = ROOT / "workflow/hardcontact"
-#: Rooms in the order of the library's docstring.
-ROOMS = re.findall(r"`(\w+)`", hardcontact.__doc__)
+#: Layers in the order of the library's docstring.
+LAYERS = re.findall(r"`(\w+)`", hardcontact.__doc__)
 #: Code lines that the library may have, without docstrings, comments and blank lines. A commit that
 #: raises it says what a user gets for it.
 MAX_CODE_LINES = 17_700
@@ -26,9 +26,9 @@ NO_CODE = {
 }
 
 
-def room_modules(room):
-    """The modules of a room, or the module that is one."""
-    return list((LIBRARY / room).rglob("*.py")) or [LIBRARY / f"{room}.py"]
+def layer_modules(layer):
+    """The modules of a layer, or the module that is one."""
+    return list((LIBRARY / layer).rglob("*.py")) or [LIBRARY / f"{layer}.py"]
 
 
 def code_lines(source):
@@ -53,17 +53,17 @@ def imported(path):
             yield from (alias.name for alias in node.names)
 
 
-def test_the_docstring_names_every_room():
-    rooms = {path.stem for path in LIBRARY.glob("[a-z]*") if not path.name.startswith("py.")}
-    assert rooms == set(ROOMS) and len(ROOMS) == len(rooms)
+def test_the_docstring_names_every_layer():
+    layers = {path.stem for path in LIBRARY.glob("[a-z]*") if not path.name.startswith("py.")}
+    assert layers == set(LAYERS) and len(LAYERS) == len(layers)
 
 
-@pytest.mark.parametrize("room", ROOMS)
-def test_a_room_imports_from_those_before_it(room):
-    allowed_rooms = set(ROOMS[: ROOMS.index(room) + 1])
-    for path in room_modules(room):
+@pytest.mark.parametrize("layer", LAYERS)
+def test_a_layer_imports_from_lower_layers(layer):
+    allowed_layers = set(LAYERS[: LAYERS.index(layer) + 1])
+    for path in layer_modules(layer):
         names = [name for name in imported(path) if name.startswith("hardcontact.")]
-        assert {name.split(".")[1] for name in names} <= allowed_rooms, path
+        assert {name.split(".")[1] for name in names} <= allowed_layers, path
 
 
 def test_the_library_does_not_grow():
