@@ -82,6 +82,7 @@ def own_answer(datasets: Datasets, setting: Setting) -> dict[str, Any]:
             "own_headline.txt",
             surfaces=surfaces,
             chosen=chosen,
+            effort=setting.effort,
             contact=setting.contact_words,
             assumed=setting.assumed,
             fit=fit_text if len(surfaces) > 1 else "",
