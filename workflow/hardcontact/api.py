@@ -411,13 +411,13 @@ def predict(
         status is ``"matters"``, use ``extrapolated_force``, ``extrapolated_short_edge`` and
         ``extrapolated_long_edge`` instead. ``extrapolated_to``, ``extrapolated_rolloff`` and
         ``extrapolated_hurst`` say how the spectrum was extrapolated.
-        ``force_ratio`` (relative to ``smooth_force``), ``log_force_std`` (standard deviation of
+        ``force_over_smooth`` (relative to ``smooth_force``), ``log_force_std`` (deviation of
         ln F), ``apex_height``, ``weibull_modulus``, ``rms_height``, ``rms_gradient``,
         ``shortest_wavelength``, ``longest_wavelength``, ``tolerance``.
         ``longest_octave_change``, ``widest_gap``, ``skewness``, ``validated_...`` : checks of
         whether the error of the closed form is known.
         A map also has ``force_on_scan``, the mean force sum over its pixels,
-        ``force_on_scan_share`` (relative to a smooth sphere), ``wide_pixel_ratio``,
+        ``force_on_scan_over_smooth``, ``wide_pixel_ratio``,
         ``touched_patches``, ``search_size``, and ``closed_form_on_scan``, the closed form for all
         waves of the map. Unless its status is ``"agrees"``, numbers of the closed form have no
         interval. For a map that is too large there is a ``force_on_scan`` without a value.
