@@ -98,7 +98,8 @@ reveal();
 
 // A page that was mailed alone lacks the figures beside it, too: then it has no menu and no links to other files.
 function unlink() {
-  document.querySelector(".menu")?.replaceChildren("Links to other pages need the folder of the study.");
+  document.querySelector(".menu")?.replaceChildren(
+    Object.assign(document.createElement("span"), {textContent: "Links to other pages need the folder of the study."}));
   document.querySelectorAll("a:not([href^='#'], [href*='://'])").forEach(link => link.removeAttribute("href"));
 }
 
