@@ -2,7 +2,7 @@
 
 from hardcontact.base import dataset, published
 from hardcontact.base.statistics import Sampling
-from hardcontact.paper.published_fit import Pair, PublishedForces, fit_published
+from hardcontact.paper.published_fit import PublishedForces, fit_published
 from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:
@@ -11,10 +11,7 @@ with run_job(snakemake) as job:
     job.write(
         fit_published(
             dataset.read(job.input.adhesion),
-            PublishedForces(
-                published.read_measured_statistics(job.input.published_pull_off),
-                Pair(constants["range_of_adhesion"], constants["work_of_adhesion"]),
-            ),
+            PublishedForces.read(job.input.published_pull_off, job.input.published_constants),
             params["reference_surface"],
             constants["error_threshold"],
             constants["force_floor"],

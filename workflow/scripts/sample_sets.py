@@ -5,14 +5,12 @@ import pandas as pd
 from hardcontact.base import published
 from hardcontact.base.dataset import read, read_all
 from hardcontact.inference.master_datasets import read_master_forces
-from hardcontact.paper.published_fit import Pair, PublishedForces
+from hardcontact.paper.published_fit import PublishedForces
 from hardcontact.paper.sampled_sets import SetSettings, gather_inputs, sample_sets
 from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:
     params = job.parameters
-    constants = published.read_constants(job.input.published_constants)
-    pair = Pair(*constants.loc[["range_of_adhesion", "work_of_adhesion"], "value"])
     inputs = gather_inputs(
         read(job.input.topography),
         read(job.input.adhesion),
@@ -26,8 +24,8 @@ with run_job(snakemake) as job:
     set_numbers = sample_sets(
         inputs,
         pd.DataFrame(params["claims"]),
-        constants,
-        PublishedForces(published.read_measured_statistics(job.input.published_pull_off), pair),
+        published.read_constants(job.input.published_constants),
+        PublishedForces.read(job.input.published_pull_off, job.input.published_constants),
         SetSettings(**params["settings"]),
     )
     job.write(

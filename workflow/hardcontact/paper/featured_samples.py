@@ -16,7 +16,7 @@ from hardcontact.base.dataset import concatenate, stack
 from hardcontact.base.progress import progress
 from hardcontact.base.statistics import lognormal_shape
 from hardcontact.base.units import DIMENSIONLESS, NEWTON
-from hardcontact.contact.contact import CONTACT_AXES, Contact
+from hardcontact.contact.contact import CONTACT_AXES, PLASTIC, Contact
 from hardcontact.contact.force_interpolation import interpolate_to_ranges
 from hardcontact.paper.pool import smooth_sphere_forces
 from hardcontact.paper.published_fit import PublishedForces
@@ -97,6 +97,24 @@ def samples_by_surface(
     for (surface, kind), samples in concatenate(chunks, "sample", 2).items():
         surfaces.setdefault(surface, {})[kind] = samples
     return surfaces
+
+
+def compare_features(
+    chunks: Mapping[tuple[Any, ...], xr.Dataset],
+    sphere_factors: xr.DataArray,
+    published: PublishedForces,
+    labels: Mapping[str, str],
+) -> xr.Dataset:
+    """Return `compare_with_published` of the surface with features; empty without samples of it.
+
+    `chunks` are those of `samples_by_surface`, `sphere_factors` (surface, contact_model, rho).
+    """
+    for surface, kinds in samples_by_surface(chunks).items():
+        plastic = {kind: samples.sel(contact_model=PLASTIC) for kind, samples in kinds.items()}
+        factor = sphere_factors.sel(contact_model=PLASTIC, surface=surface, drop=True)
+        comparison = compare_with_published(plastic, factor, published, surface)
+        return comparison.assign_attrs(label=labels[surface])
+    return empty_comparison()
 
 
 def compare_with_published(

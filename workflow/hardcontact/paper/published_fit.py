@@ -4,6 +4,7 @@ All forces are computed for a work of adhesion of 1 J/m², to which they are pro
 statistics are given for two pairs of range and work of adhesion, the published and the fitted pair.
 """
 
+from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -14,6 +15,7 @@ from numpy.typing import NDArray
 from hardcontact.base.arrays import Floats
 from hardcontact.base.dataset import stack
 from hardcontact.base.progress import progress
+from hardcontact.base.published import read_constants, read_measured_statistics
 from hardcontact.base.statistics import Sampling
 from hardcontact.base.units import DIMENSIONLESS, JOULE_PER_M2, NM
 from hardcontact.contact.contact import CONTACT_AXES, PLASTIC, RIGID
@@ -59,6 +61,13 @@ class PublishedForces(NamedTuple):
 
     forces: pd.DataFrame  #: From `published.read_measured_statistics`.
     pair: Pair  #: Published range and work of adhesion.
+
+    @classmethod
+    def read(cls, pull_off: str | Path, constants: str | Path) -> "PublishedForces":
+        """Read `pull_off.csv` and `parameters.csv`."""
+        values = read_constants(constants)["value"]
+        pair = Pair(values["range_of_adhesion"], values["work_of_adhesion"])
+        return cls(read_measured_statistics(pull_off), pair)
 
 
 def fit_published(
