@@ -37,7 +37,7 @@ STORE_KEYS = {
     "elastic": (*_CONTACTS, "elastic.contacts"),
     "asperities": (*_CONTACTS, "asperities"),
     "whole": (*_CONTACTS, "adhesion.ranges", "scales.long.tiles"),
-    "octaves": _CONTACTS,
+    "octaves": (*_CONTACTS, *_TRANSITIONS),
     "pool": (*_FORCES_OF_SETS, "sets.rms_height_count"),
     "featured_samples": _FORCES_OF_SETS,
     "both_bodies": SCAN_KEYS,
