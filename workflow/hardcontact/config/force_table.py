@@ -17,6 +17,8 @@ TESTS = ("surface", "value", "unit")
 SUMMARIES = ("surface", "mean", "median", "count", "unit")
 #: Columns that are read; `site` names the site of tests that were repeated there.
 KNOWN_COLUMNS = {*TESTS, *SUMMARIES, "site"}
+#: Other names of `site`: if it were ignored, repeated tests would count as independent.
+SITE_SYNONYMS = dict.fromkeys(("place", "position", "location", "spot"), "site")
 #: Columns whose cells are forces.
 FORCE_COLUMNS = ("value", "mean", "median")
 #: A column with its unit, such as "force (uN)" or "pull-off [nN]".
@@ -46,11 +48,12 @@ def measured_forces(
         f"a row for each force, the columns {', '.join(TESTS)} or {', '.join(SUMMARIES)}, "
         "separated by commas; a column such as value (uN) needs no unit, one surface no name",
     )
+    resembled_names = [*KNOWN_COLUMNS, *SITE_SYNONYMS]
     raise_faults(
         f"{path}: expected no column whose name resembles another, found {quote_key(name)} (did "
-        f"you mean {similar}?)"
+        f"you mean {SITE_SYNONYMS.get(similar, similar)}?)"
         for name in set(header) - KNOWN_COLUMNS
-        for similar in difflib.get_close_matches(name, KNOWN_COLUMNS, 1, SIMILARITY)
+        for similar in difflib.get_close_matches(name, resembled_names, 1, SIMILARITY)
     )
     rows = table.convert(lambda row: _parse_force(defaults | dict(row), units, surfaces, radius))
     names = ["surface", "mean", "median", "count", "site"]
