@@ -15,7 +15,7 @@ import pandas as pd
 TABLE = Path(__file__).parents[1] / "full_study.csv"
 #: Claims on edges, on forces at the published range and work of adhesion, and on both.
 CLAIMS = (
-    "short_edge_first", "short_edge_pooled", "long_edge_first", "long_edge_pooled",
+    "short_edge_first", "short_edge_mean", "long_edge_first", "long_edge_mean",
     "mean_force_polished_uncd", "mean_force_uncd", "mean_force_ncd", "mean_force_mcd",
     "range_of_adhesion", "work_of_adhesion", "range_moves_short_edge",
     "plasticity_moves_short_edge",

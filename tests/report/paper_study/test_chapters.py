@@ -93,7 +93,7 @@ def test_a_claim_shows_the_open_end_of_its_interval(end, interval):
         ({"verdict": "reproduced"}, 0),
     ],
 )
-def test_facts_count_independent_findings_reproduced_without_scans(values, count):
+def test_facts_count_independent_statements_reproduced_without_scans(values, count):
     assert claim_facts(evaluated(**values))["without_scan"] == count
 
 

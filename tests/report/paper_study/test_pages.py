@@ -90,7 +90,7 @@ def test_a_study_of_other_contacts_shows_both_values_and_judges_nothing():
     words = plain(page.texts["main"][0])
     assert words.startswith("What changes?")
     assert ["hardness", "25 GPa", "30 GPa"] in [[plain(cell) for cell in row] for row in page.rows]
-    assert ["finding", "verdict"] not in [[row[0], row[-1]] for row in page.rows]
+    assert ["statement", "verdict"] not in [[row[0], row[-1]] for row in page.rows]
     for verdict in VERDICTS:
         assert f"verdict-{verdict.replace(' ', '-')}" not in page.values("class")
         assert verdict not in words

@@ -36,7 +36,7 @@ def study(factor=1.0, scatter=0.0, rms=11.0, **settings):
             "range_of_adhesion": fits, "work_of_adhesion": fits, "edge": edges,
         },
         {
-            "claim": ["short_edge_pooled", "mean_force_uncd"],
+            "claim": ["short_edge_mean", "mean_force_uncd"],
             "contact_model": ["rigid", "plastic"], "side": ["short", "long"], "group": ["uncd"],
             "surface": ["uncd"],
         },

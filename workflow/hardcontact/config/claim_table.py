@@ -26,7 +26,7 @@ COLUMNS: dict[str, tuple[str, ...]] = {
 #: The form of a cell, and how a message describes it.
 FORMS = {
     "id": (re.compile("[a-z0-9_]+"), "a name"),
-    "main": (re.compile("([1-9][0-9]*)?"), "the rank of a main finding or nothing"),
+    "main": (re.compile("([1-9][0-9]*)?"), "the rank of a main statement or nothing"),
     "number": (re.compile(".*\\w.*"), "words for the quantity that the numbers give"),
     "select": (
         re.compile("(\\w+=[^;=]+(;\\w+=[^;=]+)*)?"), "labels such as surface=uncd;side=short"

@@ -172,7 +172,7 @@ def without_verdicts(evaluated: pd.DataFrame) -> pd.DataFrame:
 
 
 def count_verdicts(evaluated: pd.DataFrame) -> pd.DataFrame:
-    """Count the claims of each of `VERDICTS`, and the independent findings among them.
+    """Count the claims of each of `VERDICTS`, and the independent statements among them.
 
     A claim is not independent if it follows from another claim, holds by construction, or compares
     the model with measured forces.
@@ -214,7 +214,7 @@ def add_open_ends(claims: pd.DataFrame, bands: Sequence[xr.Dataset]) -> pd.DataF
     study, so that the edge of the study may lie beyond theirs. An interval that is stretched to
     such an edge is open there, too. The `bands`, edges.nc and sets.nc, give the cutoffs.
     """
-    sides = claims["id"].str.extract("^(short|long)_edge_(?:first|pooled)", expand=False)
+    sides = claims["id"].str.extract("^(short|long)_edge_(?:first|mean)", expand=False)
     rows = zip(sides, claims["computed"], claims["low"], claims["high"], strict=True)
     ends = [open_end(*row, bands) if isinstance(row[0], str) else "" for row in rows]
     return claims.assign(open_end=ends)

@@ -24,8 +24,8 @@ from hardcontact.report.templates import render_lines, render_text
 
 #: Claims with numbers in the answer, by the names of these numbers.
 ANSWER_CLAIMS = {
-    "short_edge": "short_edge_pooled",
-    "long_edge": "long_edge_pooled",
+    "short_edge": "short_edge_mean",
+    "long_edge": "long_edge_mean",
     "first_short_edge": "short_edge_first",
     "first_long_edge": "long_edge_first",
     "range_of_adhesion": "range_of_adhesion",

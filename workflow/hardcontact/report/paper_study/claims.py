@@ -1,4 +1,4 @@
-"""Claims as pages show them: rows with printed numbers, and counts of findings."""
+"""Claims as pages show them: rows with printed numbers, and counts of statements."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -28,19 +28,19 @@ def plain_rows(table: pd.DataFrame) -> list[dict[Any, Any]]:
 def claim_facts(claims: pd.DataFrame) -> dict[str, Any]:
     """Return the facts about claims that templates show.
 
-    `claims` has rows by their ids, with printed numbers, `main_findings` the ids of these by rank,
-    `contradicted` the rows of independent findings that are not reproduced, main ones first, and
+    `claims` has rows by id, with printed numbers, `main_statements` the ids of these by rank,
+    `contradicted` the rows of independent statements that are not reproduced, main ones first, and
     `counts` rows of `verdicts.count_verdicts`.
-    The numbers of findings: `without_scan` reproduced without any scan, `larger_pixels` testable
+    The numbers of statements: `without_scan` reproduced without any scan, `larger_pixels` testable
     only with the paper's pixels.
     """
     rows = zip(plain_rows(claims), claims.to_dict("records"), strict=True)
     facts = {str(row["id"]): plain | _printed_claim(row) for plain, row in rows}
     ranks = {name: int(row["main"]) for name, row in facts.items() if row["main"]}
-    main_findings = sorted(ranks, key=lambda name: ranks[name])
+    main_statements = sorted(ranks, key=lambda name: ranks[name])
     return {
         "claims": facts,
-        "main_findings": main_findings,
+        "main_statements": main_statements,
         "contradicted": [
             row
             for row in sorted(facts.values(), key=lambda row: row["main"] == "")
