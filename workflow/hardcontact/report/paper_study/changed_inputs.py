@@ -9,7 +9,7 @@ from hardcontact.config.configuration import contact_words
 from hardcontact.config.model import CONTACT_QUANTITIES, Study
 
 #: The name of `scales.sphere_roughness` among the inputs of contacts.
-SPHERE_AT_CUTOFFS = "sphere at the cutoffs"
+SPHERE_AT_CUTOFFS = "sphere in computations of the band"
 
 
 def paper_contact(configuration: Mapping[str, Any]) -> dict[str, str]:
