@@ -13,8 +13,8 @@
 #   parameters     turns the parameters of a script into one text
 #   code_inputs    lists a script and what it imports, because a change of these makes files anew
 #   PUBLISHED_TABLES   the tables of the paper, by name
-# surfaces.smk makes those that depend on the table of surfaces. All other names are used only in the
-# file that defines or imports them.
+# surfaces.smk defines the names that depend on the table of surfaces. Every other name is local to
+# its file.
 
 from hardcontact.base.published import PUBLISHED_TABLES
 from hardcontact.config.configuration import read_yaml

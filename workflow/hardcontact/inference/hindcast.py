@@ -1,7 +1,7 @@
-"""Hindcast: artificial roughness replaces the last octave of wavelengths that a scan shows.
+"""Hindcast, a test of the extrapolation where the truth is known.
 
-If the force then changes, a random surface cannot extrapolate the roughness of this scan. On a
-Gaussian surface the octave of the scan is as random as the artificial octaves.
+Artificial roughness replaces the last octave of wavelengths that a scan shows. If the force then
+changes, a random surface cannot extrapolate this scan. On a Gaussian surface it changes little.
 """
 
 from collections.abc import Mapping, Sequence
