@@ -11,7 +11,7 @@ from hardcontact.contact.contact import Contact
 from hardcontact.contact.finite_scan import LARGE_ENOUGH, RATIOS, finite_scan_ratio
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import pull_off_dataset
-from hardcontact.own.predicted_force import add_sizes
+from hardcontact.own.force_at_pair import add_sizes
 from hardcontact.surfaces.height_map import mirror_stitch
 from hardcontact.surfaces.levelling import level
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, smooth_rolloff

@@ -216,7 +216,7 @@ def open_edges(count=1):
 
 
 def force(count=1):
-    """Return predicted forces of plastic contacts, 0.64 µN at RANGE, and twice that of rigid."""
+    """Return forces of plastic contacts, 0.64 µN at RANGE, and twice that of rigid."""
     surfaces = SURFACES[:count]
     mean = 0.64e-6 * (RHOS / RANGE) ** -0.5 * np.array([2.0, 1.0])[:, None]
     mean = mean * np.arange(1, count + 1)[:, None, None]

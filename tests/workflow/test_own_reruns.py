@@ -30,7 +30,7 @@ def test_a_second_run_has_nothing_to_do(own_study):
 # Rules that a change repeats
 
 PAGE = {"answer_surfaces", "describe_study"}
-EDGES = {"find_edges_of_scans", "predict_force"}
+EDGES = {"find_edges_of_scans", "compute_force_at_pair"}
 FORCES = {"compute_pull_off", "aggregate_adhesion", "fit_measured"} | EDGES
 OCTAVES = {"perturb_scan", "aggregate_sensitivity"}
 FILTERED = {"compute_filtered_forces", "aggregate_scales"}
@@ -40,14 +40,14 @@ SPECTRA = {
     "combine_spectra", "combine_sampled_spectra",
 }  # fmt: skip
 #: The table of roughness of all surfaces, and its readers.
-TOPOGRAPHY = {"aggregate_topography", "predict_force", "fit_measured"}
+TOPOGRAPHY = {"aggregate_topography", "compute_force_at_pair", "fit_measured"}
 SCANS = {"prepare_scan", "combine_scans"} | TOPOGRAPHY
 
 
 @pytest.mark.parametrize(
     ("key", "value", "rules"),
     [
-        ("adhesion.work", "60 mJ/m2", {"predict_force", "fit_measured"}),
+        ("adhesion.work", "60 mJ/m2", {"compute_force_at_pair", "fit_measured"}),
         ("scan.levelling", "lines", SCANS | SPECTRA | FORCES | OCTAVES | MASTERS),
         ("contact.preload", "20 uN", FORCES | OCTAVES | FILTERED),
     ],

@@ -1,5 +1,5 @@
 # Own surfaces: the roughness of both bodies in one under a scanned sphere, edges of the band,
-# predicted force, and the fit to own forces.
+# force at the configured range and work, and the fit to own forces.
 
 from hardcontact.files.patterns import any_name_pattern
 
@@ -124,15 +124,15 @@ rule find_edges_of_scans:
         "../scripts/find_edges_of_scans.py"
 
 
-rule predict_force:
-    """Predict the pull-off force, also with extrapolated roughness: force.nc."""
+rule compute_force_at_pair:
+    """Compute the force at one range and work, also with extrapolated roughness: force.nc."""
     input:
         adhesion=PATTERNS.dataset("adhesion"),
         scales=PATTERNS.dataset("scales"),
         topography=PATTERNS.dataset("topography"),
         spectra=PATTERNS.dataset("spectra"),
         sensitivity=PATTERNS.dataset("sensitivity"),
-        code=code_inputs("predict_force.py"),
+        code=code_inputs("compute_force_at_pair.py"),
     output:
         PATTERNS.dataset("force"),
     params:
@@ -141,7 +141,7 @@ rule predict_force:
             **MASTER_PARAMETERS,
         ),
     script:
-        "../scripts/predict_force.py"
+        "../scripts/compute_force_at_pair.py"
 
 
 if HAS_FORCES:

@@ -29,7 +29,7 @@ def add_status(number: Number, source: xr.DataArray) -> Number:
 
 
 def force_numbers(data: Datasets) -> list[Number]:
-    """Return the predicted forces of one surface at the configured range, and the smooth limit."""
+    """Return the forces of one surface at the configured range, and the smooth limit."""
     force = data.force
     forces = forces_at_range(force)
     mean = number_of(forces, "force", name="mean_force")
@@ -175,7 +175,7 @@ def fit_numbers(fit: xr.Dataset) -> list[Number]:
 
     The fit is the part of fit.nc for one contact model. `fit_exact_pairs` counts the pairs that
     give the forces of two surfaces by construction. `fit_gap` lies between ranges that agree.
-    `fit_agrees` is 1 if the range of the predicted forces agrees, otherwise 0.
+    `fit_agrees` is 1 if the configured range agrees, otherwise 0.
     """
     rho = fit["rho_fine"].values
     agrees = np.isfinite(fit["region"].values).all(axis=-1)

@@ -1,10 +1,10 @@
-"""The force that a work and a range of adhesion predict on own surfaces."""
+"""The pull-off forces on own surfaces at one range and work of adhesion."""
 
 from hardcontact.base.dataset import read
 from hardcontact.contact.contact import Contact
 from hardcontact.inference.scan_parts import fewest_touched_patches
+from hardcontact.own.force_at_pair import force_dataset
 from hardcontact.own.mean_forces import MasterScans
-from hardcontact.own.predicted_force import force_dataset
 from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:
@@ -23,5 +23,5 @@ with run_job(snakemake) as job:
             tolerance=params["tolerance"],
             confidence=params["confidence"],
         ),
-        title="predicted pull-off forces",
+        title="pull-off forces at one range and work",
     )

@@ -1,4 +1,4 @@
-"""The pull-off forces that a work and a range of adhesion predict, without a fit: force.nc.
+"""The pull-off forces on own scans at one range and work of adhesion: force.nc.
 
 One force has the roughness of the scans alone, another has roughness extrapolated beyond their
 wavelengths, too.
@@ -50,7 +50,7 @@ def force_dataset(
     tolerance: float,
     confidence: float,
 ) -> xr.Dataset:
-    """Return the predicted forces of all surfaces, their limits and their scatter.
+    """Return the forces of all surfaces at the pair of the contact, their limits and their scatter.
 
     The datasets are as in their files; `tolerance` is a relative change of the force. Forces on
     scans and with extrapolated roughness never exceed the smooth sphere's force. Attributes have
@@ -88,7 +88,7 @@ def force_dataset(
 def add_sizes(
     force: xr.Dataset, topography: xr.Dataset, contact: Contact, search_sizes: Mapping[str, float]
 ) -> xr.Dataset:
-    """Return predicted forces (surface) with sizes of scans, window and pixels.
+    """Return forces (surface) with sizes of scans, window and pixels.
 
     Sizes are in nm; ``window_share`` (rho) comes from the function of this name.
     """
@@ -250,7 +250,7 @@ def extrapolated_force(
 def add_extrapolated_force(
     force: xr.Dataset, extrapolated_forces: xr.Dataset, tolerance: float
 ) -> xr.Dataset:
-    """Return predicted forces with the forces of extrapolated roughness, and whether they differ.
+    """Return forces on scans with those of extrapolated roughness, and whether they differ.
 
     ``extrapolation_matters`` (surface, side) is 1 if both differ by more than the relative
     tolerance, and the extrapolated force lies outside the interval of the force on the scans, if
@@ -278,7 +278,7 @@ def include_finer_pixels(force: xr.Dataset) -> xr.Dataset:
 
 
 def bound_by_smooth_sphere(force: xr.Dataset, area: float) -> xr.Dataset:
-    """Return predicted forces whose means and intervals never exceed the smooth sphere's force.
+    """Return forces whose means and intervals never exceed the smooth sphere's force.
 
     The forces come from `add_extrapolated_force`; the `area` in plastic contact is in nm².
     ``smooth_bound`` (contact_model, rho) in N is added. Single contacts (`force_quantile`) have no

@@ -12,8 +12,7 @@ from scipy import stats
 
 from hardcontact.base.random import generator
 from hardcontact.base.statistics import student_interval
-from hardcontact.own.mean_forces import MasterScans
-from hardcontact.own.predicted_force import (
+from hardcontact.own.force_at_pair import (
     add_extrapolated_force,
     bound_by_smooth_sphere,
     extrapolated_force,
@@ -21,10 +20,11 @@ from hardcontact.own.predicted_force import (
     forces_on_scans,
     include_finer_pixels,
 )
+from hardcontact.own.mean_forces import MasterScans
 from hardcontact.theory.pull_off_statistics import predict_statistics
 
 RHOS = [1.0, 5.0, 20.0]
-PREDICTION = {"work": 0.05, "rho": 5.0, "sizes": {"a": 2500.0, "b": 2500.0}, "confidence": 0.9}
+OPTIONS = {"work": 0.05, "rho": 5.0, "sizes": {"a": 2500.0, "b": 2500.0}, "confidence": 0.9}
 
 
 def adhesion(scans, radius=5e3, spread=0.3):
@@ -49,33 +49,33 @@ def adhesion(scans, radius=5e3, spread=0.3):
 
 def test_the_force_is_the_mean_over_contacts_times_the_work():
     computed_forces = adhesion([3, 1])
-    prediction = forces_on_scans(computed_forces, **PREDICTION)
+    scan_forces = forces_on_scans(computed_forces, **OPTIONS)
     surface_b_forces = computed_forces.pull_off_force.sel(surface="b").isel(scan=0)
     mean_force = 0.05 * surface_b_forces.mean(["sphere_scan", "contact_y", "contact_x"])
-    np.testing.assert_allclose(prediction.force.sel(surface="b"), mean_force)
+    np.testing.assert_allclose(scan_forces.force.sel(surface="b"), mean_force)
     selection = {"surface": "a", "contact_model": "plastic", "rho": 5.0}
     single = 0.05 * computed_forces.pull_off_force.sel(selection).values
-    quantiles = prediction.force_quantile.sel(selection)
+    quantiles = scan_forces.force_quantile.sel(selection)
     np.testing.assert_allclose(quantiles, np.quantile(single, quantiles["quantile"]))
 
 
 def test_three_scans_give_student_s_interval_and_fewer_a_wider_conditional_one():
     computed_forces = adhesion([3, 1], spread=0.02).isel(sphere_scan=[0])
-    prediction = forces_on_scans(computed_forces, **PREDICTION)
-    assert "position_factor" not in prediction
+    scan_forces = forces_on_scans(computed_forces, **OPTIONS)
+    assert "position_factor" not in scan_forces
     selection = {"surface": "a", "contact_model": "rigid", "rho": 5.0}
     means = computed_forces.pull_off_force.sel(selection).mean(
         ["sphere_scan", "contact_y", "contact_x"]
     )
     np.testing.assert_allclose(
-        prediction.force_interval.sel(selection),
+        scan_forces.force_interval.sel(selection),
         0.05 * student_interval(means, 0.9, "scan"),
         rtol=1e-4,
     )
-    assert prediction.interval_is_conditional.values.tolist() == [0, 1]
-    assert prediction.interval_source.values.tolist() == ["scans", "quarters"]
-    low, high = (prediction.force_interval.isel(end=index) for index in (0, 1))
-    assert (low < prediction.force).all() and (prediction.force < high).all()
+    assert scan_forces.interval_is_conditional.values.tolist() == [0, 1]
+    assert scan_forces.interval_source.values.tolist() == ["scans", "quarters"]
+    low, high = (scan_forces.force_interval.isel(end=index) for index in (0, 1))
+    assert (low < scan_forces.force).all() and (scan_forces.force < high).all()
     width = np.log(high / low).sel(surface="b", contact_model="rigid")
     assert (width.diff("rho") > 0).all()  # The longer the range, the more quarters share.
 
@@ -88,20 +88,20 @@ def test_the_interval_includes_the_position_on_a_rough_sphere():
         pull_off_force=forces.transpose(*FORCE_DIMS),
         touched_patches=smooth.touched_patches.isel(sphere_scan=[0] * 16),
     )
-    prediction = forces_on_scans(rough_sphere, **PREDICTION)
+    scan_forces = forces_on_scans(rough_sphere, **OPTIONS)
     # One more of 16 normal numbers lies within this distance of their mean.
     half = stats.t(15).ppf(0.95) * logarithms.std(ddof=1).item() * np.sqrt(1 + 1 / 16)
-    np.testing.assert_allclose(prediction.position_factor, np.exp(half), rtol=1e-4)
-    ends = prediction.force_interval / prediction.force
+    np.testing.assert_allclose(scan_forces.position_factor, np.exp(half), rtol=1e-4)
+    ends = scan_forces.force_interval / scan_forces.force
     np.testing.assert_allclose(ends.isel(end=0), np.exp(-half), rtol=1e-3)
     np.testing.assert_allclose(ends.isel(end=1), np.exp(half), rtol=1e-3)
 
 
 def test_a_contact_as_wide_as_the_scan_gives_no_interval():
-    prediction = forces_on_scans(adhesion([3, 1], radius=1e9), **PREDICTION)
-    assert prediction.force_interval.sel(surface="b").isnull().all()
-    assert prediction.force_interval.sel(surface="a").notnull().all()
-    message = refusal(lambda: forces_on_scans(adhesion([1, 1]), **PREDICTION | {"rho": 5.6}))
+    scan_forces = forces_on_scans(adhesion([3, 1], radius=1e9), **OPTIONS)
+    assert scan_forces.force_interval.sel(surface="b").isnull().all()
+    assert scan_forces.force_interval.sel(surface="a").notnull().all()
+    message = refusal(lambda: forces_on_scans(adhesion([1, 1]), **OPTIONS | {"rho": 5.6}))
     assert_says(message, "1, 5, 20 nm", "found 5.6 nm")
 
 
@@ -111,11 +111,11 @@ def test_contacts_that_touch_few_patches_give_no_interval():
         few_patches = computed_forces.assign(
             touched_patches=computed_forces.touched_patches * 0 + patches
         )
-        prediction = forces_on_scans(few_patches, **PREDICTION)
-        assert prediction.interval_source.values.tolist() == ["scans", source]
-        assert prediction.force_interval.sel(surface="b").notnull().all() == (patches == 4)
-        assert prediction.force_interval.sel(surface="a").notnull().all()
-        assert prediction.contacts.values.tolist() == [16, 16]
+        scan_forces = forces_on_scans(few_patches, **OPTIONS)
+        assert scan_forces.interval_source.values.tolist() == ["scans", source]
+        assert scan_forces.force_interval.sel(surface="b").notnull().all() == (patches == 4)
+        assert scan_forces.force_interval.sel(surface="a").notnull().all()
+        assert scan_forces.contacts.values.tolist() == [16, 16]
         master_scans = MasterScans({"a": 1}, 2, {"a": patches})
         extrapolated_forces = extrapolated_force(master_forces(), master_scans, 0.05, 0.95)
         assert extrapolated_forces.extrapolated_force_interval.notnull().all() == (patches == 4)
@@ -143,11 +143,11 @@ def test_the_mean_over_positions_is_at_most_that_of_a_smooth_sphere(pixels):
 
 
 def test_forces_are_bounded_by_that_of_a_smooth_sphere():
-    prediction = forces_on_scans(adhesion([3, 1]), **PREDICTION)  # newtons: far too large
+    scan_forces = forces_on_scans(adhesion([3, 1]), **OPTIONS)  # newtons: far too large
     extrapolated_forces = xr.Dataset(
         {"extrapolated_force": ("side", [1e-9, 1.0])}, {"side": ["short", "long"]}
     ).assign(extrapolated_force_interval=("side", [1e-9, 1.0]))
-    bounded = bound_by_smooth_sphere(prediction.merge(extrapolated_forces), 400.0)
+    bounded = bound_by_smooth_sphere(scan_forces.merge(extrapolated_forces), 400.0)
     rigid = 2 * np.pi * 5e-6 * 0.05
     bound = xr.DataArray(
         [[rigid] * 3, [rigid + 0.05 * 4e-16 / (1e-9 * rho) for rho in RHOS]],
@@ -157,7 +157,7 @@ def test_forces_are_bounded_by_that_of_a_smooth_sphere():
     np.testing.assert_allclose(bounded.force, bound.expand_dims(surface=2))
     assert (bounded.force_interval <= bounded.smooth_bound).all()
     np.testing.assert_allclose(bounded.extrapolated_force, [1e-9, bound[1, 1]])
-    endless = prediction.assign(force_interval=prediction.force_interval * 0 + np.inf).merge(
+    endless = scan_forces.assign(force_interval=scan_forces.force_interval * 0 + np.inf).merge(
         extrapolated_forces
     )
     assert np.isinf(bound_by_smooth_sphere(endless, 400.0).force_interval).all()
@@ -215,10 +215,10 @@ def test_the_needed_number_of_contacts_keeps_the_mean_within_the_tolerance():
 
 
 def test_intervals_include_the_effect_of_finer_pixels():
-    prediction = forces_on_scans(adhesion([3, 3]), **PREDICTION)
-    wide_pixels = prediction.assign(wide_pixel_ratio=("surface", [1.5, 0.9]))
+    scan_forces = forces_on_scans(adhesion([3, 3]), **OPTIONS)
+    wide_pixels = scan_forces.assign(wide_pixel_ratio=("surface", [1.5, 0.9]))
     result = include_finer_pixels(wide_pixels).force_interval
-    change = (result / prediction.force_interval).transpose("surface", "end", ...)
+    change = (result / scan_forces.force_interval).transpose("surface", "end", ...)
     np.testing.assert_allclose(change.isel(surface=0, end=0), 1 / 1.5)
     np.testing.assert_allclose(change.isel(surface=0, end=1), 1)
     np.testing.assert_allclose(change.isel(surface=1), 1)
