@@ -68,7 +68,7 @@ def test_a_prepared_scan_is_levelled_and_stitched_and_keeps_its_notes(maps, radi
     scan = replace(measurement(maps["ruby", 1].heights, PIXEL), notes=("cropped", "filled"))
     levelled, stitched = level_and_stitch(scan, radius, "lines")
     np.testing.assert_array_equal(stitched.heights[48:, 48:], levelled.heights[::-1, ::-1])
-    assert levelled.attrs["notes"] == stitched.attrs["notes"] == "cropped; filled"
+    assert levelled.attrs["notes"] == stitched.attrs["notes"] == "cropped\nfilled"
     assert (levelled.attrs["periodic"], stitched.attrs["periodic"]) == (0, 1)
     assert ("as_scanned" in levelled) == (radius is not None)
     heights = remove_form(maps["ruby", 1], radius, "lines").heights

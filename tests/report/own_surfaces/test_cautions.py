@@ -1,13 +1,20 @@
 """Each caution is given exactly where it applies."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from answer_inputs import SURFACES, datasets, edges, fit, force, scale_extrapolated_force, setting
 from answer_inputs import spectra as plain_spectra
+from measurements import map_of
 
+from hardcontact.base import dataset
+from hardcontact.base.random import generator
 from hardcontact.contact.finite_scan import SMALLEST_TESTED
-from hardcontact.report.own_surfaces.answer import surface_answers
+from hardcontact.report.own_surfaces.answer import own_answer, surface_answers
 from hardcontact.report.own_surfaces.artificial_roughness import measurement_name
+from hardcontact.scans.joined_spectrum import joined_spectrum
+from hardcontact.surfaces.height_map import read_height_map
 
 
 def all_cautions(**others):
@@ -69,7 +76,7 @@ CASES = [
     ("few_patches", forces(**FEW_PATCHES), True, {}),
     ("more_than_measured", added_spectrum(), False, {"factor": 10}),
     ("smooth_bound", forces(smooth_bound=force()["force"].isel(surface=0)), False, {}),
-    ("reading", spectra("notes", 0, "cropped; take care: its mask marks 9 pixels"), False, {}),
+    ("reading", spectra("notes", 0, "cropped\ntake care: its mask marks 9 pixels"), False, {}),
     ("repeated_scan", spectra("earlier_scan", 1, "scans/trace.spm"), True, {}),
     ("repeated_tests", {"fit": fit().assign(look_repeated=("surface", [1]))}, True, {}),
     ("highest", spectra("highest_share", 2, 0.06), True, {"highest_share": 0.06}),
@@ -92,6 +99,22 @@ def test_a_caution_is_given_with_its_numbers_only_where_it_applies(
 def test_surfaces_without_faults_have_no_grave_caution():
     assert not [caution for caution in all_cautions() if caution.grave]
     assert not find_cautions("conditional_intervals", **forces(**FEW_PATCHES))
+
+
+def test_a_caution_with_a_semicolon_stays_whole_from_the_scan_to_the_page(tmp_path):
+    caution = "the file states a square; if its pixels are square, heights are stretched"
+    notes = ("cropped", f"take care: {caution}")
+    scan = replace(map_of(generator(21), 64, 10.0), notes=notes)
+    dataset.write(scan.to_dataset(), tmp_path / "scan.nc")
+    stored_scan = read_height_map(tmp_path / "scan.nc")
+    assert stored_scan.notes == notes
+    dataset.write(joined_spectrum([stored_scan], [None]), tmp_path / "spectrum.nc")
+    stored_notes = dataset.read(tmp_path / "spectrum.nc")["notes"].item()
+    answer = own_answer(datasets(**spectra("notes", 0, stored_notes)), setting())
+    (text,) = [note["text"] for note in answer["notes"] if note["code"] == "reading"]
+    assert caution in text
+    measurement = answer["surfaces"][0]["measurements"][0]
+    assert measurement["notes"] == f"cropped; take care: {caution}"
 
 
 def test_a_measurement_of_a_container_has_both_names():

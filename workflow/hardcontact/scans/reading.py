@@ -61,7 +61,7 @@ def read_scan(
     from hardcontact.scans.formats import read_fields
 
     fields = read_in_child(read_fields, Path(path), dataset, undefined_pixels, unit, map_size, mask)
-    fields["notes"] = tuple(fields["notes"])
+    fields["notes"] = tuple(" ".join(note.split()) for note in fields["notes"])
     return HeightMap(path=str(path), **fields)
 
 

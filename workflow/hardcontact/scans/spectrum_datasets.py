@@ -44,7 +44,7 @@ def measurement_descriptions(
             "path": measurement.path,
             "dataset": measurement.dataset,
             "tip_radius": np.nan if radius is None else radius,
-            "notes": "; ".join(measurement.notes),
+            "notes": "\n".join(measurement.notes),
             "earlier_scan": "" if earlier is None else measurements[earlier].name,
             **dict.fromkeys(DEFECT_UNITS, np.nan),
             **{

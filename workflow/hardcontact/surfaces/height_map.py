@@ -33,7 +33,7 @@ class HeightMap:
     channel: str = ""  #: Name of the channel that was read.
     file_unit: str = "nm"  #: Unit of length that the file, or its container, states.
     tip_radius: float | None = None  #: In nm, if the file or its container states one.
-    notes: tuple[str, ...] = ()  #: What was changed or chosen in reading, in words for the user.
+    notes: tuple[str, ...] = ()  #: What was changed or chosen in reading, each in one line.
     undefined_count: int = 0  #: Number of kept pixels that were undefined before they were filled.
     #: The result of `scan_defects`, after `scan_with_defects`.
     defects: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
@@ -103,7 +103,7 @@ class HeightMap:
             "dataset": self.dataset,
             "periodic": int(self.periodic),
             "tip_radius": np.nan if self.tip_radius is None else self.tip_radius,
-            "notes": "; ".join(self.notes),
+            "notes": "\n".join(self.notes),
             "undefined": self.undefined_count,
         }
         return xr.Dataset({"heights": (axes, self.heights, labels)}, coordinates, attributes)
@@ -120,7 +120,6 @@ def read_height_map(path: str) -> HeightMap:
     attributes = map_dataset.attrs
     texts: dict[str, Any] = {name: str(attributes[name]) for name in TEXT_FIELDS}
     tip_radius = float(attributes["tip_radius"])
-    notes = attributes["notes"]
     return HeightMap(
         heights.values,
         float(heights.attrs["pixel_size"]),
@@ -128,7 +127,7 @@ def read_height_map(path: str) -> HeightMap:
         **texts,
         dataset=str(attributes["dataset"]),
         tip_radius=None if np.isnan(tip_radius) else tip_radius,
-        notes=tuple(notes.split("; ")) if notes else (),
+        notes=tuple(str(attributes["notes"]).splitlines()),
         undefined_count=int(attributes["undefined"]),
     )
 

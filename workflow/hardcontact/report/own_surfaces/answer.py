@@ -246,7 +246,7 @@ def _surface_head(surface: SurfaceAnswer, spectra: xr.Dataset) -> dict[str, Any]
                 "name": measurement_name(scan),
                 "kind": str(scan["kind"].item()),
                 "limited_by": _limit_name(scan),
-                "notes": str(scan["notes"].item()),
+                "notes": str(scan["notes"].item()).replace("\n", "; "),
             }
             for scan in scans
         ],

@@ -119,7 +119,7 @@ def _reading_cautions(spectra: xr.Dataset) -> list[Caution]:
     return [
         Caution("reading", texts={"sentence": f"{measurement_name(measurement)}: {line}"})
         for measurement in split_scans(without_padding(spectra))
-        for line in split_notes(str(measurement["notes"].item()).split("; "))[1]
+        for line in split_notes(str(measurement["notes"].item()).splitlines())[1]
     ]
 
 
