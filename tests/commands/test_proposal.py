@@ -16,7 +16,7 @@ from hardcontact.commands.contact_scans import all_search_sizes, contact_scans
 from hardcontact.commands.inventory import Entry
 from hardcontact.commands.new import values_by_key
 from hardcontact.commands.proposal import propose
-from hardcontact.commands.request import Source
+from hardcontact.commands.request import ScanFile
 from hardcontact.config.configuration import set_keys
 from hardcontact.config.limits import refuse_unfit_grids
 from hardcontact.config.model import numeric_configuration
@@ -48,7 +48,7 @@ def entry(size=2500.0, pixels=512, rms=17.0, surface="a", **others):
         "coarse": HeightMap(np.zeros((2, 2)), size / 2),
     }  # fmt: skip
     return Entry(
-        source=Source(surface, surface, "scans/one.nc", "scans/one.nc"), pixels=pixels,
+        scan_file=ScanFile(surface, surface, "scans/one.nc", "scans/one.nc"), pixels=pixels,
         pixel_size=size / pixels, rms_height=rms, **(fields | others),
     )  # fmt: skip
 
@@ -94,7 +94,7 @@ BALL = [entry(size, rms=1.0, surface="sphere") for size in (2500, 2500, 6000)]
     ],
 )  # fmt: skip
 def test_contacts_are_made_on_scans_that_hold_and_resolve_the_summits(entries, radius, size_counts):
-    sphere = "sphere" if entries[-1].source.surface == "sphere" else None
+    sphere = "sphere" if entries[-1].scan_file.surface == "sphere" else None
     sizes = all_search_sizes(entries, sphere, probe(radius))
     selected_scans, _ = contact_scans(entries, sphere, probe(radius), sizes)
     assert Counter(round(scan.size) for scan in selected_scans) == size_counts
@@ -120,7 +120,7 @@ def both_efforts(settings, proposal):
 
 def check_study(settings, proposal):
     """Check a proposal for a smooth sphere at both efforts, as the study does."""
-    grids = {scan.source.surface: scan.grid for scan in proposal.contact_entries}
+    grids = {scan.scan_file.surface: scan.grid for scan in proposal.contact_entries}
     for config in both_efforts(settings, proposal):
         refuse_unfit_grids(config, grids)
 
@@ -229,7 +229,7 @@ def test_a_stated_radius_that_the_scan_of_the_sphere_contradicts_is_questioned(r
     """Curvatures add: what is left of 1/R by another stated radius is their difference."""
     left = abs(1 / radius - 1 / stated)
     ball = entry(defects={"curvature": {"curvature_radius": 1 / left, "uncurved_share": 0.1}})
-    ball = replace(ball, source=Source("sphere", "sphere", "ball.nc", "ball.nc", stated))
+    ball = replace(ball, scan_file=ScanFile("sphere", "sphere", "ball.nc", "ball.nc", stated))
     (caution,) = [
         line
         for line in propose([entry(), ball], "sphere", probe(stated)).cautions

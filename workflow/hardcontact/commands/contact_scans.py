@@ -44,10 +44,10 @@ def all_search_sizes(
     A contact finds its summits within the search size. The largest of a surface's scans counts.
     """
     sizes: dict[str, float] = {}
-    sphere_densities = [entry.density for entry in entries if entry.source.surface == sphere]
+    sphere_densities = [entry.density for entry in entries if entry.scan_file.surface == sphere]
     sphere_density = np.fmax.reduce([np.zeros_like(BIN_CENTRES), *sphere_densities])
     for entry in entries:
-        surface = entry.source.surface
+        surface = entry.scan_file.surface
         is_measured = np.isfinite(entry.density)
         if surface != sphere:
             density = entry.density + sphere_density

@@ -10,7 +10,7 @@ import numpy as np
 from hardcontact.base.arrays import Floats
 from hardcontact.base.formatting import format_length
 from hardcontact.commands.output import align_cells
-from hardcontact.commands.request import Source
+from hardcontact.commands.request import ScanFile
 from hardcontact.config.grids import Grid
 from hardcontact.config.selected_surfaces import CONTACT_USE
 from hardcontact.scans.defects import scan_with_defects
@@ -37,7 +37,7 @@ ENTRY_COLUMNS = (
 class Entry:
     """One topography: the statements of its file, and measured properties; lengths in nm."""
 
-    source: Source
+    scan_file: ScanFile
     dataset: str
     channel: str
     file_unit: str
@@ -79,12 +79,12 @@ class Entry:
     @property
     def name(self) -> str:
         """The file without its folder, and for a container the data file in it."""
-        file = PurePath(self.source.path).name
+        file = PurePath(self.scan_file.path).name
         return f"{file}/{self.dataset}" if self.dataset else file
 
 
 def inventory(
-    sources: Sequence[Source],
+    scan_files: Sequence[ScanFile],
     tip_radius: float | None,
     channel: str = "",
     unit: str = "none",
@@ -103,15 +103,15 @@ def inventory(
     unreadable: list[str] = []
     problems: list[str] = []
 
-    def read_entry(source: Source, dataset: str) -> Entry:
-        scan = read_scan(source.file, dataset or channel, FILLING, unit, map_size, mask)
-        return _entry(source, scan, tip_radius, levelling)
+    def read_entry(scan_file: ScanFile, dataset: str) -> Entry:
+        scan = read_scan(scan_file.file, dataset or channel, FILLING, unit, map_size, mask)
+        return _entry(scan_file, scan, tip_radius, levelling)
 
-    for source in sources:
-        file_entries, faults = _read_file(source, read_entry)
+    for scan_file in scan_files:
+        file_entries, faults = _read_file(scan_file, read_entry)
         entries += file_entries
         # A dataset that cannot be used stops nothing: the user cannot take it out.
-        (unreadable if file_entries or source.is_in_folder else problems).extend(faults)
+        (unreadable if file_entries or scan_file.is_in_folder else problems).extend(faults)
     if not entries and not problems:
         problems += unreadable
     problems += _twin_faults(entries)
@@ -120,17 +120,17 @@ def inventory(
 
 
 def _read_file(
-    source: Source, read_entry: Callable[[Source, str], Entry]
+    scan_file: ScanFile, read_entry: Callable[[ScanFile, str], Entry]
 ) -> tuple[list[Entry], list[str]]:
     """Return the entries of usable datasets of a file, and a line on each fault of others."""
     entries = []
     faults = []
     try:
-        for dataset in list_scans(source.file):
+        for dataset in list_scans(scan_file.file):
             try:
-                entries.append(read_entry(source, dataset))
+                entries.append(read_entry(scan_file, dataset))
             except ValueError as error:
-                file = f"{source.file}: "
+                file = f"{scan_file.file}: "
                 faults += [
                     f"{file}{dataset}: {line.removeprefix(file)}" if dataset else line
                     for line in str(error).splitlines()
@@ -152,7 +152,7 @@ def _twin_faults(entries: Sequence[Entry]) -> Iterator[str]:
             rtol=1e-4,
             atol=0,
         )
-        if is_twin and entry.source.surface == twin.source.surface:
+        if is_twin and entry.scan_file.surface == twin.scan_file.surface:
             yield f"{twin.name}: expected each scan once, found that of {entry.name} again"
 
 
@@ -171,7 +171,7 @@ def entries_by_surface(entries: Sequence[Entry]) -> dict[str, list[Entry]]:
     """Return the entries of each surface, in their order."""
     surfaces: dict[str, list[Entry]] = {}
     for entry in entries:
-        surfaces.setdefault(entry.source.surface, []).append(entry)
+        surfaces.setdefault(entry.scan_file.surface, []).append(entry)
     return surfaces
 
 
@@ -188,18 +188,18 @@ def entry_contradiction_lines(entries: Sequence[Entry]) -> Iterator[str]:
             yield describe_contradictions(contradictions, [scan.name for scan in scans])
 
 
-def _entry(source: Source, scan: HeightMap, tip_radius: float | None, levelling: str) -> Entry:
+def _entry(scan_file: ScanFile, scan: HeightMap, tip_radius: float | None, levelling: str) -> Entry:
     """Return the entry of one topography; raise ValueError if it cannot be used."""
     relief = np.ptp(scan.heights)
     if relief == 0:
-        raise ValueError(f"{source.file}: expected a rough surface, found constant height")
-    flat = scan_with_defects(scan, source.sphere_radius, levelling)
+        raise ValueError(f"{scan_file.file}: expected a rough surface, found constant height")
+    flat = scan_with_defects(scan, scan_file.sphere_radius, levelling)
     peak_to_valley = float(np.ptp(flat.heights))
     density = isotropic_psd(flat)
     stated_radius = scan.tip_radius
     radius = tip_radius if stated_radius is None else stated_radius
     return Entry(
-        source=source,
+        scan_file=scan_file,
         dataset=scan.dataset,
         channel=scan.channel,
         file_unit=scan.file_unit,
@@ -231,7 +231,7 @@ def printed_table(entries: Sequence[Entry], uses: Sequence[str]) -> str:
         rows.append(
             (
                 str(number),
-                entry.source.label,
+                entry.scan_file.label,
                 entry.name,
                 entry.channel,
                 "height map" if is_map else "line scan",
@@ -265,10 +265,10 @@ def table_rows(
     return [
         {
             "surface": surface,
-            "label": entry.source.label,
+            "label": entry.scan_file.label,
             "scan": str(number),
             "source": "measured",
-            "path": entry.source.path,
+            "path": entry.scan_file.path,
             "dataset": entry.dataset,
             "use": CONTACT_USE if id(entry) in contact_ids else SPECTRUM_USE,
             "tip_radius": tip_radius if entry.tip_given else "",

@@ -24,7 +24,7 @@ from hardcontact.commands.request import (
     SPHERE,
     QuantityOption,
     implausible_quantities,
-    list_sources,
+    list_scan_files,
     name_faults,
     parse_quantities,
     path_from_root,
@@ -47,11 +47,11 @@ def new_study(arguments: Namespace) -> str:
     Raises ValueError with a line for each problem; then nothing is written.
     """
     quantities, faults = parse_quantities(arguments)
-    sources, file_faults = list_sources(arguments, quantities["radius"].number)
+    scan_files, file_faults = list_scan_files(arguments, quantities["radius"].number)
     tip = quantities.get("tip")
     tip_text = tip.text if tip else ""
     entries, unreadable, scan_faults = inventory(
-        sources,
+        scan_files,
         tip.number if tip else None,
         arguments.channel,
         arguments.unit,
@@ -65,7 +65,7 @@ def new_study(arguments: Namespace) -> str:
         *_input_checks(
             arguments,
             table_rows(entries, contact_entries=[], tip_radius=tip_text),
-            [source.surface for source in sources],
+            [scan_file.surface for scan_file in scan_files],
             quantities["radius"].number,
         ),
     ]
@@ -195,7 +195,7 @@ def _report_lines(
     yield printed_table(
         entries, [CONTACT_USE if id(entry) in contact_ids else SPECTRUM_USE for entry in entries]
     )
-    labels = {entry.source.surface: entry.source.label for entry in entries}
+    labels = {entry.scan_file.surface: entry.scan_file.label for entry in entries}
     renamed = [f"{surface} is {label}" for surface, label in labels.items() if surface != label]
     if renamed:
         yield f"\nIn tables, own forces and paths: {', '.join(renamed)}"

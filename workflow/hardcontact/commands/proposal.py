@@ -109,18 +109,18 @@ def propose(
     """
     sizes = all_search_sizes(entries, sphere, probe)
     scans, reasons = contact_scans(entries, sphere, probe, sizes)
-    substrates = [scan for scan in scans if scan.source.surface != sphere]
+    substrates = [scan for scan in scans if scan.scan_file.surface != sphere]
     coarsest = max(substrates, key=lambda scan: scan.pixel_size)
     smallest = min(substrates, key=lambda scan: scan.size)
     if TRANSITION_PIXELS * coarsest.pixel_size > TRANSITION_SHARE * smallest.size:
         raise ValueError(
             "--surface: expected scans of similar size on all surfaces, found "
-            f"{format_length(smallest.size)} on {smallest.source.surface} and pixels of "
-            f"{format_length(coarsest.pixel_size)} on {coarsest.source.surface}: "
+            f"{format_length(smallest.size)} on {smallest.scan_file.surface} and pixels of "
+            f"{format_length(coarsest.pixel_size)} on {coarsest.scan_file.surface}: "
             "make a study of each"
         )
     window = choose_window(scans, substrates, probe, range_given, FULL_EFFORT.pixels)
-    sphere_scans = [scan for scan in scans if scan.source.surface == sphere]
+    sphere_scans = [scan for scan in scans if scan.scan_file.surface == sphere]
     transitions = _transitions(substrates, sphere_scans)
     full = _choices(substrates, window, transitions, FULL_EFFORT)
     usual = {choice.key: choice.value for choice in full}
@@ -161,7 +161,7 @@ def _choices(
 def _realizations(substrates: Sequence[Entry], effort: Effort, is_slow: bool) -> int:
     """Return the number of masters on each side; at full effort every scan makes equally many."""
     masters = effort.slow_realizations if is_slow else effort.realizations
-    scan_counts = Counter(scan.source.surface for scan in substrates)
+    scan_counts = Counter(scan.scan_file.surface for scan in substrates)
     most_scans = max(scan_counts.values())
     if effort is QUICK_EFFORT:
         return max(masters, min(most_scans, MAX_QUICK_SCANS))

@@ -35,7 +35,7 @@ class QuantityOption(NamedTuple):
     is_given: bool  #: Whether the user gave it.
 
 
-class Source(NamedTuple):
+class ScanFile(NamedTuple):
     """A file of a surface: the surface's id and label, where to read it, its path in the table."""
 
     surface: str
@@ -214,7 +214,7 @@ def _label_faults(option: str, label: str) -> Iterator[str]:
         yield f"{option}: label: {error}"
 
 
-def list_sources(arguments: Namespace, radius: float) -> tuple[list[Source], list[str]]:
+def list_scan_files(arguments: Namespace, radius: float) -> tuple[list[ScanFile], list[str]]:
     """Return the files of all surfaces, the sphere's last, and a line for each fault."""
     surfaces = [(arguments.name, arguments.files)] if arguments.files else []
     surfaces += [(label, files) for label, *files in arguments.surface]
@@ -224,7 +224,7 @@ def list_sources(arguments: Namespace, radius: float) -> tuple[list[Source], lis
         if not files:
             faults.append(f"--surface {label}: expected files of scans, found none")
     surfaces += [(SPHERE, arguments.sphere)] if arguments.sphere else []
-    sources: list[Source] = []
+    scan_files: list[ScanFile] = []
     labels: dict[str, str] = {}
     for label, files in surfaces:
         surface = surface_id(label)
@@ -236,20 +236,20 @@ def list_sources(arguments: Namespace, radius: float) -> tuple[list[Source], lis
         labels.setdefault(surface, label)
         sphere_radius = radius if files is arguments.sphere else None
         for file in files:
-            scan_files = _files_in(file)
-            if not scan_files:
+            file_paths = _files_in(file)
+            if not file_paths:
                 faults.append(f"{file}: expected a folder with files of scans, found none")
-            sources += [
-                Source(surface, label, path, path_from_root(path), sphere_radius, path != file)
-                for path in scan_files
+            scan_files += [
+                ScanFile(surface, label, path, path_from_root(path), sphere_radius, path != file)
+                for path in file_paths
             ]
-    paths = [source.path for source in sources]
+    paths = [scan_file.path for scan_file in scan_files]
     faults += [
         f"{path}: expected each file once, found it {paths.count(path)} times"
         for path in dict.fromkeys(paths)
         if paths.count(path) > 1
     ]
-    return sources, faults
+    return scan_files, faults
 
 
 def _files_in(file: str) -> list[str]:

@@ -70,8 +70,8 @@ def _reading_cautions(entries: Sequence[Entry]) -> Iterator[str]:
     for entry in entries:
         for code, numbers in entry.defects.items():
             yield f"{entry.name}: {defect_sentence(code, numbers)}"
-        if "curvature" in entry.defects and entry.source.sphere_radius is not None:
-            yield _radius_question(entry, entry.source.sphere_radius)
+        if "curvature" in entry.defects and entry.scan_file.sphere_radius is not None:
+            yield _radius_question(entry, entry.scan_file.sphere_radius)
     for entry in entries:
         _, cautions = split_notes(entry.notes)
         yield from (f"{entry.name}: {line}" for line in cautions)
@@ -114,7 +114,7 @@ def _contact_cautions(
         )
     yield from one_pixel_touches(contact.area, [scan.pixel_size for scan in substrates])
     for surface, search_size in search_sizes.items():
-        size = min(scan.size for scan in substrates if scan.source.surface == surface)
+        size = min(scan.size for scan in substrates if scan.scan_file.surface == surface)
         low, high = finite_scan_ratio(size, search_size)
         if high > 1:
             yield (
