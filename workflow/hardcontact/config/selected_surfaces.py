@@ -118,7 +118,7 @@ class Selection:
         return max(scans) + realization - len(scans)
 
     def group(self, surface: str, scan: int) -> int:
-        """Return the number of the group of a substitute scan; 0 for the study's own scans."""
+        """Return the number of the group of a substitute scan; 0 for the study's scans."""
         scans = self.scans(surface)
         return 0 if scan in scans else 1 + (scan - max(scans) - 1) // len(scans)
 

@@ -27,7 +27,7 @@ class TouchedPixels:
         touching = (apexes[:, :, None] + contact_pixels.offsets) % pixels @ (pixels, 1)
         flat = np.unique(touching)
         self.row, self.column = np.divmod(flat, pixels)
-        self._own = np.searchsorted(flat, touching)
+        self._indices_of_contact = np.searchsorted(flat, touching)
         self._largest_gaps = contact_pixels.gaps[..., -1]
         self._image_gaps = {
             index: _image_gaps(bodies, apexes[index], contact_pixels.offsets[index])
@@ -49,7 +49,7 @@ class TouchedPixels:
         Both are relative to exp(highest/rho), with the sum `highest` of the highest points of both
         bodies in nm.
         """
-        terms[self._own[index]] = 0.0
+        terms[self._indices_of_contact[index]] = 0.0
         largest_gap = self._largest_gaps[index]
         image_sum = np.exp((largest_gap - self._image_gaps[index]) / rho).sum()
         return float(np.exp((largest_gap + highest) / rho) * (total + terms.sum()) + image_sum)
@@ -68,8 +68,8 @@ def _image_gaps(bodies: Bodies, apex: NDArray[np.int_], offsets: NDArray[np.int_
     y = row[:, None] + periods
     x = column[:, None] + periods
     in_window = geometry.window_mask(y)[:, :, None] & geometry.window_mask(x)[:, None, :]
-    own_y, own_x = (offsets // pixels + reach).T
-    in_window[inverse, own_y, own_x] = False
+    period_y, period_x = (offsets // pixels + reach).T
+    in_window[inverse, period_y, period_x] = False
     images = np.stack(np.broadcast_arrays(y[:, :, None], x[:, None, :]), axis=-1)
     return gaps_at(bodies, apex, images[in_window])
 

@@ -78,7 +78,7 @@ class SurfaceFiles:
 
     @property
     def conditioning_paths(self) -> dict[str, str]:
-        """The gain and factors that the study's own scans of each substitute share, by surface."""
+        """The gain and factors that the study's scans of each substitute share, by surface."""
         scans = self.selection.scans
         return {
             surface: self.path(self.patterns.conditioning, surface, scan=scans(surface)[0])

@@ -79,7 +79,7 @@ class Reruns:
     def _digest(self, path: str) -> str | None:
         """Return the SHA-256 of a file, None if it is missing."""
         if path not in self._digests:
-            self._digests[path] = _own_digest(path) if Path(path).is_file() else None
+            self._digests[path] = _file_digest(path) if Path(path).is_file() else None
         return self._digests[path]
 
     def refuse_altered(self) -> None:
@@ -96,7 +96,7 @@ class Reruns:
                 for path in paths
             }
             inputs = {
-                path: self._lineage(makers[path]) if path in makers else _own_lineage(path)
+                path: self._lineage(makers[path]) if path in makers else _file_lineage(path)
                 for path in _inputs(job)
             }
             self._lineages[job] = lineage(job.params.parameters, inputs)
@@ -108,7 +108,7 @@ def _inputs(job: Any) -> set[str]:
     return {Path(path).as_posix() for path in job.input}
 
 
-def _own_digest(path: str) -> str:
+def _file_digest(path: str) -> str:
     """Return the SHA-256 of a file; that in its record, if the file is large and has one."""
     record = _complete_record(path) if Path(path).stat().st_size > MAX_READ_SIZE else None
     return record["sha256"] if record else digest(path)
@@ -122,7 +122,7 @@ def _complete_record(path: str) -> Record | None:
         return None
 
 
-def _own_lineage(path: str) -> str:
+def _file_lineage(path: str) -> str:
     """Return the lineage of a file that no job of the run makes."""
     record = _complete_record(path)
     return str(record.get("lineage", "")) if record else digest(path)
