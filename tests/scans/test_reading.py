@@ -12,7 +12,7 @@ from SurfaceTopography import NonuniformLineScan, Topography, UniformLineScan
 from hardcontact.base import dataset
 from hardcontact.scans.heights import stated_tip_radius
 from hardcontact.scans.reading import list_scans, read_scan
-from hardcontact.surfaces.height_map import HeightMap, read_height_map, require_map
+from hardcontact.surfaces.height_map import HeightMap, read_height_map, refuse_line_scan
 
 
 def write_and_list(write, path, topography):
@@ -174,7 +174,7 @@ def test_a_line_scan_is_read_and_its_gaps_are_filled_linearly(tmp_path, form):
     assert measurement.pixel_size == pytest.approx(10.0)
     np.testing.assert_allclose(measurement.heights, np.linspace(0, 8, 41), atol=1e-12)
     assert not any("resampled" in note for note in measurement.notes)
-    message = refusal(require_map, measurement)
+    message = refusal(refuse_line_scan, measurement)
     assert_says(message, f"a.{form}", "expected a height map, found a line scan")
 
 

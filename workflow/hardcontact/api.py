@@ -42,7 +42,7 @@ from hardcontact.scans.heights import map_values, unit_in_nm
 from hardcontact.scans.joined_spectrum import ScanSpectrum, joined_spectrum, reliable_spectrum
 from hardcontact.scans.reading import read_scan as read_any_scan
 from hardcontact.scans.refused_file import RefusedFile
-from hardcontact.surfaces.height_map import HeightMap, require_map
+from hardcontact.surfaces.height_map import HeightMap, refuse_line_scan
 from hardcontact.surfaces.levelling import remove_form
 from hardcontact.surfaces.metrics import metrics as metrics
 from hardcontact.surfaces.spectrum import Spectrum
@@ -105,7 +105,8 @@ def read_scan(
         map_size=map_size if map_size != NONE else None, sphere_radius=sphere_radius
     )
     with arguments_in_messages():
-        scan = require_map(read_any_scan(path, dataset, undefined_pixels, unit, map_size, mask))
+        scan = read_any_scan(path, dataset, undefined_pixels, unit, map_size, mask)
+        refuse_line_scan(scan)
     return _prepare(scan, sphere_radius, levelling)
 
 

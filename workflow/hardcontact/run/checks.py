@@ -22,7 +22,7 @@ from hardcontact.files.patterns import study_patterns
 from hardcontact.records.origin import canonical_json, is_current
 from hardcontact.scans.reading import read_scan
 from hardcontact.surfaces.descriptions import needs_calibration, read_segments
-from hardcontact.surfaces.height_map import HeightMap, read_height_map, require_map
+from hardcontact.surfaces.height_map import HeightMap, read_height_map, refuse_line_scan
 from hardcontact.surfaces.substitute_spectra import described_rms_height
 
 #: The statements of the paper.
@@ -182,7 +182,8 @@ def _measured_grid(config: dict[str, Any], surface: str, rows: pd.DataFrame) -> 
     """Return the grid of the measured scans of a surface."""
     grids: list[Grid] = []
     for row in rows.itertuples():
-        scan = require_map(stored_scan(config, row))
+        scan = stored_scan(config, row)
+        refuse_line_scan(scan)
         relief = float(np.ptp(scan.heights))
         if relief == 0:
             raise ValueError(f"{row.path}: expected a rough surface, found constant height")

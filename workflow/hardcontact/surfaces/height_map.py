@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray as xr
 
-from hardcontact.base import dataset
+from hardcontact.base.dataset import read
 from hardcontact.base.formatting import format_length
 from hardcontact.base.units import NM
 
@@ -29,7 +29,7 @@ class HeightMap:
     periodic: bool = False
     source: str = "measured"
     path: str = "scan"  #: Path of the file, as messages name it.
-    dataset: str = ""  #: Data file in a container, the channel of any other file, or empty.
+    dataset: str = ""  #: Name of the scan in a container, or of the channel in any other file.
     channel: str = ""  #: Name of the channel that was read.
     file_unit: str = "nm"  #: Unit of length that the file, or its container, states.
     tip_radius: float | None = None  #: In nm, if the file or its container states one.
@@ -115,7 +115,7 @@ TEXT_FIELDS = ("source", "path", "channel", "file_unit")
 
 def read_height_map(path: str) -> HeightMap:
     """Read a height map from a netCDF file of the study; raises ValueError if it is unreadable."""
-    map_dataset = dataset.read(path)
+    map_dataset = read(path)
     heights = map_dataset["heights"]
     attributes = map_dataset.attrs
     texts: dict[str, Any] = {name: str(attributes[name]) for name in TEXT_FIELDS}
@@ -152,8 +152,7 @@ def mirror_stitch(scan: HeightMap) -> HeightMap:
     return replace(scan, heights=np.concatenate([wide, wide[::-1]], axis=0), periodic=True)
 
 
-def require_map(scan: HeightMap) -> HeightMap:
-    """Return a scan that is a map; raises ValueError for a line scan."""
+def refuse_line_scan(scan: HeightMap) -> None:
+    """Raise ValueError for a line scan, which has no map of heights."""
     if scan.kind != "map":
         raise ValueError(f"{scan.path}: expected a height map, found a line scan")
-    return scan

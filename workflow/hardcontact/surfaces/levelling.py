@@ -10,7 +10,7 @@ from hardcontact.base.units import NM
 from hardcontact.surfaces.height_map import (
     HeightMap,
     mirror_stitch,
-    require_map,
+    refuse_line_scan,
     to_surface_topography,
 )
 from hardcontact.surfaces.streaks import fill_streaks
@@ -90,7 +90,8 @@ def level_and_stitch(
 
     The levelled scan of a sphere (radius in nm) also has ``as_scanned``, the heights as read.
     """
-    flat = remove_form(require_map(scan), sphere_radius, levelling)
+    refuse_line_scan(scan)
+    flat = remove_form(scan, sphere_radius, levelling)
     flat = replace(flat, heights=flat.heights.astype("float32"))
     levelled = flat.to_dataset()
     if sphere_radius is not None:
