@@ -42,7 +42,7 @@ include: "workflow/rules/targets.smk"
 include: "workflow/rules/describe_study.smk"
 
 
-start.keep_logs(workflow, PATTERNS)
+start.complete_rules(workflow, PATTERNS)
 
 
 onstart:

@@ -31,7 +31,7 @@ else:
 include: "rules/targets.smk"
 
 
-start.keep_logs(workflow, PATTERNS)
+start.complete_rules(workflow, PATTERNS)
 
 
 onstart:

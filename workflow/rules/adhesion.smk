@@ -6,7 +6,6 @@ rule compute_pull_off:
     input:
         substrate=PATTERNS.stitched_substrate,
         spheres=[FILES.stitched_path(SPHERE, scan) for scan in SELECTION.scans(SPHERE)],
-        code=code_inputs("compute_pull_off.py"),
     output:
         PATTERNS.pull_off,
     params:
@@ -24,7 +23,6 @@ rule aggregate_adhesion:
     """Gather the pull-off forces of all pairs of scans: adhesion.nc."""
     input:
         scans=FILES.paths(PATTERNS.pull_off, FILES.substrate_scans),
-        code=code_inputs("aggregate_adhesion.py"),
     output:
         PATTERNS.dataset("adhesion"),
     params:

@@ -1,7 +1,7 @@
 # The figures, the answer of the paper's study, and the pages of its report, which
 # `snakemake --report` gathers. redraw.smk makes them from final datasets and published tables alone.
 
-from hardcontact.records.code import page_templates
+from hardcontact.records.code import code_inputs, page_templates
 from hardcontact.records.packages import PINS
 from hardcontact.report.figures.listing import PAPER_FIGURES, caption, describe_figure
 
@@ -56,7 +56,6 @@ rule answer_paper:
         citation="CITATION.cff",
         environment=PINS[0],
         templates=page_templates(),
-        code=code_inputs("answer_paper.py"),
     output:
         **{
             page: report(PATTERNS.page(page), category=category, labels={"page": title})

@@ -15,7 +15,6 @@ rule answer_surfaces:
             for name in ("topography", "spectra", "edges", "force", "sensitivity")
         },
         fit=PATTERNS.dataset("fit") if HAS_FORCES else [],
-        code=code_inputs("answer_surfaces.py"),
         templates=page_templates(),
         captions="workflow/report/figures.yaml",
         citation="CITATION.cff",

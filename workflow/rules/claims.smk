@@ -12,7 +12,6 @@ rule evaluate_claims:
         claims="resources/paper/claims.csv",
         published_constants=PUBLISHED_TABLES["published_constants"],
         published_table1=PUBLISHED_TABLES["published_table1"],
-        code=code_inputs("evaluate_claims.py"),
     output:
         claims=PATTERNS.result("claims.csv"),
     retries: 0  # A faulty row of claims.csv fails again.

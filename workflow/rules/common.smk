@@ -11,7 +11,6 @@
 #   PAGES          title and category of each page of the report except figures
 #   ANSWER         answer.html and answer.json
 #   parameters     turns the parameters of a script into one text
-#   code_inputs    lists a script and what it imports, because a change of these makes files anew
 #   PUBLISHED_TABLES   the tables of the paper, by name
 # surfaces.smk defines the names that depend on the table of surfaces. Every other name is local to
 # its file.
@@ -20,7 +19,6 @@ from hardcontact.base.published import PUBLISHED_TABLES
 from hardcontact.config.configuration import read_yaml
 from hardcontact.config.model import NONE, PAPER
 from hardcontact.files.patterns import study_patterns
-from hardcontact.records.code import code_inputs
 from hardcontact.records.origin import canonical_json
 from hardcontact.run import start
 

@@ -14,7 +14,6 @@ rule describe_study:
     input:
         surfaces=STUDY["surfaces"],
         datasets=sorted(FINAL_DATASETS),
-        code=code_inputs("describe_study.py"),
     output:
         configuration=PATTERNS.result("configuration.yaml"),
         surfaces=PATTERNS.result("surfaces.tsv"),

@@ -6,7 +6,6 @@ rule find_edges:
     """Find the wavelengths whose removal changes the force: edges.nc."""
     input:
         scales=PATTERNS.dataset("scales"),
-        code=code_inputs("find_edges.py"),
     output:
         PATTERNS.dataset("edges"),
     params:
@@ -19,7 +18,6 @@ rule fit_exponents:
     """Fit exponents of forces and edges to radius and load: exponents.nc."""
     input:
         masters=FILES.paths(PATTERNS.master_forces, CHUNKS.filtered_masters("exponents")),
-        code=code_inputs("fit_exponents.py"),
     output:
         PATTERNS.dataset("exponents"),
     params:
@@ -39,7 +37,6 @@ rule compare_short_edges:
     """Compare the short edges of plastic and rigid contact at two ranges: enhancement.nc."""
     input:
         masters=FILES.paths(PATTERNS.master_forces, CHUNKS.filtered_masters("enhancement")),
-        code=code_inputs("compare_short_edges.py"),
     output:
         PATTERNS.dataset("enhancement"),
     params:
@@ -60,7 +57,6 @@ rule fit_published:
         adhesion=PATTERNS.dataset("adhesion"),
         published_pull_off=PUBLISHED_TABLES["published_pull_off"],
         published_constants=PUBLISHED_TABLES["published_constants"],
-        code=code_inputs("fit_published.py"),
     output:
         PATTERNS.dataset("fit"),
     params:
@@ -74,7 +70,6 @@ rule apply_classical_models:
     input:
         **PUBLISHED_TABLES,
         fit=PATTERNS.dataset("fit"),
-        code=code_inputs("apply_classical_models.py"),
     output:
         PATTERNS.dataset("classical"),
     params:

@@ -25,7 +25,6 @@ rule compute_whole_surface_forces:
     input:
         **DESCRIPTION_INPUTS,
         **SUBSTITUTE_INPUTS,
-        code=code_inputs("compute_whole_surface_forces.py"),
     output:
         PATTERNS.whole_surface_forces,
     params:
@@ -50,7 +49,6 @@ rule perturb_scan:
             for body in FILES.rough_bodies(w.surface, int(w.scan))
         ],
         sphere=SPHERE_SCAN,
-        code=code_inputs("perturb_scan.py"),
     output:
         PATTERNS.octaves,
     params:
@@ -72,7 +70,6 @@ rule compute_band_forces:
         **DESCRIPTION_INPUTS,
         **SUBSTITUTE_INPUTS,
         edges=PATTERNS.dataset("edges"),
-        code=code_inputs("compute_band_forces.py"),
     output:
         PATTERNS.band_forces,
     params:
@@ -95,7 +92,6 @@ rule aggregate_sensitivity:
         ],
         bands=[FILES.path(PATTERNS.band_forces, surface) for surface in BAND_SURFACES],
         adhesion=PATTERNS.dataset("adhesion") if FILES.measured_scans else [],
-        code=code_inputs("aggregate_sensitivity.py"),
     output:
         PATTERNS.dataset("sensitivity"),
     params:

@@ -11,7 +11,6 @@ rule combine_scans:
     input:
         substrate=PATTERNS.stitched_substrate,
         sphere=lambda w: FILES.stitched_path(SPHERE, FILES.sphere_scan(w.surface, int(w.scan))),
-        code=code_inputs("combine_scans.py"),
     output:
         PATTERNS.combined_scan,
     wildcard_constraints:
@@ -32,7 +31,6 @@ rule combine_spectra:
     input:
         substrate=lambda w: FILES.spectrum_path(w.surface),
         sphere=lambda w: FILES.spectrum_path(SPHERE),
-        code=code_inputs("combine_spectra.py"),
     output:
         PATTERNS.combined_spectrum,
     wildcard_constraints:
@@ -48,7 +46,6 @@ rule combine_sampled_spectra:
     input:
         substrate=PATTERNS.sampled_spectrum,
         sphere=lambda w: FILES.path(PATTERNS.sampled_spectrum, SPHERE, realization=w.realization),
-        code=code_inputs("combine_sampled_spectra.py"),
     output:
         PATTERNS.combined_sampled_spectrum,
     wildcard_constraints:
@@ -63,7 +60,6 @@ rule aggregate_spectra:
     """Gather the spectra of all surfaces, measured or described: spectra.nc."""
     input:
         spectra=[FILES.roughness_spectrum_path(surface) for surface in SELECTION.surfaces],
-        code=code_inputs("aggregate_spectra.py"),
     output:
         PATTERNS.dataset("spectra"),
     params:
@@ -82,7 +78,6 @@ rule sample_spectra:
     """Sample a spectrum for each realization, within what the measurements of a surface leave open."""
     input:
         measurements=lambda w: FILES.measurement_paths(w.surface),
-        code=code_inputs("sample_spectra.py"),
     output:
         expand(
             PATTERNS.sampled_spectrum,
@@ -115,7 +110,6 @@ rule find_edges_of_scans:
         adhesion=PATTERNS.dataset("adhesion"),
         scales=PATTERNS.dataset("scales"),
         sensitivity=PATTERNS.dataset("sensitivity"),
-        code=code_inputs("find_edges_of_scans.py"),
     output:
         PATTERNS.dataset("edges"),
     params:
@@ -132,7 +126,6 @@ rule compute_force_at_pair:
         topography=PATTERNS.dataset("topography"),
         spectra=PATTERNS.dataset("spectra"),
         sensitivity=PATTERNS.dataset("sensitivity"),
-        code=code_inputs("compute_force_at_pair.py"),
     output:
         PATTERNS.dataset("force"),
     params:
@@ -153,7 +146,6 @@ if HAS_FORCES:
             force=PATTERNS.dataset("force"),
             topography=PATTERNS.dataset("topography"),
             forces=STUDY["forces"],
-            code=code_inputs("fit_measured.py"),
         output:
             PATTERNS.dataset("fit"),
         params:

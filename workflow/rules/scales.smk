@@ -18,7 +18,6 @@ rule synthesize_masters:
     input:
         scan=lambda w: FILES.realization_scan_path(w.surface, int(w.realization)),
         spectrum=lambda w: FILES.roughness_spectrum_path(w.surface),
-        code=code_inputs("synthesize_masters.py"),
     output:
         **{side: PATTERNS.master.replace("{side}", side) for side in SIDES},
     resources:
@@ -42,7 +41,6 @@ rule compute_filtered_forces:
     input:
         unpack(CHUNKS.master_inputs),
         sphere=lambda w: FILES.first_sphere_path if w.sphere_kind == "rough" else [],
-        code=code_inputs("compute_filtered_forces.py"),
     output:
         PATTERNS.master_forces,
     resources:
@@ -66,7 +64,6 @@ rule aggregate_scales:
     input:
         masters=FILES.paths(PATTERNS.master_forces, CHUNKS.filtered_masters()),
         sampled=FILES.paths(PATTERNS.master_forces, SAMPLED_MASTERS),
-        code=code_inputs("aggregate_scales.py"),
     output:
         PATTERNS.dataset("scales"),
     params:

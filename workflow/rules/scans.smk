@@ -10,7 +10,6 @@ rule calibrate_spectrum:
         **DESCRIPTION_INPUTS,
         published_table1=PUBLISHED_TABLES["published_table1"],
         published_constants=PUBLISHED_TABLES["published_constants"],
-        code=code_inputs("calibrate_spectrum.py"),
     output:
         PATTERNS.calibrated_spectrum,
     params:
@@ -23,7 +22,6 @@ rule read_scan:
     """Read the file of a measured scan; no other rule does."""
     input:
         scan=lambda w: SELECTION.path(w.surface, int(w.scan)),
-        code=code_inputs("read_scan.py"),
     output:
         PATTERNS.measurement,
     params:
@@ -38,7 +36,6 @@ rule measure_spectrum:
     """Join the spectra of all scans of a measured surface, each within its reliable band."""
     input:
         measurements=lambda w: FILES.measurement_paths(w.surface),
-        code=code_inputs("measure_spectrum.py"),
     output:
         PATTERNS.measured_spectrum,
     params:
@@ -55,7 +52,6 @@ for scans, surfaces in FILES.scan_groups.items():
             f"make_scans_{'_'.join(str(scan) for scan in scans)}"
         input:
             **SUBSTITUTE_INPUTS,
-            code=code_inputs("make_scans.py"),
         output:
             **{f"levelled_{n}": PATTERNS.levelled.replace("{scan}", f"{n}") for n in scans},
             **{f"stitched_{n}": PATTERNS.stitched.replace("{scan}", f"{n}") for n in scans},
@@ -80,7 +76,6 @@ rule prepare_scan:
     """Level a measured scan, subtract the sphere if it shows one, and stitch its mirror images."""
     input:
         measurement=PATTERNS.measurement,
-        code=code_inputs("prepare_scan.py"),
     output:
         scan=PATTERNS.levelled,
         stitched=PATTERNS.stitched,
@@ -100,7 +95,6 @@ rule aggregate_topography:
         scans=FILES.paths(PATTERNS.levelled, FILES.scans),
         spectra=[FILES.spectrum_path(surface) for surface in SELECTION.surfaces],
         conditionings=FILES.conditioning_paths.values(),
-        code=code_inputs("aggregate_topography.py"),
     output:
         PATTERNS.dataset("topography"),
     params:

@@ -15,7 +15,6 @@ rule compute_pool:
     """Compute the forces of some scans of a pool at several heights of each."""
     input:
         **SUBSTITUTE_INPUTS,
-        code=code_inputs("compute_pool.py"),
     output:
         PATTERNS.pool,
     params:
@@ -35,7 +34,6 @@ rule compute_featured_samples:
     """Compute the forces on some surfaces with features that Table 1 accepts."""
     input:
         **SUBSTITUTE_INPUTS,
-        code=code_inputs("compute_featured_samples.py"),
     output:
         PATTERNS.featured_samples,
     params:
@@ -61,7 +59,6 @@ rule sample_sets:
         masters=FILES.paths(PATTERNS.master_forces, CHUNKS.filtered_masters("sets")),
         published_pull_off=PUBLISHED_TABLES["published_pull_off"],
         published_constants=PUBLISHED_TABLES["published_constants"],
-        code=code_inputs("sample_sets.py"),
     output:
         PATTERNS.dataset("sets"),
     retries: 0  # A faulty row of claims.csv fails again.
@@ -94,7 +91,6 @@ rule compare_features:
         samples=FILES.paths(PATTERNS.featured_samples, CHUNKS.featured_samples),
         published_pull_off=PUBLISHED_TABLES["published_pull_off"],
         published_constants=PUBLISHED_TABLES["published_constants"],
-        code=code_inputs("compare_features.py"),
     output:
         PATTERNS.dataset("features"),
     params:
@@ -109,7 +105,6 @@ rule fit_posterior:
         sets=PATTERNS.dataset("sets"),
         whole_surfaces=FILES.paths(PATTERNS.whole_surface_forces, CHUNKS.whole_surfaces),
         published_pull_off=PUBLISHED_TABLES["published_pull_off"],
-        code=code_inputs("fit_posterior.py"),
     output:
         PATTERNS.dataset("posterior"),
     params:

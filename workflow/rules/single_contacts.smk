@@ -28,7 +28,6 @@ rule trace_contact:
         substrate=FILES.stitched_path(TRACED["surface"], TRACED["scan"]),
         sphere=FILES.stitched_path(SPHERE, TRACED["sphere_scan"]),
         published_constants=PUBLISHED_TABLES["published_constants"],
-        code=code_inputs("trace_contact.py"),
     output:
         PATTERNS.dataset("contact"),
     params:
@@ -42,7 +41,6 @@ rule solve_elastic_contacts:
     input:
         **SCANS_IN_TURN,
         published_constants=PUBLISHED_TABLES["published_constants"],
-        code=code_inputs("solve_elastic_contacts.py"),
     output:
         PATTERNS.elastic,
     params:
@@ -61,7 +59,6 @@ rule aggregate_elastic:
     """Gather elastic contact of all surfaces: elastic.nc."""
     input:
         surfaces=[FILES.path(PATTERNS.elastic, surface) for surface in SELECTION.substrates],
-        code=code_inputs("aggregate_contacts.py"),
     output:
         PATTERNS.dataset("elastic"),
     params:
@@ -79,7 +76,6 @@ rule measure_indents:
     input:
         substrates=[FILES.stitched_path(INDENTED, scan) for scan in SELECTION.scans(INDENTED)],
         spheres=[FILES.stitched_path(SPHERE, scan) for scan in SELECTION.scans(SPHERE)],
-        code=code_inputs("measure_indents.py"),
     output:
         PATTERNS.dataset("indent"),
     params:
@@ -98,7 +94,6 @@ rule find_asperities:
     """Find the patches that carry most of the force of a sample of contacts of one surface."""
     input:
         **SCANS_IN_TURN,
-        code=code_inputs("find_asperities.py"),
     output:
         PATTERNS.asperities,
     params:
@@ -117,7 +112,6 @@ rule aggregate_asperities:
     """Gather the patches of all surfaces: asperities.nc."""
     input:
         surfaces=[FILES.path(PATTERNS.asperities, surface) for surface in SELECTION.substrates],
-        code=code_inputs("aggregate_contacts.py"),
     output:
         PATTERNS.dataset("asperities"),
     params:

@@ -31,7 +31,7 @@ from hardcontact.config.selected_surfaces import (
     surface_table,
 )
 from hardcontact.files.patterns import Patterns
-from hardcontact.records.code import ROOT
+from hardcontact.records.code import ROOT, code_inputs
 from hardcontact.records.origin import digests, refuse_changed
 from hardcontact.records.packages import refuse_other_versions, write_pins
 from hardcontact.run.endings import end_at_interrupt
@@ -199,8 +199,12 @@ def checked_selection(workflow: Any, configuration: dict[str, Any]) -> Selection
     return Selection(rows, configuration["sphere"]["surface"], digest_files(rows))
 
 
-def keep_logs(workflow: Any, patterns: Patterns) -> None:
-    """Give each rule with a script a log and, if it writes files, a benchmark, named after it."""
+def complete_rules(workflow: Any, patterns: Patterns) -> None:
+    """Give each rule with a script a log and, if it writes files, its code and a benchmark.
+
+    Its code, the script and what this imports, are inputs, because a change of these makes files
+    anew. A rule may name more code.
+    """
     for rule in workflow.rules:
         if rule.norun:
             continue
@@ -210,6 +214,8 @@ def keep_logs(workflow: Any, patterns: Patterns) -> None:
         rule.set_log(patterns.run_file("logs", ".log", rule.name, output))
         if rule.output:
             rule.benchmark = patterns.run_file("benchmarks", ".tsv", rule.name, output)
+            if "code" not in rule.input.keys():
+                rule.set_input(code=code_inputs(Path(rule.script).name))
 
 
 def refuse_unwritable_folders(*folders: str) -> None:
