@@ -29,7 +29,7 @@ def lists_of_files(*values):
         *chunks.filtered_masters(),
         *chunks.filtered_masters("exponents"),
         *chunks.filtered_masters("sets"),
-        *chunks.filtered_masters("enhancement"),
+        *chunks.filtered_masters("edge_shifts"),
     ]
     study_values = (study.contact.radius, study.contact.loading_name, study.contact.rho)
     computed_at = {

@@ -141,7 +141,7 @@ NUMBERS = [
     ("fig_classical", 1, "classical", lambda data: data.mean_relative_error),
     ("fig_elastic", 4, "elastic", lambda data: data.share_above_hardness),
     ("fig_elastic", 5, "elastic", lambda data: data.peak_pressure / GIGA),
-    ("fig_enhancement", 0, "enhancement", lambda data: data.filtered_force_ratio.sel(RIGID)),
+    ("fig_edge_shifts", 0, "edge_shifts", lambda data: data.filtered_force_ratio.sel(RIGID)),
     ("fig_scales", 0, "topography", lambda data: data.isotropic_psd.mean("scan")),
     ("fig_octaves", 1, "sensitivity", lambda data: data.band_force_ratio.sel(band="published")),
     ("fig_features", 0, "features", lambda data: data.median_force_at_pair / MICRO),

@@ -44,7 +44,7 @@ FILTERED = {
         *_OF_SCANS, "scales.short", "scales.long", "sets.short", "sets.long",
         "sets.contacts_per_row"
     ),
-    "enhancement": (*_OF_SCANS, "scales.short", "sets.short", "sets.contacts_per_row"),
+    "edge_shifts": (*_OF_SCANS, "scales.short", "sets.short", "sets.contacts_per_row"),
     "exponents": (
         *_OF_SCANS, "scales.short", "scales.long", "sets.short", "sets.long",
         "sets.contacts_per_row"

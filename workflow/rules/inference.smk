@@ -33,22 +33,22 @@ rule fit_exponents:
         "../scripts/fit_exponents.py"
 
 
-rule compare_short_edges:
-    """Compare the short edges of plastic and rigid contact at two ranges: enhancement.nc."""
+rule compute_edge_shifts:
+    """Compare the short edges of plastic and rigid contact at two ranges: edge_shifts.nc."""
     input:
-        masters=FILES.paths(PATTERNS.master_forces, CHUNKS.filtered_masters("enhancement")),
+        masters=FILES.paths(PATTERNS.master_forces, CHUNKS.filtered_masters("edge_shifts")),
     output:
-        PATTERNS.dataset("enhancement"),
+        PATTERNS.dataset("edge_shifts"),
     params:
         parameters=parameters(
-            surfaces=[row.surface for row in CHUNKS.filtered_masters("enhancement")],
+            surfaces=[row.surface for row in CHUNKS.filtered_masters("edge_shifts")],
             realizations=STUDY["exponents"]["realizations"],
             tolerance=STUDY["scales"]["tolerance"],
             sampling=SAMPLING,
             **NAMED_SURFACES,
         ),
     script:
-        "../scripts/compare_short_edges.py"
+        "../scripts/compute_edge_shifts.py"
 
 
 rule fit_published:

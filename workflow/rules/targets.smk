@@ -8,7 +8,7 @@ if IS_PAPER_STUDY:
         "topography": ["topography"],
         "adhesion": ["adhesion", "contact"],
         "elastic": ["elastic"],
-        "plasticity": ["indent", "enhancement"],
+        "plasticity": ["indent", "edge_shifts"],
         "asperities": ["asperities"],
         "scales": ["scales", "edges", "sensitivity", "exponents"],
         "fit": ["fit"],

@@ -234,7 +234,7 @@ class ExponentKeys(Keys):
     """Exponents of the force and of the short edge with radius and load."""
 
     realizations: Realizations = 3
-    """Masters of the sets for each edge from which exponents and `enhancement.nc` follow."""
+    """Masters of the sets for each edge from which exponents and `edge_shifts.nc` follow."""
     radii: Radii = key(["5 um", "62.5 um", "250 um", "1000 um"])
     """Radii of the spheres."""
 

@@ -44,7 +44,7 @@ PURPOSES = {
     # How the edges depend on radius and load, on a smooth sphere.
     "exponents": Purpose("sets", "sets.contacts_per_row", "exponents.realizations"),
     # The short edge with and without plasticity and a long range of adhesion.
-    "enhancement": Purpose(
+    "edge_shifts": Purpose(
         "sets", "sets.contacts_per_row", "exponents.realizations", sides=("short",)
     ),
 }
@@ -53,14 +53,14 @@ PURPOSES = {
 def contact_sweep(configuration: Mapping[str, Any], purpose: str) -> dict[str, list[Any]]:
     """Return radii (nm), loadings (N, Pa) and ranges (nm) at which forces on masters are computed.
 
-    ``"exponents"`` varies radius and preload, ``"enhancement"`` plasticity and range.
+    ``"exponents"`` varies radius and preload, ``"edge_shifts"`` plasticity and range.
     """
     contact = study_contact(configuration)
     contacts, radii, ranges = [contact], [contact.radius], [contact.rho]
     if purpose == "exponents":
         contacts = [replace(contact, preload=share * contact.preload) for share in PRELOAD_SHARES]
         radii = configuration["exponents"]["radii"]
-    elif purpose == "enhancement":
+    elif purpose == "edge_shifts":
         contacts = [contact, replace(contact, plastic=False)]
         ranges = [SHORT_ADHESION_RANGE, contact.rho]
     keys = ("preload", "hardness", "plastic")

@@ -54,7 +54,7 @@ def estimate_quantity(quantity: str, dataset: xr.Dataset, *others: xr.Dataset) -
 #: Datasets that claims may name, besides `paper`.
 CLAIM_DATASETS = (
     "topography", "adhesion", "scales", "edges", "sensitivity", "fit", "posterior", "exponents",
-    "elastic", "indent", "asperities", "classical", "enhancement",
+    "elastic", "indent", "asperities", "classical", "edge_shifts",
 )  # fmt: skip
 COLUMNS = (
     "id", "main", "section", "statement", "number", "published", "computed", "low", "high", "unit",

@@ -12,11 +12,11 @@ from hardcontact.report.figures import drawing, panels, style
 from hardcontact.report.figures.values import published_edge, value_and_interval
 
 
-def draw(enhancement: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
+def draw(edge_shifts: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
     """Draw force ratios and short edges, a column for each contact model and range of adhesion."""
-    bands = enhancement.sel(side="short")
+    bands = edge_shifts.sel(side="short")
     cases = [(model, rho) for model in bands["contact_model"].values for rho in bands["rho"].values]
-    figure = drawing.create(4.4, enhancement)
+    figure = drawing.create(4.4, edge_shifts)
     grid = figure.subplots(
         2, len(cases), sharex=True, sharey="row", height_ratios=(3, 1.5), squeeze=False
     )
@@ -27,9 +27,9 @@ def draw(enhancement: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
             axes.axvline(edge, **style.PUBLISHED_RANGE)
         style.label_panel(ratio_panel, letter, f"{model}, ρ = {rho:g} nm")
     grid[0, 0].set_ylabel("pull-off force / unfiltered")
-    tolerance = format_share(enhancement.attrs["tolerance"])
+    tolerance = format_share(edge_shifts.attrs["tolerance"])
     handles = [
-        *style.surface_handles(enhancement),
+        *style.surface_handles(edge_shifts),
         Line2D([], [], label="mean change of all", **style.MEAN_LOOK),
         Line2D([], [], label=f"published: {edge:g} nm", **style.PUBLISHED_RANGE),
         Line2D([], [], lw=1.4, color="0.3", label="interval (bars)"),

@@ -1,9 +1,9 @@
-"""Short edges of plastic and rigid contact at two ranges of adhesion: enhancement.nc."""
+"""Short edges of plastic and rigid contact at two ranges of adhesion: edge_shifts.nc."""
 
 from hardcontact.base.statistics import Sampling
 from hardcontact.contact.stacked_datasets import add_names
 from hardcontact.inference.master_datasets import read_master_forces
-from hardcontact.paper.short_edges import compare_short_edges
+from hardcontact.paper.edge_shifts import compute_edge_shifts
 from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:
@@ -11,7 +11,7 @@ with run_job(snakemake) as job:
     tolerance = params["tolerance"]
     sampling = Sampling.from_parameters(params["sampling"])
     forces = read_master_forces(params["surfaces"], job.input.masters, params["realizations"])
-    edges = compare_short_edges(forces, tolerance, sampling)
+    edges = compute_edge_shifts(forces, tolerance, sampling)
     job.write(
         add_names(edges, params).assign_attrs(tolerance=tolerance, confidence=sampling.confidence),
         title="short edges of plastic and rigid contact at two ranges of adhesion",

@@ -1,4 +1,4 @@
-"""Short edges with and without plasticity and a long range of adhesion: `enhancement.nc`.
+"""Short edges with and without plasticity and a long range of adhesion: `edge_shifts.nc`.
 
 Source: the paper, Determining the Most Relevant Length-scales of Roughness.
 """
@@ -15,7 +15,7 @@ from hardcontact.contact.contact import CONTACT_MODELS, PLASTIC, RIGID
 from hardcontact.inference.edges import edges_with_samples
 
 
-def compare_short_edges(forces: xr.Dataset, tolerance: float, sampling: Sampling) -> xr.Dataset:
+def compute_edge_shifts(forces: xr.Dataset, tolerance: float, sampling: Sampling) -> xr.Dataset:
     """Return the edges of the band of plastic and rigid contact at each range of adhesion.
 
     Forces come from `stack_masters`, with one radius and two loadings. ``edge_shift``

@@ -5,7 +5,7 @@ import xarray as xr
 
 from hardcontact.base.statistics import Sampling
 from hardcontact.contact.contact import CONTACT_MODELS
-from hardcontact.paper.short_edges import compare_short_edges
+from hardcontact.paper.edge_shifts import compute_edge_shifts
 
 CUTOFFS = np.array([20.0, 40.0, 80.0, 160.0])
 
@@ -26,7 +26,7 @@ def test_each_contact_model_has_the_edge_of_its_forces():
             )
         }
     ).assign(unfiltered_wavelength=(("surface", "side"), [[2.0]]))
-    bands = compare_short_edges(forces, 0.1, Sampling(1, 0, 0.95))
+    bands = compute_edge_shifts(forces, 0.1, Sampling(1, 0, 0.95))
     model_edges = bands["edge"].sel(group="a", side="short")
     assert bands["contact_model"].values.tolist() == CONTACT_MODELS
     for model, edge in {"plastic": edges[0], "rigid": edges[1]}.items():
@@ -45,7 +45,7 @@ def test_edges_that_scatter_together_have_a_certain_ratio():
     forces = xr.Dataset(
         {"filtered_force_ratio": ratio}, {"contact_area": ("loading", [400.0, 1.0])}
     ).assign(unfiltered_wavelength=(("surface", "side"), [[2.0]]))
-    bands = compare_short_edges(forces, 0.1, Sampling(1, 50, 0.95)).sel(group="a")
+    bands = compute_edge_shifts(forces, 0.1, Sampling(1, 50, 0.95)).sel(group="a")
     low, high = np.moveaxis(bands["edge_interval"].values, -1, 0)
     assert (high > 1.2 * low).all()
     np.testing.assert_allclose(bands["edge_shift_interval"], 1)
