@@ -50,7 +50,7 @@ def test_the_page_needs_nothing_else(page):
 def test_the_page_says_first_what_came_out(page):
     first_words = answer_words(page)
     assert "Wavelengths of 640 to 1280 nm matter most: 1 % more " in first_words
-    assert "at 320 to 640 nm by " in first_words
+    assert " (320 to 640 nm: " in first_words
     numbers = numbers_by_name(answer())
     for name in ("first_short_edge", "first_long_edge"):
         edge, published = numbers[name], numbers[f"{name}_published"]
