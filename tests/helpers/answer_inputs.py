@@ -242,7 +242,7 @@ def force(count=1):
     smooth = np.full((len(MODELS), RHOS.size), 2 * np.pi * 250e-6 * WORK)
     data["smooth_bound"] = axes[1:], smooth
     return data.assign_attrs(
-        work_of_adhesion=WORK, range_of_adhesion=RANGE, confidence=CONFIDENCE, window=12.5e3,
+        work_of_adhesion=WORK, rho=RANGE, confidence=CONFIDENCE, window=12.5e3,
         contact_area=400.0, sphere_radius=250e3, tabor_parameter=0.02, bodies="hard",
     )  # fmt: skip
 

@@ -195,7 +195,7 @@ def test_the_extrapolated_force_differs_beyond_its_interval_and_the_tolerance(ra
             "force_interval": ((*axes, "end"), unit * relative[1]),
         },
         {"surface": ["a"], "contact_model": ["plastic"], "rho": [5.0], "end": ["low", "high"]},
-        {"range_of_adhesion": 5.0},
+        {"rho": 5.0},
     )
     comparison = add_extrapolated_force(scan_forces, extrapolated_forces, 0.1).extrapolation_matters
     assert comparison.sel(side="short").values.tolist() == [differs]

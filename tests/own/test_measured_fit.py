@@ -212,7 +212,7 @@ def test_work_with_extrapolated_roughness_is_inversely_proportional_to_the_force
             "transition": ("side", [20.0]),
         },
         {"surface": ["a"], "side": ["short"], "end": ["low", "high"]},
-        {"work_of_adhesion": 0.05, "range_of_adhesion": 5.0},
+        {"work_of_adhesion": 0.05, "rho": 5.0},
     )
     fit_with_work = add_extrapolated_work(fit, force).sel(surface="a", side="short")
     assert float(fit_with_work.extrapolated_work) == pytest.approx(

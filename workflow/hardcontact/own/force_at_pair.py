@@ -170,7 +170,7 @@ def forces_on_scans(
     force = stack(surfaces, ["surface"])
     return force.assign(label=adhesion.label, source=adhesion.source).assign_attrs(
         work_of_adhesion=work,
-        range_of_adhesion=rho,
+        rho=rho,
         confidence=confidence,
         sphere_radius=adhesion.attrs["sphere_radius"],
     )
@@ -256,7 +256,7 @@ def add_extrapolated_force(
     tolerance, and the extrapolated force lies outside the interval of the force on the scans, if
     there is one.
     """
-    rho = force.attrs["range_of_adhesion"]
+    rho = force.attrs["rho"]
     scan_force = force.sel(contact_model=PLASTIC).sel(rho=rho, method="nearest", drop=True)
     low, high = interval_ends(scan_force, "force")
     is_inside = (low <= extrapolated_forces.extrapolated_force) & (
@@ -289,7 +289,7 @@ def bound_by_smooth_sphere(force: xr.Dataset, area: float) -> xr.Dataset:
     touching = area * NANOMETRE**2 / (NANOMETRE * force["rho"])
     yields = force["contact_model"] == PLASTIC
     bound = dmt_pull_off(work, radius) + work * (touching * yields).transpose("contact_model", ...)
-    rho = force.attrs["range_of_adhesion"]
+    rho = force.attrs["rho"]
     master_bound = bound.sel(contact_model=PLASTIC, drop=True).sel(rho=rho, method="nearest")
     bounded = {"smooth_bound": bound.assign_attrs(NEWTON)}
     limits = {"force": bound, "extrapolated_force": master_bound.drop_vars("rho")}

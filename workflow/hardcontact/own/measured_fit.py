@@ -238,7 +238,7 @@ def add_extrapolated_work(fitted: xr.Dataset, force: xr.Dataset) -> xr.Dataset:
             extrapolation_matters=surface_force.extrapolation_matters,
             transition=surface_force.transition,
         )
-        .assign_attrs(assumed_range=force.attrs["range_of_adhesion"])
+        .assign_attrs(assumed_range=force.attrs["rho"])
     )
 
 

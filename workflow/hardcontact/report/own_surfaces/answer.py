@@ -103,7 +103,7 @@ def own_answer(datasets: Datasets, setting: Setting) -> dict[str, Any]:
 def _chosen_inputs(force: xr.Dataset, setting: Setting) -> list[str]:
     """Return the inputs that the scans forced: the shortest range of adhesion that they permit."""
     ranges = force["rho"].values
-    is_shortest = len(ranges) > 1 and np.isclose(force.attrs["range_of_adhesion"], ranges.min())
+    is_shortest = len(ranges) > 1 and np.isclose(force.attrs["rho"], ranges.min())
     return [RANGE] if is_shortest and RANGE not in setting.assumed else []
 
 
@@ -156,9 +156,13 @@ def _octave_numbers(data: Datasets) -> Iterator[Number]:
 def _study_numbers(datasets: Datasets, setting: Setting) -> list[Number]:
     """Return the numbers of the whole study: settings and, with own forces, the fit."""
     numbers = []
-    for name, unit in {"range_of_adhesion": "nm", "work_of_adhesion": "J m-2"}.items():
+    pair = {
+        "range_of_adhesion": ("rho", "nm"),
+        "work_of_adhesion": ("work_of_adhesion", "J m-2"),
+    }
+    for name, (attribute, unit) in attributes.items():
         source = "assumed" if name.replace("_", " ") in setting.assumed else "given"
-        numbers.append(Number(name, datasets.force.attrs[name], unit, source=source))
+        numbers.append(Number(name, datasets.force.attrs[attribute], unit, source=source))
     for name in ("tolerance", "confidence"):
         numbers.append(Number(name, datasets.edges.attrs[name], source="given"))
     numbers.append(stored_tabor_number(datasets.force))

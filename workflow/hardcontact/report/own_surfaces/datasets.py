@@ -68,7 +68,7 @@ def forces_at_range(force: xr.Dataset) -> xr.Dataset:
 
     Raises KeyError if forces were not computed at this range.
     """
-    rho = force.attrs["range_of_adhesion"]
+    rho = force.attrs["rho"]
     return force.sel(contact_model=preferred_model(force)).sel(
         rho=rho, method="nearest", tolerance=1e-6 * rho
     )

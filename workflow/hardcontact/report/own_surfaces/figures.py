@@ -181,7 +181,7 @@ def draw_forces(datasets: Datasets) -> Figure:
             drawn_curve = curve if model == answer_model else curve[["value"]]
             look = surface_look | line | {"label": f"{labels[surface]}, {model}"}
             _draw_curve(axes, force["rho"].values, drawn_curve, look)
-    rho = force.attrs["range_of_adhesion"]
+    rho = force.attrs["rho"]
     _finish_over_range(figure, force["rho"].values, rho, "pull-off force (µN)")
     return figure
 

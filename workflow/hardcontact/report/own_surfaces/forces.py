@@ -111,7 +111,7 @@ def _sensitivity(force: xr.Dataset) -> float:
     forces = np.log(model_forces["force"].values)
     if len(rho) < 2:
         return np.nan
-    nearest = np.abs(rho - np.log(force.attrs["range_of_adhesion"])).argmin()
+    nearest = np.abs(rho - np.log(force.attrs["rho"])).argmin()
     return float(np.gradient(forces, rho)[nearest])
 
 
@@ -122,7 +122,7 @@ def pair_numbers(force: xr.Dataset, pairs: Sequence[Mapping[str, Any]]) -> list[
     the logarithm of the range; beyond the computed ranges a force is not known. The configured
     pair has no number.
     """
-    configured = force.attrs["range_of_adhesion"], force.attrs["work_of_adhesion"]
+    configured = force.attrs["rho"], force.attrs["work_of_adhesion"]
     model_forces = force.sel(contact_model=preferred_model(force))
     ranges = np.log(model_forces["rho"].values)
     forces = np.log(model_forces["force"].values)
