@@ -32,7 +32,7 @@ def test_a_second_run_has_nothing_to_do(own_study):
 PAGE = {"answer_surfaces", "describe_study"}
 EDGES = {"find_edges_of_scans", "compute_force_at_pair"}
 FORCES = {"compute_pull_off", "aggregate_adhesion", "fit_measured"} | EDGES
-OCTAVES = {"perturb_scan", "aggregate_sensitivity"}
+OCTAVES = {"compute_perturbed_scan_forces", "aggregate_sensitivity"}
 FILTERED = {"compute_filtered_forces", "aggregate_scales"}
 MASTERS = {"synthesize_masters"} | FILTERED | EDGES
 SPECTRA = {

@@ -39,7 +39,7 @@ rule compute_whole_surface_forces:
         "../scripts/compute_whole_surface_forces.py"
 
 
-rule perturb_scan:
+rule compute_perturbed_scan_forces:
     """Compute forces on a scan with each octave amplified, the last replaced, or wide pixels."""
     input:
         stitched=lambda w: FILES.roughness_path(w.surface, int(w.scan)),
@@ -50,7 +50,7 @@ rule perturb_scan:
         ],
         sphere=SPHERE_SCAN,
     output:
-        PATTERNS.octaves,
+        PATTERNS.perturbed_scan_forces,
     params:
         parameters=lambda w: parameters(
             scan=int(w.scan),
@@ -61,7 +61,7 @@ rule perturb_scan:
             transitions={side: STUDY["scales"][side]["transition"] for side in SIDES},
         ),
     script:
-        "../scripts/perturb_scan.py"
+        "../scripts/compute_perturbed_scan_forces.py"
 
 
 rule compute_band_forces:
@@ -88,7 +88,7 @@ rule aggregate_sensitivity:
     input:
         maps=[
             *FILES.paths(PATTERNS.whole_surface_forces, CHUNKS.whole_surfaces),
-            *FILES.paths(PATTERNS.octaves, FILES.measured_scans),
+            *FILES.paths(PATTERNS.perturbed_scan_forces, FILES.measured_scans),
         ],
         bands=[FILES.path(PATTERNS.band_forces, surface) for surface in BAND_SURFACES],
         adhesion=PATTERNS.dataset("adhesion") if FILES.measured_scans else [],

@@ -37,7 +37,7 @@ STORE_KEYS = {
     "elastic": (*_CONTACTS, "elastic.contacts"),
     "asperities": (*_CONTACTS, "asperities"),
     "whole": (*_CONTACTS, "adhesion.ranges", "scales.long.tiles"),
-    "octaves": (*_CONTACTS, *_TRANSITIONS),
+    "perturbed_scans": (*_CONTACTS, *_TRANSITIONS),
     "pool": (*_FORCES_OF_SETS, "sets.rms_height_count"),
     "featured_samples": _FORCES_OF_SETS,
     "both_bodies": SCAN_KEYS,
@@ -46,7 +46,7 @@ STORE_KEYS = {
 
 #: Intermediates that may have the roughness of both bodies, and the keys on which they then depend.
 BOTH_BODIES_KEYS = ("published", "sphere.surface", "sphere.radius", "seed")
-BOTH_BODIES = frozenset({"both_bodies", "octaves", "masters", "pull_off"})
+BOTH_BODIES = frozenset({"both_bodies", "perturbed_scans", "masters", "pull_off"})
 
 _SURFACE = "{surface}/{digest}"
 _SCAN = f"{_SURFACE}/scan-{{scan}}-{{shape}}.nc"
@@ -99,13 +99,14 @@ class Patterns:
         contact = f"{{radius}}/{{loading}}/{{range}}/{_SURFACE}"
         self.pool = f"{folder['pool']}/{contact}/scans-{{first}}-{{last}}.nc"
         self.whole_surface_forces = f"{folder['whole']}/{contact}/surfaces-{{first}}-{{last}}.nc"
-        self.octaves = f"{folder['octaves']}/{rough_sphere}/{contact}/scan-{{scan}}.nc"
+        scan_on_sphere = f"{rough_sphere}/{contact}/scan-{{scan}}.nc"
+        self.pull_off = f"{folder['pull_off']}/{scan_on_sphere}"
+        self.perturbed_scan_forces = f"{folder['perturbed_scans']}/{scan_on_sphere}"
         # Not in the store: these forces are of the band that the study itself found.
         self.band_forces = f"{results}/band/{{surface}}.nc"
         self.featured_samples = (
             f"{folder['featured_samples']}/{contact}/{{features}}/samples-{{first}}-{{last}}.nc"
         )
-        self.pull_off = f"{folder['pull_off']}/{rough_sphere}/{contact}/scan-{{scan}}.nc"
         self.master = f"{folder['masters']}/{_REALIZATION}/{{side}}.nc"
         # A spectrum sampled within the uncertainty of the measurements.
         self.sampled_spectrum = f"{folder['sampled_spectra']}/{_REALIZATION}.nc"
