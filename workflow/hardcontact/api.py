@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import xarray as xr
 
+from hardcontact.base.dataset import stack
 from hardcontact.base.number import Number
 from hardcontact.config.arguments import (
     arguments_in_messages,
@@ -33,7 +34,7 @@ from hardcontact.contact.contact import PLASTIC, Contact
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import WORK_OF_ADHESION, pull_off_dataset, wider_window_change
 from hardcontact.inference.filtered_masters import Filters, filtered_pull_off
-from hardcontact.inference.master_datasets import stack_masters
+from hardcontact.inference.master_datasets import add_force_ratios
 from hardcontact.own.edges_of_scans import edges_of_curves
 from hardcontact.own.own_spectrum import read_own_spectrum
 from hardcontact.own.scan_force import add_force_on_scan
@@ -368,16 +369,10 @@ def force_ratios(
         side_forces = filtered_pull_off(
             surface, Filters(side, surface.pixels, wavelengths), [contact], rough
         )
-        forces["scan", 0, side] = side_forces.isel(radius=0, loading=0, rho=0, drop=True)
-    ratio = stack_masters(forces).filtered_force_ratio.isel(surface=0, realization=0, drop=True)
-    ratios = xr.Dataset(
-        {
-            "filtered_force_ratio": ratio,
-            "filtered_force_ratio_interval": ratio.expand_dims(end=2, axis=-1) * np.nan,
-        }
-    )
+        forces[(side,)] = side_forces.isel(radius=0, loading=0, rho=0, drop=True)
+    ratios = add_force_ratios(stack(forces, ["side"]))[["filtered_force_ratio"]]
     edges = edges_of_curves(ratios, tolerance)[["edge", "edge_status", "edge_bound"]]
-    return edges.assign(filtered_force_ratio=ratio).assign_attrs(rho=rho, tolerance=tolerance)
+    return edges.assign(ratios).assign_attrs(rho=rho, tolerance=tolerance)
 
 
 def predict(

@@ -19,13 +19,18 @@ def stack_masters(master_datasets: DatasetsByLabels) -> xr.Dataset:
     Returns the same variables over these dimensions, NaN at cutoffs of the other side, and
     ``filtered_force_ratio`` of means over contacts; ``unfiltered_wavelength`` is in nm.
     """
-    forces = stack(master_datasets, ["surface", "realization", "side"]).sortby("cutoff_wavelength")
+    forces = add_force_ratios(stack(master_datasets, ["surface", "realization", "side"]))
+    ends = forces["unfiltered_wavelength"].max("realization", keep_attrs=True)  # all are the same
+    return forces.assign(unfiltered_wavelength=ends)
+
+
+def add_force_ratios(forces: xr.Dataset) -> xr.Dataset:
+    """Return stacked forces by growing cutoff, with their ratios to the unfiltered forces."""
+    forces = forces.sortby("cutoff_wavelength")
     contact_axes = [axis for axis in CONTACT_AXES if axis in forces.dims]
     filtered = forces["pull_off_force"].mean(contact_axes)
     unfiltered = forces["unfiltered_pull_off_force"].mean(contact_axes)
-    ratio = (filtered / unfiltered).assign_attrs(DIMENSIONLESS)
-    ends = forces["unfiltered_wavelength"].max("realization", keep_attrs=True)  # all are the same
-    return forces.assign(filtered_force_ratio=ratio, unfiltered_wavelength=ends)
+    return forces.assign(filtered_force_ratio=(filtered / unfiltered).assign_attrs(DIMENSIONLESS))
 
 
 def read_master_forces(

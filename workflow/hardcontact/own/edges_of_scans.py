@@ -99,10 +99,10 @@ def _without_ripples(edges: xr.Dataset, has_ripples: xr.DataArray) -> xr.Dataset
 def edges_of_curves(ratios: xr.Dataset, tolerance: float) -> xr.Dataset:
     """Return the edges of several curves with the cutoffs between which they lie.
 
-    Ratios are ``filtered_force_ratio`` (..., cutoff_wavelength) with its interval, NaN at cutoffs
-    that a curve does not have; side is a coordinate. Over the other dimensions ``edge``,
-    ``edge_bound`` and ``edge_interval`` are in nm, NaN if they are open; ``edge_status`` is as in
-    `Edge`. A curve that `shows_ripples` has no edge.
+    Ratios are ``filtered_force_ratio`` (..., cutoff_wavelength), with their interval or without;
+    they are NaN at cutoffs that a curve does not have; side is a coordinate. Over the other
+    dimensions ``edge``, ``edge_bound`` and ``edge_interval`` are in nm, NaN if they are open;
+    ``edge_status`` is as in `Edge`. A curve that `shows_ripples` has no edge.
     """
     dimensions = [dim for dim in ratios["filtered_force_ratio"].dims if dim != "cutoff_wavelength"]
     shape = [ratios.sizes[dim] for dim in dimensions]
@@ -127,7 +127,8 @@ def edges_of_curves(ratios: xr.Dataset, tolerance: float) -> xr.Dataset:
 def _curve_with_interval(ratios: xr.Dataset, tolerance: float) -> tuple[ChangeCurve, np.ndarray]:
     """Return one curve with the low and the high ends (2, k) of the intervals of its values."""
     ratio = ratios["filtered_force_ratio"].values
-    interval = ratios["filtered_force_ratio_interval"].values
+    unknown = np.full((len(ratio), 2), np.nan)
+    interval = np.asarray(ratios.get("filtered_force_ratio_interval", unknown))
     if not np.isnan(interval).all():
         # If other ratios have intervals, a ratio without one is equal in all parts: zero width.
         interval = np.where(np.isnan(interval), ratio[:, None], interval)
