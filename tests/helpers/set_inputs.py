@@ -94,7 +94,7 @@ def make_adhesion():
             "contact_y": range(4),
             "contact_x": range(4),
         },
-        {"reference_rho": 5.6, "sphere_radius": RADIUS, "pixel_size": 5.0, "work_of_adhesion": 1.0},
+        {"rho": 5.6, "sphere_radius": RADIUS, "pixel_size": 5.0, "work_of_adhesion": 1.0},
     )
 
 

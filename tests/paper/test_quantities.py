@@ -31,7 +31,7 @@ def make_adhesion(forces, ranges=(0.05, 2.0, 5.6, 8.0)):
     return xr.Dataset(
         {"pull_off_force": (dims, np.asarray(forces, float)[:, :, :, None, None])},
         MODELS | {"rho": list(ranges)},
-        {"reference_rho": 5.6, "work_of_adhesion": 1.0, "pixel_size": 10.0,
+        {"rho": 5.6, "work_of_adhesion": 1.0, "pixel_size": 10.0,
          "sphere_radius": RADIUS, "confidence": 0.95},
     )  # fmt: skip
 

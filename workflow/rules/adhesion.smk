@@ -30,7 +30,7 @@ rule aggregate_adhesion:
             scan_keys=FILES.substrate_scans,
             **NAMED_SURFACES,
             sphere_radius=STUDY["sphere"]["radius"],
-            reference_rho=STUDY["adhesion"]["range"],
+            rho=STUDY["adhesion"]["range"],
         ),
     script:
         "../scripts/aggregate_adhesion.py"

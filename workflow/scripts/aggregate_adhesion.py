@@ -8,6 +8,6 @@ with run_job(snakemake) as job:
     params = job.parameters
     forces = stack_pull_off_forces(read_all(params["scan_keys"], job.input.scans), params)
     job.write(
-        forces.assign_attrs({name: params[name] for name in ("reference_rho", "sphere_radius")}),
+        forces.assign_attrs({name: params[name] for name in ("rho", "sphere_radius")}),
         title="pull-off forces at a work of adhesion of 1 J/m2",
     )

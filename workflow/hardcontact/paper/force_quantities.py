@@ -1,8 +1,8 @@
 """Estimates about pull-off forces, and about roughness of all scales relative to the AFM scans.
 
-Forces in N, lengths in nm. The reference range is the computed range nearest to the attribute
-`reference_rho`. Each function returns an estimate, a dataset of `value` and `value_interval`
-(`paper.estimates`); its dimensions are in brackets.
+Forces in N, lengths in nm. The reference range is the computed range nearest to the attribute `rho`.
+Each function returns an estimate, a dataset of `value` and `value_interval` (`paper.estimates`);
+its dimensions are in brackets.
 """
 
 from collections.abc import Callable
@@ -72,10 +72,9 @@ def range_exponent_of_force(adhesion: xr.Dataset) -> xr.Dataset:
     """
     mean = mean_over_contacts(adhesion["pull_off_force"])
     logarithm = xr.DataArray(np.log(mean)).assign_coords(rho=np.log(mean["rho"]))
-    exponent = logarithm.differentiate("rho")
-    log_reference_rho = np.log(adhesion.attrs["reference_rho"])
-    reference_exponent = exponent.sel(rho=log_reference_rho, method="nearest", drop=True)
-    return signed_mean_over_scans(reference_exponent, adhesion.attrs["confidence"])
+    log_rho = np.log(adhesion.attrs["rho"])
+    exponent = logarithm.differentiate("rho").sel(rho=log_rho, method="nearest", drop=True)
+    return signed_mean_over_scans(exponent, adhesion.attrs["confidence"])
 
 
 def range_exponent_of_area(adhesion: xr.Dataset) -> xr.Dataset:
@@ -148,7 +147,7 @@ def _force_statistic(adhesion: xr.Dataset, statistic: Callable[[Floats], float])
 
 def _forces_at_reference(forces: xr.DataArray, adhesion: xr.Dataset) -> xr.DataArray:
     """Return forces at the reference range of adhesion."""
-    return forces.sel(rho=adhesion.attrs["reference_rho"], method="nearest", drop=True)
+    return forces.sel(rho=adhesion.attrs["rho"], method="nearest", drop=True)
 
 
 def _kolmogorov_distance(values: Floats, cumulative_distribution: Callable[..., Floats]) -> float:
