@@ -156,11 +156,8 @@ def _octave_numbers(data: Datasets) -> Iterator[Number]:
 def _study_numbers(datasets: Datasets, setting: Setting) -> list[Number]:
     """Return the numbers of the whole study: settings and, with own forces, the fit."""
     numbers = []
-    pair = {
-        "range_of_adhesion": ("rho", "nm"),
-        "work_of_adhesion": ("work_of_adhesion", "J m-2"),
-    }
-    for name, (attribute, unit) in attributes.items():
+    pair = {"range_of_adhesion": ("rho", "nm"), "work_of_adhesion": ("work_of_adhesion", "J m-2")}
+    for name, (attribute, unit) in pair.items():
         source = "assumed" if name.replace("_", " ") in setting.assumed else "given"
         numbers.append(Number(name, datasets.force.attrs[attribute], unit, source=source))
     for name in ("tolerance", "confidence"):
