@@ -1,6 +1,6 @@
 """Estimates about pull-off forces, and about roughness of all scales relative to the AFM scans.
 
-Forces in N, lengths in nm. The reference range is the computed range nearest to the attribute `rho`.
+Forces in N, lengths in nm. The reference range is the computed range nearest to attribute `rho`.
 Each function returns an estimate, a dataset of `value` and `value_interval` (`paper.estimates`);
 its dimensions are in brackets.
 """
