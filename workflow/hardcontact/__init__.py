@@ -1,9 +1,9 @@
 """Adhesion of hard, rough contacts: from height maps to pull-off forces and the scales that matter.
 
-Its subpackages, lowest layer first, each importing only from itself and lower layers: `base`,
-`records`, `surfaces`, `scans`, `contact`, `inference`, `theory`, `paper`, `config`, `files`, `run`,
-`own`, `report`, `commands` and `api`, whose functions are those of this package, too. They are
-loaded when one is first used: no job of the study depends on them.
+The subpackages are layers, the lowest first. Each imports only from itself and from those before
+it: `base`, `records`, `surfaces`, `scans`, `contact`, `inference`, `theory`, `paper`, `config`,
+`files`, `run`, `own`, `report`, `commands` and `api`, whose functions are those of this package,
+too. They are loaded when one is first used, because no job of the study depends on them.
 workflow/README.md says what each layer holds.
 """
 
