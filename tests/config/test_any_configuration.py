@@ -21,7 +21,6 @@ LEAVES = sorted(leaves(PAPER))
 BRANCHES = sorted({path.rpartition(".")[0] for path in LEAVES})
 MESSAGE = re.compile(r"config key [^:]+: expected .+ found .+|\S+: .*expected .+ found.+")
 
-#: Plain runs of pytest are short; the marker asks for more.
 #: The same examples in every run.
 SETTINGS = settings(
     max_examples=30,

@@ -13,15 +13,15 @@ from hardcontact.contact.contact import Contact
 
 
 @pytest.mark.parametrize("share", [0.5, 0.9])
-def test_a_paraboloid_carries_its_force_in_one_patch_of_known_extent(share):
+def test_a_paraboloid_carries_its_force_in_one_asperity_of_known_extent(share):
     # exp(-r²/2R rho) holds a share 1 - exp(-r²/2R rho) of the force within r.
     pixel_size, radius, rho = 20.0, 250e3, 2.0
     offset = (np.arange(600) - 300) * pixel_size
     attraction = np.exp(-(offset[:, None] ** 2 + offset**2) / (2 * radius * rho))
-    largest, two_largest, patches, extent = asperities(attraction, share, pixel_size)
+    largest, two_largest, count, extent = asperities(attraction, share, pixel_size)
     diameter = 2 * np.sqrt(-2 * radius * rho * np.log(1 - share))
     assert extent == pytest.approx(diameter, abs=2 * pixel_size)
-    assert patches == 1
+    assert count == 1
     assert largest == two_largest == pytest.approx(share, abs=0.01)
 
 
@@ -30,8 +30,8 @@ def test_two_peaks_share_the_force():
     attraction[50:52, 50:52] = 3.0
     attraction[50, 150] = 2.0
     attraction[120, 20] = 1.0
-    largest, two_largest, patches, _ = asperities(attraction, 0.9, 4.0)
-    assert patches == 2
+    largest, two_largest, count, _ = asperities(attraction, 0.9, 4.0)
+    assert count == 2
     assert largest == pytest.approx(12 / 15, rel=1e-3)
     assert two_largest == pytest.approx(14 / 15, rel=1e-3)
     assert asperities(attraction, 0.99, 4.0)[2] == 3

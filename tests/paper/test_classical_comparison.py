@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 import xarray as xr
-from paper_numbers import MEAN_FORCE, RADIUS, SUBSTRATES, TABLES
+from paper_numbers import MEAN_FORCE, MODULUS, RADIUS, SUBSTRATES, TABLES
 
 from hardcontact.base import published
 from hardcontact.base.statistics import Sampling, interval_ends
@@ -52,6 +52,8 @@ def test_polished_uncd_has_the_published_force_and_work(classical):
     work = uncd["effective_work_of_adhesion"].sel(force_source="computed").item()
     ends = [end.sel(force_source="computed").item() / work for end in (low, high)]
     assert ends == pytest.approx([0.99, 1.01])
+    constants = published.read_constants(TABLES / "parameters.csv").value
+    assert published.effective_modulus(constants) == pytest.approx(MODULUS)
 
 
 def test_a_surface_that_the_paper_lacks_has_no_numbers(classical):

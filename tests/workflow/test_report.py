@@ -1,12 +1,14 @@
 """The texts of the documentation: their links, the files that they name, the README's length."""
 
 import re
+from importlib.util import find_spec
 
 import pytest
 from html_page import Page
 from repository import ROOT
 
 README = ROOT / "README.md"
+HOW_IT_IS_BUILT = ROOT / "workflow/README.md"
 PAGE_TO_LOOK_AT = ROOT / "resources/readme/answer.html"
 NUMBER = r"(\d+(?:\.\d+)?)"
 INTERVAL = re.compile(rf"{NUMBER} \[{NUMBER}, {NUMBER}\]")
@@ -14,6 +16,7 @@ TEXTS = [
     README,
     *sorted((ROOT / "workflow/report").glob("*.md")),
     ROOT / "config/README.md",
+    HOW_IT_IS_BUILT,
     *sorted((ROOT / "resources").rglob("README.md")),
 ]
 
@@ -33,6 +36,17 @@ def test_files_named_in_the_documentation_exist(path):
         "resources/scans/my-scan.spm",
     }  # fmt: skip
     assert [name for name in paths_named - made_by_the_user if not (ROOT / name).exists()] == []
+
+
+def test_modules_named_in_the_table_of_rules_exist():
+    """There `.b` after `a.c` stands for `a.b`."""
+    text = HOW_IT_IS_BUILT.read_text("utf-8")
+    cells = re.findall(r"^(?:\|[^|\n]*){3}\|([^|\n]*)\|[^|\n]*\|$", text, re.M)
+    assert len(cells) > 10
+    package = ""
+    for layer, name in re.findall(r"`(\w*)\.(\w+)`", " ".join(cells)):
+        package = layer or package
+        assert find_spec(f"hardcontact.{package}.{name}"), (package, name)
 
 
 def is_rounded(printed, number):

@@ -1,5 +1,5 @@
 # Single contacts: the separation of one, drawn in Fig. 4a, elastic contacts, the indents that
-# contacts leave in the sphere, and the patches that carry their force.
+# contacts leave in the sphere, and the asperities that carry their force.
 
 # The paper does not say which contact Fig. 4a shows. This one is in the middle of the first
 # scans of the reference surface.
@@ -91,7 +91,7 @@ rule measure_indents:
 
 
 rule find_asperities:
-    """Find the patches that carry most of the force of a sample of contacts of one surface."""
+    """Find the asperities that carry most of the force of a sample of contacts of one surface."""
     input:
         **SCANS_IN_TURN,
     output:
@@ -109,7 +109,7 @@ rule find_asperities:
 
 
 rule aggregate_asperities:
-    """Gather the patches of all surfaces: asperities.nc."""
+    """Gather the asperities of all surfaces: asperities.nc."""
     input:
         surfaces=[FILES.path(PATTERNS.asperities, surface) for surface in SELECTION.substrates],
     output:

@@ -37,7 +37,7 @@ from hardcontact.theory.prediction import prediction
 from hardcontact.theory.validity import (
     MAX_NEGLIGIBLE_CHANGE,
     assumed_modulus,
-    tabor_number,
+    judge_tabor_parameter,
     wide_contact_message,
 )
 
@@ -149,7 +149,7 @@ def compute_numbers(inputs: Inputs, arguments: Namespace) -> dict[str, Number]:
     numbers["modulus"] = Number("modulus", modulus, "Pa", status=Status.FROM_PAPER)
     if "modulus" in quantities:
         numbers["modulus"] = _quantity_number("modulus", quantities["modulus"])
-    numbers["tabor_parameter"] = tabor_number(contact, numbers["modulus"].value)
+    numbers["tabor_parameter"] = judge_tabor_parameter(contact, numbers["modulus"].value)
     return numbers
 
 

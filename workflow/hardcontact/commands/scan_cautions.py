@@ -17,7 +17,7 @@ from hardcontact.contact.finite_scan import (
 )
 from hardcontact.scans.defects import defect_sentence
 from hardcontact.scans.heights import split_notes
-from hardcontact.surfaces.spectrum import MIN_BINS
+from hardcontact.surfaces.spectrum import MIN_BINS, too_few_bins_message
 
 #: Share of undefined pixels from which the user is told how they are filled.
 MANY_UNDEFINED = 0.05
@@ -34,11 +34,8 @@ def refuse_unreliable(entries: Sequence[Entry]) -> None:
         count = int(np.any([scan.band.bins for scan in scans], axis=0).sum())
         if count < MIN_BINS:
             bands = "; ".join(f"{scan.name} {scan.band}" for scan in scans)
-            faults.append(
-                f"{surface}: expected scans that are reliable in at least {MIN_BINS} bins of "
-                f"wavelengths (ten a decade from 0.1 nm to 100 µm), found {count}: {bands}; "
-                "add one of another size"
-            )
+            message = too_few_bins_message("scans", count, bands)
+            faults.append(f"{surface}: {message}; add one of another size")
             faults += [
                 f"{scan.name}: expected a sound scan, found: {defect_sentence(code, numbers)}"
                 for scan in scans

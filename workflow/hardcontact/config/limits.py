@@ -158,7 +158,7 @@ def _master_faults(
         faults += _wavelength_faults(config, keys[name], shortest, size, master)
     if config["scales"]["sphere_roughness"]:
         pixel_size = min(pixel_size, sphere_grid.pixel_size)
-        bodies = f"the {side}-scale masters of {surface} and the sphere"
+        bodies = f"the {side}-edge masters of {surface} and the sphere"
         faults += _map_faults(bodies, pixel_size, grid._replace(size=size / 2), sphere_grid)
     return faults + _memory_faults(study_contacts(config)[section], surface, pixel_size, 1)
 

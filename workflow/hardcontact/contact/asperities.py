@@ -1,6 +1,7 @@
 """Find the asperities that carry the force of some contacts of one pair of scans.
 
-Pixels that touch, also at a corner, belong to one patch.
+Of the fewest pixels that carry a share of the force, those that touch, also at a corner, form one
+asperity.
 """
 
 import math
@@ -23,7 +24,7 @@ ASPERITY_UNITS = {
     "patch_count": "1",
     "extent": "nm",
 }
-#: Share of the force that the patches of the fewest pixels carry.
+#: Share of the force that the asperities carry together.
 CARRIED_SHARE = 0.9
 #: Bins of the histogram of attractions: one bin then holds few attractions to sort.
 BIN_COUNT = 4096
@@ -32,11 +33,11 @@ BIN_COUNT = 4096
 def asperities(
     attraction: Floats, share: float, pixel_size: float
 ) -> tuple[float, float, int, float]:
-    """Return numbers of the patches formed by the fewest pixels that carry a share of the force.
+    """Return numbers of the asperities that together carry a share of the force.
 
-    They are the shares of the force that the largest patch and the two largest patches carry, the
-    number of patches, and the diameter in nm of the circle about the centre of force that holds the
-    share. The attraction (n, n) is proportional to the force on each pixel.
+    They are the shares of the strongest asperity and of the two strongest, the number of
+    asperities, and the diameter in nm of the circle about the centre of force that holds the share.
+    The attraction (n, n) is proportional to the force on each pixel.
     """
     total = attraction.sum()
     is_carrier = attraction >= least_carrying_attraction(attraction, share, total)

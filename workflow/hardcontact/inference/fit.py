@@ -85,28 +85,28 @@ def fine_ranges(ranges: Floats) -> Floats:
     return np.geomspace(ranges[0], ranges[-1], RANGE_COUNT)
 
 
-def best_fit(curves: Floats, targets: Floats, ranges: Floats) -> dict[str, Floats]:
-    """Return the best range, work and mean relative error (...), NaN where a curve has NaN.
+def best_fit(mean_forces: Floats, measured_forces: Floats, ranges: Floats) -> dict[str, Floats]:
+    """Return the best range, work and mean relative error (...), NaN if a computed force is NaN.
 
-    The curves are the computed mean forces (..., surface, range) at these ranges (nm), the targets
-    the measured mean forces (surface,), both in N.
+    Forces are as in `mean_relative_error`, at these ranges (nm).
     """
-    best_index, work, error = fit_range_and_work(curves, targets)
+    best_index, work, error = fit_range_and_work(mean_forces, measured_forces)
     best_range = np.where(np.isfinite(error), ranges[best_index], np.nan)
     return {"range_of_adhesion": best_range, "work_of_adhesion": work, "best_error": error}
 
 
 def fit_mean_forces(mean_forces: xr.DataArray, measured_forces: pd.Series) -> xr.Dataset:
-    """Return the `best_fit` (...) to mean forces (..., surface, rho) in N.
+    """Fit range and work of adhesion to mean forces (..., surface, rho) in N at 1 J/m².
 
-    Surfaces without a measured mean force (N, by surface) do not enter the fit.
+    Returns the variables of FIT_ATTRS (...). Surfaces without a measured mean force (N, by surface)
+    do not enter the fit.
     """
-    targets = measured_forces.reindex(mean_forces["surface"].values).dropna()
+    measured_forces = measured_forces.reindex(mean_forces["surface"].values).dropna()
     dimensions = [dim for dim in mean_forces.dims if dim not in ("surface", "rho")]
-    forces = mean_forces.sel(surface=targets.index).transpose(*dimensions, "surface", "rho")
+    forces = mean_forces.sel(surface=measured_forces.index).transpose(*dimensions, "surface", "rho")
     ranges = fine_ranges(forces["rho"].values)
-    curves = interpolate_to_ranges(forces.values, forces["rho"].values, ranges)
-    fit = best_fit(curves, targets.to_numpy(), ranges)
+    fine_forces = interpolate_to_ranges(forces.values, forces["rho"].values, ranges)
+    fit = best_fit(fine_forces, measured_forces.to_numpy(), ranges)
     return xr.Dataset(
         {name: (dimensions, fit[name], attributes) for name, attributes in FIT_ATTRS.items()},
         {dim: forces[dim] for dim in dimensions},

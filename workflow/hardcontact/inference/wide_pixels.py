@@ -40,10 +40,10 @@ def pixel_forces(surface: HeightMap, sphere: HeightMap | None, contact: Contact)
 
 
 def finer_pixel_factor(wide_pixel_ratio: np.ndarray | float) -> np.ndarray:
-    """Return the factor by which finer pixels may divide a force, from its ratio on wider pixels.
+    """Return the largest factor by which finer pixels may lower a force.
 
-    The factor is the rise of the force on wider pixels: the fall on finer ones is at most as large
-    (tests/benchmarks/validate_random_surfaces.py). It is 1 where the ratio is NaN.
+    It is the factor by which wider pixels raise the force
+    (tests/benchmarks/validate_random_surfaces.py), and 1 where the ratio is NaN.
     """
     return np.asarray(np.fmax(wide_pixel_ratio, 1.0))
 

@@ -32,7 +32,7 @@ from hardcontact.own.mean_forces import (
 from hardcontact.surfaces.spectrum import Spectrum, spectrum_of_dataset
 from hardcontact.theory.pull_off_statistics import predict_statistics
 from hardcontact.theory.summits import search_size
-from hardcontact.theory.validity import assumed_modulus, tabor_number
+from hardcontact.theory.validity import assumed_modulus, judge_tabor_parameter
 
 #: Quantiles of the forces of single contacts.
 QUANTILES = [0.05, 0.25, 0.5, 0.75, 0.95]
@@ -81,7 +81,7 @@ def force_dataset(
         for spectrum in spectra_by_surface.values()
     ]
     force = force.merge(xr.concat(scatter, force["surface"]))
-    tabor = tabor_number(contact, assumed_modulus(contact.hardness))
+    tabor = judge_tabor_parameter(contact, assumed_modulus(contact.hardness))
     return force.assign_attrs(tabor_parameter=tabor.value, bodies=tabor.status)
 
 

@@ -99,9 +99,9 @@ def median_share_above_hardness(elastic: xr.Dataset) -> xr.Dataset:
 
 
 def share_of_two_asperities(asperities: xr.Dataset) -> xr.Dataset:
-    """Return the share of the force that the two strongest patches carry (surface, rho).
+    """Return the share of the force that the two strongest asperities carry (surface, rho).
 
-    All patches together carry the attribute ``share`` of the force: the interval ends there.
+    All asperities together carry the attribute ``share`` of the force: the interval ends there.
     """
     share = variable_estimate(asperities, "two_largest_share")
     low, high = interval_ends(share, "value")

@@ -42,6 +42,7 @@ from hardcontact.surfaces.spectrum import (
     Spectrum,
     spectrum_dataset,
     spectrum_of_dataset,
+    too_few_bins_message,
 )
 
 #: Shortest and longest radius in nm of an unknown tip: a new tip, a blunt tip.
@@ -87,10 +88,7 @@ def _measured_spectra(
         )
         is_too_large = min(band.shortest for band in bands) > 2 * np.pi / BIN_CENTRES[0]
         remedy = ": is the unit of length right?" if is_too_large else ""
-        raise ValueError(
-            f"expected measurements that are reliable in at least {MIN_BINS} bins of wavelengths "
-            f"(ten a decade from 0.1 nm to 100 µm), found {count}: {listing}{remedy}"
-        )
+        raise ValueError(too_few_bins_message("measurements", count, listing) + remedy)
     return spectra
 
 

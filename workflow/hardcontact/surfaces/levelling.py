@@ -17,7 +17,10 @@ from hardcontact.surfaces.streaks import fill_streaks
 
 
 def level(scan: HeightMap) -> HeightMap:
-    """Return a scan minus its least-squares plane or line, as SurfaceTopography, a slow import."""
+    """Return a scan minus its least-squares plane or line.
+
+    The result is that of ``detrend`` of SurfaceTopography, whose import is slow.
+    """
     heights = np.asarray(scan.heights, dtype=float).T
     axes = np.meshgrid(*(np.arange(count) / count for count in heights.shape), indexing="ij")
     design = np.column_stack([np.ones(heights.size), *(axis.ravel() for axis in axes)])

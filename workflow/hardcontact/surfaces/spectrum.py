@@ -38,6 +38,14 @@ MIN_BINS = 3
 PSD_ARGUMENTS = {"window": "hann", "reliable": False, "collocation": BIN_EDGES}
 
 
+def too_few_bins_message(scans: str, count: int, bands: str) -> str:
+    """Return the message that scans, so named, are reliable in fewer than MIN_BINS bins."""
+    return (
+        f"expected {scans} that are reliable in at least {MIN_BINS} bins of wavelengths (ten a "
+        f"decade from 0.1 nm to 100 µm), found {count}: {bands}"
+    )
+
+
 @dataclass(frozen=True, eq=False)
 class Spectrum:
     """C_iso (points,) in nm⁴ over growing wavevectors (points,) in rad/nm, called as a function."""

@@ -26,7 +26,8 @@ from hardcontact.theory.closed_form import ClosedForm, contact_term
 
 #: Designed surfaces, computed and predicted; resources/validation/README.md describes the columns.
 DESIGNED_SURFACES = Path(__file__).with_name("designed_surfaces.csv")
-#: Effective modulus in Pa of ruby on diamond, `effective_modulus` of `parameters.csv`.
+#: Effective modulus in Pa of ruby on diamond, `effective_modulus` of `parameters.csv`. It is
+#: written here, because an installed library has no resources/.
 RUBY_ON_DIAMOND_MODULUS = 1 / ((1 - 0.29**2) / 365e9 + (1 - 0.22**2) / 1010e9)
 #: Hardness in Pa below which this modulus is not assumed: a tenth of the ruby's hardness. Moduli
 #: are ten to some hundred times the hardness (ceramics, metals), so bodies of this hardness may be
@@ -144,7 +145,7 @@ def assumed_modulus(hardness: float) -> float:
     return RUBY_ON_DIAMOND_MODULUS if hardness >= SOFT_HARDNESS else math.nan
 
 
-def tabor_number(contact: Contact, effective_modulus: float) -> Number:
+def judge_tabor_parameter(contact: Contact, effective_modulus: float) -> Number:
     """Return the Tabor parameter, with the range of adhesion as spacing, and its status.
 
     The effective modulus is in Pa, NaN if it is UNKNOWN. Bodies are SOFT if elasticity reduces the
