@@ -12,13 +12,13 @@ from hardcontact.surfaces.synthesis import SEED_WORDS, SIDES
 def master(job: Job, side: str, index: int) -> HeightMap:
     """Return the master of a side and of a realization, by its index: read it, or make it.
 
-    Without a `generator_name` masters are files. Others are made from scans and sampled spectra.
+    Masters that are no files are made from scans and sampled spectra.
     """
     params = job.parameters
-    if params["generator_name"] is None:
+    if params["masters_are_files"]:
         return read_height_map(job.input[f"{side}_masters"][index])
-    purpose = f"{SEED_WORDS[side]}-scale {params['generator_name']}"
-    rng = generator(params["seed"], params["surface"], params["realizations"][index], purpose)
+    stream = f"{SEED_WORDS[side]}-scale {params['stream']}"
+    rng = generator(params["seed"], params["surface"], params["realizations"][index], stream)
     scan = read_height_map(job.input.scans[index])
     spectrum_data = read(job.input.spectra[index])
     return sampled_master(side, rng, scan, params["sides"][side], spectrum_data)

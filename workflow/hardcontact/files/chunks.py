@@ -135,7 +135,7 @@ class Chunks:
         """
         files, surface = self._files, chunk.surface
         realizations = range(int(chunk.first), int(chunk.last) + 1)
-        if PURPOSES[chunk.purpose].generator_name is None:
+        if PURPOSES[chunk.purpose].masters_are_files:
             return {
                 f"{side}_masters": [
                     files.master_path(surface, realization, side) for realization in realizations

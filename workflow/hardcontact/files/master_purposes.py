@@ -27,18 +27,19 @@ class Purpose(NamedTuple):
     section: str  #: Section of the pixels and cutoffs of masters.
     contacts_key: str  #: Key of the number of contacts per row.
     realizations_key: str  #: Key of the number of masters of a surface.
-    #: Name of the random numbers in masters; None if masters are files of the store.
-    generator_name: str | None = "variant"
     realizations_in_job: int = MASTERS_CHUNK
+    masters_are_files: bool = False  #: Whether masters are files of the store.
+    stream: str = "variant"  #: Name of the random numbers in masters.
     sides: Sequence[str] = SIDES
 
 
+_STUDY_BAND = ("scales", "contact.contacts_per_row", "scales.realizations", 1)
 #: By the name in the paths of their forces.
 PURPOSES = {
     # The band of the study.
-    "scales": Purpose("scales", "contact.contacts_per_row", "scales.realizations", None, 1),
+    "scales": Purpose(*_STUDY_BAND, masters_are_files=True, stream="master"),
     # The same with sampled spectra, of measured surfaces only, and with the same random numbers.
-    "sampled": Purpose("scales", "contact.contacts_per_row", "scales.realizations", "master", 1),
+    "sampled": Purpose(*_STUDY_BAND, stream="master"),
     # The edges of each set of substitutes.
     "sets": Purpose("sets", "sets.contacts_per_row", "sets.realizations"),
     # How the edges depend on radius and load, on a smooth sphere.
