@@ -5,7 +5,7 @@ import pandas as pd
 import pytest
 from paper_numbers import CLAIMS, TABLES
 
-from hardcontact.paper.verdicts import accepted_range
+from hardcontact.paper.verdicts import EDGE_CLAIMS, accepted_range
 
 ROWS = CLAIMS.set_index("id")
 TABLE1 = pd.read_csv(TABLES / "table1.csv")
@@ -17,6 +17,12 @@ PRINTED = pd.read_csv(TABLES / "pull_off.csv").pivot(
 def test_a_claim_follows_only_from_an_independent_claim():
     origins = ROWS["follows_from"][ROWS["follows_from"] != ""]
     assert (ROWS["follows_from"][origins] == "").all() and (origins.index != origins).all()
+
+
+def test_all_claims_about_edges_may_have_open_intervals():
+    edge_claims = ROWS[ROWS["dataset"] == "edges"]
+    sides = edge_claims["select"].str.extract("^side=(short|long)", expand=False)
+    assert sides.to_dict() == EDGE_CLAIMS
 
 
 def test_claims_repeat_table1():

@@ -169,7 +169,7 @@ BANDS = [band([20, 43, 120, 250, 500, 1800, 3500]), band([43, 120, 500, 1800])]
 )
 def test_an_end_at_or_beyond_the_last_cutoff_is_open(side, edge, low, high, end):
     numbers = {"computed": edge, "low": low, "high": high}
-    names = [f"{side}_edge_first", f"{side}_edge_mean_at_least", "range_of_adhesion"]
+    names = [f"{side}_edge_first", f"{side}_edge_mean", "range_of_adhesion"]
     claims = add_open_ends(pd.DataFrame([{"id": name, **numbers} for name in names]), BANDS)
     assert claims["open_end"].tolist() == [end, end, ""]
 

@@ -188,6 +188,11 @@ def count_verdicts(evaluated: pd.DataFrame) -> pd.DataFrame:
     return counts.rename_axis("verdict").reset_index()
 
 
+#: Claims about an edge, with its side.
+EDGE_CLAIMS = {
+    "short_edge_first": "short", "short_edge_mean": "short", "short_edge_pooled_at_least": "short",
+    "long_edge_first": "long", "long_edge_mean": "long", "long_edge_pooled_at_most": "long",
+}  # fmt: skip
 #: End of the interval that may lie beyond the cutoffs, by the side of the edge.
 OPEN_END = {"short": "high", "long": "low"}
 
@@ -214,7 +219,7 @@ def add_open_ends(claims: pd.DataFrame, bands: Sequence[xr.Dataset]) -> pd.DataF
     study, so that the edge of the study may lie beyond theirs. An interval that is stretched to
     such an edge is open there, too. The `bands`, edges.nc and sets.nc, give the cutoffs.
     """
-    sides = claims["id"].str.extract("^(short|long)_edge_(?:first|mean)", expand=False)
+    sides = claims["id"].map(EDGE_CLAIMS)
     rows = zip(sides, claims["computed"], claims["low"], claims["high"], strict=True)
     ends = [open_end(*row, bands) if isinstance(row[0], str) else "" for row in rows]
     return claims.assign(open_end=ends)
