@@ -51,10 +51,10 @@ def surface(pixels):
     return random_surface(generator(1, "benchmark", pixels), pixels, 5000 / pixels, uncd)
 
 
-def pair_under_sphere(substrate, sphere=None):
+def bodies_in_contact(substrate, sphere=None):
     """Return substrate and sphere with the study's contacts, and the number of contact pixels."""
-    pair = join_bodies(substrate, sphere, CONTACT)
-    return pair, CONTACT.pixel_count(pair.geometry.pixel_size)
+    bodies = join_bodies(substrate, sphere, CONTACT)
+    return bodies, CONTACT.pixel_count(bodies.geometry.pixel_size)
 
 
 def timed(function, repeats=3):
@@ -84,9 +84,9 @@ def times_as_long(ratio):
 
 def pull_off(substrate):
     """Plastic totals (contact_y, contact_x) of a smooth sphere, closest approach included."""
-    pair, contact_pixel_count = pair_under_sphere(substrate)
-    contacts = all_contact_pixels(pair, contact_pixel_count)
-    return attraction_totals(pair, contacts, [contact_pixel_count], [RHO])[0, 0]
+    bodies, contact_pixel_count = bodies_in_contact(substrate)
+    contacts = all_contact_pixels(bodies, contact_pixel_count)
+    return attraction_totals(bodies, contacts, [contact_pixel_count], [RHO])[0, 0]
 
 
 def smooth_sphere(threads):
@@ -97,10 +97,10 @@ def smooth_sphere(threads):
     )
     fast, totals = timed(lambda: pull_off(substrate))
     contacts = [(0, 0), (7, 13), (19, 4)]
-    pair, contact_pixel_count = pair_under_sphere(substrate)
+    bodies, contact_pixel_count = bodies_in_contact(substrate)
     slow, direct_sums = timed(
         lambda: [
-            direct_total(gap_map(pair, contact), contact_pixel_count, RHO) for contact in contacts
+            direct_total(gap_map(bodies, contact), contact_pixel_count, RHO) for contact in contacts
         ],
         1,
     )
@@ -124,15 +124,15 @@ def stitched(seed, scale):
 
 
 def rough_sphere():
-    pair, contact_pixel_count = pair_under_sphere(stitched(1, 1.0), stitched(2, 4e-4))
+    bodies, contact_pixel_count = bodies_in_contact(stitched(1, 1.0), stitched(2, 4e-4))
 
     def fast():
         return contact_pixel_count + outside_sums(
-            pair, all_contact_pixels(pair, contact_pixel_count), RHOS
+            bodies, all_contact_pixels(bodies, contact_pixel_count), RHOS
         )
 
     def direct(contact, rho):
-        return direct_total(gap_map(pair, contact), contact_pixel_count, rho)
+        return direct_total(gap_map(bodies, contact), contact_pixel_count, rho)
 
     quick, totals = timed(fast)
     contacts = [(i, j) for i in range(0, CONTACTS, 5) for j in range(2, CONTACTS, 6)]
@@ -151,9 +151,9 @@ def rough_sphere():
 
 
 def elastic_contact(pixels=512):
-    pair, _ = pair_under_sphere(stitched(1, 1.0))
-    pixel = pair.geometry.pixel_size
-    gap = part_around_lowest(gap_map(pair, (3, 5)), pixels)
+    bodies, _ = bodies_in_contact(stitched(1, 1.0))
+    pixel = bodies.geometry.pixel_size
+    gap = part_around_lowest(gap_map(bodies, (3, 5)), pixels)
     window = f"window of {pixels}² pixels"
     (seconds, pressure), (library_seconds, expected) = timed_in_turn(
         lambda: pressure_at_load(gap, pixel, MODULUS, CONTACT.preload),

@@ -60,8 +60,8 @@ def mirrored_windows(surface, size):
 
 def mean_force(surface, contact):
     """Return the mean plastic pull-off force in N at 1 J/m² on a periodic surface."""
-    pair = join_bodies(surface, None, contact)
-    forces = mean_pull_off_dataset(pair, contact, [contact.rho])["pull_off_force"]
+    bodies = join_bodies(surface, None, contact)
+    forces = mean_pull_off_dataset(bodies, contact, [contact.rho])["pull_off_force"]
     return forces.sel(contact_model="plastic").item()
 
 

@@ -131,12 +131,12 @@ def assert_forces(arrays):
 def check_pair(config, rng, substrate, sphere):
     """Compute forces at all contacts and ranges, the largest indents, and asperities."""
     contact = Contact(radius=config["sphere"]["radius"], **config["contact"])
-    pair = join_bodies(substrate, sphere, contact)
-    pixel_size = pair.geometry.pixel_size
-    assert_forces(pull_off_dataset(pair, contact, config["adhesion"]["ranges"]))
+    bodies = join_bodies(substrate, sphere, contact)
+    pixel_size = bodies.geometry.pixel_size
+    assert_forces(pull_off_dataset(bodies, contact, config["adhesion"]["ranges"]))
     for preload in config["indent"]["preloads"]:
         contact_pixel_count = replace(contact, preload=preload).pixel_count(pixel_size)
-        contacts = all_contact_pixels(pair, contact_pixel_count)
+        contacts = all_contact_pixels(bodies, contact_pixel_count)
         assert contacts.gaps.shape[-1] == contact_pixel_count
         for index in np.ndindex(contacts.gaps.shape[:2]):
             depth, *_ = indent_sizes(contacts.pixels_of_contact(index), pixel_size)
@@ -144,7 +144,7 @@ def check_pair(config, rng, substrate, sphere):
     carried = config["asperities"]
     positions = sample_contacts(rng, contact.contacts_per_row, carried["contacts"])
     for share in (0.001, 0.5, 0.999):
-        carriers = find_carrying_asperities(pair, contact, positions, share, carried["ranges"])
+        carriers = find_carrying_asperities(bodies, contact, positions, share, carried["ranges"])
         assert all(np.isfinite(values).all() for values in carriers.data_vars.values())
 
 

@@ -10,8 +10,8 @@ DESCRIBED = {"labels": {"a": "A", "b": "B"}, "source": {"a": "measured", "b": "s
 CONTACTS = ("contact_y", "contact_x")
 
 
-def pair_forces(value, pixels):
-    """Return forces of one pair, with contacts by number."""
+def forces_on_scan(value, pixels):
+    """Return forces on one scan, with contacts by number."""
     return xr.Dataset(
         {
             "pull_off_force": (CONTACTS, np.full((2, 2), value)),
@@ -22,20 +22,21 @@ def pair_forces(value, pixels):
     )
 
 
-def test_forces_of_all_pairs_are_stacked_with_nan_for_missing_pairs():
+def test_forces_on_all_scans_are_stacked_with_nan_for_missing_scans():
     keys = [("a", 1, 1), ("a", 1, 2), ("b", 1, 1), ("b", 2, 1)]
-    pairs = {key: pair_forces(float(k), 10 + k) for k, key in enumerate(keys)}
+    forces_by_key = {key: forces_on_scan(float(k), 10 + k) for k, key in enumerate(keys)}
     changes = {("a", 1): 0.1, ("b", 1): 0.2, ("b", 2): 0.3}
     scans = {
         scan: stack(
-            {key[2:]: pair for key, pair in pairs.items() if key[:2] == scan}, ["sphere_scan"]
+            {key[2:]: forces for key, forces in forces_by_key.items() if key[:2] == scan},
+            ["sphere_scan"],
         ).assign(wider_window_change=((), change, {"units": "1"}))
         for scan, change in changes.items()
     }
     forces = stacked_datasets.stack_pull_off_forces(scans, DESCRIBED)
     for k, (surface, scan, sphere_scan) in enumerate(keys):
-        pair_labels = {"surface": surface, "scan": scan, "sphere_scan": sphere_scan}
-        np.testing.assert_array_equal(forces.pull_off_force.sel(pair_labels), k)
+        labels = {"surface": surface, "scan": scan, "sphere_scan": sphere_scan}
+        np.testing.assert_array_equal(forces.pull_off_force.sel(labels), k)
     assert np.isnan(forces.pull_off_force.sel(surface="a", scan=2)).all()
     assert forces.contact_pixel_count.values.tolist() == [1, 13]
     assert forces.wider_window_change.dims == ("surface", "scan")

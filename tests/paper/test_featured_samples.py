@@ -38,8 +38,8 @@ def test_forces_and_roughness_are_those_of_the_scans_of_the_draw(samples):
     features, scans = sample_group(FEATURED, "pits", [1, 2], 2)
     scan = level(scans[1])
     sample = samples["pits"].sel(sample=2, scan=2)
-    pair = join_bodies(mirror_stitch(scan), None, CONTACT)
-    forces = pull_off_dataset(pair, CONTACT, SAMPLE_SOURCES.ranges)["pull_off_force"]
+    bodies = join_bodies(mirror_stitch(scan), None, CONTACT)
+    forces = pull_off_dataset(bodies, CONTACT, SAMPLE_SOURCES.ranges)["pull_off_force"]
     np.testing.assert_array_equal(sample["pull_off_force"], forces)
     assert sample["rms_height"].item() == metrics(scan)["rms_height"]
     assert sample["feature_width"].item() == features.width

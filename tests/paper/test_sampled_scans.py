@@ -41,8 +41,8 @@ def test_a_set_has_the_forces_and_roughness_of_its_scans_at_the_sampled_heights(
         values = metrics(scaled)
         for name in TABLE1_METRICS.values():
             assert sampled_scan[name].item() == pytest.approx(values[name], rel=1e-9)
-        pair = join_bodies(mirror_stitch(scaled), None, CONTACT)
-        direct = pull_off_dataset(pair, CONTACT, RANGES)["pull_off_force"].values
+        bodies = join_bodies(mirror_stitch(scaled), None, CONTACT)
+        direct = pull_off_dataset(bodies, CONTACT, RANGES)["pull_off_force"].values
         np.testing.assert_allclose(
             sampled_scan["pull_off_force"].squeeze("scan"), direct, rtol=0.15
         )

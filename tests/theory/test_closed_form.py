@@ -89,8 +89,8 @@ def test_the_closed_form_predicts_forces_on_random_surfaces(rms, rho, error):
     forces = []
     for k in range(3):
         surface = random_surface(generator(7, k), pixels, size / pixels, spectrum)
-        pair = join_bodies(surface, None, touching)
-        plastic = pull_off_dataset(pair, touching, [rho]).sel(contact_model="plastic")
+        bodies = join_bodies(surface, None, touching)
+        plastic = pull_off_dataset(bodies, touching, [rho]).sel(contact_model="plastic")
         forces.append(plastic["pull_off_force"].values.mean())
     form = closed_form(spectrum, contact(rho, 400.0, radius))
     assert form.force == pytest.approx(np.mean(forces), rel=error)

@@ -1,4 +1,4 @@
-# Adhesion: rigid and plastic pull-off for every pair of substrate and sphere scan.
+# Adhesion: rigid and plastic pull-off of every sphere scan on every substrate scan.
 
 
 rule compute_pull_off:
@@ -20,7 +20,7 @@ rule compute_pull_off:
 
 
 rule aggregate_adhesion:
-    """Gather the pull-off forces of all pairs of scans: adhesion.nc."""
+    """Gather the pull-off forces of all sphere scans on all substrate scans: adhesion.nc."""
     input:
         scans=FILES.paths(PATTERNS.pull_off, FILES.substrate_scans),
     output:

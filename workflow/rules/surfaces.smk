@@ -4,7 +4,7 @@
 #   SELECTION          the surfaces of the table, with their labels, scans and source files
 #   SPHERE             the name of the sphere's surface
 #   NAMED_SURFACES     the label of each surface, and whether it was measured or is a substitute
-#   FILES              the files of each surface: spectra, scans, pairs of scans
+#   FILES              the files of each surface: spectra, scans, scans of both bodies in one
 #   CHUNKS             what one job computes together: scans of pools, masters, whole surfaces
 #   CONTACT            the arguments of class Contact: the keys of `contact`, the sphere's radius
 #   CONTACT_AT_RANGE   these, and the range of adhesion (nm)

@@ -1,4 +1,4 @@
-"""Pull-off forces of all surfaces, pairs of scans, contact models and ranges of adhesion."""
+"""Pull-off forces of all surfaces, scans, contact models and ranges of adhesion."""
 
 from hardcontact.base.dataset import read_all
 from hardcontact.contact.stacked_datasets import stack_pull_off_forces

@@ -139,7 +139,7 @@ def _best_group(groups: list[Group], interaction_radius: float, large_enough: fl
 def _sphere_group(groups: list[Group], substrates: Sequence[Entry], radius: float) -> Group:
     """Return the scans of the sphere: those on the pixels of the substrates, or the largest group.
 
-    Pairs are computed on the finer pixels of both, so that different sizes make large maps.
+    Two bodies are computed on the finer pixels of both, so that different sizes make large maps.
     """
 
     def rank(group: Group) -> tuple[bool, bool, int, float]:

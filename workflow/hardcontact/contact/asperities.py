@@ -1,4 +1,4 @@
-"""Find the asperities that carry the force of some contacts of one pair of scans.
+"""Find the asperities that carry the force of some contacts of two bodies.
 
 Of the fewest pixels that carry a share of the force, those that touch, also at a corner, form one
 asperity.

@@ -201,7 +201,7 @@ def solve_elastic_contacts(
     modulus: float,
     pull_off_window: float,
 ) -> xr.Dataset:
-    """Solve some contacts of a pair of scans with elasticity, without plasticity.
+    """Solve some contacts of two bodies with elasticity, without plasticity.
 
     The indices (contact, 2) are row and column in the array; the effective modulus is in Pa, the
     width of the pull-off window about the lowest gap in nm. Returns ELASTIC_UNITS (contact), and

@@ -79,7 +79,7 @@ def indents_of_scans(
     keys = [(scan, sphere_scan) for scan in substrates for sphere_scan in spheres]
     sizes_by_scans = {
         key: _sizes_of_bodies(make_bodies(*key), loaded_contacts)
-        for key in progress(keys, len(keys), "pairs of scans")
+        for key in progress(keys, len(keys), "sphere scans on substrate scans")
     }
     sizes = stack(sizes_by_scans, ["scan", "sphere_scan"])
     sizes = sizes.assign_coords(preload=("preload", list(preloads), NEWTON))
@@ -97,7 +97,7 @@ def _pixels_by_load(bodies: Bodies, loaded_contacts: Sequence[Contact]) -> list[
 
 
 def _sizes_of_bodies(bodies: Bodies, loaded_contacts: Sequence[Contact]) -> xr.Dataset:
-    """Return the sizes of indents (preload, contact_y, contact_x) of one pair of scans."""
+    """Return the sizes of indents (preload, contact_y, contact_x) of two bodies."""
     array_shape = [len(bodies.geometry.positions)] * 2
     sizes = np.array(
         [

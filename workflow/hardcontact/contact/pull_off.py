@@ -1,4 +1,4 @@
-"""Pull-off of a pair of scans: rigid and plastic, at every range, at several loadings.
+"""Pull-off of two bodies: rigid and plastic, at every range, at several loadings.
 
 A pixel at the gap g attracts with the pressure (W/rho) exp(-g/rho), Eq. 2 of the paper. Totals are
 sums of exp(-g/rho) at closest approach; `pull_off_force` turns them into forces, Eq. 3.
@@ -129,7 +129,7 @@ def _pixels_and_forces(
 
 
 def pull_off_dataset(bodies: Bodies, contact: Contact, ranges: Sequence[float]) -> xr.Dataset:
-    """Return the rigid and plastic pull-off force of a pair of scans at every contact and range.
+    """Return the rigid and plastic pull-off force of two bodies at every contact and range.
 
     Returns ``pull_off_force`` (contact_model, rho, contact_y, contact_x) in N at 1 J/m²,
     ``apex_height`` in nm, ``contact_pixel_count`` and `touched_patches`. Raises ValueError if a
@@ -177,7 +177,7 @@ def touched_patches(bodies: Bodies, contact_pixels: ContactPixels) -> int:
 
 
 def mean_pull_off_dataset(bodies: Bodies, contact: Contact, ranges: Sequence[float]) -> xr.Dataset:
-    """Return the pull-off forces of a pair of scans, averaged over its contacts.
+    """Return the pull-off forces of two bodies, averaged over the contacts.
 
     The ranges of adhesion are in nm. Returns ``pull_off_force`` (contact_model, rho) in N at
     1 J/m².
@@ -195,7 +195,7 @@ def force_on_finer_pixels(bodies: Bodies, contact: Contact, forces: xr.DataArray
     """Return the mean plastic force on pixels of half the size, relative to the bodies' own pixels.
 
     Both maps are Fourier interpolated, so that the surfaces stay the same. The forces (...) of the
-    pair in N at 1 J/m² are at the range of the contact.
+    bodies in N at 1 J/m² are at the range of the contact.
     """
     geometry = bodies.geometry
     substrate = bodies.substrate

@@ -28,11 +28,11 @@ def add_names(dataset: xr.Dataset, named_surfaces: NamedSurfaces) -> xr.Dataset:
 
 
 def stack_pull_off_forces(scans: DatasetsByLabels, named_surfaces: NamedSurfaces) -> xr.Dataset:
-    """Stack the pull-off forces of all surfaces, pairs of scans, contact models and ranges.
+    """Stack the pull-off forces of all surfaces, scans, contact models and ranges.
 
     `scans` has the dataset of `pull_off_with_checks` by (surface, scan).
     Returns the same variables over (surface, scan, ...); ``contact_pixel_count`` (contact_model) is
-    the largest of all pairs.
+    the largest of all scans.
     """
     dimensions = ["surface", "scan"]
     forces = stack(scans, dimensions)

@@ -1,4 +1,4 @@
-"""Indents and elastic contacts of pairs of scans, and an indent that is made by hand."""
+"""Indents and elastic contacts of two bodies, and an indent that is made by hand."""
 
 from dataclasses import replace
 
@@ -26,8 +26,8 @@ def test_indents_of_scans_equal_those_of_each_pair():
     spheres = {k: height_map(periodic_noise(128, 0.5, 10 + k), 8.0) for k in (2, 3)}
     indents = indents_of_scans(substrates, spheres, CONTACT, [10e-6, 40e-6])
     assert {name: indents.depth.sizes[name] for name in indents.depth.dims} == SHAPE
-    pair = join_bodies(substrates[4], spheres[2], CONTACT)
-    contacts = all_contact_pixels(pair, replace(CONTACT, preload=40e-6).pixel_count(8.0))
+    bodies = join_bodies(substrates[4], spheres[2], CONTACT)
+    contacts = all_contact_pixels(bodies, replace(CONTACT, preload=40e-6).pixel_count(8.0))
     depth = indents.depth.sel(scan=4, sphere_scan=2, preload=40e-6).values
     expected_depth = contacts.gaps[..., -1] - contacts.gaps[..., 0]
     np.testing.assert_allclose(depth, expected_depth, rtol=0, atol=1e-12)
@@ -39,9 +39,9 @@ def test_indents_of_scans_equal_those_of_each_pair():
 
 
 def test_elastic_contacts_carry_the_preload():
-    pair = make_bodies(periodic_noise(96, 2.0, 1), periodic_noise(96, 0.3, 2), 8.0, 512, 3)
+    bodies = make_bodies(periodic_noise(96, 2.0, 1), periodic_noise(96, 0.3, 2), 8.0, 512, 3)
     positions = sample_contacts(np.random.default_rng(1), 3, 2)
-    solved = solve_elastic_contacts(pair, CONTACT, positions, MODULUS, 600.0)
+    solved = solve_elastic_contacts(bodies, CONTACT, positions, MODULUS, 600.0)
     assert {name: solved[name].units for name in ELASTIC_UNITS} == ELASTIC_UNITS
     assert solved.sizes["contact"] == 2
     load = solved.elastic_contact_area * 1e-18 * solved.mean_pressure
