@@ -54,9 +54,11 @@ def added_spectrum():
 RATIO = {"finite_scan_ratio": (("surface", "end"), [[2.0, 4.0]])}
 FEW_PATCHES = {
     "contacts": ("surface", [64]), "touched_patches": ("surface", [3.0]),
-    "interval_source": ("surface", ["few_patches"]), "interval_is_conditional": ("surface", [1]),
+    "interval_source": ("surface", ["few_patches"]),
 }  # fmt: skip
-QUARTERS = {"interval_is_conditional": ("surface", [1]), "correlation_of_parts": ("surface", [0.2])}
+QUARTERS = {
+    "interval_source": ("surface", ["quarters"]), "correlation_of_parts": ("surface", [0.2]),
+}  # fmt: skip
 #: Code, changed datasets, whether the caution is grave, and its numbers or the ends of these.
 CASES = [
     ("small_scan", forces(search_size=("surface", [2560.0]), **RATIO), True,

@@ -6,18 +6,28 @@ from typing import Any, NamedTuple
 
 
 class Status(StrEnum):
-    """The codes of `Number.status`, which `report.quantities` and templates turn into words."""
+    """The codes of `Number.status` and of like variables of datasets.
 
+    `report.quantities` and templates turn them into words.
+    """
+
+    #: Nothing else is known of the number.
+    PLAIN = ""
     #: `value` is a bound: the number lies above or below it.
     OPEN_ABOVE, OPEN_BELOW = "open_above", "open_below"
     #: `low` or `high` is a bound.
     INTERVAL_OPEN_LOW, INTERVAL_OPEN_HIGH = "interval_open_low", "interval_open_high"
     #: A value is known; ends of its interval alone are known; nothing is known.
     KNOWN, ONLY_ENDS, NOT_KNOWN = "known", "ends", "not_known"
-    #: There is no interval: scans do not bound the number, or contacts touch too few patches.
-    NO_INTERVAL, FEW_PATCHES = "no_interval", "few_patches"
-    #: An edge is found; the filter's ripples hide it; no cutoff changes the force by the tolerance.
-    FOUND, RIPPLES, NO_EDGE, NO_BAND = "found", "ripples", "none", "no_band"
+    #: An interval comes from scans or from quarters of scans. There is none from one part of scans,
+    #: no edge if no cutoff changes the force by the tolerance, or no pair that fits all forces.
+    SCANS, QUARTERS, NONE = "scans", "quarters", "none"
+    #: There is no interval: scans do not bound the number, contacts touch too few patches, or
+    #: there is a single test.
+    NO_INTERVAL, FEW_PATCHES, ONE_TEST = "no_interval", "few_patches", "one_test"
+    #: An edge or the end of a region is found; the region extends beyond the computed ranges; the
+    #: filter's ripples hide the edge; there is no band.
+    FOUND, OPEN, RIPPLES, NO_BAND = "found", "open", "ripples", "no_band"
     #: Artificial roughness is untested, or does not follow from the scans.
     NO_HINDCAST, NO_EXPONENT = "no_hindcast", "no_exponent"
     #: No pair fits the measured forces; a single force does not determine a pair.
@@ -26,6 +36,9 @@ class Status(StrEnum):
     INSIDE, OUTSIDE = "inside", "outside"
     #: A change of the force by what the closed form leaves out.
     MATTERS, NEGLIGIBLE, UNKNOWN = "matters", "negligible", "unknown"
+    #: Regimes of the closed form, and ends of the extrapolated spectrum.
+    SMOOTH, MANY_POINTS, SINGLE_PEAKS = "smooth", "many_points", "single_peaks"
+    ATOMS, GRADIENT, HALF_LAPLACIAN = "atoms", "gradient", "half_laplacian"
     #: Bodies of a contact, by their elasticity.
     HARD, SOFT = "hard", "soft"
     #: Heights with steep sidewalls are not Gaussian: the closed form gives no force.
@@ -50,7 +63,7 @@ class Number(NamedTuple):
     name: name of the quantity.
     value, low, high: the number and the ends of its interval, in `unit`.
     unit: a unit of datasets: "nm", "N", "J m-2", "1".
-    status: a `Status`, or an empty text.
+    status: what else is known of the number.
     source: a code for the origin: "computed", "measured", "from_measured", "extrapolated",
         "artificial", "partly_artificial", "interval_artificial", "published", "given", "assumed",
         "file".
@@ -61,7 +74,7 @@ class Number(NamedTuple):
     unit: str = "1"
     low: float = math.nan
     high: float = math.nan
-    status: str = ""
+    status: Status = Status.PLAIN
     source: str = "computed"
 
     def __repr__(self) -> str:

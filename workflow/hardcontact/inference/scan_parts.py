@@ -20,6 +20,7 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from hardcontact.base.arrays import Floats
+from hardcontact.base.number import Status
 from hardcontact.base.statistics import MAX_LOG_DEVIATION, student_quantile
 from hardcontact.contact.contact import CONTACT_AXES
 
@@ -84,16 +85,16 @@ class ScanParts:
         return (1 + (count - 1) * correlation) / (1 - correlation), float(degrees_of_freedom)
 
     @property
-    def source(self) -> str:
-        """Source of an interval: "scans" or "quarters" of scans.
+    def source(self) -> Status:
+        """Source of an interval: SCANS or QUARTERS of scans.
 
-        A single part ("none") and parts that touch few patches ("few_patches") give no interval.
+        A single part (NONE) and parts that touch few patches (FEW_PATCHES) give no interval.
         """
         if not self.are_quarters:
-            return "scans"
+            return Status.SCANS
         if len(self.correlation) < 2 or self.mean_correlation > SAME_CORRELATION:
-            return "none"
-        return "few_patches" if self.touches_few_patches else "quarters"
+            return Status.NONE
+        return Status.FEW_PATCHES if self.touches_few_patches else Status.QUARTERS
 
 
 def fewest_touched_patches(adhesion: xr.Dataset) -> dict[str, float]:

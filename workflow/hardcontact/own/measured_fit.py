@@ -14,6 +14,7 @@ import xarray as xr
 
 from hardcontact.base.arrays import Floats
 from hardcontact.base.dataset import stack
+from hardcontact.base.number import Status
 from hardcontact.base.statistics import (
     Sampling,
     interval_between,
@@ -62,7 +63,7 @@ def fit_measured(
         fits[(model,)] = _fit_model(computed, test_means, force_samples, pixel_factors, sampling)
     # Tests and parts of scans, and so the sources of intervals, are the same for all models.
     sources = [
-        computed[name].scan_parts[0].source if test.site_count > 1 else "one_test"
+        computed[name].scan_parts[0].source if test.site_count > 1 else Status.ONE_TEST
         for name, test in zip(surfaces, tests, strict=True)
     ]
     variables = sampling.with_interval(
@@ -192,12 +193,12 @@ def _region_extent(region: Floats, ranges: Floats) -> dict[str, Any]:
     """
     allowed = np.flatnonzero(np.isfinite(region).all(axis=-1))
     region_range, region_work = np.full(2, np.nan), np.full(2, np.nan)
-    status = np.full(2, "none", "<U5")
+    status = np.full(2, Status.NONE, "<U5")
     if len(allowed):
         ends = allowed[[0, -1]]
         is_open = ends == [0, len(ranges) - 1]
         region_range = np.where(is_open, np.nan, ranges[ends])
-        status = np.where(is_open, "open", "found")
+        status = np.where(is_open, Status.OPEN, Status.FOUND)
         if not is_open.any():
             region_work = np.array([np.nanmin(region[:, 0]), np.nanmax(region[:, 1])])
     return {

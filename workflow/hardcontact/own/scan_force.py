@@ -80,8 +80,8 @@ def add_force_on_scan(
 
 def reason_without_force(
     scans: Sequence[HeightMap], contact: Contact, sums: int = 1
-) -> tuple[str, float]:
-    """Return why levelled scans give no force, "" if they do, and the shortest range (nm).
+) -> tuple[Status, float]:
+    """Return why levelled scans give no force, PLAIN if they do, and the shortest range (nm).
 
     The range is the shortest that a single map resolves. `sums` is the number of force sums.
     """
@@ -97,7 +97,7 @@ def reason_without_force(
         return Status.TOO_LARGE, math.nan
     grid = Grid(scan.pixels, scan.pixel_size, scan.size, float(np.ptp(scan.heights)))
     shortest_range, _ = minimum_range(contact.radius, window, grid)
-    return Status.RANGE_TOO_SHORT if contact.rho < shortest_range else "", shortest_range
+    return Status.RANGE_TOO_SHORT if contact.rho < shortest_range else Status.PLAIN, shortest_range
 
 
 def contact_on_scan(scan: HeightMap, contact: Contact) -> Contact:

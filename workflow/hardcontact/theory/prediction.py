@@ -76,6 +76,7 @@ def prediction(
     harmless = Status.NEGLIGIBLE, Status.INSIDE
     validated = error_is_known and all(number.status in harmless for number in checks)
     point = table_coordinates(waves, contact, form)
+    regime = Status(form.regime.replace(" ", "_"))
     numbers = [
         *inputs,
         _force_number("closed_form_force", form, point, validated),
@@ -83,7 +84,7 @@ def prediction(
         Number("log_force_std", predict_statistics(waves, contact).log_force_std),
         Number("force_over_smooth", form.force / smooth_force(contact)),
         Number("apex_height", form.apex_height, "nm"),
-        Number("weibull_modulus", form.weibull_modulus, status=form.regime.replace(" ", "_")),
+        Number("weibull_modulus", form.weibull_modulus, status=regime),
         *_edge_numbers("", critical_band(waves, contact, tolerance), point, validated),
         *checks,
     ]
@@ -187,7 +188,7 @@ def _edge_numbers(
             interval = _validated_interval(name, edge, point, validated)
             yield Number(f"{prefix}{name}", edge, "nm", *interval, Status.FOUND)
         else:
-            yield Number(f"{prefix}{name}", edge, "nm", status=Status.NO_EDGE)
+            yield Number(f"{prefix}{name}", edge, "nm", status=Status.NONE)
 
 
 class _Tail(NamedTuple):
@@ -237,7 +238,7 @@ def _extrapolated_numbers(
         *_edge_numbers("extrapolated_", band, point, validated),
         Number("extrapolated_to", float(waves.wavelength[-1]), "nm"),
         Number("extrapolated_rolloff", tail.rolloff, "nm"),
-        Number("extrapolated_hurst", tail.hurst, status=tail.ended_by),
+        Number("extrapolated_hurst", tail.hurst, status=Status(tail.ended_by)),
     ]
 
 

@@ -247,8 +247,7 @@ def _few_pixels(force: xr.Dataset) -> Caution | None:
 
 def _conditional_intervals(force: xr.Dataset) -> Caution | None:
     """Return a caution if intervals are conditional on the scans at hand."""
-    has_no_interval = force["interval_source"].item() in ("none", Status.FEW_PATCHES)
-    if not force["interval_is_conditional"].item() or has_no_interval:
+    if force["interval_source"].item() != Status.QUARTERS:
         return None
     numbers = {
         "scans": Number("scans", int(force["interval_scans"].item())),

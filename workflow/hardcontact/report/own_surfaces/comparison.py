@@ -35,7 +35,7 @@ def comparison_numbers(data: Datasets, reference: Datasets) -> Iterator[Number]:
     ends = [_log_distances(number) for number in (force, reference_force)]
     below, above = np.hypot(ends[0], ends[1][::-1])
     low, high = float(ratio * np.exp(-below)), float(ratio * np.exp(above))
-    status = "" if np.isfinite([low, high]).any() else Status.NO_INTERVAL
+    status = Status.PLAIN if np.isfinite([low, high]).any() else Status.NO_INTERVAL
     yield Number("force_over_reference", ratio, "1", low, high, status)
     octaves, contributions = octave_contributions(data, reference)
     # Some octaves may change the ratio in the opposite direction.

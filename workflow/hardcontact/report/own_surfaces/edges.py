@@ -61,7 +61,7 @@ class Conclusion(NamedTuple):
     extrapolated: list[str]
 
 
-def interval_status(source: xr.DataArray) -> str:
+def interval_status(source: xr.DataArray) -> Status:
     """Return the status of a number without interval: few patches touch, or no scan bounds it."""
     return Status.FEW_PATCHES if source.item() == Status.FEW_PATCHES else Status.NO_INTERVAL
 
@@ -74,7 +74,7 @@ def edge_number(side_edges: xr.Dataset, name: str, source: str = "computed") -> 
     edge = side_edges["edge"].item()
     low, high = (end.item() for end in interval_ends(side_edges, "edge"))
     if np.isfinite(edge):
-        return Number(name, edge, "nm", low, high, "", source)
+        return Number(name, edge, "nm", low, high, source=source)
     bound, status = side_edges["edge_bound"].item(), side_edges["edge_status"].item()
     return Number(name, bound, "nm", low, high, status, source)
 
@@ -193,5 +193,5 @@ def surface_conclusion(numbers: Mapping[str, Number]) -> Conclusion:
 def _drop_partial_interval(number: Number) -> Number:
     """Return a number without its interval if an end of it is not known."""
     is_whole = np.isfinite([number.low, number.high]).all() or np.isnan(number.value)
-    status = number.status if number.status in OPEN_WORDS else ""
+    status = number.status if number.status in OPEN_WORDS else Status.PLAIN
     return number if is_whole else number._replace(low=np.nan, high=np.nan, status=status)

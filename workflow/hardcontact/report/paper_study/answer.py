@@ -173,7 +173,7 @@ def _claim_numbers(name: str, row: Any, datasets: Mapping[str, xr.Dataset]) -> l
     source = "computed"
     if edge in EDGE_SIDES:
         source = _edge_source(datasets["scales"], EDGE_SIDES[edge][0], row.computed)
-    status = f"interval_open_{row.open_end}" if row.open_end else ""
+    status = Status(f"interval_open_{row.open_end}" if row.open_end else "")
     if name in EDGE_SIDES:
         side, open_status = EDGE_SIDES[name]
         if np.isnan(datasets["edges"]["edge"].sel(side=side, group=MEAN_GROUP).item()):
@@ -198,7 +198,7 @@ def surface_numbers(surface: str, datasets: Mapping[str, xr.Dataset]) -> dict[st
         interval = interval_ends(band.sel(labels), "edge")
         low, high = interval_with_sets(value, interval, samples, band.attrs["confidence"])
         end = open_end(side, value, low, high, [band, sets])
-        status = f"interval_open_{end}" if end else ""
+        status = Status(f"interval_open_{end}" if end else "")
         source = _edge_source(datasets["scales"], side, value)
         numbers[name] = Number(name, value, "nm", low, high, status, source)
     fit = datasets["fit"].sel(contact_model=PLASTIC, pair="published", surface=surface)
