@@ -14,9 +14,9 @@ from refusals import assert_says, refusal
 import hardcontact as hc
 from hardcontact.base.random import generator
 from hardcontact.commands.predict import predict, predict_arguments
-from hardcontact.config.model import Study
 from hardcontact.contact.geometry import contact_positions, window_pixels
 from hardcontact.own import scan_force
+from hardcontact.own.own_spectrum import OwnSpectrum
 from hardcontact.own.scan_force import add_force_on_scan, contact_on_scan, stitched_map
 from hardcontact.scans.joined_spectrum import joined_spectrum, reliable_spectrum
 from hardcontact.surfaces.levelling import level
@@ -155,7 +155,8 @@ def test_a_force_that_is_not_computed_has_a_reason():
         ([large], CONTACT, "too_large"),
         ([scan], short_range, "short_range"),
     ):
-        numbers = add_force_on_scan({}, scans, spectrum, contact, Study().inference.confidence)
+        own_spectrum = OwnSpectrum(spectrum, (), tuple(scans))
+        numbers = add_force_on_scan({}, own_spectrum, contact, 0.95)
         assert numbers["force_on_scan"].status == status
         assert np.isnan(numbers["force_on_scan"].value)
-    assert add_force_on_scan({}, [], spectrum, CONTACT, 0.95) == {}
+    assert add_force_on_scan({}, OwnSpectrum(spectrum, ()), CONTACT, 0.95) == {}

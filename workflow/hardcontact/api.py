@@ -29,18 +29,17 @@ from hardcontact.config.arguments import (
     make_periodic,
 )
 from hardcontact.config.faults import raise_faults
-from hardcontact.config.model import NONE, Study
+from hardcontact.config.model import NONE
 from hardcontact.contact.contact import PLASTIC, Contact
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import WORK_OF_ADHESION, pull_off_dataset, wider_window_change
 from hardcontact.inference.filtered_masters import Filters, filtered_pull_off
 from hardcontact.inference.master_datasets import add_force_ratios
 from hardcontact.own.edges_of_scans import edges_of_curves
-from hardcontact.own.own_spectrum import read_own_spectrum
-from hardcontact.own.scan_force import add_force_on_scan
-from hardcontact.scans.defects import scan_with_defects
+from hardcontact.own.own_spectrum import OwnSpectrum, read_own_spectrum, spectrum_of_map
+from hardcontact.own.scan_force import prediction_and_scan_force
 from hardcontact.scans.heights import map_values, unit_in_nm
-from hardcontact.scans.joined_spectrum import ScanSpectrum, joined_spectrum, reliable_spectrum
+from hardcontact.scans.joined_spectrum import ScanSpectrum
 from hardcontact.scans.reading import read_scan as read_any_scan
 from hardcontact.scans.refused_file import RefusedFile
 from hardcontact.surfaces.height_map import HeightMap, refuse_line_scan
@@ -48,7 +47,6 @@ from hardcontact.surfaces.levelling import remove_form
 from hardcontact.surfaces.metrics import metrics as metrics
 from hardcontact.surfaces.spectrum import Spectrum
 from hardcontact.surfaces.spectrum import measured_psds as measured_psds
-from hardcontact.theory.prediction import prediction
 from hardcontact.theory.validity import wide_contact_message
 
 if TYPE_CHECKING:
@@ -428,21 +426,17 @@ def predict(
     """
     check_quantities(radius=radius, preload=preload, hardness=hardness, rho=rho, work=work)
     check_positive(tolerance=tolerance)
-    scans = []
-    spectrum = roughness
     if isinstance(roughness, HeightMap):
         check_heights(roughness.heights, "roughness")
-        scan = scan_with_defects(HeightMap(roughness.heights.astype(float), roughness.pixel_size))
-        joined = joined_spectrum([scan], [None])
-        spectrum = reliable_spectrum(joined, metrics(roughness)["skewness"])
-        scans = [scan]
-    if not isinstance(spectrum, Spectrum):
+        heights = roughness.heights.astype(float)
+        own_spectrum = spectrum_of_map(HeightMap(heights, roughness.pixel_size, path="roughness"))
+    elif isinstance(roughness, Spectrum):
+        own_spectrum = OwnSpectrum(roughness, ())
+    else:
         raise ValueError(
             "roughness: expected a scan of hc.read_scan(FILE), or a spectrum of "
             f"hc.read_spectrum(FILE), found {type(roughness).__name__}"
         )
     contact = Contact(radius=radius, rho=rho, work=work, preload=preload, hardness=hardness)
     raise_faults(filter(None, [wide_contact_message(contact)]))
-    numbers = prediction(spectrum, contact, tolerance)
-    confidence = Study().inference.confidence
-    return add_force_on_scan(numbers, scans, spectrum, contact, confidence)
+    return prediction_and_scan_force(own_spectrum, contact, tolerance)

@@ -29,11 +29,10 @@ from hardcontact.inference.wide_pixels import WIDE_PIXEL
 from hardcontact.own.own_spectrum import OwnSpectrum, read_own_spectrum
 from hardcontact.own.predicted_octaves import predicted_octaves
 from hardcontact.own.rough_sphere import combined_spectrum
-from hardcontact.own.scan_force import add_force_on_scan
+from hardcontact.own.scan_force import prediction_and_scan_force
 from hardcontact.scans.both_bodies import sphere_share
 from hardcontact.scans.heights import TAKE_CARE
 from hardcontact.scans.joined_spectrum import ScanSpectrum
-from hardcontact.theory.prediction import prediction
 from hardcontact.theory.validity import (
     MAX_NEGLIGIBLE_CHANGE,
     assumed_modulus,
@@ -134,12 +133,8 @@ def compute_numbers(inputs: Inputs, arguments: Namespace) -> dict[str, Number]:
     quantities, contact, own_spectrum, _ = inputs
     spectrum = own_spectrum.spectrum
     numbers = {name: _quantity_number(name, quantities[name]) for name in CONTACT_QUANTITIES}
-    study = Study()
-    predicted_numbers = prediction(spectrum, contact, study.scales.tolerance, arguments.file)
-    confidence = study.inference.confidence
-    numbers |= add_force_on_scan(
-        predicted_numbers, own_spectrum.scans, spectrum, contact, confidence, own_spectrum.bodies
-    )
+    tolerance = Study().scales.tolerance
+    numbers |= prediction_and_scan_force(own_spectrum, contact, tolerance, arguments.file)
     numbers |= {number.name: number for number in predicted_octaves(own_spectrum, contact)}
     if arguments.sphere and isinstance(spectrum, ScanSpectrum) and "octave_1" in numbers:
         middle = math.sqrt(2) * numbers["octave_1"].value

@@ -110,6 +110,11 @@ def read_own_spectrum(
     return _spectrum_of_scans(scans, names, tip_radius, [*repeated.values()])
 
 
+def spectrum_of_map(scan: HeightMap) -> OwnSpectrum:
+    """Return the spectrum of a map at its reliable wavelengths; the map is levelled once more."""
+    return _spectrum_of_scans([scan_with_defects(scan)], [scan.path], None, [])
+
+
 def _spectrum_of_table(path: str | Path) -> OwnSpectrum:
     """Return the spectrum of a table, with a note on rows without roughness."""
     spectrum = table_spectrum(path)

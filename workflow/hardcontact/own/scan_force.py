@@ -9,6 +9,7 @@ import xarray as xr
 
 from hardcontact.base.number import Number, Status
 from hardcontact.config.grids import Grid, minimum_range, periods_in_window
+from hardcontact.config.model import Study
 from hardcontact.contact.contact import PLASTIC, Contact
 from hardcontact.contact.finite_scan import LARGE_ENOUGH, finite_scan_ratio
 from hardcontact.contact.geometry import (
@@ -22,12 +23,13 @@ from hardcontact.contact.scan_pull_off import pull_off_on_spheres
 from hardcontact.contact.smooth_sphere import limit_forces
 from hardcontact.inference.wide_pixels import finer_pixel_factor, widen_pixels
 from hardcontact.own.mean_forces import forces_of_surface, mean_intervals, position_half_width
+from hardcontact.own.own_spectrum import OwnSpectrum
 from hardcontact.own.scan_window import window_on_scans
 from hardcontact.scans.joined_spectrum import ScanSpectrum
 from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
 from hardcontact.surfaces.spectrum import Spectrum, measured_psds
 from hardcontact.theory.closed_form import closed_form, smooth_force
-from hardcontact.theory.prediction import EDGE_NAMES
+from hardcontact.theory.prediction import EDGE_NAMES, prediction
 from hardcontact.theory.summits import search_size
 from hardcontact.theory.validity import is_validated, nearest_errors, table_coordinates
 
@@ -45,20 +47,23 @@ PREDICTED = [
 ]
 
 
-def add_force_on_scan(
-    numbers: Mapping[str, Number],
-    scans: Sequence[HeightMap],
-    spectrum: Spectrum,
-    contact: Contact,
-    confidence: float,
-    body_maps: Sequence[HeightMap] = (),
+def prediction_and_scan_force(
+    own_spectrum: OwnSpectrum, contact: Contact, tolerance: float, name: str = "spectrum"
 ) -> dict[str, Number]:
-    """Return the force on levelled scans, if there are any, and the numbers of a prediction.
+    """Return the numbers of `prediction` for the user's spectrum, and the force on the only map."""
+    numbers = prediction(own_spectrum.spectrum, contact, tolerance, name)
+    return add_force_on_scan(numbers, own_spectrum, contact, Study().inference.confidence)
 
-    The spectrum is that of the scans; it is used extrapolated, as a study does. `body_maps` are
-    the maps of substrate and rough sphere, whose sum is the scan.
-    If the closed form disagrees with this force, its predictions lose their intervals.
+
+def add_force_on_scan(
+    numbers: Mapping[str, Number], own_spectrum: OwnSpectrum, contact: Contact, confidence: float
+) -> dict[str, Number]:
+    """Return the force on the user's scans, if there are any, and the numbers of a prediction.
+
+    The spectrum is used extrapolated, as a study does. If the closed form disagrees with the force
+    on the scan, its predictions lose their intervals.
     """
+    spectrum, _, scans, bodies = own_spectrum
     if not (scans and isinstance(spectrum, ScanSpectrum)):
         return dict(numbers)
     status, shortest_range = reason_without_force(scans, contact)
@@ -68,7 +73,7 @@ def add_force_on_scan(
             scan_numbers.append(Number("shortest_range", shortest_range, "nm"))
     else:
         search = search_size(spectrum.extrapolated(), contact.radius, contact.area)
-        scan_numbers = list(_force_numbers(scans[0], search, contact, confidence, body_maps))
+        scan_numbers = list(_force_numbers(scans[0], search, contact, confidence, bodies))
     result = {number.name: number for number in scan_numbers} | dict(numbers)
     if not status and result["closed_form_on_scan"].status != Status.AGREES:
         for name in result.keys() & set(PREDICTED):
