@@ -30,7 +30,7 @@ from hardcontact.report.templates import Frame
 
 CITATION = yaml.safe_load((ROOT / "CITATION.cff").read_text("utf-8"))
 PAGES = yaml.safe_load((ROOT / "workflow/report/pages.yaml").read_text("utf-8"))
-FRAME = Frame("1.2.3", list(PAGES))
+FRAME = Frame("1.2.3", {name: category for name, (category, _) in PAGES.items()})
 
 
 def claims():

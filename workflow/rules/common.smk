@@ -33,7 +33,7 @@ ANSWER = {
     "page": report(
         PATTERNS.result("answer.html"),
         caption="../report/answer.rst",
-        category="0. Answer",
+        category="0. Results",
         labels={"page": "the answer"},
     ),
     "json": PATTERNS.result("answer.json"),

@@ -34,8 +34,8 @@ with run_job(snakemake) as job:
     table1 = table1_rows(datasets["topography"], published_table1)
     figures = {path.stem: path.read_bytes() for path in map(Path, job.input.figures)}
     captions = {name: caption(name, job.parameters) for name in figures}
-    page_titles = yaml.safe_load(Path(job.input.pages).read_text("utf-8"))
-    frame = Frame(answer["version"], [*page_titles])
+    pages = yaml.safe_load(Path(job.input.pages).read_text("utf-8"))
+    frame = Frame(answer["version"], {name: category for name, (category, _) in pages.items()})
     job.write_text(paper_page(answer, claims, figures, captions, citation, frame), "page")
     job.write_text(figures_page(answer, table1, figures, captions, frame), "figures")
     chapters = {path.stem: path.read_text("utf-8") for path in map(Path, job.input.chapters)}

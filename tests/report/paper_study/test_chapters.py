@@ -164,7 +164,7 @@ def test_every_page_links_to_all_others_and_no_link_is_dead():
     assert dead_links(study_pages, files) == []
     assert set(study_pages) == {"answer.html", *(f"report/{name}.html" for name in PAGES)}
     for path, html in study_pages.items():
-        menu = re.search('<nav class="menu".*?</nav>', html, re.DOTALL)[0]
+        menu = re.search('<nav class="menu pages".*?</nav>', html, re.DOTALL)[0]
         assert menu.count("<a ") == len(PAGES) and menu.count('aria-current="page"') == 1, path
 
 

@@ -5,7 +5,7 @@ import hashlib
 import math
 import re
 import subprocess
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping
 from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -27,7 +27,7 @@ class Frame(NamedTuple):
     """The facts that all pages of a study share."""
 
     version: str  #: Version of this program.
-    pages: Sequence[str] = ()  #: Names of the pages in the folder `report`, in their order.
+    pages: Mapping[str, str] = {}  #: Category of each page in the folder `report`, by its name.
 
 
 def render_document(template: str, frame: Frame, page: str, **facts: Any) -> str:

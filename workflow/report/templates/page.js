@@ -91,8 +91,6 @@ function reveal() {
   target?.scrollIntoView();
 }
 
-// The menu shows the name of this page, though narrow screens show few names at once.
-document.querySelector(".menu b")?.scrollIntoView({block: "nearest", inline: "center"});
 addEventListener("hashchange", reveal);
 reveal();
 

@@ -1,7 +1,7 @@
 """Chapters of the report: Markdown as HTML, with anchors, formulas and links between pages."""
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -23,7 +23,7 @@ class Chapter(NamedTuple):
     sections: list[tuple[str, str]]  #: Anchor and heading of each section, in their order.
 
 
-def convert_chapter(text: str, pages: Sequence[str] = ()) -> Chapter:
+def convert_chapter(text: str, pages: Collection[str] = ()) -> Chapter:
     """Return a chapter in Markdown as HTML, with anchors at its headings and formulas as MathML.
 
     Links to documents that are pages lead there, others into the repository become plain text.
@@ -48,7 +48,7 @@ def _mathml(formula: str, options: Mapping[str, bool]) -> str:
     return convert(formula, display="block" if options["display_mode"] else "inline")
 
 
-def _page_link(link: re.Match[str], pages: Sequence[str]) -> str:
+def _page_link(link: re.Match[str], pages: Collection[str]) -> str:
     """Return a link to a page in place of one to its document, the words of any other link."""
     words, document, anchor = link.groups(default="")
     return f"[{words}]({document}.html{anchor})" if document in pages else words
