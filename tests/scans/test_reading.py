@@ -12,7 +12,7 @@ from SurfaceTopography import NonuniformLineScan, Topography, UniformLineScan
 from hardcontact.base import dataset
 from hardcontact.scans.heights import stated_tip_radius
 from hardcontact.scans.reading import list_scans, read_scan
-from hardcontact.surfaces.height_map import HeightMap, read_height_map, refuse_line_scan
+from hardcontact.surfaces.height_map import HeightMap, load_height_map, refuse_line_scan
 
 
 def write_and_list(write, path, topography):
@@ -279,7 +279,7 @@ def test_a_stored_measurement_keeps_every_field(tmp_path, topography, statements
     file = write_and_list(MAPS["nc"], tmp_path / "a.nc", topography)
     measurement = replace(read_scan(*file), **statements)
     dataset.write(measurement.to_dataset(), tmp_path / "stored.nc")
-    stored_measurement = read_height_map(tmp_path / "stored.nc")
+    stored_measurement = load_height_map(tmp_path / "stored.nc")
     for field in fields(HeightMap):
         stored_value = getattr(stored_measurement, field.name)
         np.testing.assert_array_equal(stored_value, getattr(measurement, field.name))

@@ -38,9 +38,9 @@ from hardcontact.inference.master_datasets import add_force_ratios
 from hardcontact.own.edges_of_scans import edges_of_curves
 from hardcontact.own.own_spectrum import OwnSpectrum, read_own_spectrum, spectrum_of_map
 from hardcontact.own.scan_force import prediction_and_scan_force
+from hardcontact.scans import reading
 from hardcontact.scans.heights import map_values, unit_in_nm
 from hardcontact.scans.joined_spectrum import ScanSpectrum
-from hardcontact.scans.reading import read_scan as read_any_scan
 from hardcontact.scans.refused_file import RefusedFile
 from hardcontact.surfaces.height_map import HeightMap, refuse_line_scan
 from hardcontact.surfaces.levelling import remove_form
@@ -104,7 +104,7 @@ def read_scan(
         map_size=map_size if map_size != NONE else None, sphere_radius=sphere_radius
     )
     with arguments_in_messages():
-        scan = read_any_scan(path, dataset, undefined_pixels, unit, map_size, mask)
+        scan = reading.read_scan(path, dataset, undefined_pixels, unit, map_size, mask)
         refuse_line_scan(scan)
     return _prepare(scan, sphere_radius, levelling)
 

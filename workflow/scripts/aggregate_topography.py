@@ -2,7 +2,7 @@
 
 from hardcontact.base import dataset
 from hardcontact.records.job import run_job
-from hardcontact.surfaces.height_map import read_height_map
+from hardcontact.surfaces.height_map import load_height_map
 from hardcontact.surfaces.roughness_table import measured_roughness, roughness_table
 
 with run_job(snakemake) as job:
@@ -15,7 +15,7 @@ with run_job(snakemake) as job:
     conditionings = zip(params.pop("conditioned"), job.input.conditionings, strict=True)
     job.write(
         roughness_table(
-            {key: measured_roughness(read_height_map(path)) for key, path in paths.items()},
+            {key: measured_roughness(load_height_map(path)) for key, path in paths.items()},
             {surface: dataset.read(path) for surface, path in spectra},
             {surface: dataset.read(path) for surface, path in conditionings},
             {surface: dataset.read(path) for surface, path in first_scans.items()},

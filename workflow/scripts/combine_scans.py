@@ -3,12 +3,12 @@
 from hardcontact.base.random import generator
 from hardcontact.records.job import run_job
 from hardcontact.scans.both_bodies import combine_maps
-from hardcontact.surfaces.height_map import read_height_map
+from hardcontact.surfaces.height_map import load_height_map
 
 with run_job(snakemake) as job:
     params = job.parameters
     key = [params[name] for name in ("surface", "scan", "sphere_scan")]
-    bodies = [read_height_map(path) for path in (job.input.substrate, job.input.sphere)]
+    bodies = [load_height_map(path) for path in (job.input.substrate, job.input.sphere)]
     job.write(
         combine_maps(generator(params["seed"], *key, "both bodies"), *bodies).to_dataset(),
         title="roughness of a substrate and of the sphere, with mirror images, periodic",

@@ -5,7 +5,7 @@ from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact
 from hardcontact.inference.filtered_masters import Filters, filtered_pull_off, sampled_master
 from hardcontact.records.job import Job, run_job
-from hardcontact.surfaces.height_map import HeightMap, read_height_map
+from hardcontact.surfaces.height_map import HeightMap, load_height_map
 from hardcontact.surfaces.synthesis import SEED_WORDS, SIDES
 
 
@@ -16,10 +16,10 @@ def master(job: Job, side: str, index: int) -> HeightMap:
     """
     params = job.parameters
     if params["masters_are_files"]:
-        return read_height_map(job.input[f"{side}_masters"][index])
+        return load_height_map(job.input[f"{side}_masters"][index])
     stream = f"{SEED_WORDS[side]}-scale {params['stream']}"
     rng = generator(params["seed"], params["surface"], params["realizations"][index], stream)
-    scan = read_height_map(job.input.scans[index])
+    scan = load_height_map(job.input.scans[index])
     spectrum_data = read(job.input.spectra[index])
     return sampled_master(side, rng, scan, params["sides"][side], spectrum_data)
 
@@ -35,7 +35,7 @@ with run_job(snakemake) as job:
         )
         for loading in params["loadings"]
     ]
-    sphere = read_height_map(job.input.sphere) if job.input.sphere else None
+    sphere = load_height_map(job.input.sphere) if job.input.sphere else None
     filters = {
         side: Filters(side, params["sides"][side]["pixels"], params["sides"][side]["cutoffs"])
         for side in SIDES

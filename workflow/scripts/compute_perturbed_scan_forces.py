@@ -9,14 +9,14 @@ from hardcontact.inference.hindcast import RandomBody, hindcast_forces, last_oct
 from hardcontact.inference.octaves import octave_force_dataset, octave_limits
 from hardcontact.inference.wide_pixels import pixel_forces
 from hardcontact.records.job import run_job
-from hardcontact.surfaces.height_map import read_height_map
-from hardcontact.surfaces.spectrum import read_spectrum
+from hardcontact.surfaces.height_map import load_height_map
+from hardcontact.surfaces.spectrum import load_spectrum
 
 with run_job(snakemake) as job:
     params = job.parameters
     contact = Contact(**params["contact"])
-    stitched = read_height_map(job.input.stitched)
-    sphere = read_height_map(job.input.sphere) if job.input.sphere else None
+    stitched = load_height_map(job.input.stitched)
+    sphere = load_height_map(job.input.sphere) if job.input.sphere else None
     compute_forces = make_force_function(contact, sphere)
     # A stitched scan is twice as long as the scan, whose mirror images add no longer waves.
     scan_size = stitched.size / 2
@@ -25,7 +25,7 @@ with run_job(snakemake) as job:
     last = last_octaves(measurements, params["transitions"])
     sizes = [scan_size, *measurements["size"].values[1:]]
     bodies = [
-        RandomBody(read_spectrum(path), size, params["seed"], scan)
+        RandomBody(load_spectrum(path), size, params["seed"], scan)
         for path, size, scan in zip(job.input.body_spectra, sizes, params["bodies"], strict=True)
     ]
     job.write(

@@ -4,16 +4,16 @@ from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies, spheres_at_positions
 from hardcontact.contact.scan_pull_off import pull_off_with_checks
 from hardcontact.records.job import run_job
-from hardcontact.surfaces.height_map import read_height_map
+from hardcontact.surfaces.height_map import load_height_map
 
 with run_job(snakemake) as job:
     params = job.parameters
     contact = Contact(**params["contact"])
-    substrate = read_height_map(job.input.substrate)
+    substrate = load_height_map(job.input.substrate)
     spheres = [
         sphere
         for path in job.input.spheres
-        for sphere in spheres_at_positions(read_height_map(path), params["positions_per_row"])
+        for sphere in spheres_at_positions(load_height_map(path), params["positions_per_row"])
     ]
     all_bodies = {
         number: join_bodies(substrate, sphere, contact)

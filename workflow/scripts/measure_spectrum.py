@@ -3,12 +3,12 @@
 from hardcontact.records.job import run_job
 from hardcontact.scans.defects import scan_with_defects
 from hardcontact.scans.joined_spectrum import joined_spectrum
-from hardcontact.surfaces.height_map import read_height_map
+from hardcontact.surfaces.height_map import load_height_map
 
 with run_job(snakemake) as job:
     params = job.parameters
     measurements = [
-        scan_with_defects(read_height_map(file), params["sphere_radius"], params["levelling"])
+        scan_with_defects(load_height_map(file), params["sphere_radius"], params["levelling"])
         for file in job.input.measurements
     ]
     job.write(

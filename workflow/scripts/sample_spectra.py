@@ -3,7 +3,7 @@
 from hardcontact.base.random import generator
 from hardcontact.records.job import run_job
 from hardcontact.scans.joined_spectrum import sample_spectra
-from hardcontact.surfaces.height_map import read_height_map
+from hardcontact.surfaces.height_map import load_height_map
 from hardcontact.surfaces.levelling import remove_form
 from hardcontact.surfaces.spectrum import spectrum_dataset
 
@@ -17,7 +17,7 @@ with run_job(snakemake) as job:
             for realization in range(1, len(job.output) + 1)
         ),
         [
-            remove_form(read_height_map(file), params["sphere_radius"], params["levelling"])
+            remove_form(load_height_map(file), params["sphere_radius"], params["levelling"])
             for file in job.input.measurements
         ],
         params["tip_radii"],

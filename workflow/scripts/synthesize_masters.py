@@ -2,16 +2,16 @@
 
 from hardcontact.base.random import generator
 from hardcontact.records.job import run_job
-from hardcontact.surfaces.height_map import read_height_map
-from hardcontact.surfaces.spectrum import read_spectrum
+from hardcontact.surfaces.height_map import load_height_map
+from hardcontact.surfaces.spectrum import load_spectrum
 from hardcontact.surfaces.synthesis import SEED_WORDS, synthesize_master
 
 with run_job(snakemake) as job:
     params = job.parameters
     surface = params["surface"]
     realization = params["realization"]
-    scan = read_height_map(job.input.scan)
-    spectrum = read_spectrum(job.input.spectrum)
+    scan = load_height_map(job.input.scan)
+    spectrum = load_spectrum(job.input.spectrum)
     for side, settings in params["sides"].items():
         rng = generator(params["seed"], surface, realization, f"{SEED_WORDS[side]}-scale master")
         master = synthesize_master(side, rng, scan, settings, spectrum)

@@ -14,7 +14,7 @@ from hardcontact.contact.finite_scan import SMALLEST_TESTED
 from hardcontact.report.own_surfaces.answer import own_answer, surface_answers
 from hardcontact.report.own_surfaces.artificial_roughness import measurement_name
 from hardcontact.scans.joined_spectrum import joined_spectrum
-from hardcontact.surfaces.height_map import read_height_map
+from hardcontact.surfaces.height_map import load_height_map
 
 
 def all_cautions(**others):
@@ -108,7 +108,7 @@ def test_a_caution_with_a_semicolon_stays_whole_from_the_scan_to_the_page(tmp_pa
     notes = ("cropped", f"take care: {caution}")
     scan = replace(map_of(generator(21), 64, 10.0), notes=notes)
     dataset.write(scan.to_dataset(), tmp_path / "scan.nc")
-    stored_scan = read_height_map(tmp_path / "scan.nc")
+    stored_scan = load_height_map(tmp_path / "scan.nc")
     assert stored_scan.notes == notes
     dataset.write(joined_spectrum([stored_scan], [None]), tmp_path / "spectrum.nc")
     stored_notes = dataset.read(tmp_path / "spectrum.nc")["notes"].item()

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from hardcontact.base.arrays import Floats
 from hardcontact.contact.contact import Contact
 from hardcontact.surfaces.filters import interpolate
-from hardcontact.surfaces.height_map import HeightMap, read_height_map
+from hardcontact.surfaces.height_map import HeightMap, load_height_map
 
 #: Minimum number of positions on a rough sphere that touch each own surface. With 16 an interval is
 #: 1.1 times as wide as with many positions; each position costs computing time.
@@ -139,8 +139,8 @@ def spheres_at_positions(sphere: HeightMap, positions_per_row: int) -> list[Heig
 
 def read_bodies(substrate: str, sphere: str | None, contact: Contact) -> Bodies:
     """Bring together two height maps, read from files that the study wrote, as in `join_bodies`."""
-    sphere_map = read_height_map(sphere) if sphere else None
-    return join_bodies(read_height_map(substrate), sphere_map, contact)
+    sphere_map = load_height_map(sphere) if sphere else None
+    return join_bodies(load_height_map(substrate), sphere_map, contact)
 
 
 def _in_native_precision(surface: HeightMap) -> HeightMap:

@@ -22,7 +22,7 @@ from hardcontact.files.patterns import study_patterns
 from hardcontact.records.origin import canonical_json, is_current
 from hardcontact.scans.reading import read_scan
 from hardcontact.surfaces.descriptions import needs_calibration, read_segments
-from hardcontact.surfaces.height_map import HeightMap, read_height_map, refuse_line_scan
+from hardcontact.surfaces.height_map import HeightMap, load_height_map, refuse_line_scan
 from hardcontact.surfaces.substitute_spectra import described_rms_height
 
 #: The statements of the paper.
@@ -145,7 +145,7 @@ def stored_scan(config: dict[str, Any], row: Any) -> HeightMap:
     arguments = reading_keys(config, row.dataset)
     for stored in glob(pattern.format(surface=row.surface, scan=row.scan, digest="*")):
         if is_current(stored, canonical_json(arguments), row.path):
-            return read_height_map(stored)
+            return load_height_map(stored)
     return read_scan(row.path, **arguments)
 
 

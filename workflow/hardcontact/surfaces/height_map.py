@@ -113,8 +113,8 @@ class HeightMap:
 TEXT_FIELDS = ("source", "path", "channel", "file_unit")
 
 
-def read_height_map(path: str) -> HeightMap:
-    """Read a height map from a netCDF file of the study; raises ValueError if it is unreadable."""
+def load_height_map(path: str) -> HeightMap:
+    """Load a height map from a netCDF file of the study; raises ValueError if it is unreadable."""
     map_dataset = read(path)
     heights = map_dataset["heights"]
     attributes = map_dataset.attrs

@@ -104,8 +104,8 @@ def nearest_bin(wavelength: float) -> int:
     return int(np.abs(np.log(BIN_CENTRES * wavelength / (2 * np.pi))).argmin())
 
 
-def read_spectrum(path: str) -> Spectrum:
-    """Read a spectrum from a file of the study; raises ValueError if it is unreadable."""
+def load_spectrum(path: str) -> Spectrum:
+    """Load a spectrum from a file of the study; raises ValueError if it is unreadable."""
     return spectrum_of_dataset(dataset.read(path))
 
 
