@@ -1,24 +1,28 @@
 """Forces on whole substitute surfaces with a part of their roughness, by the limits of a band."""
 
-from hardcontact.base import published
-from hardcontact.base.dataset import read
+from hardcontact.base.dataset import read, stack
+from hardcontact.base.progress import progress
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.pull_off import make_force_function
 from hardcontact.inference.band_forces import band_force_dataset
 from hardcontact.inference.edges import mean_band
 from hardcontact.records.job import run_job
-from hardcontact.surfaces.featured_scans import summarize_whole_surfaces
+from hardcontact.surfaces.conditioning import read_substitute
+from hardcontact.surfaces.featured_scans import whole_surface
 
 with run_job(snakemake) as job:
-    compute_forces = make_force_function(Contact(**job.parameters["contact"]))
-    constants = published.read_constants(job.input.published_constants)["value"]
-    bands = {
-        "published": (constants["short_edge"], constants["long_edge"]),
-        "found": mean_band(read(job.input.edges)),
-    }
+    params = job.parameters
+    numbers = params["realizations"]
+    compute_forces = make_force_function(Contact(**params["contact"]))
+    substitute = read_substitute(params["surface"], job.input, params["scan_grid"], params["seed"])
+    description = None if params["has_features"] else job.input.description
+    published_band = substitute.constants["value"][["short_edge", "long_edge"]]
+    bands = {"published": tuple(published_band), "found": mean_band(read(job.input.edges))}
+    forces = {}
+    for number in progress(numbers, len(numbers), "surfaces"):
+        surface = whole_surface(substitute, description, number, **params["grid"])
+        forces[(number,)] = band_force_dataset(surface, bands, compute_forces)
     job.write(
-        summarize_whole_surfaces(
-            job, lambda surface: band_force_dataset(surface, bands, compute_forces)
-        ),
-        title=f"pull-off forces of {job.parameters['surface']} with a part of the roughness",
+        stack(forces, ["map"]).assign_attrs(map_size=surface.size),
+        title=f"pull-off forces of {params['surface']} with a part of the roughness",
     )

@@ -9,7 +9,7 @@ from hardcontact.surfaces.featured_scans import featured_surface
 with run_job(snakemake) as job:
     params = job.parameters
     numbers = range(params["first"], params["last"] + 1)
-    substitute = read_substitute(job)
+    substitute = read_substitute(params["surface"], job.input, params["scan_grid"], params["seed"])
     contact = Contact(**params["contact"])
     inputs = SampleInputs(
         featured_surface(substitute), params["scan_count"], contact, params["ranges"]

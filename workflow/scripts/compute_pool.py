@@ -8,7 +8,7 @@ from hardcontact.surfaces.conditioning import read_substitute, required_targets
 with run_job(snakemake) as job:
     params = job.parameters
     numbers = range(params["first"], params["last"] + 1)
-    substitute = read_substitute(job)
+    substitute = read_substitute(params["surface"], job.input, params["scan_grid"], params["seed"])
     contact = Contact(**params["contact"])
     rms_heights = pool_heights(
         required_targets(substitute), params["scan_count"], params["rms_height_count"]

@@ -1,28 +1,31 @@
 """Forces on whole substitute surfaces: at all ranges, and with each octave amplified."""
 
-import xarray as xr
-
+from hardcontact.base.dataset import stack
+from hardcontact.base.progress import progress
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import make_force_function, mean_pull_off_dataset
 from hardcontact.inference.octaves import octave_force_dataset, octave_limits
 from hardcontact.records.job import run_job
-from hardcontact.surfaces.featured_scans import summarize_whole_surfaces
-from hardcontact.surfaces.height_map import HeightMap
+from hardcontact.surfaces.conditioning import read_substitute
+from hardcontact.surfaces.featured_scans import whole_surface
 
 with run_job(snakemake) as job:
     params = job.parameters
+    numbers = params["realizations"]
     contact = Contact(**params["contact"])
-
-    def forces_on(surface: HeightMap) -> xr.Dataset:
-        """Return the forces on a surface as it is, and with each octave amplified."""
+    substitute = read_substitute(params["surface"], job.input, params["scan_grid"], params["seed"])
+    description = None if params["has_features"] else job.input.description
+    forces = {}
+    for number in progress(numbers, len(numbers), "surfaces"):
+        surface = whole_surface(substitute, description, number, **params["grid"])
         limits = octave_limits(2 * surface.pixel_size, 2 * surface.size)
+        octave_forces = octave_force_dataset(surface, limits, make_force_function(contact))
         bodies = join_bodies(surface, None, contact)
-        return octave_force_dataset(surface, limits, make_force_function(contact)).merge(
+        forces[(number,)] = octave_forces.merge(
             mean_pull_off_dataset(bodies, contact, params["ranges"])
         )
-
     job.write(
-        summarize_whole_surfaces(job, forces_on),
+        stack(forces, ["map"]).assign_attrs(map_size=surface.size),
         title=f"pull-off forces on whole surfaces of {params['surface']}",
     )

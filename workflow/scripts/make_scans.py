@@ -7,7 +7,7 @@ from hardcontact.surfaces.levelling import LEVELLED, STITCHED, level_and_stitch
 
 with run_job(snakemake) as job:
     params = job.parameters
-    substitute = read_substitute(job)
+    substitute = read_substitute(params["surface"], job.input, params["scan_grid"], params["seed"])
     if params["has_features"]:
         conditioning, scans = featured_group(substitute, params["scan_numbers"])
     else:

@@ -8,7 +8,7 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 import pandas as pd
@@ -18,7 +18,6 @@ from hardcontact.base import dataset, published
 from hardcontact.base.arrays import Floats
 from hardcontact.base.random import generator
 from hardcontact.base.units import DIMENSIONLESS, RAD_PER_NM
-from hardcontact.records.job import Job
 from hardcontact.surfaces.descriptions import AFM_ROWS
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.levelling import level
@@ -105,14 +104,16 @@ class Substitute:
         )
 
 
-def read_substitute(job: Job) -> Substitute:
-    """Read from the inputs and parameters of a job what the scans of a substitute are made of."""
-    surface = job.parameters["surface"]
-    spectrum_data = dataset.read(job.input.spectrum)
-    table1 = published.rows_of_surface(published.read_table1(job.input.published_table1), surface)
-    constants = published.read_constants(job.input.published_constants)
-    grid = ScanGrid(**job.parameters["scan_grid"])
-    return Substitute(surface, spectrum_data, table1, constants, grid, job.parameters["seed"])
+def read_substitute(surface: str, paths: Any, grid: Mapping[str, Any], seed: int) -> Substitute:
+    """Read what the scans of a substitute are made of.
+
+    `paths` has the attributes `spectrum`, `published_table1` and `published_constants`; `grid`
+    has the fields of a `ScanGrid`.
+    """
+    spectrum_data = dataset.read(paths.spectrum)
+    table1 = published.rows_of_surface(published.read_table1(paths.published_table1), surface)
+    constants = published.read_constants(paths.published_constants)
+    return Substitute(surface, spectrum_data, table1, constants, ScanGrid(**grid), seed)
 
 
 def required_targets(substitute: Substitute) -> Targets:

@@ -1,17 +1,14 @@
 """Substitute scans of one surface with bumps or pits that agree with Table 1, in groups."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
 import xarray as xr
 
-from hardcontact.base.dataset import stack
-from hardcontact.base.progress import progress
 from hardcontact.base.units import DIMENSIONLESS, NM
-from hardcontact.records.job import Job
-from hardcontact.surfaces.conditioning import Substitute, read_substitute, required_targets
+from hardcontact.surfaces.conditioning import Substitute, required_targets
 from hardcontact.surfaces.features import (
     GAUSSIAN,
     SIGNS,
@@ -92,32 +89,25 @@ def featured_surface(substitute: Substitute) -> FeaturedSurface:
     return FeaturedSurface(substitute, statistics)
 
 
-def permitted_surface(
-    substitute: Substitute, description: str, realization: int, pixels: int, pixel_size: float
+def whole_surface(
+    substitute: Substitute,
+    description: str | None,
+    realization: int,
+    pixels: int,
+    pixel_size: float,
 ) -> HeightMap:
-    """Return a whole surface without features, with its own spectrum that Table 1 permits.
+    """Return a whole surface, with features or with its own spectrum that Table 1 permits.
 
-    `description` is the path of the description of the spectrum; `pixel_size` is in nm.
+    `description` is the path of the description of the spectrum, or None for a surface with
+    features; `pixel_size` is in nm.
     """
+    if description is None:
+        return featured_surface(substitute).whole_surface(realization, pixels, pixel_size)
     rng = substitute.generator(realization, "permitted spectrum")
     table1, constants = substitute.table1, substitute.constants
     spectrum = sample_permitted_spectrum(rng, description, table1, constants)
     rng = substitute.generator(realization, "whole surface")
     return random_surface(rng, pixels, pixel_size, spectrum)
-
-
-def summarize_whole_surfaces(job: Job, summary: Callable[[HeightMap], xr.Dataset]) -> xr.Dataset:
-    """Return a summary of each whole surface of a job, over ``map``; ``map_size`` is in nm."""
-    numbers, grid = job.parameters["realizations"], job.parameters["grid"]
-    substitute = read_substitute(job)
-    summaries = {}
-    for number in progress(numbers, len(numbers), "surfaces"):
-        if job.parameters["has_features"]:
-            surface = featured_surface(substitute).whole_surface(number, **grid)
-        else:
-            surface = permitted_surface(substitute, job.input.description, number, **grid)
-        summaries[(number,)] = summary(surface)
-    return stack(summaries, ["map"]).assign_attrs(map_size=surface.size)
 
 
 def sample_group(
