@@ -55,6 +55,11 @@ def dmt_pull_off(work: Values, radius: Values) -> Values:
     return 2 * np.pi * work * radius * NANOMETRE
 
 
+def smooth_pull_off(work: Values, radius: Values, area: Values, rho: Values) -> Values:
+    """Return the force 2πWR + WA/ρ of a stiff sphere with an area A (nm²) in contact on a flat."""
+    return dmt_pull_off(work, radius) + work * area * NANOMETRE / rho
+
+
 def limit_forces(forces: Values, bound: Values) -> Values:
     """Return mean forces, or ends of their intervals, that do not exceed a bound; infinity stays.
 

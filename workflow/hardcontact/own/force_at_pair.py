@@ -13,10 +13,10 @@ from scipy import special
 
 from hardcontact.base.dataset import stack
 from hardcontact.base.statistics import interval_ends, widen_interval, with_interval
-from hardcontact.base.units import DIMENSIONLESS, NANOMETRE, NEWTON, NM
+from hardcontact.base.units import DIMENSIONLESS, NEWTON, NM
 from hardcontact.contact.contact import CONTACT_AXES, PLASTIC, Contact
 from hardcontact.contact.finite_scan import finite_scan_ratio, window_share
-from hardcontact.contact.smooth_sphere import dmt_pull_off, limit_forces
+from hardcontact.contact.smooth_sphere import limit_forces, smooth_pull_off
 from hardcontact.inference.scan_parts import logarithmic_interval
 from hardcontact.inference.wide_pixels import pixel_factors
 from hardcontact.own.mean_forces import (
@@ -284,11 +284,9 @@ def bound_by_smooth_sphere(force: xr.Dataset, area: float) -> xr.Dataset:
     ``smooth_bound`` (contact_model, rho) in N is added. Single contacts (`force_quantile`) have no
     such bound. workflow/report/theory.md (Upper bound of the force) has the proof.
     """
-    radius = force.attrs["sphere_radius"]
-    work = force.attrs["work_of_adhesion"]
-    touching = area * NANOMETRE**2 / (NANOMETRE * force["rho"])
-    yields = force["contact_model"] == PLASTIC
-    bound = dmt_pull_off(work, radius) + work * (touching * yields).transpose("contact_model", ...)
+    areas = area * (force["contact_model"] == PLASTIC)
+    work, radius = force.attrs["work_of_adhesion"], force.attrs["sphere_radius"]
+    bound = smooth_pull_off(work, radius, areas, force["rho"])
     rho = force.attrs["rho"]
     master_bound = bound.sel(contact_model=PLASTIC, drop=True).sel(rho=rho, method="nearest")
     bounded = {"smooth_bound": bound.assign_attrs(NEWTON)}

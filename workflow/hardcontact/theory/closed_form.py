@@ -18,7 +18,7 @@ from scipy import special
 
 from hardcontact.base.arrays import Floats
 from hardcontact.contact.contact import Contact
-from hardcontact.contact.smooth_sphere import dmt_pull_off
+from hardcontact.contact.smooth_sphere import dmt_pull_off, smooth_pull_off
 from hardcontact.inference.curve_edges import interpolate_edge, logarithmic_limits
 from hardcontact.surfaces.spectrum import Spectrum
 from hardcontact.theory.summits import (
@@ -66,7 +66,7 @@ def contact_term(contact: Contact) -> float:
 
 def smooth_force(contact: Contact) -> float:
     """Return the force (N) on a smooth surface: 2 pi R W and the force of the area in contact."""
-    return float(dmt_pull_off(contact.work, contact.radius)) * (1 + contact_term(contact))
+    return float(smooth_pull_off(contact.work, contact.radius, contact.area, contact.rho))
 
 
 def surface_term(rms_height: ArrayLike, apex_height: ArrayLike, rho: ArrayLike) -> Floats:
