@@ -83,9 +83,9 @@ def test_jackknife_of_a_geometric_mean_equals_the_t_test_on_logarithms():
 
 def test_mean_and_median_of_a_lognormal_give_its_shape():
     distribution = stats.lognorm(0.7, scale=3.0)
-    assert statistics.lognormal_shape(distribution.mean(), distribution.median()) == pytest.approx(
-        0.7
-    )
+    assert statistics.log_std_of_lognormal(
+        distribution.mean(), distribution.median()
+    ) == pytest.approx(0.7)
 
 
 def test_equal_forces_have_shape_zero_without_an_interval():

@@ -53,7 +53,7 @@ def entry(size=2500.0, pixels=512, rms=17.0, surface="a", **others):
     )  # fmt: skip
 
 
-def probe(radius=250e3, preload=1e-5, hardness=25e9, rho=5.6):
+def contact(radius=250e3, preload=1e-5, hardness=25e9, rho=5.6):
     """Return a sphere and its load; the paper's unless others are given."""
     return Contact(radius=radius, preload=preload, hardness=hardness, rho=rho)
 
@@ -95,8 +95,8 @@ BALL = [entry(size, rms=1.0, surface="sphere") for size in (2500, 2500, 6000)]
 )  # fmt: skip
 def test_contacts_are_made_on_scans_that_hold_and_resolve_the_summits(entries, radius, size_counts):
     sphere = "sphere" if entries[-1].scan_file.surface == "sphere" else None
-    sizes = all_search_sizes(entries, sphere, probe(radius))
-    selected_scans, _ = contact_scans(entries, sphere, probe(radius), sizes)
+    sizes = all_search_sizes(entries, sphere, contact(radius))
+    selected_scans, _ = contact_scans(entries, sphere, contact(radius), sizes)
     assert Counter(round(scan.size) for scan in selected_scans) == size_counts
 
 
@@ -164,7 +164,7 @@ def check_refusal(line, scan, settings):
 @given(
     scans(),
     st.builds(
-        probe, random_between(1e3, 5e6), random_between(1e-9, 1e-3), random_between(1e8, 1e12)
+        contact, random_between(1e3, 5e6), random_between(1e-9, 1e-3), random_between(1e8, 1e12)
     ),
 )
 def test_any_scan_gives_a_valid_study_or_a_justified_refusal(entries, settings):
@@ -178,7 +178,7 @@ def test_any_scan_gives_a_valid_study_or_a_justified_refusal(entries, settings):
 
 
 def test_scans_like_the_paper_s_get_about_its_grids():
-    config, _ = both_efforts(probe(), propose([entry()] * 5, None, probe()))
+    config, _ = both_efforts(contact(), propose([entry()] * 5, None, contact()))
     small, large = config["scales"]["short"], config["scales"]["long"]
     assert config["contact"]["window"] == pytest.approx(12500, rel=0.01)
     assert small["transition"] == pytest.approx(20, rel=0.05) and large["transition"] == 1000
@@ -190,38 +190,38 @@ def test_scans_like_the_paper_s_get_about_its_grids():
 
 @pytest.mark.parametrize("count", [1, 2, 3, 5, 7])
 def test_every_scan_makes_equally_many_masters(count):
-    config, _ = both_efforts(probe(), propose([entry()] * count, None, probe()))
+    config, _ = both_efforts(contact(), propose([entry()] * count, None, contact()))
     assert config["scales"]["realizations"] % count == 0
 
 
 @pytest.mark.parametrize(("shortest", "transition"), [(120.0, "120 nm"), (2000.0, "1000 nm")])
 def test_roughness_is_artificial_below_the_reliable_wavelengths(shortest, transition):
     scan = entry(band=ReliableBand(shortest, 833.0, "tip"))
-    choices = propose([scan], None, probe()).choices
+    choices = propose([scan], None, contact()).choices
     assert {choice.key: choice.value for choice in choices}["scales.short.transition"] == transition
 
 
 @pytest.mark.parametrize(
     ("scan", "settings", "message_parts"),
     [
-        (entry(band=BLIND), probe(), ["reliable at no wavelength: the tip at 3 µm"]),
+        (entry(band=BLIND), contact(), ["reliable at no wavelength: the tip at 3 µm"]),
         # For a relief of 5600 nm, exponentials overflow at ranges below 11.2 nm.
-        (entry(20000, 512, 700.0), probe(), ["11.2 nm, not the usual 5.6 nm"]),
+        (entry(20000, 512, 700.0), contact(), ["11.2 nm, not the usual 5.6 nm"]),
         # erf(1000 nm / sqrt(2 R rho))^2 of the smooth sphere's force lie in a window of 2 um.
         (
-            entry(100, 512, 4.7), probe(),
+            entry(100, 512, 4.7), contact(),
             [f"{math.erf(1000 / math.sqrt(2 * 250e3 * 5.6)) ** 2:.0%} of the force",
              "8 to 17 times too high"],
         ),
         # 20 nm² are less than a pixel of 19.5 nm.
-        (entry(10000), probe(5e3, 100e-9, 5e9, 2.0), ["less than a pixel"]),
-        (entry(10000, 512, 14, undefined_count=512**2 * 3 // 10), probe(), ["30% of its pixels"]),
-        (entry(defects={"highest": {"highest_share": 0.1}}), probe(), ["one.nc: 10 % of"]),
+        (entry(10000), contact(5e3, 100e-9, 5e9, 2.0), ["less than a pixel"]),
+        (entry(10000, 512, 14, undefined_count=512**2 * 3 // 10), contact(), ["30% of its pixels"]),
+        (entry(defects={"highest": {"highest_share": 0.1}}), contact(), ["one.nc: 10 % of"]),
     ],
 )  # fmt: skip
 def test_scans_that_spoil_the_forces_have_a_caution_with_numbers(scan, settings, message_parts):
     assert_says(" ".join(propose([scan], None, settings).cautions), *message_parts)
-    assert not propose([entry(10000, 512, 14, undefined_count=99)], None, probe()).cautions
+    assert not propose([entry(10000, 512, 14, undefined_count=99)], None, contact()).cautions
 
 
 @pytest.mark.parametrize(("radius", "stated"), [(50e3, 250e3), (50e3, 60e3), (50e3, 40e3)])
@@ -232,7 +232,7 @@ def test_a_stated_radius_that_the_scan_of_the_sphere_contradicts_is_questioned(r
     ball = replace(ball, scan_file=ScanFile("sphere", "sphere", "ball.nc", "ball.nc", stated))
     (caution,) = [
         line
-        for line in propose([entry(), ball], "sphere", probe(stated)).cautions
+        for line in propose([entry(), ball], "sphere", contact(stated)).cautions
         if "contradicts" in line
     ]
     assert_says(caution, f"--radius {stated / 1e3:g} µm", f"{radius / 1e3:g} µm")
@@ -241,9 +241,13 @@ def test_a_stated_radius_that_the_scan_of_the_sphere_contradicts_is_questioned(r
 @pytest.mark.parametrize(
     ("entries", "settings", "message_parts"),
     [
-        ([entry(1e5, 3000, kind="line scan")], probe(), ["surface a: expected a height map"]),
-        ([entry(0.5)], probe(), ["0.05 to 10000 nm"]),  # pixels of 1 pm
-        ([entry(100), entry(1e5, surface="b")], probe(), ["100 nm on a and pixels of 195 nm on b"]),
+        ([entry(1e5, 3000, kind="line scan")], contact(), ["surface a: expected a height map"]),
+        ([entry(0.5)], contact(), ["0.05 to 10000 nm"]),  # pixels of 1 pm
+        (
+            [entry(100), entry(1e5, surface="b")],
+            contact(),
+            ["100 nm on a and pixels of 195 nm on b"],
+        ),
     ],
 )
 def test_unsuitable_scans_are_refused_in_one_line_each(entries, settings, message_parts):
@@ -255,9 +259,9 @@ def test_unsuitable_scans_are_refused_in_one_line_each(entries, settings, messag
 @pytest.mark.parametrize(
     ("scan", "settings", "message_parts"),
     [
-        (entry(20000, 512, 700.0), probe(rho=6.0), ["adhesion.range: expected at least 11.2 nm"]),
+        (entry(20000, 512, 700.0), contact(rho=6.0), ["adhesion.range: expected at least 11.2 nm"]),
         # A quarter of the stitched scan, 6.25 um2, carries 6.25 mN at 1 GPa.
-        (entry(), probe(preload=1.0, hardness=1e9), ["contact.preload", "at most 6.25 mN"]),
+        (entry(), contact(preload=1.0, hardness=1e9), ["contact.preload", "at most 6.25 mN"]),
     ],
 )
 def test_the_study_refuses_options_that_the_scans_do_not_permit(scan, settings, message_parts):

@@ -12,7 +12,7 @@ from hardcontact.contact.pull_off import pull_off_dataset
 from hardcontact.surfaces.spectrum import Spectrum
 from hardcontact.surfaces.synthesis import random_surface
 from hardcontact.theory.closed_form import (
-    SINGLE_PEAKS,
+    FEW_SUMMITS,
     SMOOTH_SURFACE,
     closed_form,
     critical_band,
@@ -77,7 +77,7 @@ def test_a_single_smooth_summit_attracts_like_a_sphere_of_its_radius():
     form = closed_form(rounded(sigma, length), contact(rho, 0.0, flat))
     level = form.apex_height / sigma
     summit = length**2 / (sigma * level)  # its curvature is t m2/sigma
-    assert form.regime == SINGLE_PEAKS
+    assert form.regime == FEW_SUMMITS
     assert form.dmt_ratio == pytest.approx(summit / flat, rel=0.1)
 
 

@@ -1,4 +1,4 @@
-"""The log of a job: how many steps of a computation are done."""
+"""Progress of a loop in the log of a job."""
 
 import logging
 from collections.abc import Iterable, Iterator

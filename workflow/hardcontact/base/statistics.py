@@ -164,8 +164,8 @@ def jackknife_interval(value: ArrayLike, leave_one_out: ArrayLike, confidence: f
     return np.stack([value * np.exp(-half), value * np.exp(half)], axis=-1)
 
 
-def lognormal_shape(mean: ArrayLike, median: ArrayLike) -> Floats:
-    """Return the shape (standard deviation of ln F) of the log-normal with this mean and median.
+def log_std_of_lognormal(mean: ArrayLike, median: ArrayLike) -> Floats:
+    """Return the standard deviation of ln F of the log-normal with this mean and median.
 
     mean/median = exp(s²/2). It is biased if forces below a floor were not measured.
     """
@@ -175,7 +175,7 @@ def lognormal_shape(mean: ArrayLike, median: ArrayLike) -> Floats:
 def fit_lognormal(forces: Floats, floor: float) -> tuple[float, float, float]:
     """Fit the maximum-likelihood log-normal to forces (n,), left-censored below a floor, in N.
 
-    Returns its shape, its median in N and the censored share of forces; the first two are NaN if
+    Returns the standard deviation of ln F, the median in N and the censored share of forces; the first two are NaN if
     all forces are below the floor.
     """
     is_censored = forces < floor

@@ -37,7 +37,7 @@ Group = list[Entry]
 
 
 def all_search_sizes(
-    entries: Sequence[Entry], sphere: str | None, probe: Contact
+    entries: Sequence[Entry], sphere: str | None, contact: Contact
 ) -> dict[str, float]:
     """Return the search size (nm) of each surface but the sphere's, with the sphere's roughness.
 
@@ -52,13 +52,16 @@ def all_search_sizes(
         if surface != sphere:
             density = entry.density + sphere_density
             spectrum = Spectrum(BIN_CENTRES[is_measured], density[is_measured])
-            size = search_size(spectrum, probe.radius, probe.area)
+            size = search_size(spectrum, contact.radius, contact.area)
             sizes[surface] = max(size, sizes.get(surface, 0.0))
     return sizes
 
 
 def contact_scans(
-    entries: Sequence[Entry], sphere: str | None, probe: Contact, search_sizes: Mapping[str, float]
+    entries: Sequence[Entry],
+    sphere: str | None,
+    contact: Contact,
+    search_sizes: Mapping[str, float],
 ) -> tuple[list[Entry], list[str]]:
     """Return the scans that contacts are made on, one grid for each surface, and reasons.
 
@@ -73,7 +76,7 @@ def contact_scans(
     selected: list[Entry] = []
     reasons = []
     for surface, surface_groups in groups.items():
-        interaction_radius = math.sqrt(2 * probe.radius * probe.rho)
+        interaction_radius = math.sqrt(2 * contact.radius * contact.rho)
         group = _best_group(surface_groups, interaction_radius, large_enough)
         reason = "no others can be used"
         if len(surface_groups) > 1:
@@ -83,7 +86,7 @@ def contact_scans(
         selected += group
         reasons.append(f"{surface}: {_group_in_words(group)}: {reason}")
     if sphere is not None:
-        group = _sphere_group(sphere_groups, selected, probe.radius)
+        group = _sphere_group(sphere_groups, selected, contact.radius)
         selected += group
         reasons.append(
             f"{sphere}: {_group_in_words(group)}, from which the sphere's shape is subtracted"
@@ -163,7 +166,7 @@ def _group_in_words(group: Group) -> str:
 class WindowChoice(NamedTuple):
     """The window and the range of adhesion of a study, with their reasons in words."""
 
-    contact: Contact  #: The probe with this window and range.
+    contact: Contact  #: The contact with this window and range.
     shortest_range: float  #: The shortest range (nm) that the scans permit.
     window_reason: str
     range_reason: str
@@ -172,25 +175,25 @@ class WindowChoice(NamedTuple):
 def choose_window(
     scans: Sequence[Entry],
     substrates: Sequence[Entry],
-    probe: Contact,
+    contact: Contact,
     range_given: bool,
     max_pixels: int,
 ) -> WindowChoice:
-    """Return a window, and a longer range of adhesion than the probe's if the scans need it.
+    """Return a window, and a longer range of adhesion than the contact's if the scans need it.
 
     `scans` includes the scans of the sphere, `substrates` does not. Masters have at most
     `max_pixels` per row. The study's limits refuse a range that stays too short.
     """
-    window, _ = _window(scans, probe.radius, probe.rho)
-    shortest, reason = _shortest_range(scans, substrates, probe, window, max_pixels)
-    rho = probe.rho
+    window, _ = _window(scans, contact.radius, contact.rho)
+    shortest, reason = _shortest_range(scans, substrates, contact, window, max_pixels)
+    rho = contact.rho
     range_reason = "as given" if range_given else "the paper's"
     if shortest > rho and not range_given:
         rho = max(rho, min(shortest, LONGEST_RANGE))
         range_reason = f"the least on these scans, where {reason}"
     # A wider window, as a longer range needs, does not raise the shortest range.
-    window, window_reason = _window(scans, probe.radius, rho)
-    contact = replace(probe, rho=rho, window=window)
+    window, window_reason = _window(scans, contact.radius, rho)
+    contact = replace(contact, rho=rho, window=window)
     return WindowChoice(contact, shortest, window_reason, range_reason)
 
 
@@ -208,17 +211,17 @@ def _window(scans: Sequence[Entry], radius: float, rho: float) -> tuple[float, s
 def _shortest_range(
     scans: Sequence[Entry],
     substrates: Sequence[Entry],
-    probe: Contact,
+    contact: Contact,
     window: float,
     max_pixels: int,
 ) -> tuple[float, str]:
     """Return the shortest range of adhesion (nm) that scans and masters permit, and why."""
     tiles = count_tiles(substrates, window, max_pixels)
-    limits = [minimum_range(probe.radius, window, scan.grid) for scan in scans]
+    limits = [minimum_range(contact.radius, window, scan.grid) for scan in scans]
     for scan in substrates:
         master = scan.grid._replace(size=scan.size * tiles)
-        limits.append(minimum_range(probe.radius, window, master))
-        depth = penetration_depth(probe, scan.relief)
+        limits.append(minimum_range(contact.radius, window, master))
+        depth = penetration_depth(contact, scan.relief)
         depth_reason = f"the preload presses the bodies some {depth:.3g} nm into each other"
         limits.append((float(f"{1.005 * depth / PENETRATION_OVER_RANGE:.3g}"), depth_reason))
     return max(limits)

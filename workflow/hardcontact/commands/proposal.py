@@ -99,7 +99,7 @@ class Proposal(NamedTuple):
 
 
 def propose(
-    entries: Sequence[Entry], sphere: str | None, probe: Contact, range_given: bool = False
+    entries: Sequence[Entry], sphere: str | None, contact: Contact, range_given: bool = False
 ) -> Proposal:
     """Choose every key that depends on the scans of surfaces, and of the sphere if it is rough.
 
@@ -107,8 +107,8 @@ def propose(
     the range of adhesion, a longer one may be chosen. Raises ValueError, with a line for each
     surface without a height map, or if scans are too different for one study.
     """
-    sizes = all_search_sizes(entries, sphere, probe)
-    scans, reasons = contact_scans(entries, sphere, probe, sizes)
+    sizes = all_search_sizes(entries, sphere, contact)
+    scans, reasons = contact_scans(entries, sphere, contact, sizes)
     substrates = [scan for scan in scans if scan.scan_file.surface != sphere]
     coarsest = max(substrates, key=lambda scan: scan.pixel_size)
     smallest = min(substrates, key=lambda scan: scan.size)
@@ -119,7 +119,7 @@ def propose(
             f"{format_length(coarsest.pixel_size)} on {coarsest.scan_file.surface}: "
             "make a study of each"
         )
-    window = choose_window(scans, substrates, probe, range_given, FULL_EFFORT.pixels)
+    window = choose_window(scans, substrates, contact, range_given, FULL_EFFORT.pixels)
     sphere_scans = [scan for scan in scans if scan.scan_file.surface == sphere]
     transitions = _transitions(substrates, sphere_scans)
     full = _choices(substrates, window, transitions, FULL_EFFORT)
@@ -132,7 +132,7 @@ def propose(
     if gaps := sum(entry.undefined_count > 0 for entry in entries):
         reason = f"{gaps} of the files have undefined pixels"
         full.insert(0, Choice("scan.undefined_pixels", FILLING, reason))
-    cautions = [*scan_cautions(entries, substrates, probe.rho, window, sizes)]
+    cautions = [*scan_cautions(entries, substrates, contact.rho, window, sizes)]
     return Proposal(scans, full, quick, reasons, cautions)
 
 

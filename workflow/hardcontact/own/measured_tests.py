@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 import pandas as pd
 
-from hardcontact.base.statistics import MAX_LOG_DEVIATION, lognormal_shape
+from hardcontact.base.statistics import MAX_LOG_DEVIATION, log_std_of_lognormal
 
 #: Chance that independent tests are mistaken for tests at repeated sites.
 REPEATED_BY_CHANCE = 1e-3
@@ -29,7 +29,7 @@ def measured_tests(forces: pd.DataFrame) -> MeasuredTests:
     count = int(forces["count"].sum())
     if len(forces) == 1:
         mean, median = float(forces["mean"].iloc[0]), forces["median"].iloc[0]
-        log_std = float(lognormal_shape(mean, median)) if count > 1 else np.nan
+        log_std = float(log_std_of_lognormal(mean, median)) if count > 1 else np.nan
         return MeasuredTests(mean, log_std, count, count)
     has_site = forces["site"] != ""
     sites = forces["site"].where(has_site, forces.index)

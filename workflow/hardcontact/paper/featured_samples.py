@@ -14,7 +14,7 @@ import xarray as xr
 from hardcontact.base.arrays import Floats
 from hardcontact.base.dataset import concatenate, stack
 from hardcontact.base.progress import progress
-from hardcontact.base.statistics import lognormal_shape
+from hardcontact.base.statistics import log_std_of_lognormal
 from hardcontact.base.units import DIMENSIONLESS, NEWTON
 from hardcontact.contact.contact import CONTACT_AXES, PLASTIC, Contact
 from hardcontact.contact.force_interpolation import interpolate_to_ranges
@@ -139,13 +139,13 @@ def compare_with_published(
         statistics = _force_statistics(pair_forces[..., 0], targets)
         descriptions = [name for name in kind_samples if kind_samples[name].dims == ("sample",)]
         kinds.append(kind_samples[descriptions].assign(statistics))
-    shape = lognormal_shape(targets["mean_force"], targets["median_force"])
+    log_std = log_std_of_lognormal(targets["mean_force"], targets["median_force"])
     return xr.concat(kinds, pd.Index(list(samples), name="features"), join="outer").assign_attrs(
         surface=surface,
         source="substitute",
         published_mean_force=targets["mean_force"],
         published_median_force=targets["median_force"],
-        published_log_force_std=float(shape),
+        published_log_force_std=float(log_std),
     )
 
 

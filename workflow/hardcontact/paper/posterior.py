@@ -15,7 +15,7 @@ from hardcontact.base.arrays import Floats
 from hardcontact.base.dataset import stack
 from hardcontact.base.statistics import (
     Sampling,
-    lognormal_shape,
+    log_std_of_lognormal,
     percentile_interval,
     student_log_samples,
     with_interval,
@@ -71,11 +71,11 @@ def posterior(mean_forces: xr.DataArray, published: pd.DataFrame, sampling: Samp
     forces = mean_forces.sel(surface=targets.index).transpose("replicate", "surface", "rho")
     ranges = fine_ranges(forces["rho"].values)
     curves = interpolate_to_ranges(forces.values, forces["rho"].values, ranges)
-    shapes = lognormal_shape(targets["mean_force"], targets["median_force"])
+    log_stds = log_std_of_lognormal(targets["mean_force"], targets["median_force"])
     index, log_works = posterior_samples(
         np.log(curves),
         np.log(targets["mean_force"].to_numpy()),
-        log_mean_error(shapes, SPHERE_COUNT),
+        log_mean_error(log_stds, SPHERE_COUNT),
         sampling.generator(*forces["surface"].values.tolist()),
         sampling.sample_count,
     )

@@ -30,7 +30,7 @@ from hardcontact.theory.summits import (
 )
 
 #: Regimes: roughness hardly changes the force, many points carry it, or a few summits carry it.
-SMOOTH_SURFACE, MANY_POINTS, SINGLE_PEAKS = "smooth", "many points", "single peaks"
+SMOOTH_SURFACE, MANY_POINTS, FEW_SUMMITS = "smooth", "many points", "single peaks"
 #: A surface counts as smooth if its force exceeds this share of the force on a smooth surface, both
 #: without the area in contact.
 SMOOTH_SHARE = 0.9
@@ -56,7 +56,7 @@ class ClosedForm:
     apex_height: float  #: The mean of m in nm, positive above the mean plane.
     #: k = rho m/sigma²; 0 if m is below the mean plane, infinite without roughness.
     weibull_modulus: float
-    regime: str  #: SMOOTH_SURFACE, MANY_POINTS or SINGLE_PEAKS.
+    regime: str  #: SMOOTH_SURFACE, MANY_POINTS or FEW_SUMMITS.
 
 
 def contact_term(contact: Contact) -> float:
@@ -84,8 +84,8 @@ def surface_term(rms_height: ArrayLike, apex_height: ArrayLike, rho: ArrayLike) 
 def closed_form(spectrum: Spectrum, contact: Contact, *, all_rough: bool = True) -> ClosedForm:
     """Return the mean pull-off force over contacts of a sphere on a Gaussian surface.
 
-    The surface has no other wavelengths than the spectrum. Without `all_rough` only the summits
-    that touch are rough; the others attract like smooth summits.
+    The surface has no other wavelengths than the spectrum. With `all_rough`, points just below the
+    sphere lie on rough summits, too; otherwise only the summits that touch are rough.
     """
     smooth = float(dmt_pull_off(contact.work, contact.radius))
     waves = rough_waves(spectrum, contact.radius)
@@ -98,7 +98,7 @@ def closed_form(spectrum: Spectrum, contact: Contact, *, all_rough: bool = True)
     dmt_ratio = mean_surface_term + summit_term + contact_term(contact)
     m = float(sigma * apex.mean())
     weibull_modulus = max(contact.rho * m / sigma**2, 0.0)
-    regime = SINGLE_PEAKS if weibull_modulus < 1 else MANY_POINTS
+    regime = FEW_SUMMITS if weibull_modulus < 1 else MANY_POINTS
     if mean_surface_term + summit_term > SMOOTH_SHARE:
         regime = SMOOTH_SURFACE
     return ClosedForm(smooth * dmt_ratio, dmt_ratio, sigma, m, weibull_modulus, regime)

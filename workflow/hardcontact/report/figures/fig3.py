@@ -15,7 +15,7 @@ from matplotlib.patches import Patch
 from scipy.stats import lognorm
 
 from hardcontact.base.formatting import format_with_interval
-from hardcontact.base.statistics import lognormal_shape
+from hardcontact.base.statistics import log_std_of_lognormal
 from hardcontact.contact.contact import PLASTIC
 from hardcontact.contact.force_interpolation import interpolate_to_range
 from hardcontact.report.figures import drawing, style
@@ -85,8 +85,8 @@ def _lognormals(mean: float, median: float, fit: xr.Dataset) -> tuple[Any, Any]:
 
     The published one has the published mean and median force.
     """
-    shape, centre = fit["log_force_std"].item(), fit["lognormal_median"].item()
-    return lognorm(lognormal_shape(mean, median), scale=median), lognorm(shape, scale=centre)
+    log_std, centre = fit["log_force_std"].item(), fit["lognormal_median"].item()
+    return lognorm(log_std_of_lognormal(mean, median), scale=median), lognorm(log_std, scale=centre)
 
 
 def _draw_linear(axes: Axes, forces_by_pair: ForcesByPair, published: Any, colour: str) -> None:

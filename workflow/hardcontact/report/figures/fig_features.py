@@ -7,7 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from hardcontact.base.statistics import lognormal_shape
+from hardcontact.base.statistics import log_std_of_lognormal
 from hardcontact.report.figures import drawing, style
 
 #: Symbol, colour and words of each kind of surface; no surface of the study has these colours.
@@ -31,10 +31,10 @@ def draw(features: xr.Dataset, published_pull_off: pd.DataFrame) -> Figure:
         scatter_axes.scatter(mean, samples["log_force_std"], s=14, **look)
     measured = published_pull_off.reindex([features.attrs["surface"]]).iloc[0]
     mean, median = (measured[name] / style.MICRONEWTON for name in ("mean_force", "median_force"))
-    shape = lognormal_shape(measured["mean_force"], measured["median_force"])
+    log_std = log_std_of_lognormal(measured["mean_force"], measured["median_force"])
     published: style.Look = {"marker": "s", "color": "black", "label": "published"}
     median_axes.plot(mean, median, ls="none", **published)
-    scatter_axes.plot(mean, shape, ls="none", **published)
+    scatter_axes.plot(mean, log_std, ls="none", **published)
     _draw_equality(median_axes, features, mean)
     median_axes.set(xscale="log", yscale="log", ylabel="median force (µN)")
     scatter_axes.set(xscale="log", ylabel="standard deviation of ln F")
