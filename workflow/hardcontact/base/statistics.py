@@ -175,8 +175,8 @@ def log_std_of_lognormal(mean: ArrayLike, median: ArrayLike) -> Floats:
 def fit_lognormal(forces: Floats, floor: float) -> tuple[float, float, float]:
     """Fit the maximum-likelihood log-normal to forces (n,), left-censored below a floor, in N.
 
-    Returns the standard deviation of ln F, the median in N and the censored share of forces; the first two are NaN if
-    all forces are below the floor.
+    Returns the standard deviation of ln F, the median in N and the censored share of forces. The
+    first two are NaN if all forces are below the floor.
     """
     is_censored = forces < floor
     if is_censored.all():

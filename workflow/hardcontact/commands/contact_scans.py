@@ -1,7 +1,7 @@
 """The scans of own surfaces on which contacts are made, with their window and range of adhesion."""
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -58,10 +58,7 @@ def all_search_sizes(
 
 
 def contact_scans(
-    entries: Sequence[Entry],
-    sphere: str | None,
-    contact: Contact,
-    search_sizes: Mapping[str, float],
+    entries: Sequence[Entry], sphere: str | None, contact: Contact, search_sizes: dict[str, float]
 ) -> tuple[list[Entry], list[str]]:
     """Return the scans that contacts are made on, one grid for each surface, and reasons.
 

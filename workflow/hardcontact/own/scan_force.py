@@ -88,8 +88,8 @@ def reason_without_force(
 ) -> tuple[Status, float]:
     """Return why levelled scans give no force, PLAIN if they do, and the shortest range (nm).
 
-    The range is the shortest that a single map resolves. `sums` is the number of force
-    sums on this map; it multiplies the time.
+    The range is the shortest that a single map resolves. `sums` is the number of force sums
+    on this map; it multiplies the time.
     """
     if not any(scan.kind == "map" for scan in scans):
         return Status.NO_MAP, math.nan
