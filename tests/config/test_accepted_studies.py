@@ -19,8 +19,8 @@ from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies, sample_contacts
 from hardcontact.contact.indents import indent_sizes
 from hardcontact.contact.pull_off import pull_off_dataset
-from hardcontact.files.master_purposes import PRELOAD_SHARES
 from hardcontact.inference.filtered_masters import Filters, filtered_pull_off
+from hardcontact.paper.exponents import PRELOAD_SHARES
 from hardcontact.run import checks
 from hardcontact.surfaces import spectrum, synthesis
 from hardcontact.surfaces.height_map import mirror_stitch

@@ -11,8 +11,8 @@ from hardcontact.base.arrays import Floats
 from hardcontact.base.formatting import format_length
 from hardcontact.commands.output import align_cells
 from hardcontact.commands.request import ScanFile
-from hardcontact.config.grids import Grid
 from hardcontact.config.selected_surfaces import CONTACT_USE
+from hardcontact.contact.grid_limits import Grid
 from hardcontact.scans.defects import scan_with_defects
 from hardcontact.scans.heights import split_notes
 from hardcontact.scans.mean_spectrum import describe_contradictions, find_contradictions

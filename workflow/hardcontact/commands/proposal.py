@@ -18,10 +18,11 @@ from hardcontact.commands.contact_scans import (
 from hardcontact.commands.inventory import FILLING, Entry
 from hardcontact.commands.scan_cautions import scan_cautions
 from hardcontact.config import model
-from hardcontact.config.grids import MAX_CONTACT_PIXELS, periods_in_window
+from hardcontact.config.grids import MAX_CONTACT_PIXELS
 from hardcontact.contact.bearing_area import TILE
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import window_pixels
+from hardcontact.contact.grid_limits import periods_in_window
 from hardcontact.scans.reliable_band import LIMIT_NAMES
 from hardcontact.surfaces.spectrum import nearest_bin
 

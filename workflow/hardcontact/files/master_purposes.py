@@ -9,13 +9,10 @@ from typing import Any, NamedTuple
 
 from hardcontact.config.configuration import get_key, master_keys, study_contact
 from hardcontact.config.grids import master_megabytes
+from hardcontact.paper.edge_shifts import SHORT_ADHESION_RANGE
+from hardcontact.paper.exponents import PRELOAD_SHARES
 from hardcontact.surfaces.synthesis import SIDES
 
-#: A range of adhesion (nm) that is much shorter than the published range.
-SHORT_ADHESION_RANGE = 1.0
-#: Loads to which exponents are fitted, relative to the preload. At an eighth the contact is 2.8
-#: times narrower and has some 30 pixels; larger loads move short edges beyond the cutoffs of sets.
-PRELOAD_SHARES = (1 / 8, 1)
 #: Realizations in one job: few enough to keep all cores busy, and so many that a job takes much
 #: longer than the half second in which it starts.
 MASTERS_CHUNK = 5

@@ -8,7 +8,6 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.base.number import Number, Status
-from hardcontact.config.grids import Grid, minimum_range, periods_in_window
 from hardcontact.config.model import Study
 from hardcontact.contact.contact import PLASTIC, Contact
 from hardcontact.contact.finite_scan import LARGE_ENOUGH, finite_scan_ratio
@@ -18,6 +17,7 @@ from hardcontact.contact.geometry import (
     join_bodies,
     spheres_at_positions,
 )
+from hardcontact.contact.grid_limits import Grid, minimum_range, periods_in_window
 from hardcontact.contact.pull_off import make_force_function
 from hardcontact.contact.scan_pull_off import pull_off_on_spheres
 from hardcontact.contact.smooth_sphere import limit_forces

@@ -13,11 +13,12 @@ from hardcontact.config.arguments import unit_question
 from hardcontact.config.configuration import contact_words, get_key, reading_keys
 from hardcontact.config.faults import key_fault, raise_faults, run_checks
 from hardcontact.config.force_table import measured_forces
-from hardcontact.config.grids import PIXEL_SIZES, Grid, same_grid
+from hardcontact.config.grids import PIXEL_SIZES, same_grid
 from hardcontact.config.limits import refuse_unfit_grids
 from hardcontact.config.model import CONTACT_QUANTITIES, NONE, PAPER, SMOOTH_SPHERE
 from hardcontact.config.selected_surfaces import CONTACT_USE
 from hardcontact.config.tables import refuse_description, refuse_paper_surface
+from hardcontact.contact.grid_limits import Grid
 from hardcontact.files.patterns import study_patterns
 from hardcontact.records.origin import canonical_json, is_current
 from hardcontact.scans.reading import read_scan

@@ -11,10 +11,10 @@ from hardcontact.base.number import Number, Status
 from hardcontact.base.statistics import interval_ends, percentile_interval
 from hardcontact.config.model import numeric_configuration
 from hardcontact.contact.contact import PLASTIC
-from hardcontact.files.master_purposes import SHORT_ADHESION_RANGE
 from hardcontact.inference.edges import MEAN_GROUP, edges_or_bounds
 from hardcontact.inference.fit import WITHOUT_SURFACE
 from hardcontact.inference.octaves import strongest_octaves
+from hardcontact.paper.edge_shifts import SHORT_ADHESION_RANGE
 from hardcontact.paper.verdicts import count_verdicts, interval_with_sets, open_end
 from hardcontact.report.notes import note, substitutes_note
 from hardcontact.report.paper_study.changed_inputs import changed_inputs, paper_contact
