@@ -73,8 +73,14 @@ def open_claims(rows=None, **changed):
 def answer(rows=None, configuration=PAPER, **changed):
     """Return answer.json of the study, from other claims or datasets if given."""
     table = open_claims(rows, **changed)
-    tables = (CONSTANTS, published_table1())
-    content = paper_answer(table, datasets() | changed, *tables, configuration, CITATION["version"])
+    content = paper_answer(
+        table,
+        datasets() | changed,
+        constants=CONSTANTS,
+        table1=published_table1(),
+        configuration=configuration,
+        version=CITATION["version"],
+    )
     return json.loads(answer_text(content))
 
 

@@ -65,7 +65,14 @@ def test_the_factor_of_the_sphere_is_the_ratio_of_mean_forces():
         for first in (1, 7)
     }
     topography = make_inputs().topography
-    inputs = gather_inputs(topography, adhesion, chunks, {}, SUBSTRATES, make_masters())
+    inputs = gather_inputs(
+        topography=topography,
+        adhesion=adhesion,
+        chunks=chunks,
+        sample_chunks={},
+        sampled_substrates=SUBSTRATES,
+        masters=make_masters(),
+    )
     np.testing.assert_allclose(inputs.sphere_factor, 0.5, rtol=1e-12)
     assert set(inputs.sphere_factor.dims) == {"contact_model", "surface", "rho"}
     for name, pool in pools.items():

@@ -28,7 +28,12 @@ with run_job(snakemake) as job:
     citation = yaml.safe_load(Path(job.input.citation).read_text("utf-8"))
     published_table1 = published.read_table1(job.input.published_table1)
     answer = paper_answer(
-        claims, datasets, constants, published_table1, job.parameters, citation["version"]
+        claims,
+        datasets,
+        constants=constants,
+        table1=published_table1,
+        configuration=job.parameters,
+        version=citation["version"],
     )
     job.write_text(answer_text(answer), "json")
     table1 = table1_rows(datasets["topography"], published_table1)

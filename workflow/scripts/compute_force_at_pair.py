@@ -13,11 +13,11 @@ with run_job(snakemake) as job:
     touched_patches = fewest_touched_patches(adhesion)
     job.write(
         force_dataset(
-            adhesion,
-            read(job.input.scales),
-            read(job.input.topography),
-            read(job.input.spectra),
-            read(job.input.sensitivity),
+            adhesion=adhesion,
+            scales=read(job.input.scales),
+            topography=read(job.input.topography),
+            spectra=read(job.input.spectra),
+            sensitivity=read(job.input.sensitivity),
             contact=Contact(**params["contact"]),
             master_scans=MasterScans(params["scan_counts"], params["tiles"], touched_patches),
             tolerance=params["tolerance"],

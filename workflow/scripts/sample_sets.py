@@ -12,12 +12,12 @@ from hardcontact.records.job import run_job
 with run_job(snakemake) as job:
     params = job.parameters
     inputs = gather_inputs(
-        read(job.input.topography),
-        read(job.input.adhesion),
-        read_all(params["chunks"], job.input.pools),
-        read_all(params["sample_chunks"], job.input.samples),
-        params["sampled_substrates"],
-        read_master_forces(
+        topography=read(job.input.topography),
+        adhesion=read(job.input.adhesion),
+        chunks=read_all(params["chunks"], job.input.pools),
+        sample_chunks=read_all(params["sample_chunks"], job.input.samples),
+        sampled_substrates=params["sampled_substrates"],
+        masters=read_master_forces(
             params["master_surfaces"], job.input.masters, params["realizations"], params["loading"]
         ),
     )

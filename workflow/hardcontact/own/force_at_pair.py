@@ -39,12 +39,12 @@ QUANTILES = [0.05, 0.25, 0.5, 0.75, 0.95]
 
 
 def force_dataset(
+    *,
     adhesion: xr.Dataset,
     scales: xr.Dataset,
     topography: xr.Dataset,
     spectra: xr.Dataset,
     sensitivity: xr.Dataset,
-    *,
     contact: Contact,
     master_scans: MasterScans,
     tolerance: float,

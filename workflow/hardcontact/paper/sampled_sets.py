@@ -67,6 +67,7 @@ class SetSettings(NamedTuple):
 
 
 def gather_inputs(
+    *,
     topography: xr.Dataset,
     adhesion: xr.Dataset,
     chunks: Mapping[tuple[Any, ...], xr.Dataset],

@@ -56,6 +56,7 @@ GRID_UNITS = {"scan_pixels": "1", "scan_size": "nm", "contacts_per_row": "1"}
 def paper_answer(
     claims: pd.DataFrame,
     datasets: Mapping[str, xr.Dataset],
+    *,
     constants: pd.DataFrame,
     table1: pd.DataFrame,
     configuration: Mapping[str, Any],
