@@ -87,7 +87,7 @@ def test_mean_and_median_of_a_lognormal_give_the_deviation_of_its_logarithm():
     assert log_std == pytest.approx(0.7)
 
 
-def test_equal_forces_have_shape_zero_without_an_interval():
+def test_equal_forces_have_no_deviation_and_no_interval():
     assert statistics.fit_lognormal(np.full(9, 5e-8), 3e-8)[0] == pytest.approx(0, abs=1e-12)
     assert np.isnan(statistics.jackknife_interval(0.0, np.zeros(5), 0.95)).all()
 
@@ -96,30 +96,30 @@ def test_equal_forces_have_shape_zero_without_an_interval():
 def test_censored_fit_has_the_greatest_likelihood(floor):
     forces = stats.lognorm(0.9, scale=6e-8).rvs(size=300, random_state=np.random.default_rng(1))
     is_below = forces < floor
-    shape, median, share = statistics.fit_lognormal(forces, floor)
+    log_std, median, share = statistics.fit_lognormal(forces, floor)
     data = stats.CensoredData(uncensored=forces[~is_below], left=np.full(is_below.sum(), floor))
-    scipy_shape, _, scipy_scale = stats.lognorm.fit(data, floc=0)
+    scipy_log_std, _, scipy_scale = stats.lognorm.fit(data, floc=0)
     assert share == is_below.mean()
-    assert (shape, median) == pytest.approx((scipy_shape, scipy_scale), rel=1e-3)
+    assert (log_std, median) == pytest.approx((scipy_log_std, scipy_scale), rel=1e-3)
 
-    def negative_log_likelihood(shape, median):
-        distribution = stats.lognorm(shape, scale=median)
+    def negative_log_likelihood(log_std, median):
+        distribution = stats.lognorm(log_std, scale=median)
         return -distribution.logpdf(forces[~is_below]).sum() - is_below.sum() * distribution.logcdf(
             floor
         )
 
     assert (
-        negative_log_likelihood(shape, median)
-        <= negative_log_likelihood(scipy_shape, scipy_scale) + 1e-7
+        negative_log_likelihood(log_std, median)
+        <= negative_log_likelihood(scipy_log_std, scipy_scale) + 1e-7
     )
 
 
 def test_censored_fit_recovers_the_distribution_below_the_floor():
     distribution = stats.lognorm(0.9, scale=6e-8)
     forces = distribution.rvs(size=20000, random_state=np.random.default_rng(0))
-    shape, median, share_below = statistics.fit_lognormal(forces, 3e-8)
-    assert shape == pytest.approx(0.9, rel=0.03)
+    log_std, median, share_below = statistics.fit_lognormal(forces, 3e-8)
+    assert log_std == pytest.approx(0.9, rel=0.03)
     assert median == pytest.approx(6e-8, rel=0.03)
     assert share_below == pytest.approx(distribution.cdf(3e-8), abs=0.01)
-    shape, median, share_below = statistics.fit_lognormal(forces * 1e-3, 3e-8)
-    assert np.isnan(shape) and np.isnan(median) and share_below == 1
+    log_std, median, share_below = statistics.fit_lognormal(forces * 1e-3, 3e-8)
+    assert np.isnan(log_std) and np.isnan(median) and share_below == 1

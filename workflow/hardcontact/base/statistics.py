@@ -183,12 +183,12 @@ def fit_lognormal(forces: Floats, floor: float) -> tuple[float, float, float]:
         return np.nan, np.nan, 1.0
     logarithms = np.log(forces[~is_censored])
     centre = logarithms.mean()
-    shape = logarithms.std()
-    if is_censored.any() and shape > 0:
-        limit = (np.log(floor) - centre) / shape
+    log_std = logarithms.std()
+    if is_censored.any() and log_std > 0:
+        limit = (np.log(floor) - centre) / log_std
         shift, stretch = _censored_normal_fit(limit, is_censored.mean())
-        centre, shape = centre + shift * shape, stretch * shape
-    return float(shape), float(np.exp(centre)), float(is_censored.mean())
+        centre, log_std = centre + shift * log_std, stretch * log_std
+    return float(log_std), float(np.exp(centre)), float(is_censored.mean())
 
 
 def _censored_normal_fit(limit: float, censored: float) -> tuple[float, float]:

@@ -128,5 +128,5 @@ def _jackknife_statistics(forces: Floats, floor: float) -> Floats:
     """Return the JACKKNIFE_STATISTICS (3,) of all forces (N) together; NaN without forces."""
     if not forces.size:
         return np.full(len(JACKKNIFE_STATISTICS), np.nan)
-    shape, median, _ = fit_lognormal(forces.ravel(), floor)
-    return np.array([np.median(forces), shape, median])
+    log_std, median, _ = fit_lognormal(forces.ravel(), floor)
+    return np.array([np.median(forces), log_std, median])

@@ -31,13 +31,13 @@ SPHERE_COUNT = 6
 NONE_LEFT_OUT = "none"
 
 
-def log_mean_error(shape: ArrayLike, count: int) -> Floats:
+def log_mean_error(log_std: ArrayLike, count: int) -> Floats:
     """Return the standard deviation of the logarithm of a mean of log-normal forces.
 
-    The shape is the standard deviation of the logarithm of a single force, the count the number of
+    `log_std` is the standard deviation of the logarithm of a single force, `count` the number of
     independent forces.
     """
-    return np.sqrt(np.log1p(np.expm1(np.square(shape)) / count))
+    return np.sqrt(np.log1p(np.expm1(np.square(log_std)) / count))
 
 
 def posterior_samples(

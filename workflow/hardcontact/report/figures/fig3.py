@@ -60,8 +60,8 @@ def draw(
         _draw_linear(linear, surface_forces, lognormals[0], colour)
         _draw_logarithmic(logarithmic, surface_forces, lognormals, floor, colour)
         style.label_panel(linear, f"{letter}_1", str(surface_fit["label"].item()))
-        shape = format_with_interval(value_and_bounds(surface_fit, "log_force_std"), ".2f")
-        title = f"published $s$ = {lognormals[0].args[0]:.2f}\nhere {shape}"
+        log_std = format_with_interval(value_and_bounds(surface_fit, "log_force_std"), ".2f")
+        title = f"published $s$ = {lognormals[0].args[0]:.2f}\nhere {log_std}"
         style.label_panel(logarithmic, f"{letter}_2", title)
         for axes in (linear, logarithmic):
             axes.axvspan(axes.get_xlim()[0], floor / style.MICRONEWTON, color="0.85", zorder=0)
