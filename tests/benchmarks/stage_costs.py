@@ -4,7 +4,7 @@
     python tests/benchmarks/stage_costs.py full results/paper results/store
     python tests/benchmarks/stage_costs.py own results/my-coating results/store-my-coating
 
-The last study is of own surfaces at full effort, one scan of 512 x 512 pixels.
+The last study is of the user's surfaces at full effort, one scan of 512 x 512 pixels.
 
 Writes the mean processor time of the jobs of each rule, from the benchmarks of a finished study.
 """

@@ -46,7 +46,7 @@ def scaled(content, factor, name, surface=""):
 
 
 def own(study, label):
-    """Return the answer of a study of one own surface, with a single number."""
+    """Return the answer of a study of one surface of the user, with a single number."""
     number = {"surface": label, **Number("mean_force", 1e-6, "N", 0.9e-6, 1.1e-6)._asdict()}
     return {
         "study": study, "kind": "own surfaces", "contact": {"hardness": "25 GPa"},

@@ -1,4 +1,4 @@
-"""Small datasets of own surfaces, as a study writes them: edges, forces, fits, spectra, maps."""
+"""Small datasets of the user's surfaces, as in a study: edges, forces, fits, spectra, maps."""
 
 import numpy as np
 import xarray as xr

@@ -1,4 +1,4 @@
-"""Studies of own surfaces: small scans in the files of microscopes, and the two commands."""
+"""Studies of the user's surfaces: small scans in the files of microscopes, and the two commands."""
 
 import json
 from contextlib import contextmanager
@@ -13,7 +13,7 @@ from scan_files import nanoscope
 SHARED = ROOT.parent / "shared" / "scans"
 #: Height of a count of a Nanoscope file, in nm.
 COUNT = 0.1
-#: Range in nm (a computed one) and work in J/m² of the own forces.
+#: Range in nm (a computed one) and work in J/m² of the user's forces.
 RANGE, WORK = 5.6, 0.05
 
 

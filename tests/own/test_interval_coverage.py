@@ -84,7 +84,7 @@ def test_intervals_contain_spectrum_force_and_edges_of_known_surfaces(monkeypatc
             logarithms(sampled_spectrum, edges) - measured_forces
             for sampled_spectrum, _ in sample_spectra(rngs, scans, radii)
         ]
-        # As for own surfaces; the interval of an edge holds it if that of F_c/F there does.
+        # As for the user's surfaces; the interval of an edge holds it if that of F_c/F there does.
         half = stats.t.ppf(0.975, DRAWS) * np.sqrt(np.mean(np.square(shifts), axis=0))
         true = logarithms(spectrum, edges)
         contained.append(

@@ -1,4 +1,4 @@
-"""Own forces made with a range and a work of adhesion that are known."""
+"""The user's forces made with a range and a work of adhesion that are known."""
 
 import numpy as np
 import pandas as pd

@@ -24,7 +24,7 @@ LENGTHS = ["<5 nm", "43 [40, 50] nm", "250 nm to 1 mm", "1.8 µm", "0.5 mm", ""]
 
 
 def surfaces_page(own_datasets):
-    """The page of own surfaces."""
+    """The page of the user's surfaces."""
     answer = json.loads(answer_text(own_answer(own_datasets, setting())))
     return own_page(answer, dict.fromkeys(OWN_FIGURES, svg("#bbb")), CITATION, Frame("1.2.3"))
 

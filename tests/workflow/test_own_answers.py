@@ -1,4 +1,4 @@
-"""Studies of own surfaces turn files of all kinds into an honest answer."""
+"""Studies of the user's surfaces turn files of all kinds into an honest answer."""
 
 import json
 import re
@@ -39,7 +39,7 @@ def page_of(results):
 
 
 def assert_honest(results, fitted=False):
-    """Check properties of the answer of every study of own surfaces."""
+    """Check properties of the answer of every study of the user's surfaces."""
     answer, page = numbers(results), page_of(results)
     schema = ROOT / "workflow/schemas/answer.schema.json"
     Draft202012Validator(json.loads(schema.read_text("utf-8"))).validate(answer)
@@ -91,7 +91,7 @@ def test_surfaces_on_different_grids_have_their_own_answers(several):
     assert twin["pixel_size"]["value"] == pytest.approx(19.53, abs=0.01)
 
 
-# Own forces
+# The user's forces
 
 
 def test_the_interval_from_own_forces_contains_the_true_work(several):

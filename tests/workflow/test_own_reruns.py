@@ -1,4 +1,4 @@
-"""A changed key or column repeats exactly its dependents in a study of own surfaces."""
+"""A changed key or column repeats exactly its dependents in a study of the user's surfaces."""
 
 import re
 

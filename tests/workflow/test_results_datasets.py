@@ -67,7 +67,7 @@ def test_the_same_seed_gives_the_same_values(finished, tmp_path):
     assert all(reference_values[key] == values for key, values in repeated_values.items())
 
 
-# An own scan among substitutes
+# A measured scan among substitutes
 
 TABLE = """\
 surface\tlabel\tscan\tsource\tpath\tdataset

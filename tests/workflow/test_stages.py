@@ -136,7 +136,7 @@ def test_a_job_that_fails_has_one_line_that_names_its_log(capsys, tmp_path, has_
         ("claim", [], "a target (topography, adhesion"),
         ("fig7", [], "fig6"),
         ("fig6", ["--configfile", "config/crn.yaml"], "answer, which makes all figures"),
-        ("claims", ["--configfile", "config/crn.yaml"], "a target of own surfaces (answer"),
+        ("claims", ["--configfile", "config/crn.yaml"], "a target for your surfaces (answer"),
     ],
 )
 def test_a_target_that_no_rule_makes_is_refused_in_one_line(

@@ -1,4 +1,4 @@
-# The page that answers for own surfaces, and its figures.
+# The page that answers for the user's surfaces, and its figures.
 
 from hardcontact.records.code import page_templates
 from hardcontact.config.configuration import assumed_quantities, contact_words, read_yaml

@@ -6,8 +6,8 @@
 #   PATTERNS       the path of each kind of file, with wildcards in braces
 #   RANGES         the ranges of adhesion (nm) at which forces on scans are computed
 #   SAMPLING       the seed, the number of random samples and the confidence of intervals
-#   IS_PAPER_STUDY whether results are compared with the paper; false for own surfaces
-#   HAS_FORCES     whether own surfaces have a table of measured forces
+#   IS_PAPER_STUDY whether results are compared with the paper; false for the user's surfaces
+#   HAS_FORCES     whether the user's surfaces have a table of measured forces
 #   PAGES          title and category of each page of the report except figures
 #   ANSWER         answer.html and answer.json
 #   parameters     turns the parameters of a script into one text

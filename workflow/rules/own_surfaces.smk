@@ -1,5 +1,5 @@
-# Own surfaces: the roughness of both bodies in one under a scanned sphere, edges of the band,
-# force at the configured range and work, and the fit to own forces.
+# The user's surfaces: the roughness of both bodies in one under a scanned sphere, edges of the band,
+# force at the configured range and work, and the fit to the user's forces.
 
 from hardcontact.files.patterns import any_name_pattern
 

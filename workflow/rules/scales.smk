@@ -9,7 +9,7 @@ from hardcontact.files.master_purposes import (
 )
 from hardcontact.surfaces.synthesis import SIDES
 
-#: Masters of sampled spectra, which own surfaces alone have.
+#: Masters of sampled spectra, which the user's surfaces alone have.
 SAMPLED_MASTERS = [] if IS_PAPER_STUDY else CHUNKS.filtered_masters("sampled")
 
 

@@ -2,7 +2,7 @@
 
 from hardcontact.report.figures.listing import FILE_KINDS, PAPER_FIGURES
 
-#: The datasets of each target that makes some; `fit` of own surfaces needs own forces.
+#: The datasets of each target that makes some; `fit` of the user's surfaces needs measured forces.
 if IS_PAPER_STUDY:
     DATASETS_OF_TARGETS = {
         "topography": ["topography"],

@@ -1,4 +1,4 @@
-"""The answer of a study of own surfaces: answer.json, and the page that shows it."""
+"""The answer of a study of the user's surfaces: answer.json, and the page that shows it."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""The pull-off forces on own surfaces at one range and work of adhesion."""
+"""The pull-off forces on the user's surfaces at one range and work of adhesion."""
 
 from hardcontact.base.dataset import read
 from hardcontact.contact.contact import Contact

@@ -1,4 +1,4 @@
-"""The wavelengths whose removal changes the pull-off force on own surfaces."""
+"""The wavelengths whose removal changes the pull-off force on the user's surfaces."""
 
 from hardcontact.base.dataset import read
 from hardcontact.inference.edges import labelled_edges

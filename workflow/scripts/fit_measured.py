@@ -1,4 +1,4 @@
-"""Range and work of adhesion that the user's own forces allow."""
+"""Range and work of adhesion that the user's forces allow."""
 
 from hardcontact.base import dataset
 from hardcontact.base.statistics import Sampling

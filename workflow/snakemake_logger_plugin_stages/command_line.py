@@ -17,7 +17,7 @@ def _options() -> Namespace:
 
 
 def cost_column() -> str:
-    """Return the column of costs: of a first answer, of own surfaces or of the paper."""
+    """Return the column of costs: of a first answer, of the user's surfaces or of the paper."""
     options = _options()
     if "config/quick.yaml" in options.configfile or "effort=quick" in options.config:
         return "quick"
@@ -41,8 +41,8 @@ def _missing_target(name: str) -> str:
     )
     if _has_own_surfaces():
         targets = (
-            "a target of own surfaces (answer, which makes all figures; topography, adhesion, "
-            "scales or force; with own forces fit)"
+            "a target for your surfaces (answer, which makes all figures; topography, adhesion, "
+            "scales or force; with your forces fit)"
         )
     elif name.startswith("fig"):
         targets = f"a figure ({', '.join(PAPER_FIGURES)})"
@@ -50,7 +50,7 @@ def _missing_target(name: str) -> str:
 
 
 def _has_own_surfaces() -> bool:
-    """Return whether the command line names a study of own surfaces, by its readable overlays."""
+    """Return whether an overlay that can be read makes a study of the user's surfaces."""
     overlays = [yaml.safe_load(Path(path).read_bytes()) for path in _options().configfile]
     return any(overlay.get("published") == "none" for overlay in overlays)
 

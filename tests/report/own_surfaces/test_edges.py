@@ -1,4 +1,4 @@
-"""Edges of own surfaces, what to measure next, and the conclusion on their scans."""
+"""Edges of the user's surfaces, what to measure next, and the conclusion on their scans."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""Predicted and measured forces of own surfaces, and the fit to these."""
+"""Predicted and measured forces of the user's surfaces, and their fit."""
 
 import numpy as np
 import pytest

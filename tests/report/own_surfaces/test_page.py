@@ -1,4 +1,4 @@
-"""The page of own surfaces: self-contained, honest, readable; its figures show the datasets."""
+"""The page of the user's surfaces: self-contained, honest, readable; figures show the datasets."""
 
 import json
 import re

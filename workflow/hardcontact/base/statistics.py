@@ -2,7 +2,7 @@
 
 Uncertainty comes from scans, not from contacts, because contacts on one scan see the same peaks.
 The study of the paper varies scans: a single mean gets Student's t, a quantity of several means
-gets random samples. Own surfaces may have only one or two scans: quarters of a scan vary
+gets random samples. The user's surfaces may have only one or two scans: quarters of a scan vary
 (`inference.scan_parts`). The interval of `name` is `name_interval`, with the dimension `end`.
 """
 

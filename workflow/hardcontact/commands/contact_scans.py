@@ -1,4 +1,4 @@
-"""The scans of own surfaces on which contacts are made, with their window and range of adhesion."""
+"""The user's scans on which contacts are made, with their window and range of adhesion."""
 
 import math
 from collections.abc import Sequence

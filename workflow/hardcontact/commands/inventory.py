@@ -1,4 +1,4 @@
-"""The contents of the files of own surfaces: one entry per topography, and unreadable datasets."""
+"""The contents of the user's files: one entry per topography, and unreadable datasets."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""The command `hardcontact new`: from files of scans to a study of own surfaces.
+"""The command `hardcontact new`: from files of scans to a study of the user's surfaces.
 
 It reads the files, prints their contents, proposes a value for each key, and writes an overlay and
 a table of surfaces. If there are problems, it prints one line for each and writes nothing.
@@ -198,7 +198,7 @@ def _report_lines(
     labels = {entry.scan_file.surface: entry.scan_file.label for entry in entries}
     renamed = [f"{surface} is {label}" for surface, label in labels.items() if surface != label]
     if renamed:
-        yield f"\nIn tables, own forces and paths: {', '.join(renamed)}"
+        yield f"\nIn tables, your forces and paths: {', '.join(renamed)}"
     if unreadable:
         yield "\nLeft out:"
         yield from unreadable

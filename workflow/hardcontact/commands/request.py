@@ -53,7 +53,7 @@ def parse_arguments(arguments: Sequence[str]) -> Namespace:
     parser.add_argument(
         "command", choices=["new", "predict", "verify", "compare"],
         metavar="{new,predict,verify,compare}",
-        help="new: make a study of own surfaces; predict: a force from a spectrum, see "
+        help="new: make a study of your surfaces; predict: a force from a spectrum, see "
         "hardcontact predict --help; verify: check the files of a finished study; compare: the "
         "numbers of two studies",
     )  # fmt: skip

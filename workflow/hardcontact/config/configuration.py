@@ -131,7 +131,7 @@ def apply_effort(config: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def combines_bodies(configuration: Mapping[str, Any]) -> bool:
-    """Return whether a study of own surfaces adds the roughness of a scanned sphere to them."""
+    """Return whether a study adds the roughness of a scanned sphere to the user's surfaces."""
     sphere = configuration["sphere"]["surface"]
     return bool(configuration["published"] == NONE and sphere != SMOOTH_SPHERE)
 

@@ -30,7 +30,7 @@ FORCE_QUANTITY = Quantity("N", 1e-15, 1e3)
 def measured_forces(
     path: str | Path, surfaces: Collection[str], radius: float, given_as: str = "config key forces"
 ) -> pd.DataFrame:
-    """Read the user's own pull-off forces on the surfaces of a study.
+    """Read the user's pull-off forces on the surfaces of a study.
 
     The columns are TESTS, and perhaps `site`, or SUMMARIES with one row per surface; others are not
     read, and messages name `given_as`. Forces over the radius of the probe (nm) are multiplied by

@@ -251,7 +251,7 @@ class StudyKeys(Keys):
     scans: Annotated[list[int], Field(min_length=1), or_word("all")] = key("all")
     """Numbers of the scans used, such as `[1, 2]`, or `all`."""
     published: Literal["paper", "none"] = "paper"
-    """Publication that the study is compared with: the `paper`, or `none` for own surfaces."""
+    """Publication that the study is compared with: the `paper`, or `none` for your surfaces."""
     forces: FilePath = "none"
     """With `published: none`: table of forces measured on these surfaces, or `none`."""
     given: list[Literal["radius", "hardness", "preload", "range", "work"]] = []

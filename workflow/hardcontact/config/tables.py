@@ -175,7 +175,7 @@ def _segment_fault(row: Row, is_longest: bool, published: Collection[str]) -> st
 
 
 def refuse_paper_surface(path: str | Path, surface: str, published: Collection[str]) -> None:
-    """Refuse a substitute for a surface of the paper in a study of own surfaces.
+    """Refuse a substitute for a surface of the paper in a study of the user's surfaces.
 
     `refuse_description` must accept the description. `published` are the surfaces in the paper's
     Table 1, to which substitutes with these names are conditioned. Raises ValueError with one line.
@@ -189,7 +189,7 @@ def refuse_paper_surface(path: str | Path, surface: str, published: Collection[s
     if not segments.evidence.isin(DATA_EVIDENCE).any():
         found = ", ".join(map(quote_key, segments.evidence.unique()))
         raise ValueError(
-            f"{path}: expected, in a study of own surfaces, a segment whose evidence is "
+            f"{path}: expected, in a study of your surfaces, a segment whose evidence is "
             f"{' or '.join(DATA_EVIDENCE)}, found {found}"
         )
 

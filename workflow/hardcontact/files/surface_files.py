@@ -175,7 +175,7 @@ class SurfaceFiles:
 
     @property
     def positions_per_row(self) -> int:
-        """Positions per row on each scan of the sphere at which it touches, of own surfaces."""
+        """Positions per row on each scan of the sphere at which it touches the user's surfaces."""
         if not self._combines_bodies:
             return 1
         return ceil(sqrt(SPHERE_POSITIONS / len(self.selection.sphere_scans)))

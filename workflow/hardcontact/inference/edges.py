@@ -1,7 +1,7 @@
 """The critical band: ratios of forces by cutoff and the edges where they change, for edges.nc.
 
 Masters of substitutes are random surfaces: realizations are independent, and their roughness ends
-at the unfiltered wavelength. For own scans see `edges_of_scans`.
+at the unfiltered wavelength. For the user's scans see `edges_of_scans`.
 """
 
 from collections.abc import Hashable, Iterator, Sequence

@@ -1,7 +1,7 @@
 """Parts of scans, which give the interval of a mean over a few scans.
 
-They serve own surfaces, which may have one scan or two; the surfaces of the paper have several
-independent scans, whose means suffice (`base.statistics`).
+They serve the user's surfaces, which may have one scan or two; the surfaces of the paper have
+several independent scans, whose means suffice (`base.statistics`).
 
 If a surface has three scans or more, the parts are the scans. Otherwise the parts are the quarters
 of each scan: contacts of a mirrored scan are grouped by their quarter. Quarters are not

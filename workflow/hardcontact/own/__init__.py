@@ -1,1 +1,1 @@
-"""What only studies of own surfaces need: forces on few scans, predictions, fits to own forces."""
+"""What only studies of the user's surfaces need: forces on few scans, predictions, fits."""

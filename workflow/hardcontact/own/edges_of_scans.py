@@ -1,4 +1,4 @@
-"""The critical band of own surfaces, whose masters share few scans.
+"""The critical band of the user's surfaces, whose masters share few scans.
 
 The roughness of the surface goes on beyond the ends of the scans, so an edge before the first
 cutoff is open. Intervals come from parts of the scans.

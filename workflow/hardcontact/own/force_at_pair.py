@@ -1,4 +1,4 @@
-"""The pull-off forces on own scans at one range and work of adhesion: force.nc.
+"""The pull-off forces on the user's scans at one range and work of adhesion: force.nc.
 
 One force has the roughness of the scans alone, another has roughness extrapolated beyond their
 wavelengths, too.

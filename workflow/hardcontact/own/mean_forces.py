@@ -1,4 +1,4 @@
-"""Mean forces on own scans and on masters made of them, with the parts that give intervals.
+"""Mean forces on the user's scans and on masters made of them, with the parts that give intervals.
 
 A master is a scan with artificial roughness, and each realization has its own roughness. The mean
 over realizations therefore varies with the scans and, on the same scans, with the random numbers.

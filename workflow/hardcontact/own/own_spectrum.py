@@ -1,4 +1,4 @@
-"""The user's own spectrum: a table of a power spectral density, or scans of a surface.
+"""The user's spectrum: a table of a power spectral density, or scans of a surface.
 
 A table has its units and is converted to C_iso. Scans give the spectrum at their reliable
 wavelengths.

@@ -1,4 +1,4 @@
-"""The window of contacts on own scans."""
+"""The window of contacts on the user's scans."""
 
 import math
 

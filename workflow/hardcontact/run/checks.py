@@ -52,7 +52,7 @@ def check_study(config: dict[str, Any], table: pd.DataFrame, compared: Collectio
         for surface, path in zip(substitutes.surface, substitutes.path, strict=True)
     ]
     if config["published"] == PAPER:
-        # Imported here, as the claims would cost studies of own surfaces almost a second.
+        # Imported here, as the claims would cost studies of the user's surfaces almost a second.
         from hardcontact.config.claim_table import refuse_claims
 
         faults = _paper_faults(config, contacts, compared)
@@ -122,7 +122,7 @@ def _own_surface_checks(
     substitutes: pd.DataFrame,
     paper_surfaces: Collection[str],
 ) -> list[Callable[[], object]]:
-    """Return the checks of substitutes, of scans that contacts do not use, and of own forces."""
+    """Return the checks of substitutes, scans that contacts do not use, and the user's forces."""
     checks: list[Callable[[], object]] = [
         partial(refuse_paper_surface, path, surface, paper_surfaces)
         for surface, path in zip(substitutes.surface, substitutes.path, strict=True)

@@ -138,11 +138,11 @@ def checked_configuration(workflow: Any, config: dict[str, Any]) -> dict[str, An
 
 
 def _refuse_grids_of_paper(workflow: Any, config: Mapping[str, Any]) -> None:
-    """Refuse the grids of the paper's quick study for own surfaces, in either order of overlays."""
+    """Refuse the paper's quick grids for the user's surfaces, in either order of overlays."""
     quick = ROOT / "config/quick.yaml"
     if config["published"] == NONE and quick in map(Path.resolve, map(Path, workflow.configfiles)):
         raise ValueError(
-            "--configfile: expected --config effort=quick for own surfaces (published: none), "
+            "--configfile: expected --config effort=quick for your surfaces (published: none), "
             "found config/quick.yaml, whose grids are for the surfaces of the paper"
         )
 

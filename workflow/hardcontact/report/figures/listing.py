@@ -41,12 +41,12 @@ class Caption(NamedTuple):
 _LISTED = yaml.safe_load(FILE.read_text("utf-8"))
 #: Figures about the statements of the paper.
 PAPER_FIGURES = tuple(_LISTED["paper"])
-#: Figures of own surfaces; "works" needs own forces.
+#: Figures of the user's surfaces; "works" needs measured forces.
 OWN_FIGURES = tuple(_LISTED["own"])
 
 
 def describe_figure(name: str) -> Description:
-    """Return the description of a figure of the paper's study or of own surfaces."""
+    """Return the description of a figure of the paper's study or of the user's surfaces."""
     return Description(**(_LISTED["paper"] | _LISTED["own"])[name])
 
 

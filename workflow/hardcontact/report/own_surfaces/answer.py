@@ -1,4 +1,4 @@
-"""The answer of a study of own surfaces: the content of its answer.json."""
+"""The answer of a study of the user's surfaces: the content of its answer.json."""
 
 from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple
@@ -124,7 +124,7 @@ def _surface_answer(
     numbers = [*_octave_numbers(data), *edge_numbers(data), *force_numbers(data)]
     if data.force["surface"].item() != reference.force["surface"].item():
         numbers += comparison_numbers(data, reference)
-    # A user who gave both range and work of adhesion, or own forces, has a pair.
+    # A user who gave measured forces, or both range and work of adhesion, has a pair.
     if data.fit is None and {RANGE, "work of adhesion"} & set(setting.assumed):
         numbers += pair_numbers(data.force, setting.pairs)
     if data.fit is not None and name in data.fit["surface"].values:
@@ -154,7 +154,7 @@ def _octave_numbers(data: Datasets) -> Iterator[Number]:
 
 
 def _study_numbers(datasets: Datasets, setting: Setting) -> list[Number]:
-    """Return the numbers of the whole study: settings and, with own forces, the fit."""
+    """Return the numbers of the whole study: settings and, with measured forces, the fit."""
     numbers = []
     pair = {"range_of_adhesion": ("rho", "nm"), "work_of_adhesion": ("work_of_adhesion", "J m-2")}
     for name, (attribute, unit) in pair.items():

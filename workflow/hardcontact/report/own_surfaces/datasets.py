@@ -1,4 +1,4 @@
-"""The final datasets of a study of own surfaces, and the settings that they do not hold."""
+"""The final datasets of a study of the user's surfaces, and the settings that they do not hold."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
@@ -12,7 +12,7 @@ from hardcontact.contact.contact import PLASTIC
 class Datasets(NamedTuple):
     """The datasets that an answer is made from, as in the files of these names.
 
-    Topography and spectra may hold scans of the sphere too. The fit is None without own forces.
+    Topography and spectra may have scans of the sphere. Without measured forces the fit is None.
     """
 
     topography: xr.Dataset

@@ -1,4 +1,4 @@
-"""The edges of the band of an own surface, the conclusion from its scans, and what to measure."""
+"""The edges of the band of a user's surface, the conclusion from its scans, what to measure."""
 
 from collections.abc import Iterable, Mapping
 from typing import NamedTuple

@@ -1,4 +1,4 @@
-"""Figures of own surfaces: octaves, force ratios, height maps, spectra, forces and fits.
+"""Figures of the user's surfaces: octaves, force ratios, height maps, spectra, forces and fits.
 
 Each figure has a panel or a curve for every surface.
 """
@@ -53,7 +53,7 @@ PAGE_WIDTH = 3.8  # inch: 360 pixels of a phone show 7 points as 9 pixels
 
 
 def write_figures(datasets: Datasets, outputs: Mapping[str, Sequence[str]]) -> dict[str, bytes]:
-    """Write the files of all figures of own surfaces, and return the SVG of each by its name.
+    """Write all figures of the user's surfaces, and return the SVG of each by its name.
 
     Outputs are by FILE_KINDS, in one order of figures; a file has the name of its figure.
     """

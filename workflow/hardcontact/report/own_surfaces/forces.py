@@ -1,4 +1,4 @@
-"""Predicted and measured forces of own surfaces as numbers of the answer, and the fit to them."""
+"""Predicted and measured forces of the user's surfaces as numbers of the answer, and their fit."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any

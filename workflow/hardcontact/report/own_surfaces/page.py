@@ -1,4 +1,4 @@
-"""The page of a study of own surfaces."""
+"""The page of a study of the user's surfaces."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -15,6 +15,6 @@ def own_page(
     citation: Mapping[str, Any],
     frame: Frame,
 ) -> str:
-    """Return the page of a study of own surfaces; the SVG of figures is by name."""
+    """Return the page of a study of the user's surfaces; the SVG of figures is by name."""
     limits = {"limit_names": LIMIT_NAMES, "min_pixels": MIN_PIXELS, "min_waves": MIN_WAVES_IN_SIZE}
     return render_page(answer, figures, citation, frame, nearly_all=NEARLY_ALL, **limits)
