@@ -186,25 +186,25 @@ def spectrum_of_grid(spectrum: Spectrum, size: float, pixels: int) -> Spectrum:
     ends at circles of the same areas. Raises ValueError if it has no such waves.
     """
     cell = 2 * np.pi / size
-    waves = spectrum_between(spectrum, cell / np.sqrt(np.pi), pixels * cell / np.sqrt(np.pi))
-    if waves is None:
+    on_grid = spectrum_between(spectrum, cell / np.sqrt(np.pi), pixels * cell / np.sqrt(np.pi))
+    if on_grid is None:
         raise ValueError(f"expected waves between {size / pixels:g} and {size:g} nm, found none")
-    return waves
+    return on_grid
 
 
 def predict_row(row: dict[str, Any]) -> dict[str, Any]:
     """Return the prediction of the closed form on the grid, and the coordinates of the surface."""
-    waves = spectrum_of_grid(spectrum_of(row), row["size"], row["pixels"])
+    grid_spectrum = spectrum_of_grid(spectrum_of(row), row["size"], row["pixels"])
     contact = Contact(
         radius=row["radius"], rho=row["rho"], work=WORK, preload=row["area"], hardness=1e18
     )
-    form = closed_form(waves, contact)
-    short, long = critical_band(waves, contact, TOLERANCE)
+    form = closed_form(grid_spectrum, contact)
+    short, long = critical_band(grid_spectrum, contact, TOLERANCE)
     return {
         "predicted_force": form.force,
         "predicted_short_edge": short,
         "predicted_long_edge": long,
-        **table_coordinates(waves, contact, form),
+        **table_coordinates(grid_spectrum, contact, form),
         "unfollowed_rms_height": form.rms_height,
         "apex_height": form.apex_height,
     }

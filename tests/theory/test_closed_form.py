@@ -110,7 +110,7 @@ def test_the_force_has_left_the_tolerance_at_the_edges():
 def test_filters_add_up_to_the_spectrum():
     spectrum = rough()
     filtered = [filtered_spectrum(spectrum, side, 300.0) for side in ("short", "long")]
-    total = sum(spectral_moment(waves, 0) for waves in filtered)
+    total = sum(spectral_moment(spectrum, 0) for spectrum in filtered)
     assert total == pytest.approx(
         spectral_moment(filtered_spectrum(spectrum, "short", 1e-3), 0), rel=0.02
     )

@@ -25,9 +25,9 @@ TABLE = pd.read_csv(validity.DESIGNED_SURFACES)
 def test_the_spectrum_of_a_grid_has_the_rms_height_of_its_surfaces():
     spectrum = rough(4, 500, 0.8, 10)
     heights = [random_surface(generator(2, k), 256, 10.0, spectrum).heights for k in range(8)]
-    waves = validate_prediction.spectrum_of_grid(spectrum, 2560.0, 256)
+    grid_spectrum = validate_prediction.spectrum_of_grid(spectrum, 2560.0, 256)
     rms_height = np.sqrt(np.mean(np.square(heights)))
-    assert np.sqrt(spectral_moment(waves, 0)) == pytest.approx(rms_height, rel=0.03)
+    assert np.sqrt(spectral_moment(grid_spectrum, 0)) == pytest.approx(rms_height, rel=0.03)
     with pytest.raises(ValueError, match="expected waves between"):
         validate_prediction.spectrum_of_grid(spectrum, 1e-3, 4)
 
@@ -37,9 +37,9 @@ def test_the_table_repeats_the_design_and_the_closed_form():
     pd.testing.assert_frame_equal(TABLE[designed.columns], designed, rtol=1e-4, check_dtype=False)
     for row in TABLE.to_dict("records")[::3]:
         spectrum = validate_prediction.spectrum_of(row)
-        waves = validate_prediction.spectrum_of_grid(spectrum, row["size"], row["pixels"])
+        grid_spectrum = validate_prediction.spectrum_of_grid(spectrum, row["size"], row["pixels"])
         contact = contact_of_area(row["radius"], row["rho"], 1.0, row["area"])
-        form = closed_form(waves, contact)
+        form = closed_form(grid_spectrum, contact)
         assert form.force == pytest.approx(row["predicted_force"], rel=1e-3)
         assert form.regime == row["regime"]
         assert (form.rms_height, form.apex_height) == pytest.approx(

@@ -27,11 +27,11 @@ SURFACE = rounded(SIGMA, 100)
 
 def flat_contact(modulus, clumps=0.0):
     """Return a contact of a modulus with the area of a number of mean clumps."""
-    waves = spectrum_between(SURFACE, 0, np.inf)
-    _, number, bearing = clumps_above(waves, FLAT)
-    highest = apex_distribution(waves, FLAT, 0.0).mean()
+    spectrum = spectrum_between(SURFACE, 0, np.inf)
+    _, number, bearing = clumps_above(spectrum, FLAT)
+    highest = apex_distribution(spectrum, FLAT, 0.0).mean()
     area = clumps * np.interp(highest, LEVELS, bearing / np.maximum(number, 1e-99))
-    level = apex_distribution(waves, FLAT, area).mean()
+    level = apex_distribution(spectrum, FLAT, area).mean()
     return contact_of_area(FLAT, modulus * SIGMA / level, 1.0, area)
 
 
@@ -65,10 +65,10 @@ def test_the_mean_force_equals_the_closed_form(rho, low, high):
 
 
 def test_radii_of_summits_scatter_like_sampled_radii():
-    waves = spectrum_between(SURFACE, 0, np.inf)
-    apex = apex_distribution(waves, FLAT, 0.0)
+    spectrum = spectrum_between(SURFACE, 0, np.inf)
+    apex = apex_distribution(spectrum, FLAT, 0.0)
     radii = sampled_radii(generator(1, "radii"), apex.mean())
-    assert summit_radius_variation(waves, apex) == pytest.approx(
+    assert summit_radius_variation(spectrum, apex) == pytest.approx(
         radii.std() / radii.mean(), rel=0.05
     )
 

@@ -23,10 +23,10 @@ def full_band(spectrum):
 
 
 def test_a_gaussian_autocorrelation_has_known_moments():
-    waves = full_band(rounded(4, 100))
-    assert spectral_moment(waves, 0) == pytest.approx(16, rel=0.01)
-    assert spectral_moment(waves, 2) == pytest.approx(2 * (4 / 100) ** 2, rel=0.01)
-    assert spectral_moment(waves, 4) == pytest.approx(8 * 16 / 100**4, rel=0.02)
+    spectrum = full_band(rounded(4, 100))
+    assert spectral_moment(spectrum, 0) == pytest.approx(16, rel=0.01)
+    assert spectral_moment(spectrum, 2) == pytest.approx(2 * (4 / 100) ** 2, rel=0.01)
+    assert spectral_moment(spectrum, 4) == pytest.approx(8 * 16 / 100**4, rel=0.02)
 
 
 def test_a_gaussian_autocorrelation_has_clumps_of_known_radius():
@@ -38,11 +38,10 @@ def test_a_gaussian_autocorrelation_has_clumps_of_known_radius():
 
 
 def test_clumps_at_high_levels_are_as_dense_as_summits_of_a_smooth_surface():
-    waves, level = full_band(rounded(4, 100)), 5.0
-    density = stats.norm.sf(level) / (np.pi * summits.clump_radius(waves, [level])[0] ** 2)
-    euler = (
-        level * np.exp(-(level**2) / 2) * spectral_moment(waves, 2) / 2 / spectral_moment(waves, 0)
-    )
+    spectrum, level = full_band(rounded(4, 100)), 5.0
+    density = stats.norm.sf(level) / (np.pi * summits.clump_radius(spectrum, [level])[0] ** 2)
+    mean_square_slope = spectral_moment(spectrum, 2) / 2 / spectral_moment(spectrum, 0)
+    euler = level * np.exp(-(level**2) / 2) * mean_square_slope
     assert density == pytest.approx(euler / (2 * np.pi) ** 1.5, rel=0.08)
 
 
@@ -61,10 +60,11 @@ def test_short_waves_of_no_height_make_no_clumps():
 
 
 def test_the_highest_point_follows_gumbel_s_law():
-    waves = full_band(rounded(4, 100))
-    apex = summits.apex_distribution(waves, FLAT, 0.0)
+    spectrum = full_band(rounded(4, 100))
+    apex = summits.apex_distribution(spectrum, FLAT, 0.0)
     # Lambda(t) = R m2/(sigma sqrt(2 pi)) exp(-t²/2) is one at the location.
-    location = np.sqrt(2 * np.log(FLAT * spectral_moment(waves, 2) / 2 / (4 * np.sqrt(2 * np.pi))))
+    mean_square_slope = spectral_moment(spectrum, 2) / 2
+    location = np.sqrt(2 * np.log(FLAT * mean_square_slope / (4 * np.sqrt(2 * np.pi))))
     gumbel = stats.gumbel_r(location, 1 / location)
     assert apex.weights.sum() == pytest.approx(1)
     assert apex.mean() == pytest.approx(gumbel.mean(), rel=0.03)
@@ -83,36 +83,39 @@ def test_exponential_areas_of_poisson_clumps_have_a_known_distribution(area):
 
 
 def test_a_large_contact_area_is_the_bearing_area():
-    waves, area = full_band(rounded(4, 100)), 3e6
-    level = summits.apex_distribution(waves, FLAT, area).mean()
+    spectrum, area = full_band(rounded(4, 100)), 3e6
+    level = summits.apex_distribution(spectrum, FLAT, area).mean()
     bearing = 2 * np.pi * FLAT * 4 * integrate.quad(stats.norm.sf, level, 10)[0]
     assert bearing == pytest.approx(area, rel=0.05)
-    assert level < summits.apex_distribution(waves, FLAT, 400).mean()
+    assert level < summits.apex_distribution(spectrum, FLAT, 400).mean()
 
 
 def test_the_highest_point_matches_random_surfaces():
     spectrum, pixels, size, radius = rough(4, 300, 0.8, 40), 256, 2560.0, 20e3
-    waves = spectrum_between(spectrum, 2 * np.pi / size / 2, np.inf)
+    spectrum_on_map = spectrum_between(spectrum, 2 * np.pi / size / 2, np.inf)
     offset = (np.arange(pixels) - pixels / 2) * 10.0
     sphere = (offset[:, None] ** 2 + offset**2) / (2 * radius)
     highest = [
         (random_surface(generator(3, k), pixels, 10.0, spectrum).heights - sphere).max()
         for k in range(120)
     ]
-    mean_height = summits.apex_distribution(waves, radius, 0.0).mean() * np.sqrt(
-        spectral_moment(waves, 0)
+    mean_height = summits.apex_distribution(spectrum_on_map, radius, 0.0).mean() * np.sqrt(
+        spectral_moment(spectrum_on_map, 0)
     )
     assert mean_height == pytest.approx(np.mean(highest), rel=0.08)
 
 
 def test_a_sphere_follows_waves_flatter_than_itself():
     spectrum = rough(4, 1e6)  # roughness without end
-    rough_waves = summits.rough_waves(spectrum, RADIUS)
-    assert rough_waves.wavevector[0] > 10 * spectrum.wavevector[0]
-    followed_waves = spectrum_between(spectrum, 0, rough_waves.wavevector[0])
-    assert np.sqrt(spectral_moment(followed_waves, 4)) / 2 == pytest.approx(0.1 / RADIUS, rel=0.1)
-    assert summits.rough_waves(spectrum, 1.0) is None
-    assert summits.rough_waves(Spectrum(spectrum.wavevector, 0 * spectrum.density), RADIUS) is None
+    rough_spectrum = summits.find_rough_spectrum(spectrum, RADIUS)
+    assert rough_spectrum.wavevector[0] > 10 * spectrum.wavevector[0]
+    followed_spectrum = spectrum_between(spectrum, 0, rough_spectrum.wavevector[0])
+    assert np.sqrt(spectral_moment(followed_spectrum, 4)) / 2 == pytest.approx(
+        0.1 / RADIUS, rel=0.1
+    )
+    assert summits.find_rough_spectrum(spectrum, 1.0) is None
+    smooth = Spectrum(spectrum.wavevector, 0 * spectrum.density)
+    assert summits.find_rough_spectrum(smooth, RADIUS) is None
 
 
 @pytest.mark.parametrize(("rms_height", "radius"), [(4.0, 50e3), (8.0, 20e3), (2.0, 100e3)])

@@ -24,7 +24,7 @@ from hardcontact.surfaces.spectrum import Spectrum
 from hardcontact.theory.summits import (
     ApexDistribution,
     apex_distribution,
-    rough_waves,
+    find_rough_spectrum,
     spectral_moment,
     spectrum_between,
 )
@@ -88,13 +88,13 @@ def closed_form(spectrum: Spectrum, contact: Contact, *, all_rough: bool = True)
     sphere lie on rough summits, too; otherwise only the summits that touch are rough.
     """
     smooth = float(dmt_pull_off(contact.work, contact.radius))
-    waves = rough_waves(spectrum, contact.radius)
-    if waves is None:  # The limit of an rms height of zero.
+    rough_spectrum = find_rough_spectrum(spectrum, contact.radius)
+    if rough_spectrum is None:  # The limit of an rms height of zero.
         force = smooth_force(contact)
         return ClosedForm(force, force / smooth, 0.0, 0.0, np.inf, SMOOTH_SURFACE)
-    sigma = float(np.sqrt(spectral_moment(waves, 0)))
-    apex = apex_distribution(waves, contact.radius, contact.area)
-    mean_surface_term, summit_term = _terms(waves, apex, contact, GENERATIONS, all_rough)
+    sigma = float(np.sqrt(spectral_moment(rough_spectrum, 0)))
+    apex = apex_distribution(rough_spectrum, contact.radius, contact.area)
+    mean_surface_term, summit_term = _terms(rough_spectrum, apex, contact, GENERATIONS, all_rough)
     dmt_ratio = mean_surface_term + summit_term + contact_term(contact)
     m = float(sigma * apex.mean())
     weibull_modulus = max(contact.rho * m / sigma**2, 0.0)
@@ -105,12 +105,12 @@ def closed_form(spectrum: Spectrum, contact: Contact, *, all_rough: bool = True)
 
 
 def _terms(
-    waves: Spectrum, apex: ApexDistribution, contact: Contact, generations: int, all_rough: bool
+    spectrum: Spectrum, apex: ApexDistribution, contact: Contact, generations: int, all_rough: bool
 ) -> tuple[float, float]:
     """Return the surface term and the summit term, averaged over levels of the apex."""
-    sigma = np.sqrt(spectral_moment(waves, 0))
+    sigma = np.sqrt(spectral_moment(spectrum, 0))
     summit_ratio = 1.0
-    summit = roughness_on_summit(waves, apex, contact)
+    summit = roughness_on_summit(spectrum, apex, contact)
     if summit is not None and generations:
         finer, summit_contact = summit
         finer_apex = apex_distribution(finer, summit_contact.radius, summit_contact.area)
@@ -143,16 +143,16 @@ def rough_terms(
 
 
 def roughness_on_summit(
-    waves: Spectrum, apex: ApexDistribution, contact: Contact
+    spectrum: Spectrum, apex: ApexDistribution, contact: Contact
 ) -> tuple[Spectrum, Contact] | None:
     """Return the spectrum of the roughness on a touching summit, and the contact of the summit.
 
     None if the roughness on the summit is negligible.
     """
-    finer = spectrum_between(waves, 2 * np.pi / (SUMMIT_SIZE * apex.clump_radius), np.inf)
+    finer = spectrum_between(spectrum, 2 * np.pi / (SUMMIT_SIZE * apex.clump_radius), np.inf)
     if finer is None or spectral_moment(finer, 0) < (MIN_SUMMIT_ROUGHNESS * contact.rho) ** 2:
         return None
-    sigma = np.sqrt(spectral_moment(waves, 0))
+    sigma = np.sqrt(spectral_moment(spectrum, 0))
     radius = min(apex.clump_radius**2 * max(apex.mean(), 1.0) / (2 * sigma), contact.radius)
     summit_load = contact.hardness * np.pi * apex.clump_radius**2 * 1e-18
     return finer, replace(contact, radius=radius, preload=min(contact.preload, summit_load))

@@ -52,40 +52,40 @@ def prediction(
     status OUTSIDE. For scans with steep sidewalls the force has no value. Raises ValueError if
     `trim_spectrum` refuses the spectrum, which messages call `name`.
     """
-    waves = trim_spectrum(spectrum, name)
-    inputs = _input_numbers(waves, contact, tolerance)
+    trimmed = trim_spectrum(spectrum, name)
+    inputs = _input_numbers(trimmed, contact, tolerance)
     scans = spectrum if isinstance(spectrum, ScanSpectrum) else None
     if scans is not None and scans.joined["sidewall_slope_share"].notnull().any():
         force = Number("closed_form_force", math.nan, "N", status=Status.STEEP_SIDEWALLS)
         return {number.name: number for number in (*inputs, force)}
-    form = closed_form(waves, contact)
-    checks = _spectrum_checks(waves, contact, form, 0.0 if scans is None else scans.skewness)
+    form = closed_form(trimmed, contact)
+    checks = _spectrum_checks(trimmed, contact, form, 0.0 if scans is None else scans.skewness)
     error_is_known = all(number.status == Status.NEGLIGIBLE for number in checks)
     if scans is not None and scans.is_extrapolated:
         error_is_known &= _is_measured_error_known(scans, contact, tolerance, name)
-    tail = _short_wave_tail(spectrum, waves)
+    tail = _short_wave_tail(spectrum, trimmed)
     is_unknown = tail is None and spectrum.density[-1] > 0
     change_status = Status.UNKNOWN if is_unknown else Status.NEGLIGIBLE
     change = Number("extrapolated_change", math.nan, status=change_status)
     extrapolated: list[Number] = []
     # Without an exponent no waves are added: slope or curvature are at their bounds already.
-    if tail is not None and (math.isfinite(tail.hurst) or tail.rolloff > waves.wavelength[0]):
+    if tail is not None and (math.isfinite(tail.hurst) or tail.rolloff > trimmed.wavelength[0]):
         extrapolated = _extrapolated_numbers(tail, contact, tolerance, error_is_known)
         change = _force_change("extrapolated_change", extrapolated[0].value, form)
-    checks += [change, *validated_ranges(waves, contact, form)]
+    checks += [change, *validated_ranges(trimmed, contact, form)]
     harmless = Status.NEGLIGIBLE, Status.INSIDE
     validated = error_is_known and all(number.status in harmless for number in checks)
-    point = table_coordinates(waves, contact, form)
+    point = table_coordinates(trimmed, contact, form)
     regime = Status(form.regime.replace(" ", "_"))
     numbers = [
         *inputs,
         _force_number("closed_form_force", form, point, validated),
         *extrapolated,
-        Number("log_force_std", predict_statistics(waves, contact).log_force_std),
+        Number("log_force_std", predict_statistics(trimmed, contact).log_force_std),
         Number("force_over_smooth", form.force / smooth_force(contact)),
         Number("apex_height", form.apex_height, "nm"),
         Number("weibull_modulus", form.weibull_modulus, status=regime),
-        *_edge_numbers("", critical_band(waves, contact, tolerance), point, validated),
+        *_edge_numbers("", critical_band(trimmed, contact, tolerance), point, validated),
         *checks,
     ]
     return {number.name: number for number in numbers}
@@ -126,12 +126,12 @@ def trim_spectrum(spectrum: Spectrum, name: str = "spectrum") -> Spectrum:
     return rough
 
 
-def _input_numbers(waves: Spectrum, contact: Contact, tolerance: float) -> list[Number]:
+def _input_numbers(spectrum: Spectrum, contact: Contact, tolerance: float) -> list[Number]:
     """Return the properties of a spectrum, the force on a smooth surface and the tolerance."""
-    height, gradient, _ = all_scales_rms(waves)
+    height, gradient, _ = all_scales_rms(spectrum)
     return [
-        Number("shortest_wavelength", float(waves.wavelength[-1]), "nm"),
-        Number("longest_wavelength", float(waves.wavelength[0]), "nm"),
+        Number("shortest_wavelength", float(spectrum.wavelength[-1]), "nm"),
+        Number("longest_wavelength", float(spectrum.wavelength[0]), "nm"),
         Number("rms_height", float(height), "nm"),
         Number("rms_gradient", float(gradient)),
         Number("smooth_force", smooth_force(contact), "N"),
@@ -140,14 +140,14 @@ def _input_numbers(waves: Spectrum, contact: Contact, tolerance: float) -> list[
 
 
 def _spectrum_checks(
-    waves: Spectrum, contact: Contact, form: ClosedForm, skewness: float
+    spectrum: Spectrum, contact: Contact, form: ClosedForm, skewness: float
 ) -> list[Number]:
     """Return longest octave, widest gap and skewness, each NEGLIGIBLE if the closed form holds."""
-    gap = float((waves.wavevector[1:] / waves.wavevector[:-1]).max())
+    gap = float((spectrum.wavevector[1:] / spectrum.wavevector[:-1]).max())
     gap_status = Status.UNKNOWN if gap > MAX_WAVELENGTH_RATIO else Status.NEGLIGIBLE
     skewness_status = Status.MATTERS if abs(skewness) > MAX_SKEWNESS else Status.NEGLIGIBLE
     return [
-        _longest_octave(waves, contact, form),
+        _longest_octave(spectrum, contact, form),
         Number("widest_gap", gap, status=gap_status),
         Number("skewness", skewness, status=skewness_status),
     ]
@@ -200,10 +200,10 @@ class _Tail(NamedTuple):
     ended_by: str  #: What ends the tail: `extrapolated_spectrum.Tail.tail_ended_by`.
 
 
-def _short_wave_tail(spectrum: Spectrum, waves: Spectrum) -> _Tail | None:
+def _short_wave_tail(spectrum: Spectrum, trimmed: Spectrum) -> _Tail | None:
     """Return a spectrum with its extrapolation to short waves; None if that is not known.
 
-    The waves come from `trim_spectrum`. A spectrum is not extrapolated below a density of zero at
+    `trimmed` comes from `trim_spectrum`. A spectrum is not extrapolated below a density of zero at
     its end, nor if it has a zero within.
     """
     if isinstance(spectrum, ScanSpectrum):
@@ -212,12 +212,12 @@ def _short_wave_tail(spectrum: Spectrum, waves: Spectrum) -> _Tail | None:
             return None
         density = spectrum.joined["spectrum"].values
         return _Tail(density, ends["rolloff"], ends["tail_hurst"], ends["tail_ended_by"])
-    if spectrum.density[-1] == 0 or len(waves.density) < MIN_BINS or not waves.density.all():
+    if spectrum.density[-1] == 0 or len(trimmed.density) < MIN_BINS or not trimmed.density.all():
         return None
-    variance = np.full(waves.density.shape, CALIBRATION_SCATTER**2)
-    fit = fit_hurst_exponent(waves.wavevector, waves.density, variance)
-    density, tail = extrapolate_short_waves(waves.wavevector, waves.density, fit)
-    return _Tail(density, float(waves.wavelength[0]), tail.tail_hurst, tail.tail_ended_by)
+    variance = np.full(trimmed.density.shape, CALIBRATION_SCATTER**2)
+    fit = fit_hurst_exponent(trimmed.wavevector, trimmed.density, variance)
+    density, tail = extrapolate_short_waves(trimmed.wavevector, trimmed.density, fit)
+    return _Tail(density, float(trimmed.wavelength[0]), tail.tail_hurst, tail.tail_ended_by)
 
 
 def _extrapolated_numbers(
@@ -228,15 +228,15 @@ def _extrapolated_numbers(
     The tolerance defines the edges. The error of the force is known only if it is known without
     the extrapolation.
     """
-    waves = trim_spectrum(Spectrum(WAVEVECTORS, tail.density))
-    form = closed_form(waves, contact)
-    validated = error_is_known and is_validated(waves, contact, form)
-    point = table_coordinates(waves, contact, form)
-    band = critical_band(waves, contact, tolerance)
+    spectrum = trim_spectrum(Spectrum(WAVEVECTORS, tail.density))
+    form = closed_form(spectrum, contact)
+    validated = error_is_known and is_validated(spectrum, contact, form)
+    point = table_coordinates(spectrum, contact, form)
+    band = critical_band(spectrum, contact, tolerance)
     return [
         _force_number("extrapolated_force", form, point, validated),
         *_edge_numbers("extrapolated_", band, point, validated),
-        Number("extrapolated_to", float(waves.wavelength[-1]), "nm"),
+        Number("extrapolated_to", float(spectrum.wavelength[-1]), "nm"),
         Number("extrapolated_rolloff", tail.rolloff, "nm"),
         Number("extrapolated_hurst", tail.hurst, status=Status(tail.ended_by)),
     ]
@@ -249,13 +249,13 @@ def _force_change(name: str, changed_force: float, form: ClosedForm) -> Number:
     return Number(name, change, status=Status.MATTERS if matters else Status.NEGLIGIBLE)
 
 
-def _longest_octave(waves: Spectrum, contact: Contact, form: ClosedForm) -> Number:
+def _longest_octave(spectrum: Spectrum, contact: Contact, form: ClosedForm) -> Number:
     """Return the relative change of the force if the longest octave of a spectrum is removed.
 
     The change is unknown if hardly any wave would remain.
     """
-    is_shorter = waves.wavevector >= 2 * waves.wavevector[0]
+    is_shorter = spectrum.wavevector >= 2 * spectrum.wavevector[0]
     if is_shorter.sum() < 2:
         return Number("longest_octave_change", math.nan, status=Status.UNKNOWN)
-    shorter_waves = Spectrum(waves.wavevector[is_shorter], waves.density[is_shorter])
-    return _force_change("longest_octave_change", closed_form(shorter_waves, contact).force, form)
+    shorter = Spectrum(spectrum.wavevector[is_shorter], spectrum.density[is_shorter])
+    return _force_change("longest_octave_change", closed_form(shorter, contact).force, form)

@@ -34,7 +34,7 @@ from hardcontact.theory.summits import (
     ApexDistribution,
     apex_distribution,
     clumps_above,
-    rough_waves,
+    find_rough_spectrum,
     spectral_moment,
     spectrum_between,
     structure_function,
@@ -82,14 +82,14 @@ def predict_statistics(spectrum: Spectrum, contact: Contact) -> ForceStatistics:
     The surface has no other wavelengths than the spectrum. The mean equals `closed_form`.
     """
     smooth = float(dmt_pull_off(contact.work, contact.radius))
-    waves = rough_waves(spectrum, contact.radius)
-    if waves is None:
+    rough_spectrum = find_rough_spectrum(spectrum, contact.radius)
+    if rough_spectrum is None:
         force = smooth * (1 + contact_term(contact))
         return ForceStatistics(np.inf, 0.0, np.array([force]), np.ones(1), np.zeros(1))
-    attraction = _attraction(waves, contact, GENERATIONS)
+    attraction = _attraction(rough_spectrum, contact, GENERATIONS)
     apex = attraction.apex
     means = attraction.surface_terms + attraction.summit_term + contact_term(contact)
-    weibull_modulus = contact.rho * apex.mean() / np.sqrt(spectral_moment(waves, 0))
+    weibull_modulus = contact.rho * apex.mean() / np.sqrt(spectral_moment(rough_spectrum, 0))
     log_force_stds = np.sqrt(np.log1p(attraction.variance / means**2))
     possible = apex.weights > 0
     return ForceStatistics(
@@ -122,18 +122,18 @@ class _Attraction(NamedTuple):
         return self.apex.mean(square) / self.mean**2
 
 
-def _attraction(waves: Spectrum, contact: Contact, generations: int) -> _Attraction:
+def _attraction(spectrum: Spectrum, contact: Contact, generations: int) -> _Attraction:
     """Return the attraction of a sphere by summits, which are rough themselves."""
     radius = contact.radius
     rho = contact.rho
-    apex = apex_distribution(waves, radius, contact.area)
-    sigma = np.sqrt(spectral_moment(waves, 0))
+    apex = apex_distribution(spectrum, radius, contact.area)
+    sigma = np.sqrt(spectral_moment(spectrum, 0))
     t = apex.levels
     # Force of a rough summit relative to a smooth summit.
     summit_ratio = 1.0
     scatter = 1.0
     growth = 1.0
-    summit = roughness_on_summit(waves, apex, contact)
+    summit = roughness_on_summit(spectrum, apex, contact)
     if summit is not None and generations:
         rough_summit = _attraction(*summit, generations - 1)
         if rough_summit.mean < 1:
@@ -141,23 +141,23 @@ def _attraction(waves: Spectrum, contact: Contact, generations: int) -> _Attract
             scatter = rough_summit.scatter
             growth = rough_summit.growth
     surface_terms, summit_term = rough_terms(sigma, apex, rho, summit_ratio)
-    clump_counts = np.interp(t, LEVELS, clumps_above(waves, radius)[1])
+    clump_counts = np.interp(t, LEVELS, clumps_above(spectrum, radius)[1])
     clumps = max(apex.mean(clump_counts), 1.0)
     cover = apex.mean(special.ndtr(-t))
     # Mean of the squared force of a clump, relative to the square of its mean force. The radius of
     # a summit counts only as far as its force grows with the radius.
-    mean_square = (1 + (growth * summit_radius_variation(waves, apex)) ** 2) * scatter
+    mean_square = (1 + (growth * summit_radius_variation(spectrum, apex)) ** 2) * scatter
     dispersion = clump_dispersion_index(cover)
     clump_force = summit_ratio * special.ndtr(-t) / np.maximum(clump_counts, 1e-300)
     squared_terms = rough_terms(sigma, apex, rho / 2, summit_ratio)[0]
     clump_variance = dispersion * mean_square * clump_force * squared_terms
-    field_variance = surface_terms**2 * field_variation(waves, contact) ** 2
+    field_variance = surface_terms**2 * field_variation(spectrum, contact) ** 2
     # One clump always touches; the number of the other n - 1 scatters like Poisson's. Clumps that
     # cover the plane are one flat contact, and only its rim scatters. In squared clump forces:
     touching = (1 - cover) * clumps * (mean_square - 1) + dispersion * (clumps - 1)
     variance = np.minimum(field_variance, clump_variance) + (summit_term / clumps) ** 2 * touching
     attraction = _Attraction(apex, surface_terms, summit_term, clumps, variance, 1.0)
-    wider_apex = apex_distribution(waves, RADIUS_FACTOR * radius, contact.area)
+    wider_apex = apex_distribution(spectrum, RADIUS_FACTOR * radius, contact.area)
     wider_surface_terms, wider_summit_term = rough_terms(sigma, wider_apex, rho, summit_ratio)
     ratio = (wider_apex.mean(wider_surface_terms) + wider_summit_term) / attraction.mean
     exponent = 1 + np.log(ratio) / np.log(RADIUS_FACTOR)
@@ -173,7 +173,7 @@ def clump_dispersion_index(cover: float) -> float:
     return (1 - cover) ** 3 / (1 + cover)
 
 
-def summit_radius_variation(waves: Spectrum, apex: ApexDistribution) -> float:
+def summit_radius_variation(spectrum: Spectrum, apex: ApexDistribution) -> float:
     """Return the coefficient of variation of the radius 1/sqrt(K) of summits.
 
     K = a² - b² is their Gaussian curvature. On a Gaussian surface at the level t the mean curvature
@@ -181,10 +181,10 @@ def summit_radius_variation(waves: Spectrum, apex: ApexDistribution) -> float:
     with the mean L²/4; g is the rms gradient, L the rms Laplacian. The density of summits is
     proportional to K where a > b. Waves shorter than a summit are roughness on it.
     """
-    longer = spectrum_between(waves, 0, 2 * np.pi / (SUMMIT_SIZE * apex.clump_radius))
+    longer = spectrum_between(spectrum, 0, 2 * np.pi / (SUMMIT_SIZE * apex.clump_radius))
     if longer is None:
         return 0.0
-    sigma = np.sqrt(spectral_moment(waves, 0))
+    sigma = np.sqrt(spectral_moment(spectrum, 0))
     gradient = spectral_moment(longer, 2)
     laplacian = spectral_moment(longer, 4)
     deviation = np.sqrt(max(laplacian - gradient**2 / sigma**2, 0.0)) / 2
@@ -197,18 +197,18 @@ def summit_radius_variation(waves: Spectrum, apex: ApexDistribution) -> float:
     return float(np.sqrt(max(PROBABILITIES @ summits / density / mean**2 - 1, 0.0)))
 
 
-def field_variation(waves: Spectrum, contact: Contact) -> float:
+def field_variation(spectrum: Spectrum, contact: Contact) -> float:
     """Return the coefficient of variation of ∫ exp((z - y)/rho) over the plane.
 
     Heights z are normal with the autocorrelation r(d); y is the sphere. The squared coefficient is
     the integral of [exp(r(d)/rho²) - 1] exp(-d²/4 R rho)/(4 pi R rho) over the plane of distances
     d. Its part that is linear in r is (1/2 pi rho²) ∫ q C_iso exp(-q² R rho) dq.
     """
-    q = waves.wavevector
+    q = spectrum.wavevector
     reach = 4 * contact.radius * contact.rho
-    height_density = waves.density * q**2 * np.exp(-(q**2) * reach / 4)
+    height_density = spectrum.density * q**2 * np.exp(-(q**2) * reach / 4)
     linear = np.trapezoid(height_density, np.log(q)) / (2 * np.pi * contact.rho**2)
-    distances, structure = structure_function(waves)
-    exponent = np.minimum(spectral_moment(waves, 0) * (1 - structure) / contact.rho**2, 500)
+    distances, structure = structure_function(spectrum)
+    exponent = np.minimum(spectral_moment(spectrum, 0) * (1 - structure) / contact.rho**2, 500)
     beyond_linear = (np.expm1(exponent) - exponent) * np.exp(-(distances**2) / reach)
     return float(np.sqrt(linear + 2 * np.trapezoid(beyond_linear * distances, distances) / reach))

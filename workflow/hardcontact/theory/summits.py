@@ -59,7 +59,7 @@ class ApexDistribution(NamedTuple):
 
 
 def spectrum_between(spectrum: Spectrum, lowest: float, highest: float) -> Spectrum | None:
-    """Return the waves of a spectrum between two wavevectors (rad/nm), on a new grid.
+    """Return the part of a spectrum between two wavevectors (rad/nm), on a new grid.
 
     None if the spectrum has no waves between them.
     """
@@ -73,54 +73,54 @@ def spectrum_between(spectrum: Spectrum, lowest: float, highest: float) -> Spect
     return Spectrum(wavevector, spectrum(np.minimum(wavevector, rough[-1])))
 
 
-def spectral_moment(waves: Spectrum, order: int) -> float:
+def spectral_moment(spectrum: Spectrum, order: int) -> float:
     """Return the moment (1/2 pi) ∫ q^(1 + order) C_iso dq of a spectrum.
 
     The order 0 gives the squared rms height, 2 the squared rms gradient, 4 the squared rms
     Laplacian.
     """
-    q = waves.wavevector
-    return float(np.trapezoid(waves.density * q ** (2 + order), np.log(q)) / (2 * np.pi))
+    q = spectrum.wavevector
+    return float(np.trapezoid(spectrum.density * q ** (2 + order), np.log(q)) / (2 * np.pi))
 
 
-def rough_waves(spectrum: Spectrum, radius: float) -> Spectrum | None:
-    """Return the waves that a sphere of this radius (nm) does not follow; None if it follows all.
+def find_rough_spectrum(spectrum: Spectrum, radius: float) -> Spectrum | None:
+    """Return the part of a spectrum that a sphere (radius in nm) does not follow, None if no part.
 
     Waves that are much flatter than the sphere lift it together with the surface. They are no
     roughness for this sphere.
     """
-    waves = spectrum_between(spectrum, 0, np.inf)
-    if waves is None:
+    fine_spectrum = spectrum_between(spectrum, 0, np.inf)
+    if fine_spectrum is None:
         return None
-    q = waves.wavevector
+    q = fine_spectrum.wavevector
     step = np.log(q[1] / q[0])
-    curvature = np.sqrt(np.cumsum(waves.density * q**6) * step / (2 * np.pi)) / 2
+    curvature = np.sqrt(np.cumsum(fine_spectrum.density * q**6) * step / (2 * np.pi)) / 2
     not_followed = np.flatnonzero(curvature > MAX_FOLLOWED_CURVATURE / radius)
     return spectrum_between(spectrum, q[not_followed[0]], np.inf) if len(not_followed) else None
 
 
 @lru_cache(maxsize=4)
-def structure_function(waves: Spectrum) -> tuple[Floats, Floats]:
+def structure_function(spectrum: Spectrum) -> tuple[Floats, Floats]:
     """Return distances d (n,) in nm and 1 - r(d)/sigma² (n,), the structure function/2 sigma²."""
-    q = waves.wavevector
+    q = spectrum.wavevector
     distances = np.geomspace(0.05 / q[-1], 10 / q[0], DISTANCE_COUNT)
-    integrand = waves.density * q**2 * (1 - special.j0(distances[:, None] * q))
-    variance = 2 * np.pi * spectral_moment(waves, 0)
+    integrand = spectrum.density * q**2 * (1 - special.j0(distances[:, None] * q))
+    variance = 2 * np.pi * spectral_moment(spectrum, 0)
     return distances, np.asarray(np.trapezoid(integrand, np.log(q), axis=1) / variance)
 
 
-def clump_radius(waves: Spectrum, levels: ArrayLike) -> Floats:
+def clump_radius(spectrum: Spectrum, levels: ArrayLike) -> Floats:
     """Return the radius delta(t) (n,) in nm of the clump about a summit at levels t (n,).
 
     The radius solves 1 - r(delta)/sigma² = 1/t².
     """
-    distances, share = structure_function(waves)
+    distances, share = structure_function(spectrum)
     log_share = -2 * np.log(np.maximum(levels, LOWEST_CLUMP_LEVEL))
     log_ascending_share = np.log(np.maximum.accumulate(share))
     return np.asarray(np.exp(np.interp(log_share, log_ascending_share, np.log(distances))))
 
 
-def apex_distribution(waves: Spectrum, radius: float, area: float) -> ApexDistribution:
+def apex_distribution(spectrum: Spectrum, radius: float, area: float) -> ApexDistribution:
     """Return the distribution of the level of the apex of a sphere that touches a given area.
 
     Between the heights z and z + dz the sphere is above the area 2 pi R dz of the plane. If its
@@ -132,10 +132,10 @@ def apex_distribution(waves: Spectrum, radius: float, area: float) -> ApexDistri
     P(n, A Lambda/B)], P(n, x) the incomplete gamma function. Without an area it is exp(-Lambda).
     With many clumps it rises from zero to one at the bearing area, B = A.
 
-    The waves come from `rough_waves`; the radius is in nm, the area, load over hardness, in nm².
-    The lowest level has the probability that no point rises above it.
+    `find_rough_spectrum` gives the spectrum; the radius is in nm, the area, load over hardness,
+    in nm². The lowest level has the probability that no point rises above it.
     """
-    radii, clumps, bearing = clumps_above(waves, radius)
+    radii, clumps, bearing = clumps_above(spectrum, radius)
     # No clump rises above the last level; pi delta² stands for its mean area there.
     clump_area = np.append(bearing[:-1] / clumps[:-1], np.pi * radii[-1] ** 2)
     probability = _probability_of_smaller_area(clumps, area / clump_area)
@@ -145,16 +145,16 @@ def apex_distribution(waves: Spectrum, radius: float, area: float) -> ApexDistri
     return ApexDistribution(levels, weights, float(np.interp(weights @ levels, LEVELS, radii)))
 
 
-def clumps_above(waves: Spectrum, radius: float) -> tuple[Floats, Floats, Floats]:
+def clumps_above(spectrum: Spectrum, radius: float) -> tuple[Floats, Floats, Floats]:
     """Return radius, number and area of the clumps above a sphere whose apex is at LEVELS.
 
     Returns the clump radius delta in nm, the mean number Lambda of clumps, and their mean total
-    area B in nm², each at LEVELS (n,). Waves come from `rough_waves`; the radius of the sphere is
-    in nm.
+    area B in nm², each at LEVELS (n,). The spectrum comes from `find_rough_spectrum`;
+    the radius of the sphere is in nm.
     """
-    radii = clump_radius(waves, LEVELS)
+    radii = clump_radius(spectrum, LEVELS)
     tail = special.ndtr(-LEVELS)
-    area_per_level = 2 * np.pi * radius * np.sqrt(spectral_moment(waves, 0))  # nm²
+    area_per_level = 2 * np.pi * radius * np.sqrt(spectral_moment(spectrum, 0))  # nm²
     return (
         radii,
         area_per_level * _integral_to_last_level(tail / (np.pi * radii**2)),
@@ -170,11 +170,11 @@ def search_size(spectrum: Spectrum, radius: float, area: float) -> float:
     the rms distance sqrt(2 R sigma/t). Levels below one count as one. Radius and area in contact
     are in nm and nm². The width is 0 for a surface that the sphere follows.
     """
-    waves = rough_waves(spectrum, radius)
-    if waves is None:
+    rough_spectrum = find_rough_spectrum(spectrum, radius)
+    if rough_spectrum is None:
         return 0.0
-    level = max(apex_distribution(waves, radius, area).mean(), 1.0)
-    return float(2 * np.sqrt(2 * radius * np.sqrt(spectral_moment(waves, 0)) / level))
+    level = max(apex_distribution(rough_spectrum, radius, area).mean(), 1.0)
+    return float(2 * np.sqrt(2 * radius * np.sqrt(spectral_moment(rough_spectrum, 0)) / level))
 
 
 def _integral_to_last_level(density: Floats) -> Floats:

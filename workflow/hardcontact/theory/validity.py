@@ -73,34 +73,34 @@ def held_out_surfaces() -> pd.DataFrame:
     return held_out
 
 
-def table_coordinates(waves: Spectrum, contact: Contact, form: ClosedForm) -> dict[str, Any]:
+def table_coordinates(spectrum: Spectrum, contact: Contact, form: ClosedForm) -> dict[str, Any]:
     """Return the coordinates of a spectrum and a contact in the table of designed surfaces.
 
-    The waves come from `trim_spectrum`. ``weibull_modulus`` is k = rho m/sigma².
+    The spectrum comes from `trim_spectrum`. ``weibull_modulus`` is k = rho m/sigma².
     """
-    mean_hurst, bend = hurst_and_bend(waves, math.sqrt(contact.area))
+    mean_hurst, bend = hurst_and_bend(spectrum, math.sqrt(contact.area))
     return {
         "weibull_modulus": form.weibull_modulus,
-        "contact_over_rolloff": math.sqrt(contact.area) / peak_wavelength(waves),
+        "contact_over_rolloff": math.sqrt(contact.area) / peak_wavelength(spectrum),
         "mean_hurst": mean_hurst,
         "mean_hurst_change": bend,
         "regime": form.regime,
     }
 
 
-def hurst_and_bend(waves: Spectrum, contact_length: float) -> tuple[float, float]:
+def hurst_and_bend(spectrum: Spectrum, contact_length: float) -> tuple[float, float]:
     """Return the mean Hurst exponent of a spectrum, and its change per decade of wavevector.
 
     A parabola is fitted to log C_iso against log q. The fit begins at the roll-off and ends at the
     length of the contact (nm), or at the shortest wave if that is longer. Both numbers are NaN if
     the roll-off is shorter than the length of the contact.
     """
-    lowest, highest = 2 * np.pi / peak_wavelength(waves), waves.wavevector[-1]
+    lowest, highest = 2 * np.pi / peak_wavelength(spectrum), spectrum.wavevector[-1]
     decades = math.log10(min(highest, 2 * np.pi / contact_length) / lowest)
     if decades <= 0:
         return math.nan, math.nan
     log_wavevectors = np.linspace(-decades / 2, decades / 2, FITTED_POINTS)
-    density = waves(np.minimum(lowest * 10 ** (log_wavevectors + decades / 2), highest))
+    density = spectrum(np.minimum(lowest * 10 ** (log_wavevectors + decades / 2), highest))
     curvature, slope, _ = np.polyfit(log_wavevectors, np.log10(density), 2)
     return float(-1 - slope / 2), float(-curvature)
 
@@ -122,17 +122,18 @@ def nearest_errors(point: Mapping[str, Any], name: str) -> tuple[float, float]:
     return float(errors.min()), float(errors.max())
 
 
-def is_validated(waves: Spectrum, contact: Contact, form: ClosedForm) -> bool:
+def is_validated(spectrum: Spectrum, contact: Contact, form: ClosedForm) -> bool:
     """Return whether the table covers a contact, so that the error of its closed form is known."""
-    return all(number.status == Status.INSIDE for number in validated_ranges(waves, contact, form))
+    ranges = validated_ranges(spectrum, contact, form)
+    return all(number.status == Status.INSIDE for number in ranges)
 
 
-def validated_ranges(waves: Spectrum, contact: Contact, form: ClosedForm) -> Iterator[Number]:
+def validated_ranges(spectrum: Spectrum, contact: Contact, form: ClosedForm) -> Iterator[Number]:
     """Yield the parameters on which an error depends, with their ranges in the table."""
     parameters = {
         "rho": contact.rho,
         "radius": contact.radius,
-        **table_coordinates(waves, contact, form),
+        **table_coordinates(spectrum, contact, form),
     }
     for name, unit in VALIDATED_PARAMETERS.items():
         lowest, highest = held_out_surfaces()[name].agg(["min", "max"])
