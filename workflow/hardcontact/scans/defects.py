@@ -91,14 +91,15 @@ def scan_defects(
     Heights in nm, before and after levelling, are (y, x) or (n,) of a line scan. The pixel size in
     nm is the spacing of a line scan.
     """
-    numbers: dict[str, list[float]] = {}
+    numbers: dict[str, dict[str, float]] = {}
+    power: Floats | None = None  # of a map without equal lines
     measured_heights = raw_heights
     if raw_heights.ndim == 2:
         rows, columns = _find_equal_lines(raw_heights), _find_equal_lines(raw_heights.T)
         share = float(max(rows.mean(), columns.mean()))
         numbers["curvature"] = _curvature_numbers(levelled_heights, pixel_size)
         if share > MAX_EQUAL_LINE_SHARE:
-            numbers["equal_lines"] = [share]
+            numbers["equal_lines"] = {"equal_line_share": share}
             measured_heights = raw_heights[~rows][:, ~columns]
         else:  # Unmeasured lines would look like a lay or like streaks.
             levelled_heights, numbers["streaks"] = _without_streaks(levelled_heights)
@@ -109,18 +110,16 @@ def scan_defects(
             if slope_ratio > MIN_LAY_RATIO and not (numbers["lay"] or numbers["offset_lines"]):
                 numbers["slopes"] = _slope_numbers(levelled_heights, pixel_size)
     numbers["spikes"] = _spike_numbers(levelled_heights)
-    numbers["highest"], numbers["lowest"] = _clipping_numbers(measured_heights)
+    numbers |= _clipping_numbers(measured_heights)
+    # Spikes and unmeasured lines look like sidewalls, spikes also like noise. White noise is hidden
+    # by sidewalls and offset lines, and quantised heights add to it.
     if not numbers["spikes"] and "equal_lines" not in numbers:
         numbers["sidewalls"] = _sidewall_numbers(levelled_heights)
         has_levels = np.median(np.abs(np.diff(raw_heights, axis=0))) == 0
         hides_noise = has_levels or numbers["sidewalls"] or numbers.get("offset_lines")
-        if raw_heights.ndim == 2 and not hides_noise:
+        if power is not None and not hides_noise:
             numbers["noise"] = _noise_numbers(levelled_heights.var(), power)
-    return {
-        code: dict(zip(units, numbers[code], strict=True))
-        for code, units in DEFECTS.items()
-        if numbers.get(code)
-    }
+    return {code: numbers[code] for code in DEFECTS if numbers.get(code)}
 
 
 def scan_with_defects(
@@ -131,16 +130,21 @@ def scan_with_defects(
     return replace(flat, defects=scan_defects(scan.heights, flat.heights, scan.pixel_size))
 
 
-def _without_streaks(heights: Floats) -> tuple[Floats, list[float]]:
+def _without_streaks(heights: Floats) -> tuple[Floats, dict[str, float]]:
     """Return heights without streaks, and their lines and the rms height (nm); empty for none."""
     filled, is_filled = fill_streaks(heights)
     lines = np.flatnonzero(is_filled.any(axis=1)) + 1
     if not lines.size:
-        return heights, []
-    return filled, [float(lines.size), float(lines[0]), float(lines[-1]), float(filled.std())]
+        return heights, {}
+    return filled, {
+        "streak_lines": float(lines.size),
+        "first_streak_line": float(lines[0]),
+        "last_streak_line": float(lines[-1]),
+        "rms_height_without_streaks": float(filled.std()),
+    }
 
 
-def _spike_numbers(heights: Floats) -> list[float]:
+def _spike_numbers(heights: Floats) -> dict[str, float]:
     """Return the share of spikes and the rms height (nm) without them; empty without spikes.
 
     On a map one neighbour of a spike may be a spike, too. Even the pixel at the corner of a
@@ -151,7 +155,7 @@ def _spike_numbers(heights: Floats) -> list[float]:
     distance = np.median(np.abs(heights - np.median(heights)))
     rms_height = float(heights[isolation <= MIN_SPIKE_DISTANCE * distance / MEDIAN_DEVIATION].std())
     share = float((isolation > MIN_SPIKE_DISTANCE * rms_height).mean())
-    return [share, rms_height] if share else []
+    return {"spike_share": share, "rms_height_without_spikes": rms_height} if share else {}
 
 
 def _isolation(heights: Floats) -> Floats:
@@ -175,22 +179,20 @@ def _find_equal_lines(lines: Floats) -> NDArray[np.bool_]:
     return equal
 
 
-def _clipping_numbers(heights: Floats) -> list[list[float]]:
-    """Return the shares of pixels at the highest and the lowest value; empty if unclipped."""
+def _clipping_numbers(heights: Floats) -> dict[str, dict[str, float]]:
+    """Return the shares of pixels at the highest and the lowest value, if they are clipped."""
     _, counts = np.unique(heights, return_counts=True)
     if len(counts) < 2:
-        return [[], []]
-    shares: list[list[float]] = []
-    for end_count, next_count in (counts[::-1][:2], counts[:2]):
+        return {}
+    numbers = {}
+    for code, (end_count, next_count) in (("highest", counts[::-1][:2]), ("lowest", counts[:2])):
         share = float(end_count / heights.size)
-        is_clipped = share > MAX_END_SHARE and end_count > max(
-            MAX_END_RATIO * next_count, MAX_END_PIXELS
-        )
-        shares.append([share] if is_clipped else [])
-    return shares
+        if share > MAX_END_SHARE and end_count > max(MAX_END_RATIO * next_count, MAX_END_PIXELS):
+            numbers[code] = {f"{code}_share": share}
+    return numbers
 
 
-def _curvature_numbers(heights: Floats, pixel_size: float) -> list[float]:
+def _curvature_numbers(heights: Floats, pixel_size: float) -> dict[str, float]:
     """Return the radius (nm) of a curvature and the rms share without it; empty without one."""
     step = max(1, len(heights) // POLYNOMIAL_POINTS)
     points = heights[::step, ::step]
@@ -206,21 +208,25 @@ def _curvature_numbers(heights: Floats, pixel_size: float) -> list[float]:
     if uncurved_power >= MAX_UNCURVED_SHARE**2 * total or power[2] < MIN_SECOND_ORDER_RATIO * (
         power[3] + power[4]
     ):
-        return []
+        return {}
     terms_of_order = np.linalg.solve(triangle, np.where(orders == 2, amplitudes, 0))
     yy, xy, xx = terms_of_order[orders == 2]
     half_width = (len(points) - 1) * step * pixel_size / 2
     curvatures = np.linalg.eigvalsh([[2 * yy, xy], [xy, 2 * xx]]) / half_width**2
-    return [float(1 / np.abs(curvatures).max()), float(np.sqrt(uncurved_power / total))]
+    return {
+        "curvature_radius": float(1 / np.abs(curvatures).max()),
+        "uncurved_share": float(np.sqrt(uncurved_power / total)),
+    }
 
 
-def _line_offset_numbers(heights: Floats) -> list[float]:
+def _line_offset_numbers(heights: Floats) -> dict[str, float]:
     """Return the rms offset (nm) of lines that are offset at random; empty without offsets."""
     steps = np.diff(heights, axis=0)
     line_steps = steps.mean(axis=1)
     is_most = line_steps.var() > steps.var() / 2
     is_random = _correlation_of_steps(line_steps) < MIN_STEP_CORRELATION
-    return [float(line_steps.std() / np.sqrt(2))] if is_most and is_random else []
+    offset = float(line_steps.std() / np.sqrt(2))
+    return {"line_offset": offset} if is_most and is_random else {}
 
 
 def _correlation_of_steps(steps: Floats) -> float:
@@ -228,18 +234,18 @@ def _correlation_of_steps(steps: Floats) -> float:
     return float((steps[1:] * steps[:-1]).mean() / max((steps**2).mean(), np.finfo(float).tiny))
 
 
-def _slope_numbers(heights: Floats, pixel_size: float) -> list[float]:
+def _slope_numbers(heights: Floats, pixel_size: float) -> dict[str, float]:
     """Return the rms slopes along x and y; empty if noise of lines makes the steeper one."""
     steps = [np.diff(lines, axis=0) for lines in (heights.T, heights)]
     slopes = [float(axis_steps.std()) / pixel_size for axis_steps in steps]
     is_noise = _correlation_of_steps(steps[int(np.argmax(slopes))]) < MIN_STEP_CORRELATION
-    return [] if is_noise else slopes
+    return {} if is_noise else {"slope_along_x": slopes[0], "slope_along_y": slopes[1]}
 
 
-def _lay_numbers(power: Floats) -> tuple[list[float], float]:
+def _lay_numbers(power: Floats) -> tuple[dict[str, float], float]:
     """Return the ratio of variances of profiles along and across a lay, and of squared slopes.
 
-    The ratio of variances is a list, empty if there is no lay.
+    The ratio of variances is in a dictionary, empty if there is no lay.
     """
     pixels = len(power)
     waves = np.fft.fftfreq(pixels, 1 / pixels)
@@ -261,7 +267,8 @@ def _lay_numbers(power: Floats) -> tuple[list[float], float]:
     variance_across = profile_variance(1j * direction)
     is_lay = variance_along > max(MIN_LAY_RATIO * variance_across, MIN_LAY_SHARE * power.sum())
     slope_ratio = _ratio(squared_slopes + slope_difference, squared_slopes - slope_difference)
-    return [_ratio(variance_along, variance_across)] if is_lay else [], slope_ratio
+    lay = {"lay_ratio": _ratio(variance_along, variance_across)} if is_lay else {}
+    return lay, slope_ratio
 
 
 def _ratio(larger: float, smaller: float) -> float:
@@ -269,7 +276,7 @@ def _ratio(larger: float, smaller: float) -> float:
     return float(larger / max(smaller, larger / LARGEST_RATIO)) if larger else 1.0
 
 
-def _sidewall_numbers(heights: Floats) -> list[float]:
+def _sidewall_numbers(heights: Floats) -> dict[str, float]:
     """Return the share of the squared slopes at the steepest pixels; empty without sidewalls."""
     if heights.ndim == 2:
         squares = np.diff(heights, axis=0)[:, 1:] ** 2 + np.diff(heights, axis=1)[1:] ** 2
@@ -278,10 +285,10 @@ def _sidewall_numbers(heights: Floats) -> list[float]:
     squares = np.sort(squares, axis=None)
     steepest = squares[-max(1, round(SIDEWALL_PIXEL_SHARE * squares.size)) :]
     share = float(steepest.sum() / squares.sum())
-    return [share] if share > MIN_SIDEWALL_SLOPE_SHARE else []
+    return {"sidewall_slope_share": share} if share > MIN_SIDEWALL_SLOPE_SHARE else {}
 
 
-def _noise_numbers(variance: float, power: Floats) -> list[float]:
+def _noise_numbers(variance: float, power: Floats) -> dict[str, float]:
     """Return the rms of white noise and the rms height without it (nm); empty without noise.
 
     The spectrum of a noisy scan is flatter than any self-affine spectrum at two to four pixels, but
@@ -292,7 +299,7 @@ def _noise_numbers(variance: float, power: Floats) -> list[float]:
     half_octave = np.round(2 * np.log2(pixels / np.maximum(np.hypot(waves, waves[:, None]), 1)))
     half_octaves = np.arange(3, 2 * np.log2(pixels / MIN_WAVES))
     if len(half_octaves) < 2:
-        return []
+        return {}
     in_half_octave = [half_octave == index for index in half_octaves]
     density = [power[mask].mean() for mask in in_half_octave]
     counts = [np.count_nonzero(mask) for mask in in_half_octave]
@@ -306,8 +313,11 @@ def _noise_numbers(variance: float, power: Floats) -> list[float]:
     )
     noise = density[0] / (np.hanning(pixels + 1)[:-1] ** 2).sum() ** 2
     if not is_noisy or noise < MIN_NOISE_SHARE * variance:
-        return []
-    return [float(np.sqrt(noise)), float(np.sqrt(max(variance - noise, 0)))]
+        return {}
+    return {
+        "noise_height": float(np.sqrt(noise)),
+        "rms_height_without_noise": float(np.sqrt(max(variance - noise, 0))),
+    }
 
 
 def defect_sentence(code: str, numbers: Mapping[str, float]) -> str:
