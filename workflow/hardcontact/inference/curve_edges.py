@@ -36,18 +36,18 @@ def ordered_curve(
     cutoffs: Floats,
     values: Floats,
     limits: tuple[float, float],
-    unfiltered: float | None = None,
+    spectrum_end: float | None = None,
 ) -> tuple[ChangeCurve, Floats]:
     """Return the curve of the first row of values (row, k), and the other rows at its cutoffs.
 
     Cutoffs (k,) are in any order; those at which the first row is NaN are left out. All rows begin
-    with zero at the `unfiltered` wavelength (nm), if there is one.
+    with zero at `spectrum_end`, the wavelength (nm) at which nothing is removed, if there is one.
     """
     computed = np.flatnonzero(np.isfinite(values[0]))
     order = computed[np.argsort(cutoffs[computed])][:: 1 if side == "short" else -1]
     cutoffs, values = cutoffs[order], values[:, order]
-    if unfiltered is not None:
-        cutoffs = np.append(unfiltered, cutoffs)
+    if spectrum_end is not None:
+        cutoffs = np.append(spectrum_end, cutoffs)
         values = np.pad(values, ((0, 0), (1, 0)))
     return ChangeCurve(side, cutoffs, values[0], limits), values[1:]
 

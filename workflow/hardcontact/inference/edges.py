@@ -154,12 +154,12 @@ def _curves(
     ratios = np.concatenate([ratio[None], ratio_samples])
     curves = np.concatenate([np.log(ratios), _changes(ratios)[:, :, -1:]], axis=2)
     cutoffs = scales["cutoff_wavelength"].values
-    unfiltered = scales["unfiltered_wavelength"].transpose("side", "surface").values
-    unfiltered = np.concatenate([unfiltered, unfiltered.mean(axis=1, keepdims=True)], axis=1)
+    spectrum_ends = scales["unfiltered_wavelength"].transpose("side", "surface").values
+    spectrum_ends = np.column_stack([spectrum_ends, spectrum_ends.mean(axis=1)])
     limits = [logarithmic_limits(tolerance)] * ratio.shape[1] + [(-np.inf, tolerance)]
     for (index, side), group in product(enumerate(scales["side"].values), range(len(limits))):
         yield ordered_curve(
-            str(side), cutoffs, curves[:, index, group], limits[group], unfiltered[index, group]
+            str(side), cutoffs, curves[:, index, group], limits[group], spectrum_ends[index, group]
         )
 
 

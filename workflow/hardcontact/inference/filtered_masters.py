@@ -55,14 +55,14 @@ def forces_at_cutoffs(
     surfaces = filtered_series(master, side, [None, *cutoffs], pixels, out)
     surface_forces = (compute_forces(surface) for surface in surfaces)
     unfiltered, *filtered = progress(surface_forces, 1 + len(cutoffs), "cutoffs")
-    end = 2 * master.size / pixels if side == "short" else master.size
+    spectrum_end = 2 * master.size / pixels if side == "short" else master.size
     cutoff_axis = (("cutoff_wavelength",), np.asarray(cutoffs, float), NM)
     filtered_forces = np.reshape(filtered, (len(cutoffs), *np.shape(unfiltered)))
     return xr.Dataset(
         {
             "unfiltered_pull_off_force": (tuple(axes), unfiltered, FORCE_ATTRS),
             "pull_off_force": (("cutoff_wavelength", *axes), filtered_forces, FORCE_ATTRS),
-            "unfiltered_wavelength": ((), end, NM),
+            "unfiltered_wavelength": ((), spectrum_end, NM),
         },
         {"cutoff_wavelength": cutoff_axis, **axes},
         {"work_of_adhesion": WORK_OF_ADHESION},

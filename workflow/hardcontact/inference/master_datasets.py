@@ -20,8 +20,8 @@ def stack_masters(master_datasets: DatasetsByLabels) -> xr.Dataset:
     ``filtered_force_ratio`` of means over contacts; ``unfiltered_wavelength`` is in nm.
     """
     forces = add_force_ratios(stack(master_datasets, ["surface", "realization", "side"]))
-    ends = forces["unfiltered_wavelength"].max("realization", keep_attrs=True)  # all are the same
-    return forces.assign(unfiltered_wavelength=ends)
+    spectrum_ends = forces["unfiltered_wavelength"].max("realization", keep_attrs=True)  # all equal
+    return forces.assign(unfiltered_wavelength=spectrum_ends)
 
 
 def add_force_ratios(forces: xr.Dataset) -> xr.Dataset:

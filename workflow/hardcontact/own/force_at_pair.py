@@ -235,12 +235,12 @@ def extrapolated_force(
             confidence,
         )
         interval = logarithmic_interval(force, half)
-        end = float(master_forces.forces.unfiltered_wavelength)
+        spectrum_end = float(master_forces.forces.unfiltered_wavelength)
         return xr.Dataset(
             with_interval("extrapolated_force", (), force, interval, NEWTON, confidence)
             | {
                 "extrapolated_force_interval_source": master_forces.scan_parts.source,
-                "extrapolation_end": ((), end, NM),
+                "extrapolation_end": ((), spectrum_end, NM),
             }
         )
 

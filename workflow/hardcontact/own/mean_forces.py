@@ -132,7 +132,8 @@ def forces_of_masters(
     scales: xr.Dataset, surface: str, side: str, master_scans: MasterScans
 ) -> MasterForces:
     """Return the forces, as in scales.nc, on the existing masters of one surface and side."""
-    master_size = float(scales.unfiltered_wavelength.sel(surface=surface, side="long"))
+    # The spectrum of an unfiltered long-edge master ends at the width of the master.
+    spectrum_end = float(scales.unfiltered_wavelength.sel(surface=surface, side="long"))
     tiles = master_scans.tiles if side == "long" else 1
     forces = scales.sel(surface=surface, side=side).dropna(
         "realization", how="all", subset=["filtered_force_ratio"]
@@ -140,7 +141,7 @@ def forces_of_masters(
     scan_parts = parts_of_scans(
         (forces.realization.values - 1) % master_scans.scans[surface],
         quarters_of_contacts(forces.sizes["contact_y"], tiles),
-        master_size / master_scans.tiles / 2,
+        spectrum_end / master_scans.tiles / 2,
         float(np.sqrt(scales.attrs["sphere_radius"] * scales.attrs["rho"])),
         master_scans.touched_patches[surface],
     )

@@ -82,10 +82,10 @@ def _edges(forces: xr.Dataset, tolerance: float) -> xr.DataArray:
     """Return the edges (surface, side, radius, contact_area) in nm, NaN if they are open."""
     cutoffs = forces["cutoff_wavelength"].values
 
-    def edge(ratios: Floats, unfiltered: float, side: str) -> float:
+    def edge(ratios: Floats, spectrum_end: float, side: str) -> float:
         """Return the edge of mean ratios (cutoff,) of a side, NaN at cutoffs of the other side."""
         limits = logarithmic_limits(tolerance)
-        curve, _ = ordered_curve(side, cutoffs, np.log(ratios)[None], limits, unfiltered)
+        curve, _ = ordered_curve(side, cutoffs, np.log(ratios)[None], limits, spectrum_end)
         return find_edge(curve).value
 
     edges: xr.DataArray = xr.apply_ufunc(
