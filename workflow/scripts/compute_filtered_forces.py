@@ -1,27 +1,23 @@
 """Pull-off on masters of one surface, unfiltered and filtered at every cutoff."""
 
 from hardcontact.base.dataset import read, stack
-from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact
-from hardcontact.inference.filtered_masters import Filters, filtered_pull_off, sampled_master
+from hardcontact.inference.filtered_masters import Filters, filtered_pull_off, master_from_spectrum
 from hardcontact.records.job import Job, run_job
 from hardcontact.surfaces.height_map import HeightMap, load_height_map
-from hardcontact.surfaces.synthesis import SEED_WORDS, SIDES
+from hardcontact.surfaces.synthesis import SIDES, master_generator
 
 
 def master(job: Job, side: str, index: int) -> HeightMap:
-    """Return the master of a side and of a realization, by its index: read it, or make it.
-
-    Masters that are no files are made from scans and sampled spectra.
-    """
+    """Read the master of a side and a realization, by its index, or make it from its spectrum."""
     params = job.parameters
     if params["masters_are_files"]:
         return load_height_map(job.input[f"{side}_masters"][index])
-    stream = f"{SEED_WORDS[side]}-scale {params['stream']}"
-    rng = generator(params["seed"], params["surface"], params["realizations"][index], stream)
+    realization = params["realizations"][index]
+    rng = master_generator(params["seed"], params["surface"], realization, side, params["stream"])
     scan = load_height_map(job.input.scans[index])
     spectrum_data = read(job.input.spectra[index])
-    return sampled_master(side, rng, scan, params["sides"][side], spectrum_data)
+    return master_from_spectrum(side, rng, scan, params["sides"][side], spectrum_data)
 
 
 with run_job(snakemake) as job:

@@ -1,10 +1,9 @@
 """Masters of Fig. 6: a scan with artificial roughness below or above a transition wavelength."""
 
-from hardcontact.base.random import generator
 from hardcontact.records.job import run_job
 from hardcontact.surfaces.height_map import load_height_map
 from hardcontact.surfaces.spectrum import load_spectrum
-from hardcontact.surfaces.synthesis import SEED_WORDS, synthesize_master
+from hardcontact.surfaces.synthesis import master_generator, synthesize_master
 
 with run_job(snakemake) as job:
     params = job.parameters
@@ -13,7 +12,7 @@ with run_job(snakemake) as job:
     scan = load_height_map(job.input.scan)
     spectrum = load_spectrum(job.input.spectrum)
     for side, settings in params["sides"].items():
-        rng = generator(params["seed"], surface, realization, f"{SEED_WORDS[side]}-scale master")
+        rng = master_generator(params["seed"], surface, realization, side, "master")
         master = synthesize_master(side, rng, scan, settings, spectrum)
         job.write(
             master.to_dataset(),

@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 
 from hardcontact.base.arrays import Floats
 from hardcontact.contact.geometry import Bodies, ContactGeometry
-from hardcontact.contact.touched_pixels import SphereTerms, TouchedPixels, exponential
+from hardcontact.contact.sphere_terms import SphereTerms, exponential
+from hardcontact.contact.touched_pixels import TouchedPixels
 
 #: Rows of the kernel that are made at once: few enough for the cache.
 ROWS = 64

@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 from hardcontact.base.arrays import Floats
 from hardcontact.contact.bearing_area import ContactPixels
 from hardcontact.contact.geometry import Bodies, ContactGeometry
-from hardcontact.contact.touched_pixels import SphereTerms, TouchedPixels, exponential
+from hardcontact.contact.sphere_terms import SphereTerms, exponential
+from hardcontact.contact.touched_pixels import TouchedPixels
 
 #: Rows of the substrate in a block: few enough for the cache.
 ROWS = 64
@@ -42,10 +43,9 @@ def smooth_sphere_terms(
     bodies: Bodies, touched_pixels: TouchedPixels, ranges: Sequence[float]
 ) -> Iterator[SphereTerms]:
     """Yield the `SphereTerms` of each range."""
-    pixels = bodies.substrate.pixels
     row = touched_pixels.row
     column = touched_pixels.column
-    factors = [axis_factors(pixels, bodies.geometry, rho) for rho in ranges]
+    factors = [axis_factors(bodies.substrate.pixels, bodies.geometry, rho) for rho in ranges]
     blocks = _row_blocks_without_contacts(bodies.substrate.heights, touched_pixels, ranges)
     totals = _contact_sums(blocks, factors)
     for total, axis_factor in zip(totals, factors, strict=True):

@@ -25,7 +25,8 @@ from hardcontact.contact.bearing_area import ContactPixels
 from hardcontact.contact.geometry import Bodies
 from hardcontact.contact.rough_sphere_sums import rough_sphere_terms
 from hardcontact.contact.smooth_sphere_sums import smooth_sphere_terms, sums_by_subtraction
-from hardcontact.contact.touched_pixels import TouchedPixels, exponential
+from hardcontact.contact.sphere_terms import exponential
+from hardcontact.contact.touched_pixels import TouchedPixels
 
 #: Looked up once: it takes milliseconds.
 LIBRARIES = ThreadpoolController()

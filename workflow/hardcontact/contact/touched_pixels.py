@@ -1,17 +1,11 @@
 """Contact pixels of an array of contacts, which the sums of exp(-gap/rho) exclude."""
 
-from collections.abc import Callable
-
 import numpy as np
 from numpy.typing import NDArray
 
 from hardcontact.base.arrays import Floats
 from hardcontact.contact.bearing_area import ContactPixels
 from hardcontact.contact.geometry import Bodies, gaps_at
-
-#: Sums (contact_y, contact_x) over all pixels but contact pixels, and a function that returns the
-#: factor of the sphere at the contact pixels as seen from the contact (i, j).
-SphereTerms = tuple[Floats, Callable[[tuple[int, int]], Floats]]
 
 
 class TouchedPixels:
@@ -72,11 +66,3 @@ def _image_gaps(bodies: Bodies, apex: NDArray[np.int_], offsets: NDArray[np.int_
     in_window[inverse, period_y, period_x] = False
     images = np.stack(np.broadcast_arrays(y[:, :, None], x[:, None, :]), axis=-1)
     return gaps_at(bodies, apex, images[in_window])
-
-
-def exponential(heights: NDArray[np.floating], highest: float, rho: float) -> NDArray[np.floating]:
-    """Return exp((heights - highest)/rho) in the precision of the heights (nm)."""
-    attraction = heights - highest
-    attraction /= rho
-    np.exp(attraction, out=attraction)
-    return attraction

@@ -39,10 +39,7 @@ class Filters(NamedTuple):
 
 
 def forces_at_cutoffs(
-    master: HeightMap,
-    filters: Filters,
-    compute_forces: ForcesOnSurface,
-    axes: Mapping[str, Axis],
+    master: HeightMap, filters: Filters, compute_forces: ForcesOnSurface, axes: Mapping[str, Axis]
 ) -> xr.Dataset:
     """Return the forces on a periodic master, unfiltered and filtered at every cutoff of a side.
 
@@ -102,16 +99,16 @@ def filtered_pull_off(
     return filtered.assign(touching_area=touching_area).assign_coords(contact_area=contact_area)
 
 
-def sampled_master(
+def master_from_spectrum(
     side: str,
     rng: np.random.Generator,
     scan: HeightMap,
     settings: Mapping[str, Any],
     spectrum_data: xr.Dataset,
 ) -> HeightMap:
-    """Return the master of a side, made from a scan and a sampled spectrum.
+    """Return the master of a side, made from a scan and the dataset of a spectrum.
 
-    The spectrum may have the attribute ``height_factor``, by which the heights of its scan are
+    A sampled spectrum has the attribute ``height_factor``, by which the heights of its scan are
     multiplied. `settings` are those of `synthesize_master`.
     """
     scaled = replace(scan, heights=scan.heights * spectrum_data.attrs.get("height_factor", 1.0))

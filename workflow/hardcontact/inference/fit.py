@@ -17,11 +17,7 @@ from hardcontact.contact.force_interpolation import interpolate_to_ranges
 #: between 0.05 and 40 nm are 0.8 %, far below the interval of a fitted range.
 RANGE_COUNT = 801
 #: Variables of the best fit, with their units.
-FIT_ATTRS = {
-    "range_of_adhesion": NM,
-    "work_of_adhesion": JOULE_PER_M2,
-    "best_error": DIMENSIONLESS,
-}
+FIT_ATTRS = {"range_of_adhesion": NM, "work_of_adhesion": JOULE_PER_M2, "best_error": DIMENSIONLESS}
 #: New names of these variables for a fit that leaves out one surface.
 WITHOUT_SURFACE = {
     "range_of_adhesion": "range_without_surface",

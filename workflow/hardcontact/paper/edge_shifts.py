@@ -40,11 +40,7 @@ def compute_edge_shifts(forces: xr.Dataset, tolerance: float, sampling: Sampling
     ratios = [datasets[complete]["edge"] / datasets[key]["edge"] for key in reduced.values()]
     samples = [edge_samples[complete] / edge_samples[key] for key in reduced.values()]
     edge_shift = sampling.with_interval(
-        "edge_shift",
-        ("cause", "side", "group"),
-        ratios,
-        np.stack(samples, 1),
-        DIMENSIONLESS,
+        "edge_shift", ("cause", "side", "group"), ratios, np.stack(samples, 1), DIMENSIONLESS
     )
     coordinates = {"rho": sorted_forces["rho"], "cause": list(reduced)}
     return edges.assign_coords(coordinates).assign(edge_shift)

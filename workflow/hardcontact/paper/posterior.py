@@ -86,11 +86,29 @@ def posteriors_without_each_surface(
     mean_forces: xr.DataArray, published: pd.DataFrame, sampling: Sampling
 ) -> xr.Dataset:
     """Return the `posterior` (left_out) of all surfaces, and without each surface in turn."""
-    surfaces = mean_forces["surface"].values.tolist()
     posteriors = {(NONE_LEFT_OUT,): posterior(mean_forces, published, sampling)}
-    for name in surfaces:
+    for name in mean_forces["surface"].values.tolist():
         posteriors[(name,)] = posterior(mean_forces.drop_sel(surface=name), published, sampling)
     return stack(posteriors, ["left_out"])
+
+
+def study_posteriors(
+    sets: xr.Dataset, maps: Mapping[str, xr.DataArray], published: pd.DataFrame, sampling: Sampling
+) -> xr.Dataset:
+    """Return the posteriors (forces_on, left_out) from scans and, if there are any, whole surfaces.
+
+    `sets` has the variables of sets.nc in plastic contact; `maps` has the forces on whole surfaces,
+    as for `means_on_whole_surfaces`.
+    """
+    forces = {"scans": sets["mean_force"].rename(set="replicate")}
+    if maps:
+        forces["whole surfaces"] = means_on_whole_surfaces(maps, sets["sphere_factor"], sampling)
+    posteriors = {
+        (name,): posteriors_without_each_surface(mean_forces, published, sampling)
+        for name, mean_forces in forces.items()
+    }
+    stacked = stack(posteriors, ["forces_on"]).assign_coords(surface=sets["surface"])
+    return stacked.assign_attrs(confidence=sampling.confidence)
 
 
 def means_on_whole_surfaces(
@@ -118,10 +136,8 @@ def means_on_whole_surfaces(
 def samples_dataset(ranges: Floats, works: Floats, confidence: float) -> xr.Dataset:
     """Return samples of range (nm) and work (J/m²), their medians and intervals."""
     variables = {}
-    for name, samples, units in (
-        ("range_of_adhesion", ranges, NM),
-        ("work_of_adhesion", works, JOULE_PER_M2),
-    ):
+    quantities = {"range_of_adhesion": (ranges, NM), "work_of_adhesion": (works, JOULE_PER_M2)}
+    for name, (samples, units) in quantities.items():
         variables[f"sampled_{name}"] = ("sample", samples, units)
         interval = percentile_interval(samples, confidence)
         variables |= with_interval(name, (), np.median(samples), interval, units, confidence)

@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from hardcontact.base.random import generator
 from hardcontact.surfaces.filters import BLOCK_ROWS, interpolate, lowpass
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import SpectrumFunction
@@ -170,6 +171,13 @@ MASTER_MAKERS = {"short": (short_edge_master, "pixels"), "long": (long_edge_mast
 SIDES = tuple(MASTER_MAKERS)
 #: By side: the word that names its random numbers. Other words would change all results.
 SEED_WORDS = {"short": "small", "long": "large"}
+
+
+def master_generator(
+    seed: int, surface: str, realization: int, side: str, stream: str
+) -> np.random.Generator:
+    """Return the random generator of a master; `stream` names the random numbers of its purpose."""
+    return generator(seed, surface, realization, f"{SEED_WORDS[side]}-scale {stream}")
 
 
 def synthesize_master(
