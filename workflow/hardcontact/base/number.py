@@ -37,7 +37,7 @@ class Status(StrEnum):
     #: A change of the force by what the closed form leaves out.
     MATTERS, NEGLIGIBLE, UNKNOWN = "matters", "negligible", "unknown"
     #: Regimes of the closed form, and ends of the extrapolated spectrum.
-    SMOOTH, MANY_POINTS, SINGLE_PEAKS = "smooth", "many_points", "single_peaks"
+    SMOOTH, MANY_POINTS, FEW_SUMMITS = "smooth", "many_points", "single_peaks"
     ATOMS, GRADIENT, HALF_LAPLACIAN = "atoms", "gradient", "half_laplacian"
     #: Bodies of a contact, by their elasticity.
     HARD, SOFT = "hard", "soft"
