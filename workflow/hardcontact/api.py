@@ -29,6 +29,7 @@ from hardcontact.config.arguments import (
     make_periodic,
 )
 from hardcontact.config.faults import raise_faults
+from hardcontact.config.keys import ContactKeys, ScalesKeys
 from hardcontact.config.model import NONE
 from hardcontact.contact.contact import PLASTIC, Contact
 from hardcontact.contact.geometry import join_bodies
@@ -51,6 +52,10 @@ from hardcontact.theory.validity import wide_contact_message
 
 if TYPE_CHECKING:
     from SurfaceTopography import Topography
+
+#: Defaults of windows, arrays and tolerances: the paper's.
+PAPER_CONTACT = ContactKeys()
+PAPER_TOLERANCE = ScalesKeys().tolerance
 
 
 def read_scan(
@@ -232,8 +237,8 @@ def pull_off_forces(
     hardness: float,
     ranges: Sequence[float],
     work: float,
-    window: float = 12500.0,
-    contacts_per_row: int = 20,
+    window: float = PAPER_CONTACT.window,
+    contacts_per_row: int = PAPER_CONTACT.contacts_per_row,
     sphere: HeightMap | None = None,
 ) -> xr.Dataset:
     """Return the pull-off forces of a sphere at an array of contacts on a scan, Eq. 3 of the paper.
@@ -309,9 +314,9 @@ def force_ratios(
     preload: float,
     hardness: float,
     rho: float,
-    tolerance: float = 0.1,
-    window: float = 12500.0,
-    contacts_per_row: int = 20,
+    tolerance: float = PAPER_TOLERANCE,
+    window: float = PAPER_CONTACT.window,
+    contacts_per_row: int = PAPER_CONTACT.contacts_per_row,
     sphere: HeightMap | None = None,
 ) -> xr.Dataset:
     """Compute the relative force if roughness beyond cutoffs is removed from the scan itself.
@@ -381,7 +386,7 @@ def predict(
     hardness: float,
     rho: float,
     work: float,
-    tolerance: float = 0.1,
+    tolerance: float = PAPER_TOLERANCE,
 ) -> dict[str, Number]:
     """Compute the force of a smooth sphere on a map, and predict it, like `hardcontact predict`.
 

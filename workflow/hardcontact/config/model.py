@@ -19,6 +19,11 @@ NONE = "none"
 SMOOTH_SPHERE = "smooth"
 #: End of the names of study and store at quick effort.
 QUICK_SUFFIX = "-quick"
+#: Minimum number of positions on a rough sphere that touch each surface of the user. With 16 an
+#: interval is 1.1 times as wide as with many positions; each position costs computing time.
+SPHERE_POSITIONS = 16
+#: Contacts per row at each of several positions.
+POSITION_CONTACTS_PER_ROW = 6
 #: By the quantities of a contact: their keys, and their names in print.
 CONTACT_QUANTITIES = {
     "radius": ("sphere.radius", "radius of the sphere"),

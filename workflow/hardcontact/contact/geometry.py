@@ -15,12 +15,6 @@ from hardcontact.contact.contact import Contact
 from hardcontact.surfaces.filters import interpolate
 from hardcontact.surfaces.height_map import HeightMap, load_height_map
 
-#: Minimum number of positions on a rough sphere that touch each surface of the user. With 16 an
-#: interval is 1.1 times as wide as with many positions; each position costs computing time.
-SPHERE_POSITIONS = 16
-#: Contacts per row at each of several positions.
-POSITION_CONTACTS_PER_ROW = 6
-
 
 @dataclass(frozen=True, eq=False)
 class ContactGeometry:

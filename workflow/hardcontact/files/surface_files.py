@@ -7,9 +7,8 @@ from typing import Any
 
 from hardcontact.base.units import path_token
 from hardcontact.config.configuration import combines_bodies, study_contact
-from hardcontact.config.model import SMOOTH_SPHERE
+from hardcontact.config.model import POSITION_CONTACTS_PER_ROW, SMOOTH_SPHERE, SPHERE_POSITIONS
 from hardcontact.config.selected_surfaces import Selection
-from hardcontact.contact.geometry import POSITION_CONTACTS_PER_ROW, SPHERE_POSITIONS
 from hardcontact.files.patterns import Patterns
 
 # A row of lists: its fields are wildcards of patterns.

@@ -8,15 +8,11 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.base.number import Number, Status
-from hardcontact.config.model import Study
+from hardcontact.config.keys import ContactKeys
+from hardcontact.config.model import POSITION_CONTACTS_PER_ROW, SPHERE_POSITIONS, Study
 from hardcontact.contact.contact import PLASTIC, Contact
 from hardcontact.contact.finite_scan import LARGE_ENOUGH, finite_scan_ratio
-from hardcontact.contact.geometry import (
-    POSITION_CONTACTS_PER_ROW,
-    SPHERE_POSITIONS,
-    join_bodies,
-    spheres_at_positions,
-)
+from hardcontact.contact.geometry import join_bodies, spheres_at_positions
 from hardcontact.contact.grid_limits import Grid, minimum_range, periods_in_window
 from hardcontact.contact.pull_off import make_force_function
 from hardcontact.contact.scan_pull_off import pull_off_on_spheres
@@ -34,7 +30,7 @@ from hardcontact.theory.summits import search_size
 from hardcontact.theory.validity import is_validated, nearest_errors, table_coordinates
 
 #: Contacts per row of their array, as in the paper.
-CONTACTS_PER_ROW = 20
+CONTACTS_PER_ROW = ContactKeys().contacts_per_row
 #: Largest number of pixels per row of a scan, and of contact pixels over all contacts, force sums
 #: and images in the window: both keep the time below a few seconds.
 MAX_QUICK_PIXELS = 2048
