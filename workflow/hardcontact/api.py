@@ -402,24 +402,43 @@ def predict(
     Returns
     -------
     dict of str to Number
-        Each with ``value``, ``unit``, ``low`` and ``high`` of its interval, and ``status``: the
-        numbers of `hardcontact predict --json` except the Tabor parameter.
-        ``closed_form_force``, ``short_edge``, ``long_edge`` : force and band in closed form.
-        The status of a force with unknown error is ``"outside"``.
-        ``extrapolated_change`` : change of the force by the roughness beyond the spectrum. If its
-        status is ``"matters"``, use ``extrapolated_force``, ``extrapolated_short_edge`` and
-        ``extrapolated_long_edge`` instead. ``extrapolated_to``, ``extrapolated_rolloff`` and
-        ``extrapolated_hurst`` say how the spectrum was extrapolated.
-        ``force_over_smooth`` (relative to ``smooth_force``), ``log_force_std`` (deviation of
-        ln F), ``apex_height``, ``weibull_modulus``, ``rms_height``, ``rms_gradient``,
-        ``shortest_wavelength``, ``longest_wavelength``, ``tolerance``.
-        ``longest_octave_change``, ``widest_gap``, ``skewness``, ``validated_...`` : checks of
-        whether the error of the closed form is known.
-        A map also has ``force_on_scan``, the mean force sum over its pixels,
-        ``force_on_scan_over_smooth``, ``wide_pixel_ratio``,
-        ``touched_patches``, ``search_size``, and ``closed_form_on_scan``, the closed form for all
-        waves of the map. Unless its status is ``"agrees"``, numbers of the closed form have no
-        interval. For a map that is too large there is a ``force_on_scan`` without a value.
+        Each with ``value``, ``unit``, ``low`` and ``high`` of its interval, and ``status``. They
+        are numbers of `hardcontact predict --json`, which also has inputs, octaves and elasticity.
+
+        ``closed_form_force`` (N), ``short_edge``, ``long_edge`` (nm)
+            Force and band in closed form; status ``"outside"``: the error of the force is unknown.
+        ``extrapolated_change``
+            Relative change of the force by roughness beyond the spectrum. If its status is
+            ``"matters"``, use the extrapolated force and band.
+        ``extrapolated_force`` (N), ``extrapolated_short_edge``, ``extrapolated_long_edge`` (nm)
+            Force and band in closed form for the extrapolated spectrum.
+        ``extrapolated_to``, ``extrapolated_rolloff`` (nm), ``extrapolated_hurst``
+            Shortest wavelength, roll-off and Hurst exponent of the extrapolated spectrum.
+        ``smooth_force`` (N), ``force_over_smooth``
+            Force on a smooth surface; closed form relative to it.
+        ``log_force_std``
+            Standard deviation of ln F over positions of the sphere.
+        ``apex_height`` (nm), ``weibull_modulus``
+            Mean height of the apex of the sphere above the mean plane. Above a modulus of 1 many
+            points decide the force, below it single peaks.
+        ``rms_height`` (nm), ``rms_gradient``, ``shortest_wavelength``, ``longest_wavelength`` (nm)
+            Roughness and ends of the spectrum.
+        ``tolerance``
+            The argument.
+        ``longest_octave_change``, ``widest_gap``, ``skewness``, ``validated_...``
+            Checks of whether the error of the closed form is known.
+
+        A map also has these numbers. If it is too large, or its pixels too wide for `rho`, it has
+        only a ``force_on_scan`` without a value.
+
+        ``force_on_scan`` (N), ``force_on_scan_over_smooth``
+            Mean force sum over the pixels of the map, and relative to ``smooth_force``.
+        ``closed_form_on_scan`` (N)
+            Closed form for all waves of the map. Unless its status is ``"agrees"``, numbers of the
+            closed form have no interval.
+        ``wide_pixel_ratio``, ``touched_patches``, ``search_size`` (nm)
+            Force on pixels four times wider relative to that on the map; number of patches that
+            contacts touch; width of the square in which the sphere finds the summits it touches.
 
     Examples
     --------
