@@ -46,7 +46,7 @@ PREDICTED = [
 def prediction_and_scan_force(
     own_spectrum: OwnSpectrum, contact: Contact, tolerance: float, name: str = "spectrum"
 ) -> dict[str, Number]:
-    """Return the numbers of `prediction` for the user's spectrum, and the force on the only map."""
+    """Return the numbers of `prediction` for the user's spectrum, and of the force on its scans."""
     numbers = prediction(own_spectrum.spectrum, contact, tolerance, name)
     return add_force_on_scan(numbers, own_spectrum, contact, Study().inference.confidence)
 
@@ -54,10 +54,10 @@ def prediction_and_scan_force(
 def add_force_on_scan(
     numbers: Mapping[str, Number], own_spectrum: OwnSpectrum, contact: Contact, confidence: float
 ) -> dict[str, Number]:
-    """Return the force on the user's scans, if there are any, and the numbers of a prediction.
+    """Return the numbers of a prediction with those of the force summed on the scan itself.
 
-    The spectrum is used extrapolated, as a study does. If the closed form disagrees with the force
-    on the scan, its predictions lose their intervals.
+    Without a map the prediction is returned as it is. The spectrum is used extrapolated, as in a
+    study. If the closed form disagrees with the force on the scan, it loses its intervals.
     """
     spectrum, _, scans, bodies = own_spectrum
     if not (scans and isinstance(spectrum, ScanSpectrum)):
@@ -127,7 +127,7 @@ def _forces(surface: HeightMap, body_maps: Sequence[HeightMap], contact: Contact
 
 
 def extend_low_end(number: Number, wide_pixel_ratio: float) -> Number:
-    """Return a force whose interval includes the force on finer pixels, as in a study."""
+    """Return a number with its lower end divided by the fall that finer pixels may cause."""
     return number._replace(low=number.low / float(finer_pixel_factor(wide_pixel_ratio)))
 
 
