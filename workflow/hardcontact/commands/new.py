@@ -104,10 +104,7 @@ def _write_study(
 
 
 def _input_checks(
-    arguments: Namespace,
-    rows: Sequence[Mapping[str, str]],
-    surfaces: Sequence[str],
-    radius: float,
+    arguments: Namespace, rows: Sequence[Mapping[str, str]], surfaces: Sequence[str], radius: float
 ) -> Iterator[Callable[[], object]]:
     """Yield the checks of cells of the table and of measured forces."""
     # Labels are checked once, elsewhere. The id replaces them, so that no row repeats their faults.

@@ -3,10 +3,9 @@
 The fields of a chunk are the wildcards of a pattern, from which `SurfaceFiles.paths` makes a path.
 """
 
-from collections import namedtuple
 from dataclasses import replace
 from math import ceil
-from typing import Any
+from typing import Any, NamedTuple
 
 from hardcontact.base.units import path_token
 from hardcontact.config.configuration import combines_bodies, get_key
@@ -27,12 +26,36 @@ from hardcontact.surfaces.synthesis import SIDES
 POOL_CHUNK = 15
 FEATURED_SAMPLES_CHUNK = 10
 
-Chunk = namedtuple("Chunk", "surface first last")
-SampleChunk = namedtuple("SampleChunk", "surface features first last")
-FilteredMasters = namedtuple(
-    "FilteredMasters",
-    "purpose settings_digest surface sphere_kind first last radii loadings ranges",
-)
+
+class Chunk(NamedTuple):
+    """The numbers of the first and the last scan, or whole surface, of a chunk."""
+
+    surface: str
+    first: int
+    last: int
+
+
+class SampleChunk(NamedTuple):
+    """The numbers of the first and the last sample with features of one kind."""
+
+    surface: str
+    features: str
+    first: int
+    last: int
+
+
+class FilteredMasters(NamedTuple):
+    """The first and the last realization of masters; radii, loadings, ranges as parts of paths."""
+
+    purpose: str
+    settings_digest: str
+    surface: str
+    sphere_kind: str
+    first: int
+    last: int
+    radii: str
+    loadings: str
+    ranges: str
 
 
 def _spans(count: int, step: int) -> list[tuple[int, int]]:
@@ -90,7 +113,7 @@ class Chunks:
         sweep_names = self._sweep_names(purpose)
         return [
             FilteredMasters(
-                purpose, digest, surface, self._sphere_kind(purpose, surface), *chunk, **sweep_names
+                purpose, digest, surface, self._sphere_kind(purpose, surface), *chunk, *sweep_names
             )
             for surface in self._master_surfaces(purpose)
             for chunk in chunks
@@ -110,15 +133,15 @@ class Chunks:
         is_rough = self._configuration["scales"]["sphere_roughness"] and purpose != "exponents"
         return "rough" if is_rough else "smooth"
 
-    def _sweep_names(self, purpose: str) -> dict[str, str]:
+    def _sweep_names(self, purpose: str) -> tuple[str, str, str]:
         """Return radii, loadings and ranges of a purpose as parts of paths."""
         sweep = contact_sweep(self._configuration, purpose)
         contacts = [replace(self._files.contact, **loading) for loading in sweep["loadings"]]
-        return {
-            "radii": "+".join(f"R{path_token(radius, 'um')}" for radius in sweep["radii"]),
-            "loadings": "+".join(contact.loading_name for contact in contacts),
-            "ranges": "+".join(f"rho{path_token(rho, 'nm')}" for rho in sweep["ranges"]),
-        }
+        return (
+            "+".join(f"R{path_token(radius, 'um')}" for radius in sweep["radii"]),
+            "+".join(contact.loading_name for contact in contacts),
+            "+".join(f"rho{path_token(rho, 'nm')}" for rho in sweep["ranges"]),
+        )
 
     def _settings_digest(self, purpose: str) -> str:
         """Return a digest of all keys on which forces depend and which are not in the path."""
@@ -137,9 +160,7 @@ class Chunks:
         realizations = range(int(chunk.first), int(chunk.last) + 1)
         if PURPOSES[chunk.purpose].masters_are_files:
             return {
-                f"{side}_masters": [
-                    files.master_path(surface, realization, side) for realization in realizations
-                ]
+                f"{side}_masters": [files.master_path(surface, k, side) for k in realizations]
                 for side in SIDES
             }
         if chunk.purpose == "sampled":

@@ -1,9 +1,9 @@
 """The files of the surfaces of one study: their spectra, their scans, and both bodies together."""
 
-from collections import defaultdict, namedtuple
+from collections import defaultdict
 from collections.abc import Iterable, Mapping
 from math import ceil, sqrt
-from typing import Any
+from typing import Any, NamedTuple
 
 from hardcontact.base.units import path_token
 from hardcontact.config.configuration import combines_bodies, study_contact
@@ -11,8 +11,12 @@ from hardcontact.config.model import POSITION_CONTACTS_PER_ROW, SMOOTH_SPHERE, S
 from hardcontact.config.selected_surfaces import Selection
 from hardcontact.files.patterns import Patterns
 
-# A row of lists: its fields are wildcards of patterns.
-Scan = namedtuple("Scan", "surface scan")
+
+class Scan(NamedTuple):
+    """A row of lists; its fields are wildcards of patterns."""
+
+    surface: str
+    scan: int
 
 
 class SurfaceFiles:

@@ -53,14 +53,11 @@ def fit_work(mean_forces: Floats, measured_forces: Floats) -> tuple[Floats, Floa
     """
     relative = mean_forces / measured_forces[:, None]
     candidates = 1 / relative
-    errors = np.stack(
-        [
-            np.abs(candidates[..., [surface], :] * relative - 1).mean(axis=-2)
-            for surface in range(len(measured_forces))
-        ],
-        axis=-2,
-    )  # (..., candidate, rho)
-    return minimum_along_axis(errors, candidates, axis=-2)
+    errors = [
+        np.abs(candidates[..., [surface], :] * relative - 1).mean(axis=-2)
+        for surface in range(len(measured_forces))
+    ]
+    return minimum_along_axis(np.stack(errors, axis=-2), candidates, axis=-2)
 
 
 def fit_range_and_work(

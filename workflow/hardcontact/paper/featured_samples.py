@@ -20,11 +20,7 @@ from hardcontact.contact.contact import CONTACT_AXES, PLASTIC, Contact
 from hardcontact.contact.force_interpolation import interpolate_to_ranges
 from hardcontact.paper.pool import smooth_sphere_forces
 from hardcontact.paper.published_fit import PublishedForces
-from hardcontact.surfaces.featured_scans import (
-    FeaturedSurface,
-    describe_features,
-    sample_group,
-)
+from hardcontact.surfaces.featured_scans import FeaturedSurface, describe_features, sample_group
 from hardcontact.surfaces.features import KINDS, SIGNS
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.levelling import level

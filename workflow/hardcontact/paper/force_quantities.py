@@ -49,8 +49,7 @@ def _all_over_afm(topography: xr.Dataset, quantity: str) -> xr.Dataset:
 def mean_over_median(fit: xr.Dataset) -> xr.Dataset:
     """Return the mean relative to the median pull-off force (contact_model, pair, surface)."""
     return quotient(
-        variable_estimate(fit, "mean_force_at_pair"),
-        variable_estimate(fit, "median_force_at_pair"),
+        variable_estimate(fit, "mean_force_at_pair"), variable_estimate(fit, "median_force_at_pair")
     )
 
 
