@@ -428,8 +428,8 @@ def predict(
         ``longest_octave_change``, ``widest_gap``, ``skewness``, ``validated_...``
             Checks of whether the error of the closed form is known.
 
-        A map also has these numbers. If it is too large, or its pixels too wide for `rho`, it has
-        only a ``force_on_scan`` without a value.
+        A map also has these numbers. If it is too large, or `rho` shorter than its
+        ``shortest_range`` (nm), it has only a ``force_on_scan`` without a value.
 
         ``force_on_scan`` (N), ``force_on_scan_over_smooth``
             Mean force sum over the pixels of the map, and relative to ``smooth_force``.

@@ -1,7 +1,8 @@
 """The critical band: ratios of forces by cutoff and the edges where they change, for edges.nc.
 
-Masters of substitutes are random surfaces: realizations are independent, and their roughness ends
-at the unfiltered wavelength. For the user's scans see `edges_of_scans`.
+The functions on cutoffs and the variables of edges serve every study. Edges with samples are those
+of substitutes, whose realizations are independent and whose roughness ends at the unfiltered
+wavelength; `edges_of_scans` finds those of the user's surfaces.
 """
 
 from collections.abc import Hashable, Iterator, Sequence
