@@ -58,8 +58,8 @@ def test_maps_of_the_question_lack_the_waves_on_one_side_of_the_band():
     maps = fig_scales.filtered_heights(scan, [43.0, 1800.0])
     assert fig_scales.map_titles([43.0, 1800.0]) == [
         "all wavelengths",
-        "no wavelengths below 43 nm",
-        "no wavelengths above 1.8 µm",
+        "none below 43 nm",
+        "none above 1.8 µm",
     ]
     for drawn, expected in zip(
         maps, (long + middle + short, long + middle, middle + short), strict=True

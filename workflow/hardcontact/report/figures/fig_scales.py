@@ -79,7 +79,7 @@ def filtered_heights(scan: xr.Dataset, band: Sequence[float]) -> ScanMaps:
 def map_titles(band: Sequence[float]) -> list[str]:
     """Return the title of each of the `ScanMaps` for a band (nm)."""
     short, long = (format_length(edge) for edge in band)
-    return ["all wavelengths", f"no wavelengths below {short}", f"no wavelengths above {long}"]
+    return ["all wavelengths", f"none below {short}", f"none above {long}"]
 
 
 def _surface_looks(topography: xr.Dataset) -> dict[str, style.Look]:
