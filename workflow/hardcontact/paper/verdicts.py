@@ -190,8 +190,8 @@ def count_verdicts(evaluated: pd.DataFrame) -> pd.DataFrame:
 
 #: Claims about an edge, with its side.
 EDGE_CLAIMS = {
-    "short_edge_first": "short", "short_edge_mean": "short", "short_edge_pooled_at_least": "short",
-    "long_edge_first": "long", "long_edge_mean": "long", "long_edge_pooled_at_most": "long",
+    "short_edge_first": "short", "short_edge_mean": "short", "short_edge_mean_at_least": "short",
+    "long_edge_first": "long", "long_edge_mean": "long", "long_edge_mean_at_most": "long",
 }  # fmt: skip
 #: End of the interval that may lie beyond the cutoffs, by the side of the edge.
 OPEN_END = {"short": "high", "long": "low"}
