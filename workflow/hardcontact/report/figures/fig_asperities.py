@@ -1,4 +1,4 @@
-"""Asperities: the number of patches that carry the pull-off force, and their extent."""
+"""The asperities that carry the pull-off force: their shares, number and extent."""
 
 import numpy as np
 import pandas as pd
@@ -16,15 +16,15 @@ MICROMETRE = 1000  # nm
 EDGE_INTERVAL: style.Look = {"fc": "0.94", "ec": "0.7", "hatch": r"\\\\", "lw": 0, "zorder": 0}
 QUARTILES = {"low": 0.25, "value": 0.5, "high": 0.75}
 QUANTITIES = {  # title, axis, printed unit
-    "largest_share": ("largest patch", "share of the force", 1),
-    "two_largest_share": ("two largest patches", "share of the force", 1),
-    "patch_count": ("patches with {share:g} % of the force", "number of patches", 1),
+    "largest_share": ("strongest asperity", "share of the force", 1),
+    "two_largest_share": ("two strongest asperities", "share of the force", 1),
+    "patch_count": ("asperities with {share:g} % of the force", "number of asperities", 1),
     "extent": ("diameter that holds {share:g} % of the force", "length (µm)", MICROMETRE),
 }
 
 
 def draw(asperities: xr.Dataset, edges: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
-    """Draw the force on (a) the largest patch and (b) two, (c) their number, (d) their extent."""
+    """Draw the force on (a) the strongest asperity and (b) two, (c) their number, (d) their extent."""
     figure = drawing.create(5.2, asperities)
     grid = figure.subplots(2, 2, sharex=True)
     share = asperities.attrs["share"]
