@@ -31,13 +31,14 @@ def lists_of_files(*values):
         *chunks.filtered_masters("sets"),
         *chunks.filtered_masters("edge_shifts"),
     ]
-    study_values = (study.contact.radius, study.contact.loading_name, study.contact.rho)
+    contact = study.plan.contact
+    study_values = (contact.radius, contact.loading_name, contact.rho)
     computed_at = {
         path: contact_sweep(numbers(*values), row.purpose)
         for row, path in zip(filtered, study.paths(PATTERNS.master_forces, filtered), strict=True)
     }
     for pattern, rows in (
-        (PATTERNS.pull_off, study.substrate_scans),
+        (PATTERNS.pull_off, study.plan.substrate_scan_keys),
         (PATTERNS.pool, chunks.pools),
     ):
         computed_at |= dict.fromkeys(study.paths(pattern, rows), study_values)

@@ -5,7 +5,7 @@ import pytest
 import scan_files
 from studies import files
 
-from hardcontact.files.surface_files import SurfaceFiles
+from hardcontact.config.selected_surfaces import Selection
 from hardcontact.scans.reading import read_scan
 from hardcontact.surfaces.levelling import remove_form
 
@@ -17,25 +17,23 @@ def test_the_shape_of_a_rough_sphere_is_subtracted(tmp_path):
     ball = -(x[:, None] ** 2 + x**2) / (2 * 250e3)
     rough = np.random.default_rng(1).standard_normal((64, 64))
     path = scan_files.scan(tmp_path / "ball.nc", ball + rough, (640.0, 640.0))
-    levelling = files(scans=[1], measured_surfaces=["ruby"]).levelling_settings("ruby")
+    levelling = files(scans=[1], measured_surfaces=["ruby"]).plan.levelling_settings("ruby")
     levelled = remove_form(read_scan(path), **levelling)
     assert levelled.heights.std() == pytest.approx(rough.std(), rel=0.01)
-    assert files(measured_surfaces=["uncd"]).levelling_settings("uncd")["sphere_radius"] is None
+    assert (
+        files(measured_surfaces=["uncd"]).plan.levelling_settings("uncd")["sphere_radius"] is None
+    )
 
 
 @pytest.mark.parametrize(
     ("surface", "function", "scans"),
     [
-        (
-            "uncd",
-            SurfaceFiles.realization_scan_path,
-            [2, 5, 2],
-        ),  # in turn; below, a scan for each
-        ("uncd", SurfaceFiles.separate_scan_path, [2, 5, 6, 7, 8]),
-        ("mcd", SurfaceFiles.separate_scan_path, [2, 5, 2]),
+        ("uncd", Selection.realization_scan, [2, 5, 2]),  # in turn; below, a scan for each
+        ("uncd", Selection.separate_scan, [2, 5, 6, 7, 8]),
+        ("mcd", Selection.separate_scan, [2, 5, 2]),
     ],
 )
 def test_a_realization_uses_its_scan(surface, function, scans):
-    study = files(scans=[2, 5], measured_surfaces=["mcd"])
+    selection = files(scans=[2, 5], measured_surfaces=["mcd"]).selection
     for realization, scan in enumerate(scans, start=1):
-        assert function(study, surface, realization) == study.stitched_path(surface, scan)
+        assert function(selection, surface, realization) == scan

@@ -9,6 +9,7 @@ from repository import PAPER, ROOT, ROWS, TINY, merged
 
 from hardcontact.config import selected_surfaces
 from hardcontact.config.model import numeric_configuration
+from hardcontact.config.study_plan import StudyPlan
 from hardcontact.files.patterns import STORE_KEYS, Patterns, store_digests
 from hardcontact.files.surface_files import SurfaceFiles
 from hardcontact.run import checks
@@ -80,4 +81,4 @@ def files(*values, scans=(1, 2), measured_surfaces=()):
     ]
     sources = dict.fromkeys(rows.surface, FILES_DIGEST)
     selection = selected_surfaces.Selection(rows, "ruby", sources)
-    return SurfaceFiles(numbers(*values), selection, PATTERNS)
+    return SurfaceFiles(StudyPlan(numbers(*values), selection), PATTERNS)

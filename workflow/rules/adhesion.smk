@@ -5,14 +5,14 @@ rule compute_pull_off:
     """Compute rigid and plastic pull-off of one scan on all scans of the sphere, or positions on it."""
     input:
         substrate=PATTERNS.stitched_substrate,
-        spheres=[FILES.stitched_path(SPHERE, scan) for scan in SELECTION.scans(SPHERE)],
+        spheres=[FILES.stitched_path(SPHERE, scan) for scan in SELECTION.contact_scans(SPHERE)],
     output:
         PATTERNS.pull_off,
     params:
         parameters=parameters(
-            sphere_positions=FILES.sphere_positions,
-            positions_per_row=FILES.positions_per_row,
-            contact=CONTACT_AT_RANGE | {"contacts_per_row": FILES.position_contacts_per_row},
+            sphere_positions=PLAN.sphere_positions,
+            positions_per_row=PLAN.positions_per_row,
+            contact=CONTACT_AT_RANGE | {"contacts_per_row": PLAN.position_contacts_per_row},
             ranges=RANGES,
         ),
     script:
@@ -22,12 +22,12 @@ rule compute_pull_off:
 rule aggregate_adhesion:
     """Gather the pull-off forces of all sphere scans on all substrate scans: adhesion.nc."""
     input:
-        scans=FILES.paths(PATTERNS.pull_off, FILES.substrate_scans),
+        scans=FILES.paths(PATTERNS.pull_off, PLAN.substrate_scan_keys),
     output:
         PATTERNS.dataset("adhesion"),
     params:
         parameters=parameters(
-            scan_keys=FILES.substrate_scans,
+            scan_keys=PLAN.substrate_scan_keys,
             **NAMED_SURFACES,
             sphere_radius=STUDY["sphere"]["radius"],
             rho=STUDY["adhesion"]["range"],

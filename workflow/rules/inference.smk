@@ -25,7 +25,7 @@ rule fit_exponents:
             surfaces=[row.surface for row in CHUNKS.filtered_masters("exponents")],
             realizations=STUDY["exponents"]["realizations"],
             tolerance=STUDY["scales"]["tolerance"],
-            contact_area=FILES.contact.area,
+            contact_area=PLAN.contact.area,
             confidence=STUDY["inference"]["confidence"],
             **NAMED_SURFACES,
         ),

@@ -6,15 +6,17 @@ from hardcontact.surfaces.synthesis import SIDES
 #: hundred times a shorter range, and exp() would overflow.
 SHORTEST_WHOLE_RANGE = 0.7
 #: Bands need whole surfaces: scans are too small for their long waves.
-BAND_SURFACES = FILES.substitutes if IS_PAPER_STUDY else []
+BAND_SURFACES = SELECTION.substitute_substrates if IS_PAPER_STUDY else []
 #: The scan of the sphere; none if its roughness was added to that of the substrate.
 SPHERE_SCAN = (
-    FILES.first_sphere_path if SELECTION.scans(SPHERE) and not FILES.combined_surfaces else []
+    FILES.first_sphere_path
+    if SELECTION.contact_scans(SPHERE) and not PLAN.combined_surfaces
+    else []
 )
 #: Parameters of whole surfaces, and of contacts on them.
 WHOLE_SURFACES = {
     "seed": STUDY["seed"],
-    "grid": FILES.whole_surface_grid,
+    "grid": PLAN.whole_surface_grid,
     "scan_grid": SCAN_GRID,
     "contact": CONTACT_AT_RANGE,
 }
@@ -32,7 +34,7 @@ rule compute_whole_surface_forces:
             **WHOLE_SURFACES,
             surface=w.surface,
             realizations=list(range(int(w.first), int(w.last) + 1)),
-            has_features=w.surface in FILES.featured_surfaces,
+            has_features=w.surface in PLAN.featured_surfaces,
             ranges=[rho for rho in RANGES if rho >= SHORTEST_WHOLE_RANGE],
         ),
     script:
@@ -45,8 +47,7 @@ rule compute_perturbed_scan_forces:
         stitched=lambda w: FILES.roughness_path(w.surface, int(w.scan)),
         spectrum=lambda w: FILES.roughness_spectrum_path(w.surface),
         body_spectra=lambda w: [
-            FILES.spectrum_path(body.surface)
-            for body in FILES.rough_bodies(w.surface, int(w.scan))
+            FILES.spectrum_path(body.surface) for body in PLAN.rough_bodies(w.surface, int(w.scan))
         ],
         sphere=SPHERE_SCAN,
     output:
@@ -54,8 +55,8 @@ rule compute_perturbed_scan_forces:
     params:
         parameters=lambda w: parameters(
             scan=int(w.scan),
-            bodies=FILES.rough_bodies(w.surface, int(w.scan)),
-            measurements=FILES.measurements_of_map(w.surface, int(w.scan)),
+            bodies=PLAN.rough_bodies(w.surface, int(w.scan)),
+            measurements=PLAN.measurements_of_map(w.surface, int(w.scan)),
             seed=STUDY["seed"],
             contact=CONTACT_AT_RANGE,
             transitions={side: STUDY["scales"][side]["transition"] for side in SIDES},
@@ -77,7 +78,7 @@ rule compute_band_forces:
             **WHOLE_SURFACES,
             surface=w.surface,
             realizations=list(range(1, STUDY["scales"]["whole_surfaces"] + 1)),
-            has_features=w.surface in FILES.featured_surfaces,
+            has_features=w.surface in PLAN.featured_surfaces,
         ),
     script:
         "../scripts/compute_band_forces.py"
@@ -88,15 +89,15 @@ rule aggregate_sensitivity:
     input:
         maps=[
             *FILES.paths(PATTERNS.whole_surface_forces, CHUNKS.whole_surfaces),
-            *FILES.paths(PATTERNS.perturbed_scan_forces, FILES.measured_scans),
+            *FILES.paths(PATTERNS.perturbed_scan_forces, PLAN.measured_scan_keys),
         ],
         bands=[FILES.path(PATTERNS.band_forces, surface) for surface in BAND_SURFACES],
-        adhesion=PATTERNS.dataset("adhesion") if FILES.measured_scans else [],
+        adhesion=PATTERNS.dataset("adhesion") if PLAN.measured_scan_keys else [],
     output:
         PATTERNS.dataset("sensitivity"),
     params:
         parameters=parameters(
-            maps=[*CHUNKS.whole_surfaces, *FILES.measured_scans],
+            maps=[*CHUNKS.whole_surfaces, *PLAN.measured_scan_keys],
             bands=BAND_SURFACES,
             **NAMED_SURFACES,
             radius=STUDY["sphere"]["radius"],

@@ -3,14 +3,14 @@
 
 from hardcontact.files.patterns import any_name_pattern
 
-COMBINED = any_name_pattern(FILES.combined_surfaces)
+COMBINED = any_name_pattern(PLAN.combined_surfaces)
 
 
 rule combine_scans:
     """Add the roughness of a scan of the sphere, at a random position, to that of a substrate."""
     input:
         substrate=PATTERNS.stitched_substrate,
-        sphere=lambda w: FILES.stitched_path(SPHERE, FILES.sphere_scan(w.surface, int(w.scan))),
+        sphere=lambda w: FILES.stitched_path(SPHERE, PLAN.sphere_scan(w.surface, int(w.scan))),
     output:
         PATTERNS.combined_scan,
     wildcard_constraints:
@@ -19,7 +19,7 @@ rule combine_scans:
         parameters=lambda w: parameters(
             surface=w.surface,
             scan=int(w.scan),
-            sphere_scan=FILES.sphere_scan(w.surface, int(w.scan)),
+            sphere_scan=PLAN.sphere_scan(w.surface, int(w.scan)),
             seed=STUDY["seed"],
         ),
     script:
@@ -67,7 +67,7 @@ rule aggregate_spectra:
             surfaces=SELECTION.surfaces,  # the order of the inputs
             labels=SELECTION.labels,
             descriptions={
-                surface: SELECTION.description(surface) for surface in FILES.conditioning_paths
+                surface: SELECTION.description(surface) for surface in SELECTION.substitutes
             },
         ),
     script:
@@ -89,7 +89,7 @@ rule sample_spectra:
             surface=w.surface,
             seed=STUDY["seed"],
             contact_scan_indices=SELECTION.contact_scan_indices(w.surface),
-            **FILES.measurement_settings(w.surface),
+            **PLAN.measurement_settings(w.surface),
         ),
     script:
         "../scripts/sample_spectra.py"
@@ -97,7 +97,7 @@ rule sample_spectra:
 
 #: The scans of masters, and how forces on them are compared.
 MASTER_PARAMETERS = {
-    "scan_counts": {name: len(SELECTION.scans(name)) for name in SELECTION.substrates},
+    "scan_counts": {name: len(SELECTION.contact_scans(name)) for name in SELECTION.substrates},
     "tiles": STUDY["scales"]["long"]["tiles"],
     "tolerance": STUDY["scales"]["tolerance"],
     "confidence": STUDY["inference"]["confidence"],

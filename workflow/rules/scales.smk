@@ -16,7 +16,9 @@ SAMPLED_MASTERS = [] if IS_PAPER_STUDY else CHUNKS.filtered_masters("sampled")
 rule synthesize_masters:
     """Continue the roughness of a scan below its pixels and beyond its size."""
     input:
-        scan=lambda w: FILES.realization_scan_path(w.surface, int(w.realization)),
+        scan=lambda w: FILES.roughness_path(
+            w.surface, SELECTION.realization_scan(w.surface, int(w.realization))
+        ),
         spectrum=lambda w: FILES.roughness_spectrum_path(w.surface),
     output:
         **{side: PATTERNS.master.replace("{side}", side) for side in SIDES},
@@ -72,7 +74,7 @@ rule aggregate_scales:
             surfaces=[row.surface for row in CHUNKS.filtered_masters()],
             sampled_surfaces=[row.surface for row in SAMPLED_MASTERS],
             realizations=STUDY["scales"]["realizations"],
-            loading=FILES.contact.loading_name,
+            loading=PLAN.contact.loading_name,
             **NAMED_SURFACES,
             rho=STUDY["adhesion"]["range"],
             sphere_radius=STUDY["sphere"]["radius"],

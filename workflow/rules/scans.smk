@@ -39,12 +39,12 @@ rule measure_spectrum:
     output:
         PATTERNS.measured_spectrum,
     params:
-        parameters=lambda w: parameters(**FILES.measurement_settings(w.surface)),
+        parameters=lambda w: parameters(**PLAN.measurement_settings(w.surface)),
     script:
         "../scripts/measure_spectrum.py"
 
 
-for scans, surfaces in FILES.scan_groups.items():
+for scans, surfaces in PLAN.scan_groups.items():
 
     rule:
         """Condition a group of substitute scans on Table 1, make them, and prepare them."""
@@ -66,7 +66,7 @@ for scans, surfaces in FILES.scan_groups.items():
                 scan_grid=SCAN_GRID,
                 seed=STUDY["seed"],
                 sphere_radius=STUDY["sphere"]["radius"] if w.surface == SPHERE else None,
-                has_features=w.surface in FILES.featured_surfaces,
+                has_features=w.surface in PLAN.featured_surfaces,
             ),
         script:
             "../scripts/make_scans.py"
@@ -80,11 +80,9 @@ rule prepare_scan:
         scan=PATTERNS.levelled,
         stitched=PATTERNS.stitched,
     wildcard_constraints:
-        surface=any_name_pattern(
-            name for name, source in SELECTION.source.items() if source == "measured"
-        ),
+        surface=any_name_pattern(SELECTION.measured_surfaces),
     params:
-        parameters=lambda w: parameters(**FILES.levelling_settings(w.surface)),
+        parameters=lambda w: parameters(**PLAN.levelling_settings(w.surface)),
     script:
         "../scripts/prepare_scan.py"
 
@@ -92,15 +90,15 @@ rule prepare_scan:
 rule aggregate_topography:
     """Measure rms metrics and power spectra of all scans, with averages: topography.nc."""
     input:
-        scans=FILES.paths(PATTERNS.levelled, FILES.scans),
+        scans=FILES.paths(PATTERNS.levelled, PLAN.scan_keys),
         spectra=[FILES.spectrum_path(surface) for surface in SELECTION.surfaces],
-        conditionings=FILES.conditioning_paths.values(),
+        conditionings=[FILES.conditioning_path(surface) for surface in SELECTION.substitutes],
     output:
         PATTERNS.dataset("topography"),
     params:
         parameters=parameters(
-            scan_keys=FILES.scans,
-            conditioned=list(FILES.conditioning_paths),
+            scan_keys=PLAN.scan_keys,
+            conditioned=SELECTION.substitutes,
             **NAMED_SURFACES,
             sphere_surface=SPHERE,
             reference_surface=STUDY["reference_surface"],

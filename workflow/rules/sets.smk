@@ -23,7 +23,7 @@ rule compute_pool:
             surface=w.surface,
             first=int(w.first),
             last=int(w.last),
-            scan_count=len(SELECTION.scans(w.surface)),
+            scan_count=len(SELECTION.contact_scans(w.surface)),
             rms_height_count=STUDY["sets"]["rms_height_count"],
         ),
     script:
@@ -42,7 +42,7 @@ rule compute_featured_samples:
             surface=w.surface,
             first=int(w.first),
             last=int(w.last),
-            scan_count=len(SELECTION.scans(w.surface)),
+            scan_count=len(SELECTION.contact_scans(w.surface)),
             features=w.features,
         ),
     script:
@@ -69,7 +69,7 @@ rule sample_sets:
             sampled_substrates=SELECTION.sampled_substrates,
             master_surfaces=[row.surface for row in CHUNKS.filtered_masters("sets")],
             realizations=STUDY["sets"]["realizations"],
-            loading=FILES.contact.loading_name,
+            loading=PLAN.contact.loading_name,
             claims=claims_of_sets("resources/paper/claims.csv"),
             settings={
                 "seed": STUDY["seed"],

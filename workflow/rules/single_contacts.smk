@@ -5,19 +5,19 @@
 # scans of the reference surface.
 TRACED = {
     **SELECTION.attributes(STUDY["reference_surface"]),
-    "scan": SELECTION.scans(STUDY["reference_surface"])[0],
-    "sphere_scan": SELECTION.scans(SPHERE)[0],
+    "scan": SELECTION.contact_scans(STUDY["reference_surface"])[0],
+    "sphere_scan": SELECTION.contact_scans(SPHERE)[0],
     "contact_index": [STUDY["contact"]["contacts_per_row"] // 2] * 2,
 }
 INDENTED = STUDY["indent"]["surface"]
 #: All scans of a substrate, each with a scan of the sphere, in turn.
 SCANS_IN_TURN = {
     "substrates": lambda w: [
-        FILES.stitched_path(w.surface, scan) for scan in SELECTION.scans(w.surface)
+        FILES.stitched_path(w.surface, scan) for scan in SELECTION.contact_scans(w.surface)
     ],
     "spheres": lambda w: [
-        FILES.stitched_path(SPHERE, FILES.sphere_scan(w.surface, scan))
-        for scan in SELECTION.scans(w.surface)
+        FILES.stitched_path(SPHERE, PLAN.sphere_scan(w.surface, scan))
+        for scan in SELECTION.contact_scans(w.surface)
     ],
 }
 
@@ -46,7 +46,7 @@ rule solve_elastic_contacts:
     params:
         parameters=lambda w: parameters(
             surface=w.surface,
-            scans=SELECTION.scans(w.surface),
+            scans=SELECTION.contact_scans(w.surface),
             contact=CONTACT,
             contacts=STUDY["elastic"]["contacts"],
             seed=STUDY["seed"],
@@ -74,15 +74,17 @@ rule aggregate_elastic:
 rule measure_indents:
     """Measure the indents that contacts on one surface leave in the sphere: indent.nc."""
     input:
-        substrates=[FILES.stitched_path(INDENTED, scan) for scan in SELECTION.scans(INDENTED)],
-        spheres=[FILES.stitched_path(SPHERE, scan) for scan in SELECTION.scans(SPHERE)],
+        substrates=[
+            FILES.stitched_path(INDENTED, scan) for scan in SELECTION.contact_scans(INDENTED)
+        ],
+        spheres=[FILES.stitched_path(SPHERE, scan) for scan in SELECTION.contact_scans(SPHERE)],
     output:
         PATTERNS.dataset("indent"),
     params:
         parameters=parameters(
             **SELECTION.attributes(INDENTED),
-            scan_numbers=SELECTION.scans(INDENTED),
-            sphere_scan_numbers=SELECTION.scans(SPHERE),
+            scan_numbers=SELECTION.contact_scans(INDENTED),
+            sphere_scan_numbers=SELECTION.contact_scans(SPHERE),
             preloads=STUDY["indent"]["preloads"],
             contact=CONTACT | {"preload": max(STUDY["indent"]["preloads"])},
         ),
@@ -99,7 +101,7 @@ rule find_asperities:
     params:
         parameters=lambda w: parameters(
             surface=w.surface,
-            scans=SELECTION.scans(w.surface),
+            scans=SELECTION.contact_scans(w.surface),
             contact=CONTACT,
             asperities=STUDY["asperities"],
             seed=STUDY["seed"],

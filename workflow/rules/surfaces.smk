@@ -4,7 +4,8 @@
 #   SELECTION          the surfaces of the table, with their labels, scans and source files
 #   SPHERE             the name of the sphere's surface
 #   NAMED_SURFACES     the label of each surface, and whether it was measured or is a substitute
-#   FILES              the files of each surface: spectra, scans, scans of both bodies in one
+#   PLAN               which scans, bodies and positions contacts are made on, with their settings
+#   FILES              the paths of each surface: spectra, scans, scans of both bodies in one
 #   CHUNKS             what one job computes together: scans of pools, masters, whole surfaces
 #   CONTACT            the arguments of class Contact: the keys of `contact`, the sphere's radius
 #   CONTACT_AT_RANGE   these, and the range of adhesion (nm)
@@ -14,6 +15,7 @@
 #   SUBSTITUTE_INPUTS  from which random surfaces like a substitute are made
 
 from hardcontact.config.grids import random_surface_pixels
+from hardcontact.config.study_plan import StudyPlan
 from hardcontact.files.chunks import Chunks
 from hardcontact.files.patterns import wildcard_constraints as constraints
 from hardcontact.files.surface_files import SurfaceFiles
@@ -22,7 +24,8 @@ from hardcontact.run import start
 SELECTION = start.checked_selection(workflow, STUDY)
 SPHERE = SELECTION.sphere
 NAMED_SURFACES = {"labels": SELECTION.labels, "source": SELECTION.source}
-FILES = SurfaceFiles(STUDY, SELECTION, PATTERNS)
+PLAN = StudyPlan(STUDY, SELECTION)
+FILES = SurfaceFiles(PLAN, PATTERNS)
 CHUNKS = Chunks(FILES)
 CONTACT = STUDY["contact"] | {"radius": STUDY["sphere"]["radius"]}
 CONTACT_AT_RANGE = CONTACT | {"rho": STUDY["adhesion"]["range"]}

@@ -64,9 +64,9 @@ class Selection:
     """The surfaces and scans of a table of surfaces.
 
     The rows, one a scan, come from `selected_scans`. A sphere that is not in the table is smooth.
-    `surfaces` are in the order of the table; `substrates` are all surfaces except the sphere's. By
-    surface, `labels` has the name to print, `source` has ``"measured"`` or ``"substitute"``, and
-    `file_digests` the digest of its files from `digest_files`.
+    `surfaces` are in the order of the table, and so are `measured_surfaces` and `substitutes`.
+    `substrates` are all surfaces except the sphere's. By surface, `labels` has the name to print,
+    and `file_digests` the digest of its files from `digest_files`.
     """
 
     def __init__(self, rows: pd.DataFrame, sphere: str, file_digests: Mapping[str, str]) -> None:
@@ -79,15 +79,17 @@ class Selection:
         self.substrates = [surface for surface in self.surfaces if surface != sphere]
         self.labels: dict[str, str] = dict(zip(rows.surface, rows.label, strict=True))
         self.source: dict[str, str] = dict(zip(rows.surface, rows.source, strict=True))
+        self.measured_surfaces = [name for name in self.surfaces if self.source[name] == "measured"]
+        self.substitutes = [name for name in self.surfaces if self.source[name] == "substitute"]
 
-    def scans(self, surface: str) -> list[int]:
+    def contact_scans(self, surface: str) -> list[int]:
         """Return the numbers of the scans of a surface that contacts are made on."""
         return [int(scan) for scan in self._rows.scan[self._rows.surface == surface]]
 
     @property
     def sphere_scans(self) -> list[int]:
         """Numbers of the scans of the sphere; NO_SCAN alone for a smooth sphere."""
-        return self.scans(self.sphere) or [NO_SCAN]
+        return self.contact_scans(self.sphere) or [NO_SCAN]
 
     def attributes(self, surface: str) -> dict[str, str]:
         """Return the attributes of a dataset of one surface: its name, its label and its source."""
@@ -107,24 +109,29 @@ class Selection:
         uses = self._all_rows.use[self._all_rows.surface == surface]
         return [index for index, use in enumerate(uses) if use == CONTACT_USE]
 
-    def separate_scan(self, surface: str, realization: int) -> int:
-        """Return the number of the substitute scan that belongs to one realization alone.
+    def realization_scan(self, surface: str, realization: int) -> int:
+        """Return the number of the scan of a realization; realizations use the scans in turn."""
+        scans = self.contact_scans(surface)
+        return scans[(realization - 1) % len(scans)]
 
-        The study's scans come first, then numbers after the largest of them.
+    def separate_scan(self, surface: str, realization: int) -> int:
+        """Return the number of a scan of one realization only; measured scans come in turn.
+
+        The study's substitute scans come first, then numbers after the largest of them.
         """
-        scans = self.scans(surface)
-        if realization <= len(scans):
-            return scans[realization - 1]
+        scans = self.contact_scans(surface)
+        if realization <= len(scans) or surface in self.measured_surfaces:
+            return self.realization_scan(surface, realization)
         return max(scans) + realization - len(scans)
 
     def group(self, surface: str, scan: int) -> int:
         """Return the number of the group of a substitute scan; 0 for the study's scans."""
-        scans = self.scans(surface)
+        scans = self.contact_scans(surface)
         return 0 if scan in scans else 1 + (scan - max(scans) - 1) // len(scans)
 
     def scans_of_group(self, surface: str, group: int) -> list[int]:
         """Return the scans of a group: as many as the study has, and conditioned together."""
-        scans = self.scans(surface)
+        scans = self.contact_scans(surface)
         start = max(scans) + 1 + (group - 1) * len(scans)
         return list(range(start, start + len(scans))) if group else scans
 
@@ -133,11 +140,12 @@ class Selection:
         """Substrates that each set samples: substitutes with a published rms height."""
         table1 = pd.read_csv(PUBLISHED_TABLES["published_table1"])
         published_surfaces = set(table1.surface[table1.quantity == "afm_rms_height"])
-        return [
-            surface
-            for surface in self.substrates
-            if surface in published_surfaces and self.source[surface] == "substitute"
-        ]
+        return [name for name in self.substitute_substrates if name in published_surfaces]
+
+    @property
+    def substitute_substrates(self) -> list[str]:
+        """The substrates that are substitutes."""
+        return [surface for surface in self.substrates if surface in self.substitutes]
 
     def path(self, surface: str, scan: int) -> str:
         """Return the file of a measured scan, or the description of a substitute."""
@@ -145,12 +153,12 @@ class Selection:
 
     def dataset(self, surface: str, scan: int) -> str:
         """Return the dataset of a scan in its container; empty for a plain file."""
-        is_measured = self.source[surface] == "measured"
+        is_measured = surface in self.measured_surfaces
         return str(self._cells.dataset[surface, scan]) if is_measured else ""
 
     def description(self, surface: str) -> str:
         """Return the file that describes the spectrum of a substitute."""
-        return self.path(surface, self.scans(surface)[0])
+        return self.path(surface, self.contact_scans(surface)[0])
 
     def tables(self, surface: str) -> list[str]:
         """Return the tables of measured points that the description of a substitute names."""

@@ -68,7 +68,8 @@ class Chunks:
 
     def __init__(self, files: SurfaceFiles) -> None:
         self._files = files
-        self._configuration = files.configuration
+        self._plan = files.plan
+        self._configuration = files.plan.configuration
         self._selection = files.selection
 
     # Pools, samples and whole surfaces
@@ -77,7 +78,7 @@ class Chunks:
     def pools(self) -> list[Chunk]:
         """The scans of all pools, for the sets: outputs of rule compute_pool."""
         chunks = _spans(self._configuration["sets"]["pool_size"], POOL_CHUNK)
-        featured = self._files.featured_surfaces
+        featured = self._plan.featured_surfaces
         surfaces = [name for name in self._selection.sampled_substrates if name not in featured]
         return [Chunk(surface, *chunk) for surface in surfaces for chunk in chunks]
 
@@ -92,7 +93,7 @@ class Chunks:
         counts = dict.fromkeys(SIGNS, samples) | {GAUSSIAN: min(samples, FEATURED_SAMPLES_CHUNK)}
         return [
             SampleChunk(surface, kind, *chunk)
-            for surface in self._files.featured_surfaces
+            for surface in self._plan.featured_surfaces
             for kind, count in counts.items()
             for chunk in _spans(count, FEATURED_SAMPLES_CHUNK)
         ]
@@ -101,7 +102,8 @@ class Chunks:
     def whole_surfaces(self) -> list[Chunk]:
         """The whole surfaces of all substitutes: outputs of rule compute_whole_surface_forces."""
         chunks = _spans(self._configuration["scales"]["whole_surfaces"], MASTERS_CHUNK)
-        return [Chunk(surface, *chunk) for surface in self._files.substitutes for chunk in chunks]
+        substitutes = self._selection.substitute_substrates
+        return [Chunk(surface, *chunk) for surface in substitutes for chunk in chunks]
 
     # Masters
 
@@ -123,12 +125,12 @@ class Chunks:
         """Return the substrates with masters; only spectra of measured surfaces are sampled."""
         substrates = self._selection.substrates
         if purpose == "sampled":
-            return [name for name in substrates if self._selection.source[name] == "measured"]
+            return [name for name in substrates if name in self._selection.measured_surfaces]
         return substrates
 
     def _sphere_kind(self, purpose: str, surface: str) -> str:
         """Return which sphere touches the masters; combined if masters have its roughness."""
-        if surface in self._files.combined_surfaces:
+        if surface in self._plan.combined_surfaces:
             return "combined"
         is_rough = self._configuration["scales"]["sphere_roughness"] and purpose != "exponents"
         return "rough" if is_rough else "smooth"
@@ -136,7 +138,7 @@ class Chunks:
     def _sweep_names(self, purpose: str) -> tuple[str, str, str]:
         """Return radii, loadings and ranges of a purpose as parts of paths."""
         sweep = contact_sweep(self._configuration, purpose)
-        contacts = [replace(self._files.contact, **loading) for loading in sweep["loadings"]]
+        contacts = [replace(self._plan.contact, **loading) for loading in sweep["loadings"]]
         return (
             "+".join(f"R{path_token(radius, 'um')}" for radius in sweep["radii"]),
             "+".join(contact.loading_name for contact in contacts),
@@ -156,17 +158,22 @@ class Chunks:
 
         Masters of the study are files of their own; the job makes others from scans and spectra.
         """
-        files, surface = self._files, chunk.surface
+        files = self._files
+        surface = chunk.surface
         realizations = range(int(chunk.first), int(chunk.last) + 1)
         if PURPOSES[chunk.purpose].masters_are_files:
             return {
-                f"{side}_masters": [files.master_path(surface, k, side) for k in realizations]
+                f"{side}_masters": [
+                    files.path(files.patterns.master, surface, realization=number, side=side)
+                    for number in realizations
+                ]
                 for side in SIDES
             }
         if chunk.purpose == "sampled":
-            scans = [files.realization_scan_path(surface, k) for k in realizations]
-            spectra = [files.sampled_spectrum_path(surface, k) for k in realizations]
+            scan_of = self._selection.realization_scan
+            spectra = [files.sampled_spectrum_path(surface, number) for number in realizations]
         else:
-            scans = [files.separate_scan_path(surface, k) for k in realizations]
-            spectra = [files.spectrum_path(surface)] * len(scans)
+            scan_of = self._selection.separate_scan
+            spectra = [files.spectrum_path(surface)] * len(realizations)
+        scans = [files.roughness_path(surface, scan_of(surface, k)) for k in realizations]
         return {"scans": scans, "spectra": spectra}

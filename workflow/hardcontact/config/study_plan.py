@@ -1,0 +1,142 @@
+"""The plan of a study: on which scans, bodies and positions it computes contacts."""
+
+from collections import defaultdict
+from collections.abc import Iterable, Mapping
+from math import ceil, sqrt
+from typing import Any, NamedTuple
+
+from hardcontact.config.configuration import combines_bodies, study_contact
+from hardcontact.config.model import POSITION_CONTACTS_PER_ROW, SPHERE_POSITIONS
+from hardcontact.config.selected_surfaces import Selection
+
+
+class ScanKey(NamedTuple):
+    """The surface and the number of a scan; both are wildcards of paths."""
+
+    surface: str
+    scan: int
+
+
+class StudyPlan:
+    """Settings of a study that follow from its keys and from its selected surfaces together."""
+
+    def __init__(self, configuration: Mapping[str, Any], selection: Selection) -> None:
+        self.configuration = configuration
+        self.selection = selection
+        self.contact = study_contact(configuration)
+
+    # Scans that contacts are made on
+
+    @property
+    def scan_keys(self) -> list[ScanKey]:
+        """The scans of all surfaces."""
+        return self._scan_keys_of(self.selection.surfaces)
+
+    @property
+    def substrate_scan_keys(self) -> list[ScanKey]:
+        """The scans of all substrates."""
+        return self._scan_keys_of(self.selection.substrates)
+
+    @property
+    def measured_scan_keys(self) -> list[ScanKey]:
+        """The scans of measured substrates."""
+        measured = self.selection.measured_surfaces
+        return [key for key in self.substrate_scan_keys if key.surface in measured]
+
+    def _scan_keys_of(self, surfaces: Iterable[str]) -> list[ScanKey]:
+        contact_scans = self.selection.contact_scans
+        return [ScanKey(surface, scan) for surface in surfaces for scan in contact_scans(surface)]
+
+    @property
+    def scan_groups(self) -> dict[tuple[int, ...], list[str]]:
+        """Groups of scans that are made together, by numbers, each with its substitutes."""
+        realizations = max(self.configuration[key]["realizations"] for key in ("sets", "exponents"))
+        selection = self.selection
+        groups = defaultdict[tuple[int, ...], list[str]](list)
+        for surface in selection.substitutes:
+            last_group = selection.group(surface, selection.separate_scan(surface, realizations))
+            for group in range(last_group + 1):
+                groups[tuple(selection.scans_of_group(surface, group))].append(surface)
+        return groups
+
+    def levelling_settings(self, surface: str) -> dict[str, Any]:
+        """Return the levelling of the scans of a surface, with the radius (nm) of a sphere."""
+        radius = self.configuration["sphere"]["radius"]
+        return {
+            "levelling": self.configuration["scan"]["levelling"],
+            "sphere_radius": radius if surface == self.selection.sphere else None,
+        }
+
+    def measurement_settings(self, surface: str) -> dict[str, Any]:
+        """Return the levelling and the tip radii (nm) of the measurements of a surface."""
+        return {"tip_radii": self.selection.tip_radii(surface), **self.levelling_settings(surface)}
+
+    # Substitutes
+
+    @property
+    def featured_surfaces(self) -> list[str]:
+        """The substrate whose scans have features, if it is a substitute of a published surface."""
+        surface = self.configuration["scan"]["featured_surface"]
+        return [name for name in self.selection.sampled_substrates if name == surface]
+
+    @property
+    def whole_surface_grid(self) -> dict[str, Any]:
+        """Pixels per row of a whole surface, and their size (nm), as of long masters."""
+        scan = self.configuration["scan"]
+        tiles = self.configuration["scales"]["long"]["tiles"]
+        return {"pixels": 2 * tiles * scan["pixels"], "pixel_size": scan["size"] / scan["pixels"]}
+
+    # Both bodies
+
+    @property
+    def combined_surfaces(self) -> list[str]:
+        """The measured substrates to which the roughness of a measured sphere is added."""
+        measured = self.selection.measured_surfaces
+        if not combines_bodies(self.configuration) or self.selection.sphere not in measured:
+            return []
+        return [name for name in self.selection.substrates if name in measured]
+
+    def rough_bodies(self, surface: str, scan: int) -> list[ScanKey]:
+        """Return a substrate's scan, and the sphere's scan if its roughness is added."""
+        bodies = [ScanKey(surface, scan)]
+        if surface in self.combined_surfaces:
+            bodies.append(ScanKey(self.selection.sphere, self.sphere_scan(surface, scan)))
+        return bodies
+
+    def sphere_scan(self, surface: str, scan: int) -> int:
+        """Return the scan of the sphere that meets a scan of a substrate, in turn."""
+        sphere_scans = self.selection.sphere_scans
+        return sphere_scans[self.selection.contact_scans(surface).index(scan) % len(sphere_scans)]
+
+    def measurements_of_map(self, surface: str, scan: int) -> list[int]:
+        """Return the indices of the measurements, in a spectrum, whose roughness a map has."""
+        indices = []
+        offset = 0
+        for body in self.rough_bodies(surface, scan):
+            scans = self.selection.all_scans(body.surface)
+            indices.append(offset + scans.index(body.scan))
+            offset += len(scans)
+        return indices
+
+    # Positions on the sphere
+
+    @property
+    def positions_per_row(self) -> int:
+        """Positions per row on each scan of the sphere at which it touches the user's surfaces."""
+        if not combines_bodies(self.configuration):
+            return 1
+        return ceil(sqrt(SPHERE_POSITIONS / len(self.selection.sphere_scans)))
+
+    @property
+    def sphere_positions(self) -> list[int]:
+        """The numbers of positions on the sphere: numbers of its scans if each has one position."""
+        if self.positions_per_row == 1:
+            return self.selection.sphere_scans
+        count = len(self.selection.sphere_scans) * self.positions_per_row**2
+        return list(range(1, count + 1))
+
+    @property
+    def position_contacts_per_row(self) -> int:
+        """Contacts per row of their array at each position on the sphere."""
+        count = self.contact.contacts_per_row
+        return count if self.positions_per_row == 1 else min(count, POSITION_CONTACTS_PER_ROW)
