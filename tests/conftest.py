@@ -7,7 +7,7 @@ import tempfile
 
 import pytest
 from hypothesis import configuration, settings
-from repository import ROOT, copy_repository, run_snakemake
+from repository import ROOT, copy_repository, run_tiny_study
 from shared_study import shared_study
 
 # Processes share the cores, and a thread that waits for another takes its core from them. Nothing
@@ -74,7 +74,7 @@ def results(finished):
 def tiny_study(folder):
     """Run the tiny study in a copy of the repository inside a folder; return the copy."""
     copy = copy_repository(folder / "study")
-    run = run_snakemake(copy)
+    run = run_tiny_study(copy)
     assert run.returncode == 0, run.stdout[-3000:]
     return copy
 

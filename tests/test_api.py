@@ -15,9 +15,9 @@ import numpy as np
 import pytest
 import scan_files
 from direct_sum import direct_total
-from known_spectra import rough
-from measurements import map_of
-from periodic_maps import height_map
+from known_spectra import self_affine_spectrum
+from measurements import random_map
+from periodic_maps import periodic_map
 from refusals import assert_says, refusal
 from repository import ROOT
 from SurfaceTopography import Topography
@@ -42,9 +42,9 @@ def files(tmp_path, monkeypatch):
     """Work in a folder with a scan and a table of a spectrum; edges have few cutoffs."""
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr("hardcontact.theory.closed_form.CUTOFFS", 20)
-    heights = map_of(generator(3), 128, PIXEL).heights / 4
-    scan_files.scan(tmp_path / "scan.nc", heights.T, (1280.0, 1280.0))
-    spectrum = rough(17, 1000, 0.8, 20)
+    heights = random_map(generator(3), 128, PIXEL).heights / 4
+    scan_files.write_scan(tmp_path / "scan.nc", heights.T, (1280.0, 1280.0))
+    spectrum = self_affine_spectrum(17, 1000, 0.8, 20)
     rows = ["wavevector,wavevector_unit,c_iso,c_iso_unit"]
     rows += [
         f"{q!r},rad/nm,{c!r},nm4"
@@ -168,10 +168,10 @@ def test_ratios_equal_those_of_the_remaining_wave():
     sphere = SPHERE | LOAD | ARRAY
 
     def force(heights):
-        forces = hc.pull_off_forces(height_map(heights, PIXEL), ranges=[5.6], work=1.0, **sphere)
+        forces = hc.pull_off_forces(periodic_map(heights, PIXEL), ranges=[5.6], work=1.0, **sphere)
         return forces.pull_off_force.sel(contact_model="plastic").mean().item()
 
-    two_waves = height_map(long + short, PIXEL)
+    two_waves = periodic_map(long + short, PIXEL)
     ratios = hc.force_ratios(
         two_waves, {"short": [30, 200], "long": [1000, 200]}, rho=5.6, **sphere
     )
@@ -206,10 +206,7 @@ WRONG = [
         {"scan": hc.HeightMap(np.zeros((64, 64)), 3e7)},
         ["scan: expected a pixel_size of 0.05 to 10000 nm, found 3e+07 nm: is the unit right?"],
     ),
-    (
-        {"contacts_per_row": 999},
-        ["contacts_per_row: expected at most the 256 pixels", "found 999"],
-    ),
+    ({"contacts_per_row": 999}, ["contacts_per_row: expected at most the 256 pixels", "found 999"]),
     (
         {"scan": hc.HeightMap(np.zeros((16, 32)), PIXEL, False, "measured")},
         ["scan: expected a square map", "16 x 32 pixels"],
@@ -251,10 +248,10 @@ def test_a_topography_is_prepared_like_its_file(files):
 def test_a_scan_and_its_spectrum_are_predicted_like_the_file(files):
     """Measured or extrapolated, with the numbers, the intervals and the status of the command."""
     contact = {"radius": 250e3, "rho": 5.6, "work": 0.0463} | LOAD
-    wide = map_of(
+    wide = random_map(
         generator(3), 256, 40.0, partial(smooth_rolloff, plateau=3e5, rolloff=1000.0, hurst=0.8)
     )
-    path = scan_files.scan(files / "wide.nc", wide.heights.T, (10240.0, 10240.0))
+    path = scan_files.write_scan(files / "wide.nc", wide.heights.T, (10240.0, 10240.0))
     written = json.loads(predict(predict_arguments([str(path), "--json", "-"])))
     scan_numbers = hc.predict(hc.read_scan(path), **contact)
     measured = hc.predict(hc.read_spectrum(path), **contact)

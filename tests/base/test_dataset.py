@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import xarray as xr
 from refusals import assert_says, refusal
-from scan_files import heights, truncate_file
+from scan_files import random_heights, truncate_file
 
 from hardcontact.base import dataset
 
@@ -29,7 +29,7 @@ def test_a_damaged_dataset_is_refused(tmp_path, content):
     """The file has other content, is truncated to a share of its length, or is missing."""
     path = tmp_path / "a.nc"
     if isinstance(content, float):
-        dataset.write(xr.Dataset({"heights": (("y", "x"), heights(64, 64))}), path)
+        dataset.write(xr.Dataset({"heights": (("y", "x"), random_heights(64, 64))}), path)
         truncate_file(path, content)
     elif content is not None:
         path.write_bytes(content)

@@ -24,7 +24,7 @@ sys.path.insert(0, str(Path(__file__).parents[1] / "helpers"))
 
 from direct_sum import direct_total
 from elastic_libraries import library_pressure, library_pull_off
-from measurements import uncd
+from measurements import uncd_density
 
 from hardcontact.base.random import generator
 from hardcontact.contact.bearing_area import all_contact_pixels
@@ -48,7 +48,7 @@ RHOS = [0.5, 1, 2, 3, 4, 5, 5.6, 6, 7, 8, 9, 10]
 
 
 def surface(pixels):
-    return random_surface(generator(1, "benchmark", pixels), pixels, 5000 / pixels, uncd)
+    return random_surface(generator(1, "benchmark", pixels), pixels, 5000 / pixels, uncd_density)
 
 
 def bodies_in_contact(substrate, sphere=None):
@@ -118,7 +118,7 @@ def smooth_sphere(threads):
 def stitched(seed, scale):
     """A mirror-stitched scan of 512² pixels with the spectrum of UNCD times `scale`."""
     rng = generator(seed, "benchmark pair")
-    random = random_surface(rng, 1024, 2500 / 512, lambda q: scale * uncd(q))
+    random = random_surface(rng, 1024, 2500 / 512, lambda q: scale * uncd_density(q))
     scan = cut_scan(random, 512)
     return mirror_stitch(level(scan))
 

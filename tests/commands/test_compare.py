@@ -7,13 +7,13 @@ import pytest
 from html_page import Page
 from paper_study import answer
 from refusals import assert_says, refusal
-from repository import PAPER, merged
+from repository import PAPER, merge_configurations
 
 from hardcontact.base.number import Number
 from hardcontact.commands.compare import compare, compare_arguments
 from hardcontact.report.study_comparison import ComparedNumber, compare_answers
 
-HARDER = merged(PAPER, {"study": "harder", "contact": {"hardness": "30 GPa"}})
+HARDER = merge_configurations(PAPER, {"study": "harder", "contact": {"hardness": "30 GPa"}})
 
 
 @pytest.fixture(scope="module")

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from refusals import assert_says
-from scan_files import container, scan
+from scan_files import write_container, write_scan
 
 from hardcontact.commands import inventory as module
 from hardcontact.commands.inventory import inventory, table_rows
@@ -31,35 +31,35 @@ def wave(pixels=64, size=640.0, height=2.0, slope=0.05):
 
 
 def test_roughness_excludes_tilt_and_the_shape_of_the_sphere(tmp_path):
-    entry = only_entry(scan(tmp_path / "wave.nc", wave(), (640.0, 640.0)))
+    entry = only_entry(write_scan(tmp_path / "wave.nc", wave(), (640.0, 640.0)))
     assert entry.rms_height == pytest.approx(np.sqrt(2), rel=1e-3)  # of a cosine of 2 nm
     assert entry.peak_to_valley == pytest.approx(4 * np.cos(np.pi / 8), rel=1e-3)
     assert entry.relief > 30  # with the tilt, as the study sees it
     x = (np.arange(64) - 31.5) * 10.0
     ball = -(x[:, None] ** 2 + x**2) / 2000 + wave(slope=0)
-    entry = only_entry(scan(tmp_path / "ball.nc", ball, (640.0, 640.0)), sphere_radius=1000.0)
+    entry = only_entry(write_scan(tmp_path / "ball.nc", ball, (640.0, 640.0)), sphere_radius=1000.0)
     assert entry.rms_height == pytest.approx(np.sqrt(2), rel=1e-3)
 
 
 def test_an_unreadable_member_of_a_container_is_skipped(tmp_path):
-    sound_scan = scan(tmp_path / "good.nc")
+    sound_scan = write_scan(tmp_path / "good.nc")
     (tmp_path / "bad.txt").write_text("nothing")
     datasets = [
         {"name": name, "datafile": {"original": name}, "unit": "nm", "size": [320.0, 320.0]}
         for name in ("good.nc", "bad.txt")
     ]
     files = {"good.nc": sound_scan, "bad.txt": tmp_path / "bad.txt"}
-    twin = container(tmp_path / "twin.zip", datasets, files)
+    twin = write_container(tmp_path / "twin.zip", datasets, files)
     ((entry,), (line,), problems) = inventory([scan_file(twin)], None)
     assert entry.dataset == "good.nc" and not problems
     assert_says(line, "twin.zip: bad.txt: expected")
-    unusable_container = container(tmp_path / "bad.zip", datasets[1:], files)
+    unusable_container = write_container(tmp_path / "bad.zip", datasets[1:], files)
     entries, unreadable, problems = inventory([scan_file(unusable_container)], None)
     assert not entries and not unreadable and len(problems) == 1
 
 
 def test_a_folder_stands_for_its_files_of_which_unreadable_ones_are_left_out(tmp_path):
-    scan(tmp_path / "b.nc", wave(), (640.0, 640.0))
+    write_scan(tmp_path / "b.nc", wave(), (640.0, 640.0))
     (tmp_path / "a.txt").write_text("notes")
     (tmp_path / ".hidden").write_text("no scan")
     arguments = parse_arguments(["new", "name", str(tmp_path)])
@@ -77,12 +77,12 @@ def test_all_faulty_scans_and_duplicates_are_reported_at_once(tmp_path):
     (tmp_path / "text.txt").write_text("no scan")
     paths = [
         tmp_path / "none.di",
-        scan(tmp_path / "flat.nc", np.zeros((32, 32))),
+        write_scan(tmp_path / "flat.nc", np.zeros((32, 32))),
         tmp_path / "text.txt",
-        scan(tmp_path / "first.nc", wave(), (640.0, 640.0)),
+        write_scan(tmp_path / "first.nc", wave(), (640.0, 640.0)),
         # In another unit, with the rounding of another format.
-        scan(tmp_path / "again.nc", np.float32(wave() / 1e3), (0.64, 0.64), "um"),
-        scan(tmp_path / "other.nc", 1.01 * wave(), (640.0, 640.0)),
+        write_scan(tmp_path / "again.nc", np.float32(wave() / 1e3), (0.64, 0.64), "um"),
+        write_scan(tmp_path / "other.nc", 1.01 * wave(), (640.0, 640.0)),
     ]
     _, _, problems = inventory([scan_file(path) for path in paths], None)
     missing_fault, flat, text, twin = problems
@@ -97,7 +97,7 @@ def test_an_area_counts_once(tmp_path):
     trace = rng.standard_normal((64, 64))
     retrace = np.roll(trace, 2, axis=0) + 0.1 * rng.standard_normal((64, 64))
     scans = {"trace": trace, "other": rng.standard_normal((64, 64)), "retrace": retrace}
-    paths = [scan(tmp_path / f"{name}.nc", values) for name, values in scans.items()]
+    paths = [write_scan(tmp_path / f"{name}.nc", values) for name, values in scans.items()]
     entries, left_out, problems = inventory([scan_file(path) for path in paths], None)
     assert [entry.name for entry in entries] == ["trace.nc", "other.nc"] and not problems
     assert left_out == ["retrace.nc: it shows the same area as trace.nc, and an area counts once"]
@@ -109,7 +109,10 @@ def test_an_area_counts_once(tmp_path):
 def test_the_tip_option_serves_only_files_that_state_no_tip_radius(
     tmp_path, monkeypatch, stated_radius, used_radius, table_radius
 ):
-    path, read_original = (scan(tmp_path / "wave.nc", wave(), (640.0, 640.0)), module.read_scan)
+    path, read_original = (
+        write_scan(tmp_path / "wave.nc", wave(), (640.0, 640.0)),
+        module.read_scan,
+    )
     monkeypatch.setattr(
         module,
         "read_scan",

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 import yaml
 from refusals import assert_says
-from repository import PAPER, ROOT, merged
-from scan_files import container, nanoscope, scan
+from repository import PAPER, ROOT, merge_configurations
+from scan_files import write_container, write_nanoscope, write_scan
 
 from hardcontact.commands import command_line, new, request
 from hardcontact.config.configuration import apply_effort
@@ -57,7 +57,7 @@ def rough(pixels=64, rms=3.0, seed=1):
 
 
 def own_scan(path, size=2500.0, **others):
-    return scan(path, rough(**others), (size, size))
+    return write_scan(path, rough(**others), (size, size))
 
 
 def accepted(folder, done, effort="full"):
@@ -65,7 +65,7 @@ def accepted(folder, done, effort="full"):
     assert done.code == 0 and not done.errors, done.errors
     overlay = yaml.safe_load((folder / f"config/{NAME}.yaml").read_text("utf-8"))
     quick = overlay.pop("quick")
-    config = merged(PAPER, overlay)
+    config = merge_configurations(PAPER, overlay)
     if effort == "quick":
         config = apply_effort(config | {"effort": "quick", "quick": quick})
     config = numeric_configuration(config)
@@ -87,8 +87,8 @@ def test_one_scan_makes_a_full_and_a_quick_study(folder, run):
 
 
 def test_options_state_what_files_lack_and_are_kept(folder, run):
-    nanoscope(folder / "a.001", 10 * rough(), (2500.0, 2500.0), ["Height", "Sensor"])
-    scan(folder / "bare.nc", 1e-3 * rough(seed=2), (2.5, 2.5), unit=None)
+    write_nanoscope(folder / "a.001", 10 * rough(), (2500.0, 2500.0), ["Height", "Sensor"])
+    write_scan(folder / "bare.nc", 1e-3 * rough(seed=2), (2.5, 2.5), unit=None)
     (error,) = run(NAME, "bare.nc", "a.001", "--unit", "um", "--channel", "Sensor").errors
     assert_says(error, "bare.nc: expected one of the channels", "found 'Sensor'")
     _, table = accepted(folder, run(NAME, "a.001", "--channel", "Sensor"))
@@ -103,7 +103,7 @@ def test_scans_without_contacts_enter_the_spectrum(folder, run):
     own_scan(folder / "large.nc", 10000.0, pixels=256)
     small = own_scan(folder / "small.nc", 500.0)
     dataset = {"name": "s", "datafile": {"original": "s.nc"}, "unit": "nm", "size": [500.0] * 2}
-    container(folder / "twin.zip", [dataset], {"s.nc": small})
+    write_container(folder / "twin.zip", [dataset], {"s.nc": small})
     _, table = accepted(folder, run(NAME, "twin.zip", "large.nc", "--tip", "8 nm"))
     assert table.use.tolist() == ["contact", "spectrum"]
     assert table.dataset.tolist() == ["", "s.nc"] and set(table.tip_radius) == {"8.0"}
@@ -192,10 +192,7 @@ REFUSED = [
     ([NAME, "one.nc", "--sphere", "two.nc", "--radius", "1 um"], ["sphere.radius", "2500 nm"]),
     # A quarter of the stitched scan of 5 um at 25 GPa.
     ([NAME, "one.nc", "--preload", "1 N"], ["preload: expected at most 156 mN", "found 1 N"]),
-    (
-        [NAME, "one.nc", "--hardness", "25 kPa"],
-        ["--hardness 25 kPa: is the unit", "25 GPa?"],
-    ),
+    ([NAME, "one.nc", "--hardness", "25 kPa"], ["--hardness 25 kPa: is the unit", "25 GPa?"]),
     ([NAME, "one.nc", "--tip", "100 um"], ["at least 3 bins", "found 0", "one.nc", "the tip at"]),
 ]
 
@@ -203,7 +200,7 @@ REFUSED = [
 def test_faulty_arguments_are_refused_in_one_line_and_nothing_is_written(folder, run):
     own_scan(folder / "one.nc")
     own_scan(folder / "two.nc", seed=2)
-    scan(folder / "bare.nc", rough(), (2.5, 2.5), unit=None)
+    write_scan(folder / "bare.nc", rough(), (2.5, 2.5), unit=None)
     (folder / "results/kept-quick").mkdir(parents=True)
     files_before = sorted(folder.rglob("*"))
     for arguments, message_parts in REFUSED:

@@ -7,8 +7,8 @@ from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
-from known_spectra import contact_of_area, rough
-from prediction_command import numbers_of, printed
+from known_spectra import contact_of_area, self_affine_spectrum
+from prediction_command import predict_json, predict_text
 from refusals import assert_says, refusal
 
 from hardcontact.commands import request
@@ -96,7 +96,7 @@ FAULTY = [
 
 def test_each_fault_of_a_spectrum_table_has_its_line(table):
     for lines, message_parts in FAULTY:
-        assert_says(refusal(printed, table(*lines)), *message_parts)
+        assert_says(refusal(predict_text, table(*lines)), *message_parts)
 
 
 def test_faulty_options_are_reported_with_the_faults_of_the_table(tmp_path):
@@ -107,32 +107,31 @@ def test_faulty_options_are_reported_with_the_faults_of_the_table(tmp_path):
         (["--preload", "10mN", "--hardness", "100MPa"], ["--preload: expected less than 880 µN"]),
         # Both are suspected: the hardness was meant to be in GPa.
         (["--hardness", "25kPa"], ["like a smooth sphere; --hardness 25kPa: is the unit right?"]),
-        (
-            ["--json", "-", "--csv", "-"],
-            ["--csv: expected another file"],
-        ),
+        (["--json", "-", "--csv", "-"], ["--csv: expected another file"]),
         (["--json", str(tmp_path / "new/x.json")], ["--json: expected a file in a folder"]),
     ):
-        message = refusal(printed, missing_file, *options)
+        message = refusal(predict_text, missing_file, *options)
         assert_says(message, "none.csv", "found no file", *message_parts)
         assert len(message.splitlines()) == 1 + len(message_parts)
     assert not any(tmp_path.iterdir())
 
 
 def test_nothing_is_replaced_unasked(table, tmp_path):
-    path = table(*rows_of(rough(17, 1000, 0.8, 20)))
+    path = table(*rows_of(self_affine_spectrum(17, 1000, 0.8, 20)))
     numbers = tmp_path / "numbers.json"
     numbers.write_text("{}")
-    assert_says(refusal(printed, path, "--json", path, "--overwrite"), "than that of the surface")
-    assert_says(refusal(printed, path, "--json", str(numbers)), "new file", "add --overwrite")
+    assert_says(
+        refusal(predict_text, path, "--json", path, "--overwrite"), "than that of the surface"
+    )
+    assert_says(refusal(predict_text, path, "--json", str(numbers)), "new file", "add --overwrite")
     assert numbers.read_text() == "{}"
-    printed(path, "--json", str(numbers), "--overwrite")
+    predict_text(path, "--json", str(numbers), "--overwrite")
     assert "closed_form_force" in json.loads(numbers.read_text())
     pipe = tmp_path / "pipe"
     os.mkfifo(pipe)
     with ThreadPoolExecutor() as reader:
         text = reader.submit(pipe.read_text)
-        printed(path, "--csv", str(pipe))
+        predict_text(path, "--csv", str(pipe))
         assert text.result(timeout=10).startswith("quantity,") and pipe.is_fifo()
 
 
@@ -140,10 +139,10 @@ def test_nothing_is_replaced_unasked(table, tmp_path):
 
 
 def test_every_format_has_the_numbers_of_the_closed_form(table, tmp_path):
-    spectrum = rough(17, 1000, 0.8, 20)
+    spectrum = self_affine_spectrum(17, 1000, 0.8, 20)
     rows = tmp_path / "numbers.csv"
     options = ["--range", "8nm", "--work", "50 mJ/m2", "--csv", str(rows)]
-    numbers = numbers_of(table(*rows_of(spectrum)), *options)
+    numbers = predict_json(table(*rows_of(spectrum)), *options)
     contact = contact_of_area(250e3, 8.0, 0.05, 400.0)
     prediction = closed_form(spectrum, contact)
     force = numbers["closed_form_force"]
@@ -162,14 +161,16 @@ def test_every_format_has_the_numbers_of_the_closed_form(table, tmp_path):
     for name, number in numbers.items():
         assert float(table_rows[name]["value"]) == number["value"]
         assert table_rows[name]["unit"] == number["unit"]
-    words = printed(table(*rows_of(spectrum)), *options[:4])
+    words = predict_text(table(*rows_of(spectrum)), *options[:4])
     assert_says(words, f"closed form, for the spectrum: {round(1e9 * prediction.force, -1):g} nN")
     assert len(words.splitlines()) <= 5
 
 
 def test_unknown_quantities_have_a_status_and_no_number(table):
     """An almost smooth surface has no edge; the prediction reports where its error is unknown."""
-    numbers = numbers_of(table(*rows_of(rough(0.02, 1000, 0.8, 20))), "--radius", "5um")
+    numbers = predict_json(
+        table(*rows_of(self_affine_spectrum(0.02, 1000, 0.8, 20))), "--radius", "5um"
+    )
     assert numbers["short_edge"] == {"value": None, "unit": "nm", "status": "none"}
     assert numbers["weibull_modulus"]["status"] == "smooth"
     assert numbers["closed_form_force"]["status"] == "outside"
@@ -178,16 +179,16 @@ def test_unknown_quantities_have_a_status_and_no_number(table):
 
 def test_short_waves_missing_from_the_table_are_extrapolated(table):
     """The missing waves of an optical spectrum change the force, unless the table ends with 0."""
-    rows = rows_of(rough(17, 4000, 0.8, 1500))
-    numbers, spectrum = numbers_of(table(*rows)), table_spectrum(table(*rows))
+    rows = rows_of(self_affine_spectrum(17, 4000, 0.8, 1500))
+    numbers, spectrum = predict_json(table(*rows)), table_spectrum(table(*rows))
     variance = np.full(spectrum.density.shape, CALIBRATION_SCATTER**2)
     fit = fit_hurst_exponent(spectrum.wavevector, spectrum.density, variance)
     density, _ = extrapolate_short_waves(spectrum.wavevector, spectrum.density, fit)
     extrapolated_force = closed_form(Spectrum(WAVEVECTORS, density), CONTACT).force
     assert numbers["extrapolated_force"]["value"] == pytest.approx(extrapolated_force, rel=1e-6)
     assert numbers["extrapolated_change"]["status"] == "matters"
-    for ended in ([*rows, "1,rad/nm,0,nm4"], rows_of(rough(17, 1000, 0.8, 0.1))):
-        numbers = numbers_of(table(*ended))
+    for ended in ([*rows, "1,rad/nm,0,nm4"], rows_of(self_affine_spectrum(17, 1000, 0.8, 0.1))):
+        numbers = predict_json(table(*ended))
         assert "extrapolated_force" not in numbers
         assert numbers["extrapolated_change"]["status"] == "negligible"
 
@@ -215,8 +216,8 @@ def test_implausible_quantities_are_questioned(name, usual, questioned):
 
 def test_a_compliant_sphere_has_a_large_tabor_parameter(table):
     """A smooth sphere has the Tabor parameter (R W²/(E*² rho³))^(1/3)."""
-    path = table(*rows_of(rough(17, 1000, 0.8, 20)))
-    hard, soft = (numbers_of(path, "--modulus", modulus) for modulus in ("290GPa", "1MPa"))
+    path = table(*rows_of(self_affine_spectrum(17, 1000, 0.8, 20)))
+    hard, soft = (predict_json(path, "--modulus", modulus) for modulus in ("290GPa", "1MPa"))
     number = (250e-6 * 0.0463**2 / (1e6**2 * 5.6e-9**3)) ** (1 / 3)
     assert soft["tabor_parameter"]["value"] == pytest.approx(number, rel=1e-3)
     assert soft["tabor_parameter"]["status"] == "soft"

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from hypothesis import HealthCheck, event, given, settings
 from hypothesis import strategies as st
-from measurements import uncd
+from measurements import uncd_density
 from refusals import assert_says, refusal
 from repository import PAPER
 
@@ -32,7 +32,7 @@ BIN = np.log(10) / 10
 def density(size, pixel, rms):
     """Return C_iso (bins,) in nm4 of an rms height, between two pixels and the size of a scan."""
     wavelength = 2 * np.pi / BIN_CENTRES
-    values = uncd(BIN_CENTRES)
+    values = uncd_density(BIN_CENTRES)
     values[(wavelength < 2 * pixel) | (wavelength > size)] = np.nan
     return values * (rms / np.sqrt(np.nansum(values * BIN_CENTRES**2) * BIN / (2 * np.pi))) ** 2
 

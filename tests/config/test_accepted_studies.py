@@ -7,7 +7,7 @@ import numpy as np
 from hypothesis import HealthCheck, Phase, assume, given, settings
 from hypothesis import strategies as st
 from paper_numbers import SUBSTRATES
-from repository import PAPER, merged
+from repository import PAPER, merge_configurations
 
 from hardcontact.config import selected_surfaces
 from hardcontact.config.configuration import get_key, master_keys
@@ -95,7 +95,7 @@ def tiny(draw):
 def accepted(overlay):
     """Return the configuration in numbers, or None if the study is refused."""
     try:
-        config = numeric_configuration(merged(PAPER, overlay))
+        config = numeric_configuration(merge_configurations(PAPER, overlay))
         table = selected_surfaces.surface_table("config/surfaces.tsv")
         checks.check_study(config, table, SUBSTRATES)
     except ValueError:

@@ -9,7 +9,7 @@ import yaml
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from paper_numbers import SUBSTRATES
-from repository import PAPER, ROOT, TINY, leaves, merged
+from repository import PAPER, ROOT, TINY, leaves, merge_configurations
 from studies import replace_value
 
 from hardcontact.config.model import numeric_configuration
@@ -97,7 +97,7 @@ def outcome(config):
 
 @pytest.mark.parametrize("file", ["config/config.yaml", "config/quick.yaml", TINY])
 def test_the_study_of_the_paper_and_smaller_ones_are_valid(file):
-    assert outcome(merged(PAPER, yaml.safe_load((ROOT / file).read_text()))) is None
+    assert outcome(merge_configurations(PAPER, yaml.safe_load((ROOT / file).read_text()))) is None
 
 
 @SETTINGS

@@ -5,7 +5,7 @@ import datetime
 import pytest
 from refusals import NESTED_ALIASES, assert_says, refusal
 from repository import PAPER, ROOT, leaves
-from studies import numbers
+from studies import paper_configuration
 
 from hardcontact.config import configuration, key_tables, model
 from hardcontact.config.faults import raise_faults, run_checks
@@ -56,7 +56,7 @@ from hardcontact.config.model import Study
     ],
 )
 def test_a_faulty_value_is_refused_with_its_key(key, value, message_parts):
-    assert_says(refusal(numbers, key, value), "config key ", "expected", *message_parts)
+    assert_says(refusal(paper_configuration, key, value), "config key ", "expected", *message_parts)
 
 
 @pytest.mark.parametrize("link", ["results", "results/paper", "results/store"])
@@ -64,7 +64,7 @@ def test_a_link_to_a_missing_folder_is_refused(tmp_path, monkeypatch, link):
     monkeypatch.chdir(tmp_path)
     (tmp_path / link).parent.mkdir(exist_ok=True)
     (tmp_path / link).symlink_to("nowhere")
-    (line,) = refusal(numbers, "seed", 1).splitlines()
+    (line,) = refusal(paper_configuration, "seed", 1).splitlines()
     assert_says(line, "study and store", f"found {link}, a link to nowhere, which is missing")
 
 

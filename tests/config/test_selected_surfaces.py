@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from refusals import assert_says, refusal
 from repository import ROWS
-from scan_files import scan
-from studies import own_scans, surfaces
+from scan_files import write_scan
+from studies import read_surfaces, table_of_own_scans
 
 from hardcontact.config.selected_surfaces import digest_files, surface_table
 
@@ -32,7 +32,7 @@ HEADER = ROWS.partition("\n")[0]
     ],
 )
 def test_a_faulty_table_is_refused_with_its_line(tmp_path, project_folder, text, message_parts):
-    assert_says(refusal(surfaces, text, tmp_path), "surfaces.tsv", "expected", *message_parts)
+    assert_says(refusal(read_surfaces, text, tmp_path), "surfaces.tsv", "expected", *message_parts)
 
 
 @pytest.mark.parametrize("path", ["none.tsv", "config", "/dev/zero"])
@@ -42,8 +42,8 @@ def test_a_path_without_a_table_is_refused(project_folder, path):
 
 
 def test_a_file_listed_twice_is_refused(tmp_path, project_folder):
-    path = scan(tmp_path / "a.nc")
-    message = refusal(surfaces, own_scans(path, path), tmp_path)
+    path = write_scan(tmp_path / "a.nc")
+    message = refusal(read_surfaces, table_of_own_scans(path, path), tmp_path)
     assert_says(message, "surfaces.tsv", "path and dataset once", "a.nc")
 
 
@@ -51,7 +51,7 @@ def test_another_scan_of_the_same_name_has_another_folder_in_the_store(tmp_path,
     """The paths of intermediates contain the digest of the files of their surface."""
     digests = []
     for pixels in (16, 17):
-        path = scan(tmp_path / "a.nc", np.zeros((pixels, pixels)))
-        digests.append(digest_files(surfaces(own_scans(path), tmp_path)))
+        path = write_scan(tmp_path / "a.nc", np.zeros((pixels, pixels)))
+        digests.append(digest_files(read_surfaces(table_of_own_scans(path), tmp_path)))
     first, second = digests
     assert {surface for surface in first if first[surface] != second[surface]} == {"uncd"}

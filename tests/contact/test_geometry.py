@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from periodic_maps import RADIUS, height_map, make_bodies, periodic_noise
+from periodic_maps import RADIUS, make_bodies, periodic_map, periodic_noise
 
 from hardcontact.contact import geometry
 from hardcontact.contact.contact import Contact
@@ -26,7 +26,7 @@ def test_contacts_on_a_mirrored_surface_never_repeat_a_position():
 
 def test_the_coarser_map_is_interpolated():
     coarse, fine = 5.0 * heights(50), heights(120)
-    bodies = geometry.join_bodies(height_map(coarse, 30.0), height_map(fine, 10.0), CONTACT)
+    bodies = geometry.join_bodies(periodic_map(coarse, 30.0), periodic_map(fine, 10.0), CONTACT)
     assert bodies.substrate.pixels == 150 and bodies.sphere_roughness.pixels == 120
     assert bodies.geometry.pixel_size == 10.0
     np.testing.assert_allclose(bodies.substrate.heights[::3, ::3], coarse, atol=1e-5)
@@ -72,7 +72,7 @@ def test_heights_of_any_kind_have_their_force(kind):
     contact = Contact(radius=250e3, preload=1e-6, hardness=25e9, window=4800.0, contacts_per_row=3)
 
     def forces(values):
-        surface = height_map(values, 50.0)
+        surface = periodic_map(values, 50.0)
         all_bodies = [geometry.join_bodies(surface, sphere, contact) for sphere in (surface, None)]
         return [forces_at_loadings(bodies, [contact], [5.6]) for bodies in all_bodies]
 

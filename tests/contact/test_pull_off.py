@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import xarray as xr
 from direct_sum import direct_total
-from periodic_maps import CONTACT, height_map, make_bodies, periodic_noise
+from periodic_maps import CONTACT, make_bodies, periodic_map, periodic_noise
 
 from hardcontact.contact.geometry import gap_map, join_bodies
 from hardcontact.contact.pull_off import (
@@ -93,13 +93,13 @@ def test_finer_pixels_change_only_the_contact_area_at_a_small_range(pixels, area
     assert change == pytest.approx(area_ratio, rel=0.05)
 
 
-SPHERES = [None, height_map(periodic_noise(96, 0.5, 5), 10.0)]
+SPHERES = [None, periodic_map(periodic_noise(96, 0.5, 5), 10.0)]
 
 
 @pytest.mark.parametrize("sphere", SPHERES)
 @pytest.mark.parametrize("side, end", [("short", 12.8), ("long", 1024.0)])
 def test_the_force_on_every_filtered_master_is_the_direct_sum(sphere, side, end):
-    master, cutoffs = height_map(periodic_noise(128, 20.0, 4), 8.0), [100.0, 400.0]
+    master, cutoffs = periodic_map(periodic_noise(128, 20.0, 4), 8.0), [100.0, 400.0]
     filtered_forces = filtered_pull_off(
         master, Filters(side, 160, cutoffs), LOADED_CONTACTS, sphere
     )

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from paper_numbers import MODULUS
-from periodic_maps import CONTACT, RADIUS, height_map, make_bodies, periodic_noise
+from periodic_maps import CONTACT, RADIUS, make_bodies, periodic_map, periodic_noise
 
 from hardcontact.contact.bearing_area import ContactPixels, all_contact_pixels
 from hardcontact.contact.elastic import ELASTIC_UNITS, solve_elastic_contacts
@@ -22,8 +22,8 @@ SHAPE = {"scan": 2, "sphere_scan": 2, "preload": 2, "contact_y": 3, "contact_x":
 
 
 def test_indents_of_scans_equal_those_of_each_pair():
-    substrates = {k: height_map(periodic_noise(128, 20.0, k), 8.0) for k in (1, 4)}
-    spheres = {k: height_map(periodic_noise(128, 0.5, 10 + k), 8.0) for k in (2, 3)}
+    substrates = {k: periodic_map(periodic_noise(128, 20.0, k), 8.0) for k in (1, 4)}
+    spheres = {k: periodic_map(periodic_noise(128, 0.5, 10 + k), 8.0) for k in (2, 3)}
     indents = indents_of_scans(substrates, spheres, CONTACT, [10e-6, 40e-6])
     assert {name: indents.depth.sizes[name] for name in indents.depth.dims} == SHAPE
     bodies = join_bodies(substrates[4], spheres[2], CONTACT)

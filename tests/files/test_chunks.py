@@ -1,7 +1,7 @@
 """Jobs compute their files in chunks, and different files for different swept values."""
 
 import pytest
-from studies import PATTERNS, files, numbers
+from studies import PATTERNS, paper_configuration, study_files
 
 from hardcontact.config.configuration import study_contact
 from hardcontact.files.chunks import Chunks
@@ -23,7 +23,7 @@ SWEPT = {
 
 def lists_of_files(*values):
     """Return the radii, loadings and ranges that each file is computed at, by its path."""
-    study = files(*values)
+    study = study_files(*values)
     chunks = Chunks(study)
     filtered = [
         *chunks.filtered_masters(),
@@ -34,7 +34,7 @@ def lists_of_files(*values):
     contact = study.plan.contact
     study_values = (contact.radius, contact.loading_name, contact.rho)
     computed_at = {
-        path: contact_sweep(numbers(*values), row.purpose)
+        path: contact_sweep(paper_configuration(*values), row.purpose)
         for row, path in zip(filtered, study.paths(PATTERNS.master_forces, filtered), strict=True)
     }
     for pattern, rows in (
@@ -62,4 +62,4 @@ def test_paths_do_not_depend_on_the_units_of_a_value():
         *("contact.hardness", "25000 MPa", "adhesion.range", "0.0056 um"),
     ]
     assert lists_of_files(*written_otherwise) == lists_of_files()
-    assert study_contact(numbers()).loading_name == "H25GPa-F10uN"
+    assert study_contact(paper_configuration()).loading_name == "H25GPa-F10uN"

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 import scan_files
-from studies import files
+from studies import study_files
 
 from hardcontact.config.selected_surfaces import Selection
 from hardcontact.scans.reading import read_scan
@@ -16,12 +16,13 @@ def test_the_shape_of_a_rough_sphere_is_subtracted(tmp_path):
     x = (np.arange(64) - 31.5) * 10.0
     ball = -(x[:, None] ** 2 + x**2) / (2 * 250e3)
     rough = np.random.default_rng(1).standard_normal((64, 64))
-    path = scan_files.scan(tmp_path / "ball.nc", ball + rough, (640.0, 640.0))
-    levelling = files(scans=[1], measured_surfaces=["ruby"]).plan.levelling_settings("ruby")
+    path = scan_files.write_scan(tmp_path / "ball.nc", ball + rough, (640.0, 640.0))
+    levelling = study_files(scans=[1], measured_surfaces=["ruby"]).plan.levelling_settings("ruby")
     levelled = remove_form(read_scan(path), **levelling)
     assert levelled.heights.std() == pytest.approx(rough.std(), rel=0.01)
     assert (
-        files(measured_surfaces=["uncd"]).plan.levelling_settings("uncd")["sphere_radius"] is None
+        study_files(measured_surfaces=["uncd"]).plan.levelling_settings("uncd")["sphere_radius"]
+        is None
     )
 
 
@@ -34,6 +35,6 @@ def test_the_shape_of_a_rough_sphere_is_subtracted(tmp_path):
     ],
 )
 def test_a_realization_uses_its_scan(surface, function, scans):
-    selection = files(scans=[2, 5], measured_surfaces=["mcd"]).selection
+    selection = study_files(scans=[2, 5], measured_surfaces=["mcd"]).selection
     for realization, scan in enumerate(scans, start=1):
         assert function(selection, surface, realization) == scan

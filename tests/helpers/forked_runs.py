@@ -12,7 +12,7 @@ from types import SimpleNamespace
 import pytest
 
 
-def forked(function, *arguments):
+def run_forked(function, *arguments):
     """Return the result of a function in a separate process, which starts without the library."""
     context = multiprocessing.get_context("fork")
     ours, theirs = context.Pipe()
@@ -43,7 +43,7 @@ def run_program(folder, module, words, environment):
     """
     importlib.import_module(module)  # with its packages, once for all runs
     with tempfile.TemporaryFile() as output:
-        code = forked(call_main, folder, module, words, environment, output.fileno())
+        code = run_forked(call_main, folder, module, words, environment, output.fileno())
         output.seek(0)
         return SimpleNamespace(returncode=code, stdout=output.read().decode())
 

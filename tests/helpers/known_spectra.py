@@ -8,19 +8,19 @@ from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, self_affine
 BINS = 2 * np.pi * 10 ** (-3.45 + np.arange(19) / 10)  # 2.8 µm to 45 nm, in rad/nm
 
 
-def scaled(density, rms):
+def scale_spectrum(density, rms):
     """Return a spectrum with an rms height (nm)."""
     height = np.sqrt(np.trapezoid(density * WAVEVECTORS**2, np.log(WAVEVECTORS)) / (2 * np.pi))
     return Spectrum(WAVEVECTORS, density * (rms / height) ** 2)
 
 
-def rough(rms=4.0, rolloff=1000.0, hurst=0.8, shortest=20.0):
+def self_affine_spectrum(rms=4.0, rolloff=1000.0, hurst=0.8, shortest=20.0):
     """Return a self-affine spectrum that ends at a shortest wavelength (nm)."""
     density = self_affine(WAVEVECTORS, 1.0, rolloff, hurst)
-    return scaled(np.where(2 * np.pi / WAVEVECTORS >= shortest, density, 0.0), rms)
+    return scale_spectrum(np.where(2 * np.pi / WAVEVECTORS >= shortest, density, 0.0), rms)
 
 
-def rounded(rms=4.0, length=100.0):
+def gaussian_spectrum(rms=4.0, length=100.0):
     """Return the spectrum of the autocorrelation rms² exp(-d²/2 length²): a smooth surface.
 
     Its spectral moment of the profiles' slope is (rms/length)².

@@ -13,22 +13,22 @@ from hardcontact.surfaces.synthesis import cut_scan, random_surface
 PIXEL = 2500 / 512  # nm, of the paper's scans
 
 
-def uncd(q):
+def uncd_density(q):
     """C_iso in nm4 at wavevectors in rad/nm."""
     return smooth_rolloff(q, 6.1e7, 930.0, 0.84)
 
 
-def gentle(q):
+def gentle_density(q):
     """C_iso in nm4 of a surface whose slopes are small."""
-    return 0.05 * uncd(q)
+    return 0.05 * uncd_density(q)
 
 
-UNCD = Spectrum(WAVEVECTORS, uncd(WAVEVECTORS))
+UNCD = Spectrum(WAVEVECTORS, uncd_density(WAVEVECTORS))
 
 
 def levelled_scan(rng, pixels, pixel_size=PIXEL):
     """A scan of UNCD's spectrum, cut out of a surface of twice its size."""
-    return level(cut_scan(random_surface(rng, 2 * pixels, pixel_size, uncd), pixels))
+    return level(cut_scan(random_surface(rng, 2 * pixels, pixel_size, uncd_density), pixels))
 
 
 def measurement(heights, pixel_size, tip_radius=None, path="a.spm"):
@@ -36,7 +36,7 @@ def measurement(heights, pixel_size, tip_radius=None, path="a.spm"):
     return HeightMap(heights, pixel_size, path=path, channel="Height", tip_radius=tip_radius)
 
 
-def map_of(rng, pixels, pixel_size, spectrum=uncd, **stated):
+def random_map(rng, pixels, pixel_size, spectrum=uncd_density, **stated):
     """Return a map, cut out of a random surface of twice its size."""
     surface = random_surface(rng, 2 * pixels, pixel_size, spectrum)
     return measurement(surface.heights[:pixels, :pixels].astype(float), pixel_size, **stated)
@@ -45,11 +45,11 @@ def map_of(rng, pixels, pixel_size, spectrum=uncd, **stated):
 def self_affine_heights(rng, pixels, pixel_size, rms_height, hurst=0.8, rolloff=800.0):
     """Return heights (y, x) of a self-affine map with an rms height; all lengths in nm."""
     spectrum = partial(smooth_rolloff, plateau=1e6, rolloff=rolloff, hurst=hurst)
-    heights = map_of(rng, pixels, pixel_size, spectrum).heights
+    heights = random_map(rng, pixels, pixel_size, spectrum).heights
     return heights * (rms_height / heights.std())
 
 
-def line_of(rng, points, spacing, spectrum=uncd, **stated):
+def random_line(rng, points, spacing, spectrum=uncd_density, **stated):
     """A line scan of a surface with waves below and above the range of the scan.
 
     A sum of waves of random phases on a profile of four times the length, with the C_1D of the
@@ -66,9 +66,9 @@ def line_of(rng, points, spacing, spectrum=uncd, **stated):
 def two_sizes_and_a_line(seed):
     """Return a map of 10 µm, a map of 1 µm and a line of 40 µm of the same surface."""
     return [
-        map_of(generator(seed, 0), 256, 40.0, gentle, path="large.spm"),
-        map_of(generator(seed, 1), 256, 4.0, gentle, path="small.spm"),
-        line_of(generator(seed, 2), 2000, 20.0, gentle, path="line.txt"),
+        random_map(generator(seed, 0), 256, 40.0, gentle_density, path="large.spm"),
+        random_map(generator(seed, 1), 256, 4.0, gentle_density, path="small.spm"),
+        random_line(generator(seed, 2), 2000, 20.0, gentle_density, path="line.txt"),
     ]
 
 

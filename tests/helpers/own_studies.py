@@ -5,9 +5,9 @@ from contextlib import contextmanager
 
 import numpy as np
 from forked_runs import run_program
-from measurements import map_of
-from repository import ROOT, environment, snakemake
-from scan_files import nanoscope
+from measurements import random_map
+from repository import ROOT, environment, run_snakemake
+from scan_files import write_nanoscope
 
 #: Real scans, which stay where they are.
 SHARED = ROOT.parent / "shared" / "scans"
@@ -17,52 +17,52 @@ COUNT = 0.1
 RANGE, WORK = 5.6, 0.05
 
 
-def new(folder, *arguments):
+def run_new(folder, *arguments):
     """Run `hardcontact new` in a copy of the repository."""
     words = ["new", *map(str, arguments)]
     return run_program(folder, "hardcontact.commands.command_line", words, environment(folder))
 
 
-def quick(folder, name, *arguments, overlays=()):
+def run_quick(folder, name, *arguments, overlays=()):
     """Run a study that `new` wrote at quick effort, with further overlays (paths)."""
     files = [f"config/{name}.yaml", *overlays]
-    return snakemake(
+    return run_snakemake(
         folder, *arguments, "--configfile", *map(str, files), "--config", "effort=quick"
     )
 
 
 def make_study(folder, name, *arguments, overlays=()):
     """Make a study from files by both commands; return its results."""
-    done = new(folder, name, *arguments)
+    done = run_new(folder, name, *arguments)
     assert done.returncode == 0, done.stdout
-    run = quick(folder, name, overlays=overlays)
+    run = run_quick(folder, name, overlays=overlays)
     assert run.returncode == 0, run.stdout[-3000:]
     return folder / "results" / f"{name}-quick"
 
 
-def numbers(results):
+def read_answer(results):
     """Return the answer of a study as its answer.json has it."""
     return json.loads((results / "answer.json").read_text("utf-8"))
 
 
-def quantities(results):
+def read_quantities(results):
     """Return the quantities of an answer by surface and name, "" for those of the whole study."""
     surfaces = {}
-    for row in numbers(results)["quantities"]:
+    for row in read_answer(results)["quantities"]:
         surfaces.setdefault(row["surface"], {})[row["name"]] = row
     return surfaces
 
 
-def rough(rng, pixels=128, size=2500.0, rms=None):
+def uncd_heights(rng, pixels=128, size=2500.0, rms=None):
     """Heights (y, x) in nm with the spectrum of UNCD, scaled to an rms height if one is given."""
-    heights = map_of(rng, pixels, size / pixels).heights
+    heights = random_map(rng, pixels, size / pixels).heights
     return heights if rms is None else heights * rms / heights.std()
 
 
-def spm(path, heights, size):
+def write_spm(path, heights, size):
     """Write heights (y, x) in nm on square pixels as a Nanoscope file; size (nm) along x."""
     rows, columns = heights.shape
-    return nanoscope(path, np.round(heights / COUNT), (size, size * rows / columns))
+    return write_nanoscope(path, np.round(heights / COUNT), (size, size * rows / columns))
 
 
 def forces_on(adhesion, surface, rng):

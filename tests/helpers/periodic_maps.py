@@ -35,7 +35,7 @@ def periodic_noise(pixels, rms, seed):
     return heights / heights.std() * rms
 
 
-def height_map(heights, pixel_size):
+def periodic_map(heights, pixel_size):
     """A periodic substitute."""
     return HeightMap(heights, pixel_size, True, "substitute")
 
@@ -44,7 +44,7 @@ def make_bodies(heights, roughness, pixel_size, window, contacts, radius=RADIUS)
     """Bodies of a substrate (n, n), and of a roughness (m, m) or a smooth sphere (None)."""
     positions = contact_positions(len(heights), contacts)
     return Bodies(
-        height_map(heights, pixel_size),
-        None if roughness is None else height_map(roughness, pixel_size),
+        periodic_map(heights, pixel_size),
+        None if roughness is None else periodic_map(roughness, pixel_size),
         ContactGeometry(radius, pixel_size, window, positions),
     )

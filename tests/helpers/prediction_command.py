@@ -5,10 +5,10 @@ import json
 from hardcontact.commands.predict import predict, predict_arguments
 
 
-def printed(*arguments):
+def predict_text(*arguments):
     return predict(predict_arguments(arguments))
 
 
-def numbers_of(*arguments):
+def predict_json(*arguments):
     """Return the JSON output of the command."""
-    return json.loads(printed(*arguments, "--json", "-"))
+    return json.loads(predict_text(*arguments, "--json", "-"))

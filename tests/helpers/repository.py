@@ -60,25 +60,25 @@ def environment(folder):
     }
 
 
-def snakemake(folder, *arguments):
+def run_snakemake(folder, *arguments):
     """Run Snakemake in a copy of the repository; return the exit code and the output."""
     return run_program(folder, "snakemake.cli", arguments, environment(folder))
 
 
-def plan(folder, *words):
+def snakemake_output(folder, *words):
     """Return the output of a run of Snakemake without jobs: a dry run, or a summary."""
-    run = snakemake(folder, *words)
+    run = run_snakemake(folder, *words)
     assert run.returncode == 0, run.stdout
     return run.stdout
 
 
-def run_snakemake(folder, *arguments, overlays=()):
+def run_tiny_study(folder, *arguments, overlays=()):
     """Run the tiny study in a copy of the repository, with further overlays (dicts)."""
     files = [TINY]
     for number, overlay in enumerate(overlays):
         files.append(f"overlay-{number}.yaml")
         Path(folder, files[-1]).write_text(yaml.safe_dump(overlay))
-    return snakemake(folder, *arguments, "--configfile", *files)
+    return run_snakemake(folder, *arguments, "--configfile", *files)
 
 
 def leaves(tree, path=()):
@@ -90,9 +90,9 @@ def leaves(tree, path=()):
             yield ".".join((*path, key))
 
 
-def merged(base, overlay):
+def merge_configurations(base, overlay):
     """Merge an overlay into a configuration at any depth, as Snakemake does."""
     return base | {
-        key: merged(base[key], value) if isinstance(value, dict) else value
+        key: merge_configurations(base[key], value) if isinstance(value, dict) else value
         for key, value in overlay.items()
     }

@@ -8,23 +8,25 @@ from SurfaceTopography import Topography, UniformLineScan
 from SurfaceTopography.Container.SurfaceContainer import InMemorySurfaceContainer
 
 
-def heights(*shape):
+def random_heights(*shape):
     """Return random heights, by default on 32 x 32 pixels."""
     return np.random.default_rng(1).standard_normal(shape or (32, 32))
 
 
-def scan(path, values=None, sizes=(320.0, 320.0), unit="nm"):
+def write_scan(path, values=None, sizes=(320.0, 320.0), unit="nm"):
     """Write a scan of 10 nm a pixel, or of other sizes; first axis x."""
-    Topography(heights() if values is None else values, sizes, unit=unit).to_netcdf(str(path))
+    Topography(random_heights() if values is None else values, sizes, unit=unit).to_netcdf(
+        str(path)
+    )
     return path
 
 
-def line(values, length):
+def line_scan(values, length):
     """Return a line scan of SurfaceTopography, its heights and length in nm."""
     return UniformLineScan(values, length, unit="nm")
 
 
-def container(path, entries, files):
+def write_container(path, entries, files):
     """Write a container with these entries of meta.yml and these files: name -> path."""
     with zipfile.ZipFile(path, "w") as archive:
         archive.writestr("meta.yml", yaml.safe_dump({"surfaces": [{"topographies": entries}]}))
@@ -64,7 +66,7 @@ def write_described_array(topography, path):
     np.save(array, filled_heights(topography))
     size = [float(size) for size in topography.physical_sizes]
     entry = {"name": "one", "datafile": {"original": "a.npy"}, "size": size}
-    container(path, [entry | {"unit": topography.unit}], {"a.npy": array})
+    write_container(path, [entry | {"unit": topography.unit}], {"a.npy": array})
 
 
 #: Writers of a topography of SurfaceTopography, by the data that they can hold.
@@ -82,7 +84,7 @@ MAPS = MAPS_AND_LINES | {
 UNEVEN_LINES = {name: MAPS_AND_LINES[name] for name in ("nc", "xyz", "zip")}
 
 
-def nanoscope(path, values, size, channels=("Height",)):
+def write_nanoscope(path, values, size, channels=("Height",)):
     """Write a Nanoscope file with counts (y, x) of 0.1 nm in every channel.
 
     The first line of the counts is the top of the scan. A channel Phase is in degrees.

@@ -5,7 +5,7 @@ from functools import reduce
 import pandas as pd
 import yaml
 from paper_numbers import SUBSTRATES
-from repository import PAPER, ROOT, ROWS, TINY, merged
+from repository import PAPER, ROOT, ROWS, TINY, merge_configurations
 
 from hardcontact.config import selected_surfaces
 from hardcontact.config.model import numeric_configuration
@@ -18,7 +18,9 @@ PATTERNS = Patterns("results/paper", "results/store", "ruby", dict.fromkeys(STOR
 #: Stands for the digest of the files of a surface.
 FILES_DIGEST = "0123abcd"
 #: The paths of the tiny study.
-TINY_NUMBERS = numeric_configuration(merged(PAPER, yaml.safe_load((ROOT / TINY).read_text())))
+TINY_NUMBERS = numeric_configuration(
+    merge_configurations(PAPER, yaml.safe_load((ROOT / TINY).read_text()))
+)
 TINY_PATTERNS = Patterns("results/tiny", "results/store-tiny", "ruby", store_digests(TINY_NUMBERS))
 TINY_DIGESTS = selected_surfaces.digest_files(
     pd.read_csv(ROOT / "config/surfaces.tsv", sep="\t", keep_default_na=False).assign(
@@ -37,7 +39,7 @@ def replace_value(config, path, value):
     return copy
 
 
-def numbers(*values):
+def paper_configuration(*values):
     """Return the paper's configuration in numbers with other values: key, value, key, value."""
     pairs = zip(values[::2], values[1::2], strict=True)
     config = reduce(
@@ -46,27 +48,27 @@ def numbers(*values):
     return numeric_configuration(config)
 
 
-def surfaces(text, folder):
+def read_surfaces(text, folder):
     """Read a table of surfaces of this text, with paths relative to the repository's root."""
     path = folder / "surfaces.tsv"
     path.write_bytes(text if isinstance(text, bytes) else text.encode())
     return selected_surfaces.surface_table(path)
 
 
-def check(config, folder, text=ROWS):
+def check_configuration(config, folder, text=ROWS):
     """Check a configuration in numbers with a table of surfaces of this text."""
-    table = selected_surfaces.selected_scans(surfaces(text, folder), config["scans"])
+    table = selected_surfaces.selected_scans(read_surfaces(text, folder), config["scans"])
     checks.check_study(config, table, SUBSTRATES)
 
 
-def own_scans(*paths):
+def table_of_own_scans(*paths):
     """Return the text of the paper's table with measured scans in place of UNCD's."""
     rows = [row for row in ROWS.splitlines() if not row.startswith("uncd\t")]
     rows += [f"uncd\tUNCD\t{k}\tmeasured\t{path}\t" for k, path in enumerate(paths, start=1)]
     return "\n".join(rows) + "\n"
 
 
-def files(*values, scans=(1, 2), measured_surfaces=()):
+def study_files(*values, scans=(1, 2), measured_surfaces=()):
     """Return the files of a study of these scans; keys and other values alternate.
 
     Surfaces that are measured have files.
@@ -81,4 +83,4 @@ def files(*values, scans=(1, 2), measured_surfaces=()):
     ]
     sources = dict.fromkeys(rows.surface, FILES_DIGEST)
     selection = selected_surfaces.Selection(rows, "ruby", sources)
-    return SurfaceFiles(StudyPlan(numbers(*values), selection), PATTERNS)
+    return SurfaceFiles(StudyPlan(paper_configuration(*values), selection), PATTERNS)

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 import xarray as xr
-from periodic_maps import height_map
+from periodic_maps import periodic_map
 
 from hardcontact.inference.filtered_masters import Filters, forces_at_cutoffs
 from hardcontact.inference.master_datasets import stack_masters
@@ -16,7 +16,7 @@ CUTOFFS = [40.0, 60.0, 120.0, 240.0]
 def curves(side):
     x = np.arange(64) * 10.0
     wave = AMPLITUDE * np.cos(2 * np.pi * x / WAVELENGTH)
-    master = height_map(np.tile(wave, (64, 1)), 10.0)
+    master = periodic_map(np.tile(wave, (64, 1)), 10.0)
     moments = (("moment",), [2, 4], {})
     return forces_at_cutoffs(
         master,

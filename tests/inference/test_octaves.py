@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 import xarray as xr
-from periodic_maps import height_map
+from periodic_maps import periodic_map
 
 from hardcontact.inference.band_forces import (
     BAND_PARTS,
@@ -28,7 +28,7 @@ def wavy(*wavelengths):
     """A map of 2560 nm with waves of 1 nm along y."""
     y = np.arange(PIXELS) * PIXEL_SIZE
     profile = sum(np.cos(2 * np.pi * y / wavelength) for wavelength in wavelengths)
-    return height_map(np.tile(profile[:, None], PIXELS), PIXEL_SIZE)
+    return periodic_map(np.tile(profile[:, None], PIXELS), PIXEL_SIZE)
 
 
 def whole_parts(count):
@@ -69,7 +69,7 @@ def test_the_sensitivity_of_a_power_is_its_exponent():
     # Forces that are powers of the rms height of one wave, on three maps of different size.
     maps = [
         octave_force_dataset(
-            height_map(scale * wavy(160.0).heights, PIXEL_SIZE),
+            periodic_map(scale * wavy(160.0).heights, PIXEL_SIZE),
             [80.0, 160.0, 320.0],
             lambda surface: np.full((1, 1), surface.heights.std() ** -1.5),
         )
@@ -86,7 +86,7 @@ def test_ratios_of_a_band_are_relative_to_the_force_with_all_roughness():
     bands = {"published": (200.0, 600.0), "found": (100.0, 2561.0)}
     maps = [
         band_force_dataset(
-            height_map(scale * wavy(160.0, 512.0, 1280.0).heights, PIXEL_SIZE),
+            periodic_map(scale * wavy(160.0, 512.0, 1280.0).heights, PIXEL_SIZE),
             bands,
             lambda surface: np.full((1, 1), surface.heights.var()),
         )

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import xarray as xr
 from direct_sum import direct_total
-from measurements import map_of
+from measurements import random_map
 
 from hardcontact.base.random import generator
 from hardcontact.contact.contact import CONTACT_AXES, Contact
@@ -23,7 +23,7 @@ CONTACT = Contact(
 
 
 def scan(purpose, rms_height):
-    surface = map_of(generator(5, purpose), PIXELS, PIXEL_SIZE)
+    surface = random_map(generator(5, purpose), PIXELS, PIXEL_SIZE)
     surface.heights[...] *= rms_height / surface.heights.std()
     return surface
 

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 import yaml
 from repository import BANDS, PAPER, ROOT
-from scan_files import MAPS, nanoscope
+from scan_files import MAPS, write_nanoscope
 from snakemake.utils import update_config
 from SurfaceTopography import Topography
 
@@ -65,7 +65,7 @@ def scans(folder):
     topography = Topography(heights, (200.0, 200.0), unit="nm")
     for kind, write in MAPS.items():
         write(topography, folder / f"a.{kind}")
-    nanoscope(folder / "a.di", (10 * heights).astype(int), (200, 200))
+    write_nanoscope(folder / "a.di", (10 * heights).astype(int), (200, 200))
     paths = [*folder.iterdir(), *(ROOT / "../shared/scans").glob("*.[dz]i*")]
     return {path.name: path.read_bytes() for path in sorted(paths)}
 

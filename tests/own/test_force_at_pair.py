@@ -6,7 +6,7 @@ import xarray as xr
 from direct_sum import direct_total
 from known_forces import FORCE_DIMS
 from known_masters import LONG, SHORT, scales
-from known_spectra import contact_of_area, rough
+from known_spectra import contact_of_area, self_affine_spectrum
 from refusals import assert_says, refusal
 from scipy import stats
 
@@ -203,8 +203,8 @@ def test_the_extrapolated_force_differs_beyond_its_interval_and_the_tolerance(ra
 
 def test_the_needed_number_of_contacts_keeps_the_mean_within_the_tolerance():
     contact = contact_of_area(250e3, 5.6, 1.0, 400.0)
-    scatter = force_scatter(rough(10.0), contact, tolerance=0.1, confidence=0.9)
-    law = predict_statistics(rough(10.0), contact)
+    scatter = force_scatter(self_affine_spectrum(10.0), contact, tolerance=0.1, confidence=0.9)
+    law = predict_statistics(self_affine_spectrum(10.0), contact)
     needed = round(scatter["contacts_needed"].item())
     rng = generator(1, "contacts")
     level = rng.choice(len(law.means), (2000, needed), p=law.weights)

@@ -5,7 +5,7 @@ from itertools import product
 import numpy as np
 import pytest
 from known_spectra import contact_of_area
-from measurements import line_of, map_of, measurement
+from measurements import measurement, random_line, random_map
 from scipy import stats
 
 from hardcontact.base.random import generator
@@ -47,9 +47,9 @@ def truth(rng):
 
 def measure_scans(rng, spectrum, has_line):
     """Return a map of 10 µm and perhaps a line of 228 nm, calibrated to ten per cent."""
-    scans = [map_of(rng, 256, 40.0, spectrum)]
+    scans = [random_map(rng, 256, 40.0, spectrum)]
     if has_line:
-        scans.append(line_of(rng, 76, 3.0, spectrum))
+        scans.append(random_line(rng, 76, 3.0, spectrum))
     factors = np.exp(CALIBRATION_SCATTER / 2 * rng.standard_normal(len(scans)))
     return [
         measurement(scan.heights * factor, scan.pixel_size)

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 import scan_files
-from known_spectra import rough
-from measurements import PIXEL, map_of
+from known_spectra import self_affine_spectrum
+from measurements import PIXEL, random_map
 
 import hardcontact as hc
 from hardcontact.base.random import generator
@@ -56,7 +56,7 @@ def test_octaves_on_a_scan_add_up_to_the_derivative_for_all_roughness():
 
 
 def test_octaves_in_closed_form_add_up_to_the_derivative_for_all_roughness():
-    spectrum = rough(17, 1000, 0.8, 20)
+    spectrum = self_affine_spectrum(17, 1000, 0.8, 20)
     longest = spectrum.wavelength[0]
     octaves = 10 * 2.0 ** np.arange(np.ceil(np.log2(longest / 10)) + 1)
     weak, strong = (
@@ -77,7 +77,9 @@ def test_central_differences_converge(method, monkeypatch):
         monkeypatch.setattr("hardcontact.own.scan_force.CONTACTS_PER_ROW", 12)
         if method == "scan":
             return derivatives_on_scan(band_limited_map(), OCTAVES[2:], CONTACT).sum()
-        return derivatives_in_closed_form(rough(17, 1000, 0.8, 20), OCTAVES, CONTACT).sum()
+        return derivatives_in_closed_form(
+            self_affine_spectrum(17, 1000, 0.8, 20), OCTAVES, CONTACT
+        ).sum()
 
     limit = derivative(0.002)
     errors = [abs(derivative(step) - limit) for step in (4 * STEP, 2 * STEP, STEP)]
@@ -89,8 +91,8 @@ def test_a_map_has_octaves_of_its_force_sum_and_a_table_those_of_the_closed_form
     tmp_path, few_cutoffs, monkeypatch
 ):
     monkeypatch.setattr("hardcontact.own.scan_force.CONTACTS_PER_ROW", 10)
-    heights = map_of(generator(3), 128, PIXEL).heights
-    path = scan_files.scan(tmp_path / "scan.nc", heights.T, (128 * PIXEL, 128 * PIXEL))
+    heights = random_map(generator(3), 128, PIXEL).heights
+    path = scan_files.write_scan(tmp_path / "scan.nc", heights.T, (128 * PIXEL, 128 * PIXEL))
     words = predict(predict_arguments([str(path)]))
     (line,) = [line for line in words.splitlines() if line.startswith("octaves that matter most")]
     own_spectrum = read_own_spectrum([path])
@@ -105,6 +107,8 @@ def test_a_map_has_octaves_of_its_force_sum_and_a_table_those_of_the_closed_form
     (scan,) = own_spectrum.scans
     assert derivatives_on_scan(scan, first, CONTACT)[0] == pytest.approx(derivatives[0], rel=1e-3)
     of_table = list(
-        predicted_octaves.predicted_octaves(OwnSpectrum(rough(17, 1000, 0.8, 20), ()), CONTACT)
+        predicted_octaves.predicted_octaves(
+            OwnSpectrum(self_affine_spectrum(17, 1000, 0.8, 20), ()), CONTACT
+        )
     )
     assert len(of_table) == 6 and {number.status for number in of_table} == {"closed_form"}

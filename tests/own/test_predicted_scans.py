@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 import scan_files
 from known_spectra import contact_of_area
-from measurements import PIXEL, line_of, map_of, measurement
-from prediction_command import numbers_of, printed
+from measurements import PIXEL, measurement, random_line, random_map
+from prediction_command import predict_json, predict_text
 from refusals import assert_says, refusal
 
 from hardcontact.base.random import generator
@@ -23,13 +23,13 @@ pytestmark = pytest.mark.usefixtures("few_cutoffs")
 
 @pytest.mark.parametrize("kind", ["map", "line"])
 def test_a_scan_is_predicted_from_its_reliable_wavelengths(kind, tmp_path, capsys):
-    make, points = (map_of, 128) if kind == "map" else (line_of, 1024)
+    make, points = (random_map, 128) if kind == "map" else (random_line, 1024)
     heights = make(generator(3), points, PIXEL).heights
     path, size = tmp_path / ("scan.nc" if kind == "map" else "scan.xyz"), points * PIXEL
     if kind == "map":
-        scan_files.scan(path, heights.T, (size, size))
+        scan_files.write_scan(path, heights.T, (size, size))
     else:
-        scan_files.write_coordinates(scan_files.line(heights, size), path)
+        scan_files.write_coordinates(scan_files.line_scan(heights, size), path)
     joined_scans = joined_spectrum([measurement(heights, PIXEL)], [None])
     spectrum = read_own_spectrum([path]).spectrum
     has_roughness = np.isfinite(joined_scans.joined_psd.values)
@@ -37,7 +37,7 @@ def test_a_scan_is_predicted_from_its_reliable_wavelengths(kind, tmp_path, capsy
         joined_scans.joined_psd.values[has_roughness], rel=1e-4
     )
     assert spectrum.wavelength[-1] >= 4 * PIXEL
-    numbers = numbers_of(str(path))
+    numbers = predict_json(str(path))
     assert f"{path}: reliable from" in capsys.readouterr().err
     force = closed_form(spectrum, CONTACT).force
     assert numbers["closed_form_force"]["value"] == pytest.approx(force)
@@ -52,8 +52,8 @@ def test_the_force_on_pillars_is_not_predicted(tmp_path):
     """Gaussian heights of their spectrum give a hundredth of the sum over the pixels."""
     y, x = np.indices((128, 128)) % 32 - 15.5
     heights = 200.0 * (np.hypot(x, y) < 8) + generator(1).normal(0, 0.3, x.shape)
-    path = scan_files.scan(tmp_path / "pillars.nc", heights, (5120.0, 5120.0))
-    report = printed(str(path), "--json", str(tmp_path / "numbers.json"))
+    path = scan_files.write_scan(tmp_path / "pillars.nc", heights, (5120.0, 5120.0))
+    report = predict_text(str(path), "--json", str(tmp_path / "numbers.json"))
     assert_says(
         report, "closed form: no number: the heights are not those of an isotropic Gaussian"
     )
@@ -68,10 +68,10 @@ def test_the_force_on_pillars_is_not_predicted(tmp_path):
 def test_members_of_a_container_are_joined_or_chosen(tmp_path):
     files = {}
     for number in (1, 2):
-        heights, path = map_of(generator(number), 64, 10.0).heights, tmp_path / f"{number}.nc"
-        files[path.name] = scan_files.scan(path, heights, (640.0, 640.0))
+        heights, path = random_map(generator(number), 64, 10.0).heights, tmp_path / f"{number}.nc"
+        files[path.name] = scan_files.write_scan(path, heights, (640.0, 640.0))
     datasets = [{"name": f"scan {file}", "datafile": {"original": file}} for file in files]
-    path = scan_files.container(tmp_path / "twin.zip", datasets, files)
+    path = scan_files.write_container(tmp_path / "twin.zip", datasets, files)
     joined_datasets = read_own_spectrum([path])
     second_dataset = read_own_spectrum([path], dataset="scan 2.nc")
     densities = [read_own_spectrum([file]).spectrum.density for file in files.values()]
@@ -82,16 +82,16 @@ def test_members_of_a_container_are_joined_or_chosen(tmp_path):
 
 
 def test_files_without_a_spectrum_are_refused_in_one_line(tmp_path):
-    scan_files.scan(tmp_path / "flat.nc", np.zeros((32, 32)))
-    message = refusal(printed, str(tmp_path / "flat.nc"))
+    scan_files.write_scan(tmp_path / "flat.nc", np.zeros((32, 32)))
+    message = refusal(predict_text, str(tmp_path / "flat.nc"))
     assert_says(message, "flat.nc", "expected a rough surface, found constant height")
     # Pixels of 50 µm: no wavelength of the spectrum is known, in a line scan or a map.
     rng = np.random.default_rng(3)
     positions = 50.0 * np.arange(64)
     np.savetxt(tmp_path / "line.txt", np.column_stack([positions, rng.normal(0, 0.05, 64)]))
-    scan_files.scan(tmp_path / "map.nc", rng.normal(0, 50, (64, 64)), (3.2e6, 3.2e6))
+    scan_files.write_scan(tmp_path / "map.nc", rng.normal(0, 50, (64, 64)), (3.2e6, 3.2e6))
     for name in ("line.txt", "map.nc"):
-        message = refusal(printed, str(tmp_path / name), "--unit", "um")
+        message = refusal(predict_text, str(tmp_path / name), "--unit", "um")
         assert_says(message, "from 0.1 nm to 100 µm", "found 0", f"{name} from 200 µm (4 pixels)")
         assert message.endswith("is the unit of length right?")
         assert len(message.splitlines()) == 1, message

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 import scan_files
 from direct_sum import direct_total
-from known_spectra import contact_of_area, rough
-from measurements import map_of
+from known_spectra import contact_of_area, self_affine_spectrum
+from measurements import random_map
 from refusals import assert_says, refusal
 
 import hardcontact as hc
@@ -37,7 +37,9 @@ def few_contacts():
 
 def heights_of(kind):
     """Heights (y, x) in nm of 4 nm rms: Gaussian, flat with pits, or flat with peaks."""
-    waves = map_of(generator(3), PIXELS, PIXEL_SIZE, rough(17, 500, 0.8, 20)).heights
+    waves = random_map(
+        generator(3), PIXELS, PIXEL_SIZE, self_affine_spectrum(17, 500, 0.8, 20)
+    ).heights
     waves = waves / waves.std()
     if kind == "gaussian":
         return 4 * waves
@@ -67,7 +69,7 @@ def direct_force(scan):
 def predicted(tmp_path, heights, *options):
     """The lines and the numbers of the command for a map."""
     path = tmp_path / "scan.nc"
-    scan_files.scan(path, heights.T, (PIXELS * PIXEL_SIZE,) * 2)
+    scan_files.write_scan(path, heights.T, (PIXELS * PIXEL_SIZE,) * 2)
     numbers = tmp_path / "numbers.json"
     words = predict(predict_arguments([str(path), "--json", str(numbers), "--overwrite", *options]))
     return words, json.loads(numbers.read_text())
@@ -126,7 +128,7 @@ def test_a_smooth_wafer_has_the_force_and_the_octaves_of_a_rough_sphere(tmp_path
     position = (np.arange(PIXELS) - (PIXELS - 1) / 2) * PIXEL_SIZE
     sphere = waves - (position[:, None] ** 2 + position**2) / (2 * RADIUS)
     path = tmp_path / "sphere.nc"
-    scan_files.scan(path, sphere.T, (PIXELS * PIXEL_SIZE,) * 2)
+    scan_files.write_scan(path, sphere.T, (PIXELS * PIXEL_SIZE,) * 2)
     words, numbers = predicted(tmp_path, waves.T / 200, "--sphere", str(path))
     assert "these wavelengths are the sphere's" in words
     assert numbers["octave_1_sphere_share"]["value"] > 0.99

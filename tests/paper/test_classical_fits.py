@@ -5,10 +5,7 @@ import pytest
 from paper_numbers import AFM, MEAN_FORCE, SPHERE
 from scipy.optimize import minimize
 
-from hardcontact.paper.classical_fits import (
-    fit_classical_work,
-    power_law_error,
-)
+from hardcontact.paper.classical_fits import fit_classical_work, power_law_error
 from hardcontact.paper.classical_models import MODELS, Roughness
 
 

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import xarray as xr
-from periodic_maps import height_map
+from periodic_maps import periodic_map
 from scipy import stats
 from scipy.special import erf
 
@@ -23,7 +23,7 @@ FILTERS, COMBINATIONS = Filters("short", 64, [40.0, 80.0]), ([500.0, 2000.0], [2
 
 def master(rms):
     heights = rms * np.random.default_rng(3).standard_normal((64, 64))
-    return height_map(heights, 10.0)
+    return periodic_map(heights, 10.0)
 
 
 def test_a_flat_surface_gives_the_force_of_a_smooth_sphere_at_every_radius_range_and_area():

@@ -7,17 +7,11 @@ from pathlib import Path
 
 import pytest
 from refusals import assert_says
-from repository import PAPER, merged
+from repository import PAPER, merge_configurations
 
 from hardcontact.commands import command_line
 from hardcontact.commands.verify import verify, verify_arguments
-from hardcontact.records.origin import (
-    Origin,
-    canonical_json,
-    digests,
-    keep_records,
-    record_path,
-)
+from hardcontact.records.origin import Origin, canonical_json, digests, keep_records, record_path
 from hardcontact.records.verification import traced_records, verify_study
 
 # A small study: source.txt -> store/a.nc -> results/final.nc -> results/table.csv
@@ -137,7 +131,9 @@ HARDER = {"contact": {"hardness": "30 GPa"}}
     ],
 )
 def test_parameters_of_an_archive_are_compared_with_those_of_now(study, changes, expected):
-    make("results/paper/configuration.yaml", [], canonical_json(merged(PAPER, changes)))
+    make(
+        "results/paper/configuration.yaml", [], canonical_json(merge_configurations(PAPER, changes))
+    )
     text, code = verify(verify_arguments(["paper"]))
     *lines, _ = text.splitlines()
     assert code == 0 and len(lines) == len(expected)

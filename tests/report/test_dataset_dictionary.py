@@ -2,7 +2,7 @@
 
 import pytest
 import xarray as xr
-from comparison import undescribed
+from comparison import undescribed_variables
 
 from hardcontact.base.dataset import describe, read_meanings
 
@@ -30,6 +30,6 @@ def test_the_meaning_in_one_dataset_overrides_that_in_all(tmp_path, monkeypatch)
 @pytest.mark.study
 def test_every_variable_of_the_study_has_a_unit_and_a_meaning(results):
     # The numbers of claims stand in one variable, each in the unit of its claim.
-    assert undescribed(results) == [("sets", "value")]
+    assert undescribed_variables(results) == [("sets", "value")]
     text = (results / "datasets.md").read_text("utf-8")
     assert {f"## {path.name}" for path in results.glob("*.nc")} <= {*text.splitlines()}

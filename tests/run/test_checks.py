@@ -8,8 +8,8 @@ import pandas as pd
 import pytest
 from refusals import assert_says, refusal
 from repository import BANDS, ROOT
-from scan_files import heights, scan
-from studies import FILES_DIGEST, ROWS, check, numbers, own_scans
+from scan_files import random_heights, write_scan
+from studies import FILES_DIGEST, ROWS, check_configuration, paper_configuration, table_of_own_scans
 
 from hardcontact.base import dataset
 from hardcontact.config.configuration import reading_keys
@@ -89,28 +89,30 @@ CONTRADICTING_VALUES = [
 def test_keys_that_contradict_each_other_or_the_table_are_refused(
     tmp_path, project_folder, values, message_parts
 ):
-    message = refusal(lambda: check(numbers(*values), tmp_path))
+    message = refusal(lambda: check_configuration(paper_configuration(*values), tmp_path))
     assert_says(message, "config key", "expected", "found", *message_parts)
 
 
 def test_values_at_their_limits_are_accepted(tmp_path, project_folder):
-    config = numbers(
+    config = paper_configuration(
         *("elastic.contacts", 401, "asperities.contacts", 401),  # all, if there are fewer
         *("exponents.radii", ["50 nm"], "adhesion.range", "1 nm"),
     )
-    check(config, tmp_path)
+    check_configuration(config, tmp_path)
 
 
 def test_a_substrate_without_a_published_force_is_refused_beside_the_paper(
     tmp_path, project_folder
 ):
     rows = ROWS.replace("mcd\tMCD", "waves\twaves")
-    message = refusal(check, numbers(), tmp_path, rows)
+    message = refusal(check_configuration, paper_configuration(), tmp_path, rows)
     assert_says(message, "config key surfaces", "published: none", "found waves")
 
 
 def test_a_wrong_unit_is_refused_once_with_the_unit_that_may_be_meant(tmp_path, project_folder):
-    message = refusal(check, numbers("contact.hardness", "30 MPa"), tmp_path)
+    message = refusal(
+        check_configuration, paper_configuration("contact.hardness", "30 MPa"), tmp_path
+    )
     assert message.count("\n") == 0
     assert_says(
         message, "config key contact.hardness: expected", "found 30 MPa: is the unit right?"
@@ -128,21 +130,30 @@ def test_a_wrong_unit_is_refused_once_with_the_unit_that_may_be_meant(tmp_path, 
 def test_scans_of_one_surface_need_equal_pixels(
     tmp_path, project_folder, pixels, size, message_part
 ):
-    first_scan = scan(tmp_path / "a.nc", heights(512, 512), (2500.0, 2500.0))
-    second_scan = scan(tmp_path / "b.nc", heights(pixels, pixels), (size, size))
-    message = refusal(check, numbers(), tmp_path, own_scans(first_scan, second_scan))
+    first_scan = write_scan(tmp_path / "a.nc", random_heights(512, 512), (2500.0, 2500.0))
+    second_scan = write_scan(tmp_path / "b.nc", random_heights(pixels, pixels), (size, size))
+    message = refusal(
+        check_configuration,
+        paper_configuration(),
+        tmp_path,
+        table_of_own_scans(first_scan, second_scan),
+    )
     assert_says(message, "b.nc", "512 pixels of 4.883 nm", message_part)
 
 
 def test_unusable_scans_are_refused(tmp_path, project_folder):
-    undefined = np.ma.masked_array(heights(), False)
+    undefined = np.ma.masked_array(random_heights(), False)
     undefined[:7, 0] = np.ma.masked
     for values, *message_parts in (
         (np.ones((32, 32)), "rough", "constant height"),
         (undefined, "found 7", "scan.undefined_pixels"),
     ):
-        text = own_scans(scan(tmp_path / "a.nc", values))
-        assert_says(refusal(check, numbers(), tmp_path, text), "a.nc", *message_parts)
+        text = table_of_own_scans(write_scan(tmp_path / "a.nc", values))
+        assert_says(
+            refusal(check_configuration, paper_configuration(), tmp_path, text),
+            "a.nc",
+            *message_parts,
+        )
 
 
 # Scans that the study has stored
@@ -150,7 +161,11 @@ def test_unusable_scans_are_refused(tmp_path, project_folder):
 
 def store(row, arguments, heights):
     """Store heights as the scan of a row, as if the rule read_scan had read its file so."""
-    path = Path(study_patterns(numbers()).measurement.format(**row._asdict(), digest=FILES_DIGEST))
+    path = Path(
+        study_patterns(paper_configuration()).measurement.format(
+            **row._asdict(), digest=FILES_DIGEST
+        )
+    )
     path.parent.mkdir(parents=True)
     dataset.write(HeightMap(heights, 10.0).to_dataset(), path)
     keep_records([path], Origin(canonical_json(arguments), digests([row.path]), []))
@@ -160,12 +175,12 @@ def store(row, arguments, heights):
 @pytest.mark.parametrize("change", ["none", "file", "keys", "stored file", "source"])
 def test_a_file_is_read_only_if_the_study_has_not_stored_it_as_it_is(tmp_path, monkeypatch, change):
     monkeypatch.chdir(tmp_path)
-    paths = {name: str(scan(tmp_path / f"{name}.nc")) for name in "ab"}
+    paths = {name: str(write_scan(tmp_path / f"{name}.nc")) for name in "ab"}
     row = namedtuple("Row", "surface scan path dataset")("glass", 1, paths["a"], "")
-    config = numbers()
+    config = paper_configuration()
     stored_path = store(row, reading_keys(config, ""), np.zeros((16, 16)))
     if change == "file":
-        scan(tmp_path / "a.nc", 2 * heights())
+        write_scan(tmp_path / "a.nc", 2 * random_heights())
     elif change == "keys":
         config["scan"]["undefined_pixels"] = "harmonic"
     elif change == "stored file":
@@ -178,13 +193,16 @@ def test_a_file_is_read_only_if_the_study_has_not_stored_it_as_it_is(tmp_path, m
 
 def test_a_changed_file_that_cannot_be_read_is_refused_though_it_was_stored(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    path = scan(tmp_path / "a.nc")
+    path = write_scan(tmp_path / "a.nc")
     row = namedtuple("Row", "surface scan path dataset")("glass", 1, str(path), "")
-    store(row, reading_keys(numbers(), ""), np.zeros((16, 16)))
+    store(row, reading_keys(paper_configuration(), ""), np.zeros((16, 16)))
     path.write_bytes(b"damaged")
-    assert_says(refusal(stored_scan, numbers(), row), "a.nc: expected", "found")
+    assert_says(refusal(stored_scan, paper_configuration(), row), "a.nc: expected", "found")
     path.unlink()
-    assert_says(refusal(stored_scan, numbers(), row), "a.nc: expected a scan, found no such file")
+    assert_says(
+        refusal(stored_scan, paper_configuration(), row),
+        "a.nc: expected a scan, found no such file",
+    )
 
 
 # How far contacts on substitutes can lie apart in height

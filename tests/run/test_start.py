@@ -114,6 +114,3 @@ def test_a_key_given_twice_is_refused_before_the_first_job(tmp_path):
     )
     workflow.exec_mode = ExecMode.SUBPROCESS
     assert start.checked_configuration(workflow, PAPER)["seed"] == PAPER["seed"]
-
-
-# The command line

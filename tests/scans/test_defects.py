@@ -4,7 +4,7 @@ from functools import partial
 
 import numpy as np
 import pytest
-from measurements import map_of, measurement, self_affine_heights
+from measurements import measurement, random_map, self_affine_heights
 from scipy.ndimage import gaussian_filter
 
 from hardcontact.base.random import generator
@@ -162,7 +162,7 @@ def test_no_self_affine_surface_has_a_defect(batch):
     for _ in range(10):
         hurst, rolloff = rng.uniform(0.3, 1), 64 * PIXEL * np.exp(rng.uniform(*np.log([0.05, 2])))
         density = partial(smooth_rolloff, plateau=1e6, rolloff=rolloff, hurst=hurst)
-        assert not scan_with_defects(map_of(rng, 64, PIXEL, density)).defects
+        assert not scan_with_defects(random_map(rng, 64, PIXEL, density)).defects
 
 
 def with_bumps(seed):

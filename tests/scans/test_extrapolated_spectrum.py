@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from known_spectra import BINS
-from measurements import measurement, uncd
+from measurements import measurement, uncd_density
 
 from hardcontact.base.random import generator
 from hardcontact.scans.extrapolated_spectrum import (
@@ -18,12 +18,7 @@ from hardcontact.scans.extrapolated_spectrum import (
     levelled_share,
 )
 from hardcontact.scans.joined_spectrum import joined_spectrum, sample_spectra
-from hardcontact.surfaces.spectrum import (
-    WAVEVECTORS,
-    Spectrum,
-    all_scales_rms,
-    self_affine,
-)
+from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_rms, self_affine
 from hardcontact.surfaces.synthesis import random_surface
 
 SIZE, PIXELS = 5000.0, 128
@@ -77,7 +72,7 @@ def extrapolate(density, wavevector=BINS):
 
 def test_a_power_law_is_extrapolated_to_atoms_and_constant_at_long_waves():
     def gentle(q):
-        return 1e-3 * uncd(q)
+        return 1e-3 * uncd_density(q)
 
     spectrum, tail = extrapolate(gentle)
     wavelength = 2 * np.pi / WAVEVECTORS

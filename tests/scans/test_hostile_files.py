@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 import yaml
 from refusals import assert_says, refusal
-from scan_files import heights, scan
+from scan_files import random_heights, write_scan
 
 from hardcontact.scans import reading
 
@@ -54,7 +54,7 @@ def container(path, content, dataset="a.txt"):
 
 def listing(content):
     """Write a container of one good text with this list of scans."""
-    return lambda path: archive(path, {"meta.yml": content, "a.txt": text(heights(32, 32))})
+    return lambda path: archive(path, {"meta.yml": content, "a.txt": text(random_heights(32, 32))})
 
 
 def hdf5(write_content, is_in_container):
@@ -134,7 +134,7 @@ HOSTILE = {
     "picture": (lambda path: path.write_bytes(b"P5\n2 2\n9\n" + bytes(4)), "a picture, whose grey"),
     "model": (lambda path: path.write_text("#VRML 2.0\n1 2 3 0 0 0\n"), "a model of triangles"),
     "values in volts": (
-        lambda path: path.write_text("# Value units: V\n" + text(heights(32, 32))),
+        lambda path: path.write_text("# Value units: V\n" + text(random_heights(32, 32))),
         "values in V, which is no unit of length: multiply them",
     ),
     "words": (lambda path: path.write_text("sample,good\n" * 5000), "found"),
@@ -181,7 +181,7 @@ def read_all(path):
 def folder(tmp_path, monkeypatch):
     """Make a folder, also for temporary files, with a file that no scan may read."""
     with h5py.File(tmp_path / "outside.h5", "w") as file:
-        file["h"] = heights(32, 32)
+        file["h"] = random_heights(32, 32)
     monkeypatch.setenv("TMPDIR", str(tmp_path))
     monkeypatch.setattr("tempfile.tempdir", None)
     monkeypatch.chdir(tmp_path)
@@ -205,9 +205,11 @@ def test_a_hostile_file_is_refused_in_one_line(folder, monkeypatch, name):
 
 
 def test_a_member_with_the_name_of_another_file_is_read_in_its_archive(folder):
-    container(folder / "a.zip", text(heights(32, 32)), "../outside.txt")
+    container(folder / "a.zip", text(random_heights(32, 32)), "../outside.txt")
     files_before = sorted(folder.parent.rglob("*"))
-    np.testing.assert_allclose(reading.read_scan(folder / "a.zip", "one").heights, heights(32, 32))
+    np.testing.assert_allclose(
+        reading.read_scan(folder / "a.zip", "one").heights, random_heights(32, 32)
+    )
     assert sorted(folder.parent.rglob("*")) == files_before
 
 
@@ -253,7 +255,7 @@ def chatter(_):
 )
 def test_a_misbehaving_reader_is_stopped(folder, monkeypatch, capfd, reader, message_part):
     monkeypatch.setattr(reading, "MAX_SECONDS", 1)
-    path = scan(folder / "a.nc")
+    path = write_scan(folder / "a.nc")
     message = refusal(reading.read_in_child, reader, path)
     assert_says(message, "a.nc: expected a readable", "found", message_part)
     assert capfd.readouterr() == ("", "")
@@ -267,5 +269,5 @@ def test_a_child_cannot_write_to_a_file_that_is_open(folder):
             file.write(b"reader was here")
             return {}
 
-        assert_says(refusal(reading.read_in_child, write, scan(folder / "a.nc")), "OSError")
+        assert_says(refusal(reading.read_in_child, write, write_scan(folder / "a.nc")), "OSError")
     assert (folder / "open.txt").read_bytes() == b""

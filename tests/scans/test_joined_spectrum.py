@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from measurements import gentle, line_of, map_of, measurement, two_sizes_and_a_line
+from measurements import gentle_density, measurement, random_line, random_map, two_sizes_and_a_line
 from refusals import assert_says, refusal
 
 from hardcontact.base.random import generator
@@ -18,7 +18,7 @@ def test_two_maps_and_a_line_give_the_spectrum_of_the_surface():
     for seed in range(8):
         joined_data = joined_spectrum(two_sizes_and_a_line(seed), [None] * 3)
         wavevector = joined_data["bin_wavevector"].values
-        errors.append(np.log(joined_data["joined_psd"].values / gentle(wavevector)))
+        errors.append(np.log(joined_data["joined_psd"].values / gentle_density(wavevector)))
     errors = np.array(errors)
     wavelength = 2 * np.pi / wavevector
     is_measured = (wavelength > 16) & (wavelength < 40_000 / 3)
@@ -35,7 +35,9 @@ def test_two_maps_and_a_line_give_the_spectrum_of_the_surface():
 
 
 def test_scans_without_reliable_bins_are_refused_with_the_reason():
-    message = refusal(joined_spectrum, [map_of(generator(23), 128, 40.0, gentle)], [100e3])
+    message = refusal(
+        joined_spectrum, [random_map(generator(23), 128, 40.0, gentle_density)], [100e3]
+    )
     assert_says(message, "reliable in at least 3 bins", "the tip at")
 
 
@@ -43,13 +45,15 @@ def test_bins_of_few_waves_are_smoothed_and_a_gap_is_bridged_between_them():
     errors, variances = [], []
     short = (2 * np.pi / WAVEVECTORS < 110) & (2 * np.pi / WAVEVECTORS > 13)
     for number in range(40):
-        scan = map_of(generator(21, number), 128, 40.0, gentle)
-        line = line_of(generator(22, number), 76, 3.0, gentle)  # some 0.5 to 2 waves in a bin
+        scan = random_map(generator(21, number), 128, 40.0, gentle_density)
+        line = random_line(
+            generator(22, number), 76, 3.0, gentle_density
+        )  # some 0.5 to 2 waves in a bin
         joined_data = joined_spectrum([scan, line], [None, None])
         density = joined_data["spectrum"].values[short]
-        errors.append(np.log(density / gentle(WAVEVECTORS[short])))
+        errors.append(np.log(density / gentle_density(WAVEVECTORS[short])))
         variances.append(np.trapezoid(density * WAVEVECTORS[short], WAVEVECTORS[short]))
-    true = np.trapezoid(gentle(WAVEVECTORS[short]) * WAVEVECTORS[short], WAVEVECTORS[short])
+    true = np.trapezoid(gentle_density(WAVEVECTORS[short]) * WAVEVECTORS[short], WAVEVECTORS[short])
     # Single bins scatter by 1.3, the logarithm of a single wave. Freed of the bias of the logarithm
     # their mean power is 1.8 times too large, the variance in a gap between them more.
     assert np.abs(np.mean(errors, axis=0)).max() < 0.25
@@ -65,7 +69,7 @@ def test_a_noise_floor_is_not_extrapolated():
     shorter = (wavelength < 50) & (wavelength > 1)
     largest_errors = []
     for seed in range(12):
-        scan = map_of(generator(13, seed), 256, 10.0, surface)
+        scan = random_map(generator(13, seed), 256, 10.0, surface)
         noise = generator(14, seed).normal(0, 3.0, scan.heights.shape)
         noisy = measurement(scan.heights + noise, 10.0)
         joined_data = joined_spectrum([noisy], [None])
@@ -83,7 +87,10 @@ def test_a_noise_floor_is_not_extrapolated():
 
 
 def test_draws_scatter_by_calibration_and_exponent():
-    scans = [map_of(generator(24), 128, 8.0, gentle), map_of(generator(25), 128, 40.0, gentle)]
+    scans = [
+        random_map(generator(24), 128, 8.0, gentle_density),
+        random_map(generator(25), 128, 40.0, gentle_density),
+    ]
     rngs = (generator(26, draw) for draw in range(100))
     spectra, factors = zip(*sample_spectra(rngs, scans, [1e-3, 1e-3]), strict=True)
     # At 40 nm only the small map is reliable, with hundreds of waves.
@@ -97,7 +104,7 @@ def test_draws_scatter_by_calibration_and_exponent():
 
 
 def test_a_given_tip_radius_overrides_that_of_the_file():
-    scan = map_of(generator(15), 128, 5.0, tip_radius=20.0)
+    scan = random_map(generator(15), 128, 5.0, tip_radius=20.0)
     radii = [joined_spectrum([scan], [radius])["tip_radius"].item() for radius in (None, 8.0)]
     assert radii == [20.0, 8.0]
 

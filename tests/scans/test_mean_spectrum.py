@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from measurements import gentle, line_of, map_of, measurement, uncd
+from measurements import gentle_density, measurement, random_line, random_map, uncd_density
 from refusals import assert_says
 
 from hardcontact.base.random import generator
@@ -29,7 +29,7 @@ def pattern(kind, seed, pixels=192, pixel=50.0):
         "step": 25.0 * (position > edge),
         "waves": 0.0 * position,
     }[kind]
-    rough = map_of(rng, pixels, pixel, lambda q: smooth_rolloff(q, 1e10, 1e5, 0.8))
+    rough = random_map(rng, pixels, pixel, lambda q: smooth_rolloff(q, 1e10, 1e5, 0.8))
     return measurement(heights + rough.heights, pixel)
 
 
@@ -53,7 +53,7 @@ def test_sampled_curves_scatter_with_the_stated_variance():
         (BIN_CENTRES > 0.005) & (BIN_CENTRES < 2) & ~((BIN_CENTRES > 0.1) & (BIN_CENTRES < 0.3))
     )
     points = (
-        np.where(is_measured, gentle(BIN_CENTRES), np.nan),
+        np.where(is_measured, gentle_density(BIN_CENTRES), np.nan),
         np.where(is_measured, variance_of_log(modes), np.nan),
     )
     wavevector, mean, variance = smooth_curve(*points)
@@ -75,7 +75,7 @@ NAMES = ["large.spm", "small.spm", "line.txt"]
 
 
 def test_a_half_decade_in_which_two_scans_differ_is_named():
-    density = np.tile(uncd(BIN_CENTRES), (2, 1))
+    density = np.tile(uncd_density(BIN_CENTRES), (2, 1))
     wavelength = 2 * np.pi / BIN_CENTRES
     reliable = (wavelength > 50) & (wavelength < 5000) & np.ones((2, 1), bool)  # 20 bins
     density[1, (wavelength > 50) & (wavelength < 150)] *= 0.01  # a blunt tip
@@ -87,9 +87,9 @@ def test_a_half_decade_in_which_two_scans_differ_is_named():
 def simulate_contradictions(seed, heights=1.0):
     """Return the contradictions of three measurements, the second with multiplied heights."""
     scans = [
-        map_of(generator(seed, 0), 128, 80.0, uncd),
-        map_of(generator(seed, 1), 128, 16.0, uncd),
-        line_of(generator(seed, 2), 2000, 20.0, uncd),
+        random_map(generator(seed, 0), 128, 80.0, uncd_density),
+        random_map(generator(seed, 1), 128, 16.0, uncd_density),
+        random_line(generator(seed, 2), 2000, 20.0, uncd_density),
     ]
     scans[1] = replace(scans[1], heights=heights * scans[1].heights)
     spectrum = joined_spectrum(scans, [None] * 3)

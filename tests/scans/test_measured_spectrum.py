@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from measurements import PIXEL, line_of, map_of, measurement, profile_of, uncd
+from measurements import PIXEL, measurement, profile_of, random_line, random_map, uncd_density
 from scipy.ndimage import gaussian_filter1d
 
 from hardcontact.base.random import generator
@@ -18,21 +18,21 @@ from hardcontact.surfaces.spectrum import BIN_CENTRES, BIN_EDGES, profile_over_i
 
 
 def test_a_tilt_does_not_change_the_spectrum():
-    for scan in (map_of(generator(2), 64, PIXEL), line_of(generator(2), 300, PIXEL)):
+    for scan in (random_map(generator(2), 64, PIXEL), random_line(generator(2), 300, PIXEL)):
         tilted = measurement(scan.heights + 3.0 * np.arange(scan.heights.shape[-1]), PIXEL)
         np.testing.assert_allclose(isotropic_psd(tilted), isotropic_psd(scan), rtol=1e-6)
 
 
 def test_line_scans_have_the_spectrum_of_their_surface():
-    lines = [line_of(generator(3, k), 1000, 10.0) for k in range(40)]
+    lines = [random_line(generator(3, k), 1000, 10.0) for k in range(40)]
     wavevector = BIN_CENTRES
     mean = np.mean([isotropic_psd(line) for line in lines], axis=0)
     wavelength = 2 * np.pi / wavevector
     is_reliable = np.isfinite(mean) & (wavelength > 40) & (wavelength < lines[0].size / 3)
     np.testing.assert_allclose(
-        np.log(mean[is_reliable] / uncd(wavevector[is_reliable])), 0, atol=0.5
+        np.log(mean[is_reliable] / uncd_density(wavevector[is_reliable])), 0, atol=0.5
     )
-    assert np.median(mean[is_reliable] / uncd(wavevector[is_reliable])) == pytest.approx(
+    assert np.median(mean[is_reliable] / uncd_density(wavevector[is_reliable])) == pytest.approx(
         1, abs=0.07
     )
 
@@ -40,7 +40,9 @@ def test_line_scans_have_the_spectrum_of_their_surface():
 @pytest.mark.parametrize("kind", ["map", "line scan"])
 def test_spectra_scatter_by_their_number_of_independent_modes(kind):
     draws = [
-        map_of(generator(4, k), 64, 20.0) if kind == "map" else line_of(generator(5, k), 256, 20.0)
+        random_map(generator(4, k), 64, 20.0)
+        if kind == "map"
+        else random_line(generator(5, k), 256, 20.0)
         for k in range(100)
     ]
     wavevector = BIN_CENTRES
@@ -67,7 +69,7 @@ def test_power_laws_have_known_local_slopes_and_errors():
 
 
 def test_axes_differ_where_the_lines_of_a_scan_are_smoothed():
-    scan = map_of(generator(7), 256, PIXEL)
+    scan = random_map(generator(7), 256, PIXEL)
     alike = axis_ratio(scan)
     smoothed = measurement(gaussian_filter1d(scan.heights, 3.0, axis=1), PIXEL)
     wavelength = 2 * np.pi / BIN_CENTRES
@@ -76,7 +78,7 @@ def test_axes_differ_where_the_lines_of_a_scan_are_smoothed():
     np.testing.assert_allclose(
         axis_ratio(measurement(smoothed.heights.T, PIXEL)), axis_ratio(smoothed)
     )
-    assert (axis_ratio(line_of(generator(8), 100, PIXEL)) == 1).all()
+    assert (axis_ratio(random_line(generator(8), 100, PIXEL)) == 1).all()
 
 
 BINS = np.sqrt(BIN_EDGES[1:] * BIN_EDGES[:-1])
@@ -104,7 +106,7 @@ def test_converted_power_laws_match_the_closed_form(hurst):
 
 
 @pytest.mark.parametrize(
-    ("density", "tolerance"), [(two_slopes, 0.02), (uncd, 0.07), (two_rolloffs, 0.11)]
+    ("density", "tolerance"), [(two_slopes, 0.02), (uncd_density, 0.07), (two_rolloffs, 0.11)]
 )
 def test_bent_spectra_are_recovered_from_their_profiles(density, tolerance):
     converted = isotropic_from_profile(WAVEVECTORS, profile_of(density, WAVEVECTORS), MANY_WAVES)
@@ -118,11 +120,11 @@ def test_scatter_is_not_amplified_and_empty_bins_stay_empty():
     errors = []
     for k in range(50):
         scatter = generator(1, k).gamma(modes, 1 / modes)
-        profile = profile_of(uncd, WAVEVECTORS[is_reliable]) * scatter
+        profile = profile_of(uncd_density, WAVEVECTORS[is_reliable]) * scatter
         profile[[1, 3]] = np.nan
         converted = isotropic_from_profile(WAVEVECTORS[is_reliable], profile, modes)
         np.testing.assert_array_equal(np.isnan(converted), np.isnan(profile))
-        errors.append(np.log(converted / uncd(WAVEVECTORS[is_reliable])))
+        errors.append(np.log(converted / uncd_density(WAVEVECTORS[is_reliable])))
     is_finite = np.isfinite(profile)
     error = np.array(errors)[:, is_finite]
     predicted_scatter = np.sqrt(variance_of_log(modes[is_finite]))

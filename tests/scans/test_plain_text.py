@@ -3,13 +3,13 @@
 import numpy as np
 import pytest
 from refusals import assert_says, refusal
-from scan_files import heights
+from scan_files import random_heights
 
 from hardcontact.scans.plain_text import readable_text
 from hardcontact.scans.reading import read_scan
 
 PIXELS = 24
-MAP = heights(PIXELS, PIXELS)  # in nm
+MAP = random_heights(PIXELS, PIXELS)  # in nm
 HEAD = ["# Channel: Height", "# Width: 0,240 µm", "# Height: 0,240 µm", "# Value units: m"]
 
 

@@ -6,7 +6,15 @@ from dataclasses import fields, replace
 import numpy as np
 import pytest
 from refusals import assert_says, refusal
-from scan_files import MAPS, MAPS_AND_LINES, UNEVEN_LINES, container, heights, nanoscope, scan
+from scan_files import (
+    MAPS,
+    MAPS_AND_LINES,
+    UNEVEN_LINES,
+    random_heights,
+    write_container,
+    write_nanoscope,
+    write_scan,
+)
 from SurfaceTopography import NonuniformLineScan, Topography, UniformLineScan
 
 from hardcontact.base import dataset
@@ -42,7 +50,7 @@ def coordinates(path, *columns, unit="nm"):
     ],
 )
 def test_a_map_is_read_as_its_central_square(tmp_path, form, shape, square, notes):
-    values = heights(*shape)
+    values = random_heights(*shape)
     file = write_and_list(MAPS[form], tmp_path / f"a.{form}", map_of(values))
     measurement = read_scan(*file)
     np.testing.assert_allclose(measurement.heights, values[square].T, atol=1e-12)
@@ -70,14 +78,14 @@ def test_a_round_aperture_is_cropped_to_the_square_inside(tmp_path):
     y, x = np.indices((64, 64)) - 31.5
     heights = np.ma.masked_array(np.arange(64.0**2).reshape(64, 64), np.hypot(y, x) > 32)
     heights[30, 30] = np.ma.masked  # a gap inside is filled
-    measurement = read_scan(scan(tmp_path / "a.nc", heights, (640.0, 640.0)), "", "harmonic")
+    measurement = read_scan(write_scan(tmp_path / "a.nc", heights, (640.0, 640.0)), "", "harmonic")
     assert (measurement.pixels, measurement.undefined_count) == (45, 1)
     assert measurement.pixels == pytest.approx(64 / np.sqrt(2), abs=1)
 
 
 def test_heights_under_a_mask_count_unless_it_is_excluded(tmp_path):
     path = tmp_path / "marked.gwy"
-    values = heights(32, 32)
+    values = random_heights(32, 32)
     is_marked = values > np.sort(values, None)[-20]
     map_of(np.ma.masked_array(values, is_marked)).to_gwy(str(path))
     # The writer fills masked pixels with zeros.
@@ -91,11 +99,11 @@ def test_heights_under_a_mask_count_unless_it_is_excluded(tmp_path):
 
 
 def test_only_gaps_in_the_square_are_filled_and_at_most_half_of_it(tmp_path):
-    values = np.ma.masked_array(heights(48, 32), False)
+    values = np.ma.masked_array(random_heights(48, 32), False)
     values[:8] = values[40:] = np.ma.masked
-    assert read_scan(scan(tmp_path / "a.nc", values, (480.0, 320.0))).undefined_count == 0
+    assert read_scan(write_scan(tmp_path / "a.nc", values, (480.0, 320.0))).undefined_count == 0
     values[:25] = np.ma.masked
-    path = scan(tmp_path / "a.nc", values, (480.0, 320.0))
+    path = write_scan(tmp_path / "a.nc", values, (480.0, 320.0))
     message = refusal(read_scan, path, "", "harmonic")
     assert_says(message, "a.nc", "at most 50%", "found 544 of 1024")
 
@@ -104,14 +112,14 @@ def test_pixels_that_are_not_square_are_resampled_on_the_longer_edge(tmp_path):
     x, y = np.mgrid[:48, :64]
     values = np.ma.masked_array(0.3 * x - 0.2 * y, False)  # linear: interpolation is exact
     values[20, 31] = np.ma.masked
-    file = scan(tmp_path / "a.nc", values, (960.0, 640.0))  # 20 nm x 10 nm
+    file = write_scan(tmp_path / "a.nc", values, (960.0, 640.0))  # 20 nm x 10 nm
     measurement = read_scan(file, "", "harmonic")
     assert measurement.pixel_size == pytest.approx(20.0) and measurement.undefined_count == 0
     heights_on_grid = (0.3 * x - 0.2 * y)[8:40, ::2].T
     np.testing.assert_allclose(measurement.heights, heights_on_grid, atol=1e-9)
     assert measurement.notes[0] == "resampled from pixels of 20 nm x 10 nm to 20 nm"
     assert len(measurement.notes) == 2  # with the gap that was filled
-    square = read_scan(scan(tmp_path / "b.nc", heights(48, 32), (300.0, 300.0)))
+    square = read_scan(write_scan(tmp_path / "b.nc", random_heights(48, 32), (300.0, 300.0)))
     assert_says(
         square.notes[1],
         "take care: the file states 300 nm x 300 nm for 48 x 32 pixels",
@@ -119,34 +127,34 @@ def test_pixels_that_are_not_square_are_resampled_on_the_longer_edge(tmp_path):
         "stretched 1.5 times along y",
     )
     # A text is read alike, also one that was cut short, which looks alike.
-    map_of(heights(64, 64)).to_matrix(str(tmp_path / "a.asc"))
+    map_of(random_heights(64, 64)).to_matrix(str(tmp_path / "a.asc"))
     lines = (tmp_path / "a.asc").read_text().splitlines()
     (tmp_path / "a.asc").write_text("\n".join(lines[: len(lines) // 2]))
     cut = read_scan(tmp_path / "a.asc")
     assert_says("; ".join(cut.notes), "resampled", "take care", "lines are missing")
-    flat = scan(tmp_path / "c.nc", sizes=(320.0, 3200.0))
+    flat = write_scan(tmp_path / "c.nc", sizes=(320.0, 3200.0))
     assert_says(refusal(read_scan, flat), "16 to 8192 pixels", "found 3 x 32")
 
 
 def test_a_file_of_gzip_is_read_like_the_file_in_it(tmp_path):
-    path = scan(tmp_path / "a.nc")
+    path = write_scan(tmp_path / "a.nc")
     (tmp_path / "a.nc.gz").write_bytes(gzip.compress(path.read_bytes()))
     np.testing.assert_array_equal(read_scan(tmp_path / "a.nc.gz").heights, read_scan(path).heights)
 
 
 def test_an_offset_is_subtracted_before_heights_are_judged(tmp_path):
-    values = heights(32, 32)
-    measurement = read_scan(scan(tmp_path / "a.nc", values + 1e8))  # 10 cm
+    values = random_heights(32, 32)
+    measurement = read_scan(write_scan(tmp_path / "a.nc", values + 1e8))  # 10 cm
     centred = measurement.heights - measurement.heights.mean()
     np.testing.assert_allclose(centred, values.T - values.mean(), atol=1e-6)
     assert measurement.notes == ("offset of 100 mm subtracted",)
     for lost in (1e14, np.inf):  # no digits of a height are left
-        message = refusal(read_scan, scan(tmp_path / "b.nc", values + lost), "", "harmonic")
+        message = refusal(read_scan, write_scan(tmp_path / "b.nc", values + lost), "", "harmonic")
         assert_says(message, "b.nc: expected")
 
 
 def test_a_given_unit_serves_files_without_a_unit(tmp_path):
-    positions, values = np.arange(100) * 0.01, 1e-3 * heights(100)
+    positions, values = np.arange(100) * 0.01, 1e-3 * random_heights(100)
     np.savetxt(tmp_path / "a.txt", np.column_stack([positions, values]))
     assert_says(refusal(read_scan, tmp_path / "a.txt"), "unit", "found none", "--unit")
     measurement = read_scan(tmp_path / "a.txt", unit="um")
@@ -154,7 +162,7 @@ def test_a_given_unit_serves_files_without_a_unit(tmp_path):
         "unit um (given by the user)",
     )
     np.testing.assert_allclose(measurement.heights, 1e3 * values)
-    measurement_in_nm = read_scan(scan(tmp_path / "a.nc"), unit="um")
+    measurement_in_nm = read_scan(write_scan(tmp_path / "a.nc"), unit="um")
     assert measurement_in_nm.pixel_size == pytest.approx(10.0) and not measurement_in_nm.notes
 
 
@@ -193,7 +201,7 @@ def test_an_uneven_line_scan_is_resampled_on_its_median_spacing(tmp_path, form, 
 
 
 def test_rounded_positions_are_uniform_and_may_run_from_right_to_left(tmp_path):
-    positions, values = np.round(np.arange(200) * 0.09956, 4), heights(200)
+    positions, values = np.round(np.arange(200) * 0.09956, 4), random_heights(200)
     for name, order in (("a.xyz", slice(None)), ("b.xyz", slice(None, None, -1))):
         columns = positions[order], 1e-3 * values[order]
         measurement = read_scan(coordinates(tmp_path / name, *columns, unit="µm"))
@@ -215,13 +223,13 @@ BACKWARDS, REPEATED = (np.cumsum([0.0, *[10.0] * 20, step, *[10.0] * 20]) for st
     ],
 )
 def test_faulty_positions_of_a_line_scan_are_refused(tmp_path, positions, message_parts):
-    path = coordinates(tmp_path / "a.xyz", positions, heights(len(positions)))
+    path = coordinates(tmp_path / "a.xyz", positions, random_heights(len(positions)))
     assert_says(refusal(read_scan, path), "a.xyz: expected", *message_parts)
 
 
 def test_a_nanoscope_file_is_read_with_y_upwards_from_its_channel_of_heights(tmp_path):
-    counts = np.round(heights(24, 40) * 100)
-    path = nanoscope(tmp_path / "a.001", counts, (400.0, 240.0), ["Phase", "Height Sensor"])
+    counts = np.round(random_heights(24, 40) * 100)
+    path = write_nanoscope(tmp_path / "a.001", counts, (400.0, 240.0), ["Phase", "Height Sensor"])
     measurement = read_scan(path)
     assert (measurement.channel, measurement.file_unit, measurement.kind) == (
         "Height Sensor",
@@ -231,37 +239,37 @@ def test_a_nanoscope_file_is_read_with_y_upwards_from_its_channel_of_heights(tmp
     assert measurement.notes[0] == "channel Height Sensor read: Phase holds no heights"
     assert measurement.pixel_size == pytest.approx(10.0)
     np.testing.assert_allclose(measurement.heights, 0.1 * counts[::-1, 8:32], atol=1e-9)
-    nanoscope(path, counts, (400.0, 240.0), ["Height", "Height Sensor", "Phase"])
+    write_nanoscope(path, counts, (400.0, 240.0), ["Height", "Height Sensor", "Phase"])
     channels = [read_scan(path, name).channel for name in ("", "Height Sensor", "2")]
     assert channels == ["Height", "Height Sensor", "Height Sensor"]
     assert_says(refusal(read_scan, path, "Phase"), "a channel of heights, found only Phase (deg)")
     message = refusal(read_scan, path, "Error")
     assert_says(message, "one of the channels of heights (Height, Height Sensor)", "'Error'")
     assert read_scan(path).notes[0] == "other channels of heights: Height Sensor"
-    nanoscope(path, counts, (400.0, 240.0), ["Height"])
+    write_nanoscope(path, counts, (400.0, 240.0), ["Height"])
     assert read_scan(path, "Height").channel == "Height"
     assert_says(refusal(read_scan, path, "Sensor"), "(Height)", "found 'Sensor'")
-    nanoscope(path, counts, (400.0, 240.0), ["Phase"])
+    write_nanoscope(path, counts, (400.0, 240.0), ["Phase"])
     assert_says(refusal(read_scan, path), "a channel of heights, found only Phase (deg)")
 
 
 def test_the_channel_that_a_container_names_is_read(tmp_path):
-    counts = np.round(heights(40, 40) * 100)
-    file = nanoscope(tmp_path / "a.001", counts, (400.0, 400.0), ["Height", "Height Sensor"])
+    counts = np.round(random_heights(40, 40) * 100)
+    file = write_nanoscope(tmp_path / "a.001", counts, (400.0, 400.0), ["Height", "Height Sensor"])
     entry = {"name": "one", "datafile": {"original": "a.001"}, "data_source": 1}
-    path = container(tmp_path / "a.zip", [entry | {"height_scale": 0.5}], {"a.001": file})
+    path = write_container(tmp_path / "a.zip", [entry | {"height_scale": 0.5}], {"a.001": file})
     measurement = read_scan(path, "one")
     assert measurement.channel == "Height Sensor" and measurement.notes == ()
     assert measurement.heights.std() == pytest.approx(0.1 * counts.std())  # never scaled twice
 
 
 def test_a_scan_of_a_container_is_found_by_its_file_or_a_unique_name(tmp_path):
-    np.savetxt(tmp_path / "a.txt", heights())
+    np.savetxt(tmp_path / "a.txt", random_heights())
     entries = [
         {"name": name, "datafile": {"original": file}, "size": [320, 320], "unit": "nm"}
         for name, file in (("one", "1.txt"), ("one", "2.txt"), ("two", "3.txt"))
     ]
-    path = container(tmp_path / "a.zip", entries, {"2.txt": tmp_path / "a.txt"})
+    path = write_container(tmp_path / "a.zip", entries, {"2.txt": tmp_path / "a.txt"})
     for name, message_parts in (
         ("one", ["column dataset", "found 2 of 'one' among one (1.txt), one (2.txt)"]),
         ("three", ["column dataset", "found 0 of 'three'"]),
@@ -272,7 +280,8 @@ def test_a_scan_of_a_container_is_found_by_its_file_or_a_unique_name(tmp_path):
 
 
 @pytest.mark.parametrize(
-    "topography", [map_of(heights(48, 32)), UniformLineScan(heights(40), 400.0, unit="nm")]
+    "topography",
+    [map_of(random_heights(48, 32)), UniformLineScan(random_heights(40), 400.0, unit="nm")],
 )
 @pytest.mark.parametrize("statements", [{"tip_radius": 8.0}, {"tip_radius": None, "notes": ()}])
 def test_a_stored_measurement_keeps_every_field(tmp_path, topography, statements):

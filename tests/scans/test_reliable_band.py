@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from measurements import line_of, map_of, measurement, uncd
+from measurements import measurement, random_line, random_map, uncd_density
 from scipy.ndimage import gaussian_filter, gaussian_filter1d, grey_dilation
 
 from hardcontact.base.random import generator
@@ -21,8 +21,8 @@ def steep(q):
     return smooth_rolloff(q, 1e6, 740.0, 1.25)
 
 
-@pytest.mark.parametrize("make", [map_of, line_of])
-@pytest.mark.parametrize("density", [uncd, steep])
+@pytest.mark.parametrize("make", [random_map, random_line])
+@pytest.mark.parametrize("density", [uncd_density, steep])
 def test_a_faithful_scan_is_limited_by_its_pixels_and_its_size(make, density):
     for k in range(3):
         band = reliable_band(make(generator(1, k), 256, PIXEL, density), None)
@@ -41,7 +41,7 @@ def imaged_by_tip(heights, pixel, radius):
 
 def test_a_tip_limits_the_band_where_its_image_leaves_the_surface():
     pixel, radius = 2.5, 40.0
-    heights = random_surface(generator(2), 384, pixel, uncd).heights
+    heights = random_surface(generator(2), 384, pixel, uncd_density).heights
     image = imaged_by_tip(heights, pixel, radius)
     true = measurement(heights[32:-32, 32:-32].astype(float), pixel)
     imaged = measurement(image[32:-32, 32:-32].astype(float), pixel)
@@ -59,7 +59,7 @@ def test_a_tip_limits_the_band_where_its_image_leaves_the_surface():
     assert (np.abs(np.log(ratio[is_in_band])) < 0.35).all() and (ratio[is_short] < 0.6).all()
 
 
-@pytest.mark.parametrize(("make", "pixels"), [(map_of, 256), (line_of, 2000)])
+@pytest.mark.parametrize(("make", "pixels"), [(random_map, 256), (random_line, 2000)])
 def test_a_floor_of_white_noise_is_cut_above_where_it_passes_the_surface(make, pixels):
     scan = make(generator(4), pixels, PIXEL)
     noisy = measurement(scan.heights + generator(5).normal(0, 10.0, scan.heights.shape), PIXEL)
@@ -77,7 +77,7 @@ def test_a_floor_of_white_noise_is_cut_above_where_it_passes_the_surface(make, p
 
 
 def test_a_plateau_before_the_rolloff_is_no_floor():
-    early = map_of(generator(6), 256, PIXEL, lambda q: smooth_rolloff(q, 1e6, 150.0, 0.9))
+    early = random_map(generator(6), 256, PIXEL, lambda q: smooth_rolloff(q, 1e6, 150.0, 0.9))
     assert reliable_band(early, None).shortest == 4 * PIXEL
 
 
@@ -88,7 +88,7 @@ def test_white_noise_alone_is_nowhere_reliable():
 
 @pytest.mark.parametrize("is_along_lines", [True, False])
 def test_smoothing_limits_the_band(is_along_lines):
-    surface = random_surface(generator(8), 512, PIXEL, uncd).heights.astype(float)
+    surface = random_surface(generator(8), 512, PIXEL, uncd_density).heights.astype(float)
     if is_along_lines:  # a feedback that lags
         smoothed = gaussian_filter1d(surface, 3.0, axis=1, mode="wrap")
     else:
@@ -107,7 +107,7 @@ def test_smoothing_limits_the_band(is_along_lines):
 
 
 def test_noise_does_not_hide_smoothing():
-    surface = random_surface(generator(9), 512, PIXEL, uncd).heights.astype(float)
+    surface = random_surface(generator(9), 512, PIXEL, uncd_density).heights.astype(float)
     smoothed = gaussian_filter(surface, 4.0, mode="wrap")[:256, :256]
     noisy = measurement(smoothed + generator(10).normal(0, 0.3, smoothed.shape), PIXEL)
     clean = reliable_band(measurement(smoothed, PIXEL), None)

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pandas as pd
-from measurements import map_of, two_sizes_and_a_line
+from measurements import random_map, two_sizes_and_a_line
 
 from hardcontact.base import dataset
 from hardcontact.base.random import generator
@@ -44,7 +44,7 @@ def test_only_published_or_measured_bands_are_known():
 
 def test_surfaces_are_stacked_with_their_limits_and_empty_entries(tmp_path):
     coat = joined_spectrum(two_sizes_and_a_line(19), [None] * 3)
-    rough = joined_spectrum([map_of(generator(20), 128, 10.0)], [None])
+    rough = joined_spectrum([random_map(generator(20), 128, 10.0)], [None])
     labels = {"rough": "Rough", "coat": "My coat"}
     dataset.write(stack_spectra({"rough": rough, "coat": coat}, labels), tmp_path / "a.nc")
     table = dataset.read(tmp_path / "a.nc")

@@ -3,7 +3,7 @@
 import numpy as np
 import pandas as pd
 import pytest
-from measurements import PIXEL, UNCD, uncd
+from measurements import PIXEL, UNCD, uncd_density
 from paper_numbers import SUBSTRATES
 from refusals import assert_says, refusal
 from repository import PAPER, ROOT
@@ -120,7 +120,7 @@ def test_coarser_pixels_keep_the_rms_height(spectrum):
     coarse = ScanGrid(32, GRID.size, 128)
     source = substitute(spectrum, coarse)
     targets = source.targets
-    rms_values = expected_scan_rms(uncd, transfer_weights(128, 2 * PIXEL, 32))
+    rms_values = expected_scan_rms(uncd_density, transfer_weights(128, 2 * PIXEL, 32))
     np.testing.assert_allclose(list(targets.means.values()), [20.0, *rms_values[1:]], rtol=1e-3)
     assert targets.met_rows == ("afm_rms_height",)
     group = conditioning.condition_group(source, targets, [1, 2])

@@ -7,7 +7,7 @@ import pandas as pd
 import pytest
 from measurements import UNCD
 from paper_numbers import POLISHED
-from periodic_maps import height_map
+from periodic_maps import periodic_map
 
 from hardcontact.surfaces.conditioning import Substitute
 from hardcontact.surfaces.featured_scans import FeaturedSurface, nearest_group
@@ -27,7 +27,7 @@ from hardcontact.surfaces.synthesis import ScanGrid
 
 PIXELS, PIXEL = 200, 12.5  # 2.5 µm
 SIZE = PIXELS * PIXEL
-FLAT = replace(height_map(np.zeros((PIXELS, PIXELS)), PIXEL), periodic=False)
+FLAT = replace(periodic_map(np.zeros((PIXELS, PIXELS)), PIXEL), periodic=False)
 
 
 def squares(scan):

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from periodic_maps import height_map
+from periodic_maps import periodic_map
 
 from hardcontact.surfaces.filters import filtered_series, interpolate, lowpass
 
@@ -12,7 +12,7 @@ def filtered(master, side, cutoff, pixels):
 
 
 def noise(pixels, seed=0):
-    return height_map(np.random.default_rng(seed).standard_normal((pixels, pixels)), 10.0)
+    return periodic_map(np.random.default_rng(seed).standard_normal((pixels, pixels)), 10.0)
 
 
 def test_interpolation_reproduces_a_wave():
@@ -21,7 +21,7 @@ def test_interpolation_reproduces_a_wave():
     u = np.arange(100) / 100
     fine_wave = np.cos(2 * np.pi * (3 * u[:, None] - 5 * u))
     np.testing.assert_allclose(
-        interpolate(height_map(wave, 10.0), 100).heights, fine_wave, atol=1e-6
+        interpolate(periodic_map(wave, 10.0), 100).heights, fine_wave, atol=1e-6
     )
 
 
@@ -39,7 +39,7 @@ def test_lowpass_keeps_only_long_waves(cutoff):
 def test_a_wave_at_the_cutoff_belongs_to_one_side():
     x = np.arange(64) / 64
     waves = np.cos(2 * np.pi * 8 * x)[None] * np.ones((64, 1))  # 80 nm
-    wave = height_map(waves, 10.0)
+    wave = periodic_map(waves, 10.0)
     assert np.std(lowpass(wave, 80.0).heights) == pytest.approx(np.std(wave.heights))
     np.testing.assert_allclose(filtered(wave, "long", 80.0, 64).heights, 0, atol=1e-6)
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from measurements import levelled_scan, uncd
+from measurements import levelled_scan, uncd_density
 
 from hardcontact.base.random import generator
 from hardcontact.surfaces import spectrum
@@ -30,7 +30,7 @@ def test_scans_have_the_measured_psd_of_their_spectrum():
     psds = [measured_psds(levelled_scan(generator(3, k), 256)) for k in range(12)]
     wave, isotropic = psds[0][0], np.array([density for _, _, density in psds])
     is_reliable = (wave > 0.03) & (wave < 0.3)
-    ratio = isotropic[:, is_reliable].mean(axis=0) / uncd(wave[is_reliable])
+    ratio = isotropic[:, is_reliable].mean(axis=0) / uncd_density(wave[is_reliable])
     np.testing.assert_allclose(ratio, 1, atol=0.15)
 
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from measurements import PIXEL, uncd
+from measurements import PIXEL, uncd_density
 
 from hardcontact.base.random import generator
 from hardcontact.surfaces.height_map import HeightMap
@@ -30,10 +30,10 @@ def test_the_apex_of_a_sphere_lies_in_the_middle_half_of_its_scan():
 def test_a_scan_is_the_corner_of_a_random_surface_and_a_sphere_is_added_to_it():
     grid = ScanGrid(64, 64 * PIXEL, 128)
     rng = generator(1)
-    scan = sample_scan(rng, uncd, grid, 0.7)
+    scan = sample_scan(rng, uncd_density, grid, 0.7)
     assert not scan.periodic
     assert scan.pixel_size == pytest.approx(PIXEL)
-    corner = cut_scan(random_surface(generator(1), 128, PIXEL, uncd), 64, 0.7)
+    corner = cut_scan(random_surface(generator(1), 128, PIXEL, uncd_density), 64, 0.7)
     np.testing.assert_array_equal(scan.heights, corner.heights)
     sphere = add_sphere(rng, scan, SPHERE_RADIUS)
     flat = remove_form(sphere, SPHERE_RADIUS).heights

@@ -5,7 +5,7 @@ from functools import cache
 import numpy as np
 import pandas as pd
 import pytest
-from measurements import PIXEL, UNCD, uncd
+from measurements import PIXEL, UNCD, uncd_density
 from paper_numbers import SUBSTRATES, SURFACES
 from repository import BANDS, ROOT
 from scipy import stats
@@ -174,10 +174,10 @@ RMS_METRICS = ("rms_height", "rms_gradient", "rms_half_laplacian")
 
 def test_expected_rms_values_agree_with_scans():
     weights = substitute_spectra.transfer_weights(1024, PIXEL, 256)
-    rms_values = substitute_spectra.expected_scan_rms(uncd, weights)
+    rms_values = substitute_spectra.expected_scan_rms(uncd_density, weights)
     squares = []
     for k in range(6):
-        surface = random_surface(generator(4, k), 1024, PIXEL, uncd)
+        surface = random_surface(generator(4, k), 1024, PIXEL, uncd_density)
         for start in range(0, 1024, 256):
             strip = type(surface)(surface.heights[start:], PIXEL, True, "substitute")
             values = metrics(level(cut_scan(strip, 256)))

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from measurements import UNCD, levelled_scan, uncd
+from measurements import UNCD, levelled_scan, uncd_density
 
 from hardcontact.base.random import generator
 from hardcontact.surfaces.filters import interpolate, lowpass
@@ -20,12 +20,12 @@ def test_scans_have_the_spectrum_they_are_made_from():
     pixels, pixel_size = 256, 20.0
     mean = np.zeros((pixels, pixels))
     for k in range(60):
-        heights = random_surface(generator(2, k), pixels, pixel_size, uncd).heights
+        heights = random_surface(generator(2, k), pixels, pixel_size, uncd_density).heights
         mean += np.abs(np.fft.fft2(heights)) ** 2 * (pixel_size / pixels) ** 2 / 60
     wave = radii(pixels, pixel_size)
     for low, high in ((0.003, 0.01), (0.01, 0.03), (0.03, 0.1), (0.1, 0.15)):
         ring = (wave > low) & (wave < high)
-        assert (mean[ring] / uncd(wave[ring])).mean() == pytest.approx(1, abs=0.05)
+        assert (mean[ring] / uncd_density(wave[ring])).mean() == pytest.approx(1, abs=0.05)
 
 
 @pytest.fixture(scope="module")
@@ -56,8 +56,8 @@ def test_short_edge_master_adds_the_spectrum_below_and_a_plateau_above(stitched)
     edge = 2 * np.pi / 100.0
     is_long = (radius < edge) & (radius > 0)
     is_short = (radius > edge) & (radius < 0.5)
-    assert power[is_long].mean() == pytest.approx(uncd(edge), rel=0.1)
-    assert (power[is_short] / uncd(radius[is_short])).mean() == pytest.approx(1, abs=0.05)
+    assert power[is_long].mean() == pytest.approx(uncd_density(edge), rel=0.1)
+    assert (power[is_short] / uncd_density(radius[is_short])).mean() == pytest.approx(1, abs=0.05)
 
 
 def test_long_edge_master_keeps_the_scan_below_the_transition(stitched):
@@ -75,5 +75,5 @@ def test_long_edge_master_adds_the_spectrum_above_the_transition(stitched):
     power = np.mean([np.abs(np.fft.fft2(m.heights)) ** 2 for m in masters], axis=0)
     power *= (20.0 / pixels) ** 2
     is_long = (radius < 2 * np.pi / 500) & (radius > 0)
-    assert (power[is_long] / uncd(radius[is_long])).mean() == pytest.approx(1, abs=0.1)
+    assert (power[is_long] / uncd_density(radius[is_long])).mean() == pytest.approx(1, abs=0.1)
     assert power[radius > 2 * np.pi / 499].max() < 1e-6 * power[is_long].mean()

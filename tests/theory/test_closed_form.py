@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from known_spectra import contact_of_area, rough, rounded
+from known_spectra import contact_of_area, gaussian_spectrum, self_affine_spectrum
 from scipy import stats
 
 from hardcontact.base.random import generator
@@ -47,14 +47,14 @@ def test_the_first_term_freezes_at_short_range():
 
 
 def test_without_roughness_the_closed_form_is_the_force_of_a_smooth_sphere():
-    flat = Spectrum(rough().wavevector, 0 * rough().density)
+    flat = Spectrum(self_affine_spectrum().wavevector, 0 * self_affine_spectrum().density)
     form = closed_form(flat, contact())
     # The area in contact attracts, too, with A/(2 pi R rho) of this force.
     relative = 1 + contact().area / (2 * np.pi * RADIUS * contact().rho)
     assert form.force == pytest.approx(2 * np.pi * RADIUS * 1e-9 * relative)
     assert form.dmt_ratio == pytest.approx(relative, rel=1e-12)
     assert (form.regime, form.weibull_modulus) == (SMOOTH_SURFACE, np.inf)
-    nearly_smooth = closed_form(rough(0.02), contact())
+    nearly_smooth = closed_form(self_affine_spectrum(0.02), contact())
     assert nearly_smooth.regime == SMOOTH_SURFACE and nearly_smooth.dmt_ratio == pytest.approx(
         1, abs=0.03
     )
@@ -63,18 +63,18 @@ def test_without_roughness_the_closed_form_is_the_force_of_a_smooth_sphere():
 
 def test_the_force_of_a_wide_contact_reaches_its_smooth_limit():
     wide = contact(area=0.57 * 2 * np.pi * RADIUS * contact().rho)
-    nearly_smooth = closed_form(rough(0.02), wide)
-    smooth = closed_form(rough(0.0), wide)
+    nearly_smooth = closed_form(self_affine_spectrum(0.02), wide)
+    smooth = closed_form(self_affine_spectrum(0.0), wide)
     assert (
         smooth.dmt_ratio == pytest.approx(1.57) == pytest.approx(nearly_smooth.dmt_ratio, abs=0.03)
     )
-    assert np.isnan(critical_band(rough(0.02), wide, 0.1)).all()
+    assert np.isnan(critical_band(self_affine_spectrum(0.02), wide, 0.1)).all()
 
 
 def test_a_single_smooth_summit_attracts_like_a_sphere_of_its_radius():
     sigma, length, rho = 40.0, 300.0, 1e-3  # the range is so short that only one summit counts
     flat = 1e9  # so that the summit is high
-    form = closed_form(rounded(sigma, length), contact(rho, 0.0, flat))
+    form = closed_form(gaussian_spectrum(sigma, length), contact(rho, 0.0, flat))
     level = form.apex_height / sigma
     summit = length**2 / (sigma * level)  # its curvature is t m2/sigma
     assert form.regime == FEW_SUMMITS
@@ -84,7 +84,7 @@ def test_a_single_smooth_summit_attracts_like_a_sphere_of_its_radius():
 @pytest.mark.parametrize(("rms", "rho", "error"), [(4, 5.6, 0.2), (4, 20, 0.05), (40, 5.6, 0.4)])
 def test_the_closed_form_predicts_forces_on_random_surfaces(rms, rho, error):
     pixels, size, radius = 512, 10e3, 50e3
-    spectrum = rough(rms, 800.0, 0.8, 80.0)
+    spectrum = self_affine_spectrum(rms, 800.0, 0.8, 80.0)
     touching = Contact(radius=radius, preload=1e-5, hardness=25e9, window=size, contacts_per_row=8)
     forces = []
     for k in range(3):
@@ -97,7 +97,7 @@ def test_the_closed_form_predicts_forces_on_random_surfaces(rms, rho, error):
 
 
 def test_the_force_has_left_the_tolerance_at_the_edges():
-    spectrum = rough(17, 1000, 0.8, 10.0)
+    spectrum = self_affine_spectrum(17, 1000, 0.8, 10.0)
     short, long = critical_band(spectrum, contact(), 0.1)
     assert 10 < short < 300 < long < 5000
     unfiltered = closed_form(spectrum, contact(), all_rough=False).dmt_ratio
@@ -108,7 +108,7 @@ def test_the_force_has_left_the_tolerance_at_the_edges():
 
 
 def test_filters_add_up_to_the_spectrum():
-    spectrum = rough()
+    spectrum = self_affine_spectrum()
     filtered = [filtered_spectrum(spectrum, side, 300.0) for side in ("short", "long")]
     total = sum(spectral_moment(spectrum, 0) for spectrum in filtered)
     assert total == pytest.approx(

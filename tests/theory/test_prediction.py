@@ -5,7 +5,7 @@ import sys
 import numpy as np
 import pandas as pd
 import pytest
-from known_spectra import contact_of_area, rough
+from known_spectra import contact_of_area, self_affine_spectrum
 from repository import ROOT
 
 sys.path.insert(0, str(ROOT / "tests/benchmarks"))
@@ -23,7 +23,7 @@ TABLE = pd.read_csv(validity.DESIGNED_SURFACES)
 
 
 def test_the_spectrum_of_a_grid_has_the_rms_height_of_its_surfaces():
-    spectrum = rough(4, 500, 0.8, 10)
+    spectrum = self_affine_spectrum(4, 500, 0.8, 10)
     heights = [random_surface(generator(2, k), 256, 10.0, spectrum).heights for k in range(8)]
     grid_spectrum = validate_prediction.spectrum_of_grid(spectrum, 2560.0, 256)
     rms_height = np.sqrt(np.mean(np.square(heights)))

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from known_spectra import contact_of_area, rough, rounded
+from known_spectra import contact_of_area, gaussian_spectrum, self_affine_spectrum
 from scipy import special, stats
 
 from hardcontact.base.random import generator
@@ -22,7 +22,7 @@ SPHERE = contact_of_area(250e3, 5.6, 1.0, 400.0)
 #: A sphere so flat that its highest summits obey the laws of high levels.
 FLAT = 1e12
 SIGMA = 4.0
-SURFACE = rounded(SIGMA, 100)
+SURFACE = gaussian_spectrum(SIGMA, 100)
 
 
 def flat_contact(modulus, clumps=0.0):
@@ -58,7 +58,7 @@ def sampled_radii(rng, level, count=400000):
 @pytest.mark.parametrize(("rho", "low", "high"), [(2.0, 0.7, 0.9), (40.0, 0.99, 1.0)])
 def test_the_mean_force_equals_the_closed_form(rho, low, high):
     """Rough summits below the sphere lessen it where single peaks decide, not for many points."""
-    contact, spectrum = replace(SPHERE, rho=rho), rough(30, 1000, 0.8, 5.0)
+    contact, spectrum = replace(SPHERE, rho=rho), self_affine_spectrum(30, 1000, 0.8, 5.0)
     force = closed_form(spectrum, contact).force
     assert predict_statistics(spectrum, contact).force == pytest.approx(force)
     assert low < force / closed_form(spectrum, contact, all_rough=False).force < high
@@ -148,6 +148,8 @@ def test_the_moments_of_a_mixture_equal_those_of_its_samples():
 
 
 def test_without_roughness_all_positions_have_the_same_force():
-    smooth = predict_statistics(rounded(1e-6, 1e5), contact_of_area(250e3, 5.6, 1.0, 400.0))
+    smooth = predict_statistics(
+        gaussian_spectrum(1e-6, 1e5), contact_of_area(250e3, 5.6, 1.0, 400.0)
+    )
     assert smooth.log_force_std == 0
     assert smooth.force > 2 * np.pi * 250e3 * 1e-9

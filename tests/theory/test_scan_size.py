@@ -7,10 +7,7 @@ from repository import ROOT
 
 sys.path.insert(0, str(ROOT / "tests/benchmarks"))
 
-from validate_scan_sizes import (
-    TABLE,
-    TOLERANCE,
-)
+from validate_scan_sizes import TABLE, TOLERANCE
 
 from hardcontact.base import dataset
 from hardcontact.own.edges_of_scans import edges_of_curves

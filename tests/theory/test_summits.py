@@ -4,7 +4,7 @@ from itertools import product
 
 import numpy as np
 import pytest
-from known_spectra import rough, rounded
+from known_spectra import gaussian_spectrum, self_affine_spectrum
 from scipy import integrate, stats
 
 from hardcontact.base.random import generator
@@ -23,7 +23,7 @@ def full_band(spectrum):
 
 
 def test_a_gaussian_autocorrelation_has_known_moments():
-    spectrum = full_band(rounded(4, 100))
+    spectrum = full_band(gaussian_spectrum(4, 100))
     assert spectral_moment(spectrum, 0) == pytest.approx(16, rel=0.01)
     assert spectral_moment(spectrum, 2) == pytest.approx(2 * (4 / 100) ** 2, rel=0.01)
     assert spectral_moment(spectrum, 4) == pytest.approx(8 * 16 / 100**4, rel=0.02)
@@ -32,13 +32,13 @@ def test_a_gaussian_autocorrelation_has_known_moments():
 def test_a_gaussian_autocorrelation_has_clumps_of_known_radius():
     levels = np.array([1.5, 2.5, 4.0])
     radii = 100 * np.sqrt(-2 * np.log(1 - 1 / levels**2))  # exp(-d²/2l²) = 1 - 1/t²
-    assert summits.clump_radius(full_band(rounded(4, 100)), levels) == pytest.approx(
+    assert summits.clump_radius(full_band(gaussian_spectrum(4, 100)), levels) == pytest.approx(
         radii, rel=0.01
     )
 
 
 def test_clumps_at_high_levels_are_as_dense_as_summits_of_a_smooth_surface():
-    spectrum, level = full_band(rounded(4, 100)), 5.0
+    spectrum, level = full_band(gaussian_spectrum(4, 100)), 5.0
     density = stats.norm.sf(level) / (np.pi * summits.clump_radius(spectrum, [level])[0] ** 2)
     mean_square_slope = spectral_moment(spectrum, 2) / 2 / spectral_moment(spectrum, 0)
     euler = level * np.exp(-(level**2) / 2) * mean_square_slope
@@ -60,7 +60,7 @@ def test_short_waves_of_no_height_make_no_clumps():
 
 
 def test_the_highest_point_follows_gumbel_s_law():
-    spectrum = full_band(rounded(4, 100))
+    spectrum = full_band(gaussian_spectrum(4, 100))
     apex = summits.apex_distribution(spectrum, FLAT, 0.0)
     # Lambda(t) = R m2/(sigma sqrt(2 pi)) exp(-t²/2) is one at the location.
     mean_square_slope = spectral_moment(spectrum, 2) / 2
@@ -83,7 +83,7 @@ def test_exponential_areas_of_poisson_clumps_have_a_known_distribution(area):
 
 
 def test_a_large_contact_area_is_the_bearing_area():
-    spectrum, area = full_band(rounded(4, 100)), 3e6
+    spectrum, area = full_band(gaussian_spectrum(4, 100)), 3e6
     level = summits.apex_distribution(spectrum, FLAT, area).mean()
     bearing = 2 * np.pi * FLAT * 4 * integrate.quad(stats.norm.sf, level, 10)[0]
     assert bearing == pytest.approx(area, rel=0.05)
@@ -91,7 +91,7 @@ def test_a_large_contact_area_is_the_bearing_area():
 
 
 def test_the_highest_point_matches_random_surfaces():
-    spectrum, pixels, size, radius = rough(4, 300, 0.8, 40), 256, 2560.0, 20e3
+    spectrum, pixels, size, radius = self_affine_spectrum(4, 300, 0.8, 40), 256, 2560.0, 20e3
     spectrum_on_map = spectrum_between(spectrum, 2 * np.pi / size / 2, np.inf)
     offset = (np.arange(pixels) - pixels / 2) * 10.0
     sphere = (offset[:, None] ** 2 + offset**2) / (2 * radius)
@@ -106,7 +106,7 @@ def test_the_highest_point_matches_random_surfaces():
 
 
 def test_a_sphere_follows_waves_flatter_than_itself():
-    spectrum = rough(4, 1e6)  # roughness without end
+    spectrum = self_affine_spectrum(4, 1e6)  # roughness without end
     rough_spectrum = summits.find_rough_spectrum(spectrum, RADIUS)
     assert rough_spectrum.wavevector[0] > 10 * spectrum.wavevector[0]
     followed_spectrum = spectrum_between(spectrum, 0, rough_spectrum.wavevector[0])

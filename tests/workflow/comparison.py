@@ -9,7 +9,7 @@ from hardcontact.base.atomic_file import PART
 OF_THE_RUN = {"logs", "benchmarks", ".origin"}
 
 
-def paths(results):
+def result_paths(results):
     """Return the paths in `results` of all files but those that belong to one run."""
     files = (path.relative_to(results) for path in results.rglob("*") if path.is_file())
     return {path for path in files if not OF_THE_RUN & set(path.parts)}
@@ -25,7 +25,7 @@ def equal_files(path, reference):
 
 def differences(folder, reference):
     """Return a line for each file that is missing or different in a results folder."""
-    relative_paths, reference_paths = paths(folder), paths(reference)
+    relative_paths, reference_paths = result_paths(folder), result_paths(reference)
     lines = [f"{path}: missing" for path in reference_paths - relative_paths]
     lines += [f"{path}: not in the reference" for path in relative_paths - reference_paths]
     lines += [
@@ -36,7 +36,7 @@ def differences(folder, reference):
     return sorted(lines)
 
 
-def damaged(results):
+def damaged_datasets(results):
     """Return the faults of all datasets in a folder that cannot be read."""
     lines = []
     for path in results.rglob("*.nc"):
@@ -48,7 +48,7 @@ def damaged(results):
     return lines
 
 
-def undescribed(folder):
+def undescribed_variables(folder):
     """Return the variables in a folder of results without a meaning, and numbers without a unit."""
     return [
         (path.stem, name)

@@ -4,9 +4,9 @@ import numpy as np
 import pandas as pd
 import pytest
 import xarray as xr
-from own_studies import forces_on, make_study, new, quick, rough, spm
+from own_studies import forces_on, make_study, run_new, run_quick, uncd_heights, write_spm
 from repository import copy_repository
-from scan_files import container, scan, write_coordinates
+from scan_files import write_container, write_coordinates, write_scan
 from shared_study import shared_study
 from SurfaceTopography import UniformLineScan
 
@@ -26,19 +26,19 @@ def own_repository(folder):
 
 def write_scans(scans):
     """Write a rectangle and a line scan, a container of a map with gaps, and scans of a sphere."""
-    spm(scans / "rectangle.001", rough(generator(1), 128, rms=3.0)[:96], 2000.0)
-    profile = np.concatenate(rough(generator(2), 64, 20_000.0)[:8])
+    write_spm(scans / "rectangle.001", uncd_heights(generator(1), 128, rms=3.0)[:96], 2000.0)
+    profile = np.concatenate(uncd_heights(generator(2), 64, 20_000.0)[:8])
     write_coordinates(UniformLineScan(profile, 160_000.0, unit="nm"), scans / "line.txt")
-    gaps = np.ma.masked_array(rough(generator(3), 128, rms=3.0).T, False)
+    gaps = np.ma.masked_array(uncd_heights(generator(3), 128, rms=3.0).T, False)
     gaps[5:9, 40] = np.ma.masked
-    scan(scans / "map.nc", gaps, (2500.0, 2500.0))
+    write_scan(scans / "map.nc", gaps, (2500.0, 2500.0))
     entry = {"name": "map", "datafile": {"original": "map.nc"}}
-    container(scans / "twin.zip", [entry], {"map.nc": scans / "map.nc"})
+    write_container(scans / "twin.zip", [entry], {"map.nc": scans / "map.nc"})
     x = (np.arange(128) - 63.5) * 2500 / 128
     shape = -(x[:, None] ** 2 + x**2) / (2 * 250e3)
     for number in range(2):
-        ball = shape + rough(generator(6, number), rms=2.0)
-        spm(scans / f"ball-{number}.001", ball, 2500.0)
+        ball = shape + uncd_heights(generator(6, number), rms=2.0)
+        write_spm(scans / f"ball-{number}.001", ball, 2500.0)
 
 
 @pytest.fixture(scope="session")
@@ -57,17 +57,17 @@ def several(folder):
         "--sphere", "scans/ball-0.001", "scans/ball-1.001", "--forces", "my.csv",
     ]  # fmt: skip
     write_forces(folder, {"my_film": [1.0], "twin": [1.0]})
-    done = new(folder, "several", *choices)
+    done = run_new(folder, "several", *choices)
     assert done.returncode == 0, done.stdout
     (folder / "said.txt").write_text(done.stdout)
     # Forces are known once the contacts are computed.
-    run = quick(folder, "several", "adhesion", overlays=["few.yaml"])
+    run = run_quick(folder, "several", "adhesion", overlays=["few.yaml"])
     assert run.returncode == 0, run.stdout[-3000:]
     adhesion = xr.load_dataset(folder / "results/several-quick/adhesion.nc")
     rng = generator(8, "tests")
     surfaces = adhesion.surface.values
     write_forces(folder, {surface: forces_on(adhesion, surface, rng) for surface in surfaces})
-    run = quick(folder, "several", overlays=["few.yaml"])
+    run = run_quick(folder, "several", overlays=["few.yaml"])
     assert run.returncode == 0, run.stdout[-3000:]
     return folder
 
@@ -90,7 +90,7 @@ def probe(tmp_path_factory):
 
 def small_probe(folder):
     folder = own_repository(folder)
-    spm(folder / "scans/probe.001", rough(generator(4), 128, 1000.0, 3.0), 1000.0)
+    write_spm(folder / "scans/probe.001", uncd_heights(generator(4), 128, 1000.0, 3.0), 1000.0)
     options = ["--radius", "5um", "--hardness", "5GPa", "--preload", "100nN", "--range", "2nm"]
     options += ["--work", "30 mJ/m2"]
     make_study(folder, "probe", "scans/probe.001", *options, overlays=["few.yaml"])

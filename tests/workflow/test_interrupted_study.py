@@ -7,9 +7,9 @@ import signal
 import time
 
 import pytest
-from comparison import damaged, differences, paths
+from comparison import damaged_datasets, differences, result_paths
 from forked_runs import call_main
-from repository import environment, snakemake
+from repository import environment, run_snakemake
 
 from hardcontact.base.atomic_file import PART
 
@@ -46,11 +46,13 @@ def kill_after_files(study):
         with open(study / "output", "w") as output:
             call_main(study, "snakemake.cli", words, environment(study), output.fileno())
 
-    count = len(paths(study / "results")) + FILES
+    count = len(result_paths(study / "results")) + FILES
     run = multiprocessing.get_context("fork").Process(target=run_as_group)
     run.start()
     end = time.monotonic() + PATIENCE
-    while run.is_alive() and len(paths(study / "results")) < count and time.monotonic() < end:
+    while (
+        run.is_alive() and len(result_paths(study / "results")) < count and time.monotonic() < end
+    ):
         time.sleep(0.05)  # looking costs a processor as well
     assert run.is_alive(), (study / "output").read_text()
     os.killpg(run.pid, signal.SIGKILL)
@@ -63,8 +65,8 @@ def test_a_study_that_is_killed_four_times_ends_as_one_that_is_not(empty, probe)
     (empty / "results").mkdir()
     for _ in range(KILLS):
         kill_after_files(empty)
-        assert damaged(empty / "results") == []
-    run = snakemake(empty, *RESUME)
+        assert damaged_datasets(empty / "results") == []
+    run = run_snakemake(empty, *RESUME)
     assert run.returncode == 0, run.stdout
     assert differences_from(probe, empty / "results") == []
     assert not list((empty / "results").rglob(f"{PART}*"))

@@ -10,7 +10,7 @@ import pytest
 import slurm
 import xarray as xr
 from comparison import differences
-from own_studies import SHARED, make_study, numbers, quantities
+from own_studies import SHARED, make_study, read_answer, read_quantities
 from refusals import assert_says
 from repository import copy_repository
 
@@ -80,7 +80,7 @@ def test_slurm_recovers_a_cancelled_job_and_gives_the_same_values(cluster, finis
 def test_real_scans_give_plausible_roughness_edges_and_forces(repository):
     files = [SHARED / name for name in ("uncd-demo-container.zip", "afm-10um-512.di")]
     results = make_study(repository, "both", *files)
-    surface = quantities(results)["both"]
+    surface = read_quantities(results)["both"]
     assert surface["scan_size"]["value"] == 10_000.0
     assert 14.2 < surface["scan_1_rms_height"]["value"] < 14.4
     assert set(xr.load_dataset(results / "spectra.nc")["kind"].values.ravel()) == {
@@ -90,6 +90,6 @@ def test_real_scans_give_plausible_roughness_edges_and_forces(repository):
     mean = surface["mean_force"]
     assert mean["low"] < mean["value"] < mean["high"]
     assert 20 < surface["short_edge"]["value"] < 100
-    cautions = {note["code"] for note in numbers(results)["notes"] if note["kind"] == "caution"}
+    cautions = {note["code"] for note in read_answer(results)["notes"] if note["kind"] == "caution"}
     assert "conditional_intervals" in cautions
     assert surface["force_extrapolated_short"]["value"] < 0.7 * mean["value"]

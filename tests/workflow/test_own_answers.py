@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 import xarray as xr
 import yaml
-from comparison import undescribed
+from comparison import undescribed_variables
 from html_page import Page, dead_links
 from jsonschema import Draft202012Validator
-from own_studies import RANGE, WORK, numbers, quantities, quick
+from own_studies import RANGE, WORK, read_answer, read_quantities, run_quick
 from repository import ROOT
 from scipy import stats
 
@@ -27,7 +27,7 @@ def several(own_study):
 
 
 def test_every_variable_of_own_surfaces_has_a_unit_and_a_meaning(several):
-    assert undescribed(several) == []
+    assert undescribed_variables(several) == []
     text = (several / "datasets.md").read_text("utf-8")
     assert {f"## {name}.nc" for name in ("edges", "fit", "force", "spectra")} <= {*text.split("\n")}
 
@@ -40,7 +40,7 @@ def page_of(results):
 
 def assert_honest(results, fitted=False):
     """Check properties of the answer of every study of the user's surfaces."""
-    answer, page = numbers(results), page_of(results)
+    answer, page = read_answer(results), page_of(results)
     schema = ROOT / "workflow/schemas/answer.schema.json"
     Draft202012Validator(json.loads(schema.read_text("utf-8"))).validate(answer)
     figures = {figure["id"].removesuffix("-figure") for figure in page.attributes["figure"]}
@@ -48,12 +48,12 @@ def assert_honest(results, fitted=False):
     figure_files = {path.name for path in (results / "figures").glob("*.*")}
     assert figure_files >= {f"{name}.{kind}" for name in figures for kind in FILE_KINDS}
     edges, force = (xr.load_dataset(results / f"{name}.nc") for name in ("edges", "force"))
-    for name, surface in quantities(results).items():
+    for name, surface in read_quantities(results).items():
         if name:
             assert surface["mean_force"]["value"] > 0
             for side in ("short", "long"):
                 assert_bounded(edges.sel(surface=name, side=side))
-    assert quantities(results)[""]["range_of_adhesion"]["value"] in force["rho"]
+    assert read_quantities(results)[""]["range_of_adhesion"]["value"] in force["rho"]
     assert not re.search(r"\bnan\b|\binf\b|None|reproduced", page.texts["main"][0])
     made = {path.relative_to(results).as_posix() for path in results.rglob("*.*")}
     html = (results / "answer.html").read_text("utf-8")
@@ -84,7 +84,7 @@ def assert_bounded(side):
 
 def test_surfaces_on_different_grids_have_their_own_answers(several):
     assert_honest(several, fitted=True)
-    surfaces = quantities(several)
+    surfaces = read_quantities(several)
     film, twin = (surfaces[name] for name in ("my_film", "twin"))
     assert (film["scan_size"]["value"], twin["scan_size"]["value"]) == (1500.0, 2500.0)
     assert film["pixel_size"]["value"] == pytest.approx(15.625)
@@ -126,7 +126,7 @@ def gaussian_relative(adhesion, rms_height):
 
 
 def test_a_rough_sphere_sticks_less_as_in_the_closed_form(own_study, several):
-    assert numbers(several)["contact"]["sphere"] == "sphere"
+    assert read_answer(several)["contact"]["sphere"] == "sphere"
     adhesion = xr.load_dataset(several / "adhesion.nc").sel(surface="twin")
     assert adhesion.sizes["sphere_scan"] == 2 * 3**2  # positions on its scans
     page = (several / "answer.html").read_text("utf-8")
@@ -140,7 +140,7 @@ def test_a_rough_sphere_sticks_less_as_in_the_closed_form(own_study, several):
     ))  # fmt: skip
     table = (own_study / "config/several.tsv").read_text().splitlines(keepends=True)
     (own_study / "smooth.tsv").write_text("".join(row for row in table if row[:6] != "sphere"))
-    run = quick(own_study, "several", "adhesion", overlays=["few.yaml", "smooth.yaml"])
+    run = run_quick(own_study, "several", "adhesion", overlays=["few.yaml", "smooth.yaml"])
     assert run.returncode == 0, run.stdout[-3000:]
     smooth_adhesion = xr.load_dataset(own_study / "results/smooth-quick/adhesion.nc").sel(
         surface="twin"
@@ -168,8 +168,8 @@ def test_a_rough_sphere_sticks_less_as_in_the_closed_form(own_study, several):
 
 def test_a_colloidal_probe_has_a_force_below_the_smooth_limit(probe):
     assert_honest(probe)
-    assert numbers(probe)["contact"]["radius of the sphere"] == "5 µm"
-    study, surface = quantities(probe).values()
+    assert read_answer(probe)["contact"]["radius of the sphere"] == "5 µm"
+    study, surface = read_quantities(probe).values()
     assert study["range_of_adhesion"]["value"] == 2.0
     assert study["work_of_adhesion"]["value"] == pytest.approx(0.03)
     # Less than the smooth limit 2 pi R W, by the roughness.

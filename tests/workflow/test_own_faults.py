@@ -12,7 +12,7 @@ from textwrap import indent
 
 import pytest
 from comparison import differences
-from own_studies import quick
+from own_studies import run_quick
 from refusals import assert_says
 from repository import ROOT, environment
 from scan_files import truncate_file
@@ -23,7 +23,7 @@ RESULTS, STORE = "results/several-quick", "results/store-several-quick"
 
 
 def run(study, *arguments):
-    return quick(study, "several", *arguments, overlays=["few.yaml"])
+    return run_quick(study, "several", *arguments, overlays=["few.yaml"])
 
 
 def errors(output):

@@ -6,7 +6,7 @@ import pandas as pd
 import pytest
 import yaml
 from own_studies import change_file
-from repository import plan
+from repository import snakemake_output
 
 pytestmark = pytest.mark.study
 
@@ -14,7 +14,7 @@ pytestmark = pytest.mark.study
 def run_dry(folder, *overlays):
     """Return the output of a dry run of the study that all tests share."""
     files = ["config/several.yaml", "few.yaml", *overlays]
-    return plan(folder, "-n", "--configfile", *files, "--config", "effort=quick")
+    return snakemake_output(folder, "-n", "--configfile", *files, "--config", "effort=quick")
 
 
 def planned(folder, *overlays):

@@ -2,7 +2,7 @@
 
 import pytest
 from full_study import read_full_study, study_numbers
-from repository import copy_repository, snakemake
+from repository import copy_repository, run_snakemake
 
 pytestmark = pytest.mark.system
 
@@ -11,7 +11,7 @@ pytestmark = pytest.mark.system
 def quick(tmp_path_factory):
     """Run the quick study of README; return its numbers."""
     study = copy_repository(tmp_path_factory.mktemp("quick") / "study")
-    run = snakemake(study, "--configfile", "config/quick.yaml")
+    run = run_snakemake(study, "--configfile", "config/quick.yaml")
     assert run.returncode == 0, run.stdout[-3000:]
     return study_numbers(study / "results/quick")
 

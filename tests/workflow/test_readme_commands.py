@@ -14,11 +14,11 @@ import sys
 
 import numpy as np
 import pytest
-from forked_runs import forked, run_program
-from own_studies import rough, spm
+from forked_runs import run_forked, run_program
+from own_studies import uncd_heights, write_spm
 from paper_study import answer
-from repository import ROOT, copy_repository, environment, plan
-from scan_files import container, scan
+from repository import ROOT, copy_repository, environment, snakemake_output
+from scan_files import write_container, write_scan
 
 from hardcontact.base.random import generator
 
@@ -82,13 +82,15 @@ def write_files(folder):
     scans = folder / "scans"
     scans.mkdir()
     for number, name in enumerate(("coating-10um.di", "bare-1.spm", "bare-2.spm", "coated-1.spm")):
-        spm(scans / name, rough(generator(number), 128, 10_000.0), 10_000.0)
-    spm(scans / "film.spm", rough(generator(4), 128, 1000.0, 3.0), 1000.0)
+        write_spm(scans / name, uncd_heights(generator(number), 128, 10_000.0), 10_000.0)
+    write_spm(scans / "film.spm", uncd_heights(generator(4), 128, 1000.0, 3.0), 1000.0)
     (folder / "resources/scans").mkdir(exist_ok=True)
-    spm(folder / "resources/scans/my-scan.spm", rough(generator(5), 512, 2500.0), 2500.0)
-    scan(scans / "map.nc", rough(generator(6), 128).T, (2500.0, 2500.0))
+    write_spm(
+        folder / "resources/scans/my-scan.spm", uncd_heights(generator(5), 512, 2500.0), 2500.0
+    )
+    write_scan(scans / "map.nc", uncd_heights(generator(6), 128).T, (2500.0, 2500.0))
     entry = {"name": "map", "datafile": {"original": "map.nc"}}
-    container(scans / "coating.zip", [entry], {"map.nc": scans / "map.nc"})
+    write_container(scans / "coating.zip", [entry], {"map.nc": scans / "map.nc"})
     waves = np.geomspace(10, 5000, 20)
     rows = [f"{wave},nm,{wave**4 / 1e3},nm4" for wave in waves]
     head = "wavelength,wavelength_unit,c_iso,c_iso_unit"
@@ -145,7 +147,7 @@ def typed_in(folder, readme):
         (folder / name).write_text(content)
     for language, content in blocks(text):
         if language == "python":
-            forked(run_python, folder, content)
+            run_forked(run_python, folder, content)
         elif content.startswith("surface,mean"):
             (folder / "forces.csv").write_text(content)
     typed = commands(text)
@@ -178,5 +180,5 @@ def test_every_command_of_the_documentation_works(tmp_path):
         write_files(folder)
         for options, targets in targets_by_options(typed_in(folder, readme)).items():
             if (options, *targets) not in planned:
-                plan(folder, *dict.fromkeys(targets), *options, *DRY)
+                snakemake_output(folder, *dict.fromkeys(targets), *options, *DRY)
                 planned.add((options, *targets))

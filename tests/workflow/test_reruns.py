@@ -15,8 +15,8 @@ from pathlib import Path
 
 import pytest
 import yaml
-from forked_runs import forked, use_library_of
-from repository import PARTS, ROOT, TINY, linked_copy, plan, run_snakemake
+from forked_runs import run_forked, use_library_of
+from repository import PARTS, ROOT, TINY, linked_copy, run_tiny_study, snakemake_output
 
 import hardcontact
 
@@ -48,7 +48,7 @@ def load(script, *names):
 
 def run_dry(folder):
     """Return the rules, with outputs, of a dry run in a folder, or its error message."""
-    text = plan(folder, "-n", "--configfile", TINY, "overlay.yaml")
+    text = snakemake_output(folder, "-n", "--configfile", TINY, "overlay.yaml")
     planned_jobs = re.findall(
         r"^(?:local)?rule (\S+):\n(?:    input: .*\n)?(?:    output: (.*)\n)?", text, re.M
     )
@@ -63,7 +63,7 @@ class Graph:
     """The jobs of a finished study, from Snakemake's own summary: inputs and rule by output."""
 
     def __init__(self, finished):
-        lines = run_snakemake(finished, "--detailed-summary").stdout.splitlines()
+        lines = run_tiny_study(finished, "--detailed-summary").stdout.splitlines()
         header = next(n for n, line in enumerate(lines) if line.startswith("output_file\t"))
         self.inputs, self.rule = {}, {}
         for row in csv.DictReader(lines[header:], delimiter="\t"):
@@ -130,7 +130,7 @@ def test_the_modules_that_a_script_loads_are_inputs_of_its_jobs(graph):
         library = {file for file in graph.inputs[path] if file.startswith("workflow/hardcontact/")}
         runs.setdefault((script, *figure), set()).add(frozenset(library))
     for program, programs_run in runs.items():
-        assert programs_run == {frozenset(forked(load, *program))}, program
+        assert programs_run == {frozenset(run_forked(load, *program))}, program
 
 
 # Nothing changed
@@ -238,11 +238,7 @@ def append_line(path):
 
 
 @pytest.mark.parametrize(
-    "path",
-    [
-        "resources/spectra/mcd.csv",
-        "workflow/hardcontact/contact/sphere_sums.py",
-    ],
+    "path", ["resources/spectra/mcd.csv", "workflow/hardcontact/contact/sphere_sums.py"]
 )
 def test_a_changed_file_repeats_exactly_its_dependents(dry, graph, path):
     readers = graph.readers(path)

@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 import xarray as xr
-from own_studies import rough
+from own_studies import uncd_heights
 from paper_numbers import SUBSTRATES
-from repository import copy_repository, run_snakemake
-from scan_files import scan
+from repository import copy_repository, run_tiny_study
+from scan_files import write_scan
 from studies import TINY_DIGESTS, TINY_PATTERNS
 
 from hardcontact.base import dataset
@@ -58,7 +58,7 @@ def test_the_same_seed_gives_the_same_values(finished, tmp_path):
         )
         for surface, (scan, shape) in rows.items()
     ]
-    run = run_snakemake(folder, *scans)
+    run = run_tiny_study(folder, *scans)
     assert run.returncode == 0, run.stdout[-3000:]
     reference_values, repeated_values = (
         values_of(study_folder / "results/store-tiny") for study_folder in (finished, folder)
@@ -85,9 +85,9 @@ OWN = {
 def test_a_study_may_have_an_own_scan_among_substitutes(finished_copy):
     folder = finished_copy  # with the scans of the substitutes
     (folder / "own.tsv").write_text(TABLE)
-    heights = rough(generator(1), rms=3.0)
-    scan(folder / "mine.nc", heights.T, (2500.0, 2500.0))
-    run = run_snakemake(folder, "topography", "adhesion", overlays=[OWN])
+    heights = uncd_heights(generator(1), rms=3.0)
+    write_scan(folder / "mine.nc", heights.T, (2500.0, 2500.0))
+    run = run_tiny_study(folder, "topography", "adhesion", overlays=[OWN])
     assert run.returncode == 0, run.stdout[-3000:]
     topography, adhesion = (
         dataset.read(folder / f"results/own/{name}.nc") for name in ("topography", "adhesion")

@@ -4,7 +4,7 @@ import re
 
 import pytest
 import yaml
-from repository import ROOT, plan, snakemake
+from repository import ROOT, run_snakemake, snakemake_output
 
 pytestmark = pytest.mark.study
 
@@ -14,11 +14,11 @@ PROFILE = yaml.safe_load((ROOT / "profiles/slurm/profile.yaml").read_text())
 @pytest.fixture(scope="module")
 def rules(repository):
     """Return the names of all rules of the paper's study and its targets."""
-    return {line.split()[0] for line in plan(repository, "--list-rules").splitlines()}
+    return {line.split()[0] for line in snakemake_output(repository, "--list-rules").splitlines()}
 
 
 def test_lint_finds_only_missing_environments(repository):
-    lint_messages = re.findall(r"^    \* (.*):$", snakemake(repository, "--lint").stdout, re.M)
+    lint_messages = re.findall(r"^    \* (.*):$", run_snakemake(repository, "--lint").stdout, re.M)
     assert set(lint_messages) == {"Specify a conda environment or container for each rule."}
 
 

@@ -10,14 +10,22 @@ from functools import cache
 
 import pytest
 import yaml
-from repository import PAPER, ROOT, TINY, leaves, linked_copy, merged, plan
+from repository import (
+    PAPER,
+    ROOT,
+    TINY,
+    leaves,
+    linked_copy,
+    merge_configurations,
+    snakemake_output,
+)
 
 from hardcontact.config.configuration import get_key, set_keys
 from hardcontact.files.patterns import STORE_KEYS
 
 pytestmark = pytest.mark.study
 
-STUDY = merged(PAPER, yaml.safe_load((ROOT / TINY).read_text()))
+STUDY = merge_configurations(PAPER, yaml.safe_load((ROOT / TINY).read_text()))
 STORE = STUDY["store"]
 #: Keys without another value here: they name files, or a study that is not the paper's.
 FIXED = {
@@ -89,7 +97,7 @@ def second_study(keys):
 
 def summary(folder):
     """Return Snakemake's plan for each existing file of a study in the store."""
-    text = plan(folder, "--detailed-summary", "--configfile", TINY, "overlay.yaml")
+    text = snakemake_output(folder, "--detailed-summary", "--configfile", TINY, "overlay.yaml")
     lines = text.splitlines()
     header = next(n for n, line in enumerate(lines) if line.startswith("output_file\t"))
     rows = csv.DictReader(lines[header:], delimiter="\t")

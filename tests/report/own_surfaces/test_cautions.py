@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from answer_inputs import SURFACES, datasets, edges, fit, force, scale_extrapolated_force, setting
 from answer_inputs import spectra as plain_spectra
-from measurements import map_of
+from measurements import random_map
 
 from hardcontact.base import dataset
 from hardcontact.base.random import generator
@@ -106,7 +106,7 @@ def test_surfaces_without_faults_have_no_grave_caution():
 def test_a_caution_with_a_semicolon_stays_whole_from_the_scan_to_the_page(tmp_path):
     caution = "the file states a square; if its pixels are square, heights are stretched"
     notes = ("cropped", f"take care: {caution}")
-    scan = replace(map_of(generator(21), 64, 10.0), notes=notes)
+    scan = replace(random_map(generator(21), 64, 10.0), notes=notes)
     dataset.write(scan.to_dataset(), tmp_path / "scan.nc")
     stored_scan = load_height_map(tmp_path / "scan.nc")
     assert stored_scan.notes == notes

@@ -6,16 +6,9 @@ import re
 import numpy as np
 import pytest
 from html_page import Page
-from paper_study import (
-    answer,
-    captions,
-    claims,
-    figures,
-    make_figures_page,
-    make_page,
-)
+from paper_study import answer, captions, claims, figures, make_figures_page, make_page
 from refusals import assert_says
-from repository import PAPER, merged
+from repository import PAPER, merge_configurations
 
 from hardcontact.base.formatting import format_as_paper
 from hardcontact.paper.verdicts import VERDICTS
@@ -85,7 +78,7 @@ def test_the_page_of_figures_has_each_with_its_caption_and_its_file():
 
 
 def test_a_study_of_other_contacts_shows_both_values_and_judges_nothing():
-    harder = merged(PAPER, {"study": "harder", "contact": {"hardness": "30 GPa"}})
+    harder = merge_configurations(PAPER, {"study": "harder", "contact": {"hardness": "30 GPa"}})
     page = Page(make_page(configuration=harder))
     words = plain(page.texts["main"][0])
     assert words.startswith("What changes?")
