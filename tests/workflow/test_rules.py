@@ -6,6 +6,9 @@ import pytest
 import yaml
 from repository import ROOT, run_snakemake, snakemake_output
 
+from hardcontact.report.figures.listing import PAPER_FIGURES
+from snakemake_logger_plugin_stages.command_line import PAPER_TARGETS
+
 pytestmark = pytest.mark.study
 
 PROFILE = yaml.safe_load((ROOT / "profiles/slurm/profile.yaml").read_text())
@@ -39,3 +42,7 @@ def test_the_cluster_profile_groups_the_rules_that_end_soon(rules):
     short_rules = {rule for rule in rules if re.match("aggregate|answer|compare|draw", rule)}
     # `answer` is a target.
     assert short_rules - {"answer"} - PROFILE["groups"].keys() == set()
+
+
+def test_messages_name_the_targets(rules):
+    assert {*PAPER_TARGETS, *PAPER_FIGURES} <= rules

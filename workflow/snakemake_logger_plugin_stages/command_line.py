@@ -7,6 +7,14 @@ from pathlib import Path
 
 import yaml
 
+#: Named targets of workflow/rules/targets.smk, besides single figures.
+PAPER_TARGETS = (
+    "topography", "adhesion", "elastic", "plasticity", "asperities", "scales", "fit", "classical",
+    "sets", "claims", "figures", "pages", "answer",
+)  # fmt: skip
+#: `answer` makes all figures, too; `fit` needs measured forces.
+OWN_TARGETS = ("answer", "topography", "adhesion", "scales", "force", "fit")
+
 
 def _options() -> Namespace:
     """Return the configuration files and the keys with values on the command line."""
@@ -32,21 +40,15 @@ def error_line(exception: str, message: str) -> str:
 
 
 def _missing_target(name: str) -> str:
-    """Return the line of a target that no rule makes, with the targets of such a study."""
+    """Return the line of a target that no rule makes: the target it resembles, or all targets."""
+    from hardcontact.config.faults import spelling_question
     from hardcontact.report.figures.listing import PAPER_FIGURES
 
-    targets = (
-        "a target (topography, adhesion, elastic, plasticity, asperities, scales, fit, classical, "
-        "sets, claims, figures, pages or answer)"
-    )
-    if _has_own_surfaces():
-        targets = (
-            "a target for your surfaces (answer, which makes all figures; topography, adhesion, "
-            "scales or force; with your forces fit)"
-        )
-    elif name.startswith("fig"):
-        targets = f"a figure ({', '.join(PAPER_FIGURES)})"
-    return f"error: expected {targets}, or a file of the study, found {name}"
+    figures = () if _has_own_surfaces() else PAPER_FIGURES
+    targets = OWN_TARGETS if _has_own_surfaces() else PAPER_TARGETS
+    question = spelling_question(name, {*targets, *figures} - {name})
+    expected = "a target" if question else f"one of {', '.join(targets)}"
+    return f"error: expected {expected}, or a file of the study, found {name}{question}"
 
 
 def _has_own_surfaces() -> bool:

@@ -178,7 +178,7 @@ def choose_window(
     window, _ = _window(scans, contact.radius, contact.rho)
     shortest, reason = _shortest_range(scans, substrates, contact, window, max_pixels)
     rho = contact.rho
-    range_reason = "as given" if range_given else "the paper's"
+    range_reason = "as given" if range_given else "the paper's; --range changes it"
     if shortest > rho and not range_given:
         rho = max(rho, min(shortest, LONGEST_RANGE))
         range_reason = f"the least on these scans, where {reason}"

@@ -193,9 +193,9 @@ def _report_lines(
         entries, [CONTACT_USE if id(entry) in contact_ids else SPECTRUM_USE for entry in entries]
     )
     labels = {entry.scan_file.surface: entry.scan_file.label for entry in entries}
-    renamed = [f"{surface} is {label}" for surface, label in labels.items() if surface != label]
-    if renamed:
-        yield f"\nIn tables, your forces and paths: {', '.join(renamed)}"
+    ids = [f"{surface} is {label}" for surface, label in labels.items() if surface != label]
+    if ids:
+        yield f"\nIds of surfaces in paths and tables, also in that of forces: {', '.join(ids)}"
     if unreadable:
         yield "\nLeft out:"
         yield from unreadable

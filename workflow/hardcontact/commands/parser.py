@@ -1,13 +1,12 @@
 """The parser of all commands: a faulty command line is refused in one line."""
 
-import difflib
 import re
 from argparse import ArgumentParser, RawDescriptionHelpFormatter
 from collections.abc import Sequence
 from typing import NoReturn
 
 from hardcontact.base.units import FACTORS
-from hardcontact.config.faults import SIMILARITY
+from hardcontact.config.faults import spelling_question
 
 
 def join_units(words: Sequence[str]) -> list[str]:
@@ -47,5 +46,4 @@ class CommandLine(ArgumentParser):
             if choice == "--diameter":
                 return " (did you mean --radius, with half of it?)"
             known = [name for name in self._option_string_actions if name.startswith("--")]
-        similar = difflib.get_close_matches(choice, known, 1, SIMILARITY)
-        return f" (did you mean {similar[0]}?)" if similar else ""
+        return spelling_question(choice, known)

@@ -65,6 +65,12 @@ def run_checks(checks: Iterable[Callable[[], Any]]) -> list[Any]:
     return results
 
 
+def spelling_question(name: str, known: Iterable[str]) -> str:
+    """Return a question with the known name that an unknown one resembles, or an empty text."""
+    similar = difflib.get_close_matches(name, sorted(known), 1, SIMILARITY)
+    return f" (did you mean {similar[0]}?)" if similar else ""
+
+
 def quote_key(key: object) -> str:
     """Return a key or a cell as a file has it, or escaped and shortened to fit a line."""
     text = str(key) or "nothing"
