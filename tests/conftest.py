@@ -10,8 +10,8 @@ from hypothesis import configuration, settings
 from repository import ROOT, copy_repository, run_tiny_study
 from shared_study import shared_study
 
-# Processes share the cores, and a thread that waits for another takes its core from them. Nothing
-# that is imported above loads numpy, which reads this.
+# Each process has one thread, because processes share the cores. NumPy reads this when it is
+# imported, and nothing above imports it.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 # Tests leave nothing in the repository.
 sys.dont_write_bytecode = True
@@ -38,7 +38,7 @@ def pytest_xdist_auto_num_workers(config):
 def pytest_collection_modifyitems(items):
     """Mark tests that need a finished study with `study`, unless they test the system.
 
-    A process takes whole files, whose tests share what fixtures make; those with studies begin.
+    A process runs all tests of a file, because they share fixtures. Those with studies begin.
     """
     for item in items:
         item.add_marker(pytest.mark.xdist_group(item.path.name))

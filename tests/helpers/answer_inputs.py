@@ -24,17 +24,8 @@ EDGES = {"short": 37.0, "long": 1700.0}
 QUANTILES = [0.05, 0.25, 0.5, 0.75, 0.95]
 SCANS, PIXELS, PIXEL_SIZE = 3, 64, 10.0
 SIZE = PIXELS * PIXEL_SIZE
-
-
-#: Scatter of forces over positions, and the regime of a surface.
-SCATTER = {
-    "weibull_modulus": 0.5, "log_force_std": 0.4, "contacts_needed": 80.0,
-}  # fmt: skip
-
-
-def generator():
-    """Return new random numbers, the same each time."""
-    return np.random.default_rng(1)
+#: Scatter of forces over positions, and the contacts that it needs.
+SCATTER = {"weibull_modulus": 0.5, "log_force_std": 0.4, "contacts_needed": 80.0}
 
 
 def power_law(wavevector):
@@ -45,7 +36,7 @@ def power_law(wavevector):
 
 def topography(count=1, source="measured"):
     """Return the roughness of surfaces with SCANS scans each."""
-    rng = generator()
+    rng = np.random.default_rng(1)
     surfaces = SURFACES[:count]
     q = np.hypot(np.fft.fftfreq(PIXELS)[:, None], np.fft.rfftfreq(PIXELS))
     q[0, 0] = np.inf
@@ -74,7 +65,7 @@ def topography(count=1, source="measured"):
     return data.assign_attrs(confidence=CONFIDENCE)
 
 
-#: Kind, size, pixel size, reliable band (all nm), why it ends, tip radius (nm), of each.
+#: Kind, size, pixel size, ends of the reliable band, why it begins there, tip radius; in nm.
 MEASUREMENTS = {
     "fine.spm": ("map", 640, 10, 55, 320, "tip", 10),
     "coarse.spm": ("map", 10_000, 40, 160, 5000, "noise", np.nan),
@@ -99,7 +90,7 @@ def spectra(count=1, scans=MEASUREMENTS):
 
 
 def _spectra_of(bins, scans):
-    rng = generator()
+    rng = np.random.default_rng(1)
     wavelength = 2 * np.pi / bins
     columns = dict(zip(
         ("kind", "size", "pixel_size", "shortest_reliable", "longest_reliable",
@@ -177,7 +168,7 @@ def edges(count=1):
 
 
 def move_edge(edge, low, high, side="short"):
-    """Return edges with another edge on a side; the change grows fast beyond it."""
+    """Return edges with another edge on a side; the change grows with its fourth power."""
     data = edges()
     data["edge"].loc[{"side": side}] = edge
     data["edge_interval"].loc[{"side": side}] = [low, high]

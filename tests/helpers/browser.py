@@ -32,11 +32,10 @@ PROBE = """<script>onload = () => { document.body.dataset.shown = JSON.stringify
       screen: root.clientWidth,
       overflow: root.scrollWidth - root.clientWidth,
       pictures: images.length,
-      loaded: images.filter(one => one.complete && one.naturalWidth).length,
-      narrowest: Math.min(...images.map(one => one.clientWidth)),
-      smallest: Math.min(...texts.map(one => parseFloat(getComputedStyle(one).fontSize))),
+      loaded: images.filter(image => image.complete && image.naturalWidth).length,
+      smallest: Math.min(...texts.map(text => parseFloat(getComputedStyle(text).fontSize))),
       requests: frame.contentWindow.performance.getEntriesByType("resource")
-        .filter(one => !one.name.startsWith("data:")).length,
+        .filter(entry => !entry.name.startsWith("data:")).length,
     }})) }</script>"""
 
 
@@ -59,8 +58,8 @@ def run_on_page(html, script, folder):
     page = f'<iframe width="1200" height="844" srcdoc="{escape(html)}"></iframe>'
     act = f"""<script>onload = async () => {{
       const window = document.querySelector("iframe").contentWindow;
-      const told = await (async (document, window) => {{{script}}})(window.document, window);
-      document.body.dataset.shown = JSON.stringify(told); }}</script>"""
+      const result = await (async (document, window) => {{{script}}})(window.document, window);
+      document.body.dataset.shown = JSON.stringify(result); }}</script>"""
     return _run_in_browser(page + act, folder)
 
 
@@ -75,20 +74,22 @@ def audit_page(html, folder, scheme):
       const {passes, violations} = await axe.run();
       const dark = matchMedia("(prefers-color-scheme: dark)").matches;
       const faults = violations.map(fault => [fault.id, fault.nodes.map(node => node.html)]);
-      const told = {dark, kept: passes.length, faults};
-      document.body.dataset.shown = JSON.stringify(told); }</script>"""
+      const result = {dark, kept: passes.length, faults};
+      document.body.dataset.shown = JSON.stringify(result); }</script>"""
     # The policy of a page forbids other scripts than its own.
     page = re.sub("<meta http-equiv.*?>", "", html)
     page = page.replace("</body>", f"<script>{axe}</script>{act}</body>")
-    return _shown(page, folder, f"--blink-settings=preferredColorScheme={SCHEMES.index(scheme)}")
+    return _result_of_script(
+        page, folder, f"--blink-settings=preferredColorScheme={SCHEMES.index(scheme)}"
+    )
 
 
 def _run_in_browser(body, folder):
     """Return the result that the script of a body leaves in it."""
-    return _shown(f'<!DOCTYPE html><meta charset="utf-8"><body>{body}</body>', folder)
+    return _result_of_script(f'<!DOCTYPE html><meta charset="utf-8"><body>{body}</body>', folder)
 
 
-def _shown(document, folder, *options):
+def _result_of_script(document, folder, *options):
     """Return the result that a script of a document leaves in it."""
     probe = folder / "probe.html"
     probe.write_text(document, "utf-8")

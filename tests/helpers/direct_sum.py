@@ -8,11 +8,11 @@ from hardcontact.contact.pull_off import attraction_totals
 
 
 def direct_total(gap, contact_pixel_count, rho):
-    """Sum of exp(-gap/rho) at plastic contact, of a gap (window, window) at any approach, in nm."""
+    """Return the sum of exp(-gap/rho) at plastic contact, of a gap (window, window) in nm."""
     return float(np.exp(-flattened_gaps(gap, contact_pixel_count) / rho).sum())
 
 
 def plastic_totals(bodies, pixel_counts, rho):
-    """Sums of exp(-gap/rho) of an array of plastic contacts: (loading, contact_y, contact_x)."""
+    """Return the sums of exp(-gap/rho) of plastic contacts: (loading, contact_y, contact_x)."""
     contacts = all_contact_pixels(bodies, max(pixel_counts))
     return attraction_totals(bodies, contacts, pixel_counts, [rho])[:, 0]

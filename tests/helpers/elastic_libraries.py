@@ -10,14 +10,14 @@ from SurfaceTopography import Topography
 
 
 def half_space_and_body(heights, pixel_size, modulus):
-    """Half space of a modulus (Pa) and rigid body of heights (n, n) in nm, in nm and GPa."""
+    """Return a half space of a modulus (Pa) and a rigid body (n, n) in nm; units nm and GPa."""
     size = (len(heights) * pixel_size,) * 2
     half_space = PeriodicFFTElasticHalfSpace(heights.shape, modulus * 1e-9, size)
     return half_space, Topography(heights, size, periodic=True)
 
 
 def library_pressure(gap, pixel_size, modulus, load, overlap=1e-5):
-    """Pressure (n, n) in Pa at a load (N): constrained conjugate gradients."""
+    """Return the pressure (n, n) in Pa at a load (N), by constrained conjugate gradients."""
     # The solver finds no contact if all heights are below zero.
     system = NonSmoothContactSystem(*half_space_and_body(gap.mean() - gap, pixel_size, modulus))
     solution = system.minimize_proxy(external_force=load * 1e9, pentol=overlap)
@@ -26,10 +26,10 @@ def library_pressure(gap, pixel_size, modulus, load, overlap=1e-5):
 
 
 def library_pull_off(gap, pixel_size, modulus, work, rho, step=1e-3, residual=1e-5):
-    """Elastic pull-off force (N): L-BFGS-B outside a hard wall, searched over approaches.
+    """Return the elastic pull-off force (N), by L-BFGS-B outside a hard wall at each approach.
 
-    The step of the search is relative to the elongation, the residual force on a pixel to the
-    largest attraction on one.
+    The step of the approach is relative to the elongation, the residual force on a pixel to the
+    largest attraction on a pixel.
     """
     heights = gap.min() - gap
     attraction = work / rho * pixel_size**2 * np.exp(heights / rho)

@@ -13,12 +13,12 @@ SLOPES = np.array([2.0, 1.3, 0.7, 0.4])
 
 
 def power_curves(rho=4.0, work=0.05):
-    """Forces (surface, rho) at 1 J/m² that meet the published forces at rho and work."""
+    """Return forces (surface, rho) at 1 J/m² that equal the published ones at rho and work."""
     return MEAN_FORCE[:, None] / work * (RHOS / rho) ** SLOPES[:, None]
 
 
 def power_forces(rho=4.0, work=0.05, spread=0.0, scans=4, seed=0):
-    """`power_curves` of each contact, times a factor of log-normal spread."""
+    """Return `power_curves` of each contact, times a factor of log-normal spread."""
     rng = np.random.default_rng(seed)
     factor = np.exp(spread * rng.standard_normal((4, scans, scans, 1, 2, 2)))
     return xr.DataArray(

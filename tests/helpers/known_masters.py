@@ -26,7 +26,7 @@ def master_ratios(ratios, cutoffs, surfaces=None, shortest=1.0):
 
 
 def scales(curves, spread=0.0, realizations=3, seed=0, count=4):
-    """Forces of surfaces with ratios (surface, side, cutoff), spread over scans and contacts."""
+    """Return forces of known ratios (surface, side, cutoff), with scatter over contacts."""
     rng = np.random.default_rng(seed)
     curves = np.array(curves)
     shape = (len(curves), realizations, 2, 1, count, count)

@@ -14,12 +14,12 @@ PIXEL = 2500 / 512  # nm, of the paper's scans
 
 
 def uncd_density(q):
-    """C_iso in nm4 at wavevectors in rad/nm."""
+    """Return C_iso of UNCD (nm⁴) at wavevectors in rad/nm."""
     return smooth_rolloff(q, 6.1e7, 930.0, 0.84)
 
 
 def gentle_density(q):
-    """C_iso in nm4 of a surface whose slopes are small."""
+    """Return C_iso (nm⁴) of a surface whose slopes are small."""
     return 0.05 * uncd_density(q)
 
 
@@ -27,7 +27,7 @@ UNCD = Spectrum(WAVEVECTORS, uncd_density(WAVEVECTORS))
 
 
 def levelled_scan(rng, pixels, pixel_size=PIXEL):
-    """A scan of UNCD's spectrum, cut out of a surface of twice its size."""
+    """Return a levelled scan of UNCD's spectrum, cut out of a surface of twice its size."""
     return level(cut_scan(random_surface(rng, 2 * pixels, pixel_size, uncd_density), pixels))
 
 
@@ -50,10 +50,9 @@ def self_affine_heights(rng, pixels, pixel_size, rms_height, hurst=0.8, rolloff=
 
 
 def random_line(rng, points, spacing, spectrum=uncd_density, **stated):
-    """A line scan of a surface with waves below and above the range of the scan.
+    """Return a line scan, cut out of a profile of four times its length.
 
-    A sum of waves of random phases on a profile of four times the length, with the C_1D of the
-    surface.
+    The profile is a sum of waves of random phases with the C_1D of the surface.
     """
     count, length = 4 * points, 4 * points * spacing
     profile = periodic_profile(spectrum, count, spacing)
@@ -74,12 +73,12 @@ def two_sizes_and_a_line(seed):
 
 @cache
 def periodic_profile(spectrum, count, spacing):
-    """C_1D in nm³ at the wavevectors of a periodic profile, without zero."""
+    """Return C_1D (nm³) at the wavevectors of a periodic profile, without zero."""
     return profile_of(spectrum, 2 * np.pi * np.fft.rfftfreq(count, spacing)[1:])
 
 
 def profile_of(spectrum, wavevector):
-    """C_1D in nm³ by numerical integration of (1/pi) ∫ C_iso dq_y."""
+    """Return C_1D (nm³) by numerical integration of (1/pi) ∫ C_iso dq_y."""
     ratio = np.logspace(-5, 4, 1001)
     q_y = wavevector[:, None] * ratio
     values = spectrum(np.hypot(wavevector[:, None], q_y)) * q_y

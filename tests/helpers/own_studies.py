@@ -54,7 +54,7 @@ def read_quantities(results):
 
 
 def uncd_heights(rng, pixels=128, size=2500.0, rms=None):
-    """Heights (y, x) in nm with the spectrum of UNCD, scaled to an rms height if one is given."""
+    """Return heights (y, x) in nm of UNCD's spectrum, scaled to an rms height if it is given."""
     heights = random_map(rng, pixels, size / pixels).heights
     return heights if rms is None else heights * rms / heights.std()
 
@@ -66,7 +66,7 @@ def write_spm(path, heights, size):
 
 
 def forces_on(adhesion, surface, rng):
-    """Forty forces in µN, log-normal about the mean force of a surface at RANGE and WORK."""
+    """Return 40 log-normal forces (µN) whose mean is that of a surface at RANGE and WORK."""
     surface_forces = adhesion.pull_off_force.sel(surface=surface, contact_model="plastic")
     mean = WORK * float(surface_forces.sel(rho=RANGE, method="nearest").mean()) * 1e6
     return mean * np.exp(rng.normal(-(0.5**2) / 2, 0.5, size=40))
@@ -74,7 +74,7 @@ def forces_on(adhesion, surface, rng):
 
 @contextmanager
 def change_file(path, text):
-    """Change a file inside a block."""
+    """Replace the text of a file inside a block."""
     original = path.read_text()
     path.write_text(text)
     try:

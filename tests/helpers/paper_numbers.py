@@ -27,10 +27,7 @@ TABLE1 = {
 RADIUS, SPACING, WORK = 250e3, 0.3, 0.0463
 MODULUS = RUBY_ON_DIAMOND_MODULUS
 SPHERE = ElasticSphere(RADIUS, MODULUS, SPACING)
-AFM, UNCERTAINTY = (
-    Roughness(*(np.array(TABLE1[f"afm_rms_{name}"][column]) for name in Roughness._fields))
-    for column in (0, 1)
-)
+AFM = Roughness(*(np.array(TABLE1[f"afm_rms_{name}"][0]) for name in Roughness._fields))
 #: Polished UNCD in Table 1.
 POLISHED = ScanStatistics(
     np.array([3.2, 0.04, 2e-3]), np.array([1.6, 0.01, 1.3e-3]), scan_count=5, all_rms_height=4.2

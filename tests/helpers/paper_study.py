@@ -85,7 +85,7 @@ def answer(rows=None, configuration=PAPER, **changed):
 
 
 def svg(colour):
-    """A picture of one colour."""
+    """Return a picture of one colour."""
     return f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 6" fill="{colour}"/>'.encode()
 
 
@@ -95,7 +95,7 @@ def figures():
 
 
 def captions():
-    """A caption for each figure."""
+    """Return a caption for each figure."""
     return {
         name: Caption(f"Of {name}: a < b", f"It shows {name}: 1 < 2.", "And more.")
         for name in PAPER_FIGURES
@@ -103,12 +103,12 @@ def captions():
 
 
 def make_page(rows=None, configuration=PAPER, **changed):
-    """The page of the answer."""
+    """Return the page of the answer."""
     content = answer(rows, configuration, **changed)
     return paper_page(content, open_claims(rows, **changed), figures(), captions(), CITATION, FRAME)
 
 
 def make_figures_page(rows=None):
-    """The page of all figures."""
+    """Return the page of all figures."""
     table1 = table1_rows(datasets()["topography"], published_table1())
     return figures_page(answer(rows), table1, figures(), captions(), FRAME)

@@ -27,7 +27,7 @@ CASES = [
 
 
 def periodic_noise(pixels, rms, seed):
-    """Periodic noise with some correlation, (pixels, pixels) in nm."""
+    """Return periodic noise (pixels, pixels) in nm, smoothed below a third of the period."""
     rng = np.random.default_rng(seed)
     noise = np.fft.rfft2(rng.standard_normal((pixels, pixels)))
     order = np.hypot(np.fft.fftfreq(pixels)[:, None], np.fft.rfftfreq(pixels)) * pixels
@@ -36,12 +36,12 @@ def periodic_noise(pixels, rms, seed):
 
 
 def periodic_map(heights, pixel_size):
-    """A periodic substitute."""
+    """Return a periodic substitute."""
     return HeightMap(heights, pixel_size, True, "substitute")
 
 
 def make_bodies(heights, roughness, pixel_size, window, contacts, radius=RADIUS):
-    """Bodies of a substrate (n, n), and of a roughness (m, m) or a smooth sphere (None)."""
+    """Return a substrate (n, n) under a sphere of roughness (m, m), or a smooth one (None)."""
     positions = contact_positions(len(heights), contacts)
     return Bodies(
         periodic_map(heights, pixel_size),

@@ -18,7 +18,7 @@ HEIGHTS = dict(zip(SUBSTRATES, TABLE1["afm_rms_height"][0], strict=True))
 
 
 def scans(rng, heights):
-    """METRICS (scan) of scans of these rms heights in nm."""
+    """Return METRICS (scan) of scans of these rms heights in nm."""
     return {
         name: ("scan", heights * rng.uniform(0.5, 1.5), {"units": unit})
         for name, (unit, _) in METRICS.items()
@@ -26,7 +26,7 @@ def scans(rng, heights):
 
 
 def make_pool(surface, count=12):
-    """A pool whose forces fall with the height, near those of the paper."""
+    """Return a pool whose forces fall with the height, near those of the paper."""
     rng = np.random.default_rng(SUBSTRATES.index(surface))
     mean = HEIGHTS[surface]
     force_heights = mean * np.linspace(0.3, 1.8, 5)
@@ -54,7 +54,7 @@ def make_pool(surface, count=12):
 
 
 def make_topography(measured_surfaces=()):
-    """The study's topography, of as many scans of each surface."""
+    """Return the roughness of SCANS scans of each surface."""
     rng = np.random.default_rng(10)
     surfaces_scans = [
         xr.Dataset(scans(rng, HEIGHTS.get(name, 0.5) * np.linspace(0.9, 1.1, SCANS)))
@@ -73,7 +73,7 @@ def make_topography(measured_surfaces=()):
 
 
 def make_adhesion():
-    """The study's forces, on two scans of the sphere and more contacts than in the pools."""
+    """Return forces on two scans of the sphere, with more contacts than in the pools."""
     rng = np.random.default_rng(11)
     force = MEAN_FORCE[:, None, None] * np.array([0.5, 1.0])[:, None] * (np.array(RHO) / 5.6) ** 0.5
     spread = rng.normal(0, 0.5, (4, SCANS, 2, 1, 1, 4, 4))
@@ -99,7 +99,7 @@ def make_adhesion():
 
 
 def make_masters(realizations=6):
-    """Ratios that fall with the cutoff on the short side, and rise to one on the long."""
+    """Return ratios whose distance from one is as the cutoff, or as its inverse if long."""
     rng = np.random.default_rng(12)
     cutoffs = np.array([*CUTOFFS["short"], *CUTOFFS["long"]])
     slope = rng.uniform(0.5, 1.5, (4, realizations, 1))
@@ -110,7 +110,7 @@ def make_masters(realizations=6):
 
 
 def make_inputs(measured_surfaces=()):
-    """Inputs of sets; measured surfaces have no pool."""
+    """Return inputs of sets; measured surfaces have no pool."""
     factor = xr.DataArray(
         np.full((2, 4, len(RHO)), [[[0.9]], [[0.95]]]),
         {"contact_model": MODELS, "surface": SUBSTRATES, "rho": RHO},

@@ -44,10 +44,10 @@ def write_scans(scans):
 @pytest.fixture(scope="session")
 def own_study(tmp_path_factory):
     """Return the repository with the study `several-quick`; not to be changed."""
-    return shared_study(tmp_path_factory, several)
+    return shared_study(tmp_path_factory, study_of_all_file_kinds)
 
 
-def several(folder):
+def study_of_all_file_kinds(folder):
     """Make a study of files of all kinds on a rough sphere, whose forces follow RANGE and WORK."""
     folder = own_repository(folder)
     write_scans(folder / "scans")
@@ -59,7 +59,6 @@ def several(folder):
     write_forces(folder, {"my_film": [1.0], "twin": [1.0]})
     done = run_new(folder, "several", *choices)
     assert done.returncode == 0, done.stdout
-    (folder / "said.txt").write_text(done.stdout)
     # Forces are known once the contacts are computed.
     run = run_quick(folder, "several", "adhesion", overlays=["few.yaml"])
     assert run.returncode == 0, run.stdout[-3000:]
@@ -85,10 +84,11 @@ def write_forces(folder, forces):
 @pytest.fixture(scope="session")
 def probe(tmp_path_factory):
     """Return the results of a study of a small probe on one scan."""
-    return shared_study(tmp_path_factory, small_probe) / "results/probe-quick"
+    return shared_study(tmp_path_factory, study_of_a_small_probe) / "results/probe-quick"
 
 
-def small_probe(folder):
+def study_of_a_small_probe(folder):
+    """Make a study of one scan of 1 µm under a sphere of 5 µm; return its folder."""
     folder = own_repository(folder)
     write_spm(folder / "scans/probe.001", uncd_heights(generator(4), 128, 1000.0, 3.0), 1000.0)
     options = ["--radius", "5um", "--hardness", "5GPa", "--preload", "100nN", "--range", "2nm"]

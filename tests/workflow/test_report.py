@@ -17,6 +17,7 @@ TEXTS = [
     *sorted((ROOT / "workflow/report").glob("*.md")),
     ROOT / "config/README.md",
     HOW_IT_IS_BUILT,
+    ROOT / "tests/README.md",
     *sorted((ROOT / "resources").rglob("README.md")),
 ]
 
