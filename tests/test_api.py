@@ -316,9 +316,9 @@ def test_faulty_arguments_are_refused_in_one_line(files):
             ["map_size: expected a positive number"],
         ),
         (hc.read_scan, {"path": "scan.nc", "levelling": "sphere"}, ["expected plane, lines"]),
-        (hc.read_scan, {"path": "bare.txt"}, ["none: map_size=5000, in nm,", 'unit="nm"']),
-        (hc.read_scan, {"path": "bare.txt", "unit": "nm"}, ["none: map_size=5000, in nm,"]),
-        (hc.read_scan, {"path": "line.txt"}, ['by unit="nm", or unit="mm,nm"']),
+        (hc.read_scan, {"path": "bare.txt"}, ["none: map_size=5000 gives", 'unit="nm"']),
+        (hc.read_scan, {"path": "bare.txt", "unit": "nm"}, ["none: map_size=5000 gives"]),
+        (hc.read_scan, {"path": "line.txt"}, ['by unit="nm", or mm,nm']),
         (hc.from_topography, {"topography": holed}, ['; undefined_pixels="harmonic" fills them']),
     ]
     for function, arguments, message_parts in cases:

@@ -55,8 +55,8 @@ MATRICES = {
 def test_a_bare_matrix_is_read_with_its_size_and_unit(tmp_path, name):
     path = written(tmp_path / "a.csv", MATRICES[name])
     message = refusal(read_scan, path)
-    assert_says(message, "physical size and unit", "found none", "--size 5um", "--unit nm")
-    assert_says(refusal(read_scan, path, "", "refuse", "nm"), "--size 5um", "scan.map_size")
+    assert_says(message, "physical size and unit", "found none", "--size 5000nm", "--unit nm")
+    assert_says(refusal(read_scan, path, "", "refuse", "nm"), "--size 5000nm", "scan.map_size")
     measurement = read_scan(path, unit="nm", map_size=240.0)
     assert measurement.pixel_size == pytest.approx(10.0)
     np.testing.assert_allclose(measurement.heights, MAP, atol=1e-4)
@@ -118,7 +118,9 @@ def test_points_may_have_two_units(tmp_path, gaps):
     measurement = read_scan(path, "", "harmonic", "um,nm")
     assert measurement.pixel_size == pytest.approx(10.0)
     assert measurement.heights.ravel()[5] == pytest.approx(MAP.ravel()[5], abs=1e-5)
-    assert_says(refusal(read_scan, path, "", "harmonic", "um"), "--unit mm,nm gives")
+    assert_says(
+        refusal(read_scan, path, "", "harmonic", "um"), "--unit mm,nm (scan.unit: mm,nm) gives"
+    )
     line = coordinates(tmp_path / "b.txt", np.column_stack([1e-3 * X[:24], MAP[0]]))
     np.testing.assert_allclose(read_scan(line, unit="um,nm").heights, MAP[0], atol=1e-5)
     angstroms = coordinates(tmp_path / "c.xyz", scaled * [1, 1, 10])

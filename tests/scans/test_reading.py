@@ -271,8 +271,11 @@ def test_a_scan_of_a_container_is_found_by_its_file_or_a_unique_name(tmp_path):
     ]
     path = write_container(tmp_path / "a.zip", entries, {"2.txt": tmp_path / "a.txt"})
     for name, message_parts in (
-        ("one", ["column dataset", "found 2 of 'one' among one (1.txt), one (2.txt)"]),
-        ("three", ["column dataset", "found 0 of 'three'"]),
+        (
+            "one",
+            ["that names one scan", "found 2 of 'one' among one (1.txt), one (2.txt)"],
+        ),
+        ("three", ["that names one scan", "found 0 of 'three'"]),
         ("two", ["found one that its reader cannot follow", "no item named '3.txt'"]),
     ):
         assert_says(refusal(read_scan, path, name), "a.zip", *message_parts)

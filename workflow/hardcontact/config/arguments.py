@@ -36,27 +36,24 @@ USUAL_BOUNDS = {
     "work": ("0.1 mJ/m2", f"{STRONGEST_WORK:g} J/m2", "solids, up to diamond on itself"),
 }
 
-#: Remedies in messages: patterns of options and keys, and the arguments of functions instead.
-ARGUMENTS = (
-    (r"--levelling (\w+) \(scan\.levelling: \w+\)", r'levelling="\1"'),
-    (r"--unit or the key scan\.unit, for example nm, or mm,nm", 'unit="nm", or unit="mm,nm"'),
-    (r"--unit (\w+(?:,\w+)?)", r'unit="\1"'),
-    (r"--size 5um, or the key scan\.map_size,", "map_size=5000, in nm,"),
-    (r"the key scan\.undefined_pixels: (\w+)", r'undefined_pixels="\1"'),
-    (r"--dataset, or the column dataset,", "dataset"),
-)
+#: A remedy in messages on files: a key with its value, perhaps after an option with this value,
+#: such as "--unit nm (scan.unit: nm)". Its number is a length in nm.
+REMEDY = re.compile(r"(?:--\w+ \S+ \()?scan\.(\w+): ([\w,]+)\)?")
 
 
 @contextmanager
 def arguments_in_messages() -> Iterator[None]:
-    """Raise the same ValueError with names of arguments in place of options and keys."""
+    """Raise the same ValueError with arguments of functions in place of options and keys."""
     try:
         yield
     except ValueError as error:
-        message = str(error)
-        for remedy, argument in ARGUMENTS:
-            message = re.sub(remedy, argument, message)
-        raise ValueError(message) from None
+        raise ValueError(REMEDY.sub(_argument, str(error))) from None
+
+
+def _argument(remedy: re.Match[str]) -> str:
+    """Return a remedy as the argument of a function."""
+    name, value = remedy.groups()
+    return f"{name}={value.removesuffix('nm')}" if value[0].isdigit() else f'{name}="{value}"'
 
 
 def unit_question(quantity: str, number: float) -> str:

@@ -66,7 +66,7 @@ def find_entry(entries: list[dict[str, Any]], dataset: str) -> dict[str, Any]:
     if len(named_entries) != 1:
         scans = ", ".join(f"{entry['name']} ({entry['file']})" for entry in entries)
         raise RefusedFile(
-            "expected --dataset, or the column dataset, to name one scan, "
+            "expected a dataset that names one scan, "
             f"found {len(named_entries)} of {dataset!r} among {scans}"
         )
     return named_entries[0]

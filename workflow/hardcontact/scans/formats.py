@@ -94,7 +94,7 @@ def read_fields(
         read_values = map_values if is_map else profile_values
         fields = read_values(topography, unit_in_nm(topography.unit), undefined_pixels)
     except RefusedFile as error:
-        remedy = "; --unit mm,nm gives positions and heights a unit each"
+        remedy = "; --unit mm,nm (scan.unit: mm,nm) gives positions and heights a unit each"
         raise RefusedFile(f"{error}{remedy if unit == topography.unit else ''}") from None
     tip_radius, tip_notes = stated_tip_radius(topography.info, entry)
     return {
@@ -111,8 +111,7 @@ def _refuse_without_unit_or_size(topography: Any) -> None:
     if topography.unit is None:
         raise RefusedFile(
             "expected a unit of length, found none in the file: state it for all files without a "
-            "unit by --unit or the key scan.unit, for example nm, or mm,nm for positions and "
-            "heights"
+            "unit by --unit nm (scan.unit: nm), or mm,nm for positions and heights"
         )
     if topography.physical_sizes is None or not isinstance(topography.unit, str):
         raise RefusedFile(
@@ -287,10 +286,10 @@ def _read_topography(channel: Any, metadata: dict[str, Any]) -> tuple[Any, list[
         remedy = "gives the longer side"
         if channel.unit is None and "unit" not in metadata:
             expected += " and unit"
-            remedy += ", and --unit nm the unit of the heights"
+            remedy += ", and --unit nm (scan.unit: nm) the unit of the heights"
         raise RefusedFile(
-            f"expected a file that states {expected} of the scan, found none: --size 5um, or the "
-            f"key scan.map_size, {remedy}"
+            f"expected a file that states {expected} of the scan, found none: --size 5000nm "
+            f"(scan.map_size: 5000nm) {remedy}"
         )
     arguments = _accepted_arguments(channel, metadata | {"size": size})
     topography = channel.topography(**arguments)

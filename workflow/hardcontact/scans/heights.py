@@ -189,7 +189,7 @@ def _count_undefined(heights: np.ma.MaskedArray, undefined_pixels: str) -> tuple
     if count and undefined_pixels == "refuse":
         raise RefusedFile(
             f"expected no undefined pixels, found {count}; "
-            "the key scan.undefined_pixels: harmonic fills them"
+            "scan.undefined_pixels: harmonic fills them"
         )
     return count, [f"{count} undefined pixels of {heights.size} filled"] if count else []
 
