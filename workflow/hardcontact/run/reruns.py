@@ -136,24 +136,27 @@ def _named_values(text: str) -> set[str]:
 def plan_by_records(workflow: Any) -> None:
     """Make records decide which files are made again, since times and metadata can be lost.
 
-    Changed parameters remain the only trigger, and `_recorded_change` answers for all changes.
     Parts of Snakemake are replaced: a missing one ends the run, and
     `tests/workflow/test_reruns.py` fails if one has another meaning.
     """
-    replaced = {
-        type(workflow): ("rerun_triggers", "log_provenance_info"),
-        Job: ("output_mintime",),
-        PersistenceBase: ("has_metadata", "has_outdated_metadata", "params_changed"),
-    }
-    for owner, names in replaced.items():
-        if missing := [name for name in names if not hasattr(owner, name)]:
-            sys.exit(f"error: expected Snakemake with {owner.__name__}.{missing[0]}, found none")
-    type(workflow).rerun_triggers = frozenset({RerunTrigger.PARAMS})
-    workflow.log_provenance_info = lambda: None  # It advises to trust times.
-    Job.output_mintime = property(_no_time)
-    PersistenceBase.has_metadata = lambda self, job: True
-    PersistenceBase.has_outdated_metadata = lambda self, job: False
-    PersistenceBase.params_changed = _recorded_change
+    replacements: list[tuple[type, str, Any]] = [
+        # Only changed parameters are asked about: `_recorded_change` answers for all changes.
+        (type(workflow), "rerun_triggers", frozenset({RerunTrigger.PARAMS})),
+        # It advises to trust times.
+        (type(workflow), "log_provenance_info", lambda workflow: None),
+        # Without a time of outputs, no input is newer than they are.
+        (Job, "output_mintime", property(_no_time)),
+        # Files without metadata would not be asked about.
+        (PersistenceBase, "has_metadata", lambda persistence, job: True),
+        # Nor would files whose metadata an older Snakemake wrote.
+        (PersistenceBase, "has_outdated_metadata", lambda persistence, job: False),
+        # It compares parameters with those in metadata.
+        (PersistenceBase, "params_changed", _recorded_change),
+    ]
+    for owner, name, replacement in replacements:
+        if not hasattr(owner, name):
+            sys.exit(f"error: expected Snakemake with {owner.__name__}.{name}, found none")
+        setattr(owner, name, replacement)
 
 
 def refuse_altered_files(workflow: Any) -> None:
