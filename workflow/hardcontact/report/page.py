@@ -22,14 +22,6 @@ def render_page(
         {**surface, "numbers": numbers_by_name(answer, surface["name"])}
         for surface in answer["surfaces"]
     ]
-    return render_document(
-        "answer.html",
-        frame,
-        "answer",
-        answer=answer,
-        numbers=numbers_by_name(answer),
-        surfaces=surfaces,
-        figures=figures,
-        citation=citation,
-        **facts,
-    )
+    facts |= {"answer": answer, "figures": figures, "citation": citation}
+    facts |= {"numbers": numbers_by_name(answer), "surfaces": surfaces}
+    return render_document("answer.html", frame, "answer", **facts)

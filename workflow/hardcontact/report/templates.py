@@ -40,19 +40,11 @@ def render_document(template: str, frame: Frame, page: str, **facts: Any) -> str
     # Imported here: it takes longer than most jobs compute.
     from markupsafe import Markup
 
-    script = _file("page.js")
-    source = _environment().get_template(template)
-    return str(
-        source.render(
-            frame=frame,
-            page=page,
-            commit=_commit(),
-            style=Markup(_file("style.css")),
-            script=Markup(script),
-            policy=_policy(script),
-            **facts,
-        )
-    )
+    script = (FOLDER / "page.js").read_text("utf-8")
+    style = (FOLDER / "style.css").read_text("utf-8")
+    facts |= {"frame": frame, "page": page, "commit": _commit()}
+    facts |= {"style": Markup(style), "script": Markup(script)}
+    return str(_environment().get_template(template).render(policy=_policy(script), **facts))
 
 
 def render_lines(template: str, **facts: Any) -> list[str]:
@@ -90,10 +82,6 @@ def _environment() -> Any:
     return environment
 
 
-def _file(name: str) -> str:
-    return (FOLDER / name).read_text("utf-8")
-
-
 def _commit() -> str:
     """Return the commit of the code that makes a page, empty outside of a git repository."""
     command = ["git", "describe", "--always", "--exclude=*", "--dirty"]
@@ -113,8 +101,7 @@ def _policy(script: str) -> str:
 
 def _share_of_decades(value: float, low: float, high: float) -> float:
     """Return the position of a value between two others on a logarithmic axis, from 0 to 1."""
-    share = math.log(value / low) / math.log(high / low)
-    return min(max(share, 0.0), 1.0)
+    return min(max(math.log(value / low) / math.log(high / low), 0.0), 1.0)
 
 
 def unbroken(text: Any) -> str:

@@ -19,6 +19,11 @@ from hardcontact.paper.verdicts import count_verdicts, interval_with_sets, open_
 from hardcontact.report.notes import note, substitutes_note
 from hardcontact.report.paper_study.changed_inputs import changed_inputs, paper_contact
 from hardcontact.report.paper_study.claims import claim_facts
+from hardcontact.report.paper_study.conclusions import (
+    draw_conclusions,
+    features_by_scatter,
+    most_sensitive_coatings,
+)
 from hardcontact.report.quantities import all_quantities, number_of
 from hardcontact.report.templates import render_lines, render_text
 
@@ -78,7 +83,7 @@ def paper_answer(
     return {
         "study": configuration["study"],
         "version": version,
-        "effort": "quick" if facts["coarse"] else configuration["effort"],
+        "effort": "quick" if facts["is_coarse"] else configuration["effort"],
         "kind": "paper",
         "headline": render_lines("paper_headline.txt", changed=changed, **facts),
         "verdicts": [] if changed else render_lines("paper_verdicts.txt", **facts),
@@ -87,7 +92,11 @@ def paper_answer(
         "assumed": [],
         "chosen": [],
         "surfaces": [
-            {"name": name, "label": labels[name], "source": source[name]}
+            {
+                "name": name,
+                "label": labels[name],
+                "source": source[name],
+            }
             for name in (*surfaces, topography.attrs["sphere_surface"])
         ],
         "notes": _notes(topography, facts),
@@ -105,14 +114,17 @@ def _facts(
     labels = topography["label"].to_series().to_dict()
     numbers = {number.name: number for number in study_numbers(claims, datasets, constants)}
     substrates = [str(name) for name in datasets["edges"]["surface"].values]
+    surfaces = {name: surface_numbers(name, datasets) for name in substrates}
     return {
         "numbers": numbers,
-        "surfaces": {name: surface_numbers(name, datasets) for name in substrates},
+        "surfaces": surfaces,
         "labels": labels,
         "is_substitute": bool((topography["source"] == "substitute").any()),
-        "decisive": labels[_decisive_surface(datasets["sets"])],
         "featured": datasets["features"].attrs["label"],
-        "coarse": is_coarse(numbers),
+        "most_sensitive": most_sensitive_coatings(
+            {labels[name]: surfaces[name] for name in substrates}
+        ),
+        **draw_conclusions(numbers),
         **claim_facts(claims),
     }
 
@@ -122,14 +134,10 @@ def _notes(topography: xr.Dataset, facts: Mapping[str, Any]) -> list[dict[str, A
     is_substitute = (topography["source"] == "substitute").values
     notes = substitutes_note(topography["label"].values[is_substitute].tolist())
     if facts["featured"]:
-        notes.append(note("features", render_text("paper_features.txt", **facts)))
+        nearer = features_by_scatter(facts["numbers"])
+        text = render_text("paper_features.txt", features_by_scatter=nearer, **facts)
+        notes.append(note("features", text))
     return notes
-
-
-def is_coarse(numbers: Mapping[str, Number]) -> bool:
-    """Return whether the study has fewer pixels or contacts than the paper."""
-    sizes = ("scan_pixels", "contacts_per_row")
-    return any(numbers[name].value < numbers[f"{name}_published"].value for name in sizes)
 
 
 def study_numbers(
@@ -168,13 +176,18 @@ def _edge_source(scales: xr.Dataset, side: str, edge: float) -> str:
     return "artificial" if is_artificial else "computed"
 
 
+def _interval_status(end: str) -> Status:
+    """Return the status of a number whose interval is open at an end, "low" or "high", if any."""
+    return Status(f"interval_open_{end}" if end else "")
+
+
 def _claim_numbers(name: str, row: Any, datasets: Mapping[str, xr.Dataset]) -> list[Number]:
     """Return the computed and the published number of a claim."""
     edge = name.removeprefix("first_")
     source = "computed"
     if edge in EDGE_SIDES:
         source = _edge_source(datasets["scales"], EDGE_SIDES[edge][0], row.computed)
-    status = Status(f"interval_open_{row.open_end}" if row.open_end else "")
+    status = _interval_status(row.open_end)
     if name in EDGE_SIDES:
         side, open_status = EDGE_SIDES[name]
         if np.isnan(datasets["edges"]["edge"].sel(side=side, group=MEAN_GROUP).item()):
@@ -198,8 +211,7 @@ def surface_numbers(surface: str, datasets: Mapping[str, xr.Dataset]) -> dict[st
         samples = edges_or_bounds(sets).sel(labels).values
         interval = interval_ends(band.sel(labels), "edge")
         low, high = interval_with_sets(value, interval, samples, band.attrs["confidence"])
-        end = open_end(side, value, low, high, [band, sets])
-        status = Status(f"interval_open_{end}" if end else "")
+        status = _interval_status(open_end(side, value, low, high, [band, sets]))
         source = _edge_source(datasets["scales"], side, value)
         numbers[name] = Number(name, value, "nm", low, high, status, source)
     fit = datasets["fit"].sel(contact_model=PLASTIC, pair="published", surface=surface)
@@ -236,13 +248,13 @@ def _fit_samples(datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame) ->
     confidence = datasets["sets"].attrs["confidence"]
     sets = datasets["sets"].sel(contact_model=PLASTIC)
     without_decisive = sets.sel(left_out=_decisive_surface(datasets["sets"]))
-    for name in PAIR_UNITS:
-        yield _median(f"all_surfaces_{name}", PAIR_UNITS[name], sets[name].values, confidence)
+    for name, unit in PAIR_UNITS.items():
+        yield _median(f"all_surfaces_{name}", unit, sets[name].values, confidence)
         sample = without_decisive[WITHOUT_SURFACE[name]].values
-        yield _median(f"without_decisive_{name}", PAIR_UNITS[name], sample, confidence)
-        yield Number(f"{name}_scatter", float(sets[name].std(ddof=1)), PAIR_UNITS[name])
+        yield _median(f"without_decisive_{name}", unit, sample, confidence)
+        yield Number(f"{name}_scatter", float(sets[name].std(ddof=1)), unit)
         uncertainty = constants["uncertainty"][name]
-        yield Number(f"{name}_uncertainty", uncertainty, PAIR_UNITS[name], source="published")
+        yield Number(f"{name}_uncertainty", uncertainty, unit, source="published")
 
 
 def _feature_numbers(features: xr.Dataset, confidence: float) -> Iterator[Number]:
@@ -277,8 +289,7 @@ def _settings(datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame) -> It
     }
     for name, unit in GRID_UNITS.items():
         yield Number(name, sizes[name], unit, source="given")
-        published = float(constants["value"][name])
-        yield Number(f"{name}_published", published, unit, source="published")
+        yield Number(f"{name}_published", constants["value"][name], unit, source="published")
     yield Number("range_of_band", float(scales.attrs["rho"]), "nm", source="given")
     yield Number("short_range", SHORT_ADHESION_RANGE, "nm", source="given")
     for name in ("tolerance", "confidence"):

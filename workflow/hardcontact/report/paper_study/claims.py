@@ -20,11 +20,6 @@ from hardcontact.paper.verdicts import (
 from hardcontact.report.quantities import NO_INTERVAL_WORDS
 
 
-def plain_rows(table: pd.DataFrame) -> list[dict[Any, Any]]:
-    """Return the rows of a table as plain values, with None for NaN, which JSON lacks."""
-    return table.astype(object).where(table.notna(), None).to_dict("records")
-
-
 def claim_facts(claims: pd.DataFrame) -> dict[str, Any]:
     """Return the facts about claims that templates show.
 
@@ -34,29 +29,22 @@ def claim_facts(claims: pd.DataFrame) -> dict[str, Any]:
     The numbers of statements: `without_scan` reproduced without any scan, `larger_pixels` testable
     only with the paper's pixels.
     """
-    rows = zip(plain_rows(claims), claims.to_dict("records"), strict=True)
+    # Templates test for None, because a comparison with NaN is always false.
+    plain_rows = claims.astype(object).where(claims.notna(), None).to_dict("records")
+    rows = zip(plain_rows, claims.to_dict("records"), strict=True)
     facts = {str(row["id"]): plain | _printed_claim(row) for plain, row in rows}
     ranks = {name: int(row["main"]) for name, row in facts.items() if row["main"]}
-    main_statements = sorted(ranks, key=lambda name: ranks[name])
+    independent = [row for row in facts.values() if row["kind"] == "independent"]
+    contradicted = [row for row in independent if row["verdict"] == NOT_REPRODUCED]
+    reproduced = [row for row in independent if row["verdict"] == REPRODUCED]
     return {
         "claims": facts,
-        "main_statements": main_statements,
-        "contradicted": [
-            row
-            for row in sorted(facts.values(), key=lambda row: row["main"] == "")
-            if (row["kind"], row["verdict"]) == ("independent", NOT_REPRODUCED)
-        ],
+        "main_statements": sorted(ranks, key=lambda name: ranks[name]),
+        "contradicted": sorted(contradicted, key=lambda row: row["main"] == ""),
         "counts": count_verdicts(claims).to_dict("records"),
         "decisive_share": REPRODUCED_SHARE,
-        "without_scan": sum(
-            (row["kind"], row["verdict"]) == ("independent", REPRODUCED)
-            and row["basis"] in WITHOUT_SCAN
-            for row in facts.values()
-        ),
-        "larger_pixels": sum(
-            row["kind"] == "independent" and LARGER_PIXELS in (row["note"] or "")
-            for row in facts.values()
-        ),
+        "without_scan": sum(row["basis"] in WITHOUT_SCAN for row in reproduced),
+        "larger_pixels": sum(LARGER_PIXELS in (row["note"] or "") for row in independent),
     }
 
 

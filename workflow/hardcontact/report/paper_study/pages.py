@@ -12,6 +12,8 @@ from hardcontact.report.page import render_page
 from hardcontact.report.paper_study.answer import ANSWER_CLAIMS
 from hardcontact.report.paper_study.chapters import convert_chapter
 from hardcontact.report.paper_study.claims import claim_facts
+from hardcontact.report.paper_study.conclusions import most_sensitive_coatings
+from hardcontact.report.quantities import numbers_by_name
 from hardcontact.report.templates import Frame, render_document
 
 
@@ -27,7 +29,10 @@ def paper_page(
 
     `claims` comes from `verdicts.add_open_ends`; SVG and captions are by the name of the figure.
     """
+    *coatings, _ = answer["surfaces"]  # the last one is the sphere
+    coating_numbers = {row["label"]: numbers_by_name(answer, row["name"]) for row in coatings}
     facts = claim_facts(claims) | {"answer_claims": ANSWER_CLAIMS, "captions": captions}
+    facts["most_sensitive"] = most_sensitive_coatings(coating_numbers)
     return render_page(answer, figures, citation, frame, **facts)
 
 
