@@ -8,12 +8,12 @@ import xarray as xr
 
 from hardcontact.base.number import Number
 from hardcontact.report.quantities import (
+    all_quantities,
     answer_text,
     in_words,
     number_of,
     number_without_value,
     numbers_by_name,
-    quantity_mapping,
     without_interval,
 )
 
@@ -71,7 +71,7 @@ def test_a_number_without_its_interval_keeps_the_digits(number, words):
 
 
 def test_two_quantities_of_one_name_are_refused():
-    twice = [quantity_mapping(Number("force", 1.0)), quantity_mapping(Number("force", 2.0))]
+    twice = all_quantities([Number("force", 1.0), Number("force", 2.0)], {})
     with pytest.raises(ValueError, match="expected quantities with different names"):
         answer_text({"quantities": twice})
 
@@ -81,7 +81,7 @@ def test_numbers_come_back_from_answer_json_as_they_were():
         Number("edge", 67.0, "nm", 47.0, 74.0, "interval_open_high", "artificial"),
         Number("force", 5e-7, "N", source="measured"),
     ]
-    text = answer_text({"quantities": [quantity_mapping(number, "film") for number in numbers]})
+    text = answer_text({"quantities": all_quantities([], {"film": numbers})})
     read_again = numbers_by_name(json.loads(text), "film")
     assert repr(list(read_again.values())) == repr(numbers)
     assert numbers_by_name(json.loads(text)) == {}

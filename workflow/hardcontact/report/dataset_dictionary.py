@@ -1,6 +1,6 @@
 """The dictionary of a study's datasets: every variable with its dimensions, unit and meaning."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 
 import xarray as xr
 
@@ -12,6 +12,7 @@ HEAD = """\
 The unit `1` says that a number has none. A variable with \\* has an interval beside it,
 `<name>_interval`, over `end` (low, high).
 """
+TABLE_HEAD = "| variable | dimensions | unit | meaning |\n| --- | --- | --- | --- |"
 
 
 def dictionary_page(datasets: Mapping[str, xr.Dataset]) -> str:
@@ -21,25 +22,19 @@ def dictionary_page(datasets: Mapping[str, xr.Dataset]) -> str:
 
 def _table(name: str, dataset: xr.Dataset) -> str:
     """Return the title of a dataset and the table of its variables."""
-    lines = [
-        f"## {name}.nc",
-        "",
-        f"{dataset.title[:1].upper()}{dataset.title[1:]}.",
-        "",
-        "| variable | dimensions | unit | meaning |",
-        "| --- | --- | --- | --- |",
-        *_rows(dataset),
-        "",
+    title = f"## {name}.nc\n\n{dataset.title[:1].upper()}{dataset.title[1:]}.\n"
+    rows = [
+        _row(str(variable), dataset)
+        for variable in dataset.variables
+        if not str(variable).endswith(INTERVAL)  # a mark of its variable stands for the interval
     ]
-    return "\n".join(lines)
+    return "\n".join([title, TABLE_HEAD, *rows, ""])
 
 
-def _rows(dataset: xr.Dataset) -> Iterator[str]:
-    """Yield a row for each variable but the intervals, which their variables mention."""
-    for name, variable in dataset.variables.items():
-        if str(name).removesuffix(INTERVAL) != name:
-            continue
-        mark = " \\*" if f"{name}{INTERVAL}" in dataset else ""
-        dimensions = ", ".join(map(str, variable.dims))
-        unit = variable.attrs.get("units", "")  # a text has none
-        yield f"| `{name}`{mark} | {dimensions} | {unit} | {variable.attrs['long_name']} |"
+def _row(name: str, dataset: xr.Dataset) -> str:
+    """Return the row of a variable."""
+    variable = dataset[name]
+    mark = " \\*" if f"{name}{INTERVAL}" in dataset else ""
+    dimensions = ", ".join(map(str, variable.dims))
+    unit = variable.attrs.get("units", "")  # a text has none
+    return f"| `{name}`{mark} | {dimensions} | {unit} | {variable.attrs['long_name']} |"

@@ -12,8 +12,6 @@ from hardcontact.base.formatting import PRINTED_UNITS, format_as_paper, format_q
 from hardcontact.base.number import Number, Status, json_value
 from hardcontact.base.statistics import interval_ends
 
-QuantityMapping = dict[str, Any]
-
 #: Words in place of an unknown value, by its status.
 NO_VALUE_WORDS: dict[str, str] = {
     Status.NO_BAND: "no band",
@@ -109,19 +107,15 @@ def _unbounded(number: Number, digits: int) -> str:
     return ""
 
 
-def quantity_mapping(number: Number, surface: str = "") -> QuantityMapping:
-    """Return a number as a mapping for answer.json; without a surface it is of the whole study."""
-    return {"surface": surface, **json_value(number)}
-
-
 def all_quantities(
     study_numbers: Iterable[Number], surface_numbers: Mapping[str, Iterable[Number]]
-) -> list[QuantityMapping]:
-    """Return the numbers of the whole study and of each surface as the list of answer.json."""
-    quantities = [quantity_mapping(number) for number in study_numbers]
-    for surface, numbers in surface_numbers.items():
-        quantities += [quantity_mapping(number, surface) for number in numbers]
-    return quantities
+) -> list[dict[str, Any]]:
+    """Return the numbers of the whole study, then of each surface, as the list of answer.json."""
+    return [
+        {"surface": surface, **json_value(number)}
+        for surface, numbers in {"": study_numbers, **surface_numbers}.items()
+        for number in numbers
+    ]
 
 
 def numbers_by_name(answer: Mapping[str, Any], surface: str = "") -> dict[str, Number]:
@@ -129,10 +123,9 @@ def numbers_by_name(answer: Mapping[str, Any], surface: str = "") -> dict[str, N
     numbers = {}
     for quantity in answer["quantities"]:
         if quantity["surface"] == surface:
-            values = {key: quantity[key] for key in Number._fields}
-            for key in ("value", "low", "high"):
-                if values[key] is None:
-                    values[key] = math.nan
+            values: dict[str, Any] = {
+                key: math.nan if quantity[key] is None else quantity[key] for key in Number._fields
+            }
             if values["status"] in (Status.KNOWN, Status.NOT_KNOWN):
                 values["status"] = ""
             numbers[values["name"]] = Number(**values)

@@ -104,10 +104,10 @@ def compare_answers(first: Mapping[str, Any], second: Mapping[str, Any]) -> Comp
         if name in numbers[1] and numbers[0][name].source != "published"
         if is_known(numbers[0][name]) or is_known(numbers[1][name])
     ]
-    given = [number for number in compared if number.first.source in INPUT_SOURCES]
     inputs = [
         ChangedInput(number.surface, number.name, number.first, number.second)
-        for number in given
+        for number in compared
+        if number.first.source in INPUT_SOURCES
         if number.name.replace("_", " ") not in first["contact"] and number.agreement != "equal"
     ]
     results = [number for number in compared if number.first.source not in INPUT_SOURCES]
@@ -165,8 +165,6 @@ def interval(number: Number) -> tuple[float, float]:
     low, high = number.low, number.high
     if math.isnan(low) and math.isnan(high):
         low = high = number.value
-    if math.isnan(low) or number.status in NO_LOW_END:
-        low = -math.inf
-    if math.isnan(high) or number.status in NO_HIGH_END:
-        high = math.inf
-    return low, high
+    no_low_end = math.isnan(low) or number.status in NO_LOW_END
+    no_high_end = math.isnan(high) or number.status in NO_HIGH_END
+    return -math.inf if no_low_end else low, math.inf if no_high_end else high

@@ -17,20 +17,17 @@ def draw(topography: xr.Dataset) -> Figure:
     """Draw Fig. 1: a levelled scan of each substrate, and the sphere with and without curvature."""
     sphere = topography.attrs["sphere_surface"]
     colours = style.colours(topography["surface"].values, sphere)
-    maps = [
-        (surface, "", topography["example_heights"].sel(surface=surface)) for surface in colours
-    ]
-    *substrate_maps, (_, _, subtracted) = maps
-    sphere_maps = [
+    levelled = topography["example_heights"]
+    maps = [(name, "", levelled.sel(surface=name)) for name in colours if name != sphere]
+    maps += [
         (sphere, ", sphere as scanned", topography["sphere_as_scanned"]),
-        (sphere, ", sphere subtracted", subtracted),
+        (sphere, ", sphere subtracted", levelled.sel(surface=sphere)),
     ]
-    drawn_maps = [*substrate_maps, *sphere_maps]
-    rows = math.ceil(len(drawn_maps) / MAPS_IN_A_ROW)
+    rows = math.ceil(len(maps) / MAPS_IN_A_ROW)
     figure = drawing.create(2.4 * rows + drawing.FOOTER, topography)
     grid = figure.subplots(rows, MAPS_IN_A_ROW, squeeze=False).ravel()
     for axes, letter, (surface, state, padded_heights) in zip(
-        grid, ascii_lowercase, drawn_maps, strict=False
+        grid, ascii_lowercase, maps, strict=False
     ):
         heights = mean_free_heights(padded_heights)
         surface_data = topography.sel(surface=surface)
@@ -38,6 +35,6 @@ def draw(topography: xr.Dataset) -> Figure:
         rms_height = np.std(heights, dtype=float)
         title = f"{surface_data['label'].item()}{state}\nrms {rms_height:.1f} nm"
         style.label_panel(axes, letter, title)
-    for axes in grid[len(drawn_maps) :]:
+    for axes in grid[len(maps) :]:
         axes.set_axis_off()
     return figure

@@ -112,10 +112,8 @@ def _draw_logarithmic(
     The bins are equal in the logarithm and contain every force.
     """
     all_forces = np.concatenate(list(forces_by_pair.values()))
-    lowest_log, highest_log = np.log10(all_forces.min()), np.log10(all_forces.max())
-    steps = np.arange(
-        np.floor(lowest_log * BINS_PER_DECADE), np.ceil(highest_log * BINS_PER_DECADE) + 2
-    )
+    lowest, highest = BINS_PER_DECADE * np.log10([all_forces.min(), all_forces.max()])
+    steps = np.arange(np.floor(lowest), np.ceil(highest) + 2)
     edges = 10 ** (steps / BINS_PER_DECADE)
     densities = _draw_histograms(axes, forces_by_pair, edges, colour)
     high_quantiles = [lognormal.ppf(0.999) for lognormal in lognormals]

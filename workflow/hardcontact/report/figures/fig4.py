@@ -7,11 +7,17 @@ from matplotlib.axes import Axes
 from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
 
 from hardcontact.base.formatting import format_share
 from hardcontact.contact.contact import PLASTIC
 from hardcontact.report.figures import drawing, panels, style
-from hardcontact.report.figures.values import summarize_sets, value_and_bounds, value_and_interval
+from hardcontact.report.figures.values import (
+    SHARE_OF_SETS,
+    summarize_sets,
+    value_and_bounds,
+    value_and_interval,
+)
 
 MEGAPASCAL = 1e6
 DRAWN_MAP_PIXELS = 640  # per row of the map of the pressure
@@ -62,11 +68,12 @@ def _legend_handles(fit: xr.Dataset, published_constants: pd.DataFrame) -> list[
     confidence = format_share(fit.attrs["confidence"])
     published = published_constants["value"]["range_of_adhesion"]
     fit_label = "at the best fit, " + style.print_pair(fit).replace(", ", ",\n")
+    sets = format_share(SHARE_OF_SETS)
     grey: style.Look = {"color": "0.3"}
     return [
         *style.surface_handles(fit),
         Line2D([], [], marker="|", ms=9, ls="none", label=f"{confidence} interval", **grey),
-        style.sets_handle(),
+        Patch(color="0.3", alpha=style.OPACITY, lw=0, label=f"{sets} of all sets of substitutes"),
         Line2D([], [], label="published mean force", **grey, **PUBLISHED_MEAN),
         Line2D([], [], label=f"published range, ρ = {published:g} nm", **style.PUBLISHED_RANGE),
         Line2D([], [], label="ρ that fits the ratios best", **RATIO_FIT),

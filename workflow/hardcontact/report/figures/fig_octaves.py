@@ -24,13 +24,12 @@ def draw(sensitivity: xr.Dataset, edges: xr.Dataset, published_constants: pd.Dat
     panels.draw_octaves(top[0], sensitivity)
     style.label_panel(top[0], "a", "change of the force with the amplitude a of one octave")
     tolerance = edges.attrs["tolerance"]
-    for letter, axes, kind in zip("bc", bottom, ("published", "found"), strict=True):
-        ratios = sensitivity.sel(band=kind)
+    titles = {"published": "published", "found": "computed"}
+    for letter, axes, (band_name, title) in zip("bc", bottom, titles.items(), strict=True):
+        ratios = sensitivity.sel(band=band_name)
         _draw_band_ratios(axes, ratios, tolerance)
-        shortest, longest = (
-            format_quantity(edge, "nm", digits=2) for edge in ratios["band_edge"].values
-        )
-        style.label_panel(axes, letter, f"{kind} band: {shortest} to {longest}")
+        band_edges = [format_quantity(edge, "nm", digits=2) for edge in ratios["band_edge"].values]
+        style.label_panel(axes, letter, f"{title} band: {' to '.join(band_edges)}")
     bottom[0].set_ylabel("force / unfiltered force")
     style.legend_above(figure, _legend_handles(sensitivity, tolerance))
     return figure

@@ -18,9 +18,6 @@ from matplotlib.patches import Patch
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 from matplotlib.transforms import Bbox
 
-from hardcontact.base.formatting import format_share
-from hardcontact.report.figures.values import SHARE_OF_SETS
-
 # The palette of Okabe & Ito (2008), readable with every common colour blindness. Its grey is kept
 # for the sphere, its black for published and mean values; its yellow is too pale for thin lines.
 SUBSTRATE_COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
@@ -46,8 +43,8 @@ REMOVED_TITLES = {
 }
 MEAN_LOOK: Look = {"color": "black", "marker": "h"}  # of the mean of all surfaces
 PUBLISHED_RANGE: Look = {"color": "0.25", "lw": 1.0, "ls": (0, (4, 2))}
-PUBLISHED_FIT: Look = {"fmt": "o", "color": "black", "mec": "white", "mew": 0.5, "ms": 5, "lw": 1.4}
 TILTED: Look = {"rotation": 25, "ha": "right", "rotation_mode": "anchor"}  # names on an axis
+PUBLISHED_FIT: Look = {"fmt": "o", "color": "black", "mec": "white", "mew": 0.5, "ms": 5, "lw": 1.4}
 #: Maps of pixels become images, in the PDF too.
 PIXEL_LOOK: Look = {"shading": "nearest", "rasterized": True}
 
@@ -188,12 +185,6 @@ def legend_entries(panels: Iterable[Axes]) -> dict[str, Artist]:
 def mask_half_width(mask: xr.DataArray) -> float:
     """Return the largest distance from zero, along x or y, of the true pixels of a mask."""
     return max(float(abs(mask[axis]).where(mask).max()) for axis in "xy")
-
-
-def sets_handle() -> Patch:
-    """Return the legend entry of bands over the sets of substitutes."""
-    label = f"{format_share(SHARE_OF_SETS)} of all sets of substitutes"
-    return Patch(color="0.3", alpha=OPACITY, lw=0, label=label)
 
 
 def print_pair(pair: pd.Series | xr.Dataset) -> str:
