@@ -188,32 +188,6 @@ def test_ratios_equal_those_of_the_remaining_wave():
     assert open_edge.edge_status == "open_above"
 
 
-#: Arguments that are refused, and parts of the message.
-WRONG = [
-    ({"radius": -1.0}, ["radius: expected a positive number, found -1.0"]),
-    ({"radius": "50 um"}, ["radius: expected a positive number, found '50 um'"]),
-    ({"work": np.nan}, ["work: expected a positive number, found nan"]),
-    ({"ranges": []}, ["ranges: expected a positive number"]),
-    ({"ranges": 5.6}, ["ranges: expected several numbers, found 5.6"]),
-    ({"ranges": ["5.6 nm"]}, ["ranges: expected a positive number, found '5.6 nm'"]),
-    ({"contacts_per_row": 3.5}, ["contacts_per_row: expected a whole number, found 3.5"]),
-    ({"scan": np.zeros((64, 64))}, ["scan: expected a scan of hc.read_scan", "found ndarray"]),
-    ({"sphere": "sphere.nc"}, ["sphere: expected a scan of hc.read_scan", "found str"]),
-    ({"ranges": [1e-4]}, ["ranges: expected at least", "found 0.0001 nm"]),
-    ({"preload": 9e-4, "hardness": 5e8}, ["preload: expected at most", "found 900 µN"]),
-    ({"hardness": 25}, ["hardness: expected 1 kPa to 10000 GPa, found 25 Pa: is the unit right?"]),
-    (
-        {"scan": hc.HeightMap(np.zeros((64, 64)), 3e7)},
-        ["scan: expected a pixel_size of 0.05 to 10000 nm, found 3e+07 nm: is the unit right?"],
-    ),
-    ({"contacts_per_row": 999}, ["contacts_per_row: expected at most the 256 pixels", "found 999"]),
-    (
-        {"scan": hc.HeightMap(np.zeros((16, 32)), PIXEL, False, "measured")},
-        ["scan: expected a square map", "16 x 32 pixels"],
-    ),
-]
-
-
 def test_plots_show_the_heights_and_densities(files):
     matplotlib.use("agg")
     scan, spectrum = hc.read_scan("scan.nc"), hc.read_spectrum("scan.nc")
@@ -280,48 +254,62 @@ def test_unusual_quantities_are_questioned(files):
         hc.force_ratios(scan, {"short": [50, 100]}, rho=56.0, **SPHERE, **LOAD, **ARRAY)
 
 
+HOLED = np.ma.masked_greater(np.random.default_rng(1).normal(size=(32, 32)), 3)
+#: Function, faulty values among valid arguments, and parts of the refusal.
+FAULTY = [
+    (hc.pull_off_forces, {"radius": -1.0}, ["radius: expected a positive number, found -1.0"]),
+    (hc.pull_off_forces, {"radius": "50 um"}, ["radius: expected a positive", "found '50 um'"]),
+    (hc.pull_off_forces, {"work": np.nan}, ["work: expected a positive number, found nan"]),
+    (hc.pull_off_forces, {"ranges": []}, ["ranges: expected a positive number"]),
+    (hc.pull_off_forces, {"ranges": 5.6}, ["ranges: expected several numbers, found 5.6"]),
+    (hc.pull_off_forces, {"ranges": ["5.6 nm"]}, ["ranges: expected a positive", "'5.6 nm'"]),
+    (hc.pull_off_forces, {"ranges": [1e-4]}, ["ranges: expected at least", "found 0.0001 nm"]),
+    (hc.pull_off_forces, {"contacts_per_row": 3.5}, ["expected a whole number, found 3.5"]),
+    (hc.pull_off_forces, {"contacts_per_row": 999}, ["at most the 256 pixels", "found 999"]),
+    (hc.pull_off_forces, {"scan": np.zeros((64, 64))}, ["scan: expected a scan of hc.read_scan"]),
+    (hc.pull_off_forces, {"scan": hc.HeightMap(np.zeros((64, 64)), 3e7)},
+     ["a pixel_size of 0.05 to 10000 nm, found 3e+07 nm: is the unit right?"]),
+    (hc.pull_off_forces, {"scan": hc.HeightMap(np.zeros((16, 32)), PIXEL, False, "measured")},
+     ["scan: expected a square map", "16 x 32 pixels"]),
+    (hc.pull_off_forces, {"sphere": "sphere.nc"}, ["sphere: expected a scan of hc.read_scan"]),
+    (hc.pull_off_forces, {"preload": 9e-4, "hardness": 5e8}, ["at most", "found 900 µN"]),
+    (hc.pull_off_forces, {"hardness": 25}, ["1 kPa to 10000 GPa, found 25 Pa: is the unit right?"]),
+    (hc.force_ratios, {"cutoffs": {"short": [20.0]}}, ["found [20.0]"]),
+    (hc.force_ratios, {"cutoffs": {"small": [20.0]}}, ["short, long or both"]),
+    (hc.force_ratios, {"cutoffs": [20.0]}, ["short, long or both, found [20.0]"]),
+    (hc.force_ratios, {"cutoffs": {"short": 20.0}}, ["several numbers, found 20.0"]),
+    (hc.predict, {"roughness": hc.Spectrum(np.array([1.0, 2.0]), np.array([1.0, np.nan]))},
+     ["spectrum: expected growing wavevectors"]),
+    (hc.predict, {"hardness": 1e6}, ["preload: expected less than"]),
+    (hc.read_spectrum, {}, ["files: expected a table of a spectrum or scans"]),
+    (hc.read_scan, {"path": "none.nc"}, ["none.nc: expected a scan, found no such file"]),
+    (hc.read_scan, {"path": np.zeros((9, 9))}, ["files: expected a path", "array"]),
+    (hc.read_scan, {"unit": None}, ["unit: expected a text, found None"]),
+    (hc.read_scan, {"map_size": "5 um"}, ["map_size: expected a positive number"]),
+    (hc.read_scan, {"levelling": "sphere"}, ["expected plane, lines"]),
+    (hc.read_scan, {"path": "bare.txt"}, ["none: map_size=5000 gives", 'unit="nm"']),
+    (hc.read_scan, {"path": "bare.txt", "unit": "nm"}, ["none: map_size=5000 gives"]),
+    (hc.read_scan, {"path": "line.txt"}, ['by unit="nm", or unit="mm,nm"']),
+    (hc.from_topography, {"topography": Topography(HOLED, (320, 320), unit="nm")},
+     ['; undefined_pixels="harmonic" fills them']),
+]  # fmt: skip
+
+
 @pytest.mark.filterwarnings("ignore:.*is the unit right")
-def test_faulty_arguments_are_refused_in_one_line(files):
-    scan = hc.read_scan("scan.nc")
-    valid = {"scan": scan, "ranges": [5.6], "work": 0.05} | SPHERE | LOAD | ARRAY
-    cases = [
-        (hc.pull_off_forces, valid | faulty_values, message_parts)
-        for faulty_values, message_parts in WRONG
-    ]
-    valid = {"scan": scan, "rho": 5.6} | SPHERE | LOAD | ARRAY
-    cases += [
-        (hc.force_ratios, valid | {"cutoffs": {"short": [20.0]}}, ["found [20.0]"]),
-        (hc.force_ratios, valid | {"cutoffs": {"small": [20.0]}}, ["short, long or both"]),
-        (hc.force_ratios, valid | {"cutoffs": [20.0]}, ["short, long or both, found [20.0]"]),
-        (hc.force_ratios, valid | {"cutoffs": {"short": 20.0}}, ["several numbers, found 20.0"]),
-    ]
-    values = np.random.default_rng(1).normal(size=(32, 32))
-    np.savetxt("bare.txt", values)
-    np.savetxt("line.txt", np.column_stack([np.arange(32), values[0]]))
-    holed = Topography(np.ma.masked_greater(values, 3), (320, 320), unit="nm")
-    wavevector, _, density = hc.measured_psds(scan)
-    table_spectrum, gaps = hc.read_spectrum("my-psd.csv"), hc.Spectrum(wavevector, density)
-    valid = {"roughness": table_spectrum, "rho": 5.6, "work": 0.05} | SPHERE | LOAD
-    cases += [
-        (hc.predict, valid | {"roughness": gaps}, ["spectrum: expected growing wavevectors"]),
-        (hc.predict, valid | {"hardness": 1e6}, ["preload: expected less than"]),
-        (hc.predict, valid | {"hardness": 25}, ["hardness: expected 1 kPa to 10000 GPa, found 25"]),
-        (hc.read_spectrum, {}, ["files: expected a table of a spectrum or scans"]),
-        (hc.read_scan, {"path": "none.nc"}, ["none.nc: expected a scan, found no such file"]),
-        (hc.read_scan, {"path": np.zeros((9, 9))}, ["files: expected a path", "array"]),
-        (hc.read_scan, {"path": "scan.nc", "unit": None}, ["unit: expected a text, found None"]),
-        (
-            hc.read_scan,
-            {"path": "scan.nc", "map_size": "5 um"},
-            ["map_size: expected a positive number"],
-        ),
-        (hc.read_scan, {"path": "scan.nc", "levelling": "sphere"}, ["expected plane, lines"]),
-        (hc.read_scan, {"path": "bare.txt"}, ["none: map_size=5000 gives", 'unit="nm"']),
-        (hc.read_scan, {"path": "bare.txt", "unit": "nm"}, ["none: map_size=5000 gives"]),
-        (hc.read_scan, {"path": "line.txt"}, ['by unit="nm", or mm,nm']),
-        (hc.from_topography, {"topography": holed}, ['; undefined_pixels="harmonic" fills them']),
-    ]
-    for function, arguments, message_parts in cases:
-        message = refusal(lambda: function(**arguments))  # noqa: B023
+def test_faulty_arguments_are_refused_in_one_line_in_the_words_of_python(files):
+    """The command has the same checks, but names options and keys."""
+    np.savetxt("bare.txt", HOLED.data)
+    np.savetxt("line.txt", np.column_stack([np.arange(32), HOLED.data[0]]))
+    contact, scan = SPHERE | LOAD, hc.read_scan("scan.nc")
+    valid = {
+        hc.pull_off_forces: {"scan": scan, "ranges": [5.6], "work": 0.05} | contact | ARRAY,
+        hc.force_ratios: {"scan": scan, "rho": 5.6} | contact | ARRAY,
+        hc.predict: {"roughness": hc.read_spectrum("my-psd.csv"), "rho": 5.6, "work": 0.05}
+        | contact,
+        hc.read_scan: {"path": "scan.nc"},
+    }
+    for function, faulty_values, message_parts in FAULTY:
+        arguments = valid.get(function, {}) | faulty_values
+        message = refusal(partial(function, **arguments))
         assert_says(message, *message_parts)
         assert len(message.splitlines()) == 1 and "--" not in message and " key " not in message
