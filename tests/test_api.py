@@ -289,7 +289,7 @@ FAULTY = [
     (hc.read_scan, {"levelling": "sphere"}, ["expected plane, lines"]),
     (hc.read_scan, {"path": "bare.txt"}, ["none: map_size=5000 gives", 'unit="nm"']),
     (hc.read_scan, {"path": "bare.txt", "unit": "nm"}, ["none: map_size=5000 gives"]),
-    (hc.read_scan, {"path": "line.txt"}, ['by unit="nm", or unit="mm,nm"']),
+    (hc.read_scan, {"path": "line.txt"}, ['by unit="nm", or mm,nm for']),
     (hc.from_topography, {"topography": Topography(HOLED, (320, 320), unit="nm")},
      ['; undefined_pixels="harmonic" fills them']),
 ]  # fmt: skip
