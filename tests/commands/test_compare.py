@@ -107,7 +107,7 @@ def test_the_largest_resolved_changes_of_the_answer_come_first():
         ComparedNumber("", "small", Number("n", 1, **interval), Number("n", 1.2)),
         ComparedNumber("", "large", Number("n", 1, **interval), Number("n", 0.5)),
     ]
-    names = [row.name for row in sorted(rows, key=lambda row: row.rank)]
+    names = [row.name for row in sorted(rows, key=lambda row: row.sort_key)]
     assert names == ["large", "small", "unresolved", "unknown", "equal", "bumps_mean_force"]
 
 

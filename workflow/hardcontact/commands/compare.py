@@ -59,7 +59,7 @@ def compare(arguments: Namespace) -> str:
     if facts["pairing"] == "paired":
         numbers = add_paired_intervals(numbers, first, second)
         facts["confidence"] = first["sets"].attrs["confidence"]
-    facts["numbers"] = sorted(numbers, key=lambda number: number.rank)
+    facts["numbers"] = sorted(numbers, key=lambda number: number.sort_key)
     if arguments.html is not None:
         page = render_document("compare.html", Frame(version("hardcontact")), "comparison", **facts)
         if arguments.html == "-":

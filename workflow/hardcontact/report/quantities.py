@@ -78,7 +78,7 @@ def in_words(number: Number, digits: int = 3) -> str:
     """Return a number with its interval in words, as its status asks for."""
     if math.isfinite(number.value):
         bound = OPEN_WORDS.get(number.status, "")
-        return bound + format_number(number, digits) + _unbounded(number, digits)
+        return bound + format_number(number, digits) + _open_interval_words(number, digits)
     low, high = math.isfinite(number.low), math.isfinite(number.high)
     if low and high:
         both = [format_number(number, digits, "low"), format_number(number, digits, "high")]
@@ -95,7 +95,7 @@ def without_interval(number: Number) -> str:
     return re.sub(r" \[[^]]*\]| \(.*\)", "", in_words(number, 2))
 
 
-def _unbounded(number: Number, digits: int) -> str:
+def _open_interval_words(number: Number, digits: int) -> str:
     """Return the words after a value whose interval lacks one end or both, or an empty text."""
     low, high = math.isfinite(number.low), math.isfinite(number.high)
     if number.status in NO_INTERVAL_WORDS:

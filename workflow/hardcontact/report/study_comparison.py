@@ -14,12 +14,12 @@ from hardcontact.report.quantities import NO_INTERVAL_WORDS, numbers_by_name
 EQUAL_DIGITS = 8
 #: Sources of numbers that are inputs of a study, not results.
 INPUT_SOURCES = ("given", "assumed", "file")
-#: Statuses of numbers without a low, and without a high end.
+#: Statuses of numbers whose interval has no low end, and no high end.
 NO_LOW_END = (Status.OPEN_BELOW, Status.INTERVAL_OPEN_LOW, *NO_INTERVAL_WORDS)
 NO_HIGH_END = (Status.OPEN_ABOVE, Status.INTERVAL_OPEN_HIGH, *NO_INTERVAL_WORDS)
 #: Agreements in the order of rows; the others, which resolve no change, stand between.
 AGREEMENT_RANKS = {"changed": 0, "different": 1, "equal": 3}
-#: Begins and ends of the names of numbers that come last.
+#: Numbers beside the answer, by the beginning or end of their names; they come last.
 SIDE_NUMBERS = re.compile("(bumps|pits|gaussian|verdicts)_.*|.*_(scatter|agreeing_share)")
 
 
@@ -67,16 +67,16 @@ class ComparedNumber(NamedTuple):
             return "unchanged" if low_change <= no_change <= high_change else "changed"
         if lacks_interval(self.first) and lacks_interval(self.second):
             return "no_interval"
-        low, high = zip(interval(self.first), interval(self.second), strict=True)
+        low, high = zip(bounds(self.first), bounds(self.second), strict=True)
         return "same" if max(low) <= min(high) else "different"
 
     @property
-    def rank(self) -> tuple[bool, int, float]:
-        """Key that sorts rows: numbers of the answer, resolved changes, the largest change."""
+    def sort_key(self) -> tuple[bool, int, float]:
+        """Key that sorts rows: numbers of the answer first, then resolved, then large changes."""
         largest = max(abs(self.first.value), abs(self.second.value)) or 1.0
         size = np.nan_to_num(abs(self.second.value - self.first.value) / largest)
-        ranks = bool(SIDE_NUMBERS.fullmatch(self.name)), AGREEMENT_RANKS.get(self.agreement, 2)
-        return *ranks, -size
+        is_side_number = bool(SIDE_NUMBERS.fullmatch(self.name))
+        return is_side_number, AGREEMENT_RANKS.get(self.agreement, 2), -size
 
 
 class Comparison(NamedTuple):
@@ -160,7 +160,7 @@ def lacks_interval(number: Number) -> bool:
     return has_no_end and number.status in ("", Status.KNOWN)
 
 
-def interval(number: Number) -> tuple[float, float]:
+def bounds(number: Number) -> tuple[float, float]:
     """Return the ends between which a known number lies: its value if it has no interval."""
     low, high = number.low, number.high
     if math.isnan(low) and math.isnan(high):

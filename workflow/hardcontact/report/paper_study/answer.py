@@ -79,7 +79,7 @@ def paper_answer(
     source = topography["source"].to_series()
     contact = paper_contact(numeric_configuration(configuration))
     changed = changed_inputs(contact, list(surfaces), table1)
-    judgements = [] if changed else _judgements(claims)
+    verdict_numbers = [] if changed else _verdict_numbers(claims)
     return {
         "study": configuration["study"],
         "version": version,
@@ -101,7 +101,8 @@ def paper_answer(
         ],
         "notes": _notes(topography, facts),
         "quantities": all_quantities(
-            [*numbers.values(), *judgements], {name: surfaces[name].values() for name in surfaces}
+            [*numbers.values(), *verdict_numbers],
+            {name: surfaces[name].values() for name in surfaces},
         ),
     }
 
@@ -152,12 +153,12 @@ def study_numbers(
     sensitivity = datasets["sensitivity"]
     yield from strongest_octaves(sensitivity[["octave_sensitivity"]].mean("surface"))
     yield Number("whole_surface_size", float(sensitivity["map_size"].max()), "nm", source="given")
-    yield from _fit_samples(datasets, constants)
+    yield from _pairs_of_sets(datasets, constants)
     yield from _feature_numbers(datasets["features"], datasets["sets"].attrs["confidence"])
     yield from _settings(datasets, constants)
 
 
-def _judgements(claims: pd.DataFrame) -> Iterator[Number]:
+def _verdict_numbers(claims: pd.DataFrame) -> Iterator[Number]:
     """Yield the share of sets in which each claim holds, and how often each verdict was reached."""
     agreeing_shares = claims.dropna(subset="computed").set_index("id")["agreeing_share"]
     for name, claim in ANSWER_CLAIMS.items():
@@ -235,23 +236,23 @@ def _forces_on_scans(datasets: Mapping[str, xr.Dataset]) -> xr.Dataset:
 
 
 def _decisive_surface(sets: xr.Dataset) -> str:
-    """Return the surface without which the sets spread least over the range of adhesion."""
+    """Return the surface without which the best ranges of the sets scatter least."""
     ranges = sets["range_without_surface"].sel(contact_model=PLASTIC).transpose("left_out", "set")
     return str(ranges["left_out"].values[np.log(ranges.values).std(axis=1).argmin()])
 
 
-def _fit_samples(datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame) -> Iterator[Number]:
-    """Yield range and work of adhesion with all surfaces, and without the decisive one.
+def _pairs_of_sets(datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame) -> Iterator[Number]:
+    """Yield the best range and work of adhesion of the sets, with and without the decisive surface.
 
-    Also the standard deviation of the best pairs over the sets, and the printed uncertainty.
+    Yields also the standard deviation of each over the sets, and its printed uncertainty.
     """
     confidence = datasets["sets"].attrs["confidence"]
     sets = datasets["sets"].sel(contact_model=PLASTIC)
     without_decisive = sets.sel(left_out=_decisive_surface(datasets["sets"]))
     for name, unit in PAIR_UNITS.items():
-        yield _median(f"all_surfaces_{name}", unit, sets[name].values, confidence)
+        yield _median_number(f"all_surfaces_{name}", unit, sets[name].values, confidence)
         sample = without_decisive[WITHOUT_SURFACE[name]].values
-        yield _median(f"without_decisive_{name}", unit, sample, confidence)
+        yield _median_number(f"without_decisive_{name}", unit, sample, confidence)
         yield Number(f"{name}_scatter", float(sets[name].std(ddof=1)), unit)
         uncertainty = constants["uncertainty"][name]
         yield Number(f"{name}_uncertainty", uncertainty, unit, source="published")
@@ -265,14 +266,14 @@ def _feature_numbers(features: xr.Dataset, confidence: float) -> Iterator[Number
         yield Number(f"{kind}_samples_that_agree", samples["agrees"].mean().item())
         for variable, unit in FORCE_UNITS.items():
             name = f"{kind}_{variable.removesuffix('_at_pair')}"
-            yield _median(name, unit, samples[variable].values.ravel(), confidence)
+            yield _median_number(name, unit, samples[variable].values.ravel(), confidence)
     for variable, unit in FORCE_UNITS.items():
         name = variable.removesuffix("_at_pair")
         value = features.attrs[f"published_{name}"]
         yield Number(f"featured_{name}_published", value, unit, source="published")
 
 
-def _median(name: str, unit: str, sample: np.ndarray, confidence: float) -> Number:
+def _median_number(name: str, unit: str, sample: np.ndarray, confidence: float) -> Number:
     """Return the median over sets or samples of a number, with the interval of the claims."""
     ends = percentile_interval(sample, confidence)
     return Number(name, np.quantile(sample, 0.5), unit, *ends)
