@@ -92,11 +92,7 @@ def paper_answer(
         "assumed": [],
         "chosen": [],
         "surfaces": [
-            {
-                "name": name,
-                "label": labels[name],
-                "source": source[name],
-            }
+            {"name": name, "label": labels[name], "source": source[name]}
             for name in (*surfaces, topography.attrs["sphere_surface"])
         ],
         "notes": _notes(topography, facts),
