@@ -14,7 +14,7 @@ import matplotlib
 import numpy as np
 import pytest
 import scan_files
-from direct_sum import direct_total
+from direct_sum import direct_total, gap_to_sphere
 from known_spectra import self_affine_spectrum
 from measurements import random_map
 from periodic_maps import periodic_map
@@ -144,13 +144,9 @@ def test_forces_are_the_direct_sum_over_every_pixel(files):
     forces = hc.pull_off_forces(scan, ranges=[2.0, rho], work=work, **SPHERE, **LOAD, **ARRAY)
     pixels, window = 256, 160
     mirrored = np.pad(scan.heights.astype(float), [(0, 128)] * 2, mode="symmetric")
-    offset = np.arange(window) - window // 2
-    sphere = (offset * PIXEL) ** 2 / (2 * SPHERE["radius"])
     positions = np.floor((np.arange(3) + 0.25) * pixels / 3).astype(int)
     for i, j in np.ndindex(3, 3):
-        y, x = positions[i], positions[j]
-        heights_in_window = mirrored[np.ix_((y + offset) % pixels, (x + offset) % pixels)]
-        gap = sphere[:, None] + sphere - heights_in_window
+        gap = gap_to_sphere(mirrored, positions[[i, j]], window, PIXEL, SPHERE["radius"])
         for model, count in (
             ("rigid", 1),
             ("plastic", Contact(radius=1.0, **LOAD).pixel_count(PIXEL)),

@@ -7,6 +7,17 @@ from hardcontact.contact.geometry import flattened_gaps
 from hardcontact.contact.pull_off import attraction_totals
 
 
+def gap_to_sphere(heights, position, pixels, pixel_size, radius):
+    """Return the gap (pixels, pixels) between periodic heights and a smooth sphere above them.
+
+    The gap (nm) is that at an apex in the plane of zero height, above the position (y, x).
+    """
+    offsets = np.arange(pixels) - pixels // 2
+    shape = (offsets * pixel_size) ** 2 / (2 * radius)
+    rows, columns = ((index + offsets) % len(heights) for index in position)
+    return shape[:, None] + shape - heights[np.ix_(rows, columns)]
+
+
 def direct_total(gap, contact_pixel_count, rho):
     """Return the sum of exp(-gap/rho) at plastic contact, of a gap (window, window) in nm."""
     return float(np.exp(-flattened_gaps(gap, contact_pixel_count) / rho).sum())

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 import xarray as xr
-from direct_sum import direct_total
+from direct_sum import direct_total, gap_to_sphere
 from measurements import random_map
 
 from hardcontact.base.random import generator
@@ -40,16 +40,9 @@ def sphere():
 
 def direct_force(wafer, sphere, contact_pixel, position):
     """Eq. 3 summed over every pixel, the sphere at a position of its scan; maps are mirrored."""
-    pixels = round(CONTACT.window / PIXEL_SIZE)
-    offsets = np.arange(pixels) - pixels // 2
-    shape = (offsets * PIXEL_SIZE) ** 2 / (2 * CONTACT.radius)
-    gap = shape[:, None] + shape
-    for stitched, (y, x) in (
-        (mirror_stitch(wafer), contact_pixel),
-        (mirror_stitch(sphere), position),
-    ):
-        period = stitched.pixels
-        gap -= stitched.heights[np.ix_((y + offsets) % period, (x + offsets) % period)]
+    window = round(CONTACT.window / PIXEL_SIZE), PIXEL_SIZE
+    gap = gap_to_sphere(mirror_stitch(wafer).heights, contact_pixel, *window, CONTACT.radius)
+    gap = gap + gap_to_sphere(mirror_stitch(sphere).heights, position, *window, np.inf)
     total = direct_total(gap, CONTACT.pixel_count(PIXEL_SIZE), CONTACT.rho)
     return pull_off_force(total, CONTACT.rho, PIXEL_SIZE, 1.0).item()
 

@@ -2,11 +2,12 @@
 
 import json
 from dataclasses import replace
+from itertools import product
 
 import numpy as np
 import pytest
 import scan_files
-from direct_sum import direct_total
+from direct_sum import direct_total, gap_to_sphere
 from known_spectra import contact_of_area, self_affine_spectrum
 from measurements import random_map
 from refusals import assert_says, refusal
@@ -51,18 +52,13 @@ def direct_force(scan):
     """The mean plastic force (N) over the contacts of a levelled map, pixel by pixel."""
     heights = stitched_map(scan).heights.astype(float)
     pixels = window_pixels(contact_on_scan(scan, CONTACT).window, scan.pixel_size)
-    offsets = np.arange(pixels) - pixels // 2
-    paraboloid = (offsets * scan.pixel_size) ** 2 / (2 * RADIUS)
     positions = contact_positions(len(heights), CONTACTS)
-    gaps = (
-        paraboloid[:, None]
-        + paraboloid
-        - heights[np.ix_((y + offsets) % len(heights), (x + offsets) % len(heights))]
-        for y in positions
-        for x in positions
-    )
     touching = int(np.ceil(AREA / scan.pixel_size**2))
-    totals = [direct_total(gap - gap.min(), touching, RANGE) for gap in gaps]
+    totals = [
+        direct_total(gap_to_sphere(heights, position, pixels, scan.pixel_size, RADIUS),
+                     touching, RANGE)
+        for position in product(positions, repeat=2)
+    ]  # fmt: skip
     return np.mean(totals) * WORK / RANGE * scan.pixel_size**2 * 1e-9
 
 
