@@ -103,16 +103,16 @@ def _draw_error_map(axes: Axes, fit: xr.Dataset, published_constants: pd.DataFra
     style.label_panel(axes, "b", "error over ρ and $W$, plastic contact")
 
 
-def _mark_minima(axes: Axes, fit: xr.Dataset, height: str, unit: float = 1) -> None:
+def _mark_minima(axes: Axes, fit: xr.Dataset, ordinate: str, unit: float = 1) -> None:
     """Mark the best fit of the study with a star, other minima of its error with rings.
 
-    The `height` over the range of adhesion (nm) is the "work" or the "error", in `unit`.
+    The `ordinate` over the range of adhesion (nm) is "work" or "error", in `unit`.
     """
-    best = fit[{"work": "work_of_adhesion", "error": "best_error"}[height]] / unit
+    best = fit[{"work": "work_of_adhesion", "error": "best_error"}[ordinate]] / unit
     is_other = fit["range_at_minimum"].values != fit["range_of_adhesion"].item()
     ranges = fit["range_at_minimum"][is_other]
-    heights = fit[f"{height}_at_minimum"][is_other]
+    ordinates = fit[f"{ordinate}_at_minimum"][is_other]
     best_look: style.Look = {"ls": "none", "zorder": 6, "label": "best fit of the study"}
     other_look: style.Look = best_look | {"label": "other minimum of it"}
     axes.plot(fit["range_of_adhesion"], best, **FIT_STAR, **best_look)
-    axes.plot(ranges, heights / unit, **FIT_RING, **other_look)
+    axes.plot(ranges, ordinates / unit, **FIT_RING, **other_look)
