@@ -14,7 +14,7 @@ import numpy as np
 from hardcontact.base.arrays import Floats
 from hardcontact.scans.reliable_band import STEEPEST_SELF_AFFINE_SLOPE, ReliableBand
 from hardcontact.surfaces.height_map import HeightMap
-from hardcontact.surfaces.levelling import level
+from hardcontact.surfaces.levelling import level, squared_projections
 from hardcontact.surfaces.spectrum import (
     BIN_CENTRES,
     BIN_WIDTH,
@@ -214,23 +214,16 @@ def extrapolate_long_waves(density: Floats, longest: float, slope: float, rollof
 def levelled_share(wavevector: Floats, size: float, kind: str) -> Floats:
     """Return the share (q,) of the variance of random waves that remains in a levelled scan.
 
-    Levelling a scan of size L (nm) removes, in closed form, the squared projections on 1, sqrt(12)
-    x/L and, for a map, sqrt(12) y/L.
+    Levelling a scan of this size (nm) removes the mean and the slope along x and, for a map, y.
     """
     angle = (np.arange(DIRECTION_COUNT) + 0.5) * np.pi / 2 / DIRECTION_COUNT
     half = np.maximum(wavevector[:, None] * size / 2, 1e-3)
-    mean_x, slope_x = _squared_projections(half * np.cos(angle))
+    mean_x, slope_x = squared_projections(half * np.cos(angle))
     if kind == "line scan":
         return np.asarray((1 - mean_x - slope_x).mean(axis=1))
-    mean_y, slope_y = _squared_projections(half * np.sin(angle))
+    mean_y, slope_y = squared_projections(half * np.sin(angle))
     removed = mean_x * mean_y + slope_x * mean_y + mean_x * slope_y
     return np.asarray((1 - removed).mean(axis=1))
-
-
-def _squared_projections(half: Floats) -> tuple[Floats, Floats]:
-    """Return the squared projections of exp(2iau), |u| <= 1/2, on 1 and sqrt(12) u."""
-    slope = np.sqrt(3) * (np.sin(half) - half * np.cos(half)) / half**2
-    return (np.sin(half) / half) ** 2, slope**2
 
 
 class RolloffEvidence:

@@ -6,6 +6,7 @@ from dataclasses import replace
 import numpy as np
 import xarray as xr
 
+from hardcontact.base.arrays import Floats
 from hardcontact.base.units import NM
 from hardcontact.surfaces.height_map import (
     HeightMap,
@@ -29,6 +30,17 @@ def level(scan: HeightMap) -> HeightMap:
     for slope, axis in zip(slopes, axes, strict=True):
         levelled = levelled - slope * axis
     return replace(scan, heights=levelled.T)
+
+
+def squared_projections(phase: Floats) -> tuple[Floats, Floats]:
+    """Return the shares of the variance of waves that the mean and the slope of a line contain.
+
+    The wave is exp(2 i `phase` u) for |u| <= 1/2. `level` removes its projections on 1 and
+    sqrt(12) u, the Legendre functions of degree 0 and 1: spherical Bessel functions of the phase.
+    """
+    from scipy.special import spherical_jn
+
+    return spherical_jn(0, phase) ** 2, 3 * spherical_jn(1, phase) ** 2
 
 
 def level_lines(scan: HeightMap) -> HeightMap:

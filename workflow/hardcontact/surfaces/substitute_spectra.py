@@ -19,6 +19,7 @@ from hardcontact.surfaces.descriptions import (
     TAIL_ROWS,
     read_segments,
 )
+from hardcontact.surfaces.levelling import squared_projections
 from hardcontact.surfaces.spectrum import (
     WAVEVECTORS,
     Spectrum,
@@ -57,27 +58,22 @@ def transfer_weights(pixels: int, pixel_size: float, window_pixels: int) -> Weig
     """Return wavevectors (bins,) and weights (3, bins) for the expected rms values of a scan.
 
     Squares of rms height, gradient and half-Laplacian are weights @ C_iso. The scan of
-    `window_pixels` is cut out of a periodic surface of `pixels` (both per row) and levelled, which
-    removes Legendre functions of degree 0 and 1; their transforms are spherical Bessel functions.
+    `window_pixels` is cut out of a periodic surface of `pixels` (both per row) and levelled.
     """
-    from scipy.special import spherical_jn
-
     wave = 2 * np.pi * np.abs(np.fft.fftfreq(pixels, pixel_size))
     half = wave[: pixels // 2 + 1]
     count = np.where((half == 0) | (half == half.max()), 1.0, 2.0)
     shortest = np.hypot(wave.max(), half.max())
     edges = np.geomspace(half[1] * 0.999, shortest * 1.001, BIN_COUNT + 1)
-    # Along one axis: the shares that mean and tilt remove, and the squared difference operator.
-    phase = wave * window_pixels * pixel_size / 2
-    mean = spherical_jn(0, phase) ** 2
-    tilt = 3 * spherical_jn(1, phase) ** 2
+    mean, slope = squared_projections(wave * window_pixels * pixel_size / 2)
+    # The squared difference operator along one axis.
     difference = (2 * np.sin(wave * pixel_size / 2) / pixel_size) ** 2
-    mean_x, tilt_x, difference_x = (values[: len(half)] for values in (mean, tilt, difference))
+    mean_x, slope_x, difference_x = (values[: len(half)] for values in (mean, slope, difference))
     weights = np.zeros((3, BIN_COUNT))
     for start in range(0, pixels, BLOCK_ROWS):
         rows = slice(start, start + BLOCK_ROWS)
-        mean_y, tilt_y = mean[rows, None], tilt[rows, None]
-        removed = mean_y * mean_x + tilt_y * mean_x + mean_y * tilt_x
+        mean_y, slope_y = mean[rows, None], slope[rows, None]
+        removed = mean_y * mean_x + slope_y * mean_x + mean_y * slope_x
         laplacian = difference[rows, None] + difference_x
         radius = np.hypot(wave[rows, None], half)
         if start == 0:
