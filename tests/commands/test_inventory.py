@@ -8,7 +8,9 @@ from refusals import assert_says
 from scan_files import write_container, write_scan
 
 from hardcontact.commands import inventory as module
-from hardcontact.commands.inventory import inventory, table_rows
+from hardcontact.commands.inventory import inventory
+from hardcontact.commands.inventory_tables import table_rows
+from hardcontact.commands.options import ReadingOptions
 from hardcontact.commands.request import ScanFile, list_scan_files, parse_arguments
 
 
@@ -19,7 +21,9 @@ def scan_file(path, **others):
 
 def only_entry(path, tip_radius=None, **others):
     """Return the entry of a file with one topography."""
-    ((entry,), unreadable, problems) = inventory([scan_file(path, **others)], tip_radius)
+    ((entry,), unreadable, problems) = inventory(
+        [scan_file(path, **others)], ReadingOptions(tip_radius)
+    )
     assert not unreadable and not problems
     return entry
 
@@ -50,11 +54,11 @@ def test_an_unreadable_member_of_a_container_is_skipped(tmp_path):
     ]
     files = {"good.nc": sound_scan, "bad.txt": tmp_path / "bad.txt"}
     twin = write_container(tmp_path / "twin.zip", datasets, files)
-    ((entry,), (line,), problems) = inventory([scan_file(twin)], None)
+    ((entry,), (line,), problems) = inventory([scan_file(twin)], ReadingOptions())
     assert entry.dataset == "good.nc" and not problems
     assert_says(line, "twin.zip: bad.txt: expected")
     unusable_container = write_container(tmp_path / "bad.zip", datasets[1:], files)
-    entries, unreadable, problems = inventory([scan_file(unusable_container)], None)
+    entries, unreadable, problems = inventory([scan_file(unusable_container)], ReadingOptions())
     assert not entries and not unreadable and len(problems) == 1
 
 
@@ -64,12 +68,12 @@ def test_a_folder_stands_for_its_files_of_which_unreadable_ones_are_left_out(tmp
     (tmp_path / ".hidden").write_text("no scan")
     arguments = parse_arguments(["new", "name", str(tmp_path)])
     scan_files, faults = list_scan_files(arguments, 1e5)
-    ((entry,), (line,), problems) = inventory(scan_files, None)
+    ((entry,), (line,), problems) = inventory(scan_files, ReadingOptions())
     assert entry.name == "b.nc" and not faults and not problems
     assert_says(line, "a.txt: expected")
     (tmp_path / "b.nc").unlink()
     scan_files, _ = list_scan_files(arguments, 1e5)
-    _, _, problems = inventory(scan_files, None)
+    _, _, problems = inventory(scan_files, ReadingOptions())
     assert_says(problems[0], "a.txt: expected")
 
 
@@ -84,7 +88,7 @@ def test_all_faulty_scans_and_duplicates_are_reported_at_once(tmp_path):
         write_scan(tmp_path / "again.nc", np.float32(wave() / 1e3), (0.64, 0.64), "um"),
         write_scan(tmp_path / "other.nc", 1.01 * wave(), (640.0, 640.0)),
     ]
-    _, _, problems = inventory([scan_file(path) for path in paths], None)
+    _, _, problems = inventory([scan_file(path) for path in paths], ReadingOptions())
     missing_fault, flat, text, twin = problems
     assert_says(missing_fault, "none.di", "no such file")
     assert_says(flat, "flat.nc", "expected a rough surface", "constant height")
@@ -98,7 +102,7 @@ def test_an_area_counts_once(tmp_path):
     retrace = np.roll(trace, 2, axis=0) + 0.1 * rng.standard_normal((64, 64))
     scans = {"trace": trace, "other": rng.standard_normal((64, 64)), "retrace": retrace}
     paths = [write_scan(tmp_path / f"{name}.nc", values) for name, values in scans.items()]
-    entries, left_out, problems = inventory([scan_file(path) for path in paths], None)
+    entries, left_out, problems = inventory([scan_file(path) for path in paths], ReadingOptions())
     assert [entry.name for entry in entries] == ["trace.nc", "other.nc"] and not problems
     assert left_out == ["retrace.nc: it shows the same area as trace.nc, and an area counts once"]
 

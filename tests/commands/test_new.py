@@ -70,7 +70,7 @@ def accepted(folder, done, effort="full"):
         config = apply_effort(config | {"effort": "quick", "quick": quick})
     config = numeric_configuration(config)
     table = surface_table(folder / f"config/{NAME}.tsv")
-    checks.check_study(config, table, [])
+    checks.check_study(config, table)
     return config, table
 
 

@@ -11,7 +11,7 @@ from known_spectra import contact_of_area, self_affine_spectrum
 from prediction_command import predict_json, predict_text
 from refusals import assert_says, refusal
 
-from hardcontact.commands import request
+from hardcontact.commands.options import implausible_quantities, parse_quantities
 from hardcontact.commands.predict import predict_arguments
 from hardcontact.own.own_spectrum import table_spectrum
 from hardcontact.scans.extrapolated_spectrum import extrapolate_short_waves, fit_hurst_exponent
@@ -206,10 +206,8 @@ def test_short_waves_missing_from_the_table_are_extrapolated(table):
 def test_implausible_quantities_are_questioned(name, usual, questioned):
     for texts, count in ((usual, 0), (questioned, 1)):
         for text in texts:
-            quantities, faults = request.parse_quantities(
-                predict_arguments(["a.csv", f"--{name}", text])
-            )
-            lines = list(request.implausible_quantities(quantities))
+            quantities, faults = parse_quantities(predict_arguments(["a.csv", f"--{name}", text]))
+            lines = list(implausible_quantities(quantities))
             assert not faults and len(lines) == count, lines
             assert all(line.startswith(f"--{name} {text}: is the unit right?") for line in lines)
 

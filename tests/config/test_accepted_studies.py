@@ -6,7 +6,6 @@ from itertools import product
 import numpy as np
 from hypothesis import HealthCheck, Phase, assume, given, settings
 from hypothesis import strategies as st
-from paper_numbers import SUBSTRATES
 from repository import PAPER, merge_configurations
 
 from hardcontact.config import selected_surfaces
@@ -97,7 +96,7 @@ def accepted(overlay):
     try:
         config = numeric_configuration(merge_configurations(PAPER, overlay))
         table = selected_surfaces.surface_table("config/surfaces.tsv")
-        checks.check_study(config, table, SUBSTRATES)
+        checks.check_study(config, table)
     except ValueError:
         return None
     return config

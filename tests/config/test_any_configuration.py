@@ -84,7 +84,7 @@ def outcome(config):
     try:
         numbers = numeric_configuration(config)
         rows = surface_table(numbers["surfaces"])
-        checks.check_study(numbers, selected_scans(rows, numbers["scans"]), SUBSTRATES)
+        checks.check_study(numbers, selected_scans(rows, numbers["scans"]))
         message = None
     except ValueError as error:
         message = str(error)

@@ -4,7 +4,6 @@ from functools import reduce
 
 import pandas as pd
 import yaml
-from paper_numbers import SUBSTRATES
 from repository import PAPER, ROOT, ROWS, TINY, merge_configurations
 
 from hardcontact.config import selected_surfaces
@@ -58,7 +57,7 @@ def read_surfaces(text, folder):
 def check_configuration(config, folder, text=ROWS):
     """Check a configuration in numbers with a table of surfaces of this text."""
     table = selected_surfaces.selected_scans(read_surfaces(text, folder), config["scans"])
-    checks.check_study(config, table, SUBSTRATES)
+    checks.check_study(config, table)
 
 
 def table_of_own_scans(*paths):

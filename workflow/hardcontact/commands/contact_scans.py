@@ -93,14 +93,12 @@ def _groups(entries: Sequence[Entry]) -> dict[str, list[Group]]:
         groups[surface] = []
         for entry in scans:
             if entry.kind == "map" and low <= entry.pixel_size <= high:
-                matching_groups = (
-                    group for group in groups[surface] if same_grid(group[0].grid, entry.grid)
-                )
-                group = next(matching_groups, None)
-                if group is None:
-                    groups[surface].append([entry])
+                for group in groups[surface]:
+                    if same_grid(group[0].grid, entry.grid):
+                        group.append(entry)
+                        break
                 else:
-                    group.append(entry)
+                    groups[surface].append([entry])
     raise_faults(
         f"surface {surface}: expected a height map, on which contacts are made, with pixels of "
         f"{low:g} to {high:g} nm, found none; for line scans alone, `hardcontact predict` gives "

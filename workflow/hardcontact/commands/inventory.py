@@ -4,33 +4,24 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 from pathlib import PurePath
+from typing import NamedTuple
 
 import numpy as np
 
 from hardcontact.base.arrays import Floats
-from hardcontact.base.formatting import format_length
-from hardcontact.commands.output import align_cells
+from hardcontact.commands.options import ReadingOptions
 from hardcontact.commands.request import ScanFile
-from hardcontact.config.selected_surfaces import CONTACT_USE
 from hardcontact.contact.grid_limits import Grid
 from hardcontact.scans.defects import scan_with_defects
-from hardcontact.scans.heights import split_notes
 from hardcontact.scans.mean_spectrum import describe_contradictions, find_contradictions
 from hardcontact.scans.measured_spectrum import isotropic_psd
 from hardcontact.scans.reading import list_scans, read_scan
-from hardcontact.scans.reliable_band import LIMIT_NAMES, ReliableBand, reliable_band
+from hardcontact.scans.reliable_band import ReliableBand, reliable_band
 from hardcontact.scans.repeated_scans import coarse_map, repeated_scans
 from hardcontact.surfaces.height_map import HeightMap
 
-#: The use of scans that only enter the spectrum of their surface.
-SPECTRUM_USE = "spectrum"
 #: How undefined pixels are filled, so that the properties of the scan can be measured.
 FILLING = "harmonic"
-#: Columns of the table that is printed.
-ENTRY_COLUMNS = (
-    "", "surface", "file", "channel", "kind", "size", "pixels", "unit", "rms", "peak to valley",
-    "tip radius", "reliable", "used for",
-)  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -83,27 +74,28 @@ class Entry:
         return f"{file}/{self.dataset}" if self.dataset else file
 
 
+class Inventory(NamedTuple):
+    """The usable topographies of files, lines on those that are left out, and problems."""
+
+    entries: list[Entry]
+    left_out: list[str]
+    problems: list[str]
+
+
 def inventory(
-    scan_files: Sequence[ScanFile],
-    tip_radius: float | None,
-    channel: str = "",
-    unit: str = "none",
-    map_size: float | str = "none",
-    levelling: str = "plane",
-    *,
-    mask: str = "keep",
-) -> tuple[list[Entry], list[str], list[str]]:
-    """Return the topographies of files, lines on those that are left out, and problems.
+    scan_files: Sequence[ScanFile], options: ReadingOptions, channel: str = ""
+) -> Inventory:
+    """Return the topographies of files.
 
     Unusable datasets of containers, and scans of an area that an earlier scan shows, are left out.
-    Tip radius and `map_size`, the longer side, are in nm; with `unit` they serve files that state
-    none. `channel` is read from files that are not containers; empty for the file's own choice.
+    `channel` is read from files that are not containers; empty for the file's own choice.
     """
     entries: list[Entry] = []
     unreadable: list[str] = []
     problems: list[str] = []
 
     def read_entry(scan_file: ScanFile, dataset: str) -> Entry:
+        tip_radius, unit, map_size, levelling, mask = options
         scan = read_scan(scan_file.file, dataset or channel, FILLING, unit, map_size, mask)
         return _entry(scan_file, scan, tip_radius, levelling)
 
@@ -116,7 +108,7 @@ def inventory(
         problems += unreadable
     problems += _twin_faults(entries)
     kept_entries, repeated = _leave_out_repeated_scans(entries)
-    return kept_entries, unreadable + repeated, problems
+    return Inventory(kept_entries, unreadable + repeated, problems)
 
 
 def _read_file(
@@ -218,63 +210,3 @@ def _entry(scan_file: ScanFile, scan: HeightMap, tip_radius: float | None, level
         defects=flat.defects,
         coarse=coarse_map(flat),
     )
-
-
-def printed_table(entries: Sequence[Entry], uses: Sequence[str]) -> str:
-    """Return a table of the entries and their uses, with the notes on reading below."""
-    rows = [ENTRY_COLUMNS]
-    notes = []
-    for number, (entry, use) in enumerate(zip(entries, uses, strict=True), 1):
-        is_map = entry.kind == "map"
-        tip = entry.tip_radius
-        band = entry.band
-        rows.append(
-            (
-                str(number),
-                entry.scan_file.label,
-                entry.name,
-                entry.channel,
-                "height map" if is_map else "line scan",
-                format_length(entry.size),
-                f"{entry.pixels} x {entry.pixels}" if is_map else str(entry.pixels),
-                entry.file_unit,
-                format_length(entry.rms_height),
-                format_length(entry.peak_to_valley),
-                "unknown" if tip is None else format_length(tip),
-                "none"
-                if entry.is_blind
-                else f"{format_length(band.shortest)} to {format_length(band.longest)}",
-                use,
-            )
-        )
-        notes += [f"{number}: {note}" for note in split_notes(entry.notes)[0]]
-        if band.limited_by != "pixels":
-            limit = LIMIT_NAMES[band.limited_by]
-            notes.append(f"{number}: shorter wavelengths are not reliable: {limit}")
-    return "\n".join([*align_cells(rows), *notes])
-
-
-def table_rows(
-    entries: Sequence[Entry], contact_entries: Sequence[Entry], tip_radius: str
-) -> list[dict[str, str]]:
-    """Return the rows of the table of surfaces by column; scans that make contacts come first.
-
-    The tip radius is the quantity that the user gave for files that state none, or empty.
-    """
-    contact_ids = {id(entry) for entry in contact_entries}
-    return [
-        {
-            "surface": surface,
-            "label": entry.scan_file.label,
-            "scan": str(number),
-            "source": "measured",
-            "path": entry.scan_file.path,
-            "dataset": entry.dataset,
-            "use": CONTACT_USE if id(entry) in contact_ids else SPECTRUM_USE,
-            "tip_radius": tip_radius if entry.tip_given else "",
-        }
-        for surface, scans in entries_by_surface(entries).items()
-        for number, entry in enumerate(
-            sorted(scans, key=lambda scan: id(scan) not in contact_ids), 1
-        )
-    ]

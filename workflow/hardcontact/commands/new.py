@@ -11,22 +11,19 @@ from pathlib import Path
 from typing import Any
 
 from hardcontact.base.atomic_file import atomic_file
-from hardcontact.commands.inventory import (
-    SPECTRUM_USE,
-    Entry,
-    entries_by_surface,
-    inventory,
-    printed_table,
-    table_rows,
+from hardcontact.commands.inventory import Entry, entries_by_surface, inventory
+from hardcontact.commands.inventory_tables import printed_table, table_rows, table_text
+from hardcontact.commands.options import (
+    QuantityOption,
+    implausible_quantities,
+    parse_quantities,
+    reading_options,
 )
 from hardcontact.commands.proposal import Choice, Proposal, propose
 from hardcontact.commands.request import (
     SPHERE,
-    QuantityOption,
-    implausible_quantities,
     list_scan_files,
     name_faults,
-    parse_quantities,
     path_from_root,
 )
 from hardcontact.commands.scan_cautions import refuse_unreliable
@@ -35,8 +32,14 @@ from hardcontact.config.faults import raise_faults, run_checks, validate
 from hardcontact.config.force_table import measured_forces
 from hardcontact.config.key_tables import commented_yaml
 from hardcontact.config.limits import refuse_unfit_grids
-from hardcontact.config.model import CONTACT_QUANTITIES, NONE, SMOOTH_SPHERE, numeric_configuration
-from hardcontact.config.selected_surfaces import CONTACT_USE, SurfaceRow
+from hardcontact.config.model import (
+    CONTACT_QUANTITIES,
+    NONE,
+    SMOOTH_SPHERE,
+    key_field,
+    numeric_configuration,
+)  # fmt: skip
+from hardcontact.config.selected_surfaces import SurfaceRow
 from hardcontact.contact.contact import Contact
 from hardcontact.records.code import ROOT
 
@@ -48,16 +51,9 @@ def new_study(arguments: Namespace) -> str:
     """
     quantities, faults = parse_quantities(arguments)
     scan_files, file_faults = list_scan_files(arguments, quantities["radius"].number)
-    tip = quantities.get("tip")
-    tip_text = tip.text if tip else ""
-    entries, unreadable, scan_faults = inventory(
-        scan_files,
-        tip.number if tip else None,
-        arguments.channel,
-        arguments.unit,
-        quantities["size"].number if "size" in quantities else NONE,
-        arguments.levelling,
-        mask=arguments.mask,
+    tip_text = quantities["tip"].text if "tip" in quantities else ""
+    entries, left_out, scan_faults = inventory(
+        scan_files, reading_options(arguments, quantities), arguments.channel
     )
     faults += [*file_faults, *scan_faults]
     checks: list[Callable[[], Any]] = [
@@ -80,7 +76,7 @@ def new_study(arguments: Namespace) -> str:
     proposal, choices = results[-1]
     table = table_text(table_rows(entries, proposal.contact_entries, tip_text))
     report = [
-        *_report_lines(entries, unreadable, proposal, choices),
+        *_report_lines(entries, left_out, proposal, choices),
         *_write_study(arguments.name, table, choices, proposal.quick),
     ]
     return "\n".join(report)
@@ -157,25 +153,24 @@ def _choices_without_scans(
     yield Choice("store", f"results/store-{name}", "intermediates")
     yield Choice("published", NONE, "nothing of the paper is needed or judged")
     yield Choice("surfaces", f"config/{name}.tsv", "one row per scan")
-    if arguments.unit != NONE:
-        yield Choice("scan.unit", arguments.unit, "as given, for files that state none")
-    if "size" in quantities:
-        yield Choice(
-            "scan.map_size", quantities["size"].text, "as given, for files that state none"
-        )
-    if arguments.mask != "keep":
-        yield Choice("scan.mask", arguments.mask, "as given, for all files with a mask")
-    if arguments.levelling != "plane":
-        yield Choice("scan.levelling", arguments.levelling, "as given, for all height maps")
+    size = quantities["size"].text if "size" in quantities else NONE
+    for key, value, files in (
+        ("scan.unit", arguments.unit, "files that state none"),
+        ("scan.map_size", size, "files that state none"),
+        ("scan.mask", arguments.mask, "all files with a mask"),
+        ("scan.levelling", arguments.levelling, "all height maps"),
+    ):
+        if value != key_field(key).default:
+            yield Choice(key, value, f"as given, for {files}")
     if arguments.forces is not None:
         yield Choice("forces", path_from_root(arguments.forces), "own pull-off forces")
     given = [option for option in CONTACT_QUANTITIES if quantities[option].is_given]
     if given:
         yield Choice("given", given, "known; others that equal the paper's are assumed")
-    surface, reason = (
-        (SPHERE, "its scans") if arguments.sphere else (SMOOTH_SPHERE, "no scans of it")
-    )
-    yield Choice("sphere.surface", surface, reason)
+    if arguments.sphere:
+        yield Choice("sphere.surface", SPHERE, "its scans")
+    else:
+        yield Choice("sphere.surface", SMOOTH_SPHERE, "no scans of it")
     for option, (key, meaning) in CONTACT_QUANTITIES.items():
         if option != "range":  # which the scans may not permit
             quantity = quantities[option]
@@ -184,21 +179,18 @@ def _choices_without_scans(
 
 
 def _report_lines(
-    entries: Sequence[Entry], unreadable: list[str], proposal: Proposal, choices: Sequence[Choice]
+    entries: Sequence[Entry], left_out: list[str], proposal: Proposal, choices: Sequence[Choice]
 ) -> Iterator[str]:
     """Yield the lines of the report on the entries and the choices."""
-    contact_ids = {id(entry) for entry in proposal.contact_entries}
     yield "Found:"
-    yield printed_table(
-        entries, [CONTACT_USE if id(entry) in contact_ids else SPECTRUM_USE for entry in entries]
-    )
+    yield printed_table(entries, proposal.contact_entries)
     labels = {entry.scan_file.surface: entry.scan_file.label for entry in entries}
     ids = [f"{surface} is {label}" for surface, label in labels.items() if surface != label]
     if ids:
         yield f"\nIds of surfaces in paths and tables, also in that of forces: {', '.join(ids)}"
-    if unreadable:
+    if left_out:
         yield "\nLeft out:"
-        yield from unreadable
+        yield from left_out
     yield "\nContacts are made on:"
     yield from proposal.reasons
     yield "\nChosen:"
@@ -226,9 +218,3 @@ def overlay_text(command: str, choices: Sequence[Choice], quick: Sequence[Choice
     lines = commented_yaml(tree, reasons)
     head = "# Written by `hardcontact new`; config/config.yaml explains every key.\n"
     return f"{head}# {command}\n" + "".join(f"{line}\n" for line in lines)
-
-
-def table_text(rows: Sequence[Mapping[str, str]]) -> str:
-    """Return rows as a table, separated by tabs, with a header."""
-    lines = [[*rows[0]], *([*row.values()] for row in rows)]
-    return "\n".join("\t".join(cells) for cells in lines) + "\n"

@@ -13,17 +13,18 @@ import pandas as pd
 
 from hardcontact.base.formatting import format_length, format_quantity
 from hardcontact.base.number import Number, Status, json_value
-from hardcontact.commands.output import output_faults, write_output
-from hardcontact.commands.parser import CommandLine
-from hardcontact.commands.request import (
+from hardcontact.commands.options import (
     QuantityOption,
     add_shared_options,
     implausible_quantities,
-    one_pixel_touches,
     parse_quantities,
+    reading_options,
 )
+from hardcontact.commands.output import output_faults, write_output
+from hardcontact.commands.parser import CommandLine
+from hardcontact.commands.scan_cautions import one_pixel_touches
 from hardcontact.config.faults import raise_faults, run_checks
-from hardcontact.config.model import CONTACT_QUANTITIES, NONE, Study
+from hardcontact.config.model import CONTACT_QUANTITIES, Study
 from hardcontact.contact.contact import Contact
 from hardcontact.inference.wide_pixels import WIDE_PIXEL
 from hardcontact.own.own_spectrum import OwnSpectrum, read_own_spectrum
@@ -113,14 +114,8 @@ def _spectrum_readers(
     arguments: Namespace, quantities: Mapping[str, QuantityOption]
 ) -> list[Callable[[], OwnSpectrum]]:
     """Return the functions that read the spectra of the surface and of a rough sphere."""
-    reader = partial(
-        read_own_spectrum,
-        tip_radius=quantities["tip"].number if "tip" in quantities else None,
-        unit=arguments.unit,
-        map_size=quantities["size"].number if "size" in quantities else NONE,
-        levelling=arguments.levelling,
-        mask=arguments.mask,
-    )
+    options = reading_options(arguments, quantities)
+    reader = partial(read_own_spectrum, **options._asdict())
     readers = [partial(reader, [arguments.file], dataset=arguments.dataset)]
     if arguments.sphere is not None:
         radius = quantities["radius"].number

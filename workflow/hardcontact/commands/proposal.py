@@ -256,8 +256,8 @@ def _transitions(substrates: Sequence[Entry], sphere_scans: Sequence[Entry]) -> 
     """
     short_scans = _decisive_scans(substrates, sphere_scans, "shortest")
     long_scans = _decisive_scans(substrates, sphere_scans, "longest")
-    ends = [(TRANSITION_PIXELS * scan.pixel_size, "four pixels") for scan in substrates]
-    ends += [(TRANSITION_PIXELS * scan.pixel_size, "four pixels") for scan in short_scans]
+    scans = [*substrates, *short_scans]
+    ends = [(TRANSITION_PIXELS * scan.pixel_size, "four pixels") for scan in scans]
     ends += [(scan.band.shortest, LIMIT_NAMES[scan.band.limited_by]) for scan in short_scans]
     longest = float(f"{TRANSITION_SHARE * min(scan.size for scan in long_scans):.3g}")
     wavelength, reason = max(ends)

@@ -1,21 +1,19 @@
-"""The arguments of the program, those that `new` and `predict` share, and the faults of `new`."""
+"""The arguments of `hardcontact new`: the name of a study, its surfaces and files of scans."""
 
 import os
 import re
-from argparse import ArgumentParser, Namespace
-from collections.abc import Iterator, Mapping, Sequence
+from argparse import Namespace
+from collections.abc import Iterator, Sequence
 from importlib.metadata import version
 from pathlib import Path
 from typing import NamedTuple
 
+from hardcontact.commands.options import add_shared_options
 from hardcontact.commands.parser import CommandLine
-from hardcontact.config.arguments import unit_question
-from hardcontact.config.key_types import STUDY_NAME, UNIT
-from hardcontact.config.model import CONTACT_QUANTITIES, QUICK_SUFFIX, key_field, quantity_type
-from hardcontact.config.selected_surfaces import LABEL, TIP_RADIUS
+from hardcontact.config.key_types import STUDY_NAME
+from hardcontact.config.model import QUICK_SUFFIX
+from hardcontact.config.selected_surfaces import LABEL
 from hardcontact.records.code import ROOT
-from hardcontact.scans.reading import MASKS
-from hardcontact.surfaces.levelling import LEVELLING
 
 #: Id and label of the sphere's surface.
 SPHERE = "sphere"
@@ -24,15 +22,6 @@ RESERVED_NAMES = ("config", "paper", "quick", "store", "surfaces")
 #: Ids that surfaces cannot have: they stand for the mean over surfaces and for a smooth sphere.
 RESERVED_IDS = ("mean", "smooth")
 USAGE = Path(__file__).with_name("new_help.txt").read_text("utf-8")
-
-
-class QuantityOption(NamedTuple):
-    """A quantity of the command line, or the paper's value."""
-
-    text: str  #: As written, with its unit.
-    number: float  #: In `unit`.
-    unit: str  #: Unit of the key in the study.
-    is_given: bool  #: Whether the user gave it.
 
 
 class ScanFile(NamedTuple):
@@ -86,83 +75,6 @@ def parse_arguments(arguments: Sequence[str]) -> Namespace:
         help="replace the files of a study of this name, and with the next run its results",
     )  # fmt: skip
     return parser.parse_intermixed_args(arguments)
-
-
-def add_shared_options(parser: ArgumentParser) -> None:
-    """Add the options of both commands: quantities, and properties that files may not state."""
-    for name, (key, meaning) in CONTACT_QUANTITIES.items():
-        default = key_field(key).default
-        parser.add_argument(f"--{name}", help=f"{meaning} (the paper's: {default})")
-    parser.add_argument("--tip", help="radius of the tip, for the files that do not state it")
-    parser.add_argument(
-        "--unit", default="none",
-        help="unit of length, for the files that do not state it; for points x, y, height two "
-        "units, of positions and of heights, such as mm,nm",
-    )  # fmt: skip
-    parser.add_argument(
-        "--size", help="longer side of the scan, for the files that do not state it"
-    )
-    parser.add_argument(
-        "--mask", choices=MASKS, default="keep",
-        help="what pixels under a mask in a file are: heights, or gaps",
-    )  # fmt: skip
-    parser.add_argument(
-        "--levelling", choices=LEVELLING, default="plane",
-        help="what is removed from height maps: a plane, errors of lines (streaks, offsets), or a "
-        "quadratic polynomial",
-    )  # fmt: skip
-
-
-def parse_quantities(arguments: Namespace) -> tuple[dict[str, QuantityOption], list[str]]:
-    """Return the quantities of the command line by name, and a line for each faulty quantity.
-
-    Tip, size and modulus are there only if the user gave them. A faulty quantity has the paper's
-    value.
-    """
-    quantity_types = {name: quantity_type(key) for name, (key, _) in CONTACT_QUANTITIES.items()}
-    quantity_types |= {
-        "tip": TIP_RADIUS,
-        "size": quantity_type("scan.size"),
-        "modulus": quantity_types["hardness"],
-    }
-    quantities = {}
-    faults = []
-    try:
-        UNIT.check(arguments.unit)
-    except ValueError as error:
-        faults.append(f"--unit: {error}")
-    for name, kind in quantity_types.items():
-        text = getattr(arguments, name, None)
-        try:
-            if text is not None:
-                quantities[name] = QuantityOption(text.strip(), kind.number(text), kind.unit, True)
-        except ValueError as error:
-            faults.append(f"--{name}: {error}")
-        if name in CONTACT_QUANTITIES and name not in quantities:
-            paper_text = key_field(CONTACT_QUANTITIES[name][0]).default
-            number = kind.number(paper_text)
-            quantities[name] = QuantityOption(paper_text, number, kind.unit, False)
-    return quantities, faults
-
-
-def implausible_quantities(quantities: Mapping[str, QuantityOption]) -> Iterator[str]:
-    """Yield a question for each quantity of the user that is not usual."""
-    for name in CONTACT_QUANTITIES:
-        option = quantities[name]
-        question = unit_question(name, option.number)
-        if option.is_given and question:
-            yield f"--{name} {option.text}: {question}"
-
-
-def one_pixel_touches(area: float, pixel_sizes: Sequence[float]) -> Iterator[str]:
-    """Yield a caution if less than a pixel (width in nm) of some scan carries the preload."""
-    largest_pixel = max(pixel_sizes, default=0.0) ** 2
-    if area < largest_pixel:
-        yield (
-            f"the preload is carried by {area:.3g} nm², less than a pixel of the scans "
-            f"({largest_pixel:.3g} nm²): one pixel touches, and hardness and preload do not matter "
-            "on the scans"
-        )
 
 
 def name_faults(arguments: Namespace) -> Iterator[str]:

@@ -7,7 +7,6 @@ import numpy as np
 from hardcontact.base.formatting import format_length, format_quantity
 from hardcontact.commands.contact_scans import WindowChoice
 from hardcontact.commands.inventory import Entry, entries_by_surface, entry_contradiction_lines
-from hardcontact.commands.request import one_pixel_touches
 from hardcontact.config.faults import raise_faults
 from hardcontact.contact.finite_scan import (
     LARGE_ENOUGH,
@@ -120,6 +119,17 @@ def _contact_cautions(
                 f"large enough, these are {format_length(size)} wide: forces come out {low:g} to "
                 f"{high:g} times too high"
             )
+
+
+def one_pixel_touches(area: float, pixel_sizes: Sequence[float]) -> Iterator[str]:
+    """Yield a caution if less than a pixel (width in nm) of some scan carries the preload."""
+    largest_pixel = max(pixel_sizes, default=0.0) ** 2
+    if area < largest_pixel:
+        yield (
+            f"the preload is carried by {area:.3g} nm², less than a pixel of the scans "
+            f"({largest_pixel:.3g} nm²): one pixel touches, and hardness and preload do not matter "
+            "on the scans"
+        )
 
 
 def _filling_cautions(entries: Sequence[Entry]) -> Iterator[str]:

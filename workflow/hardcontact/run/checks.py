@@ -37,11 +37,11 @@ SUBSTITUTE_RELIEF = 500.0
 RELIEF_OVER_RMS = 4.5
 
 
-def check_study(config: dict[str, Any], table: pd.DataFrame, compared: Collection[str]) -> None:
+def check_study(config: dict[str, Any], table: pd.DataFrame) -> None:
     """Refuse a study that would fail in a job; new scans are read after all other checks.
 
-    Quantities in `config` are numbers; `compared` are the surfaces with a published pull-off force.
-    Raises ValueError with a line for each fault, which names the key or the file.
+    Quantities in `config` are numbers. Raises ValueError with a line for each fault, which names
+    the key or the file.
     """
     contacts = table[table.use == CONTACT_USE]
     substitutes = table[table.source == "substitute"].drop_duplicates("surface")
@@ -55,7 +55,7 @@ def check_study(config: dict[str, Any], table: pd.DataFrame, compared: Collectio
         # Imported here, as the claims would cost studies of the user's surfaces almost a second.
         from hardcontact.config.claim_table import refuse_claims
 
-        faults = _paper_faults(config, contacts, compared)
+        faults = _paper_faults(config, contacts)
         checks.append(partial(refuse_claims, CLAIMS))
     else:
         faults = []
@@ -88,9 +88,7 @@ def _name_faults(config: dict[str, Any], key: str, surfaces: list[str]) -> list[
     return [key_fault(key, accepted, get_key(config, key))]
 
 
-def _paper_faults(
-    config: dict[str, Any], contacts: pd.DataFrame, compared: Collection[str]
-) -> list[str]:
+def _paper_faults(config: dict[str, Any], contacts: pd.DataFrame) -> list[str]:
     """Return the faults of a study that is compared with the paper."""
     sphere = config["sphere"]["surface"]
     surfaces = list(contacts.surface.unique())
@@ -100,6 +98,8 @@ def _paper_faults(
         faults += _name_faults(config, key, substrates)
     if config["scan"]["featured_surface"] != NONE:
         faults += _name_faults(config, "scan.featured_surface", substrates)
+    pull_off_table = published.PUBLISHED_TABLES["published_pull_off"]
+    compared = published.read_measured_statistics(pull_off_table).index
     unpublished = [surface for surface in substrates if surface not in compared]
     if unpublished:
         accepted = (

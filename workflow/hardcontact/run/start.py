@@ -14,7 +14,6 @@ from snakemake.io import strip_wildcard_constraints
 from snakemake.settings.types import ExecMode
 from snakemake.utils import min_version
 
-from hardcontact.base import published
 from hardcontact.config.configuration import (
     apply_effort,
     get_key,
@@ -189,10 +188,7 @@ def checked_selection(workflow: Any, configuration: dict[str, Any]) -> Selection
             # Imported here, as the libraries that read scans would cost every job almost a second.
             from hardcontact.run.checks import check_study
 
-            compared = published.read_measured_statistics(
-                published.PUBLISHED_TABLES["published_pull_off"]
-            ).index
-            check_study(configuration, rows, compared)
+            check_study(configuration, rows)
         write_pins()  # A run that is refused writes nothing.
     except ValueError as error:
         _refuse(error)

@@ -1,0 +1,110 @@
+"""The options that `new` and `predict` share: quantities, and how files of scans are read."""
+
+from argparse import ArgumentParser, Namespace
+from collections.abc import Iterator, Mapping
+from typing import NamedTuple
+
+from hardcontact.config.arguments import unit_question
+from hardcontact.config.key_types import UNIT
+from hardcontact.config.model import CONTACT_QUANTITIES, NONE, key_field, quantity_type
+from hardcontact.config.selected_surfaces import TIP_RADIUS
+from hardcontact.scans.reading import MASKS
+from hardcontact.surfaces.levelling import LEVELLING
+
+
+class QuantityOption(NamedTuple):
+    """A quantity of the command line, or the paper's value."""
+
+    text: str  #: As written, with its unit.
+    number: float  #: In `unit`.
+    unit: str  #: Unit of the key in the study.
+    is_given: bool  #: Whether the user gave it.
+
+
+class ReadingOptions(NamedTuple):
+    """How scans are read; tip radius, unit and size serve files that do not state them."""
+
+    tip_radius: float | None = None  #: in nm
+    unit: str = NONE  #: of length, or of positions and of heights
+    map_size: float | str = NONE  #: longer side, in nm
+    levelling: str = "plane"
+    mask: str = MASKS[0]
+
+
+def add_shared_options(parser: ArgumentParser) -> None:
+    """Add the options of both commands: quantities, and properties that files may not state."""
+    for name, (key, meaning) in CONTACT_QUANTITIES.items():
+        default = key_field(key).default
+        parser.add_argument(f"--{name}", help=f"{meaning} (the paper's: {default})")
+    parser.add_argument("--tip", help="radius of the tip, for the files that do not state it")
+    parser.add_argument(
+        "--unit", default="none",
+        help="unit of length, for the files that do not state it; for points x, y, height two "
+        "units, of positions and of heights, such as mm,nm",
+    )  # fmt: skip
+    parser.add_argument(
+        "--size", help="longer side of the scan, for the files that do not state it"
+    )
+    parser.add_argument(
+        "--mask", choices=MASKS, default="keep",
+        help="what pixels under a mask in a file are: heights, or gaps",
+    )  # fmt: skip
+    parser.add_argument(
+        "--levelling", choices=LEVELLING, default="plane",
+        help="what is removed from height maps: a plane, errors of lines (streaks, offsets), or a "
+        "quadratic polynomial",
+    )  # fmt: skip
+
+
+def parse_quantities(arguments: Namespace) -> tuple[dict[str, QuantityOption], list[str]]:
+    """Return the quantities of the command line by name, and a line for each faulty quantity.
+
+    Tip, size and modulus are there only if the user gave them. A faulty quantity has the paper's
+    value.
+    """
+    quantity_types = {name: quantity_type(key) for name, (key, _) in CONTACT_QUANTITIES.items()}
+    quantity_types |= {
+        "tip": TIP_RADIUS,
+        "size": quantity_type("scan.size"),
+        "modulus": quantity_types["hardness"],
+    }
+    quantities = {}
+    faults = []
+    try:
+        UNIT.check(arguments.unit)
+    except ValueError as error:
+        faults.append(f"--unit: {error}")
+    for name, kind in quantity_types.items():
+        text = getattr(arguments, name, None)
+        try:
+            if text is not None:
+                quantities[name] = QuantityOption(text.strip(), kind.number(text), kind.unit, True)
+        except ValueError as error:
+            faults.append(f"--{name}: {error}")
+        if name in CONTACT_QUANTITIES and name not in quantities:
+            paper_text = key_field(CONTACT_QUANTITIES[name][0]).default
+            number = kind.number(paper_text)
+            quantities[name] = QuantityOption(paper_text, number, kind.unit, False)
+    return quantities, faults
+
+
+def reading_options(
+    arguments: Namespace, quantities: Mapping[str, QuantityOption]
+) -> ReadingOptions:
+    """Return how the command line wants scans to be read."""
+    return ReadingOptions(
+        quantities["tip"].number if "tip" in quantities else None,
+        arguments.unit,
+        quantities["size"].number if "size" in quantities else NONE,
+        arguments.levelling,
+        arguments.mask,
+    )
+
+
+def implausible_quantities(quantities: Mapping[str, QuantityOption]) -> Iterator[str]:
+    """Yield a question for each quantity of the user that is not usual."""
+    for name in CONTACT_QUANTITIES:
+        option = quantities[name]
+        question = unit_question(name, option.number)
+        if option.is_given and question:
+            yield f"--{name} {option.text}: {question}"
