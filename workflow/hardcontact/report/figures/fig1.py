@@ -26,10 +26,8 @@ def draw(topography: xr.Dataset) -> Figure:
     rows = math.ceil(len(maps) / MAPS_IN_A_ROW)
     figure = drawing.create(2.4 * rows + drawing.FOOTER, topography)
     grid = figure.subplots(rows, MAPS_IN_A_ROW, squeeze=False).ravel()
-    for axes, letter, (surface, state, padded_heights) in zip(
-        grid, ascii_lowercase, maps, strict=False
-    ):
-        heights = mean_free_heights(padded_heights)
+    for axes, letter, (surface, state, scan) in zip(grid, ascii_lowercase, maps, strict=False):
+        heights = mean_free_heights(scan)
         surface_data = topography.sel(surface=surface)
         panels.draw_map(axes, heights, surface_data["scan_size"].item(), colours[surface])
         rms_height = np.std(heights, dtype=float)

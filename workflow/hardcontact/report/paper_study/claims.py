@@ -21,14 +21,7 @@ from hardcontact.report.quantities import NO_INTERVAL_WORDS
 
 
 def claim_facts(claims: pd.DataFrame) -> dict[str, Any]:
-    """Return the facts about claims that templates show.
-
-    `claims` has rows by id, with printed numbers, `main_statements` the ids of these by rank,
-    `contradicted` the rows of independent statements that are not reproduced, main ones first, and
-    `counts` rows of `verdicts.count_verdicts`.
-    The numbers of statements: `without_scan` reproduced without any scan, `larger_pixels` testable
-    only with the paper's pixels.
-    """
+    """Return the facts about claims that templates show; the last two are numbers of statements."""
     # Templates test for None, because a comparison with NaN is always false.
     plain_rows = claims.astype(object).where(claims.notna(), None).to_dict("records")
     rows = zip(plain_rows, claims.to_dict("records"), strict=True)
@@ -37,13 +30,22 @@ def claim_facts(claims: pd.DataFrame) -> dict[str, Any]:
     independent = [row for row in facts.values() if row["kind"] == "independent"]
     contradicted = [row for row in independent if row["verdict"] == NOT_REPRODUCED]
     reproduced = [row for row in independent if row["verdict"] == REPRODUCED]
+    main_rules = {facts[name]["rule"] for name in ranks}
     return {
+        # Rows by id, and the ids of main statements by rank.
         "claims": facts,
         "main_statements": sorted(ranks, key=lambda name: ranks[name]),
+        # Factors within which numbers of main statements agree.
+        "accepted_factors": sorted(
+            rule.removeprefix("factor ") for rule in main_rules if rule.startswith("factor ")
+        ),
+        # Rows of independent statements that are not reproduced, main statements first.
         "contradicted": sorted(contradicted, key=lambda row: row["main"] == ""),
         "counts": count_verdicts(claims).to_dict("records"),
         "decisive_share": REPRODUCED_SHARE,
+        # Statements that are reproduced without any scan.
         "without_scan": sum(row["basis"] in WITHOUT_SCAN for row in reproduced),
+        # Statements that only the paper's pixels can test.
         "larger_pixels": sum(LARGER_PIXELS in (row["note"] or "") for row in independent),
     }
 

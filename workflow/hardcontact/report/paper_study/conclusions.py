@@ -13,12 +13,11 @@ GRIDS = ("scan_pixels", "contacts_per_row")
 
 def draw_conclusions(numbers: Mapping[str, Number]) -> dict[str, Any]:
     """Return what the headline says of the numbers of the whole study, by the template's names."""
+    sizes = [(numbers[name].value, numbers[f"{name}_published"].value) for name in GRIDS]
     octaves = [numbers[f"octave_{rank}_sensitivity"].value for rank in (1, 2, 3)]
     shifts = [numbers.get(name) for name in ("plasticity_shift", "range_shift")]
     return {
-        "is_coarse": any(
-            numbers[name].value < numbers[f"{name}_published"].value for name in GRIDS
-        ),
+        "is_coarse": any(size < published for size, published in sizes),
         "has_few_sets": numbers["sets"].value < MIN_SETS,
         "roughness_lowers_force": max(octaves) < 0,
         "reasons_are_resolved": all(shift is not None and shift.low > 1 for shift in shifts),

@@ -31,8 +31,14 @@ def paper_page(
     """
     *coatings, _ = answer["surfaces"]  # the last one is the sphere
     coating_numbers = {row["label"]: numbers_by_name(answer, row["name"]) for row in coatings}
-    facts = claim_facts(claims) | {"answer_claims": ANSWER_CLAIMS, "captions": captions}
+    numbers = numbers_by_name(answer)
+    facts = claim_facts(claims) | {"captions": captions}
     facts["most_sensitive"] = most_sensitive_coatings(coating_numbers)
+    facts["artificial_claims"] = [
+        claim
+        for name, claim in ANSWER_CLAIMS.items()
+        if name in numbers and numbers[name].source == "artificial"
+    ]
     return render_page(answer, figures, citation, frame, **facts)
 
 
