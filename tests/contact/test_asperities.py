@@ -5,7 +5,7 @@ import pytest
 from periodic_maps import RADIUS, make_bodies
 
 from hardcontact.contact.asperities import (
-    asperities,
+    asperity_sizes,
     find_carrying_asperities,
     least_carrying_attraction,
 )
@@ -18,7 +18,7 @@ def test_a_paraboloid_carries_its_force_in_one_asperity_of_known_extent(share):
     pixel_size, radius, rho = 20.0, 250e3, 2.0
     offset = (np.arange(600) - 300) * pixel_size
     attraction = np.exp(-(offset[:, None] ** 2 + offset**2) / (2 * radius * rho))
-    largest, two_largest, count, extent = asperities(attraction, share, pixel_size)
+    largest, two_largest, count, extent = asperity_sizes(attraction, share, pixel_size)
     diameter = 2 * np.sqrt(-2 * radius * rho * np.log(1 - share))
     assert extent == pytest.approx(diameter, abs=2 * pixel_size)
     assert count == 1
@@ -30,11 +30,11 @@ def test_two_peaks_share_the_force():
     attraction[50:52, 50:52] = 3.0
     attraction[50, 150] = 2.0
     attraction[120, 20] = 1.0
-    largest, two_largest, count, _ = asperities(attraction, 0.9, 4.0)
+    largest, two_largest, count, _ = asperity_sizes(attraction, 0.9, 4.0)
     assert count == 2
     assert largest == pytest.approx(12 / 15, rel=1e-3)
     assert two_largest == pytest.approx(14 / 15, rel=1e-3)
-    assert asperities(attraction, 0.99, 4.0)[2] == 3
+    assert asperity_sizes(attraction, 0.99, 4.0)[2] == 3
 
 
 def test_the_weakest_carrier_is_that_of_sorted_attractions():
@@ -55,6 +55,6 @@ def test_a_single_peak_carries_the_force_of_every_contact():
     positions = np.array([(0, 0), (0, 1), (1, 0), (1, 1)])
     bodies = make_bodies(heights, None, 20.0, 200, 2)
     carriers = find_carrying_asperities(bodies, contact, positions, 0.9, [1.0])
-    assert (carriers["patch_count"] == 1).all()
+    assert (carriers["asperity_count"] == 1).all()
     assert carriers["largest_share"].values == pytest.approx(np.ones((4, 1)), abs=0.01)
     assert carriers["contact_y"].values.tolist() == [0, 0, 1, 1]

@@ -135,7 +135,12 @@ NUMBERS = [
     ("fig6", 1, "edges", lambda data: data.filtered_force_ratio.sel(side="long")),
     ("fig6", 3, "edges", lambda data: 100 * data.filtered_force_change.sel(side="long")),
     ("fig6", 5, "edges", lambda data: data.edge.sel(side="long")),
-    ("fig_asperities", 2, "asperities", lambda data: data.patch_count.median(["scan", "contact"])),
+    (
+        "fig_asperities",
+        2,
+        "asperities",
+        lambda data: data.asperity_count.median(["scan", "contact"]),
+    ),
     ("fig_asperities", 3, "asperities", lambda data: data.extent.median(["scan", "contact"]) / 1e3),
     ("fig_classical", 0, "classical", lambda data: data.computed_mean_force / MICRO),
     ("fig_classical", 1, "classical", lambda data: data.mean_relative_error),

@@ -1,1 +1,1 @@
-"""Where two bodies touch: sphere and window, bearing area, Hertz, elastic contact, patches."""
+"""Two bodies in contact: their gaps, contact pixels, pull-off forces, asperities and elasticity."""

@@ -21,7 +21,7 @@ from hardcontact.contact.geometry import Bodies, flattened_gaps, gap_map
 ASPERITY_UNITS = {
     "largest_share": "1",
     "two_largest_share": "1",
-    "patch_count": "1",
+    "asperity_count": "1",
     "extent": "nm",
 }
 #: Share of the force that the asperities carry together.
@@ -30,14 +30,14 @@ CARRIED_SHARE = 0.9
 BIN_COUNT = 4096
 
 
-def asperities(
+def asperity_sizes(
     attraction: Floats, share: float, pixel_size: float
 ) -> tuple[float, float, int, float]:
-    """Return numbers of the asperities that together carry a share of the force.
+    """Return the ASPERITY_UNITS of the asperities that together carry a share of the force.
 
-    They are the shares of the strongest asperity and of the two strongest, the number of
-    asperities, and the diameter in nm of the circle about the centre of force that holds the share.
-    The attraction (n, n) is proportional to the force on each pixel.
+    The shares are those of the strongest asperity and of the two strongest. The extent (nm) is the
+    diameter of the circle about the centre of force that holds the share of the force. The
+    attraction (n, n) is proportional to the force on each pixel.
     """
     total = attraction.sum()
     is_carrier = attraction >= least_carrying_attraction(attraction, share, total)
@@ -123,7 +123,7 @@ def find_carrying_asperities(
         gap = flattened_gaps(gap_map(bodies, index, sphere), contact_pixel_count)
         for rho in ranges:
             np.exp(np.divide(gap, -rho, out=attraction), out=attraction)
-            asperity_values.append(asperities(attraction, share, pixel_size))
+            asperity_values.append(asperity_sizes(attraction, share, pixel_size))
     values = np.reshape(asperity_values, (len(contact_indices), len(ranges), -1))
     return xr.Dataset(
         {

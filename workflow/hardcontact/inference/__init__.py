@@ -1,1 +1,1 @@
-"""Inference for both kinds of study: masters, edges of the band, octaves, range and work."""
+"""From forces on filtered and changed surfaces to the critical band, octaves, range and work."""

@@ -18,7 +18,7 @@ QUARTILES = {"low": 0.25, "value": 0.5, "high": 0.75}
 QUANTITIES = {  # title, axis, printed unit
     "largest_share": ("strongest asperity", "share of the force", 1),
     "two_largest_share": ("two strongest asperities", "share of the force", 1),
-    "patch_count": ("asperities with {share:g} % of the force", "number of asperities", 1),
+    "asperity_count": ("asperities with {share:g} % of the force", "number of asperities", 1),
     "extent": ("diameter that holds {share:g} % of the force", "length (µm)", MICROMETRE),
 }
 
