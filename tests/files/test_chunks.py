@@ -38,7 +38,7 @@ def lists_of_files(*values):
         for row, path in zip(filtered, study.paths(PATTERNS.master_forces, filtered), strict=True)
     }
     for pattern, rows in (
-        (PATTERNS.pull_off, study.plan.substrate_scan_keys),
+        (PATTERNS.pull_off, study.plan.substrate_scan_ids),
         (PATTERNS.pool, chunks.pools),
     ):
         computed_at |= dict.fromkeys(study.paths(pattern, rows), study_values)

@@ -22,12 +22,12 @@ rule compute_pull_off:
 rule aggregate_adhesion:
     """Gather the pull-off forces of all sphere scans on all substrate scans: adhesion.nc."""
     input:
-        scans=FILES.paths(PATTERNS.pull_off, PLAN.substrate_scan_keys),
+        scans=FILES.paths(PATTERNS.pull_off, PLAN.substrate_scan_ids),
     output:
         PATTERNS.dataset("adhesion"),
     params:
         parameters=parameters(
-            scan_keys=PLAN.substrate_scan_keys,
+            scan_keys=PLAN.substrate_scan_ids,
             **NAMED_SURFACES,
             sphere_radius=STUDY["sphere"]["radius"],
             rho=STUDY["adhesion"]["range"],

@@ -89,15 +89,15 @@ rule aggregate_sensitivity:
     input:
         maps=[
             *FILES.paths(PATTERNS.whole_surface_forces, CHUNKS.whole_surfaces),
-            *FILES.paths(PATTERNS.perturbed_scan_forces, PLAN.measured_scan_keys),
+            *FILES.paths(PATTERNS.perturbed_scan_forces, PLAN.measured_scan_ids),
         ],
         bands=[FILES.path(PATTERNS.band_forces, surface) for surface in BAND_SURFACES],
-        adhesion=PATTERNS.dataset("adhesion") if PLAN.measured_scan_keys else [],
+        adhesion=PATTERNS.dataset("adhesion") if PLAN.measured_scan_ids else [],
     output:
         PATTERNS.dataset("sensitivity"),
     params:
         parameters=parameters(
-            maps=[*CHUNKS.whole_surfaces, *PLAN.measured_scan_keys],
+            maps=[*CHUNKS.whole_surfaces, *PLAN.measured_scan_ids],
             bands=BAND_SURFACES,
             **NAMED_SURFACES,
             radius=STUDY["sphere"]["radius"],

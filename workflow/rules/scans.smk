@@ -90,14 +90,14 @@ rule prepare_scan:
 rule aggregate_topography:
     """Measure rms metrics and power spectra of all scans, with averages: topography.nc."""
     input:
-        scans=FILES.paths(PATTERNS.levelled, PLAN.scan_keys),
+        scans=FILES.paths(PATTERNS.levelled, PLAN.scan_ids),
         spectra=[FILES.spectrum_path(surface) for surface in SELECTION.surfaces],
         conditionings=[FILES.conditioning_path(surface) for surface in SELECTION.substitutes],
     output:
         PATTERNS.dataset("topography"),
     params:
         parameters=parameters(
-            scan_keys=PLAN.scan_keys,
+            scan_keys=PLAN.scan_ids,
             conditioned=SELECTION.substitutes,
             **NAMED_SURFACES,
             sphere_surface=SPHERE,

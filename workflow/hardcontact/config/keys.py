@@ -59,7 +59,7 @@ class Keys(BaseModel):
 
 
 class SphereKeys(Keys):
-    """The sphere."""
+    """The sphere that touches the surfaces."""
 
     surface: SurfaceId = key("ruby", "Methods")
     """Surface of the sphere; with `published: none` also `smooth`."""
@@ -68,7 +68,7 @@ class SphereKeys(Keys):
 
 
 class ScanKeys(Keys):
-    """Scans."""
+    """Size and features of substitute scans, and how files of measured scans are read."""
 
     pixels: ScanPixels = key(512, "Methods")
     """Pixels per row of a substitute scan."""
@@ -89,7 +89,7 @@ class ScanKeys(Keys):
 
 
 class ContactKeys(Keys):
-    """Contact."""
+    """One contact, and the array of contacts on a scan."""
 
     hardness: Pressure = key("25 GPa", "Intrinsic Work of Adhesion")
     """Hardness of the softer body: the pressure on contact pixels."""
@@ -102,7 +102,7 @@ class ContactKeys(Keys):
 
 
 class AdhesionKeys(Keys):
-    """Adhesion."""
+    """Work and range of adhesion."""
 
     work: Work = key("46.3 mJ/m2", "Intrinsic Work of Adhesion")
     """With `published: none`: work of adhesion of the predicted force."""
@@ -116,7 +116,7 @@ class AdhesionKeys(Keys):
 
 
 class InferenceKeys(Keys):
-    """Inference."""
+    """Intervals of means."""
 
     samples: Annotated[int, Field(ge=20, le=10000)] = 1000
     """Random samples of each mean over scans or realizations, from which its interval follows."""
@@ -154,7 +154,7 @@ class LongSideKeys(Keys):
 
 
 class ScalesKeys(Keys):
-    """Scales."""
+    """Masters, and cutoffs at which they are filtered, for the edges of the band."""
 
     tolerance: Fraction = key(0.1, "Most Relevant Length-scales")
     """Relative change up to which a force counts as unchanged."""
@@ -171,14 +171,14 @@ class ScalesKeys(Keys):
 
 
 class ElasticKeys(Keys):
-    """Elastic contact."""
+    """Elastic contact, on a sample of the contacts."""
 
     contacts: ContactCount = 2
     """Contacts solved on each scan, chosen at random."""
 
 
 class IndentKeys(Keys):
-    """Indents."""
+    """Indents that contacts leave in the sphere."""
 
     surface: SurfaceId = key("ncd", "The Role of Plasticity")
     """Substrate whose contacts indent the sphere."""
@@ -187,7 +187,7 @@ class IndentKeys(Keys):
 
 
 class AsperitiesKeys(Keys):
-    """Asperities."""
+    """Asperities that carry the force, on a sample of the contacts."""
 
     contacts: ContactCount = 16
     """Contacts examined on each scan, chosen at random."""
@@ -214,7 +214,7 @@ class SetLongSideKeys(Keys):
 
 
 class SetsKeys(Keys):
-    """Sets."""
+    """Sets of substitute scans, from whose scatter intervals follow."""
 
     count: Annotated[int, Field(ge=1, le=10000)] = 100
     """Number of sets of scans, all with the same mean and ± of the rms height."""
@@ -240,7 +240,7 @@ class ExponentKeys(Keys):
 
 
 class StudyKeys(Keys):
-    """The study."""
+    """All keys of a study."""
 
     study: StudyName = "paper"
     """Name; results go to `results/<study>/`."""

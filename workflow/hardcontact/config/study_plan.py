@@ -10,7 +10,7 @@ from hardcontact.config.model import POSITION_CONTACTS_PER_ROW, SPHERE_POSITIONS
 from hardcontact.config.selected_surfaces import Selection
 
 
-class ScanKey(NamedTuple):
+class ScanId(NamedTuple):
     """The surface and the number of a scan; both are wildcards of paths."""
 
     surface: str
@@ -28,24 +28,24 @@ class StudyPlan:
     # Scans that contacts are made on
 
     @property
-    def scan_keys(self) -> list[ScanKey]:
+    def scan_ids(self) -> list[ScanId]:
         """The scans of all surfaces."""
-        return self._scan_keys_of(self.selection.surfaces)
+        return self._scan_ids_of(self.selection.surfaces)
 
     @property
-    def substrate_scan_keys(self) -> list[ScanKey]:
+    def substrate_scan_ids(self) -> list[ScanId]:
         """The scans of all substrates."""
-        return self._scan_keys_of(self.selection.substrates)
+        return self._scan_ids_of(self.selection.substrates)
 
     @property
-    def measured_scan_keys(self) -> list[ScanKey]:
+    def measured_scan_ids(self) -> list[ScanId]:
         """The scans of measured substrates."""
         measured = self.selection.measured_surfaces
-        return [key for key in self.substrate_scan_keys if key.surface in measured]
+        return [scan_id for scan_id in self.substrate_scan_ids if scan_id.surface in measured]
 
-    def _scan_keys_of(self, surfaces: Iterable[str]) -> list[ScanKey]:
+    def _scan_ids_of(self, surfaces: Iterable[str]) -> list[ScanId]:
         contact_scans = self.selection.contact_scans
-        return [ScanKey(surface, scan) for surface in surfaces for scan in contact_scans(surface)]
+        return [ScanId(surface, scan) for surface in surfaces for scan in contact_scans(surface)]
 
     @property
     def scan_groups(self) -> dict[tuple[int, ...], list[str]]:
@@ -96,11 +96,11 @@ class StudyPlan:
             return []
         return [name for name in self.selection.substrates if name in measured]
 
-    def rough_bodies(self, surface: str, scan: int) -> list[ScanKey]:
+    def rough_bodies(self, surface: str, scan: int) -> list[ScanId]:
         """Return a substrate's scan, and the sphere's scan if its roughness is added."""
-        bodies = [ScanKey(surface, scan)]
+        bodies = [ScanId(surface, scan)]
         if surface in self.combined_surfaces:
-            bodies.append(ScanKey(self.selection.sphere, self.sphere_scan(surface, scan)))
+            bodies.append(ScanId(self.selection.sphere, self.sphere_scan(surface, scan)))
         return bodies
 
     def sphere_scan(self, surface: str, scan: int) -> int:

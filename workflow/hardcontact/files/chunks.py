@@ -15,7 +15,7 @@ from hardcontact.files.master_purposes import (
     contact_sweep,
     filter_settings,
 )
-from hardcontact.files.patterns import SCAN_KEYS, values_of_keys
+from hardcontact.files.patterns import KEYS_OF_SCANS, values_of_keys
 from hardcontact.files.surface_files import SurfaceFiles
 from hardcontact.records.origin import short_digest
 from hardcontact.surfaces.features import GAUSSIAN, SIGNS
@@ -148,7 +148,7 @@ class Chunks:
     def _settings_digest(self, purpose: str) -> str:
         """Return a digest of all keys on which forces depend and which are not in the path."""
         configuration = self._configuration
-        values = values_of_keys(configuration, (*SCAN_KEYS, "contact.window", "sphere.surface"))
+        values = values_of_keys(configuration, (*KEYS_OF_SCANS, "contact.window", "sphere.surface"))
         if configuration["scales"]["sphere_roughness"] or combines_bodies(configuration):
             values["sphere"] = self._files.sphere_digest
         return short_digest([filter_settings(configuration, purpose), values])

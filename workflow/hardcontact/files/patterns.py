@@ -11,42 +11,42 @@ from hardcontact.files.master_purposes import PURPOSES
 from hardcontact.records.origin import short_digest
 from hardcontact.surfaces.features import KINDS
 
-_READING = ("scan.undefined_pixels", "scan.unit", "scan.map_size", "scan.mask")
-_MEASURED = (*_READING, "scan.levelling", "scans")
-_GAUSSIAN = ("seed", "scans", "scan.pixels", "scan.size")
-_SUBSTITUTES = (*_GAUSSIAN, "scan.featured_surface")
+_KEYS_OF_READING = ("scan.undefined_pixels", "scan.unit", "scan.map_size", "scan.mask")
+_KEYS_OF_MEASURED = (*_KEYS_OF_READING, "scan.levelling", "scans")
+_KEYS_OF_GAUSSIAN = ("seed", "scans", "scan.pixels", "scan.size")
+_KEYS_OF_SUBSTITUTES = (*_KEYS_OF_GAUSSIAN, "scan.featured_surface")
 #: Keys on which every scan, measured or substitute, and everything computed from scans depend.
-SCAN_KEYS = (*_SUBSTITUTES, *_MEASURED)
-_CONTACTS = (*SCAN_KEYS, "contact.window", "contact.contacts_per_row")
-_FORCES_OF_SETS = (*_GAUSSIAN, "sets.contacts_per_row", "contact.window", "adhesion.ranges")
-_TRANSITIONS = ("scales.short.transition", "scales.long.transition")
+KEYS_OF_SCANS = (*_KEYS_OF_SUBSTITUTES, *_KEYS_OF_MEASURED)
+_KEYS_OF_CONTACTS = (*KEYS_OF_SCANS, "contact.window", "contact.contacts_per_row")
+_KEYS_OF_SETS = (*_KEYS_OF_GAUSSIAN, "sets.contacts_per_row", "contact.window", "adhesion.ranges")
+_TRANSITION_KEYS = ("scales.short.transition", "scales.long.transition")
 
 #: For each kind of intermediate, the keys on which it and its inputs depend: its path has a digest
-#: of their values. Left out: (a) keys whose value is in the path; (b) the files of a surface, which
-#: `{digest}` covers. Labels and other columns of the table of surfaces are in neither: a change
-#: rewrites the file at the same path. tests/workflow/test_two_studies.py finds missing keys, except
-#: those of files of measured surfaces.
+#: of their values. The list is written by hand, because rules read keys, but need the paths first;
+#: tests/workflow/test_two_studies.py finds missing keys, except those of measured surfaces' files.
+#: Left out: (a) keys whose value is in the path; (b) the files of a surface, which `{digest}`
+#: covers. Other columns of the table of surfaces rewrite the file at the same path.
 STORE_KEYS = {
-    "measurements": _READING,
-    "measured_spectra": _MEASURED,
-    "sampled_spectra": (*_MEASURED, "seed"),
-    "conditioning": SCAN_KEYS,  # which is made with the scans
-    "scans": SCAN_KEYS,
-    "stitched": SCAN_KEYS,
-    "pull_off": (*_CONTACTS, "adhesion.ranges"),
-    "elastic": (*_CONTACTS, "elastic.contacts"),
-    "asperities": (*_CONTACTS, "asperities"),
-    "whole": (*_CONTACTS, "adhesion.ranges", "scales.long.tiles"),
-    "perturbed_scans": (*_CONTACTS, *_TRANSITIONS),
-    "pool": (*_FORCES_OF_SETS, "sets.rms_height_count"),
-    "featured_samples": _FORCES_OF_SETS,
-    "both_bodies": SCAN_KEYS,
-    "masters": (*SCAN_KEYS, *_TRANSITIONS, "scales.short.pixels", "scales.long.tiles"),
+    "measurements": _KEYS_OF_READING,
+    "measured_spectra": _KEYS_OF_MEASURED,
+    "sampled_spectra": (*_KEYS_OF_MEASURED, "seed"),
+    "conditioning": KEYS_OF_SCANS,  # which is made with the scans
+    "scans": KEYS_OF_SCANS,
+    "stitched": KEYS_OF_SCANS,
+    "pull_off": (*_KEYS_OF_CONTACTS, "adhesion.ranges"),
+    "elastic": (*_KEYS_OF_CONTACTS, "elastic.contacts"),
+    "asperities": (*_KEYS_OF_CONTACTS, "asperities"),
+    "whole": (*_KEYS_OF_CONTACTS, "adhesion.ranges", "scales.long.tiles"),
+    "perturbed_scans": (*_KEYS_OF_CONTACTS, *_TRANSITION_KEYS),
+    "pool": (*_KEYS_OF_SETS, "sets.rms_height_count"),
+    "featured_samples": _KEYS_OF_SETS,
+    "both_bodies": KEYS_OF_SCANS,
+    "masters": (*KEYS_OF_SCANS, *_TRANSITION_KEYS, "scales.short.pixels", "scales.long.tiles"),
 }
 
 #: Intermediates that may have the roughness of both bodies, and the keys on which they then depend.
 BOTH_BODIES_KEYS = ("published", "sphere.surface", "sphere.radius", "seed")
-BOTH_BODIES = frozenset({"both_bodies", "perturbed_scans", "masters", "pull_off"})
+KINDS_WITH_BOTH_BODIES = frozenset({"both_bodies", "perturbed_scans", "masters", "pull_off"})
 
 _SURFACE = "{surface}/{digest}"
 _SCAN = f"{_SURFACE}/scan-{{scan}}-{{shape}}.nc"
@@ -64,7 +64,9 @@ def store_digests(configuration: Mapping[str, Any]) -> dict[str, str]:
     further = BOTH_BODIES_KEYS if combines_bodies(configuration) else ()
     return {
         kind: short_digest(
-            values_of_keys(configuration, (*keys, *further) if kind in BOTH_BODIES else keys)
+            values_of_keys(
+                configuration, (*keys, *further) if kind in KINDS_WITH_BOTH_BODIES else keys
+            )
         )
         for kind, keys in STORE_KEYS.items()
     }
