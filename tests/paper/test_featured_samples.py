@@ -63,7 +63,7 @@ def test_the_comparison_has_the_forces_at_the_published_pair(samples):
         "mean_force": [1.9 * forces.mean().item()],
         "median_force": [forces.median().item()],
     }
-    measured = PublishedForces(pd.DataFrame(published, index=["uncd"]), PAIR)
+    measured = PublishedForces(pd.DataFrame(published, index=["uncd"]), PAIR, 0.1, 30e-9)
     factor = xr.DataArray([0.5, 0.5], {"rho": [1.0, 5.6]})
     comparison = compare_with_published(plastic, factor, measured, "uncd")
     sample = comparison.sel(features="pits", sample=1)

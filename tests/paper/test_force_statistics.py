@@ -12,7 +12,7 @@ from hardcontact.base.statistics import (
     percentile_interval,
     student_log_interval,
 )
-from hardcontact.paper.force_statistics import STATISTIC_UNITS, force_statistics, mean_forces
+from hardcontact.paper.force_statistics import STATISTIC_ATTRS, force_statistics, mean_forces
 
 
 def test_means_are_sampled_over_scans():
@@ -51,9 +51,9 @@ FORCES = KNOWN.rvs(size=(5, 4, 200), random_state=np.random.default_rng(0))
 def test_statistics_recover_a_known_distribution():
     statistics = force_statistics(FORCES, 3e-8, Sampling(0, 200, 0.95))
     known_values = (KNOWN.mean(), KNOWN.median(), 0.9, 6e-8, KNOWN.cdf(3e-8))
-    for (name, unit), value in zip(STATISTIC_UNITS.items(), known_values, strict=True):
+    for (name, attributes), value in zip(STATISTIC_ATTRS.items(), known_values, strict=True):
         assert float(statistics[name]) == pytest.approx(value, rel=0.1), name
-        assert statistics[name].attrs["units"] == unit
+        assert statistics[name].attrs["units"] == attributes["units"]
         low, high = interval_ends(statistics, name)
         assert low < statistics[name] < high, name
     assert float(statistics.mean_force_at_pair) == pytest.approx(FORCES.mean())

@@ -96,17 +96,17 @@ def make_adhesion(plastic):
     )
 
 
-PUBLISHED = PublishedForces(TABLE.iloc[::-1], Pair(5.0, 0.04))  # in any order
+PUBLISHED = PublishedForces(TABLE.iloc[::-1], Pair(5.0, 0.04), 0.1, 30e-9)  # in any order
 
 
 def fit_published(plastic, sampling=SAMPLING):
-    return fit.fit_published(make_adhesion(plastic), PUBLISHED, "uncd", 0.1, 30e-9, sampling)
+    return fit.fit_published(make_adhesion(plastic), PUBLISHED, "uncd", sampling)
 
 
 def test_a_published_range_beyond_the_sweep_has_no_forces():
     distant = PUBLISHED._replace(pair=Pair(11.0, 0.04))
     adhesion = make_adhesion(power_forces())
-    fits = fit.fit_published(adhesion, distant, "uncd", 0.1, 30e-9, SAMPLING)
+    fits = fit.fit_published(adhesion, distant, "uncd", SAMPLING)
     assert fits.mean_force_at_pair.sel(pair="published").isnull().all()
     assert fits.ratio_at_pair_interval.sel(pair="published").isnull().all()
     assert fits.mean_force_at_pair.sel(pair="fitted").notnull().all()

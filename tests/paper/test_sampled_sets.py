@@ -30,7 +30,7 @@ SETTINGS = SetSettings(
 )
 FORCES = pd.DataFrame({"mean_force": MEAN_FORCE}, index=SUBSTRATES)
 REPLICATED = CLAIMS[CLAIMS["samples_from"] == "sets"]
-PAPER = REPLICATED, CONSTANTS, PublishedForces(FORCES, Pair(5.6, 46.3e-3))
+PAPER = REPLICATED, CONSTANTS, PublishedForces(FORCES, Pair(5.6, 46.3e-3), 0.1, 30e-9)
 
 
 @pytest.fixture(scope="module")
@@ -45,9 +45,7 @@ def test_numbers_are_those_of_each_set(sets):
         numbers = sets["value"].sel(set=number)
         sampled_scans = sample_set_scans(inputs, 1, number)
         adhesion = adhesion_of_set(inputs, sampled_scans, 1, number)
-        inference = fit_published(
-            adhesion, PAPER[2], "uncd", 0.1, 30e-9, Sampling(1, 0, CONFIDENCE)
-        )
+        inference = fit_published(adhesion, PAPER[2], "uncd", Sampling(1, 0, CONFIDENCE))
         ranges = sets["range_of_adhesion"].sel(set=number, contact_model=models)
         np.testing.assert_allclose(inference["range_of_adhesion"].sel(contact_model=models), ranges)
         gradient = sampled_scans["ncd"]["rms_gradient"].mean().item()

@@ -69,13 +69,13 @@ def force_curves(
     )
 
 
-#: Statistics of the forces on one surface, with their units.
-STATISTIC_UNITS = {
-    "mean_force_at_pair": "N",
-    "median_force_at_pair": "N",
-    "log_force_std": "1",
-    "lognormal_median": "N",
-    "censored_fraction": "1",
+#: Statistics of the forces on one surface, with their attributes.
+STATISTIC_ATTRS = {
+    "mean_force_at_pair": NEWTON,
+    "median_force_at_pair": NEWTON,
+    "log_force_std": DIMENSIONLESS,
+    "lognormal_median": NEWTON,
+    "censored_fraction": DIMENSIONLESS,
 }
 
 #: Statistics of the forces on all scans together; their intervals come from the jackknife.
@@ -86,7 +86,7 @@ def force_statistics(forces: Floats, force_floor: float, sampling: Sampling) -> 
     """Return mean, median and censored log-normal fit of the computed forces of one surface.
 
     Forces (scan, sphere_scan, contact) are in N, censored below the floor, NaN for a missing scan.
-    Returns STATISTIC_UNITS with intervals over substrate scans: JACKKNIFE_STATISTICS by the
+    Returns STATISTIC_ATTRS with intervals over substrate scans: JACKKNIFE_STATISTICS by the
     jackknife, the others by Student's t. Intervals are NaN if `sampling.sample_count` is 0.
     """
     is_finite = np.isfinite(forces)
@@ -105,7 +105,7 @@ def force_statistics(forces: Floats, force_floor: float, sampling: Sampling) -> 
         "mean_force_at_pair": float(mean.mean()),
         "censored_fraction": float(censored.mean()),
     }
-    intervals = dict.fromkeys(STATISTIC_UNITS, np.full(2, np.nan))
+    intervals = dict.fromkeys(STATISTIC_ATTRS, np.full(2, np.nan))
     if sampling.sample_count:
         without_one_scan = [
             _jackknife_statistics(np.delete(finite_forces, scan, axis=0), force_floor)
@@ -117,9 +117,9 @@ def force_statistics(forces: Floats, force_floor: float, sampling: Sampling) -> 
         intervals["mean_force_at_pair"] = student_log_interval(mean, confidence, "scan").values
         intervals["censored_fraction"] = censored_interval.values
     variables: dict[str, Any] = {}
-    for name, unit in STATISTIC_UNITS.items():
+    for name, attributes in STATISTIC_ATTRS.items():
         variables |= with_interval(
-            name, (), statistics[name], intervals[name], {"units": unit}, confidence
+            name, (), statistics[name], intervals[name], attributes, confidence
         )
     return xr.Dataset(variables)
 

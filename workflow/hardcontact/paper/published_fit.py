@@ -57,32 +57,32 @@ class Pair(NamedTuple):
 
 
 class PublishedForces(NamedTuple):
-    """Published forces, with the range and the work of adhesion that the paper inferred."""
+    """Published forces, and how the paper inferred range and work of adhesion from them."""
 
     forces: pd.DataFrame  #: From `published.read_measured_statistics`.
     pair: Pair  #: Published range and work of adhesion.
+    error_threshold: float  #: A pair fits if its mean relative error is below this threshold.
+    force_floor: float  #: Smallest measurable force in N.
 
     @classmethod
     def read(cls, pull_off: str | Path, constants: str | Path) -> "PublishedForces":
         """Read `pull_off.csv` and `parameters.csv`."""
         values = read_constants(constants)["value"]
         pair = Pair(values["range_of_adhesion"], values["work_of_adhesion"])
-        return cls(read_measured_statistics(pull_off), pair)
+        threshold, floor = values["error_threshold"], values["force_floor"]
+        return cls(read_measured_statistics(pull_off), pair, threshold, floor)
 
 
 def fit_published(
     adhesion: xr.Dataset,
     published: PublishedForces,
     reference_surface: str,
-    error_threshold: float,
-    force_floor: float,
     sampling: Sampling,
 ) -> xr.Dataset:
     """Fit range and work of adhesion for every contact model, and return the resulting forces.
 
-    Forces of adhesion.nc are at 1 J/m². A pair fits if its mean relative error is below the
-    threshold. The smallest measurable force, in N, is for `force_statistics`. ``model_error_ratio``
-    is the smallest error of rigid contact relative to plastic contact.
+    Forces of adhesion.nc are at 1 J/m². ``model_error_ratio`` is the smallest error of rigid
+    contact relative to plastic contact.
     """
     surfaces = adhesion.surface.values.tolist()
     published_forces = published.forces.mean_force.reindex(surfaces).to_numpy()
@@ -90,10 +90,12 @@ def fit_published(
     fits = {}
     for model in adhesion.contact_model.values.tolist():
         forces = adhesion.pull_off_force.sel(contact_model=model)
-        fit = fit_model(forces, published_forces, reference_index, error_threshold, sampling)
+        fit = fit_model(
+            forces, published_forces, reference_index, published.error_threshold, sampling
+        )
         fitted = Pair(float(fit.range_of_adhesion), float(fit.work_of_adhesion))
         statistics = [
-            _forces_at_pair(forces, pair, reference_index, force_floor, sampling)
+            _forces_at_pair(forces, pair, reference_index, published.force_floor, sampling)
             for pair in progress([published.pair, fitted], 2, f"force statistics, {model}")
         ]
         fits[(model,)] = fit.merge(xr.concat(statistics, pd.Index(PAIRS, name="pair")))
@@ -103,8 +105,8 @@ def fit_published(
         .assign(_model_error_ratio(models, sampling))
         .assign(label=adhesion.label, source=adhesion.source)
         .assign_attrs(
-            error_threshold=error_threshold,
-            force_floor=force_floor,
+            error_threshold=published.error_threshold,
+            force_floor=published.force_floor,
             confidence=sampling.confidence,
             sphere_radius=adhesion.attrs["sphere_radius"],
         )
@@ -169,8 +171,8 @@ def fit_model(
     for name, attributes in FITTED_ATTRS.items():
         variables |= sampling.with_interval(name, (), fits[name], sampled_fits[name], attributes)
     variables |= _error_variables(curves, published_forces, ranges, threshold)
-    _, ratio_errors = fit_ratios(curves, published_forces, fitted_reference_index)
-    variables["ratio_error"] = ("rho_fine", ratio_errors, DIMENSIONLESS)
+    errors = ratio_errors(curves, published_forces, fitted_reference_index)
+    variables["ratio_error"] = ("rho_fine", errors, DIMENSIONLESS)
     variables |= force_curves(forces, means, mean_samples, reference_index, sampling)
     coordinates = {
         "rho_fine": ("rho_fine", ranges, NM),
@@ -185,7 +187,7 @@ def _fit_curves(
 ) -> dict[str, Floats]:
     """Return the variables (...) of FITTED_ATTRS, as `best_fit` returns its variables."""
     fit = best_fit(curves, published_forces, ranges)
-    best_index, _ = fit_ratios(curves, published_forces, reference_index)
+    best_index = ratio_errors(curves, published_forces, reference_index).argmin(axis=-1)
     is_fitted = np.isfinite(fit["best_error"])
     return fit | {"range_from_ratios": np.where(is_fitted, ranges[best_index], np.nan)}
 
@@ -229,19 +231,17 @@ def local_minima(errors: Floats, count: int) -> NDArray[np.int_]:
     return np.asarray(minima[np.argsort(errors[minima], kind="stable")[:count]])
 
 
-def fit_ratios(
-    computed_forces: Floats, published_forces: Floats, reference_index: int
-) -> tuple[NDArray[np.int_], Floats]:
-    """Return the index (...) of the range that fits force ratios to a reference surface best.
+def ratio_errors(computed_forces: Floats, published_forces: Floats, reference_index: int) -> Floats:
+    """Return the mean relative errors (..., rho) of force ratios to a reference surface.
 
-    Also returns the mean relative errors (..., rho) of the ratios, in which the work of adhesion
-    cancels. Computed forces are (..., surface, rho), published forces (surface,).
+    The work of adhesion cancels in the ratios. Computed forces are (..., surface, rho), published
+    forces (surface,).
     """
     ratios = computed_forces / computed_forces[..., [reference_index], :]
     published_ratios = (published_forces / published_forces[reference_index])[:, None]
     is_other = np.arange(len(published_forces)) != reference_index
-    errors = np.abs(ratios / published_ratios - 1)[..., is_other, :].mean(axis=-2)
-    return errors.argmin(axis=-1), errors
+    errors = np.abs(ratios / published_ratios - 1)[..., is_other, :]
+    return np.asarray(errors.mean(axis=-2))
 
 
 def error_region(

@@ -244,7 +244,7 @@ def sample_sets(
     numbers = range(1, settings.set_count + 1)
     sets = []
     for set_number in progress(numbers, len(numbers), "sets"):
-        datasets = _set_datasets(inputs, constants["value"], published, settings, set_number)
+        datasets = _set_datasets(inputs, published, settings, set_number)
         values = claim_values(claims, datasets, constants)
         claim_dataset = xr.Dataset({"value": ("claim", values)}, {"claim": values.index.to_list()})
         variables = [
@@ -260,7 +260,6 @@ def sample_sets(
 
 def _set_datasets(
     inputs: SetInputs,
-    constants: "pd.Series[float]",
     published: PublishedForces,
     settings: SetSettings,
     set_number: int,
@@ -275,13 +274,6 @@ def _set_datasets(
     return {
         "topography": topography_of_set(inputs, sampled_scans, settings.confidence),
         "adhesion": adhesion,
-        "fit": fit_published(
-            adhesion,
-            published,
-            settings.reference_surface,
-            constants["error_threshold"],
-            constants["force_floor"],
-            sampling,
-        ),
+        "fit": fit_published(adhesion, published, settings.reference_surface, sampling),
         "edges": edges.assign_attrs(sphere_radius=adhesion.attrs["sphere_radius"]),
     }
