@@ -12,7 +12,7 @@ from hardcontact.base.random import generator
 from hardcontact.base.statistics import student_log_interval
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import pull_off_dataset
-from hardcontact.paper.sampled_sets import sample_scans, scale_to_sampled_mean
+from hardcontact.paper.sampled_scans import sample_scans, scale_to_sampled_mean
 from hardcontact.surfaces.conditioning import scale_rms_heights
 from hardcontact.surfaces.height_map import mirror_stitch
 from hardcontact.surfaces.metrics import TABLE1_METRICS, metrics

@@ -1,38 +1,34 @@
-"""Sets of scans, sampled from a pool and judged like the scans of the study.
+"""Sets of scans: forces, fit, band and claims of each, computed as for the study, for sets.nc.
 
-A set consists of scans of a pool. Each scan gets a new rms height, from which its forces follow.
-For a surface with features, every set has a sample of its own.
+A set has as many scans of each substrate as the study: `sampled_scans` of its pool, or for a
+surface with features a sample that no other set has. Its numbers show how much the numbers of the
+study depend on its scans.
 """
 
 from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
-import numpy as np
 import pandas as pd
 import xarray as xr
 
-from hardcontact.base.arrays import Floats
 from hardcontact.base.dataset import concatenate
 from hardcontact.base.progress import progress
 from hardcontact.base.random import generator
-from hardcontact.base.statistics import Sampling, student_log_samples
-from hardcontact.base.units import DIMENSIONLESS, NEWTON
+from hardcontact.base.statistics import Sampling
+from hardcontact.base.units import DIMENSIONLESS
 from hardcontact.contact.contact import CONTACT_AXES
-from hardcontact.contact.force_interpolation import spline_weights
 from hardcontact.inference.edges import edges_with_samples
 from hardcontact.inference.fit import WITHOUT_SURFACE
 from hardcontact.paper.evaluation import claim_values
 from hardcontact.paper.featured_samples import sample_of_set, samples_by_surface
 from hardcontact.paper.published_fit import PublishedForces, fit_published
-from hardcontact.surfaces.conditioning import scale_rms_heights
+from hardcontact.paper.sampled_scans import sample_scans, scale_to_sampled_mean
 from hardcontact.surfaces.metrics import TABLE1_METRICS
 from hardcontact.surfaces.roughness_table import scan_averages
 
 #: Scans of one set, by substrate.
 SampledScans = Mapping[str, xr.Dataset]
 
-#: Largest number of tries to find a set with possible heights.
-MAX_TRIES = 1000
 #: Variables of the fit of a set that sets.nc contains.
 SET_FIT_VARIABLES = [
     "range_of_adhesion", "work_of_adhesion", "best_error", "range_at_minimum", "work_at_minimum",
@@ -84,10 +80,8 @@ def gather_inputs(
     pools = concatenate(chunks, "scan", 1)
     forces = adhesion["pull_off_force"]
     rough = forces.mean(["scan", "sphere_scan", *CONTACT_AXES])
-    factor = xr.full_like(rough, np.nan)
     smooth = adhesion["smooth_sphere_force"].mean("scan")
-    for surface in sampled_substrates:
-        factor.loc[{"surface": surface}] = (rough / smooth).sel(surface=surface, drop=True)
+    factor = (rough / smooth).where(rough["surface"].isin(list(sampled_substrates)))
     return SetInputs(
         topography,
         adhesion,
@@ -96,61 +90,6 @@ def gather_inputs(
         factor,
         masters,
     )
-
-
-def sample_scans(pool: xr.Dataset, rng: np.random.Generator, scan_count: int) -> xr.Dataset:
-    """Sample the scans of one substrate in a set from its pool, without replacement.
-
-    Their rms heights are scaled to the mean and deviation of Table 1. A height may then be below
-    the lowest computed height, for six scans or more even negative. Such a set is sampled again.
-    Raises ValueError if no set with possible heights is found.
-    """
-    lowest = pool["rms_height_of_force"].values.min()
-    mean = pool.attrs["mean_rms_height"]
-    deviation = pool.attrs["rms_height_deviation"]
-    for _ in range(MAX_TRIES):
-        pool_scans = pool.isel(scan=rng.choice(pool.sizes["scan"], scan_count, replace=False))
-        heights = scale_rms_heights(pool_scans["rms_height"].values, mean, deviation)
-        if heights.min() >= lowest * (1 - 1e-9):
-            return _scale_scans(pool_scans, heights)
-    raise ValueError(
-        f"expected sets of {scan_count} scans with rms heights of {mean:.3g} +- {deviation:.3g} "
-        f"nm, found none above {lowest:.3g} nm in {MAX_TRIES} tries"
-    )
-
-
-def _scale_scans(pool_scans: xr.Dataset, heights: Floats) -> xr.Dataset:
-    """Return the forces and metrics of scans of a pool at other rms heights (scan,) in nm."""
-    factor = heights / pool_scans["rms_height"].values
-    computed_heights = pool_scans["rms_height_of_force"].values
-    # The spline is smooth in the root, because forces change faster at small heights.
-    weights = spline_weights(np.sqrt(computed_heights), np.sqrt(heights), extrapolate=True)
-    log_forces = np.einsum("na,na...->n...", weights, pool_scans["log_force"].values)
-    axes = ("scan", "contact_model", "rho", *CONTACT_AXES)
-    variables = {
-        name: ("scan", pool_scans[name].values * factor, pool_scans[name].attrs)
-        for name in TABLE1_METRICS.values()
-    } | {
-        "pull_off_force": (axes, np.exp(log_forces), NEWTON),
-        "number": ("scan", pool_scans["scan"].values),
-    }
-    coordinates = {"scan": np.arange(1, len(heights) + 1)}
-    return xr.Dataset(variables, coordinates | {name: pool_scans[name] for name in axes[1:]})
-
-
-def scale_to_sampled_mean(forces: xr.DataArray, rng: np.random.Generator) -> xr.DataArray:
-    """Scale the forces of measured scans to a sampled mean.
-
-    Other scans of the surface would have another mean force. The distribution over contacts stays
-    the same. A single scan keeps its forces.
-    """
-    axes = ("scan", "contact_model", "rho")
-    means = forces.mean([dim for dim in forces.dims if dim not in axes]).transpose(*axes)
-    if means.sizes["scan"] < 2:
-        return forces
-    sample = student_log_samples(rng, means.values, 1)[0]
-    factor = xr.DataArray(sample, dims=axes[1:]) / means.mean("scan").drop_vars(axes[1:])
-    return (forces * factor).transpose(*forces.dims)
 
 
 def sample_set_scans(inputs: SetInputs, seed: int, set_number: int) -> dict[str, xr.Dataset]:
