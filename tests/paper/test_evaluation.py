@@ -187,7 +187,7 @@ def test_a_claim_without_a_number_is_undecided():
         ({"quantity": "colour"}, ".*colour"),
         ({"quantity": "range_exponent_of_force"}, ".*pull_off_force"),
         ({"quantity": "interaction_radius_at_fit"}, "expected sphere_radius, found none"),
-        ({"dataset": "colours"}, "no dataset named 'colours'"),
+        ({"dataset": "colours"}, "expected colours, found none"),
         ({"select": "phase=solid"}, ".*phase"),
         ({"select": ""}, "rule 'interval' needs one number"),
         ({"id": "two", "samples_from": "sets"}, "expected its values in sets.nc"),

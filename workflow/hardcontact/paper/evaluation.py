@@ -56,6 +56,8 @@ CLAIM_DATASETS = (
     "topography", "adhesion", "scales", "edges", "sensitivity", "fit", "posterior", "exponents",
     "elastic", "indent", "asperities", "classical", "edge_shifts",
 )  # fmt: skip
+#: Columns of claims.csv. `evidence` says where the accepted limits come from, `basis` which scans
+#: the computed number has.
 COLUMNS = (
     "id", "main", "section", "statement", "number", "published", "computed", "low", "high", "unit",
     "rule", "evidence", "accepted_low", "accepted_high", "agreeing_share", "verdict",
@@ -110,22 +112,22 @@ def judge_claims(
     left out. Raises ValueError if a claim needs a dataset, a variable or an attribute that is
     missing.
     """
-    common = _Common(datasets["topography"], constants, sets, confidence)
+    topography = datasets["topography"]
     rows = []
     for claim, result in _estimate_claims(claims, datasets, constants, confidence):
-        if result is not None:
-            with _prefix_errors(claim):
-                rows.append(_judged_row(claim, result, common))
+        if result is None:
+            continue
+        with _prefix_errors(claim):
+            surfaces = claim_surfaces(claim, result.datasets, result.labels, topography)
+            fixed, reason = fixed_verdict(claim, surfaces, topography, constants)
+            judgement = _judge(claim, result, sets, confidence)
+        no_value = "No value exists." if np.isnan(judgement["computed"]) else ""
+        row = claim._asdict() | judgement
+        row["verdict"] = fixed or row["verdict"]
+        row["basis"] = claim_basis(claim, surfaces, topography)
+        row["note"] = " ".join(filter(None, (claim.note, reason, no_value)))
+        rows.append(row)
     return pd.DataFrame(rows, columns=list(COLUMNS))
-
-
-class _Common(NamedTuple):
-    """The inputs with which all claims are judged, as for `judge_claims`."""
-
-    topography: xr.Dataset
-    constants: pd.DataFrame
-    sets: xr.Dataset
-    confidence: float
 
 
 class _ClaimResult(NamedTuple):
@@ -152,9 +154,7 @@ def _estimate_claims(
     rows: Iterable[Any] = claims.itertuples(index=False)
     for claim in rows:
         with _prefix_errors(claim):
-            claim_datasets = {
-                name: _get_dataset(complete, name) for name in claim.dataset.split("+")
-            }
+            claim_datasets = {name: complete[name] for name in claim.dataset.split("+")}
             key = claim.dataset, claim.quantity
             if key not in estimates:
                 estimates[key] = estimate_quantity(claim.quantity, *claim_datasets.values())
@@ -173,17 +173,11 @@ def _add_surface(data: xr.Dataset) -> xr.Dataset:
     return data.expand_dims(surface=[data.attrs["surface"]])
 
 
-def _get_dataset(datasets: Mapping[str, xr.Dataset], name: str) -> xr.Dataset:
-    if name not in datasets:
-        raise KeyError(f"no dataset named {name!r}")
-    return datasets[name]
-
-
 @contextmanager
 def _prefix_errors(claim: Any) -> Iterator[None]:
     """Prefix the first sentence of an error with the name of the claim.
 
-    An error about a missing attribute has only the name of the attribute as its message.
+    A KeyError of a missing dataset or attribute has only its name as its message.
     """
     try:
         yield
@@ -193,25 +187,11 @@ def _prefix_errors(claim: Any) -> Iterator[None]:
         raise ValueError(f"claim {claim.id}: {reason}") from error
 
 
-def _judged_row(claim: Any, result: _ClaimResult, common: _Common) -> dict[str, Any]:
-    """Return one row of claims.csv: the columns of the claim and the results of its judgement."""
-    surfaces = claim_surfaces(claim, result.datasets, result.labels, common.topography)
-    fixed, reason = fixed_verdict(claim, surfaces, common.topography, common.constants)
-    judgement = _judge(claim, result, fixed, common)
-    no_value = "No value exists." if np.isnan(judgement["computed"]) else ""
-    return {
-        **claim._asdict(),
-        **judgement,
-        "basis": claim_basis(claim, surfaces, common.topography),
-        "note": " ".join(filter(None, (claim.note, reason, no_value))),
-    }
-
-
-def _judge(claim: Any, result: _ClaimResult, fixed: str, common: _Common) -> dict[str, Any]:
-    """Return value, interval, agreeing share and verdict; `fixed` is a verdict or ``""``."""
+def _judge(claim: Any, result: _ClaimResult, sets: xr.Dataset, confidence: float) -> dict[str, Any]:
+    """Return value, interval, accepted range, agreeing share and verdict by names of COLUMNS."""
     value = float(result.estimate["value"])
-    samples = _claim_samples(claim, result, common.sets)
-    low, high = _claim_interval(claim, result.estimate, samples, common.confidence)
+    samples = _claim_samples(claim, result, sets)
+    low, high = _claim_interval(claim, result.estimate, samples, confidence)
     accepted = accepted_range(claim.rule, claim.published_low, claim.published_high)
     if claim.samples_from == "posterior":
         verdict = accepted.verdict_of_samples(samples, low, high)
@@ -226,7 +206,7 @@ def _judge(claim: Any, result: _ClaimResult, fixed: str, common: _Common) -> dic
         "accepted_low": accepted.low,
         "accepted_high": accepted.high,
         "agreeing_share": accepted.accepts(samples).mean() if len(samples) else np.nan,
-        "verdict": fixed or verdict,
+        "verdict": verdict,
     }
 
 
