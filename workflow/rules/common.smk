@@ -10,8 +10,8 @@
 #   HAS_FORCES     whether the user's surfaces have a table of measured forces
 #   PAGES          title and category of each page of the report except figures
 #   ANSWER         answer.html and answer.json
+#   PUBLISHED_TABLES  the tables of the paper, by name
 #   parameters     turns the parameters of a script into one text
-#   PUBLISHED_TABLES   the tables of the paper, by name
 # surfaces.smk defines the names that depend on the table of surfaces. Every other name is local to
 # its file.
 

@@ -20,12 +20,7 @@ from hardcontact.commands.options import (
     reading_options,
 )
 from hardcontact.commands.proposal import Choice, Proposal, propose
-from hardcontact.commands.request import (
-    SPHERE,
-    list_scan_files,
-    name_faults,
-    path_from_root,
-)
+from hardcontact.commands.request import SPHERE, list_scan_files, name_faults, path_from_root
 from hardcontact.commands.scan_cautions import refuse_unreliable
 from hardcontact.config.configuration import read_yaml, set_keys
 from hardcontact.config.faults import raise_faults, run_checks, validate
@@ -38,7 +33,7 @@ from hardcontact.config.model import (
     SMOOTH_SPHERE,
     key_field,
     numeric_configuration,
-)  # fmt: skip
+)
 from hardcontact.config.selected_surfaces import SurfaceRow
 from hardcontact.contact.contact import Contact
 from hardcontact.records.code import ROOT

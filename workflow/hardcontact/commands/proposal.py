@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from hardcontact.base.formatting import format_length
+from hardcontact.commands.contact_cost import affordable_contacts, short_edge_pixels
 from hardcontact.commands.contact_scans import (
     WindowChoice,
     all_search_sizes,
@@ -18,11 +19,7 @@ from hardcontact.commands.contact_scans import (
 from hardcontact.commands.inventory import FILLING, Entry
 from hardcontact.commands.scan_cautions import scan_cautions
 from hardcontact.config import model
-from hardcontact.config.grids import MAX_CONTACT_PIXELS
-from hardcontact.contact.bearing_area import TILE
 from hardcontact.contact.contact import Contact
-from hardcontact.contact.geometry import window_pixels
-from hardcontact.contact.grid_limits import periods_in_window
 from hardcontact.scans.reliable_band import LIMIT_NAMES
 from hardcontact.surfaces.spectrum import nearest_bin
 
@@ -34,16 +31,6 @@ TRANSITION_SHARE = 0.4
 #: it. Chosen: 0.7 to 45 nm around the paper's 5.6 nm; a wider span would leave larger steps between
 #: the 12 ranges, which are a factor 1.5 apart.
 RANGE_SPAN = 8.0
-#: The finest pixels worth computing, in nm: half the distance of atoms.
-FINEST_PIXEL_SIZE = 0.15
-#: Numbers of contacts per row of the array. Even ones fall evenly on the quarters of a scan.
-ARRAY_WIDTHS = (20, 16, 12, 10, 8, 6, 4)
-#: Seconds that the contacts of one filtered surface may take. Chosen: the 150 filtered surfaces of
-#: a scan at full effort then take at most 5 minutes of processor time, whatever the scan.
-CONTACT_SECONDS = 2.0
-#: Measured seconds for a contact pixel in one period of the map, and for a tile in the window.
-SECONDS_A_PIXEL = 4e-7
-SECONDS_A_TILE = 1e-8
 #: The smallest ratio of neighbouring cutoffs. Trial on the forces of the paper's study: each was
 #: interpolated between its neighbours. For neighbours a factor 1.1 to 1.6 apart the median error is
 #: 1 to 2 %, so that closer cutoffs gain nothing beside a tolerance of 10 %.
@@ -142,8 +129,8 @@ def _choices(
 ) -> list[Choice]:
     """Return the choices of one effort, within the limits of the checks."""
     contact = window.contact
-    short_pixels = max(_short_pixels(scan, contact, effort.pixels) for scan in substrates)
-    contacts_per_row, is_slow = _contacts_per_row(
+    short_pixels = max(short_edge_pixels(scan, contact, effort.pixels) for scan in substrates)
+    contacts_per_row, is_slow = affordable_contacts(
         substrates, contact, short_pixels, effort.contacts_per_row
     )
     ranges = [_nm(rho) for rho in _ranges(contact.rho, window.shortest_range, effort.ranges)]
@@ -196,50 +183,6 @@ def _master_choices(
     yield Choice("scales.long.tiles", tiles, tiles_reason)
     yield Choice("scales.long.transition", _nm(long_transition), long_reason)
     yield Choice("scales.long.cutoffs", long_cutoffs, "to half the size of the master")
-
-
-def _short_pixels(scan: Entry, contact: Contact, max_pixels: int) -> int:
-    """Return the pixels of short-edge masters of one scan: stitched, halved repeatedly."""
-    pixels = 2 * scan.pixels
-    while 2 * pixels <= max_pixels:
-        pixel_size = scan.size / pixels
-        seconds = _contact_seconds(scan, contact, pixel_size)
-        if pixel_size < FINEST_PIXEL_SIZE or ARRAY_WIDTHS[-1] ** 2 * seconds > CONTACT_SECONDS:
-            break
-        pixels *= 2
-    return pixels
-
-
-def _contact_seconds(scan: Entry, contact: Contact, pixel_size: float) -> float:
-    """Return about the time (s) for one contact and all its periods on pixels of a size (nm)."""
-    periods = periods_in_window(contact.window, scan.size)
-    tiles = (window_pixels(contact.window, pixel_size) / TILE) ** 2
-    return contact.pixel_count(pixel_size) * periods * SECONDS_A_PIXEL + tiles * SECONDS_A_TILE
-
-
-def _contacts_per_row(
-    substrates: Sequence[Entry], contact: Contact, short_pixels: int, max_per_side: int
-) -> tuple[int, bool]:
-    """Return the contacts per row that time and memory permit, and whether they take long.
-
-    The pixels of all contacts stay in memory: on masters, and on scans with all periods in the
-    window.
-    """
-    seconds = 0.0
-    kept_pixels = 0.0
-    for scan in substrates:
-        periods = periods_in_window(contact.window, scan.size)
-        finest = 2 * scan.size / short_pixels
-        for pixel_size, period_count in ((scan.pixel_size, periods), (finest, 1.0)):
-            seconds = max(seconds, _contact_seconds(scan, contact, pixel_size))
-            kept_pixels = max(kept_pixels, contact.pixel_count(pixel_size) * period_count)
-    for contacts_per_row in ARRAY_WIDTHS:
-        contacts = contacts_per_row**2
-        slow = contacts * seconds > CONTACT_SECONDS
-        fits = contacts_per_row <= max_per_side and contacts * kept_pixels <= MAX_CONTACT_PIXELS
-        if fits and not slow:
-            break
-    return contacts_per_row, slow
 
 
 def _cutoffs(shortest: float, longest: float, max_cutoffs: int) -> list[str]:
