@@ -36,8 +36,9 @@ class Status(StrEnum):
     INSIDE, OUTSIDE = "inside", "outside"
     #: A change of the force by what the closed form leaves out.
     MATTERS, NEGLIGIBLE, UNKNOWN = "matters", "negligible", "unknown"
-    #: Regimes of the closed form, and ends of the extrapolated spectrum.
-    SMOOTH, MANY_POINTS, FEW_SUMMITS = "smooth", "many_points", "single_peaks"
+    #: Regimes: roughness hardly changes the force, many points carry it, or a few summits carry it.
+    SMOOTH, MANY_POINTS, SINGLE_PEAKS = "smooth", "many_points", "single_peaks"
+    #: Ends of the extrapolated spectrum.
     ATOMS, GRADIENT, HALF_LAPLACIAN = "atoms", "gradient", "half_laplacian"
     #: Bodies of a contact, by their elasticity.
     HARD, SOFT = "hard", "soft"

@@ -17,6 +17,7 @@ from numpy.typing import ArrayLike
 from scipy import special
 
 from hardcontact.base.arrays import Floats
+from hardcontact.base.number import Status
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.smooth_sphere import dmt_pull_off, smooth_pull_off
 from hardcontact.inference.curve_edges import interpolate_edge, logarithmic_limits
@@ -29,8 +30,6 @@ from hardcontact.theory.summits import (
     spectrum_between,
 )
 
-#: Regimes: roughness hardly changes the force, many points carry it, or a few summits carry it.
-SMOOTH_SURFACE, MANY_POINTS, FEW_SUMMITS = "smooth", "many points", "single peaks"
 #: A surface counts as smooth if its force exceeds this share of the force on a smooth surface, both
 #: without the area in contact.
 SMOOTH_SHARE = 0.9
@@ -56,7 +55,7 @@ class ClosedForm:
     apex_height: float  #: The mean of m in nm, positive above the mean plane.
     #: k = rho m/sigma²; 0 if m is below the mean plane, infinite without roughness.
     weibull_modulus: float
-    regime: str  #: SMOOTH_SURFACE, MANY_POINTS or FEW_SUMMITS.
+    regime: Status  #: SMOOTH, MANY_POINTS or SINGLE_PEAKS.
 
 
 def contact_term(contact: Contact) -> float:
@@ -91,16 +90,16 @@ def closed_form(spectrum: Spectrum, contact: Contact, *, all_rough: bool = True)
     rough_spectrum = find_rough_spectrum(spectrum, contact.radius)
     if rough_spectrum is None:  # The limit of an rms height of zero.
         force = smooth_force(contact)
-        return ClosedForm(force, force / smooth, 0.0, 0.0, np.inf, SMOOTH_SURFACE)
+        return ClosedForm(force, force / smooth, 0.0, 0.0, np.inf, Status.SMOOTH)
     sigma = float(np.sqrt(spectral_moment(rough_spectrum, 0)))
     apex = apex_distribution(rough_spectrum, contact.radius, contact.area)
     mean_surface_term, summit_term = _terms(rough_spectrum, apex, contact, GENERATIONS, all_rough)
     dmt_ratio = mean_surface_term + summit_term + contact_term(contact)
     m = float(sigma * apex.mean())
     weibull_modulus = max(contact.rho * m / sigma**2, 0.0)
-    regime = FEW_SUMMITS if weibull_modulus < 1 else MANY_POINTS
+    regime = Status.SINGLE_PEAKS if weibull_modulus < 1 else Status.MANY_POINTS
     if mean_surface_term + summit_term > SMOOTH_SHARE:
-        regime = SMOOTH_SURFACE
+        regime = Status.SMOOTH
     return ClosedForm(smooth * dmt_ratio, dmt_ratio, sigma, m, weibull_modulus, regime)
 
 

@@ -76,7 +76,6 @@ def prediction(
     harmless = Status.NEGLIGIBLE, Status.INSIDE
     validated = error_is_known and all(number.status in harmless for number in checks)
     point = table_coordinates(trimmed, contact, form)
-    regime = Status(form.regime.replace(" ", "_"))
     numbers = [
         *inputs,
         _force_number("closed_form_force", form, point, validated),
@@ -84,7 +83,7 @@ def prediction(
         Number("log_force_std", predict_statistics(trimmed, contact).log_force_std),
         Number("force_over_smooth", form.force / smooth_force(contact)),
         Number("apex_height", form.apex_height, "nm"),
-        Number("weibull_modulus", form.weibull_modulus, status=regime),
+        Number("weibull_modulus", form.weibull_modulus, status=form.regime),
         *_edge_numbers("", critical_band(trimmed, contact, tolerance), point, validated),
         *checks,
     ]
