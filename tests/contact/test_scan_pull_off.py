@@ -1,11 +1,15 @@
-"""Pull-off of one scan on all scans of the sphere has the forces on each of them."""
+"""Pull-off of all scans on all scans of the sphere: every force, and NaN for missing scans."""
 
 import numpy as np
+import xarray as xr
 from periodic_maps import CONTACT, make_bodies, periodic_noise
 
+from hardcontact.base.dataset import stack
 from hardcontact.contact.pull_off import pull_off_dataset
-from hardcontact.contact.scan_pull_off import pull_off_with_checks
+from hardcontact.contact.scan_pull_off import pull_off_with_checks, stack_pull_off_forces
 
+DESCRIBED = {"labels": {"a": "A", "b": "B"}, "source": {"a": "measured", "b": "substitute"}}
+CONTACTS = ("contact_y", "contact_x")
 RANGES = [1.0, CONTACT.rho]
 SUBSTRATE = periodic_noise(128, 20.0, 1)
 #: Bodies on different pixels, as those of spheres with different pixel sizes.
@@ -33,3 +37,39 @@ def test_a_smooth_sphere_and_the_effects_of_window_and_pixels_are_beside_the_for
     )
     assert forces["finer_pixel_ratio"].attrs["rho"] == min(RANGES)
     assert forces["wider_window_change"] > 0
+
+
+def forces_on_scan(value, pixels):
+    """Return forces on one scan, with contacts by number."""
+    return xr.Dataset(
+        {
+            "pull_off_force": (CONTACTS, np.full((2, 2), value)),
+            "contact_pixel_count": ("contact_model", [1, pixels], {"units": "1"}),
+        },
+        {axis: [0, 1] for axis in CONTACTS},
+        {"work_of_adhesion": 1.0},
+    )
+
+
+def test_forces_on_all_scans_are_stacked_with_nan_for_missing_scans():
+    keys = [("a", 1, 1), ("a", 1, 2), ("b", 1, 1), ("b", 2, 1)]
+    forces_by_key = {key: forces_on_scan(float(k), 10 + k) for k, key in enumerate(keys)}
+    changes = {("a", 1): 0.1, ("b", 1): 0.2, ("b", 2): 0.3}
+    scans = {
+        scan: stack(
+            {key[2:]: forces for key, forces in forces_by_key.items() if key[:2] == scan},
+            ["sphere_scan"],
+        ).assign(wider_window_change=((), change, {"units": "1"}))
+        for scan, change in changes.items()
+    }
+    forces = stack_pull_off_forces(scans, DESCRIBED)
+    for k, (surface, scan, sphere_scan) in enumerate(keys):
+        labels = {"surface": surface, "scan": scan, "sphere_scan": sphere_scan}
+        np.testing.assert_array_equal(forces.pull_off_force.sel(labels), k)
+    assert np.isnan(forces.pull_off_force.sel(surface="a", scan=2)).all()
+    assert forces.contact_pixel_count.values.tolist() == [1, 13]
+    assert forces.wider_window_change.dims == ("surface", "scan")
+    np.testing.assert_array_equal(forces.wider_window_change, [[0.1, np.nan], [0.2, 0.3]])
+    assert forces.label.values.tolist() == ["A", "B"]
+    assert forces.source.values.tolist() == ["measured", "substitute"]
+    assert forces.attrs["work_of_adhesion"] == 1.0

@@ -1,7 +1,7 @@
 """Pull-off forces of all surfaces, scans, contact models and ranges of adhesion."""
 
 from hardcontact.base.dataset import read_all
-from hardcontact.contact.stacked_datasets import stack_pull_off_forces
+from hardcontact.contact.scan_pull_off import stack_pull_off_forces
 from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:

@@ -1,6 +1,6 @@
 """Pull-off forces of every filtered master, and their ratio to the unfiltered force."""
 
-from hardcontact.contact.stacked_datasets import add_names
+from hardcontact.base.dataset import add_surface_names
 from hardcontact.inference.master_datasets import (
     add_spectrum_shifts,
     add_transitions,
@@ -18,7 +18,7 @@ with run_job(snakemake) as job:
         )
         forces = add_spectrum_shifts(forces, sampled_forces)
     job.write(
-        add_transitions(add_names(forces, params), params["transitions"]).assign_attrs(
+        add_transitions(add_surface_names(forces, params), params["transitions"]).assign_attrs(
             {name: params[name] for name in ("rho", "sphere_radius")}
         ),
         title="plastic pull-off forces of filtered masters",

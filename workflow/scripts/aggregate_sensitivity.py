@@ -2,8 +2,7 @@
 
 import xarray as xr
 
-from hardcontact.base.dataset import concatenate, read, read_all
-from hardcontact.contact.stacked_datasets import add_names
+from hardcontact.base.dataset import add_surface_names, concatenate, read, read_all
 from hardcontact.inference.band_forces import band_ratios_by_surface
 from hardcontact.inference.hindcast import all_hindcasts
 from hardcontact.inference.octaves import sensitivities_by_surface
@@ -24,6 +23,6 @@ with run_job(snakemake) as job:
     if bands:  # Measured scans are too small for the long waves of the band.
         results.append(band_ratios_by_surface(bands, radius, rho, confidence))
     job.write(
-        add_names(xr.merge(results), params).assign_attrs(confidence=confidence, rho=rho),
+        add_surface_names(xr.merge(results), params).assign_attrs(confidence=confidence, rho=rho),
         title="change of the pull-off force with the amplitude of each octave of wavelengths",
     )

@@ -1,7 +1,7 @@
 """Short edges of plastic and rigid contact at two ranges of adhesion: edge_shifts.nc."""
 
+from hardcontact.base.dataset import add_surface_names
 from hardcontact.base.statistics import Sampling
-from hardcontact.contact.stacked_datasets import add_names
 from hardcontact.inference.master_datasets import read_master_forces
 from hardcontact.paper.edge_shifts import compute_edge_shifts
 from hardcontact.records.job import run_job
@@ -13,6 +13,8 @@ with run_job(snakemake) as job:
     forces = read_master_forces(params["surfaces"], job.input.masters, params["realizations"])
     edges = compute_edge_shifts(forces, tolerance, sampling)
     job.write(
-        add_names(edges, params).assign_attrs(tolerance=tolerance, confidence=sampling.confidence),
+        add_surface_names(edges, params).assign_attrs(
+            tolerance=tolerance, confidence=sampling.confidence
+        ),
         title="short edges of plastic and rigid contact at two ranges of adhesion",
     )

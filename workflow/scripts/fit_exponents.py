@@ -2,7 +2,7 @@
 
 import xarray as xr
 
-from hardcontact.contact.stacked_datasets import add_names
+from hardcontact.base.dataset import add_surface_names
 from hardcontact.inference.master_datasets import read_master_forces
 from hardcontact.paper.exponents import edge_exponents, force_exponent
 from hardcontact.records.job import run_job
@@ -19,7 +19,7 @@ with run_job(snakemake) as job:
         ]
     )
     job.write(
-        add_names(exponents, params).assign_attrs(
+        add_surface_names(exponents, params).assign_attrs(
             contact_area=params["contact_area"], tolerance=tolerance, confidence=confidence
         ),
         title="exponents of the pull-off force and of the edges of the critical band",

@@ -3,9 +3,12 @@
 from hardcontact.base import published
 from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact
-from hardcontact.contact.elastic import PULL_OFF_WINDOW, solve_elastic_contacts
+from hardcontact.contact.elastic import (
+    PULL_OFF_WINDOW,
+    solve_elastic_contacts,
+    stack_elastic_contacts,
+)
 from hardcontact.contact.geometry import read_bodies, sample_contacts
-from hardcontact.contact.stacked_datasets import stack_elastic_contacts
 from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:

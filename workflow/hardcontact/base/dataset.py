@@ -4,7 +4,7 @@ import csv
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import Any, TypedDict
 
 import numpy as np
 import pandas as pd
@@ -17,6 +17,15 @@ from hardcontact.base.atomic_file import atomic_file
 MEANINGS = Path(__file__).resolve().parents[2] / "report/variables.tsv"
 #: End of the name of a variable that holds the interval of another one.
 INTERVAL = "_interval"
+#: Datasets by their labels, one for each dimension along which they are stacked.
+DatasetsByLabels = Mapping[tuple[Any, ...], xr.Dataset]
+
+
+class NamedSurfaces(TypedDict):
+    """Label of each surface, and whether it was measured or is a substitute."""
+
+    labels: Mapping[str, str]
+    source: Mapping[str, str]
 
 
 def write(dataset: xr.Dataset, path: str | Path) -> None:
@@ -85,7 +94,7 @@ def read_all(
 
 
 def concatenate(
-    datasets: Mapping[tuple[Any, ...], xr.Dataset], dimension: str, shared_labels: int
+    datasets: DatasetsByLabels, dimension: str, shared_labels: int
 ) -> dict[tuple[Any, ...], xr.Dataset]:
     """Join datasets along an existing dimension if their keys share the first `shared_labels`."""
     groups: dict[tuple[Any, ...], list[xr.Dataset]] = {}
@@ -94,7 +103,7 @@ def concatenate(
     return {key: xr.concat(group, dimension) for key, group in groups.items()}
 
 
-def stack(datasets: Mapping[tuple[Any, ...], xr.Dataset], dimensions: Sequence[str]) -> xr.Dataset:
+def stack(datasets: DatasetsByLabels, dimensions: Sequence[str]) -> xr.Dataset:
     """Join datasets along new dimensions, the outermost first.
 
     A key has a label for each dimension. Labels keep the order of the keys; inner labels are sorted
@@ -109,3 +118,12 @@ def stack(datasets: Mapping[tuple[Any, ...], xr.Dataset], dimensions: Sequence[s
     # xarray cannot join a pandas index of strings that differ between datasets.
     labels = xr.DataArray(np.array(list(groups)), dims=dimensions[0], name=dimensions[0])
     return xr.concat(stacked_groups, labels, join="outer")
+
+
+def add_surface_names(dataset: xr.Dataset, named_surfaces: NamedSurfaces) -> xr.Dataset:
+    """Return a dataset with the label and the source of each of its surfaces."""
+    surfaces = dataset["surface"].values.tolist()
+    return dataset.assign(
+        label=("surface", [named_surfaces["labels"][surface] for surface in surfaces]),
+        source=("surface", [named_surfaces["source"][surface] for surface in surfaces]),
+    )

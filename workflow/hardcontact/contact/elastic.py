@@ -15,6 +15,7 @@ from scipy.optimize import minimize_scalar
 from threadpoolctl import threadpool_limits
 
 from hardcontact.base.arrays import Floats
+from hardcontact.base.dataset import DatasetsByLabels, stack
 from hardcontact.base.progress import progress
 from hardcontact.base.units import GIGAPASCAL, NANONEWTON, NM, PASCAL
 from hardcontact.contact.contact import Contact
@@ -251,3 +252,13 @@ def solve_elastic_contacts(
             "hertz_peak_pressure": hertz.peak_pressure,
         },
     )
+
+
+def stack_elastic_contacts(scans: DatasetsByLabels) -> xr.Dataset:
+    """Stack the elastic contacts on all scans of one surface.
+
+    `scans` has the dataset of `solve_elastic_contacts` by (scan,). Returns the same variables over
+    (scan, ...); ``pressure`` (y, x) in Pa shows one contact on the first scan.
+    """
+    numbers = {key: scan.drop_vars(["pressure", "y", "x"]) for key, scan in scans.items()}
+    return stack(numbers, ["scan"]).assign(pressure=next(iter(scans.values()))["pressure"])

@@ -1,11 +1,16 @@
-"""Pull-off of one substrate scan on all sphere scans, and how window and pixels change it."""
+"""Pull-off of all substrate scans on all sphere scans, and how window and pixels change it."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 import xarray as xr
 
-from hardcontact.base.dataset import stack
+from hardcontact.base.dataset import (
+    DatasetsByLabels,
+    NamedSurfaces,
+    add_surface_names,
+    stack,
+)
 from hardcontact.contact.contact import CONTACT_AXES, PLASTIC, Contact
 from hardcontact.contact.geometry import Bodies
 from hardcontact.contact.pull_off import (
@@ -19,11 +24,14 @@ from hardcontact.contact.pull_off import (
 def pull_off_on_spheres(
     all_bodies: Mapping[int, Bodies], contact: Contact, ranges: Sequence[float]
 ) -> xr.Dataset:
-    """Return `pull_off_dataset` of all bodies over (sphere_scan, ...), with contacts by number."""
+    """Return pull-off forces and apex heights of all bodies (sphere_scan, ...).
+
+    The bodies share the substrate. The variables are those of `pull_off_dataset`; contacts are
+    numbered, because their positions differ between pixel sizes.
+    """
     forces = {}
     for sphere_scan, bodies in all_bodies.items():
         forces_on_sphere = pull_off_dataset(bodies, contact, ranges)
-        # Positions of contacts differ between pixel sizes.
         contact_numbers = {axis: range(forces_on_sphere.sizes[axis]) for axis in CONTACT_AXES}
         forces[(sphere_scan,)] = forces_on_sphere.assign_coords(contact_numbers)
     return stack(forces, ["sphere_scan"])
@@ -32,11 +40,11 @@ def pull_off_on_spheres(
 def pull_off_with_checks(
     all_bodies: Mapping[int, Bodies], contact: Contact, ranges: Sequence[float]
 ) -> xr.Dataset:
-    """Return `pull_off_on_spheres` of one substrate, with three numbers to judge it by.
+    """Return the pull-off forces on one substrate scan, with three numbers to judge them by.
 
-    ``wider_window_change`` is at the range of the contact, ``finer_pixel_ratio`` of the first scan
-    of the sphere at the shortest range; ``smooth_sphere_force`` (contact_model, rho) is the mean
-    over contacts.
+    To the variables of `pull_off_on_spheres` it adds ``wider_window_change`` at the range of the
+    contact, ``finer_pixel_ratio`` of the first scan of the sphere at the shortest range, and
+    ``smooth_sphere_force`` (contact_model, rho), the mean over contacts.
     """
     forces = pull_off_on_spheres(all_bodies, contact, ranges)
     plastic_force = forces["pull_off_force"].sel(contact_model=PLASTIC)
@@ -51,3 +59,16 @@ def pull_off_with_checks(
             "smooth_sphere_force": smooth["pull_off_force"],
         }
     )
+
+
+def stack_pull_off_forces(scans: DatasetsByLabels, named_surfaces: NamedSurfaces) -> xr.Dataset:
+    """Stack the pull-off forces of all surfaces, scans, contact models and ranges.
+
+    `scans` has the dataset of `pull_off_with_checks` by (surface, scan).
+    Returns the same variables over (surface, scan, ...); ``contact_pixel_count`` (contact_model) is
+    the largest of all scans.
+    """
+    dimensions = ["surface", "scan"]
+    forces = stack(scans, dimensions)
+    largest = forces["contact_pixel_count"].max([*dimensions, "sphere_scan"], keep_attrs=True)
+    return add_surface_names(forces.assign(contact_pixel_count=largest), named_surfaces)

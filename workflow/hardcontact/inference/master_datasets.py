@@ -6,10 +6,9 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from hardcontact.base.dataset import read, stack
+from hardcontact.base.dataset import DatasetsByLabels, read, stack
 from hardcontact.base.units import DIMENSIONLESS, NM
 from hardcontact.contact.contact import CONTACT_AXES
-from hardcontact.contact.stacked_datasets import DatasetsByLabels
 
 
 def stack_masters(master_datasets: DatasetsByLabels) -> xr.Dataset:
