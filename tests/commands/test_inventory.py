@@ -11,7 +11,7 @@ from hardcontact.commands import inventory as module
 from hardcontact.commands.inventory import inventory
 from hardcontact.commands.inventory_tables import table_rows
 from hardcontact.commands.options import ReadingOptions
-from hardcontact.commands.request import ScanFile, list_scan_files, parse_arguments
+from hardcontact.commands.request import ScanFile, list_scan_files, new_arguments
 
 
 def scan_file(path, **others):
@@ -66,7 +66,7 @@ def test_a_folder_stands_for_its_files_of_which_unreadable_ones_are_left_out(tmp
     write_scan(tmp_path / "b.nc", wave(), (640.0, 640.0))
     (tmp_path / "a.txt").write_text("notes")
     (tmp_path / ".hidden").write_text("no scan")
-    arguments = parse_arguments(["new", "name", str(tmp_path)])
+    arguments = new_arguments(["new", "name", str(tmp_path)])
     scan_files, faults = list_scan_files(arguments, 1e5)
     ((entry,), (line,), problems) = inventory(scan_files, ReadingOptions())
     assert entry.name == "b.nc" and not faults and not problems

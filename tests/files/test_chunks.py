@@ -26,7 +26,7 @@ def lists_of_files(*values):
     study = study_files(*values)
     chunks = Chunks(study)
     filtered = [
-        *chunks.filtered_masters(),
+        *chunks.filtered_masters("scales"),
         *chunks.filtered_masters("exponents"),
         *chunks.filtered_masters("sets"),
         *chunks.filtered_masters("edge_shifts"),

@@ -1,5 +1,8 @@
-# Inference: edges of the band and how they depend on contacts, range and work of adhesion from
-# published forces, and classical models.
+# Inference: the edges of the band, and how they depend on contacts; range and work of adhesion, from
+# published forces; classical models.
+
+EXPONENT_MASTERS = CHUNKS.filtered_masters("exponents")
+EDGE_SHIFT_MASTERS = CHUNKS.filtered_masters("edge_shifts")
 
 
 rule find_edges:
@@ -17,12 +20,12 @@ rule find_edges:
 rule fit_exponents:
     """Fit exponents of forces and edges to radius and load: exponents.nc."""
     input:
-        masters=FILES.paths(PATTERNS.master_forces, CHUNKS.filtered_masters("exponents")),
+        masters=FILES.paths(PATTERNS.master_forces, EXPONENT_MASTERS),
     output:
         PATTERNS.dataset("exponents"),
     params:
         parameters=parameters(
-            surfaces=[row.surface for row in CHUNKS.filtered_masters("exponents")],
+            surfaces=[row.surface for row in EXPONENT_MASTERS],
             realizations=STUDY["exponents"]["realizations"],
             tolerance=STUDY["scales"]["tolerance"],
             contact_area=PLAN.contact.area,
@@ -36,12 +39,12 @@ rule fit_exponents:
 rule compute_edge_shifts:
     """Compare the short edges of plastic and rigid contact at two ranges: edge_shifts.nc."""
     input:
-        masters=FILES.paths(PATTERNS.master_forces, CHUNKS.filtered_masters("edge_shifts")),
+        masters=FILES.paths(PATTERNS.master_forces, EDGE_SHIFT_MASTERS),
     output:
         PATTERNS.dataset("edge_shifts"),
     params:
         parameters=parameters(
-            surfaces=[row.surface for row in CHUNKS.filtered_masters("edge_shifts")],
+            surfaces=[row.surface for row in EDGE_SHIFT_MASTERS],
             realizations=STUDY["exponents"]["realizations"],
             tolerance=STUDY["scales"]["tolerance"],
             sampling=SAMPLING,

@@ -9,6 +9,7 @@ from hardcontact.files.master_purposes import (
 )
 from hardcontact.surfaces.synthesis import SIDES
 
+MASTERS = CHUNKS.filtered_masters("scales")
 #: Masters of sampled spectra, which the user's surfaces alone have.
 SAMPLED_MASTERS = [] if IS_PAPER_STUDY else CHUNKS.filtered_masters("sampled")
 
@@ -65,13 +66,13 @@ rule compute_filtered_forces:
 rule aggregate_scales:
     """Gather the forces of all filtered surfaces: scales.nc."""
     input:
-        masters=FILES.paths(PATTERNS.master_forces, CHUNKS.filtered_masters()),
+        masters=FILES.paths(PATTERNS.master_forces, MASTERS),
         sampled=FILES.paths(PATTERNS.master_forces, SAMPLED_MASTERS),
     output:
         PATTERNS.dataset("scales"),
     params:
         parameters=parameters(
-            surfaces=[row.surface for row in CHUNKS.filtered_masters()],
+            surfaces=[row.surface for row in MASTERS],
             sampled_surfaces=[row.surface for row in SAMPLED_MASTERS],
             realizations=STUDY["scales"]["realizations"],
             loading=PLAN.contact.loading_name,

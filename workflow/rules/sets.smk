@@ -2,6 +2,7 @@
 
 from hardcontact.paper.evaluation import claims_of_sets
 
+SET_MASTERS = CHUNKS.filtered_masters("sets")
 #: Parameters of the surfaces of pools and of samples, and of contacts on them.
 SET_SURFACES = {
     "scan_grid": SCAN_GRID,
@@ -56,7 +57,7 @@ rule sample_sets:
         adhesion=PATTERNS.dataset("adhesion"),
         pools=FILES.paths(PATTERNS.pool, CHUNKS.pools),
         samples=FILES.paths(PATTERNS.featured_samples, CHUNKS.featured_samples),
-        masters=FILES.paths(PATTERNS.master_forces, CHUNKS.filtered_masters("sets")),
+        masters=FILES.paths(PATTERNS.master_forces, SET_MASTERS),
         published_pull_off=PUBLISHED_TABLES["published_pull_off"],
         published_constants=PUBLISHED_TABLES["published_constants"],
     output:
@@ -67,7 +68,7 @@ rule sample_sets:
             chunks=CHUNKS.pools,
             sample_chunks=CHUNKS.featured_samples,
             sampled_substrates=SELECTION.sampled_substrates,
-            master_surfaces=[row.surface for row in CHUNKS.filtered_masters("sets")],
+            master_surfaces=[row.surface for row in SET_MASTERS],
             realizations=STUDY["sets"]["realizations"],
             loading=PLAN.contact.loading_name,
             claims=claims_of_sets("resources/paper/claims.csv"),

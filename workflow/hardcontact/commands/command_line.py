@@ -5,7 +5,7 @@ import sys
 
 from hardcontact.commands.new import new_study
 from hardcontact.commands.parser import join_units
-from hardcontact.commands.request import parse_arguments
+from hardcontact.commands.request import new_arguments
 from hardcontact.config.faults import raise_faults
 
 
@@ -34,7 +34,7 @@ def main() -> int:
 
             print(compare(compare_arguments(words[1:])))
         else:
-            print(new_study(parse_arguments(words)))
+            print(new_study(new_arguments(words)))
         sys.stdout.flush()
     except BrokenPipeError:  # The reader of the output has ended, such as `head`.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

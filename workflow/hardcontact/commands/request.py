@@ -35,8 +35,11 @@ class ScanFile(NamedTuple):
     is_in_folder: bool = False  #: whether the user named its folder, which may hold other files
 
 
-def parse_arguments(arguments: Sequence[str]) -> Namespace:
-    """Return the parsed command line, without the program's name; a wrong one ends the program."""
+def new_arguments(arguments: Sequence[str]) -> Namespace:
+    """Return the parsed command line, with the command; a wrong one ends the program.
+
+    The parser also serves `hardcontact --help`, and refuses unknown commands.
+    """
     parser = CommandLine("hardcontact", USAGE)
     parser.add_argument("--version", action="version", version=version("hardcontact"))
     parser.add_argument(

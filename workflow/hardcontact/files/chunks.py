@@ -107,7 +107,7 @@ class Chunks:
 
     # Masters
 
-    def filtered_masters(self, purpose: str = "scales") -> list[FilteredMasters]:
+    def filtered_masters(self, purpose: str) -> list[FilteredMasters]:
         """Return the masters of a purpose: outputs of rule compute_filtered_forces."""
         count = get_key(self._configuration, PURPOSES[purpose].realizations_key)
         chunks = _spans(count, PURPOSES[purpose].realizations_in_job)
