@@ -95,18 +95,10 @@ def propose(
     the range of adhesion, a longer one may be chosen. Raises ValueError, with a line for each
     surface without a height map, or if scans are too different for one study.
     """
-    sizes = all_search_sizes(entries, sphere, contact)
-    scans, reasons = contact_scans(entries, sphere, contact, sizes)
+    search_sizes = all_search_sizes(entries, sphere, contact)
+    scans, reasons = contact_scans(entries, sphere, contact, search_sizes)
     substrates = [scan for scan in scans if scan.scan_file.surface != sphere]
-    coarsest = max(substrates, key=lambda scan: scan.pixel_size)
-    smallest = min(substrates, key=lambda scan: scan.size)
-    if TRANSITION_PIXELS * coarsest.pixel_size > TRANSITION_SHARE * smallest.size:
-        raise ValueError(
-            "--surface: expected scans of similar size on all surfaces, found "
-            f"{format_length(smallest.size)} on {smallest.scan_file.surface} and pixels of "
-            f"{format_length(coarsest.pixel_size)} on {coarsest.scan_file.surface}: "
-            "make a study of each"
-        )
+    _refuse_unlike_scans(substrates)
     window = choose_window(scans, substrates, contact, range_given, FULL_EFFORT.pixels)
     sphere_scans = [scan for scan in scans if scan.scan_file.surface == sphere]
     transitions = _transitions(substrates, sphere_scans)
@@ -120,8 +112,21 @@ def propose(
     if gaps := sum(entry.undefined_count > 0 for entry in entries):
         reason = f"{gaps} of the files have undefined pixels"
         full.insert(0, Choice("scan.undefined_pixels", FILLING, reason))
-    cautions = [*scan_cautions(entries, substrates, contact.rho, window, sizes)]
+    cautions = [*scan_cautions(entries, substrates, contact.rho, window, search_sizes)]
     return Proposal(scans, full, quick, reasons, cautions)
+
+
+def _refuse_unlike_scans(substrates: Sequence[Entry]) -> None:
+    """Refuse scans if the coarsest resolves no wavelength that the smallest holds."""
+    coarsest = max(substrates, key=lambda scan: scan.pixel_size)
+    smallest = min(substrates, key=lambda scan: scan.size)
+    if TRANSITION_PIXELS * coarsest.pixel_size > TRANSITION_SHARE * smallest.size:
+        raise ValueError(
+            "--surface: expected scans of similar size on all surfaces, found "
+            f"{format_length(smallest.size)} on {smallest.scan_file.surface} and pixels of "
+            f"{format_length(coarsest.pixel_size)} on {coarsest.scan_file.surface}: "
+            "make a study of each"
+        )
 
 
 def _choices(
