@@ -33,7 +33,7 @@ def ratios(heights, side):
         [RandomBody(UNCD, PIXELS * PIXEL, 1, ("scan", 1))],
         make_force_function(CONTACT),
     )
-    return hindcast.hindcasts(forces.expand_dims("map"), 0.1, 0.95).sel(side=side)
+    return hindcast.hindcast_ratios(forces.expand_dims("map"), 0.1, 0.95).sel(side=side)
 
 
 @pytest.mark.parametrize("side", ["short", "long"])
@@ -82,14 +82,14 @@ def test_the_interval_has_its_confidence():
         },
         {"side": np.arange(trials)},
     ).expand_dims(map=1, **shape)
-    result = hindcast.hindcasts(forces, 0.0, 0.95)
+    result = hindcast.hindcast_ratios(forces, 0.0, 0.95)
     assert result["hindcast_fails"].mean() == pytest.approx(0.05, abs=0.015)
 
 
 def test_a_scan_without_an_octave_proves_no_artificial_roughness():
     stitched = mirror_stitch(SCAN)
     forces = hindcast.hindcast_forces(stitched, {"short": None}, [], make_force_function(CONTACT))
-    result = hindcast.hindcasts(forces.expand_dims("map"), 0.1, 0.95).sel(side="short")
+    result = hindcast.hindcast_ratios(forces.expand_dims("map"), 0.1, 0.95).sel(side="short")
     assert np.isnan(result["hindcast_ratio"]) and result["hindcast_fails"] == 1
 
 

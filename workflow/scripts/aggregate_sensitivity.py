@@ -4,7 +4,7 @@ import xarray as xr
 
 from hardcontact.base.dataset import add_surface_names, concatenate, read, read_all
 from hardcontact.inference.band_forces import band_ratios_by_surface
-from hardcontact.inference.hindcast import all_hindcasts
+from hardcontact.inference.hindcast import hindcast_ratios_by_surface
 from hardcontact.inference.octaves import sensitivities_by_surface
 from hardcontact.inference.scan_parts import fewest_touched_patches
 from hardcontact.records.job import run_job
@@ -19,7 +19,7 @@ with run_job(snakemake) as job:
     results = [sensitivities_by_surface(maps, radius, rho, touched_patches, confidence)]
     measured_maps = {name: forces for name, forces in maps.items() if "scan_octave_force" in forces}
     if measured_maps:
-        results.append(all_hindcasts(measured_maps, params["tolerance"], confidence))
+        results.append(hindcast_ratios_by_surface(measured_maps, params["tolerance"], confidence))
     if bands:  # Measured scans are too small for the long waves of the band.
         results.append(band_ratios_by_surface(bands, radius, rho, confidence))
     job.write(

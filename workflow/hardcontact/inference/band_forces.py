@@ -11,8 +11,7 @@ from hardcontact.base.statistics import with_interval
 from hardcontact.base.units import DIMENSIONLESS, NM
 from hardcontact.contact.contact import CONTACT_AXES
 from hardcontact.contact.pull_off import FORCE_ATTRS, ForcesOnSurface
-from hardcontact.inference.octaves import log_force_ratio, parts_of_maps
-from hardcontact.inference.scan_parts import ScanParts
+from hardcontact.inference.scan_parts import ScanParts, log_force_ratio, parts_of_maps
 from hardcontact.surfaces.filters import filtered_series
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.synthesis import SIDES

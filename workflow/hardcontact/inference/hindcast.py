@@ -141,12 +141,13 @@ def _artificial_octave(
     return np.asarray(mirror_stitch(corner).heights)
 
 
-def hindcasts(forces: xr.Dataset, tolerance: float, confidence: float) -> xr.Dataset:
-    """Return ``hindcast_ratio`` (side) of mean forces, and ``hindcast_fails``.
+def hindcast_ratios(forces: xr.Dataset, tolerance: float, confidence: float) -> xr.Dataset:
+    """Return ``hindcast_ratio`` (side), artificial over scanned octave, and ``hindcast_fails``.
 
-    Forces (map, side, ...) come from `hindcast_forces`. The prediction interval for another
-    random octave contains 1 if the scan's octave is random, too. The hindcast fails if it does not
-    and the ratio differs from 1 by more than the tolerance, or if there is no octave.
+    Mean forces are compared; forces (map, side, ...) come from `hindcast_forces`. The prediction
+    interval for another random octave contains 1 if the scan's octave is random, too. If it does
+    not and the ratio differs from 1 by more than the tolerance, or if there is no octave,
+    ``hindcast_fails`` (side) is 1.
     """
     dimensions = ["map", *CONTACT_AXES]
     scan_log = xr.DataArray(np.log(forces["scan_octave_force"].mean(dimensions)))
@@ -166,20 +167,21 @@ def hindcasts(forces: xr.Dataset, tolerance: float, confidence: float) -> xr.Dat
     )
 
 
-def all_hindcasts(
+def hindcast_ratios_by_surface(
     maps: Mapping[str, xr.Dataset], tolerance: float, confidence: float
 ) -> xr.Dataset:
-    """Return the `hindcasts` (surface, side) of all measured surfaces, and two ratios (surface).
+    """Return three ratios of mean forces that test the extrapolation of all measured surfaces.
 
-    ``wide_pixel_ratio`` is the force on wide pixels, ``filtered_scan_ratio`` the force without the
-    waves shorter than the last octave, each relative to the force on the scans.
+    ``hindcast_ratio`` (surface, side) comes with ``hindcast_fails``. Relative to the force on the
+    scans (surface), ``wide_pixel_ratio`` is the force on wide pixels and ``filtered_scan_ratio``
+    the force without the waves shorter than the last octave.
     """
     surfaces = {}
     for surface, forces in maps.items():
         means = forces.mean(["map", *CONTACT_AXES])
         filtered = means["scan_octave_force"].sel(side="short", drop=True) / means["scan_force"]
         wide = means["wide_pixel_force"] / means["scan_force"]
-        surfaces[(surface,)] = hindcasts(forces, tolerance, confidence).assign(
+        surfaces[(surface,)] = hindcast_ratios(forces, tolerance, confidence).assign(
             filtered_scan_ratio=filtered.assign_attrs(DIMENSIONLESS),
             wide_pixel_ratio=wide.assign_attrs(DIMENSIONLESS),
         )

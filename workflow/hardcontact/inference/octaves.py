@@ -1,7 +1,7 @@
-"""Octaves of wavelengths: how the pull-off force follows the amplitude of each, for sensitivity.nc.
+"""The sensitivity d ln F / d ln a of the mean force F to the amplitude a of each octave of waves.
 
 The waves of one octave are amplified and attenuated on the same surface. Both forces share all
-other waves, so that their ratio scatters little. F is the mean force over contacts.
+other waves, so that their ratio scatters little. `hindcast` replaces an octave instead.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
@@ -19,14 +19,7 @@ from hardcontact.base.statistics import with_interval
 from hardcontact.base.units import DIMENSIONLESS, NM
 from hardcontact.contact.contact import CONTACT_AXES
 from hardcontact.contact.pull_off import FORCE_ATTRS, ForcesOnSurface
-from hardcontact.inference.scan_parts import (
-    ScanParts,
-    delete_one_logarithms,
-    half_width,
-    jackknife_variance,
-    parts_of_scans,
-    quarters_of_contacts,
-)
+from hardcontact.inference.scan_parts import ScanParts, log_force_ratio, parts_of_maps
 from hardcontact.surfaces.filters import filtered_series
 from hardcontact.surfaces.height_map import HeightMap
 
@@ -105,35 +98,6 @@ def strongest_octaves(sensitivity: xr.Dataset) -> Iterator[Number]:
         yield Number(f"octave_{rank}_sensitivity", value, "1", float(low), float(high))
 
 
-def log_force_ratio(
-    changed_force: xr.DataArray, force: xr.DataArray, scan_parts: ScanParts, confidence: float
-) -> tuple[Floats, Floats]:
-    """Return the logarithm (...) of a ratio of mean forces, and the half width of its interval.
-
-    Forces are over (map, ..., contact_y, contact_x); the means are over maps and contacts. The
-    interval comes from the jackknife over the parts of the maps.
-    """
-    dimensions = ["map", *CONTACT_AXES]
-
-    def ratio(is_kept: xr.DataArray) -> xr.DataArray:
-        """Return the ratio of mean forces over the contacts that are kept."""
-        return changed_force.where(is_kept).mean(dimensions) / force.where(is_kept).mean(dimensions)
-
-    logarithms = delete_one_logarithms(scan_parts, "map", ratio)
-    half = half_width([jackknife_variance(logarithms, scan_parts)], confidence)
-    return np.log(ratio(xr.DataArray(True)).values), half
-
-
-def parts_of_maps(
-    forces: xr.Dataset, radius: float, rho: float, touched_patches: float = np.inf
-) -> ScanParts:
-    """Return the parts of the maps: the maps if there are three, otherwise their quarters."""
-    quarters = quarters_of_contacts(forces.sizes["contact_y"], 1)
-    size = float(forces.attrs["map_size"])
-    maps = np.arange(forces.sizes["map"])
-    return parts_of_scans(maps, quarters, size, float(np.sqrt(radius * rho)), touched_patches)
-
-
 def sensitivities_by_surface(
     maps: Mapping[str, xr.Dataset],
     radius: float,
@@ -157,7 +121,7 @@ def sensitivities_by_surface(
 def octave_sensitivities(
     octave_force: xr.DataArray, scan_parts: ScanParts, confidence: float
 ) -> xr.Dataset:
-    """Return ``octave_sensitivity`` (octave), d ln F / d ln a, from forces on all maps.
+    """Return ``octave_sensitivity`` (octave) from the forces on all maps of a surface.
 
     `octave_force` (map, octave, factor, contact_y, contact_x) comes from `octave_force_dataset`.
     The derivative is the central difference of the logarithms of the mean forces.

@@ -85,8 +85,8 @@ class ScanParts:
         return (1 + (count - 1) * correlation) / (1 - correlation), float(degrees_of_freedom)
 
     @property
-    def source(self) -> Status:
-        """Source of an interval: SCANS or QUARTERS of scans.
+    def interval_source(self) -> Status:
+        """What an interval comes from: SCANS or QUARTERS of scans.
 
         A single part (NONE) and parts that touch few patches (FEW_PATCHES) give no interval.
         """
@@ -144,6 +144,19 @@ def parts_of_scans(
     return ScanParts(part_of_contact, correlations, len(scans), touched_patches)
 
 
+def parts_of_maps(
+    forces: xr.Dataset, radius: float, rho: float, touched_patches: float = np.inf
+) -> ScanParts:
+    """Return the parts of maps, each of its own scan: the maps if there are three, else quarters.
+
+    `forces` (map, contact_y, contact_x) are on the maps; radius and range of adhesion are in nm.
+    """
+    quarters = quarters_of_contacts(forces.sizes["contact_y"], 1)
+    size = float(forces.attrs["map_size"])
+    maps = np.arange(forces.sizes["map"])
+    return parts_of_scans(maps, quarters, size, float(np.sqrt(radius * rho)), touched_patches)
+
+
 def _correlation_of_quarters(size: float, weight_deviation: float) -> Floats:
     """Return the correlation (4, 4) of mean forces of the quarters of a mirrored scan.
 
@@ -198,6 +211,25 @@ def half_width(variances: Sequence[Variance], confidence: float) -> Floats:
     quantile = student_quantile(1 / inverse, confidence)
     half = np.minimum(quantile * np.sqrt(total), MAX_LOG_DEVIATION)
     return np.where(half > MIN_HALF_WIDTH, half, np.nan)
+
+
+def log_force_ratio(
+    changed_force: xr.DataArray, force: xr.DataArray, scan_parts: ScanParts, confidence: float
+) -> tuple[Floats, Floats]:
+    """Return the logarithm (...) of a ratio of mean forces, and the half width of its interval.
+
+    Forces are over (map, ..., contact_y, contact_x); the means are over maps and contacts. The
+    interval comes from the jackknife over the parts of the maps.
+    """
+    dimensions = ["map", *CONTACT_AXES]
+
+    def ratio(is_kept: xr.DataArray) -> xr.DataArray:
+        """Return the ratio of mean forces over the contacts that are kept."""
+        return changed_force.where(is_kept).mean(dimensions) / force.where(is_kept).mean(dimensions)
+
+    logarithms = delete_one_logarithms(scan_parts, "map", ratio)
+    half = half_width([jackknife_variance(logarithms, scan_parts)], confidence)
+    return np.log(ratio(xr.DataArray(True)).values), half
 
 
 def logarithmic_interval(value: Floats, half: Floats) -> Floats:

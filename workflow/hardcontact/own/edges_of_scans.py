@@ -69,7 +69,7 @@ def _ratios(master_forces: MasterForces, confidence: float) -> xr.Dataset:
         with_interval("filtered_force_ratio", axis, ratio, interval, DIMENSIONLESS, confidence)
         | {
             "interval_is_conditional": int(master_forces.scan_parts.are_quarters),
-            "interval_source": master_forces.scan_parts.source,
+            "interval_source": master_forces.scan_parts.interval_source,
             "interval_scans": master_forces.scan_parts.scan_count,
         },
         {axis: master_forces.forces[axis].variable},

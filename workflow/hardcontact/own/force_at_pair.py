@@ -194,7 +194,7 @@ def _force_variables(
         | {
             "force_quantile": ((*dimensions, "quantile"), quantiles.values, NEWTON),
             "interval_is_conditional": int(scan_parts.are_quarters),
-            "interval_source": scan_parts.source,
+            "interval_source": scan_parts.interval_source,
             "interval_scans": scan_parts.scan_count,
             "contacts": ((), contact_count, DIMENSIONLESS),
             "touched_patches": ((), scan_parts.touched_patches, DIMENSIONLESS),
@@ -239,7 +239,7 @@ def extrapolated_force(
         return xr.Dataset(
             with_interval("extrapolated_force", (), force, interval, NEWTON, confidence)
             | {
-                "extrapolated_force_interval_source": master_forces.scan_parts.source,
+                "extrapolated_force_interval_source": master_forces.scan_parts.interval_source,
                 "extrapolation_end": ((), spectrum_end, NM),
             }
         )

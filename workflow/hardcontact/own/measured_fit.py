@@ -63,7 +63,7 @@ def fit_measured(
         fits[(model,)] = _fit_model(computed, test_means, force_samples, pixel_factors, sampling)
     # Tests and parts of scans, and so the sources of intervals, are the same for all models.
     sources = [
-        computed[name].scan_parts[0].source if test.site_count > 1 else Status.ONE_TEST
+        computed[name].scan_parts[0].interval_source if test.site_count > 1 else Status.ONE_TEST
         for name, test in zip(surfaces, tests, strict=True)
     ]
     variables = sampling.with_interval(

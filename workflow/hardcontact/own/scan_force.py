@@ -154,7 +154,9 @@ def _force_numbers(
     smooth = smooth_force(contact)
     values = np.append(surface_forces.mean, mean_intervals(surface_forces, confidence)[0])
     mean, low, high = limit_forces(values, smooth).tolist()
-    force = Number("force_on_scan", mean, "N", low, high, surface_forces.scan_parts[0].source)
+    force = Number(
+        "force_on_scan", mean, "N", low, high, surface_forces.scan_parts[0].interval_source
+    )
     forces_on_map = make_force_function(contact)
     wide_pixel_force = forces_on_map(stitched_map(widen_pixels(scan))).mean()
     wide_pixel_ratio = float(wide_pixel_force / forces_on_map(surface).mean())
