@@ -19,15 +19,18 @@ class Status(StrEnum):
     INTERVAL_OPEN_LOW, INTERVAL_OPEN_HIGH = "interval_open_low", "interval_open_high"
     #: A value is known; ends of its interval alone are known; nothing is known.
     KNOWN, ONLY_ENDS, NOT_KNOWN = "known", "ends", "not_known"
-    #: An interval comes from scans or from quarters of scans. There is none from one part of scans,
-    #: no edge if no cutoff changes the force by the tolerance, or no pair that fits all forces.
-    SCANS, QUARTERS, NONE = "scans", "quarters", "none"
-    #: There is no interval: scans do not bound the number, contacts touch too few patches, or
-    #: there is a single test.
+    #: An interval comes from scans or from quarters of scans.
+    SCANS, QUARTERS = "scans", "quarters"
+    #: There is no interval: scans do not bound the number, contacts touch too few patches, there
+    #: is a single test, or a single part of scans.
     NO_INTERVAL, FEW_PATCHES, ONE_TEST = "no_interval", "few_patches", "one_test"
-    #: An edge or the end of a region is found; the region extends beyond the computed ranges; the
-    #: filter's ripples hide the edge; there is no band.
-    FOUND, OPEN, RIPPLES, NO_BAND = "found", "open", "ripples", "no_band"
+    ONE_PART = "none"
+    #: An edge or the end of a region is found; no cutoff changes the force by the tolerance; no
+    #: pair fits all forces. A variable has "none" for only one of these and ONE_PART.
+    FOUND, NO_EDGE, NO_PAIR = "found", "none", "none"
+    #: The region extends beyond the computed ranges; ripples of the filter hide the edge; there is
+    #: no band.
+    OPEN, RIPPLES, NO_BAND = "open", "ripples", "no_band"
     #: Artificial roughness is untested, or does not follow from the scans.
     NO_HINDCAST, NO_EXPONENT = "no_hindcast", "no_exponent"
     #: No pair fits the measured forces; a single force does not determine a pair.

@@ -88,12 +88,12 @@ class ScanParts:
     def interval_source(self) -> Status:
         """What an interval comes from: SCANS or QUARTERS of scans.
 
-        A single part (NONE) and parts that touch few patches (FEW_PATCHES) give no interval.
+        A single part (ONE_PART) and parts that touch few patches (FEW_PATCHES) give no interval.
         """
         if not self.are_quarters:
             return Status.SCANS
         if len(self.correlation) < 2 or self.mean_correlation > SAME_CORRELATION:
-            return Status.NONE
+            return Status.ONE_PART
         return Status.FEW_PATCHES if self.touches_few_patches else Status.QUARTERS
 
 

@@ -193,7 +193,7 @@ def _region_extent(region: Floats, ranges: Floats) -> dict[str, Any]:
     """
     allowed = np.flatnonzero(np.isfinite(region).all(axis=-1))
     region_range, region_work = np.full(2, np.nan), np.full(2, np.nan)
-    status = np.full(2, Status.NONE, "<U5")
+    status = np.full(2, Status.NO_PAIR, "<U5")
     if len(allowed):
         ends = allowed[[0, -1]]
         is_open = ends == [0, len(ranges) - 1]

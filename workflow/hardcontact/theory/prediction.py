@@ -187,7 +187,7 @@ def _edge_numbers(
             interval = _validated_interval(name, edge, point, validated)
             yield Number(f"{prefix}{name}", edge, "nm", *interval, Status.FOUND)
         else:
-            yield Number(f"{prefix}{name}", edge, "nm", status=Status.NONE)
+            yield Number(f"{prefix}{name}", edge, "nm", status=Status.NO_EDGE)
 
 
 class _Tail(NamedTuple):
