@@ -29,8 +29,8 @@ def test_a_smooth_sphere_follows_hertz(load):
     gap = sphere_gap(pixels, pixel_size)
     pressure = pressure_at_load(gap, pixel_size, MODULUS, load)
     area = np.count_nonzero(pressure) * pixel_size**2
-    assert np.sqrt(area / np.pi) == pytest.approx(radius, rel=0.03)
-    assert pressure.max() == pytest.approx(peak, rel=0.01)
+    assert np.sqrt(area / np.pi) == pytest.approx(radius, rel=0.03)  # half a pixel
+    assert pressure.max() == pytest.approx(peak, rel=1e-4)
     # Boussinesq: the pressure pushes the flat under the apex down by the approach.
     y, x = np.indices(pressure.shape) - pixels // 2
     distance = np.hypot(y, x) * pixel_size
@@ -65,12 +65,13 @@ def test_a_load_that_flattens_everything_is_refused():
 
 def test_stiff_bodies_have_the_rigid_pull_off_force():
     gap = rough_gap(1.0)
+    # To first order the difference is as the compliance.
     differences = []
     for stiffer in (1, 10):
         rigid, pull_off = adhesive_pull_off(gap, 12.0, stiffer * MODULUS, WORK, RHO)
         differences.append(1 - pull_off / rigid)
     assert 0 < differences[0] < 0.01
-    assert differences[1] == pytest.approx(differences[0] / 10, rel=0.1)
+    assert differences[1] == pytest.approx(differences[0] / 10, rel=1e-3)
 
 
 def test_a_stiff_smooth_sphere_has_the_force_of_dmt():

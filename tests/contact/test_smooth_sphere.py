@@ -38,7 +38,7 @@ def test_transition_leads_from_dmt_to_jkr():
 
 @pytest.mark.parametrize("maugis", [0.03, 0.3, 0.937, 5.0])
 def test_the_pull_off_coefficient_matches_maugis_exact_pair(maugis):
-    """The pair as printed: the first equation gives m for a radius, the second the force."""
+    """The first equation gives m for a radius, the second the force; the fit keeps to 1.7 %."""
 
     def root_and_angle(m):
         return np.sqrt(m**2 - 1), np.arctan(np.sqrt(m**2 - 1))

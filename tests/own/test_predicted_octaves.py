@@ -51,7 +51,7 @@ def test_octaves_on_a_scan_add_up_to_the_derivative_for_all_roughness():
     window, _ = window_on_scans(4.0, PIXEL_SIZE, scan.size, CONTACT.radius, CONTACT.rho)
     weak, strong = (log_force_sum(factor * scan.heights, window) for factor in AMPLITUDE_FACTORS)
     total = derivatives_on_scan(scan, OCTAVES, CONTACT).sum()
-    assert total == pytest.approx((strong - weak) / (2 * STEP), rel=0.02)
+    assert total == pytest.approx((strong - weak) / (2 * STEP), rel=2e-3)
     assert abs(total) > 0.3
 
 
@@ -64,7 +64,7 @@ def test_octaves_in_closed_form_add_up_to_the_derivative_for_all_roughness():
         for factor in AMPLITUDE_FACTORS
     )
     total = derivatives_in_closed_form(spectrum, octaves, CONTACT).sum()
-    assert total == pytest.approx(np.log(strong / weak) / (2 * STEP), rel=0.02)
+    assert total == pytest.approx(np.log(strong / weak) / (2 * STEP), rel=2e-3)
 
 
 @pytest.mark.parametrize("method", ["scan", "closed form"])

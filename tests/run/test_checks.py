@@ -7,7 +7,7 @@ import numpy as np
 import pandas as pd
 import pytest
 from refusals import assert_says, refusal
-from repository import BANDS, ROOT
+from repository import ROOT
 from scan_files import random_heights, write_scan
 from studies import FILES_DIGEST, ROWS, check_configuration, paper_configuration, table_of_own_scans
 
@@ -21,7 +21,7 @@ from hardcontact.records.origin import Origin, canonical_json, digests, keep_rec
 from hardcontact.run.checks import stored_scan, surface_grid
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
-from hardcontact.surfaces.substitute_spectra import described_rms_height, spectrum_from_description
+from hardcontact.surfaces.substitute_spectra import spectrum_from_description
 from hardcontact.surfaces.synthesis import random_surface
 
 CONTRADICTIONS = [
@@ -226,12 +226,3 @@ def test_contacts_on_a_described_surface_lie_within_its_relief(name):
         lowest = all_contact_pixels(join_bodies(surface, None, contact), 1).gaps
         height_difference = float(surface.heights.max() + lowest.max())
         assert 0.2 * relief < height_difference < relief
-
-
-def test_rms_height_counts_only_waves_within_the_domain(tmp_path):
-    path = tmp_path / "a.csv"
-    path.write_text(f"{BANDS}inf,0.1,self-affine,1e9,1000,1.0,,,measured,none\n")
-    # (1/2 pi) of C_0 q_r^2 over the plateau, up to the domain, and over the slope, q^-4.
-    roll_off, longest = 2 * np.pi / 1000, 2 * np.pi / 4000
-    variance = 1e9 / (2 * np.pi) * ((roll_off**2 - longest**2) / 2 + roll_off**2 / 2)
-    assert described_rms_height(path, 4000.0) == pytest.approx(variance**0.5, rel=0.02)

@@ -110,7 +110,7 @@ def test_the_exponent_keeps_within_those_of_self_affine_surfaces(slope, hurst):
     fitted_slope = np.polyfit(
         np.log(WAVEVECTORS[is_added][:-1]), np.log(spectrum[is_added][:-1]), 1
     )[0]
-    assert fitted_slope == pytest.approx(-2 - 2 * hurst, abs=0.05)
+    assert fitted_slope == pytest.approx(-2 - 2 * hurst, abs=0.005)
 
 
 @pytest.mark.parametrize("slope", [-1.0, -2.0, -3.0, -4.0])

@@ -47,7 +47,7 @@ def test_a_tip_limits_the_band_where_its_image_leaves_the_surface():
     imaged = measurement(image[32:-32, 32:-32].astype(float), pixel)
     band = reliable_band(imaged, radius)
     cutoff = to_surface_topography(level(imaged)).scanning_probe_reliability_cutoff(radius)
-    assert band.shortest == pytest.approx(cutoff, rel=0.01)
+    assert band.shortest == pytest.approx(cutoff, rel=1e-3)
     assert band.limited_by == "tip"
     wavevector = BIN_CENTRES
     density = isotropic_psd(imaged)

@@ -56,7 +56,7 @@ def test_short_edge_master_adds_the_spectrum_below_and_a_plateau_above(stitched)
     edge = 2 * np.pi / 100.0
     is_long = (radius < edge) & (radius > 0)
     is_short = (radius > edge) & (radius < 0.5)
-    assert power[is_long].mean() == pytest.approx(uncd_density(edge), rel=0.1)
+    assert power[is_long].mean() == pytest.approx(uncd_density(edge), rel=0.02)
     assert (power[is_short] / uncd_density(radius[is_short])).mean() == pytest.approx(1, abs=0.05)
 
 
@@ -75,5 +75,5 @@ def test_long_edge_master_adds_the_spectrum_above_the_transition(stitched):
     power = np.mean([np.abs(np.fft.fft2(m.heights)) ** 2 for m in masters], axis=0)
     power *= (20.0 / pixels) ** 2
     is_long = (radius < 2 * np.pi / 500) & (radius > 0)
-    assert (power[is_long] / uncd_density(radius[is_long])).mean() == pytest.approx(1, abs=0.1)
+    assert (power[is_long] / uncd_density(radius[is_long])).mean() == pytest.approx(1, abs=1e-4)
     assert power[radius > 2 * np.pi / 499].max() < 1e-6 * power[is_long].mean()

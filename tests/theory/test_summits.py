@@ -23,17 +23,18 @@ def full_band(spectrum):
 
 
 def test_a_gaussian_autocorrelation_has_known_moments():
+    # Sums over forty wavevectors per decade miss integrals by a few thousandths.
     spectrum = full_band(gaussian_spectrum(4, 100))
-    assert spectral_moment(spectrum, 0) == pytest.approx(16, rel=0.01)
-    assert spectral_moment(spectrum, 2) == pytest.approx(2 * (4 / 100) ** 2, rel=0.01)
-    assert spectral_moment(spectrum, 4) == pytest.approx(8 * 16 / 100**4, rel=0.02)
+    assert spectral_moment(spectrum, 0) == pytest.approx(16, rel=0.005)
+    assert spectral_moment(spectrum, 2) == pytest.approx(2 * (4 / 100) ** 2, rel=0.005)
+    assert spectral_moment(spectrum, 4) == pytest.approx(8 * 16 / 100**4, rel=0.005)
 
 
 def test_a_gaussian_autocorrelation_has_clumps_of_known_radius():
     levels = np.array([1.5, 2.5, 4.0])
     radii = 100 * np.sqrt(-2 * np.log(1 - 1 / levels**2))  # exp(-d²/2l²) = 1 - 1/t²
     assert summits.clump_radius(full_band(gaussian_spectrum(4, 100)), levels) == pytest.approx(
-        radii, rel=0.01
+        radii, rel=0.002
     )
 
 
@@ -42,6 +43,7 @@ def test_clumps_at_high_levels_are_as_dense_as_summits_of_a_smooth_surface():
     density = stats.norm.sf(level) / (np.pi * summits.clump_radius(spectrum, [level])[0] ** 2)
     mean_square_slope = spectral_moment(spectrum, 2) / 2 / spectral_moment(spectrum, 0)
     euler = level * np.exp(-(level**2) / 2) * mean_square_slope
+    # At t = 5, sf(t) is 4 % below its asymptote, and a clump 2 % larger than 2 pi l²/t².
     assert density == pytest.approx(euler / (2 * np.pi) ** 1.5, rel=0.08)
 
 
@@ -55,7 +57,7 @@ def test_short_waves_of_no_height_make_no_clumps():
         long_waves, 2
     )  # slopes would count many summits
     assert summits.clump_radius(all_waves, [3.5]) == pytest.approx(
-        summits.clump_radius(long_waves, [3.5]), rel=0.03
+        summits.clump_radius(long_waves, [3.5]), rel=0.01
     )
 
 
@@ -67,9 +69,9 @@ def test_the_highest_point_follows_gumbel_s_law():
     location = np.sqrt(2 * np.log(FLAT * mean_square_slope / (4 * np.sqrt(2 * np.pi))))
     gumbel = stats.gumbel_r(location, 1 / location)
     assert apex.weights.sum() == pytest.approx(1)
-    assert apex.mean() == pytest.approx(gumbel.mean(), rel=0.03)
+    assert apex.mean() == pytest.approx(gumbel.mean(), rel=0.01)
     deviation = np.sqrt(apex.mean(apex.levels**2) - apex.mean() ** 2)
-    assert deviation == pytest.approx(gumbel.std(), rel=0.2)
+    assert deviation == pytest.approx(gumbel.std(), rel=0.05)
 
 
 @pytest.mark.parametrize("area", [0.0, 0.3, 4.0, 49.0])
@@ -86,7 +88,7 @@ def test_a_large_contact_area_is_the_bearing_area():
     spectrum, area = full_band(gaussian_spectrum(4, 100)), 3e6
     level = summits.apex_distribution(spectrum, FLAT, area).mean()
     bearing = 2 * np.pi * FLAT * 4 * integrate.quad(stats.norm.sf, level, 10)[0]
-    assert bearing == pytest.approx(area, rel=0.05)
+    assert bearing == pytest.approx(area, rel=1e-3)
     assert level < summits.apex_distribution(spectrum, FLAT, 400).mean()
 
 
@@ -111,7 +113,7 @@ def test_a_sphere_follows_waves_flatter_than_itself():
     assert rough_spectrum.wavevector[0] > 10 * spectrum.wavevector[0]
     followed_spectrum = spectrum_between(spectrum, 0, rough_spectrum.wavevector[0])
     assert np.sqrt(spectral_moment(followed_spectrum, 4)) / 2 == pytest.approx(
-        0.1 / RADIUS, rel=0.1
+        0.1 / RADIUS, rel=0.01
     )
     assert summits.find_rough_spectrum(spectrum, 1.0) is None
     smooth = Spectrum(spectrum.wavevector, 0 * spectrum.density)
@@ -134,4 +136,4 @@ def test_the_highest_points_lie_within_the_search_size_of_the_apex(rms_height, r
             heights_above_sphere = np.roll(heights, shift, (0, 1)) - squares / (2 * radius)
             distances.append(squares.flat[heights_above_sphere.argmax()])
     reach = search_size(spectrum, radius, 0.0) / 2
-    assert np.sqrt(np.mean(distances)) == pytest.approx(reach, rel=0.15)
+    assert np.sqrt(np.mean(distances)) == pytest.approx(reach, rel=0.05)
