@@ -70,6 +70,7 @@ def test_one_scan_has_no_interval_and_no_samples():
     )
     assert interval.isnull().all()
     assert np.isnan(statistics.jackknife_interval(2.0, [np.nan], 0.9)).all()
+    assert np.isnan(statistics.jackknife_interval(0.0, np.zeros(5), 0.95)).all()
     assert np.isnan(statistics.percentile_interval(np.empty((0, 3)), 0.9)).all()
 
 
@@ -85,20 +86,3 @@ def test_mean_and_median_of_a_lognormal_give_the_deviation_of_its_logarithm():
     distribution = stats.lognorm(0.7, scale=3.0)
     log_std = statistics.log_std_of_lognormal(distribution.mean(), distribution.median())
     assert log_std == pytest.approx(0.7)
-
-
-def test_equal_forces_have_no_deviation_and_no_interval():
-    assert statistics.fit_lognormal(np.full(9, 5e-8), 3e-8)[0] == pytest.approx(0, abs=1e-12)
-    assert np.isnan(statistics.jackknife_interval(0.0, np.zeros(5), 0.95)).all()
-
-
-@pytest.mark.parametrize("floor", [1e-9, 3e-8, 2e-7])
-def test_a_censored_fit_is_that_of_scipy_and_needs_a_force_above_the_floor(floor):
-    forces = stats.lognorm(0.9, scale=6e-8).rvs(size=300, random_state=np.random.default_rng(1))
-    is_below = forces < floor
-    log_std, median, share = statistics.fit_lognormal(forces, floor)
-    data = stats.CensoredData(uncensored=forces[~is_below], left=np.full(is_below.sum(), floor))
-    scipy_log_std, _, scipy_scale = stats.lognorm.fit(data, floc=0)
-    assert share == is_below.mean()
-    assert (log_std, median) == pytest.approx((scipy_log_std, scipy_scale), rel=1e-3)
-    np.testing.assert_array_equal(statistics.fit_lognormal(forces, 1.0), [np.nan, np.nan, 1])

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import xarray as xr
 from known_forces import power_forces
-from scipy.stats import lognorm
+from scipy.stats import CensoredData, lognorm
 
 from hardcontact.base.statistics import (
     Sampling,
@@ -12,7 +12,12 @@ from hardcontact.base.statistics import (
     percentile_interval,
     student_log_interval,
 )
-from hardcontact.paper.force_statistics import STATISTIC_ATTRS, force_statistics, mean_forces
+from hardcontact.paper.force_statistics import (
+    STATISTIC_ATTRS,
+    fit_lognormal,
+    force_statistics,
+    mean_forces,
+)
 
 
 def test_means_are_sampled_over_scans():
@@ -82,3 +87,15 @@ def test_the_interval_comes_from_scans_and_not_from_contacts():
 def test_missing_forces_have_no_statistics():
     statistics = force_statistics(np.full((2, 2, 3), np.nan), 3e-8, Sampling(0, 1, 0.9))
     assert all(statistics[name].isnull().all() for name in statistics.data_vars)
+
+
+@pytest.mark.parametrize("floor", [1e-9, 3e-8, 2e-7])
+def test_a_censored_fit_is_that_of_scipy_and_needs_a_force_above_the_floor(floor):
+    forces = KNOWN.rvs(size=300, random_state=np.random.default_rng(1))
+    is_below = forces < floor
+    data = CensoredData(uncensored=forces[~is_below], left=np.full(is_below.sum(), floor))
+    scipy_log_std, _, scipy_scale = lognorm.fit(data, floc=0)
+    expected = pytest.approx((scipy_log_std, scipy_scale), rel=1e-3)
+    assert fit_lognormal(forces, floor) == expected
+    assert np.isnan(fit_lognormal(forces, 1.0)).all()
+    assert fit_lognormal(np.full(9, 5e-8), 3e-8)[0] == pytest.approx(0, abs=1e-12)

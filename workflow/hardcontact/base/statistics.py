@@ -1,4 +1,4 @@
-"""Intervals of means over scans, samples of uncertain quantities, and log-normal fits.
+"""Intervals of means over scans, and random samples of uncertain quantities.
 
 Uncertainty comes from scans, not from contacts, because contacts on one scan see the same peaks.
 The study of the paper varies scans: a single mean gets Student's t, a quantity of several means
@@ -170,51 +170,6 @@ def log_std_of_lognormal(mean: ArrayLike, median: ArrayLike) -> Floats:
     mean/median = exp(s²/2). It is biased if forces below a floor were not measured.
     """
     return np.asarray(np.sqrt(2 * np.log(np.asarray(mean) / np.asarray(median))))
-
-
-def fit_lognormal(forces: Floats, floor: float) -> tuple[float, float, float]:
-    """Fit the maximum-likelihood log-normal to forces (n,), left-censored below a floor, in N.
-
-    Returns the standard deviation of ln F, the median in N and the censored share of forces. The
-    first two are NaN if all forces are below the floor.
-    """
-    is_censored = forces < floor
-    if is_censored.all():
-        return np.nan, np.nan, 1.0
-    logarithms = np.log(forces[~is_censored])
-    centre = logarithms.mean()
-    log_std = logarithms.std()
-    if is_censored.any() and log_std > 0:
-        limit = (np.log(floor) - centre) / log_std
-        shift, stretch = _censored_normal_fit(limit, is_censored.mean())
-        centre, log_std = centre + shift * log_std, stretch * log_std
-    return float(log_std), float(np.exp(centre)), float(is_censored.mean())
-
-
-def _censored_normal_fit(limit: float, censored: float) -> tuple[float, float]:
-    """Return mean and deviation of the maximum-likelihood normal distribution.
-
-    Values above `limit` have the mean 0 and the deviation 1; a share `censored` of all is below.
-    Only these numbers enter the likelihood.
-    """
-    from scipy import optimize, special
-
-    def negative_log_likelihood(parameters: Floats) -> tuple[float, Floats]:
-        """Return the mean over forces at mean and log deviation, and its gradient."""
-        mean, log_deviation = parameters
-        deviation = np.exp(log_deviation)
-        reduced = (limit - mean) / deviation
-        log_below = special.log_ndtr(reduced)
-        hazard = np.exp(-(reduced**2) / 2 - log_below) / np.sqrt(2 * np.pi)
-        square = (1 + mean**2) / deviation**2
-        uncensored = 1 - censored
-        value = uncensored * (log_deviation + square / 2) - censored * log_below
-        by_mean = uncensored * mean / deviation**2 + censored * hazard / deviation
-        by_log_deviation = uncensored * (1 - square) + censored * hazard * reduced
-        return value, np.array([by_mean, by_log_deviation])
-
-    fit = optimize.minimize(negative_log_likelihood, np.zeros(2), jac=True, options={"gtol": 1e-9})
-    return float(fit.x[0]), float(np.exp(fit.x[1]))
 
 
 @dataclass(frozen=True)

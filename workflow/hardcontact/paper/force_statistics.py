@@ -1,6 +1,5 @@
 """Statistics of pull-off forces: means over scans by range of adhesion, and their distribution."""
 
-import math
 from typing import Any
 
 import numpy as np
@@ -9,7 +8,6 @@ import xarray as xr
 from hardcontact.base.arrays import Floats
 from hardcontact.base.statistics import (
     Sampling,
-    fit_lognormal,
     jackknife_interval,
     student_interval,
     student_log_interval,
@@ -90,11 +88,8 @@ def force_statistics(forces: Floats, force_floor: float, sampling: Sampling) -> 
     jackknife, the others by Student's t. Intervals are NaN if `sampling.sample_count` is 0.
     """
     is_finite = np.isfinite(forces)
-    scan_exists = is_finite.any(axis=(1, 2))
-    sphere_exists = is_finite.any(axis=(0, 2))
-    contact_exists = is_finite.any(axis=(0, 1))
-    finite_forces = forces[np.ix_(scan_exists, sphere_exists, contact_exists)]
-    finite_forces = finite_forces.reshape(scan_exists.sum(), math.prod(finite_forces.shape[1:]))
+    scan_count = int(is_finite.any(axis=(1, 2)).sum())
+    finite_forces = forces[is_finite].reshape(scan_count, is_finite.sum() // max(scan_count, 1))
     scan_forces = xr.DataArray(finite_forces, dims=("scan", "contact"))
     mean = scan_forces.mean("contact")
     censored = (scan_forces < force_floor).mean("contact")
@@ -128,5 +123,50 @@ def _jackknife_statistics(forces: Floats, floor: float) -> Floats:
     """Return the JACKKNIFE_STATISTICS (3,) of all forces (N) together; NaN without forces."""
     if not forces.size:
         return np.full(len(JACKKNIFE_STATISTICS), np.nan)
-    log_std, median, _ = fit_lognormal(forces.ravel(), floor)
+    log_std, median = fit_lognormal(forces.ravel(), floor)
     return np.array([np.median(forces), log_std, median])
+
+
+def fit_lognormal(forces: Floats, floor: float) -> tuple[float, float]:
+    """Fit the maximum-likelihood log-normal to forces (n,), left-censored below a floor, in N.
+
+    Returns the standard deviation of ln F and the median in N, NaN if all forces are below the
+    floor.
+    """
+    is_censored = forces < floor
+    if is_censored.all():
+        return np.nan, np.nan
+    logarithms = np.log(forces[~is_censored])
+    centre = logarithms.mean()
+    log_std = logarithms.std()
+    if is_censored.any() and log_std > 0:
+        limit = (np.log(floor) - centre) / log_std
+        shift, stretch = _censored_normal_fit(limit, is_censored.mean())
+        centre, log_std = centre + shift * log_std, stretch * log_std
+    return float(log_std), float(np.exp(centre))
+
+
+def _censored_normal_fit(limit: float, censored: float) -> tuple[float, float]:
+    """Return mean and deviation of the maximum-likelihood normal distribution.
+
+    Values above `limit` have the mean 0 and the deviation 1; a share `censored` of all is below.
+    Only these numbers enter the likelihood.
+    """
+    from scipy import optimize, special
+
+    def negative_log_likelihood(parameters: Floats) -> tuple[float, Floats]:
+        """Return the mean over forces at mean and log deviation, and its gradient."""
+        mean, log_deviation = parameters
+        deviation = np.exp(log_deviation)
+        reduced = (limit - mean) / deviation
+        log_below = special.log_ndtr(reduced)
+        hazard = np.exp(-(reduced**2) / 2 - log_below) / np.sqrt(2 * np.pi)
+        square = (1 + mean**2) / deviation**2
+        uncensored = 1 - censored
+        value = uncensored * (log_deviation + square / 2) - censored * log_below
+        by_mean = uncensored * mean / deviation**2 + censored * hazard / deviation
+        by_log_deviation = uncensored * (1 - square) + censored * hazard * reduced
+        return value, np.array([by_mean, by_log_deviation])
+
+    fit = optimize.minimize(negative_log_likelihood, np.zeros(2), jac=True, options={"gtol": 1e-9})
+    return float(fit.x[0]), float(np.exp(fit.x[1]))
