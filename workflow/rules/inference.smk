@@ -6,7 +6,10 @@ EDGE_SHIFT_MASTERS = CHUNKS.filtered_masters("edge_shifts")
 
 
 rule find_edges:
-    """Find the wavelengths whose removal changes the force: edges.nc."""
+    """Find the edges of the critical band of the paper's study: edges.nc.
+
+    Its substitutes are independent; `find_edges_of_scans` serves surfaces that have few scans.
+    """
     input:
         scales=PATTERNS.dataset("scales"),
     output:
@@ -55,7 +58,10 @@ rule compute_edge_shifts:
 
 
 rule fit_published:
-    """Fit range and work of adhesion to the published forces: fit.nc."""
+    """Fit one pair of range and work of adhesion to the published forces: fit.nc.
+
+    The user's forces are often too few for one pair: `fit_measured` finds all that they permit.
+    """
     input:
         adhesion=PATTERNS.dataset("adhesion"),
         published_pull_off=PUBLISHED_TABLES["published_pull_off"],

@@ -105,7 +105,10 @@ MASTER_PARAMETERS = {
 
 
 rule find_edges_of_scans:
-    """Find the wavelengths whose removal changes the force: edges.nc."""
+    """Find the edges of the critical band of the user's surfaces: edges.nc.
+
+    Masters share few scans, whose parts give the intervals; `find_edges` needs independent ones.
+    """
     input:
         adhesion=PATTERNS.dataset("adhesion"),
         scales=PATTERNS.dataset("scales"),
@@ -140,7 +143,10 @@ rule compute_force_at_pair:
 if HAS_FORCES:
 
     rule fit_measured:
-        """Fit range and work of adhesion to own pull-off forces: fit.nc."""
+        """Find all pairs of range and work of adhesion that the user's forces permit: fit.nc.
+
+        One force permits a curve of pairs, a few a region; `fit_published` finds the best pair.
+        """
         input:
             adhesion=PATTERNS.dataset("adhesion"),
             force=PATTERNS.dataset("force"),

@@ -120,6 +120,16 @@ def stack(datasets: DatasetsByLabels, dimensions: Sequence[str]) -> xr.Dataset:
     return xr.concat(stacked_groups, labels, join="outer")
 
 
+def variables_of_columns(
+    columns: np.ndarray, dimensions: str | Sequence[str], units: Mapping[str, str]
+) -> dict[str, Any]:
+    """Return a variable for each column, the last axis, named and measured as in the units."""
+    return {
+        name: (dimensions, columns[..., k], {"units": unit})
+        for k, (name, unit) in enumerate(units.items())
+    }
+
+
 def add_surface_names(dataset: xr.Dataset, named_surfaces: NamedSurfaces) -> xr.Dataset:
     """Return a dataset with the label and the source of each of its surfaces."""
     surfaces = dataset["surface"].values.tolist()

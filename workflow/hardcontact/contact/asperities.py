@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from scipy import ndimage
 
 from hardcontact.base.arrays import Floats
+from hardcontact.base.dataset import variables_of_columns
 from hardcontact.base.progress import progress
 from hardcontact.base.units import NM
 from hardcontact.contact.contact import Contact
@@ -126,10 +127,7 @@ def find_carrying_asperities(
             asperity_values.append(asperity_sizes(attraction, share, pixel_size))
     values = np.reshape(asperity_values, (len(contact_indices), len(ranges), -1))
     return xr.Dataset(
-        {
-            name: (("contact", "rho"), values[..., k], {"units": unit})
-            for k, (name, unit) in enumerate(ASPERITY_UNITS.items())
-        },
+        variables_of_columns(values, ("contact", "rho"), ASPERITY_UNITS),
         {
             "rho": ("rho", ranges, NM),
             "contact_y": ("contact", contact_indices[:, 0]),

@@ -12,7 +12,8 @@ RIGID = "rigid"
 CONTACT_MODELS = [RIGID, PLASTIC]
 #: Axes of the array of contacts.
 CONTACT_AXES = ("contact_y", "contact_x")
-#: Dimensions of single contacts, and of the scans of the sphere with which they are made.
+#: Dimensions over which forces are averaged. `sphere_scan` numbers the scans of the sphere, or, if
+#: there are few, the positions on them at which the sphere touches.
 CONTACT_DIMENSIONS = ("sphere_scan", "contact", *CONTACT_AXES)
 
 

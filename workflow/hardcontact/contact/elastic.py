@@ -5,7 +5,7 @@ pixels. The half space is flat and periodic and has the effective modulus. Lengt
 in nN, pressures in GPa, energies per area in J/m².
 """
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 import xarray as xr
@@ -15,7 +15,7 @@ from scipy.optimize import minimize_scalar
 from threadpoolctl import threadpool_limits
 
 from hardcontact.base.arrays import Floats
-from hardcontact.base.dataset import DatasetsByLabels, stack
+from hardcontact.base.dataset import DatasetsByLabels, stack, variables_of_columns
 from hardcontact.base.progress import progress
 from hardcontact.base.units import GIGAPASCAL, NANONEWTON, NM, PASCAL
 from hardcontact.contact.contact import Contact
@@ -224,10 +224,7 @@ def solve_elastic_contacts(
             forces = adhesive_pull_off(window_gap, pixel_size, modulus, contact.work, contact.rho)
             metrics.append((*_pressure_metrics(pressure, pixel_size, contact.hardness), *forces))
             pressures.append(pressure)
-    columns = zip(ELASTIC_UNITS.items(), zip(*metrics, strict=True), strict=True)
-    variables: dict[str, Any] = {
-        name: ("contact", list(column), {"units": unit}) for (name, unit), column in columns
-    }
+    variables = variables_of_columns(np.array(metrics), "contact", ELASTIC_UNITS)
     pixels = min(PRESSURE_MAP_PIXELS, period_pixels)
     # The highest pressure is the lowest negative pressure.
     map_of_peak = -part_around_lowest(-pressures[0], pixels)

@@ -11,7 +11,7 @@ import xarray as xr
 from numpy.typing import NDArray
 from scipy.ndimage import label
 
-from hardcontact.base.dataset import stack
+from hardcontact.base.dataset import stack, variables_of_columns
 from hardcontact.base.progress import progress
 from hardcontact.base.units import NEWTON, NM
 from hardcontact.contact.bearing_area import ContactPixels, all_contact_pixels
@@ -106,13 +106,7 @@ def _sizes_of_bodies(bodies: Bodies, loaded_contacts: Sequence[Contact]) -> xr.D
             for index in np.ndindex(*array_shape)
         ]
     ).reshape(len(loaded_contacts), *array_shape, -1)
-    dimensions = ("preload", *CONTACT_AXES)
-    return xr.Dataset(
-        {
-            name: (dimensions, sizes[..., k], {"units": unit})
-            for k, (name, unit) in enumerate(INDENT_UNITS.items())
-        }
-    )
+    return xr.Dataset(variables_of_columns(sizes, ("preload", *CONTACT_AXES), INDENT_UNITS))
 
 
 def _median_contact(sizes: xr.Dataset) -> tuple[tuple[int, int], tuple[int, int]]:

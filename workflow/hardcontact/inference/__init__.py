@@ -1,1 +1,4 @@
-"""From forces on filtered and changed surfaces to the critical band, octaves, range and work."""
+"""Forces on filtered and perturbed surfaces, and what both kinds of study conclude from them.
+
+The conclusions are the critical band, the octaves that matter, and range and work of adhesion.
+"""

@@ -74,11 +74,12 @@ def filtered_pull_off(
     radii: Sequence[float] | None = None,
     ranges: Sequence[float] | None = None,
 ) -> xr.Dataset:
-    """Return `forces_at_cutoffs` of plastic contact at all radii, loadings and ranges of adhesion.
+    """Return the pull-off forces on a master, unfiltered and filtered, for all contacts of a sweep.
 
-    The contacts differ only in their loading. Radii and ranges (nm) are by default those of the
-    first. Forces are at 1 J/m². ``touching_area`` (loading) is the area of the touching pixels,
-    the coordinate ``contact_area`` (loading) the preload over the hardness, both in nm².
+    The contacts differ only in their loading; radii and ranges (nm) are by default those of the
+    first. The variables of `forces_at_cutoffs` are over (radius, loading, rho, contact_y,
+    contact_x). ``touching_area`` (loading) is the area of the touching pixels, the coordinate
+    ``contact_area`` (loading) the preload over the hardness, both in nm².
     """
     contact = loaded_contacts[0]
     pixel_size = master.size / filters.pixels

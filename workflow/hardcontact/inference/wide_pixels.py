@@ -49,6 +49,6 @@ def finer_pixel_factor(wide_pixel_ratio: np.ndarray | float) -> np.ndarray:
 
 
 def pixel_factors(force: xr.Dataset) -> xr.DataArray:
-    """Return the `finer_pixel_factor` of each surface, 1 for substitutes."""
+    """Return the factors (surface) by which finer pixels may lower forces, 1 for substitutes."""
     ratios = force.get("wide_pixel_ratio", xr.ones_like(force["surface"], dtype=float))
     return ratios.copy(data=finer_pixel_factor(ratios.values))

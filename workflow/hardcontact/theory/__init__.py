@@ -1,1 +1,1 @@
-"""Theory of the critical band: closed form, statistics of forces, predictions."""
+"""Pull-off force and critical band from a spectrum alone, without a height map, in closed form."""

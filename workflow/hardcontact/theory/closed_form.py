@@ -86,11 +86,11 @@ def closed_form(spectrum: Spectrum, contact: Contact, *, all_rough: bool = True)
     The surface has no other wavelengths than the spectrum. With `all_rough`, points just below the
     sphere lie on rough summits, too; otherwise only the summits that touch are rough.
     """
-    smooth = float(dmt_pull_off(contact.work, contact.radius))
+    dmt_force = float(dmt_pull_off(contact.work, contact.radius))
     rough_spectrum = find_rough_spectrum(spectrum, contact.radius)
     if rough_spectrum is None:  # The limit of an rms height of zero.
         force = smooth_force(contact)
-        return ClosedForm(force, force / smooth, 0.0, 0.0, np.inf, Status.SMOOTH)
+        return ClosedForm(force, force / dmt_force, 0.0, 0.0, np.inf, Status.SMOOTH)
     sigma = float(np.sqrt(spectral_moment(rough_spectrum, 0)))
     apex = apex_distribution(rough_spectrum, contact.radius, contact.area)
     mean_surface_term, summit_term = _terms(rough_spectrum, apex, contact, GENERATIONS, all_rough)
@@ -100,7 +100,7 @@ def closed_form(spectrum: Spectrum, contact: Contact, *, all_rough: bool = True)
     regime = Status.SINGLE_PEAKS if weibull_modulus < 1 else Status.MANY_POINTS
     if mean_surface_term + summit_term > SMOOTH_SHARE:
         regime = Status.SMOOTH
-    return ClosedForm(smooth * dmt_ratio, dmt_ratio, sigma, m, weibull_modulus, regime)
+    return ClosedForm(dmt_force * dmt_ratio, dmt_ratio, sigma, m, weibull_modulus, regime)
 
 
 def _terms(

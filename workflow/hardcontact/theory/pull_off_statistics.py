@@ -81,10 +81,10 @@ def predict_statistics(spectrum: Spectrum, contact: Contact) -> ForceStatistics:
 
     The surface has no other wavelengths than the spectrum. The mean equals `closed_form`.
     """
-    smooth = float(dmt_pull_off(contact.work, contact.radius))
+    dmt_force = float(dmt_pull_off(contact.work, contact.radius))
     rough_spectrum = find_rough_spectrum(spectrum, contact.radius)
     if rough_spectrum is None:
-        force = smooth * (1 + contact_term(contact))
+        force = dmt_force * (1 + contact_term(contact))
         return ForceStatistics(np.inf, 0.0, np.array([force]), np.ones(1), np.zeros(1))
     attraction = _attraction(rough_spectrum, contact, GENERATIONS)
     apex = attraction.apex
@@ -95,7 +95,7 @@ def predict_statistics(spectrum: Spectrum, contact: Contact) -> ForceStatistics:
     return ForceStatistics(
         float(max(weibull_modulus, 0.0)),
         attraction.clumps,
-        smooth * means[possible],
+        dmt_force * means[possible],
         apex.weights[possible],
         log_force_stds[possible],
     )

@@ -3,14 +3,15 @@
 Lengths are in nm, wavevectors in rad/nm. Heights above the mean plane are in units of the rms
 height, t = z/sigma. The surface is Gaussian.
 
-Points above a high level form clumps, one for each summit. Let r(d) be the autocorrelation of
-heights at the distance d. Heights belong to one summit up to the distance delta(t), at which r =
-(1 - 1/t²) sigma²; a clump covers pi delta² on average. On a smooth surface this gives the density
-of summits of Nayak, J. Lubr. Technol. 93 (1971) 398. On a rough surface it gives
-the density of Pickands (Trans. Am. Math. Soc. 145 (1969) 51), except for his constants: fine
-roughness adds maxima, but no clumps. Clumps are independent at high levels (Aldous, Probability
-Approximations via the Poisson Clumping Heuristic, 1989). Their number above a sphere is therefore
-Poisson's, and the height of the highest point is Gumbel's.
+Points above a high level form clumps, one for each summit. A clump covers pi delta² on average,
+where the autocorrelation of heights r(d) falls to r(delta) = (1 - 1/t²) sigma². The density of
+clumps is the share of points above the level, divided by this area. On a smooth surface it is the
+density of summits of Nayak, J. Lubr. Technol. 93 (1971) 398. Fine roughness adds maxima, but no
+clumps: there it is the density of Pickands, Trans. Am. Math. Soc. 145 (1969) 51, up to a constant.
+
+At high levels clumps are independent (Aldous, Probability Approximations via the Poisson Clumping
+Heuristic, 1989). The number of clumps that rise above a sphere therefore has a Poisson
+distribution, and the height of the highest point a Gumbel distribution.
 """
 
 from functools import lru_cache
