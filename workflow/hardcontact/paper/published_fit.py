@@ -4,6 +4,7 @@ All forces are computed for a work of adhesion of 1 J/m², to which they are pro
 statistics are given for two pairs of range and work of adhesion, the published and the fitted pair.
 """
 
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -150,9 +151,7 @@ def fit_model(
     """Fit range and work of adhesion for one contact model, with error map and force curves.
 
     Forces (surface, scan, sphere_scan, rho, contact_y, contact_x) are in N at 1 J/m², NaN for a
-    missing scan. Surfaces whose published force is NaN do not enter the fit. At the best work for
-    each range the error has local minima along the range; ``minimum`` numbers them, the smallest
-    first.
+    missing scan. Surfaces whose published force is NaN do not enter the fit.
     """
     computed_ranges = forces.rho.values
     ranges = fine_ranges(computed_ranges)
@@ -164,16 +163,13 @@ def fit_model(
     curve_samples = interpolate_to_ranges(mean_samples[:, is_published], computed_ranges, ranges)
     fits = _fit_curves(curves, published_forces, fitted_reference_index, ranges)
     sampled_fits = _fit_curves(curve_samples, published_forces, fitted_reference_index, ranges)
-    variables: dict[str, Any] = {
-        f"sampled_{name}": ("sample", sampled_fits[variable], FITTED_ATTRS[variable])
-        for name, variable in SAMPLED_VARIABLES.items()
-    }
-    for name, attributes in FITTED_ATTRS.items():
-        variables |= sampling.with_interval(name, (), fits[name], sampled_fits[name], attributes)
-    variables |= _error_variables(curves, published_forces, ranges, threshold)
     errors = ratio_errors(curves, published_forces, fitted_reference_index)
-    variables["ratio_error"] = ("rho_fine", errors, DIMENSIONLESS)
-    variables |= force_curves(forces, means, mean_samples, reference_index, sampling)
+    variables = (
+        _fitted_variables(fits, sampled_fits, sampling)
+        | _error_variables(curves, published_forces, ranges, threshold)
+        | {"ratio_error": ("rho_fine", errors, DIMENSIONLESS)}
+        | force_curves(forces, means, mean_samples, reference_index, sampling)
+    )
     coordinates = {
         "rho_fine": ("rho_fine", ranges, NM),
         "work": ("work", MAPPED_WORKS, JOULE_PER_M2),
@@ -192,10 +188,26 @@ def _fit_curves(
     return fit | {"range_from_ratios": np.where(is_fitted, ranges[best_index], np.nan)}
 
 
+def _fitted_variables(
+    fits: Mapping[str, Floats], sampled_fits: Mapping[str, Floats], sampling: Sampling
+) -> dict[str, Any]:
+    """Return the variables of FITTED_ATTRS with intervals, and the samples of SAMPLED_VARIABLES."""
+    variables: dict[str, Any] = {
+        f"sampled_{name}": ("sample", sampled_fits[variable], FITTED_ATTRS[variable])
+        for name, variable in SAMPLED_VARIABLES.items()
+    }
+    for name, attributes in FITTED_ATTRS.items():
+        variables |= sampling.with_interval(name, (), fits[name], sampled_fits[name], attributes)
+    return variables
+
+
 def _error_variables(
     curves: Floats, published_forces: Floats, ranges: Floats, threshold: float
 ) -> dict[str, Any]:
-    """Return the error map, its local minima, and the region of small error."""
+    """Return the error map, the region of small error, and the local minima along the range.
+
+    The minima are those of the error at the best work for each range, the smallest first.
+    """
     errors = mean_relative_error(curves, published_forces, MAPPED_WORKS)
     region_range, region_work = error_region(errors, ranges, MAPPED_WORKS, threshold)
     work, smallest_errors = fit_work(curves, published_forces)
