@@ -38,10 +38,9 @@ SPHERE = {"radius": 50e3}
 
 
 @pytest.fixture
-def files(tmp_path, monkeypatch):
-    """Work in a folder with a scan and a table of a spectrum; edges have few cutoffs."""
+def files(tmp_path, monkeypatch, quick_predictions):
+    """Work in a folder with a scan and a table of a spectrum."""
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr("hardcontact.theory.closed_form.CUTOFFS", 20)
     heights = random_map(generator(3), 128, PIXEL).heights / 4
     scan_files.write_scan(tmp_path / "scan.nc", heights.T, (1280.0, 1280.0))
     spectrum = self_affine_spectrum(17, 1000, 0.8, 20)

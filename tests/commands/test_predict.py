@@ -21,7 +21,7 @@ from hardcontact.theory.closed_form import closed_form, critical_band
 from hardcontact.theory.prediction import trim_spectrum
 from hardcontact.theory.validity import nearest_errors, table_coordinates
 
-pytestmark = pytest.mark.usefixtures("few_cutoffs")
+pytestmark = pytest.mark.usefixtures("quick_predictions")
 HEADER = "wavelength,wavelength_unit,c_iso,c_iso_unit"
 BY_WAVEVECTOR = "wavevector,wavevector_unit,c_iso,c_iso_unit"
 #: The paper's contact, in closed form.

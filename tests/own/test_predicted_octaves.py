@@ -88,9 +88,8 @@ def test_central_differences_converge(method, monkeypatch):
 
 
 def test_a_map_has_octaves_of_its_force_sum_and_a_table_those_of_the_closed_form(
-    tmp_path, few_cutoffs, monkeypatch
+    tmp_path, quick_predictions
 ):
-    monkeypatch.setattr("hardcontact.own.scan_force.CONTACTS_PER_ROW", 10)
     heights = random_map(generator(3), 128, PIXEL).heights
     path = scan_files.write_scan(tmp_path / "scan.nc", heights.T, (128 * PIXEL, 128 * PIXEL))
     words = predict(predict_arguments([str(path)]))

@@ -18,7 +18,7 @@ from hardcontact.theory.closed_form import closed_form
 
 #: The paper's contact, in closed form.
 CONTACT = contact_of_area(250e3, 5.6, 0.0463, 400.0)
-pytestmark = pytest.mark.usefixtures("few_cutoffs")
+pytestmark = pytest.mark.usefixtures("quick_predictions")
 
 
 @pytest.mark.parametrize("kind", ["map", "line"])
