@@ -5,7 +5,8 @@ import pandas as pd
 import pytest
 from paper_numbers import CLAIMS, TABLES
 
-from hardcontact.paper.verdicts import EDGE_CLAIMS, accepted_range
+from hardcontact.paper.open_ends import EDGE_CLAIMS
+from hardcontact.paper.verdicts import accepted_range
 
 ROWS = CLAIMS.set_index("id")
 TABLE1 = pd.read_csv(TABLES / "table1.csv")

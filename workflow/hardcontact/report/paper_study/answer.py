@@ -15,7 +15,8 @@ from hardcontact.inference.edges import MEAN_GROUP, edges_or_bounds
 from hardcontact.inference.fit import WITHOUT_SURFACE
 from hardcontact.inference.octaves import strongest_octaves
 from hardcontact.paper.edge_shifts import SHORT_ADHESION_RANGE
-from hardcontact.paper.verdicts import count_verdicts, interval_with_sets, open_end
+from hardcontact.paper.open_ends import find_open_end
+from hardcontact.paper.verdicts import count_verdicts, interval_with_sets
 from hardcontact.report.notes import note, substitutes_note
 from hardcontact.report.paper_study.changed_inputs import changed_inputs, paper_contact
 from hardcontact.report.paper_study.claims import claim_facts
@@ -69,7 +70,7 @@ def paper_answer(
 ) -> dict[str, Any]:
     """Return the content of answer.json: a head, notes in words, and all numbers.
 
-    `claims` comes from `verdicts.add_open_ends`, `constants` and `table1` from `published`. The
+    `claims` comes from `open_ends.add_open_ends`, `constants` and `table1` from `published`. The
     datasets are `topography`, `scales`, `edges`, `sensitivity`, `sets`, `features`, `fit`,
     and `scan_size` from resources/validation.
     """
@@ -208,7 +209,7 @@ def surface_numbers(surface: str, datasets: Mapping[str, xr.Dataset]) -> dict[st
         samples = edges_or_bounds(sets).sel(labels).values
         interval = interval_ends(band.sel(labels), "edge")
         low, high = interval_with_sets(value, interval, samples, band.attrs["confidence"])
-        status = _interval_status(open_end(side, value, low, high, [band, sets]))
+        status = _interval_status(find_open_end(side, value, low, high, [band, sets]))
         source = _edge_source(datasets["scales"], side, value)
         numbers[name] = Number(name, value, "nm", low, high, status, source)
     fit = datasets["fit"].sel(contact_model=PLASTIC, pair="published", surface=surface)
