@@ -128,15 +128,3 @@ def test_the_force_over_a_sinusoid_is_a_bessel_function(amplitude, rho, rough):
     heights = amplitude * np.cos(phase) + np.zeros((256, 1))
     mean = mean_attraction(heights, rho, rough)
     assert mean == pytest.approx(ive(0, amplitude / rho), rel=1e-9)
-
-
-@pytest.mark.parametrize("rough", [False, True])
-def test_the_force_over_a_gaussian_plane_grows_with_its_roughness(rough):
-    # The mean of exp(h/rho) is exp(sigma²/2rho²). Of n independent heights its relative standard
-    # error is sqrt(exp(sigma²/rho²) - 1)/sqrt(n).
-    sigma, pixels = 3.0, 512
-    heights = np.random.default_rng(11).normal(0, sigma, (pixels, pixels))
-    for rho in (2.0, 5.6, 10.0):
-        mean = mean_attraction(heights, rho, rough) * np.exp(heights.max() / rho)
-        error = np.sqrt(np.expm1(sigma**2 / rho**2)) / pixels
-        assert mean * np.exp(-(sigma**2) / (2 * rho**2)) == pytest.approx(1, abs=4 * error)

@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 import xarray as xr
-from direct_sum import direct_total
 from known_forces import FORCE_DIMS
 from known_masters import LONG, SHORT, scales
 from known_spectra import contact_of_area, self_affine_spectrum
@@ -119,27 +118,6 @@ def test_contacts_that_touch_few_patches_give_no_interval():
         master_scans = MasterScans({"a": 1}, 2, {"a": patches})
         extrapolated_forces = extrapolated_force(master_forces(), master_scans, 0.05, 0.95)
         assert extrapolated_forces.extrapolated_force_interval.notnull().all() == (patches == 4)
-
-
-@pytest.mark.parametrize("pixels", [1, 8])
-def test_the_mean_over_positions_is_at_most_that_of_a_smooth_sphere(pixels):
-    size, reach = 48, 4.0  # sqrt(R rho) in pixels; heights are in rho
-    waves = np.hypot(np.fft.fftfreq(size)[:, None], np.fft.fftfreq(size)) * size
-    noise = np.random.default_rng(1).normal(size=(size, size))
-    heights = np.fft.ifft2(np.where((waves >= 1) & (waves <= 2), np.fft.fft2(noise), 0)).real
-    heights *= 0.2 / heights.std()
-    away = np.arange(-24, 25)
-    sphere = (away[:, None] ** 2 + away**2) / (2 * reach**2)
-    windows = np.lib.stride_tricks.sliding_window_view(np.pad(heights, 24, "wrap"), sphere.shape)
-    totals = [
-        direct_total(sphere - windows[y, x], pixels, 1.0)
-        for y in range(0, size, 2)
-        for x in range(0, size, 2)
-    ]
-    smooth = 2 * np.pi * reach**2
-    touching = pixels if pixels > 1 else 0  # a single pixel is in contact in rigid contact too
-    assert max(totals) > 1.09 * (smooth + touching)
-    assert np.mean(totals) < smooth * (1 + 1 / (12 * reach**2)) + touching
 
 
 def test_forces_are_bounded_by_that_of_a_smooth_sphere():

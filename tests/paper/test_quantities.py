@@ -3,13 +3,11 @@
 import numpy as np
 import pytest
 import xarray as xr
-from known_masters import master_ratios
 from paper_numbers import PARAMETERS
 from scipy import constants, stats
 from scipy.integrate import quad
 
-from hardcontact.base.statistics import Sampling, interval_ends
-from hardcontact.inference.edges import edges_with_samples
+from hardcontact.base.statistics import interval_ends
 from hardcontact.paper import contact_quantities as contact
 from hardcontact.paper import force_quantities as force
 from hardcontact.paper import inference_quantities as inference
@@ -324,20 +322,3 @@ def test_the_force_on_a_plane_is_that_of_derjaguin():
         {"sphere_radius": RADIUS, "confidence": 0.95},
     )
     near(inference.flat_limit_fraction(scales), 1)
-
-
-@pytest.mark.parametrize("seed", range(3))
-def test_edge_and_change_of_a_curve_give_the_same_verdict(seed):
-    """The edge is within the published band if no cutoff outside the band changes the force."""
-    cutoffs = [10.0, 20.0, 43.0, 80.0, 500.0, 1800.0, 2700.0, 5000.0]
-    noise = np.random.default_rng(seed).normal(size=(40, 1, 2, 8))
-    has_cutoff = np.array([np.arange(8) < 4, np.arange(8) >= 4])
-    ratios = np.where(has_cutoff, 1 + 0.12 * noise, np.nan)
-    scales = master_ratios(ratios, cutoffs, [f"s{number}" for number in range(40)])
-    curves, _ = edges_with_samples(scales, 0.1, Sampling(0, 0, 0.95))
-    edge = inference.band_edge(curves)["value"]
-    change = inference.change_outside_band(curves, PAPER)["value"]
-    is_inside = {"short": edge.sel(side="short") > 43, "long": edge.sel(side="long") < 1800}
-    for side, holds in is_inside.items():
-        np.testing.assert_array_equal(holds, change.sel(side=side) < 0.1)
-        assert 0 < int(holds.sum()) < holds.size
