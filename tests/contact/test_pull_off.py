@@ -10,12 +10,11 @@ from periodic_maps import CONTACT, make_bodies, periodic_map, periodic_noise
 
 from hardcontact.contact.geometry import gap_map, join_bodies
 from hardcontact.contact.pull_off import (
-    force_on_finer_pixels,
     mean_pull_off_dataset,
     pull_off_dataset,
     trace_contact,
-    wider_window_change,
 )
+from hardcontact.contact.scan_pull_off import force_on_finer_pixels, wider_window_change
 from hardcontact.inference.filtered_masters import Filters, filtered_pull_off
 from hardcontact.surfaces.filters import filtered_series
 

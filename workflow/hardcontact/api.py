@@ -33,7 +33,8 @@ from hardcontact.config.keys import ContactKeys, ScalesKeys
 from hardcontact.config.model import NONE
 from hardcontact.contact.contact import PLASTIC, Contact
 from hardcontact.contact.geometry import join_bodies
-from hardcontact.contact.pull_off import WORK_OF_ADHESION, pull_off_dataset, wider_window_change
+from hardcontact.contact.pull_off import WORK_OF_ADHESION, pull_off_dataset
+from hardcontact.contact.scan_pull_off import wider_window_change
 from hardcontact.inference.filtered_masters import Filters, filtered_pull_off
 from hardcontact.inference.master_datasets import add_force_ratios
 from hardcontact.own.edges_of_scans import edges_of_curves

@@ -195,6 +195,16 @@ def _pressure_metrics(pressure: Floats, pixel_size: float, hardness: float) -> t
     return touching.size * pixel_size**2, share, touching.max(), touching.mean()
 
 
+def _pressure_around_peak(pressure: Floats, pixel_size: float) -> xr.DataArray:
+    """Return the pressure (y, x) in Pa about its peak, at most PRESSURE_MAP_PIXELS wide."""
+    pixels = min(PRESSURE_MAP_PIXELS, len(pressure))
+    # The highest pressure is the lowest negative pressure.
+    around_peak = -part_around_lowest(-pressure, pixels)
+    position = (np.arange(pixels) - pixels // 2) * pixel_size
+    coordinates = {axis: (axis, position, NM) for axis in ("y", "x")}
+    return xr.DataArray(around_peak, coordinates, ("y", "x"), attrs=PASCAL)
+
+
 def solve_elastic_contacts(
     bodies: Bodies,
     contact: Contact,
@@ -225,18 +235,12 @@ def solve_elastic_contacts(
             metrics.append((*_pressure_metrics(pressure, pixel_size, contact.hardness), *forces))
             pressures.append(pressure)
     variables = variables_of_columns(np.array(metrics), "contact", ELASTIC_UNITS)
-    pixels = min(PRESSURE_MAP_PIXELS, period_pixels)
-    # The highest pressure is the lowest negative pressure.
-    map_of_peak = -part_around_lowest(-pressures[0], pixels)
-    position = (np.arange(pixels) - pixels // 2) * pixel_size
     hertz = hertz_contact(contact.preload, geometry.radius, modulus)
     return xr.Dataset(
-        variables | {"pressure": (("y", "x"), map_of_peak, PASCAL)},
+        variables | {"pressure": _pressure_around_peak(pressures[0], pixel_size)},
         {
             "contact_y": ("contact", contact_indices[:, 0]),
             "contact_x": ("contact", contact_indices[:, 1]),
-            "y": ("y", position, NM),
-            "x": ("x", position, NM),
         },
         {
             "hardness": contact.hardness,

@@ -4,7 +4,7 @@ A pixel at the gap g attracts with the pressure (W/rho) exp(-g/rho), Eq. 2 of th
 sums of exp(-g/rho) at closest approach; `pull_off_force` turns them into forces, Eq. 3.
 """
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -18,7 +18,6 @@ from hardcontact.contact.bearing_area import ContactPixels, all_contact_pixels
 from hardcontact.contact.contact import CONTACT_AXES, CONTACT_MODELS, Contact
 from hardcontact.contact.geometry import Bodies, gap_map, join_bodies, largest_contact_gap
 from hardcontact.contact.sphere_sums import outside_sums
-from hardcontact.surfaces.filters import interpolate
 from hardcontact.surfaces.height_map import HeightMap
 
 #: Dimension, values and attributes of a coordinate.
@@ -118,7 +117,7 @@ def make_force_function(contact: Contact, sphere: HeightMap | None = None) -> Fo
 def _pixels_and_forces(
     bodies: Bodies, loaded_contacts: Sequence[Contact], ranges: Sequence[float]
 ) -> tuple[list[int], ContactPixels, Floats]:
-    """Return the numbers (loading,) of contact pixels, the pixels, and `forces_at_loadings`."""
+    """Return the counts (loading,) of contact pixels, the pixels of the largest, and the forces."""
     pixel_size = bodies.geometry.pixel_size
     pixel_counts = [contact.pixel_count(pixel_size) for contact in loaded_contacts]
     contact_pixels = all_contact_pixels(bodies, max(pixel_counts))
@@ -188,49 +187,6 @@ def mean_pull_off_dataset(bodies: Bodies, contact: Contact, ranges: Sequence[flo
         {"pull_off_force": (("contact_model", "rho"), forces, FORCE_ATTRS)},
         {"contact_model": CONTACT_MODELS} | range_axis(ranges),
         {"work_of_adhesion": WORK_OF_ADHESION},
-    )
-
-
-def force_on_finer_pixels(bodies: Bodies, contact: Contact, forces: xr.DataArray) -> xr.Dataset:
-    """Return the mean plastic force on pixels of half the size, relative to the bodies' own pixels.
-
-    Both maps are Fourier interpolated, so that the surfaces stay the same. The forces (...) of the
-    bodies in N at 1 J/m² are at the range of the contact.
-    """
-    geometry = bodies.geometry
-    substrate = bodies.substrate
-    sphere = bodies.sphere_roughness
-    finer = Bodies(
-        interpolate(substrate, 2 * substrate.pixels),
-        sphere and interpolate(sphere, 2 * sphere.pixels),
-        replace(
-            geometry,
-            pixel_size=geometry.pixel_size / 2,
-            window_pixels=2 * geometry.window_pixels,
-            positions=2 * geometry.positions,
-        ),
-    )
-    fine = forces_at_loadings(finer, [contact], [contact.rho]).mean()
-    ratio = fine / forces.values.mean()
-    return xr.Dataset({"finer_pixel_ratio": ((), ratio, DIMENSIONLESS | {"rho": contact.rho})})
-
-
-def wider_window_change(
-    all_bodies: Iterable[Bodies], contact: Contact, forces: xr.DataArray
-) -> xr.Dataset:
-    """Return the change of the plastic force in a window larger by a period on each side.
-
-    The forces (sphere_scan, contact_y, contact_x) in N at 1 J/m² are at the range of the contact.
-    All bodies share the substrate. Returns the largest relative change over contacts and bodies.
-    """
-    changes = []
-    for bodies, narrow in zip(all_bodies, forces.values, strict=True):
-        window_pixels = bodies.geometry.window_pixels + 2 * bodies.substrate.pixels
-        wider = replace(bodies, geometry=replace(bodies.geometry, window_pixels=window_pixels))
-        wide = forces_at_loadings(wider, [contact], [contact.rho])[0, 0]
-        changes.append(float(np.abs(wide / narrow - 1).max()))
-    return xr.Dataset(
-        {"wider_window_change": ((), max(changes), DIMENSIONLESS)}, {}, {"rho": contact.rho}
     )
 
 

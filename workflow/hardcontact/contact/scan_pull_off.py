@@ -1,8 +1,9 @@
 """Pull-off of all substrate scans on all sphere scans, and how window and pixels change it."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 
+import numpy as np
 import xarray as xr
 
 from hardcontact.base.dataset import (
@@ -11,14 +12,15 @@ from hardcontact.base.dataset import (
     add_surface_names,
     stack,
 )
+from hardcontact.base.units import DIMENSIONLESS
 from hardcontact.contact.contact import CONTACT_AXES, PLASTIC, Contact
 from hardcontact.contact.geometry import Bodies
 from hardcontact.contact.pull_off import (
-    force_on_finer_pixels,
+    forces_at_loadings,
     mean_pull_off_dataset,
     pull_off_dataset,
-    wider_window_change,
 )
+from hardcontact.surfaces.filters import interpolate
 
 
 def pull_off_on_spheres(
@@ -35,6 +37,49 @@ def pull_off_on_spheres(
         contact_numbers = {axis: range(forces_on_sphere.sizes[axis]) for axis in CONTACT_AXES}
         forces[(sphere_scan,)] = forces_on_sphere.assign_coords(contact_numbers)
     return stack(forces, ["sphere_scan"])
+
+
+def force_on_finer_pixels(bodies: Bodies, contact: Contact, forces: xr.DataArray) -> xr.Dataset:
+    """Return the mean plastic force on pixels of half the size, relative to the bodies' own pixels.
+
+    Both maps are Fourier interpolated, so that the surfaces stay the same. The forces (...) of the
+    bodies in N at 1 J/m² are at the range of the contact.
+    """
+    geometry = bodies.geometry
+    substrate = bodies.substrate
+    sphere = bodies.sphere_roughness
+    finer = Bodies(
+        interpolate(substrate, 2 * substrate.pixels),
+        sphere and interpolate(sphere, 2 * sphere.pixels),
+        replace(
+            geometry,
+            pixel_size=geometry.pixel_size / 2,
+            window_pixels=2 * geometry.window_pixels,
+            positions=2 * geometry.positions,
+        ),
+    )
+    fine = forces_at_loadings(finer, [contact], [contact.rho]).mean()
+    ratio = fine / forces.values.mean()
+    return xr.Dataset({"finer_pixel_ratio": ((), ratio, DIMENSIONLESS | {"rho": contact.rho})})
+
+
+def wider_window_change(
+    all_bodies: Iterable[Bodies], contact: Contact, forces: xr.DataArray
+) -> xr.Dataset:
+    """Return the change of the plastic force in a window larger by a period on each side.
+
+    The forces (sphere_scan, contact_y, contact_x) in N at 1 J/m² are at the range of the contact.
+    All bodies share the substrate. Returns the largest relative change over contacts and bodies.
+    """
+    changes = []
+    for bodies, narrow in zip(all_bodies, forces.values, strict=True):
+        window_pixels = bodies.geometry.window_pixels + 2 * bodies.substrate.pixels
+        wider = replace(bodies, geometry=replace(bodies.geometry, window_pixels=window_pixels))
+        wide = forces_at_loadings(wider, [contact], [contact.rho])[0, 0]
+        changes.append(float(np.abs(wide / narrow - 1).max()))
+    return xr.Dataset(
+        {"wider_window_change": ((), max(changes), DIMENSIONLESS)}, {}, {"rho": contact.rho}
+    )
 
 
 def pull_off_with_checks(

@@ -124,12 +124,10 @@ class _Attraction(NamedTuple):
 
 def _attraction(spectrum: Spectrum, contact: Contact, generations: int) -> _Attraction:
     """Return the attraction of a sphere by summits, which are rough themselves."""
-    radius = contact.radius
-    rho = contact.rho
-    apex = apex_distribution(spectrum, radius, contact.area)
+    apex = apex_distribution(spectrum, contact.radius, contact.area)
     sigma = np.sqrt(spectral_moment(spectrum, 0))
-    t = apex.levels
-    # Force of a rough summit relative to a smooth summit.
+    touching_share = special.ndtr(-apex.levels)
+    # Force of a rough summit relative to a smooth summit, and its scatter and growth.
     summit_ratio = 1.0
     scatter = 1.0
     growth = 1.0
@@ -140,28 +138,39 @@ def _attraction(spectrum: Spectrum, contact: Contact, generations: int) -> _Attr
             summit_ratio = rough_summit.mean
             scatter = rough_summit.scatter
             growth = rough_summit.growth
-    surface_terms, summit_term = rough_terms(sigma, apex, rho, summit_ratio)
-    clump_counts = np.interp(t, LEVELS, clumps_above(spectrum, radius)[1])
+    surface_terms, summit_term = rough_terms(sigma, apex, contact.rho, summit_ratio)
+    clump_counts = np.interp(apex.levels, LEVELS, clumps_above(spectrum, contact.radius)[1])
     clumps = max(apex.mean(clump_counts), 1.0)
-    cover = apex.mean(special.ndtr(-t))
+    cover = apex.mean(touching_share)
     # Mean of the squared force of a clump, relative to the square of its mean force. The radius of
     # a summit counts only as far as its force grows with the radius.
     mean_square = (1 + (growth * summit_radius_variation(spectrum, apex)) ** 2) * scatter
     dispersion = clump_dispersion_index(cover)
-    clump_force = summit_ratio * special.ndtr(-t) / np.maximum(clump_counts, 1e-300)
-    squared_terms = rough_terms(sigma, apex, rho / 2, summit_ratio)[0]
+    clump_force = summit_ratio * touching_share / np.maximum(clump_counts, 1e-300)
+    squared_terms = rough_terms(sigma, apex, contact.rho / 2, summit_ratio)[0]
     clump_variance = dispersion * mean_square * clump_force * squared_terms
     field_variance = surface_terms**2 * field_variation(spectrum, contact) ** 2
     # One clump always touches; the number of the other n - 1 scatters like Poisson's. Clumps that
     # cover the plane are one flat contact, and only its rim scatters. In squared clump forces:
     touching = (1 - cover) * clumps * (mean_square - 1) + dispersion * (clumps - 1)
     variance = np.minimum(field_variance, clump_variance) + (summit_term / clumps) ** 2 * touching
-    attraction = _Attraction(apex, surface_terms, summit_term, clumps, variance, 1.0)
-    wider_apex = apex_distribution(spectrum, RADIUS_FACTOR * radius, contact.area)
-    wider_surface_terms, wider_summit_term = rough_terms(sigma, wider_apex, rho, summit_ratio)
-    ratio = (wider_apex.mean(wider_surface_terms) + wider_summit_term) / attraction.mean
-    exponent = 1 + np.log(ratio) / np.log(RADIUS_FACTOR)
-    return attraction._replace(growth=float(np.clip(exponent, 0, 1)))
+    mean = apex.mean(surface_terms) + summit_term
+    growth = _growth_with_radius(spectrum, contact, summit_ratio, mean)
+    return _Attraction(apex, surface_terms, summit_term, clumps, variance, growth)
+
+
+def _growth_with_radius(
+    spectrum: Spectrum, contact: Contact, summit_ratio: float, mean: float
+) -> float:
+    """Return the exponent of the force against the radius; `mean` is the attraction at the radius.
+
+    Rough summits attract with `summit_ratio` times the force of smooth ones at both radii.
+    """
+    sigma = np.sqrt(spectral_moment(spectrum, 0))
+    apex = apex_distribution(spectrum, RADIUS_FACTOR * contact.radius, contact.area)
+    surface_terms, summit_term = rough_terms(sigma, apex, contact.rho, summit_ratio)
+    ratio = (apex.mean(surface_terms) + summit_term) / mean
+    return float(np.clip(1 + np.log(ratio) / np.log(RADIUS_FACTOR), 0, 1))
 
 
 def clump_dispersion_index(cover: float) -> float:

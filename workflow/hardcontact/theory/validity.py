@@ -78,17 +78,17 @@ def table_coordinates(spectrum: Spectrum, contact: Contact, form: ClosedForm) ->
 
     The spectrum comes from `trim_spectrum`. ``weibull_modulus`` is k = rho m/sigma².
     """
-    mean_hurst, bend = hurst_and_bend(spectrum, math.sqrt(contact.area))
+    mean_hurst, mean_hurst_change = mean_hurst_and_change(spectrum, math.sqrt(contact.area))
     return {
         "weibull_modulus": form.weibull_modulus,
         "contact_over_rolloff": math.sqrt(contact.area) / peak_wavelength(spectrum),
         "mean_hurst": mean_hurst,
-        "mean_hurst_change": bend,
+        "mean_hurst_change": mean_hurst_change,
         "regime": form.regime,
     }
 
 
-def hurst_and_bend(spectrum: Spectrum, contact_length: float) -> tuple[float, float]:
+def mean_hurst_and_change(spectrum: Spectrum, contact_length: float) -> tuple[float, float]:
     """Return the mean Hurst exponent of a spectrum, and its change per decade of wavevector.
 
     A parabola is fitted to log C_iso against log q. The fit begins at the roll-off and ends at the
