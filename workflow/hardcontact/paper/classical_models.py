@@ -18,17 +18,17 @@ from hardcontact.base.arrays import Floats
 from hardcontact.base.units import NANOMETRE
 from hardcontact.contact.smooth_sphere import Values, dmt_pull_off, jkr_pull_off
 
-# Close-packed hemispheres of radius r, heights from their base: rms² = π r²/4√3.
+#: Close-packed hemispheres of radius r, heights from their base: rms² = π r²/4√3.
 HEMISPHERE_OVER_RMS = (4 * np.sqrt(3) / np.pi) ** 0.5
-# Rabinovich et al.: largest height of an asperity relative to the rms height.
+#: Rabinovich et al.: largest height of an asperity relative to the rms height.
 PEAK_OVER_RMS = 1.817
 
-# Nodes and weights on [0, 1] of the quadrature over asperity heights.
+#: Nodes and weights on [0, 1] of the quadrature over asperity heights.
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(160)
 _NODES, _WEIGHTS = (_NODES + 1) / 2, _WEIGHTS / 2
-# Range of elastic adhesion indices over which relative forces are tabulated.
+#: Range of elastic adhesion indices over which relative forces are tabulated.
 ADHESION_INDICES = (1e-4, 1e7)
-# Upper end of the integral over asperity heights, in their standard deviations.
+#: Upper end of the integral over asperity heights, in their standard deviations.
 MAX_HEIGHT_DEVIATIONS = 9.0
 
 #: Tension of asperities by compression, relative to the pull-off force of a single asperity.

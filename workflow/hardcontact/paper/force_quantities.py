@@ -6,6 +6,7 @@ its dimensions are in brackets.
 """
 
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 import xarray as xr
@@ -58,7 +59,7 @@ def plastic_over_rigid(adhesion: xr.Dataset) -> xr.Dataset:
 
     The ratio is taken scan by scan.
     """
-    mean = mean_over_contacts(_forces_at_reference(adhesion["pull_off_force"], adhesion))
+    mean = mean_over_contacts(_forces_at_reference(adhesion))
     plastic = mean.sel(contact_model=PLASTIC, drop=True)
     rigid = mean.sel(contact_model=RIGID, drop=True)
     return mean_over_scans(plastic / rigid, adhesion.attrs["confidence"])
@@ -133,7 +134,7 @@ def force_decades(adhesion: xr.Dataset) -> xr.Dataset:
 
 def _force_statistic(adhesion: xr.Dataset, statistic: Callable[[Floats], float]) -> xr.Dataset:
     """Return a statistic of all forces (n,) at the reference range; it has no interval."""
-    forces = _forces_at_reference(adhesion["pull_off_force"], adhesion)
+    forces = _forces_at_reference(adhesion)
     return as_estimate(
         xr.apply_ufunc(
             lambda row: statistic(row[np.isfinite(row)]),
@@ -144,19 +145,19 @@ def _force_statistic(adhesion: xr.Dataset, statistic: Callable[[Floats], float])
     )
 
 
-def _forces_at_reference(forces: xr.DataArray, adhesion: xr.Dataset) -> xr.DataArray:
-    """Return forces at the reference range of adhesion."""
-    return forces.sel(rho=adhesion.attrs["rho"], method="nearest", drop=True)
+def _forces_at_reference(adhesion: xr.Dataset) -> xr.DataArray:
+    """Return the pull-off forces at the reference range of adhesion."""
+    return adhesion["pull_off_force"].sel(rho=adhesion.attrs["rho"], method="nearest", drop=True)
 
 
-def _kolmogorov_distance(values: Floats, cumulative_distribution: Callable[..., Floats]) -> float:
+def _kolmogorov_distance(values: Floats, cumulative_distribution: Callable[..., Any]) -> float:
     """Return the largest difference between the empirical distribution of values (n,) and a model.
 
     `cumulative_distribution` is the distribution function of the model.
     """
-    expected = cumulative_distribution(np.sort(values))
-    steps = np.arange(len(values) + 1) / len(values)
-    return float(max((steps[1:] - expected).max(), (expected - steps[:-1]).max()))
+    from scipy.stats import kstest
+
+    return float(kstest(values, cumulative_distribution, method="asymp").statistic)
 
 
 def _normal_distance(values: Floats) -> float:

@@ -149,7 +149,10 @@ def change_outside_band(edges: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
 
     These are cutoffs up to the published short edge, and from the published long edge on.
     """
-    return _largest_change(edges, _outside_band(edges, paper))
+    cutoff = edges["cutoff_wavelength"]
+    is_short = cutoff <= paper["short_edge"]
+    is_long = cutoff >= paper["long_edge"]
+    return _largest_change(edges, is_short.where(edges["side"] == "short", is_long))
 
 
 def change_inside_band(edges: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
@@ -174,14 +177,6 @@ def short_cutoff_change(edges: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
     return _largest_change(edges, is_artificial).sel(side="short", drop=True)
 
 
-def _outside_band(edges: xr.Dataset, paper: xr.Dataset) -> xr.DataArray:
-    """Return whether each cutoff (side, cutoff_wavelength) is outside the published band."""
-    cutoff = edges["cutoff_wavelength"]
-    is_short = cutoff <= paper["short_edge"]
-    is_long = cutoff >= paper["long_edge"]
-    return is_short.where(edges["side"] == "short", is_long)
-
-
 def _largest_change(edges: xr.Dataset, is_selected: xr.DataArray) -> xr.Dataset:
     """Return the largest change of the force by the selected cutoffs (side, group)."""
     return (
@@ -193,16 +188,11 @@ def _largest_change(edges: xr.Dataset, is_selected: xr.DataArray) -> xr.Dataset:
 
 def stylus_change(edges: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
     """Return the change of the force at the short cutoff nearest to a stylus radius (group)."""
+    change = variable_estimate(edges, "filtered_force_change").sel(side="short", drop=True)
+    cutoffs = change["value"].dropna("cutoff_wavelength", how="all")["cutoff_wavelength"]
+    ascending = change.sel(cutoff_wavelength=np.sort(cutoffs))
     radius = paper["stylus_radius"].item()
-    change = _short_side_variable(edges, "filtered_force_change")
-    return change.sel(cutoff_wavelength=radius, method="nearest", drop=True)
-
-
-def _short_side_variable(edges: xr.Dataset, name: str) -> xr.Dataset:
-    """Return a variable of the short side at its cutoffs, in ascending order."""
-    values = variable_estimate(edges, name).sel(side="short", drop=True)
-    cutoffs = values["value"].dropna("cutoff_wavelength", how="all")["cutoff_wavelength"]
-    return values.sel(cutoff_wavelength=np.sort(cutoffs))
+    return ascending.sel(cutoff_wavelength=radius, method="nearest", drop=True)
 
 
 def flat_limit_fraction(scales: xr.Dataset) -> xr.Dataset:
