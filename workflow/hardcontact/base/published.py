@@ -26,8 +26,8 @@ def effective_modulus(constants: Mapping[Any, Any]) -> float:
 def read_constants(path: str | Path) -> pd.DataFrame:
     """Read `parameters.csv`: single numbers of the paper.
 
-    Returns by quantity: value and uncertainty (NaN if none is printed), both in `unit`; evidence;
-        source.
+    Returns value and uncertainty (NaN if none is printed), both in `unit`, by quantity. The
+    evidence tells published from inferred numbers; the source is the section of the paper.
     """
     return pd.read_csv(path, index_col="quantity")
 
@@ -35,8 +35,8 @@ def read_constants(path: str | Path) -> pd.DataFrame:
 def read_measured_statistics(path: str | Path) -> pd.DataFrame:
     """Read `pull_off.csv`: statistics of the measured pull-off forces.
 
-    Returns by surface: mean_force and median_force in N, effective_work_of_adhesion in J/m²; NaN if
-        the paper has none.
+    Returns mean_force and median_force in N and effective_work_of_adhesion in J/m², by surface.
+    They are NaN if the paper has none.
     """
     return pd.read_csv(path).pivot(index="surface", columns="quantity", values="value")
 
@@ -50,7 +50,7 @@ def read_printed_statistics(path: str | Path) -> pd.DataFrame:
 def read_table1(path: str | Path) -> pd.DataFrame:
     """Read `table1.csv`: the roughness metrics of Table 1, one row per number.
 
-    Returns columns surface; quantity; value and uncertainty, both in `unit`; evidence; source.
+    The columns are those of `read_constants`, and `surface`.
     """
     return pd.read_csv(path)
 

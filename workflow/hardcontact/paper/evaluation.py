@@ -56,8 +56,8 @@ CLAIM_DATASETS = (
     "topography", "adhesion", "scales", "edges", "sensitivity", "fit", "posterior", "exponents",
     "elastic", "indent", "asperities", "classical", "edge_shifts",
 )  # fmt: skip
-#: Columns of claims.csv. `evidence` says where the accepted limits come from, `basis` which scans
-#: the computed number has.
+#: Columns of claims.csv. `evidence` says where the limits of the paper come from, `basis` on which
+#: scans the computed number rests.
 COLUMNS = (
     "id", "main", "section", "statement", "number", "published", "computed", "low", "high", "unit",
     "rule", "evidence", "accepted_low", "accepted_high", "agreeing_share", "verdict",

@@ -45,12 +45,12 @@ def verify_study(folder: str | Path) -> tuple[list[str], list[str]]:
     if not records:
         raise ValueError(f"{folder}: expected files of a study, found none: was it run?")
     inputs = {path for record in records.values() for path in record["input_digests"]}
-    current = {path: digest(path) for path in inputs | records.keys() if Path(path).is_file()}
-    absent = inputs - current.keys()
+    digests_now = {path: digest(path) for path in inputs | records.keys() if Path(path).is_file()}
+    absent = inputs - digests_now.keys()
     faults = [
-        *_output_faults(folder, records, current),
-        *_input_faults(records, current),
-        *_unrecorded_faults(folder, current),
+        *_output_faults(folder, records, digests_now),
+        *_input_faults(records, digests_now),
+        *_unrecorded_faults(folder, digests_now),
     ]
     return faults, [
         *_other_versions(records),
@@ -60,25 +60,25 @@ def verify_study(folder: str | Path) -> tuple[list[str], list[str]]:
 
 
 def _output_faults(
-    folder: str | Path, records: Mapping[str, Record], current: Mapping[str, str]
+    folder: str | Path, records: Mapping[str, Record], digests_now: Mapping[str, str]
 ) -> Iterator[str]:
     """Yield a line for each file that differs from its record, or is missing in the folder."""
     for path, record in sorted(records.items()):
-        if path in current and current[path] != record["sha256"]:
+        if path in digests_now and digests_now[path] != record["sha256"]:
             yield f"{path}: is not the file that the study wrote"
-        elif path not in current and Path(path).is_relative_to(folder):
+        elif path not in digests_now and Path(path).is_relative_to(folder):
             yield f"{path}: expected a file of the study, found none"
 
 
-def _input_faults(records: Mapping[str, Record], current: Mapping[str, str]) -> Iterator[str]:
+def _input_faults(records: Mapping[str, Record], digests_now: Mapping[str, str]) -> Iterator[str]:
     """Yield a line for each file whose inputs are no longer those that it was made from."""
     for path, record in sorted(records.items()):
         changed = [
             name
             for name, made_from in sorted(record["input_digests"].items())
-            if current.get(name, made_from) != made_from
+            if digests_now.get(name, made_from) != made_from
         ]
-        if changed and path in current:
+        if changed and path in digests_now:
             yield f"{path}: does not match its input {', '.join(changed)}"
 
 
