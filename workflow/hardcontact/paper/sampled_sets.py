@@ -115,10 +115,11 @@ def topography_of_set(
     ]
     metrics = [scans[list(TABLE1_METRICS.values())] for scans in surface_scans]
     set_scans = xr.concat(metrics, topography["surface"], join="outer")
-    constant = [name for name in topography if str(name).startswith("all_scales_")]
-    labels = topography[[*constant, "label", "source", "table1_rows_met"]]
+    # Spectra, not scans, determine roughness of all scales: it is that of the study.
+    all_scales = [name for name in topography if str(name).startswith("all_scales_")]
+    unchanged = topography[[*all_scales, "label", "source", "table1_rows_met"]]
     return xr.merge(
-        [labels, set_scans, scan_averages(set_scans, confidence)], combine_attrs="override"
+        [unchanged, set_scans, scan_averages(set_scans, confidence)], combine_attrs="override"
     )
 
 
@@ -198,12 +199,10 @@ def sample_sets(
 
 
 def _set_datasets(
-    inputs: SetInputs,
-    published: PublishedForces,
-    settings: SetSettings,
-    set_number: int,
+    inputs: SetInputs, published: PublishedForces, settings: SetSettings, set_number: int
 ) -> dict[str, xr.Dataset]:
     """Return the datasets of one set by the names that claims give them."""
+    # A set needs no intervals, since all sets together give them: no samples.
     sampling = Sampling(settings.seed, 0, settings.confidence)
     sampled_scans = sample_set_scans(inputs, settings.seed, set_number)
     adhesion = adhesion_of_set(inputs, sampled_scans, settings.seed, set_number)
