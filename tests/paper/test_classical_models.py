@@ -31,7 +31,7 @@ def test_rabinovich_s_force_has_the_limits_of_plane_and_asperity():
     assert force(1e-12, 500.0) == pytest.approx(2 * smooth)
     caps = 500.0**2 / (32 * classical_models.PEAK_OVER_RMS * 50.0)  # their radius
     single = classical_models.rumpf(WORK, RADIUS, caps, 1e-6)
-    assert force(50.0, 500.0) == pytest.approx(single, rel=0.15)
+    assert force(50.0, 500.0) == pytest.approx(single, rel=0.05)
     assert force(50.0, 1e12) == pytest.approx(smooth, rel=1e-4)
 
 

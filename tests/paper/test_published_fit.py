@@ -71,7 +71,7 @@ def two_ranges():
 
 def test_ratios_met_at_two_ranges_give_two_minima():
     fits = fit.fit_model(two_ranges(), np.array([1.0, 0.05]), 1, 0.1, SAMPLING)
-    assert sorted(fits.range_at_minimum.values[:2]) == pytest.approx([1.0, 8.0], rel=0.01)
+    assert sorted(fits.range_at_minimum.values[:2]) == pytest.approx([1.0, 8.0], rel=1e-9)
     np.testing.assert_allclose(fits.work_at_minimum[:2], 0.05, rtol=0.02)
     assert fits.error_at_minimum[0] <= fits.error_at_minimum[1] < 0.02
     assert fits.error_at_minimum[0] == fits.best_error == fits.best_error_by_range.min()
