@@ -70,7 +70,7 @@ def logarithms(spectrum, edges):
 
 
 def test_intervals_contain_spectrum_force_and_edges_of_known_surfaces(monkeypatch):
-    monkeypatch.setattr(closed, "CUTOFFS", 24)
+    monkeypatch.setattr(closed, "CUTOFF_COUNT", 24)
     contained, forces, halves = [], [], []
     for number, has_line in product(range(TRIALS // 2), (0, 1)):
         rng = generator(31, number, has_line)

@@ -10,7 +10,7 @@ from measurements import random_map
 
 from hardcontact.base import dataset
 from hardcontact.base.random import generator
-from hardcontact.contact.finite_scan import SMALLEST_TESTED
+from hardcontact.contact.finite_scan import SMALLEST_SIZE_RATIO
 from hardcontact.report.own_surfaces.answer import own_answer, surface_answers
 from hardcontact.report.own_surfaces.artificial_roughness import measurement_name
 from hardcontact.scans.joined_spectrum import joined_spectrum
@@ -64,7 +64,7 @@ CASES = [
     ("small_scan", forces(search_size=("surface", [2560.0]), **RATIO), True,
      {"share": 0.25, "ratio": (2.0, 4.0)}),
     ("small_scan", forces(search_size=("surface", [64e3]), **RATIO), True,
-     {"tried": SMALLEST_TESTED}),
+     {"tried": SMALLEST_SIZE_RATIO}),
     ("window", forces(window_share=("rho", [1, 1, 0.36, 0.2, 0.1])), True,
      {"from": np.nan, "share": 0.36, "at": 5.6}),
     ("window", forces(window_share=("rho", [1, 1, 0.995, 0.95, 0.9])), False,

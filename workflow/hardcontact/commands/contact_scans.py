@@ -12,7 +12,7 @@ from hardcontact.commands.inventory import Entry, entries_by_surface
 from hardcontact.config.faults import raise_faults
 from hardcontact.config.grids import MAX_MAP_PIXELS, PIXEL_SIZES, same_grid
 from hardcontact.contact.contact import Contact
-from hardcontact.contact.finite_scan import LARGE_ENOUGH
+from hardcontact.contact.finite_scan import LARGE_SIZE_RATIO
 from hardcontact.contact.grid_limits import PENETRATION_OVER_RANGE, minimum_range, penetration_depth
 from hardcontact.own.scan_window import window_on_scans
 from hardcontact.surfaces.spectrum import BIN_CENTRES, Spectrum
@@ -63,7 +63,7 @@ def contact_scans(
     """
     groups = _groups(entries)
     sphere_groups = groups.pop(sphere) if sphere is not None else []
-    large_enough = LARGE_ENOUGH * max(search_sizes.values())
+    large_enough = LARGE_SIZE_RATIO * max(search_sizes.values())
     selected: list[Entry] = []
     reasons = []
     for surface, surface_groups in groups.items():

@@ -9,7 +9,7 @@ from hardcontact.commands.contact_scans import WindowChoice
 from hardcontact.commands.inventory import Entry, entries_by_surface, entry_contradiction_lines
 from hardcontact.config.faults import raise_faults
 from hardcontact.contact.finite_scan import (
-    LARGE_ENOUGH,
+    LARGE_SIZE_RATIO,
     MIN_WINDOW_SHARE,
     finite_scan_ratio,
     window_share,
@@ -115,7 +115,7 @@ def _contact_cautions(
         if high > 1:
             yield (
                 f"{surface}: the sphere finds its highest summits within some "
-                f"{format_length(search_size)}. Scans of {LARGE_ENOUGH:g} times this size are "
+                f"{format_length(search_size)}. Scans of {LARGE_SIZE_RATIO:g} times this size are "
                 f"large enough, these are {format_length(size)} wide: forces come out {low:g} to "
                 f"{high:g} times too high"
             )

@@ -18,8 +18,8 @@ from hardcontact.contact.contact import Contact
 #: each ratio is known to 1 to 10 %. Larger windows had 0.95 to 1.14.
 RATIOS = {0.125: (8.0, 17.0), 0.25: (3.0, 9.0), 0.5: (1.5, 3.6), 1.0: (1.1, 2.0), 2.0: (1.0, 1.5)}
 #: Size relative to the search size from which a scan is large enough, and the smallest tested one.
-LARGE_ENOUGH = max(RATIOS)
-SMALLEST_TESTED = 0.12
+LARGE_SIZE_RATIO = max(RATIOS)
+SMALLEST_SIZE_RATIO = 0.12
 #: Smallest share of the force on a smooth sphere in a window without a caution.
 MIN_WINDOW_SHARE = 0.99
 

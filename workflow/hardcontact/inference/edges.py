@@ -26,7 +26,7 @@ from hardcontact.inference.curve_edges import (
 
 #: The group of all surfaces.
 MEAN_GROUP = "mean"
-AXES = ("side", "surface", "cutoff_wavelength")
+RATIO_AXES = ("side", "surface", "cutoff_wavelength")
 
 
 def computed_cutoffs(values: xr.DataArray) -> Floats:
@@ -106,10 +106,10 @@ def edges_with_samples(
     _, edge, _ = variables["edge"]
     variables |= sampling.with_interval("edge", axes, edge, edge_samples, NM)
     variables |= sampling.with_interval(
-        "filtered_force_change", (*axes, AXES[-1]), change, change_samples, DIMENSIONLESS
+        "filtered_force_change", (*axes, RATIO_AXES[-1]), change, change_samples, DIMENSIONLESS
     )
     variables |= sampling.with_interval(
-        "filtered_force_ratio", AXES, ratio, ratio_samples, DIMENSIONLESS
+        "filtered_force_ratio", RATIO_AXES, ratio, ratio_samples, DIMENSIONLESS
     )
     coordinates = {
         "side": scales["side"].values,
@@ -121,8 +121,8 @@ def edges_with_samples(
 
 
 def _mean_ratios(scales: xr.Dataset, sampling: Sampling) -> tuple[Floats, Floats]:
-    """Return the ratios (AXES), means over realizations, and their samples (sample, AXES)."""
-    realizations = scales["filtered_force_ratio"].transpose("realization", *AXES)
+    """Return means over realizations (side, surface, cutoff), and their samples (sample, ...)."""
+    realizations = scales["filtered_force_ratio"].transpose("realization", *RATIO_AXES)
     samples = [
         student_log_samples(
             sampling.generator("scales", str(surface)),
@@ -148,9 +148,9 @@ def _curves(
 ) -> Iterator[tuple[ChangeCurve, Floats]]:
     """Yield the curve of each side and group, and samples (sample, k) of its values.
 
-    Mean ratios (AXES) and their samples (sample, AXES) come from `_mean_ratios`. The curve of a
-    surface is ln(ratio) with two limits, the mean curve is that of |ratio - 1| with an upper
-    limit. Each curve begins at the unfiltered wavelength, where it is zero.
+    Mean ratios and their samples come from `_mean_ratios`. The curve of a surface is ln(ratio)
+    with two limits, the mean curve is that of |ratio - 1| with an upper limit. Each curve begins at
+    the unfiltered wavelength, where it is zero.
     """
     ratios = np.concatenate([ratio[None], ratio_samples])
     curves = np.concatenate([np.log(ratios), _changes(ratios)[:, :, -1:]], axis=2)

@@ -11,7 +11,7 @@ from hardcontact.base.number import Number, Status
 from hardcontact.config.keys import ContactKeys
 from hardcontact.config.model import POSITION_CONTACTS_PER_ROW, SPHERE_POSITIONS, Study
 from hardcontact.contact.contact import PLASTIC, Contact
-from hardcontact.contact.finite_scan import LARGE_ENOUGH, finite_scan_ratio
+from hardcontact.contact.finite_scan import LARGE_SIZE_RATIO, finite_scan_ratio
 from hardcontact.contact.geometry import join_bodies, spheres_at_positions
 from hardcontact.contact.grid_limits import Grid, minimum_range, periods_in_window
 from hardcontact.contact.pull_off import make_force_function
@@ -168,7 +168,7 @@ def _force_numbers(
     position_half = position_half_width(surface_forces, confidence)
     if position_half is not None:
         yield Number("position_factor", float(np.exp(position_half[0])))
-    status = Status.SMALL if scan.size < LARGE_ENOUGH * search else Status.LARGE
+    status = Status.SMALL if scan.size < LARGE_SIZE_RATIO * search else Status.LARGE
     yield Number("search_size", search, "nm", status=status)
     _, small_scan_ratio = finite_scan_ratio(scan.size, search)
     form = _closed_form_number(surface, force, small_scan_ratio, contact)

@@ -42,7 +42,7 @@ SUMMIT_SIZE = 2.5
 #: Smallest rms height on a summit that counts as roughness, in ranges of adhesion.
 MIN_SUMMIT_ROUGHNESS = 0.005
 #: Number of cutoffs between both ends of the spectrum at which edges are looked for.
-CUTOFFS = 60
+CUTOFF_COUNT = 60
 
 
 @dataclass(frozen=True)
@@ -182,7 +182,7 @@ def critical_band(spectrum: Spectrum, contact: Contact, tolerance: float) -> tup
     wavelengths = spectrum.wavelength[spectrum.density > 0]
     if not len(wavelengths):
         return np.nan, np.nan
-    cutoffs = np.geomspace(wavelengths[-1], wavelengths[0], CUTOFFS)
+    cutoffs = np.geomspace(wavelengths[-1], wavelengths[0], CUTOFF_COUNT)
     limits = logarithmic_limits(tolerance)
     unfiltered = closed_form(spectrum, contact, all_rough=False).dmt_ratio
 

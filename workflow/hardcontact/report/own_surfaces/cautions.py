@@ -11,7 +11,7 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.base.number import Number, Status
-from hardcontact.contact.finite_scan import MIN_WINDOW_SHARE, SMALLEST_TESTED
+from hardcontact.contact.finite_scan import MIN_WINDOW_SHARE, SMALLEST_SIZE_RATIO
 from hardcontact.contact.smooth_sphere import STRONGEST_WORK
 from hardcontact.report.own_surfaces.artificial_roughness import (
     fails_hindcast,
@@ -226,8 +226,8 @@ def _small_scans(data: Datasets) -> Caution | None:
         "share": Number("share", share),
         "ratio": number_without_value("ratio", low, high),
     }
-    if share < SMALLEST_TESTED:
-        numbers["tried"] = Number("tried", SMALLEST_TESTED)
+    if share < SMALLEST_SIZE_RATIO:
+        numbers["tried"] = Number("tried", SMALLEST_SIZE_RATIO)
     return Caution("small_scan", bool(low > 1 + data.edges.attrs["tolerance"]), numbers)
 
 
