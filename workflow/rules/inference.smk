@@ -5,11 +5,9 @@ EXPONENT_MASTERS = CHUNKS.filtered_masters("exponents")
 EDGE_SHIFT_MASTERS = CHUNKS.filtered_masters("edge_shifts")
 
 
+# Its substitutes are independent; `find_edges_of_scans` serves surfaces that have few scans.
 rule find_edges:
-    """Find the edges of the critical band of the paper's study: edges.nc.
-
-    Its substitutes are independent; `find_edges_of_scans` serves surfaces that have few scans.
-    """
+    """Find the edges of the critical band of the paper's study: edges.nc."""
     input:
         scales=PATTERNS.dataset("scales"),
     output:
@@ -57,11 +55,9 @@ rule compute_edge_shifts:
         "../scripts/compute_edge_shifts.py"
 
 
+# The user's forces are often too few for one pair: `fit_measured` finds all that they permit.
 rule fit_published:
-    """Fit one pair of range and work of adhesion to the published forces: fit.nc.
-
-    The user's forces are often too few for one pair: `fit_measured` finds all that they permit.
-    """
+    """Fit one pair of range and work of adhesion to the published forces: fit.nc."""
     input:
         adhesion=PATTERNS.dataset("adhesion"),
         published_pull_off=PUBLISHED_TABLES["published_pull_off"],

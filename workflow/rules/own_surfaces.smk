@@ -104,11 +104,10 @@ MASTER_PARAMETERS = {
 }
 
 
+# Masters share few scans, whose parts give the intervals; `find_edges` needs independent
+# ones.
 rule find_edges_of_scans:
-    """Find the edges of the critical band of the user's surfaces: edges.nc.
-
-    Masters share few scans, whose parts give the intervals; `find_edges` needs independent ones.
-    """
+    """Find the edges of the critical band of the user's surfaces: edges.nc."""
     input:
         adhesion=PATTERNS.dataset("adhesion"),
         scales=PATTERNS.dataset("scales"),
@@ -142,11 +141,9 @@ rule compute_force_at_pair:
 
 if HAS_FORCES:
 
+    # One force permits a curve of pairs, a few a region; `fit_published` finds the best pair.
     rule fit_measured:
-        """Find all pairs of range and work of adhesion that the user's forces permit: fit.nc.
-
-        One force permits a curve of pairs, a few a region; `fit_published` finds the best pair.
-        """
+        """Find all pairs of range and work of adhesion that the user's forces permit: fit.nc."""
         input:
             adhesion=PATTERNS.dataset("adhesion"),
             force=PATTERNS.dataset("force"),
