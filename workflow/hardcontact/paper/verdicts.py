@@ -64,8 +64,8 @@ class AcceptedRange:
         """
         if self.accepts(samples).mean() >= REPRODUCED_SHARE:
             return REPRODUCED
-        verdict = self.verdict(float(np.median(samples)), low, high)
-        return verdict if verdict == NOT_REPRODUCED else UNDECIDED
+        is_rejected = self.verdict(low, low, high) == NOT_REPRODUCED
+        return NOT_REPRODUCED if is_rejected else UNDECIDED
 
     def verdict(self, computed: float, low: float, high: float) -> str:
         """Judge a number, NaN if none exists, and its interval, NaN if it has none.
