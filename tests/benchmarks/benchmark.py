@@ -34,7 +34,7 @@ from hardcontact.contact.geometry import gap_map, join_bodies, part_around_lowes
 from hardcontact.contact.pull_off import attraction_totals
 from hardcontact.contact.sphere_sums import outside_sums
 from hardcontact.surfaces.filters import interpolate, lowpass
-from hardcontact.surfaces.height_map import mirror_stitch
+from hardcontact.surfaces.height_map import mirror_scan
 from hardcontact.surfaces.levelling import level
 from hardcontact.surfaces.synthesis import cut_scan, random_surface
 
@@ -115,16 +115,16 @@ def smooth_sphere(threads):
     yield "largest relative difference from the direct sum", f"{error:.1e}"
 
 
-def stitched(seed, scale):
-    """A mirror-stitched scan of 512² pixels with the spectrum of UNCD times `scale`."""
+def mirrored(seed, scale):
+    """A mirrored scan of 512² pixels with the spectrum of UNCD times `scale`."""
     rng = generator(seed, "benchmark pair")
     random = random_surface(rng, 1024, 2500 / 512, lambda q: scale * uncd_density(q))
     scan = cut_scan(random, 512)
-    return mirror_stitch(level(scan))
+    return mirror_scan(level(scan))
 
 
 def rough_sphere():
-    bodies, contact_pixel_count = bodies_in_contact(stitched(1, 1.0), stitched(2, 4e-4))
+    bodies, contact_pixel_count = bodies_in_contact(mirrored(1, 1.0), mirrored(2, 4e-4))
 
     def fast():
         return contact_pixel_count + outside_sums(
@@ -151,7 +151,7 @@ def rough_sphere():
 
 
 def elastic_contact(pixels=512):
-    bodies, _ = bodies_in_contact(stitched(1, 1.0))
+    bodies, _ = bodies_in_contact(mirrored(1, 1.0))
     pixel = bodies.geometry.pixel_size
     gap = part_around_lowest(gap_map(bodies, (3, 5)), pixels)
     window = f"window of {pixels}² pixels"

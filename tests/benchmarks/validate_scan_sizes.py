@@ -25,7 +25,7 @@ from hardcontact.contact.geometry import join_bodies, window_pixels
 from hardcontact.contact.pull_off import FORCE_ATTRS, mean_pull_off_dataset
 from hardcontact.own.edges_of_scans import edges_of_curves
 from hardcontact.surfaces.filters import filtered_series
-from hardcontact.surfaces.height_map import mirror_stitch
+from hardcontact.surfaces.height_map import mirror_scan
 from hardcontact.surfaces.levelling import level
 from hardcontact.surfaces.spectrum import spectrum_of_dataset
 from hardcontact.surfaces.substitute_spectra import substitute_spectrum
@@ -55,7 +55,7 @@ def mirrored_windows(surface, size):
     """Yield levelled windows of an edge (nm), which mirrored are periodic over twice that size."""
     for start in np.arange(WINDOW_COUNT) * (surface.pixels // WINDOW_COUNT):
         shifted = replace(surface, heights=np.roll(surface.heights, (-start, -start), (0, 1)))
-        yield mirror_stitch(level(cut_scan(shifted, round(size / surface.pixel_size))))
+        yield mirror_scan(level(cut_scan(shifted, round(size / surface.pixel_size))))
 
 
 def mean_force(surface, contact):

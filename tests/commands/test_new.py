@@ -190,7 +190,7 @@ REFUSED = [
     ([NAME, "bare.nc"], ["bare.nc", "--unit"]),
     ([NAME, "bare.nc", "--unit", "mm,s"], ["--unit: expected none, m, mm", "found 'mm,s'"]),
     ([NAME, "one.nc", "--sphere", "two.nc", "--radius", "1 um"], ["sphere.radius", "2500 nm"]),
-    # A quarter of the stitched scan of 5 um at 25 GPa.
+    # A quarter of the mirrored scan of 5 um at 25 GPa.
     ([NAME, "one.nc", "--preload", "1 N"], ["preload: expected at most 156 mN", "found 1 N"]),
     ([NAME, "one.nc", "--hardness", "25 kPa"], ["--hardness 25 kPa: is the unit", "25 GPa?"]),
     ([NAME, "one.nc", "--tip", "100 um"], ["at least 3 bins", "found 0", "one.nc", "the tip at"]),

@@ -260,7 +260,7 @@ def test_unsuitable_scans_are_refused_in_one_line_each(entries, settings, messag
     ("scan", "settings", "message_parts"),
     [
         (entry(20000, 512, 700.0), contact(rho=6.0), ["adhesion.range: expected at least 11.2 nm"]),
-        # A quarter of the stitched scan, 6.25 um2, carries 6.25 mN at 1 GPa.
+        # A quarter of the mirrored scan, 6.25 um2, carries 6.25 mN at 1 GPa.
         (entry(), contact(preload=1.0, hardness=1e9), ["contact.preload", "at most 6.25 mN"]),
     ],
 )

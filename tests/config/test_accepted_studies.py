@@ -22,7 +22,7 @@ from hardcontact.inference.filtered_masters import Filters, filtered_pull_off
 from hardcontact.paper.exponents import PRELOAD_SHARES
 from hardcontact.run import checks
 from hardcontact.surfaces import spectrum, synthesis
-from hardcontact.surfaces.height_map import mirror_stitch
+from hardcontact.surfaces.height_map import mirror_scan
 from hardcontact.surfaces.levelling import level, remove_form
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
 from hardcontact.surfaces.synthesis import add_sphere, cut_scan, synthesize_master
@@ -109,7 +109,7 @@ ROUGH, SMOOTH = (
 )
 
 
-def stitched_scan(config, rng, density, radius=None):
+def mirrored_scan(config, rng, density, radius=None):
     """Make a substitute scan as masters and contacts use it."""
     scan = config["scan"]
     pixel_size = scan["size"] / scan["pixels"]
@@ -117,8 +117,8 @@ def stitched_scan(config, rng, density, radius=None):
     surface = synthesis.random_surface(rng, surface_pixels, pixel_size, density)
     substitute = cut_scan(surface, scan["pixels"])
     if radius is None:
-        return mirror_stitch(level(substitute))
-    return mirror_stitch(remove_form(add_sphere(rng, substitute, radius), radius))
+        return mirror_scan(level(substitute))
+    return mirror_scan(remove_form(add_sphere(rng, substitute, radius), radius))
 
 
 def assert_forces(arrays):
@@ -147,11 +147,11 @@ def check_pair(config, rng, substrate, sphere):
         assert all(np.isfinite(values).all() for values in carriers.data_vars.values())
 
 
-def check_masters(config, rng, stitched, sphere, section, side):
+def check_masters(config, rng, mirrored, sphere, section, side):
     """Compute forces of one master, filtered at every cutoff, at all that its section asks for."""
     keys = master_keys(config, section, side)
     expected_values = {name: get_key(config, key) for name, key in keys.items()}
-    master = synthesize_master(side, rng, stitched, expected_values, ROUGH)
+    master = synthesize_master(side, rng, mirrored, expected_values, ROUGH)
     filters = Filters(side, expected_values["pixels"], expected_values["cutoffs"])
     count_section = "contact" if section == "scales" else section
     contact = Contact(
@@ -188,11 +188,11 @@ def test_every_accepted_study_can_be_computed(project_folder):
         refusals.append(config is not None)
         assume(config is not None)
         rng = np.random.default_rng(1)
-        stitched = stitched_scan(config, rng, ROUGH)
-        sphere = stitched_scan(config, rng, SMOOTH, config["sphere"]["radius"])
-        check_pair(config, rng, stitched, sphere)
+        mirrored = mirrored_scan(config, rng, ROUGH)
+        sphere = mirrored_scan(config, rng, SMOOTH, config["sphere"]["radius"])
+        check_pair(config, rng, mirrored, sphere)
         for section, side in product(("scales", "sets"), ("short", "long")):
-            check_masters(config, rng, stitched, sphere, section, side)
+            check_masters(config, rng, mirrored, sphere, section, side)
 
     compute()
     assert sum(refusals) >= EXAMPLES and not all(refusals)

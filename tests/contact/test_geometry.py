@@ -30,7 +30,7 @@ def test_the_coarser_map_is_interpolated():
     assert bodies.substrate.pixels == 150 and bodies.sphere_roughness.pixels == 120
     assert bodies.geometry.pixel_size == 10.0
     np.testing.assert_allclose(bodies.substrate.heights[::3, ::3], coarse, atol=1e-5)
-    # The apex lies in the middle of the sphere's scan, a quarter of its stitched period in.
+    # The apex lies in the middle of the sphere's scan, a quarter of its mirrored period in.
     shifted = np.roll(fine, (-30, -30), axis=(0, 1))
     np.testing.assert_array_equal(bodies.sphere_roughness.heights, shifted)
     np.testing.assert_array_equal(bodies.geometry.positions, geometry.contact_positions(150, 4))

@@ -84,7 +84,7 @@ def test_contact_pixels_are_subtracted_exactly_at_the_ends_of_its_use(
 
 @pytest.mark.parametrize("axes", [(0, 1), (0,), (1,)])
 def test_the_force_on_mirrored_heights_is_the_direct_sum(axes):
-    # Mirrored along one axis alone, the map is no mirror-stitched scan.
+    # Mirrored along one axis alone, the map is no mirrored scan.
     heights = periodic_noise(96, 1.0, 5)
     for axis in axes:
         heights = (heights + np.flip(heights, axis)) / 2

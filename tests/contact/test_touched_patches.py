@@ -10,7 +10,7 @@ from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import pull_off_dataset
-from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
+from hardcontact.surfaces.height_map import HeightMap, mirror_scan
 
 PIXEL, PIXELS = 40.0, 128
 CONTACT = Contact(
@@ -26,7 +26,7 @@ Y, X = np.indices((PIXELS, PIXELS)) * PIXEL
 
 
 def patches(heights, contact=CONTACT):
-    scan = mirror_stitch(HeightMap(heights, PIXEL, False, "measured"))
+    scan = mirror_scan(HeightMap(heights, PIXEL, False, "measured"))
     bodies = join_bodies(scan, None, contact)
     return int(pull_off_dataset(bodies, contact, [5.6]).touched_patches)
 

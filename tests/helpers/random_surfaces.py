@@ -16,8 +16,8 @@ from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import mean_pull_off_dataset
 from hardcontact.inference.wide_pixels import WIDE_PIXEL
-from hardcontact.own.scan_force import contact_on_scan, stitched_map
-from hardcontact.surfaces.height_map import HeightMap
+from hardcontact.own.scan_force import contact_on_scan
+from hardcontact.surfaces.height_map import HeightMap, mirror_in_float32
 from hardcontact.surfaces.levelling import level
 from hardcontact.surfaces.spectrum import smooth_rolloff
 from hardcontact.surfaces.synthesis import random_surface
@@ -92,7 +92,7 @@ def _features(rng, pixels, width, are_flat):
 def true_force(case):
     """Return the mean plastic force (N) on the fine pixels, at the contacts on the scan."""
     contact = contact_on_scan(case.scan, case.contact)
-    bodies = join_bodies(stitched_map(case.fine), None, contact)
+    bodies = join_bodies(mirror_in_float32(case.fine), None, contact)
     forces = mean_pull_off_dataset(bodies, contact, [contact.rho])["pull_off_force"]
     return contact.work * forces.sel(contact_model="plastic").item()
 

@@ -13,7 +13,7 @@ from hardcontact.contact.contact import CONTACT_AXES, Contact
 from hardcontact.contact.pull_off import make_force_function
 from hardcontact.inference import hindcast, wide_pixels
 from hardcontact.inference.hindcast import RandomBody
-from hardcontact.surfaces.height_map import mirror_stitch
+from hardcontact.surfaces.height_map import mirror_scan
 from hardcontact.surfaces.synthesis import random_surface
 
 PIXELS = 128
@@ -26,9 +26,9 @@ OCTAVE = (8 * PIXEL, 16 * PIXEL)
 
 def ratios(heights, side):
     """Hindcasts of a scan whose spectrum is that of the Gaussian one."""
-    stitched = mirror_stitch(replace(SCAN, heights=heights))
+    mirrored = mirror_scan(replace(SCAN, heights=heights))
     forces = hindcast.hindcast_forces(
-        stitched,
+        mirrored,
         {side: OCTAVE},
         [RandomBody(UNCD, PIXELS * PIXEL, 1, ("scan", 1))],
         make_force_function(CONTACT),
@@ -54,9 +54,9 @@ def test_a_plateau_with_pits_fails():
 @pytest.mark.parametrize("side", ["short", "long"])
 def test_parts_differ_by_the_octave(side):
     """The force is replaced by that on a wave of the octave alone."""
-    stitched = mirror_stitch(SCAN)
-    rest, octave = hindcast._split_at_octave(stitched, side, OCTAVE)
-    wave = np.fft.fftfreq(stitched.pixels, PIXEL)
+    mirrored = mirror_scan(SCAN)
+    rest, octave = hindcast._split_at_octave(mirrored, side, OCTAVE)
+    wave = np.fft.fftfreq(mirrored.pixels, PIXEL)
     wavelength = 1 / np.maximum(np.hypot(wave[:, None], wave), 1e-9)
     power = np.abs(np.fft.fft2(octave)) ** 2
     is_inside = (wavelength >= OCTAVE[0] * 0.999) & (wavelength < OCTAVE[1] * 1.001)
@@ -87,8 +87,8 @@ def test_the_interval_has_its_confidence():
 
 
 def test_a_scan_without_an_octave_proves_no_artificial_roughness():
-    stitched = mirror_stitch(SCAN)
-    forces = hindcast.hindcast_forces(stitched, {"short": None}, [], make_force_function(CONTACT))
+    mirrored = mirror_scan(SCAN)
+    forces = hindcast.hindcast_forces(mirrored, {"short": None}, [], make_force_function(CONTACT))
     result = hindcast.hindcast_ratios(forces.expand_dims("map"), 0.1, 0.95).sel(side="short")
     assert np.isnan(result["hindcast_ratio"]) and result["hindcast_fails"] == 1
 
@@ -126,13 +126,13 @@ def test_wide_pixels_have_the_mean_heights_of_their_blocks():
 def test_wide_pixels_hide_summits():
     """On a smooth map they change nothing; the sphere's pixels count, too."""
     flat = replace(SCAN, heights=SCAN.heights * 0)
-    rough = mirror_stitch(SCAN)
+    rough = mirror_scan(SCAN)
     ratios = [
         float(forces["wide_pixel_force"].mean() / forces["scan_force"].mean())
         for forces in (
-            wide_pixels.pixel_forces(mirror_stitch(flat), None, CONTACT),
+            wide_pixels.pixel_forces(mirror_scan(flat), None, CONTACT),
             wide_pixels.pixel_forces(rough, None, CONTACT),
-            wide_pixels.pixel_forces(mirror_stitch(flat), rough, CONTACT),
+            wide_pixels.pixel_forces(mirror_scan(flat), rough, CONTACT),
         )
     ]
     assert ratios[0] == pytest.approx(1) and min(ratios[1:]) > 1.02

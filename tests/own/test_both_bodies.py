@@ -14,7 +14,7 @@ from hardcontact.inference.octaves import STEP, octave_forces
 from hardcontact.own.mean_forces import forces_of_surface, mean_intervals
 from hardcontact.scans.both_bodies import combine_maps, combine_spectra
 from hardcontact.scans.joined_spectrum import joined_spectrum
-from hardcontact.surfaces.height_map import mirror_stitch
+from hardcontact.surfaces.height_map import mirror_scan
 
 PIXELS, PIXEL_SIZE = 128, 10.0
 CONTACT = Contact(
@@ -41,14 +41,14 @@ def sphere():
 def direct_force(wafer, sphere, contact_pixel, position):
     """Eq. 3 summed over every pixel, the sphere at a position of its scan; maps are mirrored."""
     window = round(CONTACT.window / PIXEL_SIZE), PIXEL_SIZE
-    gap = gap_to_sphere(mirror_stitch(wafer).heights, contact_pixel, *window, CONTACT.radius)
-    gap = gap + gap_to_sphere(mirror_stitch(sphere).heights, position, *window, np.inf)
+    gap = gap_to_sphere(mirror_scan(wafer).heights, contact_pixel, *window, CONTACT.radius)
+    gap = gap + gap_to_sphere(mirror_scan(sphere).heights, position, *window, np.inf)
     total = direct_total(gap, CONTACT.pixel_count(PIXEL_SIZE), CONTACT.rho)
     return pull_off_force(total, CONTACT.rho, PIXEL_SIZE, 1.0).item()
 
 
 def test_a_smooth_sphere_on_the_sum_of_both_touches_like_the_rough_one(wafer, sphere):
-    combined = combine_maps(generator(1), mirror_stitch(wafer), mirror_stitch(sphere))
+    combined = combine_maps(generator(1), mirror_scan(wafer), mirror_scan(sphere))
     start = generator(1).integers(2 * PIXELS, size=2)
     bodies = join_bodies(combined, None, CONTACT)
     forces = forces_at_loadings(bodies, [CONTACT], [CONTACT.rho])[0, 0]
@@ -61,10 +61,10 @@ def test_a_smooth_sphere_on_the_sum_of_both_touches_like_the_rough_one(wafer, sp
 
 def test_octaves_are_those_of_the_rougher_body(wafer, sphere):
     limits = [40.0, 80.0, 160.0, 320.0]
-    stitched = [mirror_stitch(body) for body in (wafer, sphere)]
-    both = combine_maps(generator(1), *stitched)
-    stitched[0].heights[...] = 0
-    alone = combine_maps(generator(1), *stitched)
+    mirrored = [mirror_scan(body) for body in (wafer, sphere)]
+    both = combine_maps(generator(1), *mirrored)
+    mirrored[0].heights[...] = 0
+    alone = combine_maps(generator(1), *mirrored)
     mean_forces = [
         octave_forces(surface, limits, make_force_function(CONTACT)).mean(axis=(-2, -1))
         for surface in (both, alone)
@@ -77,9 +77,9 @@ def test_octaves_are_those_of_the_rougher_body(wafer, sphere):
 def test_the_interval_contains_the_forces_at_other_positions_on_the_sphere(wafer, sphere):
     forces = [
         forces_at_loadings(
-            join_bodies(mirror_stitch(wafer), position, CONTACT), [CONTACT], [CONTACT.rho]
+            join_bodies(mirror_scan(wafer), position, CONTACT), [CONTACT], [CONTACT.rho]
         )
-        for position in spheres_at_positions(mirror_stitch(sphere), 4)
+        for position in spheres_at_positions(mirror_scan(sphere), 4)
     ]
     dims = ("scan", "sphere_scan", "rho", *CONTACT_AXES)
     computed = xr.DataArray(np.array(forces)[None, :, 0], {"rho": [CONTACT.rho]}, dims)

@@ -14,7 +14,7 @@ from hardcontact.inference.master_datasets import add_spectrum_shifts, stack_mas
 from hardcontact.own.edges_of_scans import edges_of_scans
 from hardcontact.own.mean_forces import MasterScans
 from hardcontact.scans.joined_spectrum import joined_spectrum, sample_spectra
-from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
+from hardcontact.surfaces.height_map import HeightMap, mirror_scan
 from hardcontact.surfaces.levelling import level
 from hardcontact.surfaces.spectrum import self_affine, smooth_rolloff, spectrum_of_dataset
 from hardcontact.surfaces.synthesis import (
@@ -71,9 +71,9 @@ def edges_of_draw(draw):
     """Return the edges from the masters of one scan."""
     rng = generator(11, draw)
     surface = random_surface(rng, 256, SIZE / 64, known_density)
-    stitched = mirror_stitch(level(cut_scan(surface, 64)))
-    short = short_edge_master(rng, stitched, 256, 160.0, known_density)
-    long = long_edge_master(rng, stitched, 1, 1000.0, known_density)
+    mirrored = mirror_scan(level(cut_scan(surface, 64)))
+    short = short_edge_master(rng, mirrored, 256, 160.0, known_density)
+    long = long_edge_master(rng, mirrored, 1, 1000.0, known_density)
     scales = forces([(1, SHORT_FILTERS, short), (1, LONG_FILTERS, long)], CONTACT)
     master_scans = MasterScans({"a": 1}, 1, {"a": 99})
     return edges_of_scans(scales, xr.Dataset(), master_scans, 0.1, 0.95).isel(surface=0)
@@ -118,7 +118,7 @@ def interval_of_one_scan(density, number):
         masters = (
             long_edge_master(
                 generator(4, number, draw),
-                mirror_stitch(replace(scan, heights=scan.heights * factor)),
+                mirror_scan(replace(scan, heights=scan.heights * factor)),
                 TILES, 0.4 * SIZE, master_spectrum,
             )
             for draw, (master_spectrum, (factor,)) in enumerate(spectra)

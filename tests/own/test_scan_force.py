@@ -18,8 +18,9 @@ from hardcontact.commands.predict import predict, predict_arguments
 from hardcontact.contact.geometry import contact_positions, window_pixels
 from hardcontact.own import scan_force
 from hardcontact.own.own_spectrum import OwnSpectrum
-from hardcontact.own.scan_force import add_force_on_scan, contact_on_scan, stitched_map
+from hardcontact.own.scan_force import add_force_on_scan, contact_on_scan
 from hardcontact.scans.joined_spectrum import joined_spectrum, reliable_spectrum
+from hardcontact.surfaces.height_map import mirror_in_float32
 from hardcontact.surfaces.levelling import level
 
 PIXELS, PIXEL_SIZE = 128, 40.0
@@ -50,7 +51,7 @@ def heights_of(kind):
 
 def direct_force(scan):
     """The mean plastic force (N) over the contacts of a levelled map, pixel by pixel."""
-    heights = stitched_map(scan).heights.astype(float)
+    heights = mirror_in_float32(scan).heights.astype(float)
     pixels = window_pixels(contact_on_scan(scan, CONTACT).window, scan.pixel_size)
     positions = contact_positions(len(heights), CONTACTS)
     touching = int(np.ceil(AREA / scan.pixel_size**2))

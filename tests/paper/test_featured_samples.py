@@ -20,7 +20,7 @@ from hardcontact.paper.featured_samples import (
 )
 from hardcontact.paper.published_fit import Pair, PublishedForces
 from hardcontact.surfaces.featured_scans import FeaturedSurface, sample_group
-from hardcontact.surfaces.height_map import mirror_stitch
+from hardcontact.surfaces.height_map import mirror_scan
 from hardcontact.surfaces.levelling import level
 from hardcontact.surfaces.metrics import metrics
 
@@ -38,7 +38,7 @@ def test_forces_and_roughness_are_those_of_the_scans_of_the_draw(samples):
     features, scans = sample_group(FEATURED, "pits", [1, 2], 2)
     scan = level(scans[1])
     sample = samples["pits"].sel(sample=2, scan=2)
-    bodies = join_bodies(mirror_stitch(scan), None, CONTACT)
+    bodies = join_bodies(mirror_scan(scan), None, CONTACT)
     forces = pull_off_dataset(bodies, CONTACT, SAMPLE_SOURCES.ranges)["pull_off_force"]
     np.testing.assert_array_equal(sample["pull_off_force"], forces)
     assert sample["rms_height"].item() == metrics(scan)["rms_height"]

@@ -10,14 +10,14 @@ from small_pool import CONTACT, GRID, HEIGHTS, RANGES, SUBSTITUTE, pool_of, raw_
 from hardcontact.contact.force_interpolation import spline_weights
 from hardcontact.contact.geometry import gap_map, join_bodies
 from hardcontact.paper.pool import pool_heights
-from hardcontact.surfaces.height_map import mirror_stitch
+from hardcontact.surfaces.height_map import mirror_scan
 from hardcontact.surfaces.metrics import TABLE1_METRICS, metrics
 
 
 def direct_force(scan, factor, contact_pixel_count, rho, contact):
     """Eq. 3 on a scan times a factor, in N at 1 J/m2, summed over every pixel."""
-    stitched = mirror_stitch(replace(scan, heights=factor * scan.heights))
-    gap = gap_map(join_bodies(stitched, None, CONTACT), contact)
+    mirrored = mirror_scan(replace(scan, heights=factor * scan.heights))
+    gap = gap_map(join_bodies(mirrored, None, CONTACT), contact)
     return 1e-9 / rho * GRID.pixel_size**2 * direct_total(gap, contact_pixel_count, rho)
 
 

@@ -14,7 +14,7 @@ from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import pull_off_dataset
 from hardcontact.paper.sampled_scans import sample_scans, scale_to_sampled_mean
 from hardcontact.surfaces.conditioning import scale_rms_heights
-from hardcontact.surfaces.height_map import mirror_stitch
+from hardcontact.surfaces.height_map import mirror_scan
 from hardcontact.surfaces.metrics import TABLE1_METRICS, metrics
 
 POOL = range(1, 7)
@@ -41,7 +41,7 @@ def test_a_set_has_the_forces_and_roughness_of_its_scans_at_the_sampled_heights(
         values = metrics(scaled)
         for name in TABLE1_METRICS.values():
             assert sampled_scan[name].item() == pytest.approx(values[name], rel=1e-9)
-        bodies = join_bodies(mirror_stitch(scaled), None, CONTACT)
+        bodies = join_bodies(mirror_scan(scaled), None, CONTACT)
         direct = pull_off_dataset(bodies, CONTACT, RANGES)["pull_off_force"].values
         np.testing.assert_allclose(
             sampled_scan["pull_off_force"].squeeze("scan"), direct, rtol=0.15

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from hardcontact.surfaces.height_map import HeightMap, mirror_stitch, to_surface_topography
+from hardcontact.surfaces.height_map import HeightMap, mirror_scan, to_surface_topography
 from hardcontact.surfaces.levelling import level, level_lines, remove_form
 from hardcontact.surfaces.metrics import metrics
 
@@ -42,12 +42,12 @@ def test_a_sphere_is_removed_wherever_its_apex_lies():
 
 def test_a_stitched_map_is_mirror_symmetric():
     scan = scan_of(np.random.default_rng(0).standard_normal((7, 7)))
-    stitched = mirror_stitch(scan)
-    assert stitched.heights.shape == (14, 14) and stitched.periodic
-    np.testing.assert_array_equal(stitched.heights[:7, :7], scan.heights)
+    mirrored = mirror_scan(scan)
+    assert mirrored.heights.shape == (14, 14) and mirrored.periodic
+    np.testing.assert_array_equal(mirrored.heights[:7, :7], scan.heights)
     for axis in (0, 1):
-        mirrored = np.flip(stitched.heights, axis)
-        np.testing.assert_array_equal(stitched.heights, mirrored)
+        flipped = np.flip(mirrored.heights, axis)
+        np.testing.assert_array_equal(mirrored.heights, flipped)
 
 
 @pytest.mark.parametrize("shape", [(64, 64), (30, 47)])

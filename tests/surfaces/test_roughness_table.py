@@ -8,7 +8,7 @@ import xarray as xr
 from measurements import PIXEL, UNCD, levelled_scan, measurement
 
 from hardcontact.base.random import generator
-from hardcontact.surfaces.levelling import level_and_stitch, remove_form
+from hardcontact.surfaces.levelling import level_and_mirror, remove_form
 from hardcontact.surfaces.metrics import metrics
 from hardcontact.surfaces.roughness_table import measured_roughness, roughness_table
 from hardcontact.surfaces.spectrum import measured_psds, spectrum_dataset
@@ -34,7 +34,7 @@ def maps():
 @pytest.fixture(scope="module")
 def table(maps):
     examples = {
-        name: level_and_stitch(measurement(maps[name, 1].heights, PIXEL), radius)[0]
+        name: level_and_mirror(measurement(maps[name, 1].heights, PIXEL), radius)[0]
         for name, radius in (("uncd", None), ("ruby", 250e3))
     }
     spectra = {
@@ -66,10 +66,10 @@ def test_maps_of_all_surfaces_have_the_pixels_of_the_coarsest(table, maps):
 @pytest.mark.parametrize("radius", [None, 250e3])
 def test_a_prepared_scan_is_levelled_and_stitched_and_keeps_its_notes(maps, radius):
     scan = replace(measurement(maps["ruby", 1].heights, PIXEL), notes=("cropped", "filled"))
-    levelled, stitched = level_and_stitch(scan, radius, "lines")
-    np.testing.assert_array_equal(stitched.heights[48:, 48:], levelled.heights[::-1, ::-1])
-    assert levelled.attrs["notes"] == stitched.attrs["notes"] == "cropped\nfilled"
-    assert (levelled.attrs["periodic"], stitched.attrs["periodic"]) == (0, 1)
+    levelled, mirrored = level_and_mirror(scan, radius, "lines")
+    np.testing.assert_array_equal(mirrored.heights[48:, 48:], levelled.heights[::-1, ::-1])
+    assert levelled.attrs["notes"] == mirrored.attrs["notes"] == "cropped\nfilled"
+    assert (levelled.attrs["periodic"], mirrored.attrs["periodic"]) == (0, 1)
     assert ("as_scanned" in levelled) == (radius is not None)
     heights = remove_form(maps["ruby", 1], radius, "lines").heights
     np.testing.assert_allclose(levelled.heights, heights, atol=1e-4)

@@ -6,7 +6,7 @@ from measurements import UNCD, levelled_scan, uncd_density
 
 from hardcontact.base.random import generator
 from hardcontact.surfaces.filters import interpolate, lowpass
-from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
+from hardcontact.surfaces.height_map import HeightMap, mirror_scan
 from hardcontact.surfaces.synthesis import long_edge_master, random_surface, short_edge_master
 
 
@@ -29,8 +29,8 @@ def test_scans_have_the_spectrum_they_are_made_from():
 
 
 @pytest.fixture(scope="module")
-def stitched():
-    return mirror_stitch(levelled_scan(generator(6), 64, 20.0))
+def mirrored():
+    return mirror_scan(levelled_scan(generator(6), 64, 20.0))
 
 
 def band(surface, low, high):
@@ -40,16 +40,16 @@ def band(surface, low, high):
     return np.fft.ifft2(np.fft.fft2(surface.heights) * keep).real
 
 
-def test_short_edge_master_keeps_the_scan_above_the_transition(stitched):
-    master = short_edge_master(generator(1), stitched, 512, 100.0, np.zeros_like)
+def test_short_edge_master_keeps_the_scan_above_the_transition(mirrored):
+    master = short_edge_master(generator(1), mirrored, 512, 100.0, np.zeros_like)
     assert master.pixel_size == 5.0
-    long_waves = interpolate(lowpass(stitched, 100.0), 512)
+    long_waves = interpolate(lowpass(mirrored, 100.0), 512)
     np.testing.assert_allclose(master.heights, long_waves.heights, atol=1e-4)
 
 
-def test_short_edge_master_adds_the_spectrum_below_and_a_plateau_above(stitched):
+def test_short_edge_master_adds_the_spectrum_below_and_a_plateau_above(mirrored):
     # The scan's part set to zero: what is left is the added roughness alone.
-    flat = HeightMap(np.zeros_like(stitched.heights), 20.0, periodic=True, source="measured")
+    flat = HeightMap(np.zeros_like(mirrored.heights), 20.0, periodic=True, source="measured")
     masters = [short_edge_master(generator(9, k), flat, 512, 100.0, UNCD) for k in range(8)]
     power = np.mean([np.abs(np.fft.fft2(m.heights)) ** 2 for m in masters], axis=0) * (5 / 512) ** 2
     radius = radii(512, 5.0)
@@ -60,16 +60,16 @@ def test_short_edge_master_adds_the_spectrum_below_and_a_plateau_above(stitched)
     assert (power[is_short] / uncd_density(radius[is_short])).mean() == pytest.approx(1, abs=0.05)
 
 
-def test_long_edge_master_keeps_the_scan_below_the_transition(stitched):
-    master = long_edge_master(generator(2), stitched, 2, 500.0, UNCD)
-    repeated = HeightMap(np.tile(stitched.heights, (2, 2)), 20.0, True, "substitute")
-    assert master.pixels == 2 * stitched.pixels and master.pixel_size == 20.0
+def test_long_edge_master_keeps_the_scan_below_the_transition(mirrored):
+    master = long_edge_master(generator(2), mirrored, 2, 500.0, UNCD)
+    repeated = HeightMap(np.tile(mirrored.heights, (2, 2)), 20.0, True, "substitute")
+    assert master.pixels == 2 * mirrored.pixels and master.pixel_size == 20.0
     np.testing.assert_allclose(band(master, 40, 499), band(repeated, 40, 499), atol=1e-3)
     assert np.std(band(master, 501, 5120) - band(repeated, 501, 5120)) > 1
 
 
-def test_long_edge_master_adds_the_spectrum_above_the_transition(stitched):
-    flat = HeightMap(np.zeros_like(stitched.heights), 20.0, periodic=True, source="measured")
+def test_long_edge_master_adds_the_spectrum_above_the_transition(mirrored):
+    flat = HeightMap(np.zeros_like(mirrored.heights), 20.0, periodic=True, source="measured")
     masters = [long_edge_master(generator(3, k), flat, 2, 500.0, UNCD) for k in range(12)]
     pixels, radius = masters[0].pixels, radii(masters[0].pixels, 20.0)
     power = np.mean([np.abs(np.fft.fft2(m.heights)) ** 2 for m in masters], axis=0)

@@ -247,7 +247,7 @@ def pull_off_forces(
     Parameters
     ----------
     scan : HeightMap
-        The levelled scan; if it is not periodic, it is stitched to its mirror images.
+        The levelled scan; if it is not periodic, it is mirrored.
     radius, preload, hardness : float
         Radius of the sphere in nm, load on a contact in N, hardness of the softer body in Pa.
     ranges, work : sequence of float, float
@@ -300,7 +300,7 @@ def pull_off_forces(
 def _periodic_maps(
     scan: HeightMap, sphere: HeightMap | None, contact: Contact, ranges: Sequence[float]
 ) -> tuple[HeightMap, HeightMap | None]:
-    """Return the stitched maps of both bodies, if the contact on them is within the limits."""
+    """Return the mirrored maps of both bodies, if the contact on them is within the limits."""
     surface = make_periodic(scan)
     rough = None if sphere is None else make_periodic(sphere, "sphere")
     check_contact(surface, contact, ranges)

@@ -73,7 +73,7 @@ for scans, surfaces in PLAN.scan_groups.items():
 
 
 rule prepare_scan:
-    """Level a measured scan, subtract the sphere if it shows one, and stitch its mirror images."""
+    """Level a measured scan, subtract the sphere if it shows one, and mirror it."""
     input:
         measurement=PATTERNS.measurement,
     output:

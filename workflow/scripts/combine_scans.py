@@ -1,4 +1,4 @@
-"""The roughness of both bodies in one stitched map, on which a smooth sphere makes contacts."""
+"""The roughness of both bodies in one mirrored map, on which a smooth sphere makes contacts."""
 
 from hardcontact.base.random import generator
 from hardcontact.records.job import run_job

@@ -15,12 +15,12 @@ from hardcontact.surfaces.spectrum import load_spectrum
 with run_job(snakemake) as job:
     params = job.parameters
     contact = Contact(**params["contact"])
-    stitched = load_height_map(job.input.stitched)
+    mirrored = load_height_map(job.input.stitched)
     sphere = load_height_map(job.input.sphere) if job.input.sphere else None
     compute_forces = make_force_function(contact, sphere)
-    # A stitched scan is twice as long as the scan, whose mirror images add no longer waves.
-    scan_size = stitched.size / 2
-    limits = octave_limits(2 * stitched.pixel_size, scan_size)
+    # A mirrored scan is twice as long as the scan, whose mirror images add no longer waves.
+    scan_size = mirrored.size / 2
+    limits = octave_limits(2 * mirrored.pixel_size, scan_size)
     measurements = read(job.input.spectrum).isel(measurement=params["measurements"])
     last = last_octaves(measurements, params["transitions"])
     sizes = [scan_size, *measurements["size"].values[1:]]
@@ -31,9 +31,9 @@ with run_job(snakemake) as job:
     job.write(
         xr.merge(
             [
-                octave_force_dataset(stitched, limits, compute_forces),
-                hindcast_forces(stitched, last, bodies, compute_forces),
-                pixel_forces(stitched, sphere, contact),
+                octave_force_dataset(mirrored, limits, compute_forces),
+                hindcast_forces(mirrored, last, bodies, compute_forces),
+                pixel_forces(mirrored, sphere, contact),
             ]
         )
         .expand_dims(map=[params["scan"]])

@@ -1,9 +1,9 @@
-"""Substitute scans that are made together: levelled, and stitched."""
+"""Substitute scans that are made together: levelled, and mirrored."""
 
 from hardcontact.records.job import run_job
 from hardcontact.surfaces.conditioning import conditioned_group, read_substitute
 from hardcontact.surfaces.featured_scans import featured_group
-from hardcontact.surfaces.levelling import LEVELLED, STITCHED, level_and_stitch
+from hardcontact.surfaces.levelling import LEVELLED, MIRRORED, level_and_mirror
 
 with run_job(snakemake) as job:
     params = job.parameters
@@ -17,6 +17,6 @@ with run_job(snakemake) as job:
     title = f"how substitute scans of {params['surface']} meet Table 1"
     job.write(conditioning, title, "conditioning")
     for number, scan in zip(params["scan_numbers"], scans, strict=True):
-        levelled, stitched = level_and_stitch(scan, params["sphere_radius"])
+        levelled, mirrored = level_and_mirror(scan, params["sphere_radius"])
         job.write(levelled, LEVELLED, f"levelled_{number}")
-        job.write(stitched, STITCHED, f"stitched_{number}")
+        job.write(mirrored, MIRRORED, f"stitched_{number}")

@@ -1,11 +1,11 @@
-"""A measured scan: levelled, the sphere subtracted if there is one; stitched."""
+"""A measured scan: levelled, the sphere subtracted if there is one; then mirrored."""
 
 from hardcontact.records.job import run_job
 from hardcontact.surfaces.height_map import load_height_map
-from hardcontact.surfaces.levelling import LEVELLED, STITCHED, level_and_stitch
+from hardcontact.surfaces.levelling import LEVELLED, MIRRORED, level_and_mirror
 
 with run_job(snakemake) as job:
     scan = load_height_map(job.input.measurement)
-    levelled, stitched = level_and_stitch(scan, **job.parameters)
+    levelled, mirrored = level_and_mirror(scan, **job.parameters)
     job.write(levelled, LEVELLED, "scan")
-    job.write(stitched, STITCHED, "stitched")
+    job.write(mirrored, MIRRORED, "stitched")

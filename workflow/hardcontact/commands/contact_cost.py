@@ -22,7 +22,7 @@ SECONDS_A_TILE = 1e-8
 
 
 def short_edge_pixels(scan: Entry, contact: Contact, max_pixels: int) -> int:
-    """Return the pixels of short-edge masters of one scan: stitched, halved repeatedly."""
+    """Return the pixels of short-edge masters of one scan: mirrored, halved repeatedly."""
     pixels = 2 * scan.pixels
     while 2 * pixels <= max_pixels:
         pixel_size = scan.size / pixels

@@ -217,7 +217,7 @@ def _shortest_range(
 
 
 def count_tiles(substrates: Sequence[Entry], window: float, pixels: int) -> int:
-    """Return the number of stitched scans per row of long-edge masters.
+    """Return the number of mirrored scans per row of long-edge masters.
 
     The master is eight scans long, as in the paper, and longer than the window (nm), if its number
     of pixels suffices.

@@ -20,7 +20,7 @@ from hardcontact.contact.contact import Contact
 from hardcontact.contact.grid_limits import Grid
 from hardcontact.contact.smooth_sphere import STRONGEST_WORK
 from hardcontact.scans.reading import MASKS
-from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
+from hardcontact.surfaces.height_map import HeightMap, mirror_scan
 from hardcontact.surfaces.synthesis import SIDES
 
 #: The usual values of CONTACT_QUANTITIES, beyond which the unit may be wrong. Sources: spheres and
@@ -167,21 +167,21 @@ def check_cutoffs(cutoffs: Mapping[str, Sequence[float]], surface: HeightMap) ->
     shortest, longest = 2 * surface.pixel_size * (1 + 1e-9), surface.size
     raise_faults(
         f"cutoffs: expected wavelengths of more than two pixels ({shortest:.4g} nm) and at most "
-        f"the {longest:.6g} nm of the stitched scan on the {side} side, found {[*side_cutoffs]}"
+        f"the {longest:.6g} nm of the mirrored scan on the {side} side, found {[*side_cutoffs]}"
         for side, side_cutoffs in cutoffs.items()
         if not len(side_cutoffs) or not shortest < min(side_cutoffs) <= max(side_cutoffs) <= longest
     )
 
 
 def make_periodic(surface: HeightMap, name: str = "scan") -> HeightMap:
-    """Return a periodic map, or the mirror-stitched map of another map; refuse other objects."""
+    """Return a periodic map, or the mirrored map of another map; refuse other objects."""
     if not isinstance(surface, HeightMap):
         raise ValueError(
             f"{name}: expected a scan of hc.read_scan(FILE), or hc.HeightMap(heights, pixel_size) "
             f"in nm, found {type(surface).__name__}"
         )
     check_heights(surface.heights, name)
-    return surface if surface.periodic else mirror_stitch(surface)
+    return surface if surface.periodic else mirror_scan(surface)
 
 
 def check_heights(heights: np.ndarray, name: str) -> None:

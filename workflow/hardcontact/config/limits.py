@@ -82,12 +82,12 @@ def refuse_unfit_grids(config: dict[str, Any], grids: Mapping[str, Grid]) -> Non
 def contact_faults(named_contact: NamedContact, surface: str, grid: Grid) -> list[str]:
     """Return the faults of a contact on a scan: load, number of contacts and range of adhesion."""
     contact = named_contact.contact
-    stitched_pixels = 2 * grid.pixels
-    seen_pixels = min(window_pixels(contact.window, grid.pixel_size), stitched_pixels) ** 2
+    mirrored_pixels = 2 * grid.pixels
+    seen_pixels = min(window_pixels(contact.window, grid.pixel_size), mirrored_pixels) ** 2
     reason = f"which a quarter of the {seen_pixels // 4 * 4} pixels of {surface} can carry"
     faults = _load_faults(named_contact.preload, contact, seen_pixels // 4, grid.pixel_size, reason)
-    if contact.contacts_per_row > stitched_pixels:
-        accepted = f"at most the {stitched_pixels} pixels along the stitched scan of {surface}"
+    if contact.contacts_per_row > mirrored_pixels:
+        accepted = f"at most the {mirrored_pixels} pixels along the mirrored scan of {surface}"
         faults.append(
             f"{named_contact.contacts_per_row}: expected {accepted}, "
             f"found {contact.contacts_per_row}"
@@ -148,7 +148,7 @@ def _master_faults(
     faults = []
     min_pixels = 2 * grid.pixels * tiles
     if pixels < min_pixels:
-        accepted = f"at least the {min_pixels} of {tiles} x {tiles} stitched scans of {surface}"
+        accepted = f"at least the {min_pixels} of {tiles} x {tiles} mirrored scans of {surface}"
         faults.append(key_fault(keys["pixels"], accepted, pixels))
     master = f"a master of {section}.{side} on {surface}"
     filtered_pixel_size = pixel_size if side == "short" else grid.pixel_size
@@ -193,7 +193,7 @@ def _wavelength_faults(
 
 
 def _map_faults(bodies: str, pixel_size: float, *grids: Grid) -> list[str]:
-    """Return the fault of stitched maps that are too large on the pixels (nm) of the finest map."""
+    """Return the fault of mirrored maps that are too large on the pixels (nm) of the finest map."""
     pixels = round(max(2 * grid.size for grid in grids) / pixel_size)
     if pixels <= MAX_MAP_PIXELS:
         return []

@@ -73,7 +73,7 @@ def contact_positions(pixels: int, contacts_per_row: int) -> NDArray[np.int_]:
     """Return the pixels (contacts_per_row,) of contacts evenly over one period of the substrate.
 
     The first lies a quarter of a step from the border, so that no two contacts are mirror images of
-    each other on a mirror-stitched surface.
+    each other on a mirrored surface.
     """
     steps = np.arange(contacts_per_row) + 0.25
     return np.floor(steps * pixels / contacts_per_row).astype(int)
@@ -95,7 +95,7 @@ def join_bodies(substrate: HeightMap, sphere: HeightMap | None, contact: Contact
     """Bring a substrate and a sphere together, on the smaller of their two pixel sizes.
 
     The coarser map is Fourier interpolated to the whole number of pixels nearest to its period. The
-    sphere is its mirror-stitched roughness, or None for a smooth sphere.
+    sphere is its mirrored roughness, or None for a smooth sphere.
     """
     substrate = _in_native_precision(substrate)
     sphere_roughness = None
@@ -104,7 +104,7 @@ def join_bodies(substrate: HeightMap, sphere: HeightMap | None, contact: Contact
         fine = min(substrate.pixel_size, sphere.pixel_size)
         substrate = _refine(substrate, fine)
         rough = _refine(sphere, fine)
-        # The origin of a stitched map is a corner of the scan, the apex in the middle of it.
+        # The origin of a mirrored map is a corner of the scan, the apex in the middle of it.
         middle = rough.pixels // 4
         heights = np.roll(rough.heights, (-middle, -middle), axis=(0, 1))
         sphere_roughness = replace(rough, heights=heights)
@@ -118,7 +118,7 @@ def join_bodies(substrate: HeightMap, sphere: HeightMap | None, contact: Contact
 
 
 def spheres_at_positions(sphere: HeightMap, positions_per_row: int) -> list[HeightMap]:
-    """Return the mirror-stitched scan of a sphere, moved so that it touches at even positions.
+    """Return the mirrored scan of a sphere, moved so that it touches at even positions.
 
     A single position is the middle of the scan, on which `join_bodies` puts the apex.
     """

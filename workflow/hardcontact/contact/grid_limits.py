@@ -28,7 +28,7 @@ class Grid(NamedTuple):
 def minimum_range(radius: float, window: float, grid: Grid) -> tuple[float, str]:
     """Return the shortest range of adhesion (nm, three digits) that a surface permits, and why.
 
-    radius and window in nm; `grid` describes the surface before stitching, which doubles its size.
+    radius and window in nm; `grid` describes the surface before mirroring, which doubles its size.
     """
     relief = grid.relief
     if window >= 2 * grid.size:
@@ -44,9 +44,9 @@ def minimum_range(radius: float, window: float, grid: Grid) -> tuple[float, str]
 
 
 def periods_in_window(window: float, scan_size: float) -> float:
-    """Return the number of periods of a stitched scan within a window.
+    """Return the number of periods of a mirrored scan within a window.
 
-    The widths of the window and of the scan before stitching are in nm.
+    The widths of the window and of the scan before mirroring are in nm.
     """
     return max(1.0, window / (2 * scan_size)) ** 2
 

@@ -67,7 +67,7 @@ def indents_of_scans(
 ) -> xr.Dataset:
     """Return the indents that every substrate scan leaves in every sphere scan.
 
-    Stitched scans are by number. Ascending preloads (N) replace the preload of the contact. Returns
+    Mirrored scans are by number. Ascending preloads (N) replace the preload of the contact. Returns
     INDENT_UNITS (scan, sphere_scan, preload, contact_y, contact_x) and, for the contact of median
     depth at the largest preload, ``indentation`` (preload, y, x), ``sphere_height`` (y, x) in nm.
     """

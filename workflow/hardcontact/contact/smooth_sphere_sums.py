@@ -118,7 +118,7 @@ def _exponentials(
 def _without_mirror_images(
     heights: NDArray[np.floating], factors: list[NDArray[np.floating]]
 ) -> tuple[NDArray[np.floating], list[NDArray[np.floating]]]:
-    """Return a quarter of mirror-stitched heights (n, n) and the factors over its mirror images.
+    """Return a quarter of mirrored heights (n, n) and the factors over its mirror images.
 
     Other heights and their factors are returned as they are.
     """

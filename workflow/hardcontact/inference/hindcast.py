@@ -19,7 +19,7 @@ from hardcontact.base.units import DIMENSIONLESS
 from hardcontact.contact.contact import CONTACT_AXES
 from hardcontact.contact.pull_off import FORCE_ATTRS, ForcesOnSurface
 from hardcontact.surfaces.filters import filtered_series
-from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
+from hardcontact.surfaces.height_map import HeightMap, mirror_scan
 from hardcontact.surfaces.spectrum import SpectrumFunction
 from hardcontact.surfaces.synthesis import SEED_WORDS, random_surface
 
@@ -70,12 +70,12 @@ def last_octave(side: str, transition: float, shortest: float, longest: float) -
 
 
 def hindcast_forces(
-    stitched: HeightMap,
+    mirrored: HeightMap,
     octaves: Mapping[str, Octave | None],
     bodies: Sequence[RandomBody],
     compute_forces: ForcesOnSurface,
 ) -> xr.Dataset:
-    """Return forces in N on a stitched scan without the waves beyond an octave, for each side.
+    """Return forces in N on a mirrored scan without the waves beyond an octave, for each side.
 
     ``scan_octave_force`` (side, contact_y, contact_x) is with the octave of the scan,
     ``artificial_octave_force`` (side, realization, ...) with random octaves of all bodies instead.
@@ -84,17 +84,17 @@ def hindcast_forces(
     side_forces = {}
     for side, octave in octaves.items():
         if octave is None:
-            shape = 1 + ARTIFICIAL_OCTAVES, *compute_forces(stitched).shape
+            shape = 1 + ARTIFICIAL_OCTAVES, *compute_forces(mirrored).shape
             octave_forces = np.full(shape, np.nan)
         else:
             seed_word = SEED_WORDS[side]
-            near_side, scan_octave = _split_at_octave(stitched, side, octave)
+            near_side, scan_octave = _split_at_octave(mirrored, side, octave)
             artificial_octaves = [
-                sum(_artificial_octave(stitched, octave, body, seed_word, index) for body in bodies)
+                sum(_artificial_octave(mirrored, octave, body, seed_word, index) for body in bodies)
                 for index in range(ARTIFICIAL_OCTAVES)
             ]
             all_octaves = scan_octave, *artificial_octaves
-            surfaces = (replace(stitched, heights=near_side + waves) for waves in all_octaves)
+            surfaces = (replace(mirrored, heights=near_side + waves) for waves in all_octaves)
             octave_forces = np.array([compute_forces(surface) for surface in surfaces])
         side_forces[(side,)] = xr.Dataset(
             {
@@ -108,20 +108,20 @@ def hindcast_forces(
 
 
 def _split_at_octave(
-    stitched: HeightMap, side: str, octave: Octave
+    mirrored: HeightMap, side: str, octave: Octave
 ) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
     """Return the heights on the near side of an octave, and its own; waves beyond it are removed.
 
     Shorter waves are beyond an octave of the short side, longer waves of the long side.
     """
-    series = filtered_series(stitched, "short", list(octave), stitched.pixels)
+    series = filtered_series(mirrored, "short", list(octave), mirrored.pixels)
     octave_and_longer, longer = (waves.heights for waves in series)
-    near_side = longer if side == "short" else stitched.heights - octave_and_longer
+    near_side = longer if side == "short" else mirrored.heights - octave_and_longer
     return near_side, octave_and_longer - longer
 
 
 def _artificial_octave(
-    stitched: HeightMap, octave: Octave, body: RandomBody, seed_word: str, index: int
+    mirrored: HeightMap, octave: Octave, body: RandomBody, seed_word: str, index: int
 ) -> NDArray[np.float32]:
     """Return random heights of one octave, made on the size of a body's scan and mirrored."""
     longest_wavevector, shortest_wavevector = (2 * np.pi / end for end in octave)
@@ -132,13 +132,13 @@ def _artificial_octave(
         return np.where(is_inside, body.spectrum(wavevector), 0.0)
 
     rng = generator(body.seed, *body.scan, "hindcast", seed_word, index)
-    scan_pixels = round(body.size / stitched.pixel_size)
-    surface = random_surface(rng, 2 * scan_pixels, stitched.pixel_size, octave_spectrum)
+    scan_pixels = round(body.size / mirrored.pixel_size)
+    surface = random_surface(rng, 2 * scan_pixels, mirrored.pixel_size, octave_spectrum)
     # Mirror images extend a scan of the sphere that is smaller than the map, as in the map.
-    unfolded = np.arange(stitched.pixels // 2) % (2 * scan_pixels)
+    unfolded = np.arange(mirrored.pixels // 2) % (2 * scan_pixels)
     folded = np.minimum(unfolded, 2 * scan_pixels - 1 - unfolded)
     corner = replace(surface, heights=surface.heights[np.ix_(folded, folded)])
-    return np.asarray(mirror_stitch(corner).heights)
+    return np.asarray(mirror_scan(corner).heights)
 
 
 def hindcast_ratios(forces: xr.Dataset, tolerance: float, confidence: float) -> xr.Dataset:

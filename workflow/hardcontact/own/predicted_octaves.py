@@ -18,8 +18,8 @@ from hardcontact.inference.octaves import (
     strongest_octaves,
 )
 from hardcontact.own.own_spectrum import OwnSpectrum
-from hardcontact.own.scan_force import contact_on_scan, reason_without_force, stitched_map
-from hardcontact.surfaces.height_map import HeightMap
+from hardcontact.own.scan_force import contact_on_scan, reason_without_force
+from hardcontact.surfaces.height_map import HeightMap, mirror_in_float32
 from hardcontact.surfaces.spectrum import Spectrum
 from hardcontact.theory.closed_form import closed_form
 from hardcontact.theory.prediction import trim_spectrum
@@ -56,7 +56,7 @@ def derivatives_on_scan(scan: HeightMap, octaves: Floats, contact: Contact) -> F
     """
     limits = [*octaves, 2 * octaves[-1]]
     compute_forces = make_force_function(contact_on_scan(scan, contact))
-    forces = octave_forces(stitched_map(scan), limits, compute_forces).mean(axis=(-2, -1))
+    forces = octave_forces(mirror_in_float32(scan), limits, compute_forces).mean(axis=(-2, -1))
     return np.asarray(np.log(forces[:, 1] / forces[:, 0]) / (2 * STEP))
 
 

@@ -4,10 +4,9 @@ from dataclasses import replace
 
 from hardcontact.base.random import generator
 from hardcontact.own.own_spectrum import OwnSpectrum
-from hardcontact.own.scan_force import stitched_map
 from hardcontact.scans.both_bodies import combine_maps, combine_spectra
 from hardcontact.scans.joined_spectrum import ScanSpectrum, reliable_spectrum
-from hardcontact.surfaces.height_map import HeightMap
+from hardcontact.surfaces.height_map import HeightMap, mirror_in_float32
 from hardcontact.surfaces.metrics import metrics
 
 
@@ -35,6 +34,6 @@ def combined_spectrum(surface: OwnSpectrum, sphere: OwnSpectrum, seed: int) -> O
 def _sum_of_maps(substrate: HeightMap, sphere: HeightMap, *, seed: int) -> HeightMap:
     """Return the levelled map of a substrate with the roughness of the sphere."""
     rng = generator(seed, "both bodies")
-    stitched = combine_maps(rng, stitched_map(substrate), stitched_map(sphere))
-    heights = stitched.heights[: substrate.pixels, : substrate.pixels]
+    mirrored = combine_maps(rng, mirror_in_float32(substrate), mirror_in_float32(sphere))
+    heights = mirrored.heights[: substrate.pixels, : substrate.pixels]
     return replace(substrate, heights=heights, defects={**sphere.defects, **substrate.defects})

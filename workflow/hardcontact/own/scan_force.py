@@ -22,7 +22,7 @@ from hardcontact.own.mean_forces import forces_of_surface, mean_intervals, posit
 from hardcontact.own.own_spectrum import OwnSpectrum
 from hardcontact.own.scan_window import window_on_scans
 from hardcontact.scans.joined_spectrum import ScanSpectrum
-from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
+from hardcontact.surfaces.height_map import HeightMap, mirror_in_float32
 from hardcontact.surfaces.spectrum import Spectrum, measured_psds
 from hardcontact.theory.closed_form import closed_form, smooth_force
 from hardcontact.theory.prediction import EDGE_NAMES, prediction
@@ -110,16 +110,11 @@ def contact_on_scan(scan: HeightMap, contact: Contact) -> Contact:
     return replace(contact, window=window, contacts_per_row=CONTACTS_PER_ROW)
 
 
-def stitched_map(scan: HeightMap) -> HeightMap:
-    """Return a levelled map with its mirror images, in the precision of the study's files."""
-    return mirror_stitch(replace(scan, heights=scan.heights.astype(np.float32)))
-
-
 def _forces(surface: HeightMap, body_maps: Sequence[HeightMap], contact: Contact) -> xr.Dataset:
     """Return the forces (sphere_scan, ...) of a smooth sphere, or of a rough one by position."""
     all_bodies = [join_bodies(surface, None, contact)]
     if body_maps:
-        substrate, sphere = (stitched_map(body) for body in body_maps)
+        substrate, sphere = (mirror_in_float32(body) for body in body_maps)
         contact = replace(contact, contacts_per_row=POSITION_CONTACTS_PER_ROW)
         positions = spheres_at_positions(sphere, math.isqrt(SPHERE_POSITIONS))
         all_bodies = [join_bodies(substrate, position, contact) for position in positions]
@@ -143,7 +138,7 @@ def _force_numbers(
     Further numbers serve to judge it; the search size is in nm. As in `bound_by_smooth_sphere`,
     mean and interval never exceed a smooth sphere's force.
     """
-    surface = stitched_map(scan)
+    surface = mirror_in_float32(scan)
     contact = contact_on_scan(scan, contact)
     pull_off = _forces(surface, body_maps, contact)
     touched_patches = float(pull_off["touched_patches"].max())
@@ -158,7 +153,7 @@ def _force_numbers(
         "force_on_scan", mean, "N", low, high, surface_forces.scan_parts[0].interval_source
     )
     forces_on_map = make_force_function(contact)
-    wide_pixel_force = forces_on_map(stitched_map(widen_pixels(scan))).mean()
+    wide_pixel_force = forces_on_map(mirror_in_float32(widen_pixels(scan))).mean()
     wide_pixel_ratio = float(wide_pixel_force / forces_on_map(surface).mean())
     force = extend_low_end(force, wide_pixel_ratio)
     yield force
@@ -178,7 +173,7 @@ def _force_numbers(
 def _closed_form_number(
     surface: HeightMap, force: Number, small_scan_ratio: float, contact: Contact
 ) -> Number:
-    """Return the closed form for all waves of the stitched map.
+    """Return the closed form for all waves of the mirrored map.
 
     AGREES: the force on the map lies between the lower end of its interval and the upper end times
     `finite_scan_ratio`. NOT_GAUSSIAN: the intervals of both forces are disjoint.

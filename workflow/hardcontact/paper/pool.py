@@ -18,7 +18,7 @@ from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import pull_off_dataset
 from hardcontact.surfaces.conditioning import Substitute, Targets, required_targets
-from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
+from hardcontact.surfaces.height_map import HeightMap, mirror_scan
 from hardcontact.surfaces.levelling import level
 from hardcontact.surfaces.metrics import TABLE1_METRICS
 from hardcontact.surfaces.roughness_table import measured_metrics
@@ -68,8 +68,8 @@ def pool_scan(number: int, substitute: Substitute) -> HeightMap:
 
 
 def smooth_sphere_forces(scan: HeightMap, contact: Contact, ranges: list[float]) -> xr.DataArray:
-    """Return the pull-off forces of a smooth sphere on a levelled scan, mirror-stitched."""
-    bodies = join_bodies(mirror_stitch(scan), None, contact)
+    """Return the pull-off forces of a smooth sphere on a levelled scan, mirrored."""
+    bodies = join_bodies(mirror_scan(scan), None, contact)
     return pull_off_dataset(bodies, contact, ranges)["pull_off_force"]
 
 

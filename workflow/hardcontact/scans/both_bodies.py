@@ -14,7 +14,7 @@ from hardcontact.base.units import DIMENSIONLESS
 from hardcontact.scans.extrapolated_spectrum import Tail
 from hardcontact.scans.reliable_band import OTHER_BODY
 from hardcontact.surfaces.filters import interpolate, lowpass
-from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
+from hardcontact.surfaces.height_map import HeightMap, mirror_in_float32
 from hardcontact.surfaces.spectrum import (
     BIN_CENTRES,
     all_scales_rms,
@@ -27,16 +27,16 @@ HALF_BIN = 10**0.05
 
 
 def combine_maps(rng: np.random.Generator, substrate: HeightMap, sphere: HeightMap) -> HeightMap:
-    """Return the mirror-stitched sum of the roughness of both bodies, on the substrate's pixels.
+    """Return the mirrored sum of the roughness of both bodies, on the substrate's pixels.
 
-    Both maps are mirror-stitched; the sphere's shape is subtracted.
+    Both maps are mirrored; the sphere's shape is subtracted.
     """
     pixels = substrate.pixels // 2
     roughness = _resample(sphere, substrate.pixel_size).heights
     rows, columns = (start + np.arange(pixels) for start in rng.integers(len(roughness), size=2))
     sphere_heights = roughness[np.ix_(rows % len(roughness), columns % len(roughness))]
     heights = substrate.heights[:pixels, :pixels] + sphere_heights
-    return mirror_stitch(replace(substrate, heights=heights.astype(np.float32)))
+    return mirror_in_float32(replace(substrate, heights=heights))
 
 
 def _resample(surface: HeightMap, pixel_size: float) -> HeightMap:

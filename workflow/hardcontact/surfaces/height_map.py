@@ -1,4 +1,4 @@
-"""Height maps and line scans, their files, and mirror images."""
+"""Scans: height maps and line scans, their files, and mirrored scans."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
@@ -18,10 +18,10 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class HeightMap:
-    """A surface on square pixels, or a line scan; heights grow out of the material.
+    """Heights in nm on square pixels (y, x), or along a line scan (x,), as `kind` tells.
 
-    Heights (y, x), or (x,) of a line scan, and the width of a pixel are in nm. A periodic map
-    repeats beyond its borders. The source is ``"measured"`` or ``"substitute"``.
+    Heights grow out of the material. The pixel size in nm is the spacing of a line scan. A periodic
+    map repeats beyond its borders. The source is ``"measured"`` or ``"substitute"``.
     """
 
     heights: np.ndarray
@@ -143,13 +143,19 @@ def to_surface_topography(scan: HeightMap) -> "Topography | UniformLineScan":
     return Topography(heights, sizes, unit="nm")
 
 
-def mirror_stitch(scan: HeightMap) -> HeightMap:
-    """Return a periodic map (2y, 2x) of a scan and its mirror images, so that all edges match.
+def mirror_scan(scan: HeightMap) -> HeightMap:
+    """Return the mirrored scan, periodic and twice as wide: a map (2y, 2x) with its mirror images.
 
-    Source: the paper, section Numerical Analysis of Results.
+    Its edges match, so that contacts can lie across them. Files call it ``stitched``. Source: the
+    paper, section Numerical Analysis of Results.
     """
     wide = np.concatenate([scan.heights, scan.heights[:, ::-1]], axis=1)
     return replace(scan, heights=np.concatenate([wide, wide[::-1]], axis=0), periodic=True)
+
+
+def mirror_in_float32(scan: HeightMap) -> HeightMap:
+    """Return the mirrored map of a levelled scan, in the precision of the study's files."""
+    return mirror_scan(replace(scan, heights=scan.heights.astype(np.float32)))
 
 
 def refuse_line_scan(scan: HeightMap) -> None:

@@ -10,7 +10,7 @@ from hardcontact.base.arrays import Floats
 from hardcontact.base.units import NM
 from hardcontact.surfaces.height_map import (
     HeightMap,
-    mirror_stitch,
+    mirror_in_float32,
     refuse_line_scan,
     to_surface_topography,
 )
@@ -93,23 +93,23 @@ def remove_form(
     return LEVELLING[levelling](scan)
 
 
-#: Titles of the files with the results of `level_and_stitch`.
+#: Titles of the files with the results of `level_and_mirror`.
 LEVELLED = "levelled scan, the sphere subtracted if it shows one"
-STITCHED = "scan and its mirror images, periodic"
+MIRRORED = "scan and its mirror images, periodic"
 
 
-def level_and_stitch(
+def level_and_mirror(
     scan: HeightMap, sphere_radius: float | None = None, levelling: str = "plane"
 ) -> tuple[xr.Dataset, xr.Dataset]:
-    """Return a levelled map and its mirror-stitched map (y, x) in nm, in float32.
+    """Return a levelled map and its mirrored map as datasets, heights in nm and float32.
 
     The levelled scan of a sphere (radius in nm) also has ``as_scanned``, the heights as read.
     """
     refuse_line_scan(scan)
     flat = remove_form(scan, sphere_radius, levelling)
-    flat = replace(flat, heights=flat.heights.astype("float32"))
     levelled = flat.to_dataset()
+    levelled["heights"] = levelled["heights"].astype("float32")
     if sphere_radius is not None:
         labels = NM | {"long_name": "height of the sphere as scanned"}
         levelled["as_scanned"] = (("y", "x"), scan.heights.astype("float32"), labels)
-    return levelled, mirror_stitch(flat).to_dataset()
+    return levelled, mirror_in_float32(flat).to_dataset()

@@ -118,39 +118,39 @@ def add_sphere(rng: np.random.Generator, roughness: HeightMap, radius: float) ->
 
 def short_edge_master(
     rng: np.random.Generator,
-    stitched: HeightMap,
+    mirrored: HeightMap,
     pixels: int,
     transition: float,
     spectrum: SpectrumFunction,
 ) -> HeightMap:
-    """Return a mirror-stitched scan whose wavelengths below the transition (nm) are artificial.
+    """Return a mirrored scan whose wavelengths below the transition (nm) are artificial.
 
     The added random surface has the C_iso `spectrum` below the transition, and a constant C_iso
     above it, so that some long waves are added, too. Source: the paper, section Determining the
     Most Relevant Length-scales of Roughness.
     """
-    long_waves = lowpass(stitched, transition)
+    long_waves = lowpass(mirrored, transition)
     transition_q = 2 * np.pi / transition
     master = random_surface(
-        rng, pixels, stitched.size / pixels, lambda q: spectrum(np.maximum(q, transition_q))
+        rng, pixels, mirrored.size / pixels, lambda q: spectrum(np.maximum(q, transition_q))
     )
     master.heights[...] += interpolate(long_waves, pixels).heights
-    return replace(master, source=stitched.source)
+    return replace(master, source=mirrored.source)
 
 
 def long_edge_master(
     rng: np.random.Generator,
-    stitched: HeightMap,
+    mirrored: HeightMap,
     tiles: int,
     transition: float,
     spectrum: SpectrumFunction,
 ) -> HeightMap:
-    """Return a mirror-stitched scan whose wavelengths above the transition (nm) are artificial.
+    """Return a mirrored scan whose wavelengths above the transition (nm) are artificial.
 
     The scan is repeated `tiles` times along each axis. A random surface with the C_iso `spectrum`
     replaces the wavelengths above the transition. Source: as for `short_edge_master`.
     """
-    repeated = replace(stitched, heights=np.tile(stitched.heights, (tiles, tiles)))
+    repeated = replace(mirrored, heights=np.tile(mirrored.heights, (tiles, tiles)))
     long_waves = lowpass(repeated, transition)
     # The margin keeps waves exactly at the transition artificial in spite of rounding.
     transition_q = 2 * np.pi / transition * (1 + 1e-12)
@@ -183,13 +183,13 @@ def master_generator(
 def synthesize_master(
     side: str,
     rng: np.random.Generator,
-    stitched: HeightMap,
+    mirrored: HeightMap,
     settings: Mapping[str, Any],
     spectrum: SpectrumFunction,
 ) -> HeightMap:
-    """Return the periodic master of a side from a mirror-stitched scan and artificial roughness.
+    """Return the periodic master of a side from a mirrored scan and artificial roughness.
 
     `settings` has ``transition`` in nm, and ``pixels`` (short side) or ``tiles`` (long side).
     """
     make_master, size_key = MASTER_MAKERS[side]
-    return make_master(rng, stitched, settings[size_key], settings["transition"], spectrum)
+    return make_master(rng, mirrored, settings[size_key], settings["transition"], spectrum)

@@ -17,7 +17,7 @@ from hardcontact.base.formatting import format_length
 from hardcontact.report.figures import drawing, panels, style
 from hardcontact.report.figures.values import mean_free_heights, published_edge
 from hardcontact.surfaces.filters import filtered_series, interpolate
-from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
+from hardcontact.surfaces.height_map import HeightMap, mirror_scan
 
 BAND_LOOK: style.Look = {"color": "0.4", "alpha": 0.2, "lw": 0}
 SCAN_LOOK: style.Look = {"ls": "none", "ms": 3, "mfc": "white", "mew": 0.8}
@@ -67,9 +67,9 @@ def filtered_heights(scan: xr.Dataset, band: Sequence[float]) -> ScanMaps:
     The map has the waves of the scan and its mirror images, on pixels that resolve the short edge.
     """
     heights = mean_free_heights(scan["example_heights"])
-    stitched = mirror_stitch(HeightMap(heights, scan["scan_size"].item() / len(heights)))
-    pixels = max(stitched.pixels, 2 * int(stitched.size / band[0]) + 4)
-    surface = interpolate(stitched, pixels)
+    mirrored = mirror_scan(HeightMap(heights, scan["scan_size"].item() / len(heights)))
+    pixels = max(mirrored.pixels, 2 * int(mirrored.size / band[0]) + 4)
+    surface = interpolate(mirrored, pixels)
     (without_shorter,) = filtered_series(surface, "short", [band[0]], pixels)
     (without_longer,) = filtered_series(surface, "long", [band[1]], pixels)
     surfaces = (surface, without_shorter, without_longer)
