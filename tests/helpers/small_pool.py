@@ -8,9 +8,9 @@ from measurements import UNCD
 from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact
 from hardcontact.paper.pool import compute_pool, pool_heights
-from hardcontact.surfaces.conditioning import Substitute
 from hardcontact.surfaces.levelling import level
 from hardcontact.surfaces.spectrum import spectrum_dataset
+from hardcontact.surfaces.substitutes import Substitute
 from hardcontact.surfaces.synthesis import ScanGrid, cut_scan, random_surface
 
 GRID = ScanGrid(pixels=64, size=640.0, surface_pixels=128)

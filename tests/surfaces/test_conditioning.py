@@ -11,17 +11,17 @@ from repository import PAPER, ROOT
 from hardcontact.base import published
 from hardcontact.config.grids import random_surface_pixels
 from hardcontact.surfaces import conditioning
-from hardcontact.surfaces.conditioning import Targets
 from hardcontact.surfaces.descriptions import AFM_ROWS
 from hardcontact.surfaces.levelling import level
 from hardcontact.surfaces.metrics import metrics
 from hardcontact.surfaces.spectrum import spectrum_dataset
-from hardcontact.surfaces.substitute_spectra import (
+from hardcontact.surfaces.substitute_spectra import substitute_spectrum
+from hardcontact.surfaces.substitutes import Substitute, Targets
+from hardcontact.surfaces.synthesis import ScanGrid
+from hardcontact.surfaces.table1_calibration import (
     expected_scan_rms,
-    substitute_spectrum,
     transfer_weights,
 )
-from hardcontact.surfaces.synthesis import ScanGrid
 
 NAMES = ("rms_height", "rms_gradient", "rms_half_laplacian")
 GRID = ScanGrid(64, 64 * PIXEL, 256)
@@ -33,7 +33,7 @@ CONSTANTS = pd.DataFrame({"value": {"scan_pixels": 64.0, "scan_size": 64 * PIXEL
 
 
 def substitute(spectrum, grid=GRID, table1=TABLE1):
-    return conditioning.Substitute("uncd", spectrum, table1, CONSTANTS, grid, 7)
+    return Substitute("uncd", spectrum, table1, CONSTANTS, grid, 7)
 
 
 def assert_met(targets, scan_metrics):
@@ -90,7 +90,7 @@ def test_scans_of_the_default_study_keep_table_1(surface, count, grid, rows):
     table1 = published.rows_of_surface(table1, surface)
     constants = published.read_constants(ROOT / "resources/paper/parameters.csv")
     spectrum = substitute_spectrum(ROOT / f"resources/spectra/{surface}.csv", table1, constants)
-    source = conditioning.Substitute(surface, spectrum, table1, constants, grid, PAPER["seed"])
+    source = Substitute(surface, spectrum, table1, constants, grid, PAPER["seed"])
     targets = source.targets
     assert targets.met_rows == tuple(rows)
     published_means = table1.value[list(rows)]

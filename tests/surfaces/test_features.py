@@ -9,7 +9,6 @@ from measurements import UNCD
 from paper_numbers import POLISHED
 from periodic_maps import periodic_map
 
-from hardcontact.surfaces.conditioning import Substitute
 from hardcontact.surfaces.featured_scans import FeaturedSurface, nearest_group
 from hardcontact.surfaces.features import (
     Features,
@@ -23,6 +22,7 @@ from hardcontact.surfaces.features import (
 from hardcontact.surfaces.levelling import level
 from hardcontact.surfaces.metrics import TABLE1_METRICS, metrics
 from hardcontact.surfaces.spectrum import spectrum_dataset
+from hardcontact.surfaces.substitutes import Substitute
 from hardcontact.surfaces.synthesis import ScanGrid
 
 PIXELS, PIXEL = 200, 12.5  # 2.5 µm

@@ -12,12 +12,12 @@ from scipy import stats
 
 from hardcontact.base import published
 from hardcontact.base.random import generator
-from hardcontact.surfaces import descriptions, spectrum, substitute_spectra
+from hardcontact.surfaces import descriptions, spectrum, substitute_spectra, table1_calibration
 from hardcontact.surfaces.levelling import level
 from hardcontact.surfaces.metrics import metrics
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_rms
-from hardcontact.surfaces.substitute_spectra import expected_scan_rms, transfer_weights
 from hardcontact.surfaces.synthesis import cut_scan, random_surface
+from hardcontact.surfaces.table1_calibration import expected_scan_rms, transfer_weights
 
 
 def band(model, rolloff=np.nan):
@@ -34,7 +34,7 @@ def test_no_self_affine_spectrum_has_the_scans_of_ncd(project_folder):
     table = published.read_table1("resources/paper/table1.csv")
     ncd = published.rows_of_surface(table, "ncd")
     with pytest.raises(ValueError, match="expected three numbers .* missed by .* %"):
-        substitute_spectra.calibrate_model(
+        table1_calibration.calibrate_model(
             band("self-affine"), ncd, transfer_weights(2048, PIXEL, 512)
         )
 
@@ -54,7 +54,7 @@ def longer_waves():
 )
 def test_a_tail_beyond_a_power_law_is_refused(longer_waves, rms_values, message):
     with pytest.raises(ValueError, match=message):
-        substitute_spectra.calibrate_tail(longer_waves, *rms_values)
+        table1_calibration.calibrate_tail(longer_waves, *rms_values)
 
 
 WEIGHTS = transfer_weights(512, PIXEL, 128)
@@ -148,7 +148,7 @@ def test_permitted_spectra_scatter_like_the_means_of_table_1(write_description):
     constants = published.read_constants(ROOT / "resources/paper/parameters.csv")
     rows = list(descriptions.AFM_ROWS)
     mean_errors = table1.uncertainty[rows] / np.sqrt(5)
-    weights = substitute_spectra.paper_weights(constants)
+    weights = table1_calibration.paper_weights(constants)
     path = write_description("inf,6.5,self-affine,,,,,")
     deviations = []
     for k in range(8):
@@ -183,8 +183,8 @@ RMS_METRICS = ("rms_height", "rms_gradient", "rms_half_laplacian")
 
 
 def test_expected_rms_values_agree_with_scans():
-    weights = substitute_spectra.transfer_weights(1024, PIXEL, 256)
-    rms_values = substitute_spectra.expected_scan_rms(uncd_density, weights)
+    weights = table1_calibration.transfer_weights(1024, PIXEL, 256)
+    rms_values = table1_calibration.expected_scan_rms(uncd_density, weights)
     squares = []
     for k in range(6):
         surface = random_surface(generator(4, k), 1024, PIXEL, uncd_density)

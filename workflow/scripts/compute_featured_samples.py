@@ -3,8 +3,8 @@
 from hardcontact.contact.contact import Contact
 from hardcontact.paper.featured_samples import SampleInputs, compute_samples
 from hardcontact.records.job import run_job
-from hardcontact.surfaces.conditioning import read_substitute
 from hardcontact.surfaces.featured_scans import featured_surface
+from hardcontact.surfaces.substitutes import read_substitute
 
 with run_job(snakemake) as job:
     params = job.parameters

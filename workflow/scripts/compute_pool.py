@@ -3,7 +3,7 @@
 from hardcontact.contact.contact import Contact
 from hardcontact.paper.pool import compute_pool, pool_heights
 from hardcontact.records.job import run_job
-from hardcontact.surfaces.conditioning import read_substitute, required_targets
+from hardcontact.surfaces.substitutes import read_substitute, required_targets
 
 with run_job(snakemake) as job:
     params = job.parameters

@@ -7,8 +7,8 @@ from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import make_force_function, mean_pull_off_dataset
 from hardcontact.inference.octaves import octave_force_dataset, octave_limits
 from hardcontact.records.job import run_job
-from hardcontact.surfaces.conditioning import read_substitute
 from hardcontact.surfaces.featured_scans import whole_surface
+from hardcontact.surfaces.substitutes import read_substitute
 
 with run_job(snakemake) as job:
     params = job.parameters

@@ -1,9 +1,10 @@
 """Substitute scans that are made together: levelled, and mirrored."""
 
 from hardcontact.records.job import run_job
-from hardcontact.surfaces.conditioning import conditioned_group, read_substitute
+from hardcontact.surfaces.conditioning import conditioned_group
 from hardcontact.surfaces.featured_scans import featured_group
 from hardcontact.surfaces.levelling import LEVELLED, MIRRORED, level_and_mirror
+from hardcontact.surfaces.substitutes import read_substitute
 
 with run_job(snakemake) as job:
     params = job.parameters

@@ -17,11 +17,11 @@ from hardcontact.base.units import DIMENSIONLESS, NM
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import pull_off_dataset
-from hardcontact.surfaces.conditioning import Substitute, Targets, required_targets
 from hardcontact.surfaces.height_map import HeightMap, mirror_scan
 from hardcontact.surfaces.levelling import level
 from hardcontact.surfaces.metrics import TABLE1_METRICS
 from hardcontact.surfaces.roughness_table import measured_metrics
+from hardcontact.surfaces.substitutes import Substitute, Targets, required_targets
 from hardcontact.surfaces.synthesis import sample_scan
 
 #: Smallest rms height of a pool relative to the mean: sets with smoother scans are sampled again.

@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
+import scipy
 
 from hardcontact.base.arrays import Floats
 from hardcontact.scans.reliable_band import STEEPEST_SELF_AFFINE_SLOPE, ReliableBand
@@ -104,10 +105,8 @@ def _truncated_moments(
 
     If the probability of this range is below MIN_TRUNCATED_PROBABILITY, the mean is clipped to it.
     """
-    from scipy.special import ndtr
-
     low, high = -exponents / errors, (1 - exponents) / errors
-    truncated_share = ndtr(high) - ndtr(low)
+    truncated_share = scipy.special.ndtr(high) - scipy.special.ndtr(low)
     total = probability @ truncated_share
     if total < MIN_TRUNCATED_PROBABILITY:
         mean = probability @ exponents
@@ -180,11 +179,10 @@ def extrapolate_short_waves(
 
 def _find_tail_end(density: Floats) -> tuple[int, str]:
     """Return the last index of WAVEVECTORS within the bounds, and `tail_ended_by`."""
-    from scipy.integrate import cumulative_trapezoid
 
     def rms(power: int, divisor: int) -> Floats:
         square = density * WAVEVECTORS**power / divisor / (2 * np.pi)
-        return np.sqrt(cumulative_trapezoid(square, LOG_WAVEVECTORS, initial=0))
+        return np.sqrt(scipy.integrate.cumulative_trapezoid(square, LOG_WAVEVECTORS, initial=0))
 
     exceeded = {
         "gradient": rms(4, 1) > MAX_GRADIENT,
@@ -276,15 +274,15 @@ class RolloffEvidence:
         The power of each of N independent modes is distributed exponentially, so that their sum is
         a gamma variable of relative variance 1/N.
         """
-        from scipy.special import gammaln
-
         power = density * WAVEVECTORS**2 * self._share / (2 * np.pi)
         expected_variance = np.trapezoid(power, LOG_WAVEVECTORS) + self._noise_variance(density)
         variance_of_scan = np.trapezoid(power**2 / self._mode_count, LOG_WAVEVECTORS)
         shape = expected_variance**2 / variance_of_scan * self.count
         scale = expected_variance / shape
         ratio = self.variance / scale
-        return float((shape - 1) * np.log(ratio) - ratio - gammaln(shape) - np.log(scale))
+        return float(
+            (shape - 1) * np.log(ratio) - ratio - scipy.special.gammaln(shape) - np.log(scale)
+        )
 
     def _noise_variance(self, density: Floats) -> float:
         """Return the variance of heights (nm²) from noise at wavelengths too short to be reliable.

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
+import scipy
 
 from hardcontact.base.arrays import Floats
 from hardcontact.base.formatting import format_length, format_share
@@ -123,18 +124,16 @@ def _largest_square(heights: np.ma.MaskedArray) -> np.ma.MaskedArray:
 
     All corners of a round or rotated scan are undefined. Filled, they would be too smooth.
     """
-    from scipy import ndimage
-
     columns, rows = heights.shape
     width = min(rows, columns)
     first_column, first_row = (columns - width) // 2, (rows - width) // 2
     central = heights[first_column : first_column + width, first_row : first_row + width]
-    regions, _ = ndimage.label(heights.mask)
+    regions, _ = scipy.ndimage.label(heights.mask)
     corners = regions[[0, 0, -1, -1], [0, -1, 0, -1]]
     if not corners.all() or central.mask.mean() > MAX_UNDEFINED_SHARE:
         return central
     is_in_aperture = np.pad(~np.isin(regions, corners), 1)
-    reach = ndimage.distance_transform_cdt(is_in_aperture, "chessboard")[1:-1, 1:-1]
+    reach = scipy.ndimage.distance_transform_cdt(is_in_aperture, "chessboard")[1:-1, 1:-1]
     centre = np.unravel_index(reach.argmax(), reach.shape)
     half = int(reach.max()) - 1
     column, row = (slice(int(index) - half, int(index) + half + 1) for index in centre)

@@ -9,6 +9,7 @@ from itertools import combinations
 from typing import NamedTuple
 
 import numpy as np
+import scipy
 from numpy.typing import ArrayLike, NDArray
 
 from hardcontact.base.arrays import Floats
@@ -66,8 +67,6 @@ def mean_bins(reliable: NDArray[np.bool_], density: Floats, modes: Floats) -> Me
 
 def find_peak_bins(bins: MeanBins) -> NDArray[np.bool_]:
     """Return the mask of bins with a peak: more power than chance adds to a smooth spectrum."""
-    from scipy.special import gammaincc
-
     inner = np.flatnonzero(np.isfinite(bins.density))[1:-1]
     modes = 1 / bins.variance[inner] + 0.5  # inverts the variance, trigamma(n) ≈ 1/(n - 0.5)
     peaks = np.zeros(len(bins.power), bool)
@@ -75,7 +74,7 @@ def find_peak_bins(bins: MeanBins) -> NDArray[np.bool_]:
         curve = smooth_curve(np.where(peaks, np.nan, bins.density), bins.variance)
         smooth_power = Spectrum(curve.wavevector, curve.density)(BIN_CENTRES[inner])
         # The power of n modes over its mean is a gamma variable.
-        chance = gammaincc(modes, modes * bins.power[inner] / smooth_power)
+        chance = scipy.special.gammaincc(modes, modes * bins.power[inner] / smooth_power)
         new_peaks = inner[(chance < PEAK_PROBABILITY) & ~peaks[inner]]
         if not len(new_peaks):
             return peaks
@@ -125,8 +124,6 @@ def match_height_variance(curve: Curve, power: Floats) -> Curve:
     to the share of its bin in the variance of heights. To first order, this is the most likely
     curve with this variance of heights.
     """
-    from scipy.optimize import brentq
-
     wavevector, density, variance = curve
     power = power[np.isin(BIN_CENTRES, wavevector)]
     total = np.nansum(power * wavevector**2)
@@ -137,7 +134,7 @@ def match_height_variance(curve: Curve, power: Floats) -> Curve:
         return float((share * np.exp(strength * doubt)).sum() - 1)
 
     bound = MAX_LOG_CHANGE / doubt.max()
-    strength = brentq(excess, -bound, bound)
+    strength = scipy.optimize.brentq(excess, -bound, bound)
     return curve._replace(density=density * np.exp(strength * doubt))
 
 

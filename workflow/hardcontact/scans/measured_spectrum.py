@@ -7,6 +7,7 @@ Fourier Transform and Its Applications): C_iso(q) = -2 ∫_q^∞ C_1D'(p) / sqrt
 from dataclasses import replace
 
 import numpy as np
+import scipy
 
 from hardcontact.base.arrays import Floats
 from hardcontact.surfaces.height_map import HeightMap
@@ -78,9 +79,8 @@ def variance_of_log(modes: Floats) -> Floats:
 
     Squares of Fourier amplitudes are distributed exponentially, their mean as a gamma variable.
     """
-    from scipy.special import polygamma
-
-    return np.asarray(polygamma(1, np.maximum(modes, 1.0)) / np.minimum(modes, 1.0), float)
+    trigamma = scipy.special.polygamma(1, np.maximum(modes, 1.0))
+    return np.asarray(trigamma / np.minimum(modes, 1.0))
 
 
 def bias_of_log(modes: Floats) -> Floats:
@@ -88,10 +88,8 @@ def bias_of_log(modes: Floats) -> Floats:
 
     A gamma variable of n modes has ln n minus the digamma function of n.
     """
-    from scipy.special import digamma
-
     modes = np.maximum(modes, 1.0)
-    return np.asarray(np.log(modes) - digamma(modes), float)
+    return np.asarray(np.log(modes) - scipy.special.digamma(modes), float)
 
 
 def local_slopes(wavevector: Floats, density: Floats, variance: Floats) -> tuple[Floats, Floats]:
@@ -134,8 +132,6 @@ def _smooth_falling_spectrum(
     log_q: Floats, log_density: Floats, modes: Floats
 ) -> tuple[Floats, float]:
     """Return ln C smoothed by local lines and falling (bins,), and its slope at the end."""
-    from scipy.optimize import isotonic_regression
-
     distance = log_q - log_q[:, None]
     width = SMOOTHING_WIDTH * np.clip(ENOUGH_MODES / modes, 1, MAX_WIDENING)
     weight = modes * np.exp(-((distance / width[:, None]) ** 2) / 2)
@@ -144,8 +140,9 @@ def _smooth_falling_spectrum(
     mean = weight @ log_density
     variance = (weight * distance**2).sum(axis=1) - centre**2
     slope = ((weight * distance) @ log_density - centre * mean) / variance
-    smooth = isotonic_regression(mean - slope * centre, weights=modes, increasing=False).x
-    return np.asarray(smooth, float), float(slope[-1])
+    lines = mean - slope * centre
+    falling = scipy.optimize.isotonic_regression(lines, weights=modes, increasing=False)
+    return np.asarray(falling.x), float(slope[-1])
 
 
 def _inverse_abel(log_q: Floats, log_density: Floats, last_slope: float) -> Floats:

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
+import scipy
 
 from hardcontact.base.arrays import Floats
 from hardcontact.surfaces.height_map import HeightMap
@@ -78,21 +79,20 @@ def show_same_area(first: HeightMap, second: HeightMap) -> bool:
 
 def _short_waves(scan: HeightMap, pixel_size: float, longest: float) -> Floats:
     """Return a map on pixels of a size (nm) without waves longer than `longest` (pixels)."""
-    from scipy.ndimage import gaussian_filter, zoom
-
     ratio = scan.pixel_size / pixel_size
-    heights = zoom(gaussian_filter(scan.heights, 0.4 / ratio), ratio) if ratio < 1 else scan.heights
+    heights = scan.heights
+    if ratio < 1:
+        heights = scipy.ndimage.zoom(scipy.ndimage.gaussian_filter(heights, 0.4 / ratio), ratio)
     # A Gaussian of this width keeps half of the longest wave.
     width = np.sqrt(2 * np.log(2)) * longest / (2 * np.pi)
-    return np.asarray(heights - gaussian_filter(heights, width), float)
+    return np.asarray(heights - scipy.ndimage.gaussian_filter(heights, width), float)
 
 
 def _best_correlation(first: Floats, second: Floats) -> float:
     """Return the largest correlation of two maps over all shifts that overlap enough."""
-    from scipy.signal import fftconvolve
 
     def sums_over_shifts(fixed: Floats, shifted: Floats) -> Floats:
-        return np.asarray(fftconvolve(fixed, shifted[::-1, ::-1]))
+        return np.asarray(scipy.signal.fftconvolve(fixed, shifted[::-1, ::-1]))
 
     first_weights, second_weights = np.ones(first.shape), np.ones(second.shape)
     overlap = sums_over_shifts(first_weights, second_weights)

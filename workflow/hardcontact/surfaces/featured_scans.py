@@ -8,7 +8,6 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.base.units import DIMENSIONLESS, NM
-from hardcontact.surfaces.conditioning import Substitute, required_targets
 from hardcontact.surfaces.features import (
     GAUSSIAN,
     SIGNS,
@@ -24,6 +23,7 @@ from hardcontact.surfaces.features import (
 )
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.substitute_spectra import sample_permitted_spectrum
+from hardcontact.surfaces.substitutes import Substitute, required_targets
 from hardcontact.surfaces.synthesis import random_surface, sample_scan
 
 #: Samples of features from which the study takes the one nearest to Table 1: enough for all of its

@@ -9,6 +9,7 @@ from dataclasses import replace
 from typing import TypeVar
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
 
 from hardcontact.surfaces.height_map import HeightMap
@@ -27,13 +28,11 @@ def lowpass(surface: HeightMap, cutoff: float) -> HeightMap:
 
     The cutoff is in nm. Heights are in float64. Raises ValueError for a cutoff up to two pixels.
     """
-    from scipy import fft
-
     limit = _highest_order(surface, cutoff)
     highest = int(limit)
     band = _drop_higher_orders(_lowest_orders(surface, highest), limit)
     coarse = 2 * highest + 2
-    heights = fft.irfft2(_pad_orders(band, coarse), s=(coarse, coarse))
+    heights = scipy.fft.irfft2(_pad_orders(band, coarse), s=(coarse, coarse))
     heights *= (coarse / surface.pixels) ** 2
     return replace(surface, heights=heights, pixel_size=surface.size / coarse)
 
@@ -51,15 +50,13 @@ def _highest_order(surface: HeightMap, cutoff: float) -> float:
 
 def _lowest_orders(surface: HeightMap, highest: int) -> Transform:
     """Return the transform up to an order along both axes; orders along y as in `_orders`."""
-    from scipy import fft
-
     pixels = surface.pixels
     transform = np.empty((pixels, highest + 1), complex)
     for start in range(0, pixels, BLOCK_ROWS):
         rows = slice(start, start + BLOCK_ROWS)
         block = surface.heights[rows].astype(float)
-        transform[rows] = fft.rfft(block, axis=1)[:, : highest + 1]
-    transform = fft.fft(transform, axis=0, overwrite_x=True)
+        transform[rows] = scipy.fft.rfft(block, axis=1)[:, : highest + 1]
+    transform = scipy.fft.fft(transform, axis=0, overwrite_x=True)
     return transform[_orders(highest)]
 
 
@@ -88,11 +85,9 @@ def interpolate(surface: HeightMap, pixels: int) -> HeightMap:
 
     Heights are in float32. Raises ValueError if the surface has more pixels.
     """
-    from scipy import fft
-
     coarse = surface.pixels
     _refuse_coarser(coarse, pixels)
-    transform = fft.rfft2(surface.heights.astype(float))
+    transform = scipy.fft.rfft2(surface.heights.astype(float))
     padded = np.zeros((pixels, transform.shape[1]), complex)
     half = coarse // 2
     padded[: coarse - half] = transform[: coarse - half]
@@ -115,13 +110,11 @@ def _refuse_coarser(coarse: int, pixels: int) -> None:
 
 def _inverse_blocks(padded: AnyTransform) -> Iterator[tuple[slice, NDArray[np.floating]]]:
     """Yield the inverse transform of `padded` (pixels, k) in blocks of rows; overwrites it."""
-    from scipy import fft
-
     pixels = len(padded)
-    padded = fft.ifft(padded, axis=0, overwrite_x=True)
+    padded = scipy.fft.ifft(padded, axis=0, overwrite_x=True)
     for start in range(0, pixels, BLOCK_ROWS):
         rows = slice(start, start + BLOCK_ROWS)
-        yield rows, fft.irfft(padded[rows], n=pixels, axis=1)
+        yield rows, scipy.fft.irfft(padded[rows], n=pixels, axis=1)
 
 
 def filtered_series(

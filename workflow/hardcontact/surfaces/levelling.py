@@ -4,6 +4,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
+import scipy
 import xarray as xr
 
 from hardcontact.base.arrays import Floats
@@ -38,9 +39,7 @@ def squared_projections(phase: Floats) -> tuple[Floats, Floats]:
     The wave is exp(2 i `phase` u) for |u| <= 1/2. `level` removes its projections on 1 and
     sqrt(12) u, the Legendre functions of degree 0 and 1: spherical Bessel functions of the phase.
     """
-    from scipy.special import spherical_jn
-
-    return spherical_jn(0, phase) ** 2, 3 * spherical_jn(1, phase) ** 2
+    return scipy.special.spherical_jn(0, phase) ** 2, 3 * scipy.special.spherical_jn(1, phase) ** 2
 
 
 def level_lines(scan: HeightMap) -> HeightMap:

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
+import scipy
 import xarray as xr
 from numpy.typing import ArrayLike
 
@@ -227,10 +228,8 @@ def profile_over_isotropic(wavevector: Floats, hurst: float) -> Floats:
 
     C_1D(q_x) = (1/pi) ∫_0^∞ C_iso(sqrt(q_x² + q_y²)) dq_y, in closed form for a power law.
     """
-    from scipy.special import gamma
-
-    ratio = wavevector / (2 * np.sqrt(np.pi)) * gamma(hurst + 0.5) / gamma(hurst + 1)
-    return np.asarray(ratio, float)
+    numerator, denominator = scipy.special.gamma([hurst + 0.5, hurst + 1])
+    return np.asarray(wavevector / (2 * np.sqrt(np.pi)) * numerator / denominator)
 
 
 def isotropic_through_points(wavevector: Floats, wavelengths: Floats, profile: Floats) -> Floats:

@@ -9,6 +9,7 @@ from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
 
 from hardcontact.base.random import generator
@@ -35,9 +36,7 @@ class ScanGrid(NamedTuple):
 
 def white_noise(rng: np.random.Generator, pixels: int) -> Transform:
     """Return the transform (pixels, pixels/2 + 1) of white noise of unit variance, in complex64."""
-    from scipy import fft
-
-    return np.asarray(fft.rfft2(rng.standard_normal((pixels, pixels), dtype=np.float32)))
+    return np.asarray(scipy.fft.rfft2(rng.standard_normal((pixels, pixels), dtype=np.float32)))
 
 
 def scale_noise(noise: Transform, pixel_size: float, spectrum: SpectrumFunction) -> None:
@@ -62,11 +61,9 @@ def random_surface(
     rng: np.random.Generator, pixels: int, pixel_size: float, spectrum: SpectrumFunction
 ) -> HeightMap:
     """Return a periodic Gaussian random surface with a spectrum, of mean zero, in float32."""
-    from scipy import fft
-
     transform = white_noise(rng, pixels)
     scale_noise(transform, pixel_size, spectrum)
-    heights = fft.irfft2(transform, s=(pixels, pixels), overwrite_x=True)
+    heights = scipy.fft.irfft2(transform, s=(pixels, pixels), overwrite_x=True)
     return HeightMap(heights, pixel_size, periodic=True, source="substitute")
 
 
@@ -77,12 +74,10 @@ def random_corner(
 
     It is faster than `random_surface`, because only rows of the corner are transformed along x.
     """
-    from scipy import fft
-
     transform = noise.copy()
     scale_noise(transform, pixel_size, spectrum)
-    rows = fft.ifft(transform, axis=0, overwrite_x=True)[:corner_pixels]
-    heights = fft.irfft(rows, len(noise), axis=1)[:, :corner_pixels]
+    rows = scipy.fft.ifft(transform, axis=0, overwrite_x=True)[:corner_pixels]
+    heights = scipy.fft.irfft(rows, len(noise), axis=1)[:, :corner_pixels]
     return HeightMap(heights, pixel_size, source="substitute")
 
 

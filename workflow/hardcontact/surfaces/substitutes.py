@@ -1,0 +1,104 @@
+"""Substitutes: random surfaces in place of surfaces of the paper that were not measured here.
+
+A substitute has a spectrum calibrated on Table 1, a grid of scans, and targets: the statistics of
+the published scans that groups of its scans meet.
+"""
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, NamedTuple
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+
+from hardcontact.base import dataset, published
+from hardcontact.base.random import generator
+from hardcontact.surfaces.descriptions import AFM_ROWS
+from hardcontact.surfaces.metrics import TABLE1_METRICS
+from hardcontact.surfaces.spectrum import Spectrum, spectrum_of_dataset
+from hardcontact.surfaces.synthesis import ScanGrid
+from hardcontact.surfaces.table1_calibration import expected_scan_rms, transfer_weights
+
+
+class Targets(NamedTuple):
+    """The statistics that a group of scans of one surface meets."""
+
+    means: Mapping[str, float]  #: Mean height, slope and curvature, by `metrics.METRICS`.
+    rms_height_std: float  #: Standard deviation of the rms heights in nm (ddof 1).
+    met_rows: tuple[str, ...]  #: Names of the rows of Table 1 that these targets meet.
+
+
+@dataclass(frozen=True, eq=False)
+class Substitute:
+    """Everything from which the scans of a substitute are made."""
+
+    surface_name: str
+    spectrum_data: xr.Dataset  #: Its calibrated spectrum.
+    table1: pd.DataFrame  #: From `rows_of_surface`.
+    constants: pd.DataFrame  #: From `read_constants`.
+    grid: ScanGrid
+    seed: int  #: Seed of the study.
+
+    def generator(self, *names: object) -> np.random.Generator:
+        """Return the random generator of one sampled quantity of the surface."""
+        return generator(self.seed, self.surface_name, *names)
+
+    @cached_property
+    def spectrum(self) -> Spectrum:
+        """The calibrated C_iso."""
+        return spectrum_of_dataset(self.spectrum_data)
+
+    @cached_property
+    def targets(self) -> Targets | None:
+        """Targets of scans on the study's pixels; None if no rms height is published.
+
+        On the paper's pixels and size, rows to which the spectrum is calibrated are taken from
+        Table 1. Other targets are what the spectrum gives on average.
+        """
+        if "afm_rms_height" not in self.table1.index:
+            return None
+        grid, paper_grid = self.grid, self.constants["value"]
+        same_size = math.isclose(grid.size, paper_grid["scan_size"])
+        same_pixels = same_size and grid.pixels == paper_grid["scan_pixels"]
+        rms_values = np.array(self.spectrum_data.attrs["expected_scan_rms"])
+        if not same_pixels:
+            weights = transfer_weights(4 * grid.pixels, grid.pixel_size, grid.pixels)
+            rms_values = expected_scan_rms(self.spectrum, weights)
+        calibrated_rows = published.rows_met(self.spectrum_data.attrs["table1_rows_met"])
+        met_rows = []
+        for i, (row, is_published) in enumerate(
+            zip(AFM_ROWS, (same_size, same_pixels, same_pixels), strict=True)
+        ):
+            if is_published and row in calibrated_rows:
+                rms_values[i] = self.table1.loc[row, "value"]
+                met_rows.append(row)
+        height = self.table1.loc["afm_rms_height"]
+        return Targets(
+            dict(zip(TABLE1_METRICS.values(), rms_values.tolist(), strict=True)),
+            float(rms_values[0] * height["uncertainty"] / height["value"]),
+            tuple(met_rows),
+        )
+
+
+def read_substitute(
+    surface_name: str, paths: Any, grid: Mapping[str, Any], seed: int
+) -> Substitute:
+    """Read what the scans of a substitute are made of.
+
+    `paths` has the attributes `spectrum`, `published_table1` and `published_constants`; `grid`
+    has the fields of a `ScanGrid`.
+    """
+    spectrum_data = dataset.read(paths.spectrum)
+    table1 = published.rows_of_surface(published.read_table1(paths.published_table1), surface_name)
+    constants = published.read_constants(paths.published_constants)
+    return Substitute(surface_name, spectrum_data, table1, constants, ScanGrid(**grid), seed)
+
+
+def required_targets(substitute: Substitute) -> Targets:
+    """Return the targets of a substitute; raises ValueError if it has no published rms height."""
+    if substitute.targets is None:
+        raise ValueError(f"{substitute.surface_name}: expected a published rms height, found none")
+    return substitute.targets

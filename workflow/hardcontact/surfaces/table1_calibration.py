@@ -1,0 +1,165 @@
+"""Calibration of spectra on Table 1: parameters with which scans have its rms values.
+
+Expected rms values of a scan are weighted sums of C_iso. A model of the waves that scans show is
+fitted to rms height, slope and curvature of scans. A power law below these waves is fitted to slope
+and curvature over all scales.
+"""
+
+from functools import cache
+
+import numpy as np
+import pandas as pd
+import scipy
+
+from hardcontact.base.arrays import Floats
+from hardcontact.surfaces.descriptions import AFM_ROWS, SPECTRAL_MODELS
+from hardcontact.surfaces.levelling import squared_projections
+from hardcontact.surfaces.spectrum import (
+    WAVEVECTORS,
+    Spectrum,
+    SpectrumFunction,
+    all_scales_rms,
+    power_law_tail,
+)
+
+#: Wavevectors (bins,) in rad/nm, and the weights (3, bins) of C_iso at them.
+Weights = tuple[Floats, Floats]
+#: Bins of wavevectors in which weights are added up, 0.2 % wide, and rows added at a time.
+BIN_COUNT = 4000
+BLOCK_ROWS = 512
+#: Relative error at which a number of Table 1 counts as met: far below its digits.
+MET_ERROR = 1e-9
+#: Calibrated parameters by model, and parameters whose logarithms are searched.
+SEARCHED_PARAMETERS = {
+    "self-affine": ("plateau_nm4", "rolloff_nm", "hurst"),
+    "varying Hurst": ("plateau_nm4", "hurst", "hurst_change"),
+}
+LOGARITHMIC_PARAMETERS = ("plateau_nm4", "rolloff_nm")
+#: Bounds of the Hurst exponent of a tail: wide, since published numbers may fit none in 0 to 1.
+TAIL_HURST_BOUNDS = (-6.0, 5.0)
+
+
+@cache
+def transfer_weights(pixels: int, pixel_size: float, window_pixels: int) -> Weights:
+    """Return wavevectors (bins,) and weights (3, bins) for the expected rms values of a scan.
+
+    Squares of rms height, gradient and half-Laplacian are weights @ C_iso. The scan of
+    `window_pixels` is cut out of a periodic surface of `pixels` (both per row) and levelled.
+    """
+    wave = 2 * np.pi * np.abs(np.fft.fftfreq(pixels, pixel_size))
+    half = wave[: pixels // 2 + 1]
+    count = np.where((half == 0) | (half == half.max()), 1.0, 2.0)
+    shortest = np.hypot(wave.max(), half.max())
+    edges = np.geomspace(half[1] * 0.999, shortest * 1.001, BIN_COUNT + 1)
+    mean, slope = squared_projections(wave * window_pixels * pixel_size / 2)
+    # The squared difference operator along one axis.
+    difference = (2 * np.sin(wave * pixel_size / 2) / pixel_size) ** 2
+    mean_x, slope_x, difference_x = (values[: len(half)] for values in (mean, slope, difference))
+    weights = np.zeros((3, BIN_COUNT))
+    for start in range(0, pixels, BLOCK_ROWS):
+        rows = slice(start, start + BLOCK_ROWS)
+        mean_y, slope_y = mean[rows, None], slope[rows, None]
+        removed = mean_y * mean_x + slope_y * mean_x + mean_y * slope_x
+        laplacian = difference[rows, None] + difference_x
+        radius = np.hypot(wave[rows, None], half)
+        if start == 0:
+            radius[0, 0] = half[1]  # The mean has no weight, but needs a bin.
+        index = np.searchsorted(edges, radius.ravel()) - 1
+        for k, factor in enumerate((1 - removed, laplacian, laplacian**2 / 4)):
+            weights[k] += np.bincount(index, (count * factor).ravel(), BIN_COUNT)
+    return np.sqrt(edges[1:] * edges[:-1]), weights / (pixels * pixel_size) ** 2
+
+
+def expected_scan_rms(spectrum: SpectrumFunction, weights: Weights) -> Floats:
+    """Return the expected rms height (nm), gradient and half-Laplacian (1/nm) of a scan: (3,)."""
+    wavevector, factors = weights
+    return np.sqrt(factors @ spectrum(wavevector))
+
+
+def paper_weights(constants: pd.DataFrame) -> Weights:
+    """Return the `transfer_weights` of a scan with the paper's pixels and size."""
+    pixels = int(constants["value"]["scan_pixels"])
+    return transfer_weights(4 * pixels, constants["value"]["scan_size"] / pixels, pixels)
+
+
+def calibrate_model(segment: pd.Series, table1: pd.DataFrame, weights: Weights) -> dict[str, float]:
+    """Return the parameters of a segment with which its scans meet AFM_ROWS of Table 1.
+
+    Raises ValueError if no parameters meet the rows.
+    """
+    model, names = SPECTRAL_MODELS[segment.model]
+    searched = SEARCHED_PARAMETERS[segment.model]
+    published_rms = table1.loc[list(AFM_ROWS), "value"].to_numpy(float)
+
+    def parameters(solution: Floats) -> dict[str, float]:
+        return {
+            name: np.exp(value) if name in LOGARITHMIC_PARAMETERS else value
+            for name, value in zip(searched, solution, strict=True)
+        }
+
+    def mismatch(solution: Floats) -> Floats:
+        segment_parameters = dict(segment) | parameters(solution)
+        density = model(WAVEVECTORS, *(segment_parameters[name] for name in names))
+        scan_rms = expected_scan_rms(Spectrum(WAVEVECTORS, density), weights)
+        return np.asarray(np.log(scan_rms / published_rms))
+
+    start = {
+        "plateau_nm4": 2 * np.log(published_rms[0] * 1000),
+        "rolloff_nm": np.log(1000.0),
+        "hurst": 0.9,
+        "hurst_change": 0.0,
+    }
+    first_guess = [start[name] for name in searched]
+    fit = scipy.optimize.least_squares(
+        mismatch, first_guess, x_scale=(1, 0.3, 0.3), xtol=1e-15, ftol=1e-15, gtol=1e-15
+    )
+    if np.abs(fit.fun).max() > MET_ERROR:
+        worst = int(np.abs(fit.fun).argmax())
+        raise ValueError(
+            "expected three numbers of Table 1 that a spectrum of this model has, found "
+            f"{AFM_ROWS[worst]} = {published_rms[worst]:.3g}, missed by "
+            f"{100 * fit.fun[worst]:+.1f} %"
+        )
+    return {name: float(value) for name, value in parameters(fit.x).items()}
+
+
+def calibrate_tail(
+    longer_waves: Floats, gradient: float, half_laplacian: float
+) -> dict[str, float]:
+    """Return Hurst exponent and shortest wavelength (nm) of a power law below a spectrum.
+
+    The tail adds the rms gradient and the half-Laplacian (1/nm) that the spectrum `longer_waves`
+    (nm⁴ on WAVEVECTORS, zero below its end) lacks. Raises ValueError if no power law adds both.
+    """
+    _, *longer_rms = all_scales_rms(Spectrum(WAVEVECTORS, longer_waves))
+    missing_squares = [gradient**2 - longer_rms[0] ** 2, half_laplacian**2 - longer_rms[1] ** 2]
+    ends = 2 * np.pi / WAVEVECTORS[longer_waves.nonzero()[0][-1] + 1 :]
+    refusal = ValueError(
+        f"expected an all-scales slope and curvature that a power law below {ends[0]:.3g} nm can "
+        f"add, found {gradient} and {half_laplacian}"
+    )
+    if min(missing_squares) <= 0:
+        raise refusal
+
+    def excess(hurst: float, shortest: float, index: int) -> float:
+        tail = power_law_tail(longer_waves, hurst, shortest)
+        added = all_scales_rms(Spectrum(WAVEVECTORS, tail))[1 + index]
+        return float(np.log(added**2 / missing_squares[index]))
+
+    def find_hurst(shortest: float) -> float:
+        root = scipy.optimize.brentq(excess, *TAIL_HURST_BOUNDS, args=(shortest, 0), xtol=1e-14)
+        return float(root)
+
+    def laplacian_excess(shortest: float) -> float:
+        return excess(find_hurst(shortest), shortest, 1)
+
+    # If tails add the same gradient, the tail that ends later adds more to the half-Laplacian.
+    lowest, highest = TAIL_HURST_BOUNDS
+    possible_ends = [end for end in ends if excess(lowest, end, 0) > 0 > excess(highest, end, 0)]
+    if not possible_ends:
+        raise refusal
+    longest_end, shortest_end = possible_ends[0], possible_ends[-1]
+    if not laplacian_excess(longest_end) < 0 < laplacian_excess(shortest_end):
+        raise refusal
+    shortest = float(scipy.optimize.brentq(laplacian_excess, longest_end, shortest_end, xtol=1e-14))
+    return {"hurst": find_hurst(shortest), "shortest_nm": shortest}
