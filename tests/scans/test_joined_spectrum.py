@@ -6,10 +6,10 @@ from measurements import gentle_density, measurement, random_line, random_map, t
 from refusals import assert_says, refusal
 
 from hardcontact.base.random import generator
-from hardcontact.scans.extrapolated_spectrum import HURST_SCATTER
 from hardcontact.scans.joined_spectrum import joined_spectrum, sample_spectra
 from hardcontact.scans.measured_spectrum import CALIBRATION_SCATTER, isotropic_psd
 from hardcontact.scans.reliable_band import reliable_band
+from hardcontact.scans.tail import HURST_SCATTER
 from hardcontact.surfaces.spectrum import BIN_CENTRES, WAVEVECTORS, smooth_rolloff
 
 

@@ -11,8 +11,8 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from hardcontact.base.units import DIMENSIONLESS
-from hardcontact.scans.extrapolated_spectrum import Tail
 from hardcontact.scans.reliable_band import OTHER_BODY
+from hardcontact.scans.tail import Tail
 from hardcontact.surfaces.filters import interpolate, lowpass
 from hardcontact.surfaces.height_map import HeightMap, mirror_in_float32
 from hardcontact.surfaces.spectrum import (

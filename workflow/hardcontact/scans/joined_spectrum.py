@@ -9,15 +9,6 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from hardcontact.base.arrays import Floats
-from hardcontact.scans.extrapolated_spectrum import (
-    HurstFit,
-    RolloffEvidence,
-    Tail,
-    extrapolate_long_waves,
-    extrapolate_short_waves,
-    fit_hurst_exponent,
-    has_exponent,
-)
 from hardcontact.scans.mean_spectrum import (
     Curve,
     MeanBins,
@@ -33,7 +24,15 @@ from hardcontact.scans.measured_spectrum import (
     local_slopes,
 )
 from hardcontact.scans.reliable_band import ReliableBand, limit_by_tip, reliable_band
+from hardcontact.scans.rolloff import RolloffEvidence, extrapolate_long_waves
 from hardcontact.scans.spectrum_datasets import add_measurements, measurement_descriptions
+from hardcontact.scans.tail import (
+    HurstFit,
+    Tail,
+    extrapolate_short_waves,
+    fit_hurst_exponent,
+    has_exponent,
+)
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import (
     BIN_CENTRES,

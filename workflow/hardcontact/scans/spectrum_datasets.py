@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 from hardcontact.base.arrays import Floats
 from hardcontact.base.units import NM4, RAD_PER_NM
 from hardcontact.scans.defects import DEFECT_UNITS
-from hardcontact.scans.extrapolated_spectrum import Tail
 from hardcontact.scans.reliable_band import ReliableBand
 from hardcontact.scans.repeated_scans import earlier_scans_of_areas
+from hardcontact.scans.tail import Tail
 from hardcontact.surfaces.descriptions import DATA_EVIDENCE
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import BIN_CENTRES, WAVEVECTORS, spectrum_of_dataset

@@ -58,14 +58,14 @@ class FeaturedSurface(NamedTuple):
         rms_values = expected_rms(features.base_factor, features.counts, added, self.statistics)
         return float(np.linalg.norm(standardized_differences(rms_values, self.statistics)))
 
-    def scan(self, rng: np.random.Generator, features: Features, count: int) -> HeightMap:
-        """Return a scan with a number of features."""
+    def sample_scan(self, rng: np.random.Generator, features: Features, count: int) -> HeightMap:
+        """Sample a scan with a number of features."""
         substitute = self.substitute
         base = sample_scan(rng, substitute.spectrum, substitute.grid, features.base_factor)
         return add_features(rng, base, features, count)
 
-    def whole_surface(self, realization: int, pixels: int, pixel_size: float) -> HeightMap:
-        """Return a periodic surface; odd realizations have bumps, even ones pits."""
+    def sample_whole_surface(self, realization: int, pixels: int, pixel_size: float) -> HeightMap:
+        """Sample a periodic surface; odd realizations have bumps, even ones pits."""
         kind = list(SIGNS)[(realization - 1) % len(SIGNS)]
         features = self.sample_features(
             kind, self.statistics.scan_count, realization, "whole surface"
@@ -102,7 +102,7 @@ def whole_surface(
     features; `pixel_size` is in nm.
     """
     if description is None:
-        return featured_surface(substitute).whole_surface(realization, pixels, pixel_size)
+        return featured_surface(substitute).sample_whole_surface(realization, pixels, pixel_size)
     rng = substitute.generator(realization, "permitted spectrum")
     table1, constants = substitute.table1, substitute.constants
     spectrum = sample_permitted_spectrum(rng, description, table1, constants)
@@ -111,31 +111,31 @@ def whole_surface(
 
 
 def sample_group(
-    source: FeaturedSurface, kind: str, scans: Sequence[int], *names: object
+    source: FeaturedSurface, kind: str, scan_numbers: Sequence[int], *names: object
 ) -> tuple[Features, list[HeightMap]]:
     """Sample features of a kind, and scans with these features; `names` name random numbers."""
-    features = source.sample_features(kind, len(scans), *names)
-    group = []
-    for scan, count in zip(scans, features.counts, strict=True):
-        rng = source.substitute.generator(kind, *names, scan, "featured scan")
-        group.append(source.scan(rng, features, count))
-    return features, group
+    features = source.sample_features(kind, len(scan_numbers), *names)
+    scans = []
+    for scan_number, count in zip(scan_numbers, features.counts, strict=True):
+        rng = source.substitute.generator(kind, *names, scan_number, "featured scan")
+        scans.append(source.sample_scan(rng, features, count))
+    return features, scans
 
 
 def nearest_group(
-    source: FeaturedSurface, scans: Sequence[int]
+    source: FeaturedSurface, scan_numbers: Sequence[int]
 ) -> tuple[Features, list[HeightMap]]:
-    """Return the group of scans whose features are nearest to Table 1, among CANDIDATES samples.
+    """Return the scans whose features are nearest to Table 1 among CANDIDATES samples.
 
     Bumps and pits alternate among the samples. No force enters.
     """
-    groups = []
+    candidates = []
     for candidate in range(CANDIDATES):
         kind = list(SIGNS)[candidate % len(SIGNS)]
-        features = source.sample_features(kind, len(scans), scans[0], candidate)
-        groups.append((source.distance_from_table1(features), kind, candidate))
-    _, kind, candidate = min(groups)
-    return sample_group(source, kind, scans, scans[0], candidate)
+        features = source.sample_features(kind, len(scan_numbers), scan_numbers[0], candidate)
+        candidates.append((source.distance_from_table1(features), kind, candidate))
+    _, kind, candidate = min(candidates)
+    return sample_group(source, kind, scan_numbers, scan_numbers[0], candidate)
 
 
 def describe_features(features: Features, base_rms_height: float) -> dict[str, xr.Variable]:
@@ -148,26 +148,18 @@ def describe_features(features: Features, base_rms_height: float) -> dict[str, x
     }
 
 
-def describe_group(
-    features: Features, scans: Sequence[int], spectrum_data: xr.Dataset, base_rms_height: float
-) -> xr.Dataset:
-    """Return the features of a group of scans, and the rows of Table 1 met by construction.
-
-    Features are accepted by the AFM rows, so these are met within their uncertainty.
-    """
-    variables = describe_features(features, base_rms_height) | {
-        "feature_count": xr.Variable("scan", list(features.counts), DIMENSIONLESS)
-    }
-    met_rows = spectrum_data.attrs["table1_rows_met"]
-    attributes = {"source": "substitute", "table1_rows_met": met_rows}
-    return xr.Dataset(variables, {"scan": list(scans)}, attributes)
-
-
 def featured_group(
-    substitute: Substitute, scans: Sequence[int]
+    substitute: Substitute, scan_numbers: Sequence[int]
 ) -> tuple[xr.Dataset, list[HeightMap]]:
-    """Return the `nearest_group` of scans, by their numbers; its description is first."""
+    """Return a description of the `nearest_group` of scans, and these scans.
+
+    The description has the features, and the rows of Table 1 met by construction. Features are
+    accepted by the AFM rows, so these are met within their uncertainty.
+    """
     source = featured_surface(substitute)
-    features, group = nearest_group(source, scans)
-    description = describe_group(features, scans, substitute.spectrum_data, source.mean_rms_height)
-    return description, group
+    features, scans = nearest_group(source, scan_numbers)
+    variables = describe_features(features, source.mean_rms_height)
+    variables["feature_count"] = xr.Variable("scan", list(features.counts), DIMENSIONLESS)
+    met_rows = substitute.spectrum_data.attrs["table1_rows_met"]
+    attributes = {"source": "substitute", "table1_rows_met": met_rows}
+    return xr.Dataset(variables, {"scan": list(scan_numbers)}, attributes), scans

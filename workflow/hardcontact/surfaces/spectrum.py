@@ -27,6 +27,7 @@ if TYPE_CHECKING:
 SpectrumFunction = Callable[[Floats], Floats]
 #: The grid on which joined spectra are tabulated: 40 points a decade, wavelengths 1 mm to 0.1 nm.
 WAVEVECTORS = 2 * np.pi * np.logspace(-6, 1, 281)
+LOG_WAVEVECTORS = np.log(WAVEVECTORS)
 #: Edges and centres of the bins of measured PSDs: ten a decade.
 BIN_EDGES = 2 * np.pi * np.logspace(-5, 1, 61)
 BIN_CENTRES = np.sqrt(BIN_EDGES[1:] * BIN_EDGES[:-1])

@@ -14,9 +14,9 @@ from hardcontact.base.arrays import Floats
 from hardcontact.base.formatting import format_length
 from hardcontact.base.number import Number, Status
 from hardcontact.contact.contact import Contact
-from hardcontact.scans.extrapolated_spectrum import extrapolate_short_waves, fit_hurst_exponent
 from hardcontact.scans.joined_spectrum import ScanSpectrum
 from hardcontact.scans.measured_spectrum import CALIBRATION_SCATTER
+from hardcontact.scans.tail import extrapolate_short_waves, fit_hurst_exponent
 from hardcontact.surfaces.spectrum import MIN_BINS, WAVEVECTORS, Spectrum, all_scales_rms
 from hardcontact.theory.closed_form import ClosedForm, closed_form, critical_band, smooth_force
 from hardcontact.theory.pull_off_statistics import predict_statistics
@@ -196,7 +196,7 @@ class _Tail(NamedTuple):
     density: Floats  #: C_iso in nm⁴ at WAVEVECTORS.
     rolloff: float  #: In nm.
     hurst: float  #: Hurst exponent of the extrapolated waves; NaN if there are none.
-    ended_by: str  #: What ends the tail: `extrapolated_spectrum.Tail.tail_ended_by`.
+    ended_by: str  #: What ends the tail: `scans.tail.Tail.tail_ended_by`.
 
 
 def _short_wave_tail(spectrum: Spectrum, trimmed: Spectrum) -> _Tail | None:

@@ -6,18 +6,17 @@ from known_spectra import BINS
 from measurements import measurement, uncd_density
 
 from hardcontact.base.random import generator
-from hardcontact.scans.extrapolated_spectrum import (
+from hardcontact.scans.joined_spectrum import joined_spectrum, sample_spectra
+from hardcontact.scans.rolloff import extrapolate_long_waves, levelled_share
+from hardcontact.scans.tail import (
     ATOMIC_WAVELENGTH,
     MAX_GRADIENT,
     MAX_HALF_LAPLACIAN,
     Tail,
-    extrapolate_long_waves,
     extrapolate_short_waves,
     fit_hurst_exponent,
     has_exponent,
-    levelled_share,
 )
-from hardcontact.scans.joined_spectrum import joined_spectrum, sample_spectra
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_rms, self_affine
 from hardcontact.surfaces.synthesis import random_surface
 

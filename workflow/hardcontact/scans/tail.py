@@ -1,24 +1,17 @@
-"""Extrapolation of a joined spectrum beyond the wavelengths of its measurements.
+"""Extrapolation of a spectrum below the shortest wavelength measured: the tail, down to atoms.
 
-The spectrum is self-affine from the shortest wavelength down to atoms, with the Hurst exponent of
-its last decade, within bounds on slope and curvature. It rises from the longest wavelength up to a
-roll-off, and is constant beyond. The roll-off follows from the variance of the levelled heights by
-Bayes' rule.
+The tail is self-affine with the Hurst exponent of the last decade measured. It ends early if the
+slope or the curvature over all scales would exceed those of the roughest hard surface known.
 """
 
-from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
 import scipy
 
 from hardcontact.base.arrays import Floats
-from hardcontact.scans.reliable_band import STEEPEST_SELF_AFFINE_SLOPE, ReliableBand
-from hardcontact.surfaces.height_map import HeightMap
-from hardcontact.surfaces.levelling import level, squared_projections
 from hardcontact.surfaces.spectrum import (
-    BIN_CENTRES,
-    BIN_WIDTH,
+    LOG_WAVEVECTORS,
     MIN_BINS,
     WAVEVECTORS,
     Spectrum,
@@ -32,22 +25,15 @@ MAX_GRADIENT = 1.45
 MAX_HALF_LAPLACIAN = 7.52
 #: The shortest wave of a row of atoms in nm: two bonds of diamond, 0.154 nm each.
 ATOMIC_WAVELENGTH = 0.3
-#: Ratio of the longest possible roll-off wavelength to the size of the scan: a scan shows longer
-#: waves as slopes, which levelling removes.
-MAX_ROLLOFF_OVER_SIZE = 10.0
 #: Fewest decades to which the Hurst exponent is fitted: five bins.
 MIN_FITTED_DECADES = 0.39
-#: Number of directions of waves over which `levelled_share` averages: more directions change a
-#: share by less than 0.5 % (line scan) or 1e-6 (map).
-DIRECTION_COUNT = 64
-LOG_WAVEVECTORS = np.log(WAVEVECTORS)
 #: Exponents s of C0 (1 + (q/q_r)^2s)^(-(1 + H)/s): from a gradual to a sharp roll-off at q_r.
 SHARPNESS = (1.0, 2.0, 4.0)
 #: Bounds of the fitted roll-off: factors on the first and the last wavevector. Below the lower
 #: bound the fit is a power law; above the upper bound hardly a bin is left for its exponent.
 ROLLOFF_BOUNDS = (0.1, 0.7)
-#: Roll-off wavelengths that are compared. In a trial on a scan of 10 µm, four times as many changed
-#: the roll-off by 6 %, far less than its uncertainty, and the Hurst exponent by 0.0002.
+#: Number of roll-off wavelengths compared. On a scan of 10 µm, four times as many changed the
+#: roll-off by 6 %, far less than its uncertainty, and the Hurst exponent by 0.0002.
 ROLLOFF_COUNT = 61
 #: Standard deviation of the Hurst exponent below the wavelengths measured: surfaces are self-affine
 #: over some decades at best.
@@ -111,12 +97,11 @@ def _truncated_moments(
     if total < MIN_TRUNCATED_PROBABILITY:
         mean = probability @ exponents
         return np.clip(mean, 0, 1), probability @ (errors**2 + (exponents - mean) ** 2)
-    cases = truncated_share > NEGLIGIBLE_SHARE
-    low, high = low[cases], high[cases]
-    exponents, errors = exponents[cases], errors[cases]
-    truncated_share, probability = truncated_share[cases], probability[cases]
-    low_density = np.exp(-(low**2) / 2) / np.sqrt(2 * np.pi)
-    high_density = np.exp(-(high**2) / 2) / np.sqrt(2 * np.pi)
+    mixture = np.array([low, high, exponents, errors, truncated_share, probability])
+    low, high, exponents, errors, truncated_share, probability = mixture[
+        :, truncated_share > NEGLIGIBLE_SHARE
+    ]
+    low_density, high_density = np.exp(-np.square([low, high]) / 2) / np.sqrt(2 * np.pi)
     shift = (low_density - high_density) / truncated_share
     means = exponents + errors * shift
     variances = errors**2 * (
@@ -195,100 +180,3 @@ def _find_tail_end(density: Floats) -> tuple[int, str]:
     }
     ended_by = min(first_exceeded, key=first_exceeded.__getitem__)
     return first_exceeded[ended_by] - 1, ended_by
-
-
-def extrapolate_long_waves(density: Floats, longest: float, slope: float, rolloff: float) -> Floats:
-    """Return C_iso (nm⁴) on WAVEVECTORS that rises above the longest wavelength measured (nm).
-
-    It rises up to the roll-off (nm) with d ln C/d ln q = `slope`, clipped to 0 and to the
-    STEEPEST_SELF_AFFINE_SLOPE.
-    """
-    relative = np.maximum(2 * np.pi / WAVEVECTORS / longest, 1.0)
-    exponent = -np.clip(slope, STEEPEST_SELF_AFFINE_SLOPE, 0.0)
-    rise = np.minimum(relative, max(rolloff / longest, 1.0)) ** exponent
-    return np.asarray(density * rise)
-
-
-def levelled_share(wavevector: Floats, size: float, kind: str) -> Floats:
-    """Return the share (q,) of the variance of random waves that remains in a levelled scan.
-
-    Levelling a scan of this size (nm) removes the mean and the slope along x and, for a map, y.
-    """
-    angle = (np.arange(DIRECTION_COUNT) + 0.5) * np.pi / 2 / DIRECTION_COUNT
-    half = np.maximum(wavevector[:, None] * size / 2, 1e-3)
-    mean_x, slope_x = squared_projections(half * np.cos(angle))
-    if kind == "line scan":
-        return np.asarray((1 - mean_x - slope_x).mean(axis=1))
-    mean_y, slope_y = squared_projections(half * np.sin(angle))
-    removed = mean_x * mean_y + slope_x * mean_y + mean_x * slope_y
-    return np.asarray((1 - removed).mean(axis=1))
-
-
-class RolloffEvidence:
-    """The scans of a surface that show the longest waves, and the evidence of their rms height."""
-
-    def __init__(
-        self, scans: Sequence[HeightMap], densities: Floats, bands: Sequence[ReliableBand]
-    ) -> None:
-        """Store the evidence of all scans, with their PSDs (scan, bins) in nm⁴ and their bands."""
-        longest = max(band.longest for band in bands)
-        widest_indices = [index for index, band in enumerate(bands) if band.longest == longest]
-        kind = scans[widest_indices[0]].kind
-        self.size = scans[widest_indices[0]].size
-        self.count = len(widest_indices)
-        variances = [level(scans[index]).heights.T.var() for index in widest_indices]
-        #: The mean variance of the levelled heights in nm².
-        self.variance = float(np.mean(variances))
-        self._density = np.nan_to_num(densities[widest_indices]).mean(axis=0)
-        shortest = min(bands[index].shortest for index in widest_indices)
-        self._unreliable = 2 * np.pi / BIN_CENTRES < shortest
-        self._share = levelled_share(WAVEVECTORS, self.size, kind)
-        # Independent modes per ln q: q²L²/4π in a map, qL/2π along a line, and 1 for waves longer
-        # than the scan, which appear as a bow.
-        waves = WAVEVECTORS * self.size / (2 * np.pi)
-        self._mode_count = np.maximum(waves if kind == "line scan" else np.pi * waves**2, 1)
-
-    def rolloff_quantile(
-        self, density: Floats, longest: float, slope: float, probability: float
-    ) -> float:
-        """Return the quantile, for a probability, of the roll-off wavelength in nm.
-
-        The prior is uniform in the logarithm of the roll-off, from the longest wavelength measured
-        (nm) to MAX_ROLLOFF_OVER_SIZE times the size of the scan. `slope` is d ln C/d ln q at this
-        wavelength. The result is this wavelength if the slope is not negative.
-        """
-        if slope >= 0:
-            return longest
-        rolloffs = np.geomspace(
-            longest, max(MAX_ROLLOFF_OVER_SIZE * self.size, 1.01 * longest), ROLLOFF_COUNT
-        )
-        spectra = (extrapolate_long_waves(density, longest, slope, rolloff) for rolloff in rolloffs)
-        log_likelihoods = np.array([self._log_likelihood(spectrum) for spectrum in spectra])
-        posterior = np.exp(log_likelihoods - log_likelihoods.max())
-        cumulative = (np.cumsum(posterior) - posterior / 2) / posterior.sum()
-        return float(np.exp(np.interp(probability, cumulative, np.log(rolloffs))))
-
-    def _log_likelihood(self, density: Floats) -> float:
-        """Return the logarithm of the likelihood of the measured variance, up to a constant.
-
-        The power of each of N independent modes is distributed exponentially, so that their sum is
-        a gamma variable of relative variance 1/N.
-        """
-        power = density * WAVEVECTORS**2 * self._share / (2 * np.pi)
-        expected_variance = np.trapezoid(power, LOG_WAVEVECTORS) + self._noise_variance(density)
-        variance_of_scan = np.trapezoid(power**2 / self._mode_count, LOG_WAVEVECTORS)
-        shape = expected_variance**2 / variance_of_scan * self.count
-        scale = expected_variance / shape
-        ratio = self.variance / scale
-        return float(
-            (shape - 1) * np.log(ratio) - ratio - scipy.special.gammaln(shape) - np.log(scale)
-        )
-
-    def _noise_variance(self, density: Floats) -> float:
-        """Return the variance of heights (nm²) from noise at wavelengths too short to be reliable.
-
-        It is what the measured spectrum has in excess of the surface's C_iso.
-        """
-        excess = self._density - np.interp(BIN_CENTRES, WAVEVECTORS, density)
-        power = (np.maximum(excess, 0) * BIN_CENTRES**2)[self._unreliable]
-        return float(power.sum() * BIN_WIDTH / (2 * np.pi))
