@@ -1,7 +1,7 @@
-"""Defects of a scan that make forces wrong although its file is readable.
+"""Find defects of a scan that make forces wrong although its file is readable.
 
-The defects are streaks, spikes, lines that were not measured, a clipped range, a curvature that
-remains after levelling, offsets of lines, a lay, sidewalls and noise.
+Each defect has a code and numbers, such as the share of spikes, that its sentence states. DEFECTS
+lists them all.
 """
 
 from collections.abc import Mapping
@@ -17,11 +17,13 @@ from numpy.typing import NDArray
 from hardcontact.base.arrays import Floats
 from hardcontact.base.formatting import format_length, format_share
 from hardcontact.base.statistics import MEDIAN_DEVIATION
-from hardcontact.scans.reliable_band import FLATTEST_SLOPE, MIN_STANDARD_ERRORS
+from hardcontact.scans.spectral_defects import MIN_LAY_RATIO, lay_numbers, noise_numbers, wave_power
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.levelling import remove_form
 from hardcontact.surfaces.streaks import MIN_STREAK_STEPS, fill_streaks
 
+#: Numbers of a defect, by name; empty if a scan lacks it.
+Numbers = dict[str, float]
 #: By code of a defect: its numbers with their units. defects.yaml has a sentence on each.
 DEFECTS = {
     "streaks": {
@@ -61,15 +63,6 @@ MAX_UNCURVED_SHARE = 0.9
 MIN_SECOND_ORDER_RATIO = 50.0
 #: Points per row to which polynomials are fitted.
 POLYNOMIAL_POINTS = 32
-#: A lay has at least this ratio of the variance of profiles along its wavevector to that across,
-#: and this share of the variance of heights: smaller ones are drift and noise of lines. Of 5400
-#: self-affine maps without a roll-off (H from 0.5 to 1) two exceed both. Profiles have waves of at
-#: least four pixels, because shorter ones are noisy, and at most a quarter of the size, because
-#: longer random waves are few.
-MIN_LAY_RATIO = 3.0
-MIN_LAY_SHARE = 0.1
-MIN_PIXELS_PER_WAVE = 4
-MIN_WAVES = 4
 #: Smallest correlation of a step from line to line with the next step. It is 0 if heights walk at
 #: random, and -0.5 if each line is offset at random, which is noise of the instrument.
 MIN_STEP_CORRELATION = -0.25
@@ -77,21 +70,17 @@ MIN_STEP_CORRELATION = -0.25
 #: On rough surfaces 5 % of the pixels have 0.2 to 0.45 of it; with pillars and steps, 0.8 to 1.
 SIDEWALL_PIXEL_SHARE = 0.05
 MIN_SIDEWALL_SLOPE_SHARE = 0.7
-#: Least share of noise in the variance of heights: it changes the rms height by one per cent.
-MIN_NOISE_SHARE = 0.02
-#: Largest ratio of powers: a pattern without noise would have an infinite ratio.
-LARGEST_RATIO = 1e6
 
 
 def scan_defects(
     raw_heights: Floats, levelled_heights: Floats, pixel_size: float
-) -> dict[str, dict[str, float]]:
+) -> dict[str, Numbers]:
     """Return the defects of a scan by code, each with its numbers as in DEFECTS; empty for none.
 
     Heights in nm, before and after levelling, are (y, x) or (n,) of a line scan. The pixel size in
     nm is the spacing of a line scan.
     """
-    numbers: dict[str, dict[str, float]] = {}
+    numbers: dict[str, Numbers] = {}
     power: Floats | None = None  # of a map without equal lines
     measured_heights = raw_heights
     if raw_heights.ndim == 2:
@@ -103,12 +92,8 @@ def scan_defects(
             measured_heights = raw_heights[~rows][:, ~columns]
         else:  # Unmeasured lines would look like a lay or like streaks.
             levelled_heights, numbers["streaks"] = _without_streaks(levelled_heights)
-            numbers["offset_lines"] = _line_offset_numbers(levelled_heights)
-            window = np.hanning(len(levelled_heights) + 1)[:-1]
-            power = np.abs(np.fft.fft2(levelled_heights * np.outer(window, window))) ** 2
-            numbers["lay"], slope_ratio = _lay_numbers(power)
-            if slope_ratio > MIN_LAY_RATIO and not (numbers["lay"] or numbers["offset_lines"]):
-                numbers["slopes"] = _slope_numbers(levelled_heights, pixel_size)
+            power = wave_power(levelled_heights)
+            numbers |= _direction_numbers(levelled_heights, power, pixel_size)
     numbers["spikes"] = _spike_numbers(levelled_heights)
     numbers |= _clipping_numbers(measured_heights)
     # Spikes and unmeasured lines look like sidewalls, spikes also like noise. White noise is hidden
@@ -118,8 +103,17 @@ def scan_defects(
         has_levels = np.median(np.abs(np.diff(raw_heights, axis=0))) == 0
         hides_noise = has_levels or numbers["sidewalls"] or numbers.get("offset_lines")
         if power is not None and not hides_noise:
-            numbers["noise"] = _noise_numbers(levelled_heights.var(), power)
+            numbers["noise"] = noise_numbers(levelled_heights.var(), power)
     return {code: numbers[code] for code in DEFECTS if numbers.get(code)}
+
+
+def _direction_numbers(heights: Floats, power: Floats, pixel_size: float) -> dict[str, Numbers]:
+    """Return the numbers of offset lines and a lay, or else of slopes that depend on direction."""
+    lay, slope_ratio = lay_numbers(power)
+    numbers = {"offset_lines": _line_offset_numbers(heights), "lay": lay}
+    if slope_ratio > MIN_LAY_RATIO and not any(numbers.values()):
+        numbers["slopes"] = _slope_numbers(heights, pixel_size)
+    return numbers
 
 
 def scan_with_defects(
@@ -130,8 +124,8 @@ def scan_with_defects(
     return replace(flat, defects=scan_defects(scan.heights, flat.heights, scan.pixel_size))
 
 
-def _without_streaks(heights: Floats) -> tuple[Floats, dict[str, float]]:
-    """Return heights without streaks, and their lines and the rms height (nm); empty for none."""
+def _without_streaks(heights: Floats) -> tuple[Floats, Numbers]:
+    """Return heights without streaks, and the lines of streaks and the rms height (nm) without."""
     filled, is_filled = fill_streaks(heights)
     lines = np.flatnonzero(is_filled.any(axis=1)) + 1
     if not lines.size:
@@ -144,8 +138,8 @@ def _without_streaks(heights: Floats) -> tuple[Floats, dict[str, float]]:
     }
 
 
-def _spike_numbers(heights: Floats) -> dict[str, float]:
-    """Return the share of spikes and the rms height (nm) without them; empty without spikes.
+def _spike_numbers(heights: Floats) -> Numbers:
+    """Return the share of spikes and the rms height (nm) without them.
 
     On a map one neighbour of a spike may be a spike, too. Even the pixel at the corner of a
     particle has three neighbours on it.
@@ -179,7 +173,7 @@ def _find_equal_lines(lines: Floats) -> NDArray[np.bool_]:
     return equal
 
 
-def _clipping_numbers(heights: Floats) -> dict[str, dict[str, float]]:
+def _clipping_numbers(heights: Floats) -> dict[str, Numbers]:
     """Return the shares of pixels at the highest and the lowest value, if they are clipped."""
     _, counts = np.unique(heights, return_counts=True)
     if len(counts) < 2:
@@ -192,8 +186,8 @@ def _clipping_numbers(heights: Floats) -> dict[str, dict[str, float]]:
     return numbers
 
 
-def _curvature_numbers(heights: Floats, pixel_size: float) -> dict[str, float]:
-    """Return the radius (nm) of a curvature and the rms share without it; empty without one."""
+def _curvature_numbers(heights: Floats, pixel_size: float) -> Numbers:
+    """Return the radius (nm) of a curvature, and the relative rms height without it."""
     step = max(1, len(heights) // POLYNOMIAL_POINTS)
     points = heights[::step, ::step]
     axis = np.linspace(-1, 1, len(points))
@@ -205,9 +199,9 @@ def _curvature_numbers(heights: Floats, pixel_size: float) -> dict[str, float]:
     power = [float((amplitudes[orders == order] ** 2).sum()) for order in range(5)]
     total = float((points**2).sum()) - power[0] - power[1]
     uncurved_power = max(total - power[2], 0.0)
-    if uncurved_power >= MAX_UNCURVED_SHARE**2 * total or power[2] < MIN_SECOND_ORDER_RATIO * (
-        power[3] + power[4]
-    ):
+    higher_orders = power[3] + power[4]
+    has_curvature = uncurved_power < MAX_UNCURVED_SHARE**2 * total
+    if not has_curvature or power[2] < MIN_SECOND_ORDER_RATIO * higher_orders:
         return {}
     terms_of_order = np.linalg.solve(triangle, np.where(orders == 2, amplitudes, 0))
     yy, xy, xx = terms_of_order[orders == 2]
@@ -219,8 +213,8 @@ def _curvature_numbers(heights: Floats, pixel_size: float) -> dict[str, float]:
     }
 
 
-def _line_offset_numbers(heights: Floats) -> dict[str, float]:
-    """Return the rms offset (nm) of lines that are offset at random; empty without offsets."""
+def _line_offset_numbers(heights: Floats) -> Numbers:
+    """Return the rms offset (nm) of lines that are offset at random."""
     steps = np.diff(heights, axis=0)
     line_steps = steps.mean(axis=1)
     is_most = line_steps.var() > steps.var() / 2
@@ -234,50 +228,16 @@ def _correlation_of_steps(steps: Floats) -> float:
     return float((steps[1:] * steps[:-1]).mean() / max((steps**2).mean(), np.finfo(float).tiny))
 
 
-def _slope_numbers(heights: Floats, pixel_size: float) -> dict[str, float]:
-    """Return the rms slopes along x and y; empty if noise of lines makes the steeper one."""
+def _slope_numbers(heights: Floats, pixel_size: float) -> Numbers:
+    """Return the rms slopes along x and y; none if noise of lines makes the steeper one."""
     steps = [np.diff(lines, axis=0) for lines in (heights.T, heights)]
     slopes = [float(axis_steps.std()) / pixel_size for axis_steps in steps]
     is_noise = _correlation_of_steps(steps[int(np.argmax(slopes))]) < MIN_STEP_CORRELATION
     return {} if is_noise else {"slope_along_x": slopes[0], "slope_along_y": slopes[1]}
 
 
-def _lay_numbers(power: Floats) -> tuple[dict[str, float], float]:
-    """Return the ratio of variances of profiles along and across a lay, and of squared slopes.
-
-    The ratio of variances is in a dictionary, empty if there is no lay.
-    """
-    pixels = len(power)
-    waves = np.fft.fftfreq(pixels, 1 / pixels)
-    wavevector = waves + 1j * waves[:, None]  # x + iy, in waves across the map
-    size = np.abs(wavevector)
-    is_resolved = (MIN_WAVES <= size) & (size <= pixels / MIN_PIXELS_PER_WAVE)
-    # opposite wavevectors have the same square
-    squares = (power[is_resolved] * (wavevector[is_resolved] / size[is_resolved]) ** 2).sum()
-    direction = np.exp(0.5j * np.angle(squares))
-    squared_slopes = (power * size**2)[is_resolved].sum()
-    slope_difference = abs((power * wavevector**2)[is_resolved].sum())
-
-    def profile_variance(axis: complex) -> float:
-        component = np.abs((wavevector * np.conj(axis)).real)
-        in_profile = (MIN_WAVES <= component) & (component <= pixels / MIN_PIXELS_PER_WAVE)
-        return float(power[in_profile].sum())
-
-    variance_along = profile_variance(direction)
-    variance_across = profile_variance(1j * direction)
-    is_lay = variance_along > max(MIN_LAY_RATIO * variance_across, MIN_LAY_SHARE * power.sum())
-    slope_ratio = _ratio(squared_slopes + slope_difference, squared_slopes - slope_difference)
-    lay = {"lay_ratio": _ratio(variance_along, variance_across)} if is_lay else {}
-    return lay, slope_ratio
-
-
-def _ratio(larger: float, smaller: float) -> float:
-    """Return the ratio of two powers, at most LARGEST_RATIO; 1 if both are zero."""
-    return float(larger / max(smaller, larger / LARGEST_RATIO)) if larger else 1.0
-
-
-def _sidewall_numbers(heights: Floats) -> dict[str, float]:
-    """Return the share of the squared slopes at the steepest pixels; empty without sidewalls."""
+def _sidewall_numbers(heights: Floats) -> Numbers:
+    """Return the share of the squared slopes at the steepest pixels, which are sidewalls."""
     if heights.ndim == 2:
         squares = np.diff(heights, axis=0)[:, 1:] ** 2 + np.diff(heights, axis=1)[1:] ** 2
     else:
@@ -286,38 +246,6 @@ def _sidewall_numbers(heights: Floats) -> dict[str, float]:
     steepest = squares[-max(1, round(SIDEWALL_PIXEL_SHARE * squares.size)) :]
     share = float(steepest.sum() / squares.sum())
     return {"sidewall_slope_share": share} if share > MIN_SIDEWALL_SLOPE_SHARE else {}
-
-
-def _noise_numbers(variance: float, power: Floats) -> dict[str, float]:
-    """Return the rms of white noise and the rms height without it (nm); empty without noise.
-
-    The spectrum of a noisy scan is flatter than any self-affine spectrum at two to four pixels, but
-    steeper at longer waves.
-    """
-    pixels = len(power)
-    waves = np.fft.fftfreq(pixels, 1 / pixels)
-    half_octave = np.round(2 * np.log2(pixels / np.maximum(np.hypot(waves, waves[:, None]), 1)))
-    half_octaves = np.arange(3, 2 * np.log2(pixels / MIN_WAVES))
-    if len(half_octaves) < 2:
-        return {}
-    in_half_octave = [half_octave == index for index in half_octaves]
-    density = [power[mask].mean() for mask in in_half_octave]
-    counts = [np.count_nonzero(mask) for mask in in_half_octave]
-    slopes = -2 * np.diff(np.log2(np.maximum(density, np.finfo(float).tiny)))
-    # The window makes one independent wave of four, and opposite wavevectors have the same power.
-    relative_errors = np.sqrt(8 / np.array(counts))
-    errors = 2 / np.log(2) * np.hypot(relative_errors[1:], relative_errors[:-1])
-    is_noisy = (
-        slopes[0] - MIN_STANDARD_ERRORS * errors[0] > FLATTEST_SLOPE
-        and (slopes + MIN_STANDARD_ERRORS * errors).min() < FLATTEST_SLOPE
-    )
-    noise = density[0] / (np.hanning(pixels + 1)[:-1] ** 2).sum() ** 2
-    if not is_noisy or noise < MIN_NOISE_SHARE * variance:
-        return {}
-    return {
-        "noise_height": float(np.sqrt(noise)),
-        "rms_height_without_noise": float(np.sqrt(max(variance - noise, 0))),
-    }
 
 
 def defect_sentence(code: str, numbers: Mapping[str, float]) -> str:

@@ -72,9 +72,7 @@ def _measured_spectra(
         for measurement, radius in zip(measurements, tip_radii, strict=True)
     ]
     densities = np.array([isotropic_psd(measurement) for measurement in measurements])
-    bands = [
-        reliable_band(*arguments) for arguments in zip(measurements, radii, densities, strict=True)
-    ]
+    bands = [reliable_band(*scan) for scan in zip(measurements, radii, densities, strict=True)]
     modes = np.array([independent_modes(measurement) for measurement in measurements])
     spectra = _MeasuredSpectra(
         radii, densities, modes, bands, RolloffEvidence(measurements, densities, bands)

@@ -122,14 +122,11 @@ def _spectral_ends(scan: HeightMap, density: Floats) -> list[tuple[float, str]]:
     unsmoothed_count = _count_unsmoothed(is_smoothed, len(q))
     risen_count = _count_above_floor(is_flat, unsmoothed_count)
     reliable_count = _count_unsmoothed(is_smoothed, risen_count)
+    has_floor = risen_count < unsmoothed_count
     ends = []
-    if risen_count < unsmoothed_count:
+    if has_floor:
         ends.append((_end_wavelength(q, risen_count), "noise"))
-    if (
-        reliable_count < risen_count
-        or unsmoothed_count < len(q)
-        and risen_count == unsmoothed_count
-    ):
+    if reliable_count < risen_count or (unsmoothed_count < len(q) and not has_floor):
         ends.append((_end_wavelength(q, reliable_count), "smoothing"))
     return ends
 
