@@ -18,6 +18,7 @@ from SurfaceTopography import Topography, open_topography
 from SurfaceTopography.Exceptions import CannotDetectFileFormat, MetadataAlreadyFixedByFile
 from SurfaceTopography.IO import AscReader, GWYReader, XYZReader
 
+from hardcontact.scans.channels import height_channel
 from hardcontact.scans.containers import container_entries, find_entry
 from hardcontact.scans.heights import (
     MAX_ASPECT_DEVIATION,
@@ -72,18 +73,18 @@ def read_fields(
         entry = find_entry(entries, dataset)
         with zipfile.ZipFile(io.BytesIO(content)) as container:
             content = container.read(entry["file"])
-    content, text_notes = readable_text(content)
+    content, notes = readable_text(content)
     unit = unit.replace("angstrom", "Å")
     reader = _open_reader(content)
-    channel, notes = _height_channel(reader, entry, "" if entry else dataset)
-    notes = text_notes + notes
-    topography, metadata_in_words = _read_topography(
+    channel, channel_notes = height_channel(reader, entry, "" if entry else dataset)
+    topography, used_metadata = _read_topography(
         channel, entry or _user_metadata(channel, unit, map_size)
     )
     _refuse_without_unit_or_size(topography)
-    if metadata_in_words:
+    notes += channel_notes
+    if used_metadata:
         origin = "stated by the container" if entry else "given by the user"
-        notes.append(f"{', '.join(metadata_in_words)} ({origin})".replace("_", " "))
+        notes.append(f"{', '.join(used_metadata)} ({origin})".replace("_", " "))
     if mask == "keep" and isinstance(reader, GWYReader):
         topography, mask_notes = _keep_marked_pixels(topography)
         notes += mask_notes
@@ -180,72 +181,6 @@ def _open_reader(content: bytes) -> Any:
     return reader
 
 
-def _height_channel(reader: Any, entry: dict[str, Any], name: str) -> tuple[Any, list[str]]:
-    """Return a channel of heights, and notes.
-
-    It is the channel that the user names, else the container's, else the reader's default. A
-    channel that the user names is refused if it has no heights. If the channel of the container
-    or of the reader has none, the first channel of heights is returned, with a note.
-    """
-    channels = reader.channels
-    channel_index = entry.get("data_source")
-    if channel_index is not None and channel_index not in range(len(channels)):
-        raise RefusedFile(
-            f"expected a data_source from 0 to {len(channels) - 1} in the container, "
-            f"found {channel_index}"
-        )
-    preferred = reader.default_channel if channel_index is None else channels[channel_index]
-    # The reader takes phases and voltages of Nanoscope files for heights; they have two units.
-    height_channels = [
-        channel
-        for channel in channels
-        if channel.is_height_channel and not isinstance(channel.unit, tuple)
-    ]
-    if name:
-        return _named_channel(channels, height_channels, name), []
-    if not height_channels:
-        channels_in_words = ", ".join(
-            f"{channel.name} ({_unit_in_words(channel)})" for channel in channels
-        )
-        raise RefusedFile(f"expected a channel of heights, found only {channels_in_words}")
-    height_channel = next(
-        (channel for channel in height_channels if channel.index == preferred.index), None
-    )
-    if height_channel is None:
-        height_channel = height_channels[0]
-        return height_channel, [
-            f"channel {height_channel.name} read: {preferred.name} holds no heights"
-        ]
-    other_names = [
-        channel.name for channel in height_channels if channel.name != height_channel.name
-    ]
-    notes = [f"other channels of heights: {', '.join(other_names)}"]
-    return height_channel, notes if other_names and channel_index is None else []
-
-
-def _named_channel(channels: list[Any], height_channels: list[Any], name: str) -> Any:
-    """Return the channel of heights with a name, or with its number among all channels from 1."""
-    names = ", ".join(channel.name for channel in height_channels) or "none"
-    matching = [channel for channel in channels if name in (channel.name, str(channel.index + 1))]
-    if not matching:
-        raise RefusedFile(
-            f"expected one of the channels of heights ({names}), or its number among all "
-            f"channels from 1; found {name!r}"
-        )
-    if matching[0].index not in [channel.index for channel in height_channels]:
-        raise RefusedFile(
-            f"expected a channel of heights, found only {matching[0].name} "
-            f"({_unit_in_words(matching[0])}); of heights: {names}"
-        )
-    return matching[0]
-
-
-def _unit_in_words(channel: Any) -> str:
-    """Return the unit of the values of a channel, which is the second if there are two units."""
-    unit = channel.unit[1] if isinstance(channel.unit, tuple) else channel.unit
-    return str(unit or "of no stated unit")
-
-
 def _user_metadata(channel: Any, unit: str, map_size: float | str) -> dict[str, Any]:
     """Return the user's metadata for a file that lacks them, in the form of a container.
 
@@ -265,7 +200,7 @@ def _user_metadata(channel: Any, unit: str, map_size: float | str) -> dict[str, 
 
 
 def _read_topography(channel: Any, metadata: dict[str, Any]) -> tuple[Any, list[str]]:
-    """Return the topography of a channel, and the used metadata that its file lacks, in words."""
+    """Return the topography of a channel, and in words the metadata that complete its file."""
     is_text = isinstance(channel.reader, AscReader)
     if is_text and channel.physical_sizes is None and channel.nb_grid_pts[0] <= POINT_COLUMNS:
         raise RefusedFile(
@@ -282,14 +217,12 @@ def _read_topography(channel: Any, metadata: dict[str, Any]) -> tuple[Any, list[
     if scale is not None and not 0 < scale < math.inf:
         raise RefusedFile(f"expected a positive height scale, found {scale}")
     if channel.physical_sizes is None and size is None and not has_positions:
-        expected = "the physical size"
-        remedy = "gives the longer side"
-        if channel.unit is None and "unit" not in metadata:
-            expected += " and unit"
-            remedy += ", and --unit nm (scan.unit: nm) the unit of the heights"
+        lacks_unit = channel.unit is None and "unit" not in metadata
+        remedy = ", and --unit nm (scan.unit: nm) the unit of the heights" if lacks_unit else ""
         raise RefusedFile(
-            f"expected a file that states {expected} of the scan, found none: --size 5000nm "
-            f"(scan.map_size: 5000nm) {remedy}"
+            f"expected a file that states the physical size{' and unit' if lacks_unit else ''} of "
+            "the scan, found none: --size 5000nm (scan.map_size: 5000nm) gives the longer side"
+            + remedy
         )
     arguments = _accepted_arguments(channel, metadata | {"size": size})
     topography = channel.topography(**arguments)
@@ -298,12 +231,10 @@ def _read_topography(channel: Any, metadata: dict[str, Any]) -> tuple[Any, list[
         abs(topography.physical_sizes[0]) <= MAX_TOLERATED_SPACING * topography.nb_grid_pts[0]
     ):
         topography = channel.reader._read(tol=0, **arguments)
-    metadata_in_words = []
-    for argument, value in arguments.items():
-        lengths = value if argument == "physical_sizes" else ()
-        words = " x ".join(f"{length:.6g}" for length in lengths) or value
-        metadata_in_words.append(f"{KEY_BY_ARGUMENT[argument]} {words}")
-    return topography, metadata_in_words
+    if size is not None:
+        metadata = metadata | {"size": " x ".join(f"{length:.6g}" for length in size)}
+    keys = [KEY_BY_ARGUMENT[argument] for argument in arguments]
+    return topography, [f"{key} {metadata[key]}" for key in keys]
 
 
 def _accepted_arguments(channel: Any, metadata: dict[str, Any]) -> dict[str, Any]:
