@@ -1,4 +1,4 @@
-"""Turn what a reader of SurfaceTopography returns into heights, spacing and tip of a scan.
+"""Turn a topography of SurfaceTopography into the fields of a scan: heights, pixel size, tip.
 
 Maps are cropped to squares, gaps are filled, line scans are resampled.
 """
@@ -21,7 +21,7 @@ POINT_BOUNDS = (16, 2**20)
 #: Pixels and heights of a scan in nm, 1 pm to 1 cm: the range of all microscopes, and squares of
 #: these keep their digits. A damaged header may state any number.
 LENGTH_BOUNDS = (1e-3, 1e7)
-#: Largest relative difference between the widths of a square pixel.
+#: Largest relative difference between the widths of a square pixel: files round them.
 MAX_ASPECT_DEVIATION = 1e-3
 #: Share of undefined pixels beyond which a scan is more filled than measured.
 MAX_UNDEFINED_SHARE = 0.5
@@ -69,7 +69,7 @@ def unit_in_nm(unit: str) -> float:
         raise RefusedFile(f"expected a unit of length, found {unit!r}") from None
 
 
-def _fields(heights: Floats, pixel_size: float, notes: list[str]) -> dict[str, Any]:
+def _scan_fields(heights: Floats, pixel_size: float, notes: list[str]) -> dict[str, Any]:
     """Return heights (nm), pixel size (nm) and notes as a dictionary; refuse impossible values."""
     minimum, maximum = LENGTH_BOUNDS
     # An offset larger than any relief is the position of a stage; heights need digits below it.
@@ -94,7 +94,7 @@ def _fields(heights: Floats, pixel_size: float, notes: list[str]) -> dict[str, A
 
 
 def map_values(topography: Any, factor: float, undefined_pixels: str) -> dict[str, Any]:
-    """Return `_fields` of the largest square of a map, whose unit is `factor` nm."""
+    """Return the fields of a scan, by name, from the largest square of a map, in `factor` nm."""
     from SurfaceTopography import Topography
 
     sizes = np.asarray(topography.physical_sizes, float) * factor
@@ -115,7 +115,7 @@ def map_values(topography: Any, factor: float, undefined_pixels: str) -> dict[st
     if undefined_count:
         with_gaps = Topography(heights, heights.shape)
         filled = np.asarray(with_gaps.interpolate_undefined_data(undefined_pixels).heights())
-    fields = _fields(filled.T * factor, pixel_size, notes + undefined_notes)
+    fields = _scan_fields(filled.T * factor, pixel_size, notes + undefined_notes)
     return fields | {"undefined_count": undefined_count}
 
 
@@ -194,7 +194,7 @@ def _count_undefined(heights: np.ma.MaskedArray, undefined_pixels: str) -> tuple
 
 
 def profile_values(line_scan: Any, factor: float, undefined_pixels: str) -> dict[str, Any]:
-    """Return `_fields` of a line scan on uniform spacing, gaps filled; its unit is `factor` nm."""
+    """Return the fields of a scan from a line scan in `factor` nm, evenly spaced, gaps filled."""
     heights = _mask_undefined(line_scan.heights())
     positions = np.asarray(line_scan.positions(), float) * factor
     if positions[-1] < positions[0]:
@@ -204,7 +204,7 @@ def profile_values(line_scan: Any, factor: float, undefined_pixels: str) -> dict
     defined = ~heights.mask
     filled = np.interp(grid, positions[defined], heights.data[defined]) * factor
     pixel_size = float((grid[-1] - grid[0]) / (len(grid) - 1))
-    fields = _fields(filled, pixel_size, notes + undefined_notes)
+    fields = _scan_fields(filled, pixel_size, notes + undefined_notes)
     return fields | {"undefined_count": undefined_count}
 
 

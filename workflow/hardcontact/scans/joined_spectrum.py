@@ -73,7 +73,7 @@ def _measured_spectra(
     ]
     densities = np.array([isotropic_psd(measurement) for measurement in measurements])
     bands = [reliable_band(*scan) for scan in zip(measurements, radii, densities, strict=True)]
-    modes = np.array([independent_modes(measurement) for measurement in measurements])
+    modes = np.array([independent_modes(scan.kind, scan.size) for scan in measurements])
     spectra = _MeasuredSpectra(
         radii, densities, modes, bands, RolloffEvidence(measurements, densities, bands)
     )

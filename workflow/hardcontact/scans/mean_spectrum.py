@@ -17,7 +17,7 @@ from hardcontact.base.formatting import format_length
 from hardcontact.scans.measured_spectrum import (
     CALIBRATION_SCATTER,
     bias_of_log,
-    modes_in_bins,
+    independent_modes,
     variance_of_log,
 )
 from hardcontact.surfaces.spectrum import BIN_CENTRES, BIN_WIDTH, HALF_DECADE_BINS, Spectrum
@@ -169,7 +169,7 @@ def find_contradictions(
     range with the largest difference in standard errors.
     """
     usable = np.asarray(reliable, bool) & np.isfinite(density)
-    modes = np.array([modes_in_bins(kind, size) for kind, size in zip(kinds, sizes, strict=True)])
+    modes = np.array([independent_modes(*scan) for scan in zip(kinds, sizes, strict=True)])
     logs = np.log(np.where(usable, density, 1.0)) + bias_of_log(modes)
     variances = variance_of_log(modes)
     results = []

@@ -39,7 +39,7 @@ def isotropic_psd(scan: HeightMap) -> Floats:
     levelled = level(scan)
     if scan.kind == "map":
         return measured_psds(levelled)[2]
-    modes = independent_modes(scan)
+    modes = independent_modes(scan.kind, scan.size)
     return isotropic_from_profile(BIN_CENTRES, profile_psd(levelled), modes)
 
 
@@ -57,15 +57,11 @@ def axis_ratio(scan: HeightMap) -> Floats:
     return np.asarray(np.where(np.isfinite(ratio), ratio, 1.0), float)
 
 
-def independent_modes(scan: HeightMap) -> Floats:
-    """Return the number of independent modes in each bin of a measured PSD, at least 1."""
-    return modes_in_bins(scan.kind, scan.size)
+def independent_modes(kind: str, size: float) -> Floats:
+    """Return the number of independent modes in each bin of the PSD of a map or line scan.
 
-
-def modes_in_bins(kind: str, size: float) -> Floats:
-    """Return the independent modes in each bin of a square map or a line scan of a size (nm).
-
-    One of each pair ±q counts, times the share that the Hann window leaves independent.
+    The size is in nm. One of each pair ±q counts, times the share that the Hann window leaves
+    independent.
     """
     if kind == "map":
         count = np.pi / 2 * np.diff(BIN_EDGES**2) * (INDEPENDENT_SHARE * size / (2 * np.pi)) ** 2

@@ -58,11 +58,11 @@ def readable_text(content: bytes) -> tuple[bytes, list[str]]:
         notes.append("decimal commas read")
     if not text.startswith(OWN_SEPARATORS):
         rows = _separate_with_blanks([lines[index] for index in row_indices])
-        points = _points(rows)
-        complete, grid_notes = ([], []) if points is None else _grid_points(points)
+        points = _parse_points(rows)
+        grid_rows, grid_notes = ([], []) if points is None else _grid_points(points)
         notes += grid_notes
-        if complete:
-            lines = [*lines[:first_row], *complete]
+        if grid_rows:
+            lines = [*lines[:first_row], *grid_rows]
         else:
             for index, row in zip(row_indices, rows, strict=True):
                 lines[index] = row
@@ -120,7 +120,7 @@ def _separate_with_blanks(rows: list[str]) -> list[str]:
     return [" ".join(cell.strip() or "nan" for cell in row.split(separator)) for row in rows]
 
 
-def _points(rows: list[str]) -> Floats | None:
+def _parse_points(rows: list[str]) -> Floats | None:
     """Return points (n, 3) from rows of three numbers; None if there are other rows."""
     cells = [row.split() for row in rows]
     if any(len(row) != POINT_COLUMNS for row in cells):
@@ -143,18 +143,18 @@ def _grid_points(points: Floats) -> tuple[list[str], list[str]]:
     corner = [axis[0] for axis in axes]
     indices = np.rint((points[:, :2] - corner) / steps).astype(np.intp)
     shape = (len(axes[0]), len(axes[1]))
-    flat = np.ravel_multi_index(indices.T, shape)
+    pixel_indices = np.ravel_multi_index(indices.T, shape)
     size = shape[0] * shape[1]
-    if not MAX_UNDEFINED_SHARE * size <= len(np.unique(flat)) == len(flat):
+    if not MAX_UNDEFINED_SHARE * size <= len(np.unique(pixel_indices)) == len(pixel_indices):
         return [], []
     offsets = (points[:, :2] - corner) / steps - indices
     distance = float(np.abs(offsets).max())
     is_beside = distance > POSITION_ROUNDING
-    if len(flat) == size and not is_beside:
+    if len(pixel_indices) == size and not is_beside:
         return [], []
     x, y = (axis.ravel() for axis in np.meshgrid(*axes, indexing="ij"))
     heights = np.full(size, np.nan)
-    heights[flat] = points[:, 2]
+    heights[pixel_indices] = points[:, 2]
     notes = []
     if is_beside:
         heights = _heights_on_grid(heights.reshape(shape), indices, offsets).ravel()

@@ -109,7 +109,7 @@ def _spectral_ends(scan: HeightMap, density: Floats) -> list[tuple[float, str]]:
     """Return the wavelengths (nm) of noise and smoothing, with their codes in LIMIT_NAMES."""
     mask = np.isfinite(density) & (BIN_CENTRES * MIN_PIXELS * scan.pixel_size <= 2 * np.pi)
     q = BIN_CENTRES[mask]
-    variance = variance_of_log(independent_modes(scan)[mask])
+    variance = variance_of_log(independent_modes(scan.kind, scan.size)[mask])
     slope, error = local_slopes(q, density[mask], variance)
     axes_differ = axis_ratio(scan)[mask] > MAX_AXIS_RATIO
     is_smoothed = slope + MIN_STANDARD_ERRORS * error < np.where(

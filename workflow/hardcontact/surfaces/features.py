@@ -28,11 +28,11 @@ KINDS = (*SIGNS, GAUSSIAN)
 DENSITY_BOUNDS = (0.01, 10.0)
 HEIGHT_BOUNDS = (1.0, 60.0)
 WIDTH_BOUNDS = (20.0, 300.0)
-BASE_BOUNDS = (0.2, 1.2)
+BASE_FACTOR_BOUNDS = (0.2, 1.2)
 #: Smallest width in pixels: the pixels then resolve the curvature of a feature to 4 %.
 MIN_WIDTH_PIXELS = 2.5
 #: Number of samples of features in a batch, and of batches until Table 1 accepts a sample.
-BATCH = 1000
+BATCH_SIZE = 1000
 MAX_BATCHES = 200
 
 
@@ -128,28 +128,30 @@ def sample_features(
     The sizes of a scan and of a pixel are in nm; the sign of heights is one of SIGNS.
     """
     min_width = max(WIDTH_BOUNDS[0], MIN_WIDTH_PIXELS * pixel_size)
-    bounds = (DENSITY_BOUNDS, HEIGHT_BOUNDS, (min_width, WIDTH_BOUNDS[1]), BASE_BOUNDS)
+    bounds = (DENSITY_BOUNDS, HEIGHT_BOUNDS, (min_width, WIDTH_BOUNDS[1]), BASE_FACTOR_BOUNDS)
     low, high = np.log(bounds).T
     for _ in range(MAX_BATCHES):
-        number_density, relative_height, width, base = np.exp(rng.uniform(low, high, (BATCH, 4))).T
-        counts = rng.poisson(number_density[:, None] * (size / 1e3) ** 2, (BATCH, scan_count))
+        samples = np.exp(rng.uniform(low, high, (BATCH_SIZE, 4)))
+        number_density, relative_height, width, base_factor = samples.T
+        counts = rng.poisson(number_density[:, None] * (size / 1e3) ** 2, (BATCH_SIZE, scan_count))
         height = sign * relative_height * statistics.means[0]
         added = feature_squares(height, width, size)
-        rms_values = expected_rms(base, counts, added, statistics)
-        errors = np.abs(standardized_differences(rms_values, statistics)).max(axis=-1)
-        if errors.min() <= 1:
-            index = int(np.argmax(errors <= 1))
+        rms_values = expected_rms(base_factor, counts, added, statistics)
+        differences = np.abs(standardized_differences(rms_values, statistics))
+        is_accepted = (differences <= 1).all(axis=-1)
+        if is_accepted.any():
+            index = int(np.argmax(is_accepted))
             return Features(
                 number_density=number_density[index].item(),
                 height=height[index].item(),
                 width=width[index].item(),
-                base_factor=base[index].item(),
+                base_factor=base_factor[index].item(),
                 counts=tuple(counts[index].tolist()),
             )
     raise ValueError(
         "expected features with the published mean and deviation of rms heights, "
         f"{statistics.means[0]:.3g} +- {statistics.deviations[0]:.3g} nm, found none in "
-        f"{MAX_BATCHES * BATCH} tries"
+        f"{MAX_BATCHES * BATCH_SIZE} tries"
     )
 
 

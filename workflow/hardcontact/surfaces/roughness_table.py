@@ -74,22 +74,22 @@ def roughness_table(
     `scans` come from `measured_roughness`, `conditionings` from `condition_group`, both by surface.
     `examples` are levelled scans; the example of a rough sphere has the variable `as_scanned`.
     """
-    names = list(dict.fromkeys(surface for surface, _ in scans))
+    surface_names = list(dict.fromkeys(surface_name for surface_name, _ in scans))
     scan_table = stack(scans, ["surface", "scan"])
     table = xr.merge(
         [
             scan_table,
             scan_averages(scan_table[list(METRICS)], confidence),
-            _spectra([spectra[name] for name in names], scan_table["wavevector"].values),
-            _maps([examples[name] for name in names]),
+            _spectra([spectra[name] for name in surface_names], scan_table["wavevector"].values),
+            _maps([examples[name] for name in surface_names]),
         ],
         combine_attrs="override",
     )
-    calibrated = [conditionings.get(name, spectra[name]).attrs["table1_rows_met"] for name in names]
+    calibrated = [conditionings.get(name, spectra[name]) for name in surface_names]
     return table.assign(
-        label=("surface", [labels[name] for name in names]),
-        source=("surface", [source[name] for name in names]),
-        table1_rows_met=("surface", calibrated),
+        label=("surface", [labels[name] for name in surface_names]),
+        source=("surface", [source[name] for name in surface_names]),
+        table1_rows_met=("surface", [data.attrs["table1_rows_met"] for data in calibrated]),
     ).assign_attrs(
         sphere_surface=sphere_surface, reference_surface=reference_surface, confidence=confidence
     )

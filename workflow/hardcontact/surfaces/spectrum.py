@@ -34,9 +34,9 @@ BIN_CENTRES = np.sqrt(BIN_EDGES[1:] * BIN_EDGES[:-1])
 #: Width of these bins in ln q.
 BIN_WIDTH = float(np.log(BIN_EDGES[1] / BIN_EDGES[0]))
 HALF_DECADE_BINS = 5
-#: Fewest bins of a joined spectrum.
+#: Fewest bins of a joined spectrum: a slope with an error needs three.
 MIN_BINS = 3
-#: Arguments with which SurfaceTopography measures PSDs.
+#: Arguments with which SurfaceTopography measures PSDs; `scans.reliable_band` finds their limits.
 PSD_ARGUMENTS = {"window": "hann", "reliable": False, "collocation": BIN_EDGES}
 
 
@@ -94,7 +94,7 @@ class Spectrum:
         C_iso is constant above the longest wavelength of the table. It is zero below the shortest
         one and where the table is zero.
         """
-        log_density = np.log(np.maximum(self.density, 1e-290))
+        log_density = np.log(np.maximum(self.density, 1e-290))  # Zero has no logarithm.
         with np.errstate(divide="ignore"):
             log_wavevector = np.log(wavevector)
         log_table = np.log(self.wavevector)
