@@ -51,9 +51,8 @@ def test_spectra_scatter_by_their_number_of_independent_modes(kind):
     is_reliable = (
         np.isfinite(logs).all(axis=0) & (wavelength > 60) & (wavelength < draws[0].size / 3)
     )
-    predicted_scatter = np.sqrt(
-        variance_of_log(independent_modes("map", draws[0].size)[is_reliable])
-    )
+    modes = independent_modes(kind, draws[0].size)
+    predicted_scatter = np.sqrt(variance_of_log(modes[is_reliable]))
     assert np.median(logs.std(axis=0)[is_reliable] / predicted_scatter) == pytest.approx(
         1, abs=0.25
     )
