@@ -71,8 +71,8 @@ def add_measurements(
     `joined_density` (bins,) in nm⁴ is NaN where no measurement is reliable. PSDs and `reliable`
     are (measurement, bins). Descriptions become columns over `measurement`.
     """
-    axes = ("measurement", "bin_wavevector")
     axis = "bin_wavevector"
+    axes = ("measurement", axis)
     columns = {
         name: (
             "measurement",
@@ -107,14 +107,14 @@ def convert_described_spectrum(substitute: xr.Dataset, path: str) -> xr.Dataset:
         longest_reliable=("longest_nm", "first"),
         notes=("source", "first"),
     )
-    longest_in_table = runs.longest_reliable.clip(upper=2 * np.pi / WAVEVECTORS[0])
     descriptions = runs.assign(
-        longest_reliable=longest_in_table,
+        longest_reliable=runs.longest_reliable.clip(upper=2 * np.pi / WAVEVECTORS[0]),
         kind="description",
         path=path,
         dataset="",
         limited_by="source",
-    ).assign(**dict.fromkeys(("size", "pixel_size", "tip_radius", *DEFECT_UNITS), np.nan))
+        **dict.fromkeys(("size", "pixel_size", "tip_radius", *DEFECT_UNITS), np.nan),
+    )
     wavelength = 2 * np.pi / BIN_CENTRES
     density = spectrum_of_dataset(substitute)(BIN_CENTRES)
     ends = descriptions[["shortest_reliable", "longest_reliable"]].to_numpy()

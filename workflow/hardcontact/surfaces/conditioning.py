@@ -28,7 +28,7 @@ from hardcontact.surfaces.synthesis import (
     scan_of_noise,
     white_noise,
 )
-from hardcontact.surfaces.table1_calibration import MET_ERROR
+from hardcontact.surfaces.table1_calibration import FIT_TOLERANCES, MET_ERROR
 
 #: Number of components of the gain, one for each AFM row of Table 1. The amplitudes of the second
 #: and the third component relative to the first are fitted.
@@ -117,13 +117,12 @@ def _fit_group(matrices: Floats, targets: Targets) -> tuple[Floats, Floats, Floa
     def slope_and_curvature_errors(log_amplitudes: Floats) -> Floats:
         return errors_and_factors(log_amplitudes)[0][1:]
 
+    bound = np.log(MAX_AMPLITUDE_RATIO)
     fit = scipy.optimize.least_squares(
         slope_and_curvature_errors,
         np.zeros(COMPONENT_COUNT - 1),
-        bounds=(-np.log(MAX_AMPLITUDE_RATIO), np.log(MAX_AMPLITUDE_RATIO)),
-        xtol=1e-15,
-        ftol=1e-15,
-        gtol=1e-15,
+        bounds=(-bound, bound),
+        **FIT_TOLERANCES,
     )
     mean_errors, factors = errors_and_factors(fit.x)
     if factors.min() <= 0:

@@ -6,6 +6,7 @@ and curvature over all scales.
 """
 
 from functools import cache
+from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -35,6 +36,11 @@ SEARCHED_PARAMETERS = {
     "varying Hurst": ("plateau_nm4", "hurst", "hurst_change"),
 }
 LOGARITHMIC_PARAMETERS = ("plateau_nm4", "rolloff_nm")
+#: First guesses of the other parameters than the plateau, as they are searched: those of a typical
+#: polished surface.
+FIRST_GUESSES = {"rolloff_nm": np.log(1000.0), "hurst": 0.9, "hurst_change": 0.0}
+#: A fit ends when rounding alone changes it, so that its rows are met to MET_ERROR.
+FIT_TOLERANCES: dict[str, Any] = {"xtol": 1e-15, "ftol": 1e-15, "gtol": 1e-15}
 #: Bounds of the Hurst exponent of a tail: wide, since published numbers may fit none in 0 to 1.
 TAIL_HURST_BOUNDS = (-6.0, 5.0)
 
@@ -103,15 +109,10 @@ def calibrate_model(segment: pd.Series, table1: pd.DataFrame, weights: Weights) 
         scan_rms = expected_scan_rms(Spectrum(WAVEVECTORS, density), weights)
         return np.asarray(np.log(scan_rms / published_rms))
 
-    start = {
-        "plateau_nm4": 2 * np.log(published_rms[0] * 1000),
-        "rolloff_nm": np.log(1000.0),
-        "hurst": 0.9,
-        "hurst_change": 0.0,
-    }
-    first_guess = [start[name] for name in searched]
+    log_plateau = 2 * np.log(published_rms[0] * 1000)
+    first_guess = [log_plateau, *(FIRST_GUESSES[name] for name in searched[1:])]
     fit = scipy.optimize.least_squares(
-        mismatch, first_guess, x_scale=(1, 0.3, 0.3), xtol=1e-15, ftol=1e-15, gtol=1e-15
+        mismatch, first_guess, x_scale=(1, 0.3, 0.3), **FIT_TOLERANCES
     )
     if np.abs(fit.fun).max() > MET_ERROR:
         worst = int(np.abs(fit.fun).argmax())
