@@ -5,12 +5,14 @@ from hardcontact.records.job import run_job
 from hardcontact.surfaces.substitute_spectra import substitute_spectrum
 
 with run_job(snakemake) as job:
-    surface = job.parameters["surface"]
+    surface_name = job.parameters["surface"]
     job.write(
         substitute_spectrum(
             job.input.description,
-            published.rows_of_surface(published.read_table1(job.input.published_table1), surface),
+            published.rows_of_surface(
+                published.read_table1(job.input.published_table1), surface_name
+            ),
             published.read_constants(job.input.published_constants),
         ),
-        title=f"power spectral density of the substitute for {surface}",
+        title=f"power spectral density of the substitute for {surface_name}",
     )

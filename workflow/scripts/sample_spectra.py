@@ -9,11 +9,11 @@ from hardcontact.surfaces.spectrum import spectrum_dataset
 
 with run_job(snakemake) as job:
     params = job.parameters
-    surface = params["surface"]
+    surface_name = params["surface"]
     contact_scan_indices = params["contact_scan_indices"]
     spectra = sample_spectra(
         (
-            generator(params["seed"], surface, realization, "drawn spectrum")
+            generator(params["seed"], surface_name, realization, "drawn spectrum")
             for realization in range(1, len(job.output) + 1)
         ),
         [
@@ -27,6 +27,6 @@ with run_job(snakemake) as job:
         factor = height_factors[contact_scan_indices[index % len(contact_scan_indices)]]
         job.write(
             spectrum_dataset(spectrum.density).assign_attrs(height_factor=factor),
-            title=f"a spectrum that the measurements of {surface} allow",
+            title=f"a spectrum that the measurements of {surface_name} allow",
             output=index,
         )

@@ -28,55 +28,55 @@ def lowpass(surface: HeightMap, cutoff: float) -> HeightMap:
 
     The cutoff is in nm. Heights are in float64. Raises ValueError for a cutoff up to two pixels.
     """
-    limit = _highest_order(surface, cutoff)
-    highest = int(limit)
-    band = _drop_higher_orders(_lowest_orders(surface, highest), limit)
-    coarse = 2 * highest + 2
-    heights = scipy.fft.irfft2(_pad_orders(band, coarse), s=(coarse, coarse))
-    heights *= (coarse / surface.pixels) ** 2
-    return replace(surface, heights=heights, pixel_size=surface.size / coarse)
+    order_limit = _order_limit(surface, cutoff)
+    highest_order = int(order_limit)
+    band = _drop_higher_orders(_lowest_orders(surface, highest_order), order_limit)
+    coarse_pixels = 2 * highest_order + 2
+    heights = scipy.fft.irfft2(_pad_orders(band, coarse_pixels), s=(coarse_pixels, coarse_pixels))
+    heights *= (coarse_pixels / surface.pixels) ** 2
+    return replace(surface, heights=heights, pixel_size=surface.size / coarse_pixels)
 
 
-def _highest_order(surface: HeightMap, cutoff: float) -> float:
-    """Return the highest order of a wave of a surface that is at least as long as a cutoff."""
-    limit = surface.size / cutoff * (1 + 1e-12)
-    if 2 * int(limit) + 2 > surface.pixels:
+def _order_limit(surface: HeightMap, cutoff: float) -> float:
+    """Return the order of a wave as long as a cutoff; longer waves have lower orders."""
+    order_limit = surface.size / cutoff * (1 + 1e-12)
+    if 2 * int(order_limit) + 2 > surface.pixels:
         raise ValueError(
             f"expected a cutoff of more than two pixels ({2 * surface.pixel_size:.4g} nm), "
             f"found {cutoff:.4g} nm"
         )
-    return limit
+    return order_limit
 
 
-def _lowest_orders(surface: HeightMap, highest: int) -> Transform:
-    """Return the transform up to an order along both axes; orders along y as in `_orders`."""
+def _lowest_orders(surface: HeightMap, highest_order: int) -> Transform:
+    """Return the transform up to an order along both axes; orders along y as in `_grid_orders`."""
     pixels = surface.pixels
-    transform = np.empty((pixels, highest + 1), complex)
+    transform = np.empty((pixels, highest_order + 1), complex)
     for start in range(0, pixels, BLOCK_ROWS):
         rows = slice(start, start + BLOCK_ROWS)
         block = surface.heights[rows].astype(float)
-        transform[rows] = scipy.fft.rfft(block, axis=1)[:, : highest + 1]
+        transform[rows] = scipy.fft.rfft(block, axis=1)[:, : highest_order + 1]
     transform = scipy.fft.fft(transform, axis=0, overwrite_x=True)
-    return transform[_orders(highest)]
+    return transform[_grid_orders(highest_order)]
 
 
-def _orders(highest: int) -> NDArray[np.int_]:
+def _grid_orders(highest_order: int) -> NDArray[np.int_]:
     """Return orders along y as a transform has them: 0, 1, ..., -2, -1; negatives index its end."""
-    return np.append(np.arange(highest + 1), np.arange(-highest, 0))
+    return np.append(np.arange(highest_order + 1), np.arange(-highest_order, 0))
 
 
-def _drop_higher_orders(transform: AnyTransform, limit: float) -> AnyTransform:
+def _drop_higher_orders(transform: AnyTransform, order_limit: float) -> AnyTransform:
     """Return the part of a transform up to a limit of the order in any direction."""
-    orders = _orders(int(limit))
-    band = transform[orders, : int(limit) + 1]
-    band[np.hypot(orders[:, None], np.arange(int(limit) + 1)) > limit] = 0
+    orders = _grid_orders(int(order_limit))
+    band = transform[orders, : int(order_limit) + 1]
+    band[np.hypot(orders[:, None], np.arange(int(order_limit) + 1)) > order_limit] = 0
     return band
 
 
 def _pad_orders(transform: AnyTransform, pixels: int) -> AnyTransform:
     """Return the transform from `_lowest_orders`, padded with zeros to more orders along y."""
     padded = np.zeros((pixels, transform.shape[1]), transform.dtype)
-    padded[_orders(transform.shape[1] - 1)] = transform
+    padded[_grid_orders(transform.shape[1] - 1)] = transform
     return padded
 
 
@@ -85,27 +85,29 @@ def interpolate(surface: HeightMap, pixels: int) -> HeightMap:
 
     Heights are in float32. Raises ValueError if the surface has more pixels.
     """
-    coarse = surface.pixels
-    _refuse_coarser(coarse, pixels)
+    coarse_pixels = surface.pixels
+    _refuse_coarser(coarse_pixels, pixels)
     transform = scipy.fft.rfft2(surface.heights.astype(float))
     padded = np.zeros((pixels, transform.shape[1]), complex)
-    half = coarse // 2
-    padded[: coarse - half] = transform[: coarse - half]
+    half = coarse_pixels // 2
+    padded[: coarse_pixels - half] = transform[: coarse_pixels - half]
     padded[-half:] += transform[-half:]
-    if coarse % 2 == 0 and pixels > coarse:
+    if coarse_pixels % 2 == 0 and pixels > coarse_pixels:
         # A grid holds both signs of the Nyquist order in one entry; a finer grid holds each.
         padded[-half] /= 2
         padded[half] += padded[-half]
         padded[:, -1] /= 2
     fine = np.empty((pixels, pixels), np.float32)
     for rows, heights in _inverse_blocks(padded):
-        fine[rows] = heights * (pixels / coarse) ** 2
+        fine[rows] = heights * (pixels / coarse_pixels) ** 2
     return replace(surface, heights=fine, pixel_size=surface.size / pixels)
 
 
-def _refuse_coarser(coarse: int, pixels: int) -> None:
-    if pixels < coarse:
-        raise ValueError(f"expected at least {coarse} pixels to interpolate to, found {pixels}")
+def _refuse_coarser(coarse_pixels: int, pixels: int) -> None:
+    if pixels < coarse_pixels:
+        raise ValueError(
+            f"expected at least {coarse_pixels} pixels to interpolate to, found {pixels}"
+        )
 
 
 def _inverse_blocks(padded: AnyTransform) -> Iterator[tuple[slice, NDArray[np.floating]]]:
@@ -131,20 +133,20 @@ def filtered_series(
     wavelengths need more pixels, or a cutoff is two pixels or less.
     """
     size = master.size
-    limits = [None if cutoff is None else _highest_order(master, cutoff) for cutoff in cutoffs]
-    highest = max((int(limit) for limit in limits if limit is not None), default=None)
+    order_limits = [None if cutoff is None else _order_limit(master, cutoff) for cutoff in cutoffs]
+    highest_order = max((int(limit) for limit in order_limits if limit is not None), default=None)
     unfiltered = master
     if side == "long" or None in cutoffs:
         _refuse_coarser(master.pixels, pixels)
         if master.pixels != pixels:
             unfiltered = interpolate(master, pixels)
-    elif highest is not None:
-        _refuse_coarser(2 * highest + 2, pixels)
+    elif highest_order is not None:
+        _refuse_coarser(2 * highest_order + 2, pixels)
     unfiltered = replace(unfiltered, pixel_size=size / pixels)
-    if highest is not None:
-        transform = _lowest_orders(master, highest)
+    if highest_order is not None:
+        transform = _lowest_orders(master, highest_order)
         waves = (transform * (pixels / master.pixels) ** 2).astype(np.complex64)
-    for limit in limits:
+    for limit in order_limits:
         if limit is None:
             yield unfiltered
             continue
