@@ -1,8 +1,7 @@
 """Streaks along the lines of a map, where the tip lost the surface or carried a particle."""
 
-from collections.abc import Iterator
-
 import numpy as np
+import scipy
 from numpy.typing import NDArray
 
 from hardcontact.base.arrays import Floats
@@ -73,28 +72,24 @@ def _distances(heights: Floats, width: int) -> tuple[Floats, Floats]:
     return (heights - upper(before, after)) / scale, (lower(before, after) - heights) / scale
 
 
-def _runs(mask: Mask) -> Iterator[tuple[int, slice]]:
-    """Yield the line and the pixels of each unbroken row of pixels of a mask along x."""
-    ends = np.diff(np.pad(mask, ((0, 0), (1, 1))).astype(np.int8), axis=1)
-    rows, starts = np.nonzero(ends == 1)
-    _, stops = np.nonzero(ends == -1)
-    for row, start, stop in zip(rows, starts, stops, strict=True):
-        yield int(row), slice(start, stop)
+def _label_runs(mask: Mask) -> NDArray[np.intp]:
+    """Return the number, from 1, of the run along x in which each pixel lies, 0 for other pixels."""
+    labels, _ = scipy.ndimage.label(mask, structure=[[0, 0, 0], [1, 1, 1], [0, 0, 0]])
+    return np.asarray(labels, np.intp)
 
 
 def _run_lengths(mask: Mask) -> NDArray[np.intp]:
     """Return the length in pixels of the run in which each pixel lies, 0 for other pixels."""
-    lengths = np.zeros(mask.shape, np.intp)
-    for row, pixels in _runs(mask):
-        lengths[row, pixels] = pixels.stop - pixels.start
-    return lengths
+    labels = _label_runs(mask)
+    lengths = np.bincount(labels.ravel())
+    lengths[0] = 0
+    return np.asarray(lengths[labels])
 
 
 def _candidates(steps: Floats) -> Mask:
     """Return the mask of runs of more than END_STEPS that reach MIN_STREAK_STEPS somewhere."""
     is_certain = steps > MIN_STREAK_STEPS
-    mask = np.zeros(steps.shape, bool)
-    if is_certain.any():
-        for row, pixels in _runs(steps > END_STEPS):
-            mask[row, pixels] = is_certain[row, pixels].any()
-    return mask
+    if not is_certain.any():
+        return is_certain
+    labels = _label_runs(steps > END_STEPS)
+    return np.isin(labels, labels[is_certain])
