@@ -1,1 +1,7 @@
-"""Measured scans: reading of files, defects, reliable bands, the spectrum that they give."""
+"""Measured scans, and the spectrum of the surface that they show.
+
+`reading` reads a file of any microscope, with `formats`, `channels`, `heights` and others in a
+child process. `defects` finds what is wrong with a scan, `reliable_band` the wavelengths at which
+its `measured_spectrum` shows the surface. `joined_spectrum` joins the spectra of all scans by their
+`mean_spectrum`, and extrapolates them by a `tail` and a `rolloff`. `both_bodies` adds the sphere.
+"""

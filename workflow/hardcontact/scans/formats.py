@@ -66,13 +66,7 @@ def read_fields(
     content: bytes, dataset: str, undefined_pixels: str, unit: str, map_size: float | str, mask: str
 ) -> dict[str, Any]:
     """Return the fields of a `HeightMap` that its file states, for `scans.read_scan`."""
-    content = _decompress(content)
-    entries = container_entries(content)
-    entry: dict[str, Any] = {}
-    if entries is not None:
-        entry = find_entry(entries, dataset)
-        with zipfile.ZipFile(io.BytesIO(content)) as container:
-            content = container.read(entry["file"])
+    content, entry = _scan_in_container(_decompress(content), dataset)
     content, notes = readable_text(content)
     unit = unit.replace("angstrom", "Å")
     reader = _open_reader(content)
@@ -106,6 +100,16 @@ def read_fields(
         **fields,
         "notes": [*notes, *fields["notes"], *tip_notes],
     }
+
+
+def _scan_in_container(content: bytes, dataset: str) -> tuple[bytes, dict[str, Any]]:
+    """Return the bytes and metadata of a scan in a container; no metadata for any other file."""
+    entries = container_entries(content)
+    if entries is None:
+        return content, {}
+    entry = find_entry(entries, dataset)
+    with zipfile.ZipFile(io.BytesIO(content)) as container:
+        return container.read(entry["file"]), entry
 
 
 def _refuse_without_unit_or_size(topography: Any) -> None:

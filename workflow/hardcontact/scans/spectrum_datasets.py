@@ -98,15 +98,7 @@ def convert_described_spectrum(substitute: xr.Dataset, path: str) -> xr.Dataset:
     one. Variables that only measurements have are NaN or empty.
     """
     segments = pd.read_csv(io.StringIO(substitute.attrs["segments"]))
-    data_segments = segments[segments.evidence.isin(DATA_EVIDENCE)]
-    previous = data_segments.shift()
-    has_gap = data_segments.longest_nm != previous.shortest_nm
-    begins = has_gap | (data_segments.source != previous.source)
-    runs = data_segments.groupby(begins.cumsum()).agg(
-        shortest_reliable=("shortest_nm", "last"),
-        longest_reliable=("longest_nm", "first"),
-        notes=("source", "first"),
-    )
+    runs = _runs_of_one_source(segments[segments.evidence.isin(DATA_EVIDENCE)])
     descriptions = runs.assign(
         longest_reliable=runs.longest_reliable.clip(upper=2 * np.pi / WAVEVECTORS[0]),
         kind="description",
@@ -117,8 +109,8 @@ def convert_described_spectrum(substitute: xr.Dataset, path: str) -> xr.Dataset:
     )
     wavelength = 2 * np.pi / BIN_CENTRES
     density = spectrum_of_dataset(substitute)(BIN_CENTRES)
-    ends = descriptions[["shortest_reliable", "longest_reliable"]].to_numpy()
-    shortest, longest = ends.T[..., None]
+    shortest = descriptions.shortest_reliable.to_numpy()[:, None]
+    longest = descriptions.longest_reliable.to_numpy()[:, None]
     reliable = (shortest < wavelength) & (wavelength <= longest)
     joined_density = np.where(reliable.any(axis=0), density, np.nan)
     psds = np.where(reliable, density, np.nan)
@@ -132,6 +124,18 @@ def convert_described_spectrum(substitute: xr.Dataset, path: str) -> xr.Dataset:
         **Tail()._asdict(),
         tail_known=1,
         rolloff=np.nan,
+    )
+
+
+def _runs_of_one_source(segments: pd.DataFrame) -> pd.DataFrame:
+    """Return the wavelengths and the source of adjacent segments that have the same source."""
+    previous = segments.shift()
+    has_gap = segments.longest_nm != previous.shortest_nm
+    begins = has_gap | (segments.source != previous.source)
+    return segments.groupby(begins.cumsum()).agg(
+        shortest_reliable=("shortest_nm", "last"),
+        longest_reliable=("longest_nm", "first"),
+        notes=("source", "first"),
     )
 
 

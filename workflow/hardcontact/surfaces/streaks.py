@@ -73,7 +73,7 @@ def _distances(heights: Floats, width: int) -> tuple[Floats, Floats]:
 
 
 def _label_runs(mask: Mask) -> NDArray[np.intp]:
-    """Return the number, from 1, of the run along x in which each pixel lies, 0 for other pixels."""
+    """Return the number from 1 of the run along x in which each pixel lies, 0 for other pixels."""
     labels, _ = scipy.ndimage.label(mask, structure=[[0, 0, 0], [1, 1, 1], [0, 0, 0]])
     return np.asarray(labels, np.intp)
 
