@@ -200,8 +200,8 @@ def _curvature_numbers(heights: Floats, pixel_size: float) -> Numbers:
     total = float((points**2).sum()) - power[0] - power[1]
     uncurved_power = max(total - power[2], 0.0)
     higher_orders = power[3] + power[4]
-    has_curvature = uncurved_power < MAX_UNCURVED_SHARE**2 * total
-    if not has_curvature or power[2] < MIN_SECOND_ORDER_RATIO * higher_orders:
+    is_weak = uncurved_power >= MAX_UNCURVED_SHARE**2 * total
+    if is_weak or power[2] < MIN_SECOND_ORDER_RATIO * higher_orders:
         return {}
     terms_of_order = np.linalg.solve(triangle, np.where(orders == 2, amplitudes, 0))
     yy, xy, xx = terms_of_order[orders == 2]

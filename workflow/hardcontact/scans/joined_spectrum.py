@@ -12,7 +12,6 @@ from hardcontact.base.arrays import Floats
 from hardcontact.scans.mean_spectrum import (
     Curve,
     MeanBins,
-    find_peak_bins,
     match_height_variance,
     mean_bins,
     smooth_curve_without_peaks,
@@ -101,11 +100,10 @@ def joined_spectrum(
     spectra = _measured_spectra(measurements, tip_radii)
     reliable = _reliable_mask(spectra.densities, spectra.bands)
     bins = mean_bins(reliable, spectra.densities, spectra.modes)
-    peaks = find_peak_bins(bins)
-    curve = match_height_variance(smooth_curve_without_peaks(bins, peaks), bins.power)
+    curve = match_height_variance(smooth_curve_without_peaks(bins), bins.power)
     density = Spectrum(curve.wavevector, curve.density)(BIN_CENTRES)
     joined_density = np.where(reliable.any(axis=0), density, np.nan)
-    hurst = _fit_hurst_without_peaks(bins, peaks)
+    hurst = _fit_hurst_without_peaks(bins)
     spectrum, tail, rolloff = _extrapolate_curve(curve, hurst, spectra.rolloff_evidence)
     used_bands = [band for band, mask in zip(spectra.bands, reliable, strict=True) if mask.any()]
     return add_measurements(
@@ -149,9 +147,8 @@ def sample_spectra(
         mean_calibration = calibration.mean()
         densities = spectra.densities * np.exp(calibration - mean_calibration)[:, None]
         bins = mean_bins(reliable, densities, spectra.modes)
-        peaks = find_peak_bins(bins)
-        curve = smooth_curve_without_peaks(bins, peaks, rng)
-        hurst = _fit_hurst_without_peaks(bins, peaks)
+        curve = smooth_curve_without_peaks(bins, rng)
+        hurst = _fit_hurst_without_peaks(bins)
         hurst_change = hurst.error * rng.standard_normal()
         spectrum, *_ = _extrapolate_curve(
             curve, hurst, spectra.rolloff_evidence, rng.uniform(), hurst_change
@@ -169,9 +166,9 @@ def _sample_band(
     return limit_by_tip(band, measurement, tip_radius)
 
 
-def _fit_hurst_without_peaks(bins: MeanBins, peaks: NDArray[np.bool_]) -> HurstFit:
+def _fit_hurst_without_peaks(bins: MeanBins) -> HurstFit:
     """Return the fit of the Hurst exponent to the bins without peaks."""
-    is_fitted = np.isfinite(bins.density) & ~peaks
+    is_fitted = np.isfinite(bins.density) & ~bins.is_peak
     return fit_hurst_exponent(
         BIN_CENTRES[is_fitted], bins.density[is_fitted], bins.variance[is_fitted]
     )

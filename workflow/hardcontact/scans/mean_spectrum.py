@@ -43,6 +43,7 @@ class MeanBins(NamedTuple):
     density: Floats
     variance: Floats  #: (bins,) variance of ln C, from the number of modes alone.
     power: Floats  #: (bins,) mean C_iso in nm⁴.
+    is_peak: NDArray[np.bool_]  #: (bins,) True where a grating, for example, adds power.
 
 
 class Curve(NamedTuple):
@@ -62,19 +63,20 @@ def mean_bins(reliable: NDArray[np.bool_], density: Floats, modes: Floats) -> Me
         weight = weight / weight.sum(axis=0)
     variance = (weight**2 * mode_variance).sum(axis=0)
     power = (weight * np.where(reliable, density, 0.0)).sum(axis=0)
-    return MeanBins(np.exp((weight * logs).sum(axis=0)), variance, power)
+    mean_density = np.exp((weight * logs).sum(axis=0))
+    return MeanBins(mean_density, variance, power, _find_peaks(mean_density, variance, power))
 
 
-def find_peak_bins(bins: MeanBins) -> NDArray[np.bool_]:
+def _find_peaks(density: Floats, variance: Floats, power: Floats) -> NDArray[np.bool_]:
     """Return the mask of bins with a peak: more power than chance adds to a smooth spectrum."""
-    inner = np.flatnonzero(np.isfinite(bins.density))[1:-1]
-    modes = 1 / bins.variance[inner] + 0.5  # inverts the variance, trigamma(n) ≈ 1/(n - 0.5)
-    peaks = np.zeros(len(bins.power), bool)
+    inner = np.flatnonzero(np.isfinite(density))[1:-1]
+    modes = 1 / variance[inner] + 0.5  # inverts the variance, trigamma(n) ≈ 1/(n - 0.5)
+    peaks = np.zeros(len(power), bool)
     while True:
-        curve = smooth_curve(np.where(peaks, np.nan, bins.density), bins.variance)
+        curve = smooth_curve(np.where(peaks, np.nan, density), variance)
         smooth_power = Spectrum(curve.wavevector, curve.density)(BIN_CENTRES[inner])
         # The power of n modes over its mean is a gamma variable.
-        chance = scipy.special.gammaincc(modes, modes * bins.power[inner] / smooth_power)
+        chance = scipy.special.gammaincc(modes, modes * power[inner] / smooth_power)
         new_peaks = inner[(chance < PEAK_PROBABILITY) & ~peaks[inner]]
         if not len(new_peaks):
             return peaks
@@ -107,13 +109,11 @@ def smooth_curve(
     return Curve(BIN_CENTRES[bins], np.exp(smooth), np.diag(posterior) + CALIBRATION_SCATTER**2)
 
 
-def smooth_curve_without_peaks(
-    bins: MeanBins, peaks: NDArray[np.bool_], rng: np.random.Generator | None = None
-) -> Curve:
-    """Return a smooth curve through the bins without `peaks` (bins,); peaks keep their power."""
-    curve = smooth_curve(np.where(peaks, np.nan, bins.density), bins.variance, rng)
+def smooth_curve_without_peaks(bins: MeanBins, rng: np.random.Generator | None = None) -> Curve:
+    """Return a smooth curve through the bins without a peak; peaks keep their power."""
+    curve = smooth_curve(np.where(bins.is_peak, np.nan, bins.density), bins.variance, rng)
     is_in_curve = np.isin(BIN_CENTRES, curve.wavevector)
-    density = np.where(peaks[is_in_curve], bins.power[is_in_curve], curve.density)
+    density = np.where(bins.is_peak[is_in_curve], bins.power[is_in_curve], curve.density)
     return curve._replace(density=density)
 
 
