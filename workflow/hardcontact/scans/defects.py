@@ -4,23 +4,18 @@ Each defect has a code and numbers, such as the share of spikes, that its senten
 lists them all.
 """
 
-from collections.abc import Mapping
 from dataclasses import replace
-from functools import cache
 from itertools import product
-from pathlib import Path
 
 import numpy as np
-import yaml
 from numpy.typing import NDArray
 
 from hardcontact.base.arrays import Floats
-from hardcontact.base.formatting import format_length, format_share
 from hardcontact.base.statistics import MEDIAN_DEVIATION
 from hardcontact.scans.spectral_defects import MIN_LAY_RATIO, lay_numbers, noise_numbers, wave_power
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.levelling import remove_form
-from hardcontact.surfaces.streaks import MIN_STREAK_STEPS, fill_streaks
+from hardcontact.surfaces.streaks import fill_streaks
 
 #: Numbers of a defect, by name; empty if a scan lacks it.
 Numbers = dict[str, float]
@@ -246,31 +241,3 @@ def _sidewall_numbers(heights: Floats) -> Numbers:
     steepest = squares[-max(1, round(SIDEWALL_PIXEL_SHARE * squares.size)) :]
     share = float(steepest.sum() / squares.sum())
     return {"sidewall_slope_share": share} if share > MIN_SIDEWALL_SLOPE_SHARE else {}
-
-
-def defect_sentence(code: str, numbers: Mapping[str, float]) -> str:
-    """Return the sentence on a defect, with its numbers and without a full stop."""
-    words = {name: _format_number(name, number) for name, number in numbers.items()}
-    return _sentences()[code].format(
-        **words,
-        streak=MIN_STREAK_STEPS,
-        spike=MIN_SPIKE_DISTANCE,
-        sidewall_pixels=format_share(SIDEWALL_PIXEL_SHARE),
-    )
-
-
-@cache
-def _sentences() -> dict[str, str]:
-    """Return the sentences on defects by code."""
-    text = Path(__file__).with_suffix(".yaml").read_text("utf-8")
-    return dict(yaml.safe_load(text))
-
-
-def _format_number(name: str, number: float) -> str:
-    """Return a number of a defect with its unit, a share in per cent."""
-    if DEFECT_UNITS[name] == "nm":
-        return format_length(number)
-    if name.endswith(("_lines", "_line")):
-        return f"{number:.0f}"
-    number = float(f"{number:.2g}")
-    return format_share(number) if name.endswith("_share") else f"{number:g}"

@@ -26,11 +26,11 @@ from hardcontact.scans.heights import (
     map_values,
     profile_values,
     refuse_point_counts,
-    stated_tip_radius,
     unit_in_nm,
 )
 from hardcontact.scans.plain_text import POINT_COLUMNS, readable_text
 from hardcontact.scans.refused_file import RefusedFile
+from hardcontact.scans.tip_radius import stated_tip_radius
 from hardcontact.scans.unread_files import KINDS_WITHOUT_HEIGHTS, describe_unread, kind_in_words
 
 #: Modules that readers import while they read.
