@@ -44,25 +44,25 @@ rule measure_spectrum:
         "../scripts/measure_spectrum.py"
 
 
-for scans, surfaces in PLAN.scan_groups.items():
+for scan_numbers, surfaces in PLAN.scan_groups.items():
 
     rule:
         """Condition a group of substitute scans on Table 1, make them, and prepare them."""
         name:
-            f"make_scans_{'_'.join(str(scan) for scan in scans)}"
+            f"make_scans_{'_'.join(map(str, scan_numbers))}"
         input:
             **SUBSTITUTE_INPUTS,
         output:
-            **{f"levelled_{n}": PATTERNS.levelled.replace("{scan}", f"{n}") for n in scans},
-            **{f"stitched_{n}": PATTERNS.stitched.replace("{scan}", f"{n}") for n in scans},
-            conditioning=PATTERNS.conditioning.replace("{scan}", f"{scans[0]}"),
+            **{f"levelled_{n}": PATTERNS.levelled.replace("{scan}", f"{n}") for n in scan_numbers},
+            **{f"stitched_{n}": PATTERNS.stitched.replace("{scan}", f"{n}") for n in scan_numbers},
+            conditioning=PATTERNS.conditioning.replace("{scan}", f"{scan_numbers[0]}"),
         wildcard_constraints:
             surface=any_name_pattern(surfaces),
         params:
-            # `scans=scans` keeps the scans of this rule for when the loop has gone on.
-            parameters=lambda w, scans=scans: parameters(
+            # The default keeps the scans of this rule for when the loop has gone on.
+            parameters=lambda w, scan_numbers=scan_numbers: parameters(
                 surface=w.surface,
-                scan_numbers=scans,
+                scan_numbers=scan_numbers,
                 scan_grid=SCAN_GRID,
                 seed=STUDY["seed"],
                 sphere_radius=STUDY["sphere"]["radius"] if w.surface == SPHERE else None,

@@ -57,8 +57,7 @@ UNKNOWN_UNIT = re.compile("Unknown unit '(.*)'|.* while unit '(.*)' is of kind")
 
 def list_datasets(content: bytes) -> dict[str, Any]:
     """Return {"datasets": names}: the data files in a container, or one empty name otherwise."""
-    content = _decompress(content)
-    entries = container_entries(content)
+    entries = container_entries(_decompress(content))
     return {"datasets": [""] if entries is None else [entry["file"] for entry in entries]}
 
 
