@@ -1,7 +1,7 @@
 """Substitute scans that are made together: levelled, and mirrored."""
 
 from hardcontact.records.job import run_job
-from hardcontact.surfaces.conditioning import conditioned_group
+from hardcontact.surfaces.conditioning import condition_group, conditioned_scan
 from hardcontact.surfaces.featured_scans import featured_group
 from hardcontact.surfaces.levelling import LEVELLED, MIRRORED, level_and_mirror
 from hardcontact.surfaces.substitutes import read_substitute
@@ -9,15 +9,18 @@ from hardcontact.surfaces.substitutes import read_substitute
 with run_job(snakemake) as job:
     params = job.parameters
     substitute = read_substitute(params["surface"], job.input, params["scan_grid"], params["seed"])
+    scan_numbers = params["scan_numbers"]
     if params["has_features"]:
-        conditioning, scans = featured_group(substitute, params["scan_numbers"])
+        conditioning, scans = featured_group(substitute, scan_numbers)
     else:
-        conditioning, scans = conditioned_group(
-            substitute, params["scan_numbers"], params["sphere_radius"]
-        )
+        conditioning = condition_group(substitute, substitute.targets, scan_numbers)
+        scans = [
+            conditioned_scan(substitute, number, conditioning, params["sphere_radius"])
+            for number in scan_numbers
+        ]
     title = f"how substitute scans of {params['surface']} meet Table 1"
     job.write(conditioning, title, "conditioning")
-    for number, scan in zip(params["scan_numbers"], scans, strict=True):
+    for number, scan in zip(scan_numbers, scans, strict=True):
         levelled, mirrored = level_and_mirror(scan, params["sphere_radius"])
         job.write(levelled, LEVELLED, f"levelled_{number}")
         job.write(mirrored, MIRRORED, f"stitched_{number}")

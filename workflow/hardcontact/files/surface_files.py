@@ -71,7 +71,7 @@ class SurfaceFiles:
     # Both bodies
 
     def roughness_path(self, surface: str, scan: int) -> str:
-        """Return the path of a stitched scan, with the sphere's roughness if that is added."""
+        """Return the path of a mirrored scan, with the sphere's roughness if that is added."""
         if surface not in self.plan.combined_surfaces:
             return self.stitched_path(surface, scan)
         return self.path(self.patterns.combined_scan, surface, scan=scan)

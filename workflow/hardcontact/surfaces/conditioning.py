@@ -190,17 +190,3 @@ def conditioned_scan(
     factor = conditioning["factor"].sel(scan=scan_number).item()
     flat_scan = sample_scan(rng, spectrum, substitute.grid, factor)
     return flat_scan if sphere_radius is None else add_sphere(rng, flat_scan, sphere_radius)
-
-
-def conditioned_group(
-    substitute: Substitute, scan_numbers: Sequence[int], sphere_radius: float | None
-) -> tuple[xr.Dataset, list[HeightMap]]:
-    """Return the conditioning of a group of scans, and these scans.
-
-    `sphere_radius` is as in `conditioned_scan`.
-    """
-    conditioning = condition_group(substitute, substitute.targets, scan_numbers)
-    return conditioning, [
-        conditioned_scan(substitute, scan_number, conditioning, sphere_radius)
-        for scan_number in scan_numbers
-    ]
