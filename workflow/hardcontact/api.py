@@ -261,7 +261,8 @@ def pull_off_forces(
     Returns
     -------
     xarray.Dataset
-        ``pull_off_force`` (contact_model, rho, contact_y, contact_x) in N, rigid and plastic;
+        ``pull_off_force`` (contact_model, rho, contact_y, contact_x) in N at `work`, rigid and
+        plastic;
         ``apex_height`` in nm; ``touched_patches``, the number of patches that contacts touch;
         ``wider_window_change``, the relative change of the forces at the longest range in a window
         that is wider by a period on each side.
@@ -288,13 +289,13 @@ def pull_off_forces(
     bodies = join_bodies(surface, rough, contact)
     longest = replace(contact, rho=max(ranges))
     forces = pull_off_dataset(bodies, contact, ranges)
-    plastic_forces = forces["pull_off_force"].sel(contact_model=[PLASTIC], rho=longest.rho)
-    forces = forces.merge(wider_window_change([bodies], longest, plastic_forces))
-    force_at_work = forces.pull_off_force * (work / WORK_OF_ADHESION)
-    attributes = {"units": "N", "long_name": "pull-off force"}
-    return forces.assign(pull_off_force=force_at_work.assign_attrs(attributes)).assign_attrs(
-        work_of_adhesion=work
-    )
+    force_at_unit_work = forces.pull_off_force
+    plastic_forces = force_at_unit_work.sel(contact_model=[PLASTIC], rho=longest.rho)
+    window_change = wider_window_change([bodies], longest, plastic_forces)
+    force = force_at_unit_work * (work / WORK_OF_ADHESION)
+    force.attrs = {"units": "N", "long_name": "pull-off force"}
+    attributes = {"work_of_adhesion": work}
+    return forces.merge(window_change).assign(pull_off_force=force).assign_attrs(attributes)
 
 
 def _periodic_maps(
@@ -423,7 +424,8 @@ def predict(
             Mean height of the apex of the sphere above the mean plane. Above a modulus of 1 many
             points decide the force, below it single peaks.
         ``rms_height`` (nm), ``rms_gradient``, ``shortest_wavelength``, ``longest_wavelength`` (nm)
-            Roughness and ends of the spectrum.
+            Roughness and ends of the spectrum. The page of own surfaces has the rms height and
+            gradient of each scan's heights, which differ from these.
         ``tolerance``
             The argument.
         ``longest_octave_change``, ``widest_gap``, ``skewness``, ``validated_...``

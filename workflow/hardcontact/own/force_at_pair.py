@@ -52,9 +52,9 @@ def force_dataset(
 ) -> xr.Dataset:
     """Return the forces of all surfaces at the pair of the contact, their limits and their scatter.
 
-    The datasets are as in their files; `tolerance` is a relative change of the force. Forces on
-    scans and with extrapolated roughness never exceed the smooth sphere's force. Attributes have
-    the Tabor parameter and whether the bodies are hard.
+    The datasets are as in their files: forces in `adhesion` and `scales` are at 1 J/m². The
+    `tolerance` is a relative change of the force. No mean force exceeds the smooth sphere's.
+    Attributes have the Tabor parameter and whether the bodies are hard.
     """
     force = forces_on_scans(
         adhesion,
@@ -153,14 +153,14 @@ def forces_on_scans(
             f"expected a range of adhesion that was computed ({', '.join(f'{r:g}' for r in ranges)}"
             f" nm), found {rho:g} nm"
         )
-    forces = adhesion.assign(pull_off_force=adhesion.pull_off_force * work)
+    adhesion_at_work = adhesion.assign(pull_off_force=adhesion.pull_off_force * work)
     forces_by_model = [
-        forces_by_surface(forces.sel(contact_model=model), sizes)
+        forces_by_surface(adhesion_at_work.sel(contact_model=model), sizes)
         for model in adhesion.contact_model.values
     ]
     surfaces = {
         (surface,): _force_variables(
-            forces.sel(surface=surface),
+            adhesion_at_work.sel(surface=surface),
             [model_forces[surface] for model_forces in forces_by_model],
             rho,
             confidence,
@@ -177,18 +177,20 @@ def forces_on_scans(
 
 
 def _force_variables(
-    adhesion: xr.Dataset, forces_by_model: Sequence[SurfaceForces], rho: float, confidence: float
+    adhesion_at_work: xr.Dataset,
+    forces_by_model: Sequence[SurfaceForces],
+    rho: float,
+    confidence: float,
 ) -> xr.Dataset:
-    """Return the variables of one surface, from its forces at the work of adhesion."""
-    forces = adhesion.pull_off_force
+    """Return the variables of one surface from its forces, both at the work asked for."""
     mean = np.array([model_forces.mean for model_forces in forces_by_model])
     intervals = [mean_intervals(model_forces, confidence) for model_forces in forces_by_model]
-    quantiles = forces.quantile(QUANTILES, ["scan", "sphere_scan", *CONTACT_AXES]).transpose(
-        "contact_model", "rho", "quantile"
-    )
-    scan_parts = forces_by_model[0].scan_parts[int(np.abs(adhesion.rho.values - rho).argmin())]
-    contact_count = np.prod([adhesion.sizes[axis] for axis in CONTACT_AXES])
     dimensions = ("contact_model", "rho")
+    quantiles = adhesion_at_work.pull_off_force.quantile(
+        QUANTILES, ["scan", "sphere_scan", *CONTACT_AXES]
+    ).transpose(*dimensions, "quantile")
+    scan_parts = forces_by_model[0].scan_parts[np.abs(adhesion_at_work.rho.values - rho).argmin()]
+    contact_count = np.prod([adhesion_at_work.sizes[axis] for axis in CONTACT_AXES])
     return xr.Dataset(
         with_interval("force", dimensions, mean, np.array(intervals), NEWTON, confidence)
         | {
@@ -201,7 +203,7 @@ def _force_variables(
             "correlation_of_parts": ((), scan_parts.mean_correlation, DIMENSIONLESS),
         }
         | _position_factor(forces_by_model, confidence),
-        {name: adhesion[name] for name in dimensions}
+        {name: adhesion_at_work[name] for name in dimensions}
         | {"quantile": ("quantile", QUANTILES, DIMENSIONLESS)},
     )
 
@@ -227,7 +229,8 @@ def extrapolated_force(
     """
 
     def summary(master_forces: MasterForces) -> xr.Dataset:
-        force = work * master_forces.forces.unfiltered_pull_off_force.mean().values
+        force_at_unit_work = master_forces.forces.unfiltered_pull_off_force.mean().values
+        force = work * force_at_unit_work
         half = half_width_over_masters(
             master_forces,
             lambda filtered, unfiltered: unfiltered,

@@ -65,7 +65,10 @@ def forces_of_surface(
 def forces_by_surface(
     adhesion: xr.Dataset, scan_sizes: Mapping[str, float]
 ) -> dict[str, SurfaceForces]:
-    """Return the `forces_of_surface` in one contact model, by surface; scan sizes are in nm."""
+    """Return the forces of each surface in one contact model, at the work of `adhesion`.
+
+    Scan sizes are in nm.
+    """
     radius = float(adhesion.attrs["sphere_radius"])
     return {
         name: forces_of_surface(
