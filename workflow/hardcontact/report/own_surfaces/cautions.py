@@ -34,8 +34,8 @@ MIN_CONTACT_PIXELS = 10
 NYQUIST_PIXELS = 2
 #: Largest ratio of added power to the power in the scans without a caution.
 MAX_POWER_RATIO = 2.0
-#: Largest distance of the upper end of an interval, relative to that of the lower end, in the
-#: logarithm. Beyond it the upper end is called open: few tests may scatter much more than it seems.
+#: Largest ln(high / mean) relative to ln(mean / low) of a measured force without a caution.
+#: If tests are few, the upper end is much farther, because they may scatter more than it seems.
 MAX_LOPSIDEDNESS = 2.0
 #: Codes of defects that change the highest points, and thus the force.
 MISLEADING_DEFECTS = frozenset({"spikes", "equal_lines", "highest"})
@@ -61,7 +61,7 @@ def cautions(data: Datasets, numbers: Mapping[str, Number]) -> list[Caution]:
         _blind_scans(data),
         *_defect_cautions(data.spectra, MISLEADING_DEFECTS, grave=True),
         *_reading_cautions(data.spectra),
-        *_repeated_scans(data.spectra),
+        *_repeated_scan_cautions(data.spectra),
         _few_patches(data.force),
         _soft_bodies(data.force),
         _strong_work(numbers),
@@ -75,7 +75,7 @@ def cautions(data: Datasets, numbers: Mapping[str, Number]) -> list[Caution]:
         *_defect_cautions(data.spectra, set(DEFECTS) - MISLEADING_DEFECTS, grave=False),
         _contradiction(data.spectra),
         _excess_roughness(data.spectra),
-        *_hindcasts(data),
+        *_hindcast_cautions(data),
         Caution("ripples") if (data.edges["edge_status"] == Status.RIPPLES).any() else None,
         _tail_caution(data),
         _long_wave_caution(data),
@@ -86,7 +86,10 @@ def cautions(data: Datasets, numbers: Mapping[str, Number]) -> list[Caution]:
 
 
 def _blind_scans(data: Datasets) -> Caution | None:
-    """Return a caution if the scans in contact, known by their pixels, are reliable nowhere."""
+    """Return a caution if the scans in contact are reliable nowhere.
+
+    These scans are the maps with the pixels of the computed contacts.
+    """
     scans = without_padding(data.spectra)
     makes_contacts = (scans["kind"].values.astype(str) == "map") & np.isclose(
         scans["pixel_size"].values ** 2, data.force["pixel_area"].item()
@@ -102,16 +105,14 @@ def _defect_cautions(spectra: xr.Dataset, codes: Collection[str], *, grave: bool
     defects = []
     for index, measurement in enumerate(split_scans(without_padding(spectra)), start=1):
         for code in codes:
-            units = DEFECTS[code]
-            values = {name: measurement[name].item() for name in units}
-            if not np.isfinite(list(values.values())).all():
-                continue
-            sentence = f"{measurement_name(measurement)}: {defect_sentence(code, values)}"
             numbers = {
-                name: Number(name, value, units[name], source="file")
-                for name, value in values.items()
+                name: Number(name, measurement[name].item(), unit, source="file")
+                for name, unit in DEFECTS[code].items()
             }
-            defects.append(Caution(code, grave, numbers, {"sentence": sentence}, index))
+            values = {name: number.value for name, number in numbers.items()}
+            if np.isfinite(list(values.values())).all():
+                sentence = f"{measurement_name(measurement)}: {defect_sentence(code, values)}"
+                defects.append(Caution(code, grave, numbers, {"sentence": sentence}, index))
     return defects
 
 
@@ -124,7 +125,7 @@ def _reading_cautions(spectra: xr.Dataset) -> list[Caution]:
     ]
 
 
-def _repeated_scans(spectra: xr.Dataset) -> list[Caution]:
+def _repeated_scan_cautions(spectra: xr.Dataset) -> list[Caution]:
     """Return a caution for each scan of an area that an earlier scan shows."""
     return [
         Caution(
@@ -192,38 +193,36 @@ def _smooth_bound(force: xr.Dataset, numbers: Mapping[str, Number]) -> Caution |
 
 
 def _small_window(data: Datasets) -> Caution | None:
-    """Return a caution if the window has too little of the force, at any range."""
+    """Return a caution if the window holds too little of the force at any range of adhesion."""
     shares = data.force["window_share"]
-    at_range = forces_at_range(data.force)
+    answer_share = forces_at_range(data.force)["window_share"]
     small_shares = shares[shares < MIN_WINDOW_SHARE]
     if not small_shares.size:
         return None
-    share, shown_range = shares.min().item(), data.force["rho"].max().item()
-    first_range = small_shares["rho"].min().item()
-    if at_range["window_share"] < MIN_WINDOW_SHARE:
-        share, shown_range = at_range["window_share"].item(), at_range["rho"].item()
-        first_range = np.nan
+    lowers_answer = answer_share.item() < MIN_WINDOW_SHARE
+    # The share falls with the range of adhesion, so that the longest range has the smallest.
+    shown_share = answer_share if lowers_answer else shares.sel(rho=shares["rho"].max())
+    first_range = np.nan if lowers_answer else small_shares["rho"].min().item()
     numbers = {
-        "share": Number("share", share),
+        "share": Number("share", shown_share.item()),
         "window": Number("window", float(data.force.attrs["window"]), "nm"),
-        "at": Number("at", shown_range, "nm"),
+        "at": Number("at", shown_share["rho"].item(), "nm"),
         "from": Number("from", first_range, "nm"),
     }
-    grave = at_range["window_share"].item() < 1 - data.edges.attrs["tolerance"]
-    return Caution("window", bool(grave), numbers)
+    return Caution("window", answer_share.item() < 1 - data.edges.attrs["tolerance"], numbers)
 
 
 def _small_scans(data: Datasets) -> Caution | None:
-    """Return a caution if scans are smaller than contacts need, with its effect on forces."""
+    """Return a caution if scans are smaller than contacts need, with the effect on the force."""
     low, high = data.force["finite_scan_ratio"].values.tolist()
     if high == 1:
         return None
-    size = data.topography["scan_size"].item()
-    search_size = data.force["search_size"].item()
-    share = size / search_size
+    size = number_of(data.topography, "scan_size", "nm", name="size")
+    search_size = number_of(data.force, "search_size", "nm")
+    share = size.value / search_size.value
     numbers = {
-        "size": Number("size", size, "nm"),
-        "search_size": Number("search_size", search_size, "nm"),
+        "size": size,
+        "search_size": search_size,
         "share": Number("share", share),
         "ratio": number_without_value("ratio", low, high),
     }
@@ -306,8 +305,8 @@ def _excess_roughness(spectra: xr.Dataset) -> Caution | None:
     return Caution("more_than_measured", numbers=numbers)
 
 
-def _hindcasts(data: Datasets) -> list[Caution]:
-    """Return the ratio of the hindcast of each side, as a grave caution if the hindcast fails."""
+def _hindcast_cautions(data: Datasets) -> list[Caution]:
+    """Return a caution with the hindcast ratio of each side, grave if the hindcast fails."""
     if "hindcast_ratio" not in data.force:
         return []
     side_cautions = []
