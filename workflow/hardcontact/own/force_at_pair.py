@@ -177,20 +177,17 @@ def forces_on_scans(
 
 
 def _force_variables(
-    adhesion_at_work: xr.Dataset,
-    forces_by_model: Sequence[SurfaceForces],
-    rho: float,
-    confidence: float,
+    forces: xr.Dataset, forces_by_model: Sequence[SurfaceForces], rho: float, confidence: float
 ) -> xr.Dataset:
     """Return the variables of one surface from its forces, both at the work asked for."""
     mean = np.array([model_forces.mean for model_forces in forces_by_model])
     intervals = [mean_intervals(model_forces, confidence) for model_forces in forces_by_model]
     dimensions = ("contact_model", "rho")
-    quantiles = adhesion_at_work.pull_off_force.quantile(
+    quantiles = forces.pull_off_force.quantile(
         QUANTILES, ["scan", "sphere_scan", *CONTACT_AXES]
     ).transpose(*dimensions, "quantile")
-    scan_parts = forces_by_model[0].scan_parts[np.abs(adhesion_at_work.rho.values - rho).argmin()]
-    contact_count = np.prod([adhesion_at_work.sizes[axis] for axis in CONTACT_AXES])
+    scan_parts = forces_by_model[0].scan_parts[np.abs(forces.rho.values - rho).argmin()]
+    contact_count = np.prod([forces.sizes[axis] for axis in CONTACT_AXES])
     return xr.Dataset(
         with_interval("force", dimensions, mean, np.array(intervals), NEWTON, confidence)
         | {
@@ -203,7 +200,7 @@ def _force_variables(
             "correlation_of_parts": ((), scan_parts.mean_correlation, DIMENSIONLESS),
         }
         | _position_factor(forces_by_model, confidence),
-        {name: adhesion_at_work[name] for name in dimensions}
+        {name: forces[name] for name in dimensions}
         | {"quantile": ("quantile", QUANTILES, DIMENSIONLESS)},
     )
 
@@ -276,8 +273,8 @@ def add_extrapolated_force(
 def include_finer_pixels(force: xr.Dataset) -> xr.Dataset:
     """Extend the intervals of forces on scans to the forces on pixels WIDE_PIXEL times finer."""
     interval = force["force_interval"]
-    widened = interval.where(interval["end"] != "low", interval / pixel_factors(force))
-    return force.assign(force_interval=widened.transpose(*interval.dims))
+    extended = interval.where(interval["end"] != "low", interval / pixel_factors(force))
+    return force.assign(force_interval=extended.transpose(*interval.dims))
 
 
 def bound_by_smooth_sphere(force: xr.Dataset, area: float) -> xr.Dataset:
@@ -290,10 +287,10 @@ def bound_by_smooth_sphere(force: xr.Dataset, area: float) -> xr.Dataset:
     areas = area * (force["contact_model"] == PLASTIC)
     work, radius = force.attrs["work_of_adhesion"], force.attrs["sphere_radius"]
     bound = smooth_pull_off(work, radius, areas, force["rho"])
-    rho = force.attrs["rho"]
-    master_bound = bound.sel(contact_model=PLASTIC, drop=True).sel(rho=rho, method="nearest")
+    plastic_bound = bound.sel(contact_model=PLASTIC, drop=True)
+    master_bound = plastic_bound.sel(rho=force.attrs["rho"], method="nearest", drop=True)
     bounded = {"smooth_bound": bound.assign_attrs(NEWTON)}
-    limits = {"force": bound, "extrapolated_force": master_bound.drop_vars("rho")}
+    limits = {"force": bound, "extrapolated_force": master_bound}
     for name, limit in limits.items():
         for variable in (name, f"{name}_interval"):
             bounded[variable] = xr.apply_ufunc(

@@ -39,15 +39,15 @@ SIDE_LOOKS: dict[str, tuple[str, style.Look]] = {
 #: Looks of curves: the contact model of the answer first, then other models.
 MODEL_LINES: tuple[style.Look, ...] = ({"ls": "-"}, {"ls": "--", "mfc": "white"}, {"ls": ":"})
 KIND_COLOURS = {"map": "#332288", "line scan": "#882255", "description": "#999933"}
-SPHERE_FRAME = "black"
+SPHERE_COLOUR = "black"
 UNRELIABLE_LOOK: style.Look = {"color": "#999999", "mfc": "white", "ls": "--"}
 JOINED_LOOK: style.Look = {"color": "black", "ls": ":", "lw": 1.8, "zorder": 3}
 FITS_ALL_LOOK: style.Look = {"color": "0.3", "ls": "--", "marker": "", "label": "fits all"}
 #: Most measurements with unreliable parts of spectra drawn: more curves hide each other.
 MAX_UNRELIABLE_CURVES = 3
-MARKED_POINTS = 12  # about as many symbols on a line
-MAP_RESOLUTION = 72  # dots per inch of height maps in the SVG, which are most of a page
-MAX_OCTAVE_MARGIN = 2.0  # of the axis relative to the largest bar; intervals may be much longer
+MARKED_POINTS = 12  # approximate number of symbols on a line
+MAP_RESOLUTION = 72  # dots per inch; height maps make up most of the size of a page
+MAX_OCTAVE_MARGIN = 2.0  # end of the y axis relative to the largest bar; intervals may be longer
 CUT_LOOK: style.Look = {"color": "0.25", "ms": 3.5, "mew": 0, "clip_on": False, "zorder": 4}
 PAGE_WIDTH = 3.8  # inch: 360 pixels of a phone show 7 points as 9 pixels
 
@@ -86,13 +86,8 @@ def draw_octaves(datasets: Datasets) -> Figure:
     panels.draw_octaves(axes, sensitivity.assign(is_shown=(("surface", "octave"), is_shown)))
     low, high = axes.get_ylim()
     limit = MAX_OCTAVE_MARGIN * float(np.abs(sensitivity["octave_sensitivity"]).max())
-    low, high = axes.set_ylim(max(low, -limit), min(high, limit))
-    lines = [artist for artist in axes.collections if isinstance(artist, LineCollection)]
-    segments = [segment for line in lines for segment in line.get_segments() if len(segment) == 2]
-    intervals = np.array(segments).reshape(-1, 2, 2)  # line, end, x and y
-    for end, arrow in ((low, "v"), (high, "^")):
-        is_cut = (intervals[..., 1] < low if arrow == "v" else intervals[..., 1] > high).any(axis=1)
-        axes.plot(intervals[is_cut, 0, 0], np.full(is_cut.sum(), end), arrow, **CUT_LOOK)
+    axes.set_ylim(max(low, -limit), min(high, limit))
+    _mark_cut_intervals(axes)
     style.legend_above(figure, handles, max_columns=2)
     return figure
 
@@ -108,7 +103,7 @@ def draw_maps(datasets: Datasets) -> Figure:
     for axes, name in zip(column, names, strict=True):
         scan = topography.sel(surface=name)
         heights = mean_free_heights(scan["example_heights"])
-        panels.draw_map(axes, heights, scan["scan_size"].item(), colours.get(name, SPHERE_FRAME))
+        panels.draw_map(axes, heights, scan["scan_size"].item(), colours.get(name, SPHERE_COLOUR))
     return figure
 
 
@@ -125,10 +120,10 @@ def draw_cutoffs(datasets: Datasets) -> Figure:
             curve = ratios.sel(side=side, cutoff_wavelength=cutoffs)
             _draw_curve(axes, cutoffs, curve, look | {"color": colour, "label": label})
         panels.draw_tolerance(axes, datasets.edges.attrs["tolerance"])
-        edges = data.edges["edge"]
         known_sides = [side for side in SIDE_LOOKS if not fails_hindcast(data, side)]
-        _mark_positions(axes, edges.sel(side=known_sides).values, "edges of the band")
-        _scale(axes, "cutoff wavelength (nm)", "force / unfiltered force", cutoffs)
+        known_edges = data.edges["edge"].sel(side=known_sides).values
+        _mark_positions(axes, known_edges, "edges of the band")
+        _set_logarithmic_axes(axes, "cutoff wavelength (nm)", "force / unfiltered force", cutoffs)
         style.end_near_values([axes])
         low, high = axes.get_ylim()
         if high > 10 * low:
@@ -155,7 +150,7 @@ def draw_spectra(datasets: Datasets) -> Figure:
         joined_density = data.spectra["joined_psd"].values[has_data]
         axes.plot(wavelengths[has_data], used_density, color=colour, label="used")
         axes.plot(wavelengths[has_data], joined_density, **JOINED_LOOK, label="joined")
-        _scale(axes, "wavelength (nm)", "isotropic PSD (nm⁴)", wavelengths[has_data])
+        _set_logarithmic_axes(axes, "wavelength (nm)", "isotropic PSD (nm⁴)", wavelengths[has_data])
         panels.shade_artificial(axes, artificial_bands(data.spectra))
         axes.legend(loc="lower right")
     return figure
@@ -169,20 +164,18 @@ def draw_forces(datasets: Datasets) -> Figure:
     force = datasets.force
     labels = datasets.labels()
     answer_model = preferred_model(force)
-    models = sorted(
-        map(str, force["contact_model"].values), key=lambda model: model != answer_model
-    )
+    models = sorted(force["contact_model"].values.tolist(), key=lambda name: name != answer_model)
     figure = Figure(figsize=(PAGE_WIDTH, 3.4), layout="constrained")
     axes = figure.subplots()
+    ranges = force["rho"].values
     forces = value_and_interval(force, "force") / style.MICRONEWTON
     for surface, surface_look in style.looks(labels).items():
         for model, line in zip(models, MODEL_LINES, strict=False):
             curve = forces.sel(surface=surface, contact_model=model)
             drawn_curve = curve if model == answer_model else curve[["value"]]
             look = surface_look | line | {"label": f"{labels[surface]}, {model}"}
-            _draw_curve(axes, force["rho"].values, drawn_curve, look)
-    rho = force.attrs["rho"]
-    _finish_over_range(figure, force["rho"].values, rho, "pull-off force (µN)")
+            _draw_curve(axes, ranges, drawn_curve, look)
+    _finish_over_range(figure, ranges, force.attrs["rho"], "pull-off force (µN)")
     return figure
 
 
@@ -195,22 +188,20 @@ def draw_works(datasets: Datasets) -> Figure:
     assert datasets.fit is not None
     fit = datasets.fit.sel(contact_model=preferred_model(datasets.fit))
     labels = datasets.labels()
-    names = [str(name) for name in fit["surface"].values]
+    names = fit["surface"].values.tolist()
     rho = fit["rho_fine"].values
     looks = style.looks(labels)
     figure = Figure(figsize=(PAGE_WIDTH, 3.4), layout="constrained")
     axes = figure.subplots()
     works = value_and_interval(fit, "work_by_range") / style.MILLIJOULE
     for name in names:
-        look = looks[name] | {"label": labels[name]}
-        _draw_curve(axes, rho, works.sel(surface=name), look)
+        _draw_curve(axes, rho, works.sel(surface=name), looks[name] | {"label": labels[name]})
     low, high = fit["region"].values.T / style.MILLIJOULE
     if len(names) > 1 and np.isfinite([low, high]).any():
         ends = {"value": np.sqrt(low * high), "low": low, "high": high}
         region = xr.Dataset({name: ("rho", values) for name, values in ends.items()})
         _draw_curve(axes, rho, region, FITS_ALL_LOOK)
-    assumed_range = fit.attrs["assumed_range"]
-    _finish_over_range(figure, rho, assumed_range, "work of adhesion (mJ/m²)")
+    _finish_over_range(figure, rho, fit.attrs["assumed_range"], "work of adhesion (mJ/m²)")
     return figure
 
 
@@ -244,6 +235,17 @@ def _titled_panels(titles: Collection[str], height: float) -> tuple[Figure, np.n
     return figure, column
 
 
+def _mark_cut_intervals(axes: Axes) -> None:
+    """Mark the intervals that extend beyond the y axis by arrows at its ends."""
+    lines = [artist for artist in axes.collections if isinstance(artist, LineCollection)]
+    segments = [segment for line in lines for segment in line.get_segments() if len(segment) == 2]
+    x, y = np.moveaxis(np.array(segments).reshape(-1, 2, 2), -1, 0)  # each (interval, end)
+    low, high = axes.get_ylim()
+    for limit, is_beyond, arrow in ((low, y < low, "v"), (high, y > high, "^")):
+        cut_x = x[is_beyond.any(axis=1), 0]
+        axes.plot(cut_x, np.full(cut_x.size, limit), arrow, **CUT_LOOK)
+
+
 def _draw_measurement(
     axes: Axes,
     wavelengths: np.ndarray,
@@ -260,7 +262,7 @@ def _draw_measurement(
     reliable_density = np.where(is_reliable, density, np.nan)
     axes.plot(wavelengths, reliable_density, color=colour, label=name, **reliable_look)
     if shows_unreliable and np.isfinite(density[~is_reliable]).any():
-        look: style.Look = reliable_look | UNRELIABLE_LOOK | {"label": f"{name}, not reliable"}
+        look = reliable_look | UNRELIABLE_LOOK | {"label": f"{name}, not reliable"}
         axes.plot(wavelengths, np.where(is_reliable, np.nan, density), **look)
 
 
@@ -290,7 +292,7 @@ def _mark_positions(axes: Axes, positions: Sequence[float] | np.ndarray, label: 
         axes.axvline(position, color="0.4", lw=1, ls="--", zorder=0.6, label=label)
 
 
-def _scale(axes: Axes, x_label: str, y_label: str, x: np.ndarray) -> None:
+def _set_logarithmic_axes(axes: Axes, x_label: str, y_label: str, x: np.ndarray) -> None:
     """Make both axes logarithmic, label them, and limit the x axis to the values."""
     axes.set(xscale="log", yscale="log", xlabel=x_label, ylabel=y_label, xlim=(x.min(), x.max()))
     style.label_logarithmic(axes.xaxis, digits=(1, 3))
@@ -302,7 +304,7 @@ def _finish_over_range(
     """Mark the range of adhesion (nm) of the answer, scale the axes and add the legend."""
     (axes,) = figure.axes
     _mark_positions(axes, [answer_range], "range asked for")
-    _scale(axes, "range of adhesion (nm)", y_label, ranges)
+    _set_logarithmic_axes(axes, "range of adhesion (nm)", y_label, ranges)
     style.label_logarithmic(axes.yaxis)
     _add_legend(figure)
 
