@@ -262,7 +262,7 @@ def _draw_measurement(
     reliable_density = np.where(is_reliable, density, np.nan)
     axes.plot(wavelengths, reliable_density, color=colour, label=name, **reliable_look)
     if shows_unreliable and np.isfinite(density[~is_reliable]).any():
-        look = reliable_look | UNRELIABLE_LOOK | {"label": f"{name}, not reliable"}
+        look: style.Look = reliable_look | UNRELIABLE_LOOK | {"label": f"{name}, not reliable"}
         axes.plot(wavelengths, np.where(is_reliable, np.nan, density), **look)
 
 
