@@ -225,9 +225,9 @@ def read_spectrum(
             levelling=levelling,
             sphere_radius=sphere_radius,
         ).spectrum
-    return (
-        spectrum.extrapolated() if extrapolated and isinstance(spectrum, ScanSpectrum) else spectrum
-    )
+    if extrapolated and isinstance(spectrum, ScanSpectrum):
+        return spectrum.extrapolated()
+    return spectrum
 
 
 def pull_off_forces(
@@ -251,7 +251,7 @@ def pull_off_forces(
     radius, preload, hardness : float
         Radius of the sphere in nm, load on a contact in N, hardness of the softer body in Pa.
     ranges, work : sequence of float, float
-        Ranges of adhesion in nm; work of adhesion in J/m².
+        Ranges of adhesion in nm; work of adhesion in J/m² at which forces are returned.
     window, contacts_per_row : float, int
         Width in nm of the square around each contact over which the force is summed; number of
         contacts per row of the array.
@@ -261,8 +261,7 @@ def pull_off_forces(
     Returns
     -------
     xarray.Dataset
-        ``pull_off_force`` (contact_model, rho, contact_y, contact_x) in N at `work`, rigid and
-        plastic;
+        ``pull_off_force`` (contact_model, rho, contact_y, contact_x) in N, rigid and plastic;
         ``apex_height`` in nm; ``touched_patches``, the number of patches that contacts touch;
         ``wider_window_change``, the relative change of the forces at the longest range in a window
         that is wider by a period on each side.
