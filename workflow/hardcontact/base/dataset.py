@@ -123,7 +123,7 @@ def stack(datasets: DatasetsByLabels, dimensions: Sequence[str]) -> xr.Dataset:
 def variables_of_columns(
     columns: np.ndarray, dimensions: str | Sequence[str], units: Mapping[str, str]
 ) -> dict[str, Any]:
-    """Return a variable for each column, the last axis, named and measured as in the units."""
+    """Return a variable for each column, the last axis, with its name and unit in `units`."""
     return {
         name: (dimensions, columns[..., k], {"units": unit})
         for k, (name, unit) in enumerate(units.items())

@@ -75,7 +75,7 @@ def percentile_interval(samples: ArrayLike, confidence: float) -> Floats:
 
 
 def widen_interval(dataset: xr.Dataset, name: str, error: xr.DataArray) -> xr.Dataset:
-    """Return a dataset with the interval of a positive variable widened by an error, a factor.
+    """Return a dataset with a wider interval of a positive variable, which an error factor adds to.
 
     The logarithms of the interval's half width and of the error add in squares.
     """
