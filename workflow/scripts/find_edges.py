@@ -2,14 +2,15 @@
 
 from hardcontact.base import dataset
 from hardcontact.base.statistics import Sampling
-from hardcontact.inference.edges import edges_with_samples, labelled_edges
+from hardcontact.inference.edges import labelled_edges
+from hardcontact.paper.edges_of_masters import edges_of_masters
 from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:
     params = job.parameters
     scales = dataset.read(job.input.scales)
     sampling = Sampling.from_parameters(params["sampling"])
-    edges, _ = edges_with_samples(scales, params["tolerance"], sampling)
+    edges, _ = edges_of_masters(scales, params["tolerance"], sampling)
     job.write(
         labelled_edges(edges, scales, params["tolerance"], sampling.confidence),
         title="pull-off force against cutoff wavelength, and the edges of the band",

@@ -12,7 +12,7 @@ from hardcontact.base.dataset import stack
 from hardcontact.base.statistics import Sampling
 from hardcontact.base.units import DIMENSIONLESS
 from hardcontact.contact.contact import CONTACT_MODELS, PLASTIC, RIGID
-from hardcontact.inference.edges import edges_with_samples
+from hardcontact.paper.edges_of_masters import edges_of_masters
 
 #: A range of adhesion (nm) that is much shorter than the published range.
 SHORT_ADHESION_RANGE = 1.0
@@ -31,7 +31,7 @@ def compute_edge_shifts(forces: xr.Dataset, tolerance: float, sampling: Sampling
     edge_samples = {}
     for (index, model), (column, rho) in product(enumerate(CONTACT_MODELS), enumerate(ranges)):
         model_forces = sorted_forces.isel(loading=index, rho=column, drop=True)
-        datasets[model, rho], edge_samples[model, rho] = edges_with_samples(
+        datasets[model, rho], edge_samples[model, rho] = edges_of_masters(
             model_forces, tolerance, sampling
         )
     edges = stack(datasets, ["contact_model", "rho"])

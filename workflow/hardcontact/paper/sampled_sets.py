@@ -17,8 +17,8 @@ from hardcontact.base.random import generator
 from hardcontact.base.statistics import Sampling
 from hardcontact.base.units import DIMENSIONLESS
 from hardcontact.contact.contact import CONTACT_AXES
-from hardcontact.inference.edges import edges_with_samples
 from hardcontact.inference.fit import WITHOUT_SURFACE
+from hardcontact.paper.edges_of_masters import edges_of_masters
 from hardcontact.paper.evaluation import claim_values
 from hardcontact.paper.featured_samples import sample_of_set, samples_by_surface
 from hardcontact.paper.published_fit import PublishedForces, fit_published
@@ -166,7 +166,7 @@ def edges_of_set(
         surface_ratios.append(ratio.drop_vars("surface"))
     ratio = xr.concat(surface_ratios, masters["surface"])
     set_masters = masters.drop_dims("realization").assign(filtered_force_ratio=ratio)
-    return edges_with_samples(set_masters, tolerance, sampling)[0]
+    return edges_of_masters(set_masters, tolerance, sampling)[0]
 
 
 def sample_sets(

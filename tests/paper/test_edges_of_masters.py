@@ -6,7 +6,7 @@ import xarray as xr
 from known_masters import master_ratios
 
 from hardcontact.base.statistics import Sampling, interval_ends, student_log_interval
-from hardcontact.inference.edges import edges_with_samples
+from hardcontact.paper.edges_of_masters import edges_of_masters
 
 CUTOFFS = [10.0, 100.0, 1000.0, 10000.0]
 SHORT = [1.0, 1.2, np.nan, np.nan]
@@ -20,11 +20,11 @@ EDGES = {
 
 def edges_of(ratios, sampling):
     """Return edges of ratios (surface, realization, side, cutoff) and their samples."""
-    return edges_with_samples(master_ratios(ratios, CUTOFFS), 0.1, sampling)
+    return edges_of_masters(master_ratios(ratios, CUTOFFS), 0.1, sampling)
 
 
 def test_each_edge_is_the_first_cutoff_from_the_unfiltered_end():
-    bands, _ = edges_with_samples(
+    bands, _ = edges_of_masters(
         master_ratios([[[SHORT, LONG]] * 3], CUTOFFS), 0.1, Sampling(0, 20, 0.95)
     )
     for group, sides in EDGES.items():
@@ -37,7 +37,7 @@ def test_each_edge_is_the_first_cutoff_from_the_unfiltered_end():
 def test_mean_change_is_the_mean_of_absolute_changes():
     increasing = [[1.0, 1.2, np.nan, np.nan], [np.nan, np.nan, 3.0, 1.0]]
     decreasing = [[1.0, 0.8, np.nan, np.nan], [np.nan, np.nan, 0.6, 1.0]]
-    bands, _ = edges_with_samples(
+    bands, _ = edges_of_masters(
         master_ratios([[increasing], [decreasing]], CUTOFFS), 0.1, Sampling(0, 0, 0.95)
     )
     np.testing.assert_allclose(
