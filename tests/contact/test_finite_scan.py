@@ -67,7 +67,7 @@ def test_the_share_of_a_window_matches_the_sum_over_its_pixels():
         xr.Dataset(coords={"rho": rhos, "surface": ["a"]}),
         xr.Dataset(sizes, {"surface": ["a"]}),
         contact,
-        {"a": 3000.0},
+        [3000.0],
     )
     np.testing.assert_array_equal(sized_forces.finite_scan_ratio, [RATIOS[0.5]])
     assert (sized_forces.pixel_area.item(), sized_forces.attrs["contact_area"]) == (

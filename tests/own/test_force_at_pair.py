@@ -23,7 +23,7 @@ from hardcontact.own.mean_forces import MasterScans
 from hardcontact.theory.pull_off_statistics import predict_statistics
 
 RHOS = [1.0, 5.0, 20.0]
-OPTIONS = {"work": 0.05, "rho": 5.0, "sizes": {"a": 2500.0, "b": 2500.0}, "confidence": 0.9}
+OPTIONS = {"work": 0.05, "rho": 5.0, "scan_sizes": {"a": 2500.0, "b": 2500.0}, "confidence": 0.9}
 
 
 def adhesion(scans, radius=5e3, spread=0.3):

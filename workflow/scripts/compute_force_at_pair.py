@@ -3,25 +3,21 @@
 from hardcontact.base.dataset import read
 from hardcontact.contact.contact import Contact
 from hardcontact.inference.scan_parts import fewest_touched_patches
-from hardcontact.own.force_at_pair import force_dataset
+from hardcontact.own.force_at_pair import SurfaceDatasets, force_dataset
 from hardcontact.own.mean_forces import MasterScans
 from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:
     params = job.parameters
-    adhesion = read(job.input.adhesion)
-    touched_patches = fewest_touched_patches(adhesion)
+    data = SurfaceDatasets(*(read(job.input[name]) for name in SurfaceDatasets._fields))
+    touched_patches = fewest_touched_patches(data.adhesion)
     job.write(
         force_dataset(
-            adhesion=adhesion,
-            scales=read(job.input.scales),
-            topography=read(job.input.topography),
-            spectra=read(job.input.spectra),
-            sensitivity=read(job.input.sensitivity),
-            contact=Contact(**params["contact"]),
-            master_scans=MasterScans(params["scan_counts"], params["tiles"], touched_patches),
-            tolerance=params["tolerance"],
-            confidence=params["confidence"],
+            data,
+            Contact(**params["contact"]),
+            MasterScans(params["scan_counts"], params["tiles"], touched_patches),
+            params["tolerance"],
+            params["confidence"],
         ),
         title="pull-off forces at one range and work",
     )

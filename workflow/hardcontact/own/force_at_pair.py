@@ -1,11 +1,11 @@
-"""The pull-off forces on the user's scans at one range and work of adhesion: force.nc.
+"""The pull-off forces on the user's surfaces at one range and work of adhesion: force.nc.
 
-One force has the roughness of the scans alone, another has roughness extrapolated beyond their
-wavelengths, too.
+Forces on scans have the roughness of the scans alone. The extrapolated force also has roughness
+beyond the wavelengths of the scans, because the microscope does not show all of it.
 """
 
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import xarray as xr
@@ -34,17 +34,25 @@ from hardcontact.theory.pull_off_statistics import predict_statistics
 from hardcontact.theory.summits import search_size
 from hardcontact.theory.validity import assumed_modulus, judge_tabor_parameter
 
-#: Quantiles of the forces of single contacts.
-QUANTILES = [0.05, 0.25, 0.5, 0.75, 0.95]
+#: Quantiles of the forces of single contacts: the middle half and the middle 90 %.
+FORCE_QUANTILES = [0.05, 0.25, 0.5, 0.75, 0.95]
+
+
+class SurfaceDatasets(NamedTuple):
+    """The datasets of a study of the user's surfaces from which forces follow, as in their files.
+
+    Forces in `adhesion` and `scales` are at 1 J/m².
+    """
+
+    adhesion: xr.Dataset
+    scales: xr.Dataset
+    topography: xr.Dataset
+    spectra: xr.Dataset
+    sensitivity: xr.Dataset
 
 
 def force_dataset(
-    *,
-    adhesion: xr.Dataset,
-    scales: xr.Dataset,
-    topography: xr.Dataset,
-    spectra: xr.Dataset,
-    sensitivity: xr.Dataset,
+    data: SurfaceDatasets,
     contact: Contact,
     master_scans: MasterScans,
     tolerance: float,
@@ -52,52 +60,46 @@ def force_dataset(
 ) -> xr.Dataset:
     """Return the forces of all surfaces at the pair of the contact, their limits and their scatter.
 
-    The datasets are as in their files: forces in `adhesion` and `scales` are at 1 J/m². The
-    `tolerance` is a relative change of the force. No mean force exceeds the smooth sphere's.
+    The `tolerance` is a relative change of the force. No mean force exceeds the smooth sphere's.
     Attributes have the Tabor parameter and whether the bodies are hard.
     """
+    scan_sizes = data.topography["scan_size"].to_series()
     force = forces_on_scans(
-        adhesion,
+        data.adhesion,
         work=contact.work,
         rho=contact.rho,
-        sizes={str(name): size for name, size in topography["scan_size"].to_series().items()},
+        scan_sizes={str(name): size for name, size in scan_sizes.items()},
         confidence=confidence,
     )
-    extrapolated_forces = extrapolated_force(scales, master_scans, contact.work, confidence)
+    extrapolated_forces = extrapolated_force(data.scales, master_scans, contact.work, confidence)
     force = add_extrapolated_force(force, extrapolated_forces, tolerance)
-    force = _widen_intervals(force, sensitivity, contact.rho)
+    force = _widen_intervals(force, data.sensitivity, contact.rho)
     force = bound_by_smooth_sphere(force, contact.area)
-    spectra_by_surface = {
-        name: spectrum_of_dataset(spectra.sel(surface=name))
-        for name in force["surface"].values.tolist()
-    }
-    search_sizes = {
-        name: search_size(spectrum, contact.radius, contact.area)
-        for name, spectrum in spectra_by_surface.items()
-    }
-    force = add_sizes(force, topography, contact, search_sizes)
-    scatter = [
-        force_scatter(spectrum, contact, tolerance, confidence)
-        for spectrum in spectra_by_surface.values()
-    ]
+    spectra = [spectrum_of_dataset(data.spectra.sel(surface=name)) for name in force.surface.values]
+    search_sizes = [search_size(spectrum, contact.radius, contact.area) for spectrum in spectra]
+    force = add_sizes(force, data.topography, contact, search_sizes)
+    scatter = [force_scatter(spectrum, contact, tolerance, confidence) for spectrum in spectra]
     force = force.merge(xr.concat(scatter, force["surface"]))
     tabor = judge_tabor_parameter(contact, assumed_modulus(contact.hardness))
     return force.assign_attrs(tabor_parameter=tabor.value, bodies=tabor.status)
 
 
 def add_sizes(
-    force: xr.Dataset, topography: xr.Dataset, contact: Contact, search_sizes: Mapping[str, float]
+    force: xr.Dataset, topography: xr.Dataset, contact: Contact, search_sizes: Sequence[float]
 ) -> xr.Dataset:
-    """Return forces (surface) with sizes of scans, window and pixels.
+    """Return forces (surface) with the sizes of scans, window and pixels, in nm.
 
-    Sizes are in nm; ``window_share`` (rho) comes from the function of this name.
+    `search_sizes` (surface,) have the order of the forces. ``finite_scan_ratio`` (surface, end) is
+    the force on the scan relative to a large scan. ``window_share`` (rho) is the share of a smooth
+    sphere's attraction within the window.
     """
     scans = topography[["scan_size", "pixel_size"]].sel(surface=force["surface"])
-    lengths = [search_sizes[name] for name in force["surface"].values.tolist()]
-    sizes = zip(scans["scan_size"].values.tolist(), lengths, strict=True)
-    ratios = [finite_scan_ratio(size, search_size) for size, search_size in sizes]
+    ratios = [
+        finite_scan_ratio(size, search_size)
+        for size, search_size in zip(scans["scan_size"].values, search_sizes, strict=True)
+    ]
     return force.assign(
-        search_size=("surface", lengths, NM),
+        search_size=("surface", search_sizes, NM),
         finite_scan_ratio=(("surface", "end"), ratios, DIMENSIONLESS),
         pixel_area=("surface", scans["pixel_size"].values ** 2, {"units": "nm2"}),
         window_share=("rho", window_share(contact, force["rho"].values), DIMENSIONLESS),
@@ -105,7 +107,10 @@ def add_sizes(
 
 
 def _widen_intervals(force: xr.Dataset, sensitivity: xr.Dataset, rho: float) -> xr.Dataset:
-    """Widen intervals by the position of the sphere, the hindcast and finer pixels, where known."""
+    """Return forces with intervals that include further errors, where these are known.
+
+    They come from the position of a rough sphere, the hindcast and the finite width of pixels.
+    """
     if "position_factor" in force:
         plastic_factor = force["position_factor"].sel(contact_model=PLASTIC, drop=True)
         factor = plastic_factor.sel(rho=rho, method="nearest", drop=True)
@@ -130,16 +135,21 @@ def force_scatter(
     """
     statistics = predict_statistics(spectrum, contact)
     quantile = special.ndtri((1 + confidence) / 2)
-    numbers = {
+    scatter = {
         "weibull_modulus": statistics.weibull_modulus,
         "log_force_std": statistics.log_force_std,
         "contacts_needed": (quantile * statistics.relative_std / tolerance) ** 2,
     }
-    return xr.Dataset({name: ((), number, DIMENSIONLESS) for name, number in numbers.items()})
+    return xr.Dataset({name: ((), value, DIMENSIONLESS) for name, value in scatter.items()})
 
 
 def forces_on_scans(
-    adhesion: xr.Dataset, *, work: float, rho: float, sizes: Mapping[str, float], confidence: float
+    adhesion: xr.Dataset,
+    *,
+    work: float,
+    rho: float,
+    scan_sizes: Mapping[str, float],
+    confidence: float,
 ) -> xr.Dataset:
     """Return the pull-off force of every surface at one work and all ranges of adhesion.
 
@@ -155,7 +165,7 @@ def forces_on_scans(
         )
     adhesion_at_work = adhesion.assign(pull_off_force=adhesion.pull_off_force * work)
     forces_by_model = [
-        forces_by_surface(adhesion_at_work.sel(contact_model=model), sizes)
+        forces_by_surface(adhesion_at_work.sel(contact_model=model), scan_sizes)
         for model in adhesion.contact_model.values
     ]
     surfaces = {
@@ -179,12 +189,12 @@ def forces_on_scans(
 def _force_variables(
     forces: xr.Dataset, forces_by_model: Sequence[SurfaceForces], rho: float, confidence: float
 ) -> xr.Dataset:
-    """Return the variables of one surface from its forces, both at the work asked for."""
+    """Return the variables of one surface, from its forces at the asked work of adhesion."""
     mean = np.array([model_forces.mean for model_forces in forces_by_model])
     intervals = [mean_intervals(model_forces, confidence) for model_forces in forces_by_model]
     dimensions = ("contact_model", "rho")
     quantiles = forces.pull_off_force.quantile(
-        QUANTILES, ["scan", "sphere_scan", *CONTACT_AXES]
+        FORCE_QUANTILES, ["scan", "sphere_scan", *CONTACT_AXES]
     ).transpose(*dimensions, "quantile")
     scan_parts = forces_by_model[0].scan_parts[np.abs(forces.rho.values - rho).argmin()]
     contact_count = np.prod([forces.sizes[axis] for axis in CONTACT_AXES])
@@ -201,7 +211,7 @@ def _force_variables(
         }
         | _position_factor(forces_by_model, confidence),
         {name: forces[name] for name in dimensions}
-        | {"quantile": ("quantile", QUANTILES, DIMENSIONLESS)},
+        | {"quantile": ("quantile", FORCE_QUANTILES, DIMENSIONLESS)},
     )
 
 
@@ -258,11 +268,10 @@ def add_extrapolated_force(
     """
     rho = force.attrs["rho"]
     scan_force = force.sel(contact_model=PLASTIC).sel(rho=rho, method="nearest", drop=True)
+    extrapolated = extrapolated_forces.extrapolated_force
     low, high = interval_ends(scan_force, "force")
-    is_inside = (low <= extrapolated_forces.extrapolated_force) & (
-        extrapolated_forces.extrapolated_force <= high
-    )
-    is_changed = np.abs(extrapolated_forces.extrapolated_force / scan_force.force - 1) > tolerance
+    is_inside = (low <= extrapolated) & (extrapolated <= high)
+    is_changed = np.abs(extrapolated / scan_force.force - 1) > tolerance
     differs = (is_changed & ~is_inside).drop_vars("contact_model").astype(int)
     differs.attrs = DIMENSIONLESS
     return force.merge(extrapolated_forces).assign(
