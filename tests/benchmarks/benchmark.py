@@ -30,9 +30,9 @@ from hardcontact.base.random import generator
 from hardcontact.contact.bearing_area import all_contact_pixels
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.elastic import adhesive_pull_off, pressure_at_load
+from hardcontact.contact.force_sum.outside_sums import outside_sums
 from hardcontact.contact.geometry import gap_map, join_bodies, part_around_lowest
 from hardcontact.contact.pull_off import attraction_totals
-from hardcontact.contact.sphere_sums import outside_sums
 from hardcontact.surfaces.filters import interpolate, lowpass
 from hardcontact.surfaces.height_map import mirror_scan
 from hardcontact.surfaces.levelling import level

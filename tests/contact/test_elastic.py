@@ -7,7 +7,7 @@ from paper_numbers import MODULUS, RADIUS
 from periodic_maps import periodic_noise
 
 from hardcontact.contact.elastic import adhesive_pull_off, pressure_at_load
-from hardcontact.contact.smooth_sphere import hertz_contact
+from hardcontact.contact.hertz_jkr_dmt import hertz_contact
 
 LOAD = 10e-6
 WORK, RHO = 46.3e-3, 5.6

@@ -10,13 +10,13 @@ from periodic_maps import CONTACT, RADIUS, make_bodies, periodic_map, periodic_n
 from hardcontact.contact.bearing_area import ContactPixels, all_contact_pixels
 from hardcontact.contact.elastic import ELASTIC_UNITS, solve_elastic_contacts
 from hardcontact.contact.geometry import join_bodies, sample_contacts
+from hardcontact.contact.hertz_jkr_dmt import hertz_contact
 from hardcontact.contact.indents import (
     MAP_HALF_WIDTH,
     indent_sizes,
     indentation_map,
     indents_of_scans,
 )
-from hardcontact.contact.smooth_sphere import hertz_contact
 
 SHAPE = {"scan": 2, "sphere_scan": 2, "preload": 2, "contact_y": 3, "contact_x": 3}
 

@@ -8,17 +8,17 @@ from paper_numbers import AFM, MODULUS, RADIUS, SPACING, SPHERE, WORK
 from scipy.integrate import quad
 from scipy.stats import norm
 
-from hardcontact.contact import smooth_sphere
+from hardcontact.contact import hertz_jkr_dmt
 from hardcontact.paper import classical_models
 from hardcontact.paper.classical_models import MODELS, Roughness
 
 
 def test_rumpf_s_force_has_the_limits_of_plane_and_asperity():
-    smooth = smooth_sphere.dmt_pull_off(WORK, RADIUS)
+    smooth = hertz_jkr_dmt.dmt_pull_off(WORK, RADIUS)
     force = classical_models.rumpf(WORK, RADIUS, np.array([1e-9, 1e-3, 1e15]), SPACING)
     assert force[0] == pytest.approx(smooth) == pytest.approx(force[2])
     large = classical_models.rumpf(WORK, RADIUS, 1e3, SPACING)  # the plane is too far to attract
-    asperity = smooth_sphere.dmt_pull_off(WORK, 1e3 * RADIUS / 251e3)
+    asperity = hertz_jkr_dmt.dmt_pull_off(WORK, 1e3 * RADIUS / 251e3)
     assert large == pytest.approx(asperity, rel=1e-3)
 
 
@@ -27,7 +27,7 @@ def test_rabinovich_s_force_has_the_limits_of_plane_and_asperity():
         roughness = Roughness(height, 2 * np.pi * height / distance, np.nan)
         return classical_models.rabinovich(WORK, roughness, SPHERE)
 
-    smooth = smooth_sphere.dmt_pull_off(WORK, RADIUS)
+    smooth = hertz_jkr_dmt.dmt_pull_off(WORK, RADIUS)
     assert force(1e-12, 500.0) == pytest.approx(2 * smooth)
     caps = 500.0**2 / (32 * classical_models.PEAK_OVER_RMS * 50.0)  # their radius
     single = classical_models.rumpf(WORK, RADIUS, caps, 1e-6)
@@ -40,7 +40,7 @@ def relative(model, index):
     height = index ** (2 / 3) * (WORK * np.sqrt(1e-9) / MODULUS) ** (2 / 3) / 1e-9
     roughness = Roughness(height, np.nan, 1.0)
     assert classical_models.adhesion_index(WORK, roughness, MODULUS) == pytest.approx(index)
-    smooth = {"fuller_tabor": smooth_sphere.jkr_pull_off, "maugis": smooth_sphere.dmt_pull_off}
+    smooth = {"fuller_tabor": hertz_jkr_dmt.jkr_pull_off, "maugis": hertz_jkr_dmt.dmt_pull_off}
     return MODELS[model].force(WORK, roughness, SPHERE) / smooth[model](WORK, RADIUS)
 
 
@@ -78,7 +78,7 @@ def test_without_roughness_every_model_has_the_force_of_its_smooth_sphere():
     flat = Roughness(*(np.array([tiny]) for tiny in (1e-7, 1e-2, 1e-9)))
     for name, model in MODELS.items():
         smooth = (
-            smooth_sphere.jkr_pull_off if name == "fuller_tabor" else smooth_sphere.dmt_pull_off
+            hertz_jkr_dmt.jkr_pull_off if name == "fuller_tabor" else hertz_jkr_dmt.dmt_pull_off
         )
         force = model.force(WORK, flat, SPHERE)
         assert force == pytest.approx(smooth(WORK, RADIUS), rel=2e-3), name

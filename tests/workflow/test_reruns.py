@@ -238,7 +238,7 @@ def append_line(path):
 
 
 @pytest.mark.parametrize(
-    "path", ["resources/spectra/mcd.csv", "workflow/hardcontact/contact/sphere_sums.py"]
+    "path", ["resources/spectra/mcd.csv", "workflow/hardcontact/contact/force_sum/outside_sums.py"]
 )
 def test_a_changed_file_repeats_exactly_its_dependents(dry, graph, path):
     readers = graph.readers(path)

@@ -18,7 +18,7 @@ from hardcontact.config.limits import NamedContact, contact_faults
 from hardcontact.config.model import CONTACT_QUANTITIES, quantity_type
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.grid_limits import Grid
-from hardcontact.contact.smooth_sphere import STRONGEST_WORK
+from hardcontact.contact.hertz_jkr_dmt import STRONGEST_WORK
 from hardcontact.scans.reading import MASKS
 from hardcontact.surfaces.height_map import HeightMap, mirror_scan
 from hardcontact.surfaces.synthesis import SIDES

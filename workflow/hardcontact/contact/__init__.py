@@ -1,1 +1,6 @@
-"""Two bodies in contact: their gaps, contact pixels, pull-off forces, asperities and elasticity."""
+"""Two bodies in contact: from their gaps to contact pixels and pull-off forces.
+
+Read `geometry` (arrays of contacts, gaps), `bearing_area` (contact pixels), `force_sum`, then
+`pull_off`. `indents`, `asperities` and `elastic` look closer at contacts; `hertz_jkr_dmt` has
+the closed forms of smooth spheres.
+"""

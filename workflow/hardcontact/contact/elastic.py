@@ -26,7 +26,7 @@ from hardcontact.contact.geometry import (
     part_around_lowest,
     window_pixels,
 )
-from hardcontact.contact.smooth_sphere import hertz_contact
+from hardcontact.contact.hertz_jkr_dmt import hertz_contact
 
 #: Width in nm of the window about a contact in which elastic and rigid pull-off are compared.
 PULL_OFF_WINDOW = 2500.0

@@ -16,8 +16,8 @@ from hardcontact.base.arrays import Floats
 from hardcontact.base.units import DIMENSIONLESS, NANOMETRE, NEWTON, NM, PASCAL
 from hardcontact.contact.bearing_area import ContactPixels, all_contact_pixels
 from hardcontact.contact.contact import CONTACT_AXES, CONTACT_MODELS, Contact
+from hardcontact.contact.force_sum.outside_sums import outside_sums
 from hardcontact.contact.geometry import Bodies, gap_map, join_bodies, largest_contact_gap
-from hardcontact.contact.sphere_sums import outside_sums
 from hardcontact.surfaces.height_map import HeightMap
 
 #: Dimension, values and attributes of a coordinate.

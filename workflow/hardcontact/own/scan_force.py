@@ -14,9 +14,9 @@ from hardcontact.contact.contact import PLASTIC, Contact
 from hardcontact.contact.finite_scan import LARGE_SIZE_RATIO, finite_scan_ratio
 from hardcontact.contact.geometry import join_bodies, spheres_at_positions
 from hardcontact.contact.grid_limits import Grid, minimum_range, periods_in_window
+from hardcontact.contact.hertz_jkr_dmt import limit_forces
 from hardcontact.contact.pull_off import make_force_function
 from hardcontact.contact.scan_pull_off import pull_off_on_spheres
-from hardcontact.contact.smooth_sphere import limit_forces
 from hardcontact.inference.wide_pixels import finer_pixel_factor, widen_pixels
 from hardcontact.own.mean_forces import forces_of_surface, mean_intervals, position_half_width
 from hardcontact.own.own_spectrum import OwnSpectrum

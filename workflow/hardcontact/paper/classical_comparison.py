@@ -17,7 +17,7 @@ from hardcontact.base.dataset import stack
 from hardcontact.base.published import effective_modulus
 from hardcontact.base.statistics import Sampling, with_interval
 from hardcontact.base.units import DIMENSIONLESS, JOULE_PER_M2, NEWTON, PASCAL
-from hardcontact.contact import smooth_sphere
+from hardcontact.contact import hertz_jkr_dmt
 from hardcontact.contact.contact import PLASTIC
 from hardcontact.paper.classical_fits import compare_models, power_laws, sample_roughness
 from hardcontact.paper.classical_models import MODELS, ElasticSphere, Roughness
@@ -51,10 +51,10 @@ def apply_classical_models(
         "published": rounded_numbers(printed.loc[surfaces, "mean_force"]),
         "computed": _forces_at_published_pair(fit.sel(surface=surfaces)),
     }
-    maugis = smooth_sphere.maugis_parameter(value["tabor_parameter"])
-    coefficient = smooth_sphere.pull_off_coefficient(maugis)
+    maugis = hertz_jkr_dmt.maugis_parameter(value["tabor_parameter"])
+    coefficient = hertz_jkr_dmt.pull_off_coefficient(maugis)
     works = {
-        source: smooth_sphere.effective_work_of_adhesion(ends, sphere.radius, coefficient)
+        source: hertz_jkr_dmt.effective_work_of_adhesion(ends, sphere.radius, coefficient)
         for source, ends in forces.items()
     }
     models = {}
@@ -90,8 +90,8 @@ def _elastic_sphere(radius: float, constants: Mapping[Any, float]) -> ElasticSph
 
 def _smooth_contact(sphere: ElasticSphere, constants: Mapping[Any, float]) -> xr.Dataset:
     """Return Tabor parameter and Hertz pressure of the sphere, if it is smooth."""
-    hertz = smooth_sphere.hertz_contact(constants["preload"], sphere.radius, sphere.modulus)
-    tabor = smooth_sphere.tabor_parameter(constants["work_of_adhesion"], *sphere)
+    hertz = hertz_jkr_dmt.hertz_contact(constants["preload"], sphere.radius, sphere.modulus)
+    tabor = hertz_jkr_dmt.tabor_parameter(constants["work_of_adhesion"], *sphere)
     return xr.Dataset(
         {
             "tabor_parameter": ((), tabor, DIMENSIONLESS),

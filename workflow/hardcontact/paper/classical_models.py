@@ -16,7 +16,7 @@ from scipy.optimize import brentq, minimize_scalar
 
 from hardcontact.base.arrays import Floats
 from hardcontact.base.units import NANOMETRE
-from hardcontact.contact.smooth_sphere import Values, dmt_pull_off, jkr_pull_off
+from hardcontact.contact.hertz_jkr_dmt import Values, dmt_pull_off, jkr_pull_off
 
 #: Close-packed hemispheres of radius r, heights from their base: rms² = π r²/4√3.
 HEMISPHERE_OVER_RMS = (4 * np.sqrt(3) / np.pi) ** 0.5

@@ -10,7 +10,7 @@ import xarray as xr
 from scipy import constants, special
 
 from hardcontact.base.statistics import interval_ends
-from hardcontact.contact.smooth_sphere import dmt_pull_off
+from hardcontact.contact.hertz_jkr_dmt import dmt_pull_off
 from hardcontact.inference.edges import MEAN_GROUP, edges_or_bounds
 from hardcontact.paper.estimates import (
     as_estimate,

@@ -20,7 +20,7 @@ from scipy import special
 
 from hardcontact.base.arrays import Floats
 from hardcontact.contact.contact import Contact
-from hardcontact.contact.smooth_sphere import dmt_pull_off
+from hardcontact.contact.hertz_jkr_dmt import dmt_pull_off
 from hardcontact.surfaces.spectrum import Spectrum
 from hardcontact.theory.closed_form import (
     GENERATIONS,

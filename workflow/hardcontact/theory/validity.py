@@ -16,7 +16,7 @@ import pandas as pd
 from hardcontact.base.formatting import format_quantity
 from hardcontact.base.number import Number, Status
 from hardcontact.contact.contact import Contact
-from hardcontact.contact.smooth_sphere import (
+from hardcontact.contact.hertz_jkr_dmt import (
     maugis_parameter,
     pull_off_coefficient,
     tabor_parameter,

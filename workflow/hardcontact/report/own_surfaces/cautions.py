@@ -12,7 +12,7 @@ import xarray as xr
 
 from hardcontact.base.number import Number, Status
 from hardcontact.contact.finite_scan import MIN_WINDOW_SHARE, SMALLEST_SIZE_RATIO
-from hardcontact.contact.smooth_sphere import STRONGEST_WORK
+from hardcontact.contact.hertz_jkr_dmt import STRONGEST_WORK
 from hardcontact.report.own_surfaces.artificial_roughness import (
     fails_hindcast,
     measurement_name,

@@ -7,7 +7,7 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.base.number import Number, Status
-from hardcontact.contact.smooth_sphere import dmt_pull_off
+from hardcontact.contact.hertz_jkr_dmt import dmt_pull_off
 from hardcontact.report.own_surfaces.artificial_roughness import (
     NEARLY_ALL,
     fails_hindcast,

@@ -1,6 +1,6 @@
 """Sums over a rough sphere: the correlation of exp(z/rho) with the kernel exp((u - y)/rho).
 
-Symbols as in `sphere_sums`.
+Symbols as in `outside_sums`.
 """
 
 from collections.abc import Iterator, Sequence
@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hardcontact.base.arrays import Floats
+from hardcontact.contact.force_sum.sphere_terms import SphereTerms, exponential
+from hardcontact.contact.force_sum.touched_pixels import TouchedPixels
 from hardcontact.contact.geometry import Bodies, ContactGeometry
-from hardcontact.contact.sphere_terms import SphereTerms, exponential
-from hardcontact.contact.touched_pixels import TouchedPixels
 
 #: Rows of the kernel that are made at once: few enough for the cache.
 ROWS = 64

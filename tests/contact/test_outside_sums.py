@@ -9,9 +9,9 @@ from periodic_maps import CASES, RADIUS, make_bodies, periodic_noise
 from scipy.special import ive
 
 from hardcontact.contact.bearing_area import all_contact_pixels
+from hardcontact.contact.force_sum.outside_sums import MAX_DEPTH, MAX_PENETRATION, outside_sums
 from hardcontact.contact.geometry import gap_map
 from hardcontact.contact.pull_off import attraction_totals, pull_off_force
-from hardcontact.contact.sphere_sums import MAX_DEPTH, MAX_PENETRATION, outside_sums
 
 #: Error of sums over heights in single precision, on a smooth sphere and unless the range is short.
 SINGLE = 1e-6

@@ -5,35 +5,35 @@ import pytest
 from paper_numbers import MODULUS, RADIUS, SPACING, WORK
 from scipy.optimize import brentq
 
-from hardcontact.contact import smooth_sphere
+from hardcontact.contact import hertz_jkr_dmt
 
 LAMBDAS = np.geomspace(0.01, 100, 41)
 
 
 def test_ruby_on_diamond_has_the_published_numbers():
     assert MODULUS == pytest.approx(289.7e9, rel=2e-4)
-    contact, pressure, approach = smooth_sphere.hertz_contact(10e-6, RADIUS, MODULUS)
+    contact, pressure, approach = hertz_jkr_dmt.hertz_contact(10e-6, RADIUS, MODULUS)
     assert pressure == pytest.approx(137e6, rel=5e-3)  # 135 MPa are published
     assert approach == pytest.approx(contact**2 / RADIUS)
-    tabor = smooth_sphere.tabor_parameter(WORK, RADIUS, MODULUS, SPACING)
+    tabor = hertz_jkr_dmt.tabor_parameter(WORK, RADIUS, MODULUS, SPACING)
     assert tabor == pytest.approx(0.618, abs=5e-4)
-    assert smooth_sphere.maugis_parameter(tabor) == pytest.approx(0.7155, abs=5e-4)
-    assert smooth_sphere.maugis_parameter(1.0) == pytest.approx(1.157, abs=1e-4)
+    assert hertz_jkr_dmt.maugis_parameter(tabor) == pytest.approx(0.7155, abs=5e-4)
+    assert hertz_jkr_dmt.maugis_parameter(1.0) == pytest.approx(1.157, abs=1e-4)
 
 
 def test_the_pressure_of_hertz_carries_the_load():
-    contact = smooth_sphere.hertz_contact(3e-6, 5e3, 100e9)
+    contact = hertz_jkr_dmt.hertz_contact(3e-6, 5e3, 100e9)
     carried = 2 / 3 * contact.peak_pressure * np.pi * (contact.contact_radius * 1e-9) ** 2
     assert carried == pytest.approx(3e-6)
 
 
 def test_transition_leads_from_dmt_to_jkr():
-    coefficient = smooth_sphere.pull_off_coefficient(LAMBDAS)
+    coefficient = hertz_jkr_dmt.pull_off_coefficient(LAMBDAS)
     assert (np.diff(coefficient) < 0).all()
     assert coefficient[0] == pytest.approx(2, abs=5e-3)
     assert coefficient[-1] == pytest.approx(1.5, abs=5e-4)
-    assert smooth_sphere.dmt_pull_off(WORK, RADIUS) == pytest.approx(72.7e-6, rel=1e-3)
-    assert smooth_sphere.jkr_pull_off(WORK, RADIUS) == pytest.approx(1.5 / 2 * 72.7e-6, rel=1e-3)
+    assert hertz_jkr_dmt.dmt_pull_off(WORK, RADIUS) == pytest.approx(72.7e-6, rel=1e-3)
+    assert hertz_jkr_dmt.jkr_pull_off(WORK, RADIUS) == pytest.approx(1.5 / 2 * 72.7e-6, rel=1e-3)
 
 
 @pytest.mark.parametrize("maugis", [0.03, 0.3, 0.937, 5.0])
@@ -54,4 +54,4 @@ def test_the_pull_off_coefficient_matches_maugis_exact_pair(maugis):
         return radius**3 - maugis * radius**2 * (root + m**2 * angle)
 
     exact = -min(force(radius) for radius in np.linspace(0.01, 2.0, 800))
-    assert smooth_sphere.pull_off_coefficient(maugis) == pytest.approx(exact, rel=0.017)
+    assert hertz_jkr_dmt.pull_off_coefficient(maugis) == pytest.approx(exact, rel=0.017)

@@ -1,6 +1,6 @@
 """Sums over a smooth sphere: a matrix product, because exp(-y/rho) is a product over both axes.
 
-Symbols as in `sphere_sums`; G is exp(-y/rho) along an axis for every contact.
+Symbols as in `outside_sums`; G is exp(-y/rho) along an axis for every contact.
 """
 
 from collections.abc import Iterable, Iterator, Sequence
@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 
 from hardcontact.base.arrays import Floats
 from hardcontact.contact.bearing_area import ContactPixels
+from hardcontact.contact.force_sum.sphere_terms import SphereTerms, exponential
+from hardcontact.contact.force_sum.touched_pixels import TouchedPixels
 from hardcontact.contact.geometry import Bodies, ContactGeometry
-from hardcontact.contact.sphere_terms import SphereTerms, exponential
-from hardcontact.contact.touched_pixels import TouchedPixels
 
 #: Rows of the substrate in a block: few enough for the cache.
 ROWS = 64
