@@ -209,7 +209,9 @@ def _small_window(data: Datasets) -> Caution | None:
         "at": Number("at", shown_share["rho"].item(), "nm"),
         "from": Number("from", first_range, "nm"),
     }
-    return Caution("window", answer_share.item() < 1 - data.edges.attrs["tolerance"], numbers)
+    # Attributes of a dataset are NumPy numbers, whose comparisons JSON does not know.
+    is_grave = bool(answer_share.item() < 1 - data.edges.attrs["tolerance"])
+    return Caution("window", is_grave, numbers)
 
 
 def _small_scans(data: Datasets) -> Caution | None:
