@@ -95,7 +95,7 @@ def realization_forces(name, spectrum, realization):
 def surface_forces(name):
     """Return the forces (realization, map_size) on a substitute, and the ratios at the cutoffs."""
     rows = published.rows_of_surface(published.read_table1(RESOURCES / "paper/table1.csv"), name)
-    constants = published.read_constants(RESOURCES / "paper/parameters.csv")
+    constants = published.read_constants(RESOURCES / "paper/constants.csv")
     stored_spectrum = substitute_spectrum(RESOURCES / f"spectra/{name}.csv", rows, constants)
     spectrum = spectrum_of_dataset(stored_spectrum)
     means = np.array([realization_forces(name, spectrum, k) for k in range(REALIZATIONS)])

@@ -34,5 +34,5 @@ POLISHED = ScanStatistics(
 )
 TABLES = ROOT / "resources/paper"
 CLAIMS = read_claims(TABLES / "claims.csv")
-CONSTANTS = published.read_constants(TABLES / "parameters.csv")
+CONSTANTS = published.read_constants(TABLES / "constants.csv")
 PARAMETERS = CONSTANTS["value"]

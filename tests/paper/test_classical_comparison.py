@@ -29,7 +29,7 @@ def make_inference(surfaces=SUBSTRATES, forces=MEAN_FORCE):
 def apply_models(inference, seed=1):
     return apply_classical_models(
         inference,
-        published.read_constants(TABLES / "parameters.csv"),
+        published.read_constants(TABLES / "constants.csv"),
         published.read_table1(TABLES / "table1.csv"),
         published.read_printed_statistics(TABLES / "pull_off.csv"),
         Sampling(seed, 20, 0.9, ("classical",)),
@@ -52,7 +52,7 @@ def test_polished_uncd_has_the_published_force_and_work(classical):
     work = uncd["effective_work_of_adhesion"].sel(force_source="computed").item()
     ends = [end.sel(force_source="computed").item() / work for end in (low, high)]
     assert ends == pytest.approx([0.99, 1.01])
-    constants = published.read_constants(TABLES / "parameters.csv").value
+    constants = published.read_constants(TABLES / "constants.csv").value
     assert published.effective_modulus(constants) == pytest.approx(MODULUS)
 
 

@@ -143,4 +143,4 @@ def test_an_interval_is_stretched_to_its_number(ends, value, stretched):
 )
 def test_samples_of_one_number_are_judged_with_its_interval(samples, verdict):
     low, high = np.percentile(samples, [2.5, 97.5])
-    assert accepted_range("interval", 4.0, 6.0).verdict_of_samples(samples, low, high) == verdict
+    assert accepted_range("interval", 4.0, 6.0).verdict_of_posterior(samples, low, high) == verdict

@@ -88,7 +88,7 @@ COARSE_GRID = ScanGrid(128, 2500.0, 512)
 def test_scans_of_the_default_study_keep_table_1(surface, count, grid, rows):
     table1 = published.read_table1(ROOT / "resources/paper/table1.csv")
     table1 = published.rows_of_surface(table1, surface)
-    constants = published.read_constants(ROOT / "resources/paper/parameters.csv")
+    constants = published.read_constants(ROOT / "resources/paper/constants.csv")
     spectrum = substitute_spectrum(ROOT / f"resources/spectra/{surface}.csv", table1, constants)
     source = Substitute(surface, spectrum, table1, constants, grid, PAPER["seed"])
     targets = source.targets

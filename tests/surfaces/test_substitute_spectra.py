@@ -110,7 +110,7 @@ def default_spectrum(surface):
     """Rows of Table 1 and the stored spectrum of a default substitute."""
     table1 = published.read_table1(ROOT / "resources/paper/table1.csv")
     table1 = published.rows_of_surface(table1, surface)
-    constants = published.read_constants(ROOT / "resources/paper/parameters.csv")
+    constants = published.read_constants(ROOT / "resources/paper/constants.csv")
     path = ROOT / f"resources/spectra/{surface}.csv"
     return table1, substitute_spectra.substitute_spectrum(path, table1, constants)
 
@@ -145,7 +145,7 @@ def test_default_spectra_meet_table_1(surface):
 def test_permitted_spectra_scatter_like_the_means_of_table_1(write_description):
     table1 = published.read_table1(ROOT / "resources/paper/table1.csv")
     table1 = published.rows_of_surface(table1, "uncd")
-    constants = published.read_constants(ROOT / "resources/paper/parameters.csv")
+    constants = published.read_constants(ROOT / "resources/paper/constants.csv")
     rows = list(descriptions.AFM_ROWS)
     mean_errors = table1.uncertainty[rows] / np.sqrt(5)
     weights = table1_calibration.paper_weights(constants)
@@ -163,7 +163,7 @@ def test_permitted_spectra_scatter_like_the_means_of_table_1(write_description):
 
 def test_a_description_without_blanks_permits_itself_alone(write_description):
     path = write_description("inf,6.5,self-affine,5e7,1000,0.8,,")
-    constants = published.read_constants(ROOT / "resources/paper/parameters.csv")
+    constants = published.read_constants(ROOT / "resources/paper/constants.csv")
     drawn = substitute_spectra.sample_permitted_spectrum(generator(3), path, NO_TABLE1, constants)
     described, *_ = substitute_spectra.spectrum_from_description(path, NO_TABLE1, WEIGHTS)
     np.testing.assert_array_equal(drawn.density, described)

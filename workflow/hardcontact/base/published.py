@@ -8,14 +8,14 @@ import pandas as pd
 
 #: The tables of what the paper prints, by the names under which rules and figures get them.
 PUBLISHED_TABLES = {
-    "published_constants": "resources/paper/parameters.csv",
+    "published_constants": "resources/paper/constants.csv",
     "published_pull_off": "resources/paper/pull_off.csv",
     "published_table1": "resources/paper/table1.csv",
 }
 
 
 def effective_modulus(constants: Mapping[Any, Any]) -> float:
-    """Return E* in Pa from numbers of `parameters.csv`: 1/E* is the sum of (1 - nu²)/E."""
+    """Return E* in Pa from numbers of `constants.csv`: 1/E* is the sum of (1 - nu²)/E."""
     return 1 / sum(
         (1 - float(constants[f"{body}_poisson_ratio"]) ** 2)
         / float(constants[f"{body}_youngs_modulus"])
@@ -24,7 +24,7 @@ def effective_modulus(constants: Mapping[Any, Any]) -> float:
 
 
 def read_constants(path: str | Path) -> pd.DataFrame:
-    """Read `parameters.csv`: single numbers of the paper.
+    """Read `constants.csv`: single numbers of the paper.
 
     Returns value and uncertainty (NaN if none is printed), both in `unit`, by quantity. The
     evidence tells published from inferred numbers; the source is the section of the paper.

@@ -194,7 +194,7 @@ def _judge(claim: Any, result: _ClaimResult, sets: xr.Dataset, confidence: float
     low, high = _claim_interval(claim, result.estimate, samples, confidence)
     accepted = accepted_range(claim.rule, claim.published_low, claim.published_high)
     if claim.samples_from == "posterior":
-        verdict = accepted.verdict_of_samples(samples, low, high)
+        verdict = accepted.verdict_of_posterior(samples, low, high)
     elif samples_vary(samples):
         verdict = accepted.verdict_of_sets(samples)
     else:

@@ -2,7 +2,7 @@
 
 Forces in N, lengths in nm, works of adhesion in J/m². Each function returns an estimate as
 `paper.estimates` defines it; its dimensions are in brackets. `paper` contains the numbers of
-resources/paper/parameters.csv by name.
+resources/paper/constants.csv by name.
 """
 
 import numpy as np

@@ -67,7 +67,7 @@ class PublishedForces(NamedTuple):
 
     @classmethod
     def read(cls, pull_off: str | Path, constants: str | Path) -> "PublishedForces":
-        """Read `pull_off.csv` and `parameters.csv`."""
+        """Read `pull_off.csv` and `constants.csv`."""
         values = read_constants(constants)["value"]
         pair = Pair(values["range_of_adhesion"], values["work_of_adhesion"])
         threshold, floor = values["error_threshold"], values["force_floor"]

@@ -46,23 +46,23 @@ class AcceptedRange:
             return (self.low <= values) & (values <= self.high)
         return (self.low < values) & (values < self.high)
 
-    def verdict_of_sets(self, samples: Floats) -> str:
+    def verdict_of_sets(self, set_values: Floats) -> str:
         """Judge the numbers (set,) of sets of scans by the share of sets that agree.
 
         A set without a number does not agree.
         """
-        share = self.accepts(samples).mean()
+        share = self.accepts(set_values).mean()
         if share >= REPRODUCED_SHARE:
             return REPRODUCED
         return NOT_REPRODUCED if share <= 1 - REPRODUCED_SHARE else UNDECIDED
 
-    def verdict_of_samples(self, samples: Floats, low: float, high: float) -> str:
-        """Judge the samples (sample,) of a single number and its interval.
+    def verdict_of_posterior(self, draws: Floats, low: float, high: float) -> str:
+        """Judge draws (draw,) from the posterior of a number and its interval.
 
-        The samples scatter by the error of the number. Few of them agree if the accepted range is
-        narrow and the interval wide: then the statement is undecided, not rejected.
+        Few draws agree if the accepted range is narrow and the interval wide: then the statement is
+        undecided, not rejected.
         """
-        if self.accepts(samples).mean() >= REPRODUCED_SHARE:
+        if self.accepts(draws).mean() >= REPRODUCED_SHARE:
             return REPRODUCED
         is_rejected = self.verdict(low, low, high) == NOT_REPRODUCED
         return NOT_REPRODUCED if is_rejected else UNDECIDED

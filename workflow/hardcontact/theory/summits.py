@@ -129,8 +129,8 @@ def apex_distribution(spectrum: Spectrum, radius: float, area: float) -> ApexDis
     the sphere; Q is the upper tail of the normal distribution. The area above the sphere is B(t) =
     2 pi R sigma ∫_t^∞ Q(u) du, on average B/Lambda for each clump. Areas of clumps have an
     exponential distribution, like areas of caps. The apex comes to rest below t if their sum stays
-    below the area of contact. The probability of this is P(t) = exp(-Lambda) [1 + Σ_n Lambda^n/n!
-    P(n, A Lambda/B)], P(n, x) the incomplete gamma function. Without an area it is exp(-Lambda).
+    below the area of contact. The probability of this is exp(-Lambda) [1 + Σ_n Lambda^n/n! P(n, A
+    Lambda/B)], where P(n, x) is the incomplete gamma function. Without an area it is exp(-Lambda).
     With many clumps it rises from zero to one at the bearing area, B = A.
 
     `find_rough_spectrum` gives the spectrum; the radius is in nm, the area, load over hardness,

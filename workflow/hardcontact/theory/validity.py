@@ -26,7 +26,7 @@ from hardcontact.theory.closed_form import ClosedForm, contact_term
 
 #: Designed surfaces, computed and predicted; resources/validation/README.md describes the columns.
 DESIGNED_SURFACES = Path(__file__).with_name("designed_surfaces.csv")
-#: Effective modulus in Pa of ruby on diamond, `effective_modulus` of `parameters.csv`. It is
+#: Effective modulus in Pa of ruby on diamond, `effective_modulus` of `constants.csv`. It is
 #: written here, because an installed library has no resources/.
 RUBY_ON_DIAMOND_MODULUS = 1 / ((1 - 0.29**2) / 365e9 + (1 - 0.22**2) / 1010e9)
 #: Hardness in Pa below which this modulus is not assumed: a tenth of the ruby's hardness. Moduli
