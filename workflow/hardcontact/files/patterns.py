@@ -21,11 +21,11 @@ _KEYS_OF_CONTACTS = (*KEYS_OF_SCANS, "contact.window", "contact.contacts_per_row
 _KEYS_OF_SETS = (*_KEYS_OF_GAUSSIAN, "sets.contacts_per_row", "contact.window", "adhesion.ranges")
 _TRANSITION_KEYS = ("scales.short.transition", "scales.long.transition")
 
-#: For each kind of intermediate, the keys on which it and its inputs depend: its path has a digest
-#: of their values. The list is written by hand, because rules read keys, but need the paths first;
-#: tests/workflow/test_two_studies.py finds missing keys, except those of measured surfaces' files.
-#: Left out: (a) keys whose value is in the path; (b) the files of a surface, which `{digest}`
-#: covers. Other columns of the table of surfaces rewrite the file at the same path.
+#: For each kind of intermediate, the keys whose digest its path has: those that its rule and the
+#: rules of its inputs read. Not needed are keys whose value is in the path, and the files of a
+#: surface, which `{digest}` covers. The list is written by hand, because rules need paths before
+#: they read keys; tests/workflow/test_two_studies.py finds missing keys, but not those of files of
+#: measured surfaces.
 STORE_KEYS = {
     "measurements": _KEYS_OF_READING,
     "measured_spectra": _KEYS_OF_MEASURED,

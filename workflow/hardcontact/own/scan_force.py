@@ -122,7 +122,7 @@ def _forces(surface: HeightMap, body_maps: Sequence[HeightMap], contact: Contact
 
 
 def extend_low_end(number: Number, wide_pixel_ratio: float) -> Number:
-    """Return a number with its lower end divided by the fall that finer pixels may cause."""
+    """Return a force with a lower low end: by the factor that finer pixels may lower the force."""
     return number._replace(low=number.low / float(finer_pixel_factor(wide_pixel_ratio)))
 
 
