@@ -1,8 +1,8 @@
-"""Range and work of adhesion that the user's measured forces permit, for fit.nc.
+"""Ranges and works of adhesion that agree with the user's measured forces: fit.nc.
 
-Forces F are measured, and forces f are computed at 1 J/m². At every range, the work W = F/f(rho)
-makes them agree. One surface gives a curve W(rho). For several surfaces, the region contains the
-pairs of range and work within the intervals of all surfaces at once.
+Forces F are measured, and forces f are computed at 1 J/m². Forces are proportional to the work of
+adhesion, so that at each range rho the work W = F/f(rho) makes both agree. One surface gives a
+curve W(rho). For several surfaces, the region contains the pairs within the intervals of all.
 """
 
 from collections.abc import Mapping
@@ -27,7 +27,7 @@ from hardcontact.contact.force_interpolation import interpolate_to_ranges
 from hardcontact.inference.fit import FIT_ATTRS, best_fit, fine_ranges
 from hardcontact.inference.scan_parts import sampled_deviations
 from hardcontact.own.mean_forces import SurfaceForces, forces_by_surface
-from hardcontact.own.measured_tests import look_repeated, measured_tests, sampled_means
+from hardcontact.own.measured_tests import measured_tests, sampled_means
 
 
 def fit_measured(
@@ -37,44 +37,36 @@ def fit_measured(
     pixel_factors: Mapping[str, float],
     sampling: Sampling,
 ) -> xr.Dataset:
-    """Fit range and work of adhesion to measured forces, with the roughness of the scans.
-
-    Intervals come from random samples of the mean of the tests and of the mean over scans.
+    """Return fit.nc: ranges and works of adhesion that agree with measured forces.
 
     `adhesion` holds the computed forces, `forces` the measured ones in N. Scan sizes (nm) and the
-    factors by which finer pixels may divide the force have surfaces as keys. Returns fit.nc: the
-    variables of `_fit_model` by contact_model.
+    factors by which finer pixels may divide the force have surfaces as keys. Intervals come from
+    random samples of the mean of the tests and of the mean over scans.
     """
-    measured_surfaces = set(forces.surface)
-    surfaces = [name for name in adhesion.surface.values.tolist() if name in measured_surfaces]
-    measured_rows = [forces[forces.surface == name] for name in surfaces]
-    tests = [measured_tests(rows) for rows in measured_rows]
-    repeated = [int(look_repeated(rows)) for rows in measured_rows]
+    measured_surfaces = set(forces["surface"])
+    surfaces = [name for name in adhesion["surface"].values.tolist() if name in measured_surfaces]
+    tests = {name: measured_tests(forces[forces["surface"] == name]) for name in surfaces}
+    means = np.array([test.mean for test in tests.values()])
     samples = [
         sampled_means(sampling.generator("tests", name), test, sampling.sample_count)
-        for name, test in zip(surfaces, tests, strict=True)
+        for name, test in tests.items()
     ]
-    force_samples = np.stack(samples, axis=1)
-    test_means = np.array([test.mean for test in tests])
+    test_samples = np.stack(samples, axis=1)
     measured_adhesion = adhesion.sel(surface=surfaces)
     fits = {}
-    for model in adhesion.contact_model.values.tolist():
+    for model in adhesion["contact_model"].values.tolist():
         computed = forces_by_surface(measured_adhesion.sel(contact_model=model), scan_sizes)
-        fits[(model,)] = _fit_model(computed, test_means, force_samples, pixel_factors, sampling)
+        fits[(model,)] = _fit_model(computed, means, test_samples, pixel_factors, sampling)
     # Tests and parts of scans, and so the sources of intervals, are the same for all models.
     sources = [
         computed[name].scan_parts[0].interval_source if test.site_count > 1 else Status.ONE_TEST
-        for name, test in zip(surfaces, tests, strict=True)
+        for name, test in tests.items()
     ]
-    variables = sampling.with_interval(
-        "measured_force", "surface", test_means, force_samples, NEWTON
-    ) | {
-        "test_count": ("surface", [test.test_count for test in tests], DIMENSIONLESS),
-        "site_count": ("surface", [test.site_count for test in tests], DIMENSIONLESS),
-        "look_repeated": ("surface", repeated, DIMENSIONLESS),
-        "interval_source": ("surface", sources),
-        "label": adhesion.label.sel(surface=surfaces),
-    }
+    variables = {"interval_source": ("surface", sources), "label": measured_adhesion["label"]}
+    variables |= sampling.with_interval("measured_force", "surface", means, test_samples, NEWTON)
+    for name in ("test_count", "site_count", "look_repeated"):
+        counts = [int(getattr(test, name)) for test in tests.values()]
+        variables[name] = ("surface", counts, DIMENSIONLESS)
     return (
         stack(fits, ["contact_model"])
         .assign(variables)
@@ -87,7 +79,7 @@ def fit_measured(
 
 
 def _sampled_forces(surface_forces: SurfaceForces, surface: str, sampling: Sampling) -> Floats:
-    """Sample mean forces (sample, rho) of a surface: the same random numbers at every range.
+    """Return random mean forces (sample, rho) of a surface, with the same numbers at every range.
 
     The position at which a rough sphere touches is the same on all surfaces.
     """
@@ -106,47 +98,48 @@ def _sampled_forces(surface_forces: SurfaceForces, surface: str, sampling: Sampl
 
 
 def _fit_model(
-    computed: Mapping[str, SurfaceForces],
+    computed_forces: Mapping[str, SurfaceForces],
     measured_forces: Floats,
-    force_samples: Floats,
+    measured_samples: Floats,
     pixel_factors: Mapping[str, float],
     sampling: Sampling,
 ) -> xr.Dataset:
     """Return the fit of one contact model to measured forces (surface,) and their samples, in N.
 
-    Returns ``work_by_range`` (surface, rho_fine) in J/m² with its interval; ``region`` (rho_fine,
-        end), the lowest and highest work in J/m² that all surfaces allow, or NaN, with its
-        `_region_extent`; and the variables of `_best_pair`.
+    ``work_by_range`` (surface, rho_fine) in J/m² has an interval. ``region`` (rho_fine, end) is the
+    lowest and the highest work in J/m² that all surfaces allow, or NaN. Further variables are those
+    of `_region_extent` and `_best_pair`.
     """
-    computed_ranges = next(iter(computed.values())).ranges
+    computed_ranges = next(iter(computed_forces.values())).ranges
     # The curves contain the computed ranges, so that the works at these are exact.
     ranges = np.union1d(fine_ranges(computed_ranges), computed_ranges)
-    means = np.array([surface_forces.mean for surface_forces in computed.values()])
+    means = np.array([surface_forces.mean for surface_forces in computed_forces.values()])
     curves = interpolate_to_ranges(means, computed_ranges, ranges)
-    force_samples_by_range = [
-        _sampled_forces(surface_forces, name, sampling) for name, surface_forces in computed.items()
+    computed_samples = [
+        _sampled_forces(surface_forces, name, sampling)
+        for name, surface_forces in computed_forces.items()
     ]
-    sampled_works = force_samples[:, :, None] / np.stack(force_samples_by_range, axis=1)
-    works = measured_forces[:, None] / curves
-    confidence = sampling.confidence
+    sampled_works = measured_samples[:, :, None] / np.stack(computed_samples, axis=1)
     # Finer pixels lower the computed force, so that the work may be higher by this factor.
-    factors = np.stack([np.ones(len(computed)), [pixel_factors[name] for name in computed]], -1)
-    intervals = factors[:, None] * _work_intervals(
-        sampled_works, computed_ranges, ranges, confidence
-    )
+    widening = np.array([[[1.0, pixel_factors[name]]] for name in computed_forces])
     # All intervals of n independent surfaces contain the true pair with the confidence c if each
     # has the confidence c^(1/n).
-    joint_confidence = confidence ** (1 / len(computed))
-    joint_intervals = _work_intervals(sampled_works, computed_ranges, ranges, joint_confidence)
-    region = _common_region(factors[:, None] * joint_intervals)
+    confidences = sampling.confidence, sampling.confidence ** (1 / len(computed_forces))
+    intervals, joint_intervals = (
+        widening * _work_intervals(sampled_works, computed_ranges, ranges, confidence)
+        for confidence in confidences
+    )
+    works = measured_forces[:, None] / curves
+    region = _common_region(joint_intervals)
+    dimensions = ("surface", "rho_fine")
     return xr.Dataset(
         with_interval(
-            "work_by_range", ("surface", "rho_fine"), works, intervals, JOULE_PER_M2, confidence
+            "work_by_range", dimensions, works, intervals, JOULE_PER_M2, sampling.confidence
         )
         | {"region": (("rho_fine", "end"), region, JOULE_PER_M2)}
         | _region_extent(region, ranges)
         | _best_pair(curves, measured_forces, ranges),
-        {"surface": list(computed), "rho_fine": ("rho_fine", ranges, NM)},
+        {"surface": list(computed_forces), "rho_fine": ("rho_fine", ranges, NM)},
     )
 
 
@@ -211,10 +204,9 @@ def _region_extent(region: Floats, ranges: Floats) -> dict[str, Any]:
 def add_extrapolated_work(fitted: xr.Dataset, force: xr.Dataset) -> xr.Dataset:
     """Return a fit to measured forces with the work of adhesion from extrapolated roughness.
 
-    Forces on masters (force.nc) are computed at one range and in plastic contact only:
-    ``extrapolated_work`` (surface, side) in J/m² is no curve over ranges, but holds at the
-    ``assumed_range``. Its interval adds the independent errors of the logarithms of both forces in
-    squares.
+    Forces on masters (force.nc) are computed at one range and in plastic contact only. So
+    ``extrapolated_work`` (surface, side) in J/m² holds at the ``assumed_range`` alone. In its
+    interval, the independent errors of the logarithms of both forces add in squares.
     """
     surface_force = force.sel(surface=fitted.surface)
     computed_force = surface_force.extrapolated_force / force.attrs["work_of_adhesion"]
@@ -244,7 +236,7 @@ def add_extrapolated_work(fitted: xr.Dataset, force: xr.Dataset) -> xr.Dataset:
 
 
 def _logarithmic_errors(data: xr.Dataset, name: str) -> tuple[xr.DataArray, xr.DataArray]:
-    """Return the distances of the ends of an interval below and above a value, in the logarithm.
+    """Return the logarithmic distances of a value from the low and high ends of its interval.
 
     A lower end of zero is no bound, and its distance is infinite.
     """

@@ -1,4 +1,7 @@
-"""Tests that measure pull-off forces: their mean, and how well a few sites determine it."""
+"""Tests that measure pull-off forces: their mean, and its uncertainty from few sites.
+
+Forces scatter between sites of a surface, so that sites, not tests, are the independent samples.
+"""
 
 from statistics import NormalDist
 from typing import NamedTuple
@@ -19,6 +22,7 @@ class MeasuredTests(NamedTuple):
     log_std: float  #: Standard deviation between sites of the logarithm; NaN for a single site.
     site_count: int  #: Number of sites, each an independent sample.
     test_count: int  #: Number of tests.
+    look_repeated: bool = False  #: Whether tests without sites look as if several share a site.
 
 
 def measured_tests(forces: pd.DataFrame) -> MeasuredTests:
@@ -35,15 +39,15 @@ def measured_tests(forces: pd.DataFrame) -> MeasuredTests:
     sites = forces["site"].where(has_site, forces.index)
     means = forces["mean"].groupby(sites, sort=False).mean()
     log_std = float(np.log(means).std(ddof=1))
-    return MeasuredTests(float(means.mean()), log_std, len(means), count)
+    return MeasuredTests(float(means.mean()), log_std, len(means), count, look_repeated(forces))
 
 
 def look_repeated(forces: pd.DataFrame) -> bool:
     """Return whether tests on one surface without sites look as if several share a site.
 
     True if at most half of the values are distinct, or if von Neumann's ratio is significantly
-    below one at some lag: half the mean squared difference of the logarithms of tests so many rows
-    apart, over their variance. It is one for independent tests.
+    below one at some lag. It is half the mean squared difference of the logarithms of tests so many
+    rows apart, relative to their variance, and one for independent tests.
     """
     logs = np.log(forces["mean"].to_numpy(float))
     if (forces["site"] != "").any() or len(logs) < 3:
@@ -57,8 +61,8 @@ def look_repeated(forces: pd.DataFrame) -> bool:
     return bool((ratios < 1 + quantile / np.sqrt(len(logs) - lags)).any())
 
 
-def sampled_means(rng: np.random.Generator, tests: MeasuredTests, samples: int) -> np.ndarray:
-    """Sample mean forces (samples,) in N of a log-normal distribution from a few sites.
+def sampled_means(rng: np.random.Generator, tests: MeasuredTests, sample_count: int) -> np.ndarray:
+    """Return random mean forces (sample,) in N of a log-normal distribution from a few sites.
 
     The generalized pivot of the logarithm of the mean, mu + sigma²/2, is y - z s*/sqrt(n) + s*²/2
     with s*² = (n - 1) s²/chi²(n - 1). Here z is normal, and y and s are mean and standard deviation
@@ -67,11 +71,13 @@ def sampled_means(rng: np.random.Generator, tests: MeasuredTests, samples: int) 
     unknown. Source: Krishnamoorthy and Mathew, J. Stat. Plan. Inference 115 (2003) 103.
     """
     if tests.site_count < 2:
-        return np.full(samples, np.nan)
+        return np.full(sample_count, np.nan)
     degrees_of_freedom = tests.site_count - 1
     variance = tests.log_std**2
-    sampled_variance = variance * degrees_of_freedom / rng.chisquare(degrees_of_freedom, samples)
-    normal = rng.standard_normal(samples)
+    sampled_variance = (
+        variance * degrees_of_freedom / rng.chisquare(degrees_of_freedom, sample_count)
+    )
+    normal = rng.standard_normal(sample_count)
     errors = normal * np.sqrt(sampled_variance / tests.site_count)
     deviation = (sampled_variance - variance) / 2 - errors
     deviation = np.clip(deviation, -MAX_LOG_DEVIATION, MAX_LOG_DEVIATION)
