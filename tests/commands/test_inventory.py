@@ -10,8 +10,8 @@ from scan_files import write_container, write_scan
 from hardcontact.commands import inventory as module
 from hardcontact.commands.inventory import inventory
 from hardcontact.commands.inventory_tables import table_rows
-from hardcontact.commands.options import ReadingOptions
 from hardcontact.commands.request import ScanFile, list_scan_files, new_arguments
+from hardcontact.scans.reading import ReadingOptions
 
 
 def scan_file(path, **others):

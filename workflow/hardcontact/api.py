@@ -213,17 +213,10 @@ def read_spectrum(
         tip_radius=tip_radius,
         sphere_radius=sphere_radius,
     )
+    options = reading.ReadingOptions(tip_radius, unit, map_size, levelling, mask, undefined_pixels)
     with arguments_in_messages():
         spectrum = read_own_spectrum(
-            files,
-            dataset=dataset,
-            tip_radius=tip_radius,
-            undefined_pixels=undefined_pixels,
-            unit=unit,
-            map_size=map_size,
-            mask=mask,
-            levelling=levelling,
-            sphere_radius=sphere_radius,
+            files, options, dataset=dataset, sphere_radius=sphere_radius
         ).spectrum
     if extrapolated and isinstance(spectrum, ScanSpectrum):
         return spectrum.extrapolated()

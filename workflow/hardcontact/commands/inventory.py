@@ -9,19 +9,18 @@ from typing import NamedTuple
 import numpy as np
 
 from hardcontact.base.arrays import Floats
-from hardcontact.commands.options import ReadingOptions
 from hardcontact.commands.request import ScanFile
 from hardcontact.contact.grid_limits import Grid
 from hardcontact.scans.defects import scan_with_defects
 from hardcontact.scans.mean_spectrum import describe_contradictions, find_contradictions
 from hardcontact.scans.measured_spectrum import isotropic_psd
-from hardcontact.scans.reading import list_scans, read_scan
+from hardcontact.scans.reading import DEFAULT_OPTIONS, ReadingOptions, list_scans, read_scan
 from hardcontact.scans.reliable_band import ReliableBand, reliable_band
 from hardcontact.scans.repeated_scans import coarse_map, repeated_scans
 from hardcontact.surfaces.height_map import HeightMap
 
 #: How undefined pixels are filled, so that the properties of the scan can be measured.
-FILLING = "harmonic"
+FILLING = DEFAULT_OPTIONS.undefined_pixels
 
 
 @dataclass(frozen=True)
@@ -95,8 +94,8 @@ def inventory(
     problems: list[str] = []
 
     def read_entry(scan_file: ScanFile, dataset: str) -> Entry:
-        tip_radius, unit, map_size, levelling, mask = options
-        scan = read_scan(scan_file.file, dataset or channel, FILLING, unit, map_size, mask)
+        tip_radius, unit, map_size, levelling, mask, filling = options
+        scan = read_scan(scan_file.file, dataset or channel, filling, unit, map_size, mask)
         return _entry(scan_file, scan, tip_radius, levelling)
 
     for scan_file in scan_files:

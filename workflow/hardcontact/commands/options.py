@@ -8,7 +8,7 @@ from hardcontact.config.arguments import unit_question
 from hardcontact.config.key_types import UNIT
 from hardcontact.config.model import CONTACT_QUANTITIES, NONE, key_field, quantity_type
 from hardcontact.config.selected_surfaces import TIP_RADIUS
-from hardcontact.scans.reading import MASKS
+from hardcontact.scans.reading import MASKS, ReadingOptions
 from hardcontact.surfaces.levelling import LEVELLING
 
 
@@ -19,16 +19,6 @@ class QuantityOption(NamedTuple):
     number: float  #: In `unit`.
     unit: str  #: Unit of the key in the study.
     is_given: bool  #: Whether the user gave it.
-
-
-class ReadingOptions(NamedTuple):
-    """How scans are read; tip radius, unit and size serve files that do not state them."""
-
-    tip_radius: float | None = None  #: in nm
-    unit: str = NONE  #: of length, or of positions and of heights
-    map_size: float | str = NONE  #: longer side, in nm
-    levelling: str = "plane"
-    mask: str = MASKS[0]
 
 
 def add_shared_options(parser: ArgumentParser) -> None:

@@ -115,7 +115,7 @@ def _spectrum_readers(
 ) -> list[Callable[[], OwnSpectrum]]:
     """Return the functions that read the spectra of the surface and of a rough sphere."""
     options = reading_options(arguments, quantities)
-    reader = partial(read_own_spectrum, **options._asdict())
+    reader = partial(read_own_spectrum, options=options)
     readers = [partial(reader, [arguments.file], dataset=arguments.dataset)]
     if arguments.sphere is not None:
         radius = quantities["radius"].number

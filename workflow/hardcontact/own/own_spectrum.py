@@ -1,13 +1,12 @@
-"""The user's spectrum: a table of a power spectral density, or scans of a surface.
+"""The isotropic spectrum C_iso of the user's surface, from a table or from scans.
 
-A table has its units and is converted to C_iso. Scans give the spectrum at their reliable
-wavelengths.
+A table is converted from its units and, if it has C_1D, to C_iso. Scans give the spectrum at their
+reliable wavelengths alone, because noise, tip and levelling distort the others.
 """
 
 import math
 import re
 from collections.abc import Iterator, Sequence
-from functools import partial
 from pathlib import Path
 from typing import NamedTuple
 
@@ -24,7 +23,7 @@ from hardcontact.scans.joined_spectrum import joined_spectrum, reliable_spectrum
 from hardcontact.scans.mean_spectrum import describe_contradictions, find_contradictions
 from hardcontact.scans.measured_spectrum import ENOUGH_MODES, isotropic_from_profile
 from hardcontact.scans.plain_text import ROW
-from hardcontact.scans.reading import list_scans, read_scan
+from hardcontact.scans.reading import DEFAULT_OPTIONS, ReadingOptions, list_scans, read_scan
 from hardcontact.scans.reliable_band import ReliableBand
 from hardcontact.scans.repeated_scans import repeated_scans
 from hardcontact.surfaces.height_map import HeightMap
@@ -49,14 +48,14 @@ COLUMN_UNITS = {
     "c_1d": (r"(\D+?)(?:\^|\*\*)?[3³]", "a length to the power of 3, such as nm3"),
 }
 #: Bytes of the first line that are read to tell a table from heights: more than any header has.
-MAX_LINE = 1000
+MAX_HEADER_BYTES = 1000
 #: The first heading of a table of positions and heights.
 POSITION_HEADING = re.compile(r"\W*(x|position|distance|lateral)\b", re.IGNORECASE)
-#: The fewest wavelengths with roughness that a table must have. In a trial with roll-offs, the rms
-#: height between so many points over four decades was wrong by up to 41 %, with one less by 57 %.
+#: Fewest wavelengths with roughness in a table. In a trial with roll-offs, five points over four
+#: decades gave the rms height with an error of up to 41 %, four points up to 57 %.
 MIN_WAVELENGTHS = 5
-#: Independent modes that each bin of a profile's density is taken to have when it is converted, as
-#: a table does not tell them: enough for the usual width of smoothing.
+#: Independent modes assumed in each bin of a C_1D, because a table does not state them: enough for
+#: the usual width of smoothing in the conversion.
 MODES_OF_A_BIN = ENOUGH_MODES
 
 
@@ -72,21 +71,15 @@ class OwnSpectrum(NamedTuple):
 
 def read_own_spectrum(
     files: Sequence[str | Path],
+    options: ReadingOptions = DEFAULT_OPTIONS,
     *,
     dataset: str = "",
-    tip_radius: float | None = None,
-    undefined_pixels: str = "harmonic",
-    unit: str = "none",
-    map_size: float | str = "none",
-    levelling: str = "plane",
-    mask: str = "keep",
     sphere_radius: float | None = None,
 ) -> OwnSpectrum:
     """Return the spectrum of a table, or of scans of one surface at their reliable wavelengths.
 
-    `dataset` is the only scan to read. Tip radius and `map_size`, the longer side, are in nm;
-    with `unit` they serve files that state none. `sphere_radius` is in nm. Raises ValueError, with
-    a line for each fault, if a file is invalid.
+    `dataset` is the only scan to read. `sphere_radius` (nm) is the radius of scans of a sphere.
+    Raises ValueError, with a line for each fault, if a file is invalid.
     """
     if not files:
         raise ValueError("files: expected a table of a spectrum or scans, found none")
@@ -95,8 +88,9 @@ def read_own_spectrum(
         raise ValueError(f"{tables[0]}: expected one table, or scans alone, found other files, too")
     if tables:
         return _spectrum_of_table(tables[0])
+    tip_radius, unit, map_size, levelling, mask, filling = options
     read_scans = (
-        read_scan(path, name, undefined_pixels, unit, map_size, mask)
+        read_scan(path, name, filling, unit, map_size, mask)
         for path in files
         for name in ([dataset] if dataset else list_scans(path))
     )
@@ -104,16 +98,12 @@ def read_own_spectrum(
     for scan in scans:
         if np.ptp(scan.heights) < LENGTH_BOUNDS[0]:
             raise ValueError(f"{scan.path}: expected a rough surface, found constant height")
-    names = [f"{scan.path} {scan.dataset}".strip() for scan in scans]
-    repeated = repeated_scans(scans, names)
-    scans = [scan for number, scan in enumerate(scans) if number not in repeated]
-    names = [name for number, name in enumerate(names) if number not in repeated]
-    return _spectrum_of_scans(scans, names, tip_radius, [*repeated.values()])
+    return _spectrum_of_scans(scans, tip_radius)
 
 
 def spectrum_of_map(scan: HeightMap) -> OwnSpectrum:
     """Return the spectrum of a map at its reliable wavelengths; the map is levelled once more."""
-    return _spectrum_of_scans([scan_with_defects(scan)], [scan.path], None, [])
+    return _spectrum_of_scans([scan_with_defects(scan)])
 
 
 def _spectrum_of_table(path: str | Path) -> OwnSpectrum:
@@ -124,10 +114,15 @@ def _spectrum_of_table(path: str | Path) -> OwnSpectrum:
     return OwnSpectrum(spectrum, (note,) if zeros else ())
 
 
-def _spectrum_of_scans(
-    scans: Sequence[HeightMap], names: Sequence[str], tip_radius: float | None, cautions: list[str]
-) -> OwnSpectrum:
-    """Return the joined spectrum of scans of different areas, with cautions and other notes."""
+def _spectrum_of_scans(scans: Sequence[HeightMap], tip_radius: float | None = None) -> OwnSpectrum:
+    """Return the joined spectrum of scans of different areas, with cautions and other notes.
+
+    Later scans of the same area are left out. The tip radius (nm) serves scans without their own.
+    """
+    names = [f"{scan.path} {scan.dataset}".strip() for scan in scans]
+    repeated = repeated_scans(scans, names)
+    scans = [scan for number, scan in enumerate(scans) if number not in repeated]
+    names = [name for number, name in enumerate(names) if number not in repeated]
     defects = [
         (name, defect_sentence(code, numbers))
         for name, scan in zip(names, scans, strict=True)
@@ -139,7 +134,7 @@ def _spectrum_of_scans(
     except ValueError as error:  # Spikes, for example, look like a noise floor.
         lines = [f"{name}: expected a sound scan, found: {line}" for name, line in defects]
         raise ValueError("\n".join([str(error), *lines])) from None
-    notes = [f"{TAKE_CARE}{line}" for line in cautions]
+    notes = [f"{TAKE_CARE}{line}" for line in repeated.values()]
     notes += _reading_notes(scans, names, joined)
     columns = (joined[name].values for name in ("psd", "reliable", "kind", "size"))
     if contradictions := find_contradictions(*columns):
@@ -166,9 +161,9 @@ def _is_table(path: str | Path) -> bool:
     if Path(path).suffix.lower() != ".csv":
         return False
     if not Path(path).is_file():
-        return True
+        return True  # The reader of tables refuses a missing file.
     with open(path, "rb") as file:
-        first_line = file.readline(MAX_LINE).decode("latin-1")
+        first_line = file.readline(MAX_HEADER_BYTES).decode("latin-1")
     return not (ROW.fullmatch(first_line.strip()) or POSITION_HEADING.match(first_line))
 
 
@@ -182,7 +177,7 @@ def table_spectrum(path: str | Path) -> Spectrum:
     table = user_table(path, "a table of a power spectral density")
     wave = _find_column(table, WAVE_COLUMNS)
     density = _find_column(table, DENSITY_COLUMNS)
-    points = table.convert(partial(_wavevector_and_density, wave=wave, density=density))
+    points = table.convert(lambda row: _wavevector_and_density(row, wave, density))
     lines = dict[str, int]()
     for line, (wavevector, _) in points.items():
         first_line = lines.setdefault(f"{wavevector:.9g}", line)
@@ -215,16 +210,17 @@ def _find_column(table: UserTable, names: Sequence[str]) -> str:
 
 def _wavevector_and_density(row: Row, wave: str, density: str) -> tuple[float, float]:
     """Return wavevector (1/nm) and density (C_iso in nm⁴, C_1D in nm³) of a row."""
+    number = parse_number(row[wave])
     value = parse_number(row[density])
     power = 4 if density == "c_iso" else 3
-    if not 0 < parse_number(row[wave]) < math.inf:
+    if not 0 < number < math.inf:
         raise ValueError(f"{wave}: expected a positive number, found {quote_key(row[wave])}")
     if not (0 < value < math.inf or (power == 4 and value == 0)):
         accepted = "a number of at least 0" if power == 4 else "a positive number"
         raise ValueError(f"{density}: expected {accepted}, found {quote_key(row[density])}")
-    wavevector = parse_number(row[wave]) / _length_in_nm(row, wave)
-    if wave == "wavelength":
-        wavevector = 2 * math.pi / (parse_number(row[wave]) * _length_in_nm(row, wave))
+    unit_length = _length_in_nm(row, wave)
+    is_wavelength = wave == "wavelength"
+    wavevector = 2 * math.pi / (number * unit_length) if is_wavelength else number / unit_length
     return wavevector, value * _length_in_nm(row, density) ** power
 
 

@@ -18,7 +18,7 @@ import zipfile
 from collections.abc import Callable
 from multiprocessing.connection import Connection
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -41,6 +41,21 @@ MAX_WAIT_SECONDS = 600
 MASKS = ("keep", "exclude")
 #: The longest message in characters.
 MAX_MESSAGE_LENGTH = 2000
+
+
+class ReadingOptions(NamedTuple):
+    """How scans are read; tip radius, unit and size serve files that do not state them."""
+
+    tip_radius: float | None = None  #: in nm
+    unit: str = "none"  #: of length, or of positions and of heights
+    map_size: float | str = "none"  #: longer side, in nm
+    levelling: str = "plane"
+    mask: str = MASKS[0]
+    undefined_pixels: str = "harmonic"  #: filled, so that the scan can be measured
+
+
+#: How scans are read if nothing is said.
+DEFAULT_OPTIONS = ReadingOptions()
 
 
 def read_scan(
