@@ -140,7 +140,7 @@ def test_the_notebook_shows_what_its_cells_return(monkeypatch, capsys):
 
 def test_forces_are_the_direct_sum_over_every_pixel(files):
     scan, work, rho = hc.read_scan("scan.nc"), 0.05, 5.6
-    forces = hc.pull_off_forces(scan, ranges=[2.0, rho], work=work, **SPHERE, **LOAD, **ARRAY)
+    forces = hc.pull_off_forces(scan, rho=[2.0, rho], work=work, **SPHERE, **LOAD, **ARRAY)
     pixels, window = 256, 160
     mirrored = np.pad(scan.heights.astype(float), [(0, 128)] * 2, mode="symmetric")
     positions = np.floor((np.arange(3) + 0.25) * pixels / 3).astype(int)
@@ -163,7 +163,7 @@ def test_ratios_equal_those_of_the_remaining_wave():
     sphere = SPHERE | LOAD | ARRAY
 
     def force(heights):
-        forces = hc.pull_off_forces(periodic_map(heights, PIXEL), ranges=[5.6], work=1.0, **sphere)
+        forces = hc.pull_off_forces(periodic_map(heights, PIXEL), rho=5.6, work=1.0, **sphere)
         return forces.pull_off_force.sel(contact_model="plastic").mean().item()
 
     two_waves = periodic_map(long + short, PIXEL)
@@ -244,7 +244,7 @@ def test_unusual_quantities_are_questioned(files):
     with pytest.warns(UserWarning, match="^hardness 25000 Pa: is the unit right?"):
         hc.predict(scan, rho=5.6, work=0.05, **contact)
     with pytest.warns(UserWarning, match="^hardness 25000 Pa: is the unit right?"):
-        hc.pull_off_forces(scan, ranges=[5.6], work=0.05, **contact, **ARRAY)
+        hc.pull_off_forces(scan, rho=5.6, work=0.05, **contact, **ARRAY)
     with pytest.warns(UserWarning, match="^rho 56 nm: is the unit right?"):
         hc.force_ratios(scan, {"short": [50, 100]}, rho=56.0, **SPHERE, **LOAD, **ARRAY)
 
@@ -255,10 +255,10 @@ FAULTY = [
     (hc.pull_off_forces, {"radius": -1.0}, ["radius: expected a positive number, found -1.0"]),
     (hc.pull_off_forces, {"radius": "50 um"}, ["radius: expected a positive", "found '50 um'"]),
     (hc.pull_off_forces, {"work": np.nan}, ["work: expected a positive number, found nan"]),
-    (hc.pull_off_forces, {"ranges": []}, ["ranges: expected a positive number"]),
-    (hc.pull_off_forces, {"ranges": 5.6}, ["ranges: expected several numbers, found 5.6"]),
-    (hc.pull_off_forces, {"ranges": ["5.6 nm"]}, ["ranges: expected a positive", "'5.6 nm'"]),
-    (hc.pull_off_forces, {"ranges": [1e-4]}, ["ranges: expected at least", "found 0.0001 nm"]),
+    (hc.pull_off_forces, {"rho": []}, ["rho: expected a positive number"]),
+    (hc.pull_off_forces, {"rho": None}, ["rho: expected several numbers, found None"]),
+    (hc.pull_off_forces, {"rho": ["5.6 nm"]}, ["rho: expected a positive", "'5.6 nm'"]),
+    (hc.pull_off_forces, {"rho": [1e-4]}, ["rho: expected at least", "found 0.0001 nm"]),
     (hc.pull_off_forces, {"contacts_per_row": 3.5}, ["expected a whole number, found 3.5"]),
     (hc.pull_off_forces, {"contacts_per_row": 999}, ["at most the 256 pixels", "found 999"]),
     (hc.pull_off_forces, {"scan": np.zeros((64, 64))}, ["scan: expected a scan of hc.read_scan"]),
@@ -297,7 +297,7 @@ def test_faulty_arguments_are_refused_in_one_line_in_the_words_of_python(files):
     np.savetxt("line.txt", np.column_stack([np.arange(32), HOLED.data[0]]))
     contact, scan = SPHERE | LOAD, hc.read_scan("scan.nc")
     valid = {
-        hc.pull_off_forces: {"scan": scan, "ranges": [5.6], "work": 0.05} | contact | ARRAY,
+        hc.pull_off_forces: {"scan": scan, "rho": [5.6], "work": 0.05} | contact | ARRAY,
         hc.force_ratios: {"scan": scan, "rho": 5.6} | contact | ARRAY,
         hc.predict: {"roughness": hc.read_spectrum("my-psd.csv"), "rho": 5.6, "work": 0.05}
         | contact,

@@ -40,7 +40,7 @@ def log_force_sum(heights, window):
     """The logarithm of the mean plastic force on a map, from the library's force sum."""
     forces = hc.pull_off_forces(
         hc.HeightMap(heights, PIXEL_SIZE), radius=CONTACT.radius, preload=CONTACT.preload,
-        hardness=CONTACT.hardness, ranges=[CONTACT.rho], work=CONTACT.work, window=window,
+        hardness=CONTACT.hardness, rho=[CONTACT.rho], work=CONTACT.work, window=window,
         contacts_per_row=scan_force.CONTACTS_PER_ROW,
     )  # fmt: skip
     return np.log(forces.pull_off_force.sel(contact_model="plastic").mean().item())

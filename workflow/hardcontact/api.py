@@ -229,7 +229,7 @@ def pull_off_forces(
     radius: float,
     preload: float,
     hardness: float,
-    ranges: Sequence[float],
+    rho: float | Sequence[float],
     work: float,
     window: float = PAPER_CONTACT.window,
     contacts_per_row: int = PAPER_CONTACT.contacts_per_row,
@@ -243,8 +243,8 @@ def pull_off_forces(
         The levelled scan; if it is not periodic, it is mirrored.
     radius, preload, hardness : float
         Radius of the sphere in nm, load on a contact in N, hardness of the softer body in Pa.
-    ranges, work : sequence of float, float
-        Ranges of adhesion in nm; work of adhesion in J/m² at which forces are returned.
+    rho, work : float or sequence of float, float
+        One or several ranges of adhesion in nm; work of adhesion in J/m² of the returned forces.
     window, contacts_per_row : float, int
         Width in nm of the square around each contact over which the force is summed; number of
         contacts per row of the array.
@@ -263,7 +263,7 @@ def pull_off_forces(
     --------
     >>> scan = hc.read_scan("scan.nc")
     >>> forces = hc.pull_off_forces(
-    ...     scan, radius=50e3, preload=10e-6, hardness=25e9, ranges=[5.6], work=0.05,
+    ...     scan, radius=50e3, preload=10e-6, hardness=25e9, rho=5.6, work=0.05,
     ...     window=2500, contacts_per_row=8,
     ... )
     >>> mean = forces.pull_off_force.sel(contact_model="plastic").mean()  # N
@@ -276,7 +276,8 @@ def pull_off_forces(
         contacts_per_row=contacts_per_row,
     )
     check_quantities(radius=radius, preload=preload, hardness=hardness, work=work)
-    check_positive_numbers("ranges", ranges)
+    ranges = [rho] if isinstance(rho, int | float) else rho
+    check_positive_numbers("rho", ranges)
     surface, rough = _periodic_maps(scan, sphere, contact, ranges)
     bodies = join_bodies(surface, rough, contact)
     longest = replace(contact, rho=max(ranges))

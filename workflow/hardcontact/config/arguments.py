@@ -141,7 +141,7 @@ def check_contact(surface: HeightMap, contact: Contact, ranges: Sequence[float])
         )
     shortest = replace(contact, rho=min(ranges, default=math.nan))
     check_positive(
-        window=contact.window, contacts_per_row=contact.contacts_per_row, ranges=shortest.rho
+        window=contact.window, contacts_per_row=contact.contacts_per_row, rho=shortest.rho
     )
     if contact.contacts_per_row != int(contact.contacts_per_row):
         raise ValueError(
@@ -151,7 +151,7 @@ def check_contact(surface: HeightMap, contact: Contact, ranges: Sequence[float])
     relief = float(np.ptp(surface.heights))
     grid = Grid(surface.pixels // 2, surface.pixel_size, surface.size / 2, relief)
     named_contact = NamedContact(
-        shortest, preload="preload", contacts_per_row="contacts_per_row", range="ranges"
+        shortest, preload="preload", contacts_per_row="contacts_per_row", range="rho"
     )
     raise_faults(contact_faults(named_contact, "the map", grid)[:1])
 
