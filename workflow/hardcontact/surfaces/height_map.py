@@ -29,7 +29,9 @@ class HeightMap:
     periodic: bool = False
     source: str = "measured"
     path: str = "scan"  #: Path of the file, as messages name it.
-    dataset: str = ""  #: Name of the scan in a container, or of the channel in any other file.
+    #: Name of the scan in a container, or of the channel in any other file, as in the column of
+    #: this name in the table of surfaces. It is not an xarray dataset.
+    dataset: str = ""
     channel: str = ""  #: Name of the channel that was read.
     file_unit: str = "nm"  #: Unit of length that the file, or its container, states.
     tip_radius: float | None = None  #: In nm, if the file or its container states one.
