@@ -1,24 +1,21 @@
-"""Pull-off of two bodies and of filtered masters against the direct sum over every pixel."""
+"""Pull-off of two bodies against the direct sum over every pixel."""
 
 from dataclasses import replace
 
 import numpy as np
 import pytest
 import xarray as xr
-from direct_sum import direct_total
-from periodic_maps import CONTACT, make_bodies, periodic_map, periodic_noise
+from direct_sum import direct_force, direct_total
+from periodic_maps import CONTACT, LOADED_CONTACTS, make_bodies, periodic_noise
 
-from hardcontact.contact.geometry import gap_map, join_bodies
+from hardcontact.contact.geometry import gap_map
 from hardcontact.contact.pull_off import (
     mean_pull_off_dataset,
     pull_off_dataset,
     trace_contact,
 )
 from hardcontact.contact.scan_pull_off import force_on_finer_pixels, wider_window_change
-from hardcontact.inference.filtered_masters import Filters, filtered_pull_off
-from hardcontact.surfaces.filters import filtered_series
 
-LOADED_CONTACTS = [CONTACT, replace(CONTACT, preload=40e-6)]
 RHOS = [1.0, 5.6]
 
 
@@ -26,12 +23,6 @@ def rough_bodies(seed=1):
     return make_bodies(
         periodic_noise(128, 20.0, seed), periodic_noise(128, 0.5, seed + 1), 8.0, 320, 3
     )
-
-
-def direct_force(gap, contact_pixel_count, rho, pixel_size, work=1.0):
-    """Eq. 3 in SI units."""
-    pressure = work / (rho * 1e-9)
-    return pressure * (pixel_size * 1e-9) ** 2 * direct_total(gap, contact_pixel_count, rho)
 
 
 def test_the_pull_off_force_of_two_bodies_is_the_direct_sum_at_every_contact_and_range():
@@ -90,35 +81,6 @@ def test_finer_pixels_change_only_the_contact_area_at_a_small_range(pixels, area
     change = force_on_finer_pixels(rough_bodies(), contact, forces.sel(contact_model="plastic"))
     change = change["finer_pixel_ratio"]
     assert change == pytest.approx(area_ratio, rel=0.05)
-
-
-SPHERES = [None, periodic_map(periodic_noise(96, 0.5, 5), 10.0)]
-
-
-@pytest.mark.parametrize("sphere", SPHERES)
-@pytest.mark.parametrize("side, end", [("short", 12.8), ("long", 1024.0)])
-def test_the_force_on_every_filtered_master_is_the_direct_sum(sphere, side, end):
-    master, cutoffs = periodic_map(periodic_noise(128, 20.0, 4), 8.0), [100.0, 400.0]
-    filtered_forces = filtered_pull_off(
-        master, Filters(side, 160, cutoffs), LOADED_CONTACTS, sphere
-    )
-    assert filtered_forces["unfiltered_wavelength"].item() == pytest.approx(end)
-    filtered_forces = filtered_forces.isel(radius=0, rho=0)
-    forces_by_cutoff = [
-        filtered_forces["unfiltered_pull_off_force"],
-        *filtered_forces["pull_off_force"],
-    ]
-    for cutoff, forces in zip([None, *cutoffs], forces_by_cutoff, strict=True):
-        (surface,) = filtered_series(master, side, [cutoff], 160)
-        bodies = join_bodies(surface, sphere, CONTACT)
-        pixel_size = bodies.geometry.pixel_size
-        for loaded in LOADED_CONTACTS:
-            count = loaded.pixel_count(pixel_size)
-            for contact in np.ndindex(3, 3):
-                direct_sum = direct_force(gap_map(bodies, contact), count, 5.6, pixel_size)
-                force = forces.sel(loading=loaded.loading_name).values[contact]
-                # Sums on a smooth sphere are in single precision.
-                assert force == pytest.approx(direct_sum, rel=1e-6 if sphere is None else 1e-9)
 
 
 def test_a_traced_contact_has_the_force_of_its_bodies():

@@ -23,6 +23,12 @@ def direct_total(gap, contact_pixel_count, rho):
     return float(np.exp(-flattened_gaps(gap, contact_pixel_count) / rho).sum())
 
 
+def direct_force(gap, contact_pixel_count, rho, pixel_size, work=1.0):
+    """Return the force in N at a work of adhesion in J/m², from a gap and a pixel size in nm."""
+    pressure = work / (rho * 1e-9)
+    return pressure * (pixel_size * 1e-9) ** 2 * direct_total(gap, contact_pixel_count, rho)
+
+
 def plastic_totals(bodies, pixel_counts, rho):
     """Return the sums of exp(-gap/rho) of plastic contacts: (loading, contact_y, contact_x)."""
     contacts = all_contact_pixels(bodies, max(pixel_counts))

@@ -1,5 +1,7 @@
 """Periodic maps and bodies to bring into contact, in the units of the library."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from hardcontact.contact.contact import Contact
@@ -16,6 +18,7 @@ CONTACT = Contact(
     rho=5.6,
     work=46.3e-3,
 )
+LOADED_CONTACTS = [CONTACT, replace(CONTACT, preload=40e-6)]
 #: Pixels, pixel size (nm), rms height (nm), pixels of the sphere's roughness and pixels of the
 #: window; tiles of the map fit the window or not.
 CASES = [

@@ -1,12 +1,15 @@
-"""Forces at cutoffs change where the cutoff passes the length of a wave."""
+"""Forces on filtered masters: at the cutoff of a single wave, and against the direct sum."""
 
 import numpy as np
 import pytest
 import xarray as xr
-from periodic_maps import periodic_map
+from direct_sum import direct_force
+from periodic_maps import CONTACT, LOADED_CONTACTS, periodic_map, periodic_noise
 
-from hardcontact.inference.filtered_masters import Filters, forces_at_cutoffs
+from hardcontact.contact.geometry import gap_map, join_bodies
+from hardcontact.inference.filtered_masters import Filters, filtered_pull_off, forces_at_cutoffs
 from hardcontact.inference.master_datasets import stack_masters
+from hardcontact.surfaces.filters import filtered_series
 
 #: Wavelength in nm and amplitude of the only wave of a master of 640 nm.
 WAVELENGTH, AMPLITUDE = 80.0, 2.0
@@ -85,3 +88,32 @@ def test_ratios_are_taken_of_mean_forces_over_contacts():
     assert scales.filtered_force_ratio.sel(surface="a", realization=2).isnull().all()
     assert scales.pull_off_force.dims[-2:] == ("contact_y", "contact_x")
     assert scales.unfiltered_wavelength.sel(surface="a").values.tolist() == [1.2, 2e4]
+
+
+SPHERES = [None, periodic_map(periodic_noise(96, 0.5, 5), 10.0)]
+
+
+@pytest.mark.parametrize("sphere", SPHERES)
+@pytest.mark.parametrize("side, end", [("short", 12.8), ("long", 1024.0)])
+def test_the_force_on_every_filtered_master_is_the_direct_sum(sphere, side, end):
+    master, cutoffs = periodic_map(periodic_noise(128, 20.0, 4), 8.0), [100.0, 400.0]
+    filtered_forces = filtered_pull_off(
+        master, Filters(side, 160, cutoffs), LOADED_CONTACTS, sphere
+    )
+    assert filtered_forces["unfiltered_wavelength"].item() == pytest.approx(end)
+    filtered_forces = filtered_forces.isel(radius=0, rho=0)
+    forces_by_cutoff = [
+        filtered_forces["unfiltered_pull_off_force"],
+        *filtered_forces["pull_off_force"],
+    ]
+    for cutoff, forces in zip([None, *cutoffs], forces_by_cutoff, strict=True):
+        (surface,) = filtered_series(master, side, [cutoff], 160)
+        bodies = join_bodies(surface, sphere, CONTACT)
+        pixel_size = bodies.geometry.pixel_size
+        for loaded in LOADED_CONTACTS:
+            count = loaded.pixel_count(pixel_size)
+            for contact in np.ndindex(3, 3):
+                direct_sum = direct_force(gap_map(bodies, contact), count, 5.6, pixel_size)
+                force = forces.sel(loading=loaded.loading_name).values[contact]
+                # Sums on a smooth sphere are in single precision.
+                assert force == pytest.approx(direct_sum, rel=1e-6 if sphere is None else 1e-9)
