@@ -73,6 +73,7 @@ def _environment() -> Any:
     environment.filters |= {
         "format_number": quantities.format_number, "in_words": quantities.in_words,
         "two_digit_words": lambda number: quantities.in_words(number, 2), "linked": _linked,
+        "value_in_words": quantities.value_in_words,
         "without_interval": quantities.without_interval, "unbroken": unbroken,
         "percent": format_share, "share_of_decades": _share_of_decades,
         "base64": lambda data: base64.b64encode(data).decode("ascii"),
