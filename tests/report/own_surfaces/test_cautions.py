@@ -64,15 +64,15 @@ CASES = [
     ("small_scan", forces(search_size=("surface", [2560.0]), **RATIO), True,
      {"share": 0.25, "ratio": (2.0, 4.0)}),
     ("small_scan", forces(search_size=("surface", [64e3]), **RATIO), True,
-     {"tried": SMALLEST_SIZE_RATIO}),
+     {"smallest_share": SMALLEST_SIZE_RATIO}),
     ("window", forces(window_share=("rho", [1, 1, 0.36, 0.2, 0.1])), True,
-     {"from": np.nan, "share": 0.36, "at": 5.6}),
+     {"shortest_low_range": np.nan, "share": 0.36, "range": 5.6}),
     ("window", forces(window_share=("rho", [1, 1, 0.995, 0.95, 0.9])), False,
-     {"from": 10.0, "at": 14.0, "share": 0.9, "window": 12.5e3}),
+     {"shortest_low_range": 10.0, "range": 14.0, "share": 0.9, "window": 12.5e3}),
     ("few_pixels", forces(20.0), True, {"pixels": 0.2}),
     ("few_pixels", forces(250.0), False, {"pixels": 2.5}),
     # The line scan shares wavelengths with coarse.spm alone.
-    ("contradiction", spectra("psd", 2, 100), False, {"factor": 100, "others": 0}),
+    ("contradiction", spectra("psd", 2, 100), False, {"factor": 100, "more_pairs": 0}),
     ("blind_scans", spectra("reliable", 0, 0), True, {}),
     ("conditional_intervals", forces(**QUARTERS), False, {"correlation": 0.2, "scans": 3}),
     ("few_patches", forces(**FEW_PATCHES), True, {}),
@@ -133,9 +133,9 @@ def test_roughness_beyond_the_scans_is_named():
     (tail,) = find_cautions("tail", spectra=shortened, edges=sure)
     hurst = tail.numbers["hurst"]
     assert (hurst.low, hurst.value, hurst.high) == pytest.approx((0.7, 0.8, 0.9), abs=1e-4)
-    assert tail.numbers["ends_at"].value < 0.33
+    assert tail.numbers["spectrum_end"].value < 0.33
     (long,) = find_cautions("long_waves")
-    assert (long.numbers["above"].value, long.numbers["rolloff"].value) == (25e3, 37.5e3)
+    assert (long.numbers["longest_measured"].value, long.numbers["rolloff"].value) == (25e3, 37.5e3)
 
 
 def test_a_tail_of_unknown_exponent_gives_no_force():
@@ -143,7 +143,7 @@ def test_a_tail_of_unknown_exponent_gives_no_force():
     changed = datasets(spectra=data, force=scale_extrapolated_force(force(), short=0.5))
     (surface,) = surface_answers(changed, setting())
     (tail,) = [caution for caution in surface.cautions if caution.code == "tail"]
-    assert tail.numbers["known"].value == 0
+    assert tail.numbers["exponent_known"].value == 0
     answer = surface.numbers["force_extrapolated_short"]
     assert np.isnan(answer.value) and answer.status == "no_exponent"
 

@@ -90,6 +90,11 @@ class Number(NamedTuple):
         return f"Number({self.name}: {self.value:.3g}{interval}{unit}{status})"
 
 
+def numbers_by_name(*numbers: Number) -> dict[str, Number]:
+    """Return numbers by their names; of numbers with the same name, the last."""
+    return {number.name: number for number in numbers}
+
+
 def json_value(value: Any) -> Any:
     """Return a value for JSON: numbers as mappings, None in place of infinite values and NaN."""
     if isinstance(value, Number):

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import pandas as pd
 
 from hardcontact.base.formatting import format_length, format_quantity
-from hardcontact.base.number import Number, Status, json_value
+from hardcontact.base.number import Number, Status, json_value, numbers_by_name
 from hardcontact.commands.options import (
     QuantityOption,
     add_shared_options,
@@ -130,7 +130,7 @@ def compute_numbers(inputs: Inputs, arguments: Namespace) -> dict[str, Number]:
     numbers = {name: _quantity_number(name, quantities[name]) for name in CONTACT_QUANTITIES}
     tolerance = Study().scales.tolerance
     numbers |= prediction_and_scan_force(own_spectrum, contact, tolerance, arguments.file)
-    numbers |= {number.name: number for number in predicted_octaves(own_spectrum, contact)}
+    numbers |= numbers_by_name(*predicted_octaves(own_spectrum, contact))
     if arguments.sphere and isinstance(spectrum, ScanSpectrum) and "octave_1" in numbers:
         middle = math.sqrt(2) * numbers["octave_1"].value
         share = sphere_share(spectrum.joined, middle)

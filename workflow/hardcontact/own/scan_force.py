@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import xarray as xr
 
-from hardcontact.base.number import Number, Status
+from hardcontact.base.number import Number, Status, numbers_by_name
 from hardcontact.config.keys import ContactKeys
 from hardcontact.config.model import POSITION_CONTACTS_PER_ROW, SPHERE_POSITIONS, Study
 from hardcontact.contact.contact import PLASTIC, Contact
@@ -70,7 +70,7 @@ def add_force_on_scan(
     else:
         search = search_size(spectrum.extrapolated(), contact.radius, contact.area)
         scan_numbers = list(_force_numbers(scans[0], search, contact, confidence, bodies))
-    result = {number.name: number for number in scan_numbers} | dict(numbers)
+    result = numbers_by_name(*scan_numbers) | dict(numbers)
     if not status and result["closed_form_on_scan"].status != Status.AGREES:
         for name in result.keys() & set(PREDICTED):
             number = result[name]._replace(low=math.nan, high=math.nan)

@@ -12,7 +12,7 @@ import numpy as np
 
 from hardcontact.base.arrays import Floats
 from hardcontact.base.formatting import format_length
-from hardcontact.base.number import Number, Status
+from hardcontact.base.number import Number, Status, numbers_by_name
 from hardcontact.contact.contact import Contact
 from hardcontact.scans.joined_spectrum import ScanSpectrum
 from hardcontact.scans.measured_spectrum import CALIBRATION_SCATTER
@@ -57,7 +57,7 @@ def prediction(
     scans = spectrum if isinstance(spectrum, ScanSpectrum) else None
     if scans is not None and scans.joined["sidewall_slope_share"].notnull().any():
         force = Number("closed_form_force", math.nan, "N", status=Status.STEEP_SIDEWALLS)
-        return {number.name: number for number in (*inputs, force)}
+        return numbers_by_name(*inputs, force)
     form = closed_form(trimmed, contact)
     checks = _spectrum_checks(trimmed, contact, form, 0.0 if scans is None else scans.skewness)
     error_is_known = all(number.status == Status.NEGLIGIBLE for number in checks)
@@ -87,7 +87,7 @@ def prediction(
         *_edge_numbers("", critical_band(trimmed, contact, tolerance), point, validated),
         *checks,
     ]
-    return {number.name: number for number in numbers}
+    return numbers_by_name(*numbers)
 
 
 def trim_spectrum(spectrum: Spectrum, name: str = "spectrum") -> Spectrum:

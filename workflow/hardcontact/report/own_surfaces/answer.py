@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import xarray as xr
 
-from hardcontact.base.number import Number, Status
+from hardcontact.base.number import Number, Status, numbers_by_name
 from hardcontact.inference.octaves import strongest_octaves
 from hardcontact.report.figures.values import mean_free_heights
 from hardcontact.report.notes import note, substitutes_note
@@ -17,7 +17,7 @@ from hardcontact.report.own_surfaces.artificial_roughness import (
     split_scans,
     without_padding,
 )
-from hardcontact.report.own_surfaces.cautions import Caution, cautions
+from hardcontact.report.own_surfaces.cautions import cautions
 from hardcontact.report.own_surfaces.comparison import comparison_numbers
 from hardcontact.report.own_surfaces.datasets import (
     Datasets,
@@ -40,6 +40,7 @@ from hardcontact.report.own_surfaces.forces import (
     pair_numbers,
     preferred_fit,
 )
+from hardcontact.report.own_surfaces.spectrum_cautions import Caution
 from hardcontact.report.quantities import all_quantities, number_of
 from hardcontact.report.templates import render_lines, render_text
 from hardcontact.scans.both_bodies import sphere_share
@@ -71,7 +72,7 @@ def own_answer(datasets: Datasets, setting: Setting) -> dict[str, Any]:
     surfaces = surface_answers(datasets, setting)
     study_numbers = _study_numbers(datasets, setting)
     chosen = _chosen_inputs(datasets.force, setting)
-    numbers = {number.name: number for number in study_numbers}
+    numbers = numbers_by_name(*study_numbers)
     fit_text = _fit_text(numbers)
     return {
         "study": setting.study,
@@ -129,7 +130,7 @@ def _surface_answer(
         numbers += pair_numbers(data.force, setting.pairs)
     if data.fit is not None and name in data.fit["surface"].values:
         numbers += measured_numbers(preferred_fit(data.fit).sel(surface=name), data)
-    named_numbers = {number.name: number for number in numbers}
+    named_numbers = numbers_by_name(*numbers)
     surface_cautions = cautions(data, named_numbers)
     edges = [named_numbers[name] for name in EDGES.values()]
     to_scan = next_scans(edges, data.spectra)
@@ -138,7 +139,7 @@ def _surface_answer(
         *[number._replace(name=f"{edge}_{code}_limit") for edge, code, number, _ in to_scan],
         *_scan_numbers(data),
     ]
-    named_numbers = {number.name: number for number in numbers}
+    named_numbers = numbers_by_name(*numbers)
     source = str(data.topography["source"].item())
     conclusion = surface_conclusion(named_numbers)
     return SurfaceAnswer(name, label, source, named_numbers, conclusion, surface_cautions, to_scan)

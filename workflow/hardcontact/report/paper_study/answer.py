@@ -7,7 +7,7 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from hardcontact.base.number import Number, Status
+from hardcontact.base.number import Number, Status, numbers_by_name
 from hardcontact.base.statistics import interval_ends, percentile_interval
 from hardcontact.config.model import numeric_configuration
 from hardcontact.contact.contact import PLASTIC
@@ -110,7 +110,7 @@ def _facts(
     """Return the facts that the templates of headline and notes show."""
     topography = datasets["topography"]
     labels = topography["label"].to_series().to_dict()
-    numbers = {number.name: number for number in study_numbers(claims, datasets, constants)}
+    numbers = numbers_by_name(*study_numbers(claims, datasets, constants))
     substrates = [str(name) for name in datasets["edges"]["surface"].values]
     surfaces = {name: surface_numbers(name, datasets) for name in substrates}
     return {
