@@ -15,7 +15,7 @@ from hardcontact.report.figures import drawing, panels, style
 from hardcontact.report.figures.values import published_edge, value_and_interval
 
 PUBLISHED_LINE: style.Look = {"color": "0.25", "lw": 1.0, "ls": "--"}
-TOLERANCE_LINE: style.Look = {"color": "0.6", "lw": 0.8, "zorder": 0}
+TOLERANCE_LINE: style.Look = {"color": "0.25", "lw": 1.0, "zorder": 0}
 #: Smallest change drawn, in per cent: a thousandth of the tolerance. Without waves above a cutoff
 #: the change is zero but for rounding.
 SMALLEST_CHANGE = 0.01
@@ -24,7 +24,7 @@ SMALLEST_CHANGE = 0.01
 def draw(edges: xr.Dataset, scales: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
     """Draw Fig. 6: ratios, changes and edges, in one column for each side of the band."""
     figure = drawing.create(6.2, edges)
-    grid = figure.subplots(3, 2, sharex="col", sharey="row", height_ratios=(3, 1.8, 1.5))
+    grid = figure.subplots(3, 2, sharex="col", sharey="row", height_ratios=(2.2, 2.6, 1.5))
     published_edges = {
         side: published_edge(published_constants, side) for side in style.REMOVED_TITLES
     }
@@ -41,7 +41,7 @@ def draw(edges: xr.Dataset, scales: xr.Dataset, published_constants: pd.DataFram
         style.end_near_values(row)
         for axes in row:
             style.label_logarithmic(axes.yaxis, digits=digits)
-    grid[0, 0].set_ylabel(f"pull-off force / unfiltered, at ρ = {scales.attrs['rho']:g} nm")
+    grid[0, 0].set_ylabel(f"pull-off force / unfiltered\nat ρ = {scales.attrs['rho']:g} nm")
     style.legend_above(figure, _legend_handles(edges, *published_edges.values()))
     figure.align_ylabels(grid[:2, 0])
     return figure
