@@ -13,7 +13,7 @@ from hardcontact.report.quantities import (
     in_words,
     number_of,
     number_without_value,
-    numbers_by_name,
+    numbers_of_answer,
     value_in_words,
     without_interval,
 )
@@ -90,6 +90,6 @@ def test_numbers_come_back_from_answer_json_as_they_were():
         Number("force", 5e-7, "N", source="measured"),
     ]
     text = answer_text({"quantities": all_quantities([], {"film": numbers})})
-    read_again = numbers_by_name(json.loads(text), "film")
+    read_again = numbers_of_answer(json.loads(text), "film")
     assert repr(list(read_again.values())) == repr(numbers)
-    assert numbers_by_name(json.loads(text)) == {}
+    assert numbers_of_answer(json.loads(text)) == {}

@@ -15,7 +15,7 @@ from hardcontact.config.model import numeric_configuration
 from hardcontact.report.paper_study.answer import ANSWER_CLAIMS
 from hardcontact.report.paper_study.changed_inputs import changed_inputs, paper_contact
 from hardcontact.report.paper_study.table1 import table1_rows
-from hardcontact.report.quantities import numbers_by_name
+from hardcontact.report.quantities import numbers_of_answer
 
 SCHEMA = json.loads((ROOT / "workflow/schemas/answer.schema.json").read_text("utf-8"))
 
@@ -37,7 +37,7 @@ def move_edge(side, wavelength):
 
 def numbers_of(rows=None, **changed):
     """Numbers of the whole study, by name."""
-    return numbers_by_name(answer(rows, **changed))
+    return numbers_of_answer(answer(rows, **changed))
 
 
 def test_the_answer_follows_its_schema_and_has_the_numbers_of_the_claims():
@@ -116,9 +116,9 @@ def test_an_edge_at_wavelengths_of_artificial_roughness_says_so():
         rows = change_claim("first_short_edge", computed=50.0)
         rows.loc[rows["id"] == ANSWER_CLAIMS["first_long_edge"], "computed"] = 2000.0
         artificial_answer = answer(rows, scales=moved)
-        numbers = numbers_by_name(artificial_answer)
+        numbers = numbers_of_answer(artificial_answer)
         sources[small] = [numbers[name].source for name in ("first_short_edge", "first_long_edge")]
-        mcd = numbers_by_name(artificial_answer, "mcd")
+        mcd = numbers_of_answer(artificial_answer, "mcd")
         assert mcd["short_edge"].source == sources[small][0]
     assert sources == {20.0: ["computed"] * 2, 80.0: ["artificial"] * 2}
 
@@ -139,12 +139,12 @@ def test_forces_on_scans_equal_those_on_windows_of_their_size():
     data["force_over_largest"].loc[labels] = 2.24
     data["force_over_largest_interval"].loc[labels] = [1.48, 3.39]
     force = Number("force_on_scans", 2.24, "1", 1.48, 3.39)
-    assert numbers_by_name(answer(scan_size=data), "mcd")["force_on_scans"] == force
+    assert numbers_of_answer(answer(scan_size=data), "mcd")["force_on_scans"] == force
 
 
 def test_each_coating_has_its_mean_force_at_the_published_pair():
     force = Number("mean_force", 2e-6, "N", 1.8e-6, 2.2e-6)
-    assert numbers_by_name(answer(), "uncd")["mean_force"] == force
+    assert numbers_of_answer(answer(), "uncd")["mean_force"] == force
 
 
 def test_table_1_compares_values_and_marks_those_by_construction():

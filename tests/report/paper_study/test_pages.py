@@ -13,7 +13,7 @@ from repository import PAPER, merge_configurations
 from hardcontact.base.formatting import format_as_paper
 from hardcontact.paper.verdicts import VERDICTS
 from hardcontact.report.figures.listing import PAPER_FIGURES
-from hardcontact.report.quantities import numbers_by_name
+from hardcontact.report.quantities import numbers_of_answer
 
 
 @pytest.fixture(scope="module")
@@ -44,7 +44,7 @@ def test_the_page_says_first_what_came_out(page):
     first_words = answer_words(page)
     assert "Wavelengths of 640 to 1280 nm matter most: 1 % more " in first_words
     assert " (320 to 640 nm: " in first_words
-    numbers = numbers_by_name(answer())
+    numbers = numbers_of_answer(answer())
     for name in ("first_short_edge", "first_long_edge"):
         edge, published = numbers[name], numbers[f"{name}_published"]
         interval = (edge.low, edge.high)

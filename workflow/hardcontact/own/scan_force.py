@@ -1,11 +1,14 @@
-"""The force on the user's only map, and whether the closed form agrees with it."""
+"""The force summed over the pixels of the user's only map, and whether the closed form agrees.
+
+The closed form takes Gaussian heights. The sum over the map takes none, and shows where the closed
+form fails.
+"""
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
-import xarray as xr
 
 from hardcontact.base.number import Number, Status, numbers_by_name
 from hardcontact.config.keys import ContactKeys
@@ -18,7 +21,12 @@ from hardcontact.contact.hertz_jkr_dmt import limit_forces
 from hardcontact.contact.pull_off import make_force_function
 from hardcontact.contact.scan_pull_off import pull_off_on_spheres
 from hardcontact.inference.wide_pixels import finer_pixel_factor, widen_pixels
-from hardcontact.own.mean_forces import forces_of_surface, mean_intervals, position_half_width
+from hardcontact.own.mean_forces import (
+    SurfaceForces,
+    forces_of_surface,
+    mean_intervals,
+    position_half_width,
+)
 from hardcontact.own.own_spectrum import OwnSpectrum
 from hardcontact.own.scan_window import window_on_scans
 from hardcontact.scans.joined_spectrum import ScanSpectrum
@@ -31,12 +39,13 @@ from hardcontact.theory.validity import is_validated, nearest_errors, table_coor
 
 #: Contacts per row of their array, as in the paper.
 CONTACTS_PER_ROW = ContactKeys().contacts_per_row
-#: Largest number of pixels per row of a scan, and of contact pixels over all contacts, force sums
-#: and images in the window: both keep the time below a few seconds.
+#: Largest number of pixels per row of a scan, and of pixels in contact, summed over contacts, force
+#: sums and mirrored scans in the window: both keep the time below a few seconds.
 MAX_QUICK_PIXELS = 2048
 MAX_QUICK_CONTACT_PIXELS = 2**23
-#: Names of the predictions of the closed form that have an interval.
-PREDICTED = [
+#: Names of the forces and edges in closed form, which have intervals, also for the extrapolated
+#: spectrum.
+CLOSED_FORM_NAMES = [
     f"{prefix}{name}"
     for prefix, force in (("", "closed_form_force"), ("extrapolated_", "force"))
     for name in (force, *EDGE_NAMES)
@@ -46,7 +55,7 @@ PREDICTED = [
 def prediction_and_scan_force(
     own_spectrum: OwnSpectrum, contact: Contact, tolerance: float, name: str = "spectrum"
 ) -> dict[str, Number]:
-    """Return the numbers of `prediction` for the user's spectrum, and of the force on its scans."""
+    """Return the numbers of the closed form for a spectrum, and of the force on its only map."""
     numbers = prediction(own_spectrum.spectrum, contact, tolerance, name)
     return add_force_on_scan(numbers, own_spectrum, contact, Study().inference.confidence)
 
@@ -54,10 +63,11 @@ def prediction_and_scan_force(
 def add_force_on_scan(
     numbers: Mapping[str, Number], own_spectrum: OwnSpectrum, contact: Contact, confidence: float
 ) -> dict[str, Number]:
-    """Return the numbers of a prediction with those of the force summed on the scan itself.
+    """Return the numbers of a prediction with those of the force summed over the pixels of the map.
 
-    Without a map the prediction is returned as it is. The spectrum is used extrapolated, as in a
-    study. If the closed form disagrees with the force on the scan, it loses its intervals.
+    The prediction for a table is returned as it is. The search size follows from the extrapolated
+    spectrum, as in a study. If the closed form disagrees with the force on the map, the prediction
+    loses its intervals.
     """
     spectrum, _, scans, bodies = own_spectrum
     if not (scans and isinstance(spectrum, ScanSpectrum)):
@@ -68,11 +78,11 @@ def add_force_on_scan(
         if status == Status.RANGE_TOO_SHORT:
             scan_numbers.append(Number("shortest_range", shortest_range, "nm"))
     else:
-        search = search_size(spectrum.extrapolated(), contact.radius, contact.area)
-        scan_numbers = list(_force_numbers(scans[0], search, contact, confidence, bodies))
+        search_width = search_size(spectrum.extrapolated(), contact.radius, contact.area)
+        scan_numbers = [*_scan_force_numbers(scans[0], bodies, contact, search_width, confidence)]
     result = numbers_by_name(*scan_numbers) | dict(numbers)
     if not status and result["closed_form_on_scan"].status != Status.AGREES:
-        for name in result.keys() & set(PREDICTED):
+        for name in result.keys() & set(CLOSED_FORM_NAMES):
             number = result[name]._replace(low=math.nan, high=math.nan)
             has_force_status = number.unit == "N" and math.isfinite(number.value)
             result[name] = number._replace(status=Status.OUTSIDE) if has_force_status else number
@@ -110,73 +120,75 @@ def contact_on_scan(scan: HeightMap, contact: Contact) -> Contact:
     return replace(contact, window=window, contacts_per_row=CONTACTS_PER_ROW)
 
 
-def _forces(surface: HeightMap, body_maps: Sequence[HeightMap], contact: Contact) -> xr.Dataset:
-    """Return the forces (sphere_scan, ...) of a smooth sphere, or of a rough one by position."""
+def _surface_forces(
+    scan: HeightMap, surface: HeightMap, body_maps: Sequence[HeightMap], contact: Contact
+) -> SurfaceForces:
+    """Return the plastic forces (N) of a smooth sphere, or of a rough one at several positions.
+
+    `surface` is the mirrored scan. `body_maps` are the maps of substrate and rough sphere, or none.
+    """
     all_bodies = [join_bodies(surface, None, contact)]
     if body_maps:
         substrate, sphere = (mirror_in_float32(body) for body in body_maps)
         contact = replace(contact, contacts_per_row=POSITION_CONTACTS_PER_ROW)
         positions = spheres_at_positions(sphere, math.isqrt(SPHERE_POSITIONS))
         all_bodies = [join_bodies(substrate, position, contact) for position in positions]
-    return pull_off_on_spheres(dict(enumerate(all_bodies)), contact, [contact.rho])
+    pull_off = pull_off_on_spheres(dict(enumerate(all_bodies)), contact, [contact.rho])
+    forces = contact.work * pull_off["pull_off_force"].sel(contact_model=PLASTIC, drop=True)
+    touched_patches = float(pull_off["touched_patches"].max())
+    return forces_of_surface(forces.expand_dims("scan"), scan.size, contact.radius, touched_patches)
 
 
-def extend_low_end(number: Number, wide_pixel_ratio: float) -> Number:
-    """Return a force with a lower low end: by the factor that finer pixels may lower the force."""
+def _extend_low_end(number: Number, wide_pixel_ratio: float) -> Number:
+    """Return a number with its lower end divided by the factor that finer pixels may cause."""
     return number._replace(low=number.low / float(finer_pixel_factor(wide_pixel_ratio)))
 
 
-def _force_numbers(
+def _scan_force_numbers(
     scan: HeightMap,
-    search: float,
-    contact: Contact,
-    confidence: float,
     body_maps: Sequence[HeightMap],
+    contact: Contact,
+    search_width: float,
+    confidence: float,
 ) -> Iterator[Number]:
     """Yield the mean plastic force on a levelled map, in N and relative to a smooth sphere.
 
-    Further numbers serve to judge it; the search size is in nm. As in `bound_by_smooth_sphere`,
-    mean and interval never exceed a smooth sphere's force.
+    Further numbers serve to judge it; the width that a contact searches is in nm. As in
+    `bound_by_smooth_sphere`, mean and interval never exceed a smooth sphere's force.
     """
     surface = mirror_in_float32(scan)
     contact = contact_on_scan(scan, contact)
-    pull_off = _forces(surface, body_maps, contact)
-    touched_patches = float(pull_off["touched_patches"].max())
-    forces = contact.work * pull_off["pull_off_force"].sel(contact_model=PLASTIC, drop=True)
-    surface_forces = forces_of_surface(
-        forces.expand_dims("scan"), scan.size, contact.radius, touched_patches
-    )
+    surface_forces = _surface_forces(scan, surface, body_maps, contact)
+    (scan_parts,) = surface_forces.scan_parts
     smooth = smooth_force(contact)
     values = np.append(surface_forces.mean, mean_intervals(surface_forces, confidence)[0])
     mean, low, high = limit_forces(values, smooth).tolist()
-    force = Number(
-        "force_on_scan", mean, "N", low, high, surface_forces.scan_parts[0].interval_source
-    )
+    force = Number("force_on_scan", mean, "N", low, high, scan_parts.interval_source)
     forces_on_map = make_force_function(contact)
     wide_pixel_force = forces_on_map(mirror_in_float32(widen_pixels(scan))).mean()
     wide_pixel_ratio = float(wide_pixel_force / forces_on_map(surface).mean())
-    force = extend_low_end(force, wide_pixel_ratio)
+    force = _extend_low_end(force, wide_pixel_ratio)
     yield force
     yield Number("force_on_scan_over_smooth", mean / smooth)
     yield Number("wide_pixel_ratio", wide_pixel_ratio)
-    yield Number("touched_patches", touched_patches)
+    yield Number("touched_patches", scan_parts.touched_patches)
     position_half = position_half_width(surface_forces, confidence)
     if position_half is not None:
         yield Number("position_factor", float(np.exp(position_half[0])))
-    status = Status.SMALL if scan.size < LARGE_SIZE_RATIO * search else Status.LARGE
-    yield Number("search_size", search, "nm", status=status)
-    _, small_scan_ratio = finite_scan_ratio(scan.size, search)
+    status = Status.SMALL if scan.size < LARGE_SIZE_RATIO * search_width else Status.LARGE
+    yield Number("search_size", search_width, "nm", status=status)
+    _, small_scan_ratio = finite_scan_ratio(scan.size, search_width)
     form = _closed_form_number(surface, force, small_scan_ratio, contact)
-    yield extend_low_end(form, wide_pixel_ratio)
+    yield _extend_low_end(form, wide_pixel_ratio)
 
 
 def _closed_form_number(
     surface: HeightMap, force: Number, small_scan_ratio: float, contact: Contact
 ) -> Number:
-    """Return the closed form for all waves of the mirrored map.
+    """Return the force in closed form for all wavelengths of the mirrored map.
 
-    AGREES: the force on the map lies between the lower end of its interval and the upper end times
-    `finite_scan_ratio`. NOT_GAUSSIAN: the intervals of both forces are disjoint.
+    AGREES: the force on the map lies between the lower end of the closed form's interval and its
+    upper end times `small_scan_ratio`. NOT_GAUSSIAN: the intervals of both forces are disjoint.
     """
     wavevector, _, density = measured_psds(surface)
     has_waves = np.isfinite(density)

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from typing import Any
 
-from hardcontact.report.quantities import numbers_by_name
+from hardcontact.report.quantities import numbers_of_answer
 from hardcontact.report.templates import Frame, render_document
 
 
@@ -19,9 +19,9 @@ def render_page(
     `own_page` and `paper_page` give the further facts that the templates of their studies need.
     """
     surfaces = [
-        {**surface, "numbers": numbers_by_name(answer, surface["name"])}
+        {**surface, "numbers": numbers_of_answer(answer, surface["name"])}
         for surface in answer["surfaces"]
     ]
     facts |= {"answer": answer, "figures": figures, "citation": citation}
-    facts |= {"numbers": numbers_by_name(answer), "surfaces": surfaces}
+    facts |= {"numbers": numbers_of_answer(answer), "surfaces": surfaces}
     return render_document("answer.html", frame, "answer", **facts)

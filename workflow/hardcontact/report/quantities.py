@@ -124,7 +124,7 @@ def all_quantities(
     ]
 
 
-def numbers_by_name(answer: Mapping[str, Any], surface: str = "") -> dict[str, Number]:
+def numbers_of_answer(answer: Mapping[str, Any], surface: str = "") -> dict[str, Number]:
     """Return the numbers of one surface, or of the whole study, in answer.json by name."""
     numbers = {}
     for quantity in answer["quantities"]:

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from hardcontact.base.number import Number, Status
-from hardcontact.report.quantities import NO_INTERVAL_WORDS, numbers_by_name
+from hardcontact.report.quantities import NO_INTERVAL_WORDS, numbers_of_answer
 
 #: Digits to which equal numbers agree. Processors with other kernels move numbers by up to 1.7e-10.
 EQUAL_DIGITS = 8
@@ -130,7 +130,7 @@ def _numbers_of_both(
     first: Mapping[str, Any], second: Mapping[str, Any]
 ) -> Iterator[tuple[str, dict[str, Number], dict[str, Number]]]:
     """Yield the numbers of whole studies, then the numbers of each surface below its label."""
-    yield "", numbers_by_name(first), numbers_by_name(second)
+    yield "", numbers_of_answer(first), numbers_of_answer(second)
     surfaces = [
         {surface["name"]: surface["label"] for surface in answer["surfaces"]}
         for answer in (first, second)
@@ -139,7 +139,11 @@ def _numbers_of_both(
     if len(surfaces[0]) == len(surfaces[1]) == 1:
         names = [(*surfaces[0], *surfaces[1])]
     for name, other_name in names:
-        yield surfaces[0][name], numbers_by_name(first, name), numbers_by_name(second, other_name)
+        yield (
+            surfaces[0][name],
+            numbers_of_answer(first, name),
+            numbers_of_answer(second, other_name),
+        )
 
 
 def is_equal(first: Number, second: Number) -> bool:

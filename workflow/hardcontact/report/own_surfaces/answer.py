@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import xarray as xr
 
-from hardcontact.base.number import Number, Status, numbers_by_name
+from hardcontact.base.number import Number, numbers_by_name
 from hardcontact.inference.octaves import strongest_octaves
 from hardcontact.report.figures.values import mean_free_heights
 from hardcontact.report.notes import note, substitutes_note
@@ -41,7 +41,7 @@ from hardcontact.report.own_surfaces.forces import (
     preferred_fit,
 )
 from hardcontact.report.own_surfaces.spectrum_cautions import Caution
-from hardcontact.report.quantities import all_quantities, number_of
+from hardcontact.report.quantities import all_quantities, number_of, number_without_value
 from hardcontact.report.templates import render_lines, render_text
 from hardcontact.scans.both_bodies import sphere_share
 from hardcontact.scans.reliable_band import MIN_PIXELS, MIN_WAVES_IN_SIZE, OTHER_BODY
@@ -137,7 +137,8 @@ def _surface_answer(
     numbers += [
         *_caution_numbers(surface_cautions),
         *[number._replace(name=f"{edge}_{code}_limit") for edge, code, number, _ in to_scan],
-        *_scan_numbers(data),
+        *_topography_numbers(data.topography),
+        *_measurement_numbers(data.spectra),
     ]
     named_numbers = numbers_by_name(*numbers)
     source = str(data.topography["source"].item())
@@ -197,21 +198,19 @@ def _fit_text(numbers: Mapping[str, Number]) -> str:
 
 
 def _caution_numbers(surface_cautions: list[Caution]) -> Iterator[Number]:
-    """Yield the numbers of cautions; numbers of a defect are named after its measurement."""
+    """Yield the numbers of cautions, named after the code or, for a defect, the measurement."""
     for caution in surface_cautions:
         prefix = f"measurement_{caution.measurement}" if caution.measurement else caution.code
         for name, number in caution.numbers.items():
             yield number._replace(name=f"{prefix}_{name}")
 
 
-def _scan_numbers(data: Datasets) -> Iterator[Number]:
-    """Yield the sizes and the roughness of the scans, and the lengths of the measurements."""
-    topography = data.topography
+def _topography_numbers(topography: xr.Dataset) -> Iterator[Number]:
+    """Yield the sizes, heights and roughness of the scans of one surface, and of all scales."""
     for name in ("scan_size", "pixel_size"):
         yield number_of(topography, name, "nm", source="file")
     heights = mean_free_heights(topography["example_heights"])
-    lowest, highest = float(heights.min()), float(heights.max())
-    yield Number("heights", np.nan, "nm", lowest, highest, Status.ONLY_ENDS)
+    yield number_without_value("heights", float(heights.min()), float(heights.max()), "nm")
     scans = topography.dropna("scan", subset=["rms_height"])
     for index in range(scans.sizes["scan"]):
         for name in SHOWN_METRICS:
@@ -220,7 +219,11 @@ def _scan_numbers(data: Datasets) -> Iterator[Number]:
     for name in SHOWN_METRICS:
         if f"all_scales_{name}" in topography:
             yield number_of(topography, f"all_scales_{name}", METRICS[name][0])
-    for index, measurement in enumerate(split_scans(without_padding(data.spectra)), start=1):
+
+
+def _measurement_numbers(spectra: xr.Dataset) -> Iterator[Number]:
+    """Yield the lengths of each measurement of one surface: size, pixels, reliable band, tip."""
+    for index, measurement in enumerate(split_scans(without_padding(spectra)), start=1):
         for name in MEASUREMENT_LENGTHS:
             number = number_of(measurement, name, "nm", source="file")
             yield number._replace(name=f"measurement_{index}_{name}")
@@ -229,7 +232,7 @@ def _scan_numbers(data: Datasets) -> Iterator[Number]:
 def _limit_name(scan: xr.Dataset) -> str:
     """Return the limit of the shortest reliable wavelengths; an empty text if none is reliable.
 
-    A scan of the smoother body may be reliable where only waves of the rougher body count.
+    A scan of the smoother body may be reliable only where the rougher body has most of the power.
     """
     limit = str(scan["limited_by"].item())
     return limit if scan["reliable"].any() or limit == OTHER_BODY else ""

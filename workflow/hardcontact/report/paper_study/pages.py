@@ -13,7 +13,7 @@ from hardcontact.report.paper_study.answer import ANSWER_CLAIMS
 from hardcontact.report.paper_study.chapters import convert_chapter
 from hardcontact.report.paper_study.claims import claim_facts
 from hardcontact.report.paper_study.conclusions import most_sensitive_coatings
-from hardcontact.report.quantities import numbers_by_name
+from hardcontact.report.quantities import numbers_of_answer
 from hardcontact.report.templates import Frame, render_document
 
 
@@ -30,8 +30,8 @@ def paper_page(
     `claims` comes from `open_ends.add_open_ends`; SVG and captions are by the name of the figure.
     """
     *coatings, _ = answer["surfaces"]  # the last one is the sphere
-    coating_numbers = {row["label"]: numbers_by_name(answer, row["name"]) for row in coatings}
-    numbers = numbers_by_name(answer)
+    coating_numbers = {row["label"]: numbers_of_answer(answer, row["name"]) for row in coatings}
+    numbers = numbers_of_answer(answer)
     facts = claim_facts(claims) | {"captions": captions}
     facts["most_sensitive"] = most_sensitive_coatings(coating_numbers)
     facts["artificial_claims"] = [
