@@ -34,7 +34,7 @@ def processor(row):
 
 
 def jobs(folders):
-    """One row a job: rule, seconds of processor, memory in MB."""
+    """One row per job: rule, seconds of processor, memory in MB."""
     rows = []
     for folder in folders:
         for path in sorted(Path(folder, "benchmarks").rglob("*.tsv")):

@@ -26,7 +26,7 @@ HEADER = ROWS.partition("\n")[0]
         (ROWS + "\t".join("abcdefgh") + "\n", ["line 27", "expected 6 cells", "found 8"]),
         (ROWS.replace("label", "name", 1), ["the columns", "label", "found surface, name"]),
         (ROWS.replace("\t", ","), ["separated by tabs", "found surface,label"]),
-        (HEADER, ["a row a scan", "0 rows"]),
+        (HEADER, ["a row per scan", "0 rows"]),
         ("", ["expected a table of surfaces"]),
         (b"\xff\xfe\x00garbage", ["expected a table of surfaces"]),
     ],

@@ -1,4 +1,4 @@
-"""The user's forces and descriptions of substitutes: accepted, or refused in one line a fault."""
+"""The user's forces and descriptions of substitutes: accepted, or refused in one line per fault."""
 
 import pytest
 from refusals import assert_says, refusal

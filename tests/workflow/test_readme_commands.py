@@ -28,7 +28,7 @@ READMES = ("README.md", "config/README.md")
 COMMAND = re.compile(r"(?:snakemake|hardcontact|python|python3|pip|conda|source|sh|rm)\b.*")
 #: Words of the user, or a command that is only named.
 NOT_TYPED = re.compile(r".*\b(FILE|NAME)\b.*|hardcontact new( --overwrite)?")
-#: Notes how it was called, between separators, a line a call.
+#: Notes how it was called, between separators, a line per call.
 PROGRAM = """#!/bin/bash
 { printf '%s\\x1f' "${0##*/}" "$@"; echo; } >> "$CALLS"
 """

@@ -38,7 +38,7 @@ rule fit_exponents:
 
 
 rule compute_edge_shifts:
-    """Compare the short edges of plastic and rigid contact at two ranges: edge_shifts.nc."""
+    """Compute how far plasticity and a long range move the short edge: edge_shifts.nc."""
     input:
         masters=FILES.paths(PATTERNS.master_forces, EDGE_SHIFT_MASTERS),
     output:

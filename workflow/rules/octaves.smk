@@ -66,7 +66,7 @@ rule compute_perturbed_scan_forces:
 
 
 rule compute_band_forces:
-    """Compute the forces on whole surfaces with the roughness of a band alone, and without."""
+    """Compute forces on whole surfaces with the band alone, without shorter and without longer waves."""
     input:
         **DESCRIPTION_INPUTS,
         **SUBSTITUTE_INPUTS,

@@ -175,7 +175,7 @@ def _json(numbers: Mapping[str, Number]) -> str:
 
 
 def _csv(numbers: Mapping[str, Number]) -> str:
-    """Return numbers as a table, one row a number; unknown cells are empty."""
+    """Return numbers as a table, one row per number; unknown cells are empty."""
     columns = ["quantity", "value", "unit", "low", "high", "status"]
     table = pd.DataFrame([number[:6] for number in numbers.values()], columns=columns)
     finite = table.replace([math.inf, -math.inf], math.nan)

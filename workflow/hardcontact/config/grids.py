@@ -37,7 +37,7 @@ def same_grid(grid: Grid, reference: Grid) -> bool:
 
 
 def master_megabytes(pixels: int) -> int:
-    """Return the memory (10^6 bytes) of a job that makes a master, or filters and presses it.
+    """Return the memory (10^6 bytes) of a job that makes a master, or computes forces on it.
 
     It depends on the pixels per row of the master.
     """

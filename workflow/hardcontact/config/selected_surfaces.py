@@ -1,4 +1,4 @@
-"""The surfaces and scans that a study is about: its table of surfaces, one row a scan."""
+"""The surfaces and scans that a study is about: its table of surfaces, one row per scan."""
 
 import os
 import reprlib
@@ -170,7 +170,7 @@ class Selection:
 def surface_table(path: str | Path) -> pd.DataFrame:
     """Read the table of surfaces, which is tab-separated, and check that its rows agree.
 
-    Returns one row a scan, indexed by the line of the file, with the columns of `SurfaceRow`;
+    Returns one row per scan, indexed by the line of the file, with the columns of `SurfaceRow`;
     `scan` is an int, `tip_radius` a number in nm as text or empty, an empty `use` CONTACT_USE.
     Raises ValueError with a line for each fault, which names the file and the line or the surface.
     """
@@ -180,7 +180,7 @@ def surface_table(path: str | Path) -> pd.DataFrame:
     written = user_table(path, content, form=content, separator="\t")
     fields = SurfaceRow.model_fields
     columns = [name for name, field in fields.items() if field.is_required()]
-    layout = f"the columns {', '.join(columns)}, separated by tabs, and a row a scan"
+    layout = f"the columns {', '.join(columns)}, separated by tabs, and a row per scan"
     written.require(columns, f"{content}, {layout}", fields)
     rows = written.convert(lambda row: validate(SurfaceRow, row).model_dump())
     table = pd.DataFrame.from_dict(rows, orient="index", dtype=str)

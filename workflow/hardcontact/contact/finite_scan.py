@@ -11,11 +11,11 @@ from scipy.special import erf
 
 from hardcontact.contact.contact import Contact
 
-#: By the size of a window relative to the search size: the smallest and the largest mean force on
-#: mirrored windows up to this size, relative to the random surface of 20 µm from which they were
-#: cut. Computed on 24 realizations each of ten Gaussian surfaces (rms height 2 to 50 nm, roll-off
-#: 300 to 2000 nm, H = 0.5 to 0.84), R = 20 to 250 µm, rho = 2 and 5.6 nm, windows of 0.6 to 10 µm;
-#: each ratio is known to 1 to 10 %. Larger windows had 0.95 to 1.14.
+#: Mean force on a mirrored scan relative to that on the surface of 20 µm from which it was cut:
+#: smallest and largest ratio, by the size of the scan relative to the search size. Larger scans had
+#: 0.95 to 1.14. Source: scans of 0.6 to 10 µm on 24 realizations each of ten Gaussian surfaces (rms
+#: height 2 to 50 nm, roll-off 300 to 2000 nm, H = 0.5 to 0.84), R = 20 to 250 µm, rho = 2 and 5.6
+#: nm. Each ratio is known to 1 to 10 %.
 RATIOS = {0.125: (8.0, 17.0), 0.25: (3.0, 9.0), 0.5: (1.5, 3.6), 1.0: (1.1, 2.0), 2.0: (1.0, 1.5)}
 #: Size relative to the search size from which a scan is large enough, and the smallest tested one.
 LARGE_SIZE_RATIO = max(RATIOS)

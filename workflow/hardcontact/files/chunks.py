@@ -36,7 +36,7 @@ class Chunk(NamedTuple):
 
 
 class SampleChunk(NamedTuple):
-    """The numbers of the first and the last sample with features of one kind."""
+    """The numbers of the first and the last sample of a chunk, whose features are of one kind."""
 
     surface: str
     features: str

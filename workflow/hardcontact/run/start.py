@@ -42,7 +42,7 @@ REUSED_MEMORY = 256 * 1024**2
 
 
 def _refuse(message: object) -> NoReturn:
-    """End the run with one line a fault."""
+    """End the run with one line per fault."""
     sys.exit("\n".join(f"error: {line}" for line in str(message).splitlines()))
 
 

@@ -1,17 +1,17 @@
 """Sums of exp(-gap/rho) over the window of every contact of an array, smooth or rough sphere.
 
 The gap of a pixel is g = y - u - z in nm: sphere y, its roughness u (positive towards the
-substrate) and substrate z. On a smooth sphere exp(-y/rho) is a product of one factor an axis, so
+substrate) and substrate z. On a smooth sphere exp(-y/rho) is a product of one factor per axis, so
 the sums of all contacts are one matrix product, G exp(z/rho) G^T, where G is exp(-y/rho) along an
 axis for every contact. On a rough sphere they are the correlation of exp(z/rho) with the kernel
 exp((u - y)/rho).
 
-These sums exclude the contact pixels, which `pull_off` adds with exp(0) = 1 each.
-`sums_by_subtraction` subtracts them from the sum over all pixels. This is fast, but contact pixels
-weigh exp(penetration/rho) there, so that digits are lost. At short ranges and on rough spheres
-`_sums_by_omission` therefore leaves out the contact pixels of all contacts, and then adds to each
-contact the pixels of the others. Exponentials are relative to the highest points of z and u, so
-that none overflows.
+These sums exclude the contact pixels, which `pull_off` adds with exp(0) = 1 each. There are two
+ways. `sums_by_subtraction` sums over all pixels and subtracts the contact pixels. This is fast, but
+a contact pixel that penetrates by d has the term exp(d/rho), so that the difference loses digits if
+d is much larger than rho. At short ranges and on rough spheres `_sums_by_omission` therefore sums
+without the contact pixels of any contact, then adds to each contact the pixels of the others.
+Exponentials are relative to the highest points of z and u, so that none overflows.
 """
 
 from collections.abc import Sequence
@@ -48,9 +48,12 @@ def outside_sums(
     """
     all_ranges = np.asarray(ranges, float)
     sums = np.empty((len(all_ranges), *[len(bodies.geometry.positions)] * 2))
-    subtract = _are_shallow(bodies, contact_pixels, all_ranges)
+    are_shallow = _are_shallow(bodies, contact_pixels, all_ranges)
     with LIBRARIES.limit(limits=1, user_api="blas"):
-        for is_chosen, method in ((subtract, sums_by_subtraction), (~subtract, _sums_by_omission)):
+        for is_chosen, method in (
+            (are_shallow, sums_by_subtraction),
+            (~are_shallow, _sums_by_omission),
+        ):
             if is_chosen.any():
                 sums[is_chosen] = method(bodies, contact_pixels, all_ranges[is_chosen].tolist())
     return sums

@@ -38,7 +38,7 @@ def draw(
     published_constants: pd.DataFrame,
     published_pull_off: pd.DataFrame,
 ) -> Figure:
-    """Draw Fig. 3: one column a substrate, linear axes above and logarithmic axes below."""
+    """Draw Fig. 3: one column per substrate, linear axes above and logarithmic axes below."""
     plastic_fit = fit.sel(contact_model=PLASTIC)
     floor = fit.attrs["force_floor"]
     pairs: dict[str, FitPair] = {"published": published_constants["value"], "fitted": plastic_fit}

@@ -64,7 +64,7 @@ def draw(
 
 
 def _legend_handles(fit: xr.Dataset, published_constants: pd.DataFrame) -> list[Artist]:
-    """Return one entry a surface and one for each kind of line and symbol of panels b and c."""
+    """Return one entry per surface and one for each kind of line and symbol of panels b and c."""
     confidence = format_share(fit.attrs["confidence"])
     published = published_constants["value"]["range_of_adhesion"]
     fit_label = "at the best fit, " + style.print_pair(fit).replace(", ", ",\n")

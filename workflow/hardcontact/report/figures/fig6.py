@@ -82,7 +82,7 @@ def _draw_changes(axes: Axes, change: xr.Dataset, tolerance: float) -> None:
 
 
 def _legend_handles(edges: xr.Dataset, short: float, long: float) -> list[Artist]:
-    """Return one entry a group and one for each kind of line."""
+    """Return one entry per group and one for each kind of line."""
     confidence = format_share(edges.attrs["confidence"])
     tolerance = format_share(edges.attrs["tolerance"])
     return [

@@ -51,7 +51,7 @@ def _draw_band_ratios(axes: Axes, ratios: xr.Dataset, tolerance: float) -> None:
 
 
 def _legend_handles(sensitivity: xr.Dataset, tolerance: float) -> list[Artist]:
-    """Return one entry a surface and one for each kind of mark."""
+    """Return one entry per surface and one for each kind of mark."""
     confidence = format_share(sensitivity.attrs["confidence"])
     return [
         *style.surface_handles(sensitivity),

@@ -151,7 +151,7 @@ def _draw_profiles(
 
 
 def _legend_handles(topography: xr.Dataset, band: Sequence[float]) -> list[Artist]:
-    """Return one entry a surface and one for each kind of mark."""
+    """Return one entry per surface and one for each kind of mark."""
     labels = topography["label"]
     short, long = (format_length(edge) for edge in band)
     return [
