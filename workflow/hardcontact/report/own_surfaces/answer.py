@@ -102,7 +102,7 @@ def own_answer(datasets: Datasets, setting: Setting) -> dict[str, Any]:
 
 
 def _chosen_inputs(force: xr.Dataset, setting: Setting) -> list[str]:
-    """Return the inputs that the scans forced: the shortest range of adhesion that they permit."""
+    """Return the names of inputs that are the least that the scans permit: the range, or none."""
     ranges = force["rho"].values
     is_shortest = len(ranges) > 1 and np.isclose(force.attrs["rho"], ranges.min())
     return [RANGE] if is_shortest and RANGE not in setting.assumed else []
@@ -133,17 +133,19 @@ def _surface_answer(
     named_numbers = numbers_by_name(*numbers)
     surface_cautions = cautions(data, named_numbers)
     edges = [named_numbers[name] for name in EDGES.values()]
-    to_scan = next_scans(edges, data.spectra)
+    new_scans = next_scans(edges, data.spectra)
     numbers += [
         *_caution_numbers(surface_cautions),
-        *[number._replace(name=f"{edge}_{code}_limit") for edge, code, number, _ in to_scan],
+        *[number._replace(name=f"{edge}_{code}_limit") for edge, code, number, _ in new_scans],
         *_topography_numbers(data.topography),
         *_measurement_numbers(data.spectra),
     ]
     named_numbers = numbers_by_name(*numbers)
     source = str(data.topography["source"].item())
     conclusion = surface_conclusion(named_numbers)
-    return SurfaceAnswer(name, label, source, named_numbers, conclusion, surface_cautions, to_scan)
+    return SurfaceAnswer(
+        name, label, source, named_numbers, conclusion, surface_cautions, new_scans
+    )
 
 
 def _octave_numbers(data: Datasets) -> Iterator[Number]:
@@ -158,8 +160,11 @@ def _octave_numbers(data: Datasets) -> Iterator[Number]:
 def _study_numbers(datasets: Datasets, setting: Setting) -> list[Number]:
     """Return the numbers of the whole study: settings and, with measured forces, the fit."""
     numbers = []
-    pair = {"range_of_adhesion": ("rho", "nm"), "work_of_adhesion": ("work_of_adhesion", "J m-2")}
-    for name, (attribute, unit) in pair.items():
+    attributes = {
+        "range_of_adhesion": ("rho", "nm"),
+        "work_of_adhesion": ("work_of_adhesion", "J m-2"),
+    }
+    for name, (attribute, unit) in attributes.items():
         source = "assumed" if name.replace("_", " ") in setting.assumed else "given"
         numbers.append(Number(name, datasets.force.attrs[attribute], unit, source=source))
     for name in ("tolerance", "confidence"):
@@ -193,7 +198,7 @@ def _notes(
 
 
 def _fit_text(numbers: Mapping[str, Number]) -> str:
-    """Return the fit in words: ranges and works that agree with all forces; nothing without any."""
+    """Return the fit to measured forces in words, an empty text without measured forces."""
     return render_text("own_fit.txt", n=numbers) if "fit_range" in numbers else ""
 
 

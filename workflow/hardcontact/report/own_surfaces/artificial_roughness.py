@@ -1,4 +1,7 @@
-"""Wavelengths at which no scan is reliable, so that roughness there is artificial."""
+"""Wavelengths at which no scan is reliable, and how much of a number rests on them.
+
+Roughness at these wavelengths is artificial: random, with an extrapolated spectrum.
+"""
 
 from collections.abc import Iterable
 
@@ -9,10 +12,10 @@ from hardcontact.inference.edges import computed_cutoffs
 from hardcontact.inference.octaves import have_middle_within
 from hardcontact.report.own_surfaces.datasets import Datasets
 
-#: Kinds of measurement; a substitute has a description instead. If a surface has fewer measurements
-#: than another, its datasets are padded.
+#: Kinds of measurement; a substitute has a description instead. The datasets of a surface with
+#: fewer measurements than another are padded, without a kind.
 MEASUREMENT_KINDS = ("map", "line scan", "description")
-#: Smallest share of a change that counts as the whole change.
+#: Smallest share of a change that counts as the whole change: a choice.
 NEARLY_ALL = 0.9
 #: Lengths of each measurement, in nm.
 MEASUREMENT_LENGTHS = ("size", "pixel_size", "shortest_reliable", "longest_reliable", "tip_radius")
@@ -25,8 +28,8 @@ def without_padding(spectra: xr.Dataset) -> xr.Dataset:
 
 def reliable_scans(spectra: xr.Dataset) -> xr.Dataset:
     """Return the spectra of one surface without measurements that are reliable nowhere."""
-    reliable = without_padding(spectra)
-    return reliable.isel(measurement=(reliable["reliable"].values == 1).any(axis=1))
+    measurements = without_padding(spectra)
+    return measurements.isel(measurement=(measurements["reliable"].values == 1).any(axis=1))
 
 
 def artificial_bands(spectra: xr.Dataset) -> list[tuple[float, float]]:
@@ -35,13 +38,11 @@ def artificial_bands(spectra: xr.Dataset) -> list[tuple[float, float]]:
     A band is a pair of its shortest and its longest wavelength (nm). The first begins at 0, the
     last ends at infinity; between them lie gaps between scans.
     """
-    reliable = reliable_scans(spectra)
-    ends = zip(
-        reliable["shortest_reliable"].values, reliable["longest_reliable"].values, strict=True
-    )
+    scans = reliable_scans(spectra)
+    ends = (scans[name].values.tolist() for name in ("shortest_reliable", "longest_reliable"))
     longest_covered = float(spectra["shortest_measured"])
     bands = [(0.0, longest_covered)]
-    for shortest, longest in sorted((float(low), float(high)) for low, high in ends):
+    for shortest, longest in sorted(zip(*ends, strict=True)):
         if shortest > longest_covered:
             bands.append((longest_covered, shortest))
         longest_covered = max(longest_covered, longest)
@@ -49,7 +50,7 @@ def artificial_bands(spectra: xr.Dataset) -> list[tuple[float, float]]:
 
 
 def fails_hindcast(data: Datasets, side: str) -> bool:
-    """Return whether artificial roughness changes the force where the scans show the true one."""
+    """Return whether artificial roughness in place of measured roughness changes the force."""
     fails = data.force.get("hindcast_fails")
     return fails is not None and fails.sel(side=side).item() == 1
 
@@ -60,7 +61,7 @@ def overlaps_any(low: float, high: float, bands: Iterable[tuple[float, float]]) 
 
 
 def shown_octaves(data: Datasets) -> np.ndarray:
-    """Return the mask (octave,) of octaves at whose middle a scan of one surface is reliable."""
+    """Return a mask (octave,) of the octaves at whose middle a scan of one surface is reliable."""
     octaves = data.sensitivity["octave"].values
     hidden = [have_middle_within(octaves, *band) for band in artificial_bands(data.spectra)]
     return np.asarray(np.logical_not(hidden).all(axis=0))
@@ -77,27 +78,28 @@ def parts_of_change(
     """
     side_edges = data.edges.sel(side=side)
     cutoffs = computed_cutoffs(side_edges["filtered_force_ratio"])
-    logarithm = np.log(side_edges["filtered_force_ratio"].sel(cutoff_wavelength=cutoffs).values)
-    none_removed = 0 if side == "short" else len(cutoffs)
+    log_ratio = np.log(side_edges["filtered_force_ratio"].sel(cutoff_wavelength=cutoffs).values)
+    # At the end of the extrapolated spectrum nothing is removed, and the ratio is one.
+    end_index = 0 if side == "short" else len(cutoffs)
     end = data.force["extrapolation_end"].sel(side=side).item()
-    wavelength = np.insert(cutoffs, none_removed, end)
-    logarithm = np.insert(logarithm, none_removed, 0.0)
+    wavelength = np.insert(cutoffs, end_index, end)
+    log_ratio = np.insert(log_ratio, end_index, 0.0)
     bands = artificial_bands(data.spectra)
     limits = max(shortest, wavelength[0]), min(longest, wavelength[-1])
     ends = np.unique(np.clip([*wavelength, *limits, *np.ravel(bands)], *limits))
-    change = np.abs(np.diff(np.interp(np.log(ends), np.log(wavelength), logarithm)))
+    change = np.abs(np.diff(np.interp(np.log(ends), np.log(wavelength), log_ratio)))
     middle = np.sqrt(ends[1:] * ends[:-1])
     artificial = np.any([(low < middle) & (middle < high) for low, high in bands], axis=0)
     return float(change[~artificial].sum()), float(change[artificial].sum())
 
 
 def reliable_share(parts: tuple[float, float]) -> float:
-    """Return the reliable share of the two `parts_of_change`, NaN if the force does not change."""
+    """Return the share of reliable wavelengths in `parts_of_change`, NaN without any change."""
     return parts[0] / sum(parts) if sum(parts) > 0 else np.nan
 
 
 def measured_share_at_edge(data: Datasets, side: str) -> float:
-    """Return the reliable share of the change of the force at an edge, NaN for an open edge."""
+    """Return the share of reliable wavelengths in the change at an edge, NaN for an open edge."""
     edge = data.edges["edge"].sel(side=side).item()
     ends = (0.0, edge) if side == "short" else (edge, np.inf)
     return np.nan if np.isnan(edge) else reliable_share(parts_of_change(data, side, *ends))
@@ -132,4 +134,4 @@ def measurement_name(measurement: xr.Dataset) -> str:
 def split_scans(measurements: xr.Dataset) -> list[xr.Dataset]:
     """Return a dataset for each measurement."""
     count = measurements.sizes["measurement"]
-    return [measurements.isel(measurement=number) for number in range(count)]
+    return [measurements.isel(measurement=index) for index in range(count)]

@@ -1,4 +1,4 @@
-"""The force on one surface relative to that on another, and the octaves that make the ratio.
+"""The force on one surface relative to that on another, and the octaves that cause the ratio.
 
 Forces are proportional to the work of adhesion, so that their ratio holds for any work that both
 surfaces have. In logarithms, an octave contributes the change of its amplitude times the mean of
@@ -18,22 +18,21 @@ from hardcontact.report.own_surfaces.datasets import Datasets, forces_at_range
 from hardcontact.report.quantities import number_of
 from hardcontact.surfaces.spectrum import spectrum_of_dataset
 
-#: Wavevectors of an octave, at which its power is summed.
-POINTS = 33
+#: Wavevectors per octave at which a spectrum is integrated.
+WAVEVECTORS_PER_OCTAVE = 33
 
 
 def comparison_numbers(data: Datasets, reference: Datasets) -> Iterator[Number]:
-    """Yield the force on a surface relative to that on another, and the octaves that make it.
+    """Yield the ratio of the forces on a surface and a reference, and the octaves that cause it.
 
     ``force_over_reference_octave_1`` is the shortest wavelength of the octave that contributes most
-    to the ratio, ``force_over_reference_octave_1_factor`` its part. Scans of both surfaces are
-    independent: the errors of the logarithms of both forces are added in squares.
+    to the ratio, and ``force_over_reference_octave_1_factor`` is its factor in the ratio. The scans
+    are independent, so that the errors of the logarithms of both forces add in squares.
     """
-    forces = [forces_at_range(surface.force) for surface in (data, reference)]
-    force, reference_force = (number_of(surface_forces, "force") for surface_forces in forces)
+    force = number_of(forces_at_range(data.force), "force")
+    reference_force = number_of(forces_at_range(reference.force), "force")
     ratio = force.value / reference_force.value
-    ends = [_log_distances(number) for number in (force, reference_force)]
-    below, above = np.hypot(ends[0], ends[1][::-1])
+    below, above = np.hypot(_log_distances(force), _log_distances(reference_force)[::-1])
     low, high = float(ratio * np.exp(-below)), float(ratio * np.exp(above))
     status = Status.PLAIN if np.isfinite([low, high]).any() else Status.NO_INTERVAL
     yield Number("force_over_reference", ratio, "1", low, high, status)
@@ -54,7 +53,7 @@ def _log_distances(number: Number) -> Floats:
 
 
 def octave_contributions(data: Datasets, reference: Datasets) -> tuple[Floats, Floats]:
-    """Return octaves (nm) that scans of both surfaces show, and their parts of ln(F/F')."""
+    """Return octaves (nm) that scans of both surfaces show, and their contributions to ln(F/F')."""
     is_shown = shown_octaves(data) & shown_octaves(reference)
     octaves = data.sensitivity["octave"].values[is_shown]
     surfaces = (data, reference)
@@ -70,5 +69,5 @@ def octave_contributions(data: Datasets, reference: Datasets) -> tuple[Floats, F
 def _octave_amplitudes(data: Datasets, octaves: Floats) -> Floats:
     """Return the rms heights (octave,) in nm of the waves of each octave of one surface."""
     spectrum = spectrum_of_dataset(data.spectra)
-    q = 2 * np.pi / octaves[:, None] * np.geomspace(0.5, 1, POINTS)
+    q = 2 * np.pi / octaves[:, None] * np.geomspace(0.5, 1, WAVEVECTORS_PER_OCTAVE)
     return np.asarray(np.sqrt(np.trapezoid(q * spectrum(q), q) / (2 * np.pi)))

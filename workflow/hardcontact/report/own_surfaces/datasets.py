@@ -24,12 +24,10 @@ class Datasets(NamedTuple):
 
     def select_surface(self, surface: str) -> "Datasets":
         """Return the datasets of one surface, with the fit to the forces of all surfaces."""
-        return Datasets(*(dataset.sel(surface=surface) for dataset in self[:5]))._replace(
-            fit=self.fit
-        )
+        return Datasets(*(dataset.sel(surface=surface) for dataset in self[:5]), fit=self.fit)
 
     def labels(self) -> dict[str, str]:
-        """Return the printed name of each surface with a band; a substitute is called so."""
+        """Return the printed name of each surface with a band, with a mark on substitutes."""
         topography = self.topography.sel(surface=self.edges["surface"])
         names = (topography[name].values for name in ("surface", "label", "source"))
         return {
@@ -45,7 +43,7 @@ class Setting(NamedTuple):
     effort: str  #: full or quick.
     #: Inputs of the contacts as printed, such as "radius of the sphere": "250 µm".
     contact_words: Mapping[str, str]
-    #: Names of those inputs that the user did not give, so that they are the paper's.
+    #: Names of those inputs that have the paper's value, because the user gave none.
     assumed: Sequence[str]
     version: str  #: Version of the software.
     #: Pairs of range and work of adhesion, rows of resources/adhesion/pairs.csv.
@@ -59,7 +57,7 @@ def preferred_model(force: xr.Dataset) -> str:
 
 
 def stored_tabor_number(force: xr.Dataset) -> Number:
-    """Return the Tabor parameter of the contacts, NaN where the modulus is not known."""
+    """Return the Tabor parameter of the contacts, NaN if their modulus is not known."""
     return Number("tabor_parameter", force.attrs["tabor_parameter"], status=force.attrs["bodies"])
 
 

@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
+from hardcontact.base.arrays import Floats
 from hardcontact.base.number import Number, Status
 from hardcontact.contact.hertz_jkr_dmt import dmt_pull_off
 from hardcontact.report.own_surfaces.artificial_roughness import (
@@ -21,7 +22,7 @@ from hardcontact.surfaces.synthesis import SIDES
 
 
 def add_status(number: Number, source: xr.DataArray) -> Number:
-    """Return a number; if it has no interval, its status says why."""
+    """Return a number with a status that says why it has no interval, if it has none."""
     is_bounded = np.isfinite([number.low, number.high]).any()
     if is_bounded or number.status not in ("", Status.NO_INTERVAL):
         return number
@@ -55,10 +56,9 @@ def force_numbers(data: Datasets) -> list[Number]:
 
 
 def _change_from_smooth(data: Datasets) -> Number:
-    """Return the share of the decrease of the force that reliable wavelengths cause.
+    """Return the share of reliable wavelengths in the decrease below a smooth sphere's force.
 
-    The force decreases from the force of a smooth sphere. The source is "measured" if artificial
-    wavelengths change the force by no more than the tolerance.
+    The source is "measured" if artificial wavelengths change the force by at most the tolerance.
     """
     reliable, artificial = parts_of_change(data, "short")
     share = reliable_share((reliable, artificial))
@@ -69,7 +69,7 @@ def _change_from_smooth(data: Datasets) -> Number:
 
 
 def _extrapolated_forces(data: Datasets) -> list[Number]:
-    """Return the forces that extrapolated roughness changes, with the wavelengths it spans."""
+    """Return the forces with extrapolated roughness, and the wavelengths at which it is added."""
     numbers = []
     for side in differing_sides(data.force):
         force = data.force.sel(side=side)
@@ -84,15 +84,15 @@ def _extrapolated_forces(data: Datasets) -> list[Number]:
 
 
 def differing_sides(data: xr.Dataset) -> list[str]:
-    """Return the sides on which extrapolated roughness changes the force beyond its interval."""
+    """Return the sides at which extrapolated roughness changes the force, as force.nc states."""
     return [side for side in SIDES if data["extrapolation_matters"].sel(side=side).item() == 1]
 
 
 def extrapolated_number(side_data: xr.Dataset, variable: str, name: str, data: Datasets) -> Number:
     """Return the force, or the work of adhesion, with roughness extrapolated at one side.
 
-    It has no value if the hindcast fails or, at the short side, if the scans do not tell how the
-    spectrum goes on.
+    It has no value if the hindcast fails. At the short side, it has none if no exponent could be
+    fitted to the spectrum.
     """
     number = number_of(side_data, variable, name=name, source="extrapolated")
     side = str(side_data["side"].item())
@@ -104,15 +104,19 @@ def extrapolated_number(side_data: xr.Dataset, variable: str, name: str, data: D
     return number
 
 
+def _logarithmic_curve(force: xr.Dataset) -> tuple[Floats, Floats]:
+    """Return ln(range) and ln(force) at the computed ranges, by the preferred contact model."""
+    model_forces = force.sel(contact_model=preferred_model(force))
+    return np.log(model_forces["rho"].values), np.log(model_forces["force"].values)
+
+
 def _sensitivity(force: xr.Dataset) -> float:
     """Return d ln F/d ln rho at the configured range, NaN if no other range was computed."""
-    model_forces = force.sel(contact_model=preferred_model(force))
-    rho = np.log(model_forces["rho"].values)
-    forces = np.log(model_forces["force"].values)
-    if len(rho) < 2:
+    log_ranges, log_forces = _logarithmic_curve(force)
+    if len(log_ranges) < 2:
         return np.nan
-    nearest = np.abs(rho - np.log(force.attrs["rho"])).argmin()
-    return float(np.gradient(forces, rho)[nearest])
+    nearest = np.abs(log_ranges - np.log(force.attrs["rho"])).argmin()
+    return float(np.gradient(log_forces, log_ranges)[nearest])
 
 
 def pair_numbers(force: xr.Dataset, pairs: Sequence[Mapping[str, Any]]) -> list[Number]:
@@ -123,15 +127,13 @@ def pair_numbers(force: xr.Dataset, pairs: Sequence[Mapping[str, Any]]) -> list[
     pair has no number.
     """
     configured = force.attrs["rho"], force.attrs["work_of_adhesion"]
-    model_forces = force.sel(contact_model=preferred_model(force))
-    ranges = np.log(model_forces["rho"].values)
-    forces = np.log(model_forces["force"].values)
+    log_ranges, log_forces = _logarithmic_curve(force)
     numbers = []
     for pair in pairs:
         rho, work = pair["range_of_adhesion_nm"], pair["work_of_adhesion_J_m2"]
         if np.allclose(configured, (rho, work), rtol=1e-6):
             continue
-        pair_force = np.exp(np.interp(np.log(rho), ranges, forces, np.nan, np.nan))
+        pair_force = np.exp(np.interp(np.log(rho), log_ranges, log_forces, np.nan, np.nan))
         name = f"force_of_pair_{pair['pair']}"
         numbers += [
             Number(name, float(pair_force * work / configured[1]), "N"),
@@ -152,13 +154,13 @@ def measured_numbers(fit: xr.Dataset, data: Datasets) -> list[Number]:
 
     The datasets and the fit hold this surface alone.
     """
-    at_range = fit.sel(rho_fine=fit.attrs["assumed_range"], method="nearest")
+    fit_at_range = fit.sel(rho_fine=fit.attrs["assumed_range"], method="nearest")
     numbers = [
         number_of(fit, "measured_force", source="measured"),
         Number("measured_force_tests", int(fit["test_count"].item())),
         Number("measured_force_sites", int(fit["site_count"].item())),
         Number("measured_force_looks_repeated", int(fit["look_repeated"].item())),
-        number_of(at_range, "work_by_range", name="measured_work", source="from_measured"),
+        number_of(fit_at_range, "work_by_range", name="measured_work", source="from_measured"),
     ]
     for side in differing_sides(fit):
         side_fit = fit.sel(side=side)
@@ -204,10 +206,10 @@ def fit_numbers(fit: xr.Dataset) -> list[Number]:
 
 def _widest_gap(rho: np.ndarray, agrees: np.ndarray) -> Number:
     """Return the ranges (nm) that agree on both sides of the widest gap of a region."""
-    agreeing = rho[agrees]
-    steps = np.diff(np.flatnonzero(agrees))
+    indices = np.flatnonzero(agrees)
+    steps = np.diff(indices)
     if not (steps > 1).any():
         return Number("fit_gap", np.nan, "nm")
     widest = steps.argmax()
-    low, high = agreeing[widest : widest + 2].tolist()
+    low, high = rho[indices[widest : widest + 2]].tolist()
     return number_without_value("fit_gap", low, high, "nm")
