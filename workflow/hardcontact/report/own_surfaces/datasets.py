@@ -24,7 +24,8 @@ class Datasets(NamedTuple):
 
     def select_surface(self, surface: str) -> "Datasets":
         """Return the datasets of one surface, with the fit to the forces of all surfaces."""
-        return Datasets(*(dataset.sel(surface=surface) for dataset in self[:5]), fit=self.fit)
+        surface_datasets = (dataset.sel(surface=surface) for dataset in self[:5])
+        return Datasets(*surface_datasets)._replace(fit=self.fit)
 
     def labels(self) -> dict[str, str]:
         """Return the printed name of each surface with a band, with a mark on substitutes."""
