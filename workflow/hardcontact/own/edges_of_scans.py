@@ -1,7 +1,7 @@
-"""The critical band of the user's surfaces, whose masters share few scans.
+"""The edges of the critical band of the user's surfaces, whose masters share few scans.
 
-The roughness of the surface goes on beyond the ends of the scans, so an edge before the first
-cutoff is open. Intervals come from parts of the scans.
+Real roughness goes on beyond the wavelengths of the scans, so an edge beyond the computed cutoffs
+is open. Intervals come from parts of the scans, because scans are few.
 """
 
 from operator import truediv
@@ -44,7 +44,9 @@ def edges_of_scans(
     zero to infinity if it is not bounded; ``interval_is_conditional`` is 1 if it is conditional on
     one or two scans. The error of the hindcast in sensitivity.nc widens the intervals.
     """
-    curves = summarize_masters(scales, master_scans, lambda forces: _ratios(forces, confidence))
+    curves = summarize_masters(
+        scales, master_scans, lambda forces: _force_ratios(forces, confidence)
+    )
     if "hindcast_ratio" in sensitivity:
         curves = _widen_ratios(curves, sensitivity["hindcast_ratio"])
     edges = edges_of_curves(curves, tolerance)
@@ -59,8 +61,8 @@ def edges_of_scans(
     )
 
 
-def _ratios(master_forces: MasterForces, confidence: float) -> xr.Dataset:
-    """Return the ratios of one surface and side, their intervals, and the intervals' source."""
+def _force_ratios(master_forces: MasterForces, confidence: float) -> xr.Dataset:
+    """Return the force ratios of one surface and side, with intervals and their source."""
     half = half_width_over_masters(master_forces, truediv, "log_ratio_shift", confidence)
     ratio = master_forces.forces.filtered_force_ratio.mean("realization").values
     interval = logarithmic_interval(ratio, half)
@@ -79,7 +81,8 @@ def _ratios(master_forces: MasterForces, confidence: float) -> xr.Dataset:
 def _widen_ratios(curves: xr.Dataset, hindcast_ratio: xr.DataArray) -> xr.Dataset:
     """Return ratios whose intervals contain the error of artificial roughness (surface, side).
 
-    The error of the logarithm of a ratio is limited to the logarithm itself.
+    The error in the logarithm of a ratio is at most this logarithm, so that a ratio of one, where
+    the filter changes nothing, has no error.
     """
     log_error = abs(np.log(hindcast_ratio.reindex(surface=curves["surface"]).fillna(1)))
     log_ratio = abs(np.log(curves["filtered_force_ratio"]))
@@ -87,7 +90,10 @@ def _widen_ratios(curves: xr.Dataset, hindcast_ratio: xr.DataArray) -> xr.Datase
 
 
 def _without_ripples(edges: xr.Dataset, has_ripples: xr.DataArray) -> xr.Dataset:
-    """Return edges without the short edges of surfaces on which the filter makes ripples."""
+    """Return edges without the short edges of surfaces on which the filter makes ripples.
+
+    Ripples are where removing short wavelengths lowers the force: less roughness should raise it.
+    """
     is_rippled = has_ripples.reindex(surface=edges["surface"], fill_value=False)
     is_kept = ~is_rippled | (edges["side"] != "short")
     kept_edges = edges.where(is_kept)

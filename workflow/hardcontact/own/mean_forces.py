@@ -1,7 +1,7 @@
-"""Mean forces on the user's scans and on masters made of them, with the parts that give intervals.
+"""Mean forces on the user's scans and on masters made of them, and the widths of their intervals.
 
-A master is a scan with artificial roughness, and each realization has its own roughness. The mean
-over realizations therefore varies with the scans and, on the same scans, with the random numbers.
+A master is a scan with artificial roughness, which differs between realizations. The mean over
+realizations therefore varies with the scans and, on the same scans, with the random numbers.
 """
 
 from collections.abc import Callable, Mapping
@@ -171,32 +171,31 @@ def half_width_over_masters(
 ) -> Floats:
     """Return the half width (...) of the interval of the logarithm of a mean over masters.
 
-    The statistic (realization, ...) takes the mean forces with and without a filter. Sources of
-    variance: (1) the jackknife over parts of scans; (2) if the parts are quarters, which share
-    their realizations, the variance of the mean over realizations; (3) if spectra were sampled, the
-    mean square of the variable `shift_name`, because another spectrum moves all realizations at
-    once. No mean of the shifts is estimated, so that each is a degree of freedom.
+    The statistic (realization, ...) takes the mean forces with and without a filter. Variances are
+    (1) the jackknife's over parts of scans; (2) if the parts are quarters, which share their
+    realizations, that of the mean over realizations; (3) if spectra were sampled, the mean square
+    of the variable `shift_name`, because another spectrum moves all realizations at once. No mean
+    of these shifts is estimated, so that each is a degree of freedom.
     """
+    forces, scan_parts = master_forces
 
     def contact_statistic(kept_contacts: xr.DataArray) -> xr.DataArray:
         """Return the statistic (realization, ...) over the kept contacts (realization, y, x)."""
-        filtered = master_forces.forces.pull_off_force.where(kept_contacts).mean(CONTACT_AXES)
-        unfiltered = master_forces.forces.unfiltered_pull_off_force.where(kept_contacts).mean(
-            CONTACT_AXES
-        )
+        filtered = forces.pull_off_force.where(kept_contacts).mean(CONTACT_AXES)
+        unfiltered = forces.unfiltered_pull_off_force.where(kept_contacts).mean(CONTACT_AXES)
         return statistic(filtered, unfiltered).transpose("realization", ...)
 
-    logarithms = delete_one_logarithms(
-        master_forces.scan_parts,
+    delete_one_log_means = delete_one_logarithms(
+        scan_parts,
         "realization",
         lambda kept_contacts: contact_statistic(kept_contacts).mean("realization"),
     )
-    variances = [jackknife_variance(logarithms, master_forces.scan_parts)]
-    count = master_forces.forces.sizes["realization"]
-    if master_forces.scan_parts.are_quarters and count > 1:
+    variances = [jackknife_variance(delete_one_log_means, scan_parts)]
+    count = forces.sizes["realization"]
+    if scan_parts.are_quarters and count > 1:
         logarithms = np.log(contact_statistic(xr.DataArray(True)).values)
         variances.append(Variance(logarithms.var(axis=0, ddof=1) / count, count - 1))
-    shifts = master_forces.forces.get(shift_name)
+    shifts = forces.get(shift_name)
     if shifts is not None and shifts.notnull().any():
         variances.append(Variance((shifts**2).mean("realization").values, count))
     return half_width(variances, confidence)

@@ -1,4 +1,4 @@
-"""The octaves of wavelengths whose amplitudes change the force most, on a scan or a spectrum."""
+"""The octaves of wavelengths whose amplitudes change the force most, on a map or in closed form."""
 
 from collections.abc import Iterator
 

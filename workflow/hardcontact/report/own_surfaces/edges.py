@@ -1,4 +1,4 @@
-"""The edges of the band of a user's surface, the conclusion from its scans, what to measure."""
+"""The edges of the critical band of a user's surface, a conclusion, and what to measure next."""
 
 from collections.abc import Iterable, Mapping
 from typing import NamedTuple
@@ -32,7 +32,7 @@ EDGE_SOURCES = {
 
 
 class NextScan(NamedTuple):
-    """A measurement to make next: scans beyond `limit` (nm) would find the edge."""
+    """A measurement to make next: scans reliable beyond `limit` (nm) would find an edge."""
 
     edge: str  #: short_edge or long_edge.
     code: str  #: finer or larger.
@@ -62,11 +62,11 @@ class Conclusion(NamedTuple):
 
 
 def interval_status(source: xr.DataArray) -> Status:
-    """Return the status of a number without interval: few patches touch, or no scan bounds it."""
+    """Return why a number has no interval: few patches touch, or scans do not bound it."""
     return Status.FEW_PATCHES if source.item() == Status.FEW_PATCHES else Status.NO_INTERVAL
 
 
-def edge_number(side_edges: xr.Dataset, name: str, source: str = "computed") -> Number:
+def edge_number(side_edges: xr.Dataset, name: str, source: str) -> Number:
     """Return an edge in nm with its interval, or the bound on an open edge.
 
     `side_edges` is the part of edges.nc at one side of one surface.
@@ -80,9 +80,9 @@ def edge_number(side_edges: xr.Dataset, name: str, source: str = "computed") -> 
 
 
 def resolves_nothing(edges: xr.Dataset) -> bool:
-    """Return whether no cutoff changes the force on one surface: it is that on a smooth surface."""
-    short, long = [edge_number(edges.sel(side=side), EDGES[side]) for side in SIDES]
-    return (short.status, long.status) == (Status.OPEN_ABOVE, Status.OPEN_BELOW)
+    """Return whether no cutoff changes the force on one surface, as if the surface were smooth."""
+    statuses = edges["edge_status"].sel(side=list(SIDES)).values.tolist()
+    return bool(statuses == [Status.OPEN_ABOVE, Status.OPEN_BELOW])
 
 
 def edge_numbers(data: Datasets) -> list[Number]:
@@ -102,8 +102,8 @@ def edge_numbers(data: Datasets) -> list[Number]:
 def _known_ends(data: Datasets, side: str) -> Number:
     """Return an edge without the ends of its interval at artificial wavelengths.
 
-    It has no value if the filter ripples, or if the hindcast fails: the force that it compares with
-    has artificial roughness.
+    It has no value if the filter makes ripples. It has none if the hindcast fails, because the
+    unfiltered force then rests on artificial roughness that is wrong.
     """
     status = data.edges["edge_status"].sel(side=side).item()
     if status != Status.RIPPLES and fails_hindcast(data, side):
@@ -111,11 +111,10 @@ def _known_ends(data: Datasets, side: str) -> Number:
     source = EDGE_SOURCES[classify_edge(data, side)]
     edge = edge_number(data.edges.sel(side=side), EDGES[side], source)
     bands = artificial_bands(data.spectra)
-    low, high = edge.low, edge.high
-    if edge.source == "artificial" or overlaps_any(low, low, bands):
-        low = np.nan
-    if edge.source == "artificial" or overlaps_any(high, high, bands):
-        high = np.nan
+    low, high = (
+        np.nan if edge.source == "artificial" or overlaps_any(end, end, bands) else end
+        for end in (edge.low, edge.high)
+    )
     status = edge.status
     if not status and not np.isfinite([low, high]).any():
         status = interval_status(data.edges["interval_source"])
@@ -130,7 +129,7 @@ def _cutoffs_around(edge: Number, side_edges: xr.Dataset) -> Number:
 
 
 def next_scans(edges: Iterable[Number], spectra: xr.Dataset) -> list[NextScan]:
-    """Return one measurement to make next for each edge that is open or extrapolated."""
+    """Return a measurement to make next for each edge that is open or extrapolated."""
     return [
         _next_scan(edge, spectra)
         for edge in edges

@@ -81,8 +81,7 @@ def draw_octaves(datasets: Datasets) -> Figure:
         shares = [[sphere_share(spectrum, middle) for middle in middles] for spectrum in spectra]
         sensitivity = sensitivity.assign(sphere_share=(("surface", "octave"), shares))
         handles.append(Patch(**panels.SPHERE_SHARE_LOOK, label="the sphere's share of the power"))
-    figure = Figure(figsize=(PAGE_WIDTH, 3.0), layout="constrained")
-    axes = figure.subplots()
+    figure, axes = _single_panel(3.0)
     panels.draw_octaves(axes, sensitivity.assign(is_shown=(("surface", "octave"), is_shown)))
     low, high = axes.get_ylim()
     limit = MAX_OCTAVE_MARGIN * float(np.abs(sensitivity["octave_sensitivity"]).max())
@@ -121,7 +120,7 @@ def draw_cutoffs(datasets: Datasets) -> Figure:
             _draw_curve(axes, cutoffs, curve, look | {"color": colour, "label": label})
         panels.draw_tolerance(axes, datasets.edges.attrs["tolerance"])
         known_sides = [side for side in SIDE_LOOKS if not fails_hindcast(data, side)]
-        known_edges = data.edges["edge"].sel(side=known_sides).values
+        known_edges = data.edges["edge"].sel(side=known_sides).values.tolist()
         _mark_positions(axes, known_edges, "edges of the band")
         _set_logarithmic_axes(axes, "cutoff wavelength (nm)", "force / unfiltered force", cutoffs)
         style.end_near_values([axes])
@@ -143,8 +142,8 @@ def draw_spectra(datasets: Datasets) -> Figure:
         all_measurements = without_padding(data.spectra)
         has_data = np.isfinite(all_measurements["psd"].values).any(axis=0)
         shows_unreliable = all_measurements.sizes["measurement"] <= MAX_UNRELIABLE_CURVES
-        marked_measurements = zip(split_scans(all_measurements), cycle(style.MARKERS), strict=False)
-        for measurement, marker in marked_measurements:
+        measurements = split_scans(all_measurements)
+        for measurement, marker in zip(measurements, cycle(style.MARKERS), strict=False):
             _draw_measurement(axes, wavelengths, measurement, marker, shows_unreliable)
         used_density = _used_spectrum(data.spectra)[has_data]
         joined_density = data.spectra["joined_psd"].values[has_data]
@@ -165,8 +164,7 @@ def draw_forces(datasets: Datasets) -> Figure:
     labels = datasets.labels()
     answer_model = preferred_model(force)
     models = sorted(force["contact_model"].values.tolist(), key=lambda name: name != answer_model)
-    figure = Figure(figsize=(PAGE_WIDTH, 3.4), layout="constrained")
-    axes = figure.subplots()
+    figure, axes = _single_panel(3.4)
     ranges = force["rho"].values
     forces = value_and_interval(force, "force") / style.MICRONEWTON
     for surface, surface_look in style.looks(labels).items():
@@ -191,15 +189,14 @@ def draw_works(datasets: Datasets) -> Figure:
     names = fit["surface"].values.tolist()
     rho = fit["rho_fine"].values
     looks = style.looks(labels)
-    figure = Figure(figsize=(PAGE_WIDTH, 3.4), layout="constrained")
-    axes = figure.subplots()
+    figure, axes = _single_panel(3.4)
     works = value_and_interval(fit, "work_by_range") / style.MILLIJOULE
     for name in names:
         _draw_curve(axes, rho, works.sel(surface=name), looks[name] | {"label": labels[name]})
     low, high = fit["region"].values.T / style.MILLIJOULE
     if len(names) > 1 and np.isfinite([low, high]).any():
-        ends = {"value": np.sqrt(low * high), "low": low, "high": high}
-        region = xr.Dataset({name: ("rho", values) for name, values in ends.items()})
+        curves = {"value": np.sqrt(low * high), "low": low, "high": high}
+        region = xr.Dataset({name: ("rho", values) for name, values in curves.items()})
         _draw_curve(axes, rho, region, FITS_ALL_LOOK)
     _finish_over_range(figure, rho, fit.attrs["assumed_range"], "work of adhesion (mJ/m²)")
     return figure
@@ -224,6 +221,12 @@ def _surface_panels(
     colours = style.colours(labels)
     surface_datasets = [datasets.select_surface(surface) for surface in labels]
     return figure, zip(column, colours.values(), surface_datasets, strict=True)
+
+
+def _single_panel(height: float) -> tuple[Figure, Axes]:
+    """Return a figure with one panel; its height is in inches."""
+    figure = Figure(figsize=(PAGE_WIDTH, height), layout="constrained")
+    return figure, figure.subplots()
 
 
 def _titled_panels(titles: Collection[str], height: float) -> tuple[Figure, np.ndarray]:
@@ -267,7 +270,7 @@ def _draw_measurement(
 
 
 def _used_spectrum(spectra: xr.Dataset) -> np.ndarray:
-    """Return the spectrum (nm⁴) of added roughness at the measured bins, NaN where it is zero."""
+    """Return the spectrum (nm⁴) of the masters at the measured bins, NaN where it is zero."""
     with np.errstate(divide="ignore"):
         logarithm = np.log(spectra["spectrum"].values)
     bins = np.log(spectra["bin_wavevector"])
@@ -279,16 +282,16 @@ def _draw_curve(axes: Axes, x: np.ndarray, curve: xr.Dataset, look: style.Look) 
     """Draw the finite values of a curve, and the band between the ends of its intervals, if any."""
     is_finite = np.isfinite(curve["value"].values)
     finite_curve = curve.isel({curve["value"].dims[0]: is_finite})
-    every = max(1, is_finite.sum() // MARKED_POINTS)
-    marked: style.Look = look | {"ms": 2.5, "markevery": every}
-    axes.plot(x[is_finite], finite_curve["value"], **marked)
+    marker_step = max(1, is_finite.sum() // MARKED_POINTS)
+    marked_look: style.Look = look | {"ms": 2.5, "markevery": marker_step}
+    axes.plot(x[is_finite], finite_curve["value"], **marked_look)
     if "low" in curve:
         panels.draw_band(axes, x[is_finite], finite_curve, look["color"])
 
 
-def _mark_positions(axes: Axes, positions: Sequence[float] | np.ndarray, label: str) -> None:
+def _mark_positions(axes: Axes, positions: Sequence[float], label: str) -> None:
     """Mark finite positions on the x axis by dashed lines, and name them."""
-    for position in np.asarray(positions, float)[np.isfinite(positions)]:
+    for position in filter(np.isfinite, positions):
         axes.axvline(position, color="0.4", lw=1, ls="--", zorder=0.6, label=label)
 
 
