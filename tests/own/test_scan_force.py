@@ -18,7 +18,7 @@ from hardcontact.commands.predict import predict, predict_arguments
 from hardcontact.contact.geometry import contact_positions, window_pixels
 from hardcontact.own import scan_force
 from hardcontact.own.own_spectrum import OwnSpectrum
-from hardcontact.own.scan_force import add_force_on_scan, contact_on_scan
+from hardcontact.own.scan_force import contact_on_scan, force_on_scan
 from hardcontact.scans.joined_spectrum import joined_spectrum, reliable_spectrum
 from hardcontact.surfaces.height_map import mirror_in_float32
 from hardcontact.surfaces.levelling import level
@@ -155,7 +155,7 @@ def test_a_force_that_is_not_computed_has_a_reason():
         ([scan], short_range, "short_range"),
     ):
         own_spectrum = OwnSpectrum(spectrum, (), tuple(scans))
-        numbers = add_force_on_scan({}, own_spectrum, contact, 0.95)
+        numbers = force_on_scan(own_spectrum, contact, 0.95)
         assert numbers["force_on_scan"].status == status
         assert np.isnan(numbers["force_on_scan"].value)
-    assert add_force_on_scan({}, OwnSpectrum(spectrum, ()), CONTACT, 0.95) == {}
+    assert force_on_scan(OwnSpectrum(spectrum, ()), CONTACT, 0.95) == {}

@@ -5,7 +5,7 @@ beyond the wavelengths of the scans, because the microscope does not show all of
 """
 
 from collections.abc import Mapping, Sequence
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 import xarray as xr
@@ -198,8 +198,15 @@ def _force_variables(
     ).transpose(*dimensions, "quantile")
     scan_parts = forces_by_model[0].scan_parts[np.abs(forces.rho.values - rho).argmin()]
     contact_count = np.prod([forces.sizes[axis] for axis in CONTACT_AXES])
+    variables = with_interval("force", dimensions, mean, np.array(intervals), NEWTON, confidence)
+    half_widths = [
+        position_half_width(model_forces, confidence) for model_forces in forces_by_model
+    ]
+    if half_widths[0] is not None:  # The sphere is rough, and its position is not known.
+        factor = np.exp(np.array(half_widths))
+        variables["position_factor"] = (dimensions, factor, DIMENSIONLESS)
     return xr.Dataset(
-        with_interval("force", dimensions, mean, np.array(intervals), NEWTON, confidence)
+        variables
         | {
             "force_quantile": ((*dimensions, "quantile"), quantiles.values, NEWTON),
             "interval_is_conditional": int(scan_parts.are_quarters),
@@ -208,21 +215,10 @@ def _force_variables(
             "contacts": ((), contact_count, DIMENSIONLESS),
             "touched_patches": ((), scan_parts.touched_patches, DIMENSIONLESS),
             "correlation_of_parts": ((), scan_parts.mean_correlation, DIMENSIONLESS),
-        }
-        | _position_factor(forces_by_model, confidence),
+        },
         {name: forces[name] for name in dimensions}
         | {"quantile": ("quantile", FORCE_QUANTILES, DIMENSIONLESS)},
     )
-
-
-def _position_factor(forces_by_model: Sequence[SurfaceForces], confidence: float) -> dict[str, Any]:
-    """Return ``position_factor`` (contact_model, rho), exp(half width of ln F), or nothing."""
-    half_widths = [position_half_width(forces, confidence) for forces in forces_by_model]
-    if half_widths[0] is None:
-        return {}
-    return {
-        "position_factor": (("contact_model", "rho"), np.exp(np.array(half_widths)), DIMENSIONLESS)
-    }
 
 
 def extrapolated_force(

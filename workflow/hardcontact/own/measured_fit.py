@@ -225,14 +225,8 @@ def add_extrapolated_work(fitted: xr.Dataset, force: xr.Dataset) -> xr.Dataset:
         JOULE_PER_M2,
         fitted.attrs["confidence"],
     )
-    return (
-        fitted.assign(variables)
-        .assign(
-            extrapolation_matters=surface_force.extrapolation_matters,
-            transition=surface_force.transition,
-        )
-        .assign_attrs(assumed_range=force.attrs["rho"])
-    )
+    variables |= {name: surface_force[name] for name in ("extrapolation_matters", "transition")}
+    return fitted.assign(variables).assign_attrs(assumed_range=force.attrs["rho"])
 
 
 def _logarithmic_errors(data: xr.Dataset, name: str) -> tuple[xr.DataArray, xr.DataArray]:

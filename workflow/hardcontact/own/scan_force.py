@@ -5,7 +5,7 @@ form fails.
 """
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -55,38 +55,40 @@ CLOSED_FORM_NAMES = [
 def prediction_and_scan_force(
     own_spectrum: OwnSpectrum, contact: Contact, tolerance: float, name: str = "spectrum"
 ) -> dict[str, Number]:
-    """Return the numbers of the closed form for a spectrum, and of the force on its only map."""
+    """Return the numbers of the closed form for a spectrum, and of the force on its only map.
+
+    If the closed form disagrees with the force on the map, its numbers lose their intervals.
+    """
     numbers = prediction(own_spectrum.spectrum, contact, tolerance, name)
-    return add_force_on_scan(numbers, own_spectrum, contact, Study().inference.confidence)
+    scan_numbers = force_on_scan(own_spectrum, contact, Study().inference.confidence)
+    form = scan_numbers.get("closed_form_on_scan")
+    if form is not None and form.status != Status.AGREES:
+        for quantity in numbers.keys() & set(CLOSED_FORM_NAMES):
+            number = numbers[quantity]._replace(low=math.nan, high=math.nan)
+            is_force = number.unit == "N" and math.isfinite(number.value)
+            numbers[quantity] = number._replace(status=Status.OUTSIDE) if is_force else number
+    return scan_numbers | numbers
 
 
-def add_force_on_scan(
-    numbers: Mapping[str, Number], own_spectrum: OwnSpectrum, contact: Contact, confidence: float
+def force_on_scan(
+    own_spectrum: OwnSpectrum, contact: Contact, confidence: float
 ) -> dict[str, Number]:
-    """Return the numbers of a prediction with those of the force summed over the pixels of the map.
+    """Return the force summed over the pixels of the only map, or why there is none.
 
-    The prediction for a table is returned as it is. The search size follows from the extrapolated
-    spectrum, as in a study. If the closed form disagrees with the force on the map, the prediction
-    loses its intervals.
+    A table has no numbers. The search size follows from the extrapolated spectrum, as in a study.
     """
     spectrum, _, scans, bodies = own_spectrum
     if not (scans and isinstance(spectrum, ScanSpectrum)):
-        return dict(numbers)
+        return {}
     status, shortest_range = reason_without_force(scans, contact)
-    if status:
-        scan_numbers = [Number("force_on_scan", math.nan, "N", status=status)]
-        if status == Status.RANGE_TOO_SHORT:
-            scan_numbers.append(Number("shortest_range", shortest_range, "nm"))
-    else:
+    if not status:
         search_width = search_size(spectrum.extrapolated(), contact.radius, contact.area)
-        scan_numbers = [*_scan_force_numbers(scans[0], bodies, contact, search_width, confidence)]
-    result = numbers_by_name(*scan_numbers) | dict(numbers)
-    if not status and result["closed_form_on_scan"].status != Status.AGREES:
-        for name in result.keys() & set(CLOSED_FORM_NAMES):
-            number = result[name]._replace(low=math.nan, high=math.nan)
-            has_force_status = number.unit == "N" and math.isfinite(number.value)
-            result[name] = number._replace(status=Status.OUTSIDE) if has_force_status else number
-    return result
+        numbers = _scan_force_numbers(scans[0], bodies, contact, search_width, confidence)
+        return numbers_by_name(*numbers)
+    no_force = numbers_by_name(Number("force_on_scan", math.nan, "N", status=status))
+    if status == Status.RANGE_TOO_SHORT:
+        no_force["shortest_range"] = Number("shortest_range", shortest_range, "nm")
+    return no_force
 
 
 def reason_without_force(

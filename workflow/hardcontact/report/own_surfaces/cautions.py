@@ -11,19 +11,10 @@ import xarray as xr
 from hardcontact.base.number import Number, Status, numbers_by_name
 from hardcontact.contact.finite_scan import MIN_WINDOW_SHARE, SMALLEST_SIZE_RATIO
 from hardcontact.contact.hertz_jkr_dmt import STRONGEST_WORK
+from hardcontact.report.own_surfaces import spectrum_cautions
 from hardcontact.report.own_surfaces.artificial_roughness import fails_hindcast
 from hardcontact.report.own_surfaces.datasets import Datasets, forces_at_range, stored_tabor_number
-from hardcontact.report.own_surfaces.spectrum_cautions import (
-    Caution,
-    blind_scans_caution,
-    contradiction_caution,
-    defect_cautions,
-    excess_roughness_caution,
-    long_wave_caution,
-    reading_cautions,
-    repeated_scan_cautions,
-    tail_caution,
-)
+from hardcontact.report.own_surfaces.spectrum_cautions import Caution
 from hardcontact.report.quantities import number_of, number_without_value
 from hardcontact.surfaces.synthesis import SIDES
 
@@ -40,10 +31,10 @@ def cautions(data: Datasets, numbers: Mapping[str, Number]) -> list[Caution]:
     The numbers of edges and forces are given by name.
     """
     possible_cautions = [
-        blind_scans_caution(data),
-        *defect_cautions(data.spectra, grave=True),
-        *reading_cautions(data.spectra),
-        *repeated_scan_cautions(data.spectra),
+        spectrum_cautions.blind_scans_caution(data),
+        *spectrum_cautions.defect_cautions(data.spectra, grave=True),
+        *spectrum_cautions.reading_cautions(data.spectra),
+        *spectrum_cautions.repeated_scan_cautions(data.spectra),
         _few_patches_caution(data.force),
         _soft_bodies_caution(data.force),
         _strong_work_caution(numbers),
@@ -54,13 +45,13 @@ def cautions(data: Datasets, numbers: Mapping[str, Number]) -> list[Caution]:
         _smooth_bound_caution(data.force, numbers),
         _conditional_intervals_caution(data.force),
         _sphere_positions_caution(numbers),
-        *defect_cautions(data.spectra, grave=False),
-        contradiction_caution(data.spectra),
-        excess_roughness_caution(data.spectra),
+        *spectrum_cautions.defect_cautions(data.spectra, grave=False),
+        spectrum_cautions.contradiction_caution(data.spectra),
+        spectrum_cautions.excess_roughness_caution(data.spectra),
         *_hindcast_cautions(data),
         Caution("ripples") if (data.edges["edge_status"] == Status.RIPPLES).any() else None,
-        tail_caution(data),
-        long_wave_caution(data),
+        spectrum_cautions.tail_caution(data),
+        spectrum_cautions.long_wave_caution(data),
         _small_window_caution(data),
     ]
     surface_cautions = [caution for caution in possible_cautions if caution is not None]

@@ -86,16 +86,9 @@ def reading_cautions(spectra: xr.Dataset) -> list[Caution]:
 def repeated_scan_cautions(spectra: xr.Dataset) -> list[Caution]:
     """Return a caution for each scan of an area that an earlier scan shows."""
     return [
-        Caution(
-            "repeated_scan",
-            grave=True,
-            texts={
-                "scan": measurement_name(measurement),
-                "earlier": str(measurement["earlier_scan"].item()),
-            },
-        )
-        for measurement in split_scans(without_padding(spectra))
-        if measurement["earlier_scan"].item()
+        Caution("repeated_scan", True, {}, {"scan": measurement_name(scan), "earlier": earlier})
+        for scan in split_scans(without_padding(spectra))
+        if (earlier := str(scan["earlier_scan"].item()))
     ]
 
 
