@@ -290,13 +290,13 @@ def bound_by_smooth_sphere(force: xr.Dataset, area: float) -> xr.Dataset:
     such bound. workflow/report/theory.md (Upper bound of the force) has the proof.
     """
     areas = area * (force["contact_model"] == PLASTIC)
-    work, radius = force.attrs["work_of_adhesion"], force.attrs["sphere_radius"]
+    work = force.attrs["work_of_adhesion"]
+    radius = force.attrs["sphere_radius"]
     bound = smooth_pull_off(work, radius, areas, force["rho"])
     plastic_bound = bound.sel(contact_model=PLASTIC, drop=True)
     master_bound = plastic_bound.sel(rho=force.attrs["rho"], method="nearest", drop=True)
     bounded = {"smooth_bound": bound.assign_attrs(NEWTON)}
-    limits = {"force": bound, "extrapolated_force": master_bound}
-    for name, limit in limits.items():
+    for name, limit in {"force": bound, "extrapolated_force": master_bound}.items():
         for variable in (name, f"{name}_interval"):
             bounded[variable] = xr.apply_ufunc(
                 limit_forces, force[variable], limit, keep_attrs=True

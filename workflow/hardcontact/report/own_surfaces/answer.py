@@ -70,9 +70,8 @@ class SurfaceAnswer(NamedTuple):
 def own_answer(datasets: Datasets, setting: Setting) -> dict[str, Any]:
     """Return the content of answer.json: a head, notes in words, and all numbers."""
     surfaces = surface_answers(datasets, setting)
-    study_numbers = _study_numbers(datasets, setting)
     chosen = _chosen_inputs(datasets.force, setting)
-    numbers = numbers_by_name(*study_numbers)
+    numbers = numbers_by_name(*_study_numbers(datasets, setting))
     fit_text = _fit_text(numbers)
     return {
         "study": setting.study,
@@ -96,7 +95,7 @@ def own_answer(datasets: Datasets, setting: Setting) -> dict[str, Any]:
         "surfaces": [_surface_head(surface, datasets.spectra) for surface in surfaces],
         "notes": _notes(surfaces, numbers, fit_text),
         "quantities": all_quantities(
-            study_numbers, {surface.name: surface.numbers.values() for surface in surfaces}
+            numbers.values(), {surface.name: surface.numbers.values() for surface in surfaces}
         ),
     }
 
@@ -131,18 +130,16 @@ def _surface_answer(
     if data.fit is not None and name in data.fit["surface"].values:
         numbers += measured_numbers(preferred_fit(data.fit).sel(surface=name), data)
     named_numbers = numbers_by_name(*numbers)
+    conclusion = surface_conclusion(named_numbers)
     surface_cautions = cautions(data, named_numbers)
-    edges = [named_numbers[name] for name in EDGES.values()]
-    new_scans = next_scans(edges, data.spectra)
-    numbers += [
+    new_scans = next_scans([named_numbers[name] for name in EDGES.values()], data.spectra)
+    named_numbers |= numbers_by_name(
         *_caution_numbers(surface_cautions),
-        *[number._replace(name=f"{edge}_{code}_limit") for edge, code, number, _ in new_scans],
+        *(scan.limit._replace(name=f"{scan.edge}_{scan.code}_limit") for scan in new_scans),
         *_topography_numbers(data.topography),
         *_measurement_numbers(data.spectra),
-    ]
-    named_numbers = numbers_by_name(*numbers)
+    )
     source = str(data.topography["source"].item())
-    conclusion = surface_conclusion(named_numbers)
     return SurfaceAnswer(
         name, label, source, named_numbers, conclusion, surface_cautions, new_scans
     )

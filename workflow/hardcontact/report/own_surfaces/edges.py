@@ -160,8 +160,8 @@ def _next_scan(edge: Number, spectra: xr.Dataset) -> NextScan:
         limit = max(wavelength, shortest_above)
     share = sphere_share(spectra, limit)
     body = "" if np.isnan(share) else "sphere" if share > 0.5 else "surface"
-    number = Number("limit", limit, "nm")
-    return NextScan(edge.name, "finer" if is_finer else "larger", number, body)
+    code = "finer" if is_finer else "larger"
+    return NextScan(edge.name, code, Number("limit", limit, "nm"), body)
 
 
 def surface_conclusion(numbers: Mapping[str, Number]) -> Conclusion:
@@ -190,7 +190,7 @@ def surface_conclusion(numbers: Mapping[str, Number]) -> Conclusion:
 
 
 def _drop_partial_interval(number: Number) -> Number:
-    """Return a number without its interval if an end of it is not known."""
+    """Return a number without its interval if only one end of it is known."""
     is_whole = np.isfinite([number.low, number.high]).all() or np.isnan(number.value)
     status = number.status if number.status in OPEN_WORDS else Status.PLAIN
     return number if is_whole else number._replace(low=np.nan, high=np.nan, status=status)
