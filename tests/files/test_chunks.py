@@ -35,14 +35,16 @@ def lists_of_files(*values):
     study_values = (contact.radius, contact.loading_name, contact.rho)
     computed_at = {
         path: contact_sweep(paper_configuration(*values), row.purpose)
-        for row, path in zip(filtered, study.paths(PATTERNS.master_forces, filtered), strict=True)
+        for row, path in zip(
+            filtered, study.paths(PATTERNS.filtered_master_forces, filtered), strict=True
+        )
     }
     for pattern, rows in (
         (PATTERNS.pull_off, study.plan.substrate_scan_ids),
-        (PATTERNS.pool, chunks.pools),
+        (PATTERNS.pool_forces, chunks.pools),
     ):
         computed_at |= dict.fromkeys(study.paths(pattern, rows), study_values)
-    for pattern in (PATTERNS.elastic, PATTERNS.asperities):
+    for pattern in (PATTERNS.elastic_contacts, PATTERNS.asperities):
         paths = [study.path(pattern, surface) for surface in study.selection.substrates]
         computed_at |= dict.fromkeys(paths, study_values[:2])
     return computed_at

@@ -21,7 +21,7 @@ rule find_edges:
 rule fit_exponents:
     """Fit exponents of forces and edges to radius and load: exponents.nc."""
     input:
-        masters=FILES.paths(PATTERNS.master_forces, EXPONENT_MASTERS),
+        masters=FILES.paths(PATTERNS.filtered_master_forces, EXPONENT_MASTERS),
     output:
         PATTERNS.dataset("exponents"),
     params:
@@ -40,7 +40,7 @@ rule fit_exponents:
 rule compute_edge_shifts:
     """Compute how far plasticity and a long range move the short edge: edge_shifts.nc."""
     input:
-        masters=FILES.paths(PATTERNS.master_forces, EDGE_SHIFT_MASTERS),
+        masters=FILES.paths(PATTERNS.filtered_master_forces, EDGE_SHIFT_MASTERS),
     output:
         PATTERNS.dataset("edge_shifts"),
     params:

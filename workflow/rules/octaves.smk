@@ -2,8 +2,8 @@
 
 from hardcontact.surfaces.synthesis import SIDES
 
-#: The shortest range of adhesion (nm) on whole surfaces. They may rise above a contact by several
-#: hundred times a shorter range, and exp() would overflow.
+#: The shortest range of adhesion (nm) on whole surfaces. These have peaks hundreds of nm above a
+#: contact, and exp(height / range) overflows at 700 ranges, which are 490 nm for this range.
 SHORTEST_WHOLE_RANGE = 0.7
 #: Bands need whole surfaces: scans are too small for their long waves.
 BAND_SURFACES = SELECTION.substitute_substrates if IS_PAPER_STUDY else []
@@ -42,7 +42,7 @@ rule compute_whole_surface_forces:
 
 
 rule compute_perturbed_scan_forces:
-    """Compute forces on a scan with each octave amplified, the last replaced, or wide pixels."""
+    """Compute forces on a scan with octaves amplified, the last one replaced, and wider pixels."""
     input:
         stitched=lambda w: FILES.roughness_path(w.surface, int(w.scan)),
         spectrum=lambda w: FILES.roughness_spectrum_path(w.surface),
@@ -87,7 +87,7 @@ rule compute_band_forces:
 rule aggregate_sensitivity:
     """Gather how the force follows each octave, and the forces on the band: sensitivity.nc."""
     input:
-        maps=[
+        forces=[
             *FILES.paths(PATTERNS.whole_surface_forces, CHUNKS.whole_surfaces),
             *FILES.paths(PATTERNS.perturbed_scan_forces, PLAN.measured_scan_ids),
         ],

@@ -45,7 +45,7 @@ rule compute_filtered_forces:
         unpack(CHUNKS.master_inputs),
         sphere=lambda w: FILES.first_sphere_path if w.sphere_kind == "rough" else [],
     output:
-        PATTERNS.master_forces,
+        PATTERNS.filtered_master_forces,
     resources:
         mem_mb=lambda w: filter_megabytes(STUDY, w.purpose),
     params:
@@ -66,8 +66,8 @@ rule compute_filtered_forces:
 rule aggregate_scales:
     """Gather the forces of all filtered surfaces: scales.nc."""
     input:
-        masters=FILES.paths(PATTERNS.master_forces, MASTERS),
-        sampled=FILES.paths(PATTERNS.master_forces, SAMPLED_MASTERS),
+        masters=FILES.paths(PATTERNS.filtered_master_forces, MASTERS),
+        sampled=FILES.paths(PATTERNS.filtered_master_forces, SAMPLED_MASTERS),
     output:
         PATTERNS.dataset("scales"),
     params:

@@ -77,7 +77,7 @@ rule prepare_scan:
     input:
         measurement=PATTERNS.measurement,
     output:
-        scan=PATTERNS.levelled,
+        levelled=PATTERNS.levelled,
         stitched=PATTERNS.stitched,
     wildcard_constraints:
         surface=any_name_pattern(SELECTION.measured_surfaces),

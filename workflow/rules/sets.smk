@@ -17,7 +17,7 @@ rule compute_pool:
     input:
         **SUBSTITUTE_INPUTS,
     output:
-        PATTERNS.pool,
+        PATTERNS.pool_forces,
     params:
         parameters=lambda w: parameters(
             **SET_SURFACES,
@@ -36,7 +36,7 @@ rule compute_featured_samples:
     input:
         **SUBSTITUTE_INPUTS,
     output:
-        PATTERNS.featured_samples,
+        PATTERNS.featured_sample_forces,
     params:
         parameters=lambda w: parameters(
             **SET_SURFACES,
@@ -55,9 +55,9 @@ rule sample_sets:
     input:
         topography=PATTERNS.dataset("topography"),
         adhesion=PATTERNS.dataset("adhesion"),
-        pools=FILES.paths(PATTERNS.pool, CHUNKS.pools),
-        samples=FILES.paths(PATTERNS.featured_samples, CHUNKS.featured_samples),
-        masters=FILES.paths(PATTERNS.master_forces, SET_MASTERS),
+        pools=FILES.paths(PATTERNS.pool_forces, CHUNKS.pools),
+        samples=FILES.paths(PATTERNS.featured_sample_forces, CHUNKS.featured_samples),
+        masters=FILES.paths(PATTERNS.filtered_master_forces, SET_MASTERS),
         published_pull_off=PUBLISHED_TABLES["published_pull_off"],
         published_constants=PUBLISHED_TABLES["published_constants"],
     output:
@@ -89,7 +89,7 @@ rule compare_features:
     """Compare the forces of surfaces with features with the published ones: features.nc."""
     input:
         sets=PATTERNS.dataset("sets"),
-        samples=FILES.paths(PATTERNS.featured_samples, CHUNKS.featured_samples),
+        samples=FILES.paths(PATTERNS.featured_sample_forces, CHUNKS.featured_samples),
         published_pull_off=PUBLISHED_TABLES["published_pull_off"],
         published_constants=PUBLISHED_TABLES["published_constants"],
     output:

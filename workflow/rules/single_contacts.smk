@@ -42,7 +42,7 @@ rule solve_elastic_contacts:
         **SCANS_IN_TURN,
         published_constants=PUBLISHED_TABLES["published_constants"],
     output:
-        PATTERNS.elastic,
+        PATTERNS.elastic_contacts,
     params:
         parameters=lambda w: parameters(
             surface=w.surface,
@@ -58,7 +58,9 @@ rule solve_elastic_contacts:
 rule aggregate_elastic:
     """Gather elastic contact of all surfaces: elastic.nc."""
     input:
-        surfaces=[FILES.path(PATTERNS.elastic, surface) for surface in SELECTION.substrates],
+        surfaces=[
+            FILES.path(PATTERNS.elastic_contacts, surface) for surface in SELECTION.substrates
+        ],
     output:
         PATTERNS.dataset("elastic"),
     params:

@@ -11,7 +11,7 @@ from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:
     params = job.parameters
-    files = read_all(params["maps"], job.input.maps)
+    files = read_all(params["maps"], job.input.forces)
     maps = {surface: forces for (surface,), forces in concatenate(files, "map", 1).items()}
     bands = dict(zip(params["bands"], map(read, job.input.bands), strict=True))
     touched_patches = fewest_touched_patches(read(job.input.adhesion)) if job.input.adhesion else {}

@@ -7,5 +7,5 @@ from hardcontact.surfaces.levelling import LEVELLED, MIRRORED, level_and_mirror
 with run_job(snakemake) as job:
     scan = load_height_map(job.input.measurement)
     levelled, mirrored = level_and_mirror(scan, **job.parameters)
-    job.write(levelled, LEVELLED, "scan")
+    job.write(levelled, LEVELLED, "levelled")
     job.write(mirrored, MIRRORED, "stitched")

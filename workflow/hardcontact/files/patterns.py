@@ -95,18 +95,18 @@ class Patterns:
         self.stitched_substrate = self.stitched.replace("{shape}", "flat")
 
         both_surfaces = f"{{radius}}/{{loading}}/{_SURFACE}/{rough_sphere}.nc"
-        self.elastic = f"{folder['elastic']}/{both_surfaces}"
+        self.elastic_contacts = f"{folder['elastic']}/{both_surfaces}"
         self.asperities = f"{folder['asperities']}/{both_surfaces}"
 
         contact = f"{{radius}}/{{loading}}/{{range}}/{_SURFACE}"
-        self.pool = f"{folder['pool']}/{contact}/scans-{{first}}-{{last}}.nc"
+        self.pool_forces = f"{folder['pool']}/{contact}/scans-{{first}}-{{last}}.nc"
         self.whole_surface_forces = f"{folder['whole']}/{contact}/surfaces-{{first}}-{{last}}.nc"
         scan_on_sphere = f"{rough_sphere}/{contact}/scan-{{scan}}.nc"
         self.pull_off = f"{folder['pull_off']}/{scan_on_sphere}"
         self.perturbed_scan_forces = f"{folder['perturbed_scans']}/{scan_on_sphere}"
         # Not in the store: these forces are of the band that the study itself found.
         self.band_forces = f"{results}/band/{{surface}}.nc"
-        self.featured_samples = (
+        self.featured_sample_forces = (
             f"{folder['featured_samples']}/{contact}/{{features}}/samples-{{first}}-{{last}}.nc"
         )
         self.master = f"{folder['masters']}/{_REALIZATION}/{{side}}.nc"
@@ -120,7 +120,7 @@ class Patterns:
         self.combined_scan = f"{both}/{_SURFACE}/scan-{{scan}}.nc"
         self.combined_spectrum = f"{both}/{_SURFACE}/spectrum.nc"
         self.combined_sampled_spectrum = f"{both}/{_REALIZATION}.nc"
-        self.master_forces = f"{store}/filtered/{{purpose}}/{sweep}/{realizations}.nc"
+        self.filtered_master_forces = f"{store}/filtered/{{purpose}}/{sweep}/{realizations}.nc"
 
     def dataset(self, name: str) -> str:
         """Return the path of a final dataset."""
