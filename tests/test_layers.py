@@ -13,8 +13,9 @@ import hardcontact
 LIBRARY = ROOT / "workflow/hardcontact"
 #: Layers in the order of the library's docstring.
 LAYERS = re.findall(r"`(\w+)`", hardcontact.__doc__)
-#: Code lines that the library may have, without docstrings, comments and blank lines. A commit that
-#: raises it says what a user gets for it.
+#: Code lines that the library may have, without docstrings, comments and blank lines, so that one
+#: person can still read it. If a useful change needs more lines, raise the number in its commit and
+#: say there what a user gets for it.
 MAX_CODE_LINES = 17_700
 NO_CODE = {
     tokenize.COMMENT,
