@@ -30,6 +30,9 @@ from hardcontact.records.origin import (
 #: ones the record is believed here; the job that uses such a file compares it with its record.
 MAX_READ_SIZE = 1_000_000
 
+#: The oldest Snakemake that has all attributes that `plan_by_records` replaces.
+MIN_SNAKEMAKE = "9.27"
+
 
 class Change(NamedTuple):
     """The differences between the record of a file and the file that would be made now."""
@@ -140,17 +143,17 @@ def plan_by_records(workflow: Any) -> None:
     `tests/workflow/test_reruns.py` fails if one has another meaning.
     """
     replacements: list[tuple[type, str, Any]] = [
-        # Only changed parameters are asked about: `_recorded_change` answers for all changes.
+        # Snakemake asks only whether parameters changed; `_recorded_change` reports all changes.
         (type(workflow), "rerun_triggers", frozenset({RerunTrigger.PARAMS})),
-        # It advises to trust times.
+        # Snakemake would advise users to trust file times, which are lost or misleading.
         (type(workflow), "log_provenance_info", lambda workflow: None),
-        # Without a time of outputs, no input is newer than they are.
+        # Without a time of outputs, Snakemake finds no input that is newer.
         (Job, "output_mintime", property(_no_time)),
-        # Files without metadata would not be asked about.
+        # Snakemake would skip files without metadata, although they have a record.
         (PersistenceBase, "has_metadata", lambda persistence, job: True),
-        # Nor would files whose metadata an older Snakemake wrote.
+        # Snakemake would skip files whose metadata are from an older version of it.
         (PersistenceBase, "has_outdated_metadata", lambda persistence, job: False),
-        # It compares parameters with those in metadata.
+        # Snakemake would compare parameters with its metadata, not with records.
         (PersistenceBase, "params_changed", _recorded_change),
     ]
     for owner, name, replacement in replacements:

@@ -34,7 +34,7 @@ from hardcontact.records.code import ROOT, code_inputs
 from hardcontact.records.origin import digests, refuse_changed
 from hardcontact.records.packages import refuse_other_versions, write_pins
 from hardcontact.run.endings import end_at_interrupt
-from hardcontact.run.reruns import plan_by_records
+from hardcontact.run.reruns import MIN_SNAKEMAKE, plan_by_records
 
 #: Size in bytes up to which a job keeps freed memory for its next array. Returning it to the system
 #: costs some jobs a fifth of their time.
@@ -48,7 +48,7 @@ def _refuse(message: object) -> NoReturn:
 
 def prepare(workflow: Any) -> None:
     """Refuse a run that would fail with any configuration."""
-    min_version("9.27")
+    min_version(MIN_SNAKEMAKE)
     # On a full disk Snakemake's own log cannot be written: what it prints is enough, no tracebacks.
     logging.raiseExceptions = False
     _refuse_elsewhere(workflow)
