@@ -12,15 +12,13 @@ from hardcontact.commands.options import add_shared_options
 from hardcontact.commands.parser import CommandLine
 from hardcontact.config.key_types import STUDY_NAME
 from hardcontact.config.model import QUICK_SUFFIX
-from hardcontact.config.selected_surfaces import LABEL
+from hardcontact.config.selected_surfaces import LABEL, RESERVED_IDS
 from hardcontact.records.code import ROOT
 
 #: Id and label of the sphere's surface.
 SPHERE = "sphere"
 #: Names that a study cannot have: the project's own files or results have them.
 RESERVED_NAMES = ("config", "paper", "quick", "store", "surfaces")
-#: Ids that surfaces cannot have: they stand for the mean over surfaces and for a smooth sphere.
-RESERVED_IDS = ("mean", "smooth")
 USAGE = Path(__file__).with_name("new_help.txt").read_text("utf-8")
 
 

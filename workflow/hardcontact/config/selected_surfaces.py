@@ -12,6 +12,7 @@ from hardcontact.base.published import PUBLISHED_TABLES
 from hardcontact.config.faults import validate
 from hardcontact.config.key_types import FilePath, Matching, Quantity, or_word
 from hardcontact.config.keys import Keys
+from hardcontact.config.model import SMOOTH_SPHERE
 from hardcontact.config.tables import user_table
 from hardcontact.records.origin import digest, short_digest
 from hardcontact.surfaces.descriptions import read_segments
@@ -22,6 +23,8 @@ NO_SCAN = 0
 #: Word in the column `use` for scans with contacts; other scans only enter the spectrum.
 CONTACT_USE = "contact"
 
+#: Ids that surfaces cannot have: they stand for the mean over surfaces and for a smooth sphere.
+RESERVED_IDS = ("mean", SMOOTH_SPHERE)
 
 #: The radius of the tip that measured a scan, from a sharp tip to a blunt stylus.
 TIP_RADIUS = Quantity("nm", 0.1, 1e5)
@@ -33,11 +36,10 @@ class SurfaceRow(Keys):
 
     surface: Annotated[
         str,
-        # mean stands for the mean over surfaces, smooth for a sphere
         Matching(
-            "(?!(mean|smooth)$)[a-z][a-z0-9_]{0,39}",
-            "up to 40 lower-case letters, digits and underscores, a letter first, neither mean "
-            "nor smooth",
+            f"(?!({'|'.join(RESERVED_IDS)})$)[a-z][a-z0-9_]{{0,39}}",
+            "up to 40 lower-case letters, digits and underscores, a letter first, neither "
+            f"{' nor '.join(RESERVED_IDS)}",
         ),
     ]
     """Id of the surface."""
