@@ -22,7 +22,7 @@ README = Path("config/README.md")
 YAML_HEADER = """\
 # The paper: the defaults of the study, made from workflow/hardcontact/config/keys.py by
 # python -m hardcontact.config.key_tables
-# Above each key: its meaning (section of the paper with the default) [values that it may have].
+# Above each key: its meaning; the section of the paper with the default; the values allowed.
 # Another study: a file with the few keys that differ, given as
 # snakemake --configfile my-study.yaml
 """
@@ -34,7 +34,7 @@ def configuration_yaml() -> str:
     """Return the YAML of all keys; comments have meanings, sections of the paper and values."""
     fields = dict(key_fields(StudyKeys))
     comments = {
-        key: f"{_meaning(field)}{_paper_section(field)} [{_values(field)}]"
+        key: f"{_meaning(field)}{_paper_section(field)} Allowed: {_values(field)}."
         for key, field in fields.items()
     }
     tree = set_keys({}, {key: field.default for key, field in fields.items()})
@@ -60,9 +60,9 @@ def _meaning(field: FieldInfo) -> str:
 
 
 def _paper_section(field: FieldInfo) -> str:
-    """Return the section of the paper that a default comes from, in brackets, or nothing."""
+    """Return the section of the paper that a default comes from as a sentence, or nothing."""
     extra: Any = field.json_schema_extra or {}
-    return f" ({extra['paper']})" if extra.get("paper") else ""
+    return f" Paper: {extra['paper']}." if extra.get("paper") else ""
 
 
 def commented_yaml(

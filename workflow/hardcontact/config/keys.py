@@ -63,7 +63,7 @@ class SphereKeys(Keys):
 
     surface: SurfaceId = key("ruby", "Methods")
     """Surface of the sphere; with `published: none` also `smooth`."""
-    radius: Radius = key("250 um", "Methods: diameter 0.5 mm")
+    radius: Radius = key("250 um", "Methods (diameter 0.5 mm)")
     """Radius; a sphere of this radius is subtracted from scans of the sphere."""
 
 
@@ -93,7 +93,7 @@ class ContactKeys(Keys):
 
     hardness: Pressure = key("25 GPa", "Intrinsic Work of Adhesion")
     """Hardness of the softer body: the pressure on contact pixels."""
-    preload: Force = key("10 uN", "Numerical Analysis (`5 uN` is also printed, in Methods)")
+    preload: Force = key("10 uN", "Numerical Analysis; Methods has `5 uN`")
     """Load that the contact pixels carry."""
     window: Length = key("12500 nm", "Intrinsic Work of Adhesion")
     """Width of the square around a contact over which the force is summed."""
@@ -142,7 +142,7 @@ class LongSideKeys(Keys):
 
     pixels: Pixels = key(8192, "Most Relevant Length-scales")
     """Pixels per row of the long-edge master, on which the force is summed."""
-    tiles: TileCount = key(4, "Most Relevant Length-scales: 20 µm")
+    tiles: TileCount = key(4, "Most Relevant Length-scales (20 µm)")
     """Stitched scans per row of the long-edge master."""
     transition: Length = key("1000 nm", "Most Relevant Length-scales")
     """Wavelength above which roughness is artificial."""
@@ -182,7 +182,7 @@ class IndentKeys(Keys):
 
     surface: SurfaceId = key("ncd", "The Role of Plasticity")
     """Substrate whose contacts indent the sphere."""
-    preloads: Forces = key(["10 uN", "20 uN"], "The Role of Plasticity: `20 uN`")
+    preloads: Forces = key(["10 uN", "20 uN"], "The Role of Plasticity (`20 uN`)")
     """Loads; the figure shows the contact of median depth at the largest."""
 
 
