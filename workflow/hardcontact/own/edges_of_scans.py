@@ -103,17 +103,16 @@ def _without_ripples(edges: xr.Dataset, has_ripples: xr.DataArray) -> xr.Dataset
 
 
 def edges_of_curves(ratios: xr.Dataset, tolerance: float) -> xr.Dataset:
-    """Return the edges of several curves with the cutoffs between which they lie.
+    """Return the edges of several curves of force ratios, with their bounds and intervals in nm.
 
-    Ratios are ``filtered_force_ratio`` (..., cutoff_wavelength), with their interval or without;
-    they are NaN at cutoffs that a curve does not have; side is a coordinate. Over the other
-    dimensions ``edge``, ``edge_bound`` and ``edge_interval`` are in nm, NaN if they are open;
-    ``edge_status`` is as in `Edge`. A curve that `shows_ripples` has no edge.
+    ``filtered_force_ratio`` (..., cutoff_wavelength) may have an interval, and is NaN at cutoffs
+    that a curve does not have; ``side`` is a coordinate. ``edge``, ``edge_bound`` and
+    ``edge_interval`` are NaN if they are open; ``edge_status`` is as in `Edge`.
     """
     dimensions = [dim for dim in ratios["filtered_force_ratio"].dims if dim != "cutoff_wavelength"]
     shape = [ratios.sizes[dim] for dim in dimensions]
     edges = []
-    intervals = []
+    intervals = []  # A curve with ripples has neither edge nor interval.
     for index in np.ndindex(*shape):
         curve, (lowest, highest) = _curve_with_interval(
             ratios.isel(dict(zip(dimensions, index, strict=True))), tolerance

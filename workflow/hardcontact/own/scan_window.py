@@ -1,4 +1,4 @@
-"""The window of contacts on the user's scans."""
+"""The window around each contact on the user's scans, within which the force is summed."""
 
 import math
 
@@ -6,11 +6,11 @@ from hardcontact.base.formatting import round_with
 from hardcontact.config.grids import MAX_MAP_PIXELS
 
 #: Height of the sphere above its apex at the border of the window, relative to the range of
-#: adhesion (14 in the paper) and to the rms height.
-RANGES_IN_WINDOW = 14
-RMS_IN_WINDOW = 4
+#: adhesion (14 in the paper, where the attraction has fallen by exp(-14)) and to the rms height.
+BORDER_HEIGHT_IN_RANGES = 14
+BORDER_HEIGHT_IN_RMS = 4
 #: Largest number of mirrored scans per row of the window: more only repeat the same summits.
-MAX_IMAGES = 10
+MAX_MIRRORED_SCANS = 10
 
 
 def window_on_scans(
@@ -21,11 +21,11 @@ def window_on_scans(
     All lengths are in nm: the largest rms height, the finest pixels and the smallest size of the
     scans, the radius of the sphere and the range of adhesion.
     """
-    height = RANGES_IN_WINDOW * rho
-    height_words = f"{RANGES_IN_WINDOW} ranges of adhesion"
-    if RMS_IN_WINDOW * rms_height > height:
-        height = RMS_IN_WINDOW * rms_height
-        height_words = f"{RMS_IN_WINDOW} rms heights"
+    height = BORDER_HEIGHT_IN_RANGES * rho
+    height_words = f"{BORDER_HEIGHT_IN_RANGES} ranges of adhesion"
+    if BORDER_HEIGHT_IN_RMS * rms_height > height:
+        height = BORDER_HEIGHT_IN_RMS * rms_height
+        height_words = f"{BORDER_HEIGHT_IN_RMS} rms heights"
     window, reason = min(
         (
             2 * math.sqrt(2 * radius * height),
@@ -36,8 +36,8 @@ def window_on_scans(
             f"{MAX_MAP_PIXELS} pixels of the scans, the most that are computed",
         ),
         (
-            2 * MAX_IMAGES * min_scan_size,
-            f"{MAX_IMAGES} mirrored scans, which all have the same summits",
+            2 * MAX_MIRRORED_SCANS * min_scan_size,
+            f"{MAX_MIRRORED_SCANS} mirrored scans, which all have the same summits",
         ),
     )
     return round_with(math.floor, window), reason
