@@ -37,7 +37,7 @@ SIDE_LOOKS: dict[str, tuple[str, style.Look]] = {
     "long": ("without longer wavelengths", {"ls": "--", "marker": "s"}),
 }
 #: Looks of curves: the contact model of the answer first, then other models.
-MODEL_LINES: tuple[style.Look, ...] = ({"ls": "-"}, {"ls": "--", "mfc": "white"}, {"ls": ":"})
+MODEL_LOOKS: tuple[style.Look, ...] = ({"ls": "-"}, {"ls": "--", "mfc": "white"}, {"ls": ":"})
 KIND_COLOURS = {"map": "#332288", "line scan": "#882255", "description": "#999933"}
 SPHERE_COLOUR = "black"
 UNRELIABLE_LOOK: style.Look = {"color": "#999999", "mfc": "white", "ls": "--"}
@@ -45,11 +45,18 @@ JOINED_LOOK: style.Look = {"color": "black", "ls": ":", "lw": 1.8, "zorder": 3}
 FITS_ALL_LOOK: style.Look = {"color": "0.3", "ls": "--", "marker": "", "label": "fits all"}
 #: Most measurements with unreliable parts of spectra drawn: more curves hide each other.
 MAX_UNRELIABLE_CURVES = 3
-MARKED_POINTS = 12  # approximate number of symbols on a line
-MAP_RESOLUTION = 72  # dots per inch; height maps make up most of the size of a page
-MAX_OCTAVE_MARGIN = 2.0  # end of the y axis relative to the largest bar; intervals may be longer
-CUT_LOOK: style.Look = {"color": "0.25", "ms": 3.5, "mew": 0, "clip_on": False, "zorder": 4}
-PAGE_WIDTH = 3.8  # inch: 360 pixels of a phone show 7 points as 9 pixels
+#: Approximate number of symbols on a curve.
+SYMBOLS_PER_CURVE = 12
+#: Dots per inch of height maps, which make up most of the size of a page.
+MAP_DOTS_PER_INCH = 72
+#: Largest end of the y axis relative to the largest bar. Longer intervals are cut, because the bars
+#: would be too small beside them.
+MAX_AXIS_OVER_BAR = 2.0
+CUT_INTERVAL_LOOK: style.Look = {
+    "color": "0.25", "ms": 3.5, "mew": 0, "clip_on": False, "zorder": 4,
+}  # fmt: skip
+#: Width of figures in inches: 360 pixels of a phone show 7 points as 9 pixels.
+FIGURE_WIDTH = 3.8
 
 
 def write_figures(datasets: Datasets, outputs: Mapping[str, Sequence[str]]) -> dict[str, bytes]:
@@ -63,7 +70,7 @@ def write_figures(datasets: Datasets, outputs: Mapping[str, Sequence[str]]) -> d
         name = PurePath(files["svg"]).stem
         with style.print_style():
             figure = OWN_DRAWINGS[name](datasets)
-            drawing.save(figure, describe_figure(name).title, files, MAP_RESOLUTION)
+            drawing.save(figure, describe_figure(name).title, files, MAP_DOTS_PER_INCH)
         pictures[name] = Path(files["svg"]).read_bytes()
     return pictures
 
@@ -84,7 +91,7 @@ def draw_octaves(datasets: Datasets) -> Figure:
     figure, axes = _single_panel(3.0)
     panels.draw_octaves(axes, sensitivity.assign(is_shown=(("surface", "octave"), is_shown)))
     low, high = axes.get_ylim()
-    limit = MAX_OCTAVE_MARGIN * float(np.abs(sensitivity["octave_sensitivity"]).max())
+    limit = MAX_AXIS_OVER_BAR * float(np.abs(sensitivity["octave_sensitivity"]).max())
     axes.set_ylim(max(low, -limit), min(high, limit))
     _mark_cut_intervals(axes)
     style.legend_above(figure, handles, max_columns=2)
@@ -168,10 +175,10 @@ def draw_forces(datasets: Datasets) -> Figure:
     ranges = force["rho"].values
     forces = value_and_interval(force, "force") / style.MICRONEWTON
     for surface, surface_look in style.looks(labels).items():
-        for model, line in zip(models, MODEL_LINES, strict=False):
+        for model, model_look in zip(models, MODEL_LOOKS, strict=False):
             curve = forces.sel(surface=surface, contact_model=model)
             drawn_curve = curve if model == answer_model else curve[["value"]]
-            look = surface_look | line | {"label": f"{labels[surface]}, {model}"}
+            look = surface_look | model_look | {"label": f"{labels[surface]}, {model}"}
             _draw_curve(axes, ranges, drawn_curve, look)
     _finish_over_range(figure, ranges, force.attrs["rho"], "pull-off force (µN)")
     return figure
@@ -225,13 +232,13 @@ def _surface_panels(
 
 def _single_panel(height: float) -> tuple[Figure, Axes]:
     """Return a figure with one panel; its height is in inches."""
-    figure = Figure(figsize=(PAGE_WIDTH, height), layout="constrained")
+    figure = Figure(figsize=(FIGURE_WIDTH, height), layout="constrained")
     return figure, figure.subplots()
 
 
 def _titled_panels(titles: Collection[str], height: float) -> tuple[Figure, np.ndarray]:
     """Return a figure with a column of panels, each with its title and height in inches."""
-    figure = Figure(figsize=(PAGE_WIDTH, height * len(titles) + 0.4), layout="constrained")
+    figure = Figure(figsize=(FIGURE_WIDTH, height * len(titles) + 0.4), layout="constrained")
     column = figure.subplots(len(titles), squeeze=False)[:, 0]
     for axes, title in zip(column, titles, strict=True):
         axes.set_title(title, loc="left")
@@ -246,7 +253,7 @@ def _mark_cut_intervals(axes: Axes) -> None:
     low, high = axes.get_ylim()
     for limit, is_beyond, arrow in ((low, y < low, "v"), (high, y > high, "^")):
         cut_x = x[is_beyond.any(axis=1), 0]
-        axes.plot(cut_x, np.full(cut_x.size, limit), arrow, **CUT_LOOK)
+        axes.plot(cut_x, np.full(cut_x.size, limit), arrow, **CUT_INTERVAL_LOOK)
 
 
 def _draw_measurement(
@@ -282,7 +289,7 @@ def _draw_curve(axes: Axes, x: np.ndarray, curve: xr.Dataset, look: style.Look) 
     """Draw the finite values of a curve, and the band between the ends of its intervals, if any."""
     is_finite = np.isfinite(curve["value"].values)
     finite_curve = curve.isel({curve["value"].dims[0]: is_finite})
-    marker_step = max(1, is_finite.sum() // MARKED_POINTS)
+    marker_step = max(1, is_finite.sum() // SYMBOLS_PER_CURVE)
     marked_look: style.Look = look | {"ms": 2.5, "markevery": marker_step}
     axes.plot(x[is_finite], finite_curve["value"], **marked_look)
     if "low" in curve:
