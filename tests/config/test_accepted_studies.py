@@ -18,8 +18,8 @@ from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies, sample_contacts
 from hardcontact.contact.indents import indent_sizes
 from hardcontact.contact.pull_off import pull_off_dataset
+from hardcontact.files.master_purposes import PURPOSES
 from hardcontact.inference.filtered_masters import Filters, filtered_pull_off
-from hardcontact.paper.exponents import PRELOAD_SHARES
 from hardcontact.run import checks
 from hardcontact.surfaces import spectrum, synthesis
 from hardcontact.surfaces.height_map import mirror_scan
@@ -163,7 +163,8 @@ def check_masters(config, rng, mirrored, sphere, section, side):
     assert_forces(filtered_pull_off(master, filters, [contact], probe))
     if section == "scales":
         return
-    contacts = [replace(contact, preload=share * contact.preload) for share in PRELOAD_SHARES]
+    shares = PURPOSES["exponents"].preload_shares
+    contacts = [replace(contact, preload=share * contact.preload) for share in shares]
     radii = config["exponents"]["radii"]
     assert_forces(filtered_pull_off(master, filters, contacts, None, radii))
 

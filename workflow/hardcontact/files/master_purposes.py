@@ -4,18 +4,18 @@ A master is a scan with artificial roughness; filtered, it lacks all waves beyon
 """
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from typing import Any, NamedTuple
 
 from hardcontact.config.configuration import get_key, master_keys, study_contact
 from hardcontact.config.grids import master_megabytes
-from hardcontact.paper.edge_shifts import SHORT_ADHESION_RANGE
-from hardcontact.paper.exponents import PRELOAD_SHARES
 from hardcontact.surfaces.synthesis import SIDES
 
 #: Realizations in one job: few enough to keep all cores busy, and so many that a job takes much
 #: longer than the half second in which it starts.
 MASTERS_CHUNK = 5
+
+#: A range of adhesion (nm) that is much shorter than the published range.
+SHORT_ADHESION_RANGE = 1.0
 
 
 class Purpose(NamedTuple):
@@ -28,6 +28,10 @@ class Purpose(NamedTuple):
     masters_are_files: bool = False  #: Whether masters are files of the store.
     stream: str = "variant"  #: Name of the random numbers in masters.
     sides: Sequence[str] = SIDES
+    radii_key: str = "sphere.radius"  #: Key of the radius of the sphere, or of several radii.
+    preload_shares: Sequence[float] = (1,)  #: Loads, relative to the preload of the study.
+    plastic: Sequence[bool] = (True,)  #: Whether contact pixels yield.
+    further_ranges: Sequence[float] = ()  #: Ranges of adhesion in nm, besides that of the study.
 
 
 _STUDY_BAND = ("scales", "contact.contacts_per_row", "scales.realizations", 1)
@@ -39,31 +43,35 @@ PURPOSES = {
     "sampled": Purpose(*_STUDY_BAND, stream="master"),
     # The edges of each set of substitutes.
     "sets": Purpose("sets", "sets.contacts_per_row", "sets.realizations"),
-    # How the edges depend on radius and load, on a smooth sphere.
-    "exponents": Purpose("sets", "sets.contacts_per_row", "exponents.realizations"),
+    # How the edges depend on radius and load, on a smooth sphere. At an eighth of the preload the
+    # contact is 2.8 times narrower and has some 30 pixels; larger loads than the preload move short
+    # edges beyond the cutoffs of sets.
+    "exponents": Purpose(
+        "sets", "sets.contacts_per_row", "exponents.realizations",
+        radii_key="exponents.radii", preload_shares=(1 / 8, 1),
+    ),
     # The short edge with and without plasticity and a long range of adhesion.
     "edge_shifts": Purpose(
-        "sets", "sets.contacts_per_row", "exponents.realizations", sides=("short",)
+        "sets", "sets.contacts_per_row", "exponents.realizations", sides=("short",),
+        plastic=(True, False), further_ranges=(SHORT_ADHESION_RANGE,),
     ),
-}
+}  # fmt: skip
 
 
 def contact_sweep(configuration: Mapping[str, Any], purpose: str) -> dict[str, list[Any]]:
-    """Return radii (nm), loadings (N, Pa) and ranges (nm) at which forces on masters are computed.
-
-    ``"exponents"`` varies radius and preload, ``"edge_shifts"`` plasticity and range.
-    """
+    """Return radii (nm), loadings (N, Pa) and ranges (nm) of the forces on masters."""
+    settings = PURPOSES[purpose]
     contact = study_contact(configuration)
-    contacts, radii, ranges = [contact], [contact.radius], [contact.rho]
-    if purpose == "exponents":
-        contacts = [replace(contact, preload=share * contact.preload) for share in PRELOAD_SHARES]
-        radii = configuration["exponents"]["radii"]
-    elif purpose == "edge_shifts":
-        contacts = [contact, replace(contact, plastic=False)]
-        ranges = [SHORT_ADHESION_RANGE, contact.rho]
-    keys = ("preload", "hardness", "plastic")
-    loadings = [{key: getattr(loaded, key) for key in keys} for loaded in contacts]
-    return {"radii": radii, "loadings": loadings, "ranges": ranges}
+    radii = get_key(configuration, settings.radii_key)
+    return {
+        "radii": radii if isinstance(radii, list) else [radii],
+        "loadings": [
+            {"preload": share * contact.preload, "hardness": contact.hardness, "plastic": plastic}
+            for share in settings.preload_shares
+            for plastic in settings.plastic
+        ],
+        "ranges": [*settings.further_ranges, contact.rho],
+    }
 
 
 def filter_settings(configuration: Mapping[str, Any], purpose: str) -> dict[str, Any]:

@@ -14,9 +14,6 @@ from hardcontact.base.units import DIMENSIONLESS
 from hardcontact.contact.contact import CONTACT_MODELS, PLASTIC, RIGID
 from hardcontact.paper.edges_of_masters import edges_of_masters
 
-#: A range of adhesion (nm) that is much shorter than the published range.
-SHORT_ADHESION_RANGE = 1.0
-
 
 def compute_edge_shifts(forces: xr.Dataset, tolerance: float, sampling: Sampling) -> xr.Dataset:
     """Return the edges of the band of plastic and rigid contact at each range of adhesion.

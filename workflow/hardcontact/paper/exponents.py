@@ -16,9 +16,6 @@ from hardcontact.inference.curve_edges import find_edge, logarithmic_limits, ord
 
 #: Quantities whose square roots are these lengths, in the order of the fitted exponents.
 SCALED_QUANTITIES = ["radius", "contact"]
-#: Loads to which exponents are fitted, relative to the preload. At an eighth the contact is 2.8
-#: times narrower and has some 30 pixels; larger loads move short edges beyond the cutoffs of sets.
-PRELOAD_SHARES = (1 / 8, 1)
 
 
 def force_exponent(forces: xr.Dataset, contact_area: float, confidence: float) -> xr.Dataset:

@@ -11,10 +11,10 @@ from hardcontact.base.number import Number, Status, numbers_by_name
 from hardcontact.base.statistics import interval_ends, percentile_interval
 from hardcontact.config.model import numeric_configuration
 from hardcontact.contact.contact import PLASTIC
+from hardcontact.files.master_purposes import SHORT_ADHESION_RANGE
 from hardcontact.inference.edges import MEAN_GROUP, edges_or_bounds
 from hardcontact.inference.fit import WITHOUT_SURFACE
 from hardcontact.inference.octaves import strongest_octaves
-from hardcontact.paper.edge_shifts import SHORT_ADHESION_RANGE
 from hardcontact.paper.open_ends import find_open_end
 from hardcontact.paper.verdicts import count_verdicts, interval_with_sets
 from hardcontact.report.notes import note, substitutes_note
