@@ -6,6 +6,7 @@ import pandas as pd
 import yaml
 from repository import PAPER, ROOT, ROWS, TINY, merge_configurations
 
+from hardcontact.base.published import surfaces_of_table1
 from hardcontact.config import selected_surfaces
 from hardcontact.config.model import numeric_configuration
 from hardcontact.config.study_plan import StudyPlan
@@ -81,5 +82,5 @@ def study_files(*values, scans=(1, 2), measured_surfaces=()):
         f"{row.surface}-{row.scan}.nc" for row in rows[is_measured].itertuples()
     ]
     sources = dict.fromkeys(rows.surface, FILES_DIGEST)
-    selection = selected_surfaces.Selection(rows, "ruby", sources)
+    selection = selected_surfaces.Selection(rows, "ruby", sources, surfaces_of_table1())
     return SurfaceFiles(StudyPlan(paper_configuration(*values), selection), PATTERNS)

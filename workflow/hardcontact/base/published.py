@@ -55,6 +55,12 @@ def read_table1(path: str | Path) -> pd.DataFrame:
     return pd.read_csv(path)
 
 
+def surfaces_of_table1() -> set[str]:
+    """Return the surfaces whose rms height is in Table 1."""
+    table1 = read_table1(PUBLISHED_TABLES["published_table1"])
+    return set(table1.surface[table1.quantity == "afm_rms_height"])
+
+
 def rows_of_surface(table1: pd.DataFrame, surface: str) -> pd.DataFrame:
     """Return value and uncertainty of a surface in Table 1, by quantity; empty if it is not there.
 

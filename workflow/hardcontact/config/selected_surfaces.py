@@ -2,13 +2,12 @@
 
 import os
 import reprlib
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from pathlib import Path
 from typing import Annotated, Literal
 
 import pandas as pd
 
-from hardcontact.base.published import PUBLISHED_TABLES
 from hardcontact.config.faults import validate
 from hardcontact.config.key_types import FilePath, Matching, Quantity, or_word
 from hardcontact.config.keys import Keys
@@ -67,11 +66,18 @@ class Selection:
 
     The rows, one a scan, come from `selected_scans`. A sphere that is not in the table is smooth.
     `surfaces` are in the order of the table, and so are `measured_surfaces` and `substitutes`.
-    `substrates` are all surfaces except the sphere's. By surface, `labels` has the name to print,
-    and `file_digests` the digest of its files from `digest_files`.
+    `substrates` are all surfaces except the sphere's, `substitute_substrates` the substitutes among
+    them, and `sampled_substrates` those of `published_surfaces`, which each set samples. By
+    surface, `labels` has the name to print, and `file_digests` the digest from `digest_files`.
     """
 
-    def __init__(self, rows: pd.DataFrame, sphere: str, file_digests: Mapping[str, str]) -> None:
+    def __init__(
+        self,
+        rows: pd.DataFrame,
+        sphere: str,
+        file_digests: Mapping[str, str],
+        published_surfaces: Collection[str],
+    ) -> None:
         self._all_rows = rows
         self.file_digests = file_digests
         self._rows = rows[rows.use == CONTACT_USE]
@@ -83,6 +89,10 @@ class Selection:
         self.source: dict[str, str] = dict(zip(rows.surface, rows.source, strict=True))
         self.measured_surfaces = [name for name in self.surfaces if self.source[name] == "measured"]
         self.substitutes = [name for name in self.surfaces if self.source[name] == "substitute"]
+        self.substitute_substrates = [name for name in self.substrates if name in self.substitutes]
+        self.sampled_substrates = [
+            name for name in self.substitute_substrates if name in published_surfaces
+        ]
 
     def contact_scans(self, surface: str) -> list[int]:
         """Return the numbers of the scans of a surface that contacts are made on."""
@@ -136,18 +146,6 @@ class Selection:
         scans = self.contact_scans(surface)
         start = max(scans) + 1 + (group - 1) * len(scans)
         return list(range(start, start + len(scans))) if group else scans
-
-    @property
-    def sampled_substrates(self) -> list[str]:
-        """Substrates that each set samples: substitutes with a published rms height."""
-        table1 = pd.read_csv(PUBLISHED_TABLES["published_table1"])
-        published_surfaces = set(table1.surface[table1.quantity == "afm_rms_height"])
-        return [name for name in self.substitute_substrates if name in published_surfaces]
-
-    @property
-    def substitute_substrates(self) -> list[str]:
-        """The substrates that are substitutes."""
-        return [surface for surface in self.substrates if surface in self.substitutes]
 
     def path(self, surface: str, scan: int) -> str:
         """Return the file of a measured scan, or the description of a substitute."""

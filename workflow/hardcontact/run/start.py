@@ -14,6 +14,7 @@ from snakemake.io import strip_wildcard_constraints
 from snakemake.settings.types import ExecMode
 from snakemake.utils import min_version
 
+from hardcontact.base.published import surfaces_of_table1
 from hardcontact.config.configuration import (
     apply_effort,
     get_key,
@@ -192,7 +193,9 @@ def checked_selection(workflow: Any, configuration: dict[str, Any]) -> Selection
         write_pins()  # A run that is refused writes nothing.
     except ValueError as error:
         _refuse(error)
-    return Selection(rows, configuration["sphere"]["surface"], digest_files(rows))
+    return Selection(
+        rows, configuration["sphere"]["surface"], digest_files(rows), surfaces_of_table1()
+    )
 
 
 def complete_rules(workflow: Any, patterns: Patterns) -> None:
