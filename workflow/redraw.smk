@@ -1,12 +1,12 @@
 """Draw the figures and pages of a finished study again, from its datasets: no scan, no store."""
 
-from hardcontact.run import endings, reruns, start
+from hardcontact.run import endings, reruns, start, study_inputs
 from hardcontact.records.packages import write_pins
 
 start.prepare(workflow)
 
 
-configfile: start.finished_configuration(config)
+configfile: study_inputs.finished_configuration(config)
 
 
 include: "rules/common.smk"

@@ -12,7 +12,7 @@ from snakemake.settings.types import ExecMode
 from snakemake.utils import update_config
 
 from hardcontact.config.configuration import apply_effort
-from hardcontact.run import start
+from hardcontact.run import start, study_inputs
 
 
 def refusal_line(call, *arguments, parts=("expected", "found")):
@@ -68,23 +68,25 @@ def test_the_grids_of_the_paper_are_refused_for_own_surfaces():
     quick = ROOT / "config/quick.yaml"
     for configfiles in ((quick, ROOT / TINY), (ROOT / TINY, quick)):
         study = planned_workflow(*configfiles)
-        line = refusal_line(start.checked_configuration, study, PAPER | {"published": "none"})
+        line = refusal_line(
+            study_inputs.checked_configuration, study, PAPER | {"published": "none"}
+        )
         assert_says(line, "config/quick.yaml", "--config effort=quick")
 
 
 def test_keys_of_the_quick_study_are_checked_in_a_full_run():
     overlay = {"quick": {"contact": {"contacts_per_row": 0}}}
-    line = refusal_line(start.checked_configuration, planned_workflow(), PAPER | overlay)
+    line = refusal_line(study_inputs.checked_configuration, planned_workflow(), PAPER | overlay)
     assert_says(line, "effort quick", "contact.contacts_per_row", "found 0")
 
 
 def test_a_study_of_the_project_has_other_values_only_if_asked():
-    start.checked_configuration(*configured("contact={hardness: 25GPa}"))  # the same
+    study_inputs.checked_configuration(*configured("contact={hardness: 25GPa}"))  # the same
     harder = "contact={hardness: 30 GPa}"
-    line = refusal_line(start.checked_configuration, *configured(harder))
+    line = refusal_line(study_inputs.checked_configuration, *configured(harder))
     assert_says(line, "study paper", "contact.hardness: '30 GPa' for '25 GPa'", "overwrite=true")
     for words in ((harder, "overwrite=true"), (harder, "study=harder")):
-        start.checked_configuration(*configured(*words))
+        study_inputs.checked_configuration(*configured(*words))
 
 
 def test_a_quick_study_has_its_own_folders():
@@ -101,7 +103,7 @@ def test_a_quick_study_has_its_own_folders():
 @pytest.mark.parametrize("text", ["2026-13-45", "'a: b: c'", "four", "2.5"])
 def test_a_faulty_value_of_the_command_line_is_refused_with_its_key(text):
     study = configured(f"asperities={{contacts: {text}}}")
-    line = refusal_line(start.checked_configuration, *study)
+    line = refusal_line(study_inputs.checked_configuration, *study)
     assert_says(line, "config key asperities.contacts", "a whole number", text.strip("'"))
 
 
@@ -110,7 +112,10 @@ def test_a_key_given_twice_is_refused_before_the_first_job(tmp_path):
     path.write_text("seed: 1\n'seed': 2")
     workflow = planned_workflow(path)
     assert_says(
-        refusal_line(start.checked_configuration, workflow, PAPER), "a.yaml", "line 2", "seed again"
+        refusal_line(study_inputs.checked_configuration, workflow, PAPER),
+        "a.yaml",
+        "line 2",
+        "seed again",
     )
     workflow.exec_mode = ExecMode.SUBPROCESS
-    assert start.checked_configuration(workflow, PAPER)["seed"] == PAPER["seed"]
+    assert study_inputs.checked_configuration(workflow, PAPER)["seed"] == PAPER["seed"]

@@ -20,9 +20,9 @@ from hardcontact.config.configuration import read_yaml
 from hardcontact.config.model import NONE, PAPER
 from hardcontact.files.patterns import study_patterns
 from hardcontact.records.origin import canonical_json
-from hardcontact.run import start
+from hardcontact.run import study_inputs
 
-STUDY = start.checked_configuration(workflow, config)
+STUDY = study_inputs.checked_configuration(workflow, config)
 PATTERNS = study_patterns(STUDY)
 RANGES = sorted({*STUDY["adhesion"]["ranges"], STUDY["adhesion"]["range"]})
 SAMPLING = STUDY["inference"] | {"seed": STUDY["seed"]}

@@ -19,9 +19,9 @@ from hardcontact.config.study_plan import StudyPlan
 from hardcontact.files.chunks import Chunks
 from hardcontact.files.patterns import wildcard_constraints as constraints
 from hardcontact.files.surface_files import SurfaceFiles
-from hardcontact.run import start
+from hardcontact.run import study_inputs
 
-SELECTION = start.checked_selection(workflow, STUDY)
+SELECTION = study_inputs.checked_selection(workflow, STUDY)
 SPHERE = SELECTION.sphere
 NAMED_SURFACES = {"labels": SELECTION.labels, "source": SELECTION.source}
 PLAN = StudyPlan(STUDY, SELECTION)

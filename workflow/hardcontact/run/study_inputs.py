@@ -1,0 +1,133 @@
+"""The configuration and the surfaces of a run: a study that would fail later is refused."""
+
+import os
+from collections.abc import Mapping
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import yaml
+
+from hardcontact.base.published import surfaces_of_table1
+from hardcontact.config.configuration import (
+    apply_effort,
+    get_key,
+    merge,
+    read_yaml,
+    refuse_unreadable,
+)
+from hardcontact.config.faults import key_fields, run_checks, shorten
+from hardcontact.config.model import NONE, Study, numeric_configuration
+from hardcontact.config.selected_surfaces import (
+    Selection,
+    digest_files,
+    selected_scans,
+    surface_table,
+)
+from hardcontact.records.code import ROOT
+from hardcontact.records.origin import digests, refuse_changed
+from hardcontact.records.packages import write_pins
+from hardcontact.run.start import plans_the_run, refuse
+
+
+def finished_configuration(config: Mapping[str, Any]) -> str:
+    """Return the path of the configuration of a finished study.
+
+    The key `study` of the command line names the study; without it, the study is the paper's. A
+    missing or changed configuration is refused.
+    """
+    path = f"results/{config.get('study', 'paper')}/configuration.yaml"
+    if not os.path.isfile(path):
+        refuse(f"{path}: expected the configuration of a finished study, found no such file")
+    try:
+        refuse_changed(digests([path]))
+    except ValueError as error:
+        refuse(error)
+    return path
+
+
+def checked_configuration(workflow: Any, config: dict[str, Any]) -> dict[str, Any]:
+    """Complete the configuration that Snakemake merged; return it with quantities as numbers.
+
+    Files and values of the command line are read alike: nested values of the latter, which
+    Snakemake leaves as text, become those of YAML. Keys under `quick` are checked even where they
+    are not used. A faulty configuration is refused.
+    """
+    try:
+        if plans_the_run(workflow):
+            files = map(os.path.relpath, workflow.configfiles)
+            run_checks(partial(refuse_unreadable, path) for path in files)
+            _refuse_grids_of_paper(workflow, config)
+        command_line = workflow.config_settings.config
+        nested = {key: item for key, item in command_line.items() if not isinstance(item, str)}
+        config.update(apply_effort(merge(config, yaml_values(nested))))
+        overwrite = yaml_values(config.pop("overwrite", False))
+        numbers = numeric_configuration(config)
+        if plans_the_run(workflow) and overwrite is not True:
+            _refuse_unnamed(config)
+        if numbers["quick"]:
+            numeric_configuration(apply_effort(config | {"effort": "quick"}), "effort quick: ")
+        return numbers
+    except ValueError as error:
+        refuse(error)
+
+
+def _refuse_grids_of_paper(workflow: Any, config: Mapping[str, Any]) -> None:
+    """Refuse the paper's quick grids for the user's surfaces, in either order of overlays."""
+    quick = ROOT / "config/quick.yaml"
+    if config["published"] == NONE and quick in map(Path.resolve, map(Path, workflow.configfiles)):
+        raise ValueError(
+            "--configfile: expected --config effort=quick for your surfaces (published: none), "
+            "found config/quick.yaml, whose grids are for the surfaces of the paper"
+        )
+
+
+def _refuse_unnamed(config: Mapping[str, Any]) -> None:
+    """Refuse other values for a study whose name is the project's own."""
+    name = config["study"]
+    project_config = read_yaml("config/config.yaml")
+    if name == "quick":
+        project_config = merge(project_config, read_yaml("config/quick.yaml"))
+    if name != project_config["study"]:
+        return
+    numbers, asked_numbers = numeric_configuration(project_config), numeric_configuration(config)
+    changes = [
+        f"{key}: {shorten(get_key(config, key))} for {shorten(get_key(project_config, key))}"
+        for key, _ in key_fields(Study)
+        if key != "quick" and get_key(numbers, key) != get_key(asked_numbers, key)
+    ]
+    if changes:
+        raise ValueError(
+            f"study {name}: expected the values of the project, found {', '.join(changes)}: give "
+            f"the study a name (study: my-name), or replace results/{name} with --config "
+            "overwrite=true"
+        )
+
+
+def yaml_values(value: Any) -> Any:
+    """Return a value whose texts, at any depth, are read as YAML; text that is no YAML stays."""
+    if isinstance(value, dict):
+        return {key: yaml_values(item) for key, item in value.items()}
+    if isinstance(value, list):
+        return [yaml_values(item) for item in value]
+    try:
+        return yaml.safe_load(value) if isinstance(value, str) else value
+    except (ValueError, yaml.YAMLError):
+        return value
+
+
+def checked_selection(workflow: Any, configuration: dict[str, Any]) -> Selection:
+    """Return the surfaces and scans of the study; refuse a study that would fail later."""
+    try:
+        rows = selected_scans(surface_table(configuration["surfaces"]), configuration["scans"])
+        if plans_the_run(workflow):
+            # Imported here, as the libraries that read scans would cost every job almost a second.
+            from hardcontact.run.checks import check_study
+
+            check_study(configuration, rows)
+        write_pins()  # A run that is refused writes nothing.
+    except ValueError as error:
+        refuse(error)
+    return Selection(
+        rows, configuration["sphere"]["surface"], digest_files(rows), surfaces_of_table1()
+    )
