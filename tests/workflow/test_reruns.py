@@ -174,7 +174,12 @@ def empty_metadata(folder):
 def test_records_decide_without_the_metadata_of_snakemake(dry, graph):
     assert dry(change=lambda folder: (lose_metadata(folder), said_otherwise(folder))) == []
     jobs = dry(overlay("scales.tolerance", 0.2), empty_metadata)
-    concerned = {"find_edges", "sample_sets", "fit_exponents", "compute_edge_shifts"} | KEPT
+    concerned = {
+        "find_edges_of_masters",
+        "sample_sets",
+        "fit_exponents",
+        "compute_edge_shifts",
+    } | KEPT
     assert rules_of(jobs) == graph.following(graph.files_of_rules(concerned))
 
 

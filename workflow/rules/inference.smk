@@ -5,8 +5,9 @@ EXPONENT_MASTERS = CHUNKS.filtered_masters("exponents")
 EDGE_SHIFT_MASTERS = CHUNKS.filtered_masters("edge_shifts")
 
 
-# Its substitutes are independent; `find_edges_of_scans` serves surfaces that have few scans.
-rule find_edges:
+# Intervals are over masters, because each has other scans and all are independent. Few scans need
+# `find_edges_of_scans`.
+rule find_edges_of_masters:
     """Find the edges of the critical band of the paper's study: edges.nc."""
     input:
         scales=PATTERNS.dataset("scales"),
@@ -15,7 +16,7 @@ rule find_edges:
     params:
         parameters=parameters(tolerance=STUDY["scales"]["tolerance"], sampling=SAMPLING),
     script:
-        "../scripts/find_edges.py"
+        "../scripts/find_edges_of_masters.py"
 
 
 rule fit_exponents:

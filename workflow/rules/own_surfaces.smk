@@ -104,8 +104,8 @@ MASTER_PARAMETERS = {
 }
 
 
-# Masters share few scans, whose parts give the intervals; `find_edges` needs independent
-# ones.
+# Intervals are over parts of scans, because masters share few scans. `find_edges_of_masters` needs
+# independent masters.
 rule find_edges_of_scans:
     """Find the edges of the critical band of the user's surfaces: edges.nc."""
     input:
