@@ -5,7 +5,6 @@ import pytest
 from known_spectra import contact_of_area, gaussian_spectrum, self_affine_spectrum
 from scipy import stats
 
-from hardcontact.base.number import Status
 from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies
@@ -13,6 +12,7 @@ from hardcontact.contact.pull_off import pull_off_dataset
 from hardcontact.surfaces.spectrum import Spectrum
 from hardcontact.surfaces.synthesis import random_surface
 from hardcontact.theory.closed_form import (
+    Regime,
     closed_form,
     critical_band,
     filtered_spectrum,
@@ -52,9 +52,9 @@ def test_without_roughness_the_closed_form_is_the_force_of_a_smooth_sphere():
     relative = 1 + contact().area / (2 * np.pi * RADIUS * contact().rho)
     assert form.force == pytest.approx(2 * np.pi * RADIUS * 1e-9 * relative)
     assert form.dmt_ratio == pytest.approx(relative, rel=1e-12)
-    assert (form.regime, form.weibull_modulus) == (Status.SMOOTH, np.inf)
+    assert (form.regime, form.weibull_modulus) == (Regime.SMOOTH, np.inf)
     nearly_smooth = closed_form(self_affine_spectrum(0.02), contact())
-    assert nearly_smooth.regime == Status.SMOOTH and nearly_smooth.dmt_ratio == pytest.approx(
+    assert nearly_smooth.regime == Regime.SMOOTH and nearly_smooth.dmt_ratio == pytest.approx(
         1, abs=0.03
     )
     assert np.isnan(critical_band(flat, contact(), 0.1)).all()
@@ -76,7 +76,7 @@ def test_a_single_smooth_summit_attracts_like_a_sphere_of_its_radius():
     form = closed_form(gaussian_spectrum(sigma, length), contact(rho, 0.0, flat))
     level = form.apex_height / sigma
     summit = length**2 / (sigma * level)  # its curvature is t m2/sigma
-    assert form.regime == Status.SINGLE_PEAKS
+    assert form.regime == Regime.SINGLE_PEAKS
     assert form.dmt_ratio == pytest.approx(summit / flat, rel=0.1)
 
 

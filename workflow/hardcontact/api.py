@@ -364,9 +364,8 @@ def force_ratios(
     forces = {}
     for side, side_cutoffs in cutoffs.items():
         wavelengths = sorted({float(wavelength) for wavelength in side_cutoffs})
-        side_forces = filtered_pull_off(
-            surface, Filters(side, surface.pixels, wavelengths), [contact], rough
-        )
+        filters = Filters(side, surface.pixels, wavelengths)
+        side_forces = filtered_pull_off(surface, filters, [contact], rough)
         forces[(side,)] = side_forces.isel(radius=0, loading=0, rho=0, drop=True)
     ratios = add_force_ratios(stack(forces, ["side"]))[["filtered_force_ratio"]]
     edges = edges_of_curves(ratios, tolerance)[["edge", "edge_status", "edge_bound"]]

@@ -5,60 +5,20 @@ from enum import StrEnum
 from typing import Any, NamedTuple
 
 
-class Status(StrEnum):
-    """The codes of `Number.status` and of like variables of datasets.
+class NumberStatus(StrEnum):
+    """The codes of `Number.status` that hold for any quantity.
 
-    `report.quantities` and templates turn them into words.
+    Modules that compute a quantity have the other codes, each vocabulary in an enumeration of its
+    own. `report.quantities` and templates turn all of them into words.
     """
 
     #: Nothing else is known of the number.
     PLAIN = ""
-    #: `value` is a bound: the number lies above or below it.
-    OPEN_ABOVE, OPEN_BELOW = "open_above", "open_below"
-    #: `low` or `high` is a bound.
-    INTERVAL_OPEN_LOW, INTERVAL_OPEN_HIGH = "interval_open_low", "interval_open_high"
     #: A value is known; ends of its interval alone are known; nothing is known.
     KNOWN, ONLY_ENDS, NOT_KNOWN = "known", "ends", "not_known"
-    #: An interval comes from scans or from quarters of scans.
-    SCANS, QUARTERS = "scans", "quarters"
-    #: There is no interval: scans do not bound the number, contacts touch too few patches, there
-    #: is a single test, or a single part of scans.
-    NO_INTERVAL, FEW_PATCHES, ONE_TEST = "no_interval", "few_patches", "one_test"
-    ONE_PART = "none"
-    #: An edge or the end of a region is found; no cutoff changes the force by the tolerance; no
-    #: pair fits all forces. A variable has "none" for only one of these and ONE_PART.
-    FOUND, NO_EDGE, NO_PAIR = "found", "none", "none"
-    #: The region extends beyond the computed ranges; ripples of the filter hide the edge; there is
-    #: no band.
-    OPEN, RIPPLES, NO_BAND = "open", "ripples", "no_band"
-    #: Artificial roughness is untested, or does not follow from the scans.
-    NO_HINDCAST, NO_EXPONENT = "no_hindcast", "no_exponent"
-    #: No pair fits the measured forces; a single force does not determine a pair.
-    NO_AGREEMENT, ONE_FORCE = "no_agreement", "one_force"
-    #: An input of the closed form is within the validated ranges or not.
-    INSIDE, OUTSIDE = "inside", "outside"
-    #: A change of the force by what the closed form leaves out.
-    MATTERS, NEGLIGIBLE, UNKNOWN = "matters", "negligible", "unknown"
-    #: Regimes: roughness hardly changes the force, many points carry it, or a few summits carry it.
-    SMOOTH, MANY_POINTS, SINGLE_PEAKS = "smooth", "many_points", "single_peaks"
-    #: Ends of the extrapolated spectrum.
-    ATOMS, GRADIENT, HALF_LAPLACIAN = "atoms", "gradient", "half_laplacian"
-    #: Bodies of a contact, by their elasticity.
-    HARD, SOFT = "hard", "soft"
-    #: Heights with steep sidewalls are not Gaussian: the closed form gives no force.
-    STEEP_SIDEWALLS = "steep_sidewalls"
-    #: A number of octaves is of a sum over the scan, or of the closed form.
-    ON_SCAN, IN_CLOSED_FORM = "on_scan", "closed_form"
-    #: No force on a scan: there is no map or more than one, it is too large, or the range of
-    #: adhesion is too short for its pixels or its relief.
-    NO_MAP, SEVERAL_SCANS = "no_map", "several_scans"
-    TOO_LARGE, RANGE_TOO_SHORT = "too_large", "short_range"
-    #: The closed form for the spectrum of a map, by its force relative to the force on the map.
-    AGREES, NOT_GAUSSIAN = "agrees", "not_gaussian"
-    #: A scan is smaller than twice the search size, or larger.
-    SMALL, LARGE = "small", "large"
-    #: An input is given, or the paper's.
-    GIVEN, FROM_PAPER = "given", "paper"
+    #: `low` or `high` is a bound; scans do not bound the number.
+    INTERVAL_OPEN_LOW, INTERVAL_OPEN_HIGH = "interval_open_low", "interval_open_high"
+    NO_INTERVAL = "no_interval"
 
 
 class Number(NamedTuple):
@@ -78,7 +38,7 @@ class Number(NamedTuple):
     unit: str = "1"
     low: float = math.nan
     high: float = math.nan
-    status: Status = Status.PLAIN
+    status: StrEnum = NumberStatus.PLAIN
     source: str = "computed"
 
     def __repr__(self) -> str:
@@ -98,7 +58,7 @@ def numbers_by_name(*numbers: Number) -> dict[str, Number]:
 def json_value(value: Any) -> Any:
     """Return a value for JSON: numbers as mappings, None in place of infinite values and NaN."""
     if isinstance(value, Number):
-        known = Status.KNOWN if math.isfinite(value.value) else Status.NOT_KNOWN
+        known = NumberStatus.KNOWN if math.isfinite(value.value) else NumberStatus.NOT_KNOWN
         return json_value(value._asdict() | {"status": value.status or known})
     if isinstance(value, dict):
         return {key: json_value(item) for key, item in value.items()}

@@ -5,6 +5,7 @@ import math
 import sys
 from argparse import Namespace
 from collections.abc import Callable, Mapping, Sequence
+from enum import StrEnum
 from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -12,7 +13,7 @@ from typing import Any, NamedTuple
 import pandas as pd
 
 from hardcontact.base.formatting import format_length, format_quantity
-from hardcontact.base.number import Number, Status, json_value, numbers_by_name
+from hardcontact.base.number import Number, json_value, numbers_by_name
 from hardcontact.commands.options import (
     QuantityOption,
     add_shared_options,
@@ -123,6 +124,12 @@ def _spectrum_readers(
     return [*readers]
 
 
+class QuantityStatus(StrEnum):
+    """Whether the user gave a quantity, or it is the paper's."""
+
+    GIVEN, FROM_PAPER = "given", "paper"
+
+
 def compute_numbers(inputs: Inputs, arguments: Namespace) -> dict[str, Number]:
     """Return the numbers of a prediction by name: its quantities, forces, octaves and modulus."""
     quantities, contact, own_spectrum, _ = inputs
@@ -136,7 +143,7 @@ def compute_numbers(inputs: Inputs, arguments: Namespace) -> dict[str, Number]:
         share = sphere_share(spectrum.joined, middle)
         numbers["octave_1_sphere_share"] = Number("octave_1_sphere_share", share)
     modulus = assumed_modulus(contact.hardness)
-    numbers["modulus"] = Number("modulus", modulus, "Pa", status=Status.FROM_PAPER)
+    numbers["modulus"] = Number("modulus", modulus, "Pa", status=QuantityStatus.FROM_PAPER)
     if "modulus" in quantities:
         numbers["modulus"] = _quantity_number("modulus", quantities["modulus"])
     numbers["tabor_parameter"] = judge_tabor_parameter(contact, numbers["modulus"].value)
@@ -145,7 +152,7 @@ def compute_numbers(inputs: Inputs, arguments: Namespace) -> dict[str, Number]:
 
 def _quantity_number(name: str, option: QuantityOption) -> Number:
     """Return the number of a quantity, which the user gave or which is the paper's."""
-    status = Status.GIVEN if option.is_given else Status.FROM_PAPER
+    status = QuantityStatus.GIVEN if option.is_given else QuantityStatus.FROM_PAPER
     return Number(name, option.number, option.unit, status=status)
 
 

@@ -1,11 +1,11 @@
 """The edge of one curve: the cutoff at which the change of the force exceeds the tolerance."""
 
+from enum import StrEnum
 from typing import NamedTuple
 
 import numpy as np
 
 from hardcontact.base.arrays import Floats
-from hardcontact.base.number import Status
 
 
 class ChangeCurve(NamedTuple):
@@ -21,14 +21,23 @@ class ChangeCurve(NamedTuple):
     limits: tuple[float, float]  #: Lower and upper limit; a change within them does not count.
 
 
+class EdgeStatus(StrEnum):
+    """Whether a curve has an edge."""
+
+    FOUND = "found"
+    #: The edge is longer or shorter than its bound.
+    OPEN_ABOVE, OPEN_BELOW = "open_above", "open_below"
+    #: There is no edge: ripples of the filter, not the roughness, change the force; or no cutoff
+    #: changes the force in closed form by the tolerance.
+    RIPPLES, NO_EDGE = "ripples", "none"
+
+
 class Edge(NamedTuple):
     """The edge of a curve, or a bound of it."""
 
     value: float  #: In nm; NaN if the edge is open.
     bound: float  #: Cutoff in nm beyond which an open edge lies; NaN for another status.
-    #: FOUND; OPEN_ABOVE if the edge is longer than its bound, OPEN_BELOW if shorter; RIPPLES if
-    #: there is no edge, because the curve shows the filter.
-    status: Status
+    status: EdgeStatus
 
 
 def ordered_curve(
@@ -96,12 +105,12 @@ def find_edge(curve: ChangeCurve) -> Edge:
     """
     edge = interpolate_edge(curve.cutoffs, curve.values, curve.limits)
     if np.isfinite(edge):
-        return Edge(edge, np.nan, Status.FOUND)
+        return Edge(edge, np.nan, EdgeStatus.FOUND)
     is_outside_at_once = first_outside(curve.values, curve.values, curve.limits) == 0
     bound = float(curve.cutoffs[0 if is_outside_at_once else -1])
     # The first cutoff of a short side is its shortest, the first of a long side its longest.
     is_open_below = is_outside_at_once == (curve.side == "short")
-    return Edge(np.nan, bound, Status.OPEN_BELOW if is_open_below else Status.OPEN_ABOVE)
+    return Edge(np.nan, bound, EdgeStatus.OPEN_BELOW if is_open_below else EdgeStatus.OPEN_ABOVE)
 
 
 def shows_ripples(curve: ChangeCurve) -> bool:

@@ -13,6 +13,7 @@ touch fewer patches than there are quarters, some quarters share a patch, and th
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from enum import StrEnum
 from typing import NamedTuple
 
 import numpy as np
@@ -20,7 +21,6 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from hardcontact.base.arrays import Floats
-from hardcontact.base.number import Status
 from hardcontact.base.statistics import MAX_LOG_DEVIATION, student_quantile
 from hardcontact.contact.contact import CONTACT_AXES
 
@@ -32,6 +32,14 @@ MIN_HALF_WIDTH = 1e-9
 MAX_BOUNDED_HALF_WIDTH = float(np.log(1e3))
 #: Parts that correlate more count as one part.
 SAME_CORRELATION = 1 - 1e-9
+
+
+class IntervalSource(StrEnum):
+    """What the interval of a mean comes from, or why there is none: `interval_source` of files."""
+
+    SCANS, QUARTERS = "scans", "quarters"
+    #: No interval: there is a single part, contacts touch too few patches, or a single test.
+    ONE_PART, FEW_PATCHES, ONE_TEST = "none", "few_patches", "one_test"
 
 
 class Variance(NamedTuple):
@@ -85,16 +93,13 @@ class ScanParts:
         return (1 + (count - 1) * correlation) / (1 - correlation), float(degrees_of_freedom)
 
     @property
-    def interval_source(self) -> Status:
-        """What an interval comes from: SCANS or QUARTERS of scans.
-
-        A single part (ONE_PART) and parts that touch few patches (FEW_PATCHES) give no interval.
-        """
+    def interval_source(self) -> IntervalSource:
+        """What an interval comes from, or why there is none."""
         if not self.are_quarters:
-            return Status.SCANS
+            return IntervalSource.SCANS
         if len(self.correlation) < 2 or self.mean_correlation > SAME_CORRELATION:
-            return Status.ONE_PART
-        return Status.FEW_PATCHES if self.touches_few_patches else Status.QUARTERS
+            return IntervalSource.ONE_PART
+        return IntervalSource.FEW_PATCHES if self.touches_few_patches else IntervalSource.QUARTERS
 
 
 def fewest_touched_patches(adhesion: xr.Dataset) -> dict[str, float]:

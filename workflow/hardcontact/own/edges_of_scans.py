@@ -9,12 +9,12 @@ from operator import truediv
 import numpy as np
 import xarray as xr
 
-from hardcontact.base.number import Status
 from hardcontact.base.statistics import ENDS, widen_interval, with_interval
 from hardcontact.base.units import DIMENSIONLESS, NM
 from hardcontact.inference.curve_edges import (
     ChangeCurve,
     Edge,
+    EdgeStatus,
     edge_interval,
     find_edge,
     logarithmic_limits,
@@ -96,10 +96,8 @@ def _without_ripples(edges: xr.Dataset, has_ripples: xr.DataArray) -> xr.Dataset
     """
     is_rippled = has_ripples.reindex(surface=edges["surface"], fill_value=False)
     is_kept = ~is_rippled | (edges["side"] != "short")
-    kept_edges = edges.where(is_kept)
-    return kept_edges.assign(
-        edge_status=edges["edge_status"].where(is_kept, Status.RIPPLES)
-    ).transpose("surface", "side", ...)
+    status = edges["edge_status"].where(is_kept, EdgeStatus.RIPPLES)
+    return edges.where(is_kept).assign(edge_status=status).transpose("surface", "side", ...)
 
 
 def edges_of_curves(ratios: xr.Dataset, tolerance: float) -> xr.Dataset:
@@ -118,7 +116,7 @@ def edges_of_curves(ratios: xr.Dataset, tolerance: float) -> xr.Dataset:
             ratios.isel(dict(zip(dimensions, index, strict=True))), tolerance
         )
         if shows_ripples(curve):
-            edges.append(Edge(np.nan, np.nan, Status.RIPPLES))
+            edges.append(Edge(np.nan, np.nan, EdgeStatus.RIPPLES))
             intervals.append(np.full(2, np.nan))
         else:
             edges.append(find_edge(curve))

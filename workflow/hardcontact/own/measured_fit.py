@@ -6,6 +6,7 @@ curve W(rho). For several surfaces, the region contains the pairs within the int
 """
 
 from collections.abc import Mapping
+from enum import StrEnum
 from typing import Any
 
 import numpy as np
@@ -14,7 +15,6 @@ import xarray as xr
 
 from hardcontact.base.arrays import Floats
 from hardcontact.base.dataset import stack
-from hardcontact.base.number import Status
 from hardcontact.base.statistics import (
     Sampling,
     interval_between,
@@ -25,9 +25,18 @@ from hardcontact.base.statistics import (
 from hardcontact.base.units import DIMENSIONLESS, JOULE_PER_M2, NEWTON, NM
 from hardcontact.contact.force_interpolation import interpolate_to_ranges
 from hardcontact.inference.fit import FIT_ATTRS, best_fit, fine_ranges
-from hardcontact.inference.scan_parts import sampled_deviations
+from hardcontact.inference.scan_parts import IntervalSource, sampled_deviations
 from hardcontact.own.mean_forces import SurfaceForces, forces_by_surface
 from hardcontact.own.measured_tests import measured_tests, sampled_means
+
+
+class RegionStatus(StrEnum):
+    """Whether an end of the region of ranges is found.
+
+    OPEN: the region extends beyond the computed ranges. NO_PAIR: no pair fits all forces.
+    """
+
+    FOUND, OPEN, NO_PAIR = "found", "open", "none"
 
 
 def fit_measured(
@@ -59,7 +68,9 @@ def fit_measured(
         fits[(model,)] = _fit_model(computed, means, test_samples, pixel_factors, sampling)
     # Tests and parts of scans, and so the sources of intervals, are the same for all models.
     sources = [
-        computed[name].scan_parts[0].interval_source if test.site_count > 1 else Status.ONE_TEST
+        computed[name].scan_parts[0].interval_source
+        if test.site_count > 1
+        else IntervalSource.ONE_TEST
         for name, test in tests.items()
     ]
     variables = {"interval_source": ("surface", sources), "label": measured_adhesion["label"]}
@@ -186,12 +197,12 @@ def _region_extent(region: Floats, ranges: Floats) -> dict[str, Any]:
     """
     allowed = np.flatnonzero(np.isfinite(region).all(axis=-1))
     region_range, region_work = np.full(2, np.nan), np.full(2, np.nan)
-    status = np.full(2, Status.NO_PAIR, "<U5")
+    status = np.full(2, RegionStatus.NO_PAIR, "<U5")
     if len(allowed):
         ends = allowed[[0, -1]]
         is_open = ends == [0, len(ranges) - 1]
         region_range = np.where(is_open, np.nan, ranges[ends])
-        status = np.where(is_open, Status.OPEN, Status.FOUND)
+        status = np.where(is_open, RegionStatus.OPEN, RegionStatus.FOUND)
         if not is_open.any():
             region_work = np.array([np.nanmin(region[:, 0]), np.nanmax(region[:, 1])])
     return {
@@ -213,17 +224,12 @@ def add_extrapolated_work(fitted: xr.Dataset, force: xr.Dataset) -> xr.Dataset:
     work = (fitted.measured_force / computed_force).transpose("surface", "side")
     measured_below, measured_above = _logarithmic_errors(fitted, "measured_force")
     computed_below, computed_above = _logarithmic_errors(surface_force, "extrapolated_force")
-    interval = interval_between(
-        work * np.exp(-np.hypot(measured_below, computed_above)),
-        work * np.exp(np.hypot(measured_above, computed_below)),
-    )
+    low = work * np.exp(-np.hypot(measured_below, computed_above))
+    high = work * np.exp(np.hypot(measured_above, computed_below))
+    interval = interval_between(low, high).transpose(*work.dims, "end").values
+    confidence = fitted.attrs["confidence"]
     variables = with_interval(
-        "extrapolated_work",
-        work.dims,
-        work.values,
-        interval.transpose(*work.dims, "end").values,
-        JOULE_PER_M2,
-        fitted.attrs["confidence"],
+        "extrapolated_work", work.dims, work.values, interval, JOULE_PER_M2, confidence
     )
     variables |= {name: surface_force[name] for name in ("extrapolation_matters", "transition")}
     return fitted.assign(variables).assign_attrs(assumed_range=force.attrs["rho"])

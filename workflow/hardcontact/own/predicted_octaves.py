@@ -1,12 +1,13 @@
 """The octaves of wavelengths whose amplitudes change the force most, on a map or in closed form."""
 
 from collections.abc import Iterator
+from enum import StrEnum
 
 import numpy as np
 import xarray as xr
 
 from hardcontact.base.arrays import Floats
-from hardcontact.base.number import Number, Status
+from hardcontact.base.number import Number
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.pull_off import make_force_function
 from hardcontact.inference.octaves import (
@@ -25,6 +26,12 @@ from hardcontact.theory.closed_form import closed_form
 from hardcontact.theory.prediction import trim_spectrum
 
 
+class OctaveStatus(StrEnum):
+    """Whether an octave matters to the sum over a scan, or to the closed form."""
+
+    ON_SCAN, IN_CLOSED_FORM = "on_scan", "closed_form"
+
+
 def predicted_octaves(own_spectrum: OwnSpectrum, contact: Contact) -> Iterator[Number]:
     """Yield the octaves that matter most to the force, if the user's files show their middles.
 
@@ -38,12 +45,12 @@ def predicted_octaves(own_spectrum: OwnSpectrum, contact: Contact) -> Iterator[N
     obstacle, _ = reason_without_force(scans, contact, len(AMPLITUDE_FACTORS) * len(octaves))
     if len(octaves) and not obstacle:
         derivatives = derivatives_on_scan(scans[0], octaves, contact)
-        status = Status.ON_SCAN
+        status = OctaveStatus.ON_SCAN
     elif any("sidewalls" in scan.defects for scan in scans):
         return
     else:
         derivatives = derivatives_in_closed_form(spectrum, octaves, contact)
-        status = Status.IN_CLOSED_FORM
+        status = OctaveStatus.IN_CLOSED_FORM
     sensitivity = xr.Dataset({"octave_sensitivity": ("octave", derivatives)}, {"octave": octaves})
     for number in strongest_octaves(sensitivity):
         yield number._replace(status=status)

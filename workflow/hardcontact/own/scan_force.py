@@ -7,10 +7,11 @@ form fails.
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from enum import StrEnum
 
 import numpy as np
 
-from hardcontact.base.number import Number, Status, numbers_by_name
+from hardcontact.base.number import Number, numbers_by_name
 from hardcontact.config.keys import ContactKeys
 from hardcontact.config.model import POSITION_CONTACTS_PER_ROW, SPHERE_POSITIONS, Study
 from hardcontact.contact.contact import PLASTIC, Contact
@@ -35,7 +36,7 @@ from hardcontact.surfaces.spectrum import Spectrum, measured_psds
 from hardcontact.theory.closed_form import closed_form, smooth_force
 from hardcontact.theory.prediction import EDGE_NAMES, prediction
 from hardcontact.theory.summits import search_size
-from hardcontact.theory.validity import is_validated, nearest_errors, table_coordinates
+from hardcontact.theory.validity import Validity, is_validated, nearest_errors, table_coordinates
 
 #: Contacts per row of their array, as in the paper.
 CONTACTS_PER_ROW = ContactKeys().contacts_per_row
@@ -52,6 +53,29 @@ CLOSED_FORM_NAMES = [
 ]
 
 
+class Obstacle(StrEnum):
+    """Why scans give no force: the range of adhesion may be too short for pixels or relief."""
+
+    NONE = ""
+    NO_MAP, SEVERAL_SCANS = "no_map", "several_scans"
+    TOO_LARGE, SHORT_RANGE = "too_large", "short_range"
+
+
+class ScanSize(StrEnum):
+    """Whether a scan is smaller than `LARGE_SIZE_RATIO` times the search size."""
+
+    SMALL, LARGE = "small", "large"
+
+
+class Agreement(StrEnum):
+    """Whether the closed form for the spectrum of a map agrees with the force on the map.
+
+    NOT_GAUSSIAN: the intervals of both forces are disjoint. OUTSIDE: neither is shown.
+    """
+
+    AGREES, NOT_GAUSSIAN, OUTSIDE = "agrees", "not_gaussian", "outside"
+
+
 def prediction_and_scan_force(
     own_spectrum: OwnSpectrum, contact: Contact, tolerance: float, name: str = "spectrum"
 ) -> dict[str, Number]:
@@ -62,11 +86,11 @@ def prediction_and_scan_force(
     numbers = prediction(own_spectrum.spectrum, contact, tolerance, name)
     scan_numbers = force_on_scan(own_spectrum, contact, Study().inference.confidence)
     form = scan_numbers.get("closed_form_on_scan")
-    if form is not None and form.status != Status.AGREES:
+    if form is not None and form.status != Agreement.AGREES:
         for quantity in numbers.keys() & set(CLOSED_FORM_NAMES):
             number = numbers[quantity]._replace(low=math.nan, high=math.nan)
             is_force = number.unit == "N" and math.isfinite(number.value)
-            numbers[quantity] = number._replace(status=Status.OUTSIDE) if is_force else number
+            numbers[quantity] = number._replace(status=Validity.OUTSIDE) if is_force else number
     return scan_numbers | numbers
 
 
@@ -86,32 +110,32 @@ def force_on_scan(
         numbers = _scan_force_numbers(scans[0], bodies, contact, search_width, confidence)
         return numbers_by_name(*numbers)
     no_force = numbers_by_name(Number("force_on_scan", math.nan, "N", status=status))
-    if status == Status.RANGE_TOO_SHORT:
+    if status == Obstacle.SHORT_RANGE:
         no_force["shortest_range"] = Number("shortest_range", shortest_range, "nm")
     return no_force
 
 
 def reason_without_force(
     scans: Sequence[HeightMap], contact: Contact, sums: int = 1
-) -> tuple[Status, float]:
-    """Return why levelled scans give no force, PLAIN if they do, and the shortest range (nm).
+) -> tuple[Obstacle, float]:
+    """Return why levelled scans give no force, NONE if they do, and the shortest range (nm).
 
     The range is the shortest that a single map resolves. `sums` is the number of force sums
     on this map; it multiplies the time.
     """
     if not any(scan.kind == "map" for scan in scans):
-        return Status.NO_MAP, math.nan
+        return Obstacle.NO_MAP, math.nan
     if len(scans) > 1:
-        return Status.SEVERAL_SCANS, math.nan
+        return Obstacle.SEVERAL_SCANS, math.nan
     (scan,) = scans
     window = contact_on_scan(scan, contact).window
     contact_pixels = contact.pixel_count(scan.pixel_size) * periods_in_window(window, scan.size)
     contact_pixels *= CONTACTS_PER_ROW**2 * sums
     if scan.pixels > MAX_QUICK_PIXELS or contact_pixels > MAX_QUICK_CONTACT_PIXELS:
-        return Status.TOO_LARGE, math.nan
+        return Obstacle.TOO_LARGE, math.nan
     grid = Grid(scan.pixels, scan.pixel_size, scan.size, float(np.ptp(scan.heights)))
     shortest_range, _ = minimum_range(contact.radius, window, grid)
-    return Status.RANGE_TOO_SHORT if contact.rho < shortest_range else Status.PLAIN, shortest_range
+    return Obstacle.SHORT_RANGE if contact.rho < shortest_range else Obstacle.NONE, shortest_range
 
 
 def contact_on_scan(scan: HeightMap, contact: Contact) -> Contact:
@@ -177,7 +201,7 @@ def _scan_force_numbers(
     position_half = position_half_width(surface_forces, confidence)
     if position_half is not None:
         yield Number("position_factor", float(np.exp(position_half[0])))
-    status = Status.SMALL if scan.size < LARGE_SIZE_RATIO * search_width else Status.LARGE
+    status = ScanSize.SMALL if scan.size < LARGE_SIZE_RATIO * search_width else ScanSize.LARGE
     yield Number("search_size", search_width, "nm", status=status)
     _, small_scan_ratio = finite_scan_ratio(scan.size, search_width)
     form = _closed_form_number(surface, force, small_scan_ratio, contact)
@@ -201,10 +225,10 @@ def _closed_form_number(
     is_bounded = math.isfinite(force.low + force.high)
     force_low, force_high = (force.low, force.high) if is_bounded else (force.value, force.value)
     if low > force_high or high < force_low:
-        status = Status.NOT_GAUSSIAN
+        status = Agreement.NOT_GAUSSIAN
     elif low <= force.value <= high and is_validated(spectrum, contact, form):
-        status = Status.AGREES
+        status = Agreement.AGREES
     else:
-        status = Status.OUTSIDE
-    interval = (low, high) if status == Status.AGREES else (math.nan, math.nan)
+        status = Agreement.OUTSIDE
+    interval = (low, high) if status == Agreement.AGREES else (math.nan, math.nan)
     return Number("closed_form_on_scan", form.force, "N", *interval, status)

@@ -4,38 +4,48 @@ import json
 import math
 import re
 from collections.abc import Iterable, Mapping
+from enum import StrEnum
 from typing import Any
 
 import xarray as xr
 
 from hardcontact.base.formatting import PRINTED_UNITS, format_as_paper, format_quantity
-from hardcontact.base.number import Number, Status, json_value
+from hardcontact.base.number import Number, NumberStatus, json_value
 from hardcontact.base.statistics import interval_ends
+from hardcontact.inference.curve_edges import EdgeStatus
+from hardcontact.inference.scan_parts import IntervalSource
+
+
+class NoValue(StrEnum):
+    """Why a number has no value: no band, an untested extrapolation, or measured forces.
+
+    NO_HINDCAST: artificial roughness is untested. NO_EXPONENT: it does not follow from the scans.
+    NO_AGREEMENT: no pair fits the forces. ONE_FORCE: a single force does not determine a pair.
+    """
+
+    NO_BAND, NO_HINDCAST, NO_EXPONENT = "no_band", "no_hindcast", "no_exponent"
+    NO_AGREEMENT, ONE_FORCE = "no_agreement", "one_force"
+
 
 #: Words in place of an unknown value, by its status.
 NO_VALUE_WORDS: dict[str, str] = {
-    Status.NO_BAND: "no band",
-    Status.NO_HINDCAST: "not answered: nothing shows that random roughness extends these scans",
-    Status.RIPPLES: "none: the filter's ripples beside steps or pits change the force",
-    Status.NO_EXPONENT: "not answered: the scans do not tell how their roughness goes on",
-    Status.NO_AGREEMENT: "none agrees",
+    NoValue.NO_BAND: "no band",
+    NoValue.NO_HINDCAST: "not answered: nothing shows that random roughness extends these scans",
+    EdgeStatus.RIPPLES: "none: the filter's ripples beside steps or pits change the force",
+    NoValue.NO_EXPONENT: "not answered: the scans do not tell how their roughness goes on",
+    NoValue.NO_AGREEMENT: "none agrees",
 }
 #: Words after a value without an interval, by its status.
 NO_INTERVAL_WORDS: dict[str, str] = {
-    Status.NO_INTERVAL: "not bounded by these scans",
-    Status.FEW_PATCHES: "not bounded: contacts touch too few patches",
+    NumberStatus.NO_INTERVAL: "not bounded by these scans",
+    IntervalSource.FEW_PATCHES: "not bounded: contacts touch too few patches",
 }
 #: Words before a value that is a bound, by its status.
-OPEN_WORDS: dict[str, str] = {Status.OPEN_ABOVE: "at least ", Status.OPEN_BELOW: "at most "}
+OPEN_WORDS: dict[str, str] = {EdgeStatus.OPEN_ABOVE: "at least ", EdgeStatus.OPEN_BELOW: "at most "}
 
 
 def number_of(
-    dataset: xr.Dataset,
-    variable: str,
-    unit: str = "",
-    *,
-    name: str = "",
-    source: str = "computed",
+    dataset: xr.Dataset, variable: str, unit: str = "", *, name: str = "", source: str = "computed"
 ) -> Number:
     """Return a variable without dimensions, with its `<variable>_interval` if there is one.
 
@@ -48,14 +58,14 @@ def number_of(
         return number
     low, high = (end.item() for end in interval_ends(dataset, variable))
     if (low, high) == (0, math.inf):
-        return number._replace(status=Status.NO_INTERVAL)
+        return number._replace(status=NumberStatus.NO_INTERVAL)
     return number._replace(low=low, high=high)
 
 
 def number_without_value(name: str, low: float, high: float, unit: str = "1") -> Number:
     """Return a number without a value: only one end or both ends of its interval are known."""
     is_known = math.isfinite(low) or math.isfinite(high)
-    status = Status.ONLY_ENDS if is_known else Status.NOT_KNOWN
+    status = NumberStatus.ONLY_ENDS if is_known else NumberStatus.NOT_KNOWN
     return Number(name, math.nan, unit, low, high, status)
 
 
@@ -132,7 +142,7 @@ def numbers_of_answer(answer: Mapping[str, Any], surface: str = "") -> dict[str,
             values: dict[str, Any] = {
                 key: math.nan if quantity[key] is None else quantity[key] for key in Number._fields
             }
-            if values["status"] in (Status.KNOWN, Status.NOT_KNOWN):
+            if values["status"] in (NumberStatus.KNOWN, NumberStatus.NOT_KNOWN):
                 values["status"] = ""
             numbers[values["name"]] = Number(**values)
     return numbers

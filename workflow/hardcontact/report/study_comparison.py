@@ -7,7 +7,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from hardcontact.base.number import Number, Status
+from hardcontact.base.number import Number, NumberStatus
+from hardcontact.inference.curve_edges import EdgeStatus
 from hardcontact.report.quantities import NO_INTERVAL_WORDS, numbers_of_answer
 
 #: Digits to which equal numbers agree. Processors with other kernels move numbers by up to 1.7e-10.
@@ -15,8 +16,8 @@ EQUAL_DIGITS = 8
 #: Sources of numbers that are inputs of a study, not results.
 INPUT_SOURCES = ("given", "assumed", "file")
 #: Statuses of numbers whose interval has no low end, and no high end.
-NO_LOW_END = (Status.OPEN_BELOW, Status.INTERVAL_OPEN_LOW, *NO_INTERVAL_WORDS)
-NO_HIGH_END = (Status.OPEN_ABOVE, Status.INTERVAL_OPEN_HIGH, *NO_INTERVAL_WORDS)
+NO_LOW_END = (EdgeStatus.OPEN_BELOW, NumberStatus.INTERVAL_OPEN_LOW, *NO_INTERVAL_WORDS)
+NO_HIGH_END = (EdgeStatus.OPEN_ABOVE, NumberStatus.INTERVAL_OPEN_HIGH, *NO_INTERVAL_WORDS)
 #: Agreements in the order of rows; the others, which resolve no change, stand between.
 AGREEMENT_RANKS = {"changed": 0, "different": 1, "equal": 3}
 #: Numbers beside the answer, by the beginning or end of their names; they come last.
@@ -161,7 +162,7 @@ def is_known(number: Number) -> bool:
 def lacks_interval(number: Number) -> bool:
     """Return whether a number has neither an interval nor a bound."""
     has_no_end = math.isnan(number.low) and math.isnan(number.high)
-    return has_no_end and number.status in ("", Status.KNOWN)
+    return has_no_end and number.status in ("", NumberStatus.KNOWN)
 
 
 def bounds(number: Number) -> tuple[float, float]:

@@ -4,6 +4,7 @@ The tail is self-affine with the Hurst exponent of the last decade measured. It 
 slope or the curvature over all scales would exceed those of the roughest hard surface known.
 """
 
+from enum import StrEnum
 from typing import NamedTuple
 
 import numpy as np
@@ -112,6 +113,12 @@ def _truncated_moments(
     return mean, weight @ (variances + (means - mean) ** 2)
 
 
+class TailEnd(StrEnum):
+    """The bound that ends the extrapolation to short waves; NONE for a description."""
+
+    NONE, ATOMS, GRADIENT, HALF_LAPLACIAN = "", "atoms", "gradient", "half_laplacian"
+
+
 class Tail(NamedTuple):
     """The extrapolation below the shortest wavelength measured; NaN without extrapolation."""
 
@@ -119,8 +126,7 @@ class Tail(NamedTuple):
     tail_hurst_error: float = np.nan  #: Its standard error.
     tail_fit_shortest: float = np.nan  #: Wavelengths in nm that the Hurst exponent is fitted to.
     tail_fit_longest: float = np.nan
-    #: Bound that ends the tail: "gradient", "half_laplacian" or "atoms"; "" for a description.
-    tail_ended_by: str = ""
+    tail_ended_by: TailEnd = TailEnd.NONE
 
 
 def has_exponent(tail: Tail) -> bool:
@@ -162,7 +168,7 @@ def extrapolate_short_waves(
     return spectrum, Tail(exponent, hurst.error, hurst.shortest, hurst.longest, ended_by)
 
 
-def _find_tail_end(density: Floats) -> tuple[int, str]:
+def _find_tail_end(density: Floats) -> tuple[int, TailEnd]:
     """Return the last index of WAVEVECTORS within the bounds, and `tail_ended_by`."""
 
     def rms(power: int, divisor: int) -> Floats:
@@ -170,9 +176,9 @@ def _find_tail_end(density: Floats) -> tuple[int, str]:
         return np.sqrt(scipy.integrate.cumulative_trapezoid(square, LOG_WAVEVECTORS, initial=0))
 
     exceeded = {
-        "gradient": rms(4, 1) > MAX_GRADIENT,
-        "half_laplacian": rms(6, 4) > MAX_HALF_LAPLACIAN,
-        "atoms": density == 0,
+        TailEnd.GRADIENT: rms(4, 1) > MAX_GRADIENT,
+        TailEnd.HALF_LAPLACIAN: rms(6, 4) > MAX_HALF_LAPLACIAN,
+        TailEnd.ATOMS: density == 0,
     }
     # The appended True is the first exceeded wave if there is no other.
     first_exceeded = {

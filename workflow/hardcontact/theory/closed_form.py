@@ -11,13 +11,13 @@ workflow/report/theory.md (The mean force) has the derivation and defines the sy
 """
 
 from dataclasses import dataclass, replace
+from enum import StrEnum
 
 import numpy as np
 from numpy.typing import ArrayLike
 from scipy import special
 
 from hardcontact.base.arrays import Floats
-from hardcontact.base.number import Status
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.hertz_jkr_dmt import dmt_pull_off, smooth_pull_off
 from hardcontact.inference.curve_edges import interpolate_edge, logarithmic_limits
@@ -45,6 +45,12 @@ MIN_SUMMIT_ROUGHNESS = 0.005
 CUTOFF_COUNT = 60
 
 
+class Regime(StrEnum):
+    """Whether roughness hardly changes the force, many points carry it, or a few summits do."""
+
+    SMOOTH, MANY_POINTS, SINGLE_PEAKS = "smooth", "many_points", "single_peaks"
+
+
 @dataclass(frozen=True)
 class ClosedForm:
     """The mean pull-off force, its terms and its regime."""
@@ -55,7 +61,7 @@ class ClosedForm:
     apex_height: float  #: The mean of m in nm, positive above the mean plane.
     #: k = rho m/sigma²; 0 if m is below the mean plane, infinite without roughness.
     weibull_modulus: float
-    regime: Status  #: SMOOTH, MANY_POINTS or SINGLE_PEAKS.
+    regime: Regime
 
 
 def contact_term(contact: Contact) -> float:
@@ -90,16 +96,16 @@ def closed_form(spectrum: Spectrum, contact: Contact, *, all_rough: bool = True)
     rough_spectrum = find_rough_spectrum(spectrum, contact.radius)
     if rough_spectrum is None:  # The limit of an rms height of zero.
         force = smooth_force(contact)
-        return ClosedForm(force, force / dmt_force, 0.0, 0.0, np.inf, Status.SMOOTH)
+        return ClosedForm(force, force / dmt_force, 0.0, 0.0, np.inf, Regime.SMOOTH)
     sigma = float(np.sqrt(spectral_moment(rough_spectrum, 0)))
     apex = apex_distribution(rough_spectrum, contact.radius, contact.area)
     mean_surface_term, summit_term = _terms(rough_spectrum, apex, contact, GENERATIONS, all_rough)
     dmt_ratio = mean_surface_term + summit_term + contact_term(contact)
     m = float(sigma * apex.mean())
     weibull_modulus = max(contact.rho * m / sigma**2, 0.0)
-    regime = Status.SINGLE_PEAKS if weibull_modulus < 1 else Status.MANY_POINTS
+    regime = Regime.SINGLE_PEAKS if weibull_modulus < 1 else Regime.MANY_POINTS
     if mean_surface_term + summit_term > SMOOTH_SHARE:
-        regime = Status.SMOOTH
+        regime = Regime.SMOOTH
     return ClosedForm(dmt_force * dmt_ratio, dmt_ratio, sigma, m, weibull_modulus, regime)
 
 

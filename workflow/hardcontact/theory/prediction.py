@@ -6,23 +6,26 @@ surfaces counts that was held out while the closed form was developed (`held_out
 
 import math
 from collections.abc import Iterator, Mapping
+from enum import StrEnum
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from hardcontact.base.arrays import Floats
 from hardcontact.base.formatting import format_length
-from hardcontact.base.number import Number, Status, numbers_by_name
+from hardcontact.base.number import Number, numbers_by_name
 from hardcontact.contact.contact import Contact
+from hardcontact.inference.curve_edges import EdgeStatus
 from hardcontact.scans.joined_spectrum import ScanSpectrum
 from hardcontact.scans.measured_spectrum import CALIBRATION_SCATTER
-from hardcontact.scans.tail import extrapolate_short_waves, fit_hurst_exponent
+from hardcontact.scans.tail import TailEnd, extrapolate_short_waves, fit_hurst_exponent
 from hardcontact.surfaces.spectrum import MIN_BINS, WAVEVECTORS, Spectrum, all_scales_rms
 from hardcontact.theory.closed_form import ClosedForm, closed_form, critical_band, smooth_force
 from hardcontact.theory.pull_off_statistics import predict_statistics
 from hardcontact.theory.validity import (
     MAX_NEGLIGIBLE_CHANGE,
     VALIDATED_QUANTITIES,
+    Validity,
     is_validated,
     nearest_errors,
     table_coordinates,
@@ -41,6 +44,12 @@ MAX_SKEWNESS = 1.0
 EDGE_NAMES = VALIDATED_QUANTITIES[1:]
 
 
+class Effect(StrEnum):
+    """Whether something that the closed form leaves out changes its force."""
+
+    MATTERS, NEGLIGIBLE, UNKNOWN = "matters", "negligible", "unknown"
+
+
 def prediction(
     spectrum: Spectrum, contact: Contact, tolerance: float, name: str = "spectrum"
 ) -> dict[str, Number]:
@@ -56,16 +65,16 @@ def prediction(
     inputs = _input_numbers(trimmed, contact, tolerance)
     scans = spectrum if isinstance(spectrum, ScanSpectrum) else None
     if scans is not None and scans.joined["sidewall_slope_share"].notnull().any():
-        force = Number("closed_form_force", math.nan, "N", status=Status.STEEP_SIDEWALLS)
+        force = Number("closed_form_force", math.nan, "N", status=Validity.STEEP_SIDEWALLS)
         return numbers_by_name(*inputs, force)
     form = closed_form(trimmed, contact)
     checks = _spectrum_checks(trimmed, contact, form, 0.0 if scans is None else scans.skewness)
-    error_is_known = all(number.status == Status.NEGLIGIBLE for number in checks)
+    error_is_known = all(number.status == Effect.NEGLIGIBLE for number in checks)
     if scans is not None and scans.is_extrapolated:
         error_is_known &= _is_measured_error_known(scans, contact, tolerance, name)
     tail = _short_wave_tail(spectrum, trimmed)
     is_unknown = tail is None and spectrum.density[-1] > 0
-    change_status = Status.UNKNOWN if is_unknown else Status.NEGLIGIBLE
+    change_status = Effect.UNKNOWN if is_unknown else Effect.NEGLIGIBLE
     change = Number("extrapolated_change", math.nan, status=change_status)
     extrapolated: list[Number] = []
     # Without an exponent no waves are added: slope or curvature are at their bounds already.
@@ -73,7 +82,7 @@ def prediction(
         extrapolated = _extrapolated_numbers(tail, contact, tolerance, error_is_known)
         change = _force_change("extrapolated_change", extrapolated[0].value, form)
     checks += [change, *validated_ranges(trimmed, contact, form)]
-    harmless = Status.NEGLIGIBLE, Status.INSIDE
+    harmless = Effect.NEGLIGIBLE, Validity.INSIDE
     validated = error_is_known and all(number.status in harmless for number in checks)
     point = table_coordinates(trimmed, contact, form)
     numbers = [
@@ -143,8 +152,8 @@ def _spectrum_checks(
 ) -> list[Number]:
     """Return longest octave, widest gap and skewness, each NEGLIGIBLE if the closed form holds."""
     gap = float((spectrum.wavevector[1:] / spectrum.wavevector[:-1]).max())
-    gap_status = Status.UNKNOWN if gap > MAX_WAVELENGTH_RATIO else Status.NEGLIGIBLE
-    skewness_status = Status.MATTERS if abs(skewness) > MAX_SKEWNESS else Status.NEGLIGIBLE
+    gap_status = Effect.UNKNOWN if gap > MAX_WAVELENGTH_RATIO else Effect.NEGLIGIBLE
+    skewness_status = Effect.MATTERS if abs(skewness) > MAX_SKEWNESS else Effect.NEGLIGIBLE
     return [
         _longest_octave(spectrum, contact, form),
         Number("widest_gap", gap, status=gap_status),
@@ -158,7 +167,7 @@ def _is_measured_error_known(
     """Return whether the error of the force is known without the scans' extrapolated waves."""
     numbers = prediction(scans.measured(), contact, tolerance, name)
     force = numbers.get("extrapolated_force", numbers["closed_form_force"])
-    return force.status == Status.INSIDE
+    return force.status == Validity.INSIDE
 
 
 def _validated_interval(
@@ -175,7 +184,8 @@ def _validated_interval(
 def _force_number(name: str, form: ClosedForm, point: Mapping[str, Any], validated: bool) -> Number:
     """Return a force (N) with its interval; the status says whether its error is known."""
     interval = _validated_interval("force", form.force, point, validated)
-    return Number(name, form.force, "N", *interval, Status.INSIDE if validated else Status.OUTSIDE)
+    status = Validity.INSIDE if validated else Validity.OUTSIDE
+    return Number(name, form.force, "N", *interval, status)
 
 
 def _edge_numbers(
@@ -185,9 +195,9 @@ def _edge_numbers(
     for name, edge in zip(EDGE_NAMES, band, strict=True):
         if math.isfinite(edge):
             interval = _validated_interval(name, edge, point, validated)
-            yield Number(f"{prefix}{name}", edge, "nm", *interval, Status.FOUND)
+            yield Number(f"{prefix}{name}", edge, "nm", *interval, EdgeStatus.FOUND)
         else:
-            yield Number(f"{prefix}{name}", edge, "nm", status=Status.NO_EDGE)
+            yield Number(f"{prefix}{name}", edge, "nm", status=EdgeStatus.NO_EDGE)
 
 
 class _Tail(NamedTuple):
@@ -237,7 +247,7 @@ def _extrapolated_numbers(
         *_edge_numbers("extrapolated_", band, point, validated),
         Number("extrapolated_to", float(spectrum.wavelength[-1]), "nm"),
         Number("extrapolated_rolloff", tail.rolloff, "nm"),
-        Number("extrapolated_hurst", tail.hurst, status=Status(tail.ended_by)),
+        Number("extrapolated_hurst", tail.hurst, status=TailEnd(tail.ended_by)),
     ]
 
 
@@ -245,7 +255,7 @@ def _force_change(name: str, changed_force: float, form: ClosedForm) -> Number:
     """Return the relative change of the force (N) of a closed form, and whether it matters."""
     change = abs(changed_force / form.force - 1)
     matters = change > MAX_NEGLIGIBLE_CHANGE
-    return Number(name, change, status=Status.MATTERS if matters else Status.NEGLIGIBLE)
+    return Number(name, change, status=Effect.MATTERS if matters else Effect.NEGLIGIBLE)
 
 
 def _longest_octave(spectrum: Spectrum, contact: Contact, form: ClosedForm) -> Number:
@@ -255,6 +265,6 @@ def _longest_octave(spectrum: Spectrum, contact: Contact, form: ClosedForm) -> N
     """
     is_shorter = spectrum.wavevector >= 2 * spectrum.wavevector[0]
     if is_shorter.sum() < 2:
-        return Number("longest_octave_change", math.nan, status=Status.UNKNOWN)
+        return Number("longest_octave_change", math.nan, status=Effect.UNKNOWN)
     shorter = Spectrum(spectrum.wavevector[is_shorter], spectrum.density[is_shorter])
     return _force_change("longest_octave_change", closed_form(shorter, contact).force, form)

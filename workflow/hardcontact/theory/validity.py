@@ -6,6 +6,7 @@ counts that was held out while the closed form was developed.
 
 import math
 from collections.abc import Iterator, Mapping
+from enum import StrEnum
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -14,13 +15,14 @@ import numpy as np
 import pandas as pd
 
 from hardcontact.base.formatting import format_quantity
-from hardcontact.base.number import Number, Status
+from hardcontact.base.number import Number
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.hertz_jkr_dmt import (
     maugis_parameter,
     pull_off_coefficient,
     tabor_parameter,
 )
+from hardcontact.inference.curve_edges import EdgeStatus
 from hardcontact.surfaces.spectrum import Spectrum, peak_wavelength
 from hardcontact.theory.closed_form import ClosedForm, contact_term
 
@@ -56,6 +58,24 @@ FITTED_POINTS = 40
 MAX_NEGLIGIBLE_CHANGE = 0.1
 
 
+class Validity(StrEnum):
+    """Whether the closed form is validated for an input, so that its error is known.
+
+    STEEP_SIDEWALLS: heights are not Gaussian, and the closed form gives no force.
+    """
+
+    INSIDE, OUTSIDE, STEEP_SIDEWALLS = "inside", "outside", "steep_sidewalls"
+
+
+class Elasticity(StrEnum):
+    """Whether elasticity reduces the force of a smooth sphere by more than MAX_NEGLIGIBLE_CHANGE.
+
+    HARD: it does not. UNKNOWN: the effective modulus is not known.
+    """
+
+    HARD, SOFT, UNKNOWN = "hard", "soft", "unknown"
+
+
 @cache
 def held_out_surfaces() -> pd.DataFrame:
     """Return the surfaces of the table DESIGNED_SURFACES that were held out, with their errors.
@@ -68,7 +88,7 @@ def held_out_surfaces() -> pd.DataFrame:
     for name in VALIDATED_QUANTITIES:
         error = held_out[name] / held_out[f"predicted_{name}"]
         if f"{name}_status" in held_out:
-            error = error.where(held_out[f"{name}_status"] == Status.FOUND)
+            error = error.where(held_out[f"{name}_status"] == EdgeStatus.FOUND)
         held_out[f"{name}_error"] = error
     return held_out
 
@@ -125,7 +145,7 @@ def nearest_errors(point: Mapping[str, Any], name: str) -> tuple[float, float]:
 def is_validated(spectrum: Spectrum, contact: Contact, form: ClosedForm) -> bool:
     """Return whether the table covers a contact, so that the error of its closed form is known."""
     ranges = validated_ranges(spectrum, contact, form)
-    return all(number.status == Status.INSIDE for number in ranges)
+    return all(number.status == Validity.INSIDE for number in ranges)
 
 
 def validated_ranges(spectrum: Spectrum, contact: Contact, form: ClosedForm) -> Iterator[Number]:
@@ -137,7 +157,7 @@ def validated_ranges(spectrum: Spectrum, contact: Contact, form: ClosedForm) -> 
     }
     for name, unit in VALIDATED_PARAMETERS.items():
         lowest, highest = held_out_surfaces()[name].agg(["min", "max"])
-        status = Status.INSIDE if lowest <= parameters[name] <= highest else Status.OUTSIDE
+        status = Validity.INSIDE if lowest <= parameters[name] <= highest else Validity.OUTSIDE
         yield Number(f"validated_{name}", parameters[name], unit, lowest, highest, status)
 
 
@@ -147,16 +167,15 @@ def assumed_modulus(hardness: float) -> float:
 
 
 def judge_tabor_parameter(contact: Contact, effective_modulus: float) -> Number:
-    """Return the Tabor parameter, with the range of adhesion as spacing, and its status.
+    """Return the Tabor parameter, with the range of adhesion as spacing; its status: `Elasticity`.
 
-    The effective modulus is in Pa, NaN if it is UNKNOWN. Bodies are SOFT if elasticity reduces the
-    force of a smooth sphere by more than MAX_NEGLIGIBLE_CHANGE, otherwise HARD.
+    The effective modulus is in Pa, NaN if it is not known.
     """
     if math.isnan(effective_modulus):
-        return Number("tabor_parameter", effective_modulus, status=Status.UNKNOWN)
+        return Number("tabor_parameter", effective_modulus, status=Elasticity.UNKNOWN)
     value = float(tabor_parameter(contact.work, contact.radius, effective_modulus, contact.rho))
     softening = 1 - float(pull_off_coefficient(maugis_parameter(value))) / 2
-    status = Status.SOFT if softening > MAX_NEGLIGIBLE_CHANGE else Status.HARD
+    status = Elasticity.SOFT if softening > MAX_NEGLIGIBLE_CHANGE else Elasticity.HARD
     return Number("tabor_parameter", value, status=status)
 
 

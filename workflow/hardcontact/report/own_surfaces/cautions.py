@@ -8,15 +8,18 @@ from collections.abc import Mapping
 import numpy as np
 import xarray as xr
 
-from hardcontact.base.number import Number, Status, numbers_by_name
+from hardcontact.base.number import Number, numbers_by_name
 from hardcontact.contact.finite_scan import MIN_WINDOW_SHARE, SMALLEST_SIZE_RATIO
 from hardcontact.contact.hertz_jkr_dmt import STRONGEST_WORK
+from hardcontact.inference.curve_edges import EdgeStatus
+from hardcontact.inference.scan_parts import IntervalSource
 from hardcontact.report.own_surfaces import spectrum_cautions
 from hardcontact.report.own_surfaces.artificial_roughness import fails_hindcast
 from hardcontact.report.own_surfaces.datasets import Datasets, forces_at_range, stored_tabor_number
 from hardcontact.report.own_surfaces.spectrum_cautions import Caution
 from hardcontact.report.quantities import number_of, number_without_value
 from hardcontact.surfaces.synthesis import SIDES
+from hardcontact.theory.validity import Elasticity
 
 #: Fewest pixels in contact: below, rounding to whole pixels may change the area by over 5 %.
 MIN_CONTACT_PIXELS = 10
@@ -49,7 +52,7 @@ def cautions(data: Datasets, numbers: Mapping[str, Number]) -> list[Caution]:
         spectrum_cautions.contradiction_caution(data.spectra),
         spectrum_cautions.excess_roughness_caution(data.spectra),
         *_hindcast_cautions(data),
-        Caution("ripples") if (data.edges["edge_status"] == Status.RIPPLES).any() else None,
+        Caution("ripples") if (data.edges["edge_status"] == EdgeStatus.RIPPLES).any() else None,
         spectrum_cautions.tail_caution(data),
         spectrum_cautions.long_wave_caution(data),
         _small_window_caution(data),
@@ -60,7 +63,7 @@ def cautions(data: Datasets, numbers: Mapping[str, Number]) -> list[Caution]:
 
 def _few_patches_caution(force: xr.Dataset) -> Caution | None:
     """Return a caution if the contacts on a scan touch too few patches for an interval."""
-    if force["interval_source"].item() != Status.FEW_PATCHES:
+    if force["interval_source"].item() != IntervalSource.FEW_PATCHES:
         return None
     numbers = [Number(name, int(force[name].item())) for name in ("contacts", "touched_patches")]
     return Caution("few_patches", grave=True, numbers=numbers_by_name(*numbers))
@@ -69,7 +72,7 @@ def _few_patches_caution(force: xr.Dataset) -> Caution | None:
 def _soft_bodies_caution(force: xr.Dataset) -> Caution | None:
     """Return a caution if the bodies are, or may be, too soft for a hard contact."""
     number = stored_tabor_number(force)
-    if number.status == Status.HARD:
+    if number.status == Elasticity.HARD:
         return None
     return Caution("soft_bodies", grave=True, numbers={"tabor": number})
 
@@ -162,7 +165,7 @@ def _few_pixels_caution(force: xr.Dataset) -> Caution | None:
 
 def _conditional_intervals_caution(force: xr.Dataset) -> Caution | None:
     """Return a caution if intervals are conditional on the scans at hand."""
-    if force["interval_source"].item() != Status.QUARTERS:
+    if force["interval_source"].item() != IntervalSource.QUARTERS:
         return None
     numbers = numbers_by_name(
         Number("scans", int(force["interval_scans"].item())),

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from hardcontact.base.arrays import Floats
-from hardcontact.base.number import Number, Status
+from hardcontact.base.number import Number, NumberStatus
 from hardcontact.inference.octaves import OCTAVES_NAMED
 from hardcontact.report.own_surfaces.artificial_roughness import shown_octaves
 from hardcontact.report.own_surfaces.datasets import Datasets, forces_at_range
@@ -34,7 +34,7 @@ def comparison_numbers(data: Datasets, reference: Datasets) -> Iterator[Number]:
     ratio = force.value / reference_force.value
     below, above = np.hypot(_log_distances(force), _log_distances(reference_force)[::-1])
     low, high = float(ratio * np.exp(-below)), float(ratio * np.exp(above))
-    status = Status.PLAIN if np.isfinite([low, high]).any() else Status.NO_INTERVAL
+    status = NumberStatus.PLAIN if np.isfinite([low, high]).any() else NumberStatus.NO_INTERVAL
     yield Number("force_over_reference", ratio, "1", low, high, status)
     octaves, contributions = octave_contributions(data, reference)
     # Some octaves may change the ratio in the opposite direction.

@@ -1,14 +1,17 @@
 """The edges of the critical band of a user's surface, a conclusion, and what to measure next."""
 
 from collections.abc import Iterable, Mapping
+from enum import StrEnum
 from typing import NamedTuple
 
 import numpy as np
 import xarray as xr
 
-from hardcontact.base.number import Number, Status
+from hardcontact.base.number import Number, NumberStatus
 from hardcontact.base.statistics import interval_ends
+from hardcontact.inference.curve_edges import EdgeStatus
 from hardcontact.inference.edges import computed_cutoffs
+from hardcontact.inference.scan_parts import IntervalSource
 from hardcontact.report.own_surfaces.artificial_roughness import (
     artificial_bands,
     classify_edge,
@@ -17,7 +20,7 @@ from hardcontact.report.own_surfaces.artificial_roughness import (
     overlaps_any,
 )
 from hardcontact.report.own_surfaces.datasets import Datasets
-from hardcontact.report.quantities import OPEN_WORDS, number_without_value
+from hardcontact.report.quantities import OPEN_WORDS, NoValue, number_without_value
 from hardcontact.scans.both_bodies import sphere_share
 from hardcontact.surfaces.synthesis import SIDES
 
@@ -61,9 +64,10 @@ class Conclusion(NamedTuple):
     extrapolated: list[str]
 
 
-def interval_status(source: xr.DataArray) -> Status:
-    """Return why a number has no interval: few patches touch, or scans do not bound it."""
-    return Status.FEW_PATCHES if source.item() == Status.FEW_PATCHES else Status.NO_INTERVAL
+def interval_status(source: xr.DataArray) -> StrEnum:
+    """Return the status of a number without interval: few patches touch, or no scan bounds it."""
+    has_few_patches = source.item() == IntervalSource.FEW_PATCHES
+    return IntervalSource.FEW_PATCHES if has_few_patches else NumberStatus.NO_INTERVAL
 
 
 def edge_number(side_edges: xr.Dataset, name: str, source: str) -> Number:
@@ -82,19 +86,19 @@ def edge_number(side_edges: xr.Dataset, name: str, source: str) -> Number:
 def resolves_nothing(edges: xr.Dataset) -> bool:
     """Return whether no cutoff changes the force on one surface, as if the surface were smooth."""
     statuses = edges["edge_status"].sel(side=list(SIDES)).values.tolist()
-    return bool(statuses == [Status.OPEN_ABOVE, Status.OPEN_BELOW])
+    return bool(statuses == [EdgeStatus.OPEN_ABOVE, EdgeStatus.OPEN_BELOW])
 
 
 def edge_numbers(data: Datasets) -> list[Number]:
     """Return the edges of one surface, each with its measured share and the cutoffs around it."""
     if resolves_nothing(data.edges):
-        return [Number(name, np.nan, "nm", status=Status.NO_BAND) for name in EDGES.values()]
+        return [Number(name, np.nan, "nm", status=NoValue.NO_BAND) for name in EDGES.values()]
     numbers = []
     for side in SIDES:
         edge = _known_ends(data, side)
         share = measured_share_at_edge(data, side)
         numbers += [edge, Number(f"{edge.name}_measured_share", share, source=edge.source)]
-        if edge.status == Status.NO_INTERVAL:
+        if edge.status == NumberStatus.NO_INTERVAL:
             numbers.append(_cutoffs_around(edge, data.edges.sel(side=side)))
     return numbers
 
@@ -106,8 +110,8 @@ def _known_ends(data: Datasets, side: str) -> Number:
     unfiltered force then rests on artificial roughness that is wrong.
     """
     status = data.edges["edge_status"].sel(side=side).item()
-    if status != Status.RIPPLES and fails_hindcast(data, side):
-        return Number(EDGES[side], np.nan, "nm", status=Status.NO_HINDCAST, source="artificial")
+    if status != EdgeStatus.RIPPLES and fails_hindcast(data, side):
+        return Number(EDGES[side], np.nan, "nm", status=NoValue.NO_HINDCAST, source="artificial")
     source = EDGE_SOURCES[classify_edge(data, side)]
     edge = edge_number(data.edges.sel(side=side), EDGES[side], source)
     bands = artificial_bands(data.spectra)
@@ -133,7 +137,7 @@ def next_scans(edges: Iterable[Number], spectra: xr.Dataset) -> list[NextScan]:
     return [
         _next_scan(edge, spectra)
         for edge in edges
-        if edge.status in (*OPEN_WORDS, Status.NO_BAND)
+        if edge.status in (*OPEN_WORDS, NoValue.NO_BAND)
         or edge.source in ("artificial", "partly_artificial")
     ]
 
@@ -151,7 +155,7 @@ def _next_scan(edge: Number, spectra: xr.Dataset) -> NextScan:
         measured_end = "shortest_measured" if is_finer else "longest_measured"
         wavelength = spectra[measured_end].item()
     if edge.status in OPEN_WORDS:
-        is_finer = edge.status == Status.OPEN_BELOW
+        is_finer = edge.status == EdgeStatus.OPEN_BELOW
     if is_finer:
         _, longest_below = max(band for band in bands if band[0] < wavelength)
         limit = min(wavelength, longest_below)
@@ -171,11 +175,11 @@ def surface_conclusion(numbers: Mapping[str, Number]) -> Conclusion:
     force = _drop_partial_interval(numbers["mean_force"])
     sides = [side for side in SIDES if f"force_extrapolated_{side}" in numbers]
     sources = {short.source, long.source, numbers["mean_force_change"].source}
-    if numbers["mean_force"].status == Status.FEW_PATCHES:
+    if numbers["mean_force"].status == IntervalSource.FEW_PATCHES:
         band = "few_patches"
-    elif short.status == Status.NO_BAND:
+    elif short.status == NoValue.NO_BAND:
         band = "none"
-    elif {Status.NO_HINDCAST, Status.RIPPLES} & {short.status, long.status}:
+    elif {NoValue.NO_HINDCAST, EdgeStatus.RIPPLES} & {short.status, long.status}:
         band = "unknown"
     else:
         band = "overlapping" if short.value >= long.value else "found"
@@ -192,5 +196,5 @@ def surface_conclusion(numbers: Mapping[str, Number]) -> Conclusion:
 def _drop_partial_interval(number: Number) -> Number:
     """Return a number without its interval if only one end of it is known."""
     is_whole = np.isfinite([number.low, number.high]).all() or np.isnan(number.value)
-    status = number.status if number.status in OPEN_WORDS else Status.PLAIN
+    status = number.status if number.status in OPEN_WORDS else NumberStatus.PLAIN
     return number if is_whole else number._replace(low=np.nan, high=np.nan, status=status)

@@ -7,7 +7,7 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.base.arrays import Floats
-from hardcontact.base.number import Number, Status
+from hardcontact.base.number import Number, NumberStatus
 from hardcontact.contact.hertz_jkr_dmt import dmt_pull_off
 from hardcontact.report.own_surfaces.artificial_roughness import (
     NEARLY_ALL,
@@ -17,14 +17,14 @@ from hardcontact.report.own_surfaces.artificial_roughness import (
 )
 from hardcontact.report.own_surfaces.datasets import Datasets, forces_at_range, preferred_model
 from hardcontact.report.own_surfaces.edges import interval_status
-from hardcontact.report.quantities import number_of, number_without_value
+from hardcontact.report.quantities import NoValue, number_of, number_without_value
 from hardcontact.surfaces.synthesis import SIDES
 
 
 def add_status(number: Number, source: xr.DataArray) -> Number:
     """Return a number with a status that says why it has no interval, if it has none."""
     is_bounded = np.isfinite([number.low, number.high]).any()
-    if is_bounded or number.status not in ("", Status.NO_INTERVAL):
+    if is_bounded or number.status not in ("", NumberStatus.NO_INTERVAL):
         return number
     return number._replace(status=interval_status(source))
 
@@ -98,9 +98,9 @@ def extrapolated_number(side_data: xr.Dataset, variable: str, name: str, data: D
     side = str(side_data["side"].item())
     unknown = Number(name, np.nan, number.unit, source=number.source)
     if fails_hindcast(data, side):
-        return unknown._replace(status=Status.NO_HINDCAST)
+        return unknown._replace(status=NoValue.NO_HINDCAST)
     if side == "short" and data.spectra["tail_known"].item() != 1:
-        return unknown._replace(status=Status.NO_EXPONENT)
+        return unknown._replace(status=NoValue.NO_EXPONENT)
     return number
 
 
@@ -185,11 +185,11 @@ def fit_numbers(fit: xr.Dataset) -> list[Number]:
     weakest, strongest = fit["region_work"].values.tolist()
     region = number_without_value("fit_region_range", shortest, longest, "nm")
     if fit.sizes["surface"] == 1:
-        region = region._replace(status=Status.ONE_FORCE)
+        region = region._replace(status=NoValue.ONE_FORCE)
     elif fit["work_by_range_interval"].isnull().any():
-        region = region._replace(status=Status.NO_INTERVAL)
+        region = region._replace(status=NumberStatus.NO_INTERVAL)
     elif not agrees.any():
-        region = region._replace(status=Status.NO_AGREEMENT)
+        region = region._replace(status=NoValue.NO_AGREEMENT)
     nearest = np.abs(rho - fit.attrs["assumed_range"]).argmin()
     return [
         Number("fit_best_range", fit["range_of_adhesion"].item(), "nm"),

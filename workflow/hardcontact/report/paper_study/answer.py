@@ -1,17 +1,19 @@
 """The answer of the paper's study, from claims and datasets: the content of its answer.json."""
 
 from collections.abc import Iterator, Mapping
+from enum import StrEnum
 from typing import Any
 
 import numpy as np
 import pandas as pd
 import xarray as xr
 
-from hardcontact.base.number import Number, Status, numbers_by_name
+from hardcontact.base.number import Number, NumberStatus, numbers_by_name
 from hardcontact.base.statistics import interval_ends, percentile_interval
 from hardcontact.config.model import numeric_configuration
 from hardcontact.contact.contact import PLASTIC
 from hardcontact.files.master_purposes import SHORT_ADHESION_RANGE
+from hardcontact.inference.curve_edges import EdgeStatus
 from hardcontact.inference.edges import MEAN_GROUP, edges_or_bounds
 from hardcontact.inference.fit import WITHOUT_SURFACE
 from hardcontact.inference.octaves import strongest_octaves
@@ -46,8 +48,8 @@ ANSWER_CLAIMS = {
 }
 #: Side of each edge of the band in the datasets, and its status if it lies beyond the cutoffs.
 EDGE_SIDES = {
-    "short_edge": ("short", Status.OPEN_ABOVE),
-    "long_edge": ("long", Status.OPEN_BELOW),
+    "short_edge": ("short", EdgeStatus.OPEN_ABOVE),
+    "long_edge": ("long", EdgeStatus.OPEN_BELOW),
 }
 #: Parameters that are fitted to the forces of each set of scans, with units.
 PAIR_UNITS = {"range_of_adhesion": "nm", "work_of_adhesion": "J/m2"}
@@ -174,9 +176,9 @@ def _edge_source(scales: xr.Dataset, side: str, edge: float) -> str:
     return "artificial" if is_artificial else "computed"
 
 
-def _interval_status(end: str) -> Status:
+def _interval_status(end: str) -> StrEnum:
     """Return the status of a number whose interval is open at an end, "low" or "high", if any."""
-    return Status(f"interval_open_{end}" if end else "")
+    return NumberStatus(f"interval_open_{end}" if end else "")
 
 
 def _claim_numbers(name: str, row: Any, datasets: Mapping[str, xr.Dataset]) -> list[Number]:

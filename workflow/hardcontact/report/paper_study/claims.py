@@ -7,7 +7,7 @@ import numpy as np
 import pandas as pd
 
 from hardcontact.base.formatting import format_as_paper, is_unbounded
-from hardcontact.base.number import Status
+from hardcontact.base.number import NumberStatus
 from hardcontact.paper.claim_selection import LARGER_PIXELS, WITHOUT_SCAN
 from hardcontact.paper.verdicts import (
     BY_CONSTRUCTION,
@@ -59,7 +59,7 @@ def _printed_claim(row: Mapping[Any, Any]) -> dict[str, Any]:
     limits = () if row["agreeing_share"] >= 0 else (row["accepted_low"], row["accepted_high"])
     computed_text = format_as_paper(row["computed"], unit)
     if is_unbounded(row["computed"], *interval, unit):
-        computed_text += f" ({NO_INTERVAL_WORDS[Status.NO_INTERVAL]})"
+        computed_text += f" ({NO_INTERVAL_WORDS[NumberStatus.NO_INTERVAL]})"
     elif row["low"] != row["high"]:
         bounds = {"open_end": row["open_end"], "limits": limits}
         computed_text = format_as_paper(row["computed"], unit, interval, **bounds)
