@@ -1,4 +1,4 @@
-# Scales: multi-scale masters, cutoff filters, pull-off of each filtered surface.
+# Scales: masters, cutoff filters, pull-off of each filtered master.
 
 from hardcontact.config.grids import master_megabytes
 from hardcontact.files.master_purposes import (
@@ -15,7 +15,7 @@ SAMPLED_MASTERS = [] if IS_PAPER_STUDY else CHUNKS.filtered_masters("sampled")
 
 
 rule synthesize_masters:
-    """Continue the roughness of a scan below its pixels and beyond its size."""
+    """Replace wavelengths of a scan beyond the transition of a side by random roughness."""
     input:
         scan=lambda w: FILES.roughness_path(
             w.surface, SELECTION.realization_scan(w.surface, int(w.realization))

@@ -27,7 +27,7 @@ def widen_pixels(surface: HeightMap) -> HeightMap:
 
 
 def pixel_forces(surface: HeightMap, sphere: HeightMap | None, contact: Contact) -> xr.Dataset:
-    """Return ``scan_force`` and ``wide_pixel_force`` (contact_y, contact_x) in N.
+    """Return ``scan_force`` and ``wide_pixel_force`` (contact_y, contact_x) in N at 1 J/m².
 
     Both bodies have wider pixels for ``wide_pixel_force``. `sphere` is None for a smooth sphere.
     """

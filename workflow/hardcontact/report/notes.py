@@ -10,7 +10,9 @@ def note(
     kind: str, text: str, code: str = "", surface: str = "", *, grave: bool = False
 ) -> dict[str, Any]:
     """Return a note for answer.json; grave ones stand at the top of the page."""
-    return {"surface": surface, "kind": kind, "code": code, "grave": grave, "text": text}
+    # A comparison with an attribute of a dataset is a NumPy truth value, which JSON lacks.
+    is_grave = bool(grave)
+    return {"surface": surface, "kind": kind, "code": code, "grave": is_grave, "text": text}
 
 
 def substitutes_note(labels: Sequence[str]) -> list[dict[str, Any]]:

@@ -128,9 +128,7 @@ def _small_window_caution(data: Datasets) -> Caution | None:
         Number("range", shown_share["rho"].item(), "nm"),
         Number("shortest_low_range", first_range, "nm"),
     )
-    # Attributes of a dataset are NumPy numbers, and JSON has no NumPy booleans.
-    is_grave = bool(answer_share.item() < 1 - data.edges.attrs["tolerance"])
-    return Caution("window", is_grave, numbers)
+    return Caution("window", answer_share.item() < 1 - data.edges.attrs["tolerance"], numbers)
 
 
 def _small_scan_caution(data: Datasets) -> Caution | None:
@@ -146,7 +144,7 @@ def _small_scan_caution(data: Datasets) -> Caution | None:
     )
     if share < SMALLEST_SIZE_RATIO:
         numbers["smallest_share"] = Number("smallest_share", SMALLEST_SIZE_RATIO)
-    return Caution("small_scan", bool(low > 1 + data.edges.attrs["tolerance"]), numbers)
+    return Caution("small_scan", low > 1 + data.edges.attrs["tolerance"], numbers)
 
 
 def _few_pixels_caution(force: xr.Dataset) -> Caution | None:
@@ -160,7 +158,7 @@ def _few_pixels_caution(force: xr.Dataset) -> Caution | None:
         Number("pixel_area", pixel, "nm2"),
         Number("pixels", area / pixel),
     )
-    return Caution("few_pixels", bool(area < pixel), numbers)
+    return Caution("few_pixels", area < pixel, numbers)
 
 
 def _conditional_intervals_caution(force: xr.Dataset) -> Caution | None:
