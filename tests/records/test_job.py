@@ -14,7 +14,7 @@ from repository import ROOT, environment
 
 from hardcontact.base import dataset
 from hardcontact.records.job import run_job
-from hardcontact.records.origin import canonical_json, digest, read_record
+from hardcontact.records.origin import digest, read_record
 
 PARAMETERS = {"surface": "uncd", "range": 5.6}
 
@@ -41,7 +41,7 @@ def snakemake(tmp_path, monkeypatch):
     return SimpleNamespace(
         input=Named(scan="scan.txt", code=["script.py"]),
         output=Named(data="made/data.nc", text="made/text.txt"),
-        params=SimpleNamespace(parameters=canonical_json(PARAMETERS)),
+        params=SimpleNamespace(parameters=PARAMETERS),
         log=["a.log"],
     )
 

@@ -9,7 +9,7 @@ rule compute_pull_off:
     output:
         PATTERNS.pull_off,
     params:
-        parameters=parameters(
+        parameters=dict(
             sphere_positions=PLAN.sphere_positions,
             positions_per_row=PLAN.positions_per_row,
             contact=CONTACT_AT_RANGE | {"contacts_per_row": PLAN.position_contacts_per_row},
@@ -26,7 +26,7 @@ rule aggregate_adhesion:
     output:
         PATTERNS.dataset("adhesion"),
     params:
-        parameters=parameters(
+        parameters=dict(
             scan_keys=PLAN.substrate_scan_ids,
             **NAMED_SURFACES,
             sphere_radius=STUDY["sphere"]["radius"],

@@ -28,7 +28,7 @@ for name in PAPER_FIGURES:
             ),
             svg=PATTERNS.figure(name, "svg"),
         params:
-            parameters=parameters(figure=name, title=figure.title, inputs=figure.inputs),
+            parameters=dict(figure=name, title=figure.title, inputs=figure.inputs),
             caption="\n\n".join(caption(name, config)[:3]),
         script:
             "../scripts/draw_figure.py"
@@ -63,6 +63,6 @@ rule answer_paper:
         },
         **ANSWER,
     params:
-        parameters=parameters(**config),
+        parameters=dict(**config),
     script:
         "../scripts/answer_paper.py"

@@ -23,7 +23,7 @@ rule answer_surfaces:
         **{kind: [PATTERNS.figure(name, kind) for name in DRAWN_FIGURES] for kind in FILE_KINDS},
         **ANSWER,
     params:
-        parameters=parameters(
+        parameters=dict(
             study=STUDY["study"],
             effort=STUDY["effort"],
             contact_words=contact_words(STUDY),

@@ -16,7 +16,7 @@ rule evaluate_claims:
         claims=PATTERNS.result("claims.csv"),
     retries: 0  # A faulty row of claims.csv fails again.
     params:
-        parameters=parameters(
+        parameters=dict(
             datasets=CLAIM_DATASETS,
             confidence=STUDY["inference"]["confidence"],
             contact_words=paper_contact(STUDY),

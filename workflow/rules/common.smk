@@ -11,7 +11,6 @@
 #   PAGES          title and category of each page of the report except figures
 #   ANSWER         answer.html and answer.json
 #   PUBLISHED_TABLES  the tables of the paper, by name
-#   parameters     turns the parameters of a script into one text
 # surfaces.smk defines the names that depend on the table of surfaces. Every other name is local to
 # its file.
 
@@ -19,7 +18,6 @@ from hardcontact.base.published import PUBLISHED_TABLES
 from hardcontact.config.configuration import read_yaml
 from hardcontact.config.model import NONE, PAPER
 from hardcontact.files.patterns import study_patterns
-from hardcontact.records.origin import canonical_json
 from hardcontact.run import study_inputs
 
 STUDY = study_inputs.checked_configuration(workflow, config)
@@ -38,8 +36,3 @@ ANSWER = {
     ),
     "json": PATTERNS.result("answer.json"),
 }
-
-
-def parameters(**values):
-    """Return the parameters of a script, by their names, as one text."""
-    return canonical_json(values)

@@ -19,7 +19,7 @@ rule describe_study:
         surfaces=PATTERNS.result("surfaces.tsv"),
         variables=PATTERNS.result("datasets.md"),
     params:
-        parameters=parameters(**config),
+        parameters=dict(**config),
     script:
         "../scripts/describe_study.py"
 
@@ -28,6 +28,6 @@ rule verify:
     """Check whether the files of the study match what they were made from; write nothing."""
     retries: 0
     params:
-        parameters=parameters(results=PATTERNS.results),
+        parameters=dict(results=PATTERNS.results),
     script:
         "../scripts/verify.py"

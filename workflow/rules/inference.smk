@@ -14,7 +14,7 @@ rule find_edges_of_masters:
     output:
         PATTERNS.dataset("edges"),
     params:
-        parameters=parameters(tolerance=STUDY["scales"]["tolerance"], sampling=SAMPLING),
+        parameters=dict(tolerance=STUDY["scales"]["tolerance"], sampling=SAMPLING),
     script:
         "../scripts/find_edges_of_masters.py"
 
@@ -26,7 +26,7 @@ rule fit_exponents:
     output:
         PATTERNS.dataset("exponents"),
     params:
-        parameters=parameters(
+        parameters=dict(
             surfaces=[row.surface for row in EXPONENT_MASTERS],
             realizations=STUDY["exponents"]["realizations"],
             tolerance=STUDY["scales"]["tolerance"],
@@ -45,7 +45,7 @@ rule compute_edge_shifts:
     output:
         PATTERNS.dataset("edge_shifts"),
     params:
-        parameters=parameters(
+        parameters=dict(
             surfaces=[row.surface for row in EDGE_SHIFT_MASTERS],
             realizations=STUDY["exponents"]["realizations"],
             tolerance=STUDY["scales"]["tolerance"],
@@ -66,7 +66,7 @@ rule fit_published:
     output:
         PATTERNS.dataset("fit"),
     params:
-        parameters=parameters(reference_surface=STUDY["reference_surface"], sampling=SAMPLING),
+        parameters=dict(reference_surface=STUDY["reference_surface"], sampling=SAMPLING),
     script:
         "../scripts/fit_published.py"
 
@@ -79,6 +79,6 @@ rule apply_classical_models:
     output:
         PATTERNS.dataset("classical"),
     params:
-        parameters=parameters(**SAMPLING),
+        parameters=dict(**SAMPLING),
     script:
         "../scripts/apply_classical_models.py"

@@ -30,7 +30,7 @@ rule compute_whole_surface_forces:
     output:
         PATTERNS.whole_surface_forces,
     params:
-        parameters=lambda w: parameters(
+        parameters=lambda w: dict(
             **WHOLE_SURFACES,
             surface=w.surface,
             realizations=list(range(int(w.first), int(w.last) + 1)),
@@ -53,7 +53,7 @@ rule compute_perturbed_scan_forces:
     output:
         PATTERNS.perturbed_scan_forces,
     params:
-        parameters=lambda w: parameters(
+        parameters=lambda w: dict(
             scan=int(w.scan),
             bodies=PLAN.rough_bodies(w.surface, int(w.scan)),
             measurements=PLAN.measurements_of_map(w.surface, int(w.scan)),
@@ -74,7 +74,7 @@ rule compute_band_forces:
     output:
         PATTERNS.band_forces,
     params:
-        parameters=lambda w: parameters(
+        parameters=lambda w: dict(
             **WHOLE_SURFACES,
             surface=w.surface,
             realizations=list(range(1, STUDY["scales"]["whole_surfaces"] + 1)),
@@ -96,7 +96,7 @@ rule aggregate_sensitivity:
     output:
         PATTERNS.dataset("sensitivity"),
     params:
-        parameters=parameters(
+        parameters=dict(
             maps=[*CHUNKS.whole_surfaces, *PLAN.measured_scan_ids],
             bands=BAND_SURFACES,
             **NAMED_SURFACES,

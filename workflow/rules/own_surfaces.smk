@@ -16,7 +16,7 @@ rule combine_scans:
     wildcard_constraints:
         surface=COMBINED,
     params:
-        parameters=lambda w: parameters(
+        parameters=lambda w: dict(
             surface=w.surface,
             scan=int(w.scan),
             sphere_scan=PLAN.sphere_scan(w.surface, int(w.scan)),
@@ -36,7 +36,7 @@ rule combine_spectra:
     wildcard_constraints:
         surface=COMBINED,
     params:
-        parameters=lambda w: parameters(surface=w.surface),
+        parameters=lambda w: dict(surface=w.surface),
     script:
         "../scripts/combine_spectra.py"
 
@@ -51,7 +51,7 @@ rule combine_sampled_spectra:
     wildcard_constraints:
         surface=COMBINED,
     params:
-        parameters=lambda w: parameters(surface=w.surface),
+        parameters=lambda w: dict(surface=w.surface),
     script:
         "../scripts/combine_sampled_spectra.py"
 
@@ -63,7 +63,7 @@ rule aggregate_spectra:
     output:
         PATTERNS.dataset("spectra"),
     params:
-        parameters=parameters(
+        parameters=dict(
             surfaces=SELECTION.surfaces,  # the order of the inputs
             labels=SELECTION.labels,
             descriptions={
@@ -85,7 +85,7 @@ rule sample_spectra:
             allow_missing=True,
         ),
     params:
-        parameters=lambda w: parameters(
+        parameters=lambda w: dict(
             surface=w.surface,
             seed=STUDY["seed"],
             contact_scan_indices=SELECTION.contact_scan_indices(w.surface),
@@ -115,7 +115,7 @@ rule find_edges_of_scans:
     output:
         PATTERNS.dataset("edges"),
     params:
-        parameters=parameters(**MASTER_PARAMETERS),
+        parameters=dict(**MASTER_PARAMETERS),
     script:
         "../scripts/find_edges_of_scans.py"
 
@@ -131,7 +131,7 @@ rule compute_force_at_pair:
     output:
         PATTERNS.dataset("force"),
     params:
-        parameters=parameters(
+        parameters=dict(
             contact=CONTACT_AT_RANGE | {"work": STUDY["adhesion"]["work"]},
             **MASTER_PARAMETERS,
         ),
@@ -152,6 +152,6 @@ if HAS_FORCES:
         output:
             PATTERNS.dataset("fit"),
         params:
-            parameters=parameters(**SAMPLING),
+            parameters=dict(**SAMPLING),
         script:
             "../scripts/fit_measured.py"

@@ -26,7 +26,7 @@ rule synthesize_masters:
     resources:
         mem_mb=master_megabytes(STUDY["scales"]["short"]["pixels"]),
     params:
-        parameters=lambda w: parameters(
+        parameters=lambda w: dict(
             surface=w.surface,
             realization=int(w.realization),
             seed=STUDY["seed"],
@@ -49,7 +49,7 @@ rule compute_filtered_forces:
     resources:
         mem_mb=lambda w: filter_megabytes(STUDY, w.purpose),
     params:
-        parameters=lambda w: parameters(
+        parameters=lambda w: dict(
             surface=w.surface,
             realizations=list(range(int(w.first), int(w.last) + 1)),
             seed=STUDY["seed"],
@@ -71,7 +71,7 @@ rule aggregate_scales:
     output:
         PATTERNS.dataset("scales"),
     params:
-        parameters=parameters(
+        parameters=dict(
             surfaces=[row.surface for row in MASTERS],
             sampled_surfaces=[row.surface for row in SAMPLED_MASTERS],
             realizations=STUDY["scales"]["realizations"],

@@ -13,7 +13,7 @@ rule calibrate_spectrum:
     output:
         PATTERNS.calibrated_spectrum,
     params:
-        parameters=lambda w: parameters(surface=w.surface),
+        parameters=lambda w: dict(surface=w.surface),
     script:
         "../scripts/calibrate_spectrum.py"
 
@@ -25,9 +25,7 @@ rule read_scan:
     output:
         PATTERNS.measurement,
     params:
-        parameters=lambda w: parameters(
-            **reading_keys(STUDY, SELECTION.dataset(w.surface, int(w.scan)))
-        ),
+        parameters=lambda w: dict(**reading_keys(STUDY, SELECTION.dataset(w.surface, int(w.scan)))),
     script:
         "../scripts/read_scan.py"
 
@@ -39,7 +37,7 @@ rule measure_spectrum:
     output:
         PATTERNS.measured_spectrum,
     params:
-        parameters=lambda w: parameters(**PLAN.measurement_settings(w.surface)),
+        parameters=lambda w: dict(**PLAN.measurement_settings(w.surface)),
     script:
         "../scripts/measure_spectrum.py"
 
@@ -60,7 +58,7 @@ for scan_numbers, surfaces in PLAN.scan_groups.items():
             surface=any_name_pattern(surfaces),
         params:
             # The default keeps the scans of this rule for when the loop has gone on.
-            parameters=lambda w, scan_numbers=scan_numbers: parameters(
+            parameters=lambda w, scan_numbers=scan_numbers: dict(
                 surface=w.surface,
                 scan_numbers=scan_numbers,
                 scan_grid=SCAN_GRID,
@@ -82,7 +80,7 @@ rule prepare_scan:
     wildcard_constraints:
         surface=any_name_pattern(SELECTION.measured_surfaces),
     params:
-        parameters=lambda w: parameters(**PLAN.levelling_settings(w.surface)),
+        parameters=lambda w: dict(**PLAN.levelling_settings(w.surface)),
     script:
         "../scripts/prepare_scan.py"
 
@@ -96,7 +94,7 @@ rule aggregate_topography:
     output:
         PATTERNS.dataset("topography"),
     params:
-        parameters=parameters(
+        parameters=dict(
             scan_keys=PLAN.scan_ids,
             conditioned=SELECTION.substitutes,
             **NAMED_SURFACES,

@@ -19,7 +19,7 @@ rule compute_pool:
     output:
         PATTERNS.pool_forces,
     params:
-        parameters=lambda w: parameters(
+        parameters=lambda w: dict(
             **SET_SURFACES,
             surface=w.surface,
             first=int(w.first),
@@ -38,7 +38,7 @@ rule compute_featured_samples:
     output:
         PATTERNS.featured_sample_forces,
     params:
-        parameters=lambda w: parameters(
+        parameters=lambda w: dict(
             **SET_SURFACES,
             surface=w.surface,
             first=int(w.first),
@@ -64,7 +64,7 @@ rule sample_sets:
         PATTERNS.dataset("sets"),
     retries: 0  # A faulty row of claims.csv fails again.
     params:
-        parameters=parameters(
+        parameters=dict(
             chunks=CHUNKS.pools,
             sample_chunks=CHUNKS.featured_samples,
             sampled_substrates=SELECTION.sampled_substrates,
@@ -95,7 +95,7 @@ rule compare_features:
     output:
         PATTERNS.dataset("features"),
     params:
-        parameters=parameters(sample_chunks=CHUNKS.featured_samples, labels=SELECTION.labels),
+        parameters=dict(sample_chunks=CHUNKS.featured_samples, labels=SELECTION.labels),
     script:
         "../scripts/compare_features.py"
 
@@ -109,6 +109,6 @@ rule fit_posterior:
     output:
         PATTERNS.dataset("posterior"),
     params:
-        parameters=parameters(whole_surfaces=CHUNKS.whole_surfaces, sampling=SAMPLING),
+        parameters=dict(whole_surfaces=CHUNKS.whole_surfaces, sampling=SAMPLING),
     script:
         "../scripts/fit_posterior.py"

@@ -31,7 +31,7 @@ rule trace_contact:
     output:
         PATTERNS.dataset("contact"),
     params:
-        parameters=parameters(**TRACED, contact=CONTACT),
+        parameters=dict(**TRACED, contact=CONTACT),
     script:
         "../scripts/trace_contact.py"
 
@@ -44,7 +44,7 @@ rule solve_elastic_contacts:
     output:
         PATTERNS.elastic_contacts,
     params:
-        parameters=lambda w: parameters(
+        parameters=lambda w: dict(
             surface=w.surface,
             scans=SELECTION.contact_scans(w.surface),
             contact=CONTACT,
@@ -64,7 +64,7 @@ rule aggregate_elastic:
     output:
         PATTERNS.dataset("elastic"),
     params:
-        parameters=parameters(
+        parameters=dict(
             surfaces=SELECTION.substrates,
             **NAMED_SURFACES,
             title="elastic contacts: pressure at the preload, and pull-off beside that of rigid bodies",
@@ -83,7 +83,7 @@ rule measure_indents:
     output:
         PATTERNS.dataset("indent"),
     params:
-        parameters=parameters(
+        parameters=dict(
             **SELECTION.attributes(INDENTED),
             scan_numbers=SELECTION.contact_scans(INDENTED),
             sphere_scan_numbers=SELECTION.contact_scans(SPHERE),
@@ -101,7 +101,7 @@ rule find_asperities:
     output:
         PATTERNS.asperities,
     params:
-        parameters=lambda w: parameters(
+        parameters=lambda w: dict(
             surface=w.surface,
             scans=SELECTION.contact_scans(w.surface),
             contact=CONTACT,
@@ -119,7 +119,7 @@ rule aggregate_asperities:
     output:
         PATTERNS.dataset("asperities"),
     params:
-        parameters=parameters(
+        parameters=dict(
             surfaces=SELECTION.substrates,
             **NAMED_SURFACES,
             title="asperities that carry the pull-off force of plastic contacts",

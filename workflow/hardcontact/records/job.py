@@ -18,6 +18,7 @@ from hardcontact.base import dataset
 from hardcontact.base.atomic_file import atomic_file, remove_parts
 from hardcontact.records.origin import (
     Origin,
+    canonical_json,
     digests,
     keep_records,
     record_path,
@@ -36,7 +37,7 @@ class Job(NamedTuple):
 
     input: Any  #: Paths of the inputs, by position or by name in the rule.
     output: Any  #: Paths of the outputs, likewise.
-    parameters: dict[str, Any]  #: The rule's `params.parameters`, decoded.
+    parameters: dict[str, Any]  #: The rule's `params.parameters`, as JSON would keep them.
     origin: Origin  #: Parameters, inputs and code, which determine the outputs.
 
     def write(self, results: xr.Dataset, title: str, output: int | str = 0) -> None:
@@ -76,7 +77,7 @@ def run_job(snakemake: Any) -> Iterator[Job]:
     gc.disable()
     with job_log(snakemake.log[0]):
         inputs = snakemake.input
-        canonical_parameters = snakemake.params.parameters
+        canonical_parameters = canonical_json(snakemake.params.parameters)
         input_digests = digests(inputs)
         refuse_changed(input_digests)
         for path in snakemake.output:  # Snakemake's lock keeps other runs from these files.

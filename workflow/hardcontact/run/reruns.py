@@ -45,7 +45,7 @@ class Change(NamedTuple):
 class Reruns:
     """The changes since the files of a run were made.
 
-    A job is Snakemake's: it has paths as `input` and canonical text as `params.parameters`.
+    A job is Snakemake's: it has paths as `input` and a mapping as `params.parameters`.
     """
 
     def __init__(self, dependencies: Mapping[Any, Mapping[Any, Iterable[str]]]) -> None:
@@ -60,10 +60,10 @@ class Reruns:
         """Return the changes since a job made a file."""
         try:
             record = read_record(path) or {}
-            recorded = _named_values(record["parameters"]) | _named_values(record["versions"])
+            recorded = _entries(json.loads(record["parameters"]) | json.loads(record["versions"]))
         except (ValueError, KeyError, TypeError, AttributeError):  # whatever a damage leaves
             return Change({f"no complete record of {path}"}, set(), set())
-        current = _named_values(job.params.parameters) | _named_values(canonical_json(versions()))
+        current = _entries(job.params.parameters | versions())
         changed_inputs = self._changed_inputs(job, record)
         self._changed |= changed_inputs
         return Change(recorded - current, current - recorded, changed_inputs)
@@ -102,7 +102,7 @@ class Reruns:
                 path: self._lineage(makers[path]) if path in makers else _file_lineage(path)
                 for path in _inputs(job)
             }
-            self._lineages[job] = lineage(job.params.parameters, inputs)
+            self._lineages[job] = lineage(canonical_json(job.params.parameters), inputs)
         return self._lineages[job]
 
 
@@ -131,9 +131,9 @@ def _file_lineage(path: str) -> str:
     return str(record.get("lineage", "")) if record else digest(path)
 
 
-def _named_values(text: str) -> set[str]:
-    """Return the values of a canonical JSON text with their keys."""
-    return {f"{key}={canonical_json(value)}" for key, value in json.loads(text).items()}
+def _entries(values: Mapping[str, Any]) -> set[str]:
+    """Return each key with its value as one text."""
+    return {f"{key}={canonical_json(value)}" for key, value in values.items()}
 
 
 def plan_by_records(workflow: Any) -> None:
