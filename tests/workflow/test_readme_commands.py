@@ -152,7 +152,7 @@ def typed_in(folder, readme):
             (folder / "forces.csv").write_text(content)
     typed = commands(text)
     assert len(typed) > 10
-    if "source .venv/bin/activate" not in typed:
+    if not any(line.startswith("source .venv/bin/activate") for line in typed):
         typed = ["python3 -m venv .venv", "source .venv/bin/activate", *typed]
     runs = []
     for program, *words in calls(folder, typed):
