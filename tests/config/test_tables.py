@@ -6,7 +6,7 @@ from repository import BANDS, ROOT
 
 from hardcontact.config.force_table import measured_forces
 from hardcontact.config.tables import refuse_description, refuse_paper_surface
-from hardcontact.surfaces.descriptions import AFM_ROWS, TAIL_ROWS
+from hardcontact.surfaces.table1_calibration import AFM_ROWS, TAIL_ROWS
 
 SURFACES = ["coating", "bare"]
 RADIUS = 250e3

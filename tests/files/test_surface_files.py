@@ -29,12 +29,12 @@ def test_the_shape_of_a_rough_sphere_is_subtracted(tmp_path):
 @pytest.mark.parametrize(
     ("surface", "function", "scans"),
     [
-        ("uncd", Selection.realization_scan, [2, 5, 2]),  # in turn; below, a scan for each
-        ("uncd", Selection.separate_scan, [2, 5, 6, 7, 8]),
-        ("mcd", Selection.separate_scan, [2, 5, 2]),
+        ("uncd", Selection.master_scan, [2, 5, 2]),  # in turn; below, a scan for each
+        ("uncd", Selection.separate_master_scan, [2, 5, 6, 7, 8]),
+        ("mcd", Selection.separate_master_scan, [2, 5, 2]),
     ],
 )
-def test_a_realization_uses_its_scan(surface, function, scans):
+def test_a_master_takes_its_scan(surface, function, scans):
     selection = study_files(scans=[2, 5], measured_surfaces=["mcd"]).selection
-    for realization, scan in enumerate(scans, start=1):
-        assert function(selection, surface, realization) == scan
+    for master_number, scan in enumerate(scans, start=1):
+        assert function(selection, surface, master_number) == scan

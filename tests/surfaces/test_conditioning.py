@@ -11,7 +11,6 @@ from repository import PAPER, ROOT
 from hardcontact.base import published
 from hardcontact.config.grids import random_surface_pixels
 from hardcontact.surfaces import conditioning
-from hardcontact.surfaces.descriptions import AFM_ROWS
 from hardcontact.surfaces.levelling import level
 from hardcontact.surfaces.metrics import metrics
 from hardcontact.surfaces.spectrum import spectrum_dataset
@@ -19,6 +18,7 @@ from hardcontact.surfaces.substitute_spectra import substitute_spectrum
 from hardcontact.surfaces.substitutes import Substitute, Targets
 from hardcontact.surfaces.synthesis import ScanGrid
 from hardcontact.surfaces.table1_calibration import (
+    AFM_ROWS,
     expected_scan_rms,
     transfer_weights,
 )
@@ -37,7 +37,7 @@ def substitute(spectrum, grid=GRID, table1=TABLE1):
 
 
 def assert_met(targets, scan_metrics):
-    """Expect the means, and the deviation if there is more than one scan."""
+    """Expect the means, and the standard deviation if there is more than one scan."""
     for name, mean in targets.means.items():
         assert scan_metrics[name].mean() == pytest.approx(mean, rel=1e-6)
     if len(scan_metrics) > 1:
@@ -137,7 +137,9 @@ def test_a_surface_without_published_roughness_is_not_conditioned(spectrum):
 def test_negative_heights_are_refused_in_one_line(spectrum):
     targets = Targets(dict(zip(NAMES, (20.0, 0.4, 0.05), strict=True)), 40.0, ())
     message = refusal(conditioning.condition_group, substitute(spectrum), targets, range(1, 6))
-    assert_says(message, "5 scans with the mean 20 nm and the deviation 40 nm", "expected", "found")
+    assert_says(
+        message, "5 scans with the mean 20 nm and the standard deviation 40 nm", "expected", "found"
+    )
 
 
 def test_rows_of_table_1_beyond_a_smooth_gain_are_not_met(spectrum):

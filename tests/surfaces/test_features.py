@@ -81,9 +81,9 @@ def test_sampled_features_have_the_published_statistics(sign, scans):
         assert np.sign(features.height) == sign and len(features.counts) == scans
         rms_values = expected_rms_of(features)
         means = rms_values.mean(axis=0)
-        assert (np.abs(means - POLISHED.means) <= POLISHED.deviations / np.sqrt(5)).all()
+        assert (np.abs(means - POLISHED.means) <= POLISHED.stds / np.sqrt(5)).all()
         if scans > 1:
-            ratios = rms_values.std(axis=0, ddof=1)[:2] / POLISHED.deviations[:2]
+            ratios = rms_values.std(axis=0, ddof=1)[:2] / POLISHED.stds[:2]
             assert (np.abs(ratios - 1) <= 1 / np.sqrt(8)).all()
 
 
@@ -92,7 +92,7 @@ def test_deviations_are_in_standard_errors():
     deviations = standardized_differences(values, POLISHED)
     np.testing.assert_allclose(deviations[:3], 0, atol=1e-12)
     np.testing.assert_allclose(deviations[3], (np.sqrt(2) - 1) * np.sqrt(8))
-    shifted = standardized_differences(values + POLISHED.deviations / np.sqrt(5), POLISHED)
+    shifted = standardized_differences(values + POLISHED.stds / np.sqrt(5), POLISHED)
     np.testing.assert_allclose(shifted[:3], 1)
 
 
@@ -101,7 +101,7 @@ def test_published_statistics_keep_the_relative_deviations_of_table_1():
     rows = table[table["surface"] == "polished_uncd"].set_index("quantity")
     means = {"rms_height": 3.2, "rms_gradient": 0.04, "rms_half_laplacian": 1e-3}
     statistics = published_statistics(means, rows, 5)
-    np.testing.assert_allclose(statistics.deviations, [1.6, 0.01, 0.65e-3])
+    np.testing.assert_allclose(statistics.stds, [1.6, 0.01, 0.65e-3])
     assert statistics.all_rms_height == 4.2
 
 

@@ -12,7 +12,7 @@ from scipy import stats
 
 from hardcontact.base import published
 from hardcontact.base.random import generator
-from hardcontact.surfaces import descriptions, spectrum, substitute_spectra, table1_calibration
+from hardcontact.surfaces import spectrum, substitute_spectra, table1_calibration
 from hardcontact.surfaces.levelling import level
 from hardcontact.surfaces.metrics import metrics
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_rms
@@ -127,8 +127,8 @@ def test_default_spectra_are_continuous(surface):
 @pytest.mark.parametrize("surface", SUBSTRATES)
 def test_default_spectra_meet_table_1(surface):
     table1, default = default_spectrum(surface)
-    afm_rows = list(descriptions.AFM_ROWS)
-    tail_rows = list(descriptions.TAIL_ROWS)
+    afm_rows = list(substitute_spectra.AFM_ROWS)
+    tail_rows = list(substitute_spectra.TAIL_ROWS)
     assert default.attrs["table1_rows_met"] == ",".join([*afm_rows, *tail_rows])
     height, *slope_and_curvature = all_scales_rms(Spectrum(WAVEVECTORS, default.spectrum.values))
     np.testing.assert_allclose(slope_and_curvature, table1.value[tail_rows], rtol=1e-9)
@@ -146,7 +146,7 @@ def test_permitted_spectra_scatter_like_the_means_of_table_1(write_description):
     table1 = published.read_table1(ROOT / "resources/paper/table1.csv")
     table1 = published.rows_of_surface(table1, "uncd")
     constants = published.read_constants(ROOT / "resources/paper/constants.csv")
-    rows = list(descriptions.AFM_ROWS)
+    rows = list(substitute_spectra.AFM_ROWS)
     mean_errors = table1.uncertainty[rows] / np.sqrt(5)
     weights = table1_calibration.paper_weights(constants)
     path = write_description("inf,6.5,self-affine,,,,,")

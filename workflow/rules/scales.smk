@@ -18,7 +18,7 @@ rule synthesize_masters:
     """Replace wavelengths of a scan beyond the transition of a side by random roughness."""
     input:
         scan=lambda w: FILES.roughness_path(
-            w.surface, SELECTION.realization_scan(w.surface, int(w.realization))
+            w.surface, SELECTION.master_scan(w.surface, int(w.realization))
         ),
         spectrum=lambda w: FILES.roughness_spectrum_path(w.surface),
     output:

@@ -3,7 +3,7 @@
 from hardcontact.base import dataset
 from hardcontact.records.job import run_job
 from hardcontact.surfaces.height_map import load_height_map
-from hardcontact.surfaces.roughness_table import measured_roughness, roughness_table
+from hardcontact.surfaces.metrics import measured_roughness, roughness_table
 
 with run_job(snakemake) as job:
     params = job.parameters

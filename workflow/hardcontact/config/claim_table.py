@@ -10,7 +10,7 @@ from hardcontact.config.tables import Row, parse_number, user_table
 from hardcontact.paper.claim_selection import WITHOUT_SCAN
 from hardcontact.paper.evaluation import CLAIM_DATASETS, DERIVED_QUANTITIES, NUMBER_COLUMNS
 from hardcontact.paper.verdicts import accepted_range
-from hardcontact.surfaces.roughness_table import TABLE1_VARIABLES
+from hardcontact.surfaces.metrics import TABLE1_VARIABLES
 
 #: Columns, and the words that each may have; an empty tuple permits any text.
 COLUMNS: dict[str, tuple[str, ...]] = {

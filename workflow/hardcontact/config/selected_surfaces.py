@@ -14,7 +14,7 @@ from hardcontact.config.keys import Keys
 from hardcontact.config.model import SMOOTH_SPHERE
 from hardcontact.config.tables import user_table
 from hardcontact.records.origin import digest, short_digest
-from hardcontact.surfaces.descriptions import read_segments
+from hardcontact.surfaces.substitute_spectra import read_segments
 
 #: Stands for the number of a scan of a smooth sphere; scans are numbered from 1.
 NO_SCAN = 0
@@ -121,20 +121,20 @@ class Selection:
         uses = self._all_rows.use[self._all_rows.surface == surface]
         return [index for index, use in enumerate(uses) if use == CONTACT_USE]
 
-    def realization_scan(self, surface: str, realization: int) -> int:
-        """Return the number of the scan of a realization; realizations use the scans in turn."""
+    def master_scan(self, surface: str, master_number: int) -> int:
+        """Return the number of the scan in a master; masters take the scans in turn."""
         scans = self.contact_scans(surface)
-        return scans[(realization - 1) % len(scans)]
+        return scans[(master_number - 1) % len(scans)]
 
-    def separate_scan(self, surface: str, realization: int) -> int:
-        """Return the number of a scan of one realization only; measured scans come in turn.
+    def separate_master_scan(self, surface: str, master_number: int) -> int:
+        """Return the number of a scan in one master only; masters take measured scans in turn.
 
-        The study's substitute scans come first, then numbers after the largest of them.
+        The study's substitute scans come before scans of larger numbers, made for other masters.
         """
         scans = self.contact_scans(surface)
-        if realization <= len(scans) or surface in self.measured_surfaces:
-            return self.realization_scan(surface, realization)
-        return max(scans) + realization - len(scans)
+        if master_number <= len(scans) or surface in self.measured_surfaces:
+            return self.master_scan(surface, master_number)
+        return max(scans) + master_number - len(scans)
 
     def group(self, surface: str, scan: int) -> int:
         """Return the number of the group of a substitute scan; 0 for the study's scans."""

@@ -50,11 +50,12 @@ class StudyPlan:
     @property
     def scan_groups(self) -> dict[tuple[int, ...], list[str]]:
         """Groups of scans that are made together, by numbers, each with its substitutes."""
-        realizations = max(self.configuration[key]["realizations"] for key in ("sets", "exponents"))
+        master_count = max(self.configuration[key]["realizations"] for key in ("sets", "exponents"))
         selection = self.selection
         groups = defaultdict[tuple[int, ...], list[str]](list)
         for surface in selection.substitutes:
-            last_group = selection.group(surface, selection.separate_scan(surface, realizations))
+            last_scan = selection.separate_master_scan(surface, master_count)
+            last_group = selection.group(surface, last_scan)
             for group in range(last_group + 1):
                 groups[tuple(selection.scans_of_group(surface, group))].append(surface)
         return groups

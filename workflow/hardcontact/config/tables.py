@@ -15,13 +15,13 @@ from pathlib import Path
 from typing import NamedTuple, TypeVar
 
 from hardcontact.config.faults import quote_key, raise_faults
-from hardcontact.surfaces.descriptions import (
-    CALIBRATION_ROWS,
+from hardcontact.surfaces.substitute_spectra import (
     DATA_EVIDENCE,
     DESCRIPTION_NUMBERS,
     needs_calibration,
     read_segments,
 )
+from hardcontact.surfaces.table1_calibration import CALIBRATION_ROWS
 
 #: Largest size of a table: a hundred thousand rows.
 MAX_BYTES = 10_000_000

@@ -170,10 +170,10 @@ class Chunks:
                 for side in SIDES
             }
         if chunk.purpose == "sampled":
-            scan_of = self._selection.realization_scan
+            scan_of = self._selection.master_scan
             spectra = [files.sampled_spectrum_path(surface, number) for number in realizations]
         else:
-            scan_of = self._selection.separate_scan
+            scan_of = self._selection.separate_master_scan
             spectra = [files.spectrum_path(surface)] * len(realizations)
         scans = [files.roughness_path(surface, scan_of(surface, k)) for k in realizations]
         return {"scans": scans, "spectra": spectra}

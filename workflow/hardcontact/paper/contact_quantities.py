@@ -20,7 +20,7 @@ from hardcontact.paper.estimates import (
     signed_mean_over_scans,
     variable_estimate,
 )
-from hardcontact.surfaces.roughness_table import TABLE1_VARIABLES
+from hardcontact.surfaces.metrics import TABLE1_VARIABLES
 
 #: E* h' of a smooth sphere relative to its mean pressure, by Hertz.
 SLOPE_OVER_PRESSURE = 3 * np.pi / (4 * np.sqrt(2))

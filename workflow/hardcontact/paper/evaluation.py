@@ -28,7 +28,7 @@ from hardcontact.paper.claim_selection import (
 )
 from hardcontact.paper.estimates import variable_estimate
 from hardcontact.paper.verdicts import accepted_range, interval_with_sets, samples_vary
-from hardcontact.surfaces.roughness_table import TABLE1_VARIABLES
+from hardcontact.surfaces.metrics import TABLE1_VARIABLES
 
 #: Functions of one or several datasets, which claims name.
 DERIVED_QUANTITIES: dict[str, Callable[..., xr.Dataset]] = {

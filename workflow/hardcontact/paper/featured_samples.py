@@ -24,8 +24,7 @@ from hardcontact.surfaces.featured_scans import FeaturedSurface, describe_featur
 from hardcontact.surfaces.features import KINDS, SIGNS
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.levelling import level
-from hardcontact.surfaces.metrics import TABLE1_METRICS
-from hardcontact.surfaces.roughness_table import measured_metrics
+from hardcontact.surfaces.metrics import TABLE1_METRICS, measured_metrics
 
 #: Largest factor between computed and published force of a sample that agrees. It holds for the
 #: mean and for the median force, at the published range and work of adhesion.

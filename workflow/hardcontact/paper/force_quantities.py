@@ -22,7 +22,7 @@ from hardcontact.paper.estimates import (
     signed_mean_over_scans,
     variable_estimate,
 )
-from hardcontact.surfaces.roughness_table import TABLE1_VARIABLES
+from hardcontact.surfaces.metrics import TABLE1_VARIABLES
 
 
 def slope_growth(topography: xr.Dataset) -> xr.Dataset:

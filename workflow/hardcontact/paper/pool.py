@@ -19,8 +19,7 @@ from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import pull_off_dataset
 from hardcontact.surfaces.height_map import HeightMap, mirror_scan
 from hardcontact.surfaces.levelling import level
-from hardcontact.surfaces.metrics import TABLE1_METRICS
-from hardcontact.surfaces.roughness_table import measured_metrics
+from hardcontact.surfaces.metrics import TABLE1_METRICS, measured_metrics
 from hardcontact.surfaces.substitutes import Substitute, Targets, required_targets
 from hardcontact.surfaces.synthesis import sample_scan
 

@@ -23,8 +23,7 @@ from hardcontact.paper.evaluation import claim_values
 from hardcontact.paper.featured_samples import sample_of_set, samples_by_surface
 from hardcontact.paper.published_fit import PublishedForces, fit_published
 from hardcontact.paper.sampled_scans import sample_scans, scale_to_sampled_mean
-from hardcontact.surfaces.metrics import TABLE1_METRICS
-from hardcontact.surfaces.roughness_table import scan_averages
+from hardcontact.surfaces.metrics import TABLE1_METRICS, scan_averages
 
 #: Scans of one set, by substrate.
 SampledScans = Mapping[str, xr.Dataset]

@@ -22,9 +22,12 @@ from hardcontact.contact.grid_limits import Grid
 from hardcontact.files.patterns import study_patterns
 from hardcontact.records.origin import canonical_json, is_current
 from hardcontact.scans.reading import read_scan
-from hardcontact.surfaces.descriptions import needs_calibration, read_segments
 from hardcontact.surfaces.height_map import HeightMap, load_height_map, refuse_line_scan
-from hardcontact.surfaces.substitute_spectra import described_rms_height
+from hardcontact.surfaces.substitute_spectra import (
+    described_rms_height,
+    needs_calibration,
+    read_segments,
+)
 
 #: The statements of the paper.
 CLAIMS = "resources/paper/claims.csv"

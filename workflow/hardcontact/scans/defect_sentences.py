@@ -8,7 +8,7 @@ import yaml
 
 from hardcontact.base.formatting import format_length, format_share
 from hardcontact.scans.defects import DEFECT_UNITS, MIN_SPIKE_DISTANCE, SIDEWALL_PIXEL_SHARE
-from hardcontact.surfaces.streaks import MIN_STREAK_STEPS
+from hardcontact.surfaces.levelling import MIN_STREAK_STEPS
 
 
 def defect_sentence(code: str, numbers: Mapping[str, float]) -> str:

@@ -14,8 +14,7 @@ from hardcontact.base.arrays import Floats
 from hardcontact.base.statistics import MEDIAN_DEVIATION
 from hardcontact.scans.spectral_defects import MIN_LAY_RATIO, lay_numbers, noise_numbers, wave_power
 from hardcontact.surfaces.height_map import HeightMap
-from hardcontact.surfaces.levelling import remove_form
-from hardcontact.surfaces.streaks import fill_streaks
+from hardcontact.surfaces.levelling import fill_streaks, remove_form
 
 #: Numbers of a defect, by name; empty if a scan lacks it.
 Numbers = dict[str, float]

@@ -15,9 +15,9 @@ from hardcontact.scans.defects import DEFECT_UNITS
 from hardcontact.scans.reliable_band import ReliableBand
 from hardcontact.scans.repeated_scans import earlier_scans_of_areas
 from hardcontact.scans.tail import Tail
-from hardcontact.surfaces.descriptions import DATA_EVIDENCE
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import BIN_CENTRES, WAVEVECTORS, spectrum_of_dataset
+from hardcontact.surfaces.substitute_spectra import DATA_EVIDENCE
 
 #: Attributes of a spectrum about its ends, with their units; no unit for a text.
 END_UNITS = dict.fromkeys(("shortest_measured", "longest_measured", "rolloff"), "nm") | dict(

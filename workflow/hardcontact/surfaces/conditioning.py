@@ -15,7 +15,6 @@ import xarray as xr
 from hardcontact.base import published
 from hardcontact.base.arrays import Floats
 from hardcontact.base.units import DIMENSIONLESS, RAD_PER_NM
-from hardcontact.surfaces.descriptions import AFM_ROWS
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.levelling import level
 from hardcontact.surfaces.metrics import metrics
@@ -28,7 +27,7 @@ from hardcontact.surfaces.synthesis import (
     scan_of_noise,
     white_noise,
 )
-from hardcontact.surfaces.table1_calibration import FIT_TOLERANCES, MET_ERROR
+from hardcontact.surfaces.table1_calibration import AFM_ROWS, FIT_TOLERANCES, MET_ERROR
 
 #: Number of components of the gain, one for each AFM row of Table 1. The amplitudes of the second
 #: and the third component relative to the first are fitted.
@@ -40,8 +39,7 @@ MAX_AMPLITUDE_RATIO = 4.0
 def scale_rms_heights(rms_heights: Floats, mean: float, std: float) -> Floats:
     """Return rms heights (scan,) in nm, scaled and shifted to a mean and a standard deviation.
 
-    The heights keep their order and relative distances. A single scan gets the mean. The deviation
-    has ddof 1.
+    The heights keep their order and relative distances. A single scan gets the mean.
     """
     differences = rms_heights - rms_heights.mean()
     if len(rms_heights) > 1:
@@ -128,8 +126,8 @@ def _fit_group(matrices: Floats, targets: Targets) -> tuple[Floats, Floats, Floa
     if factors.min() <= 0:
         raise ValueError(
             f"expected rms heights above zero of {len(matrices)} scans with the mean "
-            f"{means[0]:.3g} nm and the deviation {targets.rms_height_std:.3g} nm, found one of "
-            "zero or below: use fewer scans of this surface, whose rms heights deviate less"
+            f"{means[0]:.3g} nm and the standard deviation {targets.rms_height_std:.3g} nm, found "
+            "one of zero or below: use fewer scans of this surface, whose rms heights differ less"
         )
     # The mean factor goes into the gain, so that the factors of the scans have the mean 1.
     mean_factor = factors.mean()

@@ -64,16 +64,14 @@ class FeaturedSurface(NamedTuple):
         base = sample_scan(rng, substitute.spectrum, substitute.grid, features.base_factor)
         return add_features(rng, base, features, count)
 
-    def sample_whole_surface(self, realization: int, pixels: int, pixel_size: float) -> HeightMap:
-        """Sample a periodic surface; odd realizations have bumps, even ones pits."""
-        kind = list(SIGNS)[(realization - 1) % len(SIGNS)]
-        features = self.sample_features(
-            kind, self.statistics.scan_count, realization, "whole surface"
-        )
-        rng = self.substitute.generator(realization, "whole surface")
+    def sample_whole_surface(self, number: int, pixels: int, pixel_size: float) -> HeightMap:
+        """Sample a periodic surface; bumps if its number is odd, pits if it is even."""
+        kind = list(SIGNS)[(number - 1) % len(SIGNS)]
+        features = self.sample_features(kind, self.statistics.scan_count, number, "whole surface")
+        rng = self.substitute.generator(number, "whole surface")
         base = random_surface(rng, pixels, pixel_size, self.substitute.spectrum)
         base = replace(base, heights=np.float32(features.base_factor) * base.heights)
-        rng = self.substitute.generator(realization, "whole surface", "features")
+        rng = self.substitute.generator(number, "whole surface", "features")
         count = rng.poisson(features.number_density * (base.size / 1e3) ** 2)
         return add_features(rng, base, features, count)
 
@@ -92,7 +90,7 @@ def featured_surface(substitute: Substitute) -> FeaturedSurface:
 def whole_surface(
     substitute: Substitute,
     description: str | None,
-    realization: int,
+    number: int,
     pixels: int,
     pixel_size: float,
 ) -> HeightMap:
@@ -102,11 +100,11 @@ def whole_surface(
     features; `pixel_size` is in nm.
     """
     if description is None:
-        return featured_surface(substitute).sample_whole_surface(realization, pixels, pixel_size)
-    rng = substitute.generator(realization, "permitted spectrum")
+        return featured_surface(substitute).sample_whole_surface(number, pixels, pixel_size)
+    rng = substitute.generator(number, "permitted spectrum")
     table1, constants = substitute.table1, substitute.constants
     spectrum = sample_permitted_spectrum(rng, description, table1, constants)
-    rng = substitute.generator(realization, "whole surface")
+    rng = substitute.generator(number, "whole surface")
     return random_surface(rng, pixels, pixel_size, spectrum)
 
 

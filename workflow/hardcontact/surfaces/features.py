@@ -37,10 +37,13 @@ MAX_BATCHES = 200
 
 
 class ScanStatistics(NamedTuple):
-    """Published mean and deviation over scans of rms height (nm), slope, curvature (1/nm): (3,)."""
+    """Published means and standard deviations over scans, and the rms height over all scales.
+
+    The arrays (3,) are of rms height (nm), slope and curvature (1/nm).
+    """
 
     means: Floats
-    deviations: Floats
+    stds: Floats
     scan_count: int  #: Number of the published scans.
     all_rms_height: float  #: Published rms height (nm) over all scales.
 
@@ -60,8 +63,8 @@ def published_statistics(
 ) -> ScanStatistics:
     """Return the statistics of Table 1 with means (by `METRICS`) on the pixels of the study.
 
-    The deviations relative to the means are taken from Table 1. `table1` comes from
-    `rows_of_surface`.
+    Their standard deviations have the same ratios to the means as in Table 1, whose rows for the
+    surface `table1` has.
     """
     rows = table1.loc[list(TABLE1_METRICS)]
     values = np.array([means[name] for name in TABLE1_METRICS.values()])
@@ -103,14 +106,14 @@ def expected_rms(
 def standardized_differences(rms_values: Floats, statistics: ScanStatistics) -> Floats:
     """Return the differences of scans (..., scan, 3) from published statistics, in standard errors.
 
-    The means come first, then the deviations of rms height and slope over two or more scans. The
-    relative standard error of a deviation over n normal values is 1/sqrt(2(n - 1)).
+    The means come before the standard deviations of rms height and slope over two or more scans,
+    whose relative standard error over n normal values is 1/sqrt(2(n - 1)).
     """
-    mean_errors = statistics.deviations / np.sqrt(statistics.scan_count)
+    mean_errors = statistics.stds / np.sqrt(statistics.scan_count)
     differences = (rms_values.mean(axis=-2) - statistics.means) / mean_errors
     if rms_values.shape[-2] < 2:
         return np.asarray(differences)
-    ratios = rms_values.std(axis=-2, ddof=1)[..., :2] / statistics.deviations[:2]
+    ratios = rms_values.std(axis=-2, ddof=1)[..., :2] / statistics.stds[:2]
     spread = (ratios - 1) * np.sqrt(2 * (statistics.scan_count - 1))
     return np.concatenate([differences, spread], axis=-1)
 
@@ -149,8 +152,8 @@ def sample_features(
                 counts=tuple(counts[index].tolist()),
             )
     raise ValueError(
-        "expected features with the published mean and deviation of rms heights, "
-        f"{statistics.means[0]:.3g} +- {statistics.deviations[0]:.3g} nm, found none in "
+        "expected features with the published mean and standard deviation of rms heights, "
+        f"{statistics.means[0]:.3g} +- {statistics.stds[0]:.3g} nm, found none in "
         f"{MAX_BATCHES * BATCH_SIZE} tries"
     )
 

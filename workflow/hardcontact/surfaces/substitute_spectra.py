@@ -11,13 +11,6 @@ import pandas as pd
 import xarray as xr
 
 from hardcontact.base.arrays import Floats
-from hardcontact.surfaces.descriptions import (
-    AFM_ROWS,
-    CALIBRATION_ROWS,
-    SPECTRAL_MODELS,
-    TAIL_ROWS,
-    read_segments,
-)
 from hardcontact.surfaces.spectrum import (
     WAVEVECTORS,
     Spectrum,
@@ -28,6 +21,10 @@ from hardcontact.surfaces.spectrum import (
     spectrum_dataset,
 )
 from hardcontact.surfaces.table1_calibration import (
+    AFM_ROWS,
+    CALIBRATION_ROWS,
+    SPECTRAL_MODELS,
+    TAIL_ROWS,
     Weights,
     calibrate_model,
     calibrate_tail,
@@ -35,10 +32,30 @@ from hardcontact.surfaces.table1_calibration import (
     paper_weights,
 )
 
+#: Columns of descriptions that hold numbers.
+DESCRIPTION_NUMBERS = (
+    "longest_nm", "shortest_nm", "plateau_nm4", "rolloff_nm", "hurst", "hurst_change",
+)  # fmt: skip
+#: Values of `evidence` for segments that come from data; other segments are inferred or assumed.
+DATA_EVIDENCE = ("published", "measured")
 #: Largest factor on an assumed roll-off: NCD and MCD then reach their longest wave. Largest number
 #: of samples until one can be calibrated: every second sample of NCD and MCD can.
 ROLLOFF_FACTOR = 1.5
 MAX_SAMPLES = 100
+
+
+def read_segments(path: str | Path) -> pd.DataFrame:
+    """Read the segments of a description of a spectrum, without blanks around its cells."""
+    cells = pd.read_csv(path, dtype=str).apply(lambda column: column.str.strip())
+    segments: pd.DataFrame = cells.replace("", np.nan).astype(
+        dict.fromkeys(DESCRIPTION_NUMBERS, float)
+    )
+    return segments
+
+
+def needs_calibration(segments: pd.DataFrame) -> bool:
+    """Return True if a description leaves parameters to a calibration on Table 1."""
+    return bool((segments.hurst.isna() & segments.model.isin(CALIBRATION_ROWS)).any())
 
 
 def spectrum_from_description(

@@ -16,11 +16,10 @@ import xarray as xr
 
 from hardcontact.base import dataset, published
 from hardcontact.base.random import generator
-from hardcontact.surfaces.descriptions import AFM_ROWS
 from hardcontact.surfaces.metrics import TABLE1_METRICS
 from hardcontact.surfaces.spectrum import Spectrum, spectrum_of_dataset
 from hardcontact.surfaces.synthesis import ScanGrid
-from hardcontact.surfaces.table1_calibration import expected_scan_rms, transfer_weights
+from hardcontact.surfaces.table1_calibration import AFM_ROWS, expected_scan_rms, transfer_weights
 
 
 class Targets(NamedTuple):

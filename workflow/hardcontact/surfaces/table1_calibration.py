@@ -5,6 +5,7 @@ fitted to rms height, slope and curvature of scans. A power law below these wave
 and curvature over all scales.
 """
 
+from collections.abc import Callable
 from functools import cache
 from typing import Any
 
@@ -13,7 +14,6 @@ import pandas as pd
 import scipy
 
 from hardcontact.base.arrays import Floats
-from hardcontact.surfaces.descriptions import AFM_ROWS, SPECTRAL_MODELS
 from hardcontact.surfaces.levelling import squared_projections
 from hardcontact.surfaces.spectrum import (
     WAVEVECTORS,
@@ -21,8 +21,22 @@ from hardcontact.surfaces.spectrum import (
     SpectrumFunction,
     all_scales_rms,
     power_law_tail,
+    self_affine,
+    smooth_rolloff,
+    varying_hurst,
 )
 
+#: Models in descriptions of substitutes (`resources/README.md`), with their parameter columns.
+SPECTRAL_MODELS: dict[str, tuple[Callable[..., Floats], tuple[str, ...]]] = {
+    "self-affine": (self_affine, ("plateau_nm4", "rolloff_nm", "hurst")),
+    "varying Hurst": (varying_hurst, ("plateau_nm4", "rolloff_nm", "hurst", "hurst_change")),
+    "smooth roll-off": (smooth_rolloff, ("plateau_nm4", "rolloff_nm", "hurst")),
+}
+#: Rows of Table 1 to which the spectrum of scans, and the tail at shorter wavelengths, are fitted.
+AFM_ROWS = ("afm_rms_height", "afm_rms_slope", "afm_rms_curvature")
+TAIL_ROWS = ("all_rms_slope", "all_rms_curvature")
+#: Rows of Table 1 to which a model is calibrated if its Hurst exponent is blank.
+CALIBRATION_ROWS = {"self-affine": AFM_ROWS, "varying Hurst": AFM_ROWS, "power law": TAIL_ROWS}
 #: Wavevectors (bins,) in rad/nm, and the weights (3, bins) of C_iso at them.
 Weights = tuple[Floats, Floats]
 #: Bins of wavevectors in which weights are added up, 0.2 % wide, and rows added at a time.

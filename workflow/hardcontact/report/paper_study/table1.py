@@ -7,7 +7,7 @@ import pandas as pd
 import xarray as xr
 
 from hardcontact.base.published import rows_met
-from hardcontact.surfaces.roughness_table import TABLE1_VARIABLES
+from hardcontact.surfaces.metrics import TABLE1_VARIABLES
 
 
 class _Quantity(NamedTuple):

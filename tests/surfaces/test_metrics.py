@@ -9,8 +9,7 @@ from measurements import PIXEL, UNCD, levelled_scan, measurement
 
 from hardcontact.base.random import generator
 from hardcontact.surfaces.levelling import level_and_mirror, remove_form
-from hardcontact.surfaces.metrics import metrics
-from hardcontact.surfaces.roughness_table import measured_roughness, roughness_table
+from hardcontact.surfaces.metrics import measured_roughness, metrics, roughness_table
 from hardcontact.surfaces.spectrum import measured_psds, spectrum_dataset
 from hardcontact.surfaces.synthesis import add_sphere
 
