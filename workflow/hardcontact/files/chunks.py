@@ -78,9 +78,12 @@ class Chunks:
     def pools(self) -> list[Chunk]:
         """The scans of all pools, for the sets: outputs of rule compute_pool."""
         chunks = _spans(self._configuration["sets"]["pool_size"], POOL_CHUNK)
-        featured = self._plan.featured_surfaces
-        surfaces = [name for name in self._selection.sampled_substrates if name not in featured]
-        return [Chunk(surface, *chunk) for surface in surfaces for chunk in chunks]
+        return [
+            Chunk(surface, *chunk)
+            for surface in self._selection.sampled_substrates
+            if surface not in self._plan.featured_surfaces
+            for chunk in chunks
+        ]
 
     @property
     def featured_samples(self) -> list[SampleChunk]:
@@ -124,7 +127,7 @@ class Chunks:
     def _master_surfaces(self, purpose: str) -> list[str]:
         """Return the substrates with masters; only spectra of measured surfaces are sampled."""
         substrates = self._selection.substrates
-        if purpose == "sampled":
+        if PURPOSES[purpose].samples_spectra:
             return [name for name in substrates if name in self._selection.measured_surfaces]
         return substrates
 
@@ -132,16 +135,17 @@ class Chunks:
         """Return which sphere touches the masters; combined if masters have its roughness."""
         if surface in self._plan.combined_surfaces:
             return "combined"
-        is_rough = self._configuration["scales"]["sphere_roughness"] and purpose != "exponents"
-        return "rough" if is_rough else "smooth"
+        is_rough = self._configuration["scales"]["sphere_roughness"]
+        return "rough" if is_rough and PURPOSES[purpose].rough_sphere else "smooth"
 
     def _sweep_names(self, purpose: str) -> tuple[str, str, str]:
         """Return radii, loadings and ranges of a purpose as parts of paths."""
         sweep = contact_sweep(self._configuration, purpose)
-        contacts = [replace(self._plan.contact, **loading) for loading in sweep["loadings"]]
         return (
             "+".join(f"R{path_token(radius, 'um')}" for radius in sweep["radii"]),
-            "+".join(contact.loading_name for contact in contacts),
+            "+".join(
+                replace(self._plan.contact, **loading).loading_name for loading in sweep["loadings"]
+            ),
             "+".join(f"rho{path_token(rho, 'nm')}" for rho in sweep["ranges"]),
         )
 
@@ -169,7 +173,7 @@ class Chunks:
                 ]
                 for side in SIDES
             }
-        if chunk.purpose == "sampled":
+        if PURPOSES[chunk.purpose].samples_spectra:
             scan_of = self._selection.master_scan
             spectra = [files.sampled_spectrum_path(surface, number) for number in realizations]
         else:

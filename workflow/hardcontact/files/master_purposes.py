@@ -26,6 +26,8 @@ class Purpose(NamedTuple):
     realizations_key: str  #: Key of the number of masters of a surface.
     realizations_in_job: int = MASTERS_CHUNK
     masters_are_files: bool = False  #: Whether masters are files of the store.
+    samples_spectra: bool = False  #: Whether each master has a sampled spectrum.
+    rough_sphere: bool = True  #: Whether a study with a rough sphere uses it here.
     stream: str = "variant"  #: Name of the random numbers in masters.
     sides: Sequence[str] = SIDES
     radii_key: str = "sphere.radius"  #: Key of the radius of the sphere, or of several radii.
@@ -40,14 +42,14 @@ PURPOSES = {
     # The band of the study.
     "scales": Purpose(*_STUDY_BAND, masters_are_files=True, stream="master"),
     # The same with sampled spectra, of measured surfaces only, and with the same random numbers.
-    "sampled": Purpose(*_STUDY_BAND, stream="master"),
+    "sampled": Purpose(*_STUDY_BAND, samples_spectra=True, stream="master"),
     # The edges of each set of substitutes.
     "sets": Purpose("sets", "sets.contacts_per_row", "sets.realizations"),
     # How the edges depend on radius and load, on a smooth sphere. At an eighth of the preload the
     # contact is 2.8 times narrower and has some 30 pixels; larger loads than the preload move short
     # edges beyond the cutoffs of sets.
     "exponents": Purpose(
-        "sets", "sets.contacts_per_row", "exponents.realizations",
+        "sets", "sets.contacts_per_row", "exponents.realizations", rough_sphere=False,
         radii_key="exponents.radii", preload_shares=(1 / 8, 1),
     ),
     # The short edge with and without plasticity and a long range of adhesion.
