@@ -14,7 +14,7 @@ import matplotlib
 import numpy as np
 import pytest
 import scan_files
-from direct_sum import direct_total, gap_to_sphere
+from direct_sum import direct_force, gap_to_sphere, mirror
 from known_spectra import self_affine_spectrum
 from measurements import random_map
 from periodic_maps import periodic_map
@@ -26,7 +26,6 @@ import hardcontact as hc
 from hardcontact import api
 from hardcontact.base.random import generator
 from hardcontact.commands.predict import predict, predict_arguments
-from hardcontact.contact.contact import Contact
 from hardcontact.surfaces.spectrum import smooth_rolloff
 
 DOCS = ROOT / "resources/docs"
@@ -142,15 +141,13 @@ def test_forces_are_the_direct_sum_over_every_pixel(files):
     scan, work, rho = hc.read_scan("scan.nc"), 0.05, 5.6
     forces = hc.pull_off_forces(scan, rho=[2.0, rho], work=work, **SPHERE, **LOAD, **ARRAY)
     pixels, window = 256, 160
-    mirrored = np.pad(scan.heights.astype(float), [(0, 128)] * 2, mode="symmetric")
+    mirrored = mirror(scan.heights)
     positions = np.floor((np.arange(3) + 0.25) * pixels / 3).astype(int)
     for i, j in np.ndindex(3, 3):
         gap = gap_to_sphere(mirrored, positions[[i, j]], window, PIXEL, SPHERE["radius"])
-        for model, count in (
-            ("rigid", 1),
-            ("plastic", Contact(radius=1.0, **LOAD).pixel_count(PIXEL)),
-        ):
-            direct_sum = work / (rho * 1e-9) * (PIXEL * 1e-9) ** 2 * direct_total(gap, count, rho)
+        # The preload over the hardness is 400 nm², four pixels.
+        for model, count in (("rigid", 1), ("plastic", 4)):
+            direct_sum = direct_force(gap, count, rho, PIXEL, work)
             force = forces.pull_off_force.sel(contact_model=model, rho=rho)[i, j].item()
             assert force == pytest.approx(direct_sum, rel=1e-6)
     assert forces.pull_off_force.units == "N" and forces.work_of_adhesion == work

@@ -22,7 +22,7 @@ from scipy import fft
 # As a script it finds the modules of tests/helpers/.
 sys.path.insert(0, str(Path(__file__).parents[1] / "helpers"))
 
-from direct_sum import direct_total
+from direct_sum import direct_total, gap_of_bodies
 from elastic_libraries import library_pressure, library_pull_off
 from measurements import uncd_density
 
@@ -100,7 +100,8 @@ def smooth_sphere(threads):
     bodies, contact_pixel_count = bodies_in_contact(substrate)
     slow, direct_sums = timed(
         lambda: [
-            direct_total(gap_map(bodies, contact), contact_pixel_count, RHO) for contact in contacts
+            direct_total(gap_of_bodies(bodies, contact), contact_pixel_count, RHO)
+            for contact in contacts
         ],
         1,
     )
@@ -132,7 +133,7 @@ def rough_sphere():
         )
 
     def direct(contact, rho):
-        return direct_total(gap_map(bodies, contact), contact_pixel_count, rho)
+        return direct_total(gap_of_bodies(bodies, contact), contact_pixel_count, rho)
 
     quick, totals = timed(fast)
     contacts = [(i, j) for i in range(0, CONTACTS, 5) for j in range(2, CONTACTS, 6)]

@@ -2,12 +2,13 @@
 
 import numpy as np
 import pytest
+from direct_sum import gap_of_bodies
 from periodic_maps import CASES, make_bodies, periodic_noise
 from scipy.stats import norm
 
 from hardcontact.contact.bearing_area import all_contact_pixels
 from hardcontact.contact.contact import Contact
-from hardcontact.contact.geometry import gap_map, part_around_lowest
+from hardcontact.contact.geometry import part_around_lowest
 
 
 @pytest.mark.parametrize("case", CASES)
@@ -20,7 +21,7 @@ def test_contact_pixels_equal_those_of_the_whole_window(case, contact_pixel_coun
     contacts = all_contact_pixels(bodies, contact_pixel_count)
     for contact in np.ndindex(contacts.gaps.shape[:2]):
         gaps, offsets = contacts.pixels_of_contact(contact)
-        window_gaps = gap_map(bodies, contact)
+        window_gaps = gap_of_bodies(bodies, contact)
         np.testing.assert_allclose(
             gaps, np.sort(window_gaps.ravel())[:contact_pixel_count], atol=1e-9
         )

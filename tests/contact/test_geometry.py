@@ -2,11 +2,11 @@
 
 import numpy as np
 import pytest
+from direct_sum import gap_of_bodies
 from periodic_maps import RADIUS, make_bodies, periodic_map, periodic_noise
 
 from hardcontact.contact import geometry
 from hardcontact.contact.contact import Contact
-from hardcontact.contact.geometry import gap_map
 from hardcontact.contact.pull_off import forces_at_loadings
 
 CONTACT = Contact(radius=RADIUS, preload=1e-5, hardness=25e9, window=3000.0, contacts_per_row=4)
@@ -55,14 +55,15 @@ def test_the_gap_to_a_flat_is_the_rough_sphere(centre):
     bodies = make_bodies(np.zeros((80, 80)), heights(96), 25.0, 120, 4)
     rows, columns = (slice(60 + index - 10, 60 + index + 11) for index in centre)
     cap = bodies.sphere(*(index + np.arange(-10, 11) for index in centre))
-    np.testing.assert_allclose(cap, gap_map(bodies, (1, 2))[rows, columns], atol=1e-12)
+    np.testing.assert_allclose(cap, gap_of_bodies(bodies, (1, 2))[rows, columns], atol=1e-12)
 
 
-def test_gaps_at_offsets_equal_those_of_the_whole_window():
+def test_a_gap_is_sphere_minus_both_roughnesses():
     bodies = make_bodies(periodic_noise(96, 5.0, 1), periodic_noise(70, 0.5, 2), 20.0, 200, 3)
     y, x = np.indices((200, 200)) - 100
     gaps = geometry.gaps_at(bodies, bodies.geometry.positions[[2, 1]], np.stack([y, x], -1))
-    np.testing.assert_allclose(gaps, gap_map(bodies, (2, 1)), atol=1e-12)
+    for computed in (gaps, geometry.gap_map(bodies, (2, 1))):
+        np.testing.assert_allclose(computed, gap_of_bodies(bodies, (2, 1)), atol=1e-12)
 
 
 @pytest.mark.parametrize("kind", [np.float32, ">f4", ">f8", np.float16, np.int64])

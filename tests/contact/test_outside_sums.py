@@ -4,13 +4,12 @@ from itertools import product
 
 import numpy as np
 import pytest
-from direct_sum import direct_total, plastic_totals
+from direct_sum import direct_total, gap_of_bodies
 from periodic_maps import CASES, RADIUS, make_bodies, periodic_noise
 from scipy.special import ive
 
 from hardcontact.contact.bearing_area import all_contact_pixels
 from hardcontact.contact.force_sum.outside_sums import MAX_DEPTH, MAX_PENETRATION, outside_sums
-from hardcontact.contact.geometry import gap_map
 from hardcontact.contact.pull_off import attraction_totals, pull_off_force
 
 #: Error of sums over heights in single precision, on a smooth sphere and unless the range is short.
@@ -32,7 +31,7 @@ def test_the_force_at_every_range_is_the_direct_sum(case, contact_pixel_count, r
     counts = [contact_pixel_count, 1]
     totals = attraction_totals(bodies, contacts, counts, ranges)
     for contact in np.ndindex(contacts.gaps.shape[:2]):
-        gap = gap_map(bodies, contact)
+        gap = gap_of_bodies(bodies, contact)
         sums = totals[..., *contact].flat
         for (count, rho), total in zip(product(counts, ranges), sums, strict=True):
             assert total == pytest.approx(direct_total(gap, count, rho), rel=1e-9)
@@ -46,7 +45,7 @@ def test_the_force_keeps_its_digits_if_little_attracts_outside_contact(case, rou
     contacts = all_contact_pixels(bodies, 17)
     (sums,) = outside_sums(bodies, contacts, [rho])
     for contact in np.ndindex(sums.shape):
-        ordered = np.sort(gap_map(bodies, contact), axis=None)
+        ordered = np.sort(gap_of_bodies(bodies, contact), axis=None)
         direct_sum = np.exp((ordered[16] - ordered[17:]) / rho).sum()
         assert sums[contact] == pytest.approx(direct_sum, rel=1e-9)
 
@@ -79,7 +78,7 @@ def test_contact_pixels_are_subtracted_exactly_at_the_ends_of_its_use(
     assert gaps[-1] - gaps[0] > 0.9 * penetration * max_penetration * rho
     assert gaps[-1] + heights.max() > 0.9 * raised * max_depth * rho
     total = attraction_totals(bodies, contacts, [4], [rho]).item()
-    assert total == pytest.approx(direct_total(gap_map(bodies, (0, 0)), 4, rho), rel=error)
+    assert total == pytest.approx(direct_total(gap_of_bodies(bodies, (0, 0)), 4, rho), rel=error)
 
 
 @pytest.mark.parametrize("axes", [(0, 1), (0,), (1,)])
@@ -92,8 +91,14 @@ def test_the_force_on_mirrored_heights_is_the_direct_sum(axes):
     contacts = all_contact_pixels(bodies, 4)
     totals = attraction_totals(bodies, contacts, [4], [5.6])
     for contact in np.ndindex(contacts.gaps.shape[:2]):
-        direct = direct_total(gap_map(bodies, contact), 4, 5.6)
+        direct = direct_total(gap_of_bodies(bodies, contact), 4, 5.6)
         assert totals[..., *contact].item() == pytest.approx(direct, rel=1e-9)
+
+
+def plastic_totals(bodies, pixel_counts, rho):
+    """Return the sums of exp(-gap/rho) of plastic contacts: (loading, contact_y, contact_x)."""
+    contacts = all_contact_pixels(bodies, max(pixel_counts))
+    return attraction_totals(bodies, contacts, pixel_counts, [rho])[:, 0]
 
 
 def test_a_smooth_sphere_on_a_flat_has_derjaguin_s_force():

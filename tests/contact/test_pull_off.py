@@ -5,10 +5,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import xarray as xr
-from direct_sum import direct_force, direct_total
+from direct_sum import direct_force, direct_total, gap_of_bodies
 from periodic_maps import CONTACT, LOADED_CONTACTS, make_bodies, periodic_noise
 
-from hardcontact.contact.geometry import gap_map
 from hardcontact.contact.pull_off import (
     mean_pull_off_dataset,
     pull_off_dataset,
@@ -33,7 +32,7 @@ def test_the_pull_off_force_of_two_bodies_is_the_direct_sum_at_every_contact_and
     assert forces.shape == (2, 2, 3, 3) and count == 7
     assert arrays["contact_pixel_count"].values.tolist() == [1, count]
     for contact in np.ndindex(3, 3):
-        gap = gap_map(bodies, contact)
+        gap = gap_of_bodies(bodies, contact)
         for model, contact_pixel_count in enumerate((1, count)):
             ordered = np.sort(gap, axis=None)
             assert apex_heights[model][contact] == pytest.approx(
@@ -60,7 +59,7 @@ def test_the_change_by_a_wider_window_matches_the_direct_sum():
         )
         for contact in np.ndindex(3, 3):
             narrow, wide = (
-                direct_total(gap_map(bodies, contact), count, rho)
+                direct_total(gap_of_bodies(bodies, contact), count, rho)
                 for bodies in (narrow_bodies, wider_bodies)
             )
             changes.append(abs(wide / narrow - 1))

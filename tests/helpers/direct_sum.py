@@ -1,35 +1,47 @@
-"""Eq. 3 summed over every pixel: the oracle of the fast sums."""
+"""Gaps and forces pixel by pixel from their definitions, without the library that they test."""
 
 import numpy as np
 
-from hardcontact.contact.bearing_area import all_contact_pixels
-from hardcontact.contact.geometry import flattened_gaps
-from hardcontact.contact.pull_off import attraction_totals
+
+def mirror(heights):
+    """Return a periodic map (2n, 2n): heights (n, n) beside their mirror images."""
+    return np.pad(np.asarray(heights, float), [(0, len(heights))] * 2, mode="symmetric")
 
 
-def gap_to_sphere(heights, position, pixels, pixel_size, radius):
-    """Return the gap (pixels, pixels) between periodic heights and a smooth sphere above them.
+def gap_to_sphere(heights, position, pixels, pixel_size, radius, roughness=None):
+    """Return the gap (pixels, pixels) in nm under a sphere, its apex in the plane of zero height.
 
-    The gap (nm) is that at an apex in the plane of zero height, above the position (y, x).
+    The apex is above the position (y, x) of periodic heights and above the middle of the gap. The
+    roughness of the sphere is periodic, too, with the origin at the apex.
     """
-    offsets = np.arange(pixels) - pixels // 2
-    shape = (offsets * pixel_size) ** 2 / (2 * radius)
-    rows, columns = ((index + offsets) % len(heights) for index in position)
-    return shape[:, None] + shape - heights[np.ix_(rows, columns)]
+    y, x = np.indices((pixels, pixels)) - pixels // 2
+    gap = ((y * pixel_size) ** 2 + (x * pixel_size) ** 2) / (2 * radius)
+    gap -= heights[(position[0] + y) % len(heights), (position[1] + x) % len(heights)]
+    if roughness is not None:
+        gap -= roughness[y % len(roughness), x % len(roughness)]
+    return gap
+
+
+def gap_of_bodies(bodies, contact):
+    """Return the gap (nm) in the window of one contact, given by its indices in the array."""
+    geometry, sphere = bodies.geometry, bodies.sphere_roughness
+    return gap_to_sphere(
+        bodies.substrate.heights,
+        geometry.positions[list(contact)],
+        geometry.window_pixels,
+        geometry.pixel_size,
+        geometry.radius,
+        None if sphere is None else sphere.heights,
+    )
 
 
 def direct_total(gap, contact_pixel_count, rho):
-    """Return the sum of exp(-gap/rho) at plastic contact, of a gap (window, window) in nm."""
-    return float(np.exp(-flattened_gaps(gap, contact_pixel_count) / rho).sum())
+    """Return the sum of exp(-gap/rho) over a gap (nm) closed until a number of pixels touch."""
+    closest_approach = np.sort(gap, axis=None)[contact_pixel_count - 1]
+    return np.exp(-np.maximum(gap - closest_approach, 0) / rho).sum()
 
 
 def direct_force(gap, contact_pixel_count, rho, pixel_size, work=1.0):
     """Return the force in N at a work of adhesion in J/m², from a gap and a pixel size in nm."""
     pressure = work / (rho * 1e-9)
     return pressure * (pixel_size * 1e-9) ** 2 * direct_total(gap, contact_pixel_count, rho)
-
-
-def plastic_totals(bodies, pixel_counts, rho):
-    """Return the sums of exp(-gap/rho) of plastic contacts: (loading, contact_y, contact_x)."""
-    contacts = all_contact_pixels(bodies, max(pixel_counts))
-    return attraction_totals(bodies, contacts, pixel_counts, [rho])[:, 0]

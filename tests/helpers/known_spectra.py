@@ -3,7 +3,7 @@
 import numpy as np
 
 from hardcontact.contact.contact import Contact
-from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, self_affine
+from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
 
 BINS = 2 * np.pi * 10 ** (-3.45 + np.arange(19) / 10)  # 2.8 µm to 45 nm, in rad/nm
 
@@ -16,7 +16,7 @@ def scale_spectrum(density, rms):
 
 def self_affine_spectrum(rms=4.0, rolloff=1000.0, hurst=0.8, shortest=20.0):
     """Return a self-affine spectrum that ends at a shortest wavelength (nm)."""
-    density = self_affine(WAVEVECTORS, 1.0, rolloff, hurst)
+    density = np.maximum(WAVEVECTORS * rolloff / (2 * np.pi), 1.0) ** (-2 - 2 * hurst)
     return scale_spectrum(np.where(2 * np.pi / WAVEVECTORS >= shortest, density, 0.0), rms)
 
 

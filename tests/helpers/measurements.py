@@ -15,7 +15,7 @@ PIXEL = 2500 / 512  # nm, of the paper's scans
 
 def uncd_density(q):
     """Return C_iso of UNCD (nm⁴) at wavevectors in rad/nm."""
-    return smooth_rolloff(q, 6.1e7, 930.0, 0.84)
+    return 6.1e7 * (1 + (q * 930.0 / (2 * np.pi)) ** 2) ** -1.84
 
 
 def gentle_density(q):

@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 import xarray as xr
-from direct_sum import direct_force
+from direct_sum import direct_force, gap_of_bodies
 from periodic_maps import CONTACT, LOADED_CONTACTS, periodic_map, periodic_noise
 
-from hardcontact.contact.geometry import gap_map, join_bodies
+from hardcontact.contact.geometry import join_bodies
 from hardcontact.inference.filtered_masters import Filters, filtered_pull_off, forces_at_cutoffs
 from hardcontact.inference.master_datasets import stack_masters
 from hardcontact.surfaces.filters import filtered_series
@@ -113,7 +113,7 @@ def test_the_force_on_every_filtered_master_is_the_direct_sum(sphere, side, end)
         for loaded in LOADED_CONTACTS:
             count = loaded.pixel_count(pixel_size)
             for contact in np.ndindex(3, 3):
-                direct_sum = direct_force(gap_map(bodies, contact), count, 5.6, pixel_size)
+                direct_sum = direct_force(gap_of_bodies(bodies, contact), count, 5.6, pixel_size)
                 force = forces.sel(loading=loaded.loading_name).values[contact]
                 # Sums on a smooth sphere are in single precision.
                 assert force == pytest.approx(direct_sum, rel=1e-6 if sphere is None else 1e-9)

@@ -3,13 +3,13 @@
 import numpy as np
 import pytest
 import xarray as xr
-from direct_sum import direct_total, gap_to_sphere
+from direct_sum import direct_force, gap_to_sphere, mirror
 from measurements import random_map
 
 from hardcontact.base.random import generator
 from hardcontact.contact.contact import CONTACT_AXES, Contact
 from hardcontact.contact.geometry import join_bodies, spheres_at_positions
-from hardcontact.contact.pull_off import forces_at_loadings, make_force_function, pull_off_force
+from hardcontact.contact.pull_off import forces_at_loadings, make_force_function
 from hardcontact.inference.octaves import STEP, octave_forces
 from hardcontact.own.mean_forces import forces_of_surface, mean_intervals
 from hardcontact.scans.both_bodies import combine_maps, combine_spectra
@@ -38,13 +38,13 @@ def sphere():
     return scan("sphere", 10.0)
 
 
-def direct_force(wafer, sphere, contact_pixel, position):
+def force_of_rough_sphere(wafer, sphere, contact_pixel, position):
     """Eq. 3 summed over every pixel, the sphere at a position of its scan; maps are mirrored."""
     window = round(CONTACT.window / PIXEL_SIZE), PIXEL_SIZE
-    gap = gap_to_sphere(mirror_scan(wafer).heights, contact_pixel, *window, CONTACT.radius)
-    gap = gap + gap_to_sphere(mirror_scan(sphere).heights, position, *window, np.inf)
-    total = direct_total(gap, CONTACT.pixel_count(PIXEL_SIZE), CONTACT.rho)
-    return pull_off_force(total, CONTACT.rho, PIXEL_SIZE, 1.0).item()
+    gap = gap_to_sphere(mirror(wafer.heights), contact_pixel, *window, CONTACT.radius)
+    gap += gap_to_sphere(mirror(sphere.heights), position, *window, np.inf)
+    # The preload over the hardness is 400 nm², four pixels.
+    return direct_force(gap, 4, CONTACT.rho, PIXEL_SIZE)
 
 
 def test_a_smooth_sphere_on_the_sum_of_both_touches_like_the_rough_one(wafer, sphere):
@@ -55,7 +55,7 @@ def test_a_smooth_sphere_on_the_sum_of_both_touches_like_the_rough_one(wafer, sp
     # The window of this contact has no mirror image of the sum.
     contact_pixel = bodies.geometry.positions[[1, 1]]
     assert (30 <= contact_pixel).all() and (contact_pixel < PIXELS - 30).all()
-    direct = direct_force(wafer, sphere, contact_pixel, start + contact_pixel)
+    direct = force_of_rough_sphere(wafer, sphere, contact_pixel, start + contact_pixel)
     assert forces[1, 1] == pytest.approx(direct, rel=1e-4)
 
 
@@ -89,7 +89,9 @@ def test_the_interval_contains_the_forces_at_other_positions_on_the_sphere(wafer
     )
     rng = generator(2)
     direct = [
-        direct_force(wafer, sphere, rng.integers(PIXELS, size=2), rng.integers(PIXELS, size=2))
+        force_of_rough_sphere(
+            wafer, sphere, rng.integers(PIXELS, size=2), rng.integers(PIXELS, size=2)
+        )
         for _ in range(10)
     ]
     assert max(direct) > 1.5 * min(direct)

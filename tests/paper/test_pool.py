@@ -1,24 +1,13 @@
 """Pools of scans: heights, forces against the direct sum, interpolation between heights."""
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
-from direct_sum import direct_total
+from direct_sum import direct_force, gap_to_sphere, mirror
 from small_pool import CONTACT, GRID, HEIGHTS, RANGES, SUBSTITUTE, pool_of, raw_scan
 
 from hardcontact.contact.force_interpolation import spline_weights
-from hardcontact.contact.geometry import gap_map, join_bodies
 from hardcontact.paper.pool import pool_heights
-from hardcontact.surfaces.height_map import mirror_scan
 from hardcontact.surfaces.metrics import TABLE1_METRICS, metrics
-
-
-def direct_force(scan, factor, contact_pixel_count, rho, contact):
-    """Eq. 3 on a scan times a factor, in N at 1 J/m2, summed over every pixel."""
-    mirrored = mirror_scan(replace(scan, heights=factor * scan.heights))
-    gap = gap_map(join_bodies(mirrored, None, CONTACT), contact)
-    return 1e-9 / rho * GRID.pixel_size**2 * direct_total(gap, contact_pixel_count, rho)
 
 
 @pytest.fixture
@@ -52,11 +41,14 @@ def test_forces_are_the_direct_sum_over_the_scan_at_each_height(pool):
     scan = raw_scan(4)
     assert count > 1
     forces = np.exp(pool["log_force"].sel(scan=4).values.astype(float))
+    window = round(CONTACT.window / GRID.pixel_size)
     for i in (0, 6):
-        factor = HEIGHTS[i] / scan.heights.std()
+        heights = mirror(HEIGHTS[i] / scan.heights.std() * scan.heights)
+        # Contacts of two per row begin a quarter of a step from the border.
+        gap = gap_to_sphere(heights, (16, 80), window, GRID.pixel_size, CONTACT.radius)
         for k, rho in enumerate(RANGES):
             for model, pixels in enumerate((1, count)):
-                force = direct_force(scan, factor, pixels, rho, (0, 1))
+                force = direct_force(gap, pixels, rho, GRID.pixel_size)
                 assert forces[i, model, k, 0, 1] == pytest.approx(force, rel=1e-5)
 
 

@@ -76,6 +76,14 @@ def test_a_tail_continues_the_power_law_of_longer_waves(longer_waves):
     assert (tail[2 * np.pi / WAVEVECTORS < 0.9] == 0).all()
 
 
+@pytest.mark.parametrize(
+    ("density", "at_rolloff"), [(spectrum.self_affine, 3.0), (spectrum.smooth_rolloff, 3 * 2**-1.8)]
+)
+def test_models_end_in_a_plateau_and_in_a_power_law(density, at_rolloff):
+    values = density(2 * np.pi / 930.0 * np.array([1e-5, 1.0, 1e5]), 3.0, 930.0, 0.8)
+    np.testing.assert_allclose(values, [3.0, at_rolloff, 3.0 * 1e5**-3.6], rtol=1e-9)
+
+
 def test_a_constant_hurst_exponent_gives_a_self_affine_spectrum():
     np.testing.assert_allclose(
         spectrum.varying_hurst(WAVEVECTORS, 1e7, 800.0, 0.9, 0.0),
