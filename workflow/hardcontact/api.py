@@ -41,9 +41,8 @@ from hardcontact.own.edges_of_scans import edges_of_curves
 from hardcontact.own.own_spectrum import OwnSpectrum, read_own_spectrum, spectrum_of_map
 from hardcontact.own.scan_force import prediction_and_scan_force
 from hardcontact.scans import reading
-from hardcontact.scans.heights import map_values, unit_in_nm
+from hardcontact.scans.heights import RefusedFile, map_values, unit_in_nm
 from hardcontact.scans.joined_spectrum import ScanSpectrum
-from hardcontact.scans.refused_file import RefusedFile
 from hardcontact.surfaces.height_map import HeightMap, refuse_line_scan
 from hardcontact.surfaces.levelling import remove_form
 from hardcontact.surfaces.metrics import metrics as metrics

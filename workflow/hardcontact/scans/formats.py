@@ -1,46 +1,27 @@
-"""Read the bytes of a scan: any format of SurfaceTopography, or a contact.engineering container.
+"""Read the fields of a scan from the bytes of its file, in any format of SurfaceTopography."""
 
-`reading` calls this in a child process that cannot open files. Modules that readers import late are
-therefore imported here.
-"""
-
-import gzip
-import io
 import math
 import re
-import zipfile
 from contextlib import suppress
-from importlib import import_module
 from typing import Any
 
 import numpy as np
-from SurfaceTopography import Topography, open_topography
-from SurfaceTopography.Exceptions import CannotDetectFileFormat, MetadataAlreadyFixedByFile
+from SurfaceTopography import Topography
+from SurfaceTopography.Exceptions import MetadataAlreadyFixedByFile
 from SurfaceTopography.IO import AscReader, GWYReader, XYZReader
 
-from hardcontact.scans.channels import height_channel
-from hardcontact.scans.containers import container_entries, find_entry
 from hardcontact.scans.heights import (
+    LENGTH_BOUNDS,
     MAX_ASPECT_DEVIATION,
     TAKE_CARE,
+    RefusedFile,
     map_values,
     profile_values,
     refuse_point_counts,
     unit_in_nm,
 )
-from hardcontact.scans.plain_text import POINT_COLUMNS, readable_text
-from hardcontact.scans.refused_file import RefusedFile
-from hardcontact.scans.tip_radius import stated_tip_radius
-from hardcontact.scans.unread_files import KINDS_WITHOUT_HEIGHTS, describe_unread, kind_in_words
-
-#: Modules that readers import while they read.
-IMPORTED_LATE = (
-    "SurfaceTopography.IO.description", "h5py", "tifffile", "zstandard", "encodings.ascii",
-    "encodings.cp1252", "encodings.cp437", "encodings.latin_1", "encodings.utf_16",
-    "encodings.utf_16_le", "encodings.utf_8_sig",
-)  # fmt: skip
-for module in IMPORTED_LATE:
-    import_module(module)
+from hardcontact.scans.open_file import open_scan
+from hardcontact.scans.plain_text import POINT_COLUMNS
 
 #: Stands for a unit or a size that the user does not give.
 NOT_GIVEN = "none"
@@ -50,26 +31,19 @@ KEY_BY_ARGUMENT = {"physical_sizes": "size", "unit": "unit", "height_scale_facto
 #: if the unit is m. This is too coarse for line scans whose mean spacing is at most
 #: MAX_TOLERATED_SPACING of that unit. They are read again with zero tolerance.
 MAX_TOLERATED_SPACING = 1e-4
-GZIP = b"\x1f\x8b"
-#: SurfaceTopography's messages on values that are no lengths.
-UNKNOWN_UNIT = re.compile("Unknown unit '(.*)'|.* while unit '(.*)' is of kind")
-
-
-def list_datasets(content: bytes) -> dict[str, Any]:
-    """Return {"datasets": names}: the data files in a container, or one empty name otherwise."""
-    entries = container_entries(_decompress(content))
-    return {"datasets": [""] if entries is None else [entry["file"] for entry in entries]}
+#: "Tip radius: 8 nm", "Initial tip radii - 17 nm" and the like in the words of a container.
+TIP_RADIUS_IN_WORDS = re.compile(
+    r"\btip\s+radi(?:us|i)\b[\s:=~≈\-–]*(\d+(?:\.\d+)?)\s*(nm|µm|μm|um)\b", re.I
+)
 
 
 def read_fields(
     content: bytes, dataset: str, undefined_pixels: str, unit: str, map_size: float | str, mask: str
 ) -> dict[str, Any]:
     """Return the fields of a `HeightMap` that its file states, for `scans.read_scan`."""
-    content, entry = _scan_in_container(_decompress(content), dataset)
-    content, notes = readable_text(content)
+    reader, entry, notes = open_scan(content, dataset)
     unit = unit.replace("angstrom", "Å")
-    reader = _open_reader(content)
-    channel, channel_notes = height_channel(reader, entry, "" if entry else dataset)
+    channel, channel_notes = _height_channel(reader, entry, "" if entry else dataset)
     topography, used_metadata = _read_topography(
         channel, entry or _user_metadata(channel, unit, map_size)
     )
@@ -99,16 +73,6 @@ def read_fields(
         **fields,
         "notes": [*notes, *fields["notes"], *tip_notes],
     }
-
-
-def _scan_in_container(content: bytes, dataset: str) -> tuple[bytes, dict[str, Any]]:
-    """Return the bytes and metadata of a scan in a container; no metadata for any other file."""
-    entries = container_entries(content)
-    if entries is None:
-        return content, {}
-    entry = find_entry(entries, dataset)
-    with zipfile.ZipFile(io.BytesIO(content)) as container:
-        return container.read(entry["file"]), entry
 
 
 def _refuse_without_unit_or_size(topography: Any) -> None:
@@ -151,37 +115,6 @@ def _keep_marked_pixels(topography: Any) -> tuple[Any, list[str]]:
     )
     sizes, unit = topography.physical_sizes, topography.unit
     return Topography(heights, sizes, unit=unit, info=topography.info), [caution]
-
-
-def _decompress(content: bytes) -> bytes:
-    """Return the content of a file of gzip; any other content stays as it is."""
-    return gzip.decompress(content) if content.startswith(GZIP) else content
-
-
-def _open_reader(content: bytes) -> Any:
-    """Return a reader whose channels can be listed; refuse other files with the remedy."""
-    kind = kind_in_words(content, KINDS_WITHOUT_HEIGHTS)
-    if kind:
-        raise RefusedFile(f"expected a scan of heights, found {kind}")
-    try:
-        reader = open_topography(io.BytesIO(content))
-        has_channels = bool(reader.channels)
-    except CannotDetectFileFormat as error:
-        raise RefusedFile(
-            "expected a file in a format that SurfaceTopography reads, "
-            f"found {describe_unread(content, str(error))}"
-        ) from None
-    except ValueError as error:
-        unit = UNKNOWN_UNIT.match(str(error))
-        if unit is None:
-            raise
-        raise RefusedFile(
-            f"expected heights, found values in {unit[unit.lastindex or 0]!r}, which is no unit of "
-            "length: save the heights in place of them"
-        ) from None
-    if not has_channels:
-        raise RefusedFile(f"expected a file with heights, found {describe_unread(content, '')}")
-    return reader
 
 
 def _user_metadata(channel: Any, unit: str, map_size: float | str) -> dict[str, Any]:
@@ -253,3 +186,89 @@ def _accepted_arguments(channel: Any, metadata: dict[str, Any]) -> dict[str, Any
                 channel.topography(**arguments | {argument: metadata[key]})
                 arguments[argument] = metadata[key]
     return arguments
+
+
+def _height_channel(reader: Any, entry: dict[str, Any], name: str) -> tuple[Any, list[str]]:
+    """Return the channel of heights that the user, else the container or the reader, chooses.
+
+    If the user's channel, by `name`, holds no heights, it is refused. If the choice of the
+    container (its `entry`) or of the reader holds none, the first channel of heights replaces it,
+    with a note.
+    """
+    channels = reader.channels
+    container_index = entry.get("data_source")
+    if container_index is not None and container_index not in range(len(channels)):
+        raise RefusedFile(
+            f"expected a data_source from 0 to {len(channels) - 1} in the container, "
+            f"found {container_index}"
+        )
+    preferred = reader.default_channel if container_index is None else channels[container_index]
+    # The reader takes phases and voltages of Nanoscope files for heights; they have two units.
+    height_channels = [
+        channel
+        for channel in channels
+        if channel.is_height_channel and not isinstance(channel.unit, tuple)
+    ]
+    if name:
+        return _named_channel(channels, height_channels, name), []
+    if not height_channels:
+        found = ", ".join(f"{channel.name} ({_unit_in_words(channel)})" for channel in channels)
+        raise RefusedFile(f"expected a channel of heights, found only {found}")
+    if preferred.index not in [channel.index for channel in height_channels]:
+        note = f"channel {height_channels[0].name} read: {preferred.name} holds no heights"
+        return height_channels[0], [note]
+    others = [channel.name for channel in height_channels if channel.name != preferred.name]
+    is_chosen = container_index is not None or not others
+    return preferred, [] if is_chosen else [f"other channels of heights: {', '.join(others)}"]
+
+
+def _named_channel(channels: list[Any], height_channels: list[Any], name: str) -> Any:
+    """Return the channel of heights with a name, or with its number among all channels from 1."""
+    names = ", ".join(channel.name for channel in height_channels) or "none"
+    matching = [channel for channel in channels if name in (channel.name, str(channel.index + 1))]
+    if not matching:
+        raise RefusedFile(
+            f"expected one of the channels of heights ({names}), or its number among all "
+            f"channels from 1; found {name!r}"
+        )
+    if matching[0].index not in [channel.index for channel in height_channels]:
+        raise RefusedFile(
+            f"expected a channel of heights, found only {matching[0].name} "
+            f"({_unit_in_words(matching[0])}); of heights: {names}"
+        )
+    return matching[0]
+
+
+def _unit_in_words(channel: Any) -> str:
+    """Return the unit of the values of a channel, which is the second if there are two units."""
+    unit = channel.unit[1] if isinstance(channel.unit, tuple) else channel.unit
+    return str(unit or "of no stated unit")
+
+
+def stated_tip_radius(
+    file: dict[str, Any], container: dict[str, Any]
+) -> tuple[float | None, list[str]]:
+    """Return the radius of the tip in nm, and a note on its source; None if it is not stated.
+
+    The file has precedence over its container, and a number over words. The largest radius in words
+    counts, since tips wear and a worn tip limits the scan.
+    """
+    for source, metadata in (("file", file), ("container", container)):
+        radius = _radius_in_numbers(metadata)
+        if radius is not None:
+            return radius, [f"tip radius of {radius:.4g} nm stated by the {source}"]
+    matches = TIP_RADIUS_IN_WORDS.findall(str(container.get("description") or ""))
+    if not matches:
+        return None, []
+    radius = max(float(value) * unit_in_nm(unit) for value, unit in matches)
+    return radius, [f"largest tip radius in the container's description, {radius:.4g} nm"]
+
+
+def _radius_in_numbers(metadata: dict[str, Any]) -> float | None:
+    """Return the radius (nm) of the instrument's tip in metadata; None if it is not plausible."""
+    try:
+        tip_radius = metadata["instrument"]["parameters"]["tip_radius"]
+        radius = float(tip_radius["value"]) * unit_in_nm(tip_radius["unit"])
+    except (LookupError, TypeError, ValueError, RefusedFile):
+        return None
+    return radius if LENGTH_BOUNDS[0] <= radius <= LENGTH_BOUNDS[1] else None

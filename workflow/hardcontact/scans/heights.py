@@ -11,7 +11,6 @@ import scipy
 
 from hardcontact.base.arrays import Floats
 from hardcontact.base.formatting import format_length, format_share
-from hardcontact.scans.refused_file import RefusedFile
 
 #: Pixels per row of a map: substitutes have no fewer, and masters at least twice as many.
 PIXEL_BOUNDS = (16, 8192)
@@ -33,6 +32,10 @@ MAX_MEAN_SLOPE = 10
 TAKE_CARE = "take care: "
 #: How far points of a line scan may lie from uniform spacing, in spacings: files round positions.
 POSITION_ROUNDING = 0.05
+
+
+class RefusedFile(Exception):
+    """A file that cannot be used; the text names what was expected and what was found."""
 
 
 def split_notes(notes: Sequence[str]) -> tuple[list[str], list[str]]:

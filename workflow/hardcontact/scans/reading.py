@@ -22,7 +22,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from hardcontact.scans.refused_file import RefusedFile
+from hardcontact.scans.heights import RefusedFile
 from hardcontact.surfaces.height_map import HeightMap
 
 #: The largest file in bytes: four times a map of 8192 x 8192 pixels in single precision.
@@ -88,7 +88,7 @@ def list_scans(path: str | Path) -> list[str]:
     # A file that is no archive needs no child, which `read_scan` starts for it.
     if not (Path(path).is_file() and zipfile.is_zipfile(path)):
         return [""]
-    from hardcontact.scans.formats import list_datasets
+    from hardcontact.scans.open_file import list_datasets
 
     return list(read_in_child(list_datasets, Path(path))["datasets"])
 

@@ -1,0 +1,208 @@
+"""Open the bytes of a scan: unpack a container, choose a reader, refuse files without heights.
+
+This runs in a child process that cannot open files, so that modules which readers import late are
+imported here. The schema of containers is in `SurfaceTopography.Container.IO.Schema`.
+"""
+
+import gzip
+import io
+import json
+import re
+import zipfile
+from collections.abc import Mapping
+from importlib import import_module
+from typing import Any
+
+import yaml
+from SurfaceTopography import open_topography
+from SurfaceTopography.Exceptions import CannotDetectFileFormat
+from SurfaceTopography.IO import MagicMatch, readers
+from SurfaceTopography.Support.UnitConversion import is_length_unit
+
+from hardcontact.scans.heights import RefusedFile
+from hardcontact.scans.plain_text import ROW, readable_text
+
+#: Modules that readers import while they read.
+IMPORTED_LATE = (
+    "SurfaceTopography.IO.description", "h5py", "tifffile", "zstandard", "encodings.ascii",
+    "encodings.cp1252", "encodings.cp437", "encodings.latin_1", "encodings.utf_16",
+    "encodings.utf_16_le", "encodings.utf_8_sig",
+)  # fmt: skip
+for module in IMPORTED_LATE:
+    import_module(module)
+#: The first bytes of a file of gzip.
+GZIP = b"\x1f\x8b"
+#: The lists of scans in containers, new and old, in the order in which they are looked for.
+INDEX_FILES = ("index.json", "meta.yml")
+#: Largest number of scans in a container. Each is read in its own process, which takes
+#: 0.05 s for 512 x 512 pixels: so many take a minute.
+MAX_SCANS = 1000
+#: Keys of the data file of a scan: the measured file, or else the processed file, whose channel is
+#: already selected and whose heights are already scaled.
+DATA_FILE_KEYS = ("original", "squeezed-netcdf")
+#: Metadata that hold for the measured file only: they are ignored for the processed file.
+ORIGINAL_ONLY_KEYS = ("data_source", "height_scale")
+#: SurfaceTopography's message on an unreadable file: a reader and its reason, in turn.
+READER_MESSAGE = re.compile(r"tried (\w+): \n (.*?)\n\n(?=tried |\Z)", re.S)
+#: The unit of values that a header of a text states.
+VALUE_UNIT = re.compile(r"(?:value units|z-unit|unit data)\s*[:=]\s*(\S+)", re.I)
+#: What to do with files that hold heights in a form that no reader takes.
+EXPORT = "save the heights as text or netCDF, for example with Gwyddion"
+PICTURE = f"a picture, whose grey values are not heights: {EXPORT}"
+ARCHIVE = "an archive: unpack it, and give the scans in it"
+MODEL = "a model of triangles or points: save its points as a text of x, y, height"
+#: Kinds of files that no reader knows, in words with the remedy; values are their first bytes.
+UNREADABLE_KINDS = {
+    "a compressed file of MountainsMap: save it without compression": (b"DSCOMPRESSED",),
+    ARCHIVE: (b"PK\3\4", b"BZh", b"\xfd7zXZ", b"7z\xbc\xaf", b"Rar!"),
+    PICTURE: (b"BM", b"II*\0", b"MM\0*"),
+}
+#: The same for files without heights on a grid, for which no reader is tried.
+KINDS_WITHOUT_HEIGHTS = {
+    PICTURE: (b"P2\n", b"P5\n", b"\x89PNG", b"\xff\xd8\xff", b"GIF8"),
+    MODEL: (b"#VRML", b"ply\n"),
+    f"a document: {EXPORT}": (b"%PDF",),
+}
+#: SurfaceTopography's messages on values that are no lengths.
+UNKNOWN_UNIT = re.compile("Unknown unit '(.*)'|.* while unit '(.*)' is of kind")
+
+
+def list_datasets(content: bytes) -> dict[str, Any]:
+    """Return {"datasets": names}: the data files in a container, or one empty name otherwise."""
+    entries = _container_entries(_decompress(content))
+    return {"datasets": [""] if entries is None else [entry["file"] for entry in entries]}
+
+
+def open_scan(content: bytes, dataset: str) -> tuple[Any, dict[str, Any], list[str]]:
+    """Return a reader with channels, the metadata of a scan in a container, and notes.
+
+    The metadata are empty if the file is no container. Raises RefusedFile with the remedy.
+    """
+    content = _decompress(content)
+    entries = _container_entries(content)
+    entry: dict[str, Any] = {}
+    if entries is not None:
+        entry = _find_entry(entries, dataset)
+        with zipfile.ZipFile(io.BytesIO(content)) as container:
+            content = container.read(entry["file"])
+    content, notes = readable_text(content)
+    return _open_reader(content), entry, notes
+
+
+def _decompress(content: bytes) -> bytes:
+    """Return the content of a file of gzip; any other content stays as it is."""
+    return gzip.decompress(content) if content.startswith(GZIP) else content
+
+
+def _container_entries(content: bytes) -> list[dict[str, Any]] | None:
+    """Return the metadata and data file of each scan, None if the file is no container."""
+    if not zipfile.is_zipfile(io.BytesIO(content)):
+        return None
+    with zipfile.ZipFile(io.BytesIO(content)) as archive:
+        name = next((name for name in INDEX_FILES if name in archive.namelist()), None)
+        if name is None:
+            return None
+        text = archive.read(name)
+    try:
+        contents = json.loads(text) if name == INDEX_FILES[0] else yaml.load(text, yaml.CFullLoader)
+        surfaces = contents["surfaces"]
+        entries = [_entry(scan) for surface in surfaces for scan in surface["topographies"]]
+    except Exception as error:  # A malformed list may raise any error.
+        raise RefusedFile(
+            f"expected {name} that lists surfaces, their topographies and the data file of "
+            f"each, found: {type(error).__name__}: {str(error)[:200]}"
+        ) from None
+    if len(entries) > MAX_SCANS:
+        raise RefusedFile(
+            f"expected at most {MAX_SCANS} scans in a container, found {len(entries)}"
+        )
+    return entries
+
+
+def _entry(scan: dict[str, Any]) -> dict[str, Any]:
+    """Return the metadata of a scan in a container with its data file, and a name."""
+    key = next(key for key in DATA_FILE_KEYS if scan["datafile"].get(key))
+    file = scan["datafile"][key]
+    if not isinstance(file, str):
+        raise TypeError("the name of a data file is no text")
+    ignored = () if key == "original" else ORIGINAL_ONLY_KEYS
+    kept_metadata = {key: value for key, value in scan.items() if key not in ignored}
+    return kept_metadata | {"name": scan.get("name") or file, "file": file}
+
+
+def _find_entry(entries: list[dict[str, Any]], dataset: str) -> dict[str, Any]:
+    """Return the metadata of the only scan with this name or data file."""
+    named_entries = [entry for entry in entries if dataset in (entry["file"], entry["name"])]
+    if len(named_entries) != 1:
+        scans = ", ".join(f"{entry['name']} ({entry['file']})" for entry in entries)
+        raise RefusedFile(
+            "expected a dataset that names one scan, "
+            f"found {len(named_entries)} of {dataset!r} among {scans}"
+        )
+    return named_entries[0]
+
+
+def _open_reader(content: bytes) -> Any:
+    """Return a reader whose channels can be listed; refuse other files with the remedy."""
+    kind = _kind_in_words(content, KINDS_WITHOUT_HEIGHTS)
+    if kind:
+        raise RefusedFile(f"expected a scan of heights, found {kind}")
+    try:
+        reader = open_topography(io.BytesIO(content))
+        has_channels = bool(reader.channels)
+    except CannotDetectFileFormat as error:
+        raise RefusedFile(
+            "expected a file in a format that SurfaceTopography reads, "
+            f"found {_describe_unread(content, str(error))}"
+        ) from None
+    except ValueError as error:
+        unit = UNKNOWN_UNIT.match(str(error))
+        if unit is None:
+            raise
+        raise RefusedFile(
+            f"expected heights, found values in {unit[unit.lastindex or 0]!r}, which is no unit of "
+            "length: save the heights in place of them"
+        ) from None
+    if not has_channels:
+        raise RefusedFile(f"expected a file with heights, found {_describe_unread(content, '')}")
+    return reader
+
+
+def _kind_in_words(content: bytes, kinds: Mapping[str, tuple[bytes, ...]]) -> str:
+    """Return the kind of file that begins like this content, an empty text if none does."""
+    return next((words for words, begin in kinds.items() if content.startswith(begin)), "")
+
+
+def _describe_unread(content: bytes, reader_messages: str) -> str:
+    """Describe a file that no reader takes, with the reasons of the readers of its kind."""
+    reasons = {
+        name: " ".join(reason.split())[:200]
+        for name, reason in READER_MESSAGE.findall(reader_messages)
+    }
+    lines = content[: 2**16].decode("utf-8", "replace").splitlines()
+    start = content[:512]
+    reader_names = [
+        reader.__name__ for reader in readers if reader.can_read(start) == MagicMatch.YES
+    ]
+    kind = _kind_in_words(content, UNREADABLE_KINDS)
+    if zipfile.is_zipfile(io.BytesIO(content)):
+        with zipfile.ZipFile(io.BytesIO(content)) as archive:
+            if "[Content_Types].xml" in archive.namelist():
+                return f"a document of an office program: {EXPORT}"
+            if any(name.endswith("/main.xml") for name in archive.namelist()):
+                reader_names = ["X3PReader"]
+                kind = "an X3P with files in a folder: zip them without the folder"
+    elif sum(ROW.fullmatch(line) is not None for line in lines) > len(lines) / 2:
+        reader_names = ["AscReader"]
+        unit = VALUE_UNIT.search("\n".join(lines))
+        kind = "a text that is neither a matrix of equal rows nor columns of points"
+        if unit and not is_length_unit(unit[1]):
+            return (
+                f"a text of values in {unit[1]}, which is no unit of length: multiply them by the "
+                "sensitivity of the instrument, and state the unit of the heights"
+            )
+    descriptions = [f"{name}: {reasons[name]}" for name in reader_names if name in reasons]
+    if kind:
+        return "; ".join([kind, *descriptions])
+    reasons_in_words = "; ".join(descriptions) or "one that none of its readers takes"
+    return f"{reasons_in_words}; {EXPORT}"
