@@ -32,7 +32,7 @@ from hardcontact.contact.contact import Contact
 from hardcontact.contact.elastic import adhesive_pull_off, pressure_at_load
 from hardcontact.contact.force_sum.outside_sums import outside_sums
 from hardcontact.contact.geometry import gap_map, join_bodies, part_around_lowest
-from hardcontact.contact.pull_off import attraction_totals
+from hardcontact.contact.pull_off import attraction_sums
 from hardcontact.surfaces.filters import interpolate, lowpass
 from hardcontact.surfaces.height_map import mirror_scan
 from hardcontact.surfaces.levelling import level
@@ -86,7 +86,7 @@ def pull_off(substrate):
     """Plastic totals (contact_y, contact_x) of a smooth sphere, closest approach included."""
     bodies, contact_pixel_count = bodies_in_contact(substrate)
     contacts = all_contact_pixels(bodies, contact_pixel_count)
-    return attraction_totals(bodies, contacts, [contact_pixel_count], [RHO])[0, 0]
+    return attraction_sums(bodies, contacts, [contact_pixel_count], [RHO])[0, 0]
 
 
 def smooth_sphere(threads):

@@ -21,8 +21,8 @@ from hardcontact.base import dataset, published
 from hardcontact.base.random import generator
 from hardcontact.base.statistics import student_log_interval
 from hardcontact.contact.contact import Contact
-from hardcontact.contact.geometry import join_bodies, window_pixels
-from hardcontact.contact.pull_off import FORCE_ATTRS, mean_pull_off_dataset
+from hardcontact.contact.geometry import window_pixels
+from hardcontact.contact.pull_off import FORCE_ATTRS, make_force_function
 from hardcontact.own.edges_of_scans import edges_of_curves
 from hardcontact.surfaces.filters import filtered_series
 from hardcontact.surfaces.height_map import mirror_scan
@@ -60,9 +60,7 @@ def mirrored_windows(surface, size):
 
 def mean_force(surface, contact):
     """Return the mean plastic pull-off force in N at 1 J/m² on a periodic surface."""
-    bodies = join_bodies(surface, None, contact)
-    forces = mean_pull_off_dataset(bodies, contact, [contact.rho])["pull_off_force"]
-    return forces.sel(contact_model="plastic").item()
+    return make_force_function(contact)(surface).mean()
 
 
 def filtered_forces(surface, contact):

@@ -12,7 +12,7 @@ from hardcontact.config import selected_surfaces
 from hardcontact.config.configuration import get_key, master_keys
 from hardcontact.config.grids import random_surface_pixels
 from hardcontact.config.model import numeric_configuration
-from hardcontact.contact.asperities import find_carrying_asperities
+from hardcontact.contact.attraction import find_carrying_asperities
 from hardcontact.contact.bearing_area import all_contact_pixels
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies, sample_contacts

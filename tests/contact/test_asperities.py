@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from periodic_maps import RADIUS, make_bodies
 
-from hardcontact.contact.asperities import (
+from hardcontact.contact.attraction import (
     asperity_sizes,
     find_carrying_asperities,
     least_carrying_attraction,

@@ -6,7 +6,7 @@ import xarray as xr
 from known_forces import RHOS, power_curves, power_forces
 from repository import PAPER
 
-from hardcontact.contact.force_interpolation import interpolate_to_range, interpolate_to_ranges
+from hardcontact.contact.pull_off import interpolate_to_range, interpolate_to_ranges
 
 
 def test_interpolation_between_ranges_follows_power_laws():

@@ -10,7 +10,7 @@ from scipy.special import ive
 
 from hardcontact.contact.bearing_area import all_contact_pixels
 from hardcontact.contact.force_sum.outside_sums import MAX_DEPTH, MAX_PENETRATION, outside_sums
-from hardcontact.contact.pull_off import attraction_totals, pull_off_force
+from hardcontact.contact.pull_off import attraction_sums, force_of_sums
 
 #: Error of sums over heights in single precision, on a smooth sphere and unless the range is short.
 SINGLE = 1e-6
@@ -29,7 +29,7 @@ def test_the_force_at_every_range_is_the_direct_sum(case, contact_pixel_count, r
     bodies, ranges = bodies_of(case, 3, rough), [0.5, 2.0, 10.0]
     contacts = all_contact_pixels(bodies, contact_pixel_count)
     counts = [contact_pixel_count, 1]
-    totals = attraction_totals(bodies, contacts, counts, ranges)
+    totals = attraction_sums(bodies, contacts, counts, ranges)
     for contact in np.ndindex(contacts.gaps.shape[:2]):
         gap = gap_of_bodies(bodies, contact)
         sums = totals[..., *contact].flat
@@ -77,7 +77,7 @@ def test_contact_pixels_are_subtracted_exactly_at_the_ends_of_its_use(
     gaps = contacts.gaps[0, 0]
     assert gaps[-1] - gaps[0] > 0.9 * penetration * max_penetration * rho
     assert gaps[-1] + heights.max() > 0.9 * raised * max_depth * rho
-    total = attraction_totals(bodies, contacts, [4], [rho]).item()
+    total = attraction_sums(bodies, contacts, [4], [rho]).item()
     assert total == pytest.approx(direct_total(gap_of_bodies(bodies, (0, 0)), 4, rho), rel=error)
 
 
@@ -89,7 +89,7 @@ def test_the_force_on_mirrored_heights_is_the_direct_sum(axes):
         heights = (heights + np.flip(heights, axis)) / 2
     bodies = make_bodies(heights, None, 50.0, 140, 3)
     contacts = all_contact_pixels(bodies, 4)
-    totals = attraction_totals(bodies, contacts, [4], [5.6])
+    totals = attraction_sums(bodies, contacts, [4], [5.6])
     for contact in np.ndindex(contacts.gaps.shape[:2]):
         direct = direct_total(gap_of_bodies(bodies, contact), 4, 5.6)
         assert totals[..., *contact].item() == pytest.approx(direct, rel=1e-9)
@@ -98,7 +98,7 @@ def test_the_force_on_mirrored_heights_is_the_direct_sum(axes):
 def plastic_totals(bodies, pixel_counts, rho):
     """Return the sums of exp(-gap/rho) of plastic contacts: (loading, contact_y, contact_x)."""
     contacts = all_contact_pixels(bodies, max(pixel_counts))
-    return attraction_totals(bodies, contacts, pixel_counts, [rho])[:, 0]
+    return attraction_sums(bodies, contacts, pixel_counts, [rho])[:, 0]
 
 
 def test_a_smooth_sphere_on_a_flat_has_derjaguin_s_force():
@@ -107,7 +107,7 @@ def test_a_smooth_sphere_on_a_flat_has_derjaguin_s_force():
     for rho, window in ((2.0, 300), (5.6, 400)):
         flat = make_bodies(np.zeros((250, 250)), None, pixel_size, window, 1)
         (total,) = plastic_totals(flat, [1], rho)
-        force = pull_off_force(total, rho, pixel_size, work).item()
+        force = force_of_sums(total, rho, pixel_size, work).item()
         assert force == pytest.approx(2 * np.pi * RADIUS * 1e-9 * work, rel=1e-4)
         assert force == pytest.approx(72.7e-6, rel=1e-3)
 

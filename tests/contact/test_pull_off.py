@@ -6,14 +6,11 @@ import numpy as np
 import pytest
 import xarray as xr
 from direct_sum import direct_force, direct_total, gap_of_bodies
-from periodic_maps import CONTACT, LOADED_CONTACTS, make_bodies, periodic_noise
+from periodic_maps import CONTACT, make_bodies, periodic_noise
 
-from hardcontact.contact.pull_off import (
-    mean_pull_off_dataset,
-    pull_off_dataset,
-    trace_contact,
-)
-from hardcontact.contact.scan_pull_off import force_on_finer_pixels, wider_window_change
+from hardcontact.contact.attraction import trace_contact
+from hardcontact.contact.pull_off import pull_off_dataset
+from hardcontact.contact.scan_pull_off import compute_finer_pixel_ratio, largest_window_change
 
 RHOS = [1.0, 5.6]
 
@@ -43,13 +40,6 @@ def test_the_pull_off_force_of_two_bodies_is_the_direct_sum_at_every_contact_and
                 assert forces[model, k][contact] == pytest.approx(direct_sum, rel=1e-9)
 
 
-def test_mean_pull_off_of_two_bodies_is_the_mean_over_its_contacts():
-    for loaded in LOADED_CONTACTS:
-        means = mean_pull_off_dataset(rough_bodies(), loaded, RHOS)["pull_off_force"].values
-        forces = pull_off_dataset(rough_bodies(), loaded, RHOS)["pull_off_force"].values
-        np.testing.assert_allclose(means, forces.mean(axis=(2, 3)), rtol=1e-12)
-
-
 def test_the_change_by_a_wider_window_matches_the_direct_sum():
     all_bodies = [rough_bodies(seed) for seed in (1, 3)]
     count, rho, changes = CONTACT.pixel_count(8.0), 5.6, []
@@ -68,8 +58,8 @@ def test_the_change_by_a_wider_window_matches_the_direct_sum():
         for narrow_bodies in all_bodies
     ]
     plastic_forces = xr.concat(forces, "sphere_scan").sel(contact_model="plastic", rho=rho)
-    arrays = wider_window_change(iter(all_bodies), CONTACT, plastic_forces)
-    assert arrays["wider_window_change"].values == pytest.approx(max(changes), rel=1e-6)
+    change = largest_window_change(iter(all_bodies), CONTACT, plastic_forces)
+    assert change == pytest.approx(max(changes), rel=1e-6)
 
 
 @pytest.mark.parametrize(("pixels", "area_ratio"), [(1, 1 / 4), (4, 1), (40, 1)])
@@ -77,9 +67,8 @@ def test_finer_pixels_change_only_the_contact_area_at_a_small_range(pixels, area
     """One pixel of any size touches at least; a larger area is the same on all pixels."""
     contact = replace(CONTACT, preload=pixels / 4 * 25e9 * 64e-18, rho=0.02)
     forces = pull_off_dataset(rough_bodies(), contact, [contact.rho]).pull_off_force
-    change = force_on_finer_pixels(rough_bodies(), contact, forces.sel(contact_model="plastic"))
-    change = change["finer_pixel_ratio"]
-    assert change == pytest.approx(area_ratio, rel=0.05)
+    ratio = compute_finer_pixel_ratio(rough_bodies(), contact, forces.sel(contact_model="plastic"))
+    assert ratio == pytest.approx(area_ratio, rel=0.05)
 
 
 def test_a_traced_contact_has_the_force_of_its_bodies():

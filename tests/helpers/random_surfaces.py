@@ -13,8 +13,7 @@ import hardcontact as hc
 from hardcontact.base.number import Number
 from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact
-from hardcontact.contact.geometry import join_bodies
-from hardcontact.contact.pull_off import mean_pull_off_dataset
+from hardcontact.contact.pull_off import make_force_function
 from hardcontact.inference.wide_pixels import WIDE_PIXEL
 from hardcontact.own.scan_force import contact_on_scan
 from hardcontact.surfaces.height_map import HeightMap, mirror_in_float32
@@ -92,9 +91,7 @@ def _features(rng, pixels, width, are_flat):
 def true_force(case):
     """Return the mean plastic force (N) on the fine pixels, at the contacts on the scan."""
     contact = contact_on_scan(case.scan, case.contact)
-    bodies = join_bodies(mirror_in_float32(case.fine), None, contact)
-    forces = mean_pull_off_dataset(bodies, contact, [contact.rho])["pull_off_force"]
-    return contact.work * forces.sel(contact_model="plastic").item()
+    return contact.work * make_force_function(contact)(mirror_in_float32(case.fine)).mean()
 
 
 def predicted_numbers(case):

@@ -5,7 +5,7 @@ import pytest
 from direct_sum import direct_force, gap_to_sphere, mirror
 from small_pool import CONTACT, GRID, HEIGHTS, RANGES, SUBSTITUTE, pool_of, raw_scan
 
-from hardcontact.contact.force_interpolation import spline_weights
+from hardcontact.contact.pull_off import spline_weights
 from hardcontact.paper.pool import pool_heights
 from hardcontact.surfaces.metrics import TABLE1_METRICS, metrics
 

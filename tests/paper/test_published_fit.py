@@ -7,7 +7,7 @@ from known_forces import RHOS, TABLE, power_forces
 from paper_numbers import MEAN_FORCE, SUBSTRATES
 
 from hardcontact.base.statistics import Sampling
-from hardcontact.contact.force_interpolation import interpolate_to_ranges
+from hardcontact.contact.pull_off import interpolate_to_ranges
 from hardcontact.inference.fit import fit_range_and_work, mean_relative_error
 from hardcontact.paper import published_fit as fit
 from hardcontact.paper.published_fit import Pair, PublishedForces

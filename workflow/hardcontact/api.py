@@ -16,6 +16,7 @@ import xarray as xr
 
 from hardcontact.base.dataset import stack
 from hardcontact.base.number import Number
+from hardcontact.base.units import DIMENSIONLESS, NEWTON
 from hardcontact.config.arguments import (
     arguments_in_messages,
     check_contact,
@@ -34,7 +35,7 @@ from hardcontact.config.model import NONE
 from hardcontact.contact.contact import PLASTIC, Contact
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import WORK_OF_ADHESION, pull_off_dataset
-from hardcontact.contact.scan_pull_off import wider_window_change
+from hardcontact.contact.scan_pull_off import largest_window_change
 from hardcontact.inference.filtered_masters import Filters, filtered_pull_off
 from hardcontact.inference.master_datasets import add_force_ratios
 from hardcontact.own.edges_of_scans import edges_of_curves
@@ -281,13 +282,12 @@ def pull_off_forces(
     bodies = join_bodies(surface, rough, contact)
     longest = replace(contact, rho=max(ranges))
     forces = pull_off_dataset(bodies, contact, ranges)
-    force_at_unit_work = forces.pull_off_force
-    plastic_forces = force_at_unit_work.sel(contact_model=[PLASTIC], rho=longest.rho)
-    window_change = wider_window_change([bodies], longest, plastic_forces)
-    force = force_at_unit_work * (work / WORK_OF_ADHESION)
-    force.attrs = {"units": "N", "long_name": "pull-off force"}
-    attributes = {"work_of_adhesion": work}
-    return forces.merge(window_change).assign(pull_off_force=force).assign_attrs(attributes)
+    plastic_forces = forces.pull_off_force.sel(contact_model=[PLASTIC], rho=longest.rho)
+    window_change = largest_window_change([bodies], longest, plastic_forces)
+    force = forces.pull_off_force * (work / WORK_OF_ADHESION)
+    force.attrs = NEWTON | {"long_name": "pull-off force"}
+    variables = {"pull_off_force": force, "wider_window_change": ((), window_change, DIMENSIONLESS)}
+    return forces.assign(variables).assign_attrs(work_of_adhesion=work)
 
 
 def _periodic_maps(

@@ -2,7 +2,7 @@
 
 from hardcontact.base.dataset import stack
 from hardcontact.base.random import generator
-from hardcontact.contact.asperities import CARRIED_SHARE, find_carrying_asperities
+from hardcontact.contact.attraction import CARRIED_SHARE, find_carrying_asperities
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import read_bodies, sample_contacts
 from hardcontact.records.job import run_job

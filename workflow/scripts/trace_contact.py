@@ -1,9 +1,9 @@
 """One contact: its gap, the adhesive pressure after plastic contact, and the force on parting."""
 
 from hardcontact.base import published
+from hardcontact.contact.attraction import trace_contact
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import read_bodies
-from hardcontact.contact.pull_off import trace_contact
 from hardcontact.records.job import run_job
 
 ATTRIBUTES = "surface", "scan", "sphere_scan", "label", "source"

@@ -10,7 +10,7 @@ from measurements import random_map
 
 from hardcontact.base import dataset
 from hardcontact.base.random import generator
-from hardcontact.contact.finite_scan import SMALLEST_SIZE_RATIO
+from hardcontact.contact.contact import SMALLEST_SIZE_RATIO
 from hardcontact.report.own_surfaces.answer import own_answer, surface_answers
 from hardcontact.report.own_surfaces.artificial_roughness import measurement_name
 from hardcontact.scans.joined_spectrum import joined_spectrum

@@ -5,9 +5,8 @@ from collections.abc import Sequence
 from hardcontact.commands.inventory import Entry
 from hardcontact.config.grids import MAX_CONTACT_PIXELS
 from hardcontact.contact.bearing_area import TILE
-from hardcontact.contact.contact import Contact
+from hardcontact.contact.contact import Contact, periods_in_window
 from hardcontact.contact.geometry import window_pixels
-from hardcontact.contact.grid_limits import periods_in_window
 
 #: The finest pixels worth computing, in nm: half the distance of atoms.
 FINEST_PIXEL_SIZE = 0.15

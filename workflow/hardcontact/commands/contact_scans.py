@@ -11,9 +11,13 @@ from hardcontact.base.formatting import format_length
 from hardcontact.commands.inventory import Entry, entries_by_surface
 from hardcontact.config.faults import raise_faults
 from hardcontact.config.grids import MAX_MAP_PIXELS, PIXEL_SIZES, same_grid
-from hardcontact.contact.contact import Contact
-from hardcontact.contact.finite_scan import LARGE_SIZE_RATIO
-from hardcontact.contact.grid_limits import PENETRATION_OVER_RANGE, minimum_range, penetration_depth
+from hardcontact.contact.contact import (
+    LARGE_SIZE_RATIO,
+    PENETRATION_OVER_RANGE,
+    Contact,
+    minimum_range,
+    penetration_depth,
+)
 from hardcontact.own.scan_window import window_on_scans
 from hardcontact.surfaces.spectrum import BIN_CENTRES, Spectrum
 from hardcontact.theory.summits import search_size

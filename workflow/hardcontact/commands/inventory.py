@@ -10,7 +10,7 @@ import numpy as np
 
 from hardcontact.base.arrays import Floats
 from hardcontact.commands.request import ScanFile
-from hardcontact.contact.grid_limits import Grid
+from hardcontact.contact.contact import Grid
 from hardcontact.scans.defects import scan_with_defects
 from hardcontact.scans.mean_spectrum import describe_contradictions, find_contradictions
 from hardcontact.scans.measured_spectrum import isotropic_psd

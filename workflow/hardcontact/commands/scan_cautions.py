@@ -8,7 +8,7 @@ from hardcontact.base.formatting import format_length, format_quantity
 from hardcontact.commands.contact_scans import WindowChoice
 from hardcontact.commands.inventory import Entry, entries_by_surface, entry_contradiction_lines
 from hardcontact.config.faults import raise_faults
-from hardcontact.contact.finite_scan import (
+from hardcontact.contact.contact import (
     LARGE_SIZE_RATIO,
     MIN_WINDOW_SHARE,
     finite_scan_ratio,

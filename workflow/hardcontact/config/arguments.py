@@ -16,8 +16,7 @@ from hardcontact.config.faults import raise_faults, shorten
 from hardcontact.config.grids import PIXEL_SIZES
 from hardcontact.config.limits import NamedContact, contact_faults
 from hardcontact.config.model import CONTACT_QUANTITIES, quantity_type
-from hardcontact.contact.contact import Contact
-from hardcontact.contact.grid_limits import Grid
+from hardcontact.contact.contact import Contact, Grid
 from hardcontact.contact.hertz_jkr_dmt import STRONGEST_WORK
 from hardcontact.scans.reading import MASKS
 from hardcontact.surfaces.height_map import HeightMap, mirror_scan

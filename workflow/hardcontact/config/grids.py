@@ -2,7 +2,7 @@
 
 import math
 
-from hardcontact.contact.grid_limits import Grid
+from hardcontact.contact.contact import Grid
 
 #: Pixel sizes in nm at which spectra are known: tables and bins end at 0.1 nm and 100 um.
 PIXEL_SIZES = (0.05, 1e4)

@@ -16,15 +16,15 @@ from hardcontact.config.configuration import get_key, master_keys, study_contact
 from hardcontact.config.faults import key_fault, raise_faults
 from hardcontact.config.grids import MAX_CONTACT_PIXELS, MAX_MAP_PIXELS
 from hardcontact.config.model import PAPER
-from hardcontact.contact.contact import Contact
-from hardcontact.contact.geometry import window_pixels
-from hardcontact.contact.grid_limits import (
+from hardcontact.contact.contact import (
     PENETRATION_OVER_RANGE,
+    Contact,
     Grid,
     minimum_range,
     penetration_depth,
     periods_in_window,
 )
+from hardcontact.contact.geometry import window_pixels
 from hardcontact.surfaces.synthesis import SIDES
 
 

@@ -1,9 +1,17 @@
-"""The contact: the sphere, its load, its attraction, and the array of contacts."""
+"""The contact of a sphere and a surface, and which scans show enough of the surface for it.
+
+A sphere finds the summits that it touches within the search size (`theory.summits`). A smaller
+scan, mirrored, shows the same summits everywhere, and the force on it is too large.
+"""
 
 import math
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from hardcontact.base.formatting import format_length, round_with
 
 #: Contact models: the contact pixels yield, or a single pixel touches.
 PLASTIC = "plastic"
@@ -15,14 +23,33 @@ CONTACT_AXES = ("contact_y", "contact_x")
 #: Dimensions over which forces are averaged. `sphere_scan` numbers the scans of the sphere, or, if
 #: there are few, the positions on them at which the sphere touches.
 CONTACT_DIMENSIONS = ("sphere_scan", "contact", *CONTACT_AXES)
+#: Largest difference in height relative to the range of adhesion: exponentials overflow beyond 700.
+RELIEF_OVER_RANGE = 500.0
+#: Largest penetration relative to the range of adhesion, for a smooth sphere: its force sums lose
+#: as many digits as the exponential of this has.
+PENETRATION_OVER_RANGE = 25.0
+#: Mean force on a mirrored scan relative to that on the surface of 20 µm from which it was cut:
+#: smallest and largest ratio, by the size of the scan relative to the search size. Larger scans had
+#: 0.95 to 1.14. Source: scans of 0.6 to 10 µm on 24 realizations each of ten Gaussian surfaces (rms
+#: height 2 to 50 nm, roll-off 300 to 2000 nm, H = 0.5 to 0.84), R = 20 to 250 µm, rho = 2 and 5.6
+#: nm. Each ratio is known to 1 to 10 %.
+FINITE_SCAN_RATIOS = {
+    0.125: (8.0, 17.0), 0.25: (3.0, 9.0), 0.5: (1.5, 3.6), 1.0: (1.1, 2.0), 2.0: (1.0, 1.5)
+}  # fmt: skip
+#: Size relative to the search size from which a scan is large enough, and the smallest tested one.
+LARGE_SIZE_RATIO = max(FINITE_SCAN_RATIOS)
+SMALLEST_SIZE_RATIO = 0.12
+#: Smallest share of the force on a smooth sphere in a window without a caution.
+MIN_WINDOW_SHARE = 0.99
 
 
 @dataclass(frozen=True, kw_only=True)
 class Contact:
     """Sphere, loading, adhesion and array that all contacts of a computation share.
 
-    Every computation needs the first three fields. Height maps also need window and array; forces
-    at one range need `rho`, forces in N other than at 1 J/m² `work`. A field left out is NaN.
+    The loading is the preload and the hardness, or that the contact is rigid. Every computation
+    needs the first three fields. Height maps also need window and array; forces at one range need
+    `rho`, forces in N other than at 1 J/m² `work`. A field left out is NaN.
     """
 
     radius: float  #: Radius of the sphere in nm.
@@ -36,23 +63,82 @@ class Contact:
 
     @property
     def loading_name(self) -> str:
-        """Hardness and preload as a part of paths: ``"H25GPa-F10uN"``, ``"rigid-F10uN"``."""
+        """The loading as a part of paths: ``"H25GPa-F10uN"``, ``"rigid-F10uN"``."""
         hardness = f"H{self.hardness / 1e9:.12g}GPa" if self.plastic else RIGID
         return f"{hardness}-F{self.preload * 1e6:.12g}uN"
 
     @property
     def area(self) -> float:
         """The contact area, preload over hardness, in nm²; zero in rigid contact, at a point."""
-        if not self.plastic:
-            return 0.0
-        return self.preload / self.hardness * 1e18
+        return self.preload / self.hardness * 1e18 if self.plastic else 0.0
 
     def pixel_count(self, pixel_size: float) -> int:
         """Return the least number of contact pixels (size in nm) that carry the preload.
 
         It is 1 in rigid contact. Source: the paper, plastic analysis.
         """
-        if not self.plastic:
-            return 1
-        pixel_area = (pixel_size * 1e-9) ** 2
-        return int(np.ceil(self.preload / (self.hardness * pixel_area) * (1 - 1e-12)))
+        return max(1, math.ceil(self.area / pixel_size**2 * (1 - 1e-12)))
+
+
+class Grid(NamedTuple):
+    """The grid of all scans of a surface, before mirroring doubles its size."""
+
+    pixels: int  #: Per row.
+    pixel_size: float  #: Width of a pixel in nm.
+    size: float  #: Width of the scans in nm.
+    relief: float  #: Highest minus lowest height in nm.
+
+
+def minimum_range(radius: float, window: float, grid: Grid) -> tuple[float, str]:
+    """Return the shortest range of adhesion (nm, three digits) that a surface permits, and why.
+
+    The radius of the sphere and the width of the window are in nm.
+    """
+    relief = grid.relief
+    if window >= 2 * grid.size:
+        # The highest pixel is within half a period of every contact; the sphere curves above it.
+        relief = min(relief, grid.size**2 / radius)
+    reasons = {
+        relief / RELIEF_OVER_RANGE: f"contacts lie up to some {relief:.4g} nm apart in height",
+        2 * grid.pixel_size**2 / radius: "an interaction radius sqrt(D rho) of two pixels needs it "
+        f"at R = {format_length(radius)}",
+    }
+    shortest = max(reasons)
+    return round_with(math.ceil, shortest), reasons[shortest]
+
+
+def periods_in_window(window: float, scan_size: float) -> float:
+    """Return the number of periods of a mirrored scan within a window.
+
+    The widths of the window and of the scan before mirroring are in nm.
+    """
+    return max(1.0, window / (2 * scan_size)) ** 2
+
+
+def penetration_depth(contact: Contact, relief: float) -> float:
+    """Return an estimate of the penetration (nm) of the bodies under a load.
+
+    It is the width of the contact area: on slopes near one, a contact is about as deep as it is
+    wide. It is at most the relief (nm).
+    """
+    return min(math.sqrt(contact.preload / contact.hardness) * 1e9, relief)
+
+
+def finite_scan_ratio(size: float, search_size: float) -> tuple[float, float]:
+    """Return the smallest and largest force on a scan relative to the force on a large scan.
+
+    The sizes (nm) are the width of the scan and the search size.
+    """
+    ratios = (ratio for limit, ratio in FINITE_SCAN_RATIOS.items() if size < limit * search_size)
+    return next(ratios, (1.0, 1.0))
+
+
+def window_share(contact: Contact, rho: ArrayLike) -> NDArray[np.float64]:
+    """Return the share of the attraction of a smooth sphere within the window, at ranges (nm).
+
+    The attraction is proportional to exp(-r²/(2 R rho)) at the distance r from its apex (Eq. 3 of
+    the paper). A square window of width L therefore holds the share erf(L/sqrt(8 R rho))² of it.
+    """
+    from scipy.special import erf
+
+    return np.asarray(erf(contact.window / np.sqrt(8 * contact.radius * np.asarray(rho))) ** 2)

@@ -1,6 +1,7 @@
-"""Indents that plastic contacts leave in the sphere: sizes of all indents, a map of one contact.
+"""Connected contact pixels: the indents that contacts leave in the sphere, and touched patches.
 
-Contact pixels that touch, also at a corner, belong to one indent.
+Contact pixels that share an edge or a corner belong to one indent if they are of one contact, and
+to one patch of the scan if they are of any contacts.
 """
 
 from collections.abc import Mapping, Sequence
@@ -9,7 +10,6 @@ from dataclasses import replace
 import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
-from scipy.ndimage import label
 
 from hardcontact.base.dataset import stack, variables_of_columns
 from hardcontact.base.progress import progress
@@ -33,11 +33,7 @@ def indent_sizes(pixels: ContactPixels, pixel_size: float) -> tuple[float, float
     """
     # The gaps ascend; the sphere comes down until the last of them is zero.
     gaps, offsets = pixels
-    rows, columns = (offsets - offsets.min(axis=0)).T
-    touches = np.zeros((rows.max() + 1, columns.max() + 1), bool)
-    touches[rows, columns] = True
-    indents, count = label(touches, np.ones((3, 3)))
-    indent = indents[rows, columns]
+    indent, count = _label_connected(offsets)
     pixel_counts = np.bincount(indent)[indent]
     # Of equally large indents, the first of these pixels is in the deepest one.
     largest_indent = offsets[indent == indent[pixel_counts.argmax()]]
@@ -136,3 +132,32 @@ def _add_height_maps(
         ),
         sphere_height=(("y", "x"), bodies.sphere(row + offsets, column + offsets), NM),
     ).assign_coords(y=("y", position, NM), x=("x", position, NM))
+
+
+def count_touched_patches(bodies: Bodies, contact_pixels: ContactPixels) -> int:
+    """Return the number of patches of a mirrored scan that hold the deepest pixel of some contact.
+
+    If one particle on a flat scan carried every contact, forces would scatter little, however wrong
+    they were.
+    """
+    pixels = bodies.substrate.pixels
+    points = (bodies.geometry.apexes()[:, :, None] + contact_pixels.offsets) % pixels
+    # Fold the mirror images back onto the scan, a quarter of the map.
+    patch, _ = _label_connected(np.minimum(points, pixels - 1 - points))
+    # The first pixel of a contact has its lowest gap.
+    return len(np.unique(patch[..., 0]))
+
+
+def _label_connected(pixels: NDArray[np.int_]) -> tuple[NDArray[np.int_], int]:
+    """Return the number (...) of the group to which pixels (..., 2) belong, and how many there are.
+
+    Pixels of a group share edges or corners.
+    """
+    from scipy.ndimage import label
+
+    corner = pixels.reshape(-1, 2).min(axis=0)
+    rows, columns = np.moveaxis(pixels - corner, -1, 0)
+    is_set = np.zeros((rows.max() + 1, columns.max() + 1), bool)
+    is_set[rows, columns] = True
+    groups, count = label(is_set, np.ones((3, 3)))
+    return groups[rows, columns], count

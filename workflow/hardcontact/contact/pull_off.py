@@ -1,49 +1,37 @@
-"""Pull-off of two bodies: rigid and plastic, at every range, at several loadings.
+"""Pull-off forces of two bodies: at several loadings and ranges, and interpolated between ranges.
 
-A pixel at the gap g attracts with the pressure (W/rho) exp(-g/rho), Eq. 2 of the paper. Totals are
-sums of exp(-g/rho) at closest approach; `pull_off_force` turns them into forces, Eq. 3.
+A pixel at the gap g attracts with the pressure (W/rho) exp(-g/rho), Eq. 2 of the paper. The force
+follows from the sum of exp(-gap/rho) over all pixels at closest approach, Eq. 3. It is proportional
+to the work of adhesion W; computed forces are those at 1 J/m².
 """
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 import xarray as xr
 from numpy.typing import ArrayLike
 
 from hardcontact.base.arrays import Floats
-from hardcontact.base.units import DIMENSIONLESS, NANOMETRE, NEWTON, NM, PASCAL
+from hardcontact.base.units import DIMENSIONLESS, NANOMETRE, NEWTON, NM
 from hardcontact.contact.bearing_area import ContactPixels, all_contact_pixels
 from hardcontact.contact.contact import CONTACT_AXES, CONTACT_MODELS, Contact
 from hardcontact.contact.force_sum.outside_sums import outside_sums
-from hardcontact.contact.geometry import Bodies, gap_map, join_bodies, largest_contact_gap
+from hardcontact.contact.geometry import Bodies, join_bodies
+from hardcontact.contact.indents import count_touched_patches
 from hardcontact.surfaces.height_map import HeightMap
 
-#: Dimension, values and attributes of a coordinate.
-Axis = tuple[tuple[str], Any, dict[str, str]]
 #: Forces on one surface, of any shape.
 ForcesOnSurface = Callable[[HeightMap], Floats]
 
-#: Work of adhesion (J/m²) of all stored forces, which are proportional to it.
+#: Work of adhesion (J/m²) of all computed forces.
 WORK_OF_ADHESION = 1.0
-#: Attributes of a stored force.
+#: Attributes of a computed force.
 FORCE_ATTRS = NEWTON | {"long_name": "pull-off force at W = 1 J/m2"}
 
 
-def loading_axis(loaded_contacts: Sequence[Contact]) -> dict[str, Axis]:
-    """Return the coordinate of the loadings of contacts, by name."""
-    names = [contact.loading_name for contact in loaded_contacts]
-    return {"loading": (("loading",), names, {})}
-
-
-def range_axis(ranges: Sequence[float]) -> dict[str, Axis]:
-    """Return the coordinate of ranges of adhesion."""
-    return {"rho": (("rho",), np.asarray(ranges, float), NM)}
-
-
-def pull_off_force(
-    total: ArrayLike, rho: ArrayLike, pixel_size: float, work_of_adhesion: float
+def force_of_sums(
+    sums: ArrayLike, rho: ArrayLike, pixel_size: float, work_of_adhesion: float = WORK_OF_ADHESION
 ) -> Floats:
     """Return the pull-off force (N, positive) from sums of exp(-gap/rho): Eq. 3.
 
@@ -51,16 +39,16 @@ def pull_off_force(
     J/m². Raises ValueError if a sum exceeds the range of floats, because the highest point outside
     the window lies many hundred rho above the contact.
     """
-    if not np.isfinite(total).all():
+    if not np.isfinite(sums).all():
         raise ValueError(
             f"rho = {np.min(rho):g} nm: expected a longer range of adhesion, because the surface "
             "rises over 700 ranges above a contact, more than exp() can hold"
         )
     pixel_force = work_of_adhesion / np.asarray(rho) * pixel_size**2 * NANOMETRE
-    return np.asarray(pixel_force * np.asarray(total))
+    return np.asarray(pixel_force * np.asarray(sums))
 
 
-def attraction_totals(
+def attraction_sums(
     bodies: Bodies,
     contact_pixels: ContactPixels,
     pixel_counts: Sequence[int],
@@ -68,30 +56,19 @@ def attraction_totals(
 ) -> Floats:
     """Return sums (pixel count, rho, contact_y, contact_x) of exp(-gap/rho) at closest approach.
 
-    A pixel count is the number of pixels that touch; `contact_pixels` has at least as many.
+    A pixel count is the number of pixels that touch; `contact_pixels` has at least as many. If
+    fewer touch than it has, all gaps are larger by the same length.
     """
     gaps = contact_pixels.gaps
-    sums_by_range = list(zip(outside_sums(bodies, contact_pixels, ranges), ranges, strict=True))
-    totals = [
-        [_total_of_lowest(outside_sum, gaps, count, rho) for outside_sum, rho in sums_by_range]
-        for count in pixel_counts
-    ]
-    return np.array(totals)
-
-
-def _total_of_lowest(
-    outside_sum: Floats, gaps: Floats, contact_pixel_count: int, rho: float
-) -> Floats:
-    """Return the sum (...) of exp(-gap/rho) if only the lowest of the gaps (..., k) touch.
-
-    Gaps in nm ascend. If all k pixels touch, the other pixels add `outside_sum`. If fewer touch,
-    all gaps are larger by the same length.
-    """
-    largest_gap = gaps[..., contact_pixel_count - 1]
-    opened = np.exp((largest_gap[..., None] - gaps[..., contact_pixel_count:]) / rho).sum(axis=-1)
-    return np.asarray(
-        contact_pixel_count + opened + outside_sum * np.exp((largest_gap - gaps[..., -1]) / rho)
-    )
+    outside = outside_sums(bodies, contact_pixels, ranges)
+    rho = np.asarray(ranges, float)[:, None, None]
+    sums = []
+    for count in pixel_counts:
+        largest_gap = gaps[..., count - 1]
+        gaps_left = gaps[..., count:] - largest_gap[..., None]
+        opened = np.array([np.exp(-gaps_left / length).sum(axis=-1) for length in ranges])
+        sums.append(count + opened + outside * np.exp((largest_gap - gaps[..., -1]) / rho))
+    return np.array(sums)
 
 
 def forces_at_loadings(
@@ -99,7 +76,8 @@ def forces_at_loadings(
 ) -> Floats:
     """Return the forces (loading, rho, contact_y, contact_x) of two bodies in N at 1 J/m².
 
-    The contacts differ in their loading alone; ranges of adhesion are in nm.
+    A loading is the preload of a contact and the hardness, or that the contact is rigid. The
+    contacts differ in their loading alone; ranges of adhesion are in nm.
     """
     return _pixels_and_forces(bodies, loaded_contacts, ranges)[2]
 
@@ -121,17 +99,16 @@ def _pixels_and_forces(
     pixel_size = bodies.geometry.pixel_size
     pixel_counts = [contact.pixel_count(pixel_size) for contact in loaded_contacts]
     contact_pixels = all_contact_pixels(bodies, max(pixel_counts))
-    totals = attraction_totals(bodies, contact_pixels, pixel_counts, ranges)
+    sums = attraction_sums(bodies, contact_pixels, pixel_counts, ranges)
     rho = np.asarray(ranges, float)[:, None, None]
-    forces = pull_off_force(totals, rho, pixel_size, WORK_OF_ADHESION)
-    return pixel_counts, contact_pixels, forces
+    return pixel_counts, contact_pixels, force_of_sums(sums, rho, pixel_size)
 
 
 def pull_off_dataset(bodies: Bodies, contact: Contact, ranges: Sequence[float]) -> xr.Dataset:
     """Return the rigid and plastic pull-off force of two bodies at every contact and range.
 
     Returns ``pull_off_force`` (contact_model, rho, contact_y, contact_x) in N at 1 J/m²,
-    ``apex_height`` in nm, ``contact_pixel_count`` and `touched_patches`. Raises ValueError if a
+    ``apex_height`` in nm, ``contact_pixel_count`` and ``touched_patches``. Raises ValueError if a
     range (nm) is too short for the relief of the surface.
     """
     pixel_size = bodies.geometry.pixel_size
@@ -147,76 +124,40 @@ def pull_off_dataset(bodies: Bodies, contact: Contact, ranges: Sequence[float]) 
             "pull_off_force": (("contact_model", "rho", *CONTACT_AXES), forces, FORCE_ATTRS),
             "apex_height": (model_axes, apex_heights, NM),
             "contact_pixel_count": ("contact_model", counts, DIMENSIONLESS),
-            "touched_patches": ((), touched_patches(bodies, contact_pixels), DIMENSIONLESS),
+            "touched_patches": ((), count_touched_patches(bodies, contact_pixels), DIMENSIONLESS),
         },
-        {"contact_model": CONTACT_MODELS}
-        | range_axis(ranges)
+        {"contact_model": CONTACT_MODELS, "rho": ("rho", np.asarray(ranges, float), NM)}
         | {axis: (axis, positions, NM) for axis in CONTACT_AXES},
         {"work_of_adhesion": WORK_OF_ADHESION, "pixel_size": pixel_size},
     )
 
 
-def touched_patches(bodies: Bodies, contact_pixels: ContactPixels) -> int:
-    """Return the number of patches of a mirrored scan that hold the deepest pixel of some contact.
+def interpolate_to_ranges(
+    forces: Floats, computed_ranges: Floats, new_ranges: Floats | float
+) -> Floats:
+    """Return forces (..., rho) at new ranges (nm), by a cubic spline in log F and log rho.
 
-    A patch is a group of contact pixels that share edges or corners. If one particle on a flat
-    scan carried every contact, forces would scatter little, however wrong they were.
+    NaN beyond the computed ranges (nm).
     """
-    from scipy.ndimage import label
-
-    pixels = bodies.substrate.pixels
-    points = (bodies.geometry.apexes()[:, :, None] + contact_pixels.offsets) % pixels
-    # Fold the mirror images back onto the scan, a quarter of the map.
-    rows, columns = np.moveaxis(np.minimum(points, pixels - 1 - points), -1, 0)
-    is_touched = np.zeros((-(-pixels // 2),) * 2, bool)
-    is_touched[rows, columns] = True
-    patches, _ = label(is_touched, np.ones((3, 3)))
-    # The first pixel of a contact has its lowest gap.
-    return len(np.unique(patches[rows[..., 0], columns[..., 0]]))
+    weights = spline_weights(np.log(computed_ranges), np.log(new_ranges))
+    return np.asarray(np.exp(np.log(forces) @ weights.T))
 
 
-def mean_pull_off_dataset(bodies: Bodies, contact: Contact, ranges: Sequence[float]) -> xr.Dataset:
-    """Return the pull-off forces of two bodies, averaged over the contacts.
-
-    The ranges of adhesion are in nm. Returns ``pull_off_force`` (contact_model, rho) in N at
-    1 J/m².
-    """
-    loaded_contacts = [replace(contact, plastic=False), contact]
-    forces = forces_at_loadings(bodies, loaded_contacts, ranges).mean(axis=(-2, -1))
-    return xr.Dataset(
-        {"pull_off_force": (("contact_model", "rho"), forces, FORCE_ATTRS)},
-        {"contact_model": CONTACT_MODELS} | range_axis(ranges),
-        {"work_of_adhesion": WORK_OF_ADHESION},
+def interpolate_to_range(forces: xr.DataArray, rho: float) -> xr.DataArray:
+    """Return forces (..., rho, ...) at one rho (nm), by the spline of `interpolate_to_ranges`."""
+    interpolated: xr.DataArray = xr.apply_ufunc(
+        interpolate_to_ranges, forces, forces["rho"], rho, input_core_dims=[["rho"], ["rho"], []]
     )
+    return interpolated
 
 
-def trace_contact(bodies: Bodies, index: tuple[int, int], contact: Contact) -> xr.Dataset:
-    """Trace the gap, adhesive pressure and force of one plastic contact of the array.
+def spline_weights(points: Floats, targets: Floats | float, *, extrapolate: bool = False) -> Floats:
+    """Return the weights (..., point) of a cubic spline through ascending points at targets (...).
 
-    The index is row and column in the array. Returns ``gap`` (y, x) in nm before flattening,
-    ``adhesive_pressure`` (y, x) in Pa and ``force`` (separation) in N.
+    A spline is linear in its data, so that one matrix serves all data. NaN beyond the points unless
+    the spline is extrapolated.
     """
-    geometry = bodies.geometry
-    rho = contact.rho
-    work = contact.work
-    gap = gap_map(bodies, index)
-    gap -= largest_contact_gap(gap, contact.pixel_count(geometry.pixel_size))
-    attraction = np.exp(-np.maximum(gap, 0) / rho)
-    pressure = work / (rho * NANOMETRE) * attraction
-    pull_off = float(pull_off_force(attraction.sum(), rho, geometry.pixel_size, work))
-    # The bodies keep their deformed shape: all gaps grow by the same length.
-    separation = np.linspace(0, 10 * rho, 201)
-    position = geometry.offsets() * geometry.pixel_size
-    return xr.Dataset(
-        {
-            "gap": (("y", "x"), gap.astype(np.float32), NM),
-            "adhesive_pressure": (("y", "x"), pressure.astype(np.float32), PASCAL),
-            "force": ("separation", -pull_off * np.exp(-separation / rho), NEWTON),
-        },
-        {
-            "y": ("y", position, NM),
-            "x": ("x", position, NM),
-            "separation": ("separation", separation, NM),
-        },
-        {"rho": rho, "work_of_adhesion": work, "pull_off_force": pull_off},
-    )
+    from scipy.interpolate import make_interp_spline
+
+    spline = make_interp_spline(points, np.eye(len(points)), k=min(3, len(points) - 1))
+    return np.asarray(spline(targets, extrapolate=extrapolate))

@@ -6,20 +6,11 @@ from dataclasses import replace
 import numpy as np
 import xarray as xr
 
-from hardcontact.base.dataset import (
-    DatasetsByLabels,
-    NamedSurfaces,
-    add_surface_names,
-    stack,
-)
+from hardcontact.base.dataset import DatasetsByLabels, NamedSurfaces, add_surface_names, stack
 from hardcontact.base.units import DIMENSIONLESS
 from hardcontact.contact.contact import CONTACT_AXES, PLASTIC, Contact
 from hardcontact.contact.geometry import Bodies
-from hardcontact.contact.pull_off import (
-    forces_at_loadings,
-    mean_pull_off_dataset,
-    pull_off_dataset,
-)
+from hardcontact.contact.pull_off import forces_at_loadings, pull_off_dataset
 from hardcontact.surfaces.filters import interpolate
 
 
@@ -39,7 +30,7 @@ def pull_off_on_spheres(
     return stack(forces, ["sphere_scan"])
 
 
-def force_on_finer_pixels(bodies: Bodies, contact: Contact, forces: xr.DataArray) -> xr.Dataset:
+def compute_finer_pixel_ratio(bodies: Bodies, contact: Contact, forces: xr.DataArray) -> float:
     """Return the mean plastic force on pixels of half the size, relative to the bodies' own pixels.
 
     Both maps are Fourier interpolated, so that the surfaces stay the same. The forces (...) of the
@@ -59,17 +50,17 @@ def force_on_finer_pixels(bodies: Bodies, contact: Contact, forces: xr.DataArray
         ),
     )
     fine = forces_at_loadings(finer, [contact], [contact.rho]).mean()
-    ratio = fine / forces.values.mean()
-    return xr.Dataset({"finer_pixel_ratio": ((), ratio, DIMENSIONLESS | {"rho": contact.rho})})
+    return float(fine / forces.values.mean())
 
 
-def wider_window_change(
+def largest_window_change(
     all_bodies: Iterable[Bodies], contact: Contact, forces: xr.DataArray
-) -> xr.Dataset:
-    """Return the change of the plastic force in a window larger by a period on each side.
+) -> float:
+    """Return the largest relative change of a plastic force in a window that is wider.
 
-    The forces (sphere_scan, contact_y, contact_x) in N at 1 J/m² are at the range of the contact.
-    All bodies share the substrate. Returns the largest relative change over contacts and bodies.
+    The window is wider by a period of the substrate on each side. The forces (sphere_scan,
+    contact_y, contact_x) in N at 1 J/m² are at the range of the contact. All bodies share the
+    substrate.
     """
     changes = []
     for bodies, narrow in zip(all_bodies, forces.values, strict=True):
@@ -77,9 +68,7 @@ def wider_window_change(
         wider = replace(bodies, geometry=replace(bodies.geometry, window_pixels=window_pixels))
         wide = forces_at_loadings(wider, [contact], [contact.rho])[0, 0]
         changes.append(float(np.abs(wide / narrow - 1).max()))
-    return xr.Dataset(
-        {"wider_window_change": ((), max(changes), DIMENSIONLESS)}, {}, {"rho": contact.rho}
-    )
+    return max(changes)
 
 
 def pull_off_with_checks(
@@ -88,21 +77,24 @@ def pull_off_with_checks(
     """Return the pull-off forces on one substrate scan, with three numbers to judge them by.
 
     To the variables of `pull_off_on_spheres` it adds ``wider_window_change`` at the range of the
-    contact, ``finer_pixel_ratio`` of the first scan of the sphere at the shortest range, and
+    contact, ``finer_pixel_ratio`` of the first sphere scan at the shortest range, and
     ``smooth_sphere_force`` (contact_model, rho), the mean over contacts.
     """
     forces = pull_off_on_spheres(all_bodies, contact, ranges)
-    plastic_force = forces["pull_off_force"].sel(contact_model=PLASTIC)
-    first_bodies = next(iter(all_bodies.values()))
+    plastic = forces["pull_off_force"].sel(contact_model=PLASTIC)
+    window_change = largest_window_change(
+        all_bodies.values(), contact, plastic.sel(rho=contact.rho)
+    )
+    bodies = next(iter(all_bodies.values()))
     shortest = replace(contact, rho=min(ranges))
-    first_forces = plastic_force.isel(sphere_scan=0).sel(rho=shortest.rho)
-    smooth = mean_pull_off_dataset(replace(first_bodies, sphere_roughness=None), contact, ranges)
+    pixel_ratio = compute_finer_pixel_ratio(
+        bodies, shortest, plastic.isel(sphere_scan=0).sel(rho=shortest.rho)
+    )
+    smooth = pull_off_dataset(replace(bodies, sphere_roughness=None), contact, ranges)
     return forces.assign(
-        {
-            **wider_window_change(all_bodies.values(), contact, plastic_force.sel(rho=contact.rho)),
-            **force_on_finer_pixels(first_bodies, shortest, first_forces),
-            "smooth_sphere_force": smooth["pull_off_force"],
-        }
+        wider_window_change=((), window_change, DIMENSIONLESS),
+        finer_pixel_ratio=((), pixel_ratio, DIMENSIONLESS | {"rho": shortest.rho}),
+        smooth_sphere_force=smooth["pull_off_force"].mean(CONTACT_AXES, keep_attrs=True),
     )
 
 

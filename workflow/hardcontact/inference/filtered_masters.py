@@ -18,16 +18,16 @@ from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import (
     FORCE_ATTRS,
     WORK_OF_ADHESION,
-    Axis,
     ForcesOnSurface,
     forces_at_loadings,
-    loading_axis,
-    range_axis,
 )
 from hardcontact.surfaces.filters import filtered_series
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import spectrum_of_dataset
 from hardcontact.surfaces.synthesis import synthesize_master
+
+#: Dimension, values and attributes of a coordinate.
+Axis = tuple[tuple[str], Any, dict[str, str]]
 
 
 class Filters(NamedTuple):
@@ -76,10 +76,11 @@ def filtered_pull_off(
 ) -> xr.Dataset:
     """Return the pull-off forces on a master, unfiltered and filtered, for all contacts of a sweep.
 
-    The contacts differ only in their loading; radii and ranges (nm) are by default those of the
-    first. The variables of `forces_at_cutoffs` are over (radius, loading, rho, contact_y,
-    contact_x). ``touching_area`` (loading) is the area of the touching pixels, the coordinate
-    ``contact_area`` (loading) the preload over the hardness, both in nm².
+    The contacts differ only in their loading, the hardness and the preload (or that they are
+    rigid). Radii and ranges (nm) are by default those of the first contact. The variables of
+    `forces_at_cutoffs` are over (radius, loading, rho, contact_y, contact_x). ``touching_area``
+    (loading) is the area of the touching pixels, the coordinate ``contact_area`` (loading) the
+    preload over the hardness, both in nm².
     """
     contact = loaded_contacts[0]
     pixel_size = master.size / filters.pixels
@@ -90,9 +91,12 @@ def filtered_pull_off(
         bodies = [join_bodies(surface, sphere, replace(contact, radius=radius)) for radius in radii]
         return np.array([forces_at_loadings(both, loaded_contacts, ranges) for both in bodies])
 
-    axes: dict[str, Axis] = {"radius": (("radius",), radii, NM)}
-    axes |= loading_axis(loaded_contacts) | range_axis(ranges)
-    axes |= {axis: ((axis,), np.arange(contact.contacts_per_row), {}) for axis in CONTACT_AXES}
+    axes: dict[str, Axis] = {
+        "radius": (("radius",), radii, NM),
+        "loading": (("loading",), [loaded.loading_name for loaded in loaded_contacts], {}),
+        "rho": (("rho",), np.asarray(ranges, float), NM),
+        **{axis: ((axis,), np.arange(contact.contacts_per_row), {}) for axis in CONTACT_AXES},
+    }
     contact_area = ("loading", [loaded.area for loaded in loaded_contacts], {"units": "nm2"})
     touching = [loaded.pixel_count(pixel_size) * pixel_size**2 for loaded in loaded_contacts]
     touching_area = ("loading", touching, {"units": "nm2"})

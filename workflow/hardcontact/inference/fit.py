@@ -11,7 +11,7 @@ import xarray as xr
 
 from hardcontact.base.arrays import Floats
 from hardcontact.base.units import DIMENSIONLESS, JOULE_PER_M2, NM
-from hardcontact.contact.force_interpolation import interpolate_to_ranges
+from hardcontact.contact.pull_off import interpolate_to_ranges
 
 #: Number of ranges of adhesion of a fit, from the shortest to the longest computed range: the steps
 #: between 0.05 and 40 nm are 0.8 %, far below the interval of a fitted range.

@@ -23,7 +23,7 @@ from hardcontact.base.statistics import (
     with_interval,
 )
 from hardcontact.base.units import DIMENSIONLESS, JOULE_PER_M2, NEWTON, NM
-from hardcontact.contact.force_interpolation import interpolate_to_ranges
+from hardcontact.contact.pull_off import interpolate_to_ranges
 from hardcontact.inference.fit import FIT_ATTRS, best_fit, fine_ranges
 from hardcontact.inference.scan_parts import IntervalSource, sampled_deviations
 from hardcontact.own.mean_forces import SurfaceForces, forces_by_surface

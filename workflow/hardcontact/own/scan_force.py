@@ -14,10 +14,16 @@ import numpy as np
 from hardcontact.base.number import Number, numbers_by_name
 from hardcontact.config.keys import ContactKeys
 from hardcontact.config.model import POSITION_CONTACTS_PER_ROW, SPHERE_POSITIONS, Study
-from hardcontact.contact.contact import PLASTIC, Contact
-from hardcontact.contact.finite_scan import LARGE_SIZE_RATIO, finite_scan_ratio
+from hardcontact.contact.contact import (
+    LARGE_SIZE_RATIO,
+    PLASTIC,
+    Contact,
+    Grid,
+    finite_scan_ratio,
+    minimum_range,
+    periods_in_window,
+)
 from hardcontact.contact.geometry import join_bodies, spheres_at_positions
-from hardcontact.contact.grid_limits import Grid, minimum_range, periods_in_window
 from hardcontact.contact.hertz_jkr_dmt import limit_forces
 from hardcontact.contact.pull_off import make_force_function
 from hardcontact.contact.scan_pull_off import pull_off_on_spheres

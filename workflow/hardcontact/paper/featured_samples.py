@@ -17,7 +17,7 @@ from hardcontact.base.progress import progress
 from hardcontact.base.statistics import log_std_of_lognormal
 from hardcontact.base.units import DIMENSIONLESS, NEWTON
 from hardcontact.contact.contact import CONTACT_AXES, PLASTIC, Contact
-from hardcontact.contact.force_interpolation import interpolate_to_ranges
+from hardcontact.contact.pull_off import interpolate_to_ranges
 from hardcontact.paper.pool import smooth_sphere_forces
 from hardcontact.paper.published_fit import PublishedForces
 from hardcontact.surfaces.featured_scans import FeaturedSurface, describe_features, sample_group

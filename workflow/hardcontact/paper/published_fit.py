@@ -20,7 +20,7 @@ from hardcontact.base.published import read_constants, read_measured_statistics
 from hardcontact.base.statistics import Sampling
 from hardcontact.base.units import DIMENSIONLESS, JOULE_PER_M2, NM
 from hardcontact.contact.contact import CONTACT_AXES, PLASTIC, RIGID
-from hardcontact.contact.force_interpolation import interpolate_to_range, interpolate_to_ranges
+from hardcontact.contact.pull_off import interpolate_to_range, interpolate_to_ranges
 from hardcontact.inference.fit import (
     FIT_ATTRS,
     best_fit,

@@ -11,7 +11,7 @@ from hardcontact.base.arrays import Floats
 from hardcontact.base.statistics import student_log_samples
 from hardcontact.base.units import NEWTON
 from hardcontact.contact.contact import CONTACT_AXES
-from hardcontact.contact.force_interpolation import spline_weights
+from hardcontact.contact.pull_off import spline_weights
 from hardcontact.surfaces.conditioning import scale_rms_heights
 from hardcontact.surfaces.metrics import TABLE1_METRICS
 

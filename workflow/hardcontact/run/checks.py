@@ -18,7 +18,7 @@ from hardcontact.config.limits import refuse_unfit_grids
 from hardcontact.config.model import CONTACT_QUANTITIES, NONE, PAPER, SMOOTH_SPHERE
 from hardcontact.config.selected_surfaces import CONTACT_USE
 from hardcontact.config.tables import refuse_description, refuse_paper_surface
-from hardcontact.contact.grid_limits import Grid
+from hardcontact.contact.contact import Grid
 from hardcontact.files.patterns import study_patterns
 from hardcontact.records.origin import canonical_json, is_current
 from hardcontact.scans.reading import read_scan

@@ -24,8 +24,7 @@ from hardcontact.base.arrays import Floats
 from hardcontact.contact.bearing_area import ContactPixels
 from hardcontact.contact.force_sum.rough_sphere import rough_sphere_terms
 from hardcontact.contact.force_sum.smooth_sphere import smooth_sphere_terms, sums_by_subtraction
-from hardcontact.contact.force_sum.sphere_terms import exponential
-from hardcontact.contact.force_sum.touched_pixels import TouchedPixels
+from hardcontact.contact.force_sum.touched_pixels import TouchedPixels, exponential
 from hardcontact.contact.geometry import Bodies
 
 #: Looked up once: it takes milliseconds.

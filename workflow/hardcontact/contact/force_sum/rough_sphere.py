@@ -10,8 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hardcontact.base.arrays import Floats
-from hardcontact.contact.force_sum.sphere_terms import SphereTerms, exponential
-from hardcontact.contact.force_sum.touched_pixels import TouchedPixels
+from hardcontact.contact.force_sum.touched_pixels import SphereTerms, TouchedPixels, exponential
 from hardcontact.contact.geometry import Bodies, ContactGeometry
 
 #: Rows of the kernel that are made at once: few enough for the cache.

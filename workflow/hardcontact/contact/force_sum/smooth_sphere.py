@@ -10,8 +10,7 @@ from numpy.typing import NDArray
 
 from hardcontact.base.arrays import Floats
 from hardcontact.contact.bearing_area import ContactPixels
-from hardcontact.contact.force_sum.sphere_terms import SphereTerms, exponential
-from hardcontact.contact.force_sum.touched_pixels import TouchedPixels
+from hardcontact.contact.force_sum.touched_pixels import SphereTerms, TouchedPixels, exponential
 from hardcontact.contact.geometry import Bodies, ContactGeometry
 
 #: Rows of the substrate in a block: few enough for the cache.

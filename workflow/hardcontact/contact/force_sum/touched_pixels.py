@@ -1,4 +1,9 @@
-"""Contact pixels of an array of contacts, which the sums of exp(-gap/rho) exclude."""
+"""Contact pixels of an array of contacts, which the sums of exp(-gap/rho) exclude.
+
+Both kinds of sphere, smooth and rough, give such sums as `SphereTerms`.
+"""
+
+from collections.abc import Callable
 
 import numpy as np
 from numpy.typing import NDArray
@@ -6,6 +11,17 @@ from numpy.typing import NDArray
 from hardcontact.base.arrays import Floats
 from hardcontact.contact.bearing_area import ContactPixels
 from hardcontact.contact.geometry import Bodies, gaps_at
+
+#: Sums (contact_y, contact_x) over all pixels but contact pixels, and a function that returns the
+#: factor of the sphere at the contact pixels as seen from the contact (i, j).
+SphereTerms = tuple[Floats, Callable[[tuple[int, int]], Floats]]
+
+
+def exponential(heights: NDArray[np.floating], highest: float, rho: float) -> NDArray[np.floating]:
+    """Return exp((heights - highest)/rho) in the precision of the heights (nm)."""
+    attraction = heights - highest
+    attraction /= rho
+    return np.asarray(np.exp(attraction, out=attraction))
 
 
 class TouchedPixels:

@@ -17,7 +17,7 @@ from scipy.stats import lognorm
 from hardcontact.base.formatting import format_with_interval
 from hardcontact.base.statistics import log_std_of_lognormal
 from hardcontact.contact.contact import PLASTIC
-from hardcontact.contact.force_interpolation import interpolate_to_range
+from hardcontact.contact.pull_off import interpolate_to_range
 from hardcontact.report.figures import drawing, style
 from hardcontact.report.figures.values import value_and_bounds
 

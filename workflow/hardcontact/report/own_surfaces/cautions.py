@@ -9,7 +9,7 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.base.number import Number, numbers_by_name
-from hardcontact.contact.finite_scan import MIN_WINDOW_SHARE, SMALLEST_SIZE_RATIO
+from hardcontact.contact.contact import MIN_WINDOW_SHARE, SMALLEST_SIZE_RATIO
 from hardcontact.contact.hertz_jkr_dmt import STRONGEST_WORK
 from hardcontact.inference.curve_edges import EdgeStatus
 from hardcontact.inference.scan_parts import IntervalSource

@@ -1,6 +1,6 @@
-"""Find the asperities that carry the force of some contacts of two bodies.
+"""Attraction over the pixels of single contacts: its pressure, and the asperities that carry it.
 
-Of the fewest pixels that carry a share of the force, those that touch, also at a corner, form one
+Of the fewest pixels that carry a share of the force, those that share an edge or a corner form one
 asperity.
 """
 
@@ -15,9 +15,9 @@ from scipy import ndimage
 from hardcontact.base.arrays import Floats
 from hardcontact.base.dataset import variables_of_columns
 from hardcontact.base.progress import progress
-from hardcontact.base.units import NM
+from hardcontact.base.units import NANOMETRE, NEWTON, NM, PASCAL
 from hardcontact.contact.contact import Contact
-from hardcontact.contact.geometry import Bodies, flattened_gaps, gap_map
+from hardcontact.contact.geometry import Bodies, flattened_gaps, gap_map, largest_contact_gap
 
 ASPERITY_UNITS = {
     "largest_share": "1",
@@ -29,6 +29,71 @@ ASPERITY_UNITS = {
 CARRIED_SHARE = 0.9
 #: Bins of the histogram of attractions: one bin then holds few attractions to sort.
 BIN_COUNT = 4096
+
+
+def trace_contact(bodies: Bodies, index: tuple[int, int], contact: Contact) -> xr.Dataset:
+    """Return the gap, adhesive pressure and force of one plastic contact of the array.
+
+    The index is row and column in the array. Returns ``gap`` (y, x) in nm, negative where the rigid
+    bodies would overlap, ``adhesive_pressure`` (y, x) in Pa and ``force`` (separation) in N.
+    """
+    pixel_size = bodies.geometry.pixel_size
+    rho = contact.rho
+    gap = gap_map(bodies, index)
+    gap -= largest_contact_gap(gap, contact.pixel_count(pixel_size))
+    pressure = contact.work / (rho * NANOMETRE) * np.exp(-np.maximum(gap, 0) / rho)
+    pull_off = float(pressure.sum()) * (pixel_size * NANOMETRE) ** 2
+    # The bodies keep their deformed shape: all gaps grow by the same length.
+    separation = np.linspace(0, 10 * rho, 201)
+    position = bodies.geometry.offsets() * pixel_size
+    return xr.Dataset(
+        {
+            "gap": (("y", "x"), gap.astype(np.float32), NM),
+            "adhesive_pressure": (("y", "x"), pressure.astype(np.float32), PASCAL),
+            "force": ("separation", -pull_off * np.exp(-separation / rho), NEWTON),
+        },
+        {
+            "y": ("y", position, NM),
+            "x": ("x", position, NM),
+            "separation": ("separation", separation, NM),
+        },
+        {"rho": rho, "work_of_adhesion": contact.work, "pull_off_force": pull_off},
+    )
+
+
+def find_carrying_asperities(
+    bodies: Bodies,
+    contact: Contact,
+    contact_indices: NDArray[np.int_],
+    share: float,
+    ranges: Sequence[float],
+) -> xr.Dataset:
+    """Return the sizes of the asperities that carry the force of some plastic contacts.
+
+    The indices (contact, 2) are row and column in the array of contacts; ranges of adhesion are in
+    nm. Returns the variables of ASPERITY_UNITS (contact, rho).
+    """
+    pixel_size = bodies.geometry.pixel_size
+    contact_pixel_count = contact.pixel_count(pixel_size)
+    offset = bodies.geometry.offsets()
+    sphere = bodies.sphere(offset, offset)
+    attraction = np.empty_like(sphere)
+    asperity_values = []
+    for index in progress(contact_indices, len(contact_indices), "contacts"):
+        gap = flattened_gaps(gap_map(bodies, index, sphere), contact_pixel_count)
+        for rho in ranges:
+            np.exp(np.divide(gap, -rho, out=attraction), out=attraction)
+            asperity_values.append(asperity_sizes(attraction, share, pixel_size))
+    values = np.reshape(asperity_values, (len(contact_indices), len(ranges), -1))
+    return xr.Dataset(
+        variables_of_columns(values, ("contact", "rho"), ASPERITY_UNITS),
+        {
+            "rho": ("rho", ranges, NM),
+            "contact_y": ("contact", contact_indices[:, 0]),
+            "contact_x": ("contact", contact_indices[:, 1]),
+        },
+        {"share": share, "sphere_radius": bodies.geometry.radius},
+    )
 
 
 def asperity_sizes(
@@ -100,38 +165,3 @@ def _distance_from_centre(profile: Floats) -> Floats:
     """Return the distance in pixels of each pixel (n,) from the centre of a profile of force."""
     position = np.arange(len(profile))
     return np.asarray(position - profile @ position / profile.sum())
-
-
-def find_carrying_asperities(
-    bodies: Bodies,
-    contact: Contact,
-    contact_indices: NDArray[np.int_],
-    share: float,
-    ranges: Sequence[float],
-) -> xr.Dataset:
-    """Return the sizes of the asperities that carry the force of some plastic contacts.
-
-    The indices (contact, 2) are row and column in the array of contacts; ranges of adhesion are in
-    nm. Returns the variables of ASPERITY_UNITS (contact, rho).
-    """
-    pixel_size = bodies.geometry.pixel_size
-    contact_pixel_count = contact.pixel_count(pixel_size)
-    offset = bodies.geometry.offsets()
-    sphere = bodies.sphere(offset, offset)
-    attraction = np.empty_like(sphere)
-    asperity_values = []
-    for index in progress(contact_indices, len(contact_indices), "contacts"):
-        gap = flattened_gaps(gap_map(bodies, index, sphere), contact_pixel_count)
-        for rho in ranges:
-            np.exp(np.divide(gap, -rho, out=attraction), out=attraction)
-            asperity_values.append(asperity_sizes(attraction, share, pixel_size))
-    values = np.reshape(asperity_values, (len(contact_indices), len(ranges), -1))
-    return xr.Dataset(
-        variables_of_columns(values, ("contact", "rho"), ASPERITY_UNITS),
-        {
-            "rho": ("rho", ranges, NM),
-            "contact_y": ("contact", contact_indices[:, 0]),
-            "contact_x": ("contact", contact_indices[:, 1]),
-        },
-        {"share": share, "sphere_radius": bodies.geometry.radius},
-    )
