@@ -14,7 +14,7 @@ from hardcontact.contact.contact import (
     finite_scan_ratio,
     window_share,
 )
-from hardcontact.scans.defect_sentences import defect_sentence
+from hardcontact.scans.defects import defect_sentence
 from hardcontact.scans.heights import split_notes
 from hardcontact.surfaces.spectrum import MIN_BINS, too_few_bins_message
 

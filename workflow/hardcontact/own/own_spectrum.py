@@ -16,8 +16,7 @@ import xarray as xr
 from hardcontact.base.units import parse_quantity
 from hardcontact.config.faults import quote_key
 from hardcontact.config.tables import Row, UserTable, parse_number, user_table
-from hardcontact.scans.defect_sentences import defect_sentence
-from hardcontact.scans.defects import scan_with_defects
+from hardcontact.scans.defects import defect_sentence, scan_with_defects
 from hardcontact.scans.heights import LENGTH_BOUNDS, TAKE_CARE, split_notes
 from hardcontact.scans.joined_spectrum import joined_spectrum, reliable_spectrum
 from hardcontact.scans.mean_spectrum import describe_contradictions, find_contradictions

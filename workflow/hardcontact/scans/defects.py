@@ -1,23 +1,32 @@
-"""Find defects of a scan that make forces wrong although its file is readable.
+"""Find defects of a scan that make forces wrong although its file is readable, and state them.
 
-Each defect has a code and numbers, such as the share of spikes, that its sentence states. DEFECTS
-lists them all.
+A defect has a code, and numbers such as the share of spikes. DEFECTS lists all of them.
+`map_defects` finds those that a line scan cannot have.
 """
 
+from collections.abc import Mapping
 from dataclasses import replace
+from functools import cache
 from itertools import product
+from pathlib import Path
 
 import numpy as np
+import yaml
 from numpy.typing import NDArray
 
 from hardcontact.base.arrays import Floats
+from hardcontact.base.formatting import format_length, format_share
 from hardcontact.base.statistics import MEDIAN_DEVIATION
-from hardcontact.scans.spectral_defects import MIN_LAY_RATIO, lay_numbers, noise_numbers, wave_power
+from hardcontact.scans.map_defects import (
+    Numbers,
+    curvature_numbers,
+    direction_numbers,
+    noise_numbers,
+    wave_power,
+)
 from hardcontact.surfaces.height_map import HeightMap
-from hardcontact.surfaces.levelling import fill_streaks, remove_form
+from hardcontact.surfaces.levelling import MIN_STREAK_STEPS, fill_streaks, remove_form
 
-#: Numbers of a defect, by name; empty if a scan lacks it.
-Numbers = dict[str, float]
 #: By code of a defect: its numbers with their units. defects.yaml has a sentence on each.
 DEFECTS = {
     "streaks": {
@@ -50,16 +59,6 @@ MAX_EQUAL_LINE_SHARE = 0.01
 MAX_END_SHARE = 1e-3
 MAX_END_PIXELS = 10
 MAX_END_RATIO = 3.0
-#: Largest share of the rms height without a curvature: the curvature has a tenth or more.
-MAX_UNCURVED_SHARE = 0.9
-#: Least power of polynomials of second order relative to third and fourth order. The largest ratio
-#: in 8100 self-affine maps without a roll-off and curvature (H from 0.5 to 1) is 34.
-MIN_SECOND_ORDER_RATIO = 50.0
-#: Points per row to which polynomials are fitted.
-POLYNOMIAL_POINTS = 32
-#: Smallest correlation of a step from line to line with the next step. It is 0 if heights walk at
-#: random, and -0.5 if each line is offset at random, which is noise of the instrument.
-MIN_STEP_CORRELATION = -0.25
 #: Share of the steepest pixels, and their least share of the squared slopes if they are sidewalls.
 #: On rough surfaces 5 % of the pixels have 0.2 to 0.45 of it; with pillars and steps, 0.8 to 1.
 SIDEWALL_PIXEL_SHARE = 0.05
@@ -80,14 +79,14 @@ def scan_defects(
     if raw_heights.ndim == 2:
         rows, columns = _find_equal_lines(raw_heights), _find_equal_lines(raw_heights.T)
         share = float(max(rows.mean(), columns.mean()))
-        numbers["curvature"] = _curvature_numbers(levelled_heights, pixel_size)
+        numbers["curvature"] = curvature_numbers(levelled_heights, pixel_size)
         if share > MAX_EQUAL_LINE_SHARE:
             numbers["equal_lines"] = {"equal_line_share": share}
             measured_heights = raw_heights[~rows][:, ~columns]
         else:  # Unmeasured lines would look like a lay or like streaks.
             levelled_heights, numbers["streaks"] = _without_streaks(levelled_heights)
             power = wave_power(levelled_heights)
-            numbers |= _direction_numbers(levelled_heights, power, pixel_size)
+            numbers |= direction_numbers(levelled_heights, power, pixel_size)
     numbers["spikes"] = _spike_numbers(levelled_heights)
     numbers |= _clipping_numbers(measured_heights)
     # Spikes and unmeasured lines look like sidewalls, spikes also like noise. White noise is hidden
@@ -99,15 +98,6 @@ def scan_defects(
         if power is not None and not hides_noise:
             numbers["noise"] = noise_numbers(levelled_heights.var(), power)
     return {code: numbers[code] for code in DEFECTS if numbers.get(code)}
-
-
-def _direction_numbers(heights: Floats, power: Floats, pixel_size: float) -> dict[str, Numbers]:
-    """Return the numbers of offset lines and a lay, or else of slopes that depend on direction."""
-    lay, slope_ratio = lay_numbers(power)
-    numbers = {"offset_lines": _line_offset_numbers(heights), "lay": lay}
-    if slope_ratio > MIN_LAY_RATIO and not any(numbers.values()):
-        numbers["slopes"] = _slope_numbers(heights, pixel_size)
-    return numbers
 
 
 def scan_with_defects(
@@ -180,56 +170,6 @@ def _clipping_numbers(heights: Floats) -> dict[str, Numbers]:
     return numbers
 
 
-def _curvature_numbers(heights: Floats, pixel_size: float) -> Numbers:
-    """Return the radius (nm) of a curvature, and the relative rms height without it."""
-    step = max(1, len(heights) // POLYNOMIAL_POINTS)
-    points = heights[::step, ::step]
-    axis = np.linspace(-1, 1, len(points))
-    powers = np.array([(order - j, j) for order in range(5) for j in range(order + 1)])
-    terms = [np.outer(axis**i, axis**j).ravel() for i, j in powers]
-    polynomials, triangle = np.linalg.qr(np.transpose(terms))
-    amplitudes = polynomials.T @ points.ravel()
-    orders = powers.sum(axis=1)
-    power = [float((amplitudes[orders == order] ** 2).sum()) for order in range(5)]
-    total = float((points**2).sum()) - power[0] - power[1]
-    uncurved_power = max(total - power[2], 0.0)
-    higher_orders = power[3] + power[4]
-    is_weak = uncurved_power >= MAX_UNCURVED_SHARE**2 * total
-    if is_weak or power[2] < MIN_SECOND_ORDER_RATIO * higher_orders:
-        return {}
-    terms_of_order = np.linalg.solve(triangle, np.where(orders == 2, amplitudes, 0))
-    yy, xy, xx = terms_of_order[orders == 2]
-    half_width = (len(points) - 1) * step * pixel_size / 2
-    curvatures = np.linalg.eigvalsh([[2 * yy, xy], [xy, 2 * xx]]) / half_width**2
-    return {
-        "curvature_radius": float(1 / np.abs(curvatures).max()),
-        "uncurved_share": float(np.sqrt(uncurved_power / total)),
-    }
-
-
-def _line_offset_numbers(heights: Floats) -> Numbers:
-    """Return the rms offset (nm) of lines that are offset at random."""
-    steps = np.diff(heights, axis=0)
-    line_steps = steps.mean(axis=1)
-    is_most = line_steps.var() > steps.var() / 2
-    is_random = _correlation_of_steps(line_steps) < MIN_STEP_CORRELATION
-    offset = float(line_steps.std() / np.sqrt(2))
-    return {"line_offset": offset} if is_most and is_random else {}
-
-
-def _correlation_of_steps(steps: Floats) -> float:
-    """Return the correlation of steps with the next ones along the first axis."""
-    return float((steps[1:] * steps[:-1]).mean() / max((steps**2).mean(), np.finfo(float).tiny))
-
-
-def _slope_numbers(heights: Floats, pixel_size: float) -> Numbers:
-    """Return the rms slopes along x and y; none if noise of lines makes the steeper one."""
-    steps = [np.diff(lines, axis=0) for lines in (heights.T, heights)]
-    slopes = [float(axis_steps.std()) / pixel_size for axis_steps in steps]
-    is_noise = _correlation_of_steps(steps[int(np.argmax(slopes))]) < MIN_STEP_CORRELATION
-    return {} if is_noise else {"slope_along_x": slopes[0], "slope_along_y": slopes[1]}
-
-
 def _sidewall_numbers(heights: Floats) -> Numbers:
     """Return the share of the squared slopes at the steepest pixels, which are sidewalls."""
     if heights.ndim == 2:
@@ -240,3 +180,31 @@ def _sidewall_numbers(heights: Floats) -> Numbers:
     steepest = squares[-max(1, round(SIDEWALL_PIXEL_SHARE * squares.size)) :]
     share = float(steepest.sum() / squares.sum())
     return {"sidewall_slope_share": share} if share > MIN_SIDEWALL_SLOPE_SHARE else {}
+
+
+def defect_sentence(code: str, numbers: Mapping[str, float]) -> str:
+    """Return the sentence on a defect, with its numbers and without a full stop."""
+    words = {name: _format_number(name, number) for name, number in numbers.items()}
+    return _sentences()[code].format(
+        **words,
+        streak=MIN_STREAK_STEPS,
+        spike=MIN_SPIKE_DISTANCE,
+        sidewall_pixels=format_share(SIDEWALL_PIXEL_SHARE),
+    )
+
+
+@cache
+def _sentences() -> dict[str, str]:
+    """Return the sentences on defects by code."""
+    text = Path(__file__).with_name("defects.yaml").read_text("utf-8")
+    return dict(yaml.safe_load(text))
+
+
+def _format_number(name: str, number: float) -> str:
+    """Return a number of a defect with its unit, a share in per cent."""
+    if DEFECT_UNITS[name] == "nm":
+        return format_length(number)
+    if name.endswith(("_lines", "_line")):
+        return f"{number:.0f}"
+    number = float(f"{number:.2g}")
+    return format_share(number) if name.endswith("_share") else f"{number:g}"

@@ -14,8 +14,7 @@ from hardcontact.report.own_surfaces.artificial_roughness import (
 )
 from hardcontact.report.own_surfaces.datasets import Datasets
 from hardcontact.report.quantities import number_of, number_without_value
-from hardcontact.scans.defect_sentences import defect_sentence
-from hardcontact.scans.defects import DEFECTS
+from hardcontact.scans.defects import DEFECTS, defect_sentence
 from hardcontact.scans.heights import split_notes
 from hardcontact.scans.mean_spectrum import find_contradictions
 from hardcontact.scans.reliable_band import OTHER_BODY
