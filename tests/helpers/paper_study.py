@@ -22,11 +22,11 @@ from repository import PAPER, ROOT
 from hardcontact.paper.evaluation import COLUMNS
 from hardcontact.paper.open_ends import add_open_ends
 from hardcontact.paper.verdicts import VERDICTS
+from hardcontact.report.answer import answer_text
 from hardcontact.report.figures.listing import PAPER_FIGURES, Caption
 from hardcontact.report.paper_study.answer import paper_answer
 from hardcontact.report.paper_study.pages import figures_page, paper_page
 from hardcontact.report.paper_study.table1 import table1_rows
-from hardcontact.report.quantities import answer_text
 from hardcontact.report.templates import Frame
 
 CITATION = yaml.safe_load((ROOT / "CITATION.cff").read_text("utf-8"))

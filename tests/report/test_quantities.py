@@ -7,13 +7,11 @@ import pytest
 import xarray as xr
 
 from hardcontact.base.number import Number
+from hardcontact.report.answer import all_quantities, answer_text, numbers_of_answer
 from hardcontact.report.quantities import (
-    all_quantities,
-    answer_text,
     in_words,
     number_of,
     number_without_value,
-    numbers_of_answer,
     value_in_words,
     without_interval,
 )

@@ -10,11 +10,11 @@ from hardcontact.paper.open_ends import add_open_ends
 from hardcontact.paper.verdicts import read_verdicts
 from hardcontact.records.job import run_job
 from hardcontact.records.packages import read_pins
+from hardcontact.report.answer import answer_text
 from hardcontact.report.figures.listing import caption
 from hardcontact.report.paper_study.answer import paper_answer
 from hardcontact.report.paper_study.pages import figures_page, paper_page, report_pages
 from hardcontact.report.paper_study.table1 import table1_rows
-from hardcontact.report.quantities import answer_text
 from hardcontact.report.templates import Frame
 
 DATASETS = (

@@ -7,12 +7,11 @@ import yaml
 
 from hardcontact.base import dataset
 from hardcontact.records.job import run_job
+from hardcontact.report.answer import answer_text
 from hardcontact.report.figures.listing import FILE_KINDS
-from hardcontact.report.own_surfaces.answer import own_answer
+from hardcontact.report.own_surfaces.answer import own_answer, own_page
 from hardcontact.report.own_surfaces.datasets import Datasets, Setting
 from hardcontact.report.own_surfaces.figures import write_figures
-from hardcontact.report.own_surfaces.page import own_page
-from hardcontact.report.quantities import answer_text
 from hardcontact.report.templates import Frame
 
 with run_job(snakemake) as job:

@@ -12,7 +12,7 @@ from hardcontact.base import dataset
 from hardcontact.base.random import generator
 from hardcontact.contact.contact import SMALLEST_SIZE_RATIO
 from hardcontact.report.own_surfaces.answer import own_answer, surface_answers
-from hardcontact.report.own_surfaces.artificial_roughness import measurement_name
+from hardcontact.report.own_surfaces.datasets import measurement_name
 from hardcontact.scans.joined_spectrum import joined_spectrum
 from hardcontact.surfaces.height_map import load_height_map
 

@@ -20,7 +20,7 @@ from answer_inputs import (
 from hardcontact.base.number import Number, json_value
 from hardcontact.inference.edges import computed_cutoffs
 from hardcontact.report.own_surfaces.answer import surface_answers
-from hardcontact.report.own_surfaces.artificial_roughness import classify_edge, parts_of_change
+from hardcontact.report.own_surfaces.datasets import classify_edge, parts_of_change
 from hardcontact.report.own_surfaces.edges import surface_conclusion
 
 

@@ -12,10 +12,10 @@ from repository import PAPER, ROOT, merge_configurations
 
 from hardcontact.base.number import Number
 from hardcontact.config.model import numeric_configuration
+from hardcontact.report.answer import numbers_of_answer
 from hardcontact.report.paper_study.answer import ANSWER_CLAIMS
 from hardcontact.report.paper_study.changed_inputs import changed_inputs, paper_contact
 from hardcontact.report.paper_study.table1 import table1_rows
-from hardcontact.report.quantities import numbers_of_answer
 
 SCHEMA = json.loads((ROOT / "workflow/schemas/answer.schema.json").read_text("utf-8"))
 

@@ -12,8 +12,8 @@ from repository import PAPER, merge_configurations
 
 from hardcontact.base.formatting import format_as_paper
 from hardcontact.paper.verdicts import VERDICTS
+from hardcontact.report.answer import numbers_of_answer
 from hardcontact.report.figures.listing import PAPER_FIGURES
-from hardcontact.report.quantities import numbers_of_answer
 
 
 @pytest.fixture(scope="module")

@@ -1,16 +1,13 @@
-"""Numbers of an answer: read from datasets, printed in words, and read from answer.json."""
+"""Numbers of an answer, read from datasets and printed in words."""
 
-import json
 import math
 import re
-from collections.abc import Iterable, Mapping
 from enum import StrEnum
-from typing import Any
 
 import xarray as xr
 
 from hardcontact.base.formatting import PRINTED_UNITS, format_as_paper, format_quantity
-from hardcontact.base.number import Number, NumberStatus, json_value
+from hardcontact.base.number import Number, NumberStatus
 from hardcontact.base.statistics import interval_ends
 from hardcontact.inference.curve_edges import EdgeStatus
 from hardcontact.inference.scan_parts import IntervalSource
@@ -121,40 +118,3 @@ def _open_interval_words(number: Number, digits: int) -> str:
     if high and not low:
         return f" (at most {format_number(number, digits, 'high')})"
     return ""
-
-
-def all_quantities(
-    study_numbers: Iterable[Number], surface_numbers: Mapping[str, Iterable[Number]]
-) -> list[dict[str, Any]]:
-    """Return the numbers of the whole study, then of each surface, as the list of answer.json."""
-    return [
-        {"surface": surface, **json_value(number)}
-        for surface, numbers in {"": study_numbers, **surface_numbers}.items()
-        for number in numbers
-    ]
-
-
-def numbers_of_answer(answer: Mapping[str, Any], surface: str = "") -> dict[str, Number]:
-    """Return the numbers of one surface, or of the whole study, in answer.json by name."""
-    numbers = {}
-    for quantity in answer["quantities"]:
-        if quantity["surface"] == surface:
-            values: dict[str, Any] = {
-                key: math.nan if quantity[key] is None else quantity[key] for key in Number._fields
-            }
-            if values["status"] in (NumberStatus.KNOWN, NumberStatus.NOT_KNOWN):
-                values["status"] = ""
-            numbers[values["name"]] = Number(**values)
-    return numbers
-
-
-def answer_text(answer: Mapping[str, Any]) -> str:
-    """Return the text of answer.json, as answer.schema.json describes it.
-
-    Raises ValueError if two quantities of one surface have the same name.
-    """
-    names = [(row["surface"], row["name"]) for row in answer["quantities"]]
-    repeated = sorted({name for name in names if names.count(name) > 1})
-    if repeated:
-        raise ValueError(f"expected quantities with different names, found twice: {repeated}")
-    return json.dumps(answer, ensure_ascii=False, allow_nan=False, indent=1) + "\n"

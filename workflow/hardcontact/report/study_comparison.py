@@ -9,7 +9,8 @@ import numpy as np
 
 from hardcontact.base.number import Number, NumberStatus
 from hardcontact.inference.curve_edges import EdgeStatus
-from hardcontact.report.quantities import NO_INTERVAL_WORDS, numbers_of_answer
+from hardcontact.report.answer import numbers_of_answer
+from hardcontact.report.quantities import NO_INTERVAL_WORDS
 
 #: Digits to which equal numbers agree. Processors with other kernels move numbers by up to 1.7e-10.
 EQUAL_DIGITS = 8

@@ -8,7 +8,7 @@ import xarray as xr
 from matplotlib.figure import Figure
 
 from hardcontact.report.figures import drawing, panels, style
-from hardcontact.report.figures.values import mean_free_heights
+from hardcontact.report.figures.panels import mean_free_heights
 
 MAPS_IN_A_ROW = 3
 

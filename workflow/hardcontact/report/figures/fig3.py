@@ -19,7 +19,7 @@ from hardcontact.base.statistics import log_std_of_lognormal
 from hardcontact.contact.contact import PLASTIC
 from hardcontact.contact.pull_off import interpolate_to_range
 from hardcontact.report.figures import drawing, style
-from hardcontact.report.figures.values import value_and_bounds
+from hardcontact.report.figures.panels import value_and_bounds
 
 LINEAR_BINS = 24
 BINS_PER_DECADE = 8

@@ -12,7 +12,7 @@ from matplotlib.patches import Patch
 from hardcontact.base.formatting import format_share
 from hardcontact.contact.contact import PLASTIC
 from hardcontact.report.figures import drawing, panels, style
-from hardcontact.report.figures.values import (
+from hardcontact.report.figures.panels import (
     SHARE_OF_SETS,
     summarize_sets,
     value_and_bounds,

@@ -12,10 +12,13 @@ from matplotlib.patches import Patch
 from hardcontact.base.formatting import format_share
 from hardcontact.inference.edges import MEAN_GROUP, last_cutoff
 from hardcontact.report.figures import drawing, panels, style
-from hardcontact.report.figures.values import published_edge, value_and_interval
+from hardcontact.report.figures.panels import published_edge, value_and_interval
 
 PUBLISHED_LINE: style.Look = {"color": "0.25", "lw": 1.0, "ls": "--"}
 TOLERANCE_LINE: style.Look = {"color": "0.25", "lw": 1.0, "zorder": 0}
+CROSSING: style.Look = {"ls": "none", "marker": "o", "mfc": "white", "mew": 1.3, "ms": 5.5}
+#: Lowest and highest change of the ratio drawn, relative to the tolerance, whose band stays wide.
+SHOWN_TOLERANCES = (-3, 7)
 #: Smallest change drawn, in per cent: a thousandth of the tolerance. Without waves above a cutoff
 #: the change is zero but for rounding.
 SMALLEST_CHANGE = 0.01
@@ -24,7 +27,7 @@ SMALLEST_CHANGE = 0.01
 def draw(edges: xr.Dataset, scales: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
     """Draw Fig. 6: ratios, changes and edges, in one column for each side of the band."""
     figure = drawing.create(6.2, edges)
-    grid = figure.subplots(3, 2, sharex="col", sharey="row", height_ratios=(2.2, 2.6, 1.5))
+    grid = figure.subplots(3, 2, sharex="col", sharey="row", height_ratios=(2.4, 2.4, 1.5))
     published_edges = {
         side: published_edge(published_constants, side) for side in style.REMOVED_TITLES
     }
@@ -37,10 +40,11 @@ def draw(edges: xr.Dataset, scales: xr.Dataset, published_constants: pd.DataFram
             axes.label_outer()
             panels.shade_artificial(axes, [artificial])
         style.label_panel(column[0], letter, style.REMOVED_TITLES[side])
-    for row, digits in ((grid[0], (1, 2, 3, 5)), (grid[1], (1,))):
-        style.end_near_values(row)
-        for axes in row:
-            style.label_logarithmic(axes.yaxis, digits=digits)
+    style.end_near_values(grid[1])
+    for axes in grid[1]:
+        style.label_logarithmic(axes.yaxis, digits=(1,))
+    low, high = edges.attrs["tolerance"] * np.array(SHOWN_TOLERANCES)
+    grid[0, 0].set(yscale="linear", ylim=(1 + low, 1 + high))
     grid[0, 0].set_ylabel(f"pull-off force / unfiltered\nat ρ = {scales.attrs['rho']:g} nm")
     style.legend_above(figure, _legend_handles(edges, *published_edges.values()))
     figure.align_ylabels(grid[:2, 0])
@@ -57,7 +61,8 @@ def _draw_side(column: np.ndarray, edges: xr.Dataset) -> None:
         for name in ("filtered_force_ratio", "filtered_force_change")
     )
     tolerance = edges.attrs["tolerance"]
-    panels.draw_ratios(column[0], ratio, tolerance)
+    is_shown = ratio["value"] < 1 + SHOWN_TOLERANCES[1] * tolerance
+    panels.draw_ratios(column[0], ratio.assign(ratio[["low", "high"]].where(is_shown)), tolerance)
     _draw_changes(column[1], change / style.PERCENT, tolerance / style.PERCENT)
     side = edges["side"].item()
     end = last_cutoff(edges["filtered_force_ratio"], side)
@@ -66,6 +71,24 @@ def _draw_side(column: np.ndarray, edges: xr.Dataset) -> None:
     arrows = {">" if side == "short" else "<": end}
     panels.draw_edges(column[2], edge_rows, edges["label"], arrows)
     column[2].set_xlabel("cutoff wavelength (nm)")
+    _mark_crossings(column, edges, ratio["value"])
+
+
+def _mark_crossings(column: np.ndarray, edges: xr.Dataset, ratio: xr.DataArray) -> None:
+    """Mark where each curve crosses the tolerance, and lead from there to the row of the edge."""
+    tolerance = edges.attrs["tolerance"]
+    looks = style.looks(ratio["surface"].values) | {MEAN_GROUP: style.MEAN_LOOK}
+    for group, edge in edges["edge"].dropna("group").to_series().items():
+        colour = looks[str(group)]["color"]
+        crossings = {column[1]: tolerance / style.PERCENT}
+        if group != MEAN_GROUP:
+            curve = ratio.sel(surface=group)
+            change = np.interp(edge, curve["cutoff_wavelength"], curve) - 1
+            crossings[column[0]] = 1 + np.copysign(tolerance, change)
+        for axes, height in crossings.items():
+            axes.plot(edge, height, mec=colour, zorder=5, **CROSSING)
+        for axes in (*crossings, column[2]):
+            axes.axvline(edge, color=colour, lw=0.9, ls=":")
 
 
 def _draw_changes(axes: Axes, change: xr.Dataset, tolerance: float) -> None:
@@ -91,6 +114,7 @@ def _legend_handles(edges: xr.Dataset, short: float, long: float) -> list[Artist
         Line2D([], [], lw=1.4, color="0.3", label=f"{confidence} interval (bars)"),
         Patch(label=f"change below {tolerance}", **panels.UNCHANGED_LOOK),
         Line2D([], [], label=f"change of {tolerance}", **TOLERANCE_LINE),
+        Line2D([], [], label=f"edge: crossing of {tolerance}", mec="0.3", **CROSSING),
         Line2D([], [], label=f"published: {short:g} and {long:g} nm", **PUBLISHED_LINE),
         Patch(label="artificial roughness", **style.ARTIFICIAL_LOOK),
         Line2D([], [], ls="none", marker=">", ms=5, color="0.3", label="beyond the last cutoff"),

@@ -10,7 +10,7 @@ from matplotlib.patches import Patch
 from hardcontact.base.formatting import format_share
 from hardcontact.inference.edges import MEAN_GROUP
 from hardcontact.report.figures import drawing, panels, style
-from hardcontact.report.figures.values import published_edge, value_and_bounds
+from hardcontact.report.figures.panels import published_edge, value_and_bounds
 
 MICROMETRE = 1000  # nm
 EDGE_INTERVAL: style.Look = {"fc": "0.94", "ec": "0.7", "hatch": r"\\\\", "lw": 0, "zorder": 0}

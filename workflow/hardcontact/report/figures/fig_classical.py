@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from hardcontact.report.figures import drawing, style
-from hardcontact.report.figures.values import value_and_interval
+from hardcontact.report.figures.panels import value_and_interval
 
 MIN_DRAWN_FORCE = 1e-6  # µN; a model that predicts less predicts no force at all
 METRIC_LABELS = {"afm": "AFM scans alone", "all_scales": "all scales"}

@@ -9,7 +9,7 @@ from matplotlib.patches import Patch
 
 from hardcontact.base.formatting import format_share
 from hardcontact.report.figures import drawing, panels, style
-from hardcontact.report.figures.values import published_edge, value_and_interval
+from hardcontact.report.figures.panels import published_edge, value_and_interval
 
 
 def draw(edge_shifts: xr.Dataset, published_constants: pd.DataFrame) -> Figure:

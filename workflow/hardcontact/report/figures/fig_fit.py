@@ -12,7 +12,7 @@ from matplotlib.lines import Line2D
 from hardcontact.base.formatting import format_share, format_with_interval
 from hardcontact.contact.contact import PLASTIC, RIGID
 from hardcontact.report.figures import drawing, panels, style
-from hardcontact.report.figures.values import value_and_bounds
+from hardcontact.report.figures.panels import value_and_bounds
 
 MODEL_LOOKS: dict[str, style.Look] = {
     PLASTIC: {"color": "black", "ls": "-"},

@@ -11,7 +11,7 @@ from matplotlib.patches import Patch
 
 from hardcontact.base.formatting import format_quantity, format_share
 from hardcontact.report.figures import drawing, panels, style
-from hardcontact.report.figures.values import published_edge, value_and_interval
+from hardcontact.report.figures.panels import published_edge, value_and_interval
 
 PUBLISHED_BAND_LOOK: style.Look = {"color": "0.9", "lw": 0, "zorder": 0}
 
@@ -25,6 +25,7 @@ def draw(sensitivity: xr.Dataset, edges: xr.Dataset, published_constants: pd.Dat
     style.label_panel(top[0], "a", "change of the force with the amplitude a of one octave")
     tolerance = edges.attrs["tolerance"]
     titles = {"published": "published", "found": "computed"}
+    bottom[1].sharey(bottom[0])
     for letter, axes, (band_name, title) in zip("bc", bottom, titles.items(), strict=True):
         ratios = sensitivity.sel(band=band_name)
         _draw_band_ratios(axes, ratios, tolerance)
@@ -56,6 +57,6 @@ def _legend_handles(sensitivity: xr.Dataset, tolerance: float) -> list[Artist]:
     return [
         *style.surface_handles(sensitivity),
         Line2D([], [], lw=1.0, color="0.25", label=f"{confidence} interval (bars)"),
-        Patch(label="published band", **PUBLISHED_BAND_LOOK),
-        Patch(label=f"change below {format_share(tolerance)}", **panels.UNCHANGED_LOOK),
+        Patch(label="published band (a)", **PUBLISHED_BAND_LOOK),
+        Patch(label=f"change below {format_share(tolerance)} (b, c)", **panels.UNCHANGED_LOOK),
     ]

@@ -15,7 +15,7 @@ from matplotlib.patches import Patch
 
 from hardcontact.base.formatting import format_length
 from hardcontact.report.figures import drawing, panels, style
-from hardcontact.report.figures.values import mean_free_heights, published_edge
+from hardcontact.report.figures.panels import mean_free_heights, published_edge
 from hardcontact.surfaces.filters import filtered_series, interpolate
 from hardcontact.surfaces.height_map import HeightMap, mirror_scan
 

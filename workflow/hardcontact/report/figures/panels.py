@@ -1,4 +1,4 @@
-"""Parts of panels that several figures share: maps, curves, edges, artificial wavelengths, fits."""
+"""Values and parts of panels that several figures share: maps, curves, edges, wavelengths, fits."""
 
 from collections.abc import Iterable, Mapping
 from typing import Any
@@ -10,14 +10,49 @@ from matplotlib import rcParams
 from matplotlib.axes import Axes
 
 from hardcontact.base.formatting import format_share
+from hardcontact.base.statistics import interval_ends
 from hardcontact.inference.edges import MEAN_GROUP
 from hardcontact.report.figures import style
 from hardcontact.report.figures.style import Look
-from hardcontact.report.figures.values import value_and_interval
 
 OCTAVE_SHARE = 0.84  # of an octave that its bars cover
 SPHERE_SHARE_LOOK: Look = {"color": style.SPHERE_COLOUR, "lw": 0}  # of the bar of an octave
 UNCHANGED_LOOK: Look = {"color": "0.88", "lw": 0}  # of changes of the force that do not count
+#: Share of the sets of substitutes between `low` and `high`: the middle of all sets.
+SHARE_OF_SETS = 0.9
+
+
+def value_and_interval(data: xr.Dataset, name: str) -> xr.Dataset:
+    """Return a variable as `value`, with the ends of its interval, if any, as `low` and `high`."""
+    value = data[[name]].rename({name: "value"})
+    if f"{name}_interval" not in data:
+        return value
+    low, high = interval_ends(data, name)
+    return value.assign(low=low, high=high)
+
+
+def value_and_bounds(data: xr.Dataset, name: str) -> dict[str, Any]:
+    """Return `value`, `low` and `high` of a variable with a single number."""
+    return {str(end): number.item() for end, number in value_and_interval(data, name).items()}
+
+
+def summarize_sets(values: xr.DataArray) -> xr.Dataset:
+    """Return the median over the sets as `value`, and SHARE_OF_SETS as `low` and `high`."""
+    tail = (1 - SHARE_OF_SETS) / 2
+    quantiles = values.quantile([0.5, tail, 1 - tail], "set", skipna=False)
+    ends = zip(("value", "low", "high"), quantiles, strict=True)
+    return xr.Dataset({name: quantile.drop_vars("quantile") for name, quantile in ends})
+
+
+def published_edge(constants: pd.DataFrame, side: str) -> float:
+    """Return the published edge (nm) of one side of the band."""
+    return float(constants["value"][f"{side}_edge"])
+
+
+def mean_free_heights(heights: xr.DataArray) -> np.ndarray:
+    """Return the heights (row, column) of one map minus their mean, without padding."""
+    unpadded = heights.dropna("row", how="all").dropna("column", how="all").values
+    return np.asarray(unpadded - unpadded.mean())
 
 
 def draw_map(axes: Axes, heights: np.ndarray, size: float, colour: str) -> None:
@@ -105,9 +140,7 @@ def draw_octaves(axes: Axes, sensitivity: xr.Dataset) -> None:
         middles = positions * 2 ** (width / 2)
         draw_bars(axes, middles, curve, ls="none", ecolor="0.25", elinewidth=0.7, **symbol)
     axes.axhline(0, color="0.3", lw=0.6)
-    axes.set(
-        xscale="log", xlabel="wavelength (nm)", ylabel="force change (%) for 1 % more amplitude"
-    )
+    axes.set(xscale="log", xlabel="wavelength (nm)", ylabel="force change (%) per 1 % amplitude")
     axes.set_xlim(octaves[0], 2 * octaves[-1])
     style.label_logarithmic(axes.xaxis, digits=(1, 2, 5))
 

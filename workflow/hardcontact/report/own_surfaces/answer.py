@@ -1,4 +1,4 @@
-"""The answer of a study of the user's surfaces: the content of its answer.json."""
+"""The answer of a study of the user's surfaces: the content of its answer.json, and its page."""
 
 from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple
@@ -8,22 +8,21 @@ import xarray as xr
 
 from hardcontact.base.number import Number, numbers_by_name
 from hardcontact.inference.octaves import strongest_octaves
-from hardcontact.report.figures.values import mean_free_heights
-from hardcontact.report.notes import note, substitutes_note
-from hardcontact.report.own_surfaces.artificial_roughness import (
-    MEASUREMENT_LENGTHS,
-    measurement_name,
-    shown_octaves,
-    split_scans,
-    without_padding,
-)
+from hardcontact.report.answer import all_quantities, note, render_page, substitutes_note
+from hardcontact.report.figures.panels import mean_free_heights
 from hardcontact.report.own_surfaces.cautions import cautions
 from hardcontact.report.own_surfaces.comparison import comparison_numbers
 from hardcontact.report.own_surfaces.datasets import (
+    MEASUREMENT_LENGTHS,
+    NEARLY_ALL,
     Datasets,
     Setting,
+    measurement_name,
     preferred_model,
+    shown_octaves,
+    split_scans,
     stored_tabor_number,
+    without_padding,
 )
 from hardcontact.report.own_surfaces.edges import (
     EDGES,
@@ -41,10 +40,10 @@ from hardcontact.report.own_surfaces.forces import (
     preferred_fit,
 )
 from hardcontact.report.own_surfaces.spectrum_cautions import Caution
-from hardcontact.report.quantities import all_quantities, number_of, number_without_value
-from hardcontact.report.templates import render_lines, render_text
+from hardcontact.report.quantities import number_of, number_without_value
+from hardcontact.report.templates import Frame, render_lines, render_text
 from hardcontact.scans.both_bodies import sphere_share
-from hardcontact.scans.reliable_band import MIN_PIXELS, MIN_WAVES_IN_SIZE, OTHER_BODY
+from hardcontact.scans.reliable_band import LIMIT_NAMES, MIN_PIXELS, MIN_WAVES_IN_SIZE, OTHER_BODY
 from hardcontact.surfaces.metrics import METRICS
 
 #: The name of the range of adhesion among the inputs of contacts.
@@ -258,3 +257,14 @@ def _surface_head(surface: SurfaceAnswer, spectra: xr.Dataset) -> dict[str, Any]
             for scan in scans
         ],
     }
+
+
+def own_page(
+    answer: Mapping[str, Any],
+    figures: Mapping[str, bytes],
+    citation: Mapping[str, Any],
+    frame: Frame,
+) -> str:
+    """Return the page of a study of the user's surfaces; the SVG of figures is by name."""
+    limits = {"limit_names": LIMIT_NAMES, "min_pixels": MIN_PIXELS, "min_waves": MIN_WAVES_IN_SIZE}
+    return render_page(answer, figures, citation, frame, nearly_all=NEARLY_ALL, **limits)

@@ -14,8 +14,12 @@ from hardcontact.contact.hertz_jkr_dmt import STRONGEST_WORK
 from hardcontact.inference.curve_edges import EdgeStatus
 from hardcontact.inference.scan_parts import IntervalSource
 from hardcontact.report.own_surfaces import spectrum_cautions
-from hardcontact.report.own_surfaces.artificial_roughness import fails_hindcast
-from hardcontact.report.own_surfaces.datasets import Datasets, forces_at_range, stored_tabor_number
+from hardcontact.report.own_surfaces.datasets import (
+    Datasets,
+    fails_hindcast,
+    forces_at_range,
+    stored_tabor_number,
+)
 from hardcontact.report.own_surfaces.spectrum_cautions import Caution
 from hardcontact.report.quantities import number_of, number_without_value
 from hardcontact.surfaces.synthesis import SIDES

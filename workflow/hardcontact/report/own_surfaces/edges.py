@@ -12,14 +12,14 @@ from hardcontact.base.statistics import interval_ends
 from hardcontact.inference.curve_edges import EdgeStatus
 from hardcontact.inference.edges import computed_cutoffs
 from hardcontact.inference.scan_parts import IntervalSource
-from hardcontact.report.own_surfaces.artificial_roughness import (
+from hardcontact.report.own_surfaces.datasets import (
+    Datasets,
     artificial_bands,
     classify_edge,
     fails_hindcast,
     measured_share_at_edge,
     overlaps_any,
 )
-from hardcontact.report.own_surfaces.datasets import Datasets
 from hardcontact.report.quantities import OPEN_WORDS, NoValue, number_without_value
 from hardcontact.scans.both_bodies import sphere_share
 from hardcontact.surfaces.synthesis import SIDES

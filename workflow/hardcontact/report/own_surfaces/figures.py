@@ -19,16 +19,17 @@ from matplotlib.patches import Patch
 from hardcontact.inference.edges import computed_cutoffs
 from hardcontact.report.figures import drawing, panels, style
 from hardcontact.report.figures.listing import FILE_KINDS, describe_figure
-from hardcontact.report.figures.values import mean_free_heights, value_and_interval
-from hardcontact.report.own_surfaces.artificial_roughness import (
+from hardcontact.report.figures.panels import mean_free_heights, value_and_interval
+from hardcontact.report.own_surfaces.datasets import (
+    Datasets,
     artificial_bands,
     fails_hindcast,
     measurement_name,
+    preferred_model,
     shown_octaves,
     split_scans,
     without_padding,
 )
-from hardcontact.report.own_surfaces.datasets import Datasets, preferred_model
 from hardcontact.scans.both_bodies import sphere_share
 
 #: Label and look of the curve for each side of the band.

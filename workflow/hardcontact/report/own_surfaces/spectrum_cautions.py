@@ -7,12 +7,12 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.base.number import Number, numbers_by_name
-from hardcontact.report.own_surfaces.artificial_roughness import (
+from hardcontact.report.own_surfaces.datasets import (
+    Datasets,
     measurement_name,
     split_scans,
     without_padding,
 )
-from hardcontact.report.own_surfaces.datasets import Datasets
 from hardcontact.report.quantities import number_of, number_without_value
 from hardcontact.scans.defects import DEFECTS, defect_sentence
 from hardcontact.scans.heights import split_notes

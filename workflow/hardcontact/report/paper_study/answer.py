@@ -19,15 +19,15 @@ from hardcontact.inference.fit import WITHOUT_SURFACE
 from hardcontact.inference.octaves import strongest_octaves
 from hardcontact.paper.open_ends import find_open_end
 from hardcontact.paper.verdicts import count_verdicts, interval_with_sets
-from hardcontact.report.notes import note, substitutes_note
+from hardcontact.report.answer import all_quantities, note, substitutes_note
 from hardcontact.report.paper_study.changed_inputs import changed_inputs, paper_contact
-from hardcontact.report.paper_study.claims import claim_facts
 from hardcontact.report.paper_study.conclusions import (
+    claim_facts,
     draw_conclusions,
     features_by_scatter,
     most_sensitive_coatings,
 )
-from hardcontact.report.quantities import all_quantities, number_of
+from hardcontact.report.quantities import number_of
 from hardcontact.report.templates import render_lines, render_text
 
 #: Claims with numbers in the answer, by the names of these numbers.

@@ -1,14 +1,90 @@
-"""Conclusions from the numbers of the paper's study, which templates put into words."""
+"""Conclusions from the claims and numbers of the paper's study, which templates put into words."""
 
 from collections.abc import Mapping
 from typing import Any
 
-from hardcontact.base.number import Number
+import numpy as np
+import pandas as pd
+
+from hardcontact.base.formatting import format_as_paper, is_unbounded
+from hardcontact.base.number import Number, NumberStatus
+from hardcontact.paper.claim_selection import LARGER_PIXELS, WITHOUT_SCAN
+from hardcontact.paper.verdicts import (
+    BY_CONSTRUCTION,
+    NOT_REPRODUCED,
+    ONE_SIDED,
+    REPRODUCED,
+    REPRODUCED_SHARE,
+    count_verdicts,
+)
+from hardcontact.report.quantities import NO_INTERVAL_WORDS
 
 #: Sets of scans below which the ends of a 95 % interval rest on one or two outermost sets.
 MIN_SETS = 50
 #: Grids whose size the paper prints.
 GRIDS = ("scan_pixels", "contacts_per_row")
+
+
+def claim_facts(claims: pd.DataFrame) -> dict[str, Any]:
+    """Return the facts about claims that templates show; the last two are numbers of statements."""
+    # Templates test for None, because a comparison with NaN is always false.
+    plain_rows = claims.astype(object).where(claims.notna(), None).to_dict("records")
+    rows = zip(plain_rows, claims.to_dict("records"), strict=True)
+    facts = {str(row["id"]): plain | _printed_claim(row) for plain, row in rows}
+    ranks = {name: int(row["main"]) for name, row in facts.items() if row["main"]}
+    independent = [row for row in facts.values() if row["kind"] == "independent"]
+    contradicted = [row for row in independent if row["verdict"] == NOT_REPRODUCED]
+    reproduced = [row for row in independent if row["verdict"] == REPRODUCED]
+    main_rules = {facts[name]["rule"] for name in ranks}
+    return {
+        # Rows by id, and the ids of main statements by rank.
+        "claims": facts,
+        "main_statements": sorted(ranks, key=lambda name: ranks[name]),
+        # Factors within which numbers of main statements agree.
+        "accepted_factors": sorted(
+            rule.removeprefix("factor ") for rule in main_rules if rule.startswith("factor ")
+        ),
+        # Rows of independent statements that are not reproduced, main statements first.
+        "contradicted": sorted(contradicted, key=lambda row: row["main"] == ""),
+        "counts": count_verdicts(claims).to_dict("records"),
+        "decisive_share": REPRODUCED_SHARE,
+        # Statements that are reproduced without any scan.
+        "without_scan": sum(row["basis"] in WITHOUT_SCAN for row in reproduced),
+        # Statements that only the paper's pixels can test.
+        "larger_pixels": sum(LARGER_PIXELS in (row["note"] or "") for row in independent),
+    }
+
+
+def _printed_claim(row: Mapping[Any, Any]) -> dict[str, Any]:
+    """Return the numbers of a claim as printed, and its kind."""
+    unit = row["unit"]
+    is_limit = row["rule"] in ONE_SIDED  # which the accepted range shows
+    interval = (row["low"], row["high"])
+    kind = "follows" if row["follows_from"] else "independent"
+    limits = () if row["agreeing_share"] >= 0 else (row["accepted_low"], row["accepted_high"])
+    computed_text = format_as_paper(row["computed"], unit)
+    if is_unbounded(row["computed"], *interval, unit):
+        computed_text += f" ({NO_INTERVAL_WORDS[NumberStatus.NO_INTERVAL]})"
+    elif row["low"] != row["high"]:
+        bounds = {"open_end": row["open_end"], "limits": limits}
+        computed_text = format_as_paper(row["computed"], unit, interval, **bounds)
+    return {
+        "published_text": "" if is_limit else format_as_paper(row["published"], unit),
+        "accepted_text": _print_accepted_range(row["accepted_low"], row["accepted_high"], unit),
+        "computed_text": computed_text,
+        "kind": BY_CONSTRUCTION if row["verdict"] == BY_CONSTRUCTION else kind,
+    }
+
+
+def _print_accepted_range(low: float, high: float, unit: str) -> str:
+    """Return the range of numbers that agree with a statement, in words."""
+    if np.isinf(low):
+        return f"below {format_as_paper(high, unit)}"
+    if np.isinf(high):
+        return f"above {format_as_paper(low, unit)}"
+    first, last = format_as_paper(low, unit), format_as_paper(high, unit)
+    number, _, first_unit = first.partition(" ")
+    return f"{number} to {last}" if last.endswith(f" {first_unit}") else f"{first} to {last}"
 
 
 def draw_conclusions(numbers: Mapping[str, Number]) -> dict[str, Any]:

@@ -7,13 +7,11 @@ from typing import Any
 import pandas as pd
 import yaml
 
+from hardcontact.report.answer import numbers_of_answer, render_page
 from hardcontact.report.figures.listing import PAPER_FIGURES, Caption, describe_figure
-from hardcontact.report.page import render_page
 from hardcontact.report.paper_study.answer import ANSWER_CLAIMS
 from hardcontact.report.paper_study.chapters import convert_chapter
-from hardcontact.report.paper_study.claims import claim_facts
-from hardcontact.report.paper_study.conclusions import most_sensitive_coatings
-from hardcontact.report.quantities import numbers_of_answer
+from hardcontact.report.paper_study.conclusions import claim_facts, most_sensitive_coatings
 from hardcontact.report.templates import Frame, render_document
 
 

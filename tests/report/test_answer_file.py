@@ -4,7 +4,7 @@ import json
 
 import numpy as np
 
-from hardcontact.report.notes import note
+from hardcontact.report.answer import note
 
 
 def test_the_gravity_of_a_note_may_come_from_a_comparison_of_numpy():

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from answer_inputs import MEASUREMENTS, SURFACES, spectra
 
-from hardcontact.report.own_surfaces.artificial_roughness import (
+from hardcontact.report.own_surfaces.datasets import (
     artificial_bands,
     overlaps_any,
     reliable_scans,
