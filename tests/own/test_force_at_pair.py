@@ -17,7 +17,7 @@ from hardcontact.own.force_at_pair import (
     extrapolated_force,
     force_scatter,
     forces_on_scans,
-    include_finer_pixels,
+    extend_by_pixel_factors,
 )
 from hardcontact.own.mean_forces import MasterScans
 from hardcontact.theory.pull_off_statistics import predict_statistics
@@ -195,7 +195,7 @@ def test_the_needed_number_of_contacts_keeps_the_mean_within_the_tolerance():
 def test_intervals_include_the_effect_of_finer_pixels():
     scan_forces = forces_on_scans(adhesion([3, 3]), **OPTIONS)
     wide_pixels = scan_forces.assign(wide_pixel_ratio=("surface", [1.5, 0.9]))
-    result = include_finer_pixels(wide_pixels).force_interval
+    result = extend_by_pixel_factors(wide_pixels).force_interval
     change = (result / scan_forces.force_interval).transpose("surface", "end", ...)
     np.testing.assert_allclose(change.isel(surface=0, end=0), 1 / 1.5)
     np.testing.assert_allclose(change.isel(surface=0, end=1), 1)

@@ -39,7 +39,7 @@ def pixel_forces(surface: HeightMap, sphere: HeightMap | None, contact: Contact)
     return xr.Dataset({name: (CONTACT_AXES, force, FORCE_ATTRS) for name, force in forces.items()})
 
 
-def finer_pixel_factor(wide_pixel_ratio: np.ndarray | float) -> np.ndarray:
+def pixel_factor(wide_pixel_ratio: np.ndarray | float) -> np.ndarray:
     """Return the largest factor by which finer pixels may lower a force.
 
     It is the factor by which wider pixels raise the force
@@ -51,4 +51,4 @@ def finer_pixel_factor(wide_pixel_ratio: np.ndarray | float) -> np.ndarray:
 def pixel_factors(force: xr.Dataset) -> xr.DataArray:
     """Return the factors (surface) by which finer pixels may lower forces, 1 for substitutes."""
     ratios = force.get("wide_pixel_ratio", xr.ones_like(force["surface"], dtype=float))
-    return ratios.copy(data=finer_pixel_factor(ratios.values))
+    return ratios.copy(data=pixel_factor(ratios.values))

@@ -126,7 +126,7 @@ def _widen_intervals(force: xr.Dataset, sensitivity: xr.Dataset, rho: float) -> 
         ]
         force = force.merge(hindcast, join="left")
         force = widen_interval(force, "extrapolated_force", force["hindcast_ratio"])
-        force = include_finer_pixels(force)
+        force = extend_by_pixel_factors(force)
     return force
 
 
@@ -280,7 +280,7 @@ def add_extrapolated_force(
     )
 
 
-def include_finer_pixels(force: xr.Dataset) -> xr.Dataset:
+def extend_by_pixel_factors(force: xr.Dataset) -> xr.Dataset:
     """Extend the intervals of forces on scans to the forces on pixels WIDE_PIXEL times finer."""
     interval = force["force_interval"]
     extended = interval.where(interval["end"] != "low", interval / pixel_factors(force))

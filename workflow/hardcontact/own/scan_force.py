@@ -27,7 +27,7 @@ from hardcontact.contact.geometry import join_bodies, spheres_at_positions
 from hardcontact.contact.hertz_jkr_dmt import limit_forces
 from hardcontact.contact.pull_off import make_force_function
 from hardcontact.contact.scan_pull_off import pull_off_on_spheres
-from hardcontact.inference.wide_pixels import finer_pixel_factor, widen_pixels
+from hardcontact.inference.wide_pixels import pixel_factor, widen_pixels
 from hardcontact.own.mean_forces import (
     SurfaceForces,
     forces_of_surface,
@@ -173,7 +173,7 @@ def _surface_forces(
 
 def _extend_low_end(number: Number, wide_pixel_ratio: float) -> Number:
     """Return a number with its lower end divided by the factor that finer pixels may cause."""
-    return number._replace(low=number.low / float(finer_pixel_factor(wide_pixel_ratio)))
+    return number._replace(low=number.low / float(pixel_factor(wide_pixel_ratio)))
 
 
 def _scan_force_numbers(
