@@ -24,7 +24,7 @@ from SurfaceTopography import Topography
 
 import hardcontact as hc
 from hardcontact import api
-from hardcontact.base.random import generator
+from hardcontact.base.arrays import generator
 from hardcontact.commands.predict import predict, predict_arguments
 from hardcontact.surfaces.spectrum import smooth_rolloff
 

@@ -8,7 +8,7 @@ import pytest
 import xarray as xr
 
 from hardcontact.base import dataset
-from hardcontact.base.atomic_file import PART, atomic_file, remove_parts
+from hardcontact.base.dataset import PART, atomic_file, remove_parts
 from hardcontact.records.origin import Origin, keep_records
 
 

@@ -26,7 +26,7 @@ from direct_sum import direct_total, gap_of_bodies
 from elastic_libraries import library_pressure, library_pull_off
 from measurements import uncd_density
 
-from hardcontact.base.random import generator
+from hardcontact.base.arrays import generator
 from hardcontact.contact.bearing_area import all_contact_pixels
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.elastic import adhesive_pull_off, pressure_at_load

@@ -18,7 +18,7 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.base import dataset, published
-from hardcontact.base.random import generator
+from hardcontact.base.arrays import generator
 from hardcontact.base.statistics import student_log_interval
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import window_pixels

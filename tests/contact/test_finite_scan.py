@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from hardcontact.base.random import generator
+from hardcontact.base.arrays import generator
 from hardcontact.contact.contact import (
     FINITE_SCAN_RATIOS,
     LARGE_SIZE_RATIO,

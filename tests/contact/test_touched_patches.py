@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from measurements import self_affine_heights
 
-from hardcontact.base.random import generator
+from hardcontact.base.arrays import generator
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import pull_off_dataset

@@ -4,7 +4,7 @@ from functools import cache, partial
 
 import numpy as np
 
-from hardcontact.base.random import generator
+from hardcontact.base.arrays import generator
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.levelling import level
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, smooth_rolloff

@@ -10,8 +10,8 @@ from typing import NamedTuple
 import numpy as np
 
 import hardcontact as hc
+from hardcontact.base.arrays import generator
 from hardcontact.base.number import Number
-from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.pull_off import make_force_function
 from hardcontact.inference.wide_pixels import WIDE_PIXEL

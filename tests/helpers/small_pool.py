@@ -5,7 +5,7 @@ from functools import cache
 import pandas as pd
 from measurements import UNCD
 
-from hardcontact.base.random import generator
+from hardcontact.base.arrays import generator
 from hardcontact.contact.contact import Contact
 from hardcontact.paper.pool import compute_pool, pool_heights
 from hardcontact.surfaces.levelling import level

@@ -5,7 +5,7 @@ import pytest
 from measurements import UNCD
 
 import hardcontact as hc
-from hardcontact.base.random import generator
+from hardcontact.base.arrays import generator
 from hardcontact.inference.curve_edges import (
     ChangeCurve,
     edge_interval,

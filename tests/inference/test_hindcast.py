@@ -7,7 +7,7 @@ import pytest
 import xarray as xr
 from measurements import PIXEL, UNCD
 
-from hardcontact.base.random import generator
+from hardcontact.base.arrays import generator
 from hardcontact.base.statistics import widen_interval
 from hardcontact.contact.contact import CONTACT_AXES, Contact
 from hardcontact.contact.pull_off import make_force_function

@@ -6,7 +6,7 @@ import xarray as xr
 from direct_sum import direct_force, gap_to_sphere, mirror
 from measurements import random_map
 
-from hardcontact.base.random import generator
+from hardcontact.base.arrays import generator
 from hardcontact.contact.contact import CONTACT_AXES, Contact
 from hardcontact.contact.geometry import join_bodies, spheres_at_positions
 from hardcontact.contact.pull_off import forces_at_loadings, make_force_function

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from hardcontact.base.random import generator
+from hardcontact.base.arrays import generator
 from hardcontact.contact.contact import Contact
 from hardcontact.inference.filtered_masters import Filters, filtered_pull_off
 from hardcontact.inference.master_datasets import add_spectrum_shifts, stack_masters

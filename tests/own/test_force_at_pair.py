@@ -9,7 +9,7 @@ from known_spectra import contact_of_area, self_affine_spectrum
 from refusals import assert_says, refusal
 from scipy import stats
 
-from hardcontact.base.random import generator
+from hardcontact.base.arrays import generator
 from hardcontact.base.statistics import student_interval
 from hardcontact.own.force_at_pair import (
     add_extrapolated_force,

@@ -7,7 +7,7 @@ from known_spectra import self_affine_spectrum
 from measurements import PIXEL, random_map
 
 import hardcontact as hc
-from hardcontact.base.random import generator
+from hardcontact.base.arrays import generator
 from hardcontact.commands.predict import predict, predict_arguments
 from hardcontact.contact.contact import Contact
 from hardcontact.inference.octaves import AMPLITUDE_FACTORS, STEP

@@ -10,7 +10,7 @@ from measurements import PIXEL, measurement, random_line, random_map
 from prediction_command import predict_json, predict_text
 from refusals import assert_says, refusal
 
-from hardcontact.base.random import generator
+from hardcontact.base.arrays import generator
 from hardcontact.own.own_spectrum import read_own_spectrum
 from hardcontact.scans.joined_spectrum import joined_spectrum
 from hardcontact.surfaces.spectrum import spectrum_of_dataset

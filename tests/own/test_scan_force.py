@@ -13,7 +13,7 @@ from measurements import random_map
 from refusals import assert_says, refusal
 
 import hardcontact as hc
-from hardcontact.base.random import generator
+from hardcontact.base.arrays import generator
 from hardcontact.commands.predict import predict, predict_arguments
 from hardcontact.contact.geometry import window_pixels
 from hardcontact.own import scan_force

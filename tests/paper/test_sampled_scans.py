@@ -8,7 +8,7 @@ import xarray as xr
 from refusals import assert_says, refusal
 from small_pool import CONTACT, RANGES, pool_of, raw_scan
 
-from hardcontact.base.random import generator
+from hardcontact.base.arrays import generator
 from hardcontact.base.statistics import student_log_interval
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import pull_off_dataset

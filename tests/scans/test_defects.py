@@ -7,7 +7,7 @@ import pytest
 from measurements import measurement, random_map, self_affine_heights
 from scipy.ndimage import gaussian_filter
 
-from hardcontact.base.random import generator
+from hardcontact.base.arrays import generator
 from hardcontact.scans.defects import DEFECTS, scan_with_defects
 from hardcontact.surfaces.features import Features, add_features
 from hardcontact.surfaces.levelling import level_quadratic

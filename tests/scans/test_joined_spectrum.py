@@ -5,7 +5,7 @@ import pytest
 from measurements import gentle_density, measurement, random_line, random_map, two_sizes_and_a_line
 from refusals import assert_says, refusal
 
-from hardcontact.base.random import generator
+from hardcontact.base.arrays import generator
 from hardcontact.scans.joined_spectrum import joined_spectrum, sample_spectra
 from hardcontact.scans.measured_spectrum import CALIBRATION_SCATTER, isotropic_psd
 from hardcontact.scans.reliable_band import reliable_band

@@ -7,7 +7,7 @@ import pytest
 from measurements import gentle_density, measurement, random_line, random_map, uncd_density
 from refusals import assert_says
 
-from hardcontact.base.random import generator
+from hardcontact.base.arrays import generator
 from hardcontact.scans.joined_spectrum import joined_spectrum
 from hardcontact.scans.mean_spectrum import (
     describe_contradictions,

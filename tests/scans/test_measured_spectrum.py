@@ -5,7 +5,7 @@ import pytest
 from measurements import PIXEL, measurement, profile_of, random_line, random_map, uncd_density
 from scipy.ndimage import gaussian_filter1d
 
-from hardcontact.base.random import generator
+from hardcontact.base.arrays import generator
 from hardcontact.scans.measured_spectrum import (
     axis_ratio,
     independent_modes,

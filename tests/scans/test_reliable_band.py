@@ -5,7 +5,7 @@ import pytest
 from measurements import measurement, random_line, random_map, uncd_density
 from scipy.ndimage import gaussian_filter, gaussian_filter1d, grey_dilation
 
-from hardcontact.base.random import generator
+from hardcontact.base.arrays import generator
 from hardcontact.scans.measured_spectrum import isotropic_psd
 from hardcontact.scans.reliable_band import reliable_band
 from hardcontact.surfaces.height_map import to_surface_topography

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from measurements import measurement, self_affine_heights
 
-from hardcontact.base.random import generator
+from hardcontact.base.arrays import generator
 from hardcontact.scans.repeated_scans import coarse_map, earlier_scans_of_areas, show_same_area
 from hardcontact.surfaces.levelling import level, level_lines
 

@@ -5,7 +5,7 @@ import pandas as pd
 from measurements import random_map, two_sizes_and_a_line
 
 from hardcontact.base import dataset
-from hardcontact.base.random import generator
+from hardcontact.base.arrays import generator
 from hardcontact.scans.joined_spectrum import joined_spectrum
 from hardcontact.scans.spectrum_datasets import convert_described_spectrum, stack_spectra
 from hardcontact.scans.tail import Tail

@@ -5,7 +5,7 @@ import pytest
 from known_spectra import BINS
 from measurements import measurement, uncd_density
 
-from hardcontact.base.random import generator
+from hardcontact.base.arrays import generator
 from hardcontact.scans.joined_spectrum import joined_spectrum, sample_spectra
 from hardcontact.scans.rolloff import extrapolate_long_waves, levelled_share
 from hardcontact.scans.tail import (

@@ -7,7 +7,7 @@ import pytest
 import xarray as xr
 from measurements import PIXEL, UNCD, levelled_scan, measurement
 
-from hardcontact.base.random import generator
+from hardcontact.base.arrays import generator
 from hardcontact.surfaces.levelling import level_and_mirror, remove_form
 from hardcontact.surfaces.metrics import measured_roughness, metrics, roughness_table
 from hardcontact.surfaces.spectrum import measured_psds, spectrum_dataset

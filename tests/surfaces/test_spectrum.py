@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from measurements import levelled_scan, uncd_density
 
-from hardcontact.base.random import generator
+from hardcontact.base.arrays import generator
 from hardcontact.surfaces import spectrum
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, measured_psds
 

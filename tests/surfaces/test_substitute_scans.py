@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from measurements import PIXEL, uncd_density
 
-from hardcontact.base.random import generator
+from hardcontact.base.arrays import generator
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.levelling import level, remove_form
 from hardcontact.surfaces.synthesis import (

@@ -11,7 +11,7 @@ from repository import BANDS, ROOT
 from scipy import stats
 
 from hardcontact.base import published
-from hardcontact.base.random import generator
+from hardcontact.base.arrays import generator
 from hardcontact.surfaces import spectrum, substitute_spectra, table1_calibration
 from hardcontact.surfaces.levelling import level
 from hardcontact.surfaces.metrics import metrics

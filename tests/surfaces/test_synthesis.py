@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from measurements import UNCD, levelled_scan, uncd_density
 
-from hardcontact.base.random import generator
+from hardcontact.base.arrays import generator
 from hardcontact.surfaces.filters import interpolate, lowpass
 from hardcontact.surfaces.height_map import HeightMap, mirror_scan
 from hardcontact.surfaces.synthesis import long_edge_master, random_surface, short_edge_master

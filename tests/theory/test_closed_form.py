@@ -5,7 +5,7 @@ import pytest
 from known_spectra import contact_of_area, gaussian_spectrum, self_affine_spectrum
 from scipy import stats
 
-from hardcontact.base.random import generator
+from hardcontact.base.arrays import generator
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import pull_off_dataset

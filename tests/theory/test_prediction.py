@@ -12,7 +12,7 @@ sys.path.insert(0, str(ROOT / "tests/benchmarks"))
 
 import validate_prediction
 
-from hardcontact.base.random import generator
+from hardcontact.base.arrays import generator
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, varying_hurst
 from hardcontact.surfaces.synthesis import random_surface
 from hardcontact.theory import prediction, validity

@@ -7,7 +7,7 @@ import pytest
 from known_spectra import contact_of_area, gaussian_spectrum, self_affine_spectrum
 from scipy import special, stats
 
-from hardcontact.base.random import generator
+from hardcontact.base.arrays import generator
 from hardcontact.theory.closed_form import closed_form, contact_term, smooth_force
 from hardcontact.theory.pull_off_statistics import (
     ForceStatistics,

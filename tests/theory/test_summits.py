@@ -7,7 +7,7 @@ import pytest
 from known_spectra import gaussian_spectrum, self_affine_spectrum
 from scipy import integrate, stats
 
-from hardcontact.base.random import generator
+from hardcontact.base.arrays import generator
 from hardcontact.surfaces.spectrum import Spectrum, smooth_rolloff
 from hardcontact.surfaces.synthesis import random_surface
 from hardcontact.theory import summits

@@ -3,7 +3,7 @@
 import xarray as xr
 
 from hardcontact.base import dataset
-from hardcontact.base.atomic_file import PART
+from hardcontact.base.dataset import PART
 
 #: Folders of files that belong to one run and not to its results.
 OF_THE_RUN = {"logs", "benchmarks", ".origin"}

@@ -10,7 +10,7 @@ from scan_files import write_container, write_coordinates, write_scan
 from shared_study import shared_study
 from SurfaceTopography import UniformLineScan
 
-from hardcontact.base.random import generator
+from hardcontact.base.arrays import generator
 
 
 def own_repository(folder):

@@ -11,7 +11,7 @@ from comparison import damaged_datasets, differences, result_paths
 from forked_runs import call_main
 from repository import environment, run_snakemake
 
-from hardcontact.base.atomic_file import PART
+from hardcontact.base.dataset import PART
 
 #: Kills, and the files that a run may write before each: in all, most files of the study.
 KILLS, FILES = 4, 5

@@ -20,7 +20,7 @@ from paper_study import answer
 from repository import ROOT, copy_repository, environment, snakemake_output
 from scan_files import write_container, write_scan
 
-from hardcontact.base.random import generator
+from hardcontact.base.arrays import generator
 
 pytestmark = pytest.mark.study
 

@@ -10,7 +10,7 @@ from scan_files import write_scan
 from studies import TINY_DIGESTS, TINY_PATTERNS
 
 from hardcontact.base import dataset
-from hardcontact.base.random import generator
+from hardcontact.base.arrays import generator
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.levelling import level
 

@@ -1,6 +1,6 @@
 """The roughness of both bodies in one mirrored map, on which a smooth sphere makes contacts."""
 
-from hardcontact.base.random import generator
+from hardcontact.base.arrays import generator
 from hardcontact.records.job import run_job
 from hardcontact.scans.both_bodies import combine_maps
 from hardcontact.surfaces.height_map import load_height_map

@@ -1,7 +1,7 @@
 """Which asperities carry the force of some plastic contacts on a surface, by range of adhesion."""
 
+from hardcontact.base.arrays import generator
 from hardcontact.base.dataset import stack
-from hardcontact.base.random import generator
 from hardcontact.contact.attraction import CARRIED_SHARE, find_carrying_asperities
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import read_bodies, sample_contacts

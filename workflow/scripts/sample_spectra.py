@@ -1,6 +1,6 @@
 """Spectra sampled within the uncertainty of the measurements of a surface, one per realization."""
 
-from hardcontact.base.random import generator
+from hardcontact.base.arrays import generator
 from hardcontact.records.job import run_job
 from hardcontact.scans.joined_spectrum import sample_spectra
 from hardcontact.surfaces.height_map import load_height_map

@@ -1,7 +1,7 @@
 """Elastic contact of some contacts on one surface: pressure at the preload, and pull-off."""
 
 from hardcontact.base import published
-from hardcontact.base.random import generator
+from hardcontact.base.arrays import generator
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.elastic import (
     PULL_OFF_WINDOW,

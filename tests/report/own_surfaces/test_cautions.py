@@ -9,7 +9,7 @@ from answer_inputs import spectra as plain_spectra
 from measurements import random_map
 
 from hardcontact.base import dataset
-from hardcontact.base.random import generator
+from hardcontact.base.arrays import generator
 from hardcontact.contact.contact import SMALLEST_SIZE_RATIO
 from hardcontact.report.own_surfaces.answer import own_answer, surface_answers
 from hardcontact.report.own_surfaces.datasets import measurement_name

@@ -1,1 +1,1 @@
-"""Files, units, statistics, named random generators, and the formatting of numbers."""
+"""Files, units, statistics, random generators for named purposes, and the formatting of numbers."""

@@ -1,7 +1,12 @@
-"""Labelled datasets on disk: written completely or not at all, checked when read."""
+"""Labelled datasets on disk: written completely or not at all, as all files, checked when read."""
 
 import csv
-from collections.abc import Iterable, Mapping, Sequence
+import glob
+import os
+import secrets
+import shutil
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from functools import cache
 from pathlib import Path
 from typing import Any, TypedDict
@@ -10,8 +15,8 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from hardcontact.base.atomic_file import atomic_file
-
+#: Prefix of the names of incomplete files.
+PART = ".part-"
 #: Table of the meanings of variables, by dataset (`*`: all datasets). No job depends on it: like a
 #: comment, a changed meaning makes no file stale.
 MEANINGS = Path(__file__).resolve().parents[2] / "report/variables.tsv"
@@ -26,6 +31,39 @@ class NamedSurfaces(TypedDict):
 
     labels: Mapping[str, str]
     source: Mapping[str, str]
+
+
+@contextmanager
+def atomic_file(path: str | Path) -> Iterator[str]:
+    """Yield a temporary path in the same folder; rename it if the block succeeds, else remove it.
+
+    Missing folders are made. The content reaches the disk before the name, so that no power loss
+    leaves half a file. Raises ValueError, with one line, if the file cannot be written.
+    """
+    path = Path(path)
+    temporary = path.with_name(f"{PART}{secrets.token_hex(4)}-{path.name}")
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        yield str(temporary)
+        with open(temporary, "rb") as file:
+            os.fsync(file.fileno())
+        os.replace(temporary, path)
+    except OSError as error:
+        existing = next(folder for folder in path.parents if folder.exists())
+        raise ValueError(
+            f"{path}: expected a file to be written, found: {error.strerror or error}; "
+            f"{shutil.disk_usage(existing).free / 1e6:.1f} MB of the disk are free"
+        ) from error
+    finally:
+        if path.parent.is_dir():
+            temporary.unlink(missing_ok=True)
+
+
+def remove_parts(path: str | Path) -> None:
+    """Remove incomplete versions of a file from killed processes; nobody else may write it now."""
+    path = Path(path)
+    for part in path.parent.glob(f"{PART}*-{glob.escape(path.name)}"):
+        part.unlink(missing_ok=True)
 
 
 def write(dataset: xr.Dataset, path: str | Path) -> None:

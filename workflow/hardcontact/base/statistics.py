@@ -12,11 +12,11 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+import scipy
 import xarray as xr
 from numpy.typing import ArrayLike
 
-from hardcontact.base.arrays import Floats
-from hardcontact.base.random import generator
+from hardcontact.base.arrays import Floats, generator
 
 #: Largest deviation of ln(sample) from ln(mean); larger deviations are clipped. Two scans give
 #: Student's t one degree of freedom and no moments: products of its extremes would leave the range
@@ -91,9 +91,7 @@ def widen_interval(dataset: xr.Dataset, name: str, error: xr.DataArray) -> xr.Da
 
 def student_quantile(degrees_of_freedom: Any, confidence: float) -> Any:
     """Return the quantile of Student's t that ends its central interval."""
-    from scipy.special import stdtrit
-
-    return stdtrit(degrees_of_freedom, (1 + confidence) / 2)
+    return scipy.special.stdtrit(degrees_of_freedom, (1 + confidence) / 2)
 
 
 def student_interval(values: xr.DataArray, confidence: float, dim: str) -> xr.DataArray:
@@ -128,12 +126,11 @@ def interval_between(low: xr.DataArray, high: xr.DataArray) -> xr.DataArray:
 
 
 def student_log_samples(rng: np.random.Generator, values: Floats, sample_count: int) -> Floats:
-    """Return random means (samples, ...) of positive values of n independent scans (n, ...).
+    """Return random means (samples, ...) of positive values (n, ...) of n independent scans.
 
-    The logarithm of a sample is ln(mean x) + sum_i z_i d_i/sqrt(n (n - 1))/sqrt(c/(n - 1)), with
-    d_i = ln x_i - mean of ln x, normal z_i, and chi-squared c of n - 1 degrees of freedom, as in
-    `student_log_interval`. All elements of a scan share z and c: it keeps their correlation. NaN
-    for n < 2.
+    Normal weights on the scans' deviations from the mean logarithm, divided by a chi of n - 1
+    degrees of freedom, give Student's t as in `student_log_interval`. All elements of a scan share
+    a weight, which keeps their correlation. NaN for n < 2.
     """
     count = len(values)
     if count < 2:
@@ -165,9 +162,9 @@ def jackknife_interval(value: ArrayLike, leave_one_out: ArrayLike, confidence: f
 
 
 def log_std_of_lognormal(mean: ArrayLike, median: ArrayLike) -> Floats:
-    """Return the standard deviation of ln F of the log-normal with this mean and median.
+    """Return the standard deviation of the logarithm of a log-normal with this mean and median.
 
-    mean/median = exp(s²/2). It is biased if forces below a floor were not measured.
+    It is biased if forces below a floor were not measured.
     """
     return np.asarray(np.sqrt(2 * np.log(np.asarray(mean) / np.asarray(median))))
 
@@ -183,7 +180,7 @@ class Sampling:
     seed: int  #: The seed of the study.
     sample_count: int  #: Number of samples; if it is 0, all intervals are NaN.
     confidence: float  #: Confidence of the intervals, such as 0.95.
-    #: Purpose of the random numbers: the first names of `base.random.generator`.
+    #: Purpose of the random numbers: the first names of `base.arrays.generator`.
     stream: tuple[str, ...] = ("sampling",)
 
     @classmethod

@@ -10,7 +10,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from hardcontact.base.atomic_file import atomic_file
+from hardcontact.base.dataset import atomic_file
 from hardcontact.commands.inventory import Entry, entries_by_surface, inventory
 from hardcontact.commands.inventory_tables import printed_table, table_rows, table_text
 from hardcontact.commands.options import (

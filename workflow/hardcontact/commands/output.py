@@ -4,7 +4,7 @@ import os
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
-from hardcontact.base.atomic_file import atomic_file
+from hardcontact.base.dataset import atomic_file
 
 
 def output_faults(

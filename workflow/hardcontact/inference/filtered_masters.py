@@ -11,7 +11,6 @@ from typing import Any, NamedTuple
 import numpy as np
 import xarray as xr
 
-from hardcontact.base.progress import progress
 from hardcontact.base.units import NM
 from hardcontact.contact.contact import CONTACT_AXES, Contact
 from hardcontact.contact.geometry import join_bodies
@@ -21,6 +20,7 @@ from hardcontact.contact.pull_off import (
     ForcesOnSurface,
     forces_at_loadings,
 )
+from hardcontact.records.job import progress
 from hardcontact.surfaces.filters import filtered_series
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import spectrum_of_dataset

@@ -12,8 +12,8 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
+from hardcontact.base.arrays import generator
 from hardcontact.base.dataset import stack
-from hardcontact.base.random import generator
 from hardcontact.base.statistics import student_quantile, with_interval
 from hardcontact.base.units import DIMENSIONLESS
 from hardcontact.contact.contact import CONTACT_AXES

@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from hardcontact.base.random import generator
+from hardcontact.base.arrays import generator
 from hardcontact.own.own_spectrum import OwnSpectrum
 from hardcontact.scans.both_bodies import combine_maps, combine_spectra
 from hardcontact.scans.joined_spectrum import ScanSpectrum, reliable_spectrum

@@ -12,11 +12,11 @@ import pandas as pd
 import xarray as xr
 
 from hardcontact.base.arrays import Floats
-from hardcontact.base.progress import progress
 from hardcontact.base.units import DIMENSIONLESS, NM
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import pull_off_dataset
+from hardcontact.records.job import progress
 from hardcontact.surfaces.height_map import HeightMap, mirror_scan
 from hardcontact.surfaces.levelling import level
 from hardcontact.surfaces.metrics import TABLE1_METRICS, measured_metrics

@@ -15,7 +15,6 @@ from numpy.typing import NDArray
 
 from hardcontact.base.arrays import Floats
 from hardcontact.base.dataset import stack
-from hardcontact.base.progress import progress
 from hardcontact.base.published import read_constants, read_measured_statistics
 from hardcontact.base.statistics import Sampling
 from hardcontact.base.units import DIMENSIONLESS, JOULE_PER_M2, NM
@@ -30,6 +29,7 @@ from hardcontact.inference.fit import (
     mean_relative_error,
 )
 from hardcontact.paper.force_statistics import force_curves, force_statistics, mean_forces
+from hardcontact.records.job import progress
 
 #: Labels of the pairs of range and work of adhesion.
 PAIRS = ["published", "fitted"]

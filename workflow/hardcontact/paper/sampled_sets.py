@@ -11,9 +11,8 @@ from typing import Any, NamedTuple
 import pandas as pd
 import xarray as xr
 
+from hardcontact.base.arrays import generator
 from hardcontact.base.dataset import concatenate
-from hardcontact.base.progress import progress
-from hardcontact.base.random import generator
 from hardcontact.base.statistics import Sampling
 from hardcontact.base.units import DIMENSIONLESS
 from hardcontact.contact.contact import CONTACT_AXES
@@ -23,6 +22,7 @@ from hardcontact.paper.evaluation import claim_values
 from hardcontact.paper.featured_samples import sample_of_set, samples_by_surface
 from hardcontact.paper.published_fit import PublishedForces, fit_published
 from hardcontact.paper.sampled_scans import sample_scans, scale_to_sampled_mean
+from hardcontact.records.job import progress
 from hardcontact.surfaces.metrics import TABLE1_METRICS, scan_averages
 
 #: Scans of one set, by substrate.

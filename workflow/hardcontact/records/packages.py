@@ -5,7 +5,7 @@ from functools import cache
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
-from hardcontact.base.atomic_file import atomic_file, remove_parts
+from hardcontact.base.dataset import atomic_file, remove_parts
 
 #: The packages that the study imports, and the same with all packages that these need in turn.
 ENVIRONMENT = "environment.txt"

@@ -15,7 +15,7 @@ import pandas as pd
 import xarray as xr
 
 from hardcontact.base import dataset, published
-from hardcontact.base.random import generator
+from hardcontact.base.arrays import generator
 from hardcontact.surfaces.metrics import TABLE1_METRICS
 from hardcontact.surfaces.spectrum import Spectrum, spectrum_of_dataset
 from hardcontact.surfaces.synthesis import ScanGrid

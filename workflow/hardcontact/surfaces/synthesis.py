@@ -12,7 +12,7 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
-from hardcontact.base.random import generator
+from hardcontact.base.arrays import generator
 from hardcontact.surfaces.filters import BLOCK_ROWS, interpolate, lowpass
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import SpectrumFunction

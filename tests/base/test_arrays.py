@@ -4,7 +4,7 @@ import hashlib
 
 import numpy as np
 
-from hardcontact.base.random import generator
+from hardcontact.base.arrays import generator
 from hardcontact.base.statistics import Sampling
 
 
