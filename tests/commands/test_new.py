@@ -11,8 +11,7 @@ from repository import PAPER, ROOT, merge_configurations
 from scan_files import write_container, write_nanoscope, write_scan
 
 from hardcontact.commands import command_line, new, request
-from hardcontact.config.configuration import apply_effort
-from hardcontact.config.model import numeric_configuration
+from hardcontact.config.configuration import apply_effort, numeric_configuration
 from hardcontact.config.selected_surfaces import surface_table
 from hardcontact.run import checks
 

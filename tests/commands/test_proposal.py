@@ -17,9 +17,8 @@ from hardcontact.commands.inventory import Entry
 from hardcontact.commands.new import values_by_key
 from hardcontact.commands.proposal import propose
 from hardcontact.commands.request import ScanFile
-from hardcontact.config.configuration import set_keys
+from hardcontact.config.configuration import numeric_configuration, set_keys
 from hardcontact.config.limits import refuse_unfit_grids
-from hardcontact.config.model import numeric_configuration
 from hardcontact.contact.contact import Contact
 from hardcontact.scans.reliable_band import ReliableBand
 from hardcontact.surfaces.height_map import HeightMap

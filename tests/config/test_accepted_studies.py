@@ -9,9 +9,8 @@ from hypothesis import strategies as st
 from repository import PAPER, merge_configurations
 
 from hardcontact.config import selected_surfaces
-from hardcontact.config.configuration import get_key, master_keys
-from hardcontact.config.grids import random_surface_pixels
-from hardcontact.config.model import numeric_configuration
+from hardcontact.config.configuration import get_key, master_keys, numeric_configuration
+from hardcontact.config.limits import random_surface_pixels
 from hardcontact.contact.attraction import find_carrying_asperities
 from hardcontact.contact.bearing_area import all_contact_pixels
 from hardcontact.contact.contact import Contact

@@ -12,7 +12,7 @@ from paper_numbers import SUBSTRATES
 from repository import PAPER, ROOT, TINY, leaves, merge_configurations
 from studies import replace_value
 
-from hardcontact.config.model import numeric_configuration
+from hardcontact.config.configuration import numeric_configuration
 from hardcontact.config.selected_surfaces import selected_scans, surface_table
 from hardcontact.run import checks
 

@@ -7,9 +7,9 @@ from refusals import NESTED_ALIASES, assert_says, refusal
 from repository import PAPER, ROOT, leaves
 from studies import paper_configuration
 
-from hardcontact.config import configuration, key_tables, model
+from hardcontact.config import configuration, key_tables
 from hardcontact.config.faults import raise_faults, run_checks
-from hardcontact.config.model import Study
+from hardcontact.config.keys import Study
 
 # Keys
 
@@ -138,6 +138,7 @@ def test_the_configuration_of_the_paper_has_every_key_and_its_default():
 
 
 def test_quantities_of_the_paper_are_assumed_unless_they_are_given():
-    config = model.numeric_configuration({"contact": {"hardness": "5 GPa", "preload": "10 uN"}})
+    contact = {"hardness": "5 GPa", "preload": "10 uN"}
+    config = configuration.numeric_configuration({"contact": contact})
     assumed = configuration.assumed_quantities(config | {"given": ["work", "radius"]})
     assert assumed == ["preload", "range of adhesion"]

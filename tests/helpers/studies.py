@@ -8,7 +8,7 @@ from repository import PAPER, ROOT, ROWS, TINY, merge_configurations
 
 from hardcontact.base.published import surfaces_of_table1
 from hardcontact.config import selected_surfaces
-from hardcontact.config.model import numeric_configuration
+from hardcontact.config.configuration import numeric_configuration
 from hardcontact.config.study_plan import StudyPlan
 from hardcontact.files.patterns import STORE_KEYS, Patterns, store_digests
 from hardcontact.files.surface_files import SurfaceFiles

@@ -13,9 +13,8 @@ from scan_files import MAPS, write_nanoscope
 from snakemake.utils import update_config
 from SurfaceTopography import Topography
 
-from hardcontact.config.configuration import refuse_unreadable
+from hardcontact.config.configuration import numeric_configuration, refuse_unreadable
 from hardcontact.config.force_table import measured_forces
-from hardcontact.config.model import numeric_configuration
 from hardcontact.config.selected_surfaces import surface_table
 from hardcontact.config.tables import refuse_description
 from hardcontact.own.own_spectrum import read_own_spectrum

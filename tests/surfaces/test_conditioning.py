@@ -9,7 +9,7 @@ from refusals import assert_says, refusal
 from repository import PAPER, ROOT
 
 from hardcontact.base import published
-from hardcontact.config.grids import random_surface_pixels
+from hardcontact.config.limits import random_surface_pixels
 from hardcontact.surfaces import conditioning
 from hardcontact.surfaces.levelling import level
 from hardcontact.surfaces.metrics import metrics

@@ -30,8 +30,7 @@ from hardcontact.config.arguments import (
     make_periodic,
 )
 from hardcontact.config.faults import raise_faults
-from hardcontact.config.keys import ContactKeys, ScalesKeys
-from hardcontact.config.model import NONE
+from hardcontact.config.keys import NONE, ContactKeys, ScalesKeys
 from hardcontact.contact.contact import PLASTIC, Contact
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import WORK_OF_ADHESION, pull_off_dataset

@@ -15,8 +15,8 @@
 # its file.
 
 from hardcontact.base.published import PUBLISHED_TABLES
-from hardcontact.config.configuration import read_yaml
-from hardcontact.config.model import NONE, PAPER
+from hardcontact.config.configuration import is_paper_study, read_yaml
+from hardcontact.config.keys import NONE
 from hardcontact.files.patterns import study_patterns
 from hardcontact.run import study_inputs
 
@@ -24,7 +24,7 @@ STUDY = study_inputs.checked_configuration(workflow, config)
 PATTERNS = study_patterns(STUDY)
 RANGES = sorted({*STUDY["adhesion"]["ranges"], STUDY["adhesion"]["range"]})
 SAMPLING = STUDY["inference"] | {"seed": STUDY["seed"]}
-IS_PAPER_STUDY = STUDY["published"] == PAPER
+IS_PAPER_STUDY = is_paper_study(STUDY)
 HAS_FORCES = STUDY["forces"] != NONE
 PAGES = read_yaml("workflow/report/pages.yaml")
 ANSWER = {

@@ -1,6 +1,6 @@
 # Scales: masters, cutoff filters, pull-off of each filtered master.
 
-from hardcontact.config.grids import master_megabytes
+from hardcontact.config.limits import master_megabytes
 from hardcontact.files.master_purposes import (
     PURPOSES,
     contact_sweep,

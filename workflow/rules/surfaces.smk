@@ -14,7 +14,7 @@
 #   DESCRIPTION_INPUTS the description of a substitute, and the tables that it names
 #   SUBSTITUTE_INPUTS  from which random surfaces like a substitute are made
 
-from hardcontact.config.grids import random_surface_pixels
+from hardcontact.config.limits import random_surface_pixels
 from hardcontact.config.study_plan import StudyPlan
 from hardcontact.files.chunks import Chunks
 from hardcontact.files.patterns import wildcard_constraints as constraints

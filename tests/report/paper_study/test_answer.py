@@ -11,7 +11,7 @@ from paper_study import answer, claims, datasets
 from repository import PAPER, ROOT, merge_configurations
 
 from hardcontact.base.number import Number
-from hardcontact.config.model import numeric_configuration
+from hardcontact.config.configuration import numeric_configuration
 from hardcontact.report.answer import numbers_of_answer
 from hardcontact.report.paper_study.answer import ANSWER_CLAIMS
 from hardcontact.report.paper_study.changed_inputs import changed_inputs, paper_contact

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from hardcontact.commands.inventory import Entry
-from hardcontact.config.grids import MAX_CONTACT_PIXELS
+from hardcontact.config.limits import MAX_CONTACT_PIXELS
 from hardcontact.contact.bearing_area import TILE
 from hardcontact.contact.contact import Contact, periods_in_window
 from hardcontact.contact.geometry import window_pixels

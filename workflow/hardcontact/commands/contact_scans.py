@@ -10,7 +10,7 @@ import numpy as np
 from hardcontact.base.formatting import format_length
 from hardcontact.commands.inventory import Entry, entries_by_surface
 from hardcontact.config.faults import raise_faults
-from hardcontact.config.grids import MAX_MAP_PIXELS, PIXEL_SIZES, same_grid
+from hardcontact.config.limits import MAX_MAP_PIXELS, PIXEL_SIZES, same_grid
 from hardcontact.contact.contact import (
     LARGE_SIZE_RATIO,
     PENETRATION_OVER_RANGE,

@@ -22,18 +22,18 @@ from hardcontact.commands.options import (
 from hardcontact.commands.proposal import Choice, Proposal, propose
 from hardcontact.commands.request import SPHERE, list_scan_files, name_faults, path_from_root
 from hardcontact.commands.scan_cautions import refuse_unreliable
-from hardcontact.config.configuration import read_yaml, set_keys
+from hardcontact.config.configuration import (
+    CONTACT_QUANTITIES,
+    key_field,
+    numeric_configuration,
+    read_yaml,
+    set_keys,
+)
 from hardcontact.config.faults import raise_faults, run_checks, validate
 from hardcontact.config.force_table import measured_forces
 from hardcontact.config.key_tables import commented_yaml
+from hardcontact.config.keys import NONE, SMOOTH_SPHERE
 from hardcontact.config.limits import refuse_unfit_grids
-from hardcontact.config.model import (
-    CONTACT_QUANTITIES,
-    NONE,
-    SMOOTH_SPHERE,
-    key_field,
-    numeric_configuration,
-)
 from hardcontact.config.selected_surfaces import SurfaceRow
 from hardcontact.contact.contact import Contact
 from hardcontact.records.code import ROOT

@@ -5,8 +5,9 @@ from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 from hardcontact.config.arguments import unit_question
+from hardcontact.config.configuration import CONTACT_QUANTITIES, key_field, quantity_type
 from hardcontact.config.key_types import UNIT
-from hardcontact.config.model import CONTACT_QUANTITIES, NONE, key_field, quantity_type
+from hardcontact.config.keys import NONE
 from hardcontact.config.selected_surfaces import TIP_RADIUS
 from hardcontact.scans.reading import MASKS, ReadingOptions
 from hardcontact.surfaces.levelling import LEVELLING

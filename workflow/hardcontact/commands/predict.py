@@ -24,8 +24,9 @@ from hardcontact.commands.options import (
 from hardcontact.commands.output import output_faults, write_output
 from hardcontact.commands.parser import CommandLine
 from hardcontact.commands.scan_cautions import one_pixel_touches
+from hardcontact.config.configuration import CONTACT_QUANTITIES
 from hardcontact.config.faults import raise_faults, run_checks
-from hardcontact.config.model import CONTACT_QUANTITIES, Study
+from hardcontact.config.keys import Study
 from hardcontact.contact.contact import Contact
 from hardcontact.inference.wide_pixels import WIDE_PIXEL
 from hardcontact.own.own_spectrum import OwnSpectrum, read_own_spectrum

@@ -18,7 +18,7 @@ from hardcontact.commands.contact_scans import (
 )
 from hardcontact.commands.inventory import FILLING, Entry
 from hardcontact.commands.scan_cautions import scan_cautions
-from hardcontact.config import model
+from hardcontact.config.configuration import quantity_type
 from hardcontact.contact.contact import Contact
 from hardcontact.scans.reliable_band import LIMIT_NAMES
 from hardcontact.surfaces.spectrum import nearest_bin
@@ -237,7 +237,7 @@ def _ranges(rho: float, shortest_range: float, count: int) -> list[float]:
 
     Limits of the study refuse a range of the masters below the shortest range that scans permit.
     """
-    accepted = model.quantity_type("adhesion.range")
+    accepted = quantity_type("adhesion.range")
     shortest = min(max(shortest_range, rho / RANGE_SPAN, accepted.low), rho)
     longest = min(rho * RANGE_SPAN, accepted.high)
     shorter = np.geomspace(shortest, rho, count // 2 + 1)[:-1]

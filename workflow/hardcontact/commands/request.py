@@ -11,7 +11,7 @@ from typing import NamedTuple
 from hardcontact.commands.options import add_shared_options
 from hardcontact.commands.parser import CommandLine
 from hardcontact.config.key_types import STUDY_NAME
-from hardcontact.config.model import QUICK_SUFFIX
+from hardcontact.config.keys import QUICK_SUFFIX
 from hardcontact.config.selected_surfaces import LABEL, RESERVED_IDS
 from hardcontact.records.code import ROOT
 

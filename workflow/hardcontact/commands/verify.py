@@ -9,7 +9,7 @@ from pathlib import Path
 from hardcontact.commands.parser import CommandLine
 from hardcontact.config.configuration import apply_effort, key_values, merge, read_yaml
 from hardcontact.config.faults import shorten
-from hardcontact.config.model import QUICK_SUFFIX
+from hardcontact.config.keys import QUICK_SUFFIX
 from hardcontact.records.code import ROOT
 from hardcontact.records.origin import canonical_json, read_record
 from hardcontact.records.verification import verify_study

@@ -12,10 +12,9 @@ from typing import Any
 import numpy as np
 
 from hardcontact.base.units import format_exact, parse_quantity
+from hardcontact.config.configuration import CONTACT_QUANTITIES, quantity_type
 from hardcontact.config.faults import raise_faults, shorten
-from hardcontact.config.grids import PIXEL_SIZES
-from hardcontact.config.limits import NamedContact, contact_faults
-from hardcontact.config.model import CONTACT_QUANTITIES, quantity_type
+from hardcontact.config.limits import PIXEL_SIZES, NamedContact, contact_faults
 from hardcontact.contact.contact import Contact, Grid
 from hardcontact.contact.hertz_jkr_dmt import STRONGEST_WORK
 from hardcontact.scans.reading import MASKS

@@ -8,23 +8,26 @@ from pathlib import Path
 from typing import Any
 
 import yaml
+from pydantic.fields import FieldInfo
 
 from hardcontact.base.units import format_exact
-from hardcontact.config.faults import quote_key
-from hardcontact.config.model import (
-    CONTACT_QUANTITIES,
-    NONE,
-    QUICK_SUFFIX,
-    SMOOTH_SPHERE,
-    Study,
-    quantity_type,
-)
+from hardcontact.config.faults import quote_key, section_model, validate
+from hardcontact.config.key_types import Quantity
+from hardcontact.config.keys import PAPER, QUICK_SUFFIX, SMOOTH_SPHERE, Study
 from hardcontact.contact.contact import Contact
 from hardcontact.records.code import ROOT
 
 #: The most bytes and values of a configuration: a hundred times as many as the paper's study has.
 MAX_SIZE = 1_000_000
 MAX_VALUES = 100_000
+#: By the quantities of a contact: their keys, and their names in print.
+CONTACT_QUANTITIES = {
+    "radius": ("sphere.radius", "radius of the sphere"),
+    "hardness": ("contact.hardness", "hardness"),
+    "preload": ("contact.preload", "preload"),
+    "range": ("adhesion.range", "range of adhesion"),
+    "work": ("adhesion.work", "work of adhesion"),
+}
 
 
 def read_yaml(path: str) -> Any:
@@ -88,6 +91,28 @@ def refuse_unreadable(path: str | Path) -> None:
         raise ValueError(f"{path}: expected YAML with keys at its top, found: {reason}")
 
 
+def key_field(key: str) -> FieldInfo:
+    """Return the declaration of a key, such as ``"sphere.radius"``."""
+    *sections, name = key.split(".")
+    return section_model(Study, sections).model_fields[name]
+
+
+def quantity_type(key: str) -> Quantity:
+    """Return the unit and the bounds of a key that is a quantity."""
+    return next(item for item in key_field(key).metadata if isinstance(item, Quantity))
+
+
+def numeric_configuration(config: object, prefix: str = "") -> dict[str, Any]:
+    """Return a configuration, as read from YAML, with every quantity as a number.
+
+    Lengths are in nm, forces in N, pressures in Pa, energies per area in J/m². Missing keys have
+    their defaults. Raises ValueError with a line, after the prefix, for each key that is unknown or
+    has a wrong type or unit, or is out of bounds.
+    """
+    # `scans` may be a word in place of a list, of which pydantic would warn.
+    return validate(Study, config, f"{prefix}config key ").model_dump(warnings=False)
+
+
 def get_key(tree: Mapping[str, Any], key: str) -> Any:
     """Return the value of a key, with dots between its parts, in a tree of keys."""
     return reduce(getitem, key.split("."), tree)
@@ -130,10 +155,15 @@ def apply_effort(config: Mapping[str, Any]) -> dict[str, Any]:
     return merged
 
 
+def is_paper_study(configuration: Mapping[str, Any]) -> bool:
+    """Return whether a study is compared with the paper, and not about the user's surfaces."""
+    return bool(configuration["published"] == PAPER)
+
+
 def combines_bodies(configuration: Mapping[str, Any]) -> bool:
     """Return whether a study adds the roughness of a scanned sphere to the user's surfaces."""
     sphere = configuration["sphere"]["surface"]
-    return bool(configuration["published"] == NONE and sphere != SMOOTH_SPHERE)
+    return bool(not is_paper_study(configuration) and sphere != SMOOTH_SPHERE)
 
 
 def set_keys(config: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str, Any]:

@@ -12,9 +12,9 @@ import yaml
 from pydantic.fields import FieldInfo
 
 from hardcontact.config.configuration import set_keys
-from hardcontact.config.faults import key_fields
+from hardcontact.config.faults import key_fields, section_model
 from hardcontact.config.key_types import Matching, Quantity
-from hardcontact.config.keys import StudyKeys
+from hardcontact.config.keys import Study
 from hardcontact.config.selected_surfaces import SurfaceRow
 
 CONFIGURATION = Path("config/config.yaml")
@@ -31,12 +31,14 @@ VALUES_IN_WORDS = {bool: "`true` or `false`", dict[Any, Any]: "a mapping", list[
 
 
 def configuration_yaml() -> str:
-    """Return the YAML of all keys; comments have meanings, sections of the paper and values."""
-    fields = dict(key_fields(StudyKeys))
+    """Return the YAML of all keys below comments: meanings, sections of the paper, values."""
+    fields = dict(key_fields(Study))
     comments = {
         key: f"{_meaning(field)}{_paper_section(field)} Allowed: {_values(field)}."
         for key, field in fields.items()
     }
+    for section in {key.rpartition(".")[0] for key in fields} - {""}:
+        comments[section] = str(section_model(Study, section.split(".")).__doc__)
     tree = set_keys({}, {key: field.default for key, field in fields.items()})
     return "\n".join([YAML_HEADER, *commented_yaml(tree, comments)]) + "\n"
 

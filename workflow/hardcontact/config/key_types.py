@@ -94,10 +94,11 @@ IN_FILE_NAMES = Field(min_length=1, max_length=20)
 Radii = Annotated[list[Radius], IN_FILE_NAMES, ASCENDING]
 Forces = Annotated[list[Force], IN_FILE_NAMES, ASCENDING]
 
-#: Contacts per row; the bound permits 40 000 contacts of two scans.
-Count = Annotated[int, Field(ge=1, le=200)]
+#: The bound permits 40 000 contacts on a scan.
+ContactsPerRow = Annotated[int, Field(ge=1, le=200)]
 ContactCount = Annotated[int, Field(ge=1, le=40000)]
-Realizations = Annotated[int, Field(ge=1, le=1000)]
+MasterCount = Annotated[int, Field(ge=1, le=1000)]
+WholeSurfaceCount = MasterCount
 ScanPixels = Annotated[int, Field(ge=16, le=8192)]
 #: An odd grid has no order that its pixels halve; 16384 x 16384 pixels take 3.2 GiB.
 Pixels = Annotated[int, Field(ge=32, le=16384, multiple_of=2)]

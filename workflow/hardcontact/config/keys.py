@@ -1,18 +1,21 @@
-"""The keys of a study: each field has the type, unit, limits, default and meaning of a key.
+"""The keys of a study, with their types, limits, defaults and meanings, and rules across keys.
 
-The defaults are the paper's. The string below a key gives its meaning; `key` names the section of
-the paper that the default comes from. config/config.yaml is made from this module:
-``python -m hardcontact.config.key_tables``.
+The defaults are the paper's; `key` names the section of the paper that a default comes from. The
+strings below a class and below a key are its meaning in config/config.yaml, which
+``python -m hardcontact.config.key_tables`` makes from this module.
 """
 
+import os
+from pathlib import Path
 from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import BaseModel, ConfigDict, Field, model_validator
 
+from hardcontact.config.faults import key_fault, raise_faults
 from hardcontact.config.key_types import (
     UNIT,
     ContactCount,
-    Count,
+    ContactsPerRow,
     FilePath,
     Folder,
     Force,
@@ -20,20 +23,30 @@ from hardcontact.config.key_types import (
     Fraction,
     Length,
     Lengths,
+    MasterCount,
     Pixels,
     Pressure,
     Radii,
     Radius,
     Range,
     Ranges,
-    Realizations,
     ScanPixels,
     StudyName,
     SurfaceId,
     TileCount,
+    WholeSurfaceCount,
     Work,
     or_word,
 )
+
+#: Value of the key `published` in a study that is compared with the paper.
+PAPER = "paper"
+#: Value of the keys of tables that a study does not have, and of `published` without the paper.
+NONE = "none"
+#: Value of the key `sphere.surface` of a sphere without roughness.
+SMOOTH_SPHERE = "smooth"
+#: End of the names of study and store at quick effort.
+QUICK_SUFFIX = "-quick"
 
 
 def nm(*lengths: float) -> list[str]:
@@ -62,52 +75,62 @@ class SphereKeys(Keys):
     """The sphere that touches the surfaces."""
 
     surface: SurfaceId = key("ruby", "Methods")
-    """Surface of the sphere; with `published: none` also `smooth`."""
+    """Surface of the sphere. With `published: none` also `smooth`: a sphere without roughness."""
     radius: Radius = key("250 um", "Methods (diameter 0.5 mm)")
-    """Radius; a sphere of this radius is subtracted from scans of the sphere."""
+    """Radius. A larger sphere feels a larger force. A sphere of this radius is subtracted from its
+    scans."""
 
 
 class ScanKeys(Keys):
-    """Size and features of substitute scans, and how files of measured scans are read."""
+    """Substitutes (random scans in place of scans of the paper), and how your scans are read."""
 
     pixels: ScanPixels = key(512, "Methods")
-    """Pixels per row of a substitute scan."""
+    """Pixels per row of a substitute. More pixels resolve shorter wavelengths and cost time."""
     size: Length = key("2500 nm", "Methods")
-    """Width of a substitute scan."""
+    """Width of a substitute. A wider one has longer wavelengths, and larger pixels."""
     featured_surface: SurfaceId = "polished_uncd"
-    """Substrate whose substitutes have bumps or pits on a Gaussian base, or `none`."""
+    """Substrate whose substitutes have bumps or pits on a Gaussian base, or `none`. Their rms
+    heights then scatter as much as the published ones."""
     undefined_pixels: Literal["refuse", "harmonic"] = "refuse"
-    """`refuse` measured scans with undefined pixels, or fill these with a `harmonic` function."""
+    """`refuse` measured scans with undefined pixels, or fill the gaps with a `harmonic` function,
+    which is smoother than the surface."""
     unit: Annotated[str, UNIT] = "none"
-    """Unit, or units of positions and heights, of files that state none; `none`: refuse them."""
+    """Unit of length for files that state none, or two: of positions and of heights. With `none`
+    such files are refused."""
     map_size: Annotated[Length, or_word("none")] = key("none")
-    """Longer side of scans whose files state no size; `none`: refuse them."""
+    """Longer side of the scan for files that state no size. With `none` such files are refused."""
     mask: Literal["keep", "exclude"] = "keep"
-    """Pixels under a mask of Gwyddion: `keep` their heights, or `exclude` them as undefined."""
+    """`keep` the heights under a mask of Gwyddion, or `exclude` them as undefined."""
     levelling: Literal["plane", "lines", "quadratic"] = "plane"
-    """Removed from scans: a `plane`, also streaks and offsets of `lines`, or a `quadratic` form."""
+    """Subtracted from scans: a `plane`; with `lines` also streaks and offsets of lines; with
+    `quadratic` also the bow of a scanner. The last two remove some real roughness, too."""
 
 
 class ContactKeys(Keys):
-    """One contact, and the array of contacts on a scan."""
+    """One contact of the sphere, and the square array of contacts on a scan."""
 
     hardness: Pressure = key("25 GPa", "Intrinsic Work of Adhesion")
-    """Hardness of the softer body: the pressure on contact pixels."""
+    """Hardness of the softer body: the pressure on contact pixels. On harder bodies fewer pixels
+    touch, and the force is smaller."""
     preload: Force = key("10 uN", "Numerical Analysis; Methods has `5 uN`")
-    """Load that the contact pixels carry."""
+    """Load that contact pixels carry before pull-off. Under a larger load more pixels touch, and
+    the force is larger."""
     window: Length = key("12500 nm", "Intrinsic Work of Adhesion")
-    """Width of the square around a contact over which the force is summed."""
-    contacts_per_row: Count = key(20, "Intrinsic Work of Adhesion")
-    """Contacts per row of a square array over one period of the stitched scan."""
+    """Width of the square around a contact over which the force is summed. A wider one holds more
+    of the attraction and costs time."""
+    contacts_per_row: ContactsPerRow = key(20, "Intrinsic Work of Adhesion")
+    """Contacts per row of the array over a mirrored scan. With more contacts the mean force
+    scatters less and costs more time."""
 
 
 class AdhesionKeys(Keys):
     """Work and range of adhesion."""
 
     work: Work = key("46.3 mJ/m2", "Intrinsic Work of Adhesion")
-    """With `published: none`: work of adhesion of the predicted force."""
+    """With `published: none`: work of adhesion. The predicted force is proportional to it."""
     range: Range = key("5.6 nm", "Most Relevant Length-scales")
-    """Range of adhesion at which the band is found and the force predicted."""
+    """Range of adhesion ρ at which the force is predicted, and the band of wavelengths found that
+    decide it. A longer range bridges higher roughness, and the force is larger."""
     ranges: Ranges = key(
         nm(0.05, 0.1, 0.2, 0.35, 0.5, 0.7, 1, 1.4, 2, 2.8, 4, 5, 5.6, 7, 8, 10, 14, 20, 28, 40),
         "Fig. 4, and beyond on both sides",
@@ -116,56 +139,60 @@ class AdhesionKeys(Keys):
 
 
 class InferenceKeys(Keys):
-    """Intervals of means."""
+    """Random sampling, from which intervals of means follow. The inference itself has no keys."""
 
     samples: Annotated[int, Field(ge=20, le=10000)] = 1000
-    """Random samples of each mean over scans or realizations, from which its interval follows."""
+    """Random samples of the scans or masters of each mean. With more samples intervals scatter
+    less."""
     confidence: Fraction = 0.95
-    """Confidence of all intervals."""
+    """Confidence of all intervals. Larger values widen them."""
 
 
 class ShortSideKeys(Keys):
-    """Masters with artificial roughness at short wavelengths."""
+    """Masters for the short edge of the band: roughness at short wavelengths is artificial."""
 
     pixels: Pixels = key(8192, "Most Relevant Length-scales")
-    """Pixels per row of the short-edge master, which is as wide as two scans."""
+    """Pixels per row of a short-edge master, which is two scans wide. More pixels hold shorter
+    wavelengths and cost time."""
     transition: Length = key("20 nm", "Most Relevant Length-scales")
     """Wavelength below which roughness is artificial."""
     cutoffs: Lengths = key(
         nm(5, 10, 20, 30, 36, 43, 52, 62, 80, 120, 250, 500, 1000, 2500), "Fig. 6a"
     )
-    """Short-wavelength cutoffs: all roughness below is removed."""
+    """Cutoffs: at each, all roughness at shorter wavelengths is removed, and the force computed."""
 
 
 class LongSideKeys(Keys):
-    """Masters with artificial roughness at long wavelengths."""
+    """Masters for the long edge of the band: roughness at long wavelengths is artificial."""
 
     pixels: Pixels = key(8192, "Most Relevant Length-scales")
-    """Pixels per row of the long-edge master, on which the force is summed."""
+    """Pixels per row of a long-edge master when its force is computed: at least those of its
+    scans."""
     tiles: TileCount = key(4, "Most Relevant Length-scales (20 µm)")
-    """Stitched scans per row of the long-edge master."""
+    """Mirrored scans per row of a long-edge master. More tiles hold longer wavelengths."""
     transition: Length = key("1000 nm", "Most Relevant Length-scales")
     """Wavelength above which roughness is artificial."""
     cutoffs: Lengths = key(
         nm(100, 250, 500, 800, 1100, 1400, 1600, 1800, 2000, 2300, 2700, 3500, 5000, 10000),
         "Fig. 6b",
     )
-    """Long-wavelength cutoffs: all roughness above is removed."""
+    """Cutoffs: at each, all roughness at longer wavelengths is removed, and the force computed."""
 
 
 class ScalesKeys(Keys):
-    """Masters, and cutoffs at which they are filtered, for the edges of the band."""
+    """The band of wavelengths that decide the force, from masters: scans with added roughness."""
 
     tolerance: Fraction = key(0.1, "Most Relevant Length-scales")
-    """Relative change up to which a force counts as unchanged."""
-    realizations: Realizations = 5
-    """Masters of each substrate for each edge of the band, built on its scans in turn."""
-    whole_surfaces: Realizations = 10
-    """Random surfaces per substrate, as wide as long-edge masters, neither mirrored nor tiled: for
-    octaves, the band alone, and the posterior."""
+    """Relative change up to which a force counts as unchanged. Larger values narrow the band."""
+    realizations: MasterCount = 5
+    """Masters of each substrate for each edge of the band; masters take its scans in turn. With
+    more masters edges scatter less and cost more time."""
+    whole_surfaces: WholeSurfaceCount = 10
+    """Periodic random surfaces of each substrate, as wide as long-edge masters, for changes by
+    octave, the band alone, and the posterior."""
     sphere_roughness: bool = key(False, "not stated")
-    """Paper's study: give the sphere the roughness of its first scan in the cutoff computations. (A
-    scanned sphere of your own is always rough.)"""
+    """Paper's study: whether the sphere has the roughness of its first scan when the band is
+    computed. With `published: none` a scanned sphere is always rough."""
     short: ShortSideKeys = ShortSideKeys()
     long: LongSideKeys = LongSideKeys()
 
@@ -174,7 +201,7 @@ class ElasticKeys(Keys):
     """Elastic contact, on a sample of the contacts."""
 
     contacts: ContactCount = 2
-    """Contacts solved on each scan, chosen at random."""
+    """Contacts solved on each scan, chosen at random. Each costs time."""
 
 
 class IndentKeys(Keys):
@@ -183,87 +210,94 @@ class IndentKeys(Keys):
     surface: SurfaceId = key("ncd", "The Role of Plasticity")
     """Substrate whose contacts indent the sphere."""
     preloads: Forces = key(["10 uN", "20 uN"], "The Role of Plasticity (`20 uN`)")
-    """Loads; the figure shows the contact of median depth at the largest."""
+    """Loads; larger loads make deeper indents. The figure shows the contact of median depth at the
+    largest load."""
 
 
 class AsperitiesKeys(Keys):
     """Asperities that carry the force, on a sample of the contacts."""
 
     contacts: ContactCount = 16
-    """Contacts examined on each scan, chosen at random."""
+    """Contacts examined on each scan, chosen at random. Each costs time."""
     ranges: Ranges = key(["1 nm", "2 nm", "5.6 nm", "10 nm"])
-    """Ranges of adhesion."""
+    """Ranges of adhesion ρ."""
 
 
 class SetShortSideKeys(Keys):
-    """Short-edge masters of the sets."""
+    """Short-edge masters of the sets; other keys are those of `scales.short`."""
 
     pixels: Pixels = 4096
-    """Pixels per row of the short-edge masters."""
+    """Pixels per row of a master."""
     cutoffs: Lengths = key(nm(20, 30, 36, 43, 52, 62, 80, 120, 250))
-    """Short-wavelength cutoffs."""
+    """Cutoffs: at each, all roughness at shorter wavelengths is removed."""
 
 
 class SetLongSideKeys(Keys):
-    """Long-edge masters of the sets."""
+    """Long-edge masters of the sets; other keys are those of `scales.long`."""
 
     pixels: Pixels = 4096
-    """Pixels per row of the long-edge masters."""
+    """Pixels per row of a master."""
     cutoffs: Lengths = key(nm(500, 800, 1100, 1400, 1600, 1800, 2000, 2300, 2700, 3500))
-    """Long-wavelength cutoffs."""
+    """Cutoffs: at each, all roughness at longer wavelengths is removed."""
 
 
 class SetsKeys(Keys):
-    """Sets of substitute scans, from whose scatter intervals follow."""
+    """Sets of substitute scans that all agree with Table 1, from whose scatter intervals follow."""
 
     count: Annotated[int, Field(ge=1, le=10000)] = 100
-    """Number of sets of scans, all with the same mean and ± of the rms height."""
+    """Sets, all with the published mean and standard deviation of rms heights. With more sets
+    intervals scatter less."""
     pool_size: Annotated[int, Field(ge=2, le=10000)] = 60
-    """Scans of each substrate from which sets are sampled."""
+    """Scans of each substrate in the pool, from which sets are sampled. With more scans sets share
+    fewer of them."""
     rms_height_count: Annotated[int, Field(ge=4, le=50)] = 7
-    """Rms heights at which forces on the pool are computed; forces between are interpolated."""
-    contacts_per_row: Count = 10
-    """Contacts per row of the array."""
-    realizations: Realizations = 20
+    """Rms heights to which scans of the pool are scaled for their forces; forces between are
+    interpolated."""
+    contacts_per_row: ContactsPerRow = 10
+    """Contacts per row of the array on scans and masters of the sets."""
+    realizations: MasterCount = 20
     """Masters of each substrate for each edge, from which the bands of sets are sampled."""
     short: SetShortSideKeys = SetShortSideKeys()
     long: SetLongSideKeys = SetLongSideKeys()
 
 
 class ExponentKeys(Keys):
-    """Exponents of the force and of the short edge with radius and load."""
+    """Exponents of force and short edge over radius and load, from masters of the sets."""
 
-    realizations: Realizations = 3
-    """Masters of the sets for each edge from which exponents and `edge_shifts.nc` follow."""
+    realizations: MasterCount = 3
+    """Masters of each substrate for each edge, also for `edge_shifts.nc`."""
     radii: Radii = key(["5 um", "62.5 um", "250 um", "1000 um"])
     """Radii of the spheres."""
 
 
-class StudyKeys(Keys):
-    """All keys of a study."""
+class Study(Keys):
+    """All keys of a study, with the rules across keys."""
 
     study: StudyName = "paper"
-    """Name; results go to `results/<study>/`."""
+    """Name of the study; results go to `results/<study>/`."""
     store: Folder = "results/store"
-    """Folder of the intermediates, which studies may share."""
+    """Folder of intermediate files. Studies that share it compute nothing twice."""
     surfaces: FilePath = "config/surfaces.tsv"
-    """Path of the table of surfaces."""
+    """Table of surfaces, with a row for each scan."""
     scans: Annotated[list[int], Field(min_length=1), or_word("all")] = key("all")
-    """Numbers of the scans used, such as `[1, 2]`, or `all`."""
+    """Numbers of the scans used, such as `[1, 2]`, or `all`. Fewer scans save time and widen
+    intervals."""
     published: Literal["paper", "none"] = "paper"
-    """Publication that the study is compared with: the `paper`, or `none` for your surfaces."""
+    """Kind of study: `paper` compares it with the paper and judges its statements; `none` is for
+    your own surfaces."""
     forces: FilePath = "none"
-    """With `published: none`: table of forces measured on these surfaces, or `none`."""
+    """With `published: none`: table of forces measured on your surfaces, or `none`."""
     given: list[Literal["radius", "hardness", "preload", "range", "work"]] = []
-    """With `published: none`: quantities you know; others equal to the paper's are assumed."""
+    """With `published: none`: quantities you know. Others that equal the paper's are reported as
+    assumed."""
     reference_surface: SurfaceId = key("uncd", "Fig. 4b")
     """Substrate whose force is the denominator of ratios of forces."""
     seed: Annotated[int, Field(ge=0, le=4294967295)] = 2021
-    """Seed of all random numbers."""
+    """Seed of all random numbers. Another seed shows which changes are chance."""
     effort: Literal["full", "quick"] = "full"
-    """`quick`: values under the key `quick` apply, for a first answer."""
+    """`quick` gives a coarser answer sooner: keys under `quick` replace the others."""
     quick: dict[Any, Any] = {}
-    """Keys for `effort: quick`, which makes a study and a store whose names end with `-quick`."""
+    """Keys of `effort: quick`. Names of study and store then end with `-quick`."""
     sphere: SphereKeys = SphereKeys()
     scan: ScanKeys = ScanKeys()
     contact: ContactKeys = ContactKeys()
@@ -275,3 +309,51 @@ class StudyKeys(Keys):
     asperities: AsperitiesKeys = AsperitiesKeys()
     sets: SetsKeys = SetsKeys()
     exponents: ExponentKeys = ExponentKeys()
+
+    @model_validator(mode="after")
+    def _check_rules_across_keys(self) -> "Study":
+        faults = self._effort_faults() + self._folder_faults()
+        if self.published == PAPER and self.forces != NONE:
+            faults.append(key_fault("forces", f"{NONE} with published: {PAPER}", self.forces))
+        is_smooth = self.published != PAPER and self.sphere.surface == SMOOTH_SPHERE
+        if is_smooth and self.scales.sphere_roughness:
+            accepted = f"false with sphere.surface: {SMOOTH_SPHERE}"
+            faults.append(key_fault("scales.sphere_roughness", accepted, "true"))
+        raise_faults(faults)
+        return self
+
+    def _effort_faults(self) -> list[str]:
+        """Return the faults of the effort and of the names that depend on it."""
+        faults = []
+        if self.effort == "quick" and not self.quick:
+            accepted = "full, because the section quick has no keys"
+            found = "quick (the quick study of the paper: --configfile config/quick.yaml)"
+            faults.append(key_fault("effort", accepted, found))
+        repeated_names = sorted({"study", "store"} & self.quick.keys())
+        if repeated_names:
+            accepted = f"neither study nor store, whose names at quick effort end in {QUICK_SUFFIX}"
+            faults.append(key_fault("quick", accepted, " and ".join(repeated_names)))
+        for key in ("study", "store"):
+            name = getattr(self, key)
+            if self.quick and self.effort != "quick" and name.endswith(QUICK_SUFFIX):
+                accepted = f"a name without the end {QUICK_SUFFIX}, which marks effort: quick"
+                faults.append(key_fault(key, accepted, name))
+        return faults
+
+    def _folder_faults(self) -> list[str]:
+        """Return the faults of the store relative to the results."""
+        faults = []
+        folder = f"results/{self.study}"
+        results = Path(os.path.realpath(folder))
+        store = Path(os.path.realpath(self.store))
+        if results.is_relative_to(store) or store.is_relative_to(results):
+            faults.append(key_fault("store", f"a folder apart from {folder}", self.store))
+        if store.is_relative_to(os.getcwd()) and not store.is_relative_to(results.parent):
+            accepted = "a folder in results or outside of the project"
+            faults.append(key_fault("store", accepted, self.store))
+        paths = Path(folder), Path(self.store)
+        for link in dict.fromkeys(part for path in paths for part in (path, *path.parents)):
+            if link.is_symlink() and not link.exists():
+                found = f"{link}, a link to {link.readlink()}, which is missing"
+                faults.append(key_fault("study and store", "folders, or links to folders", found))
+        return faults

@@ -10,8 +10,7 @@ import pandas as pd
 
 from hardcontact.config.faults import validate
 from hardcontact.config.key_types import FilePath, Matching, Quantity, or_word
-from hardcontact.config.keys import Keys
-from hardcontact.config.model import SMOOTH_SPHERE
+from hardcontact.config.keys import SMOOTH_SPHERE, Keys
 from hardcontact.config.tables import user_table
 from hardcontact.records.origin import digest, short_digest
 from hardcontact.surfaces.substitute_spectra import read_segments

@@ -6,8 +6,13 @@ from math import ceil, sqrt
 from typing import Any, NamedTuple
 
 from hardcontact.config.configuration import combines_bodies, study_contact
-from hardcontact.config.model import POSITION_CONTACTS_PER_ROW, SPHERE_POSITIONS
 from hardcontact.config.selected_surfaces import Selection
+
+#: Minimum number of positions on a rough sphere that touch each surface of the user. With 16 an
+#: interval is 1.1 times as wide as with many positions; each position costs computing time.
+SPHERE_POSITIONS = 16
+#: Contacts per row at each of several positions.
+POSITION_CONTACTS_PER_ROW = 6
 
 
 class ScanId(NamedTuple):

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
 from hardcontact.config.configuration import get_key, master_keys, study_contact
-from hardcontact.config.grids import master_megabytes
+from hardcontact.config.limits import master_megabytes
 from hardcontact.surfaces.synthesis import SIDES
 
 #: Realizations in one job: few enough to keep all cores busy, and so many that a job takes much

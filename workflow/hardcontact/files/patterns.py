@@ -6,7 +6,7 @@ from pathlib import PurePosixPath
 from typing import Any
 
 from hardcontact.config.configuration import combines_bodies, get_key
-from hardcontact.config.model import SMOOTH_SPHERE
+from hardcontact.config.keys import SMOOTH_SPHERE
 from hardcontact.files.master_purposes import PURPOSES
 from hardcontact.records.origin import short_digest
 from hardcontact.surfaces.features import KINDS

@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from hardcontact.base.units import path_token
-from hardcontact.config.model import SMOOTH_SPHERE
+from hardcontact.config.keys import SMOOTH_SPHERE
 from hardcontact.config.study_plan import StudyPlan
 from hardcontact.files.patterns import Patterns
 

@@ -12,8 +12,8 @@ from enum import StrEnum
 import numpy as np
 
 from hardcontact.base.number import Number, numbers_by_name
-from hardcontact.config.keys import ContactKeys
-from hardcontact.config.model import POSITION_CONTACTS_PER_ROW, SPHERE_POSITIONS, Study
+from hardcontact.config.keys import ContactKeys, Study
+from hardcontact.config.study_plan import POSITION_CONTACTS_PER_ROW, SPHERE_POSITIONS
 from hardcontact.contact.contact import (
     LARGE_SIZE_RATIO,
     PLASTIC,

@@ -3,7 +3,7 @@
 import math
 
 from hardcontact.base.formatting import round_with
-from hardcontact.config.grids import MAX_MAP_PIXELS
+from hardcontact.config.limits import MAX_MAP_PIXELS
 
 #: Height of the sphere above its apex at the border of the window, relative to the range of
 #: adhesion (14 in the paper, where the attraction has fallen by exp(-14)) and to the rms height.

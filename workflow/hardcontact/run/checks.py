@@ -10,12 +10,17 @@ import pandas as pd
 
 from hardcontact.base import published
 from hardcontact.config.arguments import unit_question
-from hardcontact.config.configuration import contact_words, get_key, reading_keys
+from hardcontact.config.configuration import (
+    CONTACT_QUANTITIES,
+    contact_words,
+    get_key,
+    is_paper_study,
+    reading_keys,
+)
 from hardcontact.config.faults import key_fault, raise_faults, run_checks
 from hardcontact.config.force_table import measured_forces
-from hardcontact.config.grids import PIXEL_SIZES, same_grid
-from hardcontact.config.limits import refuse_unfit_grids
-from hardcontact.config.model import CONTACT_QUANTITIES, NONE, PAPER, SMOOTH_SPHERE
+from hardcontact.config.keys import NONE, SMOOTH_SPHERE
+from hardcontact.config.limits import PIXEL_SIZES, refuse_unfit_grids, same_grid
 from hardcontact.config.selected_surfaces import CONTACT_USE
 from hardcontact.config.tables import refuse_description, refuse_paper_surface
 from hardcontact.contact.contact import Grid
@@ -54,7 +59,7 @@ def check_study(config: dict[str, Any], table: pd.DataFrame) -> None:
         partial(refuse_description, path, rows_of_table1.get(surface, set()))
         for surface, path in zip(substitutes.surface, substitutes.path, strict=True)
     ]
-    if config["published"] == PAPER:
+    if is_paper_study(config):
         # Imported here, as the claims would cost studies of the user's surfaces almost a second.
         from hardcontact.config.claim_table import refuse_claims
 

@@ -12,12 +12,14 @@ from hardcontact.base.published import surfaces_of_table1
 from hardcontact.config.configuration import (
     apply_effort,
     get_key,
+    is_paper_study,
     merge,
+    numeric_configuration,
     read_yaml,
     refuse_unreadable,
 )
 from hardcontact.config.faults import key_fields, run_checks, shorten
-from hardcontact.config.model import NONE, Study, numeric_configuration
+from hardcontact.config.keys import Study
 from hardcontact.config.selected_surfaces import (
     Selection,
     digest_files,
@@ -75,7 +77,8 @@ def checked_configuration(workflow: Any, config: dict[str, Any]) -> dict[str, An
 def _refuse_grids_of_paper(workflow: Any, config: Mapping[str, Any]) -> None:
     """Refuse the paper's quick grids for the user's surfaces, in either order of overlays."""
     quick = ROOT / "config/quick.yaml"
-    if config["published"] == NONE and quick in map(Path.resolve, map(Path, workflow.configfiles)):
+    overlays = map(Path.resolve, map(Path, workflow.configfiles))
+    if not is_paper_study(config) and quick in overlays:
         raise ValueError(
             "--configfile: expected --config effort=quick for your surfaces (published: none), "
             "found config/quick.yaml, whose grids are for the surfaces of the paper"

@@ -10,7 +10,7 @@ import xarray as xr
 
 from hardcontact.base.number import Number, NumberStatus, numbers_by_name
 from hardcontact.base.statistics import interval_ends, percentile_interval
-from hardcontact.config.model import numeric_configuration
+from hardcontact.config.configuration import numeric_configuration
 from hardcontact.contact.contact import PLASTIC
 from hardcontact.files.master_purposes import SHORT_ADHESION_RANGE
 from hardcontact.inference.curve_edges import EdgeStatus

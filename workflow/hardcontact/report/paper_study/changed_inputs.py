@@ -5,8 +5,8 @@ from typing import Any
 
 import pandas as pd
 
-from hardcontact.config.configuration import contact_words
-from hardcontact.config.model import CONTACT_QUANTITIES, Study
+from hardcontact.config.configuration import CONTACT_QUANTITIES, contact_words
+from hardcontact.config.keys import Study
 
 #: The name of `scales.sphere_roughness` among the inputs of contacts.
 SPHERE_AT_CUTOFFS = "sphere in computations of the band"
