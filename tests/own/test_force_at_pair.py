@@ -14,10 +14,10 @@ from hardcontact.base.statistics import student_interval
 from hardcontact.own.force_at_pair import (
     add_extrapolated_force,
     bound_by_smooth_sphere,
+    extend_by_pixel_factors,
     extrapolated_force,
     force_scatter,
     forces_on_scans,
-    extend_by_pixel_factors,
 )
 from hardcontact.own.mean_forces import MasterScans
 from hardcontact.theory.pull_off_statistics import predict_statistics

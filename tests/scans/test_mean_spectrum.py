@@ -1,19 +1,12 @@
-"""Means of spectra over measurements, smooth curves through them, contradicting measurements."""
-
-from dataclasses import replace
+"""Means of spectra over measurements, smooth curves through them."""
 
 import numpy as np
 import pytest
-from measurements import gentle_density, measurement, random_line, random_map, uncd_density
-from refusals import assert_says
+from measurements import gentle_density, measurement, random_map
 
 from hardcontact.base.arrays import generator
 from hardcontact.scans.joined_spectrum import joined_spectrum
-from hardcontact.scans.mean_spectrum import (
-    describe_contradictions,
-    find_contradictions,
-    smooth_curve,
-)
+from hardcontact.scans.mean_spectrum import smooth_curve
 from hardcontact.scans.measured_spectrum import CALIBRATION_SCATTER, variance_of_log
 from hardcontact.surfaces.spectrum import BIN_CENTRES, smooth_rolloff
 
@@ -67,52 +60,3 @@ def test_sampled_curves_scatter_with_the_stated_variance():
     # A power law has no bends: it is its own mean.
     slope = np.where(is_measured, BIN_CENTRES**-3.0, np.nan)
     np.testing.assert_allclose(smooth_curve(slope, points[1])[1], wavevector**-3.0, rtol=1e-6)
-
-
-# Contradictions
-
-NAMES = ["large.spm", "small.spm", "line.txt"]
-
-
-def test_a_half_decade_in_which_two_scans_differ_is_named():
-    density = np.tile(uncd_density(BIN_CENTRES), (2, 1))
-    wavelength = 2 * np.pi / BIN_CENTRES
-    reliable = (wavelength > 50) & (wavelength < 5000) & np.ones((2, 1), bool)  # 20 bins
-    density[1, (wavelength > 50) & (wavelength < 150)] *= 0.01  # a blunt tip
-    (contradiction,) = find_contradictions(density, reliable, ["map", "map"], [50e3, 50e3])
-    assert contradiction[:2] == (0, 1) and contradiction.factor == pytest.approx(100, rel=1e-12)
-    assert contradiction.longest < 160
-
-
-def simulate_contradictions(seed, heights=1.0):
-    """Return the contradictions of three measurements, the second with multiplied heights."""
-    scans = [
-        random_map(generator(seed, 0), 128, 80.0, uncd_density),
-        random_map(generator(seed, 1), 128, 16.0, uncd_density),
-        random_line(generator(seed, 2), 2000, 20.0, uncd_density),
-    ]
-    scans[1] = replace(scans[1], heights=heights * scans[1].heights)
-    spectrum = joined_spectrum(scans, [None] * 3)
-    return find_contradictions(
-        *(spectrum[name].values for name in ("psd", "reliable", "kind", "size"))
-    )
-
-
-def test_scans_of_one_surface_agree_within_their_scatter_and_calibration():
-    assert not any(simulate_contradictions(seed) for seed in range(8))
-    assert not any(simulate_contradictions(seed, 1.1) for seed in range(3))  # 10 % calibration
-
-
-@pytest.mark.parametrize(("heights", "order"), [(10.0, [1, 0]), (0.1, [0, 1])])
-def test_a_scan_of_other_heights_is_named_with_the_square_of_their_factor(heights, order):
-    contradictions = simulate_contradictions(1, heights)
-    assert [sorted(item[:2]) for item in contradictions] in ([[0, 1], [1, 2]], [[1, 2], [0, 1]])
-    large_and_small = next(item for item in contradictions if set(item[:2]) == {0, 1})
-    assert list(large_and_small[:2]) == order and large_and_small.factor == pytest.approx(
-        100, rel=0.4
-    )
-    assert (
-        320 <= large_and_small.shortest < large_and_small.longest <= 2048 / 3
-    )  # four pixels, a third of the size
-    line = describe_contradictions([large_and_small, contradictions[1]], NAMES)
-    assert_says(line, "large.spm", "small.spm", "contradict", "times", "more pairs that do: 1")

@@ -12,11 +12,15 @@ from hardcontact.base.arrays import Floats
 from hardcontact.commands.request import ScanFile
 from hardcontact.contact.contact import Grid
 from hardcontact.scans.defects import scan_with_defects
-from hardcontact.scans.mean_spectrum import describe_contradictions, find_contradictions
 from hardcontact.scans.measured_spectrum import isotropic_psd
 from hardcontact.scans.reading import DEFAULT_OPTIONS, ReadingOptions, list_scans, read_scan
 from hardcontact.scans.reliable_band import ReliableBand, reliable_band
-from hardcontact.scans.repeated_scans import coarse_map, repeated_scans
+from hardcontact.scans.scan_pairs import (
+    coarse_map,
+    describe_contradictions,
+    find_contradictions,
+    repeated_scans,
+)
 from hardcontact.surfaces.height_map import HeightMap
 
 #: How undefined pixels are filled, so that the properties of the scan can be measured.

@@ -19,12 +19,15 @@ from hardcontact.config.tables import Row, UserTable, parse_number, user_table
 from hardcontact.scans.defects import defect_sentence, scan_with_defects
 from hardcontact.scans.heights import LENGTH_BOUNDS, TAKE_CARE, split_notes
 from hardcontact.scans.joined_spectrum import joined_spectrum, reliable_spectrum
-from hardcontact.scans.mean_spectrum import describe_contradictions, find_contradictions
 from hardcontact.scans.measured_spectrum import ENOUGH_MODES, isotropic_from_profile
 from hardcontact.scans.plain_text import ROW
 from hardcontact.scans.reading import DEFAULT_OPTIONS, ReadingOptions, list_scans, read_scan
 from hardcontact.scans.reliable_band import ReliableBand
-from hardcontact.scans.repeated_scans import repeated_scans
+from hardcontact.scans.scan_pairs import (
+    describe_contradictions,
+    find_contradictions,
+    repeated_scans,
+)
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.metrics import metrics
 from hardcontact.surfaces.spectrum import Spectrum

@@ -1,26 +1,18 @@
-"""The mean spectrum of several measurements of a surface in bins, and a smooth curve through it.
+"""The mean spectrum of several measurements of a surface in bins, and a smooth curve through it."""
 
-It also finds measurements that contradict each other, because of a wrong unit or another specimen:
-their mean describes neither.
-"""
-
-from collections.abc import Iterable, Sequence
-from itertools import combinations
 from typing import NamedTuple
 
 import numpy as np
 import scipy
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from hardcontact.base.arrays import Floats
-from hardcontact.base.formatting import format_length
 from hardcontact.scans.measured_spectrum import (
     CALIBRATION_SCATTER,
     bias_of_log,
-    independent_modes,
     variance_of_log,
 )
-from hardcontact.surfaces.spectrum import BIN_CENTRES, BIN_WIDTH, HALF_DECADE_BINS, Spectrum
+from hardcontact.surfaces.spectrum import BIN_CENTRES, BIN_WIDTH, Spectrum
 
 #: Standard deviation of the change of the slope d ln C/d ln q over a decade; it grows with the root
 #: of the decades. A roll-off changes the slope by 2 + 2H, some 3.6, once in three measured decades.
@@ -31,9 +23,6 @@ PEAK_PROBABILITY = 1e-4
 #: Bound of the search in `match_height_variance`: no two densities of a spectrum have such a
 #: difference in ln C.
 MAX_LOG_CHANGE = 20.0
-#: Standard errors by which the mean logarithms of two measurements differ before they contradict
-#: each other: a factor of 3.1 in C_iso, 1.8 in heights, if both have many modes.
-MIN_CONTRADICTION_ERRORS = 4
 
 
 class MeanBins(NamedTuple):
@@ -136,73 +125,3 @@ def match_height_variance(curve: Curve, power: Floats) -> Curve:
     bound = MAX_LOG_CHANGE / doubt.max()
     strength = scipy.optimize.brentq(excess, -bound, bound)
     return curve._replace(density=density * np.exp(strength * doubt))
-
-
-class Contradiction(NamedTuple):
-    """Two measurements with different spectra, as indices into the measurements."""
-
-    higher: int
-    lower: int
-    factor: float  #: Ratio of C_iso, higher to lower, by the mean of its logarithm.
-    shortest: float  #: Wavelengths (nm) at which both are reliable.
-    longest: float
-
-
-def describe_contradictions(contradictions: Sequence[Contradiction], names: Sequence[str]) -> str:
-    """Return a line on the first contradiction, with the names of measurements, and a count."""
-    worst = contradictions[0]
-    remainder = f"; more pairs that do: {len(contradictions) - 1}" if contradictions[1:] else ""
-    return (
-        f"{names[worst.higher]} and {names[worst.lower]} contradict each other: at wavelengths "
-        f"from {format_length(worst.shortest)} to {format_length(worst.longest)} the power "
-        f"spectral density of the first is {worst.factor:.2g} times that of the other{remainder}"
-    )
-
-
-def find_contradictions(
-    density: Floats, reliable: ArrayLike, kinds: Iterable[str], sizes: Iterable[float]
-) -> list[Contradiction]:
-    """Return the pairs of measurements that contradict each other, the largest factor first.
-
-    Density (nm⁴) and `reliable` are (measurement, bins); sizes are in nm. Two measurements are
-    compared over all bins that they share, and over each half decade. A contradiction states the
-    range with the largest difference in standard errors.
-    """
-    usable = np.asarray(reliable, bool) & np.isfinite(density)
-    modes = np.array([independent_modes(*scan) for scan in zip(kinds, sizes, strict=True)])
-    logs = np.log(np.where(usable, density, 1.0)) + bias_of_log(modes)
-    variances = variance_of_log(modes)
-    results = []
-    for left, right in combinations(range(len(logs)), 2):
-        (shared,) = np.nonzero(usable[left] & usable[right])
-        if not shared.size:
-            continue
-        difference = logs[left] - logs[right]
-        variance = variances[left] + variances[right]
-        half_decades = [
-            shared[start : start + HALF_DECADE_BINS]
-            for start in range(len(shared) - HALF_DECADE_BINS + 1)
-        ]
-        differences = [
-            (*_mean_difference(difference[bins], variance[bins]), bins)
-            for bins in (shared, *half_decades)
-        ]
-        mean, error, bins = max(differences, key=lambda entry: abs(entry[0]) / entry[1])
-        if abs(mean) > MIN_CONTRADICTION_ERRORS * error:
-            higher, lower = (left, right) if mean > 0 else (right, left)
-            shortest, longest = 2 * np.pi / BIN_CENTRES[bins[[-1, 0]]]
-            factor = float(np.exp(abs(mean)))
-            results.append(Contradiction(higher, lower, factor, float(shortest), float(longest)))
-    return sorted(results, key=lambda result: -result.factor)
-
-
-def _mean_difference(difference: Floats, variance: Floats) -> tuple[float, float]:
-    """Return the mean difference of ln C over bins with these variances, and its standard error.
-
-    Bins have the weights of the joined spectrum. The calibration of a microscope is wrong by the
-    same factor at all wavelengths: no number of bins averages it out.
-    """
-    weight = 1 / (variance + 2 * CALIBRATION_SCATTER**2)
-    weight /= weight.sum()
-    error = np.sqrt(weight**2 @ variance + 2 * CALIBRATION_SCATTER**2)
-    return float(weight @ difference), float(error)

@@ -13,7 +13,7 @@ from hardcontact.base.arrays import Floats
 from hardcontact.base.units import NM4, RAD_PER_NM
 from hardcontact.scans.defects import DEFECT_UNITS
 from hardcontact.scans.reliable_band import ReliableBand
-from hardcontact.scans.repeated_scans import earlier_scans_of_areas
+from hardcontact.scans.scan_pairs import earlier_scans_of_areas
 from hardcontact.scans.tail import Tail
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import BIN_CENTRES, WAVEVECTORS, spectrum_of_dataset

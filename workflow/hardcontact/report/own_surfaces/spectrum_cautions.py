@@ -16,8 +16,8 @@ from hardcontact.report.own_surfaces.datasets import (
 from hardcontact.report.quantities import number_of, number_without_value
 from hardcontact.scans.defects import DEFECTS, defect_sentence
 from hardcontact.scans.heights import split_notes
-from hardcontact.scans.mean_spectrum import find_contradictions
 from hardcontact.scans.reliable_band import OTHER_BODY
+from hardcontact.scans.scan_pairs import find_contradictions
 
 #: Pixels in the shortest wavelength that a scan resolves, by the sampling theorem.
 NYQUIST_PIXELS = 2

@@ -1,0 +1,121 @@
+"""Scans of one area are recognised, and scans of different surfaces contradict each other."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from measurements import measurement, random_line, random_map, self_affine_heights, uncd_density
+from refusals import assert_says
+
+from hardcontact.base.arrays import generator
+from hardcontact.scans.joined_spectrum import joined_spectrum
+from hardcontact.scans.scan_pairs import (
+    coarse_map,
+    describe_contradictions,
+    earlier_scans_of_areas,
+    find_contradictions,
+    show_same_area,
+)
+from hardcontact.surfaces.levelling import level, level_lines
+from hardcontact.surfaces.spectrum import BIN_CENTRES
+
+PIXELS, PIXEL = 128, 10.0
+
+
+def large_map(seed, hurst=0.8, rolloff=1e9):
+    return self_affine_heights(generator(seed), 3 * PIXELS, PIXEL, 20.0, hurst, rolloff)
+
+
+def coarse(heights, pixel_size=PIXEL, levelling=level):
+    return coarse_map(levelling(measurement(heights, pixel_size)))
+
+
+def cut(heights, y=0, x=0, side=PIXELS):
+    return heights[y : y + side, x : x + side]
+
+
+@pytest.mark.parametrize("hurst", [0.5, 0.9])
+def test_copies_of_an_area_are_recognised(hurst):
+    surface = large_map(1, hurst)
+    trace = coarse(cut(surface))
+    noise = generator(2).standard_normal((PIXELS, PIXELS))
+    y = np.arange(PIXELS)[:, None]
+    for copy in (
+        coarse(cut(surface, x=3) + noise),  # retrace
+        coarse(cut(surface, 20, 15) + 0.3 * y),  # drift and tilt
+        coarse(cut(surface), levelling=level_lines),
+        coarse(cut(surface)[::2, ::2], 2 * PIXEL),
+        coarse(cut(surface, 5, 5, 7 * PIXELS // 8)),
+    ):
+        assert show_same_area(trace, copy) and show_same_area(copy, trace)
+
+
+@pytest.mark.parametrize(("hurst", "rolloff"), [(0.5, 1e9), (1.0, 1e9), (0.8, PIXELS * PIXEL / 8)])
+def test_other_areas_are_not_the_same(hurst, rolloff):
+    surface = large_map(3, hurst, rolloff)
+    areas = [coarse(cut(surface, y, x)) for y in (0, 128, 256) for x in (0, 128, 256)]
+    assert earlier_scans_of_areas(areas) == [None] * 9
+    assert earlier_scans_of_areas([*areas[:2], areas[0]]) == [None, None, 0]
+
+
+def test_flat_maps_are_no_copies():
+    flat, step = np.zeros((PIXELS, PIXELS)), np.zeros((PIXELS, PIXELS))
+    step[:5] = 3.0
+    assert not show_same_area(coarse(flat), coarse(step))
+
+
+def test_gratings_and_lays_resemble_themselves_everywhere():
+    grating = 20 * np.sin(np.arange(3 * PIXELS) * 2 * np.pi / 12)
+    lay = large_map(5)[0]
+    for lines in (grating, lay, lay[:, None]):
+        surface = large_map(4) / 20 + lines
+        assert not show_same_area(coarse(cut(surface)), coarse(cut(surface, 250, 220)))
+
+
+# Contradictions
+
+NAMES = ["large.spm", "small.spm", "line.txt"]
+
+
+def test_a_half_decade_in_which_two_scans_differ_is_named():
+    density = np.tile(uncd_density(BIN_CENTRES), (2, 1))
+    wavelength = 2 * np.pi / BIN_CENTRES
+    reliable = (wavelength > 50) & (wavelength < 5000) & np.ones((2, 1), bool)  # 20 bins
+    density[1, (wavelength > 50) & (wavelength < 150)] *= 0.01  # a blunt tip
+    (contradiction,) = find_contradictions(density, reliable, ["map", "map"], [50e3, 50e3])
+    assert contradiction[:2] == (0, 1) and contradiction.factor == pytest.approx(100, rel=1e-12)
+    assert contradiction.longest < 160
+
+
+def simulate_contradictions(seed, heights=1.0):
+    """Return the contradictions of three measurements, the second with multiplied heights."""
+    scans = [
+        random_map(generator(seed, 0), 128, 80.0, uncd_density),
+        random_map(generator(seed, 1), 128, 16.0, uncd_density),
+        random_line(generator(seed, 2), 2000, 20.0, uncd_density),
+    ]
+    scans[1] = replace(scans[1], heights=heights * scans[1].heights)
+    spectrum = joined_spectrum(scans, [None] * 3)
+    return find_contradictions(
+        *(spectrum[name].values for name in ("psd", "reliable", "kind", "size"))
+    )
+
+
+def test_scans_of_one_surface_agree_within_their_scatter_and_calibration():
+    assert not any(simulate_contradictions(seed) for seed in range(8))
+    assert not any(simulate_contradictions(seed, 1.1) for seed in range(3))  # 10 % calibration
+
+
+@pytest.mark.parametrize(("heights", "order"), [(10.0, [1, 0]), (0.1, [0, 1])])
+def test_a_scan_of_other_heights_is_named_with_the_square_of_their_factor(heights, order):
+    contradictions = simulate_contradictions(1, heights)
+    assert [sorted(item[:2]) for item in contradictions] in ([[0, 1], [1, 2]], [[1, 2], [0, 1]])
+    large_and_small = next(item for item in contradictions if set(item[:2]) == {0, 1})
+    assert list(large_and_small[:2]) == order and large_and_small.factor == pytest.approx(
+        100, rel=0.4
+    )
+    assert (
+        320 <= large_and_small.shortest < large_and_small.longest <= 2048 / 3
+    )  # four pixels, a third of the size
+    line = describe_contradictions([large_and_small, contradictions[1]], NAMES)
+    assert_says(line, "large.spm", "small.spm", "contradict", "times", "more pairs that do: 1")
