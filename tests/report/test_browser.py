@@ -114,7 +114,7 @@ def test_claims_copy_with_their_cells_apart_and_open_for_a_link_and_for_the_prin
     result = run_on_page(page_of("claims"), USE, tmp_path)
     head, row = result["copied"].split("\n")[:2]
     statement, location = row.split("\t")[0].split("; ")[:2]
-    claim = open_claims().set_index("id").loc[location.split(" · ")[1]]
+    claim = open_claims().iloc[int(location.split(" · ")[0].removeprefix("Statement ")) - 1]
     assert (statement, claim["verdict"]) == (claim["statement"], VERDICTS[0])
     assert len(row.split("\t")) == len(head.split("\t")) == 6
     assert result["opened"] == [True] * 4 + [False] * 2 + [True]

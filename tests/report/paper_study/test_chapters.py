@@ -110,8 +110,10 @@ def test_the_page_of_claims_has_a_row_for_each_and_counts_verdicts():
     )
     for cells, claim in zip(rows, independent_first, strict=True):
         row_text = " ".join(cells).replace("\N{NO-BREAK SPACE}", " ")
-        names = ("id", "statement", "number", "section", "follows_from")
-        assert_says(row_text, *(claim[name] for name in names))
+        position = f"Statement {claim['position']} · "
+        assert_says(
+            row_text, position, *(claim[name] for name in ("statement", "number", "section"))
+        )
     counts = [row for row in page.rows if len(row) == 4][1:]
     assert [row[0].strip() for row in counts] == list(VERDICTS)
     assert all(row[3].strip() for row in counts)
@@ -181,6 +183,6 @@ def test_statements_beside_other_contacts_have_numbers_and_no_verdicts():
     changed = [{"input": "hardness", "paper": "25 GPa", "study": "30 GPa"}]
     page = Page(make_pages(changed=changed)["claims"])
     assert_says(page.texts["p"][0], "hardness 30 GPa", "paper 25 GPa", "meaningless")
-    (row,) = [row for row in page.rows if "first" in row[0]]
+    (row,) = [row for row in page.rows if "rms height" in row[0]]
     assert row[-1].replace("\N{NO-BREAK SPACE}", " ").strip() == "3.2 [2.8, 3.8] nm rms height"
     assert not [text for text in page.values("class") if text.startswith("verdict-")]

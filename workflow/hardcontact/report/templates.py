@@ -5,7 +5,7 @@ import hashlib
 import math
 import re
 import subprocess
-from collections.abc import Collection, Mapping
+from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -111,10 +111,13 @@ def unbroken(text: Any) -> str:
     return type(text)(joined) if hasattr(text, "__html__") else joined  # stays escaped
 
 
-def _linked(text: str, names: Collection[str]) -> Any:
-    """Return a text whose words that are among the names link to their places on the page."""
+def _linked(text: str, claims: Mapping[str, Mapping[str, Any]]) -> Any:
+    """Return a text in which ids of claims are links, printed as numbers of statements."""
     from markupsafe import Markup, escape
 
     words = re.split(r"(\w+)", text)
-    link = Markup('<a href="#{0}">{0}</a>')
-    return Markup("").join(link.format(word) if word in names else escape(word) for word in words)
+    link = Markup('<a href="#{}">statement {}</a>')
+    return Markup("").join(
+        link.format(word, claims[word]["position"]) if word in claims else escape(word)
+        for word in words
+    )

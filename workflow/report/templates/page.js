@@ -94,10 +94,10 @@ function reveal() {
 addEventListener("hashchange", reveal);
 reveal();
 
-// A page that was mailed alone lacks the figures beside it, too: then it has no menu and no links to other files.
+// A page that was mailed alone lacks the figures beside it, too: then it has no links to other pages and files.
 function unlink() {
-  document.querySelector(".menu")?.replaceChildren(
-    Object.assign(document.createElement("span"), {textContent: "Links to other pages need the folder of the study."}));
+  document.querySelector(".menu.pages")?.remove();
+  document.querySelector("footer").append(" · Other pages and files are in the folder of the study.");
   document.querySelectorAll("a:not([href^='#'], [href*='://'])").forEach(link => link.removeAttribute("href"));
 }
 

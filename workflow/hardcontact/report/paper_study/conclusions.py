@@ -30,11 +30,15 @@ def claim_facts(claims: pd.DataFrame) -> dict[str, Any]:
     # Templates test for None, because a comparison with NaN is always false.
     plain_rows = claims.astype(object).where(claims.notna(), None).to_dict("records")
     rows = zip(plain_rows, claims.to_dict("records"), strict=True)
-    facts = {str(row["id"]): plain | _printed_claim(row) for plain, row in rows}
+    facts: dict[str, Any] = {
+        str(row["id"]): plain | _printed_claim(row) | {"position": position}
+        for position, (plain, row) in enumerate(rows, start=1)
+    }
     ranks = {name: int(row["main"]) for name, row in facts.items() if row["main"]}
     independent = [row for row in facts.values() if row["kind"] == "independent"]
-    contradicted = [row for row in independent if row["verdict"] == NOT_REPRODUCED]
-    reproduced = [row for row in independent if row["verdict"] == REPRODUCED]
+    # Main statements first.
+    ordered = sorted(independent, key=lambda row: row["main"] == "")
+    reproduced = [row for row in ordered if row["verdict"] == REPRODUCED]
     main_rules = {facts[name]["rule"] for name in ranks}
     return {
         # Rows by id, and the ids of main statements by rank.
@@ -44,8 +48,9 @@ def claim_facts(claims: pd.DataFrame) -> dict[str, Any]:
         "accepted_factors": sorted(
             rule.removeprefix("factor ") for rule in main_rules if rule.startswith("factor ")
         ),
-        # Rows of independent statements that are not reproduced, main statements first.
-        "contradicted": sorted(contradicted, key=lambda row: row["main"] == ""),
+        # Rows of independent statements, main statements first.
+        "reproduced": reproduced,
+        "contradicted": [row for row in ordered if row["verdict"] == NOT_REPRODUCED],
         "counts": count_verdicts(claims).to_dict("records"),
         "decisive_share": REPRODUCED_SHARE,
         # Statements that are reproduced without any scan.
@@ -92,7 +97,15 @@ def draw_conclusions(numbers: Mapping[str, Number]) -> dict[str, Any]:
     sizes = [(numbers[name].value, numbers[f"{name}_published"].value) for name in GRIDS]
     octaves = [numbers[f"octave_{rank}_sensitivity"].value for rank in (1, 2, 3)]
     shifts = [numbers.get(name) for name in ("plasticity_shift", "range_shift")]
+    pair = ("range", "work")
+    on_whole_surfaces = {name: numbers.get(f"{name}_on_whole_surfaces") for name in pair}
     return {
+        # Which of range and work are smaller by the forces on mirrored scans.
+        "lowered_by_mirrors": [
+            name
+            for name, number in on_whole_surfaces.items()
+            if number is not None and numbers[f"{name}_of_adhesion"].value < number.value
+        ],
         "is_coarse": any(size < published for size, published in sizes),
         "has_few_sets": numbers["sets"].value < MIN_SETS,
         "roughness_lowers_force": max(octaves) < 0,
