@@ -35,14 +35,14 @@ def test_both_terms_equal_the_integral_over_gaps_and_heights(sigma, m, rho):
     attraction = stats.norm.pdf(height, 0, sigma) * np.exp(-(gap - height) / rho)
     attraction_at_gap = np.trapezoid(attraction, height_share, axis=0) * (gap + 10 * sigma)
     force = np.trapezoid(attraction_at_gap, gap) / rho
-    both_terms = surface_term(sigma, m, rho) + stats.norm.sf(m / sigma)
+    both_terms = surface_term(m / sigma, sigma / rho) + stats.norm.sf(m / sigma)
     assert both_terms == pytest.approx(force, rel=3e-4)
 
 
 def test_the_first_term_freezes_at_short_range():
     sigma, m, rho = 100.0, 300.0, 0.5
     frozen = stats.norm.pdf(m / sigma) / (sigma / rho - m / sigma)
-    assert surface_term(sigma, m, rho) == pytest.approx(frozen, rel=1e-3)
+    assert surface_term(m / sigma, sigma / rho) == pytest.approx(frozen, rel=1e-3)
 
 
 def test_without_roughness_the_closed_form_is_the_force_of_a_smooth_sphere():

@@ -11,12 +11,12 @@ from hardcontact.base.arrays import generator
 from hardcontact.theory.closed_form import closed_form, contact_term, smooth_force
 from hardcontact.theory.pull_off_statistics import (
     ForceStatistics,
-    clump_dispersion_index,
+    dispersion_index,
     field_variation,
     predict_statistics,
     summit_radius_variation,
 )
-from hardcontact.theory.summits import LEVELS, apex_distribution, clumps_above, spectrum_between
+from hardcontact.theory.summits import LEVELS, apex_distribution, spectrum_between, summits_above
 
 SPHERE = contact_of_area(250e3, 5.6, 1.0, 400.0)
 #: A sphere so flat that its highest summits obey the laws of high levels.
@@ -25,18 +25,18 @@ SIGMA = 4.0
 SURFACE = gaussian_spectrum(SIGMA, 100)
 
 
-def flat_contact(modulus, clumps=0.0):
-    """Return a contact of a modulus with the area of a number of mean clumps."""
+def flat_contact(modulus, summits=0.0):
+    """Return a contact of a modulus with the area of a number of mean summits."""
     spectrum = spectrum_between(SURFACE, 0, np.inf)
-    _, number, bearing = clumps_above(spectrum, FLAT)
+    _, number, bearing = summits_above(spectrum, FLAT)
     highest = apex_distribution(spectrum, FLAT, 0.0).mean()
-    area = clumps * np.interp(highest, LEVELS, bearing / np.maximum(number, 1e-99))
+    area = summits * np.interp(highest, LEVELS, bearing / np.maximum(number, 1e-99))
     level = apex_distribution(spectrum, FLAT, area).mean()
     return contact_of_area(FLAT, modulus * SIGMA / level, 1.0, area)
 
 
 def sampled_sums(modulus, positions=4000, points=400):
-    """Return sums of clumps over positions: Σ R_i (G_1/G_i)^(1/k), R_i the radii of summits."""
+    """Return sums of summits over positions: Σ R_i (G_1/G_i)^(1/k), R_i the radii of summits."""
     rng = generator(1, "clumps")
     arrivals = rng.exponential(size=(positions, points)).cumsum(axis=1)
     level = apex_distribution(spectrum_between(SURFACE, 0, np.inf), FLAT, 0.0).mean()
@@ -83,26 +83,26 @@ def test_many_points_follow_weibull_s_law(modulus):
     assert law.log_force_std == pytest.approx(np.pi / np.sqrt(6) / law.weibull_modulus, rel=0.03)
 
 
-@pytest.mark.parametrize("clumps", [3.0, 30.0])
-def test_the_level_of_n_clumps_scatters_like_a_gamma_variable(clumps):
-    law = predict_statistics(SURFACE, flat_contact(3.0, clumps))
-    # Exponential areas fill the contact with 1 + Poisson's number of clumps.
+@pytest.mark.parametrize("summits", [3.0, 30.0])
+def test_the_level_of_n_summits_scatters_like_a_gamma_variable(summits):
+    law = predict_statistics(SURFACE, flat_contact(3.0, summits))
+    # Exponential areas fill the contact with 1 + Poisson's number of summits.
     number = 1 + np.arange(200)
-    chance = stats.poisson.pmf(number - 1, law.clumps - 1)
+    chance = stats.poisson.pmf(number - 1, law.touching_count - 1)
     centre = chance @ special.digamma(number)
     spread = chance @ (special.polygamma(1, number) + (special.digamma(number) - centre) ** 2)
     assert law.log_force_std == pytest.approx(np.sqrt(spread) / law.weibull_modulus, rel=0.1)
 
 
-@pytest.mark.parametrize("clumps", [3.0, 30.0])
-def test_n_clumps_attract_like_the_mean_power_of_a_gamma_variable(clumps):
-    contact = flat_contact(3.0, clumps)
+@pytest.mark.parametrize("summits", [3.0, 30.0])
+def test_n_summits_attract_like_the_mean_power_of_a_gamma_variable(summits):
+    contact = flat_contact(3.0, summits)
     plastic = predict_statistics(SURFACE, contact)
     rigid = predict_statistics(SURFACE, replace(contact, preload=0.0))
     # The contact area itself attracts, too.
     area_force = smooth_force(contact) * (1 - 1 / (1 + contact_term(contact)))
     power, number = 2 / (plastic.weibull_modulus + rigid.weibull_modulus), 1 + np.arange(200)
-    chance = stats.poisson.pmf(number - 1, plastic.clumps - 1)
+    chance = stats.poisson.pmf(number - 1, plastic.touching_count - 1)
     mean_power = chance @ np.exp(special.gammaln(number + power) - special.gammaln(number))
     force_ratio = (plastic.force - area_force) / rigid.force
     assert force_ratio == pytest.approx(mean_power / special.gamma(1 + power), rel=0.01)
@@ -114,11 +114,11 @@ def test_numbers_of_hard_discs_scatter_by_their_compressibility(cover):
         return share / (1 - share) ** 2
 
     slope = (pressure(cover + 1e-5) - pressure(cover - 1e-5)) / 2e-5
-    assert clump_dispersion_index(cover) == pytest.approx(1 / slope, rel=1e-6)
+    assert dispersion_index(cover) == pytest.approx(1 / slope, rel=1e-6)
 
 
 @pytest.mark.parametrize("modulus", [0.1, 0.3, 0.5])
-def test_few_summits_scatter_like_sums_of_poisson_clumps(modulus):
+def test_few_summits_scatter_like_sums_of_poisson_summits(modulus):
     law, sums = predict_statistics(SURFACE, flat_contact(modulus)), sampled_sums(modulus)
     assert law.log_force_std == pytest.approx(np.log(sums).std(), rel=0.1)
 

@@ -30,24 +30,24 @@ def test_a_gaussian_autocorrelation_has_known_moments():
     assert spectral_moment(spectrum, 4) == pytest.approx(8 * 16 / 100**4, rel=0.005)
 
 
-def test_a_gaussian_autocorrelation_has_clumps_of_known_radius():
+def test_a_gaussian_autocorrelation_has_summits_of_known_width():
     levels = np.array([1.5, 2.5, 4.0])
     radii = 100 * np.sqrt(-2 * np.log(1 - 1 / levels**2))  # exp(-d²/2l²) = 1 - 1/t²
-    assert summits.clump_radius(full_band(gaussian_spectrum(4, 100)), levels) == pytest.approx(
+    assert summits.summit_half_width(full_band(gaussian_spectrum(4, 100)), levels) == pytest.approx(
         radii, rel=0.002
     )
 
 
-def test_clumps_at_high_levels_are_as_dense_as_summits_of_a_smooth_surface():
+def test_summits_at_high_levels_are_as_dense_as_maxima_of_a_smooth_surface():
     spectrum, level = full_band(gaussian_spectrum(4, 100)), 5.0
-    density = stats.norm.sf(level) / (np.pi * summits.clump_radius(spectrum, [level])[0] ** 2)
+    density = stats.norm.sf(level) / (np.pi * summits.summit_half_width(spectrum, [level])[0] ** 2)
     mean_square_slope = spectral_moment(spectrum, 2) / 2 / spectral_moment(spectrum, 0)
     euler = level * np.exp(-(level**2) / 2) * mean_square_slope
-    # At t = 5, sf(t) is 4 % below its asymptote, and a clump 2 % larger than 2 pi l²/t².
+    # At t = 5, sf(t) is 4 % below its asymptote, and a summit 2 % larger than 2 pi l²/t².
     assert density == pytest.approx(euler / (2 * np.pi) ** 1.5, rel=0.08)
 
 
-def test_short_waves_of_no_height_make_no_clumps():
+def test_short_waves_of_no_height_make_no_summits():
     q = np.geomspace(2 * np.pi / 1e4, 2 * np.pi, 600)
     long = 2 * np.pi * (4 * 100) ** 2 * np.exp(-((q * 100) ** 2) / 2)
     fine = np.where(q > 2 * np.pi / 3, 2 * np.pi * 0.1**2 / np.pi / (q[-1] / 3) ** 2, 0)
@@ -55,9 +55,9 @@ def test_short_waves_of_no_height_make_no_clumps():
     long_waves = full_band(Spectrum(q, long + 1e-9))
     assert spectral_moment(all_waves, 2) > 1.5 * spectral_moment(
         long_waves, 2
-    )  # slopes would count many summits
-    assert summits.clump_radius(all_waves, [3.5]) == pytest.approx(
-        summits.clump_radius(long_waves, [3.5]), rel=0.01
+    )  # slopes would count many maxima
+    assert summits.summit_half_width(all_waves, [3.5]) == pytest.approx(
+        summits.summit_half_width(long_waves, [3.5]), rel=0.01
     )
 
 
@@ -75,11 +75,11 @@ def test_the_highest_point_follows_gumbel_s_law():
 
 
 @pytest.mark.parametrize("area", [0.0, 0.3, 4.0, 49.0])
-def test_exponential_areas_of_poisson_clumps_have_a_known_distribution(area):
+def test_exponential_areas_of_poisson_summits_have_a_known_distribution(area):
     # n such areas stay below it as often as Poisson's number of a mean `area` is n or more.
-    clumps, number = np.geomspace(1e-4, 300, 200), np.arange(1000)[:, None]
-    terms = stats.poisson.pmf(number, clumps) * stats.poisson.sf(number - 1, area)
-    probability = summits._probability_of_smaller_area(clumps, np.full(200, area))
+    counts, number = np.geomspace(1e-4, 300, 200), np.arange(1000)[:, None]
+    terms = stats.poisson.pmf(number, counts) * stats.poisson.sf(number - 1, area)
+    probability = summits._probability_of_smaller_area(counts, np.full(200, area))
     assert probability[0] > 0.99 and probability[-1] < 1e-20
     np.testing.assert_allclose(probability, terms.sum(axis=0), rtol=1e-11, atol=1e-19)
 

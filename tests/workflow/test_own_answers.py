@@ -120,7 +120,8 @@ def mean_over_contacts(values):
 def gaussian_relative(adhesion, rms_height):
     """Return the mean over contacts of F/(2 pi R W) in closed form (model, range)."""
     summits = xr.apply_ufunc(stats.norm.sf, adhesion.apex_height / rms_height)
-    relative = xr.apply_ufunc(surface_term, rms_height, adhesion.apex_height, adhesion.rho)
+    level = adhesion.apex_height / rms_height
+    relative = xr.apply_ufunc(surface_term, level, rms_height / adhesion.rho)
     relative = relative + summits
     return mean_over_contacts(relative)
 

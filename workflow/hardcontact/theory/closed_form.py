@@ -1,13 +1,14 @@
 """The pull-off force of a sphere on a Gaussian surface, in closed form from its spectrum.
 
-The force relative to 2 pi R W is the sum of three terms, each a mean over positions of the sphere:
+The force relative to the force of DMT is the sum of three terms, each a mean over positions of the
+sphere, Eq. (1) of workflow/report/theory.md (The mean force), which has the derivation and symbols:
 
 1. surface term: the attraction of all points below the sphere,
 2. summit term: the attraction of the summits that touch,
-3. contact term: the attraction of the area in contact, A/(2 pi R rho).
+3. contact term: the attraction of the area in contact.
 
-A summit is a rough body itself, so the same equation gives its force relative to a smooth summit.
-workflow/report/theory.md (The mean force) has the derivation and defines the symbols.
+A summit (`summits`) is a rough body itself, so that the same equation gives its force relative to a
+smooth summit.
 """
 
 from dataclasses import dataclass, replace
@@ -35,9 +36,9 @@ from hardcontact.theory.summits import (
 SMOOTH_SHARE = 0.9
 #: Largest number of nested generations: summits on summits on the surface.
 GENERATIONS = 8
-#: Waves shorter than this number of clump radii are roughness on a summit. The number was chosen
-#: with the forces and edges of 48 designed surfaces that were not held out. If it were 2, ln F
-#: would change by 0.02 in the median and by 0.58 at most; if pi, by 0.04 and 0.44.
+#: Waves shorter than this number of half-widths of a summit are roughness on it. The number was
+#: chosen with the forces and edges of 48 designed surfaces that were not held out. If it were 2,
+#: ln F would change by 0.02 in the median and by 0.58 at most; if pi, by 0.04 and 0.44.
 SUMMIT_SIZE = 2.5
 #: Smallest rms height on a summit that counts as roughness, in ranges of adhesion.
 MIN_SUMMIT_ROUGHNESS = 0.005
@@ -56,34 +57,31 @@ class ClosedForm:
     """The mean pull-off force, its terms and its regime."""
 
     force: float  #: In N.
-    dmt_ratio: float  #: Force relative to 2 pi R W, the force of DMT.
-    rms_height: float  #: sigma in nm.
-    apex_height: float  #: The mean of m in nm, positive above the mean plane.
-    #: k = rho m/sigma²; 0 if m is below the mean plane, infinite without roughness.
-    weibull_modulus: float
+    dmt_ratio: float  #: Force relative to the force of DMT.
+    rms_height: float  #: In nm, without the waves that the sphere follows.
+    apex_height: float  #: Mean height of the apex in nm, positive above the mean plane.
+    weibull_modulus: float  #: 0 if the apex is below the mean plane, infinite without roughness.
     regime: Regime
 
 
 def contact_term(contact: Contact) -> float:
-    """Return the contact term A/(2 pi R rho): the force of the contact area over 2 pi R W."""
+    """Return the contact term: the force of the area in contact relative to the force of DMT."""
     return contact.area / (2 * np.pi * contact.radius * contact.rho)
 
 
 def smooth_force(contact: Contact) -> float:
-    """Return the force (N) on a smooth surface: 2 pi R W and the force of the area in contact."""
+    """Return the force (N) on a smooth surface: that of DMT and of the area in contact."""
     return float(smooth_pull_off(contact.work, contact.radius, contact.area, contact.rho))
 
 
-def surface_term(rms_height: ArrayLike, apex_height: ArrayLike, rho: ArrayLike) -> Floats:
-    """Return exp(sigma²/2rho² - m/rho) Phi(m/sigma - sigma/rho), the surface term.
+def surface_term(level: ArrayLike, relative_rms: ArrayLike) -> Floats:
+    """Return the surface term, the first term of Eq. (1) in theory.md.
 
-    All arguments (rms height sigma, apex height m and range rho) are in nm; they broadcast.
+    The level t of the apex and the rms height s relative to the range of adhesion broadcast.
     """
-    sigma = np.asarray(rms_height)
-    m = np.asarray(apex_height)
-    rho = np.asarray(rho)
-    log_phi = special.log_ndtr(m / sigma - sigma / rho)
-    return np.asarray(np.exp(sigma**2 / (2 * rho**2) - m / rho + log_phi))
+    t = np.asarray(level)
+    s = np.asarray(relative_rms)
+    return np.asarray(np.exp(s**2 / 2 - t * s + special.log_ndtr(t - s)))
 
 
 def closed_form(spectrum: Spectrum, contact: Contact, *, all_rough: bool = True) -> ClosedForm:
@@ -113,7 +111,7 @@ def _terms(
     spectrum: Spectrum, apex: ApexDistribution, contact: Contact, generations: int, all_rough: bool
 ) -> tuple[float, float]:
     """Return the surface term and the summit term, averaged over levels of the apex."""
-    sigma = np.sqrt(spectral_moment(spectrum, 0))
+    relative_rms = np.sqrt(spectral_moment(spectrum, 0)) / contact.rho
     summit_ratio = 1.0
     summit = roughness_on_summit(spectrum, apex, contact)
     if summit is not None and generations:
@@ -121,30 +119,30 @@ def _terms(
         finer_apex = apex_distribution(finer, summit_contact.radius, summit_contact.area)
         terms = _terms(finer, finer_apex, summit_contact, generations - 1, all_rough)
         summit_ratio = min(sum(terms), 1.0)
-    surface_terms, summit_term = rough_terms(sigma, apex, contact.rho, summit_ratio)
+    surface_terms, summit_term = rough_terms(apex, relative_rms, summit_ratio)
     if not all_rough:
-        surface_terms = surface_term(sigma, apex.levels * sigma, contact.rho)
+        surface_terms = surface_term(apex.levels, relative_rms)
     return apex.mean(surface_terms), summit_term
 
 
 def rough_terms(
-    sigma: float, apex: ApexDistribution, rho: float, summit_ratio: float
+    apex: ApexDistribution, relative_rms: float, summit_ratio: float
 ) -> tuple[Floats, float]:
     """Return the surface term at each level (n,) and the mean summit term, with rough summits.
 
-    A rough summit attracts with `summit_ratio` times the force of a smooth one. This also holds
-    for the points with a gap below sigma/t, which lie on summits (theory.md, Close points).
+    The rms height is relative to the range. A rough summit attracts with `summit_ratio` times the
+    force of a smooth summit. Points with a gap below the mean height of a summit do so, too,
+    because these points lie on summits (theory.md, Close points).
     """
-    t = apex.levels
-    summit_height = 1 / max(apex.mean(), 1.0)  # relative to sigma
+    summit_height = 1 / max(apex.mean(), 1.0)  # relative to the rms height
 
     def both_terms(level: Floats) -> Floats:
-        return surface_term(sigma, level * sigma, rho) + special.ndtr(-level)
+        return surface_term(level, relative_rms) + special.ndtr(-level)
 
-    remaining = np.exp(-summit_height * sigma / rho) * both_terms(t - summit_height)
-    close_share = 1 - remaining / both_terms(t)
-    surface_terms = surface_term(sigma, t * sigma, rho) * (1 - (1 - summit_ratio) * close_share)
-    return surface_terms, summit_ratio * apex.mean(special.ndtr(-t))
+    lowered = np.exp(-summit_height * relative_rms) * both_terms(apex.levels - summit_height)
+    close_share = 1 - lowered / both_terms(apex.levels)
+    surface_terms = surface_term(apex.levels, relative_rms) * (1 - (1 - summit_ratio) * close_share)
+    return surface_terms, summit_ratio * apex.mean(special.ndtr(-apex.levels))
 
 
 def roughness_on_summit(
@@ -152,14 +150,14 @@ def roughness_on_summit(
 ) -> tuple[Spectrum, Contact] | None:
     """Return the spectrum of the roughness on a touching summit, and the contact of the summit.
 
-    None if the roughness on the summit is negligible.
+    None if the roughness on the summit is negligible. `theory.md` (Rough summits) has the reasons.
     """
-    finer = spectrum_between(spectrum, 2 * np.pi / (SUMMIT_SIZE * apex.clump_radius), np.inf)
+    finer = spectrum_between(spectrum, 2 * np.pi / (SUMMIT_SIZE * apex.half_width), np.inf)
     if finer is None or spectral_moment(finer, 0) < (MIN_SUMMIT_ROUGHNESS * contact.rho) ** 2:
         return None
     sigma = np.sqrt(spectral_moment(spectrum, 0))
-    radius = min(apex.clump_radius**2 * max(apex.mean(), 1.0) / (2 * sigma), contact.radius)
-    summit_load = contact.hardness * np.pi * apex.clump_radius**2 * 1e-18
+    radius = min(apex.half_width**2 * max(apex.mean(), 1.0) / (2 * sigma), contact.radius)
+    summit_load = contact.hardness * np.pi * apex.half_width**2 * 1e-18
     return finer, replace(contact, radius=radius, preload=min(contact.preload, summit_load))
 
 
@@ -183,7 +181,7 @@ def critical_band(spectrum: Spectrum, contact: Contact, tolerance: float) -> tup
 
     If all wavelengths shorter than the short edge, or longer than the long edge, are removed, the
     force changes by the tolerance. An edge is NaN if no cutoff does this. Summits below the sphere
-    count as smooth: on held-out surfaces rough summits improve forces of single peaks, not edges.
+    count as smooth, because rough summits improve forces on held-out surfaces, but not edges.
     """
     wavelengths = spectrum.wavelength[spectrum.density > 0]
     if not len(wavelengths):

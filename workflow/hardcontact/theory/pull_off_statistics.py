@@ -1,15 +1,10 @@
 """The distribution of the pull-off force over positions of the sphere, from a spectrum.
 
-Clumps of points (`summits`) are a Poisson process: Lambda(t) of them rise above the level t =
-z/sigma under the sphere, n touch. If all clumps are alike and G_1 < G_2 < ... are a Poisson process
-of unit rate, the attraction is
-
-    F ~ n + Σ_{i>n} (G_n/G_i)^(1/k),   k = rho m/sigma²:
-
-For k > 1 and n = 1 it has Weibull's law of modulus k; for k < 1 n/(1 - k) clumps carry it. At a
-given level the force is taken as log-normal, with the mean from `closed_form` and the variance of a
-sum of Poisson clumps. Over positions it is a mixture of these log-normals over the levels of
-`apex_distribution`. workflow/report/theory.md has the derivation. No number is fitted to a force.
+The summits (`summits`) that rise above a level under the sphere are a Poisson process, some of them
+touch. At a given level of the apex the force is taken as log-normal, with the mean from
+`closed_form` and the variance of a sum over Poisson summits. Over positions it is a mixture of
+these log-normals over the levels of `apex_distribution`. No number is fitted to a force.
+workflow/report/theory.md (The distribution of forces) has the derivation.
 """
 
 from dataclasses import dataclass
@@ -33,11 +28,11 @@ from hardcontact.theory.summits import (
     LEVELS,
     ApexDistribution,
     apex_distribution,
-    clumps_above,
     find_rough_spectrum,
     spectral_moment,
     spectrum_between,
     structure_function,
+    summits_above,
 )
 
 #: Deviations of a summit's curvature from its mean, in standard deviations, with probabilities.
@@ -51,8 +46,8 @@ RADIUS_FACTOR = 1.2
 class ForceStatistics:
     """The distribution of pull-off forces over positions, a mixture of log-normals."""
 
-    weibull_modulus: float  #: k = rho m/sigma²; infinite without roughness.
-    clumps: float  #: Mean number of clumps in contact, n; 0 without roughness.
+    weibull_modulus: float  #: 0 if the apex is below the mean plane, infinite without roughness.
+    touching_count: float  #: Mean number of summits in contact; 0 without roughness.
     means: Floats  #: (n,) at the levels of the apex, in N.
     weights: Floats  #: (n,) probabilities of the levels.
     log_force_stds: Floats  #: (n,) standard deviations of ln F at each level.
@@ -94,7 +89,7 @@ def predict_statistics(spectrum: Spectrum, contact: Contact) -> ForceStatistics:
     possible = apex.weights > 0
     return ForceStatistics(
         float(max(weibull_modulus, 0.0)),
-        attraction.clumps,
+        attraction.touching_count,
         dmt_force * means[possible],
         apex.weights[possible],
         log_force_stds[possible],
@@ -102,13 +97,13 @@ def predict_statistics(spectrum: Spectrum, contact: Contact) -> ForceStatistics:
 
 
 class _Attraction(NamedTuple):
-    """The attraction over 2 pi R W without the area in contact, at the levels of the apex (n,)."""
+    """The attraction relative to the force of DMT, without the area in contact."""
 
     apex: ApexDistribution
-    surface_terms: Floats  #: (n,) mean attraction by the clumps below the sphere.
-    summit_term: float  #: Mean attraction by the clumps that touch.
-    clumps: float  #: Mean number of the clumps that touch.
-    variance: Floats  #: (n,) variance of the sum of both attractions.
+    surface_terms: Floats  #: (n,) mean attraction by the summits below the sphere, at each level.
+    summit_term: float  #: Mean attraction by the summits that touch.
+    touching_count: float  #: Mean number of the summits that touch.
+    variance: Floats  #: (n,) variance of the sum of both attractions, at each level.
     growth: float  #: Exponent of the force against the radius of the sphere, 0 to 1.
 
     @property
@@ -125,7 +120,7 @@ class _Attraction(NamedTuple):
 def _attraction(spectrum: Spectrum, contact: Contact, generations: int) -> _Attraction:
     """Return the attraction of a sphere by summits, which are rough themselves."""
     apex = apex_distribution(spectrum, contact.radius, contact.area)
-    sigma = np.sqrt(spectral_moment(spectrum, 0))
+    relative_rms = np.sqrt(spectral_moment(spectrum, 0)) / contact.rho
     touching_share = special.ndtr(-apex.levels)
     # Force of a rough summit relative to a smooth summit, and its scatter and growth.
     summit_ratio = 1.0
@@ -138,25 +133,28 @@ def _attraction(spectrum: Spectrum, contact: Contact, generations: int) -> _Attr
             summit_ratio = rough_summit.mean
             scatter = rough_summit.scatter
             growth = rough_summit.growth
-    surface_terms, summit_term = rough_terms(sigma, apex, contact.rho, summit_ratio)
-    clump_counts = np.interp(apex.levels, LEVELS, clumps_above(spectrum, contact.radius)[1])
-    clumps = max(apex.mean(clump_counts), 1.0)
+    surface_terms, summit_term = rough_terms(apex, relative_rms, summit_ratio)
+    counts = np.interp(apex.levels, LEVELS, summits_above(spectrum, contact.radius)[1])
+    touching_count = max(apex.mean(counts), 1.0)
     cover = apex.mean(touching_share)
-    # Mean of the squared force of a clump, relative to the square of its mean force. The radius of
+    # Mean of the squared force of a summit, relative to the square of its mean force. The radius of
     # a summit counts only as far as its force grows with the radius.
     mean_square = (1 + (growth * summit_radius_variation(spectrum, apex)) ** 2) * scatter
-    dispersion = clump_dispersion_index(cover)
-    clump_force = summit_ratio * touching_share / np.maximum(clump_counts, 1e-300)
-    squared_terms = rough_terms(sigma, apex, contact.rho / 2, summit_ratio)[0]
-    clump_variance = dispersion * mean_square * clump_force * squared_terms
+    dispersion = dispersion_index(cover)
+    force_of_one = summit_ratio * touching_share / np.maximum(counts, 1e-300)
+    # Squared attractions fall with half the range of adhesion.
+    squared_terms = rough_terms(apex, 2 * relative_rms, summit_ratio)[0]
+    summit_variance = dispersion * mean_square * force_of_one * squared_terms
     field_variance = surface_terms**2 * field_variation(spectrum, contact) ** 2
-    # One clump always touches; the number of the other n - 1 scatters like Poisson's. Clumps that
-    # cover the plane are one flat contact, and only its rim scatters. In squared clump forces:
-    touching = (1 - cover) * clumps * (mean_square - 1) + dispersion * (clumps - 1)
-    variance = np.minimum(field_variance, clump_variance) + (summit_term / clumps) ** 2 * touching
+    # One summit always touches; the number of the others scatters like Poisson's. Summits that
+    # cover the plane are one flat contact, and only its rim scatters.
+    touching_variance = (summit_term / touching_count) ** 2 * (
+        (1 - cover) * touching_count * (mean_square - 1) + dispersion * (touching_count - 1)
+    )
+    variance = np.minimum(field_variance, summit_variance) + touching_variance
     mean = apex.mean(surface_terms) + summit_term
     growth = _growth_with_radius(spectrum, contact, summit_ratio, mean)
-    return _Attraction(apex, surface_terms, summit_term, clumps, variance, growth)
+    return _Attraction(apex, surface_terms, summit_term, touching_count, variance, growth)
 
 
 def _growth_with_radius(
@@ -166,17 +164,17 @@ def _growth_with_radius(
 
     Rough summits attract with `summit_ratio` times the force of smooth ones at both radii.
     """
-    sigma = np.sqrt(spectral_moment(spectrum, 0))
+    relative_rms = np.sqrt(spectral_moment(spectrum, 0)) / contact.rho
     apex = apex_distribution(spectrum, RADIUS_FACTOR * contact.radius, contact.area)
-    surface_terms, summit_term = rough_terms(sigma, apex, contact.rho, summit_ratio)
+    surface_terms, summit_term = rough_terms(apex, relative_rms, summit_ratio)
     ratio = (apex.mean(surface_terms) + summit_term) / mean
     return float(np.clip(1 + np.log(ratio) / np.log(RADIUS_FACTOR), 0, 1))
 
 
-def clump_dispersion_index(cover: float) -> float:
-    """Return the variance over the mean of the number of clumps that cover a share of the plane.
+def dispersion_index(cover: float) -> float:
+    """Return the variance over the mean of the number of summits that cover a share of the plane.
 
-    Clumps do not overlap. Their number scatters like the number of hard discs, whose pressure is
+    Summits do not overlap. Their number scatters like the number of hard discs, whose pressure is
     the pressure of an ideal gas divided by (1 - cover)² (scaled particle theory).
     """
     return (1 - cover) ** 3 / (1 + cover)
@@ -185,12 +183,11 @@ def clump_dispersion_index(cover: float) -> float:
 def summit_radius_variation(spectrum: Spectrum, apex: ApexDistribution) -> float:
     """Return the coefficient of variation of the radius 1/sqrt(K) of summits.
 
-    K = a² - b² is their Gaussian curvature. On a Gaussian surface at the level t the mean curvature
-    a is normal with the mean t g²/2 sigma and the variance L²/4 - g⁴/4 sigma²; b² is exponential
-    with the mean L²/4; g is the rms gradient, L the rms Laplacian. The density of summits is
-    proportional to K where a > b. Waves shorter than a summit are roughness on it.
+    K = a² - b² is the Gaussian curvature of a summit, a its mean curvature, b half the difference
+    of its principal curvatures. theory.md (How does a single summit scatter?) has the distributions
+    of a and b, and the density of summits. Waves shorter than a summit are roughness on it.
     """
-    longer = spectrum_between(spectrum, 0, 2 * np.pi / (SUMMIT_SIZE * apex.clump_radius))
+    longer = spectrum_between(spectrum, 0, 2 * np.pi / (SUMMIT_SIZE * apex.half_width))
     if longer is None:
         return 0.0
     sigma = np.sqrt(spectral_moment(spectrum, 0))
@@ -207,11 +204,10 @@ def summit_radius_variation(spectrum: Spectrum, apex: ApexDistribution) -> float
 
 
 def field_variation(spectrum: Spectrum, contact: Contact) -> float:
-    """Return the coefficient of variation of ∫ exp((z - y)/rho) over the plane.
+    """Return the coefficient of variation of the attraction of a surface that many points carry.
 
-    Heights z are normal with the autocorrelation r(d); y is the sphere. The squared coefficient is
-    the integral of [exp(r(d)/rho²) - 1] exp(-d²/4 R rho)/(4 pi R rho) over the plane of distances
-    d. Its part that is linear in r is (1/2 pi rho²) ∫ q C_iso exp(-q² R rho) dq.
+    theory.md (All together) has its square, an integral over the autocorrelation, and the term that
+    is linear in the autocorrelation, an integral over the spectrum.
     """
     q = spectrum.wavevector
     reach = 4 * contact.radius * contact.rho
