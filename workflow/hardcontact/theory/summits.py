@@ -62,7 +62,7 @@ class ApexDistribution(NamedTuple):
 
 
 def spectrum_between(spectrum: Spectrum, lowest: float, highest: float) -> Spectrum | None:
-    """Return a spectrum between two wavevectors (rad/nm), on a new grid; None if it has no waves."""
+    """Return a spectrum between two wavevectors (rad/nm), on a new grid; None without waves."""
     rough = spectrum.wavevector[spectrum.density > 0]
     if not len(rough):
         return None
