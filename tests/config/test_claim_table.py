@@ -6,7 +6,16 @@ from refusals import refusal
 from repository import ROOT
 
 from hardcontact.config.claim_table import refuse_claims
+from hardcontact.contact.contact import CONTACT_MODELS
+from hardcontact.inference.band_forces import BAND_PARTS
+from hardcontact.paper.claim_selection import LABELS, SURFACES
+from hardcontact.paper.classical_comparison import METRIC_PREFIXES
+from hardcontact.paper.classical_models import MODELS, Roughness
+from hardcontact.paper.exponents import SCALED_QUANTITIES
+from hardcontact.paper.posterior import NONE_LEFT_OUT
+from hardcontact.paper.published_fit import PAIRS
 from hardcontact.run.checks import CLAIMS
+from hardcontact.surfaces.synthesis import SIDES
 
 TABLE = pd.read_csv(ROOT / CLAIMS, dtype=str, keep_default_na=False)
 
@@ -28,15 +37,38 @@ def test_a_stray_character_is_refused_with_its_line_and_column(tmp_path, column)
 
 
 @pytest.mark.parametrize(
-    ("column", "cell"), [("quantity", "best_eror"), ("quantity", "depth"), ("number", " ")]
+    ("column", "cell", "end"),
+    [
+        ("quantity", "best_eror", "found best_eror"),
+        ("quantity", "depth", "found depth"),  # of the indents, not of the topography in this line
+        ("number", " ", "found nothing"),
+        ("dataset", "topografy", "found topografy (did you mean topography?)"),
+        ("select", "surface=ncdd", "ncd, mcd, ruby, found ncdd (did you mean ncd?)"),
+        ("select", "surface=mcd>unc,ncd", "found unc (did you mean uncd?)"),
+        ("select", "surfaces=mcd", "found surfaces (did you mean surface?)"),
+        ("select", "rho=far", "expected rho as a number, found far"),
+        ("rule", "close", "expected interval, factor 2, below, above or order, found 'close'"),
+        ("samples_from", "posterior", "nothing for the dataset topography, found posterior"),
+    ],
 )
-def test_an_unknown_quantity_and_a_number_without_a_name_are_refused(tmp_path, column, cell):
-    """The depth is a variable of the indents, not of the topography in this line."""
+def test_a_faulty_cell_is_refused_with_its_line_and_column(tmp_path, column, cell, end):
     path = tmp_path / "claims.csv"
     table = TABLE.copy()
     table.loc[3, column] = cell
     table.to_csv(path, index=False)
-    assert f"claims.csv: line 5: {column}: expected" in refusal(refuse_claims, path)
+    message = refusal(refuse_claims, path)
+    assert f"claims.csv: line 5: {column}: expected" in message and message.endswith(end)
+
+
+def test_labels_of_claims_are_those_of_the_library():
+    library = {
+        "contact_model": CONTACT_MODELS, "side": SIDES, "pair": PAIRS, "metrics": METRIC_PREFIXES,
+        "model": MODELS, "rms_parameter": Roughness._fields, "exponent_of": SCALED_QUANTITIES,
+        "band_part": BAND_PARTS, "left_out": [NONE_LEFT_OUT, *SURFACES],
+    }  # fmt: skip
+    assert {name: [*labels] for name, labels in library.items()} == {
+        name: [*LABELS[name]] for name in library
+    }
 
 
 def test_an_open_quote_is_refused_in_one_line(tmp_path):

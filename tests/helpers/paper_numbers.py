@@ -4,8 +4,8 @@ import numpy as np
 from repository import ROOT
 
 from hardcontact.base import published
+from hardcontact.paper.claims import read_claims
 from hardcontact.paper.classical_models import ElasticSphere, Roughness
-from hardcontact.paper.evaluation import read_claims
 from hardcontact.surfaces.features import ScanStatistics
 from hardcontact.theory.validity import RUBY_ON_DIAMOND_MODULUS
 

@@ -19,9 +19,8 @@ from paper_datasets import (
 from paper_numbers import CLAIMS, CONSTANTS
 from repository import PAPER, ROOT
 
-from hardcontact.paper.evaluation import COLUMNS
-from hardcontact.paper.open_ends import add_open_ends
-from hardcontact.paper.verdicts import VERDICTS
+from hardcontact.paper.claims import COLUMNS
+from hardcontact.paper.verdicts import VERDICTS, add_open_ends
 from hardcontact.report.answer import answer_text
 from hardcontact.report.figures.listing import PAPER_FIGURES, Caption
 from hardcontact.report.paper_study.answer import paper_answer

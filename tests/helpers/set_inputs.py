@@ -6,7 +6,7 @@ import xarray as xr
 from known_masters import master_ratios
 from paper_numbers import MEAN_FORCE, SUBSTRATES, SURFACES, TABLE1
 
-from hardcontact.paper.sampled_sets import SetInputs
+from hardcontact.paper.sets import SetInputs
 from hardcontact.surfaces.metrics import METRICS, scan_averages
 
 CONFIDENCE, SCANS, CONTACTS = 0.95, 5, 3

@@ -1,12 +1,14 @@
-"""Claims name existing quantities and labels, and repeat the printed numbers of the paper."""
+"""Claims: the table of the paper's statements, and their judgement on a small study."""
 
 import numpy as np
 import pandas as pd
 import pytest
+import xarray as xr
 from paper_numbers import CLAIMS, TABLES
+from scipy import stats
 
-from hardcontact.paper.open_ends import EDGE_CLAIMS
-from hardcontact.paper.verdicts import accepted_range
+from hardcontact.paper.claims import COLUMNS, claim_values, judge_claims
+from hardcontact.paper.verdicts import EDGE_CLAIMS, accepted_range
 
 ROWS = CLAIMS.set_index("id")
 TABLE1 = pd.read_csv(TABLES / "table1.csv")
@@ -62,3 +64,205 @@ def test_a_force_too_weak_for_a_claim_does_not_reproduce_it():
     lowest = accepted_range(*plastic[["rule", "published_low", "published_high"]]).low
     for name in ("rigid_too_weak", "short_range_too_weak"):
         assert ROWS.loc[name, "published_high"] == pytest.approx(lowest)
+
+
+SURFACES = ["smooth", "middle", "rough"]
+CONSTANTS = pd.DataFrame({"value": {"spacing": 2.0, "scan_size": 5e3, "scan_pixels": 512.0}})
+CLAIM = {
+    "id": "claim", "section": "Results", "statement": "It is two.", "published": 2.0,
+    "published_low": 1.5, "published_high": 2.5, "unit": "1", "rule": "interval",
+    "evidence": "published", "dataset": "forces", "quantity": "force", "select": "surface=middle",
+    "needs": "", "follows_from": "", "samples_from": "", "note": "",
+}  # fmt: skip
+
+
+def make_datasets(substitutes=(), surfaces=SURFACES):
+    """Heights and forces of 1, 2 and 4, forces within 10 %; scans are measured or substitutes."""
+    names = [*SURFACES, "sphere"]
+    topography = xr.Dataset(
+        {
+            "rms_height_mean": ("surface", [1.0, 2.0, 4.0, 0.5]),
+            "rms_gradient_mean": ("surface", [0.1, 0.2, 0.4, 0.05]),
+            "source": (
+                "surface",
+                ["substitute" if n in substitutes else "measured" for n in names],
+            ),
+            "table1_rows_met": ("surface", ["afm_rms_height"] * 3 + [""]),
+        },
+        {"surface": names},
+        {"sphere_surface": "sphere"},
+    )
+    force = np.array([1.0, 2.0, 4.0])
+    forces = xr.Dataset(
+        {
+            "force": ("surface", force),
+            "force_interval": (("surface", "end"), np.outer(force, [0.9, 1.1])),
+            "change": (("surface", "scan"), np.full((3, 3), 1e-3)),
+        },
+        {"surface": SURFACES, "end": ["low", "high"]},
+    )
+    return {
+        "topography": topography.sel(surface=[*surfaces, "sphere"]),
+        "forces": forces.sel(surface=surfaces),
+        "indent": xr.Dataset(
+            {"depth": ("preload", [2.0])},
+            {"preload": [np.nextafter(2e-5, 1)]},
+            {"surface": surfaces[-1]},
+        ),
+    }
+
+
+def judge_all(datasets, samples=(), confidence=0.95, **changes):
+    sets = xr.Dataset(
+        {"value": (("set", "claim"), np.reshape(samples, (-1, 1)))}, {"claim": ["claim"]}
+    )
+    claims = pd.DataFrame([CLAIM | changes])
+    return judge_claims(claims, datasets, CONSTANTS, confidence, sets)
+
+
+def judge(datasets=None, *samples, **changes):
+    """Return the row of the claim after changes of some of its columns."""
+    return judge_all(make_datasets() if datasets is None else datasets, *samples, **changes).iloc[0]
+
+
+def test_a_number_is_judged_with_its_interval():
+    table = judge_all(make_datasets())
+    assert tuple(table.columns) == COLUMNS
+    row = table.iloc[0]
+    assert (row.computed, row.low, row.high) == pytest.approx((2.0, 1.8, 2.2))
+    assert (row.verdict, row.basis) == ("reproduced", "measured")
+    assert np.isnan(row.agreeing_share)
+    assert judge(published_high=2.1).verdict == "undecided"
+
+
+HEIGHT = {"dataset": "topography", "quantity": "afm_rms_height"}
+ORDER = {"rule": "order", "published_low": 1.0, "select": "surface=rough>middle>smooth"}
+
+
+@pytest.mark.parametrize(
+    ("changes", "substitutes", "basis", "verdict"),
+    [
+        ({}, ["middle"], "substitute scans", "reproduced"),
+        ({}, ["rough"], "measured", "reproduced"),
+        ({}, ["sphere"], "substitute scans", "reproduced"),
+        (HEIGHT, ["sphere"], "measured", "agrees"),
+        (HEIGHT, ["middle"], "substitute scans", "by construction"),
+        (HEIGHT | ORDER, ["middle", "rough"], "substitute scans", "agrees"),
+        (HEIGHT | ORDER, SURFACES, "substitute scans", "by construction"),
+        (ORDER, ["smooth"], "substitute scans", "reproduced"),
+        ({"needs": "construction"}, [], "measured", "by construction"),
+        ({"needs": "measured"}, ["middle"], "substitute scans", "not testable"),
+        ({"needs": "measured"}, [], "measured", "reproduced"),
+        ({"needs": "experiment"}, [], "measured", "model beside experiment"),
+        (HEIGHT | {"needs": "no scan"}, ["middle"], "no scan", "reproduced"),
+        ({"rule": "below", "published_high": 5.0, "select": ""}, ["rough"], "substitute scans",
+         "reproduced"),
+    ],
+)  # fmt: skip
+def test_a_claim_rests_on_the_scans_of_its_surfaces(changes, substitutes, basis, verdict):
+    row = judge(make_datasets(substitutes), **changes)
+    assert (row.basis, row.verdict) == (basis, verdict)
+
+
+@pytest.mark.parametrize(("pixel_size", "verdict"), [(9.8, "agrees"), (19.6, "not testable")])
+def test_slopes_on_pixels_larger_than_the_papers_are_not_judged(pixel_size, verdict):
+    datasets = make_datasets()
+    pixel_sizes = ("surface", [pixel_size] * 4)
+    datasets["topography"] = datasets["topography"].assign(pixel_size=pixel_sizes)
+    slope = {"dataset": "topography", "quantity": "afm_rms_slope"}
+    assert judge(datasets, published_low=0.15, published_high=0.25, **slope).verdict == verdict
+
+
+@pytest.mark.parametrize(
+    ("samples", "ends", "agreeing_share", "verdict"),
+    [
+        (np.linspace(1.7, 2.3, 101), (1.715, 2.285), 1, "reproduced"),
+        (np.linspace(1.3, 2.3, 101), (1.325, 2.275), 81 / 101, "undecided"),
+        (np.linspace(2.6, 3.0, 101), (2.0, 2.99), 0, "not reproduced"),  # stretched to the number
+        ([2.1] * 9, (1.8, 2.2), 1, "reproduced"),  # equal sets: the number keeps its own interval
+        ([*np.linspace(1.7, 2.3, 19), np.nan], (1.7135, 2.2865), 0.95, "reproduced"),
+        ([*np.linspace(1.7, 2.3, 18), np.nan, np.nan], (np.nan, np.nan), 0.9, "undecided"),
+    ],
+)
+def test_sets_give_interval_and_agreeing_share(samples, ends, agreeing_share, verdict):
+    row = judge(make_datasets(), samples, samples_from="sets")
+    np.testing.assert_allclose([row.low, row.high], ends, atol=3e-3)
+    assert (row.agreeing_share, row.verdict) == (pytest.approx(agreeing_share), verdict)
+
+
+def test_sets_decide_only_what_is_not_fixed_and_differs_between_them():
+    marginal = [1.4, 1.4, *np.linspace(1.9, 2.1, 98)]
+    assert judge(make_datasets(), marginal, samples_from="sets").verdict == "reproduced"
+    fixed = judge(make_datasets(), marginal, samples_from="sets", needs="construction")
+    assert fixed.verdict == "by construction"
+    # Equal sets say nothing about scatter: the number keeps the verdict of its own interval.
+    equal = judge(make_datasets(), [2.1] * 9, samples_from="sets", published_high=2.15)
+    assert (equal.agreeing_share, equal.verdict) == (1, "undecided")
+
+
+@pytest.mark.parametrize(
+    ("middle", "verdict"), [((2.0, 1.8, 2.2), "reproduced"), ((2.0, 1.0, 2.2), "undecided"),
+                            ((0.5, 0.4, 0.6), "not reproduced")],
+)  # fmt: skip
+def test_an_order_needs_every_link(middle, verdict):
+    datasets = make_datasets()
+    datasets["forces"]["force"].loc["middle"] = middle[0]
+    datasets["forces"]["force_interval"].loc["middle"] = np.array(middle[1:])
+    assert judge(datasets, **ORDER).verdict == verdict
+
+
+def test_unselected_dimensions_take_the_worst_case():
+    datasets = make_datasets()
+    datasets["forces"]["change"][:] = [[1e-3, 1e-3, np.nan], [1e-3, 1e-3, 0.02], [1e-3] * 3]
+    for rule, worst in (("below", 0.02), ("above", 1e-3)):
+        assert judge(datasets, quantity="change", select="", rule=rule).computed == worst
+
+
+def test_numbers_of_one_surface_are_selected_by_label():
+    depth = {"dataset": "indent", "quantity": "depth", "select": "preload=20e-6;surface=rough"}
+    assert judge(**depth).computed == 2
+    assert judge_all(make_datasets(surfaces=["smooth", "middle"]), **depth).empty
+    assert judge_all(make_datasets(), **depth | {"select": "preload=10e-6"}).empty
+
+
+def test_a_claim_about_a_missing_surface_has_no_number():
+    rows = pd.DataFrame([CLAIM, CLAIM | {"id": "other", "select": "surface=rough"}])
+    numbers = claim_values(rows, make_datasets(surfaces=["smooth", "middle"]), CONSTANTS)
+    assert (numbers.index.name, numbers["claim"]) == ("id", 2.0) and np.isnan(numbers["other"])
+
+
+def test_a_claim_without_a_number_is_undecided():
+    datasets = make_datasets()
+    datasets["forces"]["force"][:] = np.nan
+    row = judge(datasets)
+    assert row.verdict == "undecided" and row.note == "No value exists."
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"rule": "close"}, "rule: expected interval, .* found 'close'"),
+        ({"quantity": "colour"}, ".*colour"),
+        ({"quantity": "range_exponent_of_force"}, ".*pull_off_force"),
+        ({"quantity": "interaction_radius_at_fit"}, "expected sphere_radius, found none"),
+        ({"dataset": "colours"}, "expected colours, found none"),
+        ({"select": "phase=solid"}, ".*phase"),
+        ({"select": ""}, "expected one number for the rule 'interval'"),
+        ({"id": "two", "samples_from": "sets"}, "expected its values in sets.nc"),
+    ],
+)
+def test_errors_name_the_claim(change, message):
+    with pytest.raises(ValueError, match=f"claim {change.get('id', 'claim')}: {message}") as error:
+        judge(**change)
+    assert "\n" not in str(error.value)
+
+
+def test_intervals_over_scans_have_the_given_confidence():
+    datasets = make_datasets()
+    scans = ("surface", "scan", "contact"), np.outer(np.ones(3), [1.0, 2.0, 3.0])[..., None]
+    datasets["forces"]["scan_force"] = scans
+    confidences = (0.95, 0.5)
+    quantiles = [stats.t.ppf((1 + confidence) / 2, 2) for confidence in confidences]
+    rows = [judge(datasets, (), confidence, quantity="scan_force") for confidence in confidences]
+    widths = [np.log(row.high / row.low) for row in rows]
+    assert widths[0] / widths[1] == pytest.approx(quantiles[0] / quantiles[1])

@@ -3,11 +3,17 @@
 import numpy as np
 import pytest
 import xarray as xr
-from paper_numbers import MEAN_FORCE, MODULUS, RADIUS, SUBSTRATES, TABLES
+from paper_numbers import AFM, MEAN_FORCE, MODULUS, RADIUS, SPHERE, SUBSTRATES, TABLES
+from scipy.optimize import minimize
 
 from hardcontact.base import published
 from hardcontact.base.statistics import Sampling, interval_ends
-from hardcontact.paper.classical_comparison import apply_classical_models
+from hardcontact.paper.classical_comparison import (
+    apply_classical_models,
+    classical_error,
+    power_law_error,
+)
+from hardcontact.paper.classical_models import MODELS, Roughness
 
 
 def make_inference(surfaces=SUBSTRATES, forces=MEAN_FORCE):
@@ -65,3 +71,35 @@ def test_a_surface_that_the_paper_lacks_has_no_numbers(classical):
         np.isnan(forces.sel(surface="glass")) and not forces.sel(surface=SUBSTRATES).isnull().any()
     )
     assert extended["mean_relative_error"].equals(classical["mean_relative_error"])
+
+
+@pytest.mark.parametrize("name", MODELS)
+def test_the_forces_of_a_model_are_fitted_without_error(name):
+    gentle = Roughness(np.array([0.05, 0.1]), np.array([0.1, 0.2]), np.array([0.01, 0.02]))
+    target = MODELS[name].force(0.08, gentle, SPHERE)
+    amplitudes = Roughness(*(np.stack([values, 1.5 * values]) for values in gentle))
+    error = classical_error(MODELS[name], amplitudes, SPHERE, target)
+    assert error[0] < 1e-4 and error[1] > error[0]
+
+
+def test_forces_that_vanish_have_the_error_one():
+    rough = Roughness(AFM.height, AFM.slope, 1e3 * AFM.curvature)
+    assert classical_error(MODELS["maugis"], rough, SPHERE, MEAN_FORCE) == pytest.approx(1)
+
+
+def test_a_power_law_has_the_least_mean_relative_error():
+    works = 3 * AFM.height**-1.2
+    assert power_law_error(AFM.height, works) == pytest.approx(0, abs=1e-12)
+
+    def error(parameters):
+        factor, exponent = parameters
+        return np.abs(np.exp(factor) * AFM.slope**exponent / works - 1).mean()
+
+    line = np.polyfit(np.log(AFM.slope), np.log(works), 1)
+    starts = [line[::-1] + shift for shift in np.random.default_rng(1).normal(0, 0.5, (20, 2))]
+    smallest = min(
+        minimize(error, start, method="Nelder-Mead", options={"xatol": 1e-9, "fatol": 1e-12}).fun
+        for start in starts
+    )
+    assert 0.1 < smallest < error(line[::-1])
+    assert power_law_error(AFM.slope, works) == pytest.approx(smallest, rel=1e-6)

@@ -1,12 +1,22 @@
 """Pools of scans: heights, forces against the direct sum, interpolation between heights."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
+import xarray as xr
 from direct_sum import direct_force, gap_to_sphere, mirror
+from refusals import assert_says, refusal
 from small_pool import CONTACT, GRID, HEIGHTS, RANGES, SUBSTITUTE, pool_of, raw_scan
 
-from hardcontact.contact.pull_off import spline_weights
-from hardcontact.paper.pool import pool_heights
+from hardcontact.base.arrays import generator
+from hardcontact.base.statistics import student_log_interval
+from hardcontact.contact.geometry import join_bodies
+from hardcontact.contact.pull_off import pull_off_dataset, spline_weights
+from hardcontact.paper.pool import pool_heights, sample_scans
+from hardcontact.paper.sets import scale_to_sampled_mean
+from hardcontact.surfaces.conditioning import scale_rms_heights
+from hardcontact.surfaces.height_map import mirror_scan
 from hardcontact.surfaces.metrics import TABLE1_METRICS, metrics
 
 
@@ -63,3 +73,75 @@ def test_a_scan_does_not_depend_on_the_other_scans(pool):
     single = pool_of(4)
     np.testing.assert_array_equal(single["log_force"].sel(scan=4), pool["log_force"].sel(scan=4))
     assert not np.allclose(pool["log_force"].sel(scan=3), pool["log_force"].sel(scan=4))
+
+
+POOL = range(1, 7)
+
+
+def test_sampled_heights_have_the_exact_mean_and_deviation():
+    sampled_heights = np.array([3.0, 2.8, 3.3, 3.1, 2.9])
+    heights = scale_rms_heights(sampled_heights, 3.2, 1.6)
+    assert heights.mean() == pytest.approx(3.2, rel=1e-12)
+    assert heights.std(ddof=1) == pytest.approx(1.6, rel=1e-12)
+    np.testing.assert_array_equal(np.argsort(heights), np.argsort(sampled_heights))
+    np.testing.assert_array_equal(scale_rms_heights(sampled_heights[:1], 3.2, 1.6), [3.2])
+
+
+def test_a_set_has_the_forces_and_roughness_of_its_scans_at_the_sampled_heights():
+    sampled_set = sample_scans(pool_of(*POOL), generator(1, "draw"), 5)
+    assert len(set(sampled_set["number"].values)) == 5
+    assert sampled_set["rms_height"].mean().item() == pytest.approx(10.0, rel=1e-12)
+    assert sampled_set["rms_height"].std(ddof=1).item() == pytest.approx(4.0, rel=1e-12)
+    for _, sampled_scan in sampled_set.groupby("scan"):
+        scan = raw_scan(sampled_scan["number"].item())
+        height = sampled_scan["rms_height"].item()
+        scaled = replace(scan, heights=scan.heights * height / scan.heights.std())
+        values = metrics(scaled)
+        for name in TABLE1_METRICS.values():
+            assert sampled_scan[name].item() == pytest.approx(values[name], rel=1e-9)
+        bodies = join_bodies(mirror_scan(scaled), None, CONTACT)
+        direct = pull_off_dataset(bodies, CONTACT, RANGES)["pull_off_force"].values
+        np.testing.assert_allclose(
+            sampled_scan["pull_off_force"].squeeze("scan"), direct, rtol=0.15
+        )
+        means = sampled_scan["pull_off_force"].mean(["contact_y", "contact_x"]).squeeze("scan")
+        np.testing.assert_allclose(means.sel(rho=5.6), direct[:, 2].mean(axis=(1, 2)), rtol=1e-3)
+        np.testing.assert_allclose(means, direct.mean(axis=(2, 3)), rtol=0.03)
+
+
+def test_sets_that_would_need_a_flatter_scan_are_sampled_again_or_refused():
+    wide = pool_of(*POOL).assign_attrs(rms_height_deviation=6.5)
+    lowest = wide["rms_height_of_force"].min().item()
+    heights = np.array([sample_scans(wide, generator(3, n), 3)["rms_height"] for n in range(20)])
+    assert (heights >= lowest * (1 - 1e-9)).all()
+    np.testing.assert_allclose(heights.std(axis=1, ddof=1), 6.5)
+    message = refusal(sample_scans, wide.assign_attrs(rms_height_deviation=30.0), generator(3), 5)
+    assert_says(message, "expected sets of 5 scans", "10 +- 30 nm", "found none")
+
+
+def measured_forces(scans):
+    """Forces of measured scans on two spheres: log-normal, correlated along the range."""
+    rng = np.random.default_rng(scans)
+    scan_effect = rng.normal(size=(scans, 1, 1, 1, 1, 1)) * np.array([0.3, 0.6])[:, None, None]
+    contact_effect = 0.5 * rng.normal(size=(scans, 2, 1, 1, 3, 3))
+    forces = np.exp(scan_effect + contact_effect + np.log([1.0, 2.0])[:, None, None, None])
+    axes = ("scan", "sphere_scan", "contact_model", "rho", "contact_y", "contact_x")
+    return xr.DataArray(
+        forces, {"contact_model": ["rigid", "plastic"], "rho": [1.0, 5.6]}, axes, name="forces"
+    )
+
+
+def test_sampled_means_of_measured_scans_spread_over_their_interval():
+    forces = measured_forces(5)
+    scans = forces.mean(["sphere_scan", "contact_y", "contact_x"])
+    low, high = np.moveaxis(student_log_interval(scans, 0.9, "scan").values, -1, 0)
+    means = np.array(
+        [
+            scale_to_sampled_mean(forces, generator(5, n)).mean(
+                ["scan", "sphere_scan", "contact_y", "contact_x"]
+            )
+            for n in range(400)
+        ]
+    )
+    share = ((means > low) & (means < high)).mean(axis=0)
+    np.testing.assert_allclose(share, 0.9, atol=4 * np.sqrt(0.09 / 400))

@@ -8,9 +8,9 @@ from scipy import constants, stats
 from scipy.integrate import quad
 
 from hardcontact.base.statistics import interval_ends
+from hardcontact.paper import band_quantities
 from hardcontact.paper import contact_quantities as contact
 from hardcontact.paper import force_quantities as force
-from hardcontact.paper import inference_quantities as inference
 
 RADIUS = 250e3
 #: The dataset `paper` of claims.
@@ -49,9 +49,9 @@ def test_roughness_ratios_compare_all_scales_with_afm_scans():
     topography = xr.Dataset(
         afm | {f"all_scales_{name}": value for name, value in all_scales.items()}
     )
-    near(force.slope_growth(topography), 6)
-    near(force.slope_growth_over_height_growth(topography), 6 / 1.5)
-    near(force.curvature_growth_over_height_growth(topography), 60 / 1.5)
+    near(contact.slope_growth(topography), 6)
+    near(contact.slope_growth_over_height_growth(topography), 6 / 1.5)
+    near(contact.curvature_growth_over_height_growth(topography), 60 / 1.5)
 
 
 def test_apex_level_is_a_ratio_of_each_scan():
@@ -106,9 +106,9 @@ def test_elastic_contact_is_compared_with_rigid_and_plastic_contact():
     near(contact.median_share_above_hardness(three), 0.45)
     near(contact.median_plastic_over_elastic_area(three), (4 + 1) / 2)  # 400 nm² carry the preload
     exponents = xr.Dataset({"force_exponent": ("surface", [0.7, 0.1, 0.0])})
-    near(contact.median_force_exponent(exponents), 0.1)
+    near(band_quantities.median_force_exponent(exponents), 0.1)
     exponents = xr.Dataset({"edge_exponent": ("surface", [-0.2, 0.6, 2.0])})
-    near(contact.median_edge_exponent(exponents), 0.6)
+    near(band_quantities.median_edge_exponent(exponents), 0.6)
 
 
 def test_waves_of_a_sphere_s_slope_have_its_mean_pressure():
@@ -200,7 +200,7 @@ def test_sinusoid_share_is_an_integral(rho):
         return np.exp(-PARAMETERS["sinusoid_amplitude"] * (1 - np.cos(x)) / rho)
 
     share = quad(attraction, 0, np.pi / 2)[0] / quad(attraction, 0, np.pi)[0]
-    near(inference.sinusoid_share(PAPER).sel(rho=rho), share)
+    near(band_quantities.sinusoid_share(PAPER).sel(rho=rho), share)
 
 
 def test_strength_is_the_largest_ratio_of_pressures_at_any_gap():
@@ -208,28 +208,28 @@ def test_strength_is_the_largest_ratio_of_pressures_at_any_gap():
     gaps = np.geomspace(1e-10, 1e-6, 4001)
     casimir = np.pi**2 * constants.hbar * constants.c / (240 * gaps**4)
     ratios = 0.0463 / rho * np.exp(-gaps / rho) / casimir
-    assert inference.strength_over_casimir(PAPER)["value"] == pytest.approx(ratios.max(), rel=1e-5)
+    assert force.strength_over_casimir(PAPER)["value"] == pytest.approx(ratios.max(), rel=1e-5)
 
 
 def test_interaction_radius_and_its_share_of_the_force():
     fitted = xr.Dataset({"range_of_adhesion": 5.6}, attrs={"sphere_radius": RADIUS})
     radius = np.sqrt(2 * RADIUS * 5.6)
-    near(inference.interaction_radius(PAPER), radius)
-    near(inference.interaction_radius_at_fit(fitted), radius)
+    near(band_quantities.interaction_radius(PAPER), radius)
+    near(band_quantities.interaction_radius_at_fit(fitted), radius)
 
     def ring(r):
         return r * np.exp(-(r**2) / (2 * RADIUS * 5.6))
 
     share = quad(ring, 0, radius)[0] / quad(ring, 0, 20 * radius)[0]
-    near(inference.interaction_share(PAPER), share)
+    near(band_quantities.interaction_share(PAPER), share)
 
 
 def test_force_at_short_range_is_linear_between_ranges():
     forces = xr.Dataset({"mean_force": ("rho", [1.0, 5.0])}, {"rho": [0.1, 1.1]})
     shift = PARAMETERS["atomic_range_upper_bound"] - 0.1
-    near(inference.short_range_force(forces, PAPER), 0.0463 * (1 + 4 * shift))
+    near(force.short_range_force(forces, PAPER), 0.0463 * (1 + 4 * shift))
     longer_ranges = forces.assign_coords(rho=[2.0, 3.0])
-    assert np.isnan(inference.short_range_force(longer_ranges, PAPER)["value"])
+    assert np.isnan(force.short_range_force(longer_ranges, PAPER)["value"])
 
 
 def test_errors_are_read_at_short_ranges_and_at_the_second_minimum():
@@ -241,12 +241,12 @@ def test_errors_are_read_at_short_ranges_and_at_the_second_minimum():
         },
         {"minimum": [1, 2], "rho_fine": [0.3, 0.6, 5.6]},
     )
-    near(inference.short_range_error(errors, PAPER), 0.2)
-    near(inference.error_of_second_minimum(errors, PAPER), 0.3)
+    near(force.short_range_error(errors, PAPER), 0.2)
+    near(force.error_of_second_minimum(errors, PAPER), 0.3)
     single = errors.assign(error_at_minimum=("minimum", [0.05, np.nan]))
-    assert inference.error_of_second_minimum(single, PAPER)["value"] == np.inf
+    assert force.error_of_second_minimum(single, PAPER)["value"] == np.inf
     nothing_fits = errors.assign(best_error=0.15)
-    assert np.isnan(inference.error_of_second_minimum(nothing_fits, PAPER)["value"])
+    assert np.isnan(force.error_of_second_minimum(nothing_fits, PAPER)["value"])
 
 
 # --- scales -----------------------------------------------------------------------------------
@@ -273,20 +273,20 @@ def band():
 
 
 def test_changes_are_read_outside_and_inside_the_published_band(band):
-    near(inference.change_outside_band(band, PAPER), [0.05, 0.05])
+    near(band_quantities.change_outside_band(band, PAPER), [0.05, 0.05])
     # At 86 and 900 nm, between the cutoffs of 43 and 200 nm, and of 200 and 1000 nm.
     octaves = [0.05 + 0.95 * 43 / 157, 0.6 - 0.3 * 700 / 800]
-    near(inference.change_inside_band(band, PAPER), octaves)
-    near(inference.short_cutoff_change(band, PAPER), 0.0)
-    near(inference.stylus_change(band, PAPER), 3.0)
+    near(band_quantities.change_inside_band(band, PAPER), octaves)
+    near(band_quantities.short_cutoff_change(band, PAPER), 0.0)
+    near(band_quantities.stylus_change(band, PAPER), 3.0)
 
 
 def test_an_open_edge_is_its_bound(band):
-    near(inference.band_edge(band), [46.0, 1750.0])
-    ratio = inference.edge_over_interaction_radius(band, PAPER)
+    near(band_quantities.band_edge(band), [46.0, 1750.0])
+    ratio = band_quantities.edge_over_interaction_radius(band, PAPER)
     near(ratio.sel(side="long"), 1750 / 1673, rtol=1e-3)
     band["edge"][:] = np.nan
-    near(inference.band_edge(band), [1000.0, 200.0])
+    near(band_quantities.band_edge(band), [1000.0, 200.0])
 
 
 def test_the_first_edge_is_that_of_the_first_surface_to_leave():
@@ -308,7 +308,7 @@ def test_the_first_edge_is_that_of_the_first_surface_to_leave():
         {"side": ["short", "long"], "group": ["uncd", "mcd", "mean"],
          "cutoff_wavelength": cutoffs, "end": ["low", "high"]},
     )  # fmt: skip
-    first_edge = inference.first_edge(band)
+    first_edge = band_quantities.first_edge(band)
     near(first_edge, [40.0, 1500.0])
     np.testing.assert_allclose(first_edge["value_interval"].sel(side="short"), [36, 44])
 
@@ -321,4 +321,4 @@ def test_the_force_on_a_plane_is_that_of_derjaguin():
         {"side": ["short", "long"], "cutoff_wavelength": [10.0, 1000.0, 5000.0]},
         {"sphere_radius": RADIUS, "confidence": 0.95},
     )
-    near(inference.flat_limit_fraction(scales), 1)
+    near(band_quantities.flat_limit_fraction(scales), 1)

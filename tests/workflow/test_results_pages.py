@@ -12,7 +12,7 @@ from repository import ROOT
 from hardcontact.base import dataset
 from hardcontact.config.configuration import read_yaml
 from hardcontact.paper.claim_selection import WITHOUT_SCAN
-from hardcontact.paper.evaluation import COLUMNS
+from hardcontact.paper.claims import COLUMNS
 from hardcontact.paper.verdicts import VERDICTS
 from hardcontact.report.figures.listing import PAPER_FIGURES
 from hardcontact.report.paper_study.answer import ANSWER_CLAIMS

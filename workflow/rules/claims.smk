@@ -1,7 +1,11 @@
 # Claims: each statement of the paper beside what was computed.
 
-from hardcontact.paper.evaluation import CLAIM_DATASETS
+from hardcontact.paper.claims import datasets_of_claims
 from hardcontact.report.paper_study.changed_inputs import paper_contact
+
+#: The statements of the paper.
+CLAIMS = "resources/paper/claims.csv"
+CLAIM_DATASETS = datasets_of_claims(CLAIMS)
 
 
 rule evaluate_claims:
@@ -9,7 +13,7 @@ rule evaluate_claims:
     input:
         **{dataset: PATTERNS.dataset(dataset) for dataset in CLAIM_DATASETS},
         sets=PATTERNS.dataset("sets"),
-        claims="resources/paper/claims.csv",
+        claims=CLAIMS,
         published_constants=PUBLISHED_TABLES["published_constants"],
         published_table1=PUBLISHED_TABLES["published_table1"],
     output:

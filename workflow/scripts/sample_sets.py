@@ -6,7 +6,7 @@ from hardcontact.base import published
 from hardcontact.base.dataset import read, read_all
 from hardcontact.inference.master_datasets import read_master_forces
 from hardcontact.paper.published_fit import PublishedForces
-from hardcontact.paper.sampled_sets import SetSettings, gather_inputs, sample_sets
+from hardcontact.paper.sets import SetSettings, gather_inputs, sample_sets
 from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:

@@ -1,9 +1,6 @@
-"""Select the computed estimate that a claim is about, and give verdicts that need no estimate.
+"""Select the estimate (`paper.estimates`) of a claim, and give verdicts that need no estimate."""
 
-An estimate is a dataset of `value` and `value_interval` (`paper.estimates`).
-"""
-
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from functools import reduce
 from itertools import chain, pairwise
 from typing import Any
@@ -13,26 +10,44 @@ import pandas as pd
 import xarray as xr
 
 from hardcontact.base.published import rows_met
+from hardcontact.contact.contact import CONTACT_MODELS
+from hardcontact.inference.edges import MEAN_GROUP
 from hardcontact.paper.estimates import quotient
 from hardcontact.paper.verdicts import BY_CONSTRUCTION, EXPERIMENT, ONE_SIDED, UNTESTABLE
 
+#: Surfaces of the paper. A study may lack some.
+SURFACES = ("polished_uncd", "uncd", "ncd", "mcd", "ruby")
+#: The labels of each dimension that claims may select; numbers if there are none.
+LABELS: dict[str, Sequence[str]] = {
+    "surface": SURFACES, "group": (MEAN_GROUP, *SURFACES), "left_out": ("none", *SURFACES),
+    "contact_model": CONTACT_MODELS, "side": ("short", "long"), "pair": ("published", "fitted"),
+    "force_source": ("published", "computed"), "metrics": ("afm", "all_scales"),
+    "model": ("rumpf_height", "rumpf_curvature", "rabinovich", "fuller_tabor", "maugis"),
+    "rms_parameter": ("height", "slope", "curvature"), "cause": ("plasticity", "range"),
+    "exponent_of": ("radius", "contact"), "forces_on": ("scans", "whole surfaces"),
+    "band": ("published", "found"),
+    "band_part": ("only the band", "no shorter waves", "no longer waves"),
+    "rho": (), "preload": (), "minimum": (),
+}  # fmt: skip
 #: Groups of labels by dimension; `a > b` makes two groups.
 SelectedLabels = Mapping[str, list[list[Any]]]
 
 
-def parse_selection(estimate: xr.Dataset, select: str) -> SelectedLabels | None:
-    """Parse the column `select` of a claim: ``a=x;b=y,z>w`` means {a: [[x]], b: [[y, z], [w]]}.
+def split_selection(select: str) -> dict[str, list[list[str]]]:
+    """Split the column `select` of a claim: ``a=x;b=y,z>w`` means {a: [[x]], b: [[y, z], [w]]}."""
+    items = (item.split("=", 1) for item in filter(None, select.split(";")))
+    return {dim: [group.split(",") for group in groups.split(">")] for dim, groups in items}
 
-    Labels are values of the coordinates; None if a coordinate lacks a label. Raises KeyError if the
-    estimate lacks a dimension.
+
+def parse_selection(estimate: xr.Dataset, select: str) -> SelectedLabels | None:
+    """Return the selected values of the coordinates; None if a coordinate lacks a label.
+
+    Raises KeyError if the estimate lacks a dimension.
     """
-    labels: dict[str, list[list[Any]]] = {}
-    for item in filter(None, select.split(";")):
-        dim, groups = item.split("=", 1)
-        coordinate = estimate[dim].values
-        labels[dim] = [
-            [_label(coordinate, label) for label in group.split(",")] for group in groups.split(">")
-        ]
+    labels = {
+        dim: [[_label(estimate[dim].values, label) for label in group] for group in groups]
+        for dim, groups in split_selection(select).items()
+    }
     lacks_label = any(None in group for groups in labels.values() for group in groups)
     return None if lacks_label else labels
 
@@ -49,9 +64,9 @@ def _label(coordinate: np.ndarray, label: str) -> Any:
 def select_estimate(estimate: xr.Dataset, labels: SelectedLabels, rule: str) -> xr.Dataset:
     """Return the single estimate that is judged, by labels from `parse_selection`.
 
-    The estimate of a chain of groups, ``a > b > c``, is the smallest ratio of a value of a group to
-    a value of the next group. A rule with one limit reduces dimensions without a selection to the
-    worst value. Raises ValueError if the rule has two limits and more than one estimate remains.
+    For a chain of groups, ``a > b > c``, it is the smallest ratio of a value of a group to a value
+    of the next group. A rule with one limit takes the worst value along other dimensions. Raises
+    ValueError if the rule has two limits and more than one estimate remains.
     """
     for dim, groups in labels.items():
         selected = [estimate.sel({dim: group}) for group in groups]
@@ -61,7 +76,8 @@ def select_estimate(estimate: xr.Dataset, labels: SelectedLabels, rule: str) -> 
         return estimate.squeeze(remaining, drop=True)
     if rule not in ONE_SIDED:
         raise ValueError(
-            f"rule {rule!r} needs one number, not selected: {', '.join(map(str, remaining))}"
+            f"expected one number for the rule {rule!r}, found several along "
+            f"{', '.join(map(str, remaining))}"
         )
     worst = estimate.max(remaining) if rule == "below" else estimate.min(remaining)
     # The worst value has no interval if any value lacks one: that value may be the worst.

@@ -1,10 +1,10 @@
-"""Effective works of adhesion and classical models, for the published and the computed forces.
+"""Effective works of adhesion and errors of classical models, for classical.nc.
 
 At the effective work of adhesion a smooth sphere has the pull-off force of the rough sphere.
-Lengths in nm, forces in N, works of adhesion in J/m².
+Lengths are in nm, forces in N, works of adhesion in J/m².
 """
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from decimal import Decimal
 from typing import Any
 
@@ -19,11 +19,17 @@ from hardcontact.base.statistics import Sampling, with_interval
 from hardcontact.base.units import DIMENSIONLESS, JOULE_PER_M2, NEWTON, PASCAL
 from hardcontact.contact import hertz_jkr_dmt
 from hardcontact.contact.contact import PLASTIC
-from hardcontact.paper.classical_fits import compare_models, power_laws, sample_roughness
-from hardcontact.paper.classical_models import MODELS, ElasticSphere, Roughness
+from hardcontact.inference.fit import fit_work, mean_relative_error, minimum_along_axis
+from hardcontact.paper.classical_models import MODELS, ClassicalModel, ElasticSphere, Roughness
 
 #: Prefixes of the rows of Table 1: roughness of the AFM scans, and roughness of all scales.
 METRIC_PREFIXES = {"afm": "afm", "all_scales": "all"}
+#: Works of adhesion (J/m²) among which the best fit is searched first.
+SEARCHED_WORKS = np.geomspace(1e-3, 10, 401)
+#: Exponents of power laws of roughness parameters that are searched first.
+EXPONENTS = np.linspace(-8, 8, 321)
+#: Repeated searches, each on a 20 times finer grid about the best value: it is known to 1e-5.
+REFINEMENTS = 3
 
 
 def apply_classical_models(
@@ -36,12 +42,13 @@ def apply_classical_models(
     """Return effective works of adhesion, and forces and errors of classical models (classical.nc).
 
     The fit (fit.nc) has mean forces of plastic contact at the published pair; the tables come from
-    `published`. Roughness of Table 1 is sampled within its uncertainty. The interval of
-    ``published_mean_force`` contains all forces that round to the printed number. NaN if the paper
-    prints no force or no roughness of a surface.
+    `published`. Intervals follow from the uncertainty of Table 1 and the rounding of printed
+    forces. NaN if the paper prints no force or no roughness of a surface.
     """
     value = constants["value"].to_dict()
-    sphere = _elastic_sphere(fit.attrs["sphere_radius"], value)
+    sphere = ElasticSphere(
+        fit.attrs["sphere_radius"], effective_modulus(value), value["equilibrium_spacing"]
+    )
     rows = table1.pivot(index="surface", columns="quantity", values=["value", "uncertainty"])
     rows = rows.dropna()
     printed = printed.dropna(subset="mean_force")
@@ -63,11 +70,12 @@ def apply_classical_models(
         uncertainty = _roughness(rows.loc[surfaces], "uncertainty", prefix)
         rng = sampling.generator(metrics)
         samples = sample_roughness(rng, mean, uncertainty, sampling.sample_count)
-        comparison = compare_models(
+        comparison = _compare_models(
             mean, samples, sphere, value["work_of_adhesion"], _first_columns(forces), sampling
         )
-        laws = power_laws(mean, samples, _first_columns(works), sampling)
-        models[(metrics,)] = comparison.merge(laws)
+        models[(metrics,)] = comparison.merge(
+            _power_laws(mean, samples, _first_columns(works), sampling)
+        )
     return (
         stack(models, ["metrics"])
         .merge(_forces_and_works(forces, works, sampling.confidence))
@@ -81,11 +89,6 @@ def apply_classical_models(
         )
         .assign_attrs(error_threshold=fit.attrs["error_threshold"], confidence=sampling.confidence)
     )
-
-
-def _elastic_sphere(radius: float, constants: Mapping[Any, float]) -> ElasticSphere:
-    """Return the sphere (radius in nm) with the published materials."""
-    return ElasticSphere(radius, effective_modulus(constants), constants["equilibrium_spacing"])
 
 
 def _smooth_contact(sphere: ElasticSphere, constants: Mapping[Any, float]) -> xr.Dataset:
@@ -105,6 +108,19 @@ def _forces_at_published_pair(fit: xr.Dataset) -> Floats:
     plastic = fit.sel(contact_model=PLASTIC, pair="published")
     interval = plastic["mean_force_at_pair_interval"].transpose("surface", "end")
     return np.column_stack([plastic["mean_force_at_pair"].values, interval.values])
+
+
+def rounded_numbers(printed: "pd.Series[str]") -> Floats:
+    """Return printed numbers, and the smallest and largest number rounded to them, (n, 3)."""
+    value = printed.astype(float).to_numpy()
+    half = printed.map(_half_unit).astype(float).to_numpy()
+    return np.stack([value, value - half, value + half], axis=-1)
+
+
+def _half_unit(printed: str) -> float:
+    """Return half a unit of the last digit of a printed number: 5e-8 of "8.8e-6"."""
+    exponent = Decimal(printed).as_tuple().exponent
+    return float(Decimal(5).scaleb(int(exponent) - 1))
 
 
 def _first_columns(with_ends: Mapping[str, Floats]) -> dict[str, Floats]:
@@ -135,14 +151,118 @@ def _roughness(rows: pd.DataFrame, column: str, prefix: str) -> Roughness:
     return Roughness(*(rows[name].to_numpy() for name in names))
 
 
-def rounded_numbers(printed: "pd.Series[str]") -> Floats:
-    """Return printed numbers, and the smallest and largest number rounded to them, (n, 3)."""
-    value = printed.astype(float).to_numpy()
-    half = printed.map(_half_unit).astype(float).to_numpy()
-    return np.stack([value, value - half, value + half], axis=-1)
+def sample_roughness(
+    rng: np.random.Generator, mean: Roughness, uncertainty: Roughness, samples: int
+) -> Roughness:
+    """Sample the roughness (samples, surface) within its uncertainty.
+
+    Each number has a normal distribution, truncated at zero, whose standard deviation is the
+    published ±.
+    """
+    from scipy.stats import truncnorm
+
+    size = samples, len(mean.height)
+    return Roughness(
+        *(
+            truncnorm.rvs(-centre / spread, np.inf, centre, spread, size=size, random_state=rng)
+            for centre, spread in zip(mean, uncertainty, strict=True)
+        )
+    )
 
 
-def _half_unit(printed: str) -> float:
-    """Return half a unit of the last digit of a printed number: 5e-8 of "8.8e-6"."""
-    exponent = Decimal(printed).as_tuple().exponent
-    return float(Decimal(5).scaleb(int(exponent) - 1))
+def _compare_models(
+    mean: Roughness,
+    samples: Roughness,
+    sphere: ElasticSphere,
+    work: float,
+    targets: Mapping[str, Floats],
+    sampling: Sampling,
+) -> xr.Dataset:
+    """Return the forces of each model, and the errors of its fits to target forces (surface,).
+
+    Samples (samples, surface) of the roughness give the intervals.
+    """
+    forces = {}
+    errors = {}
+    for name, model in MODELS.items():
+        force = model.force(work, mean, sphere)
+        force_samples = model.force(work, samples, sphere)
+        forces[(name,)] = xr.Dataset(
+            sampling.with_interval("model_force", "surface", force, force_samples, NEWTON)
+        )
+        for source, target in targets.items():
+            error = classical_error(model, mean, sphere, target)
+            error_samples = classical_error(model, samples, sphere, target)
+            errors[name, source] = xr.Dataset(
+                sampling.with_interval(
+                    "mean_relative_error", (), error, error_samples, DIMENSIONLESS
+                )
+            )
+    return stack(forces, ["model"]).merge(stack(errors, ["model", "force_source"]))
+
+
+def _power_laws(
+    mean: Roughness, samples: Roughness, works: Mapping[str, Floats], sampling: Sampling
+) -> xr.Dataset:
+    """Return ``power_law_error`` of each roughness parameter for effective works (surface,)."""
+    errors = {}
+    for parameter in Roughness._fields:
+        for source, work in works.items():
+            error = power_law_error(getattr(mean, parameter), work)
+            error_samples = power_law_error(getattr(samples, parameter), work)
+            errors[parameter, source] = xr.Dataset(
+                sampling.with_interval("power_law_error", (), error, error_samples, DIMENSIONLESS)
+            )
+    return stack(errors, ["rms_parameter", "force_source"])
+
+
+def classical_error(
+    model: ClassicalModel, roughness: Roughness, sphere: ElasticSphere, target: Floats
+) -> Floats:
+    """Return the smallest error (...) of a model at any work of adhesion for forces (surface,).
+
+    The error is the mean over surfaces of |F/target - 1|. Works are searched among SEARCHED_WORKS,
+    unless the force of the model is proportional to the work.
+    """
+    if model.proportional:
+        _, error = fit_work(model.force(1.0, roughness, sphere)[..., None], target)
+        return error[..., 0]
+    columns = Roughness(*(values[..., None] for values in roughness))  # (..., surface, 1)
+    ends = np.log(SEARCHED_WORKS[[0, -1]])
+
+    def error_at(log_works: Floats) -> Floats:
+        works = np.exp(np.clip(log_works, *ends))
+        forces = model.force(works[..., None, :], columns, sphere)
+        return mean_relative_error(forces, target, np.ones(1))[..., 0]
+
+    return _search_minimum(error_at, np.log(SEARCHED_WORKS), roughness.height.shape[:-1])
+
+
+def power_law_error(parameter: Floats, work: Floats) -> Floats:
+    """Return the smallest error (...) of a power law for works of adhesion (surface,).
+
+    The factor and the exponent of the parameter (..., surface) minimize the error.
+    """
+    logarithm = np.log(parameter / parameter.mean(axis=-1, keepdims=True))[..., None]
+
+    def error_at(exponents: Floats) -> Floats:
+        powers = np.exp(logarithm * exponents[..., None, :])  # (..., surface, exponent)
+        return fit_work(powers, work)[1]
+
+    return _search_minimum(error_at, EXPONENTS, parameter.shape[:-1])
+
+
+def _search_minimum(
+    error_at: Callable[[Floats], Floats], grid: Floats, shape: tuple[int, ...]
+) -> Floats:
+    """Return the smallest error (...) on an even grid, and on finer grids about the best value.
+
+    `error_at` returns the errors (..., k) at values (..., k).
+    """
+    step = grid[1] - grid[0]
+    values = np.broadcast_to(grid, (*shape, grid.size))
+    for _ in range(REFINEMENTS + 1):
+        best, error = minimum_along_axis(error_at(values), values)
+        values = best[..., None] + step * np.linspace(-1, 1, 41)
+        step /= 20
+    return error

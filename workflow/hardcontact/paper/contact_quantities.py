@@ -1,7 +1,7 @@
-"""Estimates about contact, classical models and effective works of adhesion.
+"""Estimates about roughness, contact and elasticity, for claims.
 
-Lengths in nm, forces in N, pressures in Pa. Each function returns an estimate, a dataset of `value`
-and `value_interval` (`paper.estimates`); its dimensions are in brackets.
+Lengths are in nm, forces in N, pressures in Pa. Each function returns an estimate
+(`paper.estimates`), whose dimensions are in brackets.
 """
 
 import numpy as np
@@ -13,7 +13,6 @@ from hardcontact.base.units import NANOMETRE
 from hardcontact.paper.estimates import (
     absolute_value,
     as_estimate,
-    decades,
     mean_over_contacts,
     mean_over_scans,
     quotient,
@@ -26,36 +25,26 @@ from hardcontact.surfaces.metrics import TABLE1_VARIABLES
 SLOPE_OVER_PRESSURE = 3 * np.pi / (4 * np.sqrt(2))
 
 
-def effective_work_decades(classical: xr.Dataset) -> xr.Dataset:
-    """Return the decades between the smallest and largest effective work (force_source)."""
-    return decades(variable_estimate(classical, "effective_work_of_adhesion"), "surface")
+def slope_growth(topography: xr.Dataset) -> xr.Dataset:
+    """Return the rms slope of all scales relative to the AFM scans (surface)."""
+    return _all_over_afm(topography, "slope")
 
 
-def printed_effective_work(classical: xr.Dataset) -> xr.Dataset:
-    """Return effective works of adhesion of the published forces, without interval (surface)."""
-    return as_estimate(
-        classical["effective_work_of_adhesion"].sel(force_source="published", drop=True)
-    )
+def slope_growth_over_height_growth(topography: xr.Dataset) -> xr.Dataset:
+    """Return the growth of rms slope from AFM to all scales over that of height (surface)."""
+    return quotient(_all_over_afm(topography, "slope"), _all_over_afm(topography, "height"))
 
 
-def tabor_by_convention(classical: xr.Dataset) -> xr.Dataset:
-    """Return the Tabor parameter (no dimensions).
-
-    Its interval reaches to its value by another convention: (4 R W²/(K² z0³))^(1/3) with
-    K = 4 E*/3 in place of (R W²/(E*² z0³))^(1/3).
-    """
-    tabor = classical["tabor_parameter"]
-    return as_estimate(tabor, tabor, (9 / 4) ** (1 / 3) * tabor)
+def curvature_growth_over_height_growth(topography: xr.Dataset) -> xr.Dataset:
+    """Return the growth of rms curvature from AFM to all scales over that of height (surface)."""
+    return quotient(_all_over_afm(topography, "curvature"), _all_over_afm(topography, "height"))
 
 
-def classical_over_numerical(classical: xr.Dataset, fit: xr.Dataset) -> xr.Dataset:
-    """Return the smallest error of a classical model, relative to the error of the computed forces.
-
-    Its dimensions are metrics, model, force_source and contact_model.
-    """
-    return quotient(
-        variable_estimate(classical, "mean_relative_error"), variable_estimate(fit, "best_error")
-    )
+def _all_over_afm(topography: xr.Dataset, quantity: str) -> xr.Dataset:
+    """Return a row of Table 1 for all scales relative to the row for the AFM scans."""
+    all_scales = variable_estimate(topography, TABLE1_VARIABLES[f"all_rms_{quantity}"])
+    afm = variable_estimate(topography, TABLE1_VARIABLES[f"afm_rms_{quantity}"])
+    return quotient(all_scales, afm)
 
 
 def apex_level(adhesion: xr.Dataset, topography: xr.Dataset) -> xr.Dataset:
@@ -74,12 +63,14 @@ def plastic_contact_area(adhesion: xr.Dataset) -> xr.Dataset:
     return as_estimate(adhesion["contact_pixel_count"] * pixel_area)
 
 
-def finer_pixel_ratio(adhesion: xr.Dataset) -> xr.Dataset:
-    """Return the plastic force on finer pixels relative to the pixels of the study (surface).
+def share_of_two_asperities(asperities: xr.Dataset) -> xr.Dataset:
+    """Return the share of the force that the two strongest asperities carry (surface, rho).
 
-    The force is taken at the smallest computed range. The finer pixels have half the width.
+    All asperities together carry the attribute ``share`` of the force: the interval ends there.
     """
-    return mean_over_scans(adhesion["finer_pixel_ratio"], adhesion.attrs["confidence"])
+    share = variable_estimate(asperities, "two_largest_share")
+    low, high = interval_ends(share, "value")
+    return as_estimate(share["value"], low, high.clip(max=asperities.attrs["share"]))
 
 
 def elastic_change(elastic: xr.Dataset) -> xr.Dataset:
@@ -96,16 +87,6 @@ def median_share_above_hardness(elastic: xr.Dataset) -> xr.Dataset:
     It is the median over the surfaces.
     """
     return variable_estimate(elastic, "share_above_hardness").median("surface", skipna=False)
-
-
-def share_of_two_asperities(asperities: xr.Dataset) -> xr.Dataset:
-    """Return the share of the force that the two strongest asperities carry (surface, rho).
-
-    All asperities together carry the attribute ``share`` of the force: the interval ends there.
-    """
-    share = variable_estimate(asperities, "two_largest_share")
-    low, high = interval_ends(share, "value")
-    return as_estimate(share["value"], low, high.clip(max=asperities.attrs["share"]))
 
 
 def median_plastic_over_elastic_area(elastic: xr.Dataset) -> xr.Dataset:
@@ -129,22 +110,6 @@ def deformation_over_adhesion(topography: xr.Dataset, elastic: xr.Dataset) -> xr
     energy_per_area = elastic.attrs["effective_modulus"] / 4 * NANOMETRE * moment.where(moment > 0)
     ratio = energy_per_area / elastic.attrs["work_of_adhesion"]
     return mean_over_scans(ratio, elastic.attrs["confidence"])
-
-
-def median_force_exponent(exponents: xr.Dataset) -> xr.Dataset:
-    """Return d ln(force)/d ln(radius), the median over the surfaces (no dimensions)."""
-    return variable_estimate(exponents, "force_exponent").median("surface", skipna=False)
-
-
-def median_edge_exponent(exponents: xr.Dataset) -> xr.Dataset:
-    """Return d ln(edge)/d ln(root of a quantity), the median over surfaces (side, exponent_of).
-
-    NaN if the edges of a surface determine no exponent. The interval is the median over the
-    surfaces with an interval.
-    """
-    exponent = variable_estimate(exponents, "edge_exponent")
-    is_known = exponent["value"].notnull().all("surface")
-    return exponent.median("surface").where(is_known)
 
 
 def elastic_pressure_over_hardness(topography: xr.Dataset, elastic: xr.Dataset) -> xr.Dataset:
@@ -174,14 +139,3 @@ def nonstickiness(topography: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
     repulsion = slope * shortest_range / (2 * adhesion_length)
     attraction = np.pi * (3 / 16) ** (2 / 3) * (shortest_range * curvature / slope**2) ** (2 / 3)
     return as_estimate(repulsion / attraction)
-
-
-#: The functions that claims name.
-QUANTITIES = (
-    effective_work_decades, printed_effective_work, tabor_by_convention,
-    classical_over_numerical, apex_level, plastic_contact_area, finer_pixel_ratio,
-    elastic_change, median_share_above_hardness, share_of_two_asperities,
-    median_plastic_over_elastic_area,
-    deformation_over_adhesion, median_force_exponent, median_edge_exponent,
-    elastic_pressure_over_hardness, nonstickiness,
-)  # fmt: skip

@@ -1,7 +1,6 @@
-"""The critical band of substitutes, with intervals from independent masters.
+"""Edges of the critical band of substitutes (edges.nc), and what shifts them (edge_shifts.nc).
 
-Each master has other scans and ends at the unfiltered wavelength, where no roughness is removed.
-So samples of the mean over masters give the scatter of each edge.
+Each master has other scans, so that samples of the mean over masters give the scatter of an edge.
 """
 
 from collections.abc import Iterator
@@ -11,8 +10,10 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.base.arrays import Floats
+from hardcontact.base.dataset import stack
 from hardcontact.base.statistics import Sampling, student_log_samples
 from hardcontact.base.units import DIMENSIONLESS, NM
+from hardcontact.contact.contact import CONTACT_MODELS, PLASTIC, RIGID
 from hardcontact.inference.curve_edges import (
     ChangeCurve,
     find_edge,
@@ -28,12 +29,11 @@ RATIO_AXES = ("side", "surface", "cutoff_wavelength")
 def edges_of_masters(
     scales: xr.Dataset, tolerance: float, sampling: Sampling
 ) -> tuple[xr.Dataset, Floats]:
-    """Return ratio curves, changes of the force and edges, and sampled edges (sample, side, group).
+    """Return force ratios, changes of the force and edges, and sampled edges (sample, side, group).
 
     `scales` has ``filtered_force_ratio`` (surface, realization, side, cutoff_wavelength), NaN at
-    cutoffs of the other side, and ``unfiltered_wavelength`` (surface, side) in nm. MEAN_GROUP of
-    ``filtered_force_change``, |ratio - 1|, is the mean over surfaces. An open edge is NaN; in a
-    sample its bound replaces it. Random numbers depend on the surface alone.
+    cutoffs of the other side, and ``unfiltered_wavelength`` (surface, side) in nm. An open edge is
+    NaN; a sample has its bound instead. Random numbers depend on the surface alone.
     """
     ratio, ratio_samples = _mean_ratios(scales, sampling)
     edges = []
@@ -44,12 +44,12 @@ def edges_of_masters(
     shape = scales.sizes["side"], scales.sizes["surface"] + 1
     edge_samples = np.reshape(np.transpose(samples), (len(ratio_samples), *shape))
     axes = ("side", "group")
-    change, change_samples = _changes(ratio), _changes(ratio_samples)
     variables = edge_variables(edges, axes, shape)
     _, edge, _ = variables["edge"]
     variables |= sampling.with_interval("edge", axes, edge, edge_samples, NM)
+    changes = _changes(ratio), _changes(ratio_samples)
     variables |= sampling.with_interval(
-        "filtered_force_change", (*axes, RATIO_AXES[-1]), change, change_samples, DIMENSIONLESS
+        "filtered_force_change", (*axes, "cutoff_wavelength"), *changes, DIMENSIONLESS
     )
     variables |= sampling.with_interval(
         "filtered_force_ratio", RATIO_AXES, ratio, ratio_samples, DIMENSIONLESS
@@ -64,7 +64,7 @@ def edges_of_masters(
 
 
 def _mean_ratios(scales: xr.Dataset, sampling: Sampling) -> tuple[Floats, Floats]:
-    """Return means over realizations (side, surface, cutoff), and their samples (sample, ...)."""
+    """Return mean ratios (side, surface, cutoff) over realizations, and samples (sample, ...)."""
     realizations = scales["filtered_force_ratio"].transpose("realization", *RATIO_AXES)
     samples = [
         student_log_samples(
@@ -78,10 +78,7 @@ def _mean_ratios(scales: xr.Dataset, sampling: Sampling) -> tuple[Floats, Floats
 
 
 def _changes(ratios: Floats) -> Floats:
-    """Return |ratio - 1| (..., group, cutoff) of ratios (..., surface, cutoff).
-
-    The last group is the mean over surfaces.
-    """
+    """Return |ratio - 1| (..., group, cutoff); the last group is the mean over surfaces."""
     changes = np.abs(ratios - 1)
     return np.concatenate([changes, changes.mean(axis=-2, keepdims=True)], axis=-2)
 
@@ -91,9 +88,9 @@ def _curves(
 ) -> Iterator[tuple[ChangeCurve, Floats]]:
     """Yield the curve of each side and group, and samples (sample, k) of its values.
 
-    Mean ratios and their samples come from `_mean_ratios`. The curve of a surface is ln(ratio)
-    with two limits, the mean curve is that of |ratio - 1| with an upper limit. Each curve begins at
-    the unfiltered wavelength, where it is zero.
+    Ratios and samples come from `_mean_ratios`. A surface has the curve ln(ratio) with two limits;
+    the mean over surfaces has |ratio - 1| with an upper limit, because signs would cancel. A curve
+    begins with zero at the unfiltered wavelength, where no roughness is removed.
     """
     ratios = np.concatenate([ratio[None], ratio_samples])
     curves = np.concatenate([np.log(ratios), _changes(ratios)[:, :, -1:]], axis=2)
@@ -108,12 +105,34 @@ def _curves(
 
 
 def _sampled_edges(curve: ChangeCurve, sampled_values: Floats) -> Floats:
-    """Return the edges (sample,) in nm of a curve with sampled values (sample, k).
-
-    The last cutoff stands for an open edge. NaN if the values are NaN.
-    """
+    """Return the edges (sample,) in nm of sampled values (sample, k), the last cutoff if open."""
     edges = np.array(
         [interpolate_edge(curve.cutoffs, values, curve.limits) for values in sampled_values]
     )
     never_leaves = np.isnan(edges) & np.isfinite(sampled_values).all(axis=1)
     return np.where(never_leaves, curve.cutoffs[-1], edges)
+
+
+def compute_edge_shifts(forces: xr.Dataset, tolerance: float, sampling: Sampling) -> xr.Dataset:
+    """Return the edges of plastic and rigid contact at each range of adhesion, and their shifts.
+
+    Forces come from `stack_masters`, with one radius and two loadings. ``edge_shift`` (cause, side,
+    group) is the edge of plastic contact at the longest range, relative to rigid contact
+    (``"plasticity"``) or to the shortest range (``"range"``).
+    """
+    sorted_forces = forces.squeeze("radius", drop=True).sortby("contact_area")
+    ranges = sorted_forces["rho"].values.tolist()
+    edges = {}
+    samples = {}
+    for (loading, model), (column, rho) in product(enumerate(CONTACT_MODELS), enumerate(ranges)):
+        model_forces = sorted_forces.isel(loading=loading, rho=column, drop=True)
+        edges[model, rho], samples[model, rho] = edges_of_masters(model_forces, tolerance, sampling)
+    complete = PLASTIC, max(ranges)
+    without_cause = {"plasticity": (RIGID, max(ranges)), "range": (PLASTIC, min(ranges))}
+    ratios = [edges[complete]["edge"] / edges[key]["edge"] for key in without_cause.values()]
+    ratio_samples = [samples[complete] / samples[key] for key in without_cause.values()]
+    edge_shift = sampling.with_interval(
+        "edge_shift", ("cause", "side", "group"), ratios, np.stack(ratio_samples, 1), DIMENSIONLESS
+    )
+    coordinates = {"rho": sorted_forces["rho"], "cause": list(without_cause)}
+    return stack(edges, ["contact_model", "rho"]).assign_coords(coordinates).assign(edge_shift)

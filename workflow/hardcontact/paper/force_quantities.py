@@ -1,8 +1,8 @@
-"""Estimates about pull-off forces, and about roughness of all scales relative to the AFM scans.
+"""Estimates about pull-off forces: their distribution, their fits and classical models, for claims.
 
-Forces in N, lengths in nm. The reference range is the computed range nearest to attribute `rho`.
-Each function returns an estimate, a dataset of `value` and `value_interval` (`paper.estimates`);
-its dimensions are in brackets.
+Forces are in N, lengths in nm, works of adhesion in J/m². The reference range is the computed range
+nearest to the attribute `rho`. Each function returns an estimate (`paper.estimates`), whose
+dimensions are in brackets. `paper` has the numbers of resources/paper/constants.csv by name.
 """
 
 from collections.abc import Callable
@@ -10,41 +10,19 @@ from typing import Any
 
 import numpy as np
 import xarray as xr
-from scipy import special
+from scipy import constants
 
 from hardcontact.base.arrays import Floats
 from hardcontact.contact.contact import CONTACT_AXES, PLASTIC, RIGID
 from hardcontact.paper.estimates import (
     as_estimate,
+    decades,
     mean_over_contacts,
     mean_over_scans,
     quotient,
     signed_mean_over_scans,
     variable_estimate,
 )
-from hardcontact.surfaces.metrics import TABLE1_VARIABLES
-
-
-def slope_growth(topography: xr.Dataset) -> xr.Dataset:
-    """Return the rms slope of all scales relative to the AFM scans (surface)."""
-    return _all_over_afm(topography, "slope")
-
-
-def slope_growth_over_height_growth(topography: xr.Dataset) -> xr.Dataset:
-    """Return the growth of rms slope from AFM to all scales over that of height (surface)."""
-    return quotient(_all_over_afm(topography, "slope"), _all_over_afm(topography, "height"))
-
-
-def curvature_growth_over_height_growth(topography: xr.Dataset) -> xr.Dataset:
-    """Return the growth of rms curvature from AFM to all scales over that of height (surface)."""
-    return quotient(_all_over_afm(topography, "curvature"), _all_over_afm(topography, "height"))
-
-
-def _all_over_afm(topography: xr.Dataset, quantity: str) -> xr.Dataset:
-    """Return a row of Table 1 for all scales relative to the row for the AFM scans."""
-    all_scales = variable_estimate(topography, TABLE1_VARIABLES[f"all_rms_{quantity}"])
-    afm = variable_estimate(topography, TABLE1_VARIABLES[f"afm_rms_{quantity}"])
-    return quotient(all_scales, afm)
 
 
 def mean_over_median(fit: xr.Dataset) -> xr.Dataset:
@@ -96,11 +74,10 @@ def force_at_shortest_range_over_smallest(adhesion: xr.Dataset) -> xr.Dataset:
 
 
 def smooth_sphere_change(adhesion: xr.Dataset) -> xr.Dataset:
-    """Return the variation of the force on a smooth sphere and plane (no dimensions).
+    """Return the relative change of the force on a smooth sphere over the ranges (no dimensions).
 
-    It is the largest force relative to the smallest over the computed ranges, minus one.
-
-    Eq. 3 is summed on the pixels of the study; for a paraboloid the sums over both axes separate.
+    It is the largest force relative to the smallest, minus one. Eq. 3 is summed on the pixels of
+    the study; for a paraboloid the sums over both axes separate.
     """
     radius = adhesion.attrs["sphere_radius"]
     pixel = adhesion.attrs["pixel_size"]
@@ -112,19 +89,62 @@ def smooth_sphere_change(adhesion: xr.Dataset) -> xr.Dataset:
     return as_estimate(force.max() / force.min() - 1)
 
 
+def finer_pixel_ratio(adhesion: xr.Dataset) -> xr.Dataset:
+    """Return the plastic force on finer pixels relative to the pixels of the study (surface).
+
+    The force is taken at the smallest computed range. The finer pixels have half the width.
+    """
+    return mean_over_scans(adhesion["finer_pixel_ratio"], adhesion.attrs["confidence"])
+
+
 def lognormal_misfit(adhesion: xr.Dataset) -> xr.Dataset:
-    """Return the Kolmogorov distance of forces to their log-normal fit (surface, contact_model)."""
-    return _force_statistic(adhesion, lambda forces: _normal_distance(np.log(forces)))
+    """Return the Kolmogorov distance of forces to a log-normal (surface, contact_model).
+
+    The log-normal has the mean and the standard deviation of the logarithms of the forces.
+    """
+
+    def parameters(forces: Floats) -> tuple[Any, ...]:
+        return np.log(forces).std(ddof=1), 0, np.exp(np.log(forces).mean())
+
+    return _misfit(adhesion, "lognorm", parameters)
 
 
 def half_gaussian_misfit(adhesion: xr.Dataset) -> xr.Dataset:
-    """Return the Kolmogorov distance of forces to a half-Gaussian (surface, contact_model)."""
-    return _force_statistic(adhesion, _half_gaussian_distance)
+    """Return the Kolmogorov distance of forces to a half-Gaussian (surface, contact_model).
+
+    The half-Gaussian about zero has the mean square of the forces.
+    """
+    return _misfit(adhesion, "halfnorm", lambda forces: (0, np.sqrt(np.mean(forces**2))))
 
 
 def inverse_gaussian_misfit(adhesion: xr.Dataset) -> xr.Dataset:
-    """Return the Kolmogorov distance of forces to an inverse Gaussian (surface, contact_model)."""
-    return _force_statistic(adhesion, _inverse_gaussian_distance)
+    """Return the Kolmogorov distance of forces to an inverse Gaussian (surface, contact_model).
+
+    The most likely one has the mean of the forces F, and the shape 1/(mean of 1/F - 1/mean).
+    """
+
+    def parameters(forces: Floats) -> tuple[Any, ...]:
+        shape = 1 / np.mean(1 / forces - 1 / forces.mean())
+        return forces.mean() / shape, 0, shape
+
+    return _misfit(adhesion, "invgauss", parameters)
+
+
+def _misfit(
+    adhesion: xr.Dataset, distribution: str, parameters: Callable[[Floats], tuple[Any, ...]]
+) -> xr.Dataset:
+    """Return the Kolmogorov distance of forces to a distribution of scipy.stats by name.
+
+    `parameters` returns the parameters of the distribution for forces (n,).
+    """
+    from scipy.stats import kstest
+
+    return _force_statistic(
+        adhesion,
+        lambda forces: float(
+            kstest(forces, distribution, parameters(forces), method="asymp").statistic
+        ),
+    )
 
 
 def force_decades(adhesion: xr.Dataset) -> xr.Dataset:
@@ -150,46 +170,91 @@ def _forces_at_reference(adhesion: xr.Dataset) -> xr.DataArray:
     return adhesion["pull_off_force"].sel(rho=adhesion.attrs["rho"], method="nearest", drop=True)
 
 
-def _kolmogorov_distance(values: Floats, cumulative_distribution: Callable[..., Any]) -> float:
-    """Return the largest difference between the empirical distribution of values (n,) and a model.
+def short_range_force(fit: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
+    """Return the mean force at the published work and the longest atomic range.
 
-    `cumulative_distribution` is the distribution function of the model.
+    It is interpolated linearly between the computed ranges (contact_model, surface).
     """
-    from scipy.stats import kstest
-
-    return float(kstest(values, cumulative_distribution, method="asymp").statistic)
-
-
-def _normal_distance(values: Floats) -> float:
-    """Return the Kolmogorov distance to the normal distribution of the same moments."""
-    return _kolmogorov_distance((values - values.mean()) / values.std(ddof=1), special.ndtr)
+    force = variable_estimate(fit, "mean_force")
+    atomic_force: xr.Dataset = force.interp(rho=paper["atomic_range_upper_bound"]).drop_vars("rho")
+    return paper["work_of_adhesion"] * atomic_force
 
 
-def _half_gaussian_distance(values: Floats) -> float:
-    """Return the Kolmogorov distance to the most likely half-Gaussian about zero."""
-    return _kolmogorov_distance(values / np.sqrt(2 * np.mean(values**2)), special.erf)
+def short_range_error(fit: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
+    """Return the smallest error at the ranges of atomic interactions (contact_model)."""
+    is_atomic = fit["rho_fine"] <= paper["atomic_range_upper_bound"]
+    return as_estimate(fit["best_error_by_range"].where(is_atomic).min("rho_fine"))
 
 
-def _inverse_gaussian_distance(values: Floats) -> float:
-    """Return the Kolmogorov distance to the most likely inverse Gaussian.
+def error_of_second_minimum(fit: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
+    """Return the error at the second-best minimum along the range (contact_model).
 
-    It has the mean of the values and the shape 1/(mean of 1/value - 1/mean).
+    It is infinite if there is no second minimum, and NaN if the best error is above the published
+    threshold.
     """
-    mean = values.mean()
-    shape = 1 / np.mean(1 / values - 1 / mean)
-
-    def cumulative(value: Floats) -> Floats:
-        root = np.sqrt(shape / value)
-        mirrored = np.exp(2 * shape / mean + special.log_ndtr(-root * (value / mean + 1)))
-        return np.asarray(special.ndtr(root * (value / mean - 1)) + mirrored)
-
-    return _kolmogorov_distance(values, cumulative)
+    second_error = fit["error_at_minimum"].sel(minimum=2, drop=True).fillna(np.inf)
+    return as_estimate(second_error.where(fit["best_error"] < paper["error_threshold"]))
 
 
-#: The functions that claims name.
-QUANTITIES = (
-    slope_growth, slope_growth_over_height_growth, curvature_growth_over_height_growth,
-    mean_over_median, plastic_over_rigid, range_exponent_of_force, range_exponent_of_area,
-    force_at_shortest_range_over_smallest, smooth_sphere_change, lognormal_misfit,
-    half_gaussian_misfit, inverse_gaussian_misfit, force_decades,
-)  # fmt: skip
+def least_ratio_error(fit: xr.Dataset) -> xr.Dataset:
+    """Return the smallest mean relative error of the force ratios (contact_model)."""
+    return as_estimate(fit["ratio_error"].min("rho_fine"))
+
+
+def half_width_of_range(fit: xr.Dataset) -> xr.Dataset:
+    """Return half the extent in range of the region of small error (contact_model)."""
+    return _half_width(fit["low_error_range"])
+
+
+def half_width_of_work(fit: xr.Dataset) -> xr.Dataset:
+    """Return half the extent in work of adhesion of the region of small error (contact_model)."""
+    return _half_width(fit["low_error_work"])
+
+
+def _half_width(region: xr.DataArray) -> xr.Dataset:
+    return as_estimate(region.diff("end").squeeze("end", drop=True) / 2)
+
+
+def strength_over_casimir(paper: xr.Dataset) -> xr.Dataset:
+    """Return the largest pressure of Eq. 2 relative to ideal metals (no dimensions).
+
+    Eq. 2 has the published range and work of adhesion. Ideal metals at the gap d attract with
+    pi² hbar c/(240 d⁴), Casimir, Proc. K. Ned. Akad. Wet. 51 (1948) 793. The ratio is proportional
+    to d⁴ exp(-d/rho), so it is largest at d = 4 rho.
+    """
+    rho = 1e-9 * paper["range_of_adhesion"]
+    gap = 4 * rho
+    pressure = paper["work_of_adhesion"] / rho * np.exp(-gap / rho)
+    pressure_of_metals = np.pi**2 * constants.hbar * constants.c / (240 * gap**4)
+    return as_estimate(pressure / pressure_of_metals)
+
+
+def effective_work_decades(classical: xr.Dataset) -> xr.Dataset:
+    """Return the decades between the smallest and largest effective work (force_source)."""
+    return decades(variable_estimate(classical, "effective_work_of_adhesion"), "surface")
+
+
+def printed_effective_work(classical: xr.Dataset) -> xr.Dataset:
+    """Return effective works of adhesion of the published forces, without interval (surface)."""
+    return as_estimate(
+        classical["effective_work_of_adhesion"].sel(force_source="published", drop=True)
+    )
+
+
+def tabor_by_convention(classical: xr.Dataset) -> xr.Dataset:
+    """Return the Tabor parameter (no dimensions), by either convention of its symbols.
+
+    Its interval reaches to the convention with K = 4 E*/3 (workflow/report/departures.md, 5).
+    """
+    tabor = classical["tabor_parameter"]
+    return as_estimate(tabor, tabor, (9 / 4) ** (1 / 3) * tabor)
+
+
+def classical_over_numerical(classical: xr.Dataset, fit: xr.Dataset) -> xr.Dataset:
+    """Return the error of classical models relative to the error of the computed forces.
+
+    Its dimensions are metrics, model, force_source and contact_model.
+    """
+    return quotient(
+        variable_estimate(classical, "mean_relative_error"), variable_estimate(fit, "best_error")
+    )

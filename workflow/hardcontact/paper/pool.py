@@ -1,7 +1,7 @@
-"""Pool of substitute scans from which sets are sampled: forces of each scan at several rms heights.
+"""Pool of substitute scans: their forces at several rms heights, and the scans that a set takes.
 
-A set multiplies the heights of each of its scans by a factor. Forces on a smooth sphere are
-computed at a few rms heights, which span all heights of sets, and are interpolated between them.
+A set scales the rms heights of its scans to those of Table 1. Forces on a smooth sphere are
+computed at a few rms heights, which span all that sets need, and interpolated between them.
 """
 
 from collections.abc import Sequence
@@ -12,11 +12,12 @@ import pandas as pd
 import xarray as xr
 
 from hardcontact.base.arrays import Floats
-from hardcontact.base.units import DIMENSIONLESS, NM
-from hardcontact.contact.contact import Contact
+from hardcontact.base.units import DIMENSIONLESS, NEWTON, NM
+from hardcontact.contact.contact import CONTACT_AXES, Contact
 from hardcontact.contact.geometry import join_bodies
-from hardcontact.contact.pull_off import pull_off_dataset
+from hardcontact.contact.pull_off import pull_off_dataset, spline_weights
 from hardcontact.records.job import progress
+from hardcontact.surfaces.conditioning import scale_rms_heights
 from hardcontact.surfaces.height_map import HeightMap, mirror_scan
 from hardcontact.surfaces.levelling import level
 from hardcontact.surfaces.metrics import TABLE1_METRICS, measured_metrics
@@ -25,14 +26,16 @@ from hardcontact.surfaces.synthesis import sample_scan
 
 #: Smallest rms height of a pool relative to the mean: sets with smoother scans are sampled again.
 MIN_HEIGHT_RATIO = 0.05
+#: Largest number of tries to find a set with possible heights.
+MAX_TRIES = 1000
 
 
 def pool_heights(targets: Targets, scan_count: int, count: int) -> Floats:
     """Return the ascending rms heights (count,) in nm at which the forces of a pool are computed.
 
     They reach as far as a scan of a set can: (n - 1)/sqrt(n) standard deviations of a sample of n
-    from its mean. The heights are evenly spaced in their root, because forces change faster at
-    small heights. A set of one scan has no deviation and needs a single height.
+    from its mean. Their roots are evenly spaced, because forces change faster at small heights. A
+    set of one scan needs a single height.
     """
     mean = targets.means["rms_height"]
     if scan_count == 1:
@@ -49,21 +52,39 @@ def compute_pool(
     contact: Contact,
     ranges: list[float],
 ) -> xr.Dataset:
-    """Return the `forces_at_heights` of some scans of a pool, by number of the scan."""
-    scans = [
-        forces_at_heights(pool_scan(number, substitute), rms_heights, contact, ranges)
-        for number in progress(numbers, len(numbers), "scans of the pool")
-    ]
+    """Return the roughness of some scans of a pool, by number, and the forces on them.
+
+    ``log_force`` (scan, rms_height_of_force, contact_model, rho, contact_y, contact_x) is ln(force
+    in N). Rms heights and ranges of adhesion are in nm.
+    """
+    scans = []
+    for number in progress(numbers, len(numbers), "scans of the pool"):
+        rng = substitute.generator(number, "pool")
+        scan = level(sample_scan(rng, substitute.spectrum, substitute.grid))
+        scans.append(_forces_at_heights(scan, rms_heights, contact, ranges))
     targets = required_targets(substitute)
     return xr.concat(scans, pd.Index(list(numbers), name="scan")).assign_attrs(
         mean_rms_height=targets.means["rms_height"], rms_height_deviation=targets.rms_height_std
     )
 
 
-def pool_scan(number: int, substitute: Substitute) -> HeightMap:
-    """Return a levelled scan of the pool, with the rms height of its sample."""
-    rng = substitute.generator(number, "pool")
-    return level(sample_scan(rng, substitute.spectrum, substitute.grid))
+def _forces_at_heights(
+    scan: HeightMap, rms_heights: Floats, contact: Contact, ranges: list[float]
+) -> xr.Dataset:
+    """Return the metrics of a levelled scan, and ``log_force`` on it at other rms heights."""
+    roughness = measured_metrics(scan, TABLE1_METRICS.values())
+    factors = rms_heights / roughness["rms_height"].item()
+    forces = [
+        smooth_sphere_forces(replace(scan, heights=factor * scan.heights), contact, ranges)
+        for factor in factors
+    ]
+    axis = xr.Variable("rms_height_of_force", rms_heights, NM)
+    log_force: xr.DataArray = xr.apply_ufunc(np.log, xr.concat(forces, axis.dims[0]))
+    contacts = range(contact.contacts_per_row)
+    log_force = log_force.astype("float32").assign_attrs(DIMENSIONLESS)
+    return roughness.assign(log_force=log_force).assign_coords(
+        rms_height_of_force=axis, contact_y=contacts, contact_x=contacts
+    )
 
 
 def smooth_sphere_forces(scan: HeightMap, contact: Contact, ranges: list[float]) -> xr.DataArray:
@@ -72,24 +93,41 @@ def smooth_sphere_forces(scan: HeightMap, contact: Contact, ranges: list[float])
     return pull_off_dataset(bodies, contact, ranges)["pull_off_force"]
 
 
-def forces_at_heights(
-    scan: HeightMap, rms_heights: Floats, contact: Contact, ranges: list[float]
-) -> xr.Dataset:
-    """Return the forces on a levelled scan at several rms heights, and its unscaled metrics.
+def sample_scans(pool: xr.Dataset, rng: np.random.Generator, scan_count: int) -> xr.Dataset:
+    """Return the scans of one substrate in a set, sampled from its pool without replacement.
 
-    ``log_force`` (rms_height_of_force, contact_model, rho, contact_y, contact_x) is ln(force in N).
-    Rms heights and ranges of adhesion are in nm.
+    Their rms heights are scaled to the mean and deviation of Table 1. A set is sampled again if a
+    height is below the lowest height of the pool; from six scans on it may even be negative.
+    Raises ValueError if no set with possible heights is found.
     """
-    roughness = measured_metrics(scan, TABLE1_METRICS.values())
-    forces = []
-    for rms_height in rms_heights:
-        factor = rms_height / roughness["rms_height"].item()
-        scaled = replace(scan, heights=factor * scan.heights)
-        forces.append(smooth_sphere_forces(scaled, contact, ranges))
-    axis = xr.Variable("rms_height_of_force", rms_heights, NM)
-    height_forces = xr.concat(forces, xr.DataArray(axis, name="rms_height_of_force"))
-    log_force: xr.DataArray = xr.apply_ufunc(np.log, height_forces).astype("float32")
-    log_force.attrs = DIMENSIONLESS
-    contacts = range(contact.contacts_per_row)
-    coordinates = {"rms_height_of_force": axis, "contact_y": contacts, "contact_x": contacts}
-    return roughness.assign(log_force=log_force.drop_vars(coordinates)).assign_coords(coordinates)
+    lowest = pool["rms_height_of_force"].values.min()
+    mean = pool.attrs["mean_rms_height"]
+    deviation = pool.attrs["rms_height_deviation"]
+    for _ in range(MAX_TRIES):
+        scans = pool.isel(scan=rng.choice(pool.sizes["scan"], scan_count, replace=False))
+        heights = scale_rms_heights(scans["rms_height"].values, mean, deviation)
+        if heights.min() >= lowest * (1 - 1e-9):
+            return _scale_scans(scans, heights)
+    raise ValueError(
+        f"expected sets of {scan_count} scans with rms heights of {mean:.3g} +- {deviation:.3g} "
+        f"nm, found none above {lowest:.3g} nm in {MAX_TRIES} tries"
+    )
+
+
+def _scale_scans(scans: xr.Dataset, heights: Floats) -> xr.Dataset:
+    """Return the forces and metrics of scans of a pool at other rms heights (scan,) in nm."""
+    factor = heights / scans["rms_height"].values
+    # The spline is smooth in the root, because forces change faster at small heights.
+    computed_roots = np.sqrt(scans["rms_height_of_force"].values)
+    weights = spline_weights(computed_roots, np.sqrt(heights), extrapolate=True)
+    log_forces = np.einsum("na,na...->n...", weights, scans["log_force"].values)
+    axes = ("scan", "contact_model", "rho", *CONTACT_AXES)
+    variables = {
+        name: ("scan", scans[name].values * factor, scans[name].attrs)
+        for name in TABLE1_METRICS.values()
+    } | {
+        "pull_off_force": (axes, np.exp(log_forces), NEWTON),
+        "number": ("scan", scans["scan"].values),
+    }
+    coordinates = {"scan": np.arange(1, len(heights) + 1)}
+    return xr.Dataset(variables, coordinates | {name: scans[name] for name in axes[1:]})

@@ -1,17 +1,21 @@
-"""Rules that turn a number, its interval and the published limits into a verdict.
+"""Verdicts about claims: from a number, its interval and the published limits.
 
 If many sets of scans have the number, the share of sets that agree decides.
 """
 
+import re
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 import pandas as pd
+import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
 from hardcontact.base.arrays import Floats
 from hardcontact.base.statistics import percentile_interval
+from hardcontact.inference.edges import last_cutoff
 
 REPRODUCED = "reproduced"
 AGREES = "agrees"  # A number without an interval.
@@ -29,6 +33,11 @@ VERDICTS = (
 ONE_SIDED = ("below", "above", "order")
 #: Share of the sets that must agree with a statement, or disagree: the usual level of significance.
 REPRODUCED_SHARE = 0.95
+#: Claims about an edge of the band, with its side.
+EDGE_CLAIMS = {
+    "short_edge_first": "short", "short_edge_mean": "short", "short_edge_mean_at_least": "short",
+    "long_edge_first": "long", "long_edge_mean": "long", "long_edge_mean_at_most": "long",
+}  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -93,19 +102,21 @@ def accepted_range(rule: str, published_low: float, published_high: float) -> Ac
     The rule is ``interval``, ``factor`` and a number, ``below``, ``above`` or ``order``. Raises
     ValueError if the rule is unknown, or needs a limit that is missing.
     """
-    name, _, factor = rule.partition(" ")
+    factor = rule.removeprefix("factor ")
     if rule == "interval":
         limits = published_low, published_high
-    elif name == "factor" and factor:
+    elif re.fullmatch(r"factor \d+(\.\d+)?", rule):
         limits = published_low / float(factor), published_high * float(factor)
     elif rule == "below":
         limits = -np.inf, published_high
     elif rule in ("above", "order"):
         limits = published_low, np.inf
     else:
-        raise ValueError(f"unknown rule {rule!r}")
+        raise ValueError(
+            f"rule: expected interval, factor 2, below, above or order, found {rule!r}"
+        )
     if np.isnan(limits).any():
-        raise ValueError(f"rule {rule!r} lacks a published limit")
+        raise ValueError(f"rule: expected the published limits of {rule!r}, found none")
     return AcceptedRange(*limits, includes_limits=rule not in ONE_SIDED)
 
 
@@ -150,8 +161,37 @@ def interval_with_sets(
     return float(low), float(high)
 
 
+def find_open_end(
+    side: str, value: float, low: float, high: float, bands: Sequence[xr.Dataset]
+) -> str:
+    """Return which end of the interval of an edge (nm) lies beyond the computed cutoffs.
+
+    It is ``"high"`` for a short edge, ``"low"`` for a long edge, or ``""`` if the interval is
+    within the cutoffs of all `bands`. An edge beyond the cutoffs counts as the last cutoff; an
+    interval that is stretched to such an edge is open, too.
+    """
+    end, limit, sign = ("high", high, 1) if side == "short" else ("low", low, -1)
+    last_cutoffs = np.array(
+        [last_cutoff(band["filtered_force_change"].sel(side=side), side) for band in bands]
+    )
+    is_beyond = (sign * value >= sign * last_cutoffs).any()
+    is_open = np.isclose(limit, last_cutoffs).any() or (is_beyond and np.isclose(limit, value))
+    return end if is_open else ""
+
+
+def add_open_ends(claims: pd.DataFrame, bands: Sequence[xr.Dataset]) -> pd.DataFrame:
+    """Add the column `open_end`, from `find_open_end`, to claims about edges; others have ``""``.
+
+    The `bands` are edges.nc and sets.nc, whose sets have fewer cutoffs than the study.
+    """
+    sides = claims["id"].map(EDGE_CLAIMS)
+    rows = zip(sides, claims["computed"], claims["low"], claims["high"], strict=True)
+    ends = [find_open_end(*row, bands) if isinstance(row[0], str) else "" for row in rows]
+    return claims.assign(open_end=ends)
+
+
 def read_verdicts(path: str | Path) -> pd.DataFrame:
-    """Read the claims.csv of a study, as from `evaluation.judge_claims`.
+    """Read the claims.csv of a study, as from `claims.judge_claims`.
 
     Raises ValueError if the file ends within a line.
     """

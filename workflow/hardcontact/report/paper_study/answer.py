@@ -17,8 +17,7 @@ from hardcontact.inference.curve_edges import EdgeStatus
 from hardcontact.inference.edges import MEAN_GROUP, edges_or_bounds
 from hardcontact.inference.fit import WITHOUT_SURFACE
 from hardcontact.inference.octaves import strongest_octaves
-from hardcontact.paper.open_ends import find_open_end
-from hardcontact.paper.verdicts import count_verdicts, interval_with_sets
+from hardcontact.paper.verdicts import count_verdicts, find_open_end, interval_with_sets
 from hardcontact.report.answer import all_quantities, note, substitutes_note
 from hardcontact.report.paper_study.changed_inputs import changed_inputs, paper_contact
 from hardcontact.report.paper_study.conclusions import (
@@ -72,7 +71,7 @@ def paper_answer(
 ) -> dict[str, Any]:
     """Return the content of answer.json: a head, notes in words, and all numbers.
 
-    `claims` comes from `open_ends.add_open_ends`, `constants` and `table1` from `published`. The
+    `claims` comes from `verdicts.add_open_ends`, `constants` and `table1` from `published`. The
     datasets are `topography`, `scales`, `edges`, `sensitivity`, `sets`, `features`, `fit`,
     and `scan_size` from resources/validation.
     """

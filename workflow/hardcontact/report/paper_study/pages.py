@@ -29,7 +29,7 @@ def paper_page(
 ) -> str:
     """Return the page of the paper's study.
 
-    `claims` comes from `open_ends.add_open_ends`; SVG and captions are by the name of the figure.
+    `claims` comes from `verdicts.add_open_ends`; SVG and captions are by the name of the figure.
     """
     *coatings, _ = answer["surfaces"]  # the last one is the sphere
     coating_numbers = {row["label"]: numbers_of_answer(answer, row["name"]) for row in coatings}
@@ -76,7 +76,7 @@ def report_pages(
 ) -> dict[str, str]:
     """Return the HTML of the pages of the report by name: `claims`, each text, and `parameters`.
 
-    `claims` comes from `open_ends.add_open_ends`, `changed` from `changed_inputs`; `texts` are
+    `claims` comes from `verdicts.add_open_ends`, `changed` from `changed_inputs`; `texts` are
     chapters in Markdown, by name.
     """
     confidence = configuration["inference"]["confidence"]

@@ -1,51 +1,48 @@
 """Sets of scans: forces, fit, band and claims of each, computed as for the study, for sets.nc.
 
-A set has as many scans of each substrate as the study: `sampled_scans` of its pool, or for a
-surface with features a sample that no other set has. Its numbers show how much the numbers of the
-study depend on its scans.
+A set has as many scans of each substrate as the study: from its pool, or for a surface with
+features a sample that no other set has. The sets show how much the numbers of the study depend on
+its scans.
 """
 
 from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
+import numpy as np
 import pandas as pd
 import xarray as xr
 
 from hardcontact.base.arrays import generator
 from hardcontact.base.dataset import concatenate
-from hardcontact.base.statistics import Sampling
+from hardcontact.base.statistics import Sampling, student_log_samples
 from hardcontact.base.units import DIMENSIONLESS
 from hardcontact.contact.contact import CONTACT_AXES
 from hardcontact.inference.fit import WITHOUT_SURFACE
+from hardcontact.paper.claims import claim_values
 from hardcontact.paper.edges_of_masters import edges_of_masters
-from hardcontact.paper.evaluation import claim_values
 from hardcontact.paper.featured_samples import sample_of_set, samples_by_surface
+from hardcontact.paper.pool import sample_scans
 from hardcontact.paper.published_fit import PublishedForces, fit_published
-from hardcontact.paper.sampled_scans import sample_scans, scale_to_sampled_mean
 from hardcontact.records.job import progress
 from hardcontact.surfaces.metrics import TABLE1_METRICS, scan_averages
 
-#: Scans of one set, by substrate.
-SampledScans = Mapping[str, xr.Dataset]
-
-#: Variables of the fit of a set that sets.nc contains.
+#: Variables of fit.nc that sets.nc has for each set.
 SET_FIT_VARIABLES = [
     "range_of_adhesion", "work_of_adhesion", "best_error", "range_at_minimum", "work_at_minimum",
     "error_at_minimum", "mean_force", "force_over_reference", *WITHOUT_SURFACE.values(),
 ]  # fmt: skip
-#: Variables of the edges of a set that sets.nc contains.
+#: Variables of edges.nc that sets.nc has for each set.
 SET_EDGE_VARIABLES = ["filtered_force_ratio", "filtered_force_change", "edge", "edge_bound"]
 
 
 class SetInputs(NamedTuple):
-    """Datasets from which all sets are made."""
+    """Datasets from which all sets are made; a substrate not in `pools`, `samples` keeps scans."""
 
     topography: xr.Dataset  #: topography.nc of the study.
     adhesion: xr.Dataset  #: adhesion.nc of the study.
-    #: By substrate; a substrate without a pool or samples keeps its scans.
-    pools: Mapping[str, xr.Dataset]
+    pools: Mapping[str, xr.Dataset]  #: By substrate.
     samples: Mapping[str, Mapping[str, xr.Dataset]]  #: By substrate with features and their kind.
-    #: (contact_model, surface, rho) force on the rough sphere relative to a smooth one.
+    #: (contact_model, surface, rho) force on the rough sphere relative to a smooth sphere.
     sphere_factor: xr.DataArray
     masters: xr.Dataset  #: From `stack_masters` at one load.
 
@@ -77,8 +74,7 @@ def gather_inputs(
     `sampled_substrates` have a pool or samples.
     """
     pools = concatenate(chunks, "scan", 1)
-    forces = adhesion["pull_off_force"]
-    rough = forces.mean(["scan", "sphere_scan", *CONTACT_AXES])
+    rough = adhesion["pull_off_force"].mean(["scan", "sphere_scan", *CONTACT_AXES])
     smooth = adhesion["smooth_sphere_force"].mean("scan")
     factor = (rough / smooth).where(rough["surface"].isin(list(sampled_substrates)))
     return SetInputs(
@@ -92,27 +88,26 @@ def gather_inputs(
 
 
 def sample_set_scans(inputs: SetInputs, seed: int, set_number: int) -> dict[str, xr.Dataset]:
-    """Sample as many scans as the study has, for each substrate with a pool or samples."""
+    """Return as many scans as the study has, for each substrate with a pool or samples."""
     counts = inputs.topography["rms_height"].count("scan").to_series()
-    sampled_scans = {
+    pool_scans = {
         name: sample_scans(pool, generator(seed, name, set_number, "set", "scans"), counts[name])
         for name, pool in inputs.pools.items()
     }
-    return sampled_scans | {
+    return pool_scans | {
         name: sample_of_set(samples, set_number) for name, samples in inputs.samples.items()
     }
 
 
 def topography_of_set(
-    inputs: SetInputs, sampled_scans: SampledScans, confidence: float
+    inputs: SetInputs, sampled_scans: Mapping[str, xr.Dataset], confidence: float
 ) -> xr.Dataset:
     """Return the topography of a set, as in topography.nc: metrics, their averages and labels."""
     topography = inputs.topography
-    surface_scans = [
-        sampled_scans[name] if name in sampled_scans else topography.sel(surface=name, drop=True)
-        for name in topography["surface"].values
+    metrics = [
+        sampled_scans.get(name, topography.sel(surface=name, drop=True))[[*TABLE1_METRICS.values()]]
+        for name in topography["surface"].values.tolist()
     ]
-    metrics = [scans[list(TABLE1_METRICS.values())] for scans in surface_scans]
     set_scans = xr.concat(metrics, topography["surface"], join="outer")
     # Spectra, not scans, determine roughness of all scales: it is that of the study.
     all_scales = [name for name in topography if str(name).startswith("all_scales_")]
@@ -123,7 +118,7 @@ def topography_of_set(
 
 
 def adhesion_of_set(
-    inputs: SetInputs, sampled_scans: SampledScans, seed: int, set_number: int
+    inputs: SetInputs, sampled_scans: Mapping[str, xr.Dataset], seed: int, set_number: int
 ) -> xr.Dataset:
     """Return the pull-off forces of a set, as in adhesion.nc.
 
@@ -149,20 +144,31 @@ def adhesion_of_set(
     )
 
 
+def scale_to_sampled_mean(forces: xr.DataArray, rng: np.random.Generator) -> xr.DataArray:
+    """Return the forces of measured scans, scaled to the mean force that other scans might have.
+
+    The distribution over contacts stays the same. A single scan keeps its forces.
+    """
+    axes = ("scan", "contact_model", "rho")
+    means = forces.mean([dim for dim in forces.dims if dim not in axes]).transpose(*axes)
+    if means.sizes["scan"] < 2:
+        return forces
+    sample = student_log_samples(rng, means.values, 1)[0]
+    factor = xr.DataArray(sample, dims=axes[1:]) / means.mean("scan").drop_vars(axes[1:])
+    return (forces * factor).transpose(*forces.dims)
+
+
 def edges_of_set(
     masters: xr.Dataset, realizations: int, tolerance: float, sampling: Sampling, set_number: int
 ) -> xr.Dataset:
     """Return the critical band of masters of each substrate, sampled with replacement."""
     surface_ratios = []
     for surface in masters["surface"].values.tolist():
-        study_ratio = (
-            masters["filtered_force_ratio"].sel(surface=surface).dropna("realization", how="all")
-        )
+        ratio = masters["filtered_force_ratio"].sel(surface=surface, drop=True)
+        ratio = ratio.dropna("realization", how="all")
         rng = generator(sampling.seed, surface, set_number, "set", "masters")
-        sampled_masters = rng.choice(study_ratio.realization, realizations)
-        ratio = study_ratio.sel(realization=sampled_masters)
-        ratio = ratio.assign_coords(realization=range(realizations))
-        surface_ratios.append(ratio.drop_vars("surface"))
+        ratio = ratio.sel(realization=rng.choice(ratio["realization"], realizations))
+        surface_ratios.append(ratio.assign_coords(realization=range(realizations)))
     ratio = xr.concat(surface_ratios, masters["surface"])
     set_masters = masters.drop_dims("realization").assign(filtered_force_ratio=ratio)
     return edges_of_masters(set_masters, tolerance, sampling)[0]
@@ -175,19 +181,18 @@ def sample_sets(
     published: PublishedForces,
     settings: SetSettings,
 ) -> xr.Dataset:
-    """Sample all sets and compute the numbers of each.
+    """Return sets.nc: of each set the values of claims, the fit and the edges.
 
-    By set: ``value`` (claim), SET_FIT_VARIABLES (contact_model, ...) and SET_EDGE_VARIABLES (side,
-    ...). ``sphere_factor`` (contact_model, surface, rho) is NaN for a surface without a pool.
+    ``value`` has the dimensions set and claim. ``sphere_factor`` (contact_model, surface, rho) is
+    NaN for a substrate that keeps its scans.
     """
     numbers = range(1, settings.set_count + 1)
     sets = []
     for set_number in progress(numbers, len(numbers), "sets"):
         datasets = _set_datasets(inputs, published, settings, set_number)
         values = claim_values(claims, datasets, constants)
-        claim_dataset = xr.Dataset({"value": ("claim", values)}, {"claim": values.index.to_list()})
         variables = [
-            claim_dataset,
+            xr.Dataset({"value": ("claim", values)}, {"claim": values.index.to_list()}),
             datasets["fit"][SET_FIT_VARIABLES],
             datasets["edges"][SET_EDGE_VARIABLES],
         ]
@@ -201,7 +206,7 @@ def _set_datasets(
     inputs: SetInputs, published: PublishedForces, settings: SetSettings, set_number: int
 ) -> dict[str, xr.Dataset]:
     """Return the datasets of one set by the names that claims give them."""
-    # A set needs no intervals, since all sets together give them: no samples.
+    # A set needs no intervals, because all sets together give them: no random samples.
     sampling = Sampling(settings.seed, 0, settings.confidence)
     sampled_scans = sample_set_scans(inputs, settings.seed, set_number)
     adhesion = adhesion_of_set(inputs, sampled_scans, settings.seed, set_number)

@@ -1,8 +1,7 @@
-"""Statements of the paper, each compared with a computed estimate.
+"""Claims: statements of the paper, each compared with a computed estimate (`paper.estimates`).
 
-A claim names an estimate by dataset, quantity (a variable or a derived quantity) and selection. Its
-rule turns the estimate and the published limits into a verdict. An estimate is a dataset of `value`
-and `value_interval`, as from `paper.estimates`.
+A claim, a row of resources/paper/claims.csv, names an estimate by dataset, quantity (a variable or
+a derived quantity) and selection. Its rule turns estimate and published limits into a verdict.
 """
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
@@ -16,7 +15,7 @@ import xarray as xr
 
 from hardcontact.base.arrays import Floats
 from hardcontact.base.statistics import interval_ends
-from hardcontact.paper import contact_quantities, force_quantities, inference_quantities
+from hardcontact.paper import band_quantities, contact_quantities, force_quantities
 from hardcontact.paper.claim_selection import (
     WITHOUT_SCAN,
     SelectedLabels,
@@ -30,14 +29,12 @@ from hardcontact.paper.estimates import variable_estimate
 from hardcontact.paper.verdicts import accepted_range, interval_with_sets, samples_vary
 from hardcontact.surfaces.metrics import TABLE1_VARIABLES
 
-#: Functions of one or several datasets, which claims name.
+#: Functions of one or several datasets, which claims name: the public ones of these modules.
 DERIVED_QUANTITIES: dict[str, Callable[..., xr.Dataset]] = {
-    quantity.__name__: quantity
-    for quantity in (
-        *contact_quantities.QUANTITIES,
-        *force_quantities.QUANTITIES,
-        *inference_quantities.QUANTITIES,
-    )
+    name: function
+    for module in (band_quantities, contact_quantities, force_quantities)
+    for name, function in vars(module).items()
+    if getattr(function, "__module__", "") == module.__name__ and not name.startswith("_")
 }
 
 
@@ -51,11 +48,6 @@ def estimate_quantity(quantity: str, dataset: xr.Dataset, *others: xr.Dataset) -
     return variable_estimate(dataset, TABLE1_VARIABLES.get(quantity, quantity))
 
 
-#: Datasets that claims may name, besides `paper`.
-CLAIM_DATASETS = (
-    "topography", "adhesion", "scales", "edges", "sensitivity", "fit", "posterior", "exponents",
-    "elastic", "indent", "asperities", "classical", "edge_shifts",
-)  # fmt: skip
 #: Columns of claims.csv. `evidence` says where the limits of the paper come from, `basis` on which
 #: scans the computed number rests.
 COLUMNS = (
@@ -63,6 +55,8 @@ COLUMNS = (
     "rule", "evidence", "accepted_low", "accepted_high", "agreeing_share", "verdict",
     "follows_from", "basis", "note",
 )  # fmt: skip
+#: Datasets that each set of sets.nc has.
+SET_DATASETS = ("topography", "adhesion", "fit", "edges")
 NUMBER_COLUMNS = ("published", "published_low", "published_high")
 
 
@@ -75,12 +69,17 @@ def read_claims(path: str | Path) -> pd.DataFrame:
     return table.assign(**{name: pd.to_numeric(table[name]) for name in NUMBER_COLUMNS})
 
 
-def claims_of_sets(path: str | Path) -> list[dict[str, str]]:
+def claims_of_sets(path: str | Path) -> list[dict[Any, Any]]:
     """Return the columns that determine the values of the claims that sets.nc has."""
     table = read_claims(path)
-    set_claims = table[table["samples_from"] == "sets"]
     columns = ["id", "dataset", "quantity", "select", "rule"]
-    return [dict(zip(columns, row, strict=True)) for row in set_claims[columns].values.tolist()]
+    return table.loc[table["samples_from"] == "sets", columns].to_dict("records")
+
+
+def datasets_of_claims(path: str | Path) -> list[str]:
+    """Return the names of the datasets that claims need, in alphabetical order."""
+    names = read_claims(path)["dataset"].str.split("+").explode()
+    return sorted({*names} - {"paper"})
 
 
 def claim_values(

@@ -9,7 +9,7 @@ from set_inputs import CONFIDENCE, SCANS, make_adhesion, make_inputs, make_maste
 
 from hardcontact.base.statistics import Sampling
 from hardcontact.paper.published_fit import Pair, PublishedForces, fit_published
-from hardcontact.paper.sampled_sets import (
+from hardcontact.paper.sets import (
     SetSettings,
     adhesion_of_set,
     edges_of_set,

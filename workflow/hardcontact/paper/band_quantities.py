@@ -1,0 +1,160 @@
+"""Estimates about the critical band and the interaction radius, for claims.
+
+Forces are in N, lengths in nm. Each function returns an estimate (`paper.estimates`), whose
+dimensions are in brackets. `paper` has the numbers of resources/paper/constants.csv by name.
+"""
+
+import numpy as np
+import xarray as xr
+from scipy import special
+
+from hardcontact.base.statistics import interval_ends
+from hardcontact.contact.hertz_jkr_dmt import dmt_pull_off
+from hardcontact.inference.edges import MEAN_GROUP, computed_cutoffs, edges_or_bounds, last_cutoff
+from hardcontact.paper.estimates import (
+    as_estimate,
+    mean_over_contacts,
+    mean_over_scans,
+    variable_estimate,
+)
+
+
+def band_edge(edges: xr.Dataset) -> xr.Dataset:
+    """Return the edges of the critical band in nm, or their bounds (side, group).
+
+    The bound is the last cutoff of the side, at which the change is still within the tolerance.
+    """
+    return as_estimate(edges_or_bounds(edges), *interval_ends(edges, "edge"))
+
+
+def first_edge(edges: xr.Dataset) -> xr.Dataset:
+    """Return the `band_edge` of the surface whose force leaves its tolerance first (side)."""
+    wavelengths = band_edge(edges).drop_sel(group=MEAN_GROUP)
+    short_edge = wavelengths.sel(side="short").min("group")
+    long_edge = wavelengths.sel(side="long").max("group")
+    return xr.concat([short_edge, long_edge], "side")
+
+
+def edge_over_interaction_radius(edges: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
+    """Return the edge relative to the interaction radius at the published range (side, group)."""
+    area = 2 * edges.attrs["sphere_radius"] * paper["range_of_adhesion"]
+    ratio: xr.Dataset = variable_estimate(edges, "edge") / area**0.5
+    return ratio
+
+
+def change_outside_band(edges: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
+    """Return the largest change of the force by cutoffs outside the published band (side, group).
+
+    These are cutoffs up to the published short edge, and from the published long edge on.
+    """
+    cutoff = edges["cutoff_wavelength"]
+    is_short = cutoff <= paper["short_edge"]
+    is_long = cutoff >= paper["long_edge"]
+    return _largest_change(edges, is_short.where(edges["side"] == "short", is_long))
+
+
+def change_inside_band(edges: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
+    """Return the change of the force by a cutoff an octave inside the published band (side, group).
+
+    It is interpolated between the computed cutoffs of the side.
+    """
+    change = variable_estimate(edges, "filtered_force_change")
+    sides = [
+        change.sel(side=side)
+        .dropna("cutoff_wavelength", how="all")
+        .interp(cutoff_wavelength=factor * paper[f"{side}_edge"].item())
+        .drop_vars("cutoff_wavelength")
+        for side, factor in (("short", 2), ("long", 1 / 2))
+    ]
+    return xr.concat(sides, "side")
+
+
+def short_cutoff_change(edges: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
+    """Return the largest change by short cutoffs that remove only artificial roughness (group)."""
+    is_artificial = edges["cutoff_wavelength"] <= paper["short_transition_wavelength"]
+    return _largest_change(edges, is_artificial).sel(side="short", drop=True)
+
+
+def _largest_change(edges: xr.Dataset, is_selected: xr.DataArray) -> xr.Dataset:
+    """Return the largest change of the force by the selected cutoffs (side, group)."""
+    change = variable_estimate(edges, "filtered_force_change")
+    return change.where(is_selected).max("cutoff_wavelength")
+
+
+def stylus_change(edges: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
+    """Return the change of the force at the short cutoff nearest to a stylus radius (group)."""
+    change = variable_estimate(edges, "filtered_force_change").sel(side="short", drop=True)
+    computed = change.sel(cutoff_wavelength=computed_cutoffs(change["value"]))
+    radius = paper["stylus_radius"].item()
+    return computed.sel(cutoff_wavelength=radius, method="nearest", drop=True)
+
+
+def flat_limit_fraction(scales: xr.Dataset) -> xr.Dataset:
+    """Return the force at the largest short cutoff relative to 2 pi R W of a plane (surface)."""
+    force = mean_over_contacts(scales["pull_off_force"].sel(side="short"))
+    force = force.sel(cutoff_wavelength=last_cutoff(force, "short"), drop=True)
+    smooth = dmt_pull_off(1.0, scales.attrs["sphere_radius"])  # the forces are at 1 J/m²
+    return mean_over_scans(force / smooth, scales.attrs["confidence"], "realization")
+
+
+def mean_band_ratio(sensitivity: xr.Dataset) -> xr.Dataset:
+    """Return the mean over surfaces of the force on a part of the roughness (band, band_part).
+
+    The surfaces are independent: the half widths of their intervals add in squares.
+    """
+    ratio = sensitivity["band_force_ratio"]
+    low, high = interval_ends(sensitivity, "band_force_ratio")
+    mean = ratio.mean("surface")
+    count = ratio.sizes["surface"]
+    below = np.sqrt(((ratio - low) ** 2).sum("surface", skipna=False)) / count
+    above = np.sqrt(((high - ratio) ** 2).sum("surface", skipna=False)) / count
+    return as_estimate(mean, mean - below, mean + above)
+
+
+def median_force_exponent(exponents: xr.Dataset) -> xr.Dataset:
+    """Return d ln(force)/d ln(radius), the median over the surfaces (no dimensions)."""
+    return variable_estimate(exponents, "force_exponent").median("surface", skipna=False)
+
+
+def median_edge_exponent(exponents: xr.Dataset) -> xr.Dataset:
+    """Return d ln(edge)/d ln(root of a quantity), the median over surfaces (side, exponent_of).
+
+    NaN if the edges of a surface determine no exponent. The interval is the median over the
+    surfaces with an interval.
+    """
+    exponent = variable_estimate(exponents, "edge_exponent")
+    is_known = exponent["value"].notnull().all("surface")
+    return exponent.median("surface").where(is_known)
+
+
+def interaction_radius(paper: xr.Dataset) -> xr.Dataset:
+    """Return the interaction radius sqrt(D rho) in nm, with the published diameter and range ()."""
+    return as_estimate((paper["sphere_diameter"] * paper["range_of_adhesion"]) ** 0.5)
+
+
+def interaction_radius_at_fit(fit: xr.Dataset) -> xr.Dataset:
+    """Return the interaction radius in nm of the study at the fitted range (contact_model)."""
+    diameter = 2 * fit.attrs["sphere_radius"]
+    area: xr.Dataset = diameter * variable_estimate(fit, "range_of_adhesion")
+    return area.map(np.sqrt)
+
+
+def interaction_share(paper: xr.Dataset) -> xr.Dataset:
+    """Return the share of the force on a plane within the interaction radius ().
+
+    The attraction of a ring falls as exp(-r²/D rho): 1 - 1/e of it lies within sqrt(D rho).
+    """
+    return as_estimate(xr.DataArray(1 - np.exp(-1.0)))
+
+
+def sinusoid_share(paper: xr.Dataset) -> xr.Dataset:
+    """Return the share of the attraction on the nearer half of a sinusoidal gap in contact (rho).
+
+    For the attraction exp(-a(1 - cos x)/rho) the share is (1 + L0/I0)/2 at a/rho, with the modified
+    Struve and Bessel functions. It is 1/2 if the attraction is uniform. Amplitude a and ranges rho
+    are published.
+    """
+    ranges = [paper[f"sinusoid_range_{name}"].item() for name in ("short", "long")]
+    ratio = paper["sinusoid_amplitude"].item() / np.array(ranges)
+    share = (1 + special.modstruve(0, ratio) / special.iv(0, ratio)) / 2
+    return as_estimate(xr.DataArray(share, {"rho": ranges}, "rho"))
