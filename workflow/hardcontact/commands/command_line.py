@@ -1,16 +1,23 @@
-"""The program `hardcontact`: it carries out the command with which its line begins."""
+"""The program `hardcontact`, and what its commands share: their parser and their output.
+
+No command replaces an input, or another file unasked.
+"""
 
 import os
+import re
 import sys
+from argparse import ArgumentParser, RawDescriptionHelpFormatter
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import NoReturn
 
-from hardcontact.commands.new import new_study
-from hardcontact.commands.parser import join_units
-from hardcontact.commands.request import new_arguments
-from hardcontact.config.faults import raise_faults
+from hardcontact.base.dataset import atomic_file
+from hardcontact.base.units import FACTORS
+from hardcontact.config.faults import raise_faults, spelling_question
 
 
 def main() -> int:
-    """Carry out the command line: `new`, `predict`, `verify`, `compare`; return the exit code."""
+    """Carry out the command with which the command line begins; return the exit code."""
     words = join_units(sys.argv[1:])
     try:
         # A terminal would obey control characters, and tables are written in UTF-8.
@@ -34,6 +41,9 @@ def main() -> int:
 
             print(compare(compare_arguments(words[1:])))
         else:
+            from hardcontact.commands.new import new_study
+            from hardcontact.commands.request import new_arguments
+
             print(new_study(new_arguments(words)))
         sys.stdout.flush()
     except BrokenPipeError:  # The reader of the output has ended, such as `head`.
@@ -46,3 +56,89 @@ def main() -> int:
         print("Stopped before anything was written.", file=sys.stderr)
         return 130
     return 0
+
+
+def join_units(words: Sequence[str]) -> list[str]:
+    """Return the words of a command line; a number and a unit after it become one word."""
+    joined = list[str]()
+    for word in words:
+        is_unit = any(re.sub(r"\^2|²", "2", word) in units for units in FACTORS.values())
+        if is_unit and joined and re.fullmatch(r"(--\w+=)?[0-9.]+(e-?[0-9]+)?", joined[-1]):
+            joined[-1] += word
+        else:
+            joined.append(word)
+    return joined
+
+
+class CommandLine(ArgumentParser):
+    """A parser whose options have no short forms, and which suggests one for a wrong option."""
+
+    def __init__(self, command: str, description: str) -> None:
+        """Take the command, and the text with which its help begins."""
+        super().__init__(
+            command, description=description, formatter_class=RawDescriptionHelpFormatter,
+            allow_abbrev=False,
+        )  # fmt: skip
+
+    def error(self, message: str) -> NoReturn:
+        """End the program with one line, which names the option that an unknown one resembles."""
+        line = f"error: {message}{self._question(message)}; {self.prog} --help lists all options"
+        self.exit(2, f"{line}\n")
+
+    def _question(self, message: str) -> str:
+        """Return a question if a message names an unknown word that resembles a known one."""
+        if "invalid choice: " in message:
+            choice, *known = re.findall(r"'([^']+)'", message)
+        else:
+            unknown = message.partition("unrecognized arguments: ")[2].partition(" ")[0]
+            choice = unknown.partition("=")[0]
+            if choice == "--diameter":
+                return " (did you mean --radius, with half of it?)"
+            known = [name for name in self._option_string_actions if name.startswith("--")]
+        return spelling_question(choice, known)
+
+
+def output_faults(
+    outputs: Mapping[str, str | None], inputs: Mapping[str, str], overwrite: bool
+) -> Iterator[str]:
+    """Yield a line for each output, by option, that cannot be written or would replace a file.
+
+    `inputs` are words for files by their paths. An output may be None, or - for the terminal.
+    """
+    reserved = {
+        os.path.realpath(path): f"another file than {words}" for path, words in inputs.items()
+    }
+    for option, path in outputs.items():
+        if path is None:
+            continue
+        real_path = path if path == "-" else os.path.realpath(path)
+        if real_path in reserved:
+            yield f"--{option}: expected {reserved[real_path]}, found {path}"
+        elif path != "-" and (not Path(real_path).parent.is_dir() or Path(real_path).is_dir()):
+            yield f"--{option}: expected a file in a folder that exists, found {path}"
+        elif Path(real_path).is_file() and not overwrite:
+            yield (
+                f"--{option}: expected a new file, found {path}: take another name, or add "
+                "--overwrite"
+            )
+        reserved[real_path] = f"another file than that of --{option}"
+
+
+def align_cells(rows: Sequence[Sequence[str]]) -> list[str]:
+    """Return a line for each row, with aligned cells; the last may be long."""
+    columns = max(map(len, rows))
+    padded = [[*row, *[""] * (columns - len(row))] for row in rows]
+    widths = [
+        max((len(row[column]) for row in rows if len(row) > column + 1), default=0)
+        for column in range(columns)
+    ]
+    return ["  ".join(map(str.ljust, row, widths)).rstrip() for row in padded]
+
+
+def write_output(path: str, text: str) -> None:
+    """Write a file completely; pipes and devices take the text as it comes."""
+    if Path(path).exists() and not Path(path).is_file():
+        Path(path).write_text(text, "utf-8")
+        return
+    with atomic_file(os.path.realpath(path)) as temporary:
+        Path(temporary).write_text(text, "utf-8")

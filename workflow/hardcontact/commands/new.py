@@ -11,8 +11,13 @@ from pathlib import Path
 from typing import Any
 
 from hardcontact.base.dataset import atomic_file
-from hardcontact.commands.inventory import Entry, entries_by_surface, inventory
-from hardcontact.commands.inventory_tables import printed_table, table_rows, table_text
+from hardcontact.commands.inventory import (
+    Entry,
+    entries_by_surface,
+    inventory,
+    printed_table,
+    table_rows,
+)
 from hardcontact.commands.options import (
     QuantityOption,
     implausible_quantities,
@@ -69,7 +74,8 @@ def new_study(arguments: Namespace) -> str:
         raise ValueError("\n".join(lines)) from None
     # With faults, `run_checks` raises. The last result is therefore that of `_propose_study`.
     proposal, choices = results[-1]
-    table = table_text(table_rows(entries, proposal.contact_entries, tip_text))
+    rows = table_rows(entries, proposal.contact_entries, tip_text)
+    table = "".join("\t".join(cells) + "\n" for cells in (rows[0], *(row.values() for row in rows)))
     report = [
         *_report_lines(entries, left_out, proposal, choices),
         *_write_study(arguments.name, table, choices, proposal.quick),

@@ -8,13 +8,14 @@ from typing import NamedTuple
 import numpy as np
 
 from hardcontact.base.formatting import format_length
-from hardcontact.commands.contact_cost import affordable_contacts, short_edge_pixels
 from hardcontact.commands.contact_scans import (
     WindowChoice,
+    affordable_contacts,
     all_search_sizes,
     choose_window,
     contact_scans,
     count_tiles,
+    short_edge_pixels,
 )
 from hardcontact.commands.inventory import FILLING, Entry
 from hardcontact.commands.scan_cautions import scan_cautions
@@ -41,21 +42,23 @@ class Effort(NamedTuple):
     """The size of a study, which decides its cost."""
 
     pixels: int  #: per row of masters, if scans do not have more
-    cutoffs: int  #: on each side
-    realizations: int  #: masters of each side
-    slow_realizations: int  #: masters of each side if contacts take long
+    cutoff_count: int  #: on each side
+    master_count: int  #: on each side
+    slow_master_count: int  #: on each side if contacts take long
     contacts_per_row: int  #: per row of the array
-    ranges: int  #: of adhesion
+    range_count: int  #: of adhesion
 
 
 #: Full effort takes a minute of processor time for a scan of 512 x 512 pixels, quick effort a
 #: third.
 FULL_EFFORT = Effort(
-    pixels=4096, cutoffs=14, realizations=5, slow_realizations=3, contacts_per_row=20, ranges=12
-)
+    pixels=4096, cutoff_count=14, master_count=5, slow_master_count=3, contacts_per_row=20,
+    range_count=12,
+)  # fmt: skip
 QUICK_EFFORT = Effort(
-    pixels=2048, cutoffs=5, realizations=2, slow_realizations=2, contacts_per_row=8, ranges=5
-)
+    pixels=2048, cutoff_count=5, master_count=2, slow_master_count=2, contacts_per_row=8,
+    range_count=5,
+)  # fmt: skip
 #: Most scans of a surface that make masters at quick effort.
 MAX_QUICK_SCANS = 3
 
@@ -138,28 +141,28 @@ def _choices(
     contacts_per_row, is_slow = affordable_contacts(
         substrates, contact, short_pixels, effort.contacts_per_row
     )
-    ranges = [_nm(rho) for rho in _ranges(contact.rho, window.shortest_range, effort.ranges)]
+    ranges = [_nm(rho) for rho in _ranges(contact.rho, window.shortest_range, effort.range_count)]
     permitted = f"these scans permit {window.shortest_range:.3g} nm or more"
-    realizations = _realizations(substrates, effort, is_slow)
+    master_count = _master_count(substrates, effort, is_slow)
     return [
         Choice("contact.window", _nm(contact.window), window.window_reason),
         Choice("contact.contacts_per_row", contacts_per_row, "contacts per row of their array"),
         Choice("adhesion.range", _nm(contact.rho), window.range_reason),
         Choice("adhesion.ranges", ranges, f"for the force as a function of it; {permitted}"),
-        Choice("scales.realizations", realizations, "masters on each side"),
+        Choice("scales.realizations", master_count, "masters on each side"),
         *_master_choices(substrates, contact, transitions, effort, short_pixels),
     ]
 
 
-def _realizations(substrates: Sequence[Entry], effort: Effort, is_slow: bool) -> int:
+def _master_count(substrates: Sequence[Entry], effort: Effort, is_slow: bool) -> int:
     """Return the number of masters on each side; at full effort every scan makes equally many."""
-    masters = effort.slow_realizations if is_slow else effort.realizations
+    masters = effort.slow_master_count if is_slow else effort.master_count
     scan_counts = Counter(scan.scan_file.surface for scan in substrates)
     most_scans = max(scan_counts.values())
     if effort is QUICK_EFFORT:
         return max(masters, min(most_scans, MAX_QUICK_SCANS))
     masters_a_scan = max(1, round(masters / most_scans))
-    return min(most_scans * masters_a_scan, 2 * effort.realizations)
+    return min(most_scans * masters_a_scan, 2 * effort.master_count)
 
 
 def _master_choices(
@@ -176,8 +179,8 @@ def _master_choices(
     finest = max(2 * scan.size / short_pixels for scan in substrates)
     coarsest = max(scan.pixel_size for scan in substrates)
     shortest = min(size / 25, math.sqrt(2 * contact.radius * contact.rho) / 16)
-    short_cutoffs = _cutoffs(4 * finest, size, effort.cutoffs)
-    long_cutoffs = _cutoffs(max(4 * coarsest, shortest), size * tiles, effort.cutoffs)
+    short_cutoffs = _cutoffs(4 * finest, size, effort.cutoff_count)
+    long_cutoffs = _cutoffs(max(4 * coarsest, shortest), size * tiles, effort.cutoff_count)
     short_transition, long_transition, reason = transitions
     long_reason = f"{TRANSITION_SHARE:g} of the size of the scan; above, roughness is artificial"
     tiles_reason = f"mirrored scans per row, {format_length(2 * size * tiles)}"
@@ -190,10 +193,10 @@ def _master_choices(
     yield Choice("scales.long.cutoffs", long_cutoffs, "to half the size of the master")
 
 
-def _cutoffs(shortest: float, longest: float, max_cutoffs: int) -> list[str]:
+def _cutoffs(shortest: float, longest: float, max_count: int) -> list[str]:
     """Return wavelengths (nm) of three digits, evenly spaced in their logarithm, as quantities."""
     steps = int(math.log(longest / shortest) / math.log(MIN_CUTOFF_RATIO))
-    wavelengths = np.geomspace(shortest, longest, min(max_cutoffs, max(steps, 1) + 1))
+    wavelengths = np.geomspace(shortest, longest, min(max_count, max(steps, 1) + 1))
     return [_nm(float(f"{wavelength:.3g}")) for wavelength in wavelengths]
 
 

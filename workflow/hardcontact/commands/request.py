@@ -8,8 +8,8 @@ from importlib.metadata import version
 from pathlib import Path
 from typing import NamedTuple
 
+from hardcontact.commands.command_line import CommandLine
 from hardcontact.commands.options import add_shared_options
-from hardcontact.commands.parser import CommandLine
 from hardcontact.config.key_types import STUDY_NAME
 from hardcontact.config.keys import QUICK_SUFFIX
 from hardcontact.config.selected_surfaces import LABEL, RESERVED_IDS

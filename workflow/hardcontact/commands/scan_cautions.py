@@ -6,7 +6,7 @@ import numpy as np
 
 from hardcontact.base.formatting import format_length, format_quantity
 from hardcontact.commands.contact_scans import WindowChoice
-from hardcontact.commands.inventory import Entry, entries_by_surface, entry_contradiction_lines
+from hardcontact.commands.inventory import Entry, entries_by_surface
 from hardcontact.config.faults import raise_faults
 from hardcontact.contact.contact import (
     LARGE_SIZE_RATIO,
@@ -16,6 +16,7 @@ from hardcontact.contact.contact import (
 )
 from hardcontact.scans.defects import defect_sentence
 from hardcontact.scans.heights import split_notes
+from hardcontact.scans.scan_pairs import describe_contradictions, find_contradictions
 from hardcontact.surfaces.spectrum import MIN_BINS, too_few_bins_message
 
 #: Share of undefined pixels from which the user is told how they are filled.
@@ -57,7 +58,7 @@ def scan_cautions(
     yield from _reading_cautions(entries)
     yield from _contact_cautions(substrates, usual_range, window, search_sizes)
     yield from (f"{scan.name}: reliable {scan.band}" for scan in substrates if scan.is_blind)
-    yield from entry_contradiction_lines(entries)
+    yield from _contradiction_cautions(entries)
     yield from _filling_cautions(entries)
 
 
@@ -140,3 +141,16 @@ def _filling_cautions(entries: Sequence[Entry]) -> Iterator[str]:
                 f"{entry.name}: {entry.undefined_share:.0%} of its pixels are undefined, and "
                 "filled with heights smoother than the surface"
             )
+
+
+def _contradiction_cautions(entries: Sequence[Entry]) -> Iterator[str]:
+    """Yield a line for each surface whose scans contradict each other."""
+    for scans in entries_by_surface(entries).values():
+        contradictions = find_contradictions(
+            np.array([scan.density for scan in scans]),
+            [scan.band.bins for scan in scans],
+            [scan.kind for scan in scans],
+            [scan.size for scan in scans],
+        )
+        if contradictions:
+            yield describe_contradictions(contradictions, [scan.name for scan in scans])
