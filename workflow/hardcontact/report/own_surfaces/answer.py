@@ -8,7 +8,13 @@ import xarray as xr
 
 from hardcontact.base.number import Number, numbers_by_name
 from hardcontact.inference.octaves import strongest_octaves
-from hardcontact.report.answer import all_quantities, note, render_page, substitutes_note
+from hardcontact.report.answer import (
+    all_quantities,
+    note,
+    numbers_of_answer,
+    render_page,
+    substitutes_note,
+)
 from hardcontact.report.figures.panels import mean_free_heights
 from hardcontact.report.own_surfaces.cautions import cautions
 from hardcontact.report.own_surfaces.comparison import comparison_numbers
@@ -267,4 +273,9 @@ def own_page(
 ) -> str:
     """Return the page of a study of the user's surfaces; the SVG of figures is by name."""
     limits = {"limit_names": LIMIT_NAMES, "min_pixels": MIN_PIXELS, "min_waves": MIN_WAVES_IN_SIZE}
-    return render_page(answer, figures, citation, frame, nearly_all=NEARLY_ALL, **limits)
+    conclusions = {
+        surface["name"]: surface_conclusion(numbers_of_answer(answer, surface["name"]))
+        for surface in answer["surfaces"]
+    }
+    facts = limits | {"nearly_all": NEARLY_ALL, "conclusions": conclusions}
+    return render_page(answer, figures, citation, frame, **facts)

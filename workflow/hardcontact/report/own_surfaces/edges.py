@@ -13,6 +13,7 @@ from hardcontact.inference.curve_edges import EdgeStatus
 from hardcontact.inference.edges import computed_cutoffs
 from hardcontact.inference.scan_parts import IntervalSource
 from hardcontact.report.own_surfaces.datasets import (
+    NEARLY_ALL,
     Datasets,
     artificial_bands,
     classify_edge,
@@ -54,6 +55,10 @@ class Conclusion(NamedTuple):
         fails or the short edge shows ripples of the filter, "overlapping" if the short edge is the
         longer one, otherwise "found".
     extrapolated: sides with a known force with extrapolated roughness.
+    octave_body: "sphere", "surface" or "both", which have the waves that change the force most;
+        empty under a smooth sphere.
+    octave_is_certain: whether the interval of that change excludes none.
+    few_summits: whether single summits carry the force; otherwise many points attract.
     """
 
     answer: str
@@ -62,6 +67,9 @@ class Conclusion(NamedTuple):
     long_edge: Number
     force: Number
     extrapolated: list[str]
+    octave_body: str
+    octave_is_certain: bool
+    few_summits: bool
 
 
 def interval_status(source: xr.DataArray) -> StrEnum:
@@ -190,7 +198,23 @@ def surface_conclusion(numbers: Mapping[str, Number]) -> Conclusion:
     else:
         answer = "partly"
     known = [side for side in sides if np.isfinite(numbers[f"force_extrapolated_{side}"].value)]
-    return Conclusion(answer, band, short, long, force, known)
+    octave = _octave_body(numbers), _octave_is_certain(numbers)
+    modulus = numbers["weibull_modulus"].value
+    return Conclusion(answer, band, short, long, force, known, *octave, modulus < 1)
+
+
+def _octave_body(numbers: Mapping[str, Number]) -> str:
+    """Return which body has the waves that change the force most, as `Conclusion.octave_body`."""
+    if "octave_1_sphere_share" not in numbers:
+        return ""
+    share = numbers["octave_1_sphere_share"].value
+    return "sphere" if share > NEARLY_ALL else "surface" if share < 1 - NEARLY_ALL else "both"
+
+
+def _octave_is_certain(numbers: Mapping[str, Number]) -> bool:
+    """Return whether the interval of the largest change by an octave excludes no change."""
+    change = numbers.get("octave_1_sensitivity")
+    return change is None or not change.low <= 0 <= change.high
 
 
 def _drop_partial_interval(number: Number) -> Number:

@@ -68,15 +68,18 @@ def defect_cautions(spectra: xr.Dataset, *, grave: bool) -> list[Caution]:
             numbers = numbers_by_name(
                 *(Number(name, values[name], unit, source="file") for name, unit in units.items())
             )
-            sentence = f"{measurement_name(measurement)}: {defect_sentence(code, values)}"
-            defects.append(Caution(code, grave, numbers, {"sentence": sentence}, index))
+            texts = {
+                "scan": measurement_name(measurement),
+                "sentence": defect_sentence(code, values),
+            }
+            defects.append(Caution(code, grave, numbers, texts, index))
     return defects
 
 
 def reading_cautions(spectra: xr.Dataset) -> list[Caution]:
     """Return the cautions that reading the file of each measurement gave, as sentences."""
     return [
-        Caution("reading", texts={"sentence": f"{measurement_name(measurement)}: {line}"})
+        Caution("reading", texts={"scan": measurement_name(measurement), "sentence": line})
         for measurement in split_scans(without_padding(spectra))
         for line in split_notes(str(measurement["notes"].item()).splitlines())[1]
     ]
