@@ -82,11 +82,8 @@ def write(dataset: xr.Dataset, path: str | Path) -> None:
 def read_meanings(name: str) -> dict[str, str]:
     """Return the meanings of the variables of a dataset from the table `MEANINGS`."""
     table = pd.read_csv(MEANINGS, sep="\t", quoting=csv.QUOTE_NONE)
-    meanings = {
-        dataset: dict(zip(rows.variable, rows.meaning, strict=True))
-        for dataset, rows in table.groupby("dataset")
-    }
-    return meanings["*"] | meanings.get(name, {})
+    rows = table[table.dataset.isin(["*", name])].sort_values("dataset")  # "*" is the first
+    return dict(zip(rows.variable, rows.meaning, strict=True))
 
 
 def describe(dataset: xr.Dataset, meanings: Mapping[str, str]) -> xr.Dataset:

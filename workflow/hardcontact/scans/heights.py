@@ -67,8 +67,10 @@ def unit_in_nm(unit: str) -> float:
         raise RefusedFile(f"expected a unit of length, found {unit!r}") from None
 
 
-def _scan_fields(heights: Floats, pixel_size: float, notes: list[str]) -> dict[str, Any]:
-    """Return heights (nm), pixel size (nm) and notes as a dictionary; refuse impossible values."""
+def _scan_fields(
+    heights: Floats, pixel_size: float, notes: list[str], undefined_count: int
+) -> dict[str, Any]:
+    """Return the fields of a scan, by name, lengths in nm; refuse impossible values."""
     minimum, maximum = LENGTH_BOUNDS
     # An offset larger than any relief is the position of a stage; heights need digits below it.
     offset = float(np.median(heights))
@@ -88,7 +90,12 @@ def _scan_fields(heights: Floats, pixel_size: float, notes: list[str]) -> dict[s
     slope = np.abs(np.diff(heights)).mean() / pixel_size
     if slope > MAX_MEAN_SLOPE:
         raise RefusedFile(f"expected a mean slope of at most {MAX_MEAN_SLOPE}, found {slope:.3g}")
-    return {"heights": heights, "pixel_size": pixel_size, "notes": notes}
+    return {
+        "heights": heights,
+        "pixel_size": pixel_size,
+        "notes": notes,
+        "undefined_count": undefined_count,
+    }
 
 
 def map_values(topography: Any, factor: float, undefined_pixels: str) -> dict[str, Any]:
@@ -113,8 +120,7 @@ def map_values(topography: Any, factor: float, undefined_pixels: str) -> dict[st
     if undefined_count:
         with_gaps = Topography(heights, heights.shape)
         filled = np.asarray(with_gaps.interpolate_undefined_data(undefined_pixels).heights())
-    fields = _scan_fields(filled.T * factor, pixel_size, notes + undefined_notes)
-    return fields | {"undefined_count": undefined_count}
+    return _scan_fields(filled.T * factor, pixel_size, notes + undefined_notes, undefined_count)
 
 
 def _largest_square(heights: np.ma.MaskedArray) -> np.ma.MaskedArray:
@@ -202,8 +208,7 @@ def profile_values(line_scan: Any, factor: float, undefined_pixels: str) -> dict
     defined = ~heights.mask
     filled = np.interp(grid, positions[defined], heights.data[defined]) * factor
     pixel_size = float((grid[-1] - grid[0]) / (len(grid) - 1))
-    fields = _scan_fields(filled, pixel_size, notes + undefined_notes)
-    return fields | {"undefined_count": undefined_count}
+    return _scan_fields(filled, pixel_size, notes + undefined_notes, undefined_count)
 
 
 def _uniform_grid(positions: Floats) -> tuple[Floats, list[str]]:

@@ -71,16 +71,13 @@ def readable_text(content: bytes) -> tuple[bytes, list[str]]:
 
 def _decode(content: bytes) -> str | None:
     """Return the text of bytes; None if they are not text."""
-    if content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
-        encodings = ["utf-16"]
-    else:
-        encodings = [] if BINARY.search(content) else ["utf-8-sig", "latin-1"]
-    for encoding in encodings:
-        try:
-            return content.decode(encoding)
-        except UnicodeDecodeError:
-            continue
-    return None
+    is_utf16 = content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))
+    if BINARY.search(content) and not is_utf16:
+        return None
+    try:
+        return content.decode("utf-16" if is_utf16 else "utf-8-sig")
+    except UnicodeDecodeError:
+        return None if is_utf16 else content.decode("latin-1")
 
 
 def _mark_undefined(line: str, width: int) -> str:

@@ -140,7 +140,7 @@ def read_in_child(
             child.join()
             receiver.close()
     if "refused" in answer:
-        raise ValueError(f"{path}: {answer['refused']}")
+        raise ValueError(f"{path}: {' '.join(answer['refused'].split())}")
     return answer
 
 
@@ -165,17 +165,11 @@ def _run_child(
         _limit_resources(seconds, memory)
         answer = reader(content, *arguments)
     except RefusedFile as error:
-        answer = {"refused": str(error)}
+        answer = {"refused": str(error)[:MAX_MESSAGE_LENGTH]}
     except Exception as error:  # damaged bytes may raise anything in a reader
         answer = {
             "refused": "expected a readable scan, found one that its reader cannot follow "
             f"({type(error).__name__}: {str(error)[:200]}): save the heights as text or netCDF"
-        }
-    if "refused" in answer:
-        answer = {
-            "refused": " ".join(
-                _replace_control_characters(answer["refused"][:MAX_MESSAGE_LENGTH]).split()
-            )
         }
     array = io.BytesIO()
     np.save(array, answer.pop("heights", np.empty(0)))

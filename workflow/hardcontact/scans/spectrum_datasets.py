@@ -2,7 +2,6 @@
 
 import io
 from collections.abc import Mapping, Sequence
-from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -27,13 +26,13 @@ END_UNITS = dict.fromkeys(("shortest_measured", "longest_measured", "rolloff"), 
 
 def measurement_descriptions(
     measurements: Sequence[HeightMap], radii: Sequence[float | None], bands: Sequence[ReliableBand]
-) -> list[dict[str, Any]]:
+) -> pd.DataFrame:
     """Return the properties of measurements, such as sizes and bands in nm, defects and paths.
 
-    The radii of their tips are in nm, None if unknown.
+    The radii of the tips are in nm, None if unknown.
     """
     earlier_measurements = earlier_scans_of_areas(measurements)
-    return [
+    rows = [
         {
             "kind": measurement.kind,
             "size": measurement.size,
@@ -47,16 +46,13 @@ def measurement_descriptions(
             "notes": "\n".join(measurement.notes),
             "earlier_scan": "" if earlier is None else measurements[earlier].name,
             **dict.fromkeys(DEFECT_UNITS, np.nan),
-            **{
-                name: number
-                for numbers in measurement.defects.values()
-                for name, number in numbers.items()
-            },
+            **{name: defect[name] for defect in measurement.defects.values() for name in defect},
         }
         for measurement, radius, band, earlier in zip(
             measurements, radii, bands, earlier_measurements, strict=True
         )
     ]
+    return pd.DataFrame(rows)
 
 
 def add_measurements(
@@ -64,7 +60,7 @@ def add_measurements(
     joined_density: Floats,
     psds: Floats,
     reliable: NDArray[np.bool_],
-    descriptions: Sequence[Mapping[Any, Any]],
+    descriptions: pd.DataFrame,
 ) -> xr.Dataset:
     """Return a spectrum with the measurements from which it was joined.
 
@@ -73,14 +69,10 @@ def add_measurements(
     """
     axis = "bin_wavevector"
     axes = ("measurement", axis)
-    columns = {
-        name: (
-            "measurement",
-            [description[name] for description in descriptions],
-            {} if isinstance(value, str) else {"units": DEFECT_UNITS.get(name, "nm")},
-        )
-        for name, value in descriptions[0].items()
-    }
+    columns = {}
+    for name, values in descriptions.to_dict("list").items():
+        unit = DEFECT_UNITS.get(str(name), "" if isinstance(values[0], str) else "nm")
+        columns[name] = ("measurement", values, {"units": unit} if unit else {})
     return spectrum.assign(
         {
             "psd": (axes, psds, NM4),
@@ -115,7 +107,7 @@ def convert_described_spectrum(substitute: xr.Dataset, path: str) -> xr.Dataset:
     joined_density = np.where(reliable.any(axis=0), density, np.nan)
     psds = np.where(reliable, density, np.nan)
     return add_measurements(
-        substitute[["spectrum"]], joined_density, psds, reliable, descriptions.to_dict("records")
+        substitute[["spectrum"]], joined_density, psds, reliable, descriptions
     ).assign_attrs(
         source="substitute",
         table1_rows_met=substitute.attrs["table1_rows_met"],
