@@ -76,23 +76,29 @@ def band() -> xr.Dataset:
 
 
 def sensitivity() -> xr.Dataset:
-    """Return octaves, the strongest of which begins at 640 nm, and forces on the band alone."""
+    """Return how the force follows each octave; the strongest octave begins at 640 nm."""
     octaves = np.array([80.0, 160.0, 320.0, 640.0, 1280.0])
-    parts = ["only the band", "no shorter waves", "no longer waves"]
-    shape = len(SUBSTRATES), 2, len(parts)
-    ratio = ("surface", "band", "band_part"), np.full(shape, 1.05)
-    interval = (*ratio[0], "end"), np.broadcast_to([1.0, 1.1], (*shape, 2))
     values = np.tile([-0.1, -0.4, -0.6, -0.8, -0.2], (len(SUBSTRATES), 1))
     return xr.Dataset(
         {
             "octave_sensitivity": (("surface", "octave"), values),
             "map_size": ("surface", [20_000.0] * len(SUBSTRATES)),
-            "band_force_ratio": ratio,
-            "band_force_ratio_interval": interval,
         },
+        {"surface": SUBSTRATES, "octave": octaves},
+    )
+
+
+def band_forces() -> xr.Dataset:
+    """Return the forces with a part of the roughness, 1.05 times those with all of it."""
+    parts = ["only the band", "no shorter waves", "no longer waves"]
+    shape = len(SUBSTRATES), 2, len(parts)
+    ratio = ("surface", "band", "band_part"), np.full(shape, 1.05)
+    interval = (*ratio[0], "end"), np.broadcast_to([1.0, 1.1], (*shape, 2))
+    return xr.Dataset(
+        {"band_force_ratio": ratio, "band_force_ratio_interval": interval},
         {
-            "surface": SUBSTRATES, "octave": octaves, "band": ["published", "found"],
-            "band_part": parts, "end": ["low", "high"],
+            "surface": SUBSTRATES, "band": ["published", "found"], "band_part": parts,
+            "end": ["low", "high"],
         },
     )  # fmt: skip
 

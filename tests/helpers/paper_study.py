@@ -7,6 +7,7 @@ import numpy as np
 import yaml
 from paper_datasets import (
     band,
+    band_forces,
     features,
     fit,
     published_table1,
@@ -57,6 +58,7 @@ def datasets(contacts=20, pixels=512):
         "scales": scales(contacts),
         "edges": band(),
         "sensitivity": sensitivity(),
+        "band_forces": band_forces(),
         "sets": sets(),
         "features": features(),
         "fit": fit(),

@@ -75,7 +75,7 @@ def test_the_sensitivity_of_a_power_is_its_exponent():
         )
         for scale in (1.0, 2.0, 3.0)
     ]
-    forces = xr.concat(maps, "map").octave_force
+    forces = xr.concat(maps, "map").assign_attrs(map_size=2560.0)
     result = octave_sensitivities(forces, whole_parts(3), 0.95)
     exponent = -1.5 * np.arctanh(STEP) / STEP
     np.testing.assert_allclose(result.octave_sensitivity, [0.0, exponent], atol=1e-6)

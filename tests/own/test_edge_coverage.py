@@ -5,7 +5,6 @@ from functools import cache
 
 import numpy as np
 import pytest
-import xarray as xr
 
 from hardcontact.base.arrays import generator
 from hardcontact.contact.contact import Contact
@@ -76,7 +75,7 @@ def edges_of_draw(draw):
     long = long_edge_master(rng, mirrored, 1, 1000.0, known_density)
     scales = forces([(1, SHORT_FILTERS, short), (1, LONG_FILTERS, long)], CONTACT)
     master_scans = MasterScans({"a": 1}, 1, {"a": 99})
-    return edges_of_scans(scales, xr.Dataset(), master_scans, 0.1, 0.95).isel(surface=0)
+    return edges_of_scans(scales, None, master_scans, 0.1, 0.95).isel(surface=0)
 
 
 @pytest.mark.parametrize("filters", [SHORT_FILTERS, LONG_FILTERS], ids=TRUTH)
@@ -129,7 +128,7 @@ def interval_of_one_scan(density, number):
     sampled_scales = scales(sample_spectra(rngs, measurements, [None]))
     shifted_scales = add_spectrum_shifts(measured_scales, sampled_scales)
     master_scans = MasterScans({"a": 1}, TILES, {"a": 99})
-    edges = edges_of_scans(shifted_scales, xr.Dataset(), master_scans, 0.1, 0.95)
+    edges = edges_of_scans(shifted_scales, None, master_scans, 0.1, 0.95)
     return edges.edge_interval.sel(side="long").values.ravel()
 
 

@@ -10,13 +10,24 @@ from hardcontact.own.edges_of_scans import edges_of_scans
 from hardcontact.own.mean_forces import MasterScans
 
 
-def edges(curves, scans, sensitivity=None, **options):
+def edges(curves, scans, hindcast=None, **options):
     return edges_of_scans(
         scales(curves, **options),
-        xr.Dataset() if sensitivity is None else sensitivity,
+        hindcast,
         MasterScans({"a": scans[0], "b": scans[-1]}, 2, {"a": 99, "b": 99}),
         0.1,
         0.95,
+    )
+
+
+def hindcasts(ratio=1.0, filtered=1.0):
+    """Return hindcast.nc of surface a, whose long side shows no octave."""
+    return xr.Dataset(
+        {
+            "hindcast_ratio": (("surface", "side"), [[ratio, np.nan]]),
+            "filtered_scan_ratio": ("surface", [filtered]),
+        },
+        {"surface": ["a"], "side": ["short", "long"]},
     )
 
 
@@ -50,7 +61,7 @@ def test_the_interval_of_three_scans_comes_from_the_jackknife():
     )
     left_out = [np.delete(ratio, scan).mean() for scan in range(3)]
     master_scans = MasterScans({"a": 3}, 2, {"a": 99})
-    band = edges_of_scans(master_forces, xr.Dataset(), master_scans, 0.1, 0.95)
+    band = edges_of_scans(master_forces, None, master_scans, 0.1, 0.95)
     interval = band.filtered_force_ratio_interval.isel(surface=0).sel(
         side="short", cutoff_wavelength=100.0
     )
@@ -71,7 +82,7 @@ def test_curves_that_never_cross_the_tolerance_give_bounds():
 def test_a_ratio_without_scatter_has_no_interval():
     master_forces = scales([[[1.0, 1.3, 1.6, np.nan, np.nan], LONG]], spread=0.1)
     short_side = (
-        edges_of_scans(master_forces, xr.Dataset(), MasterScans({"a": 3}, 2, {"a": 99}), 0.1, 0.95)
+        edges_of_scans(master_forces, None, MasterScans({"a": 3}, 2, {"a": 99}), 0.1, 0.95)
         .isel(surface=0)
         .sel(side="short")
     )
@@ -84,14 +95,10 @@ def test_a_ratio_without_scatter_has_no_interval():
 def test_the_error_of_artificial_roughness_widens_intervals():
     """It adds in squares, and is at most the change itself, so that it denies no change."""
     error = np.log(1.5)
-    hindcast_ratio = xr.DataArray(
-        [[1 / 1.5, np.nan]], {"surface": ["a"], "side": ["short", "long"]}
-    )
     curves = [[SHORT, LONG]]
     plain = edges(curves, [3], spread=0.1).sel(surface="a")
-    wide = edges(curves, [3], xr.Dataset({"hindcast_ratio": hindcast_ratio}), spread=0.1).sel(
-        surface="a"
-    )
+    hindcast = hindcasts(ratio=1 / 1.5)
+    wide = edges(curves, [3], hindcast, spread=0.1).sel(surface="a")
     half, wide_half = (
         np.log(band.filtered_force_ratio_interval.sel(end="high") / band.filtered_force_ratio)
         for band in (plain, wide)
@@ -105,10 +112,9 @@ def test_the_error_of_artificial_roughness_widens_intervals():
 
 
 def test_scans_on_which_the_filter_ripples_have_no_short_edge():
-    ratio = xr.DataArray([0.5, 0.95], {"surface": ["a", "b"]})
     curves = [[SHORT, LONG]] * 2
     plain = edges(curves, [3], spread=0.1)
-    band = edges(curves, [3], xr.Dataset({"filtered_scan_ratio": ratio}), spread=0.1)
+    band = edges(curves, [3], hindcasts(filtered=0.5), spread=0.1)
     assert band.edge_status.values.tolist() == [["ripples", "found"], ["found", "found"]]
     assert np.isnan(band.edge.sel(surface="a", side="short"))
     xr.testing.assert_equal(band.sel(side="long"), plain.sel(side="long"))

@@ -33,6 +33,7 @@ PAGE = {"answer_surfaces", "describe_study"}
 EDGES = {"find_edges_of_scans", "compute_force_at_pair"}
 FORCES = {"compute_pull_off", "aggregate_adhesion", "fit_measured"} | EDGES
 OCTAVES = {"compute_perturbed_scan_forces", "aggregate_sensitivity"}
+HINDCAST = {"compute_hindcast_forces", "aggregate_hindcast"} | EDGES
 FILTERED = {"compute_filtered_forces", "aggregate_scales"}
 MASTERS = {"synthesize_masters"} | FILTERED | EDGES
 SPECTRA = {
@@ -48,8 +49,8 @@ SCANS = {"prepare_scan", "combine_scans"} | TOPOGRAPHY
     ("key", "value", "rules"),
     [
         ("adhesion.work", "60 mJ/m2", {"compute_force_at_pair", "fit_measured"}),
-        ("scan.levelling", "lines", SCANS | SPECTRA | FORCES | OCTAVES | MASTERS),
-        ("contact.preload", "20 uN", FORCES | OCTAVES | FILTERED),
+        ("scan.levelling", "lines", SCANS | SPECTRA | FORCES | OCTAVES | HINDCAST | MASTERS),
+        ("contact.preload", "20 uN", FORCES | OCTAVES | HINDCAST | FILTERED),
     ],
 )
 def test_a_changed_key_repeats_exactly_its_dependents(own_study, key, value, rules):
@@ -64,4 +65,4 @@ def test_a_changed_column_repeats_exactly_its_dependents(own_study):
     table = pd.read_csv(path, sep="\t", dtype=str, keep_default_na=False)
     table.loc[table.surface == "twin", "tip_radius"] = "20 nm"
     with change_file(path, table.to_csv(sep="\t", index=False)):
-        assert planned(own_study) == SPECTRA | MASTERS | OCTAVES | TOPOGRAPHY | PAGE
+        assert planned(own_study) == SPECTRA | MASTERS | HINDCAST | TOPOGRAPHY | PAGE

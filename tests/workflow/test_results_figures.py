@@ -148,7 +148,7 @@ NUMBERS = [
     ("fig_elastic", 5, "elastic", lambda data: data.peak_pressure / GIGA),
     ("fig_edge_shifts", 0, "edge_shifts", lambda data: data.filtered_force_ratio.sel(RIGID)),
     ("fig_scales", 0, "topography", lambda data: data.isotropic_psd.mean("scan")),
-    ("fig_octaves", 1, "sensitivity", lambda data: data.band_force_ratio.sel(band="published")),
+    ("fig_octaves", 1, "band_forces", lambda data: data.band_force_ratio.sel(band="published")),
     ("fig_features", 0, "features", lambda data: data.median_force_at_pair / MICRO),
     ("fig_features", 1, "features", lambda data: data.log_force_std),
 ]

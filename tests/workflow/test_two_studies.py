@@ -61,7 +61,7 @@ FILTERED = {
 #: Folders whose keys another one has, or of measured surfaces (test_own_reruns.py).
 LEFT_OUT = {
     "conditioning", "stitched", "measurements", "measured_spectra",
-    "sampled_spectra", "perturbed_scans", "both_bodies",
+    "sampled_spectra", "perturbed_scans", "hindcast", "both_bodies",
 }  # fmt: skip
 FOLDERS = {kind: keys for kind, keys in STORE_KEYS.items() if kind not in LEFT_OUT}
 FOLDERS["featured_samples"] += ("scan.featured_surface",)  # It names their surface, in the path.

@@ -39,7 +39,16 @@ rule answer_paper:
     input:
         **{
             name: PATTERNS.dataset(name)
-            for name in ("topography", "scales", "edges", "sensitivity", "sets", "features", "fit")
+            for name in (
+                "topography",
+                "scales",
+                "edges",
+                "sensitivity",
+                "band_forces",
+                "sets",
+                "features",
+                "fit",
+            )
         },
         scan_size="resources/validation/scan_size.nc",
         claims=PATTERNS.result("claims.csv"),

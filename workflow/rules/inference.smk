@@ -1,8 +1,10 @@
-# Inference: the edges of the band, and how they depend on contacts; range and work of adhesion, from
-# published forces; classical models.
+# Inference: the edges of the band, how they depend on contacts, and the force on the band alone; range
+# and work of adhesion, from published forces; classical models.
 
 EXPONENT_MASTERS = CHUNKS.filtered_masters("exponents")
 EDGE_SHIFT_MASTERS = CHUNKS.filtered_masters("edge_shifts")
+#: Bands need whole surfaces: scans are too small for their long waves.
+BAND_SURFACES = SELECTION.substitute_substrates
 
 
 # Intervals are over masters, because each has other scans and all are independent. Few scans need
@@ -17,6 +19,44 @@ rule find_edges_of_masters:
         parameters=dict(tolerance=STUDY["scales"]["tolerance"], sampling=SAMPLING),
     script:
         "../scripts/find_edges_of_masters.py"
+
+
+rule compute_band_forces:
+    """Compute forces on whole surfaces with the band alone, without shorter and without longer waves."""
+    input:
+        **DESCRIPTION_INPUTS,
+        **SUBSTITUTE_INPUTS,
+        edges=PATTERNS.dataset("edges"),
+    output:
+        PATTERNS.band_forces,
+    params:
+        parameters=lambda w: dict(
+            **WHOLE_SURFACES,
+            surface=w.surface,
+            realizations=list(range(1, STUDY["scales"]["whole_surfaces"] + 1)),
+            has_features=w.surface in PLAN.featured_surfaces,
+        ),
+    script:
+        "../scripts/compute_band_forces.py"
+
+
+rule aggregate_band_forces:
+    """Gather the forces on the band alone, relative to those with all roughness: band_forces.nc."""
+    input:
+        bands=[FILES.path(PATTERNS.band_forces, surface) for surface in BAND_SURFACES],
+    output:
+        PATTERNS.dataset("band_forces"),
+    params:
+        parameters=dict(
+            bands=BAND_SURFACES,
+            surfaces=SELECTION.substrates,
+            **NAMED_SURFACES,
+            radius=STUDY["sphere"]["radius"],
+            rho=STUDY["adhesion"]["range"],
+            confidence=STUDY["inference"]["confidence"],
+        ),
+    script:
+        "../scripts/aggregate_band_forces.py"
 
 
 rule fit_exponents:

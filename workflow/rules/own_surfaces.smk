@@ -1,7 +1,9 @@
-# The user's surfaces: the roughness of both bodies in one under a scanned sphere, edges of the band,
-# force at the configured range and work, and the fit to the user's forces.
+# The user's surfaces: the roughness of both bodies in one under a scanned sphere, tests of their
+# extrapolation, edges of the band, force at the configured range and work, and the fit to the user's
+# forces.
 
 from hardcontact.files.patterns import any_name_pattern
+from hardcontact.surfaces.synthesis import SIDES
 
 COMBINED = any_name_pattern(PLAN.combined_surfaces)
 
@@ -95,6 +97,52 @@ rule sample_spectra:
         "../scripts/sample_spectra.py"
 
 
+rule compute_hindcast_forces:
+    """Compute the forces on a scan with its last octave replaced, and with wider pixels."""
+    input:
+        stitched=lambda w: FILES.roughness_path(w.surface, int(w.scan)),
+        spectrum=lambda w: FILES.roughness_spectrum_path(w.surface),
+        body_spectra=lambda w: [
+            FILES.spectrum_path(body.surface) for body in PLAN.rough_bodies(w.surface, int(w.scan))
+        ],
+        sphere=SPHERE_SCAN,
+    output:
+        PATTERNS.hindcast_forces,
+    params:
+        parameters=lambda w: dict(
+            scan=int(w.scan),
+            bodies=PLAN.rough_bodies(w.surface, int(w.scan)),
+            measurements=PLAN.measurements_of_map(w.surface, int(w.scan)),
+            seed=STUDY["seed"],
+            contact=CONTACT_AT_RANGE,
+            transitions={side: STUDY["scales"][side]["transition"] for side in SIDES},
+        ),
+    script:
+        "../scripts/compute_hindcast_forces.py"
+
+
+if PLAN.measured_scan_ids:
+
+    rule aggregate_hindcast:
+        """Gather the tests whether forces on scans may be extrapolated: hindcast.nc."""
+        input:
+            FILES.paths(PATTERNS.hindcast_forces, PLAN.measured_scan_ids),
+        output:
+            PATTERNS.dataset("hindcast"),
+        params:
+            parameters=dict(
+                scans=PLAN.measured_scan_ids,
+                **NAMED_SURFACES,
+                tolerance=STUDY["scales"]["tolerance"],
+                rho=STUDY["adhesion"]["range"],
+                confidence=STUDY["inference"]["confidence"],
+            ),
+        script:
+            "../scripts/aggregate_hindcast.py"
+
+
+#: The tests of measured scans; substitutes have none.
+HINDCAST = PATTERNS.dataset("hindcast") if PLAN.measured_scan_ids else []
 #: The scans of masters, and how forces on them are compared.
 MASTER_PARAMETERS = {
     "scan_counts": {name: len(SELECTION.contact_scans(name)) for name in SELECTION.substrates},
@@ -111,7 +159,7 @@ rule find_edges_of_scans:
     input:
         adhesion=PATTERNS.dataset("adhesion"),
         scales=PATTERNS.dataset("scales"),
-        sensitivity=PATTERNS.dataset("sensitivity"),
+        hindcast=HINDCAST,
     output:
         PATTERNS.dataset("edges"),
     params:
@@ -127,7 +175,7 @@ rule compute_force_at_pair:
         scales=PATTERNS.dataset("scales"),
         topography=PATTERNS.dataset("topography"),
         spectra=PATTERNS.dataset("spectra"),
-        sensitivity=PATTERNS.dataset("sensitivity"),
+        hindcast=HINDCAST,
     output:
         PATTERNS.dataset("force"),
     params:

@@ -13,6 +13,8 @@
 #                      from which it is cut
 #   DESCRIPTION_INPUTS the description of a substitute, and the tables that it names
 #   SUBSTITUTE_INPUTS  from which random surfaces like a substitute are made
+#   WHOLE_SURFACES     parameters of whole substitute surfaces, and of contacts on them
+#   SPHERE_SCAN        the scan of the sphere; none if its roughness was added to that of substrates
 
 from hardcontact.config.limits import random_surface_pixels
 from hardcontact.config.study_plan import StudyPlan
@@ -42,6 +44,17 @@ SUBSTITUTE_INPUTS = {
     "published_table1": PUBLISHED_TABLES["published_table1"],
     "published_constants": PUBLISHED_TABLES["published_constants"],
 }
+WHOLE_SURFACES = {
+    "seed": STUDY["seed"],
+    "grid": PLAN.whole_surface_grid,
+    "scan_grid": SCAN_GRID,
+    "contact": CONTACT_AT_RANGE,
+}
+SPHERE_SCAN = (
+    FILES.first_sphere_path
+    if SELECTION.contact_scans(SPHERE) and not PLAN.combined_surfaces
+    else []
+)
 
 
 wildcard_constraints:

@@ -10,7 +10,7 @@ if IS_PAPER_STUDY:
         "elastic": ["elastic"],
         "plasticity": ["indent", "edge_shifts"],
         "asperities": ["asperities"],
-        "scales": ["scales", "edges", "sensitivity", "exponents"],
+        "scales": ["scales", "edges", "sensitivity", "band_forces", "exponents"],
         "fit": ["fit"],
         "classical": ["classical"],
         "sets": ["sets", "posterior", "features"],

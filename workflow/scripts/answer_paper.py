@@ -17,7 +17,8 @@ from hardcontact.report.paper_study.table1 import table1_rows
 from hardcontact.report.templates import Frame
 
 DATASETS = (
-    "topography", "scales", "edges", "sensitivity", "sets", "features", "fit", "scan_size",
+    "topography", "scales", "edges", "sensitivity", "band_forces", "sets", "features", "fit",
+    "scan_size",
 )  # fmt: skip
 
 with run_job(snakemake) as job:

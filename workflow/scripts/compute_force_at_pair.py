@@ -9,7 +9,8 @@ from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:
     params = job.parameters
-    data = SurfaceDatasets(*(read(job.input[name]) for name in SurfaceDatasets._fields))
+    paths = [job.input[name] for name in SurfaceDatasets._fields]
+    data = SurfaceDatasets(*(read(path) if path else None for path in paths))
     touched_patches = fewest_touched_patches(data.adhesion)
     job.write(
         force_dataset(

@@ -13,7 +13,7 @@ with run_job(snakemake) as job:
     touched_patches = fewest_touched_patches(read(job.input.adhesion))
     edges = edges_of_scans(
         scales,
-        read(job.input.sensitivity),
+        read(job.input.hindcast) if job.input.hindcast else None,
         MasterScans(params["scan_counts"], params["tiles"], touched_patches),
         params["tolerance"],
         params["confidence"],

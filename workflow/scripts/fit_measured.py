@@ -3,7 +3,7 @@
 from hardcontact.base import dataset
 from hardcontact.base.statistics import Sampling
 from hardcontact.config.force_table import measured_forces
-from hardcontact.inference.wide_pixels import pixel_factors
+from hardcontact.own.hindcast import pixel_factors
 from hardcontact.own.measured_fit import add_extrapolated_work, fit_measured
 from hardcontact.records.job import run_job
 

@@ -27,7 +27,7 @@ from hardcontact.config.configuration import CONTACT_QUANTITIES
 from hardcontact.config.faults import raise_faults, run_checks
 from hardcontact.config.keys import Study
 from hardcontact.contact.contact import Contact
-from hardcontact.inference.wide_pixels import WIDE_PIXEL
+from hardcontact.own.hindcast import WIDE_PIXEL
 from hardcontact.own.own_spectrum import OwnSpectrum, read_own_spectrum
 from hardcontact.own.predicted_octaves import predicted_octaves
 from hardcontact.own.rough_sphere import combined_spectrum

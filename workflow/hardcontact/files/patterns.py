@@ -37,7 +37,8 @@ STORE_KEYS = {
     "elastic": (*_KEYS_OF_CONTACTS, "elastic.contacts"),
     "asperities": (*_KEYS_OF_CONTACTS, "asperities"),
     "whole": (*_KEYS_OF_CONTACTS, "adhesion.ranges", "scales.long.tiles"),
-    "perturbed_scans": (*_KEYS_OF_CONTACTS, *_TRANSITION_KEYS),
+    "perturbed_scans": _KEYS_OF_CONTACTS,
+    "hindcast": (*_KEYS_OF_CONTACTS, *_TRANSITION_KEYS),
     "pool": (*_KEYS_OF_SETS, "sets.rms_height_count"),
     "featured_samples": _KEYS_OF_SETS,
     "both_bodies": KEYS_OF_SCANS,
@@ -46,7 +47,9 @@ STORE_KEYS = {
 
 #: Intermediates that may have the roughness of both bodies, and the keys on which they then depend.
 BOTH_BODIES_KEYS = ("published", "sphere.surface", "sphere.radius", "seed")
-KINDS_WITH_BOTH_BODIES = frozenset({"both_bodies", "perturbed_scans", "masters", "pull_off"})
+KINDS_WITH_BOTH_BODIES = frozenset(
+    {"both_bodies", "perturbed_scans", "hindcast", "masters", "pull_off"}
+)
 
 _SURFACE = "{surface}/{digest}"
 _SCAN = f"{_SURFACE}/scan-{{scan}}-{{shape}}.nc"
@@ -104,6 +107,7 @@ class Patterns:
         scan_on_sphere = f"{rough_sphere}/{contact}/scan-{{scan}}.nc"
         self.pull_off = f"{folder['pull_off']}/{scan_on_sphere}"
         self.perturbed_scan_forces = f"{folder['perturbed_scans']}/{scan_on_sphere}"
+        self.hindcast_forces = f"{folder['hindcast']}/{scan_on_sphere}"
         # Not in the store: these forces are of the band that the study itself found.
         self.band_forces = f"{results}/band/{{surface}}.nc"
         self.featured_sample_forces = (

@@ -4,7 +4,7 @@ The waves of one octave are amplified and attenuated on the same surface. Both f
 other waves, so that their ratio scatters little. `hindcast` replaces an octave instead.
 """
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
@@ -13,13 +13,12 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from hardcontact.base.arrays import Floats
-from hardcontact.base.dataset import stack
 from hardcontact.base.number import Number
 from hardcontact.base.statistics import with_interval
 from hardcontact.base.units import DIMENSIONLESS, NM
 from hardcontact.contact.contact import CONTACT_AXES
 from hardcontact.contact.pull_off import FORCE_ATTRS, ForcesOnSurface
-from hardcontact.inference.scan_parts import ScanParts, log_force_ratio, parts_of_maps
+from hardcontact.inference.scan_parts import ScanParts, log_force_ratio
 from hardcontact.surfaces.filters import filtered_series
 from hardcontact.surfaces.height_map import HeightMap
 
@@ -98,38 +97,21 @@ def strongest_octaves(sensitivity: xr.Dataset) -> Iterator[Number]:
         yield Number(f"octave_{rank}_sensitivity", value, "1", float(low), float(high))
 
 
-def sensitivities_by_surface(
-    maps: Mapping[str, xr.Dataset],
-    radius: float,
-    rho: float,
-    touched_patches: Mapping[str, float],
-    confidence: float,
-) -> xr.Dataset:
-    """Return ``octave_sensitivity`` (surface, octave), NaN for an octave that a map lacks.
-
-    Radius and range are in nm; `touched_patches` comes from `fewest_touched_patches`.
-    ``map_size`` is the width of the maps in nm.
-    """
-    surfaces = {}
-    for surface, forces in maps.items():
-        scan_parts = parts_of_maps(forces, radius, rho, touched_patches.get(surface, np.inf))
-        sensitivity = octave_sensitivities(forces["octave_force"], scan_parts, confidence)
-        surfaces[(surface,)] = sensitivity.assign(map_size=((), forces.attrs["map_size"], NM))
-    return stack(surfaces, ["surface"]).sortby("octave")
-
-
 def octave_sensitivities(
-    octave_force: xr.DataArray, scan_parts: ScanParts, confidence: float
+    forces: xr.Dataset, scan_parts: ScanParts, confidence: float
 ) -> xr.Dataset:
     """Return ``octave_sensitivity`` (octave) from the forces on all maps of a surface.
 
-    `octave_force` (map, octave, factor, contact_y, contact_x) comes from `octave_force_dataset`.
-    The derivative is the central difference of the logarithms of the mean forces.
+    ``octave_force`` (map, octave, factor, contact_y, contact_x) comes from `octave_force_dataset`.
+    The derivative is the central difference of the logarithms of the mean forces. ``map_size`` is
+    the width of the maps in nm.
     """
+    octave_force = forces["octave_force"]
     weak, strong = (octave_force.sel(factor=factor, drop=True) for factor in AMPLITUDE_FACTORS)
     log_ratio, half = log_force_ratio(strong, weak, scan_parts, confidence)
     interval = np.stack([log_ratio - half, log_ratio + half], axis=-1) / (2 * STEP)
     variables = with_interval(
         "octave_sensitivity", "octave", log_ratio / (2 * STEP), interval, DIMENSIONLESS, confidence
     )
-    return xr.Dataset(variables, {"octave": octave_force["octave"]})
+    map_size = ((), forces.attrs["map_size"], NM)
+    return xr.Dataset(variables | {"map_size": map_size}, {"octave": forces["octave"]})

@@ -33,7 +33,7 @@ from hardcontact.own.mean_forces import (
 
 def edges_of_scans(
     scales: xr.Dataset,
-    sensitivity: xr.Dataset,
+    hindcast: xr.Dataset | None,
     master_scans: MasterScans,
     tolerance: float,
     confidence: float,
@@ -42,16 +42,16 @@ def edges_of_scans(
 
     `scales` are the forces on filtered masters, as in scales.nc. An interval of a ratio runs from
     zero to infinity if it is not bounded; ``interval_is_conditional`` is 1 if it is conditional on
-    one or two scans. The error of the hindcast in sensitivity.nc widens the intervals.
+    one or two scans. The error of the hindcast widens the intervals of measured surfaces.
     """
     curves = summarize_masters(
         scales, master_scans, lambda forces: _force_ratios(forces, confidence)
     )
-    if "hindcast_ratio" in sensitivity:
-        curves = _widen_ratios(curves, sensitivity["hindcast_ratio"])
+    if hindcast is not None:
+        curves = _widen_ratios(curves, hindcast["hindcast_ratio"])
     edges = edges_of_curves(curves, tolerance)
-    if "filtered_scan_ratio" in sensitivity:
-        edges = _without_ripples(edges, sensitivity["filtered_scan_ratio"] < 1 - tolerance)
+    if hindcast is not None:
+        edges = _without_ripples(edges, hindcast["filtered_scan_ratio"] < 1 - tolerance)
     curves = curves.transpose("surface", "side", ...)
     sources = curves[["interval_is_conditional", "interval_source", "interval_scans"]]
     return (

@@ -23,7 +23,7 @@ from hardcontact.contact.contact import (
 )
 from hardcontact.contact.hertz_jkr_dmt import limit_forces, smooth_pull_off
 from hardcontact.inference.scan_parts import logarithmic_interval
-from hardcontact.inference.wide_pixels import pixel_factors
+from hardcontact.own.hindcast import pixel_factors
 from hardcontact.own.mean_forces import (
     MasterForces,
     MasterScans,
@@ -46,14 +46,14 @@ FORCE_QUANTILES = [0.05, 0.25, 0.5, 0.75, 0.95]
 class SurfaceDatasets(NamedTuple):
     """The datasets of a study of the user's surfaces from which forces follow, as in their files.
 
-    Forces in `adhesion` and `scales` are at 1 J/m².
+    Forces in `adhesion` and `scales` are at 1 J/m². Substitutes alone have no hindcast.
     """
 
     adhesion: xr.Dataset
     scales: xr.Dataset
     topography: xr.Dataset
     spectra: xr.Dataset
-    sensitivity: xr.Dataset
+    hindcast: xr.Dataset | None
 
 
 def force_dataset(
@@ -78,7 +78,7 @@ def force_dataset(
     )
     extrapolated_forces = extrapolated_force(data.scales, master_scans, contact.work, confidence)
     force = add_extrapolated_force(force, extrapolated_forces, tolerance)
-    force = _widen_intervals(force, data.sensitivity, contact.rho)
+    force = _widen_intervals(force, data.hindcast, contact.rho)
     force = bound_by_smooth_sphere(force, contact.area)
     spectra = [spectrum_of_dataset(data.spectra.sel(surface=name)) for name in force.surface.values]
     search_sizes = [search_size(spectrum, contact.radius, contact.area) for spectrum in spectra]
@@ -111,7 +111,7 @@ def add_sizes(
     ).assign_attrs(window=contact.window, contact_area=contact.area)
 
 
-def _widen_intervals(force: xr.Dataset, sensitivity: xr.Dataset, rho: float) -> xr.Dataset:
+def _widen_intervals(force: xr.Dataset, hindcast: xr.Dataset | None, rho: float) -> xr.Dataset:
     """Return forces with intervals that include further errors, where these are known.
 
     They come from the position of a rough sphere, the hindcast and the finite width of pixels.
@@ -120,11 +120,9 @@ def _widen_intervals(force: xr.Dataset, sensitivity: xr.Dataset, rho: float) -> 
         plastic_factor = force["position_factor"].sel(contact_model=PLASTIC, drop=True)
         factor = plastic_factor.sel(rho=rho, method="nearest", drop=True)
         force = widen_interval(force, "extrapolated_force", factor)
-    if "hindcast_ratio" in sensitivity:
-        hindcast = sensitivity[
-            ["hindcast_ratio", "hindcast_ratio_interval", "hindcast_fails", "wide_pixel_ratio"]
-        ]
-        force = force.merge(hindcast, join="left")
+    if hindcast is not None:
+        names = ["hindcast_ratio", "hindcast_ratio_interval", "hindcast_fails", "wide_pixel_ratio"]
+        force = force.merge(hindcast[names], join="left")
         force = widen_interval(force, "extrapolated_force", force["hindcast_ratio"])
         force = extend_by_pixel_factors(force)
     return force

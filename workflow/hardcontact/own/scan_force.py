@@ -27,7 +27,7 @@ from hardcontact.contact.geometry import join_bodies, spheres_at_positions
 from hardcontact.contact.hertz_jkr_dmt import limit_forces
 from hardcontact.contact.pull_off import make_force_function
 from hardcontact.contact.scan_pull_off import pull_off_on_spheres
-from hardcontact.inference.wide_pixels import pixel_factor, widen_pixels
+from hardcontact.own.hindcast import pixel_factor, widen_pixels
 from hardcontact.own.mean_forces import (
     SurfaceForces,
     forces_of_surface,

@@ -97,13 +97,13 @@ def flat_limit_fraction(scales: xr.Dataset) -> xr.Dataset:
     return mean_over_scans(force / smooth, scales.attrs["confidence"], "realization")
 
 
-def mean_band_ratio(sensitivity: xr.Dataset) -> xr.Dataset:
+def mean_band_ratio(band_forces: xr.Dataset) -> xr.Dataset:
     """Return the mean over surfaces of the force on a part of the roughness (band, band_part).
 
     The surfaces are independent: the half widths of their intervals add in squares.
     """
-    ratio = sensitivity["band_force_ratio"]
-    low, high = interval_ends(sensitivity, "band_force_ratio")
+    ratio = band_forces["band_force_ratio"]
+    low, high = interval_ends(band_forces, "band_force_ratio")
     mean = ratio.mean("surface")
     count = ratio.sizes["surface"]
     below = np.sqrt(((ratio - low) ** 2).sum("surface", skipna=False)) / count

@@ -16,7 +16,12 @@ from hardcontact.report.figures.panels import published_edge, value_and_interval
 PUBLISHED_BAND_LOOK: style.Look = {"color": "0.9", "lw": 0, "zorder": 0}
 
 
-def draw(sensitivity: xr.Dataset, edges: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
+def draw(
+    sensitivity: xr.Dataset,
+    band_forces: xr.Dataset,
+    edges: xr.Dataset,
+    published_constants: pd.DataFrame,
+) -> Figure:
     """Draw the sensitivity to each octave, and the force with only a part of the roughness."""
     figure, (top, bottom) = drawing.create_rows(5.4, sensitivity, (3, [1]), (2.2, [1, 1]))
     band = [published_edge(published_constants, side) for side in ("short", "long")]
@@ -27,7 +32,7 @@ def draw(sensitivity: xr.Dataset, edges: xr.Dataset, published_constants: pd.Dat
     titles = {"published": "published", "found": "computed"}
     bottom[1].sharey(bottom[0])
     for letter, axes, (band_name, title) in zip("bc", bottom, titles.items(), strict=True):
-        ratios = sensitivity.sel(band=band_name)
+        ratios = band_forces.sel(band=band_name)
         _draw_band_ratios(axes, ratios, tolerance)
         band_edges = [format_quantity(edge, "nm", digits=2) for edge in ratios["band_edge"].values]
         style.label_panel(axes, letter, f"{title} band: {' to '.join(band_edges)}")

@@ -72,8 +72,8 @@ def paper_answer(
     """Return the content of answer.json: a head, notes in words, and all numbers.
 
     `claims` comes from `verdicts.add_open_ends`, `constants` and `table1` from `published`. The
-    datasets are `topography`, `scales`, `edges`, `sensitivity`, `sets`, `features`, `fit`,
-    and `scan_size` from resources/validation.
+    datasets are `topography`, `scales`, `edges`, `sensitivity`, `band_forces`, `sets`, `features`,
+    `fit`, and `scan_size` from resources/validation.
     """
     topography = datasets["topography"]
     facts = _facts(claims, datasets, constants)
@@ -215,10 +215,8 @@ def surface_numbers(surface: str, datasets: Mapping[str, xr.Dataset]) -> dict[st
         numbers[name] = Number(name, value, "nm", low, high, status, source)
     fit = datasets["fit"].sel(contact_model=PLASTIC, pair="published", surface=surface)
     numbers["mean_force"] = number_of(fit, "mean_force_at_pair", name="mean_force")
-    sensitivity = datasets["sensitivity"]
-    if "band_force_ratio" in sensitivity:
-        band_force = sensitivity.sel(BAND_ALONE).sel(surface=surface)
-        numbers["band_force"] = number_of(band_force, "band_force_ratio", name="band_force")
+    band_force = datasets["band_forces"].sel(BAND_ALONE).sel(surface=surface)
+    numbers["band_force"] = number_of(band_force, "band_force_ratio", name="band_force")
     forces = _forces_on_scans(datasets)
     if surface in forces["surface"].values:
         force = forces.sel(surface=surface)

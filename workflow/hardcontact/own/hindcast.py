@@ -1,7 +1,8 @@
-"""Hindcast, a test of the extrapolation where the truth is known.
+"""Tests whether forces on a scan may be extrapolated to roughness that the scan does not show.
 
-Artificial roughness replaces the last octave of wavelengths that a scan shows. If the force then
-changes, a random surface cannot extrapolate this scan. On a Gaussian surface it changes little.
+Hindcast: artificial roughness replaces the last octave of wavelengths that a scan shows. If the
+force then changes, a random surface cannot extrapolate this scan. On a Gaussian surface it changes
+little. Wider pixels show how much the force depends on the size of the pixels.
 """
 
 from collections.abc import Mapping, Sequence
@@ -12,12 +13,12 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
-from hardcontact.base.arrays import generator
+from hardcontact.base.arrays import Floats, generator
 from hardcontact.base.dataset import stack
 from hardcontact.base.statistics import student_quantile, with_interval
 from hardcontact.base.units import DIMENSIONLESS
-from hardcontact.contact.contact import CONTACT_AXES
-from hardcontact.contact.pull_off import FORCE_ATTRS, ForcesOnSurface
+from hardcontact.contact.contact import CONTACT_AXES, Contact
+from hardcontact.contact.pull_off import FORCE_ATTRS, ForcesOnSurface, make_force_function
 from hardcontact.surfaces.filters import filtered_series
 from hardcontact.surfaces.height_map import HeightMap, mirror_scan
 from hardcontact.surfaces.spectrum import SpectrumFunction
@@ -30,6 +31,8 @@ Octave = tuple[float, float]
 #: hardly depends on the seed. With six, it depended on the seed on one scan; with twelve, the
 #: interval is 1.15 times as wide as with many.
 ARTIFICIAL_OCTAVES = 12
+#: Pixels per row of a block with one height.
+WIDE_PIXEL = 4
 
 
 class RandomBody(NamedTuple):
@@ -88,13 +91,13 @@ def hindcast_forces(
             octave_forces = np.full(shape, np.nan)
         else:
             seed_word = SEED_WORDS[side]
-            near_side, scan_octave = _split_at_octave(mirrored, side, octave)
+            kept_heights, scan_octave = _split_at_octave(mirrored, side, octave)
             artificial_octaves = [
                 sum(_artificial_octave(mirrored, octave, body, seed_word, index) for body in bodies)
                 for index in range(ARTIFICIAL_OCTAVES)
             ]
             all_octaves = scan_octave, *artificial_octaves
-            surfaces = (replace(mirrored, heights=near_side + waves) for waves in all_octaves)
+            surfaces = (replace(mirrored, heights=kept_heights + waves) for waves in all_octaves)
             octave_forces = np.array([compute_forces(surface) for surface in surfaces])
         side_forces[(side,)] = xr.Dataset(
             {
@@ -110,14 +113,15 @@ def hindcast_forces(
 def _split_at_octave(
     mirrored: HeightMap, side: str, octave: Octave
 ) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
-    """Return the heights on the near side of an octave, and its own; waves beyond it are removed.
+    """Return the heights of the waves that a hindcast keeps, and those of the octave alone.
 
-    Shorter waves are beyond an octave of the short side, longer waves of the long side.
+    It keeps the waves longer than an octave of the short side, or shorter than one of the long
+    side.
     """
     series = filtered_series(mirrored, "short", list(octave), mirrored.pixels)
     octave_and_longer, longer = (waves.heights for waves in series)
-    near_side = longer if side == "short" else mirrored.heights - octave_and_longer
-    return near_side, octave_and_longer - longer
+    kept_heights = longer if side == "short" else mirrored.heights - octave_and_longer
+    return kept_heights, octave_and_longer - longer
 
 
 def _artificial_octave(
@@ -126,7 +130,7 @@ def _artificial_octave(
     """Return random heights of one octave, made on the size of a body's scan and mirrored."""
     longest_wavevector, shortest_wavevector = (2 * np.pi / end for end in octave)
 
-    def octave_spectrum(wavevector: NDArray[np.float64]) -> NDArray[np.float64]:
+    def octave_spectrum(wavevector: Floats) -> Floats:
         """Return C_iso (nm⁴) within the octave, zero outside."""
         is_inside = (shortest_wavevector < wavevector) & (wavevector <= longest_wavevector)
         return np.where(is_inside, body.spectrum(wavevector), 0.0)
@@ -167,22 +171,58 @@ def hindcast_ratios(forces: xr.Dataset, tolerance: float, confidence: float) -> 
     )
 
 
-def hindcast_ratios_by_surface(
-    maps: Mapping[str, xr.Dataset], tolerance: float, confidence: float
-) -> xr.Dataset:
-    """Return three ratios of mean forces that test the extrapolation of all measured surfaces.
+def hindcast_dataset(forces: xr.Dataset, tolerance: float, confidence: float) -> xr.Dataset:
+    """Return the ratios of mean forces on the scans of a surface that test their extrapolation.
 
-    ``hindcast_ratio`` (surface, side) comes with ``hindcast_fails``. Relative to the force on the
-    scans (surface), ``wide_pixel_ratio`` is the force on wide pixels and ``filtered_scan_ratio``
-    the force without the waves shorter than the last octave.
+    The forces (map, ...) come from `hindcast_forces` and `pixel_forces`. Besides the variables of
+    `hindcast_ratios`, ``wide_pixel_ratio`` is the force on wide pixels and ``filtered_scan_ratio``
+    that without the waves shorter than the last octave, both relative to the force on the scans.
     """
-    surfaces = {}
-    for surface, forces in maps.items():
-        means = forces.mean(["map", *CONTACT_AXES])
-        filtered = means["scan_octave_force"].sel(side="short", drop=True) / means["scan_force"]
-        wide = means["wide_pixel_force"] / means["scan_force"]
-        surfaces[(surface,)] = hindcast_ratios(forces, tolerance, confidence).assign(
-            filtered_scan_ratio=filtered.assign_attrs(DIMENSIONLESS),
-            wide_pixel_ratio=wide.assign_attrs(DIMENSIONLESS),
-        )
-    return stack(surfaces, ["surface"])
+    means = forces.mean(["map", *CONTACT_AXES])
+    filtered = means["scan_octave_force"].sel(side="short", drop=True) / means["scan_force"]
+    wide = means["wide_pixel_force"] / means["scan_force"]
+    return hindcast_ratios(forces, tolerance, confidence).assign(
+        filtered_scan_ratio=filtered.assign_attrs(DIMENSIONLESS),
+        wide_pixel_ratio=wide.assign_attrs(DIMENSIONLESS),
+    )
+
+
+def widen_pixels(surface: HeightMap) -> HeightMap:
+    """Return a map on the same grid whose blocks of WIDE_PIXEL x WIDE_PIXEL have their mean height.
+
+    Blocks at the last rows and columns may be smaller.
+    """
+    starts = np.arange(0, surface.pixels, WIDE_PIXEL)
+    counts = np.diff(starts, append=surface.pixels)
+    sums = np.add.reduceat(np.add.reduceat(surface.heights.astype(float), starts, 0), starts, 1)
+    means = sums / np.outer(counts, counts)
+    heights = means.repeat(counts, 0).repeat(counts, 1)
+    return replace(surface, heights=heights.astype(surface.heights.dtype))
+
+
+def pixel_forces(surface: HeightMap, sphere: HeightMap | None, contact: Contact) -> xr.Dataset:
+    """Return ``scan_force`` and ``wide_pixel_force`` (contact_y, contact_x) in N at 1 J/m².
+
+    Both bodies have wider pixels for ``wide_pixel_force``. `sphere` is None for a smooth sphere.
+    """
+    wide_sphere = None if sphere is None else widen_pixels(sphere)
+    forces = {
+        "scan_force": make_force_function(contact, sphere)(surface),
+        "wide_pixel_force": make_force_function(contact, wide_sphere)(widen_pixels(surface)),
+    }
+    return xr.Dataset({name: (CONTACT_AXES, force, FORCE_ATTRS) for name, force in forces.items()})
+
+
+def pixel_factor(wide_pixel_ratio: np.ndarray | float) -> np.ndarray:
+    """Return the largest factor by which finer pixels may lower a force.
+
+    It is the factor by which wider pixels raise the force
+    (tests/benchmarks/validate_random_surfaces.py), and 1 where the ratio is NaN.
+    """
+    return np.asarray(np.fmax(wide_pixel_ratio, 1.0))
+
+
+def pixel_factors(force: xr.Dataset) -> xr.DataArray:
+    """Return the factors (surface) by which finer pixels may lower forces, 1 for substitutes."""
+    ratios = force.get("wide_pixel_ratio", xr.ones_like(force["surface"], dtype=float))
+    return ratios.copy(data=pixel_factor(ratios.values))

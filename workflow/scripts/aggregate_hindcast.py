@@ -1,0 +1,20 @@
+"""Tests whether forces on the user's scans may be extrapolated: hindcast.nc."""
+
+from hardcontact.base.dataset import add_surface_names, concatenate, read_all, stack
+from hardcontact.own.hindcast import hindcast_dataset
+from hardcontact.records.job import run_job
+
+with run_job(snakemake) as job:
+    params = job.parameters
+    confidence = params["confidence"]
+    scans = concatenate(read_all(params["scans"], job.input), "map", 1)
+    ratios = {
+        surface: hindcast_dataset(forces, params["tolerance"], confidence)
+        for surface, forces in scans.items()
+    }
+    job.write(
+        add_surface_names(stack(ratios, ["surface"]), params).assign_attrs(
+            confidence=confidence, rho=params["rho"]
+        ),
+        title="pull-off forces with artificial in place of measured roughness, and on wider pixels",
+    )
