@@ -1,4 +1,4 @@
-"""One spectrum of a surface from all its measurements: maps of several sizes, line scans."""
+"""One spectrum of a surface from all scans of it: maps of several sizes, and line scans."""
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
@@ -48,39 +48,39 @@ UNKNOWN_TIP_RADII = (5.0, 50.0)
 
 
 class _MeasuredSpectra(NamedTuple):
-    """The measurements of a surface, with their spectra and reliable bands."""
+    """The scans of a surface, with their spectra and reliable bands."""
 
     radii: Sequence[float | None]  #: Radii of the tips in nm; None if unknown.
-    densities: Floats  #: (measurement, bins) C_iso in nm⁴, NaN in empty bins.
-    modes: Floats  #: (measurement, bins) numbers of independent modes.
+    densities: Floats  #: (scan, bins) C_iso in nm⁴, NaN in empty bins.
+    modes: Floats  #: (scan, bins) numbers of independent modes.
     bands: Sequence[ReliableBand]
     rolloff_evidence: RolloffEvidence
 
 
 def _reliable_mask(densities: Floats, bands: Sequence[ReliableBand]) -> NDArray[np.bool_]:
-    """Return the mask (measurement, bins) of nonempty bins within the band of each measurement."""
+    """Return the mask (scan, bins) of nonempty bins within the band of each scan."""
     return np.array([band.bins for band in bands]) & np.isfinite(densities)
 
 
 def _measured_spectra(
-    measurements: Sequence[HeightMap], tip_radii: Sequence[float | None]
+    scans: Sequence[HeightMap], tip_radii: Sequence[float | None]
 ) -> _MeasuredSpectra:
-    """Return the spectra of measurements; raises ValueError if fewer than MIN_BINS are reliable."""
+    """Return the spectra of scans; raises ValueError if fewer than MIN_BINS are reliable."""
     radii = [
-        measurement.tip_radius if radius is None else radius
-        for measurement, radius in zip(measurements, tip_radii, strict=True)
+        scan.tip_radius if radius is None else radius
+        for scan, radius in zip(scans, tip_radii, strict=True)
     ]
-    densities = np.array([isotropic_psd(measurement) for measurement in measurements])
-    bands = [reliable_band(*scan) for scan in zip(measurements, radii, densities, strict=True)]
-    modes = np.array([independent_modes(scan.kind, scan.size) for scan in measurements])
+    densities = np.array([isotropic_psd(scan) for scan in scans])
+    bands = [reliable_band(*row) for row in zip(scans, radii, densities, strict=True)]
+    modes = np.array([independent_modes(scan.kind, scan.size) for scan in scans])
     spectra = _MeasuredSpectra(
-        radii, densities, modes, bands, RolloffEvidence(measurements, densities, bands)
+        radii, densities, modes, bands, RolloffEvidence(scans, densities, bands)
     )
     count = int(_reliable_mask(densities, bands).any(axis=0).sum())
     if count < MIN_BINS:
         listing = "; ".join(
-            f"{measurement.path} {measurement.dataset}".strip() + f" {band}"
-            for measurement, band in zip(measurements, bands, strict=True)
+            f"{scan.path} {scan.dataset}".strip() + f" {band}"
+            for scan, band in zip(scans, bands, strict=True)
         )
         is_too_large = min(band.shortest for band in bands) > 2 * np.pi / BIN_CENTRES[0]
         remedy = ": is the unit of length right?" if is_too_large else ""
@@ -88,16 +88,14 @@ def _measured_spectra(
     return spectra
 
 
-def joined_spectrum(
-    measurements: Sequence[HeightMap], tip_radii: Sequence[float | None]
-) -> xr.Dataset:
-    """Return the spectrum of a surface, joined from its levelled measurements within their bands.
+def joined_spectrum(scans: Sequence[HeightMap], tip_radii: Sequence[float | None]) -> xr.Dataset:
+    """Return the spectrum of a surface, joined from its levelled scans in their bands.
 
     Radii are in nm; None stands for the radius that a file states. `spectrum` (wavevector) in nm⁴
     has all scales; `joined_psd` (bin_wavevector) is the smooth mean, NaN in unreliable bins. Raises
     ValueError, in one line, if fewer than MIN_BINS bins are reliable.
     """
-    spectra = _measured_spectra(measurements, tip_radii)
+    spectra = _measured_spectra(scans, tip_radii)
     reliable = _reliable_mask(spectra.densities, spectra.bands)
     bins = mean_bins(reliable, spectra.densities, spectra.modes)
     curve = match_height_variance(smooth_curve_without_peaks(bins), bins.power)
@@ -111,7 +109,7 @@ def joined_spectrum(
         joined_density,
         spectra.densities,
         reliable,
-        measurement_descriptions(measurements, spectra.radii, spectra.bands),
+        measurement_descriptions(scans, spectra.radii, spectra.bands),
     ).assign_attrs(
         source="measured",
         table1_rows_met="",
@@ -125,20 +123,20 @@ def joined_spectrum(
 
 def sample_spectra(
     rngs: Iterable[np.random.Generator],
-    measurements: Sequence[HeightMap],
+    scans: Sequence[HeightMap],
     tip_radii: Sequence[float | None],
 ) -> Iterator[tuple[Spectrum, Floats]]:
-    """Yield, by generator, a spectrum of a surface within the uncertainty of its measurements.
+    """Yield, by generator, a spectrum of a surface within the uncertainty of the scans.
 
     A sample varies the power in each bin, the bends between bins, the calibrations, the Hurst
     exponent of the tail and the roll-off. Unknown tip radii are uniform in their logarithm. Also
-    yields the factors (measurement,) of measured relative to true heights.
+    yields the factors (scan,) of measured relative to true heights.
     """
-    spectra = _measured_spectra(measurements, tip_radii)
+    spectra = _measured_spectra(scans, tip_radii)
     for rng in rngs:
         bands = [
             _sample_band(rng, *properties)
-            for properties in zip(measurements, spectra.radii, spectra.bands, strict=True)
+            for properties in zip(scans, spectra.radii, spectra.bands, strict=True)
         ]
         reliable = _reliable_mask(spectra.densities, bands)
         if reliable.any(axis=0).sum() < MIN_BINS:
@@ -157,13 +155,13 @@ def sample_spectra(
 
 
 def _sample_band(
-    rng: np.random.Generator, measurement: HeightMap, radius: float | None, band: ReliableBand
+    rng: np.random.Generator, scan: HeightMap, radius: float | None, band: ReliableBand
 ) -> ReliableBand:
-    """Return the band of a measurement; a map of unknown tip radius gets a sampled radius."""
-    if radius is not None or measurement.kind != "map":
+    """Return the band of a scan; a map of unknown tip radius gets a sampled radius."""
+    if radius is not None or scan.kind != "map":
         return band
     tip_radius = float(np.exp(rng.uniform(*np.log(UNKNOWN_TIP_RADII))))
-    return limit_by_tip(band, measurement, tip_radius)
+    return limit_by_tip(band, scan, tip_radius)
 
 
 def _fit_hurst_without_peaks(bins: MeanBins) -> HurstFit:

@@ -1,4 +1,4 @@
-"""The mean spectrum of several measurements of a surface in bins, and a smooth curve through it."""
+"""The mean spectrum of several scans of a surface in bins, and a smooth curve through it."""
 
 from typing import NamedTuple
 
@@ -26,7 +26,7 @@ MAX_LOG_CHANGE = 20.0
 
 
 class MeanBins(NamedTuple):
-    """The mean of all measurements in each bin, NaN in bins without measurements."""
+    """The mean of all scans in each bin; NaN in bins in which no scan is reliable."""
 
     #: (bins,) C_iso in nm⁴ from the mean of ln C, without the bias of the logarithm.
     density: Floats
@@ -36,7 +36,7 @@ class MeanBins(NamedTuple):
 
 
 class Curve(NamedTuple):
-    """A spectrum at the centres of the bins, from the first to the last measured bin."""
+    """A spectrum at the centres of the bins, from the lowest to the highest measured bin."""
 
     wavevector: Floats  #: rad/nm.
     density: Floats  #: C_iso in nm⁴.
@@ -44,7 +44,7 @@ class Curve(NamedTuple):
 
 
 def mean_bins(reliable: NDArray[np.bool_], density: Floats, modes: Floats) -> MeanBins:
-    """Return the mean over measurements of their reliable C_iso (measurement, bins) in nm⁴."""
+    """Return the mean over scans of their reliable C_iso (scan, bins) in nm⁴."""
     mode_variance = variance_of_log(modes)
     weight = np.where(reliable, 1 / (mode_variance + CALIBRATION_SCATTER**2), 0.0)
     logs = np.where(reliable, np.log(density) + bias_of_log(modes), 0.0)

@@ -1,7 +1,8 @@
-"""C_iso of one measurement, map or profile, and its independent modes and slopes.
+"""C_iso of one scan, a map or a line scan, with the number of independent modes and local slopes.
 
 C_iso of a surface follows from C_1D of its profiles by an inverse Abel transform (Bracewell, The
-Fourier Transform and Its Applications): C_iso(q) = -2 ∫_q^∞ C_1D'(p) / sqrt(p² - q²) dp.
+Fourier Transform and Its Applications): the integral of minus the derivative of 2 C_1D at p over
+the root of p² - q², from p = q to infinity.
 """
 
 from dataclasses import replace
@@ -17,8 +18,8 @@ from hardcontact.surfaces.spectrum import BIN_CENTRES, BIN_EDGES, measured_psds,
 #: Share of independent modes under a Hann window, along one axis:
 #: (mean w²)² / mean w⁴ = (3/8)² / (35/128).
 INDEPENDENT_SHARE = (3 / 8) ** 2 / (35 / 128)
-#: Relative standard deviation of C_iso between measurements with many modes, because microscopes
-#: have their heights calibrated to about ten per cent. It limits the weight of a measurement.
+#: Relative standard deviation of C_iso between scans with many modes, because microscopes
+#: have their heights calibrated to about ten per cent. It limits the weight of a scan.
 CALIBRATION_SCATTER = 0.2
 #: Half the width, in ln q, of the interval to which a local slope is fitted: five bins.
 SLOPE_HALF_WIDTH = 0.25 * np.log(10)
@@ -80,7 +81,7 @@ def variance_of_log(modes: Floats) -> Floats:
 
 
 def bias_of_log(modes: Floats) -> Floats:
-    """Return ln of the mean of C minus the mean of ln C over a number of independent modes.
+    """Return the logarithm of the mean of C minus the mean of ln C, over independent modes.
 
     A gamma variable of n modes has ln n minus the digamma function of n.
     """
@@ -142,7 +143,7 @@ def _smooth_falling_spectrum(
 
 
 def _inverse_abel(log_q: Floats, log_density: Floats, last_slope: float) -> Floats:
-    """Return C_iso (bins,) from C_1D, a power law between its points and beyond them."""
+    """Return C_iso (bins,) from C_1D, which is a power law between its points and beyond."""
     log_p = log_q[:, None] + np.log(np.cosh(INTEGRATION_POINTS))
     slopes = np.append(np.diff(log_density) / np.diff(log_q), last_slope)
     segment = np.clip(np.searchsorted(log_q, log_p, side="right") - 1, 0, len(log_q) - 1)

@@ -1,4 +1,4 @@
-"""The reliable wavelengths of a measurement: those at which it shows the surface.
+"""The reliable wavelengths of a scan: those at which it shows the surface.
 
 The reliable band ends toward short wavelengths at four pixels, at the cutoff of the tip (Sanner et
 al., Appl. Surf. Sci. Adv. 7 (2022) 100190), at a noise floor or at smoothing, whichever is longest.
@@ -59,7 +59,7 @@ LIMIT_NAMES = {
 
 
 class ReliableBand(NamedTuple):
-    """The reliable wavelengths (nm) of a measurement; empty if shortest exceeds longest."""
+    """The reliable wavelengths (nm) of a scan; empty if shortest exceeds longest."""
 
     shortest: float
     longest: float
@@ -143,7 +143,7 @@ def _find_bins_near_peaks(log_density: Floats, variance: Floats) -> NDArray[np.b
 
 
 def _count_unsmoothed(is_smoothed: NDArray[np.bool_], count: int) -> int:
-    """Count the leading bins, at most `count`, whose last half decade is not smoothed."""
+    """Count the leading bins, at most `count`, that do not end in half a decade with smoothing."""
     # Between smoothing and noise the slope passes through the slopes of rough surfaces.
     while is_smoothed[max(count - HALF_DECADE_BINS, 0) : count].any():
         start = max(count - HALF_DECADE_BINS, 0)
@@ -160,7 +160,7 @@ def _count_above_floor(is_flat: NDArray[np.bool_], count: int) -> int:
 
 
 def _end_wavelength(wavevector: Floats, count: int) -> float:
-    """Return the wavelength in nm after the first `count` bins."""
+    """Return the wavelength in nm between the leading `count` bins and the next bin."""
     if count == 0:
         return float(2 * np.pi / wavevector[0])
     return float(2 * np.pi / np.sqrt(wavevector[count - 1] * wavevector[count]))

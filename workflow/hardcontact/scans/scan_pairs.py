@@ -37,7 +37,7 @@ MIN_OVERLAP = 0.5
 ROUNDING = 1e-9
 #: Largest ratio of the sides of two maps: a smaller part of an area shows other waves.
 MAX_SIZE_RATIO = 1.25
-#: Standard errors by which the mean logarithms of two measurements differ before they contradict
+#: Standard errors by which the mean logarithms of two scans differ before they contradict
 #: each other: a factor of 3.1 in C_iso, 1.8 in heights, if both have many modes.
 MIN_CONTRADICTION_ERRORS = 4
 
@@ -125,7 +125,7 @@ def _best_correlation(first: Floats, second: Floats) -> float:
 
 
 class Contradiction(NamedTuple):
-    """Two measurements with different spectra, as indices into the measurements."""
+    """Two scans with different spectra, given by index."""
 
     higher: int
     lower: int
@@ -135,7 +135,7 @@ class Contradiction(NamedTuple):
 
 
 def describe_contradictions(contradictions: Sequence[Contradiction], names: Sequence[str]) -> str:
-    """Return a line on the first contradiction, with the names of measurements, and a count."""
+    """Return a line on the first contradiction, with the names of scans, and a count."""
     worst = contradictions[0]
     remainder = f"; more pairs that do: {len(contradictions) - 1}" if contradictions[1:] else ""
     return (
@@ -148,9 +148,9 @@ def describe_contradictions(contradictions: Sequence[Contradiction], names: Sequ
 def find_contradictions(
     density: Floats, reliable: ArrayLike, kinds: Iterable[str], sizes: Iterable[float]
 ) -> list[Contradiction]:
-    """Return the pairs of measurements that contradict each other, the largest factor first.
+    """Return the pairs of scans that contradict each other, the largest factor first.
 
-    Density (nm⁴) and `reliable` are (measurement, bins); sizes are in nm. Two measurements are
+    Density (nm⁴) and `reliable` are (scan, bins); sizes are in nm. Two scans are
     compared over all bins that they share, and over each half decade. A contradiction states the
     range with the largest difference in standard errors.
     """

@@ -1,7 +1,8 @@
-"""Extrapolation of a spectrum below the shortest wavelength measured: the tail, down to atoms.
+"""The tail of a spectrum: its extrapolation below the shortest wavelength measured, down to atoms.
 
-The tail is self-affine with the Hurst exponent of the last decade measured. It ends early if the
-slope or the curvature over all scales would exceed those of the roughest hard surface known.
+The tail is self-affine with the Hurst exponent of the shortest decade measured. It ends early if
+the slope or the curvature over all scales would exceed those of the roughest hard surface in
+Table 1 of the paper.
 """
 
 from enum import StrEnum
@@ -28,10 +29,10 @@ MAX_HALF_LAPLACIAN = 7.52
 ATOMIC_WAVELENGTH = 0.3
 #: Fewest decades to which the Hurst exponent is fitted: five bins.
 MIN_FITTED_DECADES = 0.39
-#: Exponents s of C0 (1 + (q/q_r)^2s)^(-(1 + H)/s): from a gradual to a sharp roll-off at q_r.
+#: Sharpness s of a roll-off at q_r, from gradual to sharp: C_iso ~ (1 + (q/q_r)^2s)^(-(1 + H)/s).
 SHARPNESS = (1.0, 2.0, 4.0)
-#: Bounds of the fitted roll-off: factors on the first and the last wavevector. Below the lower
-#: bound the fit is a power law; above the upper bound hardly a bin is left for its exponent.
+#: Bounds of the fitted roll-off: factors on the lowest and the highest wavevector. Below the lower
+#: bound the fit is a power law; above the upper bound hardly a bin is left for the exponent.
 ROLLOFF_BOUNDS = (0.1, 0.7)
 #: Number of roll-off wavelengths compared. On a scan of 10 µm, four times as many changed the
 #: roll-off by 6 %, far less than its uncertainty, and the Hurst exponent by 0.0002.
@@ -51,17 +52,17 @@ class HurstFit(NamedTuple):
     """The Hurst exponent of the shortest waves; 0 or 1 if no exponent between them fits."""
 
     exponent: float
-    error: float  #: Standard error of the fit, HURST_SCATTER included.
-    shortest: float  #: Wavelengths in nm of the bins fitted.
+    error: float  #: Standard error, HURST_SCATTER included.
+    shortest: float  #: Shortest and longest wavelength in nm of the bins fitted.
     longest: float
 
 
 def fit_hurst_exponent(wavevector: Floats, density: Floats, variance: Floats) -> HurstFit:
     """Return the Hurst exponent of at least three bins, fitted together with the roll-off.
 
-    Bins of the last decade follow ln C = ln C0 - (1 + H) ln(1 + (q/q_r)^2s)/s, a weighted
-    regression for each roll-off q_r and s. The prior is uniform in ln q_r, in SHARPNESS, and in H
-    within 0 to 1. The exponent is the posterior mean; its error includes HURST_SCATTER.
+    The bins of the shortest decade give H by a weighted regression for each roll-off and
+    SHARPNESS. The prior is uniform in the logarithm of the roll-off, in SHARPNESS, and in H from 0
+    to 1. The exponent is the posterior mean; the error includes HURST_SCATTER.
     """
     is_fitted = wavevector >= wavevector[-1] / 10 * (1 - 1e-9)
     is_fitted[-MIN_BINS:] = True
@@ -123,8 +124,8 @@ class Tail(NamedTuple):
     """The extrapolation below the shortest wavelength measured; NaN without extrapolation."""
 
     tail_hurst: float = np.nan
-    tail_hurst_error: float = np.nan  #: Its standard error.
-    tail_fit_shortest: float = np.nan  #: Wavelengths in nm that the Hurst exponent is fitted to.
+    tail_hurst_error: float = np.nan  #: Standard error of the Hurst exponent.
+    tail_fit_shortest: float = np.nan  #: Range in nm to which the Hurst exponent is fitted.
     tail_fit_longest: float = np.nan
     tail_ended_by: TailEnd = TailEnd.NONE
 
@@ -149,17 +150,17 @@ def extrapolate_short_waves(
     at the distance of atoms, or before all scales exceed MAX_GRADIENT or MAX_HALF_LAPLACIAN.
     `change` adds to the Hurst exponent, which is then clipped to 0 and 1.
     """
-    # The last point of the table may lie beyond the last wavevector by rounding.
+    # The highest measured wavevector may exceed the highest of WAVEVECTORS by rounding.
     table = Spectrum(wavevector, density)(np.minimum(WAVEVECTORS, wavevector[-1]))
     measured_density = np.where(wavevector[-1] * (1 + 1e-9) >= WAVEVECTORS, table, 0.0)
     exponent = float(np.clip(hurst.exponent + change, 0, 1))
-    # The tail starts at the log-mean of the last points, each moved along the tail.
+    # The tail starts at the log-mean of the points of highest wavevector, moved along the tail.
     relative = wavevector[-MIN_BINS:] / wavevector[-1]
     fall = 2 + 2 * exponent
-    first_density = np.exp(np.mean(np.log(density[-MIN_BINS:] * relative**fall)))
+    start_density = np.exp(np.mean(np.log(density[-MIN_BINS:] * relative**fall)))
     last_index = measured_density.nonzero()[0][-1]
     tail_start = measured_density.copy()
-    tail_start[last_index] = first_density * (WAVEVECTORS[last_index] / wavevector[-1]) ** -fall
+    tail_start[last_index] = start_density * (WAVEVECTORS[last_index] / wavevector[-1]) ** -fall
     spectrum = measured_density + power_law_tail(tail_start, exponent, ATOMIC_WAVELENGTH)
     end_index, ended_by = _find_tail_end(spectrum)
     spectrum = np.where(np.arange(len(WAVEVECTORS)) <= max(end_index, last_index), spectrum, 0.0)
@@ -180,7 +181,7 @@ def _find_tail_end(density: Floats) -> tuple[int, TailEnd]:
         TailEnd.HALF_LAPLACIAN: rms(6, 4) > MAX_HALF_LAPLACIAN,
         TailEnd.ATOMS: density == 0,
     }
-    # The appended True is the first exceeded wave if there is no other.
+    # The appended True stands for a bound that no wave exceeds.
     first_exceeded = {
         bound: int(np.argmax(np.append(waves, True))) for bound, waves in exceeded.items()
     }
