@@ -6,6 +6,7 @@ import warnings
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
+from itertools import islice
 from pathlib import Path
 from typing import Any
 
@@ -151,7 +152,7 @@ def check_contact(surface: HeightMap, contact: Contact, ranges: Sequence[float])
     named_contact = NamedContact(
         shortest, preload="preload", contacts_per_row="contacts_per_row", range="rho"
     )
-    raise_faults(contact_faults(named_contact, "the map", grid)[:1])
+    raise_faults(islice(contact_faults(named_contact, "the map", grid), 1))
 
 
 def check_cutoffs(cutoffs: Mapping[str, Sequence[float]], surface: HeightMap) -> None:

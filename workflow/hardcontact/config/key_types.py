@@ -98,11 +98,8 @@ Forces = Annotated[list[Force], IN_FILE_NAMES, ASCENDING]
 ContactsPerRow = Annotated[int, Field(ge=1, le=200)]
 ContactCount = Annotated[int, Field(ge=1, le=40000)]
 MasterCount = Annotated[int, Field(ge=1, le=1000)]
-WholeSurfaceCount = MasterCount
-ScanPixels = Annotated[int, Field(ge=16, le=8192)]
 #: An odd grid has no order that its pixels halve; 16384 x 16384 pixels take 3.2 GiB.
 Pixels = Annotated[int, Field(ge=32, le=16384, multiple_of=2)]
-TileCount = Annotated[int, Field(ge=1, le=256)]
 Fraction = Annotated[float, Field(ge=0.001, le=0.999, allow_inf_nan=False)]
 
 SurfaceId = Annotated[str, Matching("[a-z][a-z0-9_]*", "the id of a surface")]
@@ -115,13 +112,9 @@ STUDY_NAME = Matching(
     r"(?!.*\.txt$)[A-Za-z0-9][A-Za-z0-9_.-]{0,99}",
     "a name of up to 100 letters, digits, dots, dashes and underscores, without .txt at the end",
 )
-StudyName = Annotated[str, STUDY_NAME]
-Folder = Annotated[
-    str,
-    Matching(
-        r"(?=.{1,200}$)/?(?!\.)[A-Za-z0-9_.-]+(/(?!\.)[A-Za-z0-9_.-]+)*",
-        "a path of letters, digits, dots, dashes and underscores, no name with a dot in front",
-    ),
-]
+FOLDER = Matching(
+    r"(?=.{1,200}$)/?(?!\.)[A-Za-z0-9_.-]+(/(?!\.)[A-Za-z0-9_.-]+)*",
+    "a path of letters, digits, dots, dashes and underscores, no name with a dot in front",
+)
 #: Snakemake takes braces for wildcards.
 FilePath = Annotated[str, Matching("[^{}<>]{1,1000}", "the path of a file, without {, }, < and >")]

@@ -11,33 +11,8 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field, model_validator
 
+from hardcontact.config import key_types as types
 from hardcontact.config.faults import key_fault, raise_faults
-from hardcontact.config.key_types import (
-    UNIT,
-    ContactCount,
-    ContactsPerRow,
-    FilePath,
-    Folder,
-    Force,
-    Forces,
-    Fraction,
-    Length,
-    Lengths,
-    MasterCount,
-    Pixels,
-    Pressure,
-    Radii,
-    Radius,
-    Range,
-    Ranges,
-    ScanPixels,
-    StudyName,
-    SurfaceId,
-    TileCount,
-    WholeSurfaceCount,
-    Work,
-    or_word,
-)
 
 #: Value of the key `published` in a study that is compared with the paper.
 PAPER = "paper"
@@ -74,9 +49,9 @@ class Keys(BaseModel):
 class SphereKeys(Keys):
     """The sphere that touches the surfaces."""
 
-    surface: SurfaceId = key("ruby", "Methods")
+    surface: types.SurfaceId = key("ruby", "Methods")
     """Surface of the sphere. With `published: none` also `smooth`: a sphere without roughness."""
-    radius: Radius = key("250 um", "Methods (diameter 0.5 mm)")
+    radius: types.Radius = key("250 um", "Methods (diameter 0.5 mm)")
     """Radius. A larger sphere feels a larger force. A sphere of this radius is subtracted from its
     scans."""
 
@@ -84,20 +59,20 @@ class SphereKeys(Keys):
 class ScanKeys(Keys):
     """Substitutes (random scans in place of scans of the paper), and how your scans are read."""
 
-    pixels: ScanPixels = key(512, "Methods")
+    pixels: Annotated[int, Field(ge=16, le=8192)] = key(512, "Methods")
     """Pixels per row of a substitute. More pixels resolve shorter wavelengths and cost time."""
-    size: Length = key("2500 nm", "Methods")
+    size: types.Length = key("2500 nm", "Methods")
     """Width of a substitute. A wider one has longer wavelengths, and larger pixels."""
-    featured_surface: SurfaceId = "polished_uncd"
+    featured_surface: types.SurfaceId = "polished_uncd"
     """Substrate whose substitutes have bumps or pits on a Gaussian base, or `none`. Their rms
     heights then scatter as much as the published ones."""
     undefined_pixels: Literal["refuse", "harmonic"] = "refuse"
     """`refuse` measured scans with undefined pixels, or fill the gaps with a `harmonic` function,
     which is smoother than the surface."""
-    unit: Annotated[str, UNIT] = "none"
+    unit: Annotated[str, types.UNIT] = "none"
     """Unit of length for files that state none, or two: of positions and of heights. With `none`
     such files are refused."""
-    map_size: Annotated[Length, or_word("none")] = key("none")
+    map_size: Annotated[types.Length, types.or_word("none")] = key("none")
     """Longer side of the scan for files that state no size. With `none` such files are refused."""
     mask: Literal["keep", "exclude"] = "keep"
     """`keep` the heights under a mask of Gwyddion, or `exclude` them as undefined."""
@@ -109,16 +84,16 @@ class ScanKeys(Keys):
 class ContactKeys(Keys):
     """One contact of the sphere, and the square array of contacts on a scan."""
 
-    hardness: Pressure = key("25 GPa", "Intrinsic Work of Adhesion")
+    hardness: types.Pressure = key("25 GPa", "Intrinsic Work of Adhesion")
     """Hardness of the softer body: the pressure on contact pixels. On harder bodies fewer pixels
     touch, and the force is smaller."""
-    preload: Force = key("10 uN", "Numerical Analysis; Methods has `5 uN`")
+    preload: types.Force = key("10 uN", "Numerical Analysis; Methods has `5 uN`")
     """Load that contact pixels carry before pull-off. Under a larger load more pixels touch, and
     the force is larger."""
-    window: Length = key("12500 nm", "Intrinsic Work of Adhesion")
+    window: types.Length = key("12500 nm", "Intrinsic Work of Adhesion")
     """Width of the square around a contact over which the force is summed. A wider one holds more
     of the attraction and costs time."""
-    contacts_per_row: ContactsPerRow = key(20, "Intrinsic Work of Adhesion")
+    contacts_per_row: types.ContactsPerRow = key(20, "Intrinsic Work of Adhesion")
     """Contacts per row of the array over a mirrored scan. With more contacts the mean force
     scatters less and costs more time."""
 
@@ -126,12 +101,12 @@ class ContactKeys(Keys):
 class AdhesionKeys(Keys):
     """Work and range of adhesion."""
 
-    work: Work = key("46.3 mJ/m2", "Intrinsic Work of Adhesion")
+    work: types.Work = key("46.3 mJ/m2", "Intrinsic Work of Adhesion")
     """With `published: none`: work of adhesion. The predicted force is proportional to it."""
-    range: Range = key("5.6 nm", "Most Relevant Length-scales")
+    range: types.Range = key("5.6 nm", "Most Relevant Length-scales")
     """Range of adhesion ρ at which the force is predicted, and the band of wavelengths found that
     decide it. A longer range bridges higher roughness, and the force is larger."""
-    ranges: Ranges = key(
+    ranges: types.Ranges = key(
         nm(0.05, 0.1, 0.2, 0.35, 0.5, 0.7, 1, 1.4, 2, 2.8, 4, 5, 5.6, 7, 8, 10, 14, 20, 28, 40),
         "Fig. 4, and beyond on both sides",
     )
@@ -144,19 +119,19 @@ class InferenceKeys(Keys):
     samples: Annotated[int, Field(ge=20, le=10000)] = 1000
     """Random samples of the scans or masters of each mean. With more samples intervals scatter
     less."""
-    confidence: Fraction = 0.95
+    confidence: types.Fraction = 0.95
     """Confidence of all intervals. Larger values widen them."""
 
 
 class ShortSideKeys(Keys):
     """Masters for the short edge of the band: roughness at short wavelengths is artificial."""
 
-    pixels: Pixels = key(8192, "Most Relevant Length-scales")
+    pixels: types.Pixels = key(8192, "Most Relevant Length-scales")
     """Pixels per row of a short-edge master, which is two scans wide. More pixels hold shorter
     wavelengths and cost time."""
-    transition: Length = key("20 nm", "Most Relevant Length-scales")
+    transition: types.Length = key("20 nm", "Most Relevant Length-scales")
     """Wavelength below which roughness is artificial."""
-    cutoffs: Lengths = key(
+    cutoffs: types.Lengths = key(
         nm(5, 10, 20, 30, 36, 43, 52, 62, 80, 120, 250, 500, 1000, 2500), "Fig. 6a"
     )
     """Cutoffs: at each, all roughness at shorter wavelengths is removed, and the force computed."""
@@ -165,14 +140,14 @@ class ShortSideKeys(Keys):
 class LongSideKeys(Keys):
     """Masters for the long edge of the band: roughness at long wavelengths is artificial."""
 
-    pixels: Pixels = key(8192, "Most Relevant Length-scales")
+    pixels: types.Pixels = key(8192, "Most Relevant Length-scales")
     """Pixels per row of a long-edge master when its force is computed: at least those of its
     scans."""
-    tiles: TileCount = key(4, "Most Relevant Length-scales (20 µm)")
+    tiles: Annotated[int, Field(ge=1, le=256)] = key(4, "Most Relevant Length-scales (20 µm)")
     """Mirrored scans per row of a long-edge master. More tiles hold longer wavelengths."""
-    transition: Length = key("1000 nm", "Most Relevant Length-scales")
+    transition: types.Length = key("1000 nm", "Most Relevant Length-scales")
     """Wavelength above which roughness is artificial."""
-    cutoffs: Lengths = key(
+    cutoffs: types.Lengths = key(
         nm(100, 250, 500, 800, 1100, 1400, 1600, 1800, 2000, 2300, 2700, 3500, 5000, 10000),
         "Fig. 6b",
     )
@@ -182,12 +157,12 @@ class LongSideKeys(Keys):
 class ScalesKeys(Keys):
     """The band of wavelengths that decide the force, from masters: scans with added roughness."""
 
-    tolerance: Fraction = key(0.1, "Most Relevant Length-scales")
+    tolerance: types.Fraction = key(0.1, "Most Relevant Length-scales")
     """Relative change up to which a force counts as unchanged. Larger values narrow the band."""
-    realizations: MasterCount = 5
+    realizations: types.MasterCount = 5
     """Masters of each substrate for each edge of the band; masters take its scans in turn. With
     more masters edges scatter less and cost more time."""
-    whole_surfaces: WholeSurfaceCount = 10
+    whole_surfaces: Annotated[int, Field(ge=1, le=1000)] = 10
     """Periodic random surfaces of each substrate, as wide as long-edge masters, for changes by
     octave, the band alone, and the posterior."""
     sphere_roughness: bool = key(False, "not stated")
@@ -200,16 +175,16 @@ class ScalesKeys(Keys):
 class ElasticKeys(Keys):
     """Elastic contact, on a sample of the contacts."""
 
-    contacts: ContactCount = 2
+    contacts: types.ContactCount = 2
     """Contacts solved on each scan, chosen at random. Each costs time."""
 
 
 class IndentKeys(Keys):
     """Indents that contacts leave in the sphere."""
 
-    surface: SurfaceId = key("ncd", "The Role of Plasticity")
+    surface: types.SurfaceId = key("ncd", "The Role of Plasticity")
     """Substrate whose contacts indent the sphere."""
-    preloads: Forces = key(["10 uN", "20 uN"], "The Role of Plasticity (`20 uN`)")
+    preloads: types.Forces = key(["10 uN", "20 uN"], "The Role of Plasticity (`20 uN`)")
     """Loads; larger loads make deeper indents. The figure shows the contact of median depth at the
     largest load."""
 
@@ -217,27 +192,27 @@ class IndentKeys(Keys):
 class AsperitiesKeys(Keys):
     """Asperities that carry the force, on a sample of the contacts."""
 
-    contacts: ContactCount = 16
+    contacts: types.ContactCount = 16
     """Contacts examined on each scan, chosen at random. Each costs time."""
-    ranges: Ranges = key(["1 nm", "2 nm", "5.6 nm", "10 nm"])
+    ranges: types.Ranges = key(["1 nm", "2 nm", "5.6 nm", "10 nm"])
     """Ranges of adhesion ρ."""
 
 
 class SetShortSideKeys(Keys):
     """Short-edge masters of the sets; other keys are those of `scales.short`."""
 
-    pixels: Pixels = 4096
+    pixels: types.Pixels = 4096
     """Pixels per row of a master."""
-    cutoffs: Lengths = key(nm(20, 30, 36, 43, 52, 62, 80, 120, 250))
+    cutoffs: types.Lengths = key(nm(20, 30, 36, 43, 52, 62, 80, 120, 250))
     """Cutoffs: at each, all roughness at shorter wavelengths is removed."""
 
 
 class SetLongSideKeys(Keys):
     """Long-edge masters of the sets; other keys are those of `scales.long`."""
 
-    pixels: Pixels = 4096
+    pixels: types.Pixels = 4096
     """Pixels per row of a master."""
-    cutoffs: Lengths = key(nm(500, 800, 1100, 1400, 1600, 1800, 2000, 2300, 2700, 3500))
+    cutoffs: types.Lengths = key(nm(500, 800, 1100, 1400, 1600, 1800, 2000, 2300, 2700, 3500))
     """Cutoffs: at each, all roughness at longer wavelengths is removed."""
 
 
@@ -253,9 +228,9 @@ class SetsKeys(Keys):
     rms_height_count: Annotated[int, Field(ge=4, le=50)] = 7
     """Rms heights to which scans of the pool are scaled for their forces; forces between are
     interpolated."""
-    contacts_per_row: ContactsPerRow = 10
+    contacts_per_row: types.ContactsPerRow = 10
     """Contacts per row of the array on scans and masters of the sets."""
-    realizations: MasterCount = 20
+    realizations: types.MasterCount = 20
     """Masters of each substrate for each edge, from which the bands of sets are sampled."""
     short: SetShortSideKeys = SetShortSideKeys()
     long: SetLongSideKeys = SetLongSideKeys()
@@ -264,33 +239,33 @@ class SetsKeys(Keys):
 class ExponentKeys(Keys):
     """Exponents of force and short edge over radius and load, from masters of the sets."""
 
-    realizations: MasterCount = 3
+    realizations: types.MasterCount = 3
     """Masters of each substrate for each edge, also for `edge_shifts.nc`."""
-    radii: Radii = key(["5 um", "62.5 um", "250 um", "1000 um"])
+    radii: types.Radii = key(["5 um", "62.5 um", "250 um", "1000 um"])
     """Radii of the spheres."""
 
 
 class Study(Keys):
     """All keys of a study, with the rules across keys."""
 
-    study: StudyName = "paper"
+    study: Annotated[str, types.STUDY_NAME] = "paper"
     """Name of the study; results go to `results/<study>/`."""
-    store: Folder = "results/store"
+    store: Annotated[str, types.FOLDER] = "results/store"
     """Folder of intermediate files. Studies that share it compute nothing twice."""
-    surfaces: FilePath = "config/surfaces.tsv"
+    surfaces: types.FilePath = "config/surfaces.tsv"
     """Table of surfaces, with a row for each scan."""
-    scans: Annotated[list[int], Field(min_length=1), or_word("all")] = key("all")
+    scans: Annotated[list[int], Field(min_length=1), types.or_word("all")] = key("all")
     """Numbers of the scans used, such as `[1, 2]`, or `all`. Fewer scans save time and widen
     intervals."""
     published: Literal["paper", "none"] = "paper"
     """Kind of study: `paper` compares it with the paper and judges its statements; `none` is for
     your own surfaces."""
-    forces: FilePath = "none"
+    forces: types.FilePath = "none"
     """With `published: none`: table of forces measured on your surfaces, or `none`."""
     given: list[Literal["radius", "hardness", "preload", "range", "work"]] = []
     """With `published: none`: quantities you know. Others that equal the paper's are reported as
     assumed."""
-    reference_surface: SurfaceId = key("uncd", "Fig. 4b")
+    reference_surface: types.SurfaceId = key("uncd", "Fig. 4b")
     """Substrate whose force is the denominator of ratios of forces."""
     seed: Annotated[int, Field(ge=0, le=4294967295)] = 2021
     """Seed of all random numbers. Another seed shows which changes are chance."""

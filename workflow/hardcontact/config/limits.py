@@ -1,14 +1,14 @@
 """Limits of keys that follow from the pixels of scans and masters, and from memory.
 
-Each surface, each substrate with the sphere, and each master has a list of faults. Only the
-first fault of each list is reported, because later limits may assume earlier ones.
+Limits are checked for the scans of each surface, for each substrate with the sphere, and for each
+master. Only one fault of each is reported, because later limits may assume earlier ones.
 """
 
 import math
-from collections.abc import Mapping
-from dataclasses import dataclass, replace
-from itertools import product
-from typing import Any
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from itertools import islice
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -59,15 +59,11 @@ def same_grid(grid: Grid, reference: Grid) -> bool:
 
 
 def master_megabytes(pixels: int) -> int:
-    """Return the memory (10^6 bytes) of a job that makes a master, or computes forces on it.
-
-    It depends on the pixels per row of the master.
-    """
+    """Return the memory (10^6 bytes) of a job on a master with these pixels per row."""
     return max(MINIMUM_MEGABYTES, BASE_MEGABYTES + math.ceil(BYTES_A_PIXEL * pixels**2 / 1e6))
 
 
-@dataclass(frozen=True)
-class NamedContact:
+class NamedContact(NamedTuple):
     """A contact, and the names by which its user gave three of its quantities."""
 
     contact: Contact
@@ -77,23 +73,22 @@ class NamedContact:
 
 
 def study_contacts(config: dict[str, Any]) -> dict[str, NamedContact]:
-    """Return the contact of each stage of a study that meets limits first, by stage."""
+    """Return by stage of a study the contact for which scans or masters must be the finest."""
     contact = study_contact(config)
     scan_contact = NamedContact(replace(contact, rho=config["adhesion"]["ranges"][0]))
     master_contact = NamedContact(contact, range="config key adhesion.range")
     if not is_paper_study(config):
         return {"scans": scan_contact, "scales": master_contact}
-    largest = replace(scan_contact.contact, preload=config["indent"]["preloads"][-1])
+    indent = replace(scan_contact.contact, preload=config["indent"]["preloads"][-1])
     radius = min(contact.radius, config["exponents"]["radii"][0])
-    set_contact = replace(
-        contact, radius=radius, contacts_per_row=config["sets"]["contacts_per_row"]
-    )
+    contacts_per_row = config["sets"]["contacts_per_row"]
+    set_contact = replace(contact, radius=radius, contacts_per_row=contacts_per_row)
     return {
         "scans": scan_contact,
-        "indents": replace(scan_contact, contact=largest, preload="config key indent.preloads"),
+        "indents": scan_contact._replace(contact=indent, preload="config key indent.preloads"),
         "scales": master_contact,
-        "sets": replace(
-            master_contact, contact=set_contact, contacts_per_row="config key sets.contacts_per_row"
+        "sets": master_contact._replace(
+            contact=set_contact, contacts_per_row="config key sets.contacts_per_row"
         ),
     }
 
@@ -104,148 +99,127 @@ def refuse_unfit_grids(config: dict[str, Any], grids: Mapping[str, Grid]) -> Non
     Quantities in `config` are numbers in the units of the study. Raises ValueError with a line for
     each fault, which names the key.
     """
-    faults = []
+    fault_series = []
     sphere_surface = config["sphere"]["surface"]
     for surface, grid in grids.items():
-        faults += _scan_faults(config, surface, grid)[:1]
+        fault_series.append(_scan_faults(config, surface, grid))
         if surface != sphere_surface:
             sphere_grid = grids.get(sphere_surface, grid)  # for a smooth sphere: the substrate's
-            faults += _body_faults(config, surface, grid, sphere_grid)[:1]
-            for section, side in product(("scales", "sets"), SIDES):
-                if section in study_contacts(config):
-                    faults += _master_faults(config, section, side, surface, grid, sphere_grid)[:1]
-    raise_faults(dict.fromkeys(faults))
+            fault_series.append(_body_faults(config, surface, grid, sphere_grid))
+            fault_series += [
+                _master_faults(config, section, side, surface, grid, sphere_grid)
+                for section in ("scales", "sets")[: 1 + is_paper_study(config)]
+                for side in SIDES
+            ]
+    raise_faults(dict.fromkeys(fault for faults in fault_series for fault in islice(faults, 1)))
 
 
-def contact_faults(named_contact: NamedContact, surface: str, grid: Grid) -> list[str]:
-    """Return the faults of a contact on a scan: load, number of contacts and range of adhesion."""
-    contact = named_contact.contact
-    mirrored_pixels = 2 * grid.pixels
-    seen_pixels = min(window_pixels(contact.window, grid.pixel_size), mirrored_pixels) ** 2
+def contact_faults(named_contact: NamedContact, surface: str, grid: Grid) -> Iterator[str]:
+    """Yield the faults of a contact on a scan: load, number of contacts and range of adhesion."""
+    contact, load_name, count_name, range_name = named_contact
+    row_pixels = 2 * grid.pixels
+    seen_pixels = min(window_pixels(contact.window, grid.pixel_size), row_pixels) ** 2
     reason = f"which a quarter of the {seen_pixels // 4 * 4} pixels of {surface} can carry"
-    faults = _load_faults(named_contact.preload, contact, seen_pixels // 4, grid.pixel_size, reason)
-    if contact.contacts_per_row > mirrored_pixels:
-        accepted = f"at most the {mirrored_pixels} pixels along the mirrored scan of {surface}"
-        faults.append(
-            f"{named_contact.contacts_per_row}: expected {accepted}, "
-            f"found {contact.contacts_per_row}"
-        )
+    yield from _load_faults(load_name, contact, seen_pixels // 4, grid.pixel_size, reason)
+    if contact.contacts_per_row > row_pixels:
+        accepted = f"at most the {row_pixels} pixels along the mirrored scan of {surface}"
+        yield f"{count_name}: expected {accepted}, found {contact.contacts_per_row}"
     min_rho, reason = minimum_range(contact.radius, contact.window, grid)
     if contact.rho < min_rho:
         accepted = f"at least {min_rho:g} nm on {surface}, where {reason}"
-        faults.append(f"{named_contact.range}: expected {accepted}, found {contact.rho:.4g} nm")
-    return faults
+        yield f"{range_name}: expected {accepted}, found {contact.rho:.4g} nm"
 
 
-def _scan_faults(config: dict[str, Any], surface: str, grid: Grid) -> list[str]:
-    """Return the faults on the scans of a surface, and of the ranges of its masters."""
-    faults = []
+def _scan_faults(config: dict[str, Any], surface: str, grid: Grid) -> Iterator[str]:
+    """Yield the faults on the scans of a surface, and of the ranges of its masters."""
+    is_sphere = surface == config["sphere"]["surface"]
     radius = config["sphere"]["radius"]
-    if surface == config["sphere"]["surface"] and radius < grid.size:
+    if is_sphere and radius < grid.size:
         accepted = f"at least the size of its scans ({grid.size:.6g} nm)"
-        faults.append(key_fault("sphere.radius", accepted, f"{radius:.6g} nm"))
+        yield key_fault("sphere.radius", accepted, f"{radius:.6g} nm")
     # The master has the size of the largest one. Its artificial pixels do not limit ranges.
     master_grid = grid._replace(size=grid.size * config["scales"]["long"]["tiles"])
-    for name, named_contact in study_contacts(config).items():
-        on_masters = name in ("scales", "sets") and surface != config["sphere"]["surface"]
-        faults += contact_faults(named_contact, surface, master_grid if on_masters else grid)
-    return faults
+    for stage, named_contact in study_contacts(config).items():
+        on_masters = stage in ("scales", "sets") and not is_sphere
+        yield from contact_faults(named_contact, surface, master_grid if on_masters else grid)
 
 
-def _body_faults(config: dict[str, Any], surface: str, grid: Grid, sphere_grid: Grid) -> list[str]:
-    """Return the faults on a scan of a substrate and a scan of the sphere, on common pixels."""
-    faults = []
+def _body_faults(
+    config: dict[str, Any], surface: str, grid: Grid, sphere_grid: Grid
+) -> Iterator[str]:
+    """Yield the faults on a scan of a substrate and a scan of the sphere, on common pixels."""
     window = config["contact"]["window"]
     pixel_size = min(grid.pixel_size, sphere_grid.pixel_size)
     bodies = f"{surface} and the sphere"
     if window_pixels(window, pixel_size) > MAX_MAP_PIXELS:
         accepted = f"at most {MAX_MAP_PIXELS} pixels of {pixel_size:.4g} nm, on {bodies}"
-        faults.append(key_fault("contact.window", accepted, window_pixels(window, pixel_size)))
-    faults += _map_faults(bodies, pixel_size, grid, sphere_grid)
+        yield key_fault("contact.window", accepted, window_pixels(window, pixel_size))
+    yield from _map_faults(bodies, pixel_size, grid, sphere_grid)
     contacts = study_contacts(config)
     periods = periods_in_window(window, grid.size)
     for named_contact in contacts.values():
-        faults += _memory_faults(named_contact, surface, pixel_size, periods)
+        yield from _memory_faults(named_contact, surface, pixel_size, periods)
     if "indents" in contacts and surface == config["indent"]["surface"]:
         pixels = contacts["indents"].contact.pixel_count(pixel_size)
         if pixels < 2:
             accepted = f"at least 2 contact pixels of {pixel_size:.4g} nm at the largest"
-            faults.append(key_fault("indent.preloads", accepted, pixels))
-    return faults + _penetration_faults(contacts["scales"], grid.relief)
+            yield key_fault("indent.preloads", accepted, pixels)
+    contact, load_name, _, range_name = contacts["scales"]
+    depth = penetration_depth(contact, grid.relief)
+    min_rho = depth / PENETRATION_OVER_RANGE
+    if contact.rho < min_rho:
+        yield (
+            f"{range_name}: expected at least {min_rho:.3g} nm, as "
+            f"{load_name.removeprefix('config key ')} presses the bodies some {depth:.3g} nm into "
+            f"each other, found {contact.rho:.4g} nm"
+        )
 
 
 def _master_faults(
     config: dict[str, Any], section: str, side: str, surface: str, grid: Grid, sphere_grid: Grid
-) -> list[str]:
-    """Return the faults on the masters of one side that are built on a surface."""
+) -> Iterator[str]:
+    """Yield the faults on the masters of one side that are built on a surface."""
     keys = master_keys(config, section, side)
     pixels = get_key(config, keys["pixels"])
     tiles = get_key(config, keys["tiles"]) if "tiles" in keys else 1
     size = 2 * grid.size * tiles
     pixel_size = size / pixels
-    faults = []
     min_pixels = 2 * grid.pixels * tiles
     if pixels < min_pixels:
         accepted = f"at least the {min_pixels} of {tiles} x {tiles} mirrored scans of {surface}"
-        faults.append(key_fault(keys["pixels"], accepted, pixels))
-    master = f"a master of {section}.{side} on {surface}"
+        yield key_fault(keys["pixels"], accepted, pixels)
     filtered_pixel_size = pixel_size if side == "short" else grid.pixel_size
-    shortest_wavelengths = {"transition": grid.pixel_size, "cutoffs": filtered_pixel_size}
-    for name, shortest in shortest_wavelengths.items():
-        faults += _wavelength_faults(config, keys[name], shortest, size, master)
+    for name, finest in (("transition", grid.pixel_size), ("cutoffs", filtered_pixel_size)):
+        accepted = (
+            f"wavelengths of more than two pixels ({2 * finest:.4g} nm) and at most the "
+            f"{size:.6g} nm of a master of {section}.{side} on {surface}"
+        )
+        for wavelength in np.atleast_1d(get_key(config, keys[name])):
+            # Exactly two pixels is refused with some margin, as `filters.lowpass` does.
+            if not 2 * finest * (1 + 1e-9) < wavelength <= size:
+                yield key_fault(keys[name], accepted, f"{wavelength:.4g} nm")
     if config["scales"]["sphere_roughness"]:
         pixel_size = min(pixel_size, sphere_grid.pixel_size)
         bodies = f"the {side}-edge masters of {surface} and the sphere"
-        faults += _map_faults(bodies, pixel_size, grid._replace(size=size / 2), sphere_grid)
-    return faults + _memory_faults(study_contacts(config)[section], surface, pixel_size, 1)
+        yield from _map_faults(bodies, pixel_size, grid._replace(size=size / 2), sphere_grid)
+    yield from _memory_faults(study_contacts(config)[section], surface, pixel_size, 1)
 
 
-def _penetration_faults(named_contact: NamedContact, relief: float) -> list[str]:
-    """Return the fault of a range that is short relative to the penetration under the load."""
-    contact = named_contact.contact
-    depth = penetration_depth(contact, relief)
-    min_rho = depth / PENETRATION_OVER_RANGE
-    if contact.rho >= min_rho:
-        return []
-    load_key = named_contact.preload.removeprefix("config key ")
-    return [
-        f"{named_contact.range}: expected at least {min_rho:.3g} nm, as {load_key} presses the "
-        f"bodies some {depth:.3g} nm into each other, found {contact.rho:.4g} nm"
-    ]
-
-
-def _wavelength_faults(
-    config: dict[str, Any], key: str, pixel_size: float, size: float, master: str
-) -> list[str]:
-    """Return the faults of wavelengths (nm) that a master, named in words, does not have."""
-    accepted = (
-        f"wavelengths of more than two pixels ({2 * pixel_size:.4g} nm) and at most the "
-        f"{size:.6g} nm of {master}"
-    )
-    # Exactly two pixels is refused with some margin, as `filters.lowpass` does.
-    return [
-        key_fault(key, accepted, f"{wavelength:.4g} nm")
-        for wavelength in np.atleast_1d(get_key(config, key))
-        if not 2 * pixel_size * (1 + 1e-9) < wavelength <= size
-    ]
-
-
-def _map_faults(bodies: str, pixel_size: float, *grids: Grid) -> list[str]:
-    """Return the fault of mirrored maps that are too large on the pixels (nm) of the finest map."""
+def _map_faults(bodies: str, pixel_size: float, *grids: Grid) -> Iterator[str]:
+    """Yield the fault of mirrored maps that are too large on the pixels (nm) of the finest map."""
     pixels = round(max(2 * grid.size for grid in grids) / pixel_size)
-    if pixels <= MAX_MAP_PIXELS:
-        return []
-    accepted = (
-        f"at most {MAX_MAP_PIXELS} pixels per row of {bodies} on common pixels of "
-        f"{pixel_size:.4g} nm"
-    )
-    return [key_fault("surfaces and scan", accepted, pixels)]
+    if pixels > MAX_MAP_PIXELS:
+        accepted = (
+            f"at most {MAX_MAP_PIXELS} pixels per row of {bodies} on common pixels of "
+            f"{pixel_size:.4g} nm"
+        )
+        yield key_fault("surfaces and scan", accepted, pixels)
 
 
 def _memory_faults(
     named_contact: NamedContact, surface: str, pixel_size: float, periods: float
-) -> list[str]:
-    """Return the fault of a load whose contact pixels do not fit into memory at once.
+) -> Iterator[str]:
+    """Yield the fault of a load whose contact pixels do not fit into memory at once.
 
     Each pixel (width in nm) lies `periods` times in the window.
     """
@@ -256,17 +230,17 @@ def _memory_faults(
         f"{count_key} = {contact.contacts_per_row} and contact.window = {contact.window:.6g} nm"
     )
     available_pixels = int(MAX_CONTACT_PIXELS / contact.contacts_per_row**2 / periods)
-    return _load_faults(named_contact.preload, contact, available_pixels, pixel_size, reason)
+    yield from _load_faults(named_contact.preload, contact, available_pixels, pixel_size, reason)
 
 
 def _load_faults(
     name: str, contact: Contact, available_pixels: int, pixel_size: float, reason: str
-) -> list[str]:
-    """Return the fault of a load with more contact pixels (width in nm) than are available."""
-    if contact.pixel_count(pixel_size) <= available_pixels:
-        return []
-    max_load = available_pixels * (pixel_size * 1e-9) ** 2 * contact.hardness
-    return [
-        f"{name}: expected at most {format_quantity(max_load, 'N')} of load at a hardness of "
-        f"{contact.hardness / 1e9:.4g} GPa, {reason}, found {format_quantity(contact.preload, 'N')}"
-    ]
+) -> Iterator[str]:
+    """Yield the fault of a load with more contact pixels (width in nm) than are available."""
+    if contact.pixel_count(pixel_size) > available_pixels:
+        max_load = available_pixels * (pixel_size * 1e-9) ** 2 * contact.hardness
+        yield (
+            f"{name}: expected at most {format_quantity(max_load, 'N')} of load at a hardness of "
+            f"{contact.hardness / 1e9:.4g} GPa, {reason}, found "
+            f"{format_quantity(contact.preload, 'N')}"
+        )
