@@ -88,6 +88,6 @@ def finished_copy(finished, tmp_path):
 
 @pytest.fixture
 def quick_predictions(monkeypatch):
-    """Predict with fewer cutoffs and contacts, by the same code in a third of the time."""
-    monkeypatch.setattr("hardcontact.theory.closed_form.CUTOFF_COUNT", 20)
+    """Predict with fewer cutoffs and contacts, by the same code in a fifth of the time."""
+    monkeypatch.setattr("hardcontact.theory.closed_form.CUTOFF_COUNT", 8)
     monkeypatch.setattr("hardcontact.own.scan_force.CONTACTS_PER_ROW", 8)
