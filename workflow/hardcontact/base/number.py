@@ -28,9 +28,9 @@ class Number(NamedTuple):
     value, low, high: the number and the ends of its interval, in `unit`.
     unit: a unit of datasets: "nm", "N", "J m-2", "1".
     status: what else is known of the number.
-    source: a code for the origin: "computed", "measured", "from_measured", "extrapolated",
-        "artificial", "partly_artificial", "interval_artificial", "published", "given", "assumed",
-        "file".
+    source: a code for where the number comes from: "computed", "measured", "from_measured",
+        "extrapolated", "artificial", "partly_artificial", "interval_artificial", "published",
+        "given", "assumed", "file".
     """
 
     name: str

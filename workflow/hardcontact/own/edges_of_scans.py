@@ -53,10 +53,10 @@ def edges_of_scans(
     if hindcast is not None:
         edges = _without_ripples(edges, hindcast["filtered_scan_ratio"] < 1 - tolerance)
     curves = curves.transpose("surface", "side", ...)
-    sources = curves[["interval_is_conditional", "interval_source", "interval_scans"]]
+    descriptions = curves[["interval_is_conditional", "interval_source", "interval_scans"]]
     return (
         curves[["filtered_force_ratio", "filtered_force_ratio_interval"]]
-        .merge(sources.isel(side=0, drop=True))
+        .merge(descriptions.isel(side=0, drop=True))
         .merge(edges)
     )
 

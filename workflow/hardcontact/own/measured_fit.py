@@ -66,14 +66,14 @@ def fit_measured(
     for model in adhesion["contact_model"].values.tolist():
         computed = forces_by_surface(measured_adhesion.sel(contact_model=model), scan_sizes)
         fits[(model,)] = _fit_model(computed, means, test_samples, pixel_factors, sampling)
-    # Tests and parts of scans, and so the sources of intervals, are the same for all models.
-    sources = [
+    # Tests and parts of scans, and so what intervals come from, are the same for all models.
+    codes = [
         computed[name].scan_parts[0].interval_source
         if test.site_count > 1
         else IntervalSource.ONE_TEST
         for name, test in tests.items()
     ]
-    variables = {"interval_source": ("surface", sources), "label": measured_adhesion["label"]}
+    variables = {"interval_source": ("surface", codes), "label": measured_adhesion["label"]}
     variables |= sampling.with_interval("measured_force", "surface", means, test_samples, NEWTON)
     for name in ("test_count", "site_count", "look_repeated"):
         counts = [int(getattr(test, name)) for test in tests.values()]

@@ -129,8 +129,8 @@ def read_record(path: str | Path) -> Record | None:
         ) from None
 
 
-def is_current(path: str | Path, parameters: str, source: str) -> bool:
-    """Return whether a job made a file from a source with these parameters, unchanged since.
+def is_current(path: str | Path, parameters: str, input_path: str) -> bool:
+    """Return whether a job made a file from an input with these parameters, both unchanged since.
 
     Raises ValueError, with one line, if the record of the file is damaged.
     """
@@ -138,7 +138,7 @@ def is_current(path: str | Path, parameters: str, source: str) -> bool:
     if record is None or record["parameters"] != parameters:
         return False
     recorded = record["input_digests"] | {str(path): record["sha256"]}
-    return Path(source).as_posix() in recorded and all(
+    return Path(input_path).as_posix() in recorded and all(
         Path(name).is_file() and digest(name) == value for name, value in recorded.items()
     )
 

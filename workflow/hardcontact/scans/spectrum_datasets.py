@@ -86,11 +86,11 @@ def add_measurements(
 def convert_described_spectrum(substitute: xr.Dataset, path: str) -> xr.Dataset:
     """Return a substitute spectrum in the form of a joined spectrum.
 
-    Its segments with DATA_EVIDENCE replace measurements; adjacent segments from one source count as
-    one. Variables that only measurements have are NaN or empty.
+    Its segments with DATA_EVIDENCE replace measurements; adjacent segments from one reference count
+    as one. Variables that only measurements have are NaN or empty.
     """
     segments = pd.read_csv(io.StringIO(substitute.attrs["segments"]))
-    runs = _runs_of_one_source(segments[segments.evidence.isin(DATA_EVIDENCE)])
+    runs = _runs_of_one_reference(segments[segments.evidence.isin(DATA_EVIDENCE)])
     descriptions = runs.assign(
         longest_reliable=runs.longest_reliable.clip(upper=2 * np.pi / WAVEVECTORS[0]),
         kind="description",
@@ -119,8 +119,8 @@ def convert_described_spectrum(substitute: xr.Dataset, path: str) -> xr.Dataset:
     )
 
 
-def _runs_of_one_source(segments: pd.DataFrame) -> pd.DataFrame:
-    """Return the wavelengths and the source of adjacent segments that have the same source."""
+def _runs_of_one_reference(segments: pd.DataFrame) -> pd.DataFrame:
+    """Return the wavelengths and the reference of adjacent segments with the same reference."""
     previous = segments.shift()
     has_gap = segments.longest_nm != previous.shortest_nm
     begins = has_gap | (segments.source != previous.source)

@@ -72,9 +72,9 @@ class Conclusion(NamedTuple):
     few_summits: bool
 
 
-def interval_status(source: xr.DataArray) -> StrEnum:
+def interval_status(interval_source: xr.DataArray) -> StrEnum:
     """Return the status of a number without interval: few patches touch, or no scan bounds it."""
-    has_few_patches = source.item() == IntervalSource.FEW_PATCHES
+    has_few_patches = interval_source.item() == IntervalSource.FEW_PATCHES
     return IntervalSource.FEW_PATCHES if has_few_patches else NumberStatus.NO_INTERVAL
 
 

@@ -23,12 +23,12 @@ from hardcontact.report.quantities import NoValue, number_of, number_without_val
 from hardcontact.surfaces.synthesis import SIDES
 
 
-def add_status(number: Number, source: xr.DataArray) -> Number:
+def add_status(number: Number, interval_source: xr.DataArray) -> Number:
     """Return a number with a status that says why it has no interval, if it has none."""
     is_bounded = np.isfinite([number.low, number.high]).any()
     if is_bounded or number.status not in ("", NumberStatus.NO_INTERVAL):
         return number
-    return number._replace(status=interval_status(source))
+    return number._replace(status=interval_status(interval_source))
 
 
 def force_numbers(data: Datasets) -> list[Number]:
