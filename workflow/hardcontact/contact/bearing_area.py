@@ -1,9 +1,9 @@
 """Rigid and plastic (bearing area) contact: closest approach and contact pixels.
 
 The gap of a pixel is g = y - u - z in nm: sphere y, its roughness u (positive towards the
-substrate) and substrate z. The contact pixels have the N smallest gaps. A branch and bound over
-tiles finds them: the highest point of a tile, or of a group of tiles, bounds all gaps in it from
-below. Only tiles whose bound is below the N-th smallest gap known so far are read.
+substrate) and substrate z. The contact pixels have the N smallest gaps. The highest point of a
+tile, or of a group of tiles, bounds all gaps in it from below. The N-th smallest gap in a few tiles
+of low bounds limits the gaps of contact pixels. Only tiles with bounds up to it are read.
 """
 
 from dataclasses import dataclass
@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hardcontact.base.arrays import Floats
-from hardcontact.contact.geometry import Bodies, ContactGeometry, largest_contact_gap
+from hardcontact.contact.geometry import Bodies, largest_contact_gap
 from hardcontact.surfaces.height_map import HeightMap
 
 #: Pixels per row of a tile, tiles per row of a group, tiles that are read at once, and
@@ -23,6 +23,9 @@ TILE = 32
 GROUP = 16
 BATCH = 256
 CONTACT_BATCH = 50
+#: Tiles that are read for a limit, relative to the fewest that have N pixels. On a smooth surface
+#: the lowest tiles lie on one slope, and too few of them set a high limit.
+LIMIT_TILES = 2
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,19 +58,6 @@ class Tiles:
     def _tile_number(self, pixel: NDArray[np.int_]) -> NDArray[np.int_]:
         """Return the number of the tile of a pixel along one axis, counted on over periods."""
         return np.asarray(pixel // self.pixels * len(self.maxima) + pixel % self.pixels // TILE)
-
-    def upper_bound(self, y: NDArray[np.int_], x: NDArray[np.int_]) -> NDArray[np.floating]:
-        """Return an upper bound of the map on TILE x TILE pixels from offsets, which broadcast.
-
-        Such a square meets at most three tiles along an axis where the last one is not full.
-        """
-        highest = _maxima_of_squares(self.maxima, 3)
-        return np.asarray(highest[y % self.pixels // TILE, x % self.pixels // TILE])
-
-    def heights_at(self, y: NDArray[np.int_], x: NDArray[np.int_]) -> NDArray[np.floating]:
-        """Return the heights (nm) at any offsets from the origin of the map."""
-        width = self.maxima.shape[1] * TILE
-        return np.asarray(self.blocks.ravel().take(y % self.pixels * width + x % self.pixels))
 
 
 def _maxima_of_squares(maxima: NDArray[np.floating], count: int) -> NDArray[np.floating]:
@@ -127,19 +117,20 @@ class _Windows:
     """The tiles of the substrate in the windows of contacts, with lower bounds on their gaps.
 
     Tiles are numbered along each axis of the window of their contact. Bounds in nm are infinite for
-    tiles outside it.
+    tiles outside the window.
     """
 
     def __init__(
         self,
+        bodies: Bodies,
         substrate: Tiles,
-        sphere_roughness: Tiles | None,
-        geometry: ContactGeometry,
+        sphere_maxima: NDArray[np.floating] | None,
         positions: NDArray[np.int_],
     ) -> None:
         self.substrate = substrate
-        self.sphere_roughness = sphere_roughness
-        self.geometry = geometry
+        self.roughness = bodies.sphere_roughness
+        self.sphere_maxima = sphere_maxima
+        self.geometry = geometry = bodies.geometry
         offset, index, meets = substrate.tiles_in_window(positions, geometry.window_pixels)
         # The lowest point of the sphere over the TILE pixels that begin at each offset.
         nearest = np.maximum(np.maximum(offset, -(offset + TILE - 1)), 0)
@@ -157,8 +148,8 @@ class _Windows:
         groups = self.index[:, :, ::GROUP]
         bounds = low[:, 0, :, None] + low[:, 1, None, :]
         bounds -= self.substrate.group_maxima[groups[:, 0, :, None], groups[:, 1, None, :]]
-        if self.sphere_roughness is not None:
-            bounds -= self.sphere_roughness.maxima.max()
+        if self.sphere_maxima is not None:
+            bounds -= self.sphere_maxima.max()
         return np.asarray(bounds.reshape(contacts, -1))
 
     def tiles_of_groups(self, contacts: NDArray[np.int_], group: NDArray[np.int_]) -> WindowTiles:
@@ -169,10 +160,11 @@ class _Windows:
         contact = contacts[:, None, None]
         bounds = self.low[contact, 0, row] + self.low[contact, 1, column]
         bounds -= self.substrate.maxima[self.index[contact, 0, row], self.index[contact, 1, column]]
-        if self.sphere_roughness is not None:
-            bounds -= self.sphere_roughness.upper_bound(
-                self.offset[contact, 0, row], self.offset[contact, 1, column]
-            )
+        if self.roughness is not None and self.sphere_maxima is not None:
+            sphere_tiles = self.offset % self.roughness.pixels // TILE
+            bounds -= self.sphere_maxima[
+                sphere_tiles[contact, 0, row], sphere_tiles[contact, 1, column]
+            ]
         contact, row, column = np.broadcast_arrays(contact, row, column)
         return WindowTiles(contact.ravel(), row.ravel(), column.ravel(), bounds.ravel())
 
@@ -187,8 +179,9 @@ class _Windows:
         tile_y, tile_x = self.index[contact, 0, row], self.index[contact, 1, column]
         gaps: Floats = self._sphere_in_window(y)[:, :, None] + self._sphere_in_window(x)[:, None, :]
         gaps -= self.substrate.blocks[tile_y, :, tile_x, :]
-        if self.sphere_roughness is not None:
-            gaps -= self.sphere_roughness.heights_at(y[:, :, None], x[:, None, :])
+        if self.roughness is not None:
+            period = self.roughness.pixels
+            gaps -= self.roughness.heights[y[:, :, None] % period, x[:, None, :] % period]
         return gaps, y, x
 
     def _sphere_in_window(self, offset: NDArray[np.int_]) -> Floats:
@@ -197,35 +190,23 @@ class _Windows:
         return np.where(geometry.window_mask(offset), geometry.paraboloid(offset), np.inf)
 
 
-def find_contact_pixels(
-    substrate: Tiles,
-    sphere_roughness: Tiles | None,
-    geometry: ContactGeometry,
-    positions: NDArray[np.int_],
-    contact_pixel_count: int,
-) -> list[ContactPixels]:
-    """Return the smallest gaps of each contact and the pixels that they belong to.
-
-    Only tiles with a lower bound on their gaps below the largest gap of the contact are read. The
-    positions (contact, 2) are the pixels of the apex: row, column. Equal gaps come in the order of
-    their offsets.
-    """
-    windows = _Windows(substrate, sphere_roughness, geometry, positions)
+def _find_contact_pixels(windows: _Windows, contact_pixel_count: int) -> list[ContactPixels]:
+    """Return the contact pixels of each contact; equal gaps come in the order of their offsets."""
     group_bounds = windows.group_bounds()
     tile_count = -(-contact_pixel_count // TILE**2)
     best_groups = _lowest_columns(group_bounds, -(-tile_count // GROUP**2))
-    contacts = np.repeat(np.arange(len(positions)), best_groups.shape[1])
+    contacts = np.repeat(np.arange(len(best_groups)), best_groups.shape[1])
     tiles = windows.tiles_of_groups(contacts, best_groups.ravel())
     limits = _limits_of_gaps(windows, tiles, contact_pixel_count)
     low_groups = np.nonzero(group_bounds <= limits[:, None])
     tiles = windows.tiles_of_groups(*low_groups).tiles_within(limits)
-    # The remaining tiles of lowest bounds, from all groups, give lower limits.
-    limits = _limits_of_gaps(windows, tiles, contact_pixel_count)
+    # Tiles of lower bounds, from all groups, give lower limits.
+    limits = np.minimum(limits, _limits_of_gaps(windows, tiles, contact_pixel_count))
     tiles = tiles.tiles_within(limits)
     batches = [slice(start, start + BATCH) for start in range(0, len(tiles.contact_numbers), BATCH)]
     low_gaps = [_gaps_up_to(windows, tiles.select(batch), limits) for batch in batches]
     contacts, gaps, offsets = (np.concatenate(arrays) for arrays in zip(*low_gaps, strict=True))
-    ends = np.searchsorted(contacts, np.arange(1, len(positions)))
+    ends = np.searchsorted(contacts, np.arange(1, len(limits)))
     return [
         _lowest(*candidates, contact_pixel_count)
         for candidates in zip(np.split(gaps, ends), np.split(offsets, ends), strict=True)
@@ -233,12 +214,13 @@ def find_contact_pixels(
 
 
 def _limits_of_gaps(windows: _Windows, tiles: WindowTiles, contact_pixel_count: int) -> Floats:
-    """Return an upper bound (contact,) on the N-th smallest gap (nm), N the contact pixels.
+    """Return the N-th smallest gap (contact,) in nm in the tiles of lowest bounds.
 
-    It is the N-th smallest gap in the tiles of lowest bounds, as few as have N pixels.
+    It is an upper bound on the N-th smallest gap of all, with N contact pixels.
     """
-    tile_count = -(-contact_pixel_count // TILE**2)
     ends = np.searchsorted(tiles.contact_numbers, np.arange(tiles.contact_numbers[-1] + 2))
+    tile_count = LIMIT_TILES * -(-contact_pixel_count // TILE**2)
+    tile_count = min(tile_count, np.diff(ends).min())
     best = [
         start + _lowest_columns(tiles.bounds[None, start:end], tile_count)[0]
         for start, end in pairwise(ends.tolist())
@@ -247,15 +229,11 @@ def _limits_of_gaps(windows: _Windows, tiles: WindowTiles, contact_pixel_count: 
     gaps = gaps.reshape(len(best), -1)
     if gaps.shape[1] < contact_pixel_count:
         return np.full(len(best), np.inf)
-    if contact_pixel_count == 1:
-        return np.asarray(gaps.min(axis=1))
     return np.partition(gaps, contact_pixel_count - 1, axis=1)[:, contact_pixel_count - 1]
 
 
 def _lowest_columns(bounds: Floats, count: int) -> NDArray[np.int_]:
     """Return the indices (row, count) of the lowest bounds (row, column), at most all."""
-    if count == 1:
-        return np.asarray(bounds.argmin(axis=1)[:, None])
     count = min(count, bounds.shape[1])
     return np.argpartition(bounds, count - 1, axis=1)[:, :count]
 
@@ -287,15 +265,17 @@ def _lowest(gaps: Floats, offsets: NDArray[np.int_], contact_pixel_count: int) -
 def all_contact_pixels(bodies: Bodies, contact_pixel_count: int) -> ContactPixels:
     """Return the contact pixels (contact_y, contact_x, k) of every contact of the array."""
     substrate = cut_into_tiles(bodies.substrate)
-    sphere = bodies.sphere_roughness
-    rough_tiles = None if sphere is None else cut_into_tiles(sphere)
-    geometry = bodies.geometry
-    apexes = geometry.apexes()
+    sphere_maxima = None
+    if bodies.sphere_roughness is not None:
+        # TILE x TILE pixels from any offset meet three tiles along an axis with a cut tile.
+        sphere_maxima = _maxima_of_squares(cut_into_tiles(bodies.sphere_roughness).maxima, 3)
+    apexes = bodies.geometry.apexes()
     positions = apexes.reshape(-1, 2)
     pixels: list[ContactPixels] = []
     for start in range(0, len(positions), CONTACT_BATCH):
         batch = positions[start : start + CONTACT_BATCH]
-        pixels += find_contact_pixels(substrate, rough_tiles, geometry, batch, contact_pixel_count)
+        windows = _Windows(bodies, substrate, sphere_maxima, batch)
+        pixels += _find_contact_pixels(windows, contact_pixel_count)
     gaps, offsets = (np.stack(arrays) for arrays in zip(*pixels, strict=True))
     shape = apexes.shape[:2]
     return ContactPixels(gaps.reshape(*shape, -1), offsets.reshape(*shape, -1, 2))
