@@ -90,4 +90,4 @@ def finished_copy(finished, tmp_path):
 def quick_predictions(monkeypatch):
     """Predict with fewer cutoffs and contacts, by the same code in a fifth of the time."""
     monkeypatch.setattr("hardcontact.theory.closed_form.CUTOFF_COUNT", 8)
-    monkeypatch.setattr("hardcontact.own.scan_force.CONTACTS_PER_ROW", 8)
+    monkeypatch.setattr("hardcontact.commands.predict.CONTACTS_PER_ROW", 8)

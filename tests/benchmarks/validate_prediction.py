@@ -19,7 +19,7 @@ from scipy.stats import qmc
 
 from hardcontact.base.arrays import generator
 from hardcontact.contact.contact import Contact
-from hardcontact.inference.curve_edges import (
+from hardcontact.inference.edges import (
     edge_interval,
     find_edge,
     logarithmic_limits,

@@ -15,7 +15,7 @@ from hardcontact.base.number import Number
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.pull_off import make_force_function
 from hardcontact.own.hindcast import WIDE_PIXEL
-from hardcontact.own.scan_force import contact_on_scan
+from hardcontact.own.scan_contact import contact_on_scan
 from hardcontact.surfaces.height_map import HeightMap, mirror_in_float32
 from hardcontact.surfaces.levelling import level
 from hardcontact.surfaces.spectrum import smooth_rolloff
@@ -50,6 +50,7 @@ def random_case(family, seed, pixels):
         work=0.0463,
         preload=_between(rng, 1e-6, 30e-6),
         hardness=25e9,
+        contacts_per_row=20,
     )
     return Case(fine, level(HeightMap(coarse, WIDE_PIXEL * fine_pixel)), contact)
 

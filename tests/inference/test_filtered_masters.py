@@ -6,9 +6,14 @@ import xarray as xr
 from direct_sum import direct_force, gap_of_bodies
 from periodic_maps import CONTACT, LOADED_CONTACTS, periodic_map, periodic_noise
 
+from hardcontact.base.dataset import stack
 from hardcontact.contact.geometry import join_bodies
-from hardcontact.inference.filtered_masters import Filters, filtered_pull_off, forces_at_cutoffs
-from hardcontact.inference.master_datasets import stack_masters
+from hardcontact.inference.filtered_masters import (
+    Filters,
+    add_force_ratios,
+    filtered_pull_off,
+    forces_at_cutoffs,
+)
 from hardcontact.surfaces.filters import filtered_series
 
 #: Wavelength in nm and amplitude of the only wave of a master of 640 nm.
@@ -72,7 +77,7 @@ def test_ratios_are_taken_of_mean_forces_over_contacts():
         for realization in range(1, count + 1)
         for side, cutoffs, end in (("short", [43.0, 20.0], 1.2), ("long", [500.0, 1e3], 2e4))
     }
-    scales = stack_masters(masters)
+    scales = add_force_ratios(stack(masters, ["surface", "realization", "side"]))
     assert scales.cutoff_wavelength.values.tolist() == [20.0, 43.0, 500.0, 1e3]
     empty = [np.nan, np.nan]
     ratios_of_b = scales.filtered_force_ratio.sel(surface="b", loading="light").transpose(

@@ -7,9 +7,14 @@ import numpy as np
 import pytest
 
 from hardcontact.base.arrays import generator
+from hardcontact.base.dataset import stack
 from hardcontact.contact.contact import Contact
-from hardcontact.inference.filtered_masters import Filters, filtered_pull_off
-from hardcontact.inference.master_datasets import add_spectrum_shifts, stack_masters
+from hardcontact.inference.filtered_masters import (
+    Filters,
+    add_force_ratios,
+    add_spectrum_shifts,
+    filtered_pull_off,
+)
 from hardcontact.own.edges_of_scans import edges_of_scans
 from hardcontact.own.mean_forces import MasterScans
 from hardcontact.scans.joined_spectrum import joined_spectrum, sample_spectra
@@ -37,7 +42,7 @@ def forces(masters, contact):
         )
         for number, filters, master in masters
     }
-    scales = stack_masters(filtered)
+    scales = add_force_ratios(stack(filtered, ["surface", "realization", "side"]))
     named_scales = scales.assign(label=("surface", ["A"]), source=("surface", ["measured"]))
     return named_scales.assign_attrs(rho=contact.rho, sphere_radius=contact.radius)
 

@@ -1,5 +1,7 @@
 """The octaves of a prediction are derivatives, on a scan and in closed form."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 import scan_files
@@ -11,15 +13,20 @@ from hardcontact.base.arrays import generator
 from hardcontact.commands.predict import predict, predict_arguments
 from hardcontact.contact.contact import Contact
 from hardcontact.inference.octaves import AMPLITUDE_FACTORS, STEP
-from hardcontact.own import predicted_octaves, scan_force
 from hardcontact.own.own_spectrum import OwnSpectrum, read_own_spectrum
-from hardcontact.own.predicted_octaves import derivatives_in_closed_form, derivatives_on_scan
-from hardcontact.own.scan_window import window_on_scans
+from hardcontact.own.scan_contact import window_on_scans
+from hardcontact.own.scan_force import (
+    derivatives_in_closed_form,
+    derivatives_on_scan,
+    predicted_octaves,
+)
 from hardcontact.surfaces.spectrum import Spectrum
 from hardcontact.theory.closed_form import closed_form
 
 #: The paper's contact.
-CONTACT = Contact(radius=250e3, preload=10e-6, hardness=25e9, rho=5.6, work=0.0463)
+CONTACT = Contact(
+    radius=250e3, preload=10e-6, hardness=25e9, rho=5.6, work=0.0463, contacts_per_row=20
+)
 #: The shortest wavelengths (nm) of octaves, and a map of 2560 nm with waves in these alone.
 OCTAVES = 80.0 * 2.0 ** np.arange(4)
 PIXELS, PIXEL_SIZE = 128, 20.0
@@ -41,7 +48,7 @@ def log_force_sum(heights, window):
     forces = hc.pull_off_forces(
         hc.HeightMap(heights, PIXEL_SIZE), radius=CONTACT.radius, preload=CONTACT.preload,
         hardness=CONTACT.hardness, rho=[CONTACT.rho], work=CONTACT.work, window=window,
-        contacts_per_row=scan_force.CONTACTS_PER_ROW,
+        contacts_per_row=CONTACT.contacts_per_row,
     )  # fmt: skip
     return np.log(forces.pull_off_force.sel(contact_model="plastic").mean().item())
 
@@ -70,13 +77,13 @@ def test_octaves_in_closed_form_add_up_to_the_derivative_for_all_roughness():
 @pytest.mark.parametrize("method", ["scan", "closed form"])
 def test_central_differences_converge(method, monkeypatch):
     def derivative(step):
-        for module in ("inference.octaves", "own.predicted_octaves"):
+        for module in ("inference.octaves", "own.scan_force"):
             monkeypatch.setattr(f"hardcontact.{module}.AMPLITUDE_FACTORS", (1 - step, 1 + step))
             monkeypatch.setattr(f"hardcontact.{module}.STEP", step)
         # With 20 contacts, a single pixel cancels the error of one of the steps.
-        monkeypatch.setattr("hardcontact.own.scan_force.CONTACTS_PER_ROW", 12)
+        contact = replace(CONTACT, contacts_per_row=12)
         if method == "scan":
-            return derivatives_on_scan(band_limited_map(), OCTAVES[2:], CONTACT).sum()
+            return derivatives_on_scan(band_limited_map(), OCTAVES[2:], contact).sum()
         return derivatives_in_closed_form(
             self_affine_spectrum(17, 1000, 0.8, 20), OCTAVES, CONTACT
         ).sum()
@@ -96,7 +103,8 @@ def test_a_map_has_octaves_of_its_force_sum_and_a_table_those_of_the_closed_form
     (line,) = [line for line in words.splitlines() if line.startswith("octaves that matter most")]
     own_spectrum = read_own_spectrum([path])
     longest, shortest = 2 * np.pi / own_spectrum.spectrum.wavevector[[0, -1]]
-    numbers = list(predicted_octaves.predicted_octaves(own_spectrum, CONTACT))
+    contact = replace(CONTACT, contacts_per_row=8)
+    numbers = list(predicted_octaves(own_spectrum, contact))
     octaves, derivatives = numbers[::2], [number.value for number in numbers[1::2]]
     assert sorted(derivatives, key=abs, reverse=True) == derivatives
     assert all(shortest < np.sqrt(2) * octave.value < longest for octave in octaves)
@@ -104,10 +112,7 @@ def test_a_map_has_octaves_of_its_force_sum_and_a_table_those_of_the_closed_form
     assert f"{derivatives[0]:+.2g} %" in line and "(sum over the scan)" in line
     first = np.array([octaves[0].value])
     (scan,) = own_spectrum.scans
-    assert derivatives_on_scan(scan, first, CONTACT)[0] == pytest.approx(derivatives[0], rel=1e-3)
-    of_table = list(
-        predicted_octaves.predicted_octaves(
-            OwnSpectrum(self_affine_spectrum(17, 1000, 0.8, 20), ()), CONTACT
-        )
-    )
+    assert derivatives_on_scan(scan, first, contact)[0] == pytest.approx(derivatives[0], rel=1e-3)
+    table = OwnSpectrum(self_affine_spectrum(17, 1000, 0.8, 20), ())
+    of_table = list(predicted_octaves(table, CONTACT))
     assert len(of_table) == 6 and {number.status for number in of_table} == {"closed_form"}

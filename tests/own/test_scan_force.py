@@ -18,7 +18,8 @@ from hardcontact.commands.predict import predict, predict_arguments
 from hardcontact.contact.geometry import window_pixels
 from hardcontact.own import scan_force
 from hardcontact.own.own_spectrum import OwnSpectrum
-from hardcontact.own.scan_force import contact_on_scan, force_on_scan
+from hardcontact.own.scan_contact import contact_on_scan
+from hardcontact.own.scan_force import force_on_scan
 from hardcontact.scans.joined_spectrum import joined_spectrum, reliable_spectrum
 from hardcontact.surfaces.levelling import level
 
@@ -26,13 +27,13 @@ PIXELS, PIXEL_SIZE = 128, 40.0
 CONTACTS = 8
 #: The paper's contact.
 RADIUS, RANGE, WORK, AREA = 250e3, 5.6, 0.0463, 400.0
-CONTACT = contact_of_area(RADIUS, RANGE, WORK, AREA)
+CONTACT = replace(contact_of_area(RADIUS, RANGE, WORK, AREA), contacts_per_row=CONTACTS)
 
 
 @pytest.fixture(autouse=True, scope="module")
 def few_contacts():
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(scan_force, "CONTACTS_PER_ROW", CONTACTS)
+        patch.setattr("hardcontact.commands.predict.CONTACTS_PER_ROW", CONTACTS)
         yield
 
 

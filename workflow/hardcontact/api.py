@@ -30,13 +30,12 @@ from hardcontact.config.arguments import (
     make_periodic,
 )
 from hardcontact.config.faults import raise_faults
-from hardcontact.config.keys import NONE, ContactKeys, ScalesKeys
+from hardcontact.config.keys import NONE, ContactKeys, InferenceKeys, ScalesKeys
 from hardcontact.contact.contact import PLASTIC, Contact
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import WORK_OF_ADHESION, pull_off_dataset
 from hardcontact.contact.scan_pull_off import largest_window_change
-from hardcontact.inference.filtered_masters import Filters, filtered_pull_off
-from hardcontact.inference.master_datasets import add_force_ratios
+from hardcontact.inference.filtered_masters import Filters, add_force_ratios, filtered_pull_off
 from hardcontact.own.edges_of_scans import edges_of_curves
 from hardcontact.own.own_spectrum import OwnSpectrum, read_own_spectrum, spectrum_of_map
 from hardcontact.own.scan_force import prediction_and_scan_force
@@ -53,9 +52,10 @@ from hardcontact.theory.validity import wide_contact_message
 if TYPE_CHECKING:
     from SurfaceTopography import Topography
 
-#: Defaults of windows, arrays and tolerances: the paper's.
+#: Defaults of windows, arrays, tolerances and intervals: the paper's.
 PAPER_CONTACT = ContactKeys()
 PAPER_TOLERANCE = ScalesKeys().tolerance
+PAPER_CONFIDENCE = InferenceKeys().confidence
 
 
 def read_scan(
@@ -454,6 +454,13 @@ def predict(
             "roughness: expected a scan of hc.read_scan(FILE), or a spectrum of "
             f"hc.read_spectrum(FILE), found {type(roughness).__name__}"
         )
-    contact = Contact(radius=radius, rho=rho, work=work, preload=preload, hardness=hardness)
+    contact = Contact(
+        radius=radius,
+        rho=rho,
+        work=work,
+        preload=preload,
+        hardness=hardness,
+        contacts_per_row=PAPER_CONTACT.contacts_per_row,
+    )
     raise_faults(filter(None, [wide_contact_message(contact)]))
-    return prediction_and_scan_force(own_spectrum, contact, tolerance)
+    return prediction_and_scan_force(own_spectrum, contact, tolerance, PAPER_CONFIDENCE)

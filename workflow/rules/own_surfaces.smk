@@ -126,7 +126,7 @@ if PLAN.measured_scan_ids:
     rule aggregate_hindcast:
         """Gather the tests whether forces on scans may be extrapolated: hindcast.nc."""
         input:
-            FILES.paths(PATTERNS.hindcast_forces, PLAN.measured_scan_ids),
+            forces=FILES.paths(PATTERNS.hindcast_forces, PLAN.measured_scan_ids),
         output:
             PATTERNS.dataset("hindcast"),
         params:

@@ -53,7 +53,6 @@ rule compute_filtered_forces:
             surface=w.surface,
             realizations=list(range(int(w.first), int(w.last) + 1)),
             seed=STUDY["seed"],
-            masters_are_files=PURPOSES[w.purpose].masters_are_files,
             stream=PURPOSES[w.purpose].stream,
             window=STUDY["contact"]["window"],
             **filter_settings(STUDY, w.purpose),

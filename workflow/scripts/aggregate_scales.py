@@ -1,11 +1,8 @@
 """Pull-off forces of every filtered master, and their ratio to the unfiltered force."""
 
 from hardcontact.base.dataset import add_surface_names
-from hardcontact.inference.master_datasets import (
-    add_spectrum_shifts,
-    add_transitions,
-    read_master_forces,
-)
+from hardcontact.base.units import NM
+from hardcontact.inference.filtered_masters import add_spectrum_shifts, read_master_forces
 from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:
@@ -17,9 +14,10 @@ with run_job(snakemake) as job:
             params["sampled_surfaces"], job.input.sampled, count, loading
         )
         forces = add_spectrum_shifts(forces, sampled_forces)
+    transitions = [params["transitions"][side] for side in forces["side"].values]
     job.write(
-        add_transitions(add_surface_names(forces, params), params["transitions"]).assign_attrs(
-            {name: params[name] for name in ("rho", "sphere_radius")}
-        ),
+        add_surface_names(forces, params)
+        .assign(transition=("side", transitions, NM))
+        .assign_attrs({name: params[name] for name in ("rho", "sphere_radius")}),
         title="plastic pull-off forces of filtered masters",
     )

@@ -2,7 +2,7 @@
 
 from hardcontact.base.dataset import add_surface_names
 from hardcontact.base.statistics import Sampling
-from hardcontact.inference.master_datasets import read_master_forces
+from hardcontact.inference.filtered_masters import read_master_forces
 from hardcontact.paper.edges_of_masters import compute_edge_shifts
 from hardcontact.records.job import run_job
 

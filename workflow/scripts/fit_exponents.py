@@ -3,7 +3,7 @@
 import xarray as xr
 
 from hardcontact.base.dataset import add_surface_names
-from hardcontact.inference.master_datasets import read_master_forces
+from hardcontact.inference.filtered_masters import read_master_forces
 from hardcontact.paper.exponents import edge_exponents, force_exponent
 from hardcontact.records.job import run_job
 

@@ -4,7 +4,7 @@ import pandas as pd
 
 from hardcontact.base import published
 from hardcontact.base.dataset import read, read_all
-from hardcontact.inference.master_datasets import read_master_forces
+from hardcontact.inference.filtered_masters import read_master_forces
 from hardcontact.paper.published_fit import PublishedForces
 from hardcontact.paper.sets import SetSettings, gather_inputs, sample_sets
 from hardcontact.records.job import run_job

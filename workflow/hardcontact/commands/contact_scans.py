@@ -24,7 +24,7 @@ from hardcontact.contact.contact import (
     periods_in_window,
 )
 from hardcontact.contact.geometry import window_pixels
-from hardcontact.own.scan_window import window_on_scans
+from hardcontact.own.scan_contact import window_on_scans
 from hardcontact.surfaces.spectrum import BIN_CENTRES, Spectrum
 from hardcontact.theory.summits import search_size
 

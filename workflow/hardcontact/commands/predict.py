@@ -28,10 +28,8 @@ from hardcontact.config.faults import raise_faults, run_checks
 from hardcontact.config.keys import Study
 from hardcontact.contact.contact import Contact
 from hardcontact.own.hindcast import WIDE_PIXEL
-from hardcontact.own.own_spectrum import OwnSpectrum, read_own_spectrum
-from hardcontact.own.predicted_octaves import predicted_octaves
-from hardcontact.own.rough_sphere import combined_spectrum
-from hardcontact.own.scan_force import prediction_and_scan_force
+from hardcontact.own.own_spectrum import OwnSpectrum, add_sphere, read_own_spectrum
+from hardcontact.own.scan_force import predicted_octaves, prediction_and_scan_force
 from hardcontact.scans.both_bodies import sphere_share
 from hardcontact.scans.heights import TAKE_CARE
 from hardcontact.scans.joined_spectrum import ScanSpectrum
@@ -42,6 +40,9 @@ from hardcontact.theory.validity import (
     wide_contact_message,
 )
 
+#: The paper's study, whose settings hold where a prediction has no option.
+PAPER = Study()
+CONTACTS_PER_ROW = PAPER.contact.contacts_per_row
 USAGE = Path(__file__).with_name("predict_help.txt").read_text("utf-8")
 
 
@@ -95,6 +96,7 @@ def read_inputs(arguments: Namespace) -> Inputs:
         work=quantities["work"].number,
         preload=quantities["preload"].number,
         hardness=quantities["hardness"].number,
+        contacts_per_row=CONTACTS_PER_ROW,
     )
     cautions = [*implausible_quantities(quantities)]
     wide = wide_contact_message(contact)
@@ -105,7 +107,7 @@ def read_inputs(arguments: Namespace) -> Inputs:
     readers = _spectrum_readers(arguments, quantities)
     _, spectrum, *sphere_spectra = run_checks([partial(raise_faults, faults), *readers])
     for sphere_spectrum in sphere_spectra:
-        spectrum = combined_spectrum(spectrum, sphere_spectrum, Study().seed)
+        spectrum = add_sphere(spectrum, sphere_spectrum, PAPER.seed)
     cautions += one_pixel_touches(contact.area, [scan.pixel_size for scan in spectrum.scans])
     notes = [*(f"{TAKE_CARE}{line}" for line in cautions), *spectrum.notes]
     return Inputs(quantities, contact, spectrum, notes)
@@ -135,8 +137,10 @@ def compute_numbers(inputs: Inputs, arguments: Namespace) -> dict[str, Number]:
     quantities, contact, own_spectrum, _ = inputs
     spectrum = own_spectrum.spectrum
     numbers = {name: _quantity_number(name, quantities[name]) for name in CONTACT_QUANTITIES}
-    tolerance = Study().scales.tolerance
-    numbers |= prediction_and_scan_force(own_spectrum, contact, tolerance, arguments.file)
+    tolerance, confidence = PAPER.scales.tolerance, PAPER.inference.confidence
+    numbers |= prediction_and_scan_force(
+        own_spectrum, contact, tolerance, confidence, arguments.file
+    )
     numbers |= numbers_by_name(*predicted_octaves(own_spectrum, contact))
     if arguments.sphere and isinstance(spectrum, ScanSpectrum) and "octave_1" in numbers:
         middle = math.sqrt(2) * numbers["octave_1"].value
@@ -217,7 +221,7 @@ def _report(inputs: Inputs, numbers: Mapping[str, Number], arguments: Namespace)
         cautions=[note for note in inputs.notes if note.startswith(TAKE_CARE)],
         meanings=meanings,
         change_that_matters=MAX_NEGLIGIBLE_CHANGE,
-        confidence=Study().inference.confidence,
+        confidence=PAPER.inference.confidence,
         finer=WIDE_PIXEL,
     )
     return report.rstrip()

@@ -4,14 +4,16 @@ A master is a scan with artificial roughness beyond its own wavelengths, on one 
 the side ``"short"`` removes wavelengths below the cutoff, of ``"long"`` wavelengths above it.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
+from itertools import count
 from typing import Any, NamedTuple
 
 import numpy as np
 import xarray as xr
 
-from hardcontact.base.units import NM
+from hardcontact.base.dataset import concatenate, read, read_all, stack
+from hardcontact.base.units import DIMENSIONLESS, NM
 from hardcontact.contact.contact import CONTACT_AXES, Contact
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import (
@@ -22,9 +24,9 @@ from hardcontact.contact.pull_off import (
 )
 from hardcontact.records.job import progress
 from hardcontact.surfaces.filters import filtered_series
-from hardcontact.surfaces.height_map import HeightMap
+from hardcontact.surfaces.height_map import HeightMap, load_height_map
 from hardcontact.surfaces.spectrum import spectrum_of_dataset
-from hardcontact.surfaces.synthesis import synthesize_master
+from hardcontact.surfaces.synthesis import master_generator, synthesize_master
 
 #: Dimension, values and attributes of a coordinate.
 Axis = tuple[tuple[str], Any, dict[str, str]]
@@ -104,17 +106,82 @@ def filtered_pull_off(
     return filtered.assign(touching_area=touching_area).assign_coords(contact_area=contact_area)
 
 
-def master_from_spectrum(
-    side: str,
-    rng: np.random.Generator,
-    scan: HeightMap,
-    settings: Mapping[str, Any],
-    spectrum_data: xr.Dataset,
-) -> HeightMap:
-    """Return the master of a side, made from a scan and the dataset of a spectrum.
+def load_master(inputs: Any, side: str, index: int, settings: Mapping[str, Any]) -> HeightMap:
+    """Return a master of a side, from its file or made from a scan and its spectrum.
 
-    A sampled spectrum has the attribute ``height_factor``, by which the heights of its scan are
-    multiplied. `settings` are those of `synthesize_master`.
+    `inputs` has the files of a job, one for each of the ``realizations`` of the settings:
+    ``short_masters`` and ``long_masters``, or ``scans`` and ``spectra``. `index` counts the
+    realizations from 0.
     """
-    scaled = replace(scan, heights=scan.heights * spectrum_data.attrs.get("height_factor", 1.0))
-    return synthesize_master(side, rng, scaled, settings, spectrum_of_dataset(spectrum_data))
+    if master_files := inputs.get(f"{side}_masters"):
+        return load_height_map(master_files[index])
+    scan = load_height_map(inputs.scans[index])
+    spectrum_data = read(inputs.spectra[index])
+    # A sampled spectrum has a factor on the heights of its scan.
+    heights = scan.heights * spectrum_data.attrs.get("height_factor", 1.0)
+    realization = settings["realizations"][index]
+    names = settings["surface"], realization, side, settings["stream"]
+    return synthesize_master(
+        side,
+        master_generator(settings["seed"], *names),
+        replace(scan, heights=heights),
+        settings["sides"][side],
+        spectrum_of_dataset(spectrum_data),
+    )
+
+
+def read_master_forces(
+    surfaces: Iterable[str], paths: Iterable[str], realizations: int, loading: str | None = None
+) -> xr.Dataset:
+    """Read the forces on filtered masters: one file or several for each surface.
+
+    Returns the variables of `add_force_ratios` (surface, realization, side, ...), up to the given
+    number of realizations. With the name of a `loading`, there are no dimensions of loading,
+    radius and range; the files then have a single radius and range.
+    """
+    files = read_all(zip(surfaces, count(), strict=False), paths)
+    forces = stack(concatenate(files, "realization", 1), ["surface"])
+    forces = forces.sel(realization=forces["realization"] <= realizations)
+    if loading is not None:
+        forces = forces.sel(loading=loading, drop=True).squeeze(["radius", "rho"], drop=True)
+        forces = forces.drop_vars("touching_area")
+    return add_force_ratios(forces)
+
+
+def add_force_ratios(forces: xr.Dataset) -> xr.Dataset:
+    """Return forces on masters, by growing cutoff, with their ratios to the unfiltered forces.
+
+    Added is ``filtered_force_ratio`` (..., cutoff_wavelength), the mean over contacts of
+    ``pull_off_force`` relative to that of ``unfiltered_pull_off_force``. It is NaN at cutoffs of
+    the other side. ``unfiltered_wavelength`` is the same for all realizations, and has no
+    dimension of them.
+    """
+    forces = forces.sortby("cutoff_wavelength")
+    contact_axes = [axis for axis in CONTACT_AXES if axis in forces.dims]
+    filtered = forces["pull_off_force"].mean(contact_axes)
+    unfiltered = forces["unfiltered_pull_off_force"].mean(contact_axes)
+    spectrum_end = forces["unfiltered_wavelength"]
+    realizations = [axis for axis in ("realization",) if axis in forces.dims]
+    return forces.assign(
+        filtered_force_ratio=(filtered / unfiltered).assign_attrs(DIMENSIONLESS),
+        unfiltered_wavelength=spectrum_end.max(realizations, keep_attrs=True),
+    )
+
+
+def add_spectrum_shifts(scales: xr.Dataset, sampled: xr.Dataset) -> xr.Dataset:
+    """Return forces on masters, and how they change with another spectrum that the scans permit.
+
+    `scales` has masters with the most likely spectra, `sampled` masters with sampled spectra and
+    the same random numbers. Added are ``log_ratio_shift`` and ``log_unfiltered_force_shift``, the
+    changes of the logarithms of ``filtered_force_ratio`` and of the mean unfiltered force. They
+    are NaN where there is no sampled spectrum.
+    """
+    unfiltered = "unfiltered_pull_off_force"
+    ratio = sampled["filtered_force_ratio"] / scales["filtered_force_ratio"]
+    mean = sampled[unfiltered].mean(CONTACT_AXES) / scales[unfiltered].mean(CONTACT_AXES)
+    shifts = xr.Dataset(
+        {"log_ratio_shift": np.log(ratio), "log_unfiltered_force_shift": np.log(mean)}
+    )
+    for shift in shifts.values():
+        shift.attrs = DIMENSIONLESS
+    return scales.merge(shifts, join="left", compat="no_conflicts")

@@ -11,17 +11,17 @@ import xarray as xr
 
 from hardcontact.base.statistics import ENDS, widen_interval, with_interval
 from hardcontact.base.units import DIMENSIONLESS, NM
-from hardcontact.inference.curve_edges import (
+from hardcontact.inference.edges import (
     ChangeCurve,
     Edge,
     EdgeStatus,
     edge_interval,
+    edge_variables,
     find_edge,
     logarithmic_limits,
     ordered_curve,
     shows_ripples,
 )
-from hardcontact.inference.edges import edge_variables
 from hardcontact.inference.scan_parts import logarithmic_interval
 from hardcontact.own.mean_forces import (
     MasterForces,

@@ -7,18 +7,21 @@ reliable wavelengths alone, because noise, tip and levelling distort the others.
 import math
 import re
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
 import xarray as xr
 
+from hardcontact.base.arrays import generator
 from hardcontact.base.units import parse_quantity
 from hardcontact.config.faults import quote_key
 from hardcontact.config.tables import Row, UserTable, parse_number, user_table
+from hardcontact.scans.both_bodies import combine_maps, combine_spectra
 from hardcontact.scans.defects import defect_sentence, scan_with_defects
 from hardcontact.scans.heights import LENGTH_BOUNDS, TAKE_CARE, split_notes
-from hardcontact.scans.joined_spectrum import joined_spectrum, reliable_spectrum
+from hardcontact.scans.joined_spectrum import ScanSpectrum, joined_spectrum, reliable_spectrum
 from hardcontact.scans.measured_spectrum import ENOUGH_MODES, isotropic_from_profile
 from hardcontact.scans.plain_text import ROW
 from hardcontact.scans.reading import DEFAULT_OPTIONS, ReadingOptions, list_scans, read_scan
@@ -28,7 +31,7 @@ from hardcontact.scans.scan_pairs import (
     find_contradictions,
     repeated_scans,
 )
-from hardcontact.surfaces.height_map import HeightMap
+from hardcontact.surfaces.height_map import HeightMap, mirror_in_float32
 from hardcontact.surfaces.metrics import metrics
 from hardcontact.surfaces.spectrum import Spectrum
 
@@ -106,6 +109,35 @@ def read_own_spectrum(
 def spectrum_of_map(scan: HeightMap) -> OwnSpectrum:
     """Return the spectrum of a map at its reliable wavelengths; the map is levelled once more."""
     return _spectrum_of_scans([scan_with_defects(scan)])
+
+
+def add_sphere(surface: OwnSpectrum, sphere: OwnSpectrum, seed: int) -> OwnSpectrum:
+    """Return the sum of both spectra, and of both maps if each body has a single one.
+
+    The seed decides which positions of the maps meet. Raises ValueError for a table.
+    """
+    substrate_spectrum, sphere_spectrum = surface.spectrum, sphere.spectrum
+    if not isinstance(substrate_spectrum, ScanSpectrum) or not isinstance(
+        sphere_spectrum, ScanSpectrum
+    ):
+        raise ValueError("--sphere: expected scans of both bodies, found a table of a spectrum")
+    joined = combine_spectra(substrate_spectrum.joined, sphere_spectrum.joined)
+    notes = surface.notes + sphere.notes
+    scans = surface.scans + sphere.scans
+    if len(scans) > 2 or any(scan.kind != "map" for scan in scans):
+        skewness = max(substrate_spectrum.skewness, sphere_spectrum.skewness, key=abs)
+        return OwnSpectrum(reliable_spectrum(joined, skewness), notes, scans)
+    combined_map = _sum_of_maps(*scans, seed=seed)
+    spectrum = reliable_spectrum(joined, metrics(combined_map)["skewness"])
+    return OwnSpectrum(spectrum, notes, (combined_map,), scans)
+
+
+def _sum_of_maps(substrate: HeightMap, sphere: HeightMap, *, seed: int) -> HeightMap:
+    """Return the levelled map of a substrate with the roughness of the sphere."""
+    rng = generator(seed, "both bodies")
+    mirrored = combine_maps(rng, mirror_in_float32(substrate), mirror_in_float32(sphere))
+    heights = mirrored.heights[: substrate.pixels, : substrate.pixels]
+    return replace(substrate, heights=heights, defects={**sphere.defects, **substrate.defects})
 
 
 def _spectrum_of_table(path: str | Path) -> OwnSpectrum:

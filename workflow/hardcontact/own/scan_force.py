@@ -1,4 +1,4 @@
-"""The force summed over the pixels of the user's only map, and whether the closed form agrees.
+"""The force on the user's only map and its strongest octaves, summed over pixels or in closed form.
 
 The closed form takes Gaussian heights. The sum over the map takes none, and shows where the closed
 form fails.
@@ -10,23 +10,29 @@ from dataclasses import replace
 from enum import StrEnum
 
 import numpy as np
+import xarray as xr
 
+from hardcontact.base.arrays import Floats
 from hardcontact.base.number import Number, numbers_by_name
-from hardcontact.config.keys import ContactKeys, Study
 from hardcontact.config.study_plan import POSITION_CONTACTS_PER_ROW, SPHERE_POSITIONS
 from hardcontact.contact.contact import (
     LARGE_SIZE_RATIO,
     PLASTIC,
     Contact,
-    Grid,
     finite_scan_ratio,
-    minimum_range,
-    periods_in_window,
 )
 from hardcontact.contact.geometry import join_bodies, spheres_at_positions
 from hardcontact.contact.hertz_jkr_dmt import limit_forces
 from hardcontact.contact.pull_off import make_force_function
 from hardcontact.contact.scan_pull_off import pull_off_on_spheres
+from hardcontact.inference.octaves import (
+    AMPLITUDE_FACTORS,
+    OCTAVE_LIMITS,
+    STEP,
+    have_middle_within,
+    octave_forces,
+    strongest_octaves,
+)
 from hardcontact.own.hindcast import pixel_factor, widen_pixels
 from hardcontact.own.mean_forces import (
     SurfaceForces,
@@ -35,21 +41,15 @@ from hardcontact.own.mean_forces import (
     position_half_width,
 )
 from hardcontact.own.own_spectrum import OwnSpectrum
-from hardcontact.own.scan_window import window_on_scans
+from hardcontact.own.scan_contact import Obstacle, contact_on_scan, find_obstacle
 from hardcontact.scans.joined_spectrum import ScanSpectrum
 from hardcontact.surfaces.height_map import HeightMap, mirror_in_float32
 from hardcontact.surfaces.spectrum import Spectrum, measured_psds
 from hardcontact.theory.closed_form import closed_form, smooth_force
-from hardcontact.theory.prediction import EDGE_NAMES, prediction
+from hardcontact.theory.prediction import EDGE_NAMES, prediction, trim_spectrum
 from hardcontact.theory.summits import search_size
 from hardcontact.theory.validity import Validity, is_validated, nearest_errors, table_coordinates
 
-#: Contacts per row of their array, as in the paper.
-CONTACTS_PER_ROW = ContactKeys().contacts_per_row
-#: Largest number of pixels per row of a scan, and of pixels in contact, summed over contacts, force
-#: sums and mirrored scans in the window: both keep the time below a few seconds.
-MAX_QUICK_PIXELS = 2048
-MAX_QUICK_CONTACT_PIXELS = 2**23
 #: Names of the forces and edges in closed form, which have intervals, also for the extrapolated
 #: spectrum.
 CLOSED_FORM_NAMES = [
@@ -57,14 +57,6 @@ CLOSED_FORM_NAMES = [
     for prefix, force in (("", "closed_form_force"), ("extrapolated_", "force"))
     for name in (force, *EDGE_NAMES)
 ]
-
-
-class Obstacle(StrEnum):
-    """Why scans give no force: the range of adhesion may be too short for pixels or relief."""
-
-    NONE = ""
-    NO_MAP, SEVERAL_SCANS = "no_map", "several_scans"
-    TOO_LARGE, SHORT_RANGE = "too_large", "short_range"
 
 
 class ScanSize(StrEnum):
@@ -82,15 +74,25 @@ class Agreement(StrEnum):
     AGREES, NOT_GAUSSIAN, OUTSIDE = "agrees", "not_gaussian", "outside"
 
 
+class OctaveStatus(StrEnum):
+    """Whether an octave matters to the sum over a scan, or to the closed form."""
+
+    ON_SCAN, IN_CLOSED_FORM = "on_scan", "closed_form"
+
+
 def prediction_and_scan_force(
-    own_spectrum: OwnSpectrum, contact: Contact, tolerance: float, name: str = "spectrum"
+    own_spectrum: OwnSpectrum,
+    contact: Contact,
+    tolerance: float,
+    confidence: float,
+    name: str = "spectrum",
 ) -> dict[str, Number]:
     """Return the numbers of the closed form for a spectrum, and of the force on its only map.
 
     If the closed form disagrees with the force on the map, its numbers lose their intervals.
     """
     numbers = prediction(own_spectrum.spectrum, contact, tolerance, name)
-    scan_numbers = force_on_scan(own_spectrum, contact, Study().inference.confidence)
+    scan_numbers = force_on_scan(own_spectrum, contact, confidence)
     form = scan_numbers.get("closed_form_on_scan")
     if form is not None and form.status != Agreement.AGREES:
         for quantity in numbers.keys() & set(CLOSED_FORM_NAMES):
@@ -110,7 +112,7 @@ def force_on_scan(
     spectrum, _, scans, bodies = own_spectrum
     if not (scans and isinstance(spectrum, ScanSpectrum)):
         return {}
-    status, shortest_range = reason_without_force(scans, contact)
+    status, shortest_range = find_obstacle(scans, contact)
     if not status:
         search_width = search_size(spectrum.extrapolated(), contact.radius, contact.area)
         numbers = _scan_force_numbers(scans[0], bodies, contact, search_width, confidence)
@@ -119,37 +121,6 @@ def force_on_scan(
     if status == Obstacle.SHORT_RANGE:
         no_force["shortest_range"] = Number("shortest_range", shortest_range, "nm")
     return no_force
-
-
-def reason_without_force(
-    scans: Sequence[HeightMap], contact: Contact, sums: int = 1
-) -> tuple[Obstacle, float]:
-    """Return why levelled scans give no force, NONE if they do, and the shortest range (nm).
-
-    The range is the shortest that a single map resolves. `sums` is the number of force sums
-    on this map; it multiplies the time.
-    """
-    if not any(scan.kind == "map" for scan in scans):
-        return Obstacle.NO_MAP, math.nan
-    if len(scans) > 1:
-        return Obstacle.SEVERAL_SCANS, math.nan
-    (scan,) = scans
-    window = contact_on_scan(scan, contact).window
-    contact_pixels = contact.pixel_count(scan.pixel_size) * periods_in_window(window, scan.size)
-    contact_pixels *= CONTACTS_PER_ROW**2 * sums
-    if scan.pixels > MAX_QUICK_PIXELS or contact_pixels > MAX_QUICK_CONTACT_PIXELS:
-        return Obstacle.TOO_LARGE, math.nan
-    grid = Grid(scan.pixels, scan.pixel_size, scan.size, float(np.ptp(scan.heights)))
-    shortest_range, _ = minimum_range(contact.radius, window, grid)
-    return Obstacle.SHORT_RANGE if contact.rho < shortest_range else Obstacle.NONE, shortest_range
-
-
-def contact_on_scan(scan: HeightMap, contact: Contact) -> Contact:
-    """Return a contact with the window and the array that a study of a scan would have."""
-    window, _ = window_on_scans(
-        float(scan.heights.std()), scan.pixel_size, scan.size, contact.radius, contact.rho
-    )
-    return replace(contact, window=window, contacts_per_row=CONTACTS_PER_ROW)
 
 
 def _surface_forces(
@@ -238,3 +209,53 @@ def _closed_form_number(
         status = Agreement.OUTSIDE
     interval = (low, high) if status == Agreement.AGREES else (math.nan, math.nan)
     return Number("closed_form_on_scan", form.force, "N", *interval, status)
+
+
+def predicted_octaves(own_spectrum: OwnSpectrum, contact: Contact) -> Iterator[Number]:
+    """Yield the octaves that matter most to the force, if the user's files show their middles.
+
+    They have the status ON_SCAN if a single map permits contacts, otherwise IN_CLOSED_FORM.
+    The closed form takes Gaussian heights, and yields none for scans with steep sidewalls.
+    """
+    spectrum = trim_spectrum(own_spectrum.spectrum)
+    longest, shortest = spectrum.wavelength[[0, -1]]
+    octaves = OCTAVE_LIMITS[have_middle_within(OCTAVE_LIMITS, shortest, longest)]
+    scans = own_spectrum.scans
+    obstacle, _ = find_obstacle(scans, contact, len(AMPLITUDE_FACTORS) * len(octaves))
+    if len(octaves) and not obstacle:
+        derivatives = derivatives_on_scan(scans[0], octaves, contact)
+        status = OctaveStatus.ON_SCAN
+    elif any("sidewalls" in scan.defects for scan in scans):
+        return
+    else:
+        derivatives = derivatives_in_closed_form(spectrum, octaves, contact)
+        status = OctaveStatus.IN_CLOSED_FORM
+    sensitivity = xr.Dataset({"octave_sensitivity": ("octave", derivatives)}, {"octave": octaves})
+    for number in strongest_octaves(sensitivity):
+        yield number._replace(status=status)
+
+
+def derivatives_on_scan(scan: HeightMap, octaves: Floats, contact: Contact) -> Floats:
+    """Return d ln F / d ln a (octave,) of the mean force sum over contacts on a levelled map.
+
+    The octaves follow each other; they are given by their shortest wavelengths (nm).
+    """
+    limits = [*octaves, 2 * octaves[-1]]
+    compute_forces = make_force_function(contact_on_scan(scan, contact))
+    forces = octave_forces(mirror_in_float32(scan), limits, compute_forces).mean(axis=(-2, -1))
+    return np.asarray(np.log(forces[:, 1] / forces[:, 0]) / (2 * STEP))
+
+
+def derivatives_in_closed_form(spectrum: Spectrum, octaves: Floats, contact: Contact) -> Floats:
+    """Return d ln F / d ln a (octave,) of the closed form for a spectrum."""
+    wavelength = spectrum.wavelength
+
+    def log_force(octave: float, factor: float) -> float:
+        """Return the logarithm of the force with the amplitude of one octave times a factor."""
+        is_inside = (octave <= wavelength) & (wavelength < 2 * octave)
+        density = spectrum.density * np.where(is_inside, factor**2, 1.0)
+        return float(np.log(closed_form(Spectrum(spectrum.wavevector, density), contact).force))
+
+    weak, strong = AMPLITUDE_FACTORS
+    changes = [log_force(octave, strong) - log_force(octave, weak) for octave in octaves]
+    return np.array(changes) / (2 * STEP)

@@ -14,14 +14,15 @@ from hardcontact.base.dataset import stack
 from hardcontact.base.statistics import Sampling, student_log_samples
 from hardcontact.base.units import DIMENSIONLESS, NM
 from hardcontact.contact.contact import CONTACT_MODELS, PLASTIC, RIGID
-from hardcontact.inference.curve_edges import (
+from hardcontact.inference.edges import (
+    MEAN_GROUP,
     ChangeCurve,
+    edge_variables,
     find_edge,
     interpolate_edge,
     logarithmic_limits,
     ordered_curve,
 )
-from hardcontact.inference.edges import MEAN_GROUP, edge_variables
 
 RATIO_AXES = ("side", "surface", "cutoff_wavelength")
 
@@ -116,8 +117,8 @@ def _sampled_edges(curve: ChangeCurve, sampled_values: Floats) -> Floats:
 def compute_edge_shifts(forces: xr.Dataset, tolerance: float, sampling: Sampling) -> xr.Dataset:
     """Return the edges of plastic and rigid contact at each range of adhesion, and their shifts.
 
-    Forces come from `stack_masters`, with one radius and two loadings. ``edge_shift`` (cause, side,
-    group) is the edge of plastic contact at the longest range, relative to rigid contact
+    Forces come from `read_master_forces`, with one radius and two loadings. ``edge_shift`` (cause,
+    side, group) is the edge of plastic contact at the longest range, relative to rigid contact
     (``"plasticity"``) or to the shortest range (``"range"``).
     """
     sorted_forces = forces.squeeze("radius", drop=True).sortby("contact_area")

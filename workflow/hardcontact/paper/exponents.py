@@ -12,7 +12,7 @@ from hardcontact.base.arrays import Floats
 from hardcontact.base.statistics import jackknife_interval, student_interval, with_interval
 from hardcontact.base.units import DIMENSIONLESS
 from hardcontact.contact.contact import CONTACT_AXES
-from hardcontact.inference.curve_edges import find_edge, logarithmic_limits, ordered_curve
+from hardcontact.inference.edges import find_edge, logarithmic_limits, ordered_curve
 
 #: Quantities whose square roots are these lengths, in the order of the fitted exponents.
 SCALED_QUANTITIES = ["radius", "contact"]
@@ -21,7 +21,7 @@ SCALED_QUANTITIES = ["radius", "contact"]
 def force_exponent(forces: xr.Dataset, contact_area: float, confidence: float) -> xr.Dataset:
     """Return the exponent of the radius in the mean force on unfiltered masters with long waves.
 
-    Forces come from `stack_masters`, at the nearest contact area (nm²). The fit is by least
+    Forces come from `read_master_forces`, at the nearest contact area (nm²). The fit is by least
     squares of ln F against ln R, the interval is over realizations.
     """
     long_wave_forces = forces["unfiltered_pull_off_force"].sel(side="long")
@@ -39,8 +39,8 @@ def force_exponent(forces: xr.Dataset, contact_area: float, confidence: float) -
 def edge_exponents(forces: xr.Dataset, tolerance: float, confidence: float) -> xr.Dataset:
     """Return the exponents with which both edges follow the square roots of SCALED_QUANTITIES.
 
-    Forces come from `stack_masters`. ``edge_exponent`` (surface, side, exponent_of) is fitted by
-    least squares to all edges that are found; its interval is the jackknife's over realizations.
+    Forces come from `read_master_forces`. ``edge_exponent`` (surface, side, exponent_of) is fitted
+    by least squares to all edges that are found; its interval is the jackknife's over realizations.
     """
     exponents = _fit_all_exponents(forces, tolerance)
     count = forces.sizes["realization"]

@@ -44,7 +44,7 @@ class SetInputs(NamedTuple):
     samples: Mapping[str, Mapping[str, xr.Dataset]]  #: By substrate with features and their kind.
     #: (contact_model, surface, rho) force on the rough sphere relative to a smooth sphere.
     sphere_factor: xr.DataArray
-    masters: xr.Dataset  #: From `stack_masters` at one load.
+    masters: xr.Dataset  #: From `read_master_forces` at one load.
 
 
 class SetSettings(NamedTuple):

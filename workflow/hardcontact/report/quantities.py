@@ -9,7 +9,7 @@ import xarray as xr
 from hardcontact.base.formatting import PRINTED_UNITS, format_as_paper, format_quantity
 from hardcontact.base.number import Number, NumberStatus
 from hardcontact.base.statistics import interval_ends
-from hardcontact.inference.curve_edges import EdgeStatus
+from hardcontact.inference.edges import EdgeStatus
 from hardcontact.inference.scan_parts import IntervalSource
 
 

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from hardcontact.base.number import Number, NumberStatus
-from hardcontact.inference.curve_edges import EdgeStatus
+from hardcontact.inference.edges import EdgeStatus
 from hardcontact.report.answer import numbers_of_answer
 from hardcontact.report.quantities import NO_INTERVAL_WORDS
 

@@ -21,7 +21,7 @@ from scipy import special
 from hardcontact.base.arrays import Floats
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.hertz_jkr_dmt import dmt_pull_off, smooth_pull_off
-from hardcontact.inference.curve_edges import interpolate_edge, logarithmic_limits
+from hardcontact.inference.edges import interpolate_edge, logarithmic_limits
 from hardcontact.surfaces.spectrum import Spectrum
 from hardcontact.theory.summits import (
     ApexDistribution,

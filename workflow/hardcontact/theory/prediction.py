@@ -15,7 +15,7 @@ from hardcontact.base.arrays import Floats
 from hardcontact.base.formatting import format_length
 from hardcontact.base.number import Number, numbers_by_name
 from hardcontact.contact.contact import Contact
-from hardcontact.inference.curve_edges import EdgeStatus
+from hardcontact.inference.edges import EdgeStatus
 from hardcontact.scans.joined_spectrum import ScanSpectrum
 from hardcontact.scans.measured_spectrum import CALIBRATION_SCATTER
 from hardcontact.scans.tail import TailEnd, extrapolate_short_waves, fit_hurst_exponent

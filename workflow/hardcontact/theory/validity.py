@@ -22,7 +22,7 @@ from hardcontact.contact.hertz_jkr_dmt import (
     pull_off_coefficient,
     tabor_parameter,
 )
-from hardcontact.inference.curve_edges import EdgeStatus
+from hardcontact.inference.edges import EdgeStatus
 from hardcontact.surfaces.spectrum import Spectrum, peak_wavelength
 from hardcontact.theory.closed_form import ClosedForm, contact_term
 

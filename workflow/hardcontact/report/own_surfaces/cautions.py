@@ -11,7 +11,7 @@ import xarray as xr
 from hardcontact.base.number import Number, numbers_by_name
 from hardcontact.contact.contact import MIN_WINDOW_SHARE, SMALLEST_SIZE_RATIO
 from hardcontact.contact.hertz_jkr_dmt import STRONGEST_WORK
-from hardcontact.inference.curve_edges import EdgeStatus
+from hardcontact.inference.edges import EdgeStatus
 from hardcontact.inference.scan_parts import IntervalSource
 from hardcontact.report.own_surfaces import spectrum_cautions
 from hardcontact.report.own_surfaces.datasets import (

@@ -9,8 +9,7 @@ import xarray as xr
 
 from hardcontact.base.number import Number, NumberStatus
 from hardcontact.base.statistics import interval_ends
-from hardcontact.inference.curve_edges import EdgeStatus
-from hardcontact.inference.edges import computed_cutoffs
+from hardcontact.inference.edges import EdgeStatus, computed_cutoffs
 from hardcontact.inference.scan_parts import IntervalSource
 from hardcontact.report.own_surfaces.datasets import (
     NEARLY_ALL,

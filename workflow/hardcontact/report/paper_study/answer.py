@@ -13,8 +13,7 @@ from hardcontact.base.statistics import interval_ends, percentile_interval
 from hardcontact.config.configuration import numeric_configuration
 from hardcontact.contact.contact import PLASTIC
 from hardcontact.files.master_purposes import SHORT_ADHESION_RANGE
-from hardcontact.inference.curve_edges import EdgeStatus
-from hardcontact.inference.edges import MEAN_GROUP, edges_or_bounds
+from hardcontact.inference.edges import MEAN_GROUP, EdgeStatus, edges_or_bounds
 from hardcontact.inference.fit import WITHOUT_SURFACE
 from hardcontact.inference.octaves import strongest_octaves
 from hardcontact.paper.verdicts import count_verdicts, find_open_end, interval_with_sets

@@ -6,7 +6,7 @@ from measurements import UNCD
 
 import hardcontact as hc
 from hardcontact.base.arrays import generator
-from hardcontact.inference.curve_edges import (
+from hardcontact.inference.edges import (
     ChangeCurve,
     edge_interval,
     find_edge,

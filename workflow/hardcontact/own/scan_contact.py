@@ -1,0 +1,93 @@
+"""Contacts on the user's scans: the window of each, and whether a force can be summed quickly."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+from enum import StrEnum
+
+import numpy as np
+
+from hardcontact.base.formatting import round_with
+from hardcontact.config.limits import MAX_MAP_PIXELS
+from hardcontact.contact.contact import Contact, Grid, minimum_range, periods_in_window
+from hardcontact.surfaces.height_map import HeightMap
+
+#: Height of the sphere above its apex at the border of the window, relative to the range of
+#: adhesion (14 in the paper, where the attraction has fallen by exp(-14)) and to the rms height.
+BORDER_HEIGHT_IN_RANGES = 14
+BORDER_HEIGHT_IN_RMS = 4
+#: Largest number of mirrored scans per row of the window: more only repeat the same summits.
+MAX_MIRRORED_SCANS = 10
+#: Largest number of pixels per row of a scan, and of pixels in contact, summed over contacts, force
+#: sums and mirrored scans in the window: both keep the time below a few seconds.
+MAX_QUICK_PIXELS = 2048
+MAX_QUICK_CONTACT_PIXELS = 2**23
+
+
+class Obstacle(StrEnum):
+    """Why scans give no force: the range of adhesion may be too short for pixels or relief."""
+
+    NONE = ""
+    NO_MAP, SEVERAL_SCANS = "no_map", "several_scans"
+    TOO_LARGE, SHORT_RANGE = "too_large", "short_range"
+
+
+def window_on_scans(
+    rms_height: float, min_pixel_size: float, min_scan_size: float, radius: float, rho: float
+) -> tuple[float, str]:
+    """Return the width of a window (nm), and the reason.
+
+    All lengths are in nm: the largest rms height, the finest pixels and the smallest size of the
+    scans, the radius of the sphere and the range of adhesion.
+    """
+    height = BORDER_HEIGHT_IN_RANGES * rho
+    height_words = f"{BORDER_HEIGHT_IN_RANGES} ranges of adhesion"
+    if BORDER_HEIGHT_IN_RMS * rms_height > height:
+        height = BORDER_HEIGHT_IN_RMS * rms_height
+        height_words = f"{BORDER_HEIGHT_IN_RMS} rms heights"
+    window, reason = min(
+        (
+            2 * math.sqrt(2 * radius * height),
+            f"at its border the sphere is {height_words} above its apex",
+        ),
+        (
+            MAX_MAP_PIXELS * min_pixel_size,
+            f"{MAX_MAP_PIXELS} pixels of the scans, the most that are computed",
+        ),
+        (
+            2 * MAX_MIRRORED_SCANS * min_scan_size,
+            f"{MAX_MIRRORED_SCANS} mirrored scans, which all have the same summits",
+        ),
+    )
+    return round_with(math.floor, window), reason
+
+
+def contact_on_scan(scan: HeightMap, contact: Contact) -> Contact:
+    """Return a contact with the window that a study of a scan would have."""
+    window, _ = window_on_scans(
+        float(scan.heights.std()), scan.pixel_size, scan.size, contact.radius, contact.rho
+    )
+    return replace(contact, window=window)
+
+
+def find_obstacle(
+    scans: Sequence[HeightMap], contact: Contact, sums: int = 1
+) -> tuple[Obstacle, float]:
+    """Return why levelled scans give no force, NONE if they do, and the shortest range (nm).
+
+    The range is the shortest that a single map resolves. `sums` is the number of force sums
+    on this map; it multiplies the time.
+    """
+    if not any(scan.kind == "map" for scan in scans):
+        return Obstacle.NO_MAP, math.nan
+    if len(scans) > 1:
+        return Obstacle.SEVERAL_SCANS, math.nan
+    (scan,) = scans
+    window = contact_on_scan(scan, contact).window
+    contact_pixels = contact.pixel_count(scan.pixel_size) * periods_in_window(window, scan.size)
+    contact_pixels *= contact.contacts_per_row**2 * sums
+    if scan.pixels > MAX_QUICK_PIXELS or contact_pixels > MAX_QUICK_CONTACT_PIXELS:
+        return Obstacle.TOO_LARGE, math.nan
+    grid = Grid(scan.pixels, scan.pixel_size, scan.size, float(np.ptp(scan.heights)))
+    shortest_range, _ = minimum_range(contact.radius, window, grid)
+    return Obstacle.SHORT_RANGE if contact.rho < shortest_range else Obstacle.NONE, shortest_range
