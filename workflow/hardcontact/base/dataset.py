@@ -104,7 +104,7 @@ def describe(dataset: xr.Dataset, meanings: Mapping[str, str]) -> xr.Dataset:
 def read(path: str | Path) -> xr.Dataset:
     """Read a dataset into memory, without its encoding.
 
-    The encoding fixes the length of texts: longer texts that are joined to them would be cut.
+    The encoding fixes the length of texts: it would cut longer texts that are joined to them.
     Raises ValueError if the file is missing, damaged or truncated.
     """
     try:

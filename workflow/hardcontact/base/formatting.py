@@ -60,7 +60,7 @@ def format_value_and_ends(value: float, low: float, high: float, *limits: float)
 def _format_down_to(last_digit: float, number: float, limits: Sequence[float] = ()) -> str:
     """Return a number rounded to the decimal place of `last_digit`: 0.03 keeps hundredths.
 
-    Further digits follow until it is on its side of all limits that are not NEAR it.
+    Further digits follow until rounding moves it across no limit, except limits NEAR it.
     """
     exponent = math.floor(math.log10(last_digit))
     text = f"{round(number, -exponent):z.{max(-exponent, 0)}f}"

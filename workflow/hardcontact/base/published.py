@@ -64,7 +64,7 @@ def surfaces_of_table1() -> set[str]:
 def rows_of_surface(table1: pd.DataFrame, surface: str) -> pd.DataFrame:
     """Return value and uncertainty of a surface in Table 1, by quantity; empty if it is not there.
 
-    Slopes of Table 1 are read as rms gradients, its curvatures as half rms Laplacians.
+    Slopes of Table 1 are read as rms gradients, curvatures as half rms Laplacians.
     """
     return table1[table1["surface"] == surface].set_index("quantity")
 

@@ -22,7 +22,7 @@ from hardcontact.surfaces.spectrum import (
     spectrum_of_dataset,
 )
 
-#: Ratio of the longest wavelength in a bin to its centre; there are ten bins a decade.
+#: Ratio of the longest wavelength in a bin to the one at its centre; a decade has ten bins.
 HALF_BIN = 10**0.05
 
 
@@ -40,7 +40,7 @@ def combine_maps(rng: np.random.Generator, substrate: HeightMap, sphere: HeightM
 
 
 def _resample(surface: HeightMap, pixel_size: float) -> HeightMap:
-    """Return a periodic map on pixels of about this size (nm), without waves too short for them."""
+    """Return a periodic map on pixels of about this size (nm), without waves shorter than two."""
     pixels = round(surface.size / pixel_size)
     if pixels < surface.pixels:
         surface = lowpass(surface, surface.size / (pixels // 2 - 1))
@@ -119,7 +119,7 @@ def sphere_share(spectra: xr.Dataset, wavelength: float) -> float:
 
 
 def combine_sampled_spectra(substrate: xr.Dataset, sphere: xr.Dataset) -> xr.Dataset:
-    """Return the sum of two sampled spectra; its height factor is the weighted rms of theirs."""
+    """Return the sum of two sampled spectra, and the rms of the height factors, by variance."""
     bodies = (substrate, sphere)
     variances = [all_scales_rms(spectrum_of_dataset(body))[0] ** 2 for body in bodies]
     squared_factors = [float(body.attrs["height_factor"]) ** 2 for body in bodies]

@@ -103,7 +103,7 @@ def scan_defects(
 def scan_with_defects(
     scan: HeightMap, sphere_radius: float | None = None, levelling: str = "plane"
 ) -> HeightMap:
-    """Return a scan from `remove_form`, with its defects."""
+    """Return a levelled scan with its defects, without the sphere of a radius (nm) if given."""
     flat = remove_form(scan, sphere_radius, levelling)
     return replace(flat, defects=scan_defects(scan.heights, flat.heights, scan.pixel_size))
 

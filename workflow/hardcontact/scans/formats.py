@@ -50,8 +50,8 @@ def read_fields(
     _refuse_without_unit_or_size(topography)
     notes += channel_notes
     if used_metadata:
-        origin = "stated by the container" if entry else "given by the user"
-        notes.append(f"{', '.join(used_metadata)} ({origin})".replace("_", " "))
+        source = "stated by the container" if entry else "given by the user"
+        notes.append(f"{', '.join(used_metadata)} ({source})".replace("_", " "))
     if mask == "keep" and isinstance(reader, GWYReader):
         topography, mask_notes = _keep_marked_pixels(topography)
         notes += mask_notes
@@ -136,7 +136,7 @@ def _user_metadata(channel: Any, unit: str, map_size: float | str) -> dict[str, 
 
 
 def _read_topography(channel: Any, metadata: dict[str, Any]) -> tuple[Any, list[str]]:
-    """Return the topography of a channel, and in words the metadata that complete its file."""
+    """Return the topography of a channel, and the metadata that complete its file, in words."""
     is_text = isinstance(channel.reader, AscReader)
     if is_text and channel.physical_sizes is None and channel.nb_grid_pts[0] <= POINT_COLUMNS:
         raise RefusedFile(
@@ -176,7 +176,7 @@ def _read_topography(channel: Any, metadata: dict[str, Any]) -> tuple[Any, list[
 def _accepted_arguments(channel: Any, metadata: dict[str, Any]) -> dict[str, Any]:
     """Return the metadata that the file itself lacks, by argument.
 
-    A second height scale would scale twice.
+    A height scale of the file and another one would scale twice.
     """
     arguments: dict[str, Any] = {}
     for argument, key in KEY_BY_ARGUMENT.items():
@@ -248,10 +248,10 @@ def _unit_in_words(channel: Any) -> str:
 def stated_tip_radius(
     file: dict[str, Any], container: dict[str, Any]
 ) -> tuple[float | None, list[str]]:
-    """Return the radius of the tip in nm, and a note on its source; None if it is not stated.
+    """Return the radius of the tip in nm, and a note that says who states it; None if nobody does.
 
     The file has precedence over its container, and a number over words. The largest radius in words
-    counts, since tips wear and a worn tip limits the scan.
+    counts, because a worn tip limits the scan.
     """
     for source, metadata in (("file", file), ("container", container)):
         radius = _radius_in_numbers(metadata)

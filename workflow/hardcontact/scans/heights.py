@@ -23,10 +23,10 @@ LENGTH_BOUNDS = (1e-3, 1e7)
 MAX_ASPECT_DEVIATION = 1e-3
 #: Share of undefined pixels beyond which a scan is more filled than measured.
 MAX_UNDEFINED_SHARE = 0.5
-#: Least length of a strip in widths: its central square leaves most of it out.
+#: Least length of a strip, in widths: the central square that is read is at most half of it.
 MIN_STRIP_LENGTH = 2
-#: The largest mean slope: no tip follows 84 degrees; heights read from a wrong place in a file
-#: are steeper.
+#: The largest mean slope: no tip follows 84 degrees. Heights that a reader takes from a wrong place
+#: in a file are steeper.
 MAX_MEAN_SLOPE = 10
 #: Begins a note that is a caution.
 TAKE_CARE = "take care: "

@@ -1,8 +1,8 @@
 """C_iso of one scan, a map or a line scan, with the number of independent modes and local slopes.
 
-C_iso of a surface follows from C_1D of its profiles by an inverse Abel transform (Bracewell, The
-Fourier Transform and Its Applications): the integral of minus the derivative of 2 C_1D at p over
-the root of p² - q², from p = q to infinity.
+C_iso (nm⁴) is the isotropic power spectral density of a surface, C_1D (nm³) that of profiles along
+lines. C_iso follows from the slope of C_1D at all larger wavevectors by an inverse Abel transform
+(Bracewell, The Fourier Transform and Its Applications).
 """
 
 from dataclasses import replace
@@ -149,6 +149,7 @@ def _inverse_abel(log_q: Floats, log_density: Floats, last_slope: float) -> Floa
     segment = np.clip(np.searchsorted(log_q, log_p, side="right") - 1, 0, len(log_q) - 1)
     slope = slopes[segment]
     profile = np.exp(log_density[segment] + slope * (log_p - log_q[segment]))
-    # dp / sqrt(p² - q²) = du, and C_1D' = slope C_1D / p.
+    # C_iso(q) = -2 ∫_q^∞ C_1D'(p) / sqrt(p² - q²) dp with dp / sqrt(p² - q²) = du, and with
+    # C_1D' = slope C_1D / p.
     integrand = -slope * profile / np.exp(log_p)
     return np.asarray(2 * np.trapezoid(integrand, INTEGRATION_POINTS, axis=1))

@@ -27,11 +27,11 @@ from hardcontact.surfaces.height_map import HeightMap
 
 #: The largest file in bytes: four times a map of 8192 x 8192 pixels in single precision.
 MAX_FILE_BYTES = 2**30
-#: Bytes of memory of the child: the maximum, the part for any file, the part for each byte of it.
+#: Memory of the child in bytes: the maximum, the basic amount, and the amount for each byte read.
 MAX_MEMORY = 4 * 2**30
 SMALL_FILE_MEMORY = 2**29
 MEMORY_PER_BYTE = 200
-#: Processor time of the child in s: the maximum, for any file, for each 2**20 bytes of a file.
+#: Processor time of the child in s: the maximum, the basic time, and the time for 2**20 bytes read.
 MAX_SECONDS = 120
 SMALL_FILE_SECONDS = 2
 SECONDS_PER_MEGABYTE = 10
