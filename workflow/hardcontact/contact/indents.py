@@ -15,11 +15,11 @@ from hardcontact.base.dataset import stack, variables_of_columns
 from hardcontact.base.units import NEWTON, NM
 from hardcontact.contact.bearing_area import ContactPixels, all_contact_pixels
 from hardcontact.contact.contact import CONTACT_AXES, Contact
-from hardcontact.contact.geometry import Bodies, join_bodies
+from hardcontact.contact.geometry import Bodies, gaps_at, join_bodies
 from hardcontact.records.job import progress
 from hardcontact.surfaces.height_map import HeightMap
 
-#: Pixels on either side of the deepest pixel in the height map of one contact.
+#: Pixels on either side of the deepest pixel in the maps of one contact.
 MAP_HALF_WIDTH = 32
 
 INDENT_UNITS = {"depth": "nm", "equal_area_side": "nm", "longer_side": "nm", "indent_count": "1"}
@@ -31,7 +31,7 @@ def indent_sizes(pixels: ContactPixels, pixel_size: float) -> tuple[float, float
     The depth is the penetration of the deepest pixel. The sizes are the width of a square with the
     area of the largest indent, and the longer side of its bounding box.
     """
-    # The gaps ascend; the sphere comes down until the last of them is zero.
+    # The gaps ascend; the sphere comes down until the largest of them is zero.
     gaps, offsets = pixels
     indent, count = _label_connected(offsets)
     pixel_counts = np.bincount(indent)[indent]
@@ -40,19 +40,6 @@ def indent_sizes(pixels: ContactPixels, pixel_size: float) -> tuple[float, float
     equal_area_side = np.sqrt(len(largest_indent)) * pixel_size
     longer_side = (np.ptp(largest_indent, axis=0).max() + 1) * pixel_size
     return gaps[-1] - gaps[0], equal_area_side, longer_side, count
-
-
-def indentation_map(contact_pixels: ContactPixels, half_width: int) -> NDArray[np.float64]:
-    """Return the penetration (nm) of pixels up to `half_width` pixels from the deepest.
-
-    It is (2 half_width + 1, 2 half_width + 1), and zero out of contact.
-    """
-    gaps, offsets = contact_pixels
-    penetration = np.zeros((2 * half_width + 1,) * 2)
-    y, x = (offsets - offsets[0] + half_width).T
-    inside = (abs(y - half_width) <= half_width) & (abs(x - half_width) <= half_width)
-    penetration[y[inside], x[inside]] = (gaps[-1] - gaps)[inside]
-    return penetration
 
 
 def indents_of_scans(
@@ -117,20 +104,20 @@ def _median_contact(sizes: xr.Dataset) -> tuple[tuple[int, int], tuple[int, int]
 def _add_height_maps(
     sizes: xr.Dataset, bodies: Bodies, loaded_contacts: Sequence[Contact], index: tuple[int, int]
 ) -> xr.Dataset:
-    """Add maps of the indents of one contact at every preload, and of the sphere there."""
+    """Add maps of the penetration in one contact at every preload, and of the sphere there."""
+    steps = np.arange(-MAP_HALF_WIDTH, MAP_HALF_WIDTH + 1)
     pixels_by_load = [
         pixels.pixels_of_contact(index) for pixels in _pixels_by_load(bodies, loaded_contacts)
     ]
-    offsets = np.arange(-MAP_HALF_WIDTH, MAP_HALF_WIDTH + 1)
-    row, column = pixels_by_load[0].offsets[0]
-    position = offsets * bodies.geometry.pixel_size
+    deepest = pixels_by_load[0].offsets[0]
+    offsets = deepest + np.stack(np.meshgrid(steps, steps, indexing="ij"), axis=-1)
+    gap = gaps_at(bodies, bodies.geometry.apexes()[index], offsets)
+    indentation = [np.maximum(pixels.gaps[-1] - gap, 0) for pixels in pixels_by_load]
+    sphere_height = bodies.sphere(*(deepest[:, None] + steps))
+    position = steps * bodies.geometry.pixel_size
     return sizes.assign(
-        indentation=(
-            ("preload", "y", "x"),
-            np.array([indentation_map(pixels, MAP_HALF_WIDTH) for pixels in pixels_by_load]),
-            NM,
-        ),
-        sphere_height=(("y", "x"), bodies.sphere(row + offsets, column + offsets), NM),
+        indentation=(("preload", "y", "x"), np.array(indentation), NM),
+        sphere_height=(("y", "x"), sphere_height, NM),
     ).assign_coords(y=("y", position, NM), x=("x", position, NM))
 
 
