@@ -67,13 +67,6 @@ def test_an_absolute_value_has_the_interval_of_its_magnitudes(signed, absolute):
     assert (float(result.value), *ends(result)) == absolute
 
 
-def test_decades_are_those_between_the_smallest_and_the_largest_number():
-    values = xr.DataArray([1.0, 1000.0, 10.0], dims="surface")
-    decades = estimates.decades(as_estimate(values, values / 10, values * 10), "surface")
-    assert float(decades.value) == pytest.approx(3)
-    np.testing.assert_allclose(decades.value_interval, [1, 5])
-
-
 def test_a_number_that_is_zero_in_every_scan_is_zero():
     values = xr.DataArray([[0.0, 0.0, np.nan], [0.0, 0.1, 0.2]], dims=("surface", "scan"))
     low, high = interval_ends(estimates.mean_over_scans(values, 0.95), "value")

@@ -12,26 +12,26 @@ from small_pool import CONTACT, GRID, SUBSTITUTE
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import pull_off_dataset
 from hardcontact.paper.featured_samples import (
-    SampleInputs,
     compare_with_published,
     compute_samples,
     empty_comparison,
     sample_of_set,
 )
-from hardcontact.paper.published_fit import Pair, PublishedForces
+from hardcontact.paper.published_fit import PublishedForces
 from hardcontact.surfaces.featured_scans import FeaturedSurface, sample_group
 from hardcontact.surfaces.height_map import mirror_scan
 from hardcontact.surfaces.levelling import level
 from hardcontact.surfaces.metrics import metrics
 
 FEATURED = FeaturedSurface(replace(SUBSTITUTE, grid=GRID._replace(size=2500.0), seed=3), POLISHED)
-SAMPLE_SOURCES = SampleInputs(FEATURED, 2, CONTACT, [1.0, 5.6])
-PAIR = Pair(5.6, 0.05)
+RANGES = [1.0, 5.6]
+INPUTS = FEATURED, 2, CONTACT, RANGES
+PAIR = (5.6, 0.05)
 
 
 @pytest.fixture(scope="module")
 def samples():
-    return {kind: compute_samples(kind, [1, 2], SAMPLE_SOURCES) for kind in ("bumps", "pits")}
+    return {kind: compute_samples(kind, [1, 2], *INPUTS) for kind in ("bumps", "pits")}
 
 
 def test_forces_and_roughness_are_those_of_the_scans_of_the_draw(samples):
@@ -39,14 +39,14 @@ def test_forces_and_roughness_are_those_of_the_scans_of_the_draw(samples):
     scan = level(scans[1])
     sample = samples["pits"].sel(sample=2, scan=2)
     bodies = join_bodies(mirror_scan(scan), None, CONTACT)
-    forces = pull_off_dataset(bodies, CONTACT, SAMPLE_SOURCES.ranges)["pull_off_force"]
+    forces = pull_off_dataset(bodies, CONTACT, RANGES)["pull_off_force"]
     np.testing.assert_array_equal(sample["pull_off_force"], forces)
     assert sample["rms_height"].item() == metrics(scan)["rms_height"]
     assert sample["feature_width"].item() == features.width
 
 
 def test_a_sample_does_not_depend_on_the_other_samples(samples):
-    sample = compute_samples("bumps", [2], SAMPLE_SOURCES)
+    sample = compute_samples("bumps", [2], *INPUTS)
     xr.testing.assert_equal(sample.isel(sample=0), samples["bumps"].sel(sample=2))
 
 

@@ -10,7 +10,7 @@ from hardcontact.base.statistics import Sampling
 from hardcontact.contact.pull_off import interpolate_to_ranges
 from hardcontact.inference.fit import fit_range_and_work, mean_relative_error
 from hardcontact.paper import published_fit as fit
-from hardcontact.paper.published_fit import Pair, PublishedForces
+from hardcontact.paper.published_fit import PublishedForces
 
 SAMPLING = Sampling(1, 50, 0.95)
 
@@ -96,7 +96,7 @@ def make_adhesion(plastic):
     )
 
 
-PUBLISHED = PublishedForces(TABLE.iloc[::-1], Pair(5.0, 0.04), 0.1, 30e-9)  # in any order
+PUBLISHED = PublishedForces(TABLE.iloc[::-1], (5.0, 0.04), 0.1, 30e-9)  # in any order
 
 
 def fit_published(plastic, sampling=SAMPLING):
@@ -104,7 +104,7 @@ def fit_published(plastic, sampling=SAMPLING):
 
 
 def test_a_published_range_beyond_the_sweep_has_no_forces():
-    distant = PUBLISHED._replace(pair=Pair(11.0, 0.04))
+    distant = PUBLISHED._replace(pair=(11.0, 0.04))
     adhesion = make_adhesion(power_forces())
     fits = fit.fit_published(adhesion, distant, "uncd", SAMPLING)
     assert fits.mean_force_at_pair.sel(pair="published").isnull().all()

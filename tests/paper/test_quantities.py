@@ -322,3 +322,14 @@ def test_the_force_on_a_plane_is_that_of_derjaguin():
         {"sphere_radius": RADIUS, "confidence": 0.95},
     )
     near(band_quantities.flat_limit_fraction(scales), 1)
+
+
+def test_decades_of_works_are_those_between_the_smallest_and_the_largest():
+    works = np.array([1.0, 1000.0, 10.0])
+    variables = {
+        "effective_work_of_adhesion": ("surface", works),
+        "effective_work_of_adhesion_interval": (("surface", "end"), np.outer(works, [0.1, 10])),
+    }
+    decades = force.effective_work_decades(xr.Dataset(variables, {"end": ["low", "high"]}))
+    near(decades, 3)
+    np.testing.assert_allclose(decades["value_interval"], [1, 5])

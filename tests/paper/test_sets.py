@@ -8,7 +8,7 @@ from paper_numbers import CLAIMS, CONSTANTS, MEAN_FORCE, SUBSTRATES
 from set_inputs import CONFIDENCE, SCANS, make_adhesion, make_inputs, make_masters, make_pool
 
 from hardcontact.base.statistics import Sampling
-from hardcontact.paper.published_fit import Pair, PublishedForces, fit_published
+from hardcontact.paper.published_fit import PublishedForces, fit_published
 from hardcontact.paper.sets import (
     SetSettings,
     adhesion_of_set,
@@ -30,7 +30,7 @@ SETTINGS = SetSettings(
 )
 FORCES = pd.DataFrame({"mean_force": MEAN_FORCE}, index=SUBSTRATES)
 REPLICATED = CLAIMS[CLAIMS["samples_from"] == "sets"]
-PAPER = REPLICATED, CONSTANTS, PublishedForces(FORCES, Pair(5.6, 46.3e-3), 0.1, 30e-9)
+PAPER = REPLICATED, CONSTANTS, PublishedForces(FORCES, (5.6, 46.3e-3), 0.1, 30e-9)
 
 
 @pytest.fixture(scope="module")

@@ -1,7 +1,7 @@
 """Pull-off forces on scans of some surfaces with features, whose roughness is that of Table 1."""
 
 from hardcontact.contact.contact import Contact
-from hardcontact.paper.featured_samples import SampleInputs, compute_samples
+from hardcontact.paper.featured_samples import compute_samples
 from hardcontact.records.job import run_job
 from hardcontact.surfaces.featured_scans import featured_surface
 from hardcontact.surfaces.substitutes import read_substitute
@@ -10,12 +10,16 @@ with run_job(snakemake) as job:
     params = job.parameters
     numbers = range(params["first"], params["last"] + 1)
     substitute = read_substitute(params["surface"], job.input, params["scan_grid"], params["seed"])
-    contact = Contact(**params["contact"])
-    inputs = SampleInputs(
-        featured_surface(substitute), params["scan_count"], contact, params["ranges"]
+    samples = compute_samples(
+        params["features"],
+        numbers,
+        featured_surface(substitute),
+        params["scan_count"],
+        Contact(**params["contact"]),
+        params["ranges"],
     )
     job.write(
-        compute_samples(params["features"], numbers, inputs),
+        samples,
         title=f"pull-off forces on surfaces of {params['surface']} with features: "
         f"{params['features']}",
     )

@@ -190,7 +190,10 @@ def _judge(claim: Any, result: _ClaimResult, sets: xr.Dataset, confidence: float
     """Return value, interval, accepted range, agreeing share and verdict by names of COLUMNS."""
     value = float(result.estimate["value"])
     samples = _claim_samples(claim, result, sets)
-    low, high = _claim_interval(claim, result.estimate, samples, confidence)
+    ends = interval_ends(result.estimate, "value")
+    low, high = interval_with_sets(value, ends, samples, confidence)
+    if claim.needs in WITHOUT_SCAN and np.isnan(low):
+        low = high = value
     accepted = accepted_range(claim.rule, claim.published_low, claim.published_high)
     if claim.samples_from == "posterior":
         verdict = accepted.verdict_of_posterior(samples, low, high)
@@ -224,15 +227,3 @@ def _claim_samples(claim: Any, result: _ClaimResult, sets: xr.Dataset) -> Floats
     if claim.id not in sets["claim"]:
         raise KeyError("expected its values in sets.nc, found none")
     return np.asarray(sets["value"].sel(claim=claim.id))
-
-
-def _claim_interval(
-    claim: Any, estimate: xr.Dataset, samples: Floats, confidence: float
-) -> tuple[float, float]:
-    """Return the ends of the interval of an estimate, NaN if no interval exists.
-
-    The interval comes from `interval_with_sets`. An estimate that needs no scan has zero width.
-    """
-    value = float(estimate["value"])
-    ends = interval_with_sets(value, interval_ends(estimate, "value"), samples, confidence)
-    return (value, value) if claim.needs in WITHOUT_SCAN and np.isnan(ends[0]) else ends

@@ -71,11 +71,9 @@ def apply_classical_models(
         rng = sampling.generator(metrics)
         samples = sample_roughness(rng, mean, uncertainty, sampling.sample_count)
         comparison = _compare_models(
-            mean, samples, sphere, value["work_of_adhesion"], _first_columns(forces), sampling
+            mean, samples, sphere, value["work_of_adhesion"], forces, sampling
         )
-        models[(metrics,)] = comparison.merge(
-            _power_laws(mean, samples, _first_columns(works), sampling)
-        )
+        models[(metrics,)] = comparison.merge(_power_laws(mean, samples, works, sampling))
     return (
         stack(models, ["metrics"])
         .merge(_forces_and_works(forces, works, sampling.confidence))
@@ -123,26 +121,22 @@ def _half_unit(printed: str) -> float:
     return float(Decimal(5).scaleb(int(exponent) - 1))
 
 
-def _first_columns(with_ends: Mapping[str, Floats]) -> dict[str, Floats]:
-    """Return the first columns of arrays (surface, 3), which hold value, low and high end."""
-    return {source: ends[:, 0] for source, ends in with_ends.items()}
-
-
 def _forces_and_works(
     forces: Mapping[str, Floats], works: Mapping[str, Floats], confidence: float
 ) -> xr.Dataset:
     """Return mean forces and effective works from arrays (surface, 3): value, low and high end."""
-    variables: dict[str, Any] = {}
-    effective = {}
-    for source, ends in forces.items():
-        name = f"{source}_mean_force"
-        variables |= with_interval(name, "surface", ends[:, 0], ends[:, 1:], NEWTON, confidence)
-        name = "effective_work_of_adhesion"
-        work, interval = works[source][:, 0], works[source][:, 1:]
-        effective[(source,)] = xr.Dataset(
-            with_interval(name, "surface", work, interval, JOULE_PER_M2, confidence)
-        )
-    return stack(effective, ["force_source"]).assign(variables)
+
+    def variables(name: str, ends: Floats, attributes: dict[str, Any]) -> dict[str, Any]:
+        return with_interval(name, "surface", ends[:, 0], ends[:, 1:], attributes, confidence)
+
+    name = "effective_work_of_adhesion"
+    effective = {
+        (source,): xr.Dataset(variables(name, work, JOULE_PER_M2)) for source, work in works.items()
+    }
+    dataset = stack(effective, ["force_source"])
+    for source, force in forces.items():
+        dataset = dataset.assign(variables(f"{source}_mean_force", force, NEWTON))
+    return dataset
 
 
 def _roughness(rows: pd.DataFrame, column: str, prefix: str) -> Roughness:
@@ -178,9 +172,10 @@ def _compare_models(
     targets: Mapping[str, Floats],
     sampling: Sampling,
 ) -> xr.Dataset:
-    """Return the forces of each model, and the errors of its fits to target forces (surface,).
+    """Return the forces of each model, and the errors of its fits to target forces.
 
-    Samples (samples, surface) of the roughness give the intervals.
+    Targets (surface, 3) begin with the force. Samples (samples, surface) of the roughness give the
+    intervals.
     """
     forces = {}
     errors = {}
@@ -191,8 +186,8 @@ def _compare_models(
             sampling.with_interval("model_force", "surface", force, force_samples, NEWTON)
         )
         for source, target in targets.items():
-            error = classical_error(model, mean, sphere, target)
-            error_samples = classical_error(model, samples, sphere, target)
+            error = classical_error(model, mean, sphere, target[:, 0])
+            error_samples = classical_error(model, samples, sphere, target[:, 0])
             errors[name, source] = xr.Dataset(
                 sampling.with_interval(
                     "mean_relative_error", (), error, error_samples, DIMENSIONLESS
@@ -204,12 +199,12 @@ def _compare_models(
 def _power_laws(
     mean: Roughness, samples: Roughness, works: Mapping[str, Floats], sampling: Sampling
 ) -> xr.Dataset:
-    """Return ``power_law_error`` of each roughness parameter for effective works (surface,)."""
+    """Return ``power_law_error`` of each roughness parameter for effective works (surface, 3)."""
     errors = {}
     for parameter in Roughness._fields:
         for source, work in works.items():
-            error = power_law_error(getattr(mean, parameter), work)
-            error_samples = power_law_error(getattr(samples, parameter), work)
+            error = power_law_error(getattr(mean, parameter), work[:, 0])
+            error_samples = power_law_error(getattr(samples, parameter), work[:, 0])
             errors[parameter, source] = xr.Dataset(
                 sampling.with_interval("power_law_error", (), error, error_samples, DIMENSIONLESS)
             )

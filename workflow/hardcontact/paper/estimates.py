@@ -83,8 +83,3 @@ def absolute_value(signed: xr.Dataset) -> xr.Dataset:
     """Return the absolute value of an estimate; an interval across zero then begins at zero."""
     low, high = interval_ends(signed, "value")
     return as_estimate(abs(signed["value"]), low.clip(-high).clip(0), high.clip(-low))
-
-
-def decades(estimate: xr.Dataset, dim: str) -> xr.Dataset:
-    """Return the decades between the smallest and the largest estimate along a dimension."""
-    return quotient(estimate.max(dim), estimate.min(dim)).map(np.log10)

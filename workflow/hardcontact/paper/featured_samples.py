@@ -1,28 +1,26 @@
-"""Samples of a surface with features (bumps or pits), and the forces on their scans, for sets.nc.
+"""Samples of a surface with features, bumps or pits: forces on their scans (sets.nc, features.nc).
 
 A sample is one random choice of the features of a surface, and of scans with these features that
 have the roughness of Table 1. Forces never enter the choice.
 """
 
 from collections.abc import Mapping, Sequence
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 import pandas as pd
 import xarray as xr
 
-from hardcontact.base.arrays import Floats
 from hardcontact.base.dataset import concatenate, stack
 from hardcontact.base.statistics import log_std_of_lognormal
 from hardcontact.base.units import DIMENSIONLESS, NEWTON
 from hardcontact.contact.contact import CONTACT_AXES, PLASTIC, Contact
-from hardcontact.contact.pull_off import interpolate_to_ranges
+from hardcontact.contact.pull_off import interpolate_to_range
 from hardcontact.paper.pool import smooth_sphere_forces
 from hardcontact.paper.published_fit import PublishedForces
 from hardcontact.records.job import progress
 from hardcontact.surfaces.featured_scans import FeaturedSurface, describe_features, sample_group
 from hardcontact.surfaces.features import KINDS, SIGNS
-from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.levelling import level
 from hardcontact.surfaces.metrics import TABLE1_METRICS, measured_metrics
 
@@ -36,42 +34,30 @@ SAMPLE_ATTRS = {
 }  # fmt: skip
 
 
-class SampleInputs(NamedTuple):
-    """Everything from which the forces of samples are computed."""
+def compute_samples(
+    kind: str,
+    numbers: Sequence[int],
+    featured: FeaturedSurface,
+    scan_count: int,
+    contact: Contact,
+    ranges: list[float],
+) -> xr.Dataset:
+    """Return features, roughness and forces of samples of a kind: bumps, pits or gaussian.
 
-    featured: FeaturedSurface
-    scan_count: int  #: Number of scans of a sample.
-    contact: Contact  #: Contact with a smooth sphere.
-    ranges: list[float]  #: Ranges of adhesion in nm.
-
-
-def compute_samples(kind: str, numbers: Sequence[int], inputs: SampleInputs) -> xr.Dataset:
-    """Return forces (sample, scan, contact_model, rho, contact_y, contact_x) in N, and metrics.
-
-    Forces are at 1 J/m². The kind of surface is bumps, pits or gaussian.
+    Forces (sample, scan, contact_model, rho, contact_y, contact_x) of a smooth sphere are in N at 1
+    J/m², at ranges in nm.
     """
-    samples = [
-        _compute_sample(kind, number, inputs)
-        for number in progress(numbers, len(numbers), "surfaces with features")
-    ]
+    samples = []
+    for number in progress(numbers, len(numbers), "surfaces with features"):
+        features, scans = sample_group(featured, kind, range(1, scan_count + 1), number)
+        sample = {}
+        for index, scan in enumerate(map(level, scans), 1):
+            forces = smooth_sphere_forces(scan, contact, ranges)
+            roughness = measured_metrics(scan, TABLE1_METRICS.values())
+            sample[(index,)] = roughness.assign(pull_off_force=forces)
+        description = describe_features(features, featured.mean_rms_height)
+        samples.append(stack(sample, ["scan"]).assign(description))
     return xr.concat(samples, pd.Index(list(numbers), name="sample"))
-
-
-def _compute_sample(kind: str, number: int, inputs: SampleInputs) -> xr.Dataset:
-    """Return forces, roughness and features of one sample."""
-    scans = range(1, inputs.scan_count + 1)
-    features, group = sample_group(inputs.featured, kind, scans, number)
-    forces = {(scan,): _scan_forces(level(group[scan - 1]), inputs) for scan in scans}
-    base_rms_height = inputs.featured.mean_rms_height
-    return stack(forces, ["scan"]).assign(describe_features(features, base_rms_height))
-
-
-def _scan_forces(scan: HeightMap, inputs: SampleInputs) -> xr.Dataset:
-    """Return the forces of a smooth sphere on a levelled scan, and its metrics of Table 1."""
-    roughness = measured_metrics(scan, TABLE1_METRICS.values())
-    return roughness.assign(
-        pull_off_force=smooth_sphere_forces(scan, inputs.contact, inputs.ranges)
-    )
 
 
 def sample_of_set(samples: Mapping[str, xr.Dataset], set_number: int) -> xr.Dataset:
@@ -100,16 +86,18 @@ def compare_features(
     published: PublishedForces,
     labels: Mapping[str, str],
 ) -> xr.Dataset:
-    """Return `compare_with_published` of the surface with features; empty without samples of it.
+    """Return features.nc: `compare_with_published` of the only surface with features.
 
-    `chunks` are those of `samples_by_surface`, `sphere_factors` (surface, contact_model, rho).
+    `chunks` are those of `samples_by_surface`, `sphere_factors` (surface, contact_model, rho). The
+    dataset is empty if no surface has features.
     """
-    for surface, kinds in samples_by_surface(chunks).items():
-        plastic = {kind: samples.sel(contact_model=PLASTIC) for kind, samples in kinds.items()}
-        factor = sphere_factors.sel(contact_model=PLASTIC, surface=surface, drop=True)
-        comparison = compare_with_published(plastic, factor, published, surface)
-        return comparison.assign_attrs(label=labels[surface])
-    return empty_comparison()
+    if not chunks:
+        return empty_comparison()
+    ((surface, samples),) = samples_by_surface(chunks).items()
+    plastic = {kind: sample.sel(contact_model=PLASTIC) for kind, sample in samples.items()}
+    factor = sphere_factors.sel(contact_model=PLASTIC, surface=surface, drop=True)
+    comparison = compare_with_published(plastic, factor, published, surface)
+    return comparison.assign_attrs(label=labels[surface])
 
 
 def compare_with_published(
@@ -118,7 +106,7 @@ def compare_with_published(
     published: PublishedForces,
     surface: str,
 ) -> xr.Dataset:
-    """Return the plastic forces (features, sample) of samples at the published pair.
+    """Return SAMPLE_ATTRS (features, sample) of plastic forces at the published pair.
 
     `sphere_factor` (rho) is the force on the rough sphere relative to a smooth sphere. ``agrees``
     is 1 if mean and median force are within MAX_FORCE_FACTOR of the published forces.
@@ -127,11 +115,16 @@ def compare_with_published(
     rho, work = published.pair
     kinds = []
     for kind_samples in samples.values():
-        forces = kind_samples["pull_off_force"] * sphere_factor
-        forces = forces.stack(contact=("scan", *CONTACT_AXES))
-        values = forces.transpose("sample", "contact", "rho").values
-        pair_forces = work * interpolate_to_ranges(values, forces["rho"].values, np.array([rho]))
-        statistics = _force_statistics(pair_forces[..., 0], targets)
+        forces = work * interpolate_to_range(kind_samples["pull_off_force"] * sphere_factor, rho)
+        contacts = forces.stack(contact=("scan", *CONTACT_AXES)).transpose("sample", "contact")
+        mean, median = contacts.values.mean(axis=1), np.median(contacts, axis=1)
+        factors = np.array([mean / targets["mean_force"], median / targets["median_force"]])
+        agrees = (np.abs(np.log(factors)) <= np.log(MAX_FORCE_FACTOR)).all(axis=0)
+        values = (mean, median, np.log(contacts.values).std(axis=1), agrees.astype(float))
+        statistics = {
+            name: ("sample", value, unit)
+            for (name, unit), value in zip(SAMPLE_ATTRS.items(), values, strict=True)
+        }
         descriptions = [name for name in kind_samples if kind_samples[name].dims == ("sample",)]
         kinds.append(kind_samples[descriptions].assign(statistics))
     log_std = log_std_of_lognormal(targets["mean_force"], targets["median_force"])
@@ -152,17 +145,3 @@ def empty_comparison() -> xr.Dataset:
         {"features": list(KINDS), "sample": np.arange(0)},
         {"surface": "", "label": "", "source": "substitute"},
     )
-
-
-def _force_statistics(forces: Floats, targets: Mapping[Any, float]) -> dict[str, Any]:
-    """Return the SAMPLE_ATTRS of forces (sample, contact) in N."""
-    mean = forces.mean(axis=1)
-    median = np.median(forces, axis=1)
-    scatter = np.log(forces).std(axis=1)
-    errors = [np.log(mean / targets["mean_force"]), np.log(median / targets["median_force"])]
-    agrees = np.abs(errors).max(axis=0) <= np.log(MAX_FORCE_FACTOR)
-    values = (mean, median, scatter, agrees.astype(float))
-    return {
-        name: ("sample", value, unit)
-        for (name, unit), value in zip(SAMPLE_ATTRS.items(), values, strict=True)
-    }

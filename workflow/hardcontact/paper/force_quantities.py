@@ -16,7 +16,6 @@ from hardcontact.base.arrays import Floats
 from hardcontact.contact.contact import CONTACT_AXES, PLASTIC, RIGID
 from hardcontact.paper.estimates import (
     as_estimate,
-    decades,
     mean_over_contacts,
     mean_over_scans,
     quotient,
@@ -231,7 +230,8 @@ def strength_over_casimir(paper: xr.Dataset) -> xr.Dataset:
 
 def effective_work_decades(classical: xr.Dataset) -> xr.Dataset:
     """Return the decades between the smallest and largest effective work (force_source)."""
-    return decades(variable_estimate(classical, "effective_work_of_adhesion"), "surface")
+    work = variable_estimate(classical, "effective_work_of_adhesion")
+    return quotient(work.max("surface"), work.min("surface")).map(np.log10)
 
 
 def printed_effective_work(classical: xr.Dataset) -> xr.Dataset:

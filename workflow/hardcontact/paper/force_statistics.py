@@ -1,8 +1,10 @@
-"""Statistics of pull-off forces: means over scans by range of adhesion, and their distribution."""
+"""Statistics of pull-off forces for fit.nc: means over scans, ratios and distribution."""
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
+import pandas as pd
 import xarray as xr
 
 from hardcontact.base.arrays import Floats
@@ -15,7 +17,8 @@ from hardcontact.base.statistics import (
     with_interval,
 )
 from hardcontact.base.units import DIMENSIONLESS, NEWTON
-from hardcontact.contact.contact import CONTACT_DIMENSIONS
+from hardcontact.contact.contact import CONTACT_AXES, CONTACT_DIMENSIONS
+from hardcontact.contact.pull_off import interpolate_to_range
 
 
 def mean_of_each_scan(forces: xr.DataArray) -> xr.DataArray:
@@ -43,28 +46,44 @@ def mean_forces(forces: xr.DataArray, sampling: Sampling) -> tuple[Floats, Float
     return scans.mean("scan").values, np.stack(samples, axis=1)
 
 
-def force_curves(
+def forces_at_pair(
     forces: xr.DataArray,
+    pair: tuple[float, float],
+    reference_index: int,
+    force_floor: float,
+    sampling: Sampling,
+) -> xr.Dataset:
+    """Return force statistics and ratios of mean forces of one contact model by surface.
+
+    The pair is a range of adhesion in nm and a work of adhesion in J/m².
+    """
+    rho, work = pair
+    pair_forces = interpolate_to_range(forces, rho) * work
+    means, mean_samples = mean_forces(pair_forces.expand_dims("rho"), sampling)
+    contact_forces = pair_forces.transpose("surface", "scan", "sphere_scan", *CONTACT_AXES).values
+    contact_forces = contact_forces.reshape(*contact_forces.shape[:3], -1)
+    statistics = [
+        force_statistics(surface_forces, force_floor, sampling) for surface_forces in contact_forces
+    ]
+    return xr.concat(statistics, pd.Index(forces.surface.values, name="surface")).assign(
+        force_ratios(
+            "ratio_at_pair", "surface", means[:, 0], mean_samples[..., 0], reference_index, sampling
+        )
+    )
+
+
+def force_ratios(
+    name: str,
+    dimensions: str | Sequence[str],
     means: Floats,
-    mean_samples: Floats,
+    samples: Floats,
     reference_index: int,
     sampling: Sampling,
 ) -> dict[str, Any]:
-    """Return mean forces and their ratios to a reference surface.
-
-    Forces are (surface, scan, sphere_scan, rho, contact_y, contact_x) in N, their means and samples
-    from `mean_forces`. Returns ``mean_force`` in N and ``force_over_reference`` with intervals.
-    """
-    dimensions = ("surface", "rho")
+    """Return mean forces (surface, ...) relative to the reference surface, with intervals."""
     ratio = means / means[reference_index]
-    ratio_samples = mean_samples / mean_samples[:, [reference_index]]
-    confidence = sampling.confidence
-    interval = student_log_interval(mean_of_each_scan(forces), confidence, "scan").values
-    return with_interval(
-        "mean_force", dimensions, means, interval, NEWTON, confidence
-    ) | sampling.with_interval(
-        "force_over_reference", dimensions, ratio, ratio_samples, DIMENSIONLESS
-    )
+    ratio_samples = samples / samples[:, [reference_index]]
+    return sampling.with_interval(name, dimensions, ratio, ratio_samples, DIMENSIONLESS)
 
 
 #: Statistics of the forces on one surface, with their attributes.

@@ -16,10 +16,10 @@ from numpy.typing import NDArray
 from hardcontact.base.arrays import Floats
 from hardcontact.base.dataset import stack
 from hardcontact.base.published import read_constants, read_measured_statistics
-from hardcontact.base.statistics import Sampling
-from hardcontact.base.units import DIMENSIONLESS, JOULE_PER_M2, NM
-from hardcontact.contact.contact import CONTACT_AXES, PLASTIC, RIGID
-from hardcontact.contact.pull_off import interpolate_to_range, interpolate_to_ranges
+from hardcontact.base.statistics import Sampling, student_log_interval, with_interval
+from hardcontact.base.units import DIMENSIONLESS, JOULE_PER_M2, NEWTON, NM
+from hardcontact.contact.contact import PLASTIC, RIGID
+from hardcontact.contact.pull_off import interpolate_to_ranges
 from hardcontact.inference.fit import (
     FIT_ATTRS,
     best_fit,
@@ -28,7 +28,12 @@ from hardcontact.inference.fit import (
     fit_work,
     mean_relative_error,
 )
-from hardcontact.paper.force_statistics import force_curves, force_statistics, mean_forces
+from hardcontact.paper.force_statistics import (
+    force_ratios,
+    forces_at_pair,
+    mean_forces,
+    mean_of_each_scan,
+)
 from hardcontact.records.job import progress
 
 #: Labels of the pairs of range and work of adhesion.
@@ -50,18 +55,11 @@ SAMPLED_VARIABLES = {
 }
 
 
-class Pair(NamedTuple):
-    """A range of adhesion in nm and a work of adhesion in J/m²."""
-
-    range_of_adhesion: float
-    work_of_adhesion: float
-
-
 class PublishedForces(NamedTuple):
     """Published forces, and how the paper inferred range and work of adhesion from them."""
 
     forces: pd.DataFrame  #: From `published.read_measured_statistics`.
-    pair: Pair  #: Published range and work of adhesion.
+    pair: tuple[float, float]  #: Published range (nm) and work of adhesion (J/m²).
     error_threshold: float  #: A pair fits if its mean relative error is below this threshold.
     force_floor: float  #: Smallest measurable force in N.
 
@@ -69,7 +67,7 @@ class PublishedForces(NamedTuple):
     def read(cls, pull_off: str | Path, constants: str | Path) -> "PublishedForces":
         """Read `pull_off.csv` and `constants.csv`."""
         values = read_constants(constants)["value"]
-        pair = Pair(values["range_of_adhesion"], values["work_of_adhesion"])
+        pair = values["range_of_adhesion"], values["work_of_adhesion"]
         threshold, floor = values["error_threshold"], values["force_floor"]
         return cls(read_measured_statistics(pull_off), pair, threshold, floor)
 
@@ -94,9 +92,9 @@ def fit_published(
         fit = fit_model(
             forces, published_forces, reference_index, published.error_threshold, sampling
         )
-        fitted = Pair(float(fit.range_of_adhesion), float(fit.work_of_adhesion))
+        fitted = float(fit.range_of_adhesion), float(fit.work_of_adhesion)
         statistics = [
-            _forces_at_pair(forces, pair, reference_index, published.force_floor, sampling)
+            forces_at_pair(forces, pair, reference_index, published.force_floor, sampling)
             for pair in progress([published.pair, fitted], 2, f"force statistics, {model}")
         ]
         fits[(model,)] = fit.merge(xr.concat(statistics, pd.Index(PAIRS, name="pair")))
@@ -123,24 +121,6 @@ def _model_error_ratio(models: xr.Dataset, sampling: Sampling) -> dict[str, Any]
     return sampling.with_interval("model_error_ratio", (), value, samples, DIMENSIONLESS)
 
 
-def _forces_at_pair(
-    forces: xr.DataArray, pair: Pair, reference_index: int, force_floor: float, sampling: Sampling
-) -> xr.Dataset:
-    """Return force statistics and ratios of mean forces of one contact model by surface."""
-    pair_forces = interpolate_to_range(forces, pair.range_of_adhesion) * pair.work_of_adhesion
-    means, mean_samples = mean_forces(pair_forces.expand_dims("rho"), sampling)
-    ratio = means[:, 0] / means[reference_index, 0]
-    ratio_samples = mean_samples[:, :, 0] / mean_samples[:, [reference_index], 0]
-    contact_forces = pair_forces.transpose("surface", "scan", "sphere_scan", *CONTACT_AXES).values
-    contact_forces = contact_forces.reshape(*contact_forces.shape[:3], -1)
-    statistics = [
-        force_statistics(surface_forces, force_floor, sampling) for surface_forces in contact_forces
-    ]
-    return xr.concat(statistics, pd.Index(forces.surface.values, name="surface")).assign(
-        sampling.with_interval("ratio_at_pair", "surface", ratio, ratio_samples, DIMENSIONLESS)
-    )
-
-
 def fit_model(
     forces: xr.DataArray,
     published_forces: Floats,
@@ -164,11 +144,14 @@ def fit_model(
     fits = _fit_curves(curves, published_forces, fitted_reference_index, ranges)
     sampled_fits = _fit_curves(curve_samples, published_forces, fitted_reference_index, ranges)
     errors = ratio_errors(curves, published_forces, fitted_reference_index)
+    axes = ("surface", "rho")
+    interval = student_log_interval(mean_of_each_scan(forces), sampling.confidence, "scan")
     variables = (
         _fitted_variables(fits, sampled_fits, sampling)
         | _error_variables(curves, published_forces, ranges, threshold)
         | {"ratio_error": ("rho_fine", errors, DIMENSIONLESS)}
-        | force_curves(forces, means, mean_samples, reference_index, sampling)
+        | with_interval("mean_force", axes, means, interval.values, NEWTON, sampling.confidence)
+        | force_ratios("force_over_reference", axes, means, mean_samples, reference_index, sampling)
     )
     coordinates = {
         "rho_fine": ("rho_fine", ranges, NM),
