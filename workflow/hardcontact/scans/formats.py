@@ -231,7 +231,7 @@ def _named_channel(channels: list[Any], height_channels: list[Any], name: str) -
             f"expected one of the channels of heights ({names}), or its number among all "
             f"channels from 1; found {name!r}"
         )
-    if matching[0].index not in [channel.index for channel in height_channels]:
+    if matching[0] not in height_channels:
         raise RefusedFile(
             f"expected a channel of heights, found only {matching[0].name} "
             f"({_unit_in_words(matching[0])}); of heights: {names}"

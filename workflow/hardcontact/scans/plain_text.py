@@ -5,8 +5,8 @@ height on a complete grid.
 """
 
 import codecs
-import io
 import re
+from itertools import product
 
 import numpy as np
 from numpy.typing import NDArray
@@ -149,16 +149,15 @@ def _grid_points(points: Floats) -> tuple[list[str], list[str]]:
     is_beside = distance > POSITION_ROUNDING
     if len(pixel_indices) == size and not is_beside:
         return [], []
-    x, y = (axis.ravel() for axis in np.meshgrid(*axes, indexing="ij"))
     heights = np.full(size, np.nan)
     heights[pixel_indices] = points[:, 2]
     notes = []
     if is_beside:
         heights = _heights_on_grid(heights.reshape(shape), indices, offsets).ravel()
         notes = [f"points up to {distance:.2g} spacings beside a grid interpolated on it"]
-    text = io.StringIO()
-    np.savetxt(text, np.column_stack([x, y, heights]), fmt="%.17g")
-    return text.getvalue().splitlines(), notes
+    positions = product(*(axis.tolist() for axis in axes))
+    rows = zip(positions, heights.tolist(), strict=True)
+    return [f"{x:.17g} {y:.17g} {height:.17g}" for (x, y), height in rows], notes
 
 
 def _heights_on_grid(heights: Floats, indices: NDArray[np.intp], offsets: Floats) -> Floats:

@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 import scipy
+from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import ArrayLike
 
 from hardcontact.base.arrays import Floats
@@ -165,10 +166,7 @@ def find_contradictions(
             continue
         difference = logs[left] - logs[right]
         variance = variances[left] + variances[right]
-        half_decades = [
-            shared[start : start + HALF_DECADE_BINS]
-            for start in range(len(shared) - HALF_DECADE_BINS + 1)
-        ]
+        half_decades = sliding_window_view(shared, min(HALF_DECADE_BINS, len(shared)))
         differences = [
             (*_mean_difference(difference[bins], variance[bins]), bins)
             for bins in (shared, *half_decades)

@@ -182,8 +182,5 @@ def _find_tail_end(density: Floats) -> tuple[int, TailEnd]:
         TailEnd.ATOMS: density == 0,
     }
     # The appended True stands for a bound that no wave exceeds.
-    first_exceeded = {
-        bound: int(np.argmax(np.append(waves, True))) for bound, waves in exceeded.items()
-    }
-    ended_by = min(first_exceeded, key=first_exceeded.__getitem__)
-    return first_exceeded[ended_by] - 1, ended_by
+    ends = [(int(np.append(waves, True).argmax()) - 1, end) for end, waves in exceeded.items()]
+    return min(ends, key=lambda end: end[0])
