@@ -118,7 +118,7 @@ def test_ripples_of_the_filter_are_no_short_edge():
 def test_the_figure_of_octaves_has_a_bar_an_octave_and_hatches_those_that_no_scan_shows():
     figure = figures.draw_octaves(datasets(2))
     (axes,) = figure.axes
-    bars = [[bar.get_height() for bar in container] for container in axes.containers[::2]]
+    bars = [[bar.get_height() for bar in container] for container in axes.containers]
     np.testing.assert_array_equal(bars, [SENSITIVITIES] * 2)
     hatched = [patch for patch in axes.patches if patch.get_hatch()]
     ends = np.array([(patch.get_x(), patch.get_x() + patch.get_width()) for patch in hatched])

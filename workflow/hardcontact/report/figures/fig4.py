@@ -136,7 +136,7 @@ def _draw_forces(
     for factor, look, force in style.iterate_dodged(fitted):
         at_fit = look | AT_FIT
         rho = fit["range_of_adhesion"] * factor**AT_FIT_DODGES
-        panels.draw_bars(axes, rho, force, elinewidth=1.2, zorder=4, **at_fit)
+        panels.draw_bars(axes, rho, force, width=1.2, zorder=4, **at_fit)
     axes.set_ylabel("mean pull-off force (µN)")
     title = rf"curves: at the published $W$ = {work / style.MILLIJOULE:.3g} mJ/m²"
     style.label_panel(axes, "c", title)
@@ -150,7 +150,7 @@ def _draw_curves(
     for factor, look, curve in style.iterate_dodged(scans):
         surface = curve["surface"].item()
         panels.draw_band(axes, scans["rho"], set_spread.sel(surface=surface), look["color"])
-        panels.draw_bars(axes, factor * scans["rho"], curve, elinewidth=0.7, ms=2.5, **look)
+        panels.draw_bars(axes, factor * scans["rho"], curve, width=0.7, ms=2.5, **look)
         axes.axhline(published[surface], color=look["color"], **PUBLISHED_MEAN)
         axes.plot(MARK_POSITION, published[surface], transform=transform, mfc="white", **look)
     axes.set(xscale="log", yscale="log")

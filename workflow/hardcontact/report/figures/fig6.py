@@ -98,7 +98,7 @@ def _draw_changes(axes: Axes, change: xr.Dataset, tolerance: float) -> None:
     for surface, look in style.looks(surfaces).items():
         axes.plot(cutoffs, change["value"].sel(group=surface), lw=0.8, ms=2.5, **look)
     mean_change = change.sel(group=MEAN_GROUP)
-    panels.draw_bars(axes, cutoffs, mean_change, elinewidth=0.9, lw=1.8, **style.MEAN_LOOK)
+    panels.draw_bars(axes, cutoffs, mean_change, width=0.9, lw=1.8, **style.MEAN_LOOK)
     axes.set(yscale="log", ylabel="change (%)")
     axes.set_ylim(bottom=max(SMALLEST_CHANGE, axes.get_ylim()[0]))
     axes.axhline(tolerance, **TOLERANCE_LINE)

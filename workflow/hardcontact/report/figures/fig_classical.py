@@ -1,7 +1,5 @@
 """Classical models: their pull-off forces of rough spheres, and the errors of these."""
 
-from typing import Any
-
 import numpy as np
 import pandas as pd
 import xarray as xr
@@ -10,7 +8,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from hardcontact.report.figures import drawing, style
-from hardcontact.report.figures.panels import value_and_interval
+from hardcontact.report.figures.panels import draw_bars, value_and_interval
 
 MIN_DRAWN_FORCE = 1e-6  # µN; a model that predicts less predicts no force at all
 METRIC_LABELS = {"afm": "AFM scans alone", "all_scales": "all scales"}
@@ -42,15 +40,6 @@ def draw(classical: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
     return figure
 
 
-def _draw_point(axes: Axes, x: float, point: xr.Dataset, **look: Any) -> None:
-    """Draw a value with its interval as an error bar."""
-    value = point["value"].item()
-    low, high = point["low"].item(), point["high"].item()
-    if np.isfinite(low):  # a line, as the interval of a skewed distribution may exclude the value
-        axes.plot([x, x], [low, high], color=look["color"], lw=0.8)
-    axes.plot([x], [value], ls="none", mew=0.8, **look)
-
-
 def _draw_forces(axes: Axes, classical: xr.Dataset) -> None:
     """Draw the forces (µN) on each surface: published, computed, and by each model."""
     names = ("published_mean_force", "computed_mean_force", "model_force")
@@ -63,18 +52,18 @@ def _draw_forces(axes: Axes, classical: xr.Dataset) -> None:
         style.iterate_surfaces(classical), offsets, strict=True
     ):
         colour = look["color"]
-        for x, variable in enumerate(("published_mean_force", "computed_mean_force")):
+        for x, variable in enumerate(names[:2]):
             force = value_and_interval(surface_data, variable) / style.MICRONEWTON
-            _draw_point(axes, x + offset, force, **look)
+            draw_bars(axes, x + offset, force, ls="none", **look)
         published = surface_data["published_mean_force"].item() / style.MICRONEWTON
         axes.axhline(published, color=colour, zorder=0, **PUBLISHED_LINE)
         forces = value_and_interval(surface_data, "model_force") / style.MICRONEWTON
-        for x, model in enumerate(classical["model"].values, start=2):
-            for metrics, shift in zip(METRIC_LABELS, (-0.04, 0.04), strict=True):
-                force = forces.sel(model=model, metrics=metrics)
-                drawn_force = force.where(~(force < MIN_DRAWN_FORCE), 1.7 * bottom)
-                face = colour if metrics == "afm" else "white"
-                _draw_point(axes, x + offset + shift, drawn_force, mfc=face, **look)
+        drawn_forces = forces.where(~(forces < MIN_DRAWN_FORCE), 1.7 * bottom)
+        positions = 2 + offset + np.arange(classical.sizes["model"])
+        for metrics, shift in zip(METRIC_LABELS, (-0.04, 0.04), strict=True):
+            face = colour if metrics == "afm" else "white"
+            model_forces = drawn_forces.sel(metrics=metrics)
+            draw_bars(axes, positions + shift, model_forces, ls="none", mfc=face, **look)
     axes.axhspan(bottom, 3 * bottom, color="0.9", zorder=0)
     axes.text(1.6, 1.7 * bottom, "no force", fontsize=7, va="center")
     axes.axvline(1.5, color="black", lw=0.6)
@@ -93,9 +82,9 @@ def _draw_errors(axes: Axes, classical: xr.Dataset) -> None:
     for side, (force_source, error_look) in zip((-1, 1), ERROR_LOOKS.items(), strict=True):
         for metrics, shift in zip(METRIC_LABELS, (-0.07, 0.07), strict=True):
             face = error_look["color"] if metrics == "afm" else "white"
-            for x, model in enumerate(classical["model"].values):
-                point = errors.sel(model=model, metrics=metrics, force_source=force_source)
-                _draw_point(axes, x + 0.17 * side + shift, point, mfc=face, **error_look)
+            positions = np.arange(classical.sizes["model"]) + 0.17 * side + shift
+            model_errors = errors.sel(metrics=metrics, force_source=force_source)
+            draw_bars(axes, positions, model_errors, ls="none", mfc=face, **error_look)
         axes.plot([], [], ls="none", label=f"to {force_source} forces", **error_look)
     axes.text(-0.4, threshold / 2, f"paper: below {threshold:g}", fontsize=7, va="center")
     labels = classical["model_label"].values

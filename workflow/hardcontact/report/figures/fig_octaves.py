@@ -51,7 +51,7 @@ def _draw_band_ratios(axes: Axes, ratios: xr.Dataset, tolerance: float) -> None:
     shifts = np.linspace(-0.25, 0.25, len(surfaces))
     for shift, (surface, look) in zip(shifts, surfaces.items(), strict=True):
         curve = values.sel(surface=surface)
-        panels.draw_bars(axes, positions + shift, curve, ls="none", elinewidth=0.9, **look)
+        panels.draw_bars(axes, positions + shift, curve, ls="none", width=0.9, **look)
     axes.set_xticks(positions, parts)
     axes.set_xlim(-0.5, len(parts) - 0.5)
 

@@ -72,10 +72,15 @@ def draw_band(axes: Axes, x: Any, curve: xr.Dataset, colour: str) -> None:
     axes.fill_between(x, curve["low"], curve["high"], where=is_bounded, **look)
 
 
-def draw_bars(axes: Axes, x: Any, curve: xr.Dataset, **look: Any) -> None:
-    """Draw `value` against x, with bars from `low` to `high`, or without bars if these are NaN."""
-    lengths = np.nan_to_num(abs(curve[["low", "high"]].to_array() - curve["value"]).values)
-    axes.errorbar(x, curve["value"], lengths.reshape(2, -1), **look)
+def draw_bars(axes: Axes, x: Any, curve: xr.Dataset, width: float = 0.8, **look: Any) -> None:
+    """Draw `value` against x, and bars of a width (points) from `low` to `high`, without caps.
+
+    A bar may exclude its value, because the distribution behind an interval may be skewed.
+    """
+    low, high = (np.nan_to_num(curve[end], nan=np.nan) for end in ("low", "high"))
+    colour = look.pop("ecolor", look["color"])
+    axes.vlines(x, low, high, color=colour, lw=width, zorder=look.get("zorder", 2))
+    axes.plot(x, curve["value"], **look)
 
 
 def draw_tolerance(axes: Axes, tolerance: float) -> None:
@@ -88,7 +93,7 @@ def draw_ratios(axes: Axes, ratio: xr.Dataset, tolerance: float) -> None:
     """Draw the force ratio of each surface against the cutoff (nm), and the tolerance."""
     draw_tolerance(axes, tolerance)
     for factor, look, curve in style.iterate_dodged(ratio):
-        draw_bars(axes, factor * curve["cutoff_wavelength"], curve, elinewidth=0.7, **look)
+        draw_bars(axes, factor * curve["cutoff_wavelength"], curve, 0.7, **look)
     axes.set(xscale="log", yscale="log")
     axes.margins(x=0.03)
     style.label_logarithmic(axes.xaxis, digits=(1, 2, 5))
@@ -138,7 +143,7 @@ def draw_octaves(axes: Axes, sensitivity: xr.Dataset) -> None:
             axes.bar(positions, dark, widths, align="edge", **SPHERE_SHARE_LOOK)
         symbol: Look = look | {"mec": "white", "mew": 0.6, "ms": 4}
         middles = positions * 2 ** (width / 2)
-        draw_bars(axes, middles, curve, ls="none", ecolor="0.25", elinewidth=0.7, **symbol)
+        draw_bars(axes, middles, curve, 0.7, ls="none", ecolor="0.25", **symbol)
     axes.axhline(0, color="0.3", lw=0.6)
     axes.set(xscale="log", xlabel="wavelength (nm)", ylabel="force change (%) per 1 % amplitude")
     axes.set_xlim(octaves[0], 2 * octaves[-1])
