@@ -17,7 +17,6 @@ import scan_files
 from direct_sum import direct_force, gap_to_sphere, mirror
 from known_spectra import self_affine_spectrum
 from measurements import random_map
-from periodic_maps import periodic_map
 from refusals import assert_says, refusal
 from repository import ROOT
 from SurfaceTopography import Topography
@@ -151,33 +150,6 @@ def test_forces_are_the_direct_sum_over_every_pixel(files):
             force = forces.pull_off_force.sel(contact_model=model, rho=rho)[i, j].item()
             assert force == pytest.approx(direct_sum, rel=1e-6)
     assert forces.pull_off_force.units == "N" and forces.work_of_adhesion == work
-
-
-def test_ratios_equal_those_of_the_remaining_wave():
-    """A cutoff between two waves removes either the short or the long wave."""
-    phase = 2 * np.pi * np.arange(128) / 128
-    long, short = np.tile(4 * np.cos(2 * phase), (128, 1)), np.tile(np.cos(16 * phase), (128, 1))
-    sphere = SPHERE | LOAD | ARRAY
-
-    def force(heights):
-        forces = hc.pull_off_forces(periodic_map(heights, PIXEL), rho=5.6, work=1.0, **sphere)
-        return forces.pull_off_force.sel(contact_model="plastic").mean().item()
-
-    two_waves = periodic_map(long + short, PIXEL)
-    ratios = hc.force_ratios(
-        two_waves, {"short": [30, 200], "long": [1000, 200]}, rho=5.6, **sphere
-    )
-    ratio = ratios.filtered_force_ratio.sel(cutoff_wavelength=200)
-    whole_force = force(long + short)
-    assert ratio.sel(side="short").item() == pytest.approx(force(long) / whole_force, rel=1e-5)
-    assert ratio.sel(side="long").item() == pytest.approx(force(short) / whole_force, rel=1e-5)
-    assert np.isnan(ratios.filtered_force_ratio.sel(side="short", cutoff_wavelength=1000))
-    edge = ratios.sel(side="short")
-    assert 30 < edge.edge < 200 and edge.edge_status == "found"
-    # The force stays within the tolerance: the edge is open.
-    open_edge = hc.force_ratios(two_waves, {"short": [30, 60]}, rho=5.6, **sphere).sel(side="short")
-    assert np.isnan(open_edge.edge) and open_edge.edge_bound == 60
-    assert open_edge.edge_status == "open_above"
 
 
 def test_plots_show_the_heights_and_densities(files):

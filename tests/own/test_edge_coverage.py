@@ -83,6 +83,7 @@ def edges_of_draw(draw):
     return edges_of_scans(scales, None, master_scans, 0.1, 0.95).isel(surface=0)
 
 
+@pytest.mark.study
 @pytest.mark.parametrize("filters", [SHORT_FILTERS, LONG_FILTERS], ids=TRUTH)
 def test_the_interval_from_one_scan_contains_the_edge_of_the_mean(filters):
     truth = TRUTH[filters.side]

@@ -10,6 +10,7 @@ from random_surfaces import (
 )
 
 
+@pytest.mark.study
 @pytest.mark.parametrize("family", FAMILIES)
 def test_no_interval_excludes_the_force_on_pixels_four_times_finer(family):
     case = random_case(family, 0, 128)

@@ -156,6 +156,16 @@ def test_unusable_scans_are_refused(tmp_path, project_folder):
         )
 
 
+def test_masters_under_a_rough_sphere_have_its_pixels(tmp_path, project_folder):
+    """The finer scan of the sphere makes maps too large that a smooth sphere leaves small."""
+    ball = write_scan(tmp_path / "ball.nc", random_heights(512, 512), (400.0, 400.0))
+    rows = ROWS.partition("ruby\t")[0] + f"ruby\truby\t1\tmeasured\t{ball}\t\n"
+    check_configuration(paper_configuration(), tmp_path, rows)
+    rough = paper_configuration("scales.sphere_roughness", True)
+    message = refusal(check_configuration, rough, tmp_path, rows)
+    assert_says(message, "16384 pixels per row of the long-edge masters of ncd", "found 25600")
+
+
 # Scans that the study has stored
 
 
