@@ -23,7 +23,7 @@ BAND_PARTS = ("only the band", "no shorter waves", "no longer waves")
 def band_parts(
     surface: HeightMap, bands: Iterable[tuple[float, float]]
 ) -> Iterator[dict[str, HeightMap]]:
-    """Yield BAND_PARTS of a periodic surface, by name, for each band.
+    """Yield, for each band, the periodic surfaces that keep one of BAND_PARTS each, by its name.
 
     A band keeps wavelengths from its shortest (included) to its longest (excluded), in nm.
     """
@@ -75,7 +75,10 @@ def band_ratios(forces: xr.Dataset, scan_parts: ScanParts, confidence: float) ->
 def band_ratios_by_surface(
     bands: Mapping[str, xr.Dataset], radius: float, rho: float, confidence: float
 ) -> xr.Dataset:
-    """Return ``band_force_ratio`` (surface, band, band_part) and ``band_edge`` (band, side)."""
+    """Return ``band_force_ratio`` (surface, band, band_part) and ``band_edge`` (band, side) in nm.
+
+    The radius of the sphere and the range of adhesion are in nm.
+    """
     surfaces = {
         (surface,): band_ratios(forces, parts_of_maps(forces, radius, rho), confidence)
         for surface, forces in bands.items()

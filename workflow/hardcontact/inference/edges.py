@@ -19,7 +19,7 @@ MEAN_GROUP = "mean"
 
 
 class ChangeCurve(NamedTuple):
-    """A measure of the change of the force on one side, zero without a filter."""
+    """The change of the force with the cutoff on one side; it is zero without a filter."""
 
     side: str  #: short: wavelengths below the cutoff are removed; long: wavelengths above it.
     #: (k,) in nm, in the order of growing effect: ascending on the short side, descending on the
@@ -184,7 +184,7 @@ def mean_band(edges: xr.Dataset) -> tuple[float, float]:
 def labelled_edges(
     edges: xr.Dataset, scales: xr.Dataset, tolerance: float, confidence: float
 ) -> xr.Dataset:
-    """Return edges.nc: edges with the names of the surfaces and the settings that they hold for."""
+    """Return edges.nc: edges with label and source of each surface, and settings of the study."""
     return edges.assign(label=scales["label"], source=scales["source"]).assign_attrs(
         tolerance=tolerance,
         confidence=confidence,

@@ -1,6 +1,7 @@
 """Range and work of adhesion that fit mean forces best: the error of any pair, and the best pair.
 
-All forces are computed for a work of adhesion of 1 J/m², to which they are proportional.
+Everywhere, `mean_forces` (..., surface, rho) are computed at 1 J/m², and `measured_forces`
+(surface,) are their targets, both in N. Computed forces are proportional to the work of adhesion.
 """
 
 from collections.abc import Sequence
@@ -27,11 +28,7 @@ WITHOUT_SURFACE = {
 
 
 def mean_relative_error(mean_forces: Floats, measured_forces: Floats, works: Floats) -> Floats:
-    """Return the mean over surfaces of |W f/F - 1|, (..., rho, k).
-
-    Computed forces f (..., surface, rho) are in N at 1 J/m², measured forces F (surface,) in N,
-    works of adhesion W (k,) in J/m².
-    """
+    """Return the mean relative error (..., rho, k) over surfaces for works (k,) in J/m²."""
     relative = mean_forces / measured_forces[:, None]
     return np.asarray(np.abs(relative[..., None] * works - 1).mean(axis=-3))
 
@@ -47,9 +44,8 @@ def minimum_along_axis(errors: Floats, values: Floats, axis: int = -1) -> tuple[
 def fit_work(mean_forces: Floats, measured_forces: Floats) -> tuple[Floats, Floats]:
     """Return the work of adhesion (..., rho) in J/m² with the smallest error, and this error.
 
-    The error is piecewise linear in W. Its minimum is therefore at a W that matches the force on
-    one of the surfaces exactly, and all these W are compared. Forces are as in
-    `mean_relative_error`.
+    The mean relative error is piecewise linear in the work. Its minimum is therefore at a work that
+    matches the force on one of the surfaces exactly, and all such works are compared.
     """
     relative = mean_forces / measured_forces[:, None]
     candidates = 1 / relative
@@ -63,10 +59,7 @@ def fit_work(mean_forces: Floats, measured_forces: Floats) -> tuple[Floats, Floa
 def fit_range_and_work(
     mean_forces: Floats, measured_forces: Floats
 ) -> tuple[Floats, Floats, Floats]:
-    """Return the index of the best range, its work of adhesion in J/m² and its error, each (...).
-
-    Forces are as in `mean_relative_error`.
-    """
+    """Return the index of the best range, its work in J/m² and the relative error, each (...)."""
     work, error = fit_work(mean_forces, measured_forces)
     return error.argmin(axis=-1), *minimum_along_axis(error, work)
 
@@ -79,9 +72,9 @@ def fine_ranges(ranges: Floats) -> Floats:
 
 
 def best_fit(mean_forces: Floats, measured_forces: Floats, ranges: Floats) -> dict[str, Floats]:
-    """Return the best range, work and mean relative error (...), NaN if a computed force is NaN.
+    """Return the variables of FIT_ATTRS (...) by name, of the best pair at the given ranges (nm).
 
-    Forces are as in `mean_relative_error`, at these ranges (nm).
+    They are NaN if a computed force is NaN.
     """
     best_index, work, error = fit_range_and_work(mean_forces, measured_forces)
     best_range = np.where(np.isfinite(error), ranges[best_index], np.nan)
@@ -89,10 +82,10 @@ def best_fit(mean_forces: Floats, measured_forces: Floats, ranges: Floats) -> di
 
 
 def fit_mean_forces(mean_forces: xr.DataArray, measured_forces: pd.Series) -> xr.Dataset:
-    """Fit range and work of adhesion to mean forces (..., surface, rho) in N at 1 J/m².
+    """Return the best ``range_of_adhesion``, ``work_of_adhesion`` and ``best_error`` (...).
 
-    Returns the variables of FIT_ATTRS (...). Surfaces without a measured mean force (N, by surface)
-    do not enter the fit.
+    The ranges of the fit lie between the computed ones. Surfaces without a measured force do not
+    enter the fit; `measured_forces` has surfaces as its index.
     """
     measured_forces = measured_forces.reindex(mean_forces["surface"].values).dropna()
     dimensions = [dim for dim in mean_forces.dims if dim not in ("surface", "rho")]
@@ -107,9 +100,10 @@ def fit_mean_forces(mean_forces: xr.DataArray, measured_forces: pd.Series) -> xr
 
 
 def fit_without_each_surface(mean_forces: xr.DataArray, measured_forces: pd.Series) -> xr.Dataset:
-    """Return the variables of WITHOUT_SURFACE (left_out, ...): fits without one surface at a time.
+    """Return the best pair (left_out, ...) without one surface at a time.
 
-    The arguments are as in `fit_mean_forces`.
+    The variables ``range_without_surface``, ``work_without_surface`` and ``error_without_surface``
+    are those of `fit_mean_forces`.
     """
     surfaces: Sequence[str] = mean_forces["surface"].values.tolist()
     fits = [

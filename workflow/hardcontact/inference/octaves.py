@@ -1,7 +1,7 @@
 """The sensitivity d ln F / d ln a of the mean force F to the amplitude a of each octave of waves.
 
 The waves of one octave are amplified and attenuated on the same surface. Both forces share all
-other waves, so that their ratio scatters little. `hindcast` replaces an octave instead.
+other waves, so that their ratio scatters little. `own.hindcast` replaces an octave instead.
 """
 
 from collections.abc import Iterator, Sequence

@@ -1,14 +1,11 @@
-"""Parts of scans, which give the interval of a mean over a few scans.
-
-They serve the user's surfaces, which may have one scan or two; the surfaces of the paper have
-several independent scans, whose means suffice (`base.statistics`).
+"""Parts of a few scans: the jackknife over the parts gives the interval of a mean force.
 
 If a surface has three scans or more, the parts are the scans. Otherwise the parts are the quarters
 of each scan: contacts of a mirrored scan are grouped by their quarter. Quarters are not
-independent. A contact feels the surface around it with the weight exp(-r²/(2 R rho)), since the
-paraboloid r²/2R enters Eq. 3 of the paper, and contacts of different quarters feel the same peaks.
-R, rho and the size of the scan give this correlation, which corrects the variance. If the contacts
-touch fewer patches than there are quarters, some quarters share a patch, and there is no interval.
+independent. A contact feels the surface around it with a Gaussian weight of the deviation
+sqrt(R rho), since the paraboloid of the sphere enters Eq. 3 of the paper, and contacts of different
+quarters feel the same peaks. This correlation corrects the variance. If the contacts touch fewer
+patches than there are quarters, some quarters share a patch, and there is no interval.
 """
 
 from collections.abc import Callable, Sequence
@@ -57,7 +54,7 @@ class ScanParts:
     part_of_contact: NDArray[np.int_]
     correlation: Floats  #: (part, part), of mean forces of parts.
     scan_count: int  #: Number of scans.
-    touched_patches: float = np.inf  #: Number of patches that contacts of a scan touch at least.
+    touched_patches: float = np.inf  #: Fewest patches that the contacts on a scan touch.
 
     @property
     def are_quarters(self) -> bool:
@@ -79,10 +76,10 @@ class ScanParts:
     def variance_correction(self) -> tuple[float, float]:
         """Factor on the variance of the delete-one jackknife, and its degrees of freedom.
 
-        The jackknife variance is (n - 1)/n sum (l_i - l)². A mean correlation c of the parts lowers
-        it by the factor 1 - c and raises the variance of their mean by the factor 1 + (n - 1) c.
-        The factor returned corrects both. Satterthwaite's degrees of freedom for the correlation
-        matrix C are (tr HC)²/tr (HC)² with H = 1 - 1/n. NaN if these parts give no interval.
+        A mean correlation c of n parts lowers the jackknife variance by the factor 1 - c, and
+        raises the variance of their mean by the factor 1 + (n - 1) c. The factor returned corrects
+        both. The degrees of freedom are Satterthwaite's for the correlation matrix without its
+        row means. NaN if the parts give no interval.
         """
         count = len(self.correlation)
         correlation = self.mean_correlation
@@ -165,11 +162,10 @@ def parts_of_maps(
 def _correlation_of_quarters(size: float, weight_deviation: float) -> Floats:
     """Return the correlation (4, 4) of mean forces of the quarters of a mirrored scan.
 
-    Along one axis, the contacts of one half feel the surface with the indicator of this half,
-    smoothed by a Gaussian of the deviation s = `weight_deviation`. This weight is
-    1/2 ± sum_k a_k cos(k pi x/L) exp(-(k pi s/L)²/2) over odd k, where a_k = ±2/(k pi) are the
-    Fourier coefficients of a step. Uncorrelated roughness therefore gives the covariance
-    1/4 ± sum_k a_k² exp(-(k pi s/L)²)/2: plus for a half with itself, minus for the two halves.
+    Along one axis, the contacts of one half feel the surface with a step, 1 on this half and 0 on
+    the other, which a Gaussian of the `weight_deviation` smooths. With uncorrelated roughness, the
+    covariance of two halves is the mean product of their smoothed steps, computed from the Fourier
+    coefficients of the steps: 1/2, and ±2/(k pi) at odd orders k.
     """
     order = np.arange(1, 2000, 2)
     decay = np.exp(-((np.pi * order * weight_deviation / size) ** 2))
@@ -205,9 +201,9 @@ def jackknife_variance(logarithms: Floats, scan_parts: ScanParts) -> Variance:
 def half_width(variances: Sequence[Variance], confidence: float) -> Floats:
     """Return the half width of the interval of a logarithm with several causes of variance.
 
-    It follows from Student's t with the sum of the independent variances v_i (...) and the
-    degrees of freedom (sum v_i)²/sum(v_i²/f_i) of Welch and Satterthwaite. NaN if a variance is
-    NaN, or if all variances are rounding.
+    It follows from Student's t with the sum of the independent variances (...), and with the
+    degrees of freedom of Welch and Satterthwaite. NaN if a variance is NaN, or if all variances
+    are rounding.
     """
     total = np.asarray(sum(variance.value for variance in variances))
     positive = np.where(total > 0, total, 1.0)

@@ -112,9 +112,10 @@ def add_sizes(
 
 
 def _widen_intervals(force: xr.Dataset, hindcast: xr.Dataset | None, rho: float) -> xr.Dataset:
-    """Return forces with intervals that include further errors, where these are known.
+    """Return forces whose intervals also include the errors that other computations give.
 
-    They come from the position of a rough sphere, the hindcast and the finite width of pixels.
+    The errors are those of the unknown position of a rough sphere, of artificial roughness, and of
+    the finite width of pixels.
     """
     if "position_factor" in force:
         plastic_factor = force["position_factor"].sel(contact_model=PLASTIC, drop=True)
@@ -192,7 +193,7 @@ def forces_on_scans(
 def _force_variables(
     forces: xr.Dataset, forces_by_model: Sequence[SurfaceForces], rho: float, confidence: float
 ) -> xr.Dataset:
-    """Return the variables of one surface, from its forces at the asked work of adhesion."""
+    """Return the variables of one surface, from its forces at the configured work of adhesion."""
     mean = np.array([model_forces.mean for model_forces in forces_by_model])
     intervals = [mean_intervals(model_forces, confidence) for model_forces in forces_by_model]
     dimensions = ("contact_model", "rho")

@@ -64,11 +64,11 @@ def look_repeated(forces: pd.DataFrame) -> bool:
 def sampled_means(rng: np.random.Generator, tests: MeasuredTests, sample_count: int) -> np.ndarray:
     """Return random mean forces (sample,) in N of a log-normal distribution from a few sites.
 
-    The generalized pivot of the logarithm of the mean, mu + sigma²/2, is y - z s*/sqrt(n) + s*²/2
-    with s*² = (n - 1) s²/chi²(n - 1). Here z is normal, and y and s are mean and standard deviation
-    of the logarithms at n sites, mu and sigma their true values. The deviation of the pivot from
-    y + s²/2 is added to the logarithm of the measured mean. NaN for one site, whose scatter is
-    unknown. Source: Krishnamoorthy and Mathew, J. Stat. Plan. Inference 115 (2003) 103.
+    The logarithm of the mean is the mean of the logarithms plus half their variance. Each sample
+    draws a variance, from a chi-squared number, and then an error of the mean of the logarithms.
+    The sum of both deviations is added to the logarithm of the measured mean. NaN for one site,
+    whose scatter is unknown. Source: generalized pivot of Krishnamoorthy and Mathew, J. Stat. Plan.
+    Inference 115 (2003) 103.
     """
     if tests.site_count < 2:
         return np.full(sample_count, np.nan)

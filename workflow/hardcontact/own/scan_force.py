@@ -68,14 +68,15 @@ class ScanSize(StrEnum):
 class Agreement(StrEnum):
     """Whether the closed form for the spectrum of a map agrees with the force on the map.
 
-    NOT_GAUSSIAN: the intervals of both forces are disjoint. OUTSIDE: neither is shown.
+    AGREES: the force lies within the known error of the closed form. NOT_GAUSSIAN: the intervals of
+    both forces are disjoint. OUTSIDE: any other case.
     """
 
     AGREES, NOT_GAUSSIAN, OUTSIDE = "agrees", "not_gaussian", "outside"
 
 
 class OctaveStatus(StrEnum):
-    """Whether an octave matters to the sum over a scan, or to the closed form."""
+    """Whether the effect of an octave is that on the sum over a scan, or on the closed form."""
 
     ON_SCAN, IN_CLOSED_FORM = "on_scan", "closed_form"
 
