@@ -112,19 +112,18 @@ def mean_band_ratio(band_forces: xr.Dataset) -> xr.Dataset:
 
 
 def median_force_exponent(exponents: xr.Dataset) -> xr.Dataset:
-    """Return d ln(force)/d ln(radius), the median over the surfaces (no dimensions)."""
+    """Return the exponent of the force against the radius, the median over surfaces ()."""
     return variable_estimate(exponents, "force_exponent").median("surface", skipna=False)
 
 
 def median_edge_exponent(exponents: xr.Dataset) -> xr.Dataset:
-    """Return d ln(edge)/d ln(root of a quantity), the median over surfaces (side, exponent_of).
+    """Return the exponent of an edge, the median over surfaces (side, exponent_of).
 
     NaN if the edges of a surface determine no exponent. The interval is the median over the
     surfaces with an interval.
     """
     exponent = variable_estimate(exponents, "edge_exponent")
-    is_known = exponent["value"].notnull().all("surface")
-    return exponent.median("surface").where(is_known)
+    return exponent.median("surface").where(exponent["value"].notnull().all("surface"))
 
 
 def interaction_radius(paper: xr.Dataset) -> xr.Dataset:
@@ -142,7 +141,7 @@ def interaction_radius_at_fit(fit: xr.Dataset) -> xr.Dataset:
 def interaction_share(paper: xr.Dataset) -> xr.Dataset:
     """Return the share of the force on a plane within the interaction radius ().
 
-    The attraction of a ring falls as exp(-r²/D rho): 1 - 1/e of it lies within sqrt(D rho).
+    The attraction falls as a Gaussian of the distance from the apex, by a factor e at this radius.
     """
     return as_estimate(xr.DataArray(1 - np.exp(-1.0)))
 
@@ -150,9 +149,8 @@ def interaction_share(paper: xr.Dataset) -> xr.Dataset:
 def sinusoid_share(paper: xr.Dataset) -> xr.Dataset:
     """Return the share of the attraction on the nearer half of a sinusoidal gap in contact (rho).
 
-    For the attraction exp(-a(1 - cos x)/rho) the share is (1 + L0/I0)/2 at a/rho, with the modified
-    Struve and Bessel functions. It is 1/2 if the attraction is uniform. Amplitude a and ranges rho
-    are published.
+    The mean of the exponential attraction over half a period is a sum of modified Struve and Bessel
+    functions. The share is 1/2 if the attraction is uniform. Amplitude and ranges are published.
     """
     ranges = [paper[f"sinusoid_range_{name}"].item() for name in ("short", "long")]
     ratio = paper["sinusoid_amplitude"].item() / np.array(ranges)

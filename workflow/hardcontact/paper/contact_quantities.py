@@ -127,10 +127,9 @@ def elastic_pressure_over_hardness(topography: xr.Dataset, elastic: xr.Dataset) 
 def nonstickiness(topography: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
     """Return the repulsion in contacts relative to the attraction around them (surface).
 
-    Two large rough surfaces stick if it is below one. It is h' ρ E*/(2 W) divided by
-    π (3/16)^(2/3) (ρ h''/h'²)^(2/3), with the rms slope h' and the rms curvature h'' of all scales.
-    The range of adhesion ρ is the shortest range of atomic interactions. Pastewka and Robbins,
-    Proceedings of the National Academy of Sciences 111 (2014) 3298.
+    Two large rough surfaces stick if it is below one: Pastewka and Robbins, Proceedings of the
+    National Academy of Sciences 111 (2014) 3298. Slope and curvature are those of all scales, the
+    range of adhesion is the shortest range of atomic interactions.
     """
     slope = topography[TABLE1_VARIABLES["all_rms_slope"]]
     curvature = topography[TABLE1_VARIABLES["all_rms_curvature"]]

@@ -1,8 +1,7 @@
 """How the pull-off force and the edges of the band scale with the sphere and the load.
 
-Two lengths are varied: sqrt(R) and sqrt(A), with the radius R of the sphere and the area A in
-contact. An edge with the exponent 0 does not depend on a length; an edge with the exponent 1 is
-proportional to it.
+An edge is a length, and so is compared with the square roots of the radius of the sphere and of the
+area in contact. With the exponent 0 it does not depend on one, with 1 it is proportional to it.
 """
 
 import numpy as np
@@ -14,7 +13,7 @@ from hardcontact.base.units import DIMENSIONLESS
 from hardcontact.contact.contact import CONTACT_AXES
 from hardcontact.inference.edges import find_edge, logarithmic_limits, ordered_curve
 
-#: Quantities whose square roots are these lengths, in the order of the fitted exponents.
+#: Quantities whose square roots edges are compared with, in the order of the fitted exponents.
 SCALED_QUANTITIES = ["radius", "contact"]
 
 
@@ -37,7 +36,7 @@ def force_exponent(forces: xr.Dataset, contact_area: float, confidence: float) -
 
 
 def edge_exponents(forces: xr.Dataset, tolerance: float, confidence: float) -> xr.Dataset:
-    """Return the exponents with which both edges follow the square roots of SCALED_QUANTITIES.
+    """Return the exponents of the edges against the square roots of SCALED_QUANTITIES.
 
     Forces come from `read_master_forces`. ``edge_exponent`` (surface, side, exponent_of) is fitted
     by least squares to all edges that are found; its interval is the jackknife's over realizations.

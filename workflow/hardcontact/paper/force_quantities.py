@@ -43,9 +43,9 @@ def plastic_over_rigid(adhesion: xr.Dataset) -> xr.Dataset:
 
 
 def range_exponent_of_force(adhesion: xr.Dataset) -> xr.Dataset:
-    """Return d ln F / d ln rho of the mean force at the reference range (surface, contact_model).
+    """Return the exponent of the mean force against the range (surface, contact_model).
 
-    The estimate is the mean of the exponents of all scans, with an interval over scans.
+    It is the logarithmic slope at the reference range, the mean over scans.
     """
     mean = mean_over_contacts(adhesion["pull_off_force"])
     logarithm = xr.DataArray(np.log(mean)).assign_coords(rho=np.log(mean["rho"]))
@@ -55,9 +55,10 @@ def range_exponent_of_force(adhesion: xr.Dataset) -> xr.Dataset:
 
 
 def range_exponent_of_area(adhesion: xr.Dataset) -> xr.Dataset:
-    """Return d ln A / d ln rho of the area A that attracts (surface, contact_model).
+    """Return the exponent of the area that attracts against the range (surface, contact_model).
 
-    Each pixel counts by its attraction relative to a pixel in contact: A = F rho / W (Eq. 3).
+    Each pixel counts by its attraction relative to a pixel in contact, so that by Eq. 3 the area is
+    proportional to force times range.
     """
     return 1 + range_exponent_of_force(adhesion)
 
@@ -217,9 +218,8 @@ def _half_width(region: xr.DataArray) -> xr.Dataset:
 def strength_over_casimir(paper: xr.Dataset) -> xr.Dataset:
     """Return the largest pressure of Eq. 2 relative to ideal metals (no dimensions).
 
-    Eq. 2 has the published range and work of adhesion. Ideal metals at the gap d attract with
-    pi² hbar c/(240 d⁴), Casimir, Proc. K. Ned. Akad. Wet. 51 (1948) 793. The ratio is proportional
-    to d⁴ exp(-d/rho), so it is largest at d = 4 rho.
+    Eq. 2 has the published range and work of adhesion; the ratio is largest at a gap of four ranges
+    (workflow/report/findings.md). Casimir, Proc. K. Ned. Akad. Wet. 51 (1948) 793.
     """
     rho = 1e-9 * paper["range_of_adhesion"]
     gap = 4 * rho

@@ -17,14 +17,9 @@ from hardcontact.base.statistics import (
     with_interval,
 )
 from hardcontact.base.units import DIMENSIONLESS, NEWTON
-from hardcontact.contact.contact import CONTACT_AXES, CONTACT_DIMENSIONS
+from hardcontact.contact.contact import CONTACT_AXES
 from hardcontact.contact.pull_off import interpolate_to_range
-
-
-def mean_of_each_scan(forces: xr.DataArray) -> xr.DataArray:
-    """Return the mean force (surface, scan, rho) over the contacts of each scan."""
-    contact_dimensions = [name for name in CONTACT_DIMENSIONS if name in forces.dims]
-    return forces.mean(contact_dimensions).transpose("surface", "scan", "rho")
+from hardcontact.paper.estimates import mean_over_contacts
 
 
 def mean_forces(forces: xr.DataArray, sampling: Sampling) -> tuple[Floats, Floats]:
@@ -34,7 +29,7 @@ def mean_forces(forces: xr.DataArray, sampling: Sampling) -> tuple[Floats, Float
     and samples (sample, surface, rho) in N, NaN for a surface with a single scan. Random numbers
     depend on the surface alone: contact models share them.
     """
-    scans = mean_of_each_scan(forces)
+    scans = mean_over_contacts(forces).transpose("surface", "scan", "rho")
     samples = [
         student_log_samples(
             sampling.generator("adhesion", str(surface)),

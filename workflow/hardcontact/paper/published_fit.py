@@ -28,11 +28,11 @@ from hardcontact.inference.fit import (
     fit_work,
     mean_relative_error,
 )
+from hardcontact.paper.estimates import mean_over_contacts
 from hardcontact.paper.force_statistics import (
     force_ratios,
     forces_at_pair,
     mean_forces,
-    mean_of_each_scan,
 )
 from hardcontact.records.job import progress
 
@@ -145,7 +145,8 @@ def fit_model(
     sampled_fits = _fit_curves(curve_samples, published_forces, fitted_reference_index, ranges)
     errors = ratio_errors(curves, published_forces, fitted_reference_index)
     axes = ("surface", "rho")
-    interval = student_log_interval(mean_of_each_scan(forces), sampling.confidence, "scan")
+    scans = mean_over_contacts(forces).transpose(..., *axes)
+    interval = student_log_interval(scans, sampling.confidence, "scan")
     variables = (
         _fitted_variables(fits, sampled_fits, sampling)
         | _error_variables(curves, published_forces, ranges, threshold)

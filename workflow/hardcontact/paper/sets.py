@@ -20,6 +20,7 @@ from hardcontact.contact.contact import CONTACT_AXES
 from hardcontact.inference.fit import WITHOUT_SURFACE
 from hardcontact.paper.claims import claim_values
 from hardcontact.paper.edges_of_masters import edges_of_masters
+from hardcontact.paper.estimates import mean_over_contacts
 from hardcontact.paper.featured_samples import sample_of_set, samples_by_surface
 from hardcontact.paper.pool import sample_scans
 from hardcontact.paper.published_fit import PublishedForces, fit_published
@@ -150,7 +151,7 @@ def scale_to_sampled_mean(forces: xr.DataArray, rng: np.random.Generator) -> xr.
     The distribution over contacts stays the same. A single scan keeps its forces.
     """
     axes = ("scan", "contact_model", "rho")
-    means = forces.mean([dim for dim in forces.dims if dim not in axes]).transpose(*axes)
+    means = mean_over_contacts(forces).transpose(*axes)
     if means.sizes["scan"] < 2:
         return forces
     sample = student_log_samples(rng, means.values, 1)[0]
