@@ -33,7 +33,7 @@ def weights():
 def test_no_self_affine_spectrum_has_the_scans_of_ncd(project_folder):
     table = published.read_table1("resources/paper/table1.csv")
     ncd = published.rows_of_surface(table, "ncd")
-    with pytest.raises(ValueError, match="expected three numbers .* missed by .* %"):
+    with pytest.raises(ValueError, match="expected a model .* missed by .* %"):
         table1_calibration.calibrate_model(
             band("self-affine"), ncd, transfer_weights(2048, PIXEL, 512)
         )

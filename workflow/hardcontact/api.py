@@ -9,7 +9,7 @@ quantities of a contact that are so unusual that their unit may be wrong.
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import xarray as xr
@@ -22,7 +22,6 @@ from hardcontact.config.arguments import (
     check_contact,
     check_cutoffs,
     check_heights,
-    check_optional_lengths,
     check_positive,
     check_positive_numbers,
     check_quantities,
@@ -102,11 +101,9 @@ def read_scan(
     >>> scan = hc.read_scan("scan.nc")
     >>> size = scan.size  # nm
     """
+    lengths = {"map_size": map_size, "sphere_radius": sphere_radius}
     check_read_arguments(
-        [path], dataset=dataset, unit=unit, undefined_pixels=undefined_pixels, mask=mask
-    )
-    check_optional_lengths(
-        map_size=map_size if map_size != NONE else None, sphere_radius=sphere_radius
+        [path], lengths, dataset=dataset, unit=unit, undefined_pixels=undefined_pixels, mask=mask
     )
     with arguments_in_messages():
         scan = reading.read_scan(path, dataset, undefined_pixels, unit, map_size, mask)
@@ -148,7 +145,7 @@ def from_topography(
             "topography: expected a map of SurfaceTopography with a unit of length, found "
             f"{type(topography).__name__}"
         )
-    check_optional_lengths(sphere_radius=sphere_radius)
+    check_read_arguments([], {"sphere_radius": sphere_radius})
     with arguments_in_messages():
         try:
             values = map_values(topography, unit_in_nm(topography.unit), undefined_pixels)
@@ -204,19 +201,14 @@ def read_spectrum(
     >>> spectrum = hc.read_spectrum("scan.nc")
     >>> shortest = spectrum.wavelength[-1]  # nm
     """
+    lengths = {"map_size": map_size, "tip_radius": tip_radius, "sphere_radius": sphere_radius}
     check_read_arguments(
-        files, dataset=dataset, unit=unit, undefined_pixels=undefined_pixels, mask=mask
-    )
-    check_optional_lengths(
-        map_size=map_size if map_size != NONE else None,
-        tip_radius=tip_radius,
-        sphere_radius=sphere_radius,
+        files, lengths, dataset=dataset, unit=unit, undefined_pixels=undefined_pixels, mask=mask
     )
     options = reading.ReadingOptions(tip_radius, unit, map_size, levelling, mask, undefined_pixels)
     with arguments_in_messages():
-        spectrum = read_own_spectrum(
-            files, options, dataset=dataset, sphere_radius=sphere_radius
-        ).spectrum
+        own = read_own_spectrum(files, options, dataset=dataset, sphere_radius=sphere_radius)
+    spectrum = own.spectrum
     if extrapolated and isinstance(spectrum, ScanSpectrum):
         return spectrum.extrapolated()
     return spectrum
@@ -267,14 +259,9 @@ def pull_off_forces(
     ... )
     >>> mean = forces.pull_off_force.sel(contact_model="plastic").mean()  # N
     """
-    contact = Contact(
-        radius=radius,
-        preload=preload,
-        hardness=hardness,
-        window=window,
-        contacts_per_row=contacts_per_row,
-    )
-    check_quantities(radius=radius, preload=preload, hardness=hardness, work=work)
+    given: dict[str, Any] = {"radius": radius, "preload": preload, "hardness": hardness}
+    check_quantities(**given, work=work)
+    contact = Contact(**given, window=window, contacts_per_row=contacts_per_row)
     ranges = [rho] if isinstance(rho, int | float) else rho
     check_positive_numbers("rho", ranges)
     surface, rough = _periodic_maps(scan, sphere, contact, ranges)
@@ -347,16 +334,15 @@ def force_ratios(
     ... )
     >>> short_edge = float(ratios.edge.sel(side="short"))  # nm
     """
-    contact = Contact(
-        radius=radius,
-        preload=preload,
-        hardness=hardness,
-        window=window,
-        contacts_per_row=contacts_per_row,
-        rho=rho,
-    )
-    check_quantities(radius=radius, preload=preload, hardness=hardness, rho=rho)
+    given: dict[str, Any] = {
+        "radius": radius,
+        "preload": preload,
+        "hardness": hardness,
+        "rho": rho,
+    }
+    check_quantities(**given)
     check_positive(tolerance=tolerance)
+    contact = Contact(**given, window=window, contacts_per_row=contacts_per_row)
     surface, rough = _periodic_maps(scan, sphere, contact, [rho])
     check_cutoffs(cutoffs, surface)
     forces = {}

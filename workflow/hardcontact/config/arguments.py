@@ -15,6 +15,7 @@ import numpy as np
 from hardcontact.base.units import format_exact, parse_quantity
 from hardcontact.config.configuration import CONTACT_QUANTITIES, quantity_type
 from hardcontact.config.faults import raise_faults, shorten
+from hardcontact.config.keys import NONE
 from hardcontact.config.limits import PIXEL_SIZES, NamedContact, contact_faults
 from hardcontact.contact.contact import Contact, Grid
 from hardcontact.contact.hertz_jkr_dmt import STRONGEST_WORK
@@ -71,24 +72,29 @@ def unit_question(quantity: str, number: float) -> str:
     return f"is the unit right? {' to '.join(bounds)} are usual for {kind}{suggestion}"
 
 
-def check_read_arguments(files: Sequence[object], **texts: object) -> None:
-    """Refuse files that are not paths, and arguments that are not text, by their names."""
-    faults = []
-    for file in files:
-        if not isinstance(file, str | Path):
-            found = " ".join(shorten(file).split())
-            faults.append(f"files: expected a path in each argument, found {found}")
-    for name, text in texts.items():
-        if not isinstance(text, str):
-            faults.append(f"{name}: expected a text, found {shorten(text)}")
+def check_read_arguments(
+    files: Sequence[object], lengths: Mapping[str, object], **texts: object
+) -> None:
+    """Refuse files that are not paths, and arguments, by name, that are not lengths or texts.
+
+    A length is a positive number of nm, or None, or NONE.
+    """
+    faults = [
+        f"files: expected a path in each argument, found {' '.join(shorten(file).split())}"
+        for file in files
+        if not isinstance(file, str | Path)
+    ]
+    faults += [
+        f"{name}: expected a text, found {shorten(text)}"
+        for name, text in texts.items()
+        if not isinstance(text, str)
+    ]
     if texts.get("mask", MASKS[0]) not in MASKS:
         faults.append(f"mask: expected {' or '.join(MASKS)}, found {shorten(texts['mask'])}")
     raise_faults(faults)
-
-
-def check_optional_lengths(**lengths: object) -> None:
-    """Refuse lengths (nm) that are neither None nor positive numbers; messages name them."""
-    check_positive(**{name: value for name, value in lengths.items() if value is not None})
+    check_positive(
+        **{name: length for name, length in lengths.items() if length not in (None, NONE)}
+    )
 
 
 def check_positive_numbers(name: str, numbers: object) -> None:
@@ -114,19 +120,15 @@ def check_quantities(**numbers: Any) -> None:
     `radius` and `rho` are in nm, `preload` in N, `hardness` in Pa, `work` in J/m².
     """
     check_positive(**numbers)
-    quantities = {name: "range" if name == "rho" else name for name in numbers}
-    kinds = {
-        name: quantity_type(CONTACT_QUANTITIES[quantity][0])
-        for name, quantity in quantities.items()
-    }
+    options = {name: "range" if name == "rho" else name for name in numbers}
+    types = {name: quantity_type(CONTACT_QUANTITIES[options[name]][0]) for name in numbers}
     raise_faults(
         f"{name}: expected {kind.expects}, found {numbers[name]:g} {kind.unit}: is the unit right?"
-        for name, kind in kinds.items()
+        for name, kind in types.items()
         if not kind.low <= numbers[name] <= kind.high
     )
-    for name, kind in kinds.items():
-        question = unit_question(quantities[name], numbers[name])
-        if question:
+    for name, kind in types.items():
+        if question := unit_question(options[name], numbers[name]):
             warnings.warn(f"{name} {numbers[name]:g} {kind.unit}: {question}", stacklevel=3)
 
 
@@ -138,20 +140,16 @@ def check_contact(surface: HeightMap, contact: Contact, ranges: Sequence[float])
             f"scan: expected a pixel_size of {low:g} to {high:g} nm, found "
             f"{surface.pixel_size:g} nm: is the unit right?"
         )
-    shortest = replace(contact, rho=min(ranges, default=math.nan))
-    check_positive(
-        window=contact.window, contacts_per_row=contact.contacts_per_row, rho=shortest.rho
-    )
-    if contact.contacts_per_row != int(contact.contacts_per_row):
-        raise ValueError(
-            f"contacts_per_row: expected a whole number, found {contact.contacts_per_row:g}"
-        )
+    shortest = min(ranges, default=math.nan)
+    count = contact.contacts_per_row
+    check_positive(window=contact.window, contacts_per_row=count, rho=shortest)
+    if count != int(count):
+        raise ValueError(f"contacts_per_row: expected a whole number, found {count:g}")
     # Limits are stated for a scan, which is half as large as its periodic map.
     relief = float(np.ptp(surface.heights))
     grid = Grid(surface.pixels // 2, surface.pixel_size, surface.size / 2, relief)
-    named_contact = NamedContact(
-        shortest, preload="preload", contacts_per_row="contacts_per_row", range="rho"
-    )
+    names = ("preload", "contacts_per_row", "rho")
+    named_contact = NamedContact(replace(contact, rho=shortest), *names)
     raise_faults(islice(contact_faults(named_contact, "the map", grid), 1))
 
 

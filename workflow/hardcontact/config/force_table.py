@@ -122,7 +122,7 @@ def _parse_force(
     for name in ("mean", "median") if "mean" in row else ("value", "value"):
         if parse_number(row[name]) == 0 or row[name].startswith("<"):
             raise ValueError(
-                f"{name}: expected a force above zero, found {quote_key(row[name])}: of a test "
+                f"{name}: expected a force above zero, found {quote_key(row[name])}: for a test "
                 "below the noise write the noise, which makes the mean an upper bound"
             )
         if parse_number(row[name]) < 0:

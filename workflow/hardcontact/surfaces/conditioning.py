@@ -123,12 +123,6 @@ def _fit_group(matrices: Floats, targets: Targets) -> tuple[Floats, Floats, Floa
         **FIT_TOLERANCES,
     )
     mean_errors, factors = errors_and_factors(fit.x)
-    if factors.min() <= 0:
-        raise ValueError(
-            f"expected rms heights above zero of {len(matrices)} scans with the mean "
-            f"{means[0]:.3g} nm and the standard deviation {targets.rms_height_std:.3g} nm, found "
-            "one of zero or below: use fewer scans of this surface, whose rms heights differ less"
-        )
     # The mean factor goes into the gain, so that the factors of the scans have the mean 1.
     mean_factor = factors.mean()
     return mean_factor * np.exp(np.append(0.0, fit.x)), factors / mean_factor, mean_errors
@@ -156,6 +150,14 @@ def condition_group(
             components = [level(scan_of_noise(noise, spectrum, grid)) for spectrum in spectra]
             matrices.append(metric_matrices(components, list(targets.means)))
         amplitudes, factors, mean_errors = _fit_group(np.array(matrices), targets)
+        if factors.min() <= 0:
+            mean_rms_height = next(iter(targets.means.values()))
+            raise ValueError(
+                f"{substitute.surface_name}: expected rms heights above zero of {len(factors)} "
+                f"scans with the mean {mean_rms_height:.3g} nm and the standard deviation "
+                f"{targets.rms_height_std:.3g} nm, found one of zero or below: use fewer scans of "
+                "this surface, whose rms heights differ less"
+            )
         amplitude_gain = amplitudes @ shares
         missed_rows = {
             row

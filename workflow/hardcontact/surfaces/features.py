@@ -152,9 +152,9 @@ def sample_features(
                 counts=tuple(counts[index].tolist()),
             )
     raise ValueError(
-        "expected features with the published mean and standard deviation of rms heights, "
-        f"{statistics.means[0]:.3g} +- {statistics.stds[0]:.3g} nm, found none in "
-        f"{MAX_BATCHES * BATCH_SIZE} tries"
+        "config key scan.featured_surface: expected features that give rms heights of "
+        f"{statistics.means[0]:.3g} ± {statistics.stds[0]:.3g} nm, found none in "
+        f"{MAX_BATCHES * BATCH_SIZE} tries: set it to none"
     )
 
 

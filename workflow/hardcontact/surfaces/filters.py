@@ -42,8 +42,8 @@ def _order_limit(surface: HeightMap, cutoff: float) -> float:
     order_limit = surface.size / cutoff * (1 + 1e-12)
     if 2 * int(order_limit) + 2 > surface.pixels:
         raise ValueError(
-            f"expected a cutoff of more than two pixels ({2 * surface.pixel_size:.4g} nm), "
-            f"found {cutoff:.4g} nm"
+            f"cutoff: expected more than two pixels ({2 * surface.pixel_size:.4g} nm), found "
+            f"{cutoff:.4g} nm"
         )
     return order_limit
 
@@ -106,7 +106,7 @@ def interpolate(surface: HeightMap, pixels: int) -> HeightMap:
 def _refuse_coarser(coarse_pixels: int, pixels: int) -> None:
     if pixels < coarse_pixels:
         raise ValueError(
-            f"expected at least {coarse_pixels} pixels to interpolate to, found {pixels}"
+            f"pixels: expected at least {coarse_pixels} pixels to interpolate to, found {pixels}"
         )
 
 

@@ -205,7 +205,7 @@ def power_law_extrapolation(density: Floats, hurst: float) -> Floats:
     wavelengths of the spectrum. Raises ValueError if the density is zero everywhere.
     """
     if not density.any():
-        raise ValueError("expected roughness above a power law, found none")
+        raise ValueError("power law: expected a segment at longer wavelengths, found none")
     last_index = density.nonzero()[0][-1]
     relative = WAVEVECTORS / WAVEVECTORS[last_index]
     return np.where(relative > 1, density[last_index] * relative ** (-2 - 2 * hurst), 0.0)

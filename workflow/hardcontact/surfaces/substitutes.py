@@ -99,5 +99,8 @@ def read_substitute(
 def required_targets(substitute: Substitute) -> Targets:
     """Return the targets of a substitute; raises ValueError if it has no published rms height."""
     if substitute.targets is None:
-        raise ValueError(f"{substitute.surface_name}: expected a published rms height, found none")
+        raise ValueError(
+            f"{substitute.surface_name}: expected afm_rms_height in resources/paper/table1.csv, "
+            "found none"
+        )
     return substitute.targets

@@ -131,9 +131,9 @@ def calibrate_model(segment: pd.Series, table1: pd.DataFrame, weights: Weights) 
     if np.abs(fit.fun).max() > MET_ERROR:
         worst = int(np.abs(fit.fun).argmax())
         raise ValueError(
-            "expected three numbers of Table 1 that a spectrum of this model has, found "
-            f"{AFM_ROWS[worst]} = {published_rms[worst]:.3g}, missed by "
-            f"{100 * fit.fun[worst]:+.1f} %"
+            f"expected a model that meets {', '.join(AFM_ROWS)} of Table 1, found "
+            f"{AFM_ROWS[worst]} = {published_rms[worst]:.3g} missed by {100 * fit.fun[worst]:+.1f} "
+            "%: choose another model, or state its Hurst exponent"
         )
     return {name: float(value) for name, value in parameters(fit.x).items()}
 
@@ -150,8 +150,8 @@ def calibrate_tail(
     missing_squares = [gradient**2 - longer_rms[0] ** 2, half_laplacian**2 - longer_rms[1] ** 2]
     ends = 2 * np.pi / WAVEVECTORS[longer_waves.nonzero()[0][-1] + 1 :]
     refusal = ValueError(
-        f"expected an all-scales slope and curvature that a power law below {ends[0]:.3g} nm can "
-        f"add, found {gradient} and {half_laplacian}"
+        f"expected a slope and a curvature over all scales that a power law below {ends[0]:.3g} nm "
+        f"can add, found {gradient} and {half_laplacian}: state its Hurst exponent"
     )
     if min(missing_squares) <= 0:
         raise refusal
