@@ -4,7 +4,6 @@ All forces are computed for a work of adhesion of 1 J/m², to which they are pro
 statistics are given for two pairs of range and work of adhesion, the published and the fitted pair.
 """
 
-from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -114,10 +113,9 @@ def fit_published(
 
 def _model_error_ratio(models: xr.Dataset, sampling: Sampling) -> dict[str, Any]:
     """Return the smallest error of rigid contact relative to plastic contact, with an interval."""
-    rigid = models.sel(contact_model=RIGID)
-    plastic = models.sel(contact_model=PLASTIC)
-    value = rigid["best_error"].item() / plastic["best_error"].item()
-    samples = rigid["sampled_error"].values / plastic["sampled_error"].values
+    errors = models[["best_error", "sampled_error"]]
+    ratio = errors.sel(contact_model=RIGID) / errors.sel(contact_model=PLASTIC)
+    value, samples = ratio["best_error"].item(), ratio["sampled_error"].values
     return sampling.with_interval("model_error_ratio", (), value, samples, DIMENSIONLESS)
 
 
@@ -138,51 +136,32 @@ def fit_model(
     means, mean_samples = mean_forces(forces, sampling)
     is_published = np.isfinite(published_forces)
     published_forces = published_forces[is_published]
-    fitted_reference_index = int(is_published[:reference_index].sum())
-    curves = interpolate_to_ranges(means[is_published], computed_ranges, ranges)
-    curve_samples = interpolate_to_ranges(mean_samples[:, is_published], computed_ranges, ranges)
-    fits = _fit_curves(curves, published_forces, fitted_reference_index, ranges)
-    sampled_fits = _fit_curves(curve_samples, published_forces, fitted_reference_index, ranges)
-    errors = ratio_errors(curves, published_forces, fitted_reference_index)
+    # The first curves are the means, all others their samples.
+    fitted_means = np.concatenate([means[None], mean_samples])[:, is_published]
+    curves = interpolate_to_ranges(fitted_means, computed_ranges, ranges)
+    fits = best_fit(curves, published_forces, ranges)
+    errors = ratio_errors(curves, published_forces, int(is_published[:reference_index].sum()))
+    best_ranges = ranges[errors.argmin(axis=-1)]
+    fits["range_from_ratios"] = np.where(np.isfinite(fits["best_error"]), best_ranges, np.nan)
     axes = ("surface", "rho")
     scans = mean_over_contacts(forces).transpose(..., *axes)
     interval = student_log_interval(scans, sampling.confidence, "scan")
     variables = (
-        _fitted_variables(fits, sampled_fits, sampling)
-        | _error_variables(curves, published_forces, ranges, threshold)
-        | {"ratio_error": ("rho_fine", errors, DIMENSIONLESS)}
+        _error_variables(curves[0], published_forces, ranges, threshold)
+        | {"ratio_error": ("rho_fine", errors[0], DIMENSIONLESS)}
         | with_interval("mean_force", axes, means, interval.values, NEWTON, sampling.confidence)
         | force_ratios("force_over_reference", axes, means, mean_samples, reference_index, sampling)
     )
+    for name, attributes in FITTED_ATTRS.items():
+        variables |= sampling.with_interval(name, (), fits[name][0], fits[name][1:], attributes)
+    for name, variable in SAMPLED_VARIABLES.items():
+        variables[f"sampled_{name}"] = ("sample", fits[variable][1:], FITTED_ATTRS[variable])
     coordinates = {
         "rho_fine": ("rho_fine", ranges, NM),
         "work": ("work", MAPPED_WORKS, JOULE_PER_M2),
         "minimum": np.arange(1, MAX_MINIMA + 1),
     }
     return xr.Dataset(variables, {"surface": forces.surface, "rho": forces.rho} | coordinates)
-
-
-def _fit_curves(
-    curves: Floats, published_forces: Floats, reference_index: int, ranges: Floats
-) -> dict[str, Floats]:
-    """Return the variables (...) of FITTED_ATTRS, as `best_fit` returns its variables."""
-    fit = best_fit(curves, published_forces, ranges)
-    best_index = ratio_errors(curves, published_forces, reference_index).argmin(axis=-1)
-    is_fitted = np.isfinite(fit["best_error"])
-    return fit | {"range_from_ratios": np.where(is_fitted, ranges[best_index], np.nan)}
-
-
-def _fitted_variables(
-    fits: Mapping[str, Floats], sampled_fits: Mapping[str, Floats], sampling: Sampling
-) -> dict[str, Any]:
-    """Return the variables of FITTED_ATTRS with intervals, and the samples of SAMPLED_VARIABLES."""
-    variables: dict[str, Any] = {
-        f"sampled_{name}": ("sample", sampled_fits[variable], FITTED_ATTRS[variable])
-        for name, variable in SAMPLED_VARIABLES.items()
-    }
-    for name, attributes in FITTED_ATTRS.items():
-        variables |= sampling.with_interval(name, (), fits[name], sampled_fits[name], attributes)
-    return variables
 
 
 def _error_variables(

@@ -65,16 +65,15 @@ class AcceptedRange:
             return REPRODUCED
         return NOT_REPRODUCED if share <= 1 - REPRODUCED_SHARE else UNDECIDED
 
-    def verdict_of_posterior(self, draws: Floats, low: float, high: float) -> str:
-        """Judge draws (draw,) from the posterior of a number and its interval.
+    def verdict_of_posterior(self, samples: Floats, low: float, high: float) -> str:
+        """Judge samples (sample,) of the posterior of a number, and their interval.
 
-        Few draws agree if the accepted range is narrow and the interval wide: then the statement is
-        undecided, not rejected.
+        Few samples agree if the accepted range is narrow and the interval wide: then the statement
+        is undecided, not rejected.
         """
-        if self.accepts(draws).mean() >= REPRODUCED_SHARE:
+        if self.accepts(samples).mean() >= REPRODUCED_SHARE:
             return REPRODUCED
-        is_rejected = self.verdict(low, low, high) == NOT_REPRODUCED
-        return NOT_REPRODUCED if is_rejected else UNDECIDED
+        return NOT_REPRODUCED if self.verdict(low, low, high) == NOT_REPRODUCED else UNDECIDED
 
     def verdict(self, computed: float, low: float, high: float) -> str:
         """Judge a number, NaN if none exists, and its interval, NaN if it has none.
@@ -89,10 +88,8 @@ class AcceptedRange:
             return AGREES if self.accepts(computed) else NOT_REPRODUCED
         if self.accepts([low, high]).all():
             return REPRODUCED
-        if self.includes_limits:
-            overlaps = low <= self.high and self.low <= high
-        else:
-            overlaps = low < self.high and self.low < high
+        overlap = min(high, self.high) - max(low, self.low)
+        overlaps = overlap >= 0 if self.includes_limits else overlap > 0
         return UNDECIDED if overlaps else NOT_REPRODUCED
 
 
