@@ -43,11 +43,3 @@ def test_datasets_are_stacked_in_the_order_of_their_keys_with_nan_for_missing_on
     assert forces.dims == ("surface", "scan", "contact")
     assert forces["surface"].values.tolist() == ["uncd", "mcd"]
     np.testing.assert_array_equal(forces.sel(scan=[2, 1])[..., 0], [[2, 1], [2, np.nan]])
-
-
-def test_texts_that_differ_between_outer_labels_are_stacked():
-    part = xr.Dataset({"force": 1.0})
-    labels = [("scan", "whole"), ("substitute", "whole"), ("substitute", "mirrored")]
-    stacked = dataset.stack(dict.fromkeys(labels, part), ("basis", "map"))
-    assert stacked["map"].values.tolist() == ["mirrored", "whole"]
-    assert stacked["force"].isnull().sum() == 1

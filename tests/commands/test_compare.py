@@ -54,13 +54,6 @@ def own(study, label):
     }  # fmt: skip
 
 
-def test_a_study_is_equal_to_itself(paper):
-    comparison = compare_answers(paper, paper)
-    assert comparison.inputs == []
-    assert {row.agreement for row in comparison.numbers} == {"equal"}
-    assert {row.surface for row in comparison.numbers} >= {"", "UNCD", "MCD"}
-
-
 @pytest.mark.parametrize(
     ("factor", "name", "surface", "changes"),
     [

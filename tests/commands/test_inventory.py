@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from refusals import assert_says
-from scan_files import write_container, write_scan
+from scan_files import write_scan
 
 from hardcontact.commands import inventory as module
 from hardcontact.commands.inventory import inventory, table_rows
@@ -42,23 +42,6 @@ def test_roughness_excludes_tilt_and_the_shape_of_the_sphere(tmp_path):
     ball = -(x[:, None] ** 2 + x**2) / 2000 + wave(slope=0)
     entry = only_entry(write_scan(tmp_path / "ball.nc", ball, (640.0, 640.0)), sphere_radius=1000.0)
     assert entry.rms_height == pytest.approx(np.sqrt(2), rel=1e-3)
-
-
-def test_an_unreadable_member_of_a_container_is_skipped(tmp_path):
-    sound_scan = write_scan(tmp_path / "good.nc")
-    (tmp_path / "bad.txt").write_text("nothing")
-    datasets = [
-        {"name": name, "datafile": {"original": name}, "unit": "nm", "size": [320.0, 320.0]}
-        for name in ("good.nc", "bad.txt")
-    ]
-    files = {"good.nc": sound_scan, "bad.txt": tmp_path / "bad.txt"}
-    twin = write_container(tmp_path / "twin.zip", datasets, files)
-    ((entry,), (line,), problems) = inventory([scan_file(twin)], ReadingOptions())
-    assert entry.dataset == "good.nc" and not problems
-    assert_says(line, "twin.zip: bad.txt: expected")
-    unusable_container = write_container(tmp_path / "bad.zip", datasets[1:], files)
-    entries, unreadable, problems = inventory([scan_file(unusable_container)], ReadingOptions())
-    assert not entries and not unreadable and len(problems) == 1
 
 
 def test_a_folder_stands_for_its_files_of_which_unreadable_ones_are_left_out(tmp_path):

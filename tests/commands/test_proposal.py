@@ -187,12 +187,6 @@ def test_scans_like_the_paper_s_get_about_its_grids():
     assert large["cutoffs"][0] <= 100 and large["cutoffs"][-1] == 10000
 
 
-@pytest.mark.parametrize("count", [1, 2, 3, 5, 7])
-def test_every_scan_makes_equally_many_masters(count):
-    config, _ = both_efforts(contact(), propose([entry()] * count, None, contact()))
-    assert config["scales"]["realizations"] % count == 0
-
-
 @pytest.mark.parametrize(("shortest", "transition"), [(120.0, "120 nm"), (2000.0, "1000 nm")])
 def test_roughness_is_artificial_below_the_reliable_wavelengths(shortest, transition):
     scan = entry(band=ReliableBand(shortest, 833.0, "tip"))
@@ -253,16 +247,3 @@ def test_unsuitable_scans_are_refused_in_one_line_each(entries, settings, messag
     message = refusal(propose, entries, None, settings)
     assert_says(message, *message_parts)
     assert len(message.splitlines()) == len(message_parts)
-
-
-@pytest.mark.parametrize(
-    ("scan", "settings", "message_parts"),
-    [
-        (entry(20000, 512, 700.0), contact(rho=6.0), ["adhesion.range: expected at least 11.2 nm"]),
-        # A quarter of the mirrored scan, 6.25 um2, carries 6.25 mN at 1 GPa.
-        (entry(), contact(preload=1.0, hardness=1e9), ["contact.preload", "at most 6.25 mN"]),
-    ],
-)
-def test_the_study_refuses_options_that_the_scans_do_not_permit(scan, settings, message_parts):
-    message = refusal(check_study, settings, propose([scan], None, settings, True))
-    assert_says(message, *message_parts)

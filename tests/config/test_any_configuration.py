@@ -107,11 +107,6 @@ def test_any_value_at_any_key_is_accepted_or_refused_with_the_key(path, value):
     assert message is None or message.startswith("config key")
 
 
-@pytest.mark.parametrize("config", [None, [], "", 5, {None: None}, {5: 6}, {("a", 1): 2}])
-def test_a_configuration_that_is_no_mapping_is_refused(config):
-    assert "(top level)" in outcome(config)
-
-
 @SETTINGS
 @given(st.data())
 def test_values_near_the_paper_s_become_numbers_or_are_refused(data):

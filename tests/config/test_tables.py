@@ -26,17 +26,6 @@ def table(tmp_path):
     return write
 
 
-def test_single_tests_are_read_in_their_units(table):
-    path = table(
-        "\ufeffsurface,value,unit", "coating,0.5,uN", '"coating", 400 ,nN', "", "bare,2e-6,N"
-    )
-    forces = measured_forces(path, SURFACES, RADIUS)
-    assert forces.index.tolist() == [2, 3, 5]
-    assert forces.surface.tolist() == ["coating", "coating", "bare"]
-    assert forces["mean"].tolist() == forces["median"].tolist() == [5e-7, 4e-7, 2e-6]
-    assert forces["count"].tolist() == [1, 1, 1]
-
-
 def test_a_table_may_have_decimal_commas_between_semicolons(table):
     commas = table("surface;median;mean;count;unit", "bare;1,0591e1;11,749;40;µN")
     assert measured_forces(commas, SURFACES, RADIUS).iloc[0].tolist() == [

@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 from direct_sum import gap_of_bodies
 from periodic_maps import CASES, make_bodies, periodic_noise
-from scipy.stats import norm
 
 from hardcontact.contact.bearing_area import all_contact_pixels
 from hardcontact.contact.contact import Contact
@@ -27,19 +26,6 @@ def test_contact_pixels_equal_those_of_the_whole_window(case, contact_pixel_coun
         )
         np.testing.assert_allclose(window_gaps[tuple((offsets + window // 2).T)], gaps, atol=1e-9)
         assert len(np.unique(offsets, axis=0)) == contact_pixel_count
-
-
-@pytest.mark.parametrize("share", [0.001, 0.01, 0.1])
-def test_the_bearing_area_of_a_gaussian_surface_is_its_quantile(share):
-    # Under a flat the approach at which a share p of n pixels touches is the (1 - p) quantile of
-    # the heights; of independent heights its standard error is sigma sqrt(p (1 - p)/n)/phi(z).
-    sigma, pixels = 3.0, 512
-    heights = np.random.default_rng(8).normal(0, sigma, (pixels, pixels))
-    bodies = make_bodies(heights, None, 5.0, pixels, 1, radius=1e15)
-    gaps = all_contact_pixels(bodies, round(share * pixels**2)).gaps[0, 0]
-    quantile = norm.isf(share)
-    error = sigma * np.sqrt(share * (1 - share)) / pixels / norm.pdf(quantile)
-    assert -gaps[-1] == pytest.approx(sigma * quantile, abs=4 * error)
 
 
 def test_contact_pixels_are_the_load_over_hardness_and_pixel_area():

@@ -50,14 +50,6 @@ def test_more_sampled_contacts_include_the_fewer_and_never_repeat():
     assert (other_draw != all_contacts).any()
 
 
-@pytest.mark.parametrize("centre", [(0, 0), (7, -30), (-41, 44)])
-def test_the_gap_to_a_flat_is_the_rough_sphere(centre):
-    bodies = make_bodies(np.zeros((80, 80)), heights(96), 25.0, 120, 4)
-    rows, columns = (slice(60 + index - 10, 60 + index + 11) for index in centre)
-    cap = bodies.sphere(*(index + np.arange(-10, 11) for index in centre))
-    np.testing.assert_allclose(cap, gap_of_bodies(bodies, (1, 2))[rows, columns], atol=1e-12)
-
-
 def test_a_gap_is_sphere_minus_both_roughnesses():
     bodies = make_bodies(periodic_noise(96, 5.0, 1), periodic_noise(70, 0.5, 2), 20.0, 200, 3)
     y, x = np.indices((200, 200)) - 100

@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 from direct_sum import direct_total, gap_of_bodies
 from periodic_maps import CASES, RADIUS, make_bodies, periodic_noise
-from scipy.special import ive
 
 from hardcontact.contact.bearing_area import all_contact_pixels
 from hardcontact.contact.force_sum.outside_sums import MAX_DEPTH, MAX_PENETRATION, outside_sums
@@ -81,20 +80,6 @@ def test_contact_pixels_are_subtracted_exactly_at_the_ends_of_its_use(
     assert total == pytest.approx(direct_total(gap_of_bodies(bodies, (0, 0)), 4, rho), rel=error)
 
 
-@pytest.mark.parametrize("axes", [(0, 1), (0,), (1,)])
-def test_the_force_on_mirrored_heights_is_the_direct_sum(axes):
-    # Mirrored along one axis alone, the map is no mirrored scan.
-    heights = periodic_noise(96, 1.0, 5)
-    for axis in axes:
-        heights = (heights + np.flip(heights, axis)) / 2
-    bodies = make_bodies(heights, None, 50.0, 140, 3)
-    contacts = all_contact_pixels(bodies, 4)
-    totals = attraction_sums(bodies, contacts, [4], [5.6])
-    for contact in np.ndindex(contacts.gaps.shape[:2]):
-        direct = direct_total(gap_of_bodies(bodies, contact), 4, 5.6)
-        assert totals[..., *contact].item() == pytest.approx(direct, rel=1e-9)
-
-
 def plastic_totals(bodies, pixel_counts, rho):
     """Return the sums of exp(-gap/rho) of plastic contacts: (loading, contact_y, contact_x)."""
     contacts = all_contact_pixels(bodies, max(pixel_counts))
@@ -110,26 +95,3 @@ def test_a_smooth_sphere_on_a_flat_has_derjaguin_s_force():
         force = force_of_sums(total, rho, pixel_size, work).item()
         assert force == pytest.approx(2 * np.pi * RADIUS * 1e-9 * work, rel=1e-4)
         assert force == pytest.approx(72.7e-6, rel=1e-3)
-
-
-def mean_attraction(heights, rho, rough):
-    """Mean of exp((h - h_max)/rho) over one period, from the sum over a sphere of huge radius.
-
-    The sphere leaves the plane by 1e-13 nm in one period: its own factor is 1.
-    """
-    pixels = len(heights)
-    roughness = np.zeros_like(heights) if rough else None
-    bodies = make_bodies(heights, roughness, 1.0, pixels, 1, radius=1e18)
-    (total,) = plastic_totals(bodies, [1], rho)
-    return total.item() / pixels**2
-
-
-@pytest.mark.parametrize("rough", [False, True])
-@pytest.mark.parametrize("amplitude", [1.0, 20.0])
-@pytest.mark.parametrize("rho", [0.5, 5.6])
-def test_the_force_over_a_sinusoid_is_a_bessel_function(amplitude, rho, rough):
-    # The mean of exp(a cos x/rho) is I0(a/rho); taken from the crest, times exp(-a/rho).
-    phase = 2 * np.pi * np.arange(256) / 256
-    heights = amplitude * np.cos(phase) + np.zeros((256, 1))
-    mean = mean_attraction(heights, rho, rough)
-    assert mean == pytest.approx(ive(0, amplitude / rho), rel=1e-9)

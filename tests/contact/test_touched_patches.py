@@ -49,20 +49,9 @@ def test_contacts_touch_one_patch_on_a_particle_and_many_on_a_rough_surface(seed
     assert patches(rough(seed, 5.0)) >= 8
 
 
-def test_every_particle_is_a_patch():
-    corners = [(1000, 1000), (1000, 4000), (4000, 1000), (4000, 4000)]
-    particles = sum(bump(x, y, 300.0, 90.0) for x, y in corners)
-    assert patches(rough(1, 1.5) + particles) == 4
-
-
 def test_neighbouring_pixels_of_one_cap_are_one_patch():
     """The point of contact moves over a cap of 20 µm by 8 % as far as the apex of the sphere."""
     distance = (X - 2560) ** 2 + (Y - 2560) ** 2
     cap = np.maximum(150.0 - distance / 40e3, 0)
     one_pixel = replace(CONTACT, preload=1e-9, contacts_per_row=32)
     assert patches(cap, one_pixel) == 1
-
-
-def test_contacts_on_a_plane_touch_below_the_apex():
-    """One pixel each: 64 patches, but for the pixels that the sum of steps joins."""
-    assert patches(np.zeros((PIXELS, PIXELS))) == 64

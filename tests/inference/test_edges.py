@@ -11,7 +11,6 @@ from hardcontact.inference.edges import (
     edge_interval,
     find_edge,
     interpolate_edge,
-    ordered_curve,
     shows_ripples,
 )
 from hardcontact.surfaces.synthesis import random_surface
@@ -31,21 +30,6 @@ def edge_of_ratios(side, cutoffs, ratio, low, high):
     """The edge of one surface, whose ratios have a sign, and its interval."""
     curve = ChangeCurve(side, cutoffs, np.log(ratio), (np.log(0.9), np.log(1.1)))
     return find_edge(curve).value, edge_interval(curve, np.log(low), np.log(high))
-
-
-@pytest.mark.parametrize(
-    ("side", "unfiltered", "order"),
-    [("short", None, [10, 1000]), ("long", None, [1000, 10]), ("long", 5000.0, [5000, 1000, 10])],
-)
-def test_a_curve_has_its_computed_cutoffs_in_the_order_of_growing_effect(side, unfiltered, order):
-    values = np.array([[1000.0, np.nan, 10.0], [-1000.0, 7.0, -10.0]])
-    curve, (negative,) = ordered_curve(
-        side, np.array([1000.0, 100.0, 10.0]), values, (-0.1, 0.1), unfiltered
-    )
-    np.testing.assert_array_equal(curve.cutoffs, order)
-    expected = [0 if cutoff == unfiltered else cutoff for cutoff in order]
-    np.testing.assert_array_equal(curve.values, expected)
-    np.testing.assert_array_equal(negative, np.negative(expected))
 
 
 def test_an_edge_is_interpolated_in_log_wavelength():
@@ -89,16 +73,6 @@ def test_the_bracket_holds_the_edge_of_a_curve_that_is_not_straight(spread):
         assert not low > true_edge and not high < true_edge
 
 
-def test_an_edge_and_its_interval_are_found_between_cutoffs():
-    small, interval = edge("short", [0.05, 0.15, 0.4], [0.0, 0.0, 0.2], [0.08, 0.28, 0.9])
-    assert small.value == pytest.approx(10**1.5)
-    assert small.status == "found" and np.isnan(small.bound)
-    np.testing.assert_allclose(interval, [10, 1000])
-    large, interval = edge("long", [0.05, 0.15, 0.4], [0.0, 0.0, 0.2], [0.08, 0.28, 0.9])
-    assert large.value == pytest.approx(10**2.5)
-    np.testing.assert_allclose(interval, [10, 1000])
-
-
 @pytest.mark.parametrize(
     "side, changes, bound, status",
     [
@@ -112,12 +86,6 @@ def test_an_edge_beyond_the_cutoffs_is_open(side, changes, bound, status):
     result, interval = edge(side, changes)
     assert np.isnan(result.value) and (result.bound, result.status) == (bound, status)
     assert np.isnan(interval).all()
-
-
-def test_an_open_edge_may_have_one_end_of_its_interval():
-    result, interval = edge("long", [0.2, 0.3, 0.4], [0.0, 0.2, 0.2], [0.3, 0.4, 0.5])
-    assert result.bound == 1000 and np.isnan(result.value)
-    np.testing.assert_allclose(interval, [100, np.nan])
 
 
 @pytest.mark.parametrize(

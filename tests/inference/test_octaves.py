@@ -1,14 +1,12 @@
 """Octaves: waves are split without loss, and the sensitivities are derivatives."""
 
 import numpy as np
-import pytest
 import xarray as xr
 from periodic_maps import periodic_map
 
 from hardcontact.inference.band_forces import (
     BAND_PARTS,
     band_force_dataset,
-    band_parts,
     band_ratios,
 )
 from hardcontact.inference.octaves import (
@@ -49,20 +47,6 @@ def test_each_wave_is_in_one_octave_with_its_shorter_limit():
     rms = waves.std(axis=(1, 2))
     np.testing.assert_allclose(rms, [0, 1, 0, 0, np.sqrt(0.5)], atol=1e-6)
     np.testing.assert_allclose(waves.sum(axis=0), surface.heights, atol=1e-5)
-
-
-@pytest.mark.parametrize(
-    ("name", "wavelengths"),
-    [
-        ("no shorter waves", (512.0, 1280.0)),
-        ("no longer waves", (160.0, 512.0)),
-        ("only the band", (512.0,)),
-    ],
-)
-def test_a_part_of_the_roughness_keeps_its_waves_alone(name, wavelengths):
-    (parts,) = band_parts(wavy(160.0, 512.0, 1280.0), [(200.0, 600.0)])
-    part = parts[name]
-    np.testing.assert_allclose(part.heights, wavy(*wavelengths).heights, atol=1e-5)
 
 
 def test_the_sensitivity_of_a_power_is_its_exponent():

@@ -2,12 +2,11 @@
 
 import numpy as np
 import pytest
-from scipy import fft, stats
+from scipy import fft
 
 from hardcontact.contact.geometry import contact_positions
 from hardcontact.inference import scan_parts
 from hardcontact.inference.scan_parts import (
-    ScanParts,
     half_width,
     jackknife_variance,
     parts_of_scans,
@@ -72,14 +71,6 @@ def test_intervals_contain_the_mean_with_their_confidence(scans):
     left_out = (means.sum(axis=1, keepdims=True) - means) / (count - 1)
     half = half_of(left_out.T, scan_parts, 0.9)
     assert np.mean(np.abs(means.mean(axis=1)) < half) == pytest.approx(0.9, abs=0.03)
-
-
-def test_without_correlation_the_interval_is_student_s():
-    values = np.array([0.3, -0.1, 0.4, 0.9])
-    left_out = (values.sum() - values) / 3
-    student_half_width = stats.t.ppf(0.975, 3) * values.std(ddof=1) / 2
-    scan_parts = ScanParts(np.zeros((1, 1, 1), int), np.eye(4), 4)
-    assert half_of(left_out, scan_parts, 0.95) == pytest.approx(student_half_width)
 
 
 def test_a_single_part_or_equal_parts_have_no_interval():

@@ -2,16 +2,13 @@
 
 import numpy as np
 import pytest
-import xarray as xr
 from direct_sum import direct_force, gap_to_sphere, mirror
 from measurements import random_map
 
 from hardcontact.base.arrays import generator
-from hardcontact.contact.contact import CONTACT_AXES, Contact
-from hardcontact.contact.geometry import join_bodies, spheres_at_positions
-from hardcontact.contact.pull_off import forces_at_loadings, make_force_function
-from hardcontact.inference.octaves import STEP, octave_forces
-from hardcontact.own.mean_forces import forces_of_surface, mean_intervals
+from hardcontact.contact.contact import Contact
+from hardcontact.contact.geometry import join_bodies
+from hardcontact.contact.pull_off import forces_at_loadings
 from hardcontact.scans.both_bodies import combine_maps, combine_spectra
 from hardcontact.scans.joined_spectrum import joined_spectrum
 from hardcontact.surfaces.height_map import mirror_scan
@@ -57,45 +54,6 @@ def test_a_smooth_sphere_on_the_sum_of_both_touches_like_the_rough_one(wafer, sp
     assert (30 <= contact_pixel).all() and (contact_pixel < PIXELS - 30).all()
     direct = force_of_rough_sphere(wafer, sphere, contact_pixel, start + contact_pixel)
     assert forces[1, 1] == pytest.approx(direct, rel=1e-4)
-
-
-def test_octaves_are_those_of_the_rougher_body(wafer, sphere):
-    limits = [40.0, 80.0, 160.0, 320.0]
-    mirrored = [mirror_scan(body) for body in (wafer, sphere)]
-    both = combine_maps(generator(1), *mirrored)
-    mirrored[0].heights[...] = 0
-    alone = combine_maps(generator(1), *mirrored)
-    mean_forces = [
-        octave_forces(surface, limits, make_force_function(CONTACT)).mean(axis=(-2, -1))
-        for surface in (both, alone)
-    ]
-    sensitivities = [np.diff(np.log(forces))[:, 0] / (2 * STEP) for forces in mean_forces]
-    np.testing.assert_allclose(*sensitivities, atol=0.1)
-    assert sensitivities[0].min() < -0.5
-
-
-def test_the_interval_contains_the_forces_at_other_positions_on_the_sphere(wafer, sphere):
-    forces = [
-        forces_at_loadings(
-            join_bodies(mirror_scan(wafer), position, CONTACT), [CONTACT], [CONTACT.rho]
-        )
-        for position in spheres_at_positions(mirror_scan(sphere), 4)
-    ]
-    dims = ("scan", "sphere_scan", "rho", *CONTACT_AXES)
-    computed = xr.DataArray(np.array(forces)[None, :, 0], {"rho": [CONTACT.rho]}, dims)
-    size = PIXELS * PIXEL_SIZE
-    ((low, high),) = mean_intervals(
-        forces_of_surface(computed, size, CONTACT.radius, np.inf), confidence=0.95
-    )
-    rng = generator(2)
-    direct = [
-        force_of_rough_sphere(
-            wafer, sphere, rng.integers(PIXELS, size=2), rng.integers(PIXELS, size=2)
-        )
-        for _ in range(10)
-    ]
-    assert max(direct) > 1.5 * min(direct)
-    assert sum(low < force < high for force in direct) >= 8
 
 
 def test_only_the_rougher_body_tells_which_waves_were_measured(wafer, sphere):

@@ -31,15 +31,6 @@ def hindcasts(ratio=1.0, filtered=1.0):
     )
 
 
-def test_edges_lie_where_the_mean_ratio_leaves_the_tolerance():
-    band = edges([[SHORT, LONG]], [3]).sel(surface="a")
-    interpolation = np.log(1.1 / 1.02) / np.log(1.3 / 1.02)
-    np.testing.assert_allclose(band.edge, [10 ** (1 + interpolation), 4000 * 0.5**interpolation])
-    np.testing.assert_allclose(band.filtered_force_ratio.sel(side="short"), SHORT)
-    # All scans have the same ratio: an interval would have no width.
-    assert band.edge_interval.isnull().all() and band.filtered_force_ratio_interval.isnull().all()
-
-
 @pytest.mark.parametrize("scans", [1, 2, 3])
 def test_intervals_surround_the_edge_within_the_cutoffs_of_their_side(scans):
     band = edges([[SHORT, LONG]], [scans], spread=0.2).sel(surface="a")
@@ -77,19 +68,6 @@ def test_curves_that_never_cross_the_tolerance_give_bounds():
     assert band.edge_status.values.tolist() == ["open_above", "open_above"]
     band = edges([[[1.0] * 5, [2.0] * 5]], [3]).sel(surface="a")
     assert band.edge_status.values.tolist() == ["open_above", "open_above"]
-
-
-def test_a_ratio_without_scatter_has_no_interval():
-    master_forces = scales([[[1.0, 1.3, 1.6, np.nan, np.nan], LONG]], spread=0.1)
-    short_side = (
-        edges_of_scans(master_forces, None, MasterScans({"a": 3}, 2, {"a": 99}), 0.1, 0.95)
-        .isel(surface=0)
-        .sel(side="short")
-    )
-    assert short_side.filtered_force_ratio_interval.isel(cutoff_wavelength=0).isnull().all()
-    assert (
-        short_side.edge_interval.notnull().all() and short_side.edge_interval.sel(end="low") >= 10
-    )
 
 
 def test_the_error_of_artificial_roughness_widens_intervals():

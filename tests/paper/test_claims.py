@@ -190,16 +190,6 @@ def test_sets_give_interval_and_agreeing_share(samples, ends, agreeing_share, ve
     assert (row.agreeing_share, row.verdict) == (pytest.approx(agreeing_share), verdict)
 
 
-def test_sets_decide_only_what_is_not_fixed_and_differs_between_them():
-    marginal = [1.4, 1.4, *np.linspace(1.9, 2.1, 98)]
-    assert judge(make_datasets(), marginal, samples_from="sets").verdict == "reproduced"
-    fixed = judge(make_datasets(), marginal, samples_from="sets", needs="construction")
-    assert fixed.verdict == "by construction"
-    # Equal sets say nothing about scatter: the number keeps the verdict of its own interval.
-    equal = judge(make_datasets(), [2.1] * 9, samples_from="sets", published_high=2.15)
-    assert (equal.agreeing_share, equal.verdict) == (1, "undecided")
-
-
 @pytest.mark.parametrize(
     ("middle", "verdict"), [((2.0, 1.8, 2.2), "reproduced"), ((2.0, 1.0, 2.2), "undecided"),
                             ((0.5, 0.4, 0.6), "not reproduced")],

@@ -1,7 +1,6 @@
 """Edges of curves that leave their tolerance at a known cutoff."""
 
 import numpy as np
-import pytest
 import xarray as xr
 from known_masters import master_ratios
 
@@ -10,7 +9,6 @@ from hardcontact.contact.contact import CONTACT_MODELS
 from hardcontact.paper.edges_of_masters import compute_edge_shifts, edges_of_masters
 
 CUTOFFS = [10.0, 100.0, 1000.0, 10000.0]
-SHORT = [1.0, 1.2, np.nan, np.nan]
 LONG = [np.nan, np.nan, 3.0, 1.0]
 CROSSINGS = np.log(1.1) / np.log([1.2, 3.0])  # where ln(SHORT) and ln(LONG) cross ln(1.1)
 EDGES = {
@@ -22,17 +20,6 @@ EDGES = {
 def edges_of(ratios, sampling):
     """Return edges of ratios (surface, realization, side, cutoff) and their samples."""
     return edges_of_masters(master_ratios(ratios, CUTOFFS), 0.1, sampling)
-
-
-def test_each_edge_is_the_first_cutoff_from_the_unfiltered_end():
-    bands, _ = edges_of_masters(
-        master_ratios([[[SHORT, LONG]] * 3], CUTOFFS), 0.1, Sampling(0, 20, 0.95)
-    )
-    for group, sides in EDGES.items():
-        for side, wavelength in sides.items():
-            selected = bands.sel(side=side, group=group)
-            assert float(selected.edge) == pytest.approx(wavelength)
-            np.testing.assert_allclose(selected.edge_interval, wavelength)
 
 
 def test_mean_change_is_the_mean_of_absolute_changes():

@@ -65,16 +65,3 @@ def test_a_quotient_contains_all_ratios_of_the_intervals():
 def test_an_absolute_value_has_the_interval_of_its_magnitudes(signed, absolute):
     result = estimates.absolute_value(scalar(*map(float, signed)))
     assert (float(result.value), *ends(result)) == absolute
-
-
-def test_a_number_that_is_zero_in_every_scan_is_zero():
-    values = xr.DataArray([[0.0, 0.0, np.nan], [0.0, 0.1, 0.2]], dims=("surface", "scan"))
-    low, high = interval_ends(estimates.mean_over_scans(values, 0.95), "value")
-    np.testing.assert_array_equal([low, high], [[0.0, np.nan], [0.0, np.nan]])
-
-
-def test_a_value_of_zero_leaves_no_interval_on_logarithms():
-    values = xr.DataArray([[1.0, 0.0, 2.0], [1.0, np.nan, 2.0]], dims=("surface", "scan"))
-    mean = estimates.mean_over_scans(values, 0.95)
-    np.testing.assert_array_equal(mean.value, [1.0, 1.5])
-    assert mean.value_interval.isnull().all("end").values.tolist() == [True, False]

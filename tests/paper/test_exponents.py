@@ -100,12 +100,6 @@ def test_exponents_of_a_known_power_law_are_recovered(exponents):
     assert (low <= exponent).all() and (exponent <= high).all()
 
 
-def test_open_edges_give_no_exponent():
-    forces = curves(1.0, 0.0)
-    forces["filtered_force_ratio"][:] = 1.0
-    assert edge_exponents(forces, 0.1, 0.95)["edge_exponent"].isnull().all()
-
-
 def test_the_exponent_of_a_force_in_the_radius_is_recovered():
     radius = xr.DataArray(RADII, {"radius": RADII}, "radius")
     power = xr.DataArray([0.3, 0.4, 0.5], {"realization": [1, 2, 3]}, "realization")

@@ -15,7 +15,6 @@ from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import pull_off_dataset, spline_weights
 from hardcontact.paper.pool import pool_heights, sample_scans
 from hardcontact.paper.sets import scale_to_sampled_mean
-from hardcontact.surfaces.conditioning import scale_rms_heights
 from hardcontact.surfaces.height_map import mirror_scan
 from hardcontact.surfaces.metrics import TABLE1_METRICS, metrics
 
@@ -62,13 +61,6 @@ def test_forces_are_the_direct_sum_over_the_scan_at_each_height(pool):
                 assert forces[i, model, k, 0, 1] == pytest.approx(force, rel=1e-5)
 
 
-def test_the_pool_has_the_roughness_of_the_unscaled_scans(pool):
-    values = metrics(raw_scan(3))
-    for name in TABLE1_METRICS.values():
-        assert pool[name].sel(scan=3).item() == pytest.approx(values[name], rel=1e-12)
-    assert pool.attrs == {"mean_rms_height": 10.0, "rms_height_deviation": 4.0}
-
-
 def test_a_scan_does_not_depend_on_the_other_scans(pool):
     single = pool_of(4)
     np.testing.assert_array_equal(single["log_force"].sel(scan=4), pool["log_force"].sel(scan=4))
@@ -76,15 +68,6 @@ def test_a_scan_does_not_depend_on_the_other_scans(pool):
 
 
 POOL = range(1, 7)
-
-
-def test_sampled_heights_have_the_exact_mean_and_deviation():
-    sampled_heights = np.array([3.0, 2.8, 3.3, 3.1, 2.9])
-    heights = scale_rms_heights(sampled_heights, 3.2, 1.6)
-    assert heights.mean() == pytest.approx(3.2, rel=1e-12)
-    assert heights.std(ddof=1) == pytest.approx(1.6, rel=1e-12)
-    np.testing.assert_array_equal(np.argsort(heights), np.argsort(sampled_heights))
-    np.testing.assert_array_equal(scale_rms_heights(sampled_heights[:1], 3.2, 1.6), [3.2])
 
 
 def test_a_set_has_the_forces_and_roughness_of_its_scans_at_the_sampled_heights():

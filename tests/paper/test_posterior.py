@@ -28,11 +28,6 @@ def test_two_powers_determine_range_and_work():
         assert samples.std() == pytest.approx(deviation, rel=0.02)
 
 
-def test_an_even_error_of_the_draws_adds_to_that_of_the_forces():
-    log_range, _ = sample([1.0, -1.0], [3.0, 1.0], [0.1, 0.1], draws=1000, scatter=0.3)
-    assert log_range.std() == pytest.approx(np.sqrt(2 * (0.1**2 + 0.3**2)) / 2, rel=0.05)
-
-
 def test_equal_powers_leave_the_range_to_its_prior():
     log_range, log_work = sample([0.0, 0.0], [1.0, 1.0], [0.1, 0.1])
     middle, span = LOG_RANGES[[0, -1]].mean(), np.ptp(LOG_RANGES)

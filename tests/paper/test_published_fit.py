@@ -30,16 +30,6 @@ def test_the_fit_finds_the_range_and_work_that_made_the_forces():
         assert low < value < high
 
 
-def test_a_surface_without_a_published_force_does_not_enter_the_fit():
-    forces = power_forces()
-    forces[0] *= 100
-    published = np.where(np.arange(4) == 0, np.nan, MEAN_FORCE)
-    fits = fit_model(forces, published)
-    assert float(fits.range_of_adhesion) == pytest.approx(4.0, rel=0.01)
-    assert float(fits.range_from_ratios) == pytest.approx(4.0, rel=0.01)
-    assert fits.mean_force.sizes["surface"] == 4
-
-
 def test_the_fit_has_the_smallest_error_of_a_fine_search():
     forces = power_forces(spread=0.5, seed=3)
     forces = forces.mean(["scan", "sphere_scan", "contact_y", "contact_x"]).values
@@ -79,13 +69,6 @@ def test_ratios_met_at_two_ranges_give_two_minima():
     assert fits.range_at_minimum.isnull().values.tolist() == [False, False, True]
 
 
-def test_an_end_of_the_sweep_is_a_minimum_if_the_error_falls_towards_it():
-    errors = np.array([0.3, 0.5, 0.2, 0.2, 0.4, 0.6, 0.1])
-    assert fit.local_minima(errors, 3).tolist() == [6, 2, 0]
-    assert fit.local_minima(errors, 2).tolist() == [6, 2]
-    assert fit.local_minima(np.arange(4.0), 3).tolist() == [0]
-
-
 def make_adhesion(plastic):
     names = ("label", "source")
     return xr.Dataset(
@@ -122,12 +105,3 @@ def test_models_are_compared_with_the_same_samples():
     plastic = fits.sel(contact_model="plastic")
     np.testing.assert_allclose(rigid.sampled_error, plastic.sampled_error)
     np.testing.assert_allclose(rigid.sampled_work, 2 * plastic.sampled_work)
-
-
-def test_forces_are_given_at_the_published_and_the_fitted_pair():
-    forces = power_forces(spread=0.1)
-    fits = fit_published(forces).sel(contact_model="plastic")
-    mean = 0.04 * forces.sel(rho=5.0).mean(["scan", "sphere_scan", "contact_y", "contact_x"])
-    np.testing.assert_allclose(fits["mean_force_at_pair"].sel(pair="published"), mean)
-    np.testing.assert_allclose(fits["ratio_at_pair"].sel(pair="published"), mean / mean[1])
-    np.testing.assert_allclose(fits["mean_force_at_pair"].sel(pair="fitted"), MEAN_FORCE, rtol=0.1)

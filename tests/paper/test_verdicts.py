@@ -14,8 +14,6 @@ from hardcontact.paper.verdicts import (
     add_open_ends,
     count_verdicts,
     read_verdicts,
-    sets_interval,
-    stretch_interval,
     without_verdicts,
 )
 
@@ -110,28 +108,6 @@ def test_claims_without_verdicts_are_read_back_and_counted_as_none(tmp_path):
 
 
 # --- sets of scans ----------------------------------------------------------------------------
-
-
-def test_the_interval_of_sets_leaves_out_the_tails_and_needs_enough_numbers():
-    samples = np.arange(201.0)
-    intervals = sets_interval(np.stack([samples, samples + 1], 1), 0.95)
-    np.testing.assert_allclose(intervals, [[5, 195], [6, 196]])
-    incomplete = np.append(np.arange(18.0), [nan, nan])
-    assert (
-        np.isnan(sets_interval(incomplete, 0.95)).all()
-        and np.isfinite(sets_interval(incomplete, 0.9)).all()
-    )
-
-
-@pytest.mark.parametrize(
-    ("ends", "value", "stretched"),
-    [
-        ((1, 2), 1.5, (1, 2)), ((1, 2), 3, (1, 3)), ((1, 2), 0, (0, 2)), ((1, 2), nan, (1, 2)),
-        ((nan, nan), 1.0, (nan, nan)),
-    ],
-)  # fmt: skip
-def test_an_interval_is_stretched_to_its_number(ends, value, stretched):
-    np.testing.assert_array_equal(stretch_interval(ends, value), stretched)
 
 
 @pytest.mark.parametrize(

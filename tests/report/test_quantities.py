@@ -12,7 +12,6 @@ from hardcontact.report.quantities import (
     in_words,
     number_of,
     number_without_value,
-    value_in_words,
     without_interval,
 )
 
@@ -67,13 +66,6 @@ def test_a_number_is_printed_with_its_interval_and_status(number, words):
 )
 def test_a_number_without_its_interval_keeps_the_digits(number, words):
     assert without_interval(number) == words
-
-
-def test_a_value_has_two_digits_beside_any_interval():
-    edge = Number("edge", 269.4, "nm", 227.0, 270.0, "interval_open_high")
-    assert value_in_words(edge) == "270 nm"
-    assert value_in_words(Number("edge", 2004.0, "nm", 1999.0, 2005.0)) == "2.0 µm"
-    assert value_in_words(Number("edge", 2560.0, "nm", status="open_above")) == "at least 2.6 µm"
 
 
 def test_two_quantities_of_one_name_are_refused():

@@ -10,7 +10,6 @@ from scipy.ndimage import gaussian_filter
 from hardcontact.base.arrays import generator
 from hardcontact.scans.defects import DEFECTS, scan_with_defects
 from hardcontact.surfaces.features import Features, add_features
-from hardcontact.surfaces.levelling import level_quadratic
 from hardcontact.surfaces.spectrum import smooth_rolloff
 
 PIXEL, PIXELS = 20.0, 128
@@ -145,14 +144,6 @@ def test_levelling_of_lines_fills_streaks():
     is_equal = np.isclose(flat.heights, sound.heights, atol=0.2)
     assert is_equal.mean() > 0.99 and np.abs(flat.heights - sound.heights).max() < 25 / 5
     assert not flat.defects and "3 lines" in flat.notes[-1] and not sound.notes
-
-
-def test_quadratic_levelling_leaves_the_roughness_of_a_curved_scan():
-    scan = measurement(curved(34, 1.0, 30e3, 90e3), PIXEL)
-    flat = scan_with_defects(scan, levelling="quadratic")
-    plain = level_quadratic(measurement(rough(34, 1.0), PIXEL))
-    np.testing.assert_allclose(flat.heights, plain.heights, atol=1e-6)
-    assert not flat.defects
 
 
 @pytest.mark.parametrize("batch", range(4))

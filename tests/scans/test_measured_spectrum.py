@@ -112,24 +112,3 @@ def test_converted_power_laws_match_the_closed_form(hurst):
 def test_bent_spectra_are_recovered_from_their_profiles(density, tolerance):
     converted = isotropic_from_profile(WAVEVECTORS, profile_of(density, WAVEVECTORS), MANY_WAVES)
     np.testing.assert_allclose(converted / density(WAVEVECTORS), 1, atol=tolerance)
-
-
-def test_scatter_is_not_amplified_and_empty_bins_stay_empty():
-    # A line of 20 µm: half a wave in a bin at its longest wavelengths, a hundred at 100 nm.
-    is_reliable = WAVEVECTORS > 2 * np.pi / 20_000
-    modes = np.maximum(0.37e3 * WAVEVECTORS[is_reliable], 1)
-    errors = []
-    for k in range(50):
-        scatter = generator(1, k).gamma(modes, 1 / modes)
-        profile = profile_of(uncd_density, WAVEVECTORS[is_reliable]) * scatter
-        profile[[1, 3]] = np.nan
-        converted = isotropic_from_profile(WAVEVECTORS[is_reliable], profile, modes)
-        np.testing.assert_array_equal(np.isnan(converted), np.isnan(profile))
-        errors.append(np.log(converted / uncd_density(WAVEVECTORS[is_reliable])))
-    is_finite = np.isfinite(profile)
-    error = np.array(errors)[:, is_finite]
-    predicted_scatter = np.sqrt(variance_of_log(modes[is_finite]))
-    assert np.median(error.std(axis=0) / predicted_scatter) < 1.25
-    # The median logarithm of one mode is -0.37, and the plateau falls in steps that scatter gives.
-    bias = np.abs(np.median(error, axis=0))
-    assert bias.max() < 1.1 and bias[modes[is_finite] > 10].max() < 0.25

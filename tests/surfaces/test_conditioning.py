@@ -100,13 +100,6 @@ def test_scans_of_the_default_study_keep_table_1(surface, count, grid, rows):
     assert_met(targets, synthesized_metrics(source, group))
 
 
-def test_targets_on_the_paper_s_pixels_are_those_of_table_1(spectrum):
-    targets = substitute(spectrum).targets
-    np.testing.assert_array_equal(list(targets.means.values()), TABLE1["value"])
-    assert targets.rms_height_std == pytest.approx(5.0)
-    assert targets.met_rows == AFM_ROWS
-
-
 def test_a_spectrum_that_is_not_calibrated_has_its_own_targets(spectrum):
     given_spectrum = spectrum.assign_attrs(table1_rows_met="")
     targets = substitute(given_spectrum).targets

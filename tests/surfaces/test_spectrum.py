@@ -34,14 +34,6 @@ def test_scans_have_the_measured_psd_of_their_spectrum():
     np.testing.assert_allclose(ratio, 1, atol=0.15)
 
 
-def test_profile_of_a_power_law_is_its_integral():
-    q, hurst = 0.3, 0.7
-    q_y = np.linspace(0, 600, 4_000_001)
-    integral = np.trapezoid((q**2 + q_y**2) ** (-1 - hurst), q_y) / np.pi
-    ratio = spectrum.profile_over_isotropic(q, hurst)
-    assert ratio * q ** (-2 - 2 * hurst) == pytest.approx(integral, rel=1e-4)
-
-
 def test_points_of_a_profile_give_their_power_law():
     wavelengths, hurst = np.array([66.0, 7.0, 24.0, 15.0]), 0.7
     isotropic = Spectrum(WAVEVECTORS, WAVEVECTORS ** (-2 - 2 * hurst))
@@ -59,21 +51,6 @@ def test_a_varying_hurst_exponent_is_the_local_slope():
     ]
     exponent = (log_densities[1] - log_densities[0]) / (2 * step)
     np.testing.assert_allclose(-1 - exponent / 2, [1.2, 0.7], rtol=1e-5)
-
-
-@pytest.fixture
-def longer_waves():
-    """A power law of H = 0.8 down to 20 nm."""
-    return np.where(2 * np.pi / WAVEVECTORS > 20, WAVEVECTORS**-3.6, 0)
-
-
-def test_a_tail_continues_the_power_law_of_longer_waves(longer_waves):
-    tail = spectrum.power_law_tail(longer_waves, 0.8, 1.0)
-    is_in_tail = 2 * np.pi / WAVEVECTORS > 1.1
-    np.testing.assert_allclose(
-        (longer_waves + tail)[is_in_tail], WAVEVECTORS[is_in_tail] ** -3.6, rtol=1e-9
-    )
-    assert (tail[2 * np.pi / WAVEVECTORS < 0.9] == 0).all()
 
 
 @pytest.mark.parametrize(

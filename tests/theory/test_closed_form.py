@@ -18,7 +18,6 @@ from hardcontact.theory.closed_form import (
     filtered_spectrum,
     surface_term,
 )
-from hardcontact.theory.summits import spectral_moment
 
 RADIUS = 250e3
 
@@ -104,13 +103,3 @@ def test_the_force_has_left_the_tolerance_at_the_edges():
         filtered = filtered_spectrum(spectrum, side, edge)
         ratio = closed_form(filtered, contact(), all_rough=False).dmt_ratio / unfiltered
         assert min(abs(np.log(ratio / limit)) for limit in (0.9, 1.1)) < 0.02
-
-
-def test_filters_add_up_to_the_spectrum():
-    spectrum = self_affine_spectrum()
-    filtered = [filtered_spectrum(spectrum, side, 300.0) for side in ("short", "long")]
-    total = sum(spectral_moment(spectrum, 0) for spectrum in filtered)
-    assert total == pytest.approx(
-        spectral_moment(filtered_spectrum(spectrum, "short", 1e-3), 0), rel=1e-3
-    )
-    assert not filtered_spectrum(spectrum, "short", 1e9).density.any()

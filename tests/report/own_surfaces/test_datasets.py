@@ -1,12 +1,10 @@
 """Artificial wavelengths are beyond the scans or in gaps between them."""
 
 import numpy as np
-import pytest
 from answer_inputs import MEASUREMENTS, SURFACES, spectra
 
 from hardcontact.report.own_surfaces.datasets import (
     artificial_bands,
-    overlaps_any,
     reliable_scans,
     without_padding,
 )
@@ -40,11 +38,3 @@ def test_empty_entries_are_no_measurements():
     assert twin.sizes["measurement"] == 3
     assert without_padding(twin)["path"].values.tolist() == ["scans/fine.spm", "scans/coarse.spm"]
     assert artificial_bands(twin)[-1] == (5000.0, np.inf)
-
-
-@pytest.mark.parametrize(
-    ("low", "high", "is_artificial"),
-    [(1, 5, 1), (5, 20, 1), (10, 20, 0), (10, 1000, 1), (50, 50, 0), (5, 5, 1), (np.nan, 5, 0)],
-)
-def test_an_interval_may_overlap_artificial_bands(low, high, is_artificial):
-    assert overlaps_any(low, high, [(0.0, 10.0), (100.0, np.inf)]) == is_artificial

@@ -159,17 +159,6 @@ def test_scans_that_lack_roughness_answer_in_part_at_most():
     assert answer_of(edges(), (400, 1000), scale_extrapolated_force(force(), short=0.25))[0] == "no"
 
 
-def test_the_verdict_has_the_force_with_and_without_extrapolated_roughness():
-    numbers = numbers_of(force=scale_extrapolated_force(force(), short=0.25))
-    extrapolated = numbers["force_extrapolated_short"]
-    assert extrapolated.value == pytest.approx(0.16e-6) and extrapolated.source == "extrapolated"
-    assert numbers["force_extrapolated_short_start"].value == 20.0
-    assert numbers["force_extrapolated_short_end"].value == 5.0
-    conclusion = surface_conclusion(numbers)
-    assert conclusion.extrapolated == ["short"]
-    assert (conclusion.force.value, conclusion.force.low) == pytest.approx((0.64e-6, 0.512e-6))
-
-
 def test_a_force_with_an_unknown_extrapolation_is_not_in_the_verdict():
     unknown = spectra().assign(tail_known=("surface", [0]))
     extrapolated_force = scale_extrapolated_force(force(), short=0.25)

@@ -104,17 +104,6 @@ def test_a_hindcast_that_fails_or_lacks_an_octave_leaves_no_edge(ratio, lead):
     assert_says(note, "0.30 [0.27, 0.33]" if ratio == 0.3 else "show no octave", "below 20 nm")
 
 
-def test_ripples_of_the_filter_are_no_short_edge():
-    data = edges()
-    for name in ("edge", "edge_interval"):
-        data[name].loc[{"side": "short"}] = np.nan
-    data = data.assign(edge_status=data["edge_status"].where(data["side"] != "short", "ripples"))
-    line = headline_of(edges=data)
-    assert_says(line, "partly answered. Short edge none: the filter's ripples", ". Long edge 1.7")
-    notes = [note["text"] for note in own_answer(datasets(edges=data), setting())["notes"]]
-    assert any("Without short wavelengths the force falls" in note for note in notes)
-
-
 def test_the_figure_of_octaves_has_a_bar_an_octave_and_hatches_those_that_no_scan_shows():
     figure = figures.draw_octaves(datasets(2))
     (axes,) = figure.axes

@@ -5,16 +5,14 @@ import json
 import numpy as np
 import pytest
 from jsonschema import Draft202012Validator
-from paper_datasets import band, published_table1, scan_size, topography
+from paper_datasets import published_table1, scan_size, topography
 from paper_numbers import SUBSTRATES
 from paper_study import answer, claims, datasets
 from repository import PAPER, ROOT, merge_configurations
 
 from hardcontact.base.number import Number
-from hardcontact.config.configuration import numeric_configuration
 from hardcontact.report.answer import numbers_of_answer
 from hardcontact.report.paper_study.answer import ANSWER_CLAIMS
-from hardcontact.report.paper_study.changed_inputs import changed_inputs, paper_contact
 from hardcontact.report.paper_study.table1 import table1_rows
 
 SCHEMA = json.loads((ROOT / "workflow/schemas/answer.schema.json").read_text("utf-8"))
@@ -26,13 +24,6 @@ def change_claim(name, **values):
     for column, value in values.items():
         table.loc[table["id"] == ANSWER_CLAIMS[name], column] = value
     return table
-
-
-def move_edge(side, wavelength):
-    """A band whose edge of all substrates is at a wavelength."""
-    moved = band()
-    moved["edge"].loc[{"side": side, "group": "mean"}] = wavelength
-    return moved
 
 
 def numbers_of(rows=None, **changed):
@@ -84,30 +75,6 @@ def test_a_study_of_other_contacts_names_what_is_not_the_paper_s(overlay, inputs
     assert bool(judgements) == (inputs == [])
 
 
-def test_another_coating_is_another_study():
-    contact = paper_contact(numeric_configuration(PAPER))
-    (row,) = changed_inputs(contact, ["steel", *SUBSTRATES[1:]], published_table1())
-    assert row["input"] == "coatings" and "steel" in row["study"] and "steel" not in row["paper"]
-    assert changed_inputs(contact, SUBSTRATES[::-1], published_table1()) == []
-
-
-@pytest.mark.parametrize(
-    ("side", "name", "status"),
-    [("short", "short_edge", "open_above"), ("long", "long_edge", "open_below")],
-)
-def test_an_edge_beyond_the_cutoffs_is_a_bound(side, name, status):
-    assert numbers_of(edges=move_edge(side, np.nan))[name].status == status
-    assert numbers_of()[name].status == ""
-
-
-@pytest.mark.parametrize(
-    ("name", "end", "end_cutoff"), [("short_edge", "high", 250.0), ("long_edge", "low", 500.0)]
-)
-def test_an_end_at_the_last_cutoff_is_open(name, end, end_cutoff):
-    numbers = numbers_of(change_claim(name, **{end: end_cutoff}))
-    assert numbers[name].status == f"interval_open_{end}"
-
-
 def test_an_edge_at_wavelengths_of_artificial_roughness_says_so():
     """Roughness is artificial below the short transition and above the large one."""
     sources = {}
@@ -140,11 +107,6 @@ def test_forces_on_scans_equal_those_on_windows_of_their_size():
     data["force_over_largest_interval"].loc[labels] = [1.48, 3.39]
     force = Number("force_on_scans", 2.24, "1", 1.48, 3.39)
     assert numbers_of_answer(answer(scan_size=data), "mcd")["force_on_scans"] == force
-
-
-def test_each_coating_has_its_mean_force_at_the_published_pair():
-    force = Number("mean_force", 2e-6, "N", 1.8e-6, 2.2e-6)
-    assert numbers_of_answer(answer(), "uncd")["mean_force"] == force
 
 
 def test_table_1_compares_values_and_marks_those_by_construction():

@@ -75,15 +75,6 @@ def test_facts_are_the_claims_with_their_numbers_as_printed():
 
 
 @pytest.mark.parametrize(
-    ("end", "interval"), [("high", "[at least 2.8] nm"), ("low", "[at most 3.8] nm")]
-)
-def test_a_claim_shows_the_open_end_of_its_interval(end, interval):
-    rows = claim_facts(evaluated(open_end=end))["claims"]
-    assert interval in rows["first"]["computed_text"]
-    assert "at " not in rows["second"]["computed_text"]
-
-
-@pytest.mark.parametrize(
     ("values", "count"),
     [
         ({"basis": "no scan", "verdict": "reproduced"}, 1),

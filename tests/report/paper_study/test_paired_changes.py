@@ -84,17 +84,6 @@ def test_shared_scatter_cancels_from_the_change():
         assert (number.change.low, number.change.high) == pytest.approx(ends, rel=5e-4)
 
 
-def test_a_change_smaller_than_its_scatter_is_not_resolved():
-    numbers = add_paired_intervals(compared(1.01), study(), study(1.01, SCATTER))
-    assert {number.agreement for number in numbers[1:]} == {"unchanged"}
-
-
-def test_a_study_beside_itself_does_not_change():
-    numbers = add_paired_intervals(compared(1), study(), study())
-    assert {number.change[1:5] for number in numbers[1:]} == {(1, "1", 1, 1)}
-    assert {number.agreement for number in numbers} == {"equal"}
-
-
 @pytest.mark.parametrize(
     ("other", "reason"),
     [
