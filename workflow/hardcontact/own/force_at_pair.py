@@ -63,10 +63,10 @@ def force_dataset(
     tolerance: float,
     confidence: float,
 ) -> xr.Dataset:
-    """Return the forces of all surfaces at the pair of the contact, their limits and their scatter.
+    """Return force.nc: the forces on all surfaces at the range and work of the contact.
 
-    The `tolerance` is a relative change of the force. No mean force exceeds the smooth sphere's.
-    Attributes have the Tabor parameter and whether the bodies are hard.
+    The `tolerance` is a relative change of the force. No mean force exceeds that of the smooth
+    sphere. Attributes have the Tabor parameter and whether the bodies are hard.
     """
     scan_sizes = data.topography["scan_size"].to_series()
     force = forces_on_scans(
@@ -228,11 +228,11 @@ def _force_variables(
 def extrapolated_force(
     scales: xr.Dataset, master_scans: MasterScans, work: float, confidence: float
 ) -> xr.Dataset:
-    """Return the mean force on masters with all their roughness, in plastic contact.
+    """Return the mean force on unfiltered masters in plastic contact.
 
-    `scales` has their forces at 1 J/m². ``extrapolated_force`` (surface, side) in N has an
-    interval from the parts and realizations of the edges. ``extrapolation_end`` and ``transition``
-    are in nm.
+    `scales` has the forces on masters at 1 J/m². ``extrapolated_force`` (surface, side) in N has an
+    interval from the same parts and realizations as the edges. Roughness is artificial from the
+    ``transition`` to the ``extrapolation_end``, both in nm.
     """
 
     def summary(master_forces: MasterForces) -> xr.Dataset:

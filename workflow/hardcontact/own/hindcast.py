@@ -146,12 +146,12 @@ def _artificial_octave(
 
 
 def hindcast_ratios(forces: xr.Dataset, tolerance: float, confidence: float) -> xr.Dataset:
-    """Return ``hindcast_ratio`` (side), artificial over scanned octave, and ``hindcast_fails``.
+    """Return ``hindcast_ratio`` and ``hindcast_fails`` (side) from the forces on maps of a surface.
 
-    Mean forces are compared; forces (map, side, ...) come from `hindcast_forces`. The prediction
-    interval for another random octave contains 1 if the scan's octave is random, too. If it does
-    not and the ratio differs from 1 by more than the tolerance, or if there is no octave,
-    ``hindcast_fails`` (side) is 1.
+    The ratio is the mean force with artificial octaves relative to that with the octave of the
+    scans. Its prediction interval, for another random octave, contains 1 if the octave of the scans
+    is as random. If the interval does not and the ratio differs from 1 by more than the tolerance,
+    or if there is no octave, ``hindcast_fails`` is 1.
     """
     dimensions = ["map", *CONTACT_AXES]
     scan_log = xr.DataArray(np.log(forces["scan_octave_force"].mean(dimensions)))
