@@ -20,6 +20,7 @@ from hardcontact.commands.inventory import (
 )
 from hardcontact.commands.options import (
     QuantityOption,
+    contact_of_quantities,
     implausible_quantities,
     parse_quantities,
     reading_options,
@@ -40,7 +41,6 @@ from hardcontact.config.key_tables import commented_yaml
 from hardcontact.config.keys import NONE, SMOOTH_SPHERE
 from hardcontact.config.limits import refuse_unfit_grids
 from hardcontact.config.selected_surfaces import SurfaceRow
-from hardcontact.contact.contact import Contact
 from hardcontact.records.code import ROOT
 
 
@@ -120,12 +120,7 @@ def _propose_study(
 
     Raises ValueError if the study would refuse these scans at either effort.
     """
-    contact = Contact(
-        radius=quantities["radius"].number,
-        preload=quantities["preload"].number,
-        hardness=quantities["hardness"].number,
-        rho=quantities["range"].number,
-    )
+    contact = contact_of_quantities(quantities)
     sphere = SPHERE if arguments.sphere else None
     proposal = propose(entries, sphere, contact, quantities["range"].is_given)
     proposal.cautions.extend(implausible_quantities(quantities))
@@ -168,10 +163,10 @@ def _choices_without_scans(
     given = [option for option in CONTACT_QUANTITIES if quantities[option].is_given]
     if given:
         yield Choice("given", given, "known; others that equal the paper's are assumed")
-    if arguments.sphere:
-        yield Choice("sphere.surface", SPHERE, "its scans")
-    else:
-        yield Choice("sphere.surface", SMOOTH_SPHERE, "no scans of it")
+    surface, reason = (
+        (SPHERE, "its scans") if arguments.sphere else (SMOOTH_SPHERE, "no scans of it")
+    )
+    yield Choice("sphere.surface", surface, reason)
     for option, (key, meaning) in CONTACT_QUANTITIES.items():
         if option != "range":  # which the scans may not permit
             quantity = quantities[option]

@@ -2,13 +2,14 @@
 
 from argparse import ArgumentParser, Namespace
 from collections.abc import Iterator, Mapping
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from hardcontact.config.arguments import unit_question
 from hardcontact.config.configuration import CONTACT_QUANTITIES, key_field, quantity_type
 from hardcontact.config.key_types import UNIT
 from hardcontact.config.keys import NONE
 from hardcontact.config.selected_surfaces import TIP_RADIUS
+from hardcontact.contact.contact import Contact
 from hardcontact.scans.reading import MASKS, ReadingOptions
 from hardcontact.surfaces.levelling import LEVELLING
 
@@ -77,6 +78,15 @@ def parse_quantities(arguments: Namespace) -> tuple[dict[str, QuantityOption], l
             number = kind.number(paper_text)
             quantities[name] = QuantityOption(paper_text, number, kind.unit, False)
     return quantities, faults
+
+
+def contact_of_quantities(
+    quantities: Mapping[str, QuantityOption], contacts_per_row: int = 1
+) -> Contact:
+    """Return the contact that the quantities of the command line describe."""
+    fields: dict[str, Any] = {name: quantities[name].number for name in CONTACT_QUANTITIES}
+    rho = fields.pop("range")
+    return Contact(**fields, rho=rho, contacts_per_row=contacts_per_row)
 
 
 def reading_options(

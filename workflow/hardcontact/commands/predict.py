@@ -18,6 +18,7 @@ from hardcontact.commands.command_line import CommandLine, output_faults, write_
 from hardcontact.commands.options import (
     QuantityOption,
     add_shared_options,
+    contact_of_quantities,
     implausible_quantities,
     parse_quantities,
     reading_options,
@@ -41,8 +42,8 @@ from hardcontact.theory.validity import (
 )
 
 #: The paper's study, whose settings hold where a prediction has no option.
-PAPER = Study()
-CONTACTS_PER_ROW = PAPER.contact.contacts_per_row
+PAPER_STUDY = Study()
+CONTACTS_PER_ROW = PAPER_STUDY.contact.contacts_per_row
 USAGE = Path(__file__).with_name("predict_help.txt").read_text("utf-8")
 
 
@@ -90,14 +91,7 @@ def predict(arguments: Namespace) -> str:
 def read_inputs(arguments: Namespace) -> Inputs:
     """Return the inputs of a prediction. Raises ValueError with a line for each problem."""
     quantities, faults = parse_quantities(arguments)
-    contact = Contact(
-        radius=quantities["radius"].number,
-        rho=quantities["range"].number,
-        work=quantities["work"].number,
-        preload=quantities["preload"].number,
-        hardness=quantities["hardness"].number,
-        contacts_per_row=CONTACTS_PER_ROW,
-    )
+    contact = contact_of_quantities(quantities, CONTACTS_PER_ROW)
     cautions = [*implausible_quantities(quantities)]
     wide = wide_contact_message(contact)
     if wide and not faults:
@@ -107,7 +101,7 @@ def read_inputs(arguments: Namespace) -> Inputs:
     readers = _spectrum_readers(arguments, quantities)
     _, spectrum, *sphere_spectra = run_checks([partial(raise_faults, faults), *readers])
     for sphere_spectrum in sphere_spectra:
-        spectrum = add_sphere(spectrum, sphere_spectrum, PAPER.seed)
+        spectrum = add_sphere(spectrum, sphere_spectrum, PAPER_STUDY.seed)
     cautions += one_pixel_touches(contact.area, [scan.pixel_size for scan in spectrum.scans])
     notes = [*(f"{TAKE_CARE}{line}" for line in cautions), *spectrum.notes]
     return Inputs(quantities, contact, spectrum, notes)
@@ -137,7 +131,7 @@ def compute_numbers(inputs: Inputs, arguments: Namespace) -> dict[str, Number]:
     quantities, contact, own_spectrum, _ = inputs
     spectrum = own_spectrum.spectrum
     numbers = {name: _quantity_number(name, quantities[name]) for name in CONTACT_QUANTITIES}
-    tolerance, confidence = PAPER.scales.tolerance, PAPER.inference.confidence
+    tolerance, confidence = PAPER_STUDY.scales.tolerance, PAPER_STUDY.inference.confidence
     numbers |= prediction_and_scan_force(
         own_spectrum, contact, tolerance, confidence, arguments.file
     )
@@ -221,7 +215,7 @@ def _report(inputs: Inputs, numbers: Mapping[str, Number], arguments: Namespace)
         cautions=[note for note in inputs.notes if note.startswith(TAKE_CARE)],
         meanings=meanings,
         change_that_matters=MAX_NEGLIGIBLE_CHANGE,
-        confidence=PAPER.inference.confidence,
+        confidence=PAPER_STUDY.inference.confidence,
         finer=WIDE_PIXEL,
     )
     return report.rstrip()

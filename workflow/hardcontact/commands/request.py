@@ -111,11 +111,11 @@ def name_faults(arguments: Namespace) -> Iterator[str]:
 
 def _is_locked(study: str) -> bool:
     """Return whether a run of Snakemake writes results of a study, at either effort."""
-    locked = (path.read_text("utf-8") for path in (ROOT / ".snakemake/locks").glob("*.lock"))
+    results = (f"results/{study}/", f"results/{study}{QUICK_SUFFIX}/")
     return any(
-        line.startswith((f"results/{study}/", f"results/{study}{QUICK_SUFFIX}/"))
-        for text in locked
-        for line in text.splitlines()
+        line.startswith(results)
+        for path in (ROOT / ".snakemake/locks").glob("*.lock")
+        for line in path.read_text("utf-8").splitlines()
     )
 
 

@@ -50,9 +50,9 @@ def scale_rms_heights(rms_heights: Floats, mean: float, std: float) -> Floats:
 def component_shares(grid: ScanGrid) -> Floats:
     """Return the shares of amplitude of three smooth components: (3, points of WAVEVECTORS).
 
-    They add up to one. Towards shorter wavelengths each component gives way to the next as sin²,
-    linear in the logarithm of wavelength: the first to the second between the size L of a scan and
-    sqrt(2 p L), then to the third at 2 p; p is the width of a pixel.
+    The components hold long, middle and short wavelengths, and their shares add up to one. From the
+    size of a scan down to two pixels, each gives way to the next as the squared sine of the
+    logarithm of wavelength; the middle component has its peak halfway on this logarithm.
     """
     longest, shortest = grid.size, 2 * grid.pixel_size
     log_position = np.log(longest * WAVEVECTORS / (2 * np.pi)) / np.log(longest / shortest)

@@ -39,7 +39,7 @@ MAX_FILLINGS = 20
 
 
 def find_streaks(heights: Floats) -> Mask:
-    """Return the mask (y, x) of the narrowest streaks along x, either all above or all below.
+    """Return the mask (y, x) of the narrowest streaks along x, all above or all below other lines.
 
     The ends of a streak may stand out less than the pixels by which it is found. A line between two
     streaks looks like a streak of the other sign: only the sign with more pixels counts.
