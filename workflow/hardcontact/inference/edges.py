@@ -197,12 +197,9 @@ def edge_variables(
     edges: Sequence[Edge], dimensions: Sequence[Hashable], shape: Sequence[int]
 ) -> dict[str, Any]:
     """Return ``edge``, ``edge_bound`` and ``edge_status`` as variables of this shape."""
-    columns: dict[str, tuple[list[Any], dict[str, str]]] = {
-        "edge": ([edge.value for edge in edges], NM),
-        "edge_bound": ([edge.bound for edge in edges], NM),
-        "edge_status": ([edge.status for edge in edges], {}),
-    }
+    values, bounds, statuses = (np.reshape(column, shape) for column in zip(*edges, strict=True))
     return {
-        name: (dimensions, np.reshape(values, shape), attributes)
-        for name, (values, attributes) in columns.items()
+        "edge": (dimensions, values, NM),
+        "edge_bound": (dimensions, bounds, NM),
+        "edge_status": (dimensions, statuses),
     }

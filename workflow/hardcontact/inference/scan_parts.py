@@ -25,8 +25,6 @@ from hardcontact.contact.contact import CONTACT_AXES
 ENOUGH_SCANS = 3
 #: Smaller half widths of logarithms come from rounding.
 MIN_HALF_WIDTH = 1e-9
-#: An interval that spans a wider factor to each side bounds nothing of use.
-MAX_BOUNDED_HALF_WIDTH = float(np.log(1e3))
 #: Parts that correlate more count as one part.
 SAME_CORRELATION = 1 - 1e-9
 
@@ -231,17 +229,6 @@ def log_force_ratio(
     logarithms = delete_one_logarithms(scan_parts, "map", ratio)
     half = half_width([jackknife_variance(logarithms, scan_parts)], confidence)
     return np.log(ratio(xr.DataArray(True)).values), half
-
-
-def logarithmic_interval(value: Floats, half: Floats) -> Floats:
-    """Return the interval (..., 2) of a positive value from the half width of its logarithm.
-
-    An interval that would span a factor of a thousand or more to each side becomes zero to
-    infinity, which is no bound. Student's t with one degree of freedom, from two realizations, can
-    span any factor.
-    """
-    finite = value[..., None] * np.exp(np.stack([-half, half], axis=-1))
-    return np.where((half > MAX_BOUNDED_HALF_WIDTH)[..., None], [0.0, np.inf], finite)
 
 
 def sampled_deviations(

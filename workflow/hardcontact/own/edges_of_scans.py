@@ -22,11 +22,11 @@ from hardcontact.inference.edges import (
     ordered_curve,
     shows_ripples,
 )
-from hardcontact.inference.scan_parts import logarithmic_interval
 from hardcontact.own.mean_forces import (
     MasterForces,
     MasterScans,
     half_width_over_masters,
+    logarithmic_interval,
     summarize_masters,
 )
 

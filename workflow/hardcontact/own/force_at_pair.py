@@ -22,7 +22,6 @@ from hardcontact.contact.contact import (
     window_share,
 )
 from hardcontact.contact.hertz_jkr_dmt import limit_forces, smooth_pull_off
-from hardcontact.inference.scan_parts import logarithmic_interval
 from hardcontact.own.hindcast import pixel_factors
 from hardcontact.own.mean_forces import (
     MasterForces,
@@ -30,6 +29,7 @@ from hardcontact.own.mean_forces import (
     SurfaceForces,
     forces_by_surface,
     half_width_over_masters,
+    logarithmic_interval,
     mean_intervals,
     position_half_width,
     summarize_masters,

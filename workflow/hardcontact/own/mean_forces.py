@@ -20,10 +20,12 @@ from hardcontact.inference.scan_parts import (
     fewest_touched_patches,
     half_width,
     jackknife_variance,
-    logarithmic_interval,
     parts_of_scans,
     quarters_of_contacts,
 )
+
+#: An interval that spans a wider factor to each side bounds nothing of use.
+MAX_BOUNDED_HALF_WIDTH = float(np.log(1e3))
 
 
 class SurfaceForces(NamedTuple):
@@ -111,6 +113,17 @@ def mean_intervals(surface_forces: SurfaceForces, confidence: float) -> Floats:
     if position_half is not None:
         half = np.hypot(half, position_half)
     return logarithmic_interval(mean, half)
+
+
+def logarithmic_interval(value: Floats, half: Floats) -> Floats:
+    """Return the interval (..., 2) of a positive value from the half width of its logarithm.
+
+    An interval that would span a factor of a thousand or more to each side becomes zero to
+    infinity, which is no bound. Student's t with one degree of freedom, from two realizations, can
+    span any factor.
+    """
+    finite = value[..., None] * np.exp(np.stack([-half, half], axis=-1))
+    return np.where((half > MAX_BOUNDED_HALF_WIDTH)[..., None], [0.0, np.inf], finite)
 
 
 class MasterScans(NamedTuple):
