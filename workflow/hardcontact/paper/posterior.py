@@ -83,32 +83,23 @@ def posterior(mean_forces: xr.DataArray, published: pd.DataFrame, sampling: Samp
     return samples_dataset(ranges[index], np.exp(log_works), sampling.confidence)
 
 
-def posteriors_without_each_surface(
-    mean_forces: xr.DataArray, published: pd.DataFrame, sampling: Sampling
-) -> xr.Dataset:
-    """Return the `posterior` (left_out) of all surfaces, and without each surface in turn."""
-    posteriors = {(NONE_LEFT_OUT,): posterior(mean_forces, published, sampling)}
-    for name in mean_forces["surface"].values.tolist():
-        posteriors[(name,)] = posterior(mean_forces.drop_sel(surface=name), published, sampling)
-    return stack(posteriors, ["left_out"])
-
-
 def study_posteriors(
     sets: xr.Dataset, maps: Mapping[str, xr.DataArray], published: pd.DataFrame, sampling: Sampling
 ) -> xr.Dataset:
-    """Return the posteriors (forces_on, left_out) from scans and, if there are any, whole surfaces.
+    """Return the posteriors (forces_on, left_out) of all surfaces, and without each in turn.
 
     `sets` has the variables of sets.nc in plastic contact; `maps` has the forces on whole surfaces,
-    as for `means_on_whole_surfaces`.
+    as for `means_on_whole_surfaces`, if there are any.
     """
     forces = {"scans": sets["mean_force"].rename(set="replicate")}
     if maps:
         forces["whole surfaces"] = means_on_whole_surfaces(maps, sets["sphere_factor"], sampling)
-    posteriors = {
-        (name,): posteriors_without_each_surface(mean_forces, published, sampling)
-        for name, mean_forces in forces.items()
-    }
-    stacked = stack(posteriors, ["forces_on"]).assign_coords(surface=sets["surface"])
+    posteriors = {}
+    for name, mean_forces in forces.items():
+        for left_out in (NONE_LEFT_OUT, *mean_forces["surface"].values.tolist()):
+            other_forces = mean_forces.drop_sel(surface=left_out, errors="ignore")
+            posteriors[name, left_out] = posterior(other_forces, published, sampling)
+    stacked = stack(posteriors, ["forces_on", "left_out"]).assign_coords(surface=sets["surface"])
     return stacked.assign_attrs(confidence=sampling.confidence)
 
 
