@@ -64,8 +64,8 @@ def _label(coordinate: np.ndarray, label: str) -> Any:
 def select_estimate(estimate: xr.Dataset, labels: SelectedLabels, rule: str) -> xr.Dataset:
     """Return the single estimate that is judged, by labels from `parse_selection`.
 
-    For a chain of groups, ``a > b > c``, it is the smallest ratio of a value of a group to a value
-    of the next group. A rule with one limit takes the worst value along other dimensions. Raises
+    For a chain of groups, ``a > b > c``, it is the smallest ratio of values of neighbouring groups.
+    A rule with one limit takes the worst value along other dimensions. Raises
     ValueError if the rule has two limits and more than one estimate remains.
     """
     for dim, groups in labels.items():

@@ -106,10 +106,9 @@ def judge_claims(
 ) -> pd.DataFrame:
     """Compare every claim with its computed estimate; return one row per claim with `COLUMNS`.
 
-    ``value`` (set, claim) of sets.nc gives the agreeing share and, if it varies, the interval and
-    the verdict of a claim. A claim about a surface or a contact model that the study lacks is
-    left out. Raises ValueError if a claim needs a dataset, a variable or an attribute that is
-    missing.
+    ``value`` (set, claim) of sets.nc gives the agreeing share and, if it varies, interval and
+    verdict. A claim about a surface or a number that the study lacks is left out. Raises ValueError
+    if a dataset, a variable or an attribute is missing.
     """
     topography = datasets["topography"]
     rows = []

@@ -74,11 +74,10 @@ def rumpf(work: Values, radius: Values, asperity_radius: Values, spacing: float)
 def rabinovich(work: Values, roughness: Roughness, sphere: ElasticSphere) -> Values:
     """Return the van der Waals pull-off force of a sphere on flat spherical caps.
 
-    AR/6z0² [1/(1 + 32 k Rσ/λ²) + 1/(1 + kσ/z0)²] with k = 1.817, A = 12πz0²W, for the rms height σ
-    and the distance λ between peaks, 2π σ over the rms slope. The caps are kσ high and λ/2 wide.
-    Rabinovich et al., J. Colloid Interface Sci. 232 (2000) 10 and 17: the abstract defines an
-    asperity, the coefficients are unverified against the primary source. For σ = 0 at a given λ the
-    force is twice the force of the smooth sphere.
+    The force is AR/6z0² [1/(1 + 32 kσR/λ²) + 1/(1 + kσ/z0)²] with A = 12πz0²W and k = 1.817. Caps
+    are kσ high and λ/2 wide, for the rms height σ and the distance λ between peaks, 2πσ over the
+    rms slope. Rabinovich et al., J. Colloid Interface Sci. 232 (2000) 10 and 17; the coefficients
+    are unverified against the primary source. For σ = 0 the force is twice the smooth sphere's.
     """
     distance = 2 * np.pi * roughness.height / roughness.slope
     peak = PEAK_OVER_RMS * roughness.height
@@ -114,10 +113,10 @@ def fuller_tabor(work: Values, roughness: Roughness, sphere: ElasticSphere) -> V
 def maugis_rough_dmt(work: Values, roughness: Roughness, sphere: ElasticSphere) -> Values:
     """Return the pull-off force of a sphere with DMT asperities of Gaussian heights.
 
-    The force of the smooth sphere, 2πWR, is multiplied by the largest tension over separations d:
-    -∫ [K β^½ (z-d)^1.5 - 2πβW] φ(z) dz over z > d, relative to 2πβW. As in `fuller_tabor`, the
-    ratio for a plane is assumed for the sphere. Maugis, J. Adhes. Sci. Technol. 10 (1996) 161.
-    Unverified against the primary source.
+    The force of the smooth sphere, 2πWR, is multiplied by the largest mean tension of the
+    asperities at any separation, relative to 2πβW. As in `fuller_tabor`, the ratio for a plane is
+    assumed for the sphere. Maugis, J. Adhes. Sci. Technol. 10 (1996) 161. Unverified against the
+    primary source.
     """
     index = adhesion_index(work, roughness, sphere.modulus)
     return dmt_pull_off(work, sphere.radius) * _relative_pull_off(_dmt_tension, 4, index)

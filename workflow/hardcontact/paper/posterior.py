@@ -1,8 +1,8 @@
 """Posterior of range and work of adhesion: how probable the published mean forces make each pair.
 
-A replicate is one set of possible mean forces, all of which the posterior uses: from a set of
-scans, or drawn from the distribution of the means on whole surfaces. All replicates have the same
-prior weight; the priors of range and work are uniform in their logarithms.
+A replicate is one set of possible mean forces: from a set of scans, or drawn from the distribution
+of the means on whole surfaces. The posterior uses all replicates, with the same prior weight. The
+priors of range and work are uniform in their logarithms.
 """
 
 from collections.abc import Mapping

@@ -1,8 +1,8 @@
 """Sets of scans: forces, fit, band and claims of each, computed as for the study, for sets.nc.
 
-A set has as many scans of each substrate as the study: from its pool, or for a surface with
-features a sample that no other set has. The sets show how much the numbers of the study depend on
-its scans.
+A set has as many scans of each substrate as the study, from the pool of the substrate. A surface
+with features has a sample that no other set has. The sets show how much the numbers of the study
+depend on its scans.
 """
 
 from collections.abc import Mapping, Sequence
