@@ -1,4 +1,4 @@
-"""Closest approach and contact pixels: against the whole window, and a Gaussian surface."""
+"""The contact pixels are those with the smallest gaps of the whole window."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""The sphere and where it touches: positions, common pixels, bodies of two scans, its rough cap."""
+"""The gap between two bodies, the positions of contacts, and common pixels of two scans."""
 
 import numpy as np
 import pytest

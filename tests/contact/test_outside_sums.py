@@ -1,4 +1,4 @@
-"""The force sum: against the direct sum over every pixel pair, and against closed forms."""
+"""The force sum against the direct sum over every pixel, and Derjaguin's force."""
 
 from itertools import product
 

@@ -1,4 +1,4 @@
-"""How many patches contacts touch: one on a particle, many on rough surfaces."""
+"""Contacts touch one patch on a particle or a cap, and many on rough surfaces."""
 
 from dataclasses import replace
 

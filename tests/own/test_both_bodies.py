@@ -1,4 +1,4 @@
-"""A smooth wafer under a rough sphere has the force and the octaves of the sphere."""
+"""A smooth wafer under a rough sphere has the force and the reliable wavelengths of the sphere."""
 
 import numpy as np
 import pytest

@@ -107,9 +107,6 @@ def test_claims_without_verdicts_are_read_back_and_counted_as_none(tmp_path):
     assert count_verdicts(read_verdicts(path))["claims"].sum() == 0
 
 
-# --- sets of scans ----------------------------------------------------------------------------
-
-
 @pytest.mark.parametrize(
     ("samples", "verdict"),
     [

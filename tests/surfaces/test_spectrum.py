@@ -1,4 +1,4 @@
-"""Spectra: published twins, rms values, models, tails, PSDs of scans."""
+"""Spectra: interpolation, rms values, models, and the spectrum measured on scans."""
 
 import numpy as np
 import pytest
