@@ -37,7 +37,7 @@ SET_EDGE_VARIABLES = ["filtered_force_ratio", "filtered_force_change", "edge", "
 
 
 class SetInputs(NamedTuple):
-    """Datasets from which all sets are made; a substrate not in `pools`, `samples` keeps scans."""
+    """Datasets of which sets are made; a substrate without pool or samples keeps its scans."""
 
     topography: xr.Dataset  #: topography.nc of the study.
     adhesion: xr.Dataset  #: adhesion.nc of the study.
