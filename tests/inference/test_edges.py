@@ -16,14 +16,6 @@ from hardcontact.inference.edges import (
 from hardcontact.surfaces.synthesis import random_surface
 
 CUTOFFS = np.array([10.0, 100.0, 1000.0])
-UNKNOWN = [np.nan] * 3
-
-
-def edge(side, value, lowest=UNKNOWN, highest=UNKNOWN):
-    """The edge of a curve of changes, in the order of growing effect, and its interval."""
-    cutoffs = CUTOFFS if side == "short" else CUTOFFS[::-1]
-    curve = ChangeCurve(side, cutoffs, np.array(value), (-np.inf, 0.1))
-    return find_edge(curve), edge_interval(curve, np.array(lowest), np.array(highest))
 
 
 def edge_of_ratios(side, cutoffs, ratio, low, high):
@@ -71,21 +63,6 @@ def test_the_bracket_holds_the_edge_of_a_curve_that_is_not_straight(spread):
             "short", cutoffs, ratio, ratio * np.exp(-spread), ratio * np.exp(spread)
         )
         assert not low > true_edge and not high < true_edge
-
-
-@pytest.mark.parametrize(
-    "side, changes, bound, status",
-    [
-        ("short", [0.2, 0.3, 0.4], 10, "open_below"),
-        ("short", [0.0, 0.05, 0.1], 1000, "open_above"),
-        ("long", [0.2, 0.3, 0.4], 1000, "open_above"),
-        ("long", [0.0, 0.05, 0.1], 10, "open_below"),
-    ],
-)
-def test_an_edge_beyond_the_cutoffs_is_open(side, changes, bound, status):
-    result, interval = edge(side, changes)
-    assert np.isnan(result.value) and (result.bound, result.status) == (bound, status)
-    assert np.isnan(interval).all()
 
 
 @pytest.mark.parametrize(

@@ -5,7 +5,6 @@ import pytest
 import xarray as xr
 from known_masters import LONG, SHORT, scales
 
-from hardcontact.base.statistics import jackknife_interval
 from hardcontact.own.edges_of_scans import edges_of_scans
 from hardcontact.own.mean_forces import MasterScans
 
@@ -41,22 +40,6 @@ def test_intervals_surround_the_edge_within_the_cutoffs_of_their_side(scans):
         bounds = band.edge_interval.sel(side=side).dropna("end")
         assert ((bounds >= ends[0]) & (bounds <= ends[1])).all()
     assert int(band.interval_is_conditional) == (scans < 3)
-
-
-def test_the_interval_of_three_scans_comes_from_the_jackknife():
-    master_forces = scales([[SHORT, LONG]], spread=0.2)
-    ratio = (
-        master_forces.filtered_force_ratio.isel(surface=0)
-        .sel(side="short", cutoff_wavelength=100.0)
-        .values
-    )
-    left_out = [np.delete(ratio, scan).mean() for scan in range(3)]
-    master_scans = MasterScans({"a": 3}, 2, {"a": 99})
-    band = edges_of_scans(master_forces, None, master_scans, 0.1, 0.95)
-    interval = band.filtered_force_ratio_interval.isel(surface=0).sel(
-        side="short", cutoff_wavelength=100.0
-    )
-    np.testing.assert_allclose(interval, jackknife_interval(ratio.mean(), left_out, 0.95))
 
 
 def test_curves_that_never_cross_the_tolerance_give_bounds():

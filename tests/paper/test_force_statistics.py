@@ -9,7 +9,6 @@ from scipy.stats import CensoredData, lognorm
 from hardcontact.base.statistics import (
     Sampling,
     interval_ends,
-    percentile_interval,
     student_log_interval,
 )
 from hardcontact.paper.force_statistics import (
@@ -18,16 +17,6 @@ from hardcontact.paper.force_statistics import (
     force_statistics,
     mean_forces,
 )
-
-
-def test_means_are_sampled_over_scans():
-    forces = power_forces(spread=0.3, scans=5)
-    means, samples = mean_forces(forces, Sampling(0, 20000, 0.95))
-    scans = forces.mean(["sphere_scan", "contact_y", "contact_x"])
-    np.testing.assert_allclose(means, scans.mean("scan"))
-    sampled_interval = percentile_interval(samples, 0.95)
-    student_interval = student_log_interval(scans, 0.95, "scan").transpose("surface", "rho", "end")
-    np.testing.assert_allclose(sampled_interval, student_interval, rtol=0.02)
 
 
 def test_missing_scans_change_no_mean():

@@ -109,17 +109,6 @@ def test_a_substrate_without_a_published_force_is_refused_beside_the_paper(
     assert_says(message, "config key surfaces", "published: none", "found waves")
 
 
-def test_a_wrong_unit_is_refused_once_with_the_unit_that_may_be_meant(tmp_path, project_folder):
-    message = refusal(
-        check_configuration, paper_configuration("contact.hardness", "30 MPa"), tmp_path
-    )
-    assert message.count("\n") == 0
-    assert_says(
-        message, "config key contact.hardness: expected", "found 30 MPa: is the unit right?"
-    )
-    assert_says(message, "did you mean 30 GPa?", "if it is: config key contact.preload: expected")
-
-
 # Measured scans
 
 

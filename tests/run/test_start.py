@@ -105,17 +105,3 @@ def test_a_faulty_value_of_the_command_line_is_refused_with_its_key(text):
     study = configured(f"asperities={{contacts: {text}}}")
     line = refusal_line(study_inputs.checked_configuration, *study)
     assert_says(line, "config key asperities.contacts", "a whole number", text.strip("'"))
-
-
-def test_a_key_given_twice_is_refused_before_the_first_job(tmp_path):
-    path = tmp_path / "a.yaml"
-    path.write_text("seed: 1\n'seed': 2")
-    workflow = planned_workflow(path)
-    assert_says(
-        refusal_line(study_inputs.checked_configuration, workflow, PAPER),
-        "a.yaml",
-        "line 2",
-        "seed again",
-    )
-    workflow.exec_mode = ExecMode.SUBPROCESS
-    assert study_inputs.checked_configuration(workflow, PAPER)["seed"] == PAPER["seed"]

@@ -18,7 +18,6 @@ from answer_inputs import (
 )  # fmt: skip
 
 from hardcontact.base.number import Number, json_value
-from hardcontact.inference.edges import computed_cutoffs
 from hardcontact.report.own_surfaces.answer import surface_answers
 from hardcontact.report.own_surfaces.datasets import classify_edge, parts_of_change
 from hardcontact.report.own_surfaces.edges import surface_conclusion
@@ -93,18 +92,6 @@ def test_open_and_extrapolated_edges_recommend_a_measurement(data, advice):
     # The scans are reliable from 55 nm to 25 µm.
     measurements = surface_answers(datasets(edges=data), setting())[0].next_scans
     assert [(scan.edge, scan.code, scan.limit.value) for scan in measurements] == advice
-
-
-def test_an_edge_whose_interval_is_artificial_names_its_cutoffs():
-    # The scans are reliable from 55 nm.
-    numbers = numbers_of(edges=move_edge(31.6, 20.0, 50.0))
-    cutoffs = computed_cutoffs(
-        move_edge(31.6, 20.0, 50.0)["filtered_force_ratio"].sel(side="short")
-    )
-    low, high = numbers["short_edge_cutoffs"].low, numbers["short_edge_cutoffs"].high
-    assert numbers["short_edge"].status == "no_interval" and low < 31.6 <= high
-    assert not ((low < cutoffs) & (cutoffs < high)).any()
-    assert "short_edge_cutoffs" not in numbers_of(edges=move_edge(120.0, 90.0, 150.0))
 
 
 def test_a_missing_interval_has_a_reason():

@@ -139,21 +139,6 @@ def test_the_figure_of_cutoffs_shows_the_ratios_of_both_sides():
         assert x.tolist() == CUTOFFS[side].tolist() and y.tolist() == ratios.values.tolist()
 
 
-@pytest.mark.parametrize(("largest", "scale"), [(1.5, "linear"), (2000.0, "log")])
-def test_all_ratios_are_shown_on_a_logarithmic_axis_if_they_differ_tenfold(largest, scale):
-    data = edges()
-    data["filtered_force_ratio"] = data["filtered_force_ratio"].clip(max=1.2)
-    data["filtered_force_ratio_interval"] = data["filtered_force_ratio_interval"].clip(0.9, 1.4)
-    data["filtered_force_ratio"].loc[{"side": "short", "cutoff_wavelength": 160}] = largest
-    figure = figures.draw_cutoffs(datasets(edges=data))
-    (axes,) = figure.axes
-    low, high = axes.get_ylim()
-    for label, _ in figures.SIDE_LOOKS.values():
-        ratios = lines_of(figure)[label].get_ydata()
-        assert ((low < ratios) & (ratios < high)).all()
-    assert axes.get_yscale() == scale
-
-
 def test_spectra_are_drawn_apart_where_they_are_not_reliable():
     data = spectra().sel(FIRST)
     figure = figures.draw_spectra(datasets())

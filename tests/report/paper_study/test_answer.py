@@ -90,16 +90,6 @@ def test_an_edge_at_wavelengths_of_artificial_roughness_says_so():
     assert sources == {20.0: ["computed"] * 2, 80.0: ["artificial"] * 2}
 
 
-@pytest.mark.parametrize("first", [0, 1])
-def test_a_claim_without_a_number_is_not_in_the_answer(first):
-    """Of the claims in turn, one is missing and the next has no number."""
-    names = list(ANSWER_CLAIMS)[first::2]
-    ids = [ANSWER_CLAIMS[name] for name in names]
-    rows = claims()[~claims()["id"].isin(ids[::2])].copy()
-    rows.loc[rows["id"].isin(ids[1::2]), "computed"] = np.nan
-    assert ANSWER_CLAIMS.keys() - numbers_of(rows).keys() == set(names)
-
-
 def test_forces_on_scans_equal_those_on_windows_of_their_size():
     data = scan_size()
     labels = {"surface": "mcd", "map_size": 2500.0}
