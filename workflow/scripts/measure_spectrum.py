@@ -7,11 +7,11 @@ from hardcontact.surfaces.height_map import load_height_map
 
 with run_job(snakemake) as job:
     params = job.parameters
-    measurements = [
+    scans = [
         scan_with_defects(load_height_map(file), params["sphere_radius"], params["levelling"])
         for file in job.input.measurements
     ]
     job.write(
-        joined_spectrum(measurements, params["tip_radii"]),
+        joined_spectrum(scans, params["tip_radii"]),
         title="power spectral density of a measured surface, joined from its measurements",
     )

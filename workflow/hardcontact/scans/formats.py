@@ -76,6 +76,7 @@ def read_fields(
 
 
 def _refuse_without_unit_or_size(topography: Any) -> None:
+    """Raise RefusedFile if neither the file nor the user gives a unit and a physical size."""
     if topography.unit is None:
         raise RefusedFile(
             "expected a unit of length, found none in the file: state it for all files without a "
