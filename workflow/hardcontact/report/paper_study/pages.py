@@ -1,22 +1,36 @@
-"""Pages of the paper's study: its answer, all figures with Table 1, and the report."""
+"""Pages of the paper's study: its answer, all figures with Table 1, and chapters in Markdown."""
 
-from collections.abc import Mapping, Sequence
-from itertools import groupby
-from typing import Any
+import re
+from collections.abc import Collection, Mapping, Sequence
+from itertools import groupby, pairwise
+from typing import Any, NamedTuple
 
 import pandas as pd
 import yaml
+from markdown_it import MarkdownIt
+from markdown_it.token import Token
+from mdit_py_plugins.dollarmath import dollarmath_plugin
 
 from hardcontact.report.answer import numbers_of_answer, render_page
 from hardcontact.report.figures.listing import PAPER_FIGURES, Caption, describe_figure
 from hardcontact.report.paper_study.answer import ANSWER_CLAIMS
-from hardcontact.report.paper_study.chapters import convert_chapter
 from hardcontact.report.paper_study.conclusions import (
     claim_facts,
     draw_conclusions,
     most_sensitive_coatings,
 )
-from hardcontact.report.templates import Frame, render_document
+from hardcontact.report.templates import Frame, render_document, unbroken
+
+#: A link of Markdown within the repository: its words, the document without `.md`, and the anchor.
+LINK = re.compile(r"\[([^\]]+)\]\((?!https?:)([^)#]+?)(?:\.md)?(#[^)]*)?\)")
+
+
+class Chapter(NamedTuple):
+    """A chapter in Markdown, converted for a page."""
+
+    title: str  #: Plain text.
+    html: str  #: HTML of the text below the title.
+    sections: list[tuple[str, str]]  #: Anchor and heading of each section, in their order.
 
 
 def paper_page(
@@ -90,3 +104,74 @@ def report_pages(
         "parameters.html", frame, "parameters", parameters=parameters, versions=versions
     )
     return pages
+
+
+def convert_chapter(text: str, pages: Collection[str] = ()) -> Chapter:
+    """Return a chapter in Markdown as HTML, with anchors at its headings and formulas as MathML.
+
+    Links to documents that are pages lead there, others into the repository become plain text.
+    Raises ValueError if the text does not begin with a title, ``# ...``.
+    """
+    heading, _, body = text.partition("\n")
+    if not heading.startswith("# "):
+        raise ValueError(f"expected a text that begins with '# ' and a title, found {heading!r}")
+    markdown = MarkdownIt("commonmark").enable("table")
+    markdown.use(dollarmath_plugin, allow_space=False, allow_digits=False, renderer=_mathml)
+    tokens = markdown.parse(LINK.sub(lambda link: _page_link(link, pages), body))
+    _keep_units(tokens)
+    _label_cells(tokens)
+    sections = _set_anchors(tokens)
+    return Chapter(heading[2:], markdown.renderer.render(tokens, markdown.options, {}), sections)
+
+
+def _mathml(formula: str, options: Mapping[str, bool]) -> str:
+    """Return a formula in LaTeX as MathML; `options` says whether it has a line of its own."""
+    from latex2mathml.converter import convert
+
+    return convert(formula, display="block" if options["display_mode"] else "inline")
+
+
+def _page_link(link: re.Match[str], pages: Collection[str]) -> str:
+    """Return a link to a page in place of one to its document, the words of any other link."""
+    words, document, anchor = link.groups(default="")
+    return f"[{words}]({document}.html{anchor})" if document in pages else words
+
+
+def _keep_units(tokens: Sequence[Token]) -> None:
+    """Keep numbers and their units on a line, except in code."""
+    for token in tokens:
+        for part in token.children or []:
+            if part.type == "text":
+                part.content = unbroken(part.content)
+
+
+def _set_anchors(tokens: Sequence[Token]) -> list[tuple[str, str]]:
+    """Set the anchor of each heading, as GitHub does; return the anchors and headings."""
+    sections = []
+    for token, content in pairwise(tokens):
+        if token.type == "heading_open":
+            anchor = re.sub(r"[^\w\- ]", "", content.content.lower()).replace(" ", "-")
+            token.attrSet("id", anchor)
+            sections.append((anchor, content.content))
+    return sections
+
+
+def _label_cells(tokens: Sequence[Token]) -> None:
+    """Mark the headings of Markdown tables as column headings, and label each cell with one.
+
+    Cells show the label on a page that is too narrow for a header.
+    """
+    labels: list[str] = []
+    column = 0
+    for token, content in pairwise(tokens):
+        if token.type == "table_open":
+            token.attrSet("class", "stacked")
+            labels = []
+        elif token.type == "tr_open":
+            column = 0
+        elif token.type == "th_open":
+            token.attrSet("scope", "col")
+            labels.append(content.content)
+        elif token.type == "td_open":
+            token.attrSet("data-label", labels[column])
+            column += 1
