@@ -19,7 +19,7 @@ from answer_inputs import (
 
 from hardcontact.base.number import Number, json_value
 from hardcontact.report.own_surfaces.answer import surface_answers
-from hardcontact.report.own_surfaces.datasets import classify_edge, parts_of_change
+from hardcontact.report.own_surfaces.datasets import classify_edge, reliable_and_artificial_change
 from hardcontact.report.own_surfaces.edges import surface_conclusion
 
 
@@ -47,12 +47,14 @@ def test_the_change_at_an_edge_is_split_at_the_shortest_reliable_wavelength():
     unseen = low + (high - low) * np.log(55 / 40) / np.log(2)
     surface = datasets(edges=data).select_surface(SURFACES[0])
     np.testing.assert_allclose(
-        parts_of_change(surface, "short", 0, 80), [high - unseen, unseen], 1e-4
+        reliable_and_artificial_change(surface, "short", 0, 80), [high - unseen, unseen], 1e-4
     )
     assert numbers_of(edges=data)["short_edge_measured_share"].value == pytest.approx(
         1 - unseen / high, rel=1e-4
     )
-    assert sum(parts_of_change(surface, "short")) == pytest.approx(np.log1p(0.1 * 4**4), rel=1e-4)
+    assert sum(reliable_and_artificial_change(surface, "short")) == pytest.approx(
+        np.log1p(0.1 * 4**4), rel=1e-4
+    )
 
 
 def test_open_edges_are_bounds():

@@ -134,7 +134,7 @@ def shown_octaves(data: Datasets) -> np.ndarray:
     return np.asarray(np.logical_not(hidden).all(axis=0))
 
 
-def parts_of_change(
+def reliable_and_artificial_change(
     data: Datasets, side: str, shortest: float = 0.0, longest: float = np.inf
 ) -> tuple[float, float]:
     """Return the change of the force by reliable and by artificial wavelengths of one surface.
@@ -160,16 +160,20 @@ def parts_of_change(
     return float(change[~artificial].sum()), float(change[artificial].sum())
 
 
-def reliable_share(parts: tuple[float, float]) -> float:
-    """Return the share of reliable wavelengths in `parts_of_change`, NaN without any change."""
-    return parts[0] / sum(parts) if sum(parts) > 0 else np.nan
+def reliable_share(changes: tuple[float, float]) -> float:
+    """Return the share of the first of `reliable_and_artificial_change`, NaN without any change."""
+    return changes[0] / sum(changes) if sum(changes) > 0 else np.nan
 
 
 def measured_share_at_edge(data: Datasets, side: str) -> float:
     """Return the share of reliable wavelengths in the change at an edge, NaN for an open edge."""
     edge = data.edges["edge"].sel(side=side).item()
     ends = (0.0, edge) if side == "short" else (edge, np.inf)
-    return np.nan if np.isnan(edge) else reliable_share(parts_of_change(data, side, *ends))
+    return (
+        np.nan
+        if np.isnan(edge)
+        else reliable_share(reliable_and_artificial_change(data, side, *ends))
+    )
 
 
 def classify_edge(data: Datasets, side: str) -> str:

@@ -14,8 +14,8 @@ from hardcontact.report.own_surfaces.datasets import (
     Datasets,
     fails_hindcast,
     forces_at_range,
-    parts_of_change,
     preferred_model,
+    reliable_and_artificial_change,
     reliable_share,
 )
 from hardcontact.report.own_surfaces.edges import interval_status
@@ -62,7 +62,7 @@ def _change_from_smooth(data: Datasets) -> Number:
 
     The source is "measured" if artificial wavelengths change the force by at most the tolerance.
     """
-    reliable, artificial = parts_of_change(data, "short")
+    reliable, artificial = reliable_and_artificial_change(data, "short")
     share = reliable_share((reliable, artificial))
     source = "artificial" if share < 1 - NEARLY_ALL else "partly_artificial"
     if artificial <= np.log1p(data.edges.attrs["tolerance"]):
