@@ -14,11 +14,12 @@ def gap_to_sphere(heights, position, pixels, pixel_size, radius, roughness=None)
     The apex is above the position (y, x) of periodic heights and above the middle of the gap. The
     roughness of the sphere is periodic, too, with the origin at the apex.
     """
-    y, x = np.indices((pixels, pixels)) - pixels // 2
-    gap = ((y * pixel_size) ** 2 + (x * pixel_size) ** 2) / (2 * radius)
-    gap -= heights[(position[0] + y) % len(heights), (position[1] + x) % len(heights)]
+    offsets = np.arange(pixels) - pixels // 2
+    squares = (offsets * pixel_size) ** 2
+    gap = (squares[:, None] + squares) / (2 * radius)
+    gap -= heights[np.ix_(*((index + offsets) % len(heights) for index in position))]
     if roughness is not None:
-        gap -= roughness[y % len(roughness), x % len(roughness)]
+        gap -= roughness[np.ix_(*[offsets % len(roughness)] * 2)]
     return gap
 
 
@@ -37,7 +38,7 @@ def gap_of_bodies(bodies, contact):
 
 def direct_total(gap, contact_pixel_count, rho):
     """Return the sum of exp(-gap/rho) over a gap (nm) closed until a number of pixels touch."""
-    closest_approach = np.sort(gap, axis=None)[contact_pixel_count - 1]
+    closest_approach = np.partition(gap, contact_pixel_count - 1, None)[contact_pixel_count - 1]
     return np.exp(-np.maximum(gap - closest_approach, 0) / rho).sum()
 
 
