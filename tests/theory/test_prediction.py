@@ -86,11 +86,15 @@ def test_the_coatings_of_the_paper_lie_within_the_table(rolloff, plateau, hurst,
     mean_hurst = hurst + change * np.log10(rolloff / 20) / 2
     fit = validity.mean_hurst_and_change(spectrum, 20.0)
     assert fit == pytest.approx((mean_hurst, change), abs=0.01)
-    assert validity.is_validated(spectrum, contact, closed_form(spectrum, contact))
+    assert validity.is_validated(
+        validity.table_coordinates(spectrum, contact, closed_form(spectrum, contact))
+    )
 
 
 def test_a_contact_wider_than_the_roll_off_leaves_no_hurst_exponent():
     spectrum = Spectrum(WAVEVECTORS, varying_hurst(WAVEVECTORS, 1e6, 300, 0.8, 0.0))
     assert np.isnan(validity.mean_hurst_and_change(spectrum, 400.0)).all()
     contact = contact_of_area(250e3, 5.6, 0.0463, 400.0**2)
-    assert not validity.is_validated(spectrum, contact, closed_form(spectrum, contact))
+    assert not validity.is_validated(
+        validity.table_coordinates(spectrum, contact, closed_form(spectrum, contact))
+    )

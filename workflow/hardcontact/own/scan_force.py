@@ -198,13 +198,14 @@ def _closed_form_number(
     has_waves = np.isfinite(density)
     spectrum = Spectrum(wavevector[has_waves], density[has_waves])
     form = closed_form(spectrum, contact)
-    lowest, highest = nearest_errors(table_coordinates(spectrum, contact, form), "force")
+    point = table_coordinates(spectrum, contact, form)
+    lowest, highest = nearest_errors(point, "force")
     low, high = lowest * form.force, highest * small_scan_ratio * form.force
     is_bounded = math.isfinite(force.low + force.high)
     force_low, force_high = (force.low, force.high) if is_bounded else (force.value, force.value)
     if low > force_high or high < force_low:
         status = Agreement.NOT_GAUSSIAN
-    elif low <= force.value <= high and is_validated(spectrum, contact, form):
+    elif low <= force.value <= high and is_validated(point):
         status = Agreement.AGREES
     else:
         status = Agreement.OUTSIDE

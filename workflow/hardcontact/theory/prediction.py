@@ -42,6 +42,8 @@ MAX_WAVELENGTH_RATIO = 4.0
 MAX_SKEWNESS = 1.0
 #: The edges of the band among the predicted quantities.
 EDGE_NAMES = VALIDATED_QUANTITIES[1:]
+#: From `table_coordinates`; None stands for a point at which the error is not known.
+TablePoint = Mapping[str, Any]
 
 
 class Effect(StrEnum):
@@ -81,20 +83,21 @@ def prediction(
     if tail is not None and (math.isfinite(tail.hurst) or tail.rolloff > trimmed.wavelength[0]):
         extrapolated = _extrapolated_numbers(tail, contact, tolerance, error_is_known)
         change = _force_change("extrapolated_change", extrapolated[0].value, form)
-    checks += [change, *validated_ranges(trimmed, contact, form)]
-    harmless = Effect.NEGLIGIBLE, Validity.INSIDE
-    validated = error_is_known and all(number.status in harmless for number in checks)
-    point = table_coordinates(trimmed, contact, form)
+    coordinates = table_coordinates(trimmed, contact, form)
+    error_is_known &= change.status == Effect.NEGLIGIBLE and is_validated(coordinates)
+    point = coordinates if error_is_known else None
     numbers = [
         *inputs,
-        _force_number("closed_form_force", form, point, validated),
+        _force_number("closed_form_force", form, point),
         *extrapolated,
         Number("log_force_std", predict_statistics(trimmed, contact).log_force_std),
         Number("force_over_smooth", form.force / smooth_force(contact)),
         Number("apex_height", form.apex_height, "nm"),
         Number("weibull_modulus", form.weibull_modulus, status=form.regime),
-        *_edge_numbers("", critical_band(trimmed, contact, tolerance), point, validated),
+        *_edge_numbers("", critical_band(trimmed, contact, tolerance), point),
         *checks,
+        change,
+        *validated_ranges(coordinates),
     ]
     return numbers_by_name(*numbers)
 
@@ -170,31 +173,26 @@ def _is_measured_error_known(
     return force.status == Validity.INSIDE
 
 
-def _validated_interval(
-    name: str, value: float, point: Mapping[str, Any], validated: bool
-) -> tuple[float, float]:
-    """Return the interval of a predicted quantity, NaN if its error is not known.
-
-    The name is one of VALIDATED_QUANTITIES.
-    """
-    lowest, highest = nearest_errors(point, name) if validated else (math.nan, math.nan)
+def _validated_interval(name: str, value: float, point: TablePoint | None) -> tuple[float, float]:
+    """Return the interval of a predicted quantity, one of VALIDATED_QUANTITIES, at a point."""
+    lowest, highest = (math.nan, math.nan) if point is None else nearest_errors(point, name)
     return value * lowest, value * highest
 
 
-def _force_number(name: str, form: ClosedForm, point: Mapping[str, Any], validated: bool) -> Number:
+def _force_number(name: str, form: ClosedForm, point: TablePoint | None) -> Number:
     """Return a force (N) with its interval; the status says whether its error is known."""
-    interval = _validated_interval("force", form.force, point, validated)
-    status = Validity.INSIDE if validated else Validity.OUTSIDE
+    interval = _validated_interval("force", form.force, point)
+    status = Validity.OUTSIDE if point is None else Validity.INSIDE
     return Number(name, form.force, "N", *interval, status)
 
 
 def _edge_numbers(
-    prefix: str, band: tuple[float, float], point: Mapping[str, Any], validated: bool
+    prefix: str, band: tuple[float, float], point: TablePoint | None
 ) -> Iterator[Number]:
     """Yield the edges (nm) of a band with their intervals, named by a prefix and EDGE_NAMES."""
     for name, edge in zip(EDGE_NAMES, band, strict=True):
         if math.isfinite(edge):
-            interval = _validated_interval(name, edge, point, validated)
+            interval = _validated_interval(name, edge, point)
             yield Number(f"{prefix}{name}", edge, "nm", *interval, EdgeStatus.FOUND)
         else:
             yield Number(f"{prefix}{name}", edge, "nm", status=EdgeStatus.NO_EDGE)
@@ -239,12 +237,12 @@ def _extrapolated_numbers(
     """
     spectrum = trim_spectrum(Spectrum(WAVEVECTORS, tail.density))
     form = closed_form(spectrum, contact)
-    validated = error_is_known and is_validated(spectrum, contact, form)
-    point = table_coordinates(spectrum, contact, form)
+    coordinates = table_coordinates(spectrum, contact, form)
+    point = coordinates if error_is_known and is_validated(coordinates) else None
     band = critical_band(spectrum, contact, tolerance)
     return [
-        _force_number("extrapolated_force", form, point, validated),
-        *_edge_numbers("extrapolated_", band, point, validated),
+        _force_number("extrapolated_force", form, point),
+        *_edge_numbers("extrapolated_", band, point),
         Number("extrapolated_to", float(spectrum.wavelength[-1]), "nm"),
         Number("extrapolated_rolloff", tail.rolloff, "nm"),
         Number("extrapolated_hurst", tail.hurst, status=TailEnd(tail.ended_by)),

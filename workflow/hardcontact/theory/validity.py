@@ -96,10 +96,13 @@ def held_out_surfaces() -> pd.DataFrame:
 def table_coordinates(spectrum: Spectrum, contact: Contact, form: ClosedForm) -> dict[str, Any]:
     """Return the coordinates of a spectrum and a contact in the table of designed surfaces.
 
-    The spectrum comes from `trim_spectrum`. ``weibull_modulus`` is k = rho m/sigma².
+    These are the values of VALIDATED_PARAMETERS and the regime. The spectrum comes from
+    `trim_spectrum`.
     """
     mean_hurst, mean_hurst_change = mean_hurst_and_change(spectrum, math.sqrt(contact.area))
     return {
+        "rho": contact.rho,
+        "radius": contact.radius,
         "weibull_modulus": form.weibull_modulus,
         "contact_over_rolloff": math.sqrt(contact.area) / peak_wavelength(spectrum),
         "mean_hurst": mean_hurst,
@@ -128,9 +131,10 @@ def mean_hurst_and_change(spectrum: Spectrum, contact_length: float) -> tuple[fl
 def nearest_errors(point: Mapping[str, Any], name: str) -> tuple[float, float]:
     """Return the smallest and the largest error among the surfaces of the table nearest to a point.
 
-    `name` is one of VALIDATED_QUANTITIES; errors are its computed over its predicted value. The
-    distance is Euclidean in ln(weibull_modulus) and ln(contact_over_rolloff), plus one in another
-    regime. A point outside the table is moved to its border.
+    The point comes from `table_coordinates`. An error of the quantity `name`, one of
+    VALIDATED_QUANTITIES, is its computed over its predicted value. The distance is Euclidean in
+    ln(weibull_modulus) and ln(contact_over_rolloff), plus one in another regime. A point outside
+    the table is moved to its border.
     """
     surfaces = held_out_surfaces().dropna(subset=f"{name}_error")
     axes = ["weibull_modulus", "contact_over_rolloff"]
@@ -142,23 +146,17 @@ def nearest_errors(point: Mapping[str, Any], name: str) -> tuple[float, float]:
     return float(errors.min()), float(errors.max())
 
 
-def is_validated(spectrum: Spectrum, contact: Contact, form: ClosedForm) -> bool:
-    """Return whether the table covers a contact, so that the error of its closed form is known."""
-    ranges = validated_ranges(spectrum, contact, form)
-    return all(number.status == Validity.INSIDE for number in ranges)
+def is_validated(point: Mapping[str, Any]) -> bool:
+    """Return whether the table covers a point, so that the error of the closed form is known."""
+    return all(number.status == Validity.INSIDE for number in validated_ranges(point))
 
 
-def validated_ranges(spectrum: Spectrum, contact: Contact, form: ClosedForm) -> Iterator[Number]:
-    """Yield the parameters on which an error depends, with their ranges in the table."""
-    parameters = {
-        "rho": contact.rho,
-        "radius": contact.radius,
-        **table_coordinates(spectrum, contact, form),
-    }
+def validated_ranges(point: Mapping[str, Any]) -> Iterator[Number]:
+    """Yield the parameters of a point on which an error depends, with their ranges in the table."""
     for name, unit in VALIDATED_PARAMETERS.items():
         lowest, highest = held_out_surfaces()[name].agg(["min", "max"])
-        status = Validity.INSIDE if lowest <= parameters[name] <= highest else Validity.OUTSIDE
-        yield Number(f"validated_{name}", parameters[name], unit, lowest, highest, status)
+        status = Validity.INSIDE if lowest <= point[name] <= highest else Validity.OUTSIDE
+        yield Number(f"validated_{name}", point[name], unit, lowest, highest, status)
 
 
 def assumed_modulus(hardness: float) -> float:
