@@ -51,7 +51,7 @@ from hardcontact.config.keys import Study
             ["a whole number", "found 2026-01-02"],
         ),
         ("scales.short.pixels", 8191, ["scales.short.pixels:", "a multiple of 2", "found 8191"]),
-        ("inference.confidence", float("nan"), ["inference.confidence:", "a finite number", "nan"]),
+        ("intervals.confidence", float("nan"), ["intervals.confidence:", "a finite number", "nan"]),
         ("store", "results/../a", ["store:", "letters", "'results/../a'"]),
     ],
 )

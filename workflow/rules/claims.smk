@@ -22,7 +22,7 @@ rule evaluate_claims:
     params:
         parameters=dict(
             datasets=CLAIM_DATASETS,
-            confidence=STUDY["inference"]["confidence"],
+            confidence=STUDY["intervals"]["confidence"],
             contact_words=paper_contact(STUDY),
         ),
     script:

@@ -23,7 +23,7 @@ from hardcontact.run import study_inputs
 STUDY = study_inputs.checked_configuration(workflow, config)
 PATTERNS = study_patterns(STUDY)
 RANGES = sorted({*STUDY["adhesion"]["ranges"], STUDY["adhesion"]["range"]})
-SAMPLING = STUDY["inference"] | {"seed": STUDY["seed"]}
+SAMPLING = STUDY["intervals"] | {"seed": STUDY["seed"]}
 IS_PAPER_STUDY = is_paper_study(STUDY)
 HAS_FORCES = STUDY["forces"] != NONE
 PAGES = read_yaml("workflow/report/pages.yaml")

@@ -53,7 +53,7 @@ rule aggregate_band_forces:
             **NAMED_SURFACES,
             radius=STUDY["sphere"]["radius"],
             rho=STUDY["adhesion"]["range"],
-            confidence=STUDY["inference"]["confidence"],
+            confidence=STUDY["intervals"]["confidence"],
         ),
     script:
         "../scripts/aggregate_band_forces.py"
@@ -71,7 +71,7 @@ rule fit_exponents:
             realizations=STUDY["exponents"]["realizations"],
             tolerance=STUDY["scales"]["tolerance"],
             contact_area=PLAN.contact.area,
-            confidence=STUDY["inference"]["confidence"],
+            confidence=STUDY["intervals"]["confidence"],
             **NAMED_SURFACES,
         ),
     script:

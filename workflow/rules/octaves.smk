@@ -53,7 +53,7 @@ rule aggregate_sensitivity:
             **NAMED_SURFACES,
             radius=STUDY["sphere"]["radius"],
             rho=STUDY["adhesion"]["range"],
-            confidence=STUDY["inference"]["confidence"],
+            confidence=STUDY["intervals"]["confidence"],
         ),
     script:
         "../scripts/aggregate_sensitivity.py"

@@ -135,7 +135,7 @@ if PLAN.measured_scan_ids:
                 **NAMED_SURFACES,
                 tolerance=STUDY["scales"]["tolerance"],
                 rho=STUDY["adhesion"]["range"],
-                confidence=STUDY["inference"]["confidence"],
+                confidence=STUDY["intervals"]["confidence"],
             ),
         script:
             "../scripts/aggregate_hindcast.py"
@@ -148,7 +148,7 @@ MASTER_PARAMETERS = {
     "scan_counts": {name: len(SELECTION.contact_scans(name)) for name in SELECTION.substrates},
     "tiles": STUDY["scales"]["long"]["tiles"],
     "tolerance": STUDY["scales"]["tolerance"],
-    "confidence": STUDY["inference"]["confidence"],
+    "confidence": STUDY["intervals"]["confidence"],
 }
 
 

@@ -100,7 +100,7 @@ rule aggregate_topography:
             **NAMED_SURFACES,
             sphere_surface=SPHERE,
             reference_surface=STUDY["reference_surface"],
-            confidence=STUDY["inference"]["confidence"],
+            confidence=STUDY["intervals"]["confidence"],
         ),
     script:
         "../scripts/aggregate_topography.py"

@@ -78,7 +78,7 @@ rule sample_sets:
                 "realizations": STUDY["scales"]["realizations"],
                 "reference_surface": STUDY["reference_surface"],
                 "tolerance": STUDY["scales"]["tolerance"],
-                "confidence": STUDY["inference"]["confidence"],
+                "confidence": STUDY["intervals"]["confidence"],
             },
         ),
     script:

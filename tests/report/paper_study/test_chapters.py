@@ -52,7 +52,7 @@ def evaluated(**values):
 
 def make_pages(table=None, changed=(), **texts):
     """The pages."""
-    configuration = PAPER | {"inference": {"confidence": 0.8}}
+    configuration = PAPER | {"intervals": {"confidence": 0.8}}
     table = evaluated() if table is None else table
     return report_pages(table, changed, texts, configuration, {"numpy": "1", "a<b": "1<2"}, FRAME)
 

@@ -131,7 +131,7 @@ def compute_numbers(inputs: Inputs, arguments: Namespace) -> dict[str, Number]:
     quantities, contact, own_spectrum, _ = inputs
     spectrum = own_spectrum.spectrum
     numbers = {name: _quantity_number(name, quantities[name]) for name in CONTACT_QUANTITIES}
-    tolerance, confidence = PAPER_STUDY.scales.tolerance, PAPER_STUDY.inference.confidence
+    tolerance, confidence = PAPER_STUDY.scales.tolerance, PAPER_STUDY.intervals.confidence
     numbers |= prediction_and_scan_force(
         own_spectrum, contact, tolerance, confidence, arguments.file
     )
@@ -215,7 +215,7 @@ def _report(inputs: Inputs, numbers: Mapping[str, Number], arguments: Namespace)
         cautions=[note for note in inputs.notes if note.startswith(TAKE_CARE)],
         meanings=meanings,
         change_that_matters=MAX_NEGLIGIBLE_CHANGE,
-        confidence=PAPER_STUDY.inference.confidence,
+        confidence=PAPER_STUDY.intervals.confidence,
         finer=WIDE_PIXEL,
     )
     return report.rstrip()

@@ -113,8 +113,8 @@ class AdhesionKeys(Keys):
     """Ranges of adhesion ρ at which forces are computed; between them forces are interpolated."""
 
 
-class InferenceKeys(Keys):
-    """Random sampling, from which intervals of means follow. The inference itself has no keys."""
+class IntervalKeys(Keys):
+    """How many random samples intervals rest on, and how wide the intervals are."""
 
     samples: Annotated[int, Field(ge=20, le=10000)] = 1000
     """Random samples of the scans or masters of each mean. With more samples intervals scatter
@@ -277,7 +277,7 @@ class Study(Keys):
     scan: ScanKeys = ScanKeys()
     contact: ContactKeys = ContactKeys()
     adhesion: AdhesionKeys = AdhesionKeys()
-    inference: InferenceKeys = InferenceKeys()
+    intervals: IntervalKeys = IntervalKeys()
     scales: ScalesKeys = ScalesKeys()
     elastic: ElasticKeys = ElasticKeys()
     indent: IndentKeys = IndentKeys()

@@ -93,7 +93,7 @@ def report_pages(
     `claims` comes from `verdicts.add_open_ends`, `changed` from `changed_inputs`; `texts` are
     chapters in Markdown, by name.
     """
-    confidence = configuration["inference"]["confidence"]
+    confidence = configuration["intervals"]["confidence"]
     facts = claim_facts(claims) | {"changed": changed, "confidence": confidence}
     pages = {"claims": render_document("claims.html", frame, "claims", **facts)}
     for name, text in texts.items():
