@@ -1,11 +1,12 @@
 """Forces on whole substitute surfaces with a part of their roughness, by the limits of a band."""
 
 from hardcontact.base.dataset import read, stack
+from hardcontact.base.progress import progress
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.pull_off import make_force_function
 from hardcontact.inference.band_forces import band_force_dataset
 from hardcontact.inference.edges import mean_band
-from hardcontact.records.job import progress, run_job
+from hardcontact.records.job import run_job
 from hardcontact.surfaces.featured_scans import whole_surface
 from hardcontact.surfaces.substitutes import read_substitute
 

@@ -1,11 +1,12 @@
 """Forces on whole substitute surfaces: at all ranges, and with each octave amplified."""
 
 from hardcontact.base.dataset import stack
+from hardcontact.base.progress import progress
 from hardcontact.contact.contact import CONTACT_AXES, Contact
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import make_force_function, pull_off_dataset
 from hardcontact.inference.octaves import octave_force_dataset, octave_limits
-from hardcontact.records.job import progress, run_job
+from hardcontact.records.job import run_job
 from hardcontact.surfaces.featured_scans import whole_surface
 from hardcontact.surfaces.substitutes import read_substitute
 

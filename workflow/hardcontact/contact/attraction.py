@@ -13,10 +13,10 @@ from scipy import ndimage
 
 from hardcontact.base.arrays import Floats
 from hardcontact.base.dataset import variables_of_columns
+from hardcontact.base.progress import progress
 from hardcontact.base.units import NANOMETRE, NEWTON, NM, PASCAL
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import Bodies, flattened_gaps, gap_map, largest_contact_gap
-from hardcontact.records.job import progress
 
 ASPERITY_UNITS = {
     "largest_share": "1",

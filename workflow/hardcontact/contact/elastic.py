@@ -16,6 +16,7 @@ from threadpoolctl import threadpool_limits
 
 from hardcontact.base.arrays import Floats
 from hardcontact.base.dataset import DatasetsByLabels, stack, variables_of_columns
+from hardcontact.base.progress import progress
 from hardcontact.base.units import GIGAPASCAL, NANONEWTON, NM, PASCAL
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import (
@@ -26,7 +27,6 @@ from hardcontact.contact.geometry import (
     window_pixels,
 )
 from hardcontact.contact.hertz_jkr_dmt import hertz_contact
-from hardcontact.records.job import progress
 
 #: Width in nm of the window about a contact in which elastic and rigid pull-off are compared.
 PULL_OFF_WINDOW = 2500.0

@@ -12,11 +12,11 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from hardcontact.base.dataset import stack, variables_of_columns
+from hardcontact.base.progress import progress
 from hardcontact.base.units import NEWTON, NM
 from hardcontact.contact.bearing_area import ContactPixels, all_contact_pixels
 from hardcontact.contact.contact import CONTACT_AXES, Contact
 from hardcontact.contact.geometry import Bodies, gaps_at, join_bodies
-from hardcontact.records.job import progress
 from hardcontact.surfaces.height_map import HeightMap
 
 #: Pixels on either side of the deepest pixel in the maps of one contact.

@@ -13,6 +13,7 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.base.dataset import concatenate, read, read_all, stack
+from hardcontact.base.progress import progress
 from hardcontact.base.units import DIMENSIONLESS, NM
 from hardcontact.contact.contact import CONTACT_AXES, Contact
 from hardcontact.contact.geometry import join_bodies
@@ -22,7 +23,6 @@ from hardcontact.contact.pull_off import (
     ForcesOnSurface,
     forces_at_loadings,
 )
-from hardcontact.records.job import progress
 from hardcontact.surfaces.filters import filtered_series
 from hardcontact.surfaces.height_map import HeightMap, load_height_map
 from hardcontact.surfaces.spectrum import spectrum_of_dataset

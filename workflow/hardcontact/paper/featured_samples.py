@@ -12,13 +12,13 @@ import pandas as pd
 import xarray as xr
 
 from hardcontact.base.dataset import concatenate, stack
+from hardcontact.base.progress import progress
 from hardcontact.base.statistics import log_std_of_lognormal
 from hardcontact.base.units import DIMENSIONLESS, NEWTON
 from hardcontact.contact.contact import CONTACT_AXES, PLASTIC, Contact
 from hardcontact.contact.pull_off import interpolate_to_range
 from hardcontact.paper.pool import smooth_sphere_forces
 from hardcontact.paper.published_fit import PublishedForces
-from hardcontact.records.job import progress
 from hardcontact.surfaces.featured_scans import FeaturedSurface, describe_features, sample_group
 from hardcontact.surfaces.features import KINDS, SIGNS
 from hardcontact.surfaces.levelling import level

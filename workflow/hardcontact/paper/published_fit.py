@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from hardcontact.base.arrays import Floats
 from hardcontact.base.dataset import stack
+from hardcontact.base.progress import progress
 from hardcontact.base.published import read_constants, read_measured_statistics
 from hardcontact.base.statistics import Sampling, student_log_interval, with_interval
 from hardcontact.base.units import DIMENSIONLESS, JOULE_PER_M2, NEWTON, NM
@@ -33,7 +34,6 @@ from hardcontact.paper.force_statistics import (
     forces_at_pair,
     mean_forces,
 )
-from hardcontact.records.job import progress
 
 #: Labels of the pairs of range and work of adhesion.
 PAIRS = ["published", "fitted"]

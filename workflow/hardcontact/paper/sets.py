@@ -14,6 +14,7 @@ import xarray as xr
 
 from hardcontact.base.arrays import generator
 from hardcontact.base.dataset import concatenate
+from hardcontact.base.progress import progress
 from hardcontact.base.statistics import Sampling, student_log_samples
 from hardcontact.base.units import DIMENSIONLESS
 from hardcontact.contact.contact import CONTACT_AXES
@@ -24,7 +25,6 @@ from hardcontact.paper.estimates import mean_over_contacts
 from hardcontact.paper.featured_samples import sample_of_set, samples_by_surface
 from hardcontact.paper.pool import sample_scans
 from hardcontact.paper.published_fit import PublishedForces, fit_published
-from hardcontact.records.job import progress
 from hardcontact.surfaces.metrics import TABLE1_METRICS, scan_averages
 
 #: Variables of fit.nc that sets.nc has for each set.

@@ -7,10 +7,10 @@ import os
 import shutil
 import sys
 import traceback
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
-from typing import Any, NamedTuple, TypeVar
+from typing import Any, NamedTuple
 
 import xarray as xr
 
@@ -26,7 +26,6 @@ from hardcontact.records.origin import (
     refuse_changed_since,
 )
 
-Step = TypeVar("Step")
 _logger = logging.getLogger("hardcontact")
 
 
@@ -123,11 +122,3 @@ def job_log(path: str | Path) -> Iterator[None]:
         _logger.removeHandler(handler)
         with suppress(OSError):  # the disk may be full
             handler.close()
-
-
-def progress(steps: Iterable[Step], total: int, name: str) -> Iterator[Step]:
-    """Yield steps and log how many are done, about ten times in all; `name` is their plural."""
-    for done, step in enumerate(steps, start=1):
-        yield step
-        if done == total or done * 10 // total > (done - 1) * 10 // total:
-            _logger.info("%s: %d of %d", name, done, total)

@@ -97,15 +97,7 @@ def draw_conclusions(numbers: Mapping[str, Number]) -> dict[str, Any]:
     sizes = [(numbers[name].value, numbers[f"{name}_published"].value) for name in GRIDS]
     octaves = [numbers[f"octave_{rank}_sensitivity"].value for rank in (1, 2, 3)]
     shifts = [numbers.get(name) for name in ("plasticity_shift", "range_shift")]
-    pair = ("range", "work")
-    on_whole_surfaces = {name: numbers.get(f"{name}_on_whole_surfaces") for name in pair}
     return {
-        # Which of range and work are smaller by the forces on mirrored scans.
-        "lowered_by_mirrors": [
-            name
-            for name, number in on_whole_surfaces.items()
-            if number is not None and numbers[f"{name}_of_adhesion"].value < number.value
-        ],
         "is_coarse": any(size < published for size, published in sizes),
         "has_few_sets": numbers["sets"].value < MIN_SETS,
         "roughness_lowers_force": max(octaves) < 0,
