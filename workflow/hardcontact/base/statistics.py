@@ -1,6 +1,6 @@
 """Intervals of means over scans, and random samples of uncertain quantities.
 
-Uncertainty comes from scans, not from contacts, because contacts on one scan see the same peaks.
+Uncertainty comes from scans, not from contacts, because contacts on one scan touch the same peaks.
 The study of the paper varies scans: a single mean gets Student's t, a quantity of several means
 gets random samples. The user's surfaces may have only one or two scans: quarters of a scan vary
 (`inference.scan_parts`). The interval of `name` is `name_interval`, with the dimension `end`.
@@ -75,7 +75,7 @@ def percentile_interval(samples: ArrayLike, confidence: float) -> Floats:
 
 
 def widen_interval(dataset: xr.Dataset, name: str, error: xr.DataArray) -> xr.Dataset:
-    """Return a dataset with a wider interval of a positive variable, which an error factor adds to.
+    """Widen the interval of a positive variable by an independent error, given as a factor.
 
     The logarithms of the interval's half width and of the error add in squares.
     """

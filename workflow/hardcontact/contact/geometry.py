@@ -1,7 +1,7 @@
 """The sphere over a surface: its paraboloid, the array of contacts, their gaps in a window.
 
-A contact at the pixel c sees the substrate at the unfolded indices c + k along one axis, k from
--n/2 to n/2 - 1 in a window of n pixels; the substrate continues itself periodically.
+Along one axis, a window of n pixels about a contact at the pixel c holds the unfolded indices c + k
+of the substrate, k from -n/2 to n/2 - 1. The substrate continues itself periodically.
 """
 
 from dataclasses import dataclass, replace

@@ -21,9 +21,10 @@ from hardcontact.records.origin import short_digest
 from hardcontact.surfaces.features import GAUSSIAN, SIGNS
 from hardcontact.surfaces.synthesis import SIDES
 
-#: Scans of a pool, and samples of surfaces with features, in one job: a trade, as MASTERS_CHUNK is.
-#: If a study has more of them, all full jobs stay as they are.
+#: Scans of a pool in one job: a trade-off of busy cores against starts, as MASTERS_CHUNK is. If a
+#: study has more scans, all full jobs stay as they are.
 POOL_CHUNK = 15
+#: Samples of surfaces with features in one job, for the same reasons.
 FEATURED_SAMPLES_CHUNK = 10
 
 

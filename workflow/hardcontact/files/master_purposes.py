@@ -1,6 +1,6 @@
 """The purposes for which forces on filtered masters are computed, with their settings.
 
-A master is a scan with artificial roughness; filtered, it lacks all waves beyond a cutoff.
+A master is a scan with artificial roughness. Filtering removes all its waves beyond a cutoff.
 """
 
 from collections.abc import Mapping, Sequence

@@ -24,8 +24,8 @@ from hardcontact.surfaces.height_map import HeightMap
 
 #: Limits of all octaves in nm: from below the wavelengths of spectra, 0.1 nm, to above 1 mm.
 OCTAVE_LIMITS: Floats = np.ldexp(10.0, np.arange(-7, 18))
-#: Relative change of an amplitude. A trade: smaller steps let single contact pixels decide, larger
-#: ones leave the central difference in error by their square.
+#: Relative change of an amplitude. Trade-off of smaller steps, in which single contact pixels
+#: decide, against larger ones, whose central difference has an error that grows with their square.
 STEP = 0.05
 #: Factors on the amplitude of an octave.
 AMPLITUDE_FACTORS = (1 - STEP, 1 + STEP)

@@ -27,9 +27,9 @@ from hardcontact.surfaces.synthesis import SEED_WORDS, random_surface
 #: The shortest and the longest wavelength in nm.
 Octave = tuple[float, float]
 
-#: Artificial octaves of a side. Compromise between time (one force sum each) and an outcome that
-#: hardly depends on the seed. With six, it depended on the seed on one scan; with twelve, the
-#: interval is 1.15 times as wide as with many.
+#: Artificial octaves of a side. Trade-off of time (one force sum each) against independence of the
+#: seed. With six, the outcome depended on the seed on one scan; with twelve, the interval is 1.15
+#: times as wide as with many.
 ARTIFICIAL_OCTAVES = 12
 #: Pixels per row of a block with one height.
 WIDE_PIXEL = 4
