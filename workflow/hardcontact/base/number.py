@@ -14,10 +14,16 @@ class NumberStatus(StrEnum):
 
     #: Nothing else is known of the number.
     PLAIN = ""
-    #: A value is known; ends of its interval alone are known; nothing is known.
-    KNOWN, ONLY_ENDS, NOT_KNOWN = "known", "ends", "not_known"
-    #: `low` or `high` is a bound; scans do not bound the number.
-    INTERVAL_OPEN_LOW, INTERVAL_OPEN_HIGH = "interval_open_low", "interval_open_high"
+    KNOWN = "known"
+    #: Only ends of the interval are known.
+    ONLY_ENDS = "ends"
+    #: Neither the value nor an end is known.
+    NOT_KNOWN = "not_known"
+    #: The interval has no known low end: `low` is only a bound of it.
+    INTERVAL_OPEN_LOW = "interval_open_low"
+    #: The interval has no known high end: `high` is only a bound of it.
+    INTERVAL_OPEN_HIGH = "interval_open_high"
+    #: Scans do not bound the number.
     NO_INTERVAL = "no_interval"
 
 

@@ -33,8 +33,9 @@ from hardcontact.theory.summits import search_size
 MIN_RADIUS_PIXELS = 32
 #: The longest range of adhesion (nm) that is proposed if none is given, as in the paper's study.
 LONGEST_RANGE = 40.0
-#: Width of the long-edge master relative to a scan, and to the window.
+#: Width of the long-edge master relative to a scan.
 MASTER_SCANS = 8
+#: Width of the long-edge master relative to the window.
 MASTER_WINDOWS = 1.6
 #: Scans of one surface with equal numbers and sizes of pixels.
 Group = list[Entry]
@@ -244,8 +245,9 @@ ARRAY_WIDTHS = (20, 16, 12, 10, 8, 6, 4)
 #: Seconds that the contacts of one filtered surface may take. Chosen: the 150 filtered surfaces of
 #: a scan at full effort then take at most 5 minutes of processor time, whatever the scan.
 CONTACT_SECONDS = 2.0
-#: Measured seconds for a contact pixel in one period of the map, and for a tile in the window.
+#: Measured seconds for a contact pixel in one period of the map.
 SECONDS_A_PIXEL = 4e-7
+#: Measured seconds for a tile of the map in the window.
 SECONDS_A_TILE = 1e-8
 
 

@@ -24,9 +24,9 @@ from hardcontact.contact.contact import Contact
 from hardcontact.scans.reliable_band import LIMIT_NAMES
 from hardcontact.surfaces.spectrum import nearest_bin
 
-#: Transitions to artificial roughness: the shortest wavelength that a scan keeps, in pixels, and
-#: the longest, relative to its size. In the paper 20 nm and 1000 nm on 2500 nm with 512 pixels.
+#: The shortest wavelength that a scan keeps, in pixels. In the paper 20 nm, on pixels of 4.9 nm.
 TRANSITION_PIXELS = 4
+#: The longest wavelength that a scan keeps, relative to its size. In the paper 1000 of 2500 nm.
 TRANSITION_SHARE = 0.4
 #: Computed ranges go from the study's range of adhesion divided by this factor to the range times
 #: it. Chosen: 0.7 to 45 nm around the paper's 5.6 nm; a wider span would leave larger steps between

@@ -17,8 +17,9 @@ from hardcontact.config.keys import PAPER, QUICK_SUFFIX, SMOOTH_SPHERE, Study
 from hardcontact.contact.contact import Contact
 from hardcontact.records.code import ROOT
 
-#: The most bytes and values of a configuration: a hundred times as many as the paper's study has.
+#: The most bytes of a configuration: a hundred times as many as the paper's study has.
 MAX_SIZE = 1_000_000
+#: The most values of a configuration: a hundred times as many as the paper's study has.
 MAX_VALUES = 100_000
 #: By the quantities of a contact: their keys, and their names in print.
 CONTACT_QUANTITIES = {

@@ -1,4 +1,4 @@
-"""Read the table of own pull-off forces: single tests, or mean and median of each surface."""
+"""Read the user's measured forces: a table of single tests, or mean and median of each surface."""
 
 import difflib
 import re
@@ -12,8 +12,9 @@ from hardcontact.config.faults import SIMILARITY, quote_key, raise_faults
 from hardcontact.config.key_types import Quantity
 from hardcontact.config.tables import Row, decode_utf8, parse_number, user_table
 
-#: Columns of a table of single tests, and of a table with one row per surface.
+#: Columns of a table of single tests.
 TESTS = ("surface", "value", "unit")
+#: Columns of a table with one row per surface.
 SUMMARIES = ("surface", "mean", "median", "count", "unit")
 #: Columns that are read; `site` names the site of tests that were repeated there.
 KNOWN_COLUMNS = {*TESTS, *SUMMARIES, "site"}

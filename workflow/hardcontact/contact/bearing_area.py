@@ -17,11 +17,13 @@ from hardcontact.base.arrays import Floats
 from hardcontact.contact.geometry import Bodies, largest_contact_gap
 from hardcontact.surfaces.height_map import HeightMap
 
-#: Pixels per row of a tile, tiles per row of a group, tiles that are read at once, and
-#: contacts that are searched at once. They change the speed only.
+#: Pixels per row of a tile. This number and the next three change the speed only.
 TILE = 32
+#: Tiles per row of a group.
 GROUP = 16
+#: Tiles that are read at once.
 BATCH = 256
+#: Contacts that are searched at once.
 CONTACT_BATCH = 50
 #: Tiles that are read for a limit, relative to the fewest that have N pixels. On a smooth surface
 #: the lowest tiles lie on one slope, and too few of them set a high limit.

@@ -34,15 +34,16 @@ PULL_OFF_WINDOW = 2500.0
 PRESSURE_MAP_PIXELS = 64
 #: Overlap (nm) that pixels may have: far below the range of adhesion.
 MAX_OVERLAP = 1e-6
-#: Pixels that may touch in the first step, and at most: their dense matrix then takes 128 MB.
+#: Pixels that may touch in the first step.
 FIRST_TOUCHING_PIXELS = 32
+#: Most pixels that may touch: their dense matrix then takes 128 MB.
 MAX_TOUCHING_PIXELS = 4000
 EXPECTED = "expected an elastic contact in equilibrium"
 #: Steps of the active set, which needs about ten.
 MAX_ITERATIONS = 200
-#: Change of the attraction at which it counts as converged, and step of the wall's load in the
-#: search for pull-off, both relative to the total attraction.
+#: Change of the attraction at which it counts as converged, relative to the total attraction.
 RELATIVE_RESIDUAL = 1e-9
+#: Step of the wall's load in the search for pull-off, relative to the total attraction.
 LOAD_STEP = 1e-6
 
 

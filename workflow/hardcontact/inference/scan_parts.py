@@ -2,10 +2,10 @@
 
 If a surface has three scans or more, the parts are the scans. Otherwise the parts are the quarters
 of each scan: contacts of a mirrored scan are grouped by their quarter. Quarters are not
-independent. A contact feels the surface around it with a Gaussian weight of the deviation
-sqrt(R rho), since the paraboloid of the sphere enters Eq. 3 of the paper, and contacts of different
-quarters feel the same peaks. This correlation corrects the variance. If the contacts touch fewer
-patches than there are quarters, some quarters share a patch, and there is no interval.
+independent, because contacts of different quarters are attracted by the same peaks: the surface
+around a contact attracts with a Gaussian weight of the deviation sqrt(R rho), since the paraboloid
+of the sphere enters Eq. 3 of the paper. This correlation corrects the variance. If the contacts
+touch fewer patches than there are quarters, some quarters share a patch, and there is no interval.
 """
 
 from collections.abc import Callable, Sequence
@@ -33,8 +33,12 @@ class IntervalSource(StrEnum):
     """What the interval of a mean comes from, or why there is none: `interval_source` of files."""
 
     SCANS, QUARTERS = "scans", "quarters"
-    #: No interval: there is a single part, contacts touch too few patches, or a single test.
-    ONE_PART, FEW_PATCHES, ONE_TEST = "none", "few_patches", "one_test"
+    #: No interval, because there is a single part.
+    ONE_PART = "none"
+    #: No interval, because contacts touch too few patches.
+    FEW_PATCHES = "few_patches"
+    #: No interval, because there is a single test.
+    ONE_TEST = "one_test"
 
 
 class Variance(NamedTuple):
@@ -160,10 +164,10 @@ def parts_of_maps(
 def _correlation_of_quarters(size: float, weight_deviation: float) -> Floats:
     """Return the correlation (4, 4) of mean forces of the quarters of a mirrored scan.
 
-    Along one axis, the contacts of one half feel the surface with a step, 1 on this half and 0 on
-    the other, which a Gaussian of the `weight_deviation` smooths. With uncorrelated roughness, the
-    covariance of two halves is the mean product of their smoothed steps, computed from the Fourier
-    coefficients of the steps: 1/2, and ±2/(k pi) at odd orders k.
+    Along one axis, the surface attracts the contacts of one half with a weight: a step, 1 on this
+    half and 0 on the other, smoothed by a Gaussian of the `weight_deviation`. With uncorrelated
+    roughness, the covariance of two halves is the mean product of their smoothed steps. It follows
+    from the Fourier coefficients of the steps: 1/2, and ±2/(k pi) at odd orders k.
     """
     order = np.arange(1, 2000, 2)
     decay = np.exp(-((np.pi * order * weight_deviation / size) ** 2))

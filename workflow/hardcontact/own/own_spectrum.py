@@ -35,8 +35,9 @@ from hardcontact.surfaces.height_map import HeightMap, mirror_in_float32
 from hardcontact.surfaces.metrics import metrics
 from hardcontact.surfaces.spectrum import Spectrum
 
-#: Alternative columns. A table has one column of each tuple, and a column with its unit.
+#: A table has one of these columns, and a column with its unit.
 WAVE_COLUMNS = ("wavevector", "wavelength")
+#: A table has one of these columns too, and a column with its unit.
 DENSITY_COLUMNS = ("c_iso", "c_1d")
 EXPECTED_COLUMNS = (
     "a table with one of the columns wavevector and wavelength, one of c_iso and c_1d, and the "

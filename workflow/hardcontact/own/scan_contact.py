@@ -13,14 +13,16 @@ from hardcontact.contact.contact import Contact, Grid, minimum_range, periods_in
 from hardcontact.surfaces.height_map import HeightMap
 
 #: Height of the sphere above its apex at the border of the window, relative to the range of
-#: adhesion (14 in the paper, where the attraction has fallen by exp(-14)) and to the rms height.
+#: adhesion, as in the paper: the attraction has fallen by exp(-14).
 BORDER_HEIGHT_IN_RANGES = 14
+#: The same height relative to the rms height.
 BORDER_HEIGHT_IN_RMS = 4
 #: Largest number of mirrored scans per row of the window: more only repeat the same summits.
 MAX_MIRRORED_SCANS = 10
-#: Largest number of pixels per row of a scan, and of pixels in contact, summed over contacts, force
-#: sums and mirrored scans in the window: both keep the time below a few seconds.
+#: Largest number of pixels per row of a scan: it keeps the time below a few seconds.
 MAX_QUICK_PIXELS = 2048
+#: Largest number of pixels in contact, summed over contacts, force sums and mirrored scans in the
+#: window, for the same reason.
 MAX_QUICK_CONTACT_PIXELS = 2**23
 
 

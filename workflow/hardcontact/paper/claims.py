@@ -57,6 +57,7 @@ COLUMNS = (
 )  # fmt: skip
 #: Datasets that each set of sets.nc has.
 SET_DATASETS = ("topography", "adhesion", "fit", "edges")
+#: Columns with numbers of the table of claims.
 NUMBER_COLUMNS = ("published", "published_low", "published_high")
 
 

@@ -9,8 +9,9 @@ from pathlib import Path
 import hardcontact
 from hardcontact.records.packages import PINS
 
-#: The folder of the imported library, and the folder of the scripts beside it.
+#: The folder of the imported library.
 LIBRARY = Path(str(hardcontact.__file__)).resolve().parent
+#: The folder of the scripts beside it.
 SCRIPTS = LIBRARY.parent / "scripts"
 #: The top folder of the repository; studies name paths relative to it.
 ROOT = LIBRARY.parents[1]

@@ -7,8 +7,9 @@ from pathlib import Path
 
 from hardcontact.base.dataset import atomic_file, remove_parts
 
-#: The packages that the study imports, and the same with all packages that these need in turn.
+#: The file of the packages that the study imports.
 ENVIRONMENT = "environment.txt"
+#: The file of these packages and of all that they need in turn.
 LOCK = "workflow/lock.txt"
 #: Copies of both without comments and hashes. Jobs depend on these: no comment makes a file stale.
 PINS = tuple(f"results/{Path(path).name}" for path in (ENVIRONMENT, LOCK))

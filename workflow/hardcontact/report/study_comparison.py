@@ -16,8 +16,9 @@ from hardcontact.report.quantities import NO_INTERVAL_WORDS
 EQUAL_DIGITS = 8
 #: Sources of numbers that are inputs of a study, not results.
 INPUT_SOURCES = ("given", "assumed", "file")
-#: Statuses of numbers whose interval has no low end, and no high end.
+#: Statuses of numbers whose interval has no low end.
 NO_LOW_END = (EdgeStatus.OPEN_BELOW, NumberStatus.INTERVAL_OPEN_LOW, *NO_INTERVAL_WORDS)
+#: Statuses of numbers whose interval has no high end.
 NO_HIGH_END = (EdgeStatus.OPEN_ABOVE, NumberStatus.INTERVAL_OPEN_HIGH, *NO_INTERVAL_WORDS)
 #: Agreements in the order of rows; the others, which resolve no change, stand between.
 AGREEMENT_RANKS = {"changed": 0, "different": 1, "equal": 3}

@@ -53,15 +53,17 @@ DEFECT_UNITS = {name: unit for units in DEFECTS.values() for name, unit in units
 MIN_SPIKE_DISTANCE = 6.0
 #: Largest share of equal lines: so few lines change a mean force little.
 MAX_EQUAL_LINE_SHARE = 0.01
-#: Largest share and number of pixels at an end of an unclipped range, and their ratio to the number
-#: of pixels at the next height. Quantised heights have a ratio below 1, a flat summit whose height
-#: falls with the fourth power of the distance 2.4.
+#: Largest share of pixels at an end of an unclipped range of heights.
 MAX_END_SHARE = 1e-3
+#: Largest number of pixels there.
 MAX_END_PIXELS = 10
+#: Their largest ratio to the number of pixels at the next height. Quantised heights have a ratio
+#: below 1, a flat summit whose height falls with the fourth power of the distance 2.4.
 MAX_END_RATIO = 3.0
-#: Share of the steepest pixels, and their least share of the squared slopes if they are sidewalls.
-#: On rough surfaces 5 % of the pixels have 0.2 to 0.45 of it; with pillars and steps, 0.8 to 1.
+#: Share of the steepest pixels, which may be sidewalls.
 SIDEWALL_PIXEL_SHARE = 0.05
+#: Least share of sidewalls in the squared slopes. The steepest pixels have 0.2 to 0.45 of them on
+#: rough surfaces; with pillars and steps, 0.8 to 1.
 MIN_SIDEWALL_SLOPE_SHARE = 0.7
 
 

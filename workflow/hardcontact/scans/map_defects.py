@@ -8,14 +8,14 @@ from hardcontact.scans.reliable_band import FLATTEST_SLOPE, MIN_STANDARD_ERRORS
 #: Numbers of a defect, by name; empty if a scan lacks it.
 Numbers = dict[str, float]
 
-#: A lay has at least this ratio of the variance of profiles along its wavevector to that across,
-#: and this share of the variance of heights: smaller ones are drift and noise of lines. Of 5400
-#: self-affine maps without a roll-off (H from 0.5 to 1) two exceed both. Profiles have waves of at
-#: least four pixels, because shorter ones are noisy, and at most a quarter of the size, because
-#: longer random waves are few.
+#: Least ratio, for a lay, of the variance of profiles along its wavevector to that across.
 MIN_LAY_RATIO = 3.0
+#: Least share of a lay in the variance of heights: smaller ones are drift and noise of lines. Of
+#: 5400 self-affine maps without a roll-off (H from 0.5 to 1) two exceed ratio and share.
 MIN_LAY_SHARE = 0.1
+#: Pixels of the shortest wave of profiles: shorter ones are noisy.
 MIN_PIXELS_PER_WAVE = 4
+#: Periods of the longest wave in the size: longer random waves are few.
 MIN_WAVES = 4
 #: Least share of noise in the variance of heights: it changes the rms height by one per cent.
 MIN_NOISE_SHARE = 0.02

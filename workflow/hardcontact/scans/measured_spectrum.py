@@ -23,10 +23,11 @@ INDEPENDENT_SHARE = (3 / 8) ** 2 / (35 / 128)
 CALIBRATION_SCATTER = 0.2
 #: Half the width, in ln q, of the interval to which a local slope is fitted: five bins.
 SLOPE_HALF_WIDTH = 0.25 * np.log(10)
-#: Standard deviation, in ln q, of the kernel that smooths a spectrum: one bin of BIN_EDGES. It is
-#: up to MAX_WIDENING times as wide in bins with fewer independent modes than ENOUGH_MODES.
+#: Standard deviation, in ln q, of the kernel that smooths a spectrum: one bin of BIN_EDGES.
 SMOOTHING_WIDTH = 0.1 * np.log(10)
+#: Largest factor on the width of the kernel in bins with few independent modes.
 MAX_WIDENING = 4.0
+#: Bins with fewer independent modes have a wider kernel.
 ENOUGH_MODES = 20.0
 #: Values of u with p = q cosh u in the integral. They reach a thousandth of the wavelength; shorter
 #: waves add less than a thousandth, even if C_1D ~ 1/q.

@@ -17,17 +17,20 @@ from hardcontact.scans.heights import MAX_UNDEFINED_SHARE, PIXEL_BOUNDS, POSITIO
 
 #: Bytes that no text has, but for UTF-16.
 BINARY = re.compile(rb"[\0-\x08\x0e-\x1f]")
-#: A line of numbers and marks of undefined pixels; commas within numbers; other commas.
+#: A line of numbers and marks of undefined pixels.
 ROW = re.compile(r"(?=.*(?:\d|nan|bad))(?:[-+.,;\s\d]|e(?=[-+\d])|nan|inf|bad)+", re.I)
+#: Commas within numbers.
 DECIMAL_COMMA = re.compile(r"(?<=\d),(?=\d)")
+#: Commas between numbers.
 OTHER_COMMA = re.compile(r"(?<!\d),|,(?!\d)|,\d+,")
 BETWEEN_CELLS = re.compile(r"\d[ \t;]+[-+\d]")
 CELL = re.compile(r"[^\s,;]+")
 #: Columns of points x, y, height in a text: a matrix has more.
 POINT_COLUMNS = 3
-#: Bins of positions along an axis, and the factor by which zeros lengthen their transform: its
-#: peaks are then known to a sixteenth of a line.
+#: Bins of positions along an axis.
 POSITION_BINS = 2**16
+#: The factor by which zeros lengthen the transform of these bins: its peaks are then known to a
+#: sixteenth of a line.
 ZERO_PADDING = 8
 #: Corrections of heights on a grid: each leaves at most a quarter of the error of random offsets of
 #: a tenth of a spacing.

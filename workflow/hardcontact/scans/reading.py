@@ -27,13 +27,17 @@ from hardcontact.surfaces.height_map import HeightMap
 
 #: The largest file in bytes: four times a map of 8192 x 8192 pixels in single precision.
 MAX_FILE_BYTES = 2**30
-#: Memory of the child in bytes: the maximum, the basic amount, and the amount for each byte read.
+#: Largest memory of the child in bytes.
 MAX_MEMORY = 4 * 2**30
+#: Memory for any file, in bytes.
 SMALL_FILE_MEMORY = 2**29
+#: Further memory for each byte read, in bytes.
 MEMORY_PER_BYTE = 200
-#: Processor time of the child in s: the maximum, the basic time, and the time for 2**20 bytes read.
+#: Longest processor time of the child in s.
 MAX_SECONDS = 120
+#: Processor time for any file, in s.
 SMALL_FILE_SECONDS = 2
+#: Further processor time for each 2**20 bytes read, in s.
 SECONDS_PER_MEGABYTE = 10
 #: Elapsed time in s, with waits for a processor: five times the longest computing time.
 MAX_WAIT_SECONDS = 600

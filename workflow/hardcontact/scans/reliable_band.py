@@ -26,14 +26,17 @@ from hardcontact.surfaces.height_map import HeightMap, to_surface_topography
 from hardcontact.surfaces.levelling import level
 from hardcontact.surfaces.spectrum import BIN_CENTRES, HALF_DECADE_BINS
 
-#: The shortest wavelength in pixels, and the ratio of the size to the longest wavelength. Longer
-#: waves are few, and levelling and the window change them: for self-affine surfaces without a
-#: roll-off C_iso is 1.2 times too large at a third of the size, and 2 times at half of it.
+#: The shortest reliable wavelength in pixels.
 MIN_PIXELS = 4
+#: The ratio of the size to the longest reliable wavelength. Longer waves are few, and levelling and
+#: the window change them: for self-affine surfaces without a roll-off C_iso is 1.2 times too large
+#: at a third of the size, and 2 times at half of it.
 MIN_WAVES_IN_SIZE = 3
-#: Slopes of C_iso: flattest and steepest for a self-affine surface, steepest with facets.
+#: Flattest slope of C_iso of a self-affine surface.
 FLATTEST_SLOPE = -2.0
+#: Steepest slope of C_iso of a self-affine surface.
 STEEPEST_SELF_AFFINE_SLOPE = -4.0
+#: Steepest slope of C_iso of a surface with facets.
 STEEPEST_FACET_SLOPE = -5.0
 #: Standard errors by which a slope must exceed one of these limits.
 MIN_STANDARD_ERRORS = 2
@@ -41,8 +44,9 @@ MIN_STANDARD_ERRORS = 2
 MAX_AXIS_RATIO = 2.0
 #: Bins beside a noise floor that also hold much noise: C ~ q^-3 is four times as high two bins on.
 NOISE_MARGIN_BINS = 2
-#: Least rise of C_iso toward shorter wavelengths at a peak: a factor, and standard errors.
+#: Least factor by which C_iso rises toward shorter wavelengths at a peak.
 MIN_PEAK_RISE = 2.0
+#: Least rise at a peak in standard errors.
 MIN_PEAK_ERRORS = 4
 #: Relative error of the tip's cutoff, far below the safety factor of its criterion.
 TIP_CUTOFF_ERROR = 1e-3

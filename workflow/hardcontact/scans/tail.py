@@ -20,10 +20,11 @@ from hardcontact.surfaces.spectrum import (
     power_law_tail,
 )
 
-#: The largest rms gradient, and half-Laplacian in 1/nm, over all scales: those of UNCD, the
-#: roughest hard surface of Table 1, with their uncertainties (1.17 + 0.28, 6.32 + 1.20). A sphere
-#: of such a curvature has the radius of an atom.
+#: The largest rms gradient over all scales: that of UNCD, the roughest hard surface of Table 1,
+#: with its uncertainty (1.17 + 0.28).
 MAX_GRADIENT = 1.45
+#: The largest rms half-Laplacian in 1/nm, also of UNCD (6.32 + 1.20). A sphere of such a curvature
+#: has the radius of an atom.
 MAX_HALF_LAPLACIAN = 7.52
 #: The shortest wave of a row of atoms in nm: two bonds of diamond, 0.154 nm each.
 ATOMIC_WAVELENGTH = 0.3

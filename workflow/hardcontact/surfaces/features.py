@@ -21,18 +21,22 @@ from hardcontact.surfaces.metrics import TABLE1_METRICS
 SIGNS = {"bumps": 1, "pits": -1}
 #: Name of surfaces without features.
 GAUSSIAN = "gaussian"
+#: All kinds of surfaces.
 KINDS = (*SIGNS, GAUSSIAN)
-#: Bounds of the prior, uniform in the logarithms: number per µm², height in published mean rms
-#: heights of scans, width in nm, and amplitude of the base relative to the published mean. They
-#: contain all that Table 1 accepts for polished UNCD.
+#: Number of features per µm². The prior is uniform in the logarithms within these bounds and the
+#: next three, which contain all that Table 1 accepts for polished UNCD.
 DENSITY_BOUNDS = (0.01, 10.0)
+#: Height of features in published mean rms heights of scans.
 HEIGHT_BOUNDS = (1.0, 60.0)
+#: Width of features in nm.
 WIDTH_BOUNDS = (20.0, 300.0)
+#: Amplitude of the base relative to the published mean.
 BASE_FACTOR_BOUNDS = (0.2, 1.2)
 #: Smallest width in pixels: the pixels then resolve the curvature of a feature to 4 %.
 MIN_WIDTH_PIXELS = 2.5
-#: Number of samples of features in a batch, and of batches until Table 1 accepts a sample.
+#: Number of samples of features in a batch.
 BATCH_SIZE = 1000
+#: Largest number of batches until Table 1 accepts a sample.
 MAX_BATCHES = 200
 
 

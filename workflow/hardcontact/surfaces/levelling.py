@@ -26,9 +26,10 @@ Mask = NDArray[np.bool_]
 #: Least distance of a streak from both lines beside it, in typical steps from line to line; one
 #: Gaussian step in 10⁹ is so large.
 MIN_STREAK_STEPS = 6.0
-#: Least number of pixels of a streak along a line: fewer may be a particle. A streak is also more
-#: than twice as long as the longest such run across the lines, which the surface itself makes.
+#: Least number of pixels of a streak along a line: fewer may be a particle.
 MIN_STREAK_PIXELS = 8
+#: A streak is longer than this multiple of the longest such run across the lines, which the surface
+#: itself makes.
 MAX_LENGTH_RATIO = 2
 #: Least distance of the ends of a streak, in typical steps.
 END_STEPS = 1.0
@@ -183,8 +184,9 @@ def remove_form(
     return LEVELLING[levelling](scan)
 
 
-#: Titles of the files with the results of `level_and_mirror`.
+#: Title of the file with the levelled scan of `level_and_mirror`.
 LEVELLED = "levelled scan, the sphere subtracted if it shows one"
+#: Title of the file with its mirrored scan.
 MIRRORED = "scan and its mirror images, periodic"
 
 

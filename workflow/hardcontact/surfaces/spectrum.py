@@ -27,12 +27,15 @@ if TYPE_CHECKING:
 SpectrumFunction = Callable[[Floats], Floats]
 #: The grid on which joined spectra are tabulated: 40 points a decade, wavelengths 1 mm to 0.1 nm.
 WAVEVECTORS = 2 * np.pi * np.logspace(-6, 1, 281)
+#: Their logarithms.
 LOG_WAVEVECTORS = np.log(WAVEVECTORS)
-#: Edges and centres of the bins of measured PSDs: ten a decade.
+#: Edges of the bins of measured PSDs: ten a decade.
 BIN_EDGES = 2 * np.pi * np.logspace(-5, 1, 61)
+#: Centres of these bins.
 BIN_CENTRES = np.sqrt(BIN_EDGES[1:] * BIN_EDGES[:-1])
 #: Width of these bins in ln q.
 BIN_WIDTH = float(np.log(BIN_EDGES[1] / BIN_EDGES[0]))
+#: Number of these bins in half a decade.
 HALF_DECADE_BINS = 5
 #: Fewest bins of a joined spectrum: a slope with an error needs three.
 MIN_BINS = 3

@@ -38,9 +38,9 @@ DESCRIPTION_NUMBERS = (
 )  # fmt: skip
 #: Values of `evidence` for segments that come from data; other segments are inferred or assumed.
 DATA_EVIDENCE = ("published", "measured")
-#: Largest factor on an assumed roll-off: NCD and MCD then reach their longest wave. Largest number
-#: of samples until one can be calibrated: every second sample of NCD and MCD can.
+#: Largest factor on an assumed roll-off: NCD and MCD then reach their longest wave.
 ROLLOFF_FACTOR = 1.5
+#: Largest number of samples until one can be calibrated: every second one of NCD and MCD can.
 MAX_SAMPLES = 100
 
 

@@ -32,15 +32,17 @@ SPECTRAL_MODELS: dict[str, tuple[Callable[..., Floats], tuple[str, ...]]] = {
     "varying Hurst": (varying_hurst, ("plateau_nm4", "rolloff_nm", "hurst", "hurst_change")),
     "smooth roll-off": (smooth_rolloff, ("plateau_nm4", "rolloff_nm", "hurst")),
 }
-#: Rows of Table 1 to which the spectrum of scans, and the tail at shorter wavelengths, are fitted.
+#: Rows of Table 1 to which the spectrum of scans is fitted.
 AFM_ROWS = ("afm_rms_height", "afm_rms_slope", "afm_rms_curvature")
+#: Rows of Table 1 to which the tail at shorter wavelengths is fitted.
 TAIL_ROWS = ("all_rms_slope", "all_rms_curvature")
 #: Rows of Table 1 to which a model is calibrated if its Hurst exponent is blank.
 CALIBRATION_ROWS = {"self-affine": AFM_ROWS, "varying Hurst": AFM_ROWS, "power law": TAIL_ROWS}
 #: Wavevectors (bins,) in rad/nm, and the weights (3, bins) of C_iso at them.
 Weights = tuple[Floats, Floats]
-#: Bins of wavevectors in which weights are added up, 0.2 % wide, and rows added at a time.
+#: Bins of wavevectors in which weights are added up: they are 0.2 % wide.
 BIN_COUNT = 4000
+#: Rows of the grid of wavevectors that are added at a time.
 BLOCK_ROWS = 512
 #: Relative error at which a number of Table 1 counts as met: far below its digits.
 MET_ERROR = 1e-9

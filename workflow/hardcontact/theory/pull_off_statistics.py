@@ -1,6 +1,6 @@
 """The distribution of the pull-off force over positions of the sphere, from a spectrum.
 
-The summits (`summits`) that rise above a level under the sphere are a Poisson process, some of them
+The summits (`summits`) that rise above a level under the sphere are a Poisson process. Some of them
 touch. At a given level of the apex the force is taken as log-normal, with the mean from
 `closed_form` and the variance of a sum over Poisson summits. Over positions it is a mixture of
 these log-normals over the levels of `apex_distribution`. No number is fitted to a force.
@@ -35,8 +35,9 @@ from hardcontact.theory.summits import (
     summits_above,
 )
 
-#: Deviations of a summit's curvature from its mean, in standard deviations, with probabilities.
+#: Deviations of a summit's curvature from its mean, in standard deviations.
 DEVIATIONS = np.linspace(-8, 8, 801)
+#: Their probabilities in a normal distribution.
 PROBABILITIES = np.exp(-(DEVIATIONS**2) / 2) / np.sqrt(2 * np.pi) * (DEVIATIONS[1] - DEVIATIONS[0])
 #: Factor by which the radius grows to find the exponent of the force against the radius.
 RADIUS_FACTOR = 1.2

@@ -26,8 +26,9 @@ from scipy import special
 from hardcontact.base.arrays import Floats
 from hardcontact.surfaces.spectrum import Spectrum
 
-#: Number of points of a spectrum, and of distances of its autocorrelation.
+#: Number of points of a spectrum.
 WAVE_COUNT = 300
+#: Number of distances of its autocorrelation.
 DISTANCE_COUNT = 120
 #: Levels t of the apex at closest approach: a contact wider than the roughness goes below the mean
 #: plane.
