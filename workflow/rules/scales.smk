@@ -42,7 +42,7 @@ rule synthesize_masters:
 rule compute_filtered_forces:
     """Compute the forces of masters with all scales, and without those beyond each cutoff."""
     input:
-        unpack(CHUNKS.master_inputs),
+        unpack(lambda w: CHUNKS.master_inputs(w.purpose, w.surface, int(w.first), int(w.last))),
         sphere=lambda w: FILES.first_sphere_path if w.sphere_kind == "rough" else [],
     output:
         PATTERNS.filtered_master_forces,

@@ -2,10 +2,10 @@
 
 from hardcontact.base.dataset import stack
 from hardcontact.contact.contact import Contact
-from hardcontact.inference.filtered_masters import Filters, filtered_pull_off, load_master
+from hardcontact.inference.filtered_masters import Filters, filtered_pull_off, make_master
 from hardcontact.records.job import run_job
-from hardcontact.surfaces.height_map import load_height_map
-from hardcontact.surfaces.synthesis import SIDES
+from hardcontact.surfaces.height_map import HeightMap, load_height_map
+from hardcontact.surfaces.synthesis import SIDES, master_generator
 
 with run_job(snakemake) as job:
     params = job.parameters
@@ -24,9 +24,19 @@ with run_job(snakemake) as job:
         for side in SIDES
         if side in params["sides"]
     }
+
+    def load_master(side: str, index: int) -> HeightMap:
+        """Return the master of a realization, from its file or made from its scan."""
+        if master_files := job.input.get(f"{side}_masters"):
+            return load_height_map(master_files[index])
+        names = params["surface"], params["realizations"][index], side, params["stream"]
+        rng = master_generator(params["seed"], *names)
+        scan, spectrum = job.input.scans[index], job.input.spectra[index]
+        return make_master(side, rng, scan, spectrum, params["sides"][side])
+
     forces = {
         (realization, side): filtered_pull_off(
-            load_master(job.input, side, index, params),
+            load_master(side, index),
             filters[side],
             loaded_contacts,
             sphere,

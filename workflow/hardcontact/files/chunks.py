@@ -5,7 +5,7 @@ The fields of a chunk are the wildcards of a pattern, from which `SurfaceFiles.p
 
 from dataclasses import replace
 from math import ceil
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from hardcontact.base.units import path_token
 from hardcontact.config.configuration import combines_bodies, get_key
@@ -158,15 +158,16 @@ class Chunks:
             values["sphere"] = self._files.sphere_digest
         return short_digest([filter_settings(configuration, purpose), values])
 
-    def master_inputs(self, chunk: Any) -> dict[str, list[str]]:
+    def master_inputs(
+        self, purpose: str, surface: str, first: int, last: int
+    ) -> dict[str, list[str]]:
         """Return the inputs of rule compute_filtered_forces, one file for each realization.
 
         Masters of the study are files of their own; the job makes others from scans and spectra.
         """
         files = self._files
-        surface = chunk.surface
-        realizations = range(int(chunk.first), int(chunk.last) + 1)
-        if PURPOSES[chunk.purpose].masters_are_files:
+        realizations = range(first, last + 1)
+        if PURPOSES[purpose].masters_are_files:
             return {
                 f"{side}_masters": [
                     files.path(files.patterns.master, surface, realization=number, side=side)
@@ -174,7 +175,7 @@ class Chunks:
                 ]
                 for side in SIDES
             }
-        if PURPOSES[chunk.purpose].samples_spectra:
+        if PURPOSES[purpose].samples_spectra:
             scan_of = self._selection.master_scan
             spectra = [files.sampled_spectrum_path(surface, number) for number in realizations]
         else:

@@ -26,7 +26,7 @@ from hardcontact.contact.pull_off import (
 from hardcontact.surfaces.filters import filtered_series
 from hardcontact.surfaces.height_map import HeightMap, load_height_map
 from hardcontact.surfaces.spectrum import spectrum_of_dataset
-from hardcontact.surfaces.synthesis import master_generator, synthesize_master
+from hardcontact.surfaces.synthesis import synthesize_master
 
 #: Dimension, values and attributes of a coordinate.
 Axis = tuple[tuple[str], Any, dict[str, str]]
@@ -106,28 +106,20 @@ def filtered_pull_off(
     return filtered.assign(touching_area=touching_area).assign_coords(contact_area=contact_area)
 
 
-def load_master(inputs: Any, side: str, index: int, settings: Mapping[str, Any]) -> HeightMap:
-    """Return a master of a side, from its file or made from a scan and its spectrum.
-
-    `inputs` has the files of a job, one for each of the ``realizations`` of the settings:
-    ``short_masters`` and ``long_masters``, or ``scans`` and ``spectra``. `index` counts the
-    realizations from 0.
-    """
-    if master_files := inputs.get(f"{side}_masters"):
-        return load_height_map(master_files[index])
-    scan = load_height_map(inputs.scans[index])
-    spectrum_data = read(inputs.spectra[index])
+def make_master(
+    side: str,
+    rng: np.random.Generator,
+    scan_path: str,
+    spectrum_path: str,
+    settings: Mapping[str, Any],
+) -> HeightMap:
+    """Return a master of a side with its settings, made from a mirrored scan and its spectrum."""
+    scan = load_height_map(scan_path)
+    spectrum_data = read(spectrum_path)
     # A sampled spectrum has a factor on the heights of its scan.
     heights = scan.heights * spectrum_data.attrs.get("height_factor", 1.0)
-    realization = settings["realizations"][index]
-    names = settings["surface"], realization, side, settings["stream"]
-    return synthesize_master(
-        side,
-        master_generator(settings["seed"], *names),
-        replace(scan, heights=heights),
-        settings["sides"][side],
-        spectrum_of_dataset(spectrum_data),
-    )
+    spectrum = spectrum_of_dataset(spectrum_data)
+    return synthesize_master(side, rng, replace(scan, heights=heights), settings, spectrum)
 
 
 def read_master_forces(

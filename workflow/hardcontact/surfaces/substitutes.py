@@ -8,7 +8,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 import pandas as pd
@@ -83,17 +83,17 @@ class Substitute:
 
 
 def read_substitute(
-    surface_name: str, paths: Any, grid: Mapping[str, Any], seed: int
+    surface_name: str,
+    spectrum_path: str,
+    table1_path: str,
+    constants_path: str,
+    grid: ScanGrid,
+    seed: int,
 ) -> Substitute:
-    """Read what the scans of a substitute are made of.
-
-    `paths` has the attributes `spectrum`, `published_table1` and `published_constants`; `grid`
-    has the fields of a `ScanGrid`.
-    """
-    spectrum_data = dataset.read(paths.spectrum)
-    table1 = published.rows_of_surface(published.read_table1(paths.published_table1), surface_name)
-    constants = published.read_constants(paths.published_constants)
-    return Substitute(surface_name, spectrum_data, table1, constants, ScanGrid(**grid), seed)
+    """Read what the scans of a substitute are made of: its spectrum and the published tables."""
+    table1 = published.rows_of_surface(published.read_table1(table1_path), surface_name)
+    constants = published.read_constants(constants_path)
+    return Substitute(surface_name, dataset.read(spectrum_path), table1, constants, grid, seed)
 
 
 def required_targets(substitute: Substitute) -> Targets:
