@@ -23,7 +23,7 @@ from hardcontact.base.statistics import student_log_interval
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import window_pixels
 from hardcontact.contact.pull_off import FORCE_ATTRS, make_force_function
-from hardcontact.own.edges_of_scans import edges_of_curves
+from hardcontact.inference.edges import edges_of_curves
 from hardcontact.surfaces.filters import filtered_series
 from hardcontact.surfaces.height_map import mirror_scan
 from hardcontact.surfaces.levelling import level

@@ -10,7 +10,7 @@ sys.path.insert(0, str(ROOT / "tests/benchmarks"))
 from validate_scan_sizes import TABLE, TOLERANCE
 
 from hardcontact.base import dataset
-from hardcontact.own.edges_of_scans import edges_of_curves
+from hardcontact.inference.edges import edges_of_curves
 
 
 def test_the_edges_of_the_table_follow_from_its_ratios():

@@ -34,8 +34,8 @@ from hardcontact.contact.contact import PLASTIC, Contact
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import WORK_OF_ADHESION, pull_off_dataset
 from hardcontact.contact.scan_pull_off import largest_window_change
+from hardcontact.inference.edges import edges_of_curves
 from hardcontact.inference.filtered_masters import Filters, add_force_ratios, filtered_pull_off
-from hardcontact.own.edges_of_scans import edges_of_curves
 from hardcontact.own.own_spectrum import OwnSpectrum, read_own_spectrum, spectrum_of_map
 from hardcontact.own.scan_force import prediction_and_scan_force
 from hardcontact.scans import reading

@@ -10,8 +10,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 import xarray as xr
+from numpy.typing import NDArray
 
 from hardcontact.base.arrays import Floats
+from hardcontact.base.statistics import ENDS
 from hardcontact.base.units import NM
 
 #: The group of all surfaces.
@@ -35,11 +37,10 @@ class EdgeStatus(StrEnum):
     """Whether a curve has an edge."""
 
     FOUND = "found"
-    #: The edge is longer or shorter than its bound.
-    OPEN_ABOVE, OPEN_BELOW = "open_above", "open_below"
-    #: There is no edge: ripples of the filter, not the roughness, change the force; or no cutoff
-    #: changes the force in closed form by the tolerance.
-    RIPPLES, NO_EDGE = "ripples", "none"
+    OPEN_ABOVE = "open_above"  #: The edge is longer than its bound.
+    OPEN_BELOW = "open_below"  #: The edge is shorter than its bound.
+    RIPPLES = "ripples"  #: No edge: ripples of the filter, not the roughness, change the force.
+    NO_EDGE = "none"  #: No cutoff changes the force in closed form by the tolerance.
 
 
 class Edge(NamedTuple):
@@ -79,15 +80,15 @@ def logarithmic_limits(tolerance: float) -> tuple[float, float]:
     return float(np.log1p(-tolerance)), float(np.log1p(tolerance))
 
 
-def first_outside(lowest: Floats, highest: Floats, limits: tuple[float, float]) -> int:
-    """Return the index of the first cutoff at which a curve is outside its limits.
+def _first_true(mask: NDArray[np.bool_]) -> int:
+    """Return the index of the first True of a mask (k,), or k if there is none."""
+    return int(mask.argmax()) if mask.any() else len(mask)
 
-    The lowest values (k,) are compared with the lower limit, the highest values with the upper
-    limit. Returns the number of cutoffs if the curve is never outside.
-    """
+
+def _first_outside(values: Floats, limits: tuple[float, float]) -> int:
+    """Return the index of the first value (k,) outside the limits, or k if there is none."""
     lower, upper = limits
-    is_outside = (lowest < lower) | (highest > upper)
-    return int(is_outside.argmax()) if is_outside.any() else len(is_outside)
+    return _first_true((values < lower) | (values > upper))
 
 
 def interpolate_edge(cutoffs: Floats, curve: Floats, limits: tuple[float, float]) -> float:
@@ -97,7 +98,7 @@ def interpolate_edge(cutoffs: Floats, curve: Floats, limits: tuple[float, float]
     the logarithm of the wavelength. NaN if the curve never leaves its limits, or is outside at
     the first cutoff.
     """
-    crossing = first_outside(curve, curve, limits)
+    crossing = _first_outside(curve, limits)
     if crossing in (0, len(curve)):
         return np.nan
     lower, upper = limits
@@ -116,7 +117,7 @@ def find_edge(curve: ChangeCurve) -> Edge:
     edge = interpolate_edge(curve.cutoffs, curve.values, curve.limits)
     if np.isfinite(edge):
         return Edge(edge, np.nan, EdgeStatus.FOUND)
-    is_outside_at_once = first_outside(curve.values, curve.values, curve.limits) == 0
+    is_outside_at_once = _first_outside(curve.values, curve.limits) == 0
     bound = float(curve.cutoffs[0 if is_outside_at_once else -1])
     # The first cutoff of a short side is its shortest, the first of a long side its longest.
     is_open_below = is_outside_at_once == (curve.side == "short")
@@ -130,7 +131,7 @@ def shows_ripples(curve: ChangeCurve) -> bool:
     first leaves its limits by falling, the filter made summits that are higher than the surface:
     its ripples beside steps.
     """
-    crossing = first_outside(curve.values, curve.values, curve.limits)
+    crossing = _first_outside(curve.values, curve.limits)
     value_outside = curve.values[crossing : crossing + 1]  # empty if the curve never leaves them
     return curve.side == "short" and bool((value_outside < 0).any())
 
@@ -146,13 +147,70 @@ def edge_interval(curve: ChangeCurve, lowest: Floats, highest: Floats) -> Floats
     if np.isnan([lowest, highest]).any():
         return np.full(2, np.nan)
     bounds = np.concatenate([[np.nan], curve.cutoffs, [np.nan]])
-    first_possible = first_outside(lowest, highest, curve.limits)
-    # Swapped ends: even the value nearest to the limits is outside.
-    last_possible = first_outside(highest, lowest, curve.limits)
+    lower, upper = curve.limits
+    possibly_outside = _first_true((lowest < lower) | (highest > upper))
+    surely_outside = _first_true((highest < lower) | (lowest > upper))
     interval = np.array(
-        [bounds[first_possible], bounds[last_possible + 1] if last_possible else np.nan]
+        [bounds[possibly_outside], bounds[surely_outside + 1] if surely_outside else np.nan]
     )
     return interval if curve.side == "short" else interval[::-1]
+
+
+def edges_of_curves(ratios: xr.Dataset, tolerance: float) -> xr.Dataset:
+    """Return the edges of several curves of force ratios, with their bounds and intervals in nm.
+
+    ``filtered_force_ratio`` (..., cutoff_wavelength) may have an interval, and is NaN at cutoffs
+    that a curve does not have; ``side`` is a coordinate. ``edge``, ``edge_bound`` and
+    ``edge_interval`` are NaN if they are open; ``edge_status`` is as in `Edge`.
+    """
+    dimensions = [dim for dim in ratios["filtered_force_ratio"].dims if dim != "cutoff_wavelength"]
+    shape = [ratios.sizes[dim] for dim in dimensions]
+    edges = []
+    intervals = []  # A curve with ripples has neither edge nor interval.
+    for index in np.ndindex(*shape):
+        curve, (lowest, highest) = _curve_with_interval(
+            ratios.isel(dict(zip(dimensions, index, strict=True))), tolerance
+        )
+        if shows_ripples(curve):
+            edges.append(Edge(np.nan, np.nan, EdgeStatus.RIPPLES))
+            intervals.append(np.full(2, np.nan))
+        else:
+            edges.append(find_edge(curve))
+            intervals.append(edge_interval(curve, lowest, highest))
+    variables = edge_variables(edges, dimensions, shape)
+    interval = np.reshape(intervals, (*shape, 2))
+    variables["edge_interval"] = ((*dimensions, "end"), interval, NM)
+    return xr.Dataset(variables, {dim: ratios[dim] for dim in dimensions} | {"end": ENDS})
+
+
+def _curve_with_interval(ratios: xr.Dataset, tolerance: float) -> tuple[ChangeCurve, np.ndarray]:
+    """Return one curve with the low and the high ends (2, k) of the intervals of its values."""
+    ratio = ratios["filtered_force_ratio"].values
+    unknown = np.full((len(ratio), 2), np.nan)
+    interval = np.asarray(ratios.get("filtered_force_ratio_interval", unknown))
+    if not np.isnan(interval).all():
+        # If other ratios have intervals, a ratio without one is equal in all parts: zero width.
+        interval = np.where(np.isnan(interval), ratio[:, None], interval)
+    with np.errstate(divide="ignore"):  # the lower end of an interval without bounds is zero
+        log_ratios = np.log([ratio, *interval.T])
+    return ordered_curve(
+        str(ratios["side"].item()),
+        ratios["cutoff_wavelength"].values,
+        log_ratios,
+        logarithmic_limits(tolerance),
+    )
+
+
+def edge_variables(
+    edges: Sequence[Edge], dimensions: Sequence[Hashable], shape: Sequence[int]
+) -> dict[str, Any]:
+    """Return ``edge``, ``edge_bound`` and ``edge_status`` as variables of this shape."""
+    values, bounds, statuses = (np.reshape(column, shape) for column in zip(*edges, strict=True))
+    return {
+        "edge": (dimensions, values, NM),
+        "edge_bound": (dimensions, bounds, NM),
+        "edge_status": (dimensions, statuses),
+    }
 
 
 def computed_cutoffs(values: xr.DataArray) -> Floats:
@@ -191,15 +249,3 @@ def labelled_edges(
         rho=scales.attrs["rho"],
         sphere_radius=scales.attrs["sphere_radius"],
     )
-
-
-def edge_variables(
-    edges: Sequence[Edge], dimensions: Sequence[Hashable], shape: Sequence[int]
-) -> dict[str, Any]:
-    """Return ``edge``, ``edge_bound`` and ``edge_status`` as variables of this shape."""
-    values, bounds, statuses = (np.reshape(column, shape) for column in zip(*edges, strict=True))
-    return {
-        "edge": (dimensions, values, NM),
-        "edge_bound": (dimensions, bounds, NM),
-        "edge_status": (dimensions, statuses),
-    }

@@ -9,19 +9,9 @@ from operator import truediv
 import numpy as np
 import xarray as xr
 
-from hardcontact.base.statistics import ENDS, widen_interval, with_interval
-from hardcontact.base.units import DIMENSIONLESS, NM
-from hardcontact.inference.edges import (
-    ChangeCurve,
-    Edge,
-    EdgeStatus,
-    edge_interval,
-    edge_variables,
-    find_edge,
-    logarithmic_limits,
-    ordered_curve,
-    shows_ripples,
-)
+from hardcontact.base.statistics import widen_interval, with_interval
+from hardcontact.base.units import DIMENSIONLESS
+from hardcontact.inference.edges import EdgeStatus, edges_of_curves
 from hardcontact.own.mean_forces import (
     MasterForces,
     MasterScans,
@@ -98,48 +88,3 @@ def _without_ripples(edges: xr.Dataset, has_ripples: xr.DataArray) -> xr.Dataset
     is_kept = ~is_rippled | (edges["side"] != "short")
     status = edges["edge_status"].where(is_kept, EdgeStatus.RIPPLES)
     return edges.where(is_kept).assign(edge_status=status).transpose("surface", "side", ...)
-
-
-def edges_of_curves(ratios: xr.Dataset, tolerance: float) -> xr.Dataset:
-    """Return the edges of several curves of force ratios, with their bounds and intervals in nm.
-
-    ``filtered_force_ratio`` (..., cutoff_wavelength) may have an interval, and is NaN at cutoffs
-    that a curve does not have; ``side`` is a coordinate. ``edge``, ``edge_bound`` and
-    ``edge_interval`` are NaN if they are open; ``edge_status`` is as in `Edge`.
-    """
-    dimensions = [dim for dim in ratios["filtered_force_ratio"].dims if dim != "cutoff_wavelength"]
-    shape = [ratios.sizes[dim] for dim in dimensions]
-    edges = []
-    intervals = []  # A curve with ripples has neither edge nor interval.
-    for index in np.ndindex(*shape):
-        curve, (lowest, highest) = _curve_with_interval(
-            ratios.isel(dict(zip(dimensions, index, strict=True))), tolerance
-        )
-        if shows_ripples(curve):
-            edges.append(Edge(np.nan, np.nan, EdgeStatus.RIPPLES))
-            intervals.append(np.full(2, np.nan))
-        else:
-            edges.append(find_edge(curve))
-            intervals.append(edge_interval(curve, lowest, highest))
-    variables = edge_variables(edges, dimensions, shape)
-    interval = np.reshape(intervals, (*shape, 2))
-    variables["edge_interval"] = ((*dimensions, "end"), interval, NM)
-    return xr.Dataset(variables, {dim: ratios[dim] for dim in dimensions} | {"end": ENDS})
-
-
-def _curve_with_interval(ratios: xr.Dataset, tolerance: float) -> tuple[ChangeCurve, np.ndarray]:
-    """Return one curve with the low and the high ends (2, k) of the intervals of its values."""
-    ratio = ratios["filtered_force_ratio"].values
-    unknown = np.full((len(ratio), 2), np.nan)
-    interval = np.asarray(ratios.get("filtered_force_ratio_interval", unknown))
-    if not np.isnan(interval).all():
-        # If other ratios have intervals, a ratio without one is equal in all parts: zero width.
-        interval = np.where(np.isnan(interval), ratio[:, None], interval)
-    with np.errstate(divide="ignore"):  # the lower end of an interval without bounds is zero
-        log_ratios = np.log([ratio, *interval.T])
-    return ordered_curve(
-        str(ratios["side"].item()),
-        ratios["cutoff_wavelength"].values,
-        log_ratios,
-        logarithmic_limits(tolerance),
-    )
