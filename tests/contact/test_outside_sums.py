@@ -8,7 +8,8 @@ from direct_sum import direct_total, gap_of_bodies
 from periodic_maps import CASES, RADIUS, make_bodies, periodic_noise
 
 from hardcontact.contact.bearing_area import all_contact_pixels
-from hardcontact.contact.force_sum.outside_sums import MAX_DEPTH, MAX_PENETRATION, outside_sums
+from hardcontact.contact.contact import DEPTH_OVER_RANGE
+from hardcontact.contact.force_sum.outside_sums import MAX_PENETRATION, outside_sums
 from hardcontact.contact.pull_off import attraction_sums, force_of_sums
 
 #: Error of sums over heights in single precision, on a smooth sphere and unless the range is short.
@@ -65,7 +66,7 @@ def test_contact_pixels_are_subtracted_exactly_at_the_ends_of_its_use(
     # A spike outside the window of the contact, and one in it that sinks in.
     rho, pixel_size = 2.0, 50.0
     precision = np.dtype(number).type
-    max_depth, max_penetration = MAX_DEPTH[precision], MAX_PENETRATION[precision]
+    max_depth, max_penetration = DEPTH_OVER_RANGE[precision], MAX_PENETRATION[precision]
     heights = periodic_noise(96, 0.1, 5).astype(number)
     heights[60, 60] = heights.max() + number(raised * max_depth * rho)
     heights[12, 12] = heights[8:16, 8:16].max() + number(penetration * max_penetration * rho)

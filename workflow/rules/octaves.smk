@@ -1,8 +1,6 @@
 # Octaves: how the force follows the amplitude of each.
 
-#: The shortest range of adhesion (nm) on whole surfaces. These have peaks hundreds of nm above a
-#: contact, and exp(height / range) overflows at 700 ranges, which are 490 nm for this range.
-SHORTEST_WHOLE_RANGE = 0.7
+from hardcontact.contact.contact import SHORTEST_WHOLE_RANGE
 
 
 rule compute_whole_surface_forces:

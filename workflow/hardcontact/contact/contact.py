@@ -23,8 +23,18 @@ CONTACT_AXES = ("contact_y", "contact_x")
 #: Dimensions over which forces are averaged. `sphere_scan` numbers the scans of the sphere, or, if
 #: there are few, the positions on them at which the sphere touches.
 CONTACT_DIMENSIONS = ("sphere_scan", "contact", *CONTACT_AXES)
-#: Largest difference in height relative to the range of adhesion: exponentials overflow beyond 700.
+#: Largest |x| of exp(x), by precision. It becomes infinite or loses digits beyond 87 and 708.
+EXP_LIMITS = {np.float32: 80.0, np.float64: 700.0}
+#: Largest difference in height relative to the range of adhesion, on the scan for which it is
+#: checked. The margin to EXP_LIMITS is for other scans and for masters, which may be higher.
 RELIEF_OVER_RANGE = 500.0
+#: Largest depth of a contact below the highest point of the surface, relative to the range. A term
+#: that rounds to zero is then less than exp(-40), 4e-18, of the term of a contact pixel.
+DEPTH_OVER_RANGE = {precision: limit - 40 for precision, limit in EXP_LIMITS.items()}
+#: Shortest range of adhesion (nm) on whole surfaces: it permits peaks 490 nm above a contact.
+SHORTEST_WHOLE_RANGE = 490 / EXP_LIMITS[np.float64]
+#: A range of adhesion (nm) that is much shorter than the published range.
+SHORT_ADHESION_RANGE = 1.0
 #: Largest penetration relative to the range of adhesion, for a smooth sphere: its force sums lose
 #: as many digits as the exponential of this has.
 PENETRATION_OVER_RANGE = 25.0

@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike
 from hardcontact.base.arrays import Floats
 from hardcontact.base.units import DIMENSIONLESS, NANOMETRE, NEWTON, NM
 from hardcontact.contact.bearing_area import ContactPixels, all_contact_pixels
-from hardcontact.contact.contact import CONTACT_AXES, CONTACT_MODELS, Contact
+from hardcontact.contact.contact import CONTACT_AXES, CONTACT_MODELS, EXP_LIMITS, Contact
 from hardcontact.contact.force_sum.outside_sums import outside_sums
 from hardcontact.contact.geometry import Bodies, join_bodies
 from hardcontact.contact.indents import count_touched_patches
@@ -42,7 +42,8 @@ def force_of_sums(
     if not np.isfinite(sums).all():
         raise ValueError(
             f"rho = {np.min(rho):g} nm: expected a longer range of adhesion, because the surface "
-            "rises over 700 ranges above a contact, more than exp() can hold"
+            f"rises over {EXP_LIMITS[np.float64]:.0f} ranges above a contact, more than exp() can "
+            "hold"
         )
     pixel_force = work_of_adhesion / np.asarray(rho) * pixel_size**2 * NANOMETRE
     return np.asarray(pixel_force * np.asarray(sums))

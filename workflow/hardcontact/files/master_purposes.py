@@ -8,14 +8,12 @@ from typing import Any, NamedTuple
 
 from hardcontact.config.configuration import get_key, master_keys, study_contact
 from hardcontact.config.limits import master_megabytes
+from hardcontact.contact.contact import SHORT_ADHESION_RANGE
 from hardcontact.surfaces.synthesis import SIDES
 
 #: Realizations in one job: few enough to keep all cores busy, and so many that a job takes much
 #: longer than the half second in which it starts.
 MASTERS_CHUNK = 5
-
-#: A range of adhesion (nm) that is much shorter than the published range.
-SHORT_ADHESION_RANGE = 1.0
 
 
 class Purpose(NamedTuple):

@@ -22,6 +22,7 @@ from threadpoolctl import ThreadpoolController
 
 from hardcontact.base.arrays import Floats
 from hardcontact.contact.bearing_area import ContactPixels
+from hardcontact.contact.contact import DEPTH_OVER_RANGE
 from hardcontact.contact.force_sum.rough_sphere import rough_sphere_terms
 from hardcontact.contact.force_sum.smooth_sphere import smooth_sphere_terms, sums_by_subtraction
 from hardcontact.contact.force_sum.touched_pixels import TouchedPixels, exponential
@@ -33,9 +34,6 @@ LIBRARIES = ThreadpoolController()
 #: by the precision of the heights. Subtraction multiplies the relative error by the exponential of
 #: the penetration: by 7 at 7 digits, by 400 at 16.
 MAX_PENETRATION = {np.float32: 2.0, np.float64: 6.0}
-#: Largest depth of a contact below the highest point of the surface, relative to the range. A
-#: term that rounds to zero is then less than exp(-47) times the term of a contact pixel.
-MAX_DEPTH = {np.float32: 40.0, np.float64: 660.0}
 
 
 def outside_sums(
@@ -73,7 +71,7 @@ def _are_shallow(
     precision = bodies.substrate.heights.dtype.type
     return np.asarray(
         (penetration <= MAX_PENETRATION[precision] * ranges)
-        & (depth <= MAX_DEPTH[precision] * ranges)
+        & (depth <= DEPTH_OVER_RANGE[precision] * ranges)
     )
 
 
