@@ -35,7 +35,7 @@ from hardcontact.contact.geometry import gap_map, join_bodies, part_around_lowes
 from hardcontact.contact.pull_off import attraction_sums
 from hardcontact.surfaces.filters import interpolate, lowpass
 from hardcontact.surfaces.height_map import mirror_scan
-from hardcontact.surfaces.levelling import level
+from hardcontact.surfaces.levelling import level_plane
 from hardcontact.surfaces.synthesis import cut_scan, random_surface
 
 RADIUS, RHO = 250e3, 5.6
@@ -121,7 +121,7 @@ def mirrored(seed, scale):
     rng = generator(seed, "benchmark pair")
     random = random_surface(rng, 1024, 2500 / 512, lambda q: scale * uncd_density(q))
     scan = cut_scan(random, 512)
-    return mirror_scan(level(scan))
+    return mirror_scan(level_plane(scan))
 
 
 def rough_sphere():

@@ -26,7 +26,7 @@ from hardcontact.contact.pull_off import FORCE_ATTRS, make_force_function
 from hardcontact.inference.edges import edges_of_curves
 from hardcontact.surfaces.filters import filtered_series
 from hardcontact.surfaces.height_map import mirror_scan
-from hardcontact.surfaces.levelling import level
+from hardcontact.surfaces.levelling import level_plane
 from hardcontact.surfaces.spectrum import spectrum_of_dataset
 from hardcontact.surfaces.substitute_spectra import substitute_spectrum
 from hardcontact.surfaces.synthesis import cut_scan, random_surface
@@ -55,7 +55,7 @@ def mirrored_windows(surface, size):
     """Yield levelled windows of an edge (nm), which mirrored are periodic over twice that size."""
     for start in np.arange(WINDOW_COUNT) * (surface.pixels // WINDOW_COUNT):
         shifted = replace(surface, heights=np.roll(surface.heights, (-start, -start), (0, 1)))
-        yield mirror_scan(level(cut_scan(shifted, round(size / surface.pixel_size))))
+        yield mirror_scan(level_plane(cut_scan(shifted, round(size / surface.pixel_size))))
 
 
 def mean_force(surface, contact):

@@ -17,7 +17,7 @@ from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import pull_off_dataset
 from hardcontact.own.force_at_pair import add_sizes
 from hardcontact.surfaces.height_map import mirror_scan
-from hardcontact.surfaces.levelling import level
+from hardcontact.surfaces.levelling import level_plane
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, smooth_rolloff
 from hardcontact.surfaces.synthesis import cut_scan, random_surface
 from hardcontact.theory.summits import search_size, spectral_moment, spectrum_between
@@ -41,7 +41,7 @@ def window_over_whole_force(rms_height, pixels):
         factor = rms_height / surface.heights.std()
         surface = replace(surface, heights=factor * surface.heights)
         large.append(mean_force(surface))
-        small.append(mean_force(mirror_scan(level(cut_scan(surface, pixels)))))
+        small.append(mean_force(mirror_scan(level_plane(cut_scan(surface, pixels)))))
     return np.mean(small) / np.mean(large)
 
 

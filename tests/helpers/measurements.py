@@ -6,7 +6,7 @@ import numpy as np
 
 from hardcontact.base.arrays import generator
 from hardcontact.surfaces.height_map import HeightMap
-from hardcontact.surfaces.levelling import level
+from hardcontact.surfaces.levelling import level_plane
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, smooth_rolloff
 from hardcontact.surfaces.synthesis import cut_scan, random_surface
 
@@ -28,7 +28,7 @@ UNCD = Spectrum(WAVEVECTORS, uncd_density(WAVEVECTORS))
 
 def levelled_scan(rng, pixels, pixel_size=PIXEL):
     """Return a levelled scan of UNCD's spectrum, cut out of a surface of twice its size."""
-    return level(cut_scan(random_surface(rng, 2 * pixels, pixel_size, uncd_density), pixels))
+    return level_plane(cut_scan(random_surface(rng, 2 * pixels, pixel_size, uncd_density), pixels))
 
 
 def measurement(heights, pixel_size, tip_radius=None, path="a.spm"):

@@ -17,7 +17,7 @@ from hardcontact.contact.pull_off import make_force_function
 from hardcontact.own.hindcast import WIDE_PIXEL
 from hardcontact.own.scan_contact import contact_on_scan
 from hardcontact.surfaces.height_map import HeightMap, mirror_in_float32
-from hardcontact.surfaces.levelling import level
+from hardcontact.surfaces.levelling import level_plane
 from hardcontact.surfaces.spectrum import smooth_rolloff
 from hardcontact.surfaces.synthesis import random_surface
 
@@ -41,7 +41,7 @@ def random_case(family, seed, pixels):
     rolloff = pixels * _between(rng, 1 / 20, 1 / 2)
     heights = _heights(family, rng, WIDE_PIXEL * pixels, WIDE_PIXEL * rolloff)
     heights *= _between(rng, 1, 50) / heights.std()
-    fine = level(HeightMap(heights, fine_pixel))
+    fine = level_plane(HeightMap(heights, fine_pixel))
     blocks = fine.heights.reshape(pixels, WIDE_PIXEL, pixels, WIDE_PIXEL)
     coarse = blocks.mean(axis=(1, 3)) if rng.uniform() < 0.5 else blocks[:, 1, :, 1]
     contact = Contact(
@@ -52,7 +52,7 @@ def random_case(family, seed, pixels):
         hardness=25e9,
         contacts_per_row=20,
     )
-    return Case(fine, level(HeightMap(coarse, WIDE_PIXEL * fine_pixel)), contact)
+    return Case(fine, level_plane(HeightMap(coarse, WIDE_PIXEL * fine_pixel)), contact)
 
 
 def _between(rng, low, high):

@@ -8,7 +8,7 @@ from measurements import UNCD
 from hardcontact.base.arrays import generator
 from hardcontact.contact.contact import Contact
 from hardcontact.paper.pool import compute_pool, pool_heights
-from hardcontact.surfaces.levelling import level
+from hardcontact.surfaces.levelling import level_plane
 from hardcontact.surfaces.spectrum import spectrum_dataset
 from hardcontact.surfaces.substitutes import Substitute
 from hardcontact.surfaces.synthesis import ScanGrid, cut_scan, random_surface
@@ -33,7 +33,7 @@ def raw_scan(number):
     """Return a scan of the pool as it is sampled."""
     rng = generator(7, "uncd", number, "pool")
     surface = random_surface(rng, GRID.surface_pixels, GRID.pixel_size, UNCD)
-    return level(cut_scan(surface, GRID.pixels))
+    return level_plane(cut_scan(surface, GRID.pixels))
 
 
 @cache

@@ -19,7 +19,7 @@ from hardcontact.own.edges_of_scans import edges_of_scans
 from hardcontact.own.mean_forces import MasterScans
 from hardcontact.scans.joined_spectrum import joined_spectrum, sample_spectra
 from hardcontact.surfaces.height_map import HeightMap, mirror_scan
-from hardcontact.surfaces.levelling import level
+from hardcontact.surfaces.levelling import level_plane
 from hardcontact.surfaces.spectrum import self_affine, smooth_rolloff, spectrum_of_dataset
 from hardcontact.surfaces.synthesis import (
     cut_scan,
@@ -75,7 +75,7 @@ def edges_of_draw(draw):
     """Return the edges from the masters of one scan."""
     rng = generator(11, draw)
     surface = random_surface(rng, 256, SIZE / 64, known_density)
-    mirrored = mirror_scan(level(cut_scan(surface, 64)))
+    mirrored = mirror_scan(level_plane(cut_scan(surface, 64)))
     short = short_edge_master(rng, mirrored, 256, 160.0, known_density)
     long = long_edge_master(rng, mirrored, 1, 1000.0, known_density)
     scales = forces([(1, SHORT_FILTERS, short), (1, LONG_FILTERS, long)], CONTACT)
@@ -113,7 +113,7 @@ def interval_of_one_scan(density, number):
     """Return the interval of the long edge (nm) from one scan; open ends are NaN."""
     surface = random_surface(generator(2, number), 16 * PIXELS, PIXEL_SIZE, density)
     heights = surface.heights[:PIXELS, :PIXELS].astype(float)
-    scan = level(HeightMap(heights, PIXEL_SIZE, tip_radius=1.0))
+    scan = level_plane(HeightMap(heights, PIXEL_SIZE, tip_radius=1.0))
     measurements = [scan]
     spectrum = spectrum_of_dataset(joined_spectrum(measurements, [None]))
     rngs = (generator(3, number, draw) for draw in range(REALIZATIONS))

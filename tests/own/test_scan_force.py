@@ -21,7 +21,7 @@ from hardcontact.own.own_spectrum import OwnSpectrum
 from hardcontact.own.scan_contact import contact_on_scan
 from hardcontact.own.scan_force import force_on_scan
 from hardcontact.scans.joined_spectrum import joined_spectrum, reliable_spectrum
-from hardcontact.surfaces.levelling import level
+from hardcontact.surfaces.levelling import level_plane
 
 PIXELS, PIXEL_SIZE = 128, 40.0
 CONTACTS = 8
@@ -83,7 +83,7 @@ def predictions(tmp_path_factory):
 @pytest.mark.parametrize("kind", ["gaussian", "pits", "peaks"])
 def test_the_force_on_a_map_is_the_sum_over_its_pixels(kind, predictions):
     words, numbers = predictions[kind]
-    force = mean_direct_force(level(hc.HeightMap(heights_of(kind), PIXEL_SIZE)))
+    force = mean_direct_force(level_plane(hc.HeightMap(heights_of(kind), PIXEL_SIZE)))
     assert numbers["force_on_scan"]["value"] == pytest.approx(force, rel=1e-3)
     share = force / numbers["smooth_force"]["value"]
     assert numbers["force_on_scan_over_smooth"]["value"] == pytest.approx(share, rel=1e-3)

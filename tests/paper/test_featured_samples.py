@@ -20,7 +20,7 @@ from hardcontact.paper.featured_samples import (
 from hardcontact.paper.published_fit import PublishedForces
 from hardcontact.surfaces.featured_scans import FeaturedSurface, sample_group
 from hardcontact.surfaces.height_map import mirror_scan
-from hardcontact.surfaces.levelling import level
+from hardcontact.surfaces.levelling import level_plane
 from hardcontact.surfaces.metrics import metrics
 
 FEATURED = FeaturedSurface(replace(SUBSTITUTE, grid=GRID._replace(size=2500.0), seed=3), POLISHED)
@@ -36,7 +36,7 @@ def samples():
 
 def test_forces_and_roughness_are_those_of_the_scans_of_the_draw(samples):
     features, scans = sample_group(FEATURED, "pits", [1, 2], 2)
-    scan = level(scans[1])
+    scan = level_plane(scans[1])
     sample = samples["pits"].sel(sample=2, scan=2)
     bodies = join_bodies(mirror_scan(scan), None, CONTACT)
     forces = pull_off_dataset(bodies, CONTACT, RANGES)["pull_off_force"]

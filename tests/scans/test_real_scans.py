@@ -5,7 +5,7 @@ from repository import ROOT
 
 from hardcontact.scans.defects import scan_with_defects
 from hardcontact.scans.reading import list_scans, read_scan
-from hardcontact.surfaces.levelling import level
+from hardcontact.surfaces.levelling import level_plane
 
 SCANS = ROOT / "../shared/scans"
 pytestmark = pytest.mark.skipif(not SCANS.is_dir(), reason="no folder ../shared/scans")
@@ -23,7 +23,7 @@ def test_real_scans_have_their_levelled_rms_height(path, dataset, size, rms_heig
     scan = read_scan(path, dataset)
     assert scan.heights.shape == (512, 512)
     assert scan.size == pytest.approx(size)
-    assert level(scan).heights.std() == pytest.approx(rms_height, abs=0.05)
+    assert level_plane(scan).heights.std() == pytest.approx(rms_height, abs=0.05)
 
 
 def test_the_real_container_is_read_whole():

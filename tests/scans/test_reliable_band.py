@@ -9,7 +9,7 @@ from hardcontact.base.arrays import generator
 from hardcontact.scans.measured_spectrum import isotropic_psd
 from hardcontact.scans.reliable_band import reliable_band
 from hardcontact.surfaces.height_map import to_surface_topography
-from hardcontact.surfaces.levelling import level
+from hardcontact.surfaces.levelling import level_plane
 from hardcontact.surfaces.spectrum import BIN_CENTRES, smooth_rolloff
 from hardcontact.surfaces.synthesis import random_surface
 
@@ -46,7 +46,7 @@ def test_a_tip_limits_the_band_where_its_image_leaves_the_surface():
     true = measurement(heights[32:-32, 32:-32].astype(float), pixel)
     imaged = measurement(image[32:-32, 32:-32].astype(float), pixel)
     band = reliable_band(imaged, radius)
-    cutoff = to_surface_topography(level(imaged)).scanning_probe_reliability_cutoff(radius)
+    cutoff = to_surface_topography(level_plane(imaged)).scanning_probe_reliability_cutoff(radius)
     assert band.shortest == pytest.approx(cutoff, rel=1e-3)
     assert band.limited_by == "tip"
     wavevector = BIN_CENTRES

@@ -16,7 +16,7 @@ from hardcontact.scans.scan_pairs import (
     find_contradictions,
     show_same_area,
 )
-from hardcontact.surfaces.levelling import level, level_lines
+from hardcontact.surfaces.levelling import level_lines, level_plane
 from hardcontact.surfaces.spectrum import BIN_CENTRES
 
 PIXELS, PIXEL = 128, 10.0
@@ -26,7 +26,7 @@ def large_map(seed, hurst=0.8, rolloff=1e9):
     return self_affine_heights(generator(seed), 3 * PIXELS, PIXEL, 20.0, hurst, rolloff)
 
 
-def coarse(heights, pixel_size=PIXEL, levelling=level):
+def coarse(heights, pixel_size=PIXEL, levelling=level_plane):
     return coarse_map(levelling(measurement(heights, pixel_size)))
 
 

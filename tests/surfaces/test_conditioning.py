@@ -11,7 +11,7 @@ from repository import PAPER, ROOT
 from hardcontact.base import published
 from hardcontact.config.limits import random_surface_pixels
 from hardcontact.surfaces import conditioning
-from hardcontact.surfaces.levelling import level
+from hardcontact.surfaces.levelling import level_plane
 from hardcontact.surfaces.metrics import metrics
 from hardcontact.surfaces.spectrum import spectrum_dataset
 from hardcontact.surfaces.substitute_spectra import substitute_spectrum
@@ -59,7 +59,7 @@ def spectrum():
 def synthesized_metrics(source, group):
     """Metrics of every synthesized scan of a group: a column each metric."""
     scans = (conditioning.conditioned_scan(source, k, group) for k in group.scan.values)
-    return pd.DataFrame([metrics(level(scan)) for scan in scans])
+    return pd.DataFrame([metrics(level_plane(scan)) for scan in scans])
 
 
 @pytest.mark.parametrize("numbers", [(1,), (1, 2), (6, 7, 8, 9, 10)])

@@ -19,7 +19,7 @@ from hardcontact.surfaces.features import (
     sample_features,
     standardized_differences,
 )
-from hardcontact.surfaces.levelling import level
+from hardcontact.surfaces.levelling import level_plane
 from hardcontact.surfaces.metrics import TABLE1_METRICS, metrics
 from hardcontact.surfaces.spectrum import spectrum_dataset
 from hardcontact.surfaces.substitutes import Substitute
@@ -34,7 +34,7 @@ def squares(scan):
     """The squares of rms height, gradient and half-Laplacian of a levelled scan."""
     if not scan.heights.any():
         return np.zeros(3)
-    values = metrics(level(scan))
+    values = metrics(level_plane(scan))
     return np.array([values[name] ** 2 for name in TABLE1_METRICS.values()])
 
 

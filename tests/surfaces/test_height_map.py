@@ -5,7 +5,7 @@ import pytest
 from scipy import stats
 
 from hardcontact.surfaces.height_map import HeightMap, mirror_scan, to_surface_topography
-from hardcontact.surfaces.levelling import level, level_lines, remove_form
+from hardcontact.surfaces.levelling import level_lines, level_plane, remove_form
 from hardcontact.surfaces.metrics import metrics
 
 RADIUS = 250e3
@@ -20,7 +20,7 @@ def scan_of(heights, pixel_size=10.0):
 def test_levelling_equals_that_of_surface_topography(shape, dtype):
     scan = scan_of(np.random.default_rng(0).standard_normal(shape).cumsum(0).astype(dtype))
     library_heights = to_surface_topography(scan).detrend("height").heights().T
-    np.testing.assert_array_equal(level(scan).heights, library_heights)
+    np.testing.assert_array_equal(level_plane(scan).heights, library_heights)
 
 
 def test_levelling_by_lines_subtracts_a_fit_and_a_median_from_each_line():
@@ -28,7 +28,7 @@ def test_levelling_by_lines_subtracts_a_fit_and_a_median_from_each_line():
     x = np.arange(24)
     lines = [line - np.polyval(np.polyfit(x, line, 1), x) for line in heights]
     aligned = np.array([line - np.median(line) for line in lines])
-    levelled = level(scan_of(aligned)).heights
+    levelled = level_plane(scan_of(aligned)).heights
     np.testing.assert_allclose(level_lines(scan_of(heights)).heights, levelled, atol=1e-9)
 
 
@@ -37,7 +37,7 @@ def test_a_sphere_is_removed_wherever_its_apex_lies():
     y, x = (np.mgrid[:64, :64] - 20.3) * 40.0
     sphere = scan_of(wave - (x**2 + (y - 500) ** 2) / (2 * RADIUS), 40.0)
     flat = remove_form(sphere, RADIUS)
-    np.testing.assert_allclose(flat.heights, level(scan_of(wave)).heights, atol=1e-8)
+    np.testing.assert_allclose(flat.heights, level_plane(scan_of(wave)).heights, atol=1e-8)
 
 
 def test_a_stitched_map_is_mirror_symmetric():

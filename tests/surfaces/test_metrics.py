@@ -11,7 +11,7 @@ from hardcontact.base.arrays import generator
 from hardcontact.surfaces.levelling import level_and_mirror, remove_form
 from hardcontact.surfaces.metrics import measured_roughness, metrics, roughness_table
 from hardcontact.surfaces.spectrum import measured_psds, spectrum_dataset
-from hardcontact.surfaces.synthesis import add_sphere
+from hardcontact.surfaces.synthesis import add_sphere_shape
 
 SETTINGS = dict(
     labels={"uncd": "UNCD", "ruby": "ruby"},
@@ -25,7 +25,7 @@ SETTINGS = dict(
 @pytest.fixture(scope="module")
 def maps():
     """Two scans of UNCD, and a scan of the sphere with more pixels."""
-    sphere = add_sphere(generator(3), levelled_scan(generator(3), 48), 250e3)
+    sphere = add_sphere_shape(generator(3), levelled_scan(generator(3), 48), 250e3)
     uncd = {("uncd", number): levelled_scan(generator(number), 32) for number in (1, 2)}
     return uncd | {("ruby", 1): sphere}
 

@@ -6,10 +6,10 @@ from measurements import PIXEL, uncd_density
 
 from hardcontact.base.arrays import generator
 from hardcontact.surfaces.height_map import HeightMap
-from hardcontact.surfaces.levelling import level, remove_form
+from hardcontact.surfaces.levelling import level_plane, remove_form
 from hardcontact.surfaces.synthesis import (
     ScanGrid,
-    add_sphere,
+    add_sphere_shape,
     cut_scan,
     random_surface,
     sample_scan,
@@ -21,7 +21,7 @@ SPHERE_RADIUS = 250e3
 def test_the_apex_of_a_sphere_lies_in_the_middle_half_of_its_scan():
     flat = HeightMap(np.zeros((64, 64)), 40.0, periodic=False, source="substitute")
     for k in range(20):
-        scan = add_sphere(generator(k), flat, SPHERE_RADIUS)
+        scan = add_sphere_shape(generator(k), flat, SPHERE_RADIUS)
         row, column = np.unravel_index(scan.heights.argmax(), scan.heights.shape)
         assert 15 <= row <= 48 and 15 <= column <= 48
         np.testing.assert_allclose(remove_form(scan, SPHERE_RADIUS).heights, 0, atol=1e-9)
@@ -35,6 +35,6 @@ def test_a_scan_is_the_corner_of_a_random_surface_and_a_sphere_is_added_to_it():
     assert scan.pixel_size == pytest.approx(PIXEL)
     corner = cut_scan(random_surface(generator(1), 128, PIXEL, uncd_density), 64, 0.7)
     np.testing.assert_array_equal(scan.heights, corner.heights)
-    sphere = add_sphere(rng, scan, SPHERE_RADIUS)
+    sphere = add_sphere_shape(rng, scan, SPHERE_RADIUS)
     flat = remove_form(sphere, SPHERE_RADIUS).heights
-    np.testing.assert_allclose(flat, level(scan).heights, atol=1e-9)
+    np.testing.assert_allclose(flat, level_plane(scan).heights, atol=1e-9)

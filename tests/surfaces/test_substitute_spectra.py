@@ -13,7 +13,7 @@ from scipy import stats
 from hardcontact.base import published
 from hardcontact.base.arrays import generator
 from hardcontact.surfaces import spectrum, substitute_spectra, table1_calibration
-from hardcontact.surfaces.levelling import level
+from hardcontact.surfaces.levelling import level_plane
 from hardcontact.surfaces.metrics import metrics
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_rms
 from hardcontact.surfaces.synthesis import cut_scan, random_surface
@@ -190,7 +190,7 @@ def test_expected_rms_values_agree_with_scans():
         surface = random_surface(generator(4, k), 1024, PIXEL, uncd_density)
         for start in range(0, 1024, 256):
             strip = type(surface)(surface.heights[start:], PIXEL, True, "substitute")
-            values = metrics(level(cut_scan(strip, 256)))
+            values = metrics(level_plane(cut_scan(strip, 256)))
             squares.append([values[name] ** 2 for name in RMS_METRICS])
     error = np.std(squares, axis=0) / np.sqrt(len(squares))
     assert (np.abs(np.mean(squares, axis=0) - rms_values**2) < 4 * error).all()

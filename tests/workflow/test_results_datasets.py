@@ -12,7 +12,7 @@ from studies import TINY_DIGESTS, TINY_PATTERNS
 from hardcontact.base import dataset
 from hardcontact.base.arrays import generator
 from hardcontact.surfaces.height_map import HeightMap
-from hardcontact.surfaces.levelling import level
+from hardcontact.surfaces.levelling import level_plane
 
 
 @pytest.fixture(scope="module")
@@ -94,7 +94,7 @@ def test_a_study_may_have_an_own_scan_among_substitutes(finished_copy):
     )
     uncd = topography.sel(surface="uncd")
     assert uncd.source == "measured" and topography.source.sel(surface="mcd") == "substitute"
-    levelled_rms = level(HeightMap(heights, 2500 / 128)).heights.std()
+    levelled_rms = level_plane(HeightMap(heights, 2500 / 128)).heights.std()
     np.testing.assert_allclose(uncd.rms_height, [levelled_rms, np.nan], rtol=1e-5)
     assert uncd.scan_size == pytest.approx(2500)
     force = adhesion.pull_off_force

@@ -25,7 +25,7 @@ from hardcontact.run import study_inputs
 
 SELECTION = study_inputs.checked_selection(workflow, STUDY)
 SPHERE = SELECTION.sphere
-NAMED_SURFACES = {"labels": SELECTION.labels, "source": SELECTION.source}
+NAMED_SURFACES = {"labels": SELECTION.labels, "source": SELECTION.sources}
 PLAN = StudyPlan(STUDY, SELECTION)
 FILES = SurfaceFiles(PLAN, PATTERNS)
 CHUNKS = Chunks(FILES)

@@ -29,7 +29,7 @@ from hardcontact.config.faults import raise_faults, run_checks
 from hardcontact.config.keys import Study
 from hardcontact.contact.contact import Contact
 from hardcontact.own.hindcast import WIDE_PIXEL
-from hardcontact.own.own_spectrum import OwnSpectrum, add_sphere, read_own_spectrum
+from hardcontact.own.own_spectrum import OwnSpectrum, add_sphere_roughness, read_own_spectrum
 from hardcontact.own.scan_force import predicted_octaves, prediction_and_scan_force
 from hardcontact.scans.both_bodies import sphere_share
 from hardcontact.scans.heights import TAKE_CARE
@@ -101,7 +101,7 @@ def read_inputs(arguments: Namespace) -> Inputs:
     readers = _spectrum_readers(arguments, quantities)
     _, spectrum, *sphere_spectra = run_checks([partial(raise_faults, faults), *readers])
     for sphere_spectrum in sphere_spectra:
-        spectrum = add_sphere(spectrum, sphere_spectrum, PAPER_STUDY.seed)
+        spectrum = add_sphere_roughness(spectrum, sphere_spectrum, PAPER_STUDY.seed)
     cautions += one_pixel_touches(contact.area, [scan.pixel_size for scan in spectrum.scans])
     notes = [*(f"{TAKE_CARE}{line}" for line in cautions), *spectrum.notes]
     return Inputs(quantities, contact, spectrum, notes)

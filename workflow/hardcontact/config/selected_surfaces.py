@@ -67,7 +67,8 @@ class Selection:
     `surfaces` are in the order of the table, and so are `measured_surfaces` and `substitutes`.
     `substrates` are all surfaces except the sphere's, `substitute_substrates` the substitutes among
     them, and `sampled_substrates` those of `published_surfaces`, which each set samples. By
-    surface, `labels` has the name to print, and `file_digests` the digest from `digest_files`.
+    surface, `labels` has the name to print, `sources` whether scans are measured or substitutes,
+    and `file_digests` the digest from `digest_files`.
     """
 
     def __init__(
@@ -77,17 +78,17 @@ class Selection:
         file_digests: Mapping[str, str],
         published_surfaces: Collection[str],
     ) -> None:
-        self._all_rows = rows
+        self._rows = rows
         self.file_digests = file_digests
-        self._rows = rows[rows.use == CONTACT_USE]
+        self._contact_rows = rows[rows.use == CONTACT_USE]
         self._cells = rows.set_index(["surface", "scan"])
         self.sphere = sphere
         self.surfaces: list[str] = list(rows.surface.unique())
         self.substrates = [surface for surface in self.surfaces if surface != sphere]
         self.labels: dict[str, str] = dict(zip(rows.surface, rows.label, strict=True))
-        self.source: dict[str, str] = dict(zip(rows.surface, rows.source, strict=True))
-        self.measured_surfaces = [name for name in self.surfaces if self.source[name] == "measured"]
-        self.substitutes = [name for name in self.surfaces if self.source[name] == "substitute"]
+        self.sources: dict[str, str] = dict(zip(rows.surface, rows.source, strict=True))
+        self.measured_surfaces = rows.surface[rows.source == "measured"].unique().tolist()
+        self.substitutes = rows.surface[rows.source == "substitute"].unique().tolist()
         self.substitute_substrates = [name for name in self.substrates if name in self.substitutes]
         self.sampled_substrates = [
             name for name in self.substitute_substrates if name in published_surfaces
@@ -95,7 +96,7 @@ class Selection:
 
     def contact_scans(self, surface: str) -> list[int]:
         """Return the numbers of the scans of a surface that contacts are made on."""
-        return [int(scan) for scan in self._rows.scan[self._rows.surface == surface]]
+        return self._contact_rows.scan[self._contact_rows.surface == surface].tolist()
 
     @property
     def sphere_scans(self) -> list[int]:
@@ -104,20 +105,20 @@ class Selection:
 
     def attributes(self, surface: str) -> dict[str, str]:
         """Return the attributes of a dataset of one surface: its name, its label and its source."""
-        return {"surface": surface, "label": self.labels[surface], "source": self.source[surface]}
+        return {"surface": surface, "label": self.labels[surface], "source": self.sources[surface]}
 
     def all_scans(self, surface: str) -> list[int]:
         """Return the numbers of all scans of a surface, also those that only enter its spectrum."""
-        return [int(scan) for scan in self._all_rows.scan[self._all_rows.surface == surface]]
+        return self._rows.scan[self._rows.surface == surface].tolist()
 
     def tip_radii(self, surface: str) -> list[float | None]:
         """Return the tip radius (nm) of all scans of a surface; None if the table has no radius."""
-        texts = self._all_rows.tip_radius[self._all_rows.surface == surface]
+        texts = self._rows.tip_radius[self._rows.surface == surface]
         return [float(text) if text else None for text in texts]
 
     def contact_scan_indices(self, surface: str) -> list[int]:
         """Return the indices, from 0, of the measured scans of a surface that make contacts."""
-        uses = self._all_rows.use[self._all_rows.surface == surface]
+        uses = self._rows.use[self._rows.surface == surface]
         return [index for index, use in enumerate(uses) if use == CONTACT_USE]
 
     def master_scan(self, surface: str, master_number: int) -> int:

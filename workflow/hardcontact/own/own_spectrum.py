@@ -112,7 +112,7 @@ def spectrum_of_map(scan: HeightMap) -> OwnSpectrum:
     return _spectrum_of_scans([scan_with_defects(scan)])
 
 
-def add_sphere(surface: OwnSpectrum, sphere: OwnSpectrum, seed: int) -> OwnSpectrum:
+def add_sphere_roughness(surface: OwnSpectrum, sphere: OwnSpectrum, seed: int) -> OwnSpectrum:
     """Return the sum of both spectra, and of both maps if each body has a single one.
 
     The seed decides which positions of the maps meet. Raises ValueError for a table.

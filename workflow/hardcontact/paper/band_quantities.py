@@ -37,8 +37,8 @@ def first_edge(edges: xr.Dataset) -> xr.Dataset:
 
 def edge_over_interaction_radius(edges: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
     """Return the edge relative to the interaction radius at the published range (side, group)."""
-    area = 2 * edges.attrs["sphere_radius"] * paper["range_of_adhesion"]
-    ratio: xr.Dataset = variable_estimate(edges, "edge") / area**0.5
+    squared_radius = 2 * edges.attrs["sphere_radius"] * paper["range_of_adhesion"]
+    ratio: xr.Dataset = variable_estimate(edges, "edge") / squared_radius**0.5
     return ratio
 
 
@@ -134,8 +134,8 @@ def interaction_radius(paper: xr.Dataset) -> xr.Dataset:
 def interaction_radius_at_fit(fit: xr.Dataset) -> xr.Dataset:
     """Return the interaction radius in nm of the study at the fitted range (contact_model)."""
     diameter = 2 * fit.attrs["sphere_radius"]
-    area: xr.Dataset = diameter * variable_estimate(fit, "range_of_adhesion")
-    return area.map(np.sqrt)
+    squared_radius: xr.Dataset = diameter * variable_estimate(fit, "range_of_adhesion")
+    return squared_radius.map(np.sqrt)
 
 
 def interaction_share(paper: xr.Dataset) -> xr.Dataset:

@@ -21,7 +21,7 @@ from hardcontact.paper.pool import smooth_sphere_forces
 from hardcontact.paper.published_fit import PublishedForces
 from hardcontact.surfaces.featured_scans import FeaturedSurface, describe_features, sample_group
 from hardcontact.surfaces.features import KINDS, SIGNS
-from hardcontact.surfaces.levelling import level
+from hardcontact.surfaces.levelling import level_plane
 from hardcontact.surfaces.metrics import TABLE1_METRICS, measured_metrics
 
 #: Largest factor between computed and published force of a sample that agrees. It holds for the
@@ -51,7 +51,7 @@ def compute_samples(
     for number in progress(numbers, len(numbers), "surfaces with features"):
         features, scans = sample_group(featured, kind, range(1, scan_count + 1), number)
         sample = {}
-        for index, scan in enumerate(map(level, scans), 1):
+        for index, scan in enumerate(map(level_plane, scans), 1):
             forces = smooth_sphere_forces(scan, contact, ranges)
             roughness = measured_metrics(scan, TABLE1_METRICS.values())
             sample[(index,)] = roughness.assign(pull_off_force=forces)

@@ -61,13 +61,13 @@ def forces_at_pair(
         force_statistics(surface_forces, force_floor, sampling) for surface_forces in contact_forces
     ]
     return xr.concat(statistics, pd.Index(forces.surface.values, name="surface")).assign(
-        force_ratios(
+        forces_over_reference(
             "ratio_at_pair", "surface", means[:, 0], mean_samples[..., 0], reference_index, sampling
         )
     )
 
 
-def force_ratios(
+def forces_over_reference(
     name: str,
     dimensions: str | Sequence[str],
     means: Floats,

@@ -19,7 +19,7 @@ from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import pull_off_dataset, spline_weights
 from hardcontact.surfaces.conditioning import scale_rms_heights
 from hardcontact.surfaces.height_map import HeightMap, mirror_scan
-from hardcontact.surfaces.levelling import level
+from hardcontact.surfaces.levelling import level_plane
 from hardcontact.surfaces.metrics import TABLE1_METRICS, measured_metrics
 from hardcontact.surfaces.substitutes import Substitute, Targets, required_targets
 from hardcontact.surfaces.synthesis import sample_scan
@@ -60,7 +60,7 @@ def compute_pool(
     scans = []
     for number in progress(numbers, len(numbers), "scans of the pool"):
         rng = substitute.generator(number, "pool")
-        scan = level(sample_scan(rng, substitute.spectrum, substitute.grid))
+        scan = level_plane(sample_scan(rng, substitute.spectrum, substitute.grid))
         scans.append(_forces_at_heights(scan, rms_heights, contact, ranges))
     targets = required_targets(substitute)
     return xr.concat(scans, pd.Index(list(numbers), name="scan")).assign_attrs(

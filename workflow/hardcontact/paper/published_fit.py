@@ -30,8 +30,8 @@ from hardcontact.inference.fit import (
 )
 from hardcontact.paper.estimates import mean_over_contacts
 from hardcontact.paper.force_statistics import (
-    force_ratios,
     forces_at_pair,
+    forces_over_reference,
     mean_forces,
 )
 
@@ -150,7 +150,9 @@ def fit_model(
         _error_variables(curves[0], published_forces, ranges, threshold)
         | {"ratio_error": ("rho_fine", errors[0], DIMENSIONLESS)}
         | with_interval("mean_force", axes, means, interval.values, NEWTON, sampling.confidence)
-        | force_ratios("force_over_reference", axes, means, mean_samples, reference_index, sampling)
+        | forces_over_reference(
+            "force_over_reference", axes, means, mean_samples, reference_index, sampling
+        )
     )
     for name, attributes in FITTED_ATTRS.items():
         variables |= sampling.with_interval(name, (), fits[name][0], fits[name][1:], attributes)

@@ -12,7 +12,7 @@ import scipy
 
 from hardcontact.base.arrays import Floats
 from hardcontact.surfaces.height_map import HeightMap
-from hardcontact.surfaces.levelling import level
+from hardcontact.surfaces.levelling import level_plane
 from hardcontact.surfaces.spectrum import BIN_CENTRES, BIN_EDGES, measured_psds, profile_psd
 
 #: Share of independent modes under a Hann window, along one axis:
@@ -38,7 +38,7 @@ FLATTEST_PROFILE_SLOPE = -1.0
 
 def isotropic_psd(scan: HeightMap) -> Floats:
     """Return C_iso (nm⁴) at BIN_CENTRES of a scan, which is levelled; NaN in empty bins."""
-    levelled = level(scan)
+    levelled = level_plane(scan)
     if scan.kind == "map":
         return measured_psds(levelled)[2]
     modes = independent_modes(scan.kind, scan.size)
@@ -52,7 +52,7 @@ def axis_ratio(scan: HeightMap) -> Floats:
     """
     if scan.kind == "line scan":
         return np.ones(len(BIN_CENTRES))
-    levelled = level(scan)
+    levelled = level_plane(scan)
     profile_x = profile_psd(levelled)
     profile_y = profile_psd(replace(levelled, heights=levelled.heights.T))
     ratio = np.maximum(profile_x / profile_y, profile_y / profile_x)

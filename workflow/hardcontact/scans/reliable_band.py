@@ -23,7 +23,7 @@ from hardcontact.scans.measured_spectrum import (
     variance_of_log,
 )
 from hardcontact.surfaces.height_map import HeightMap, to_surface_topography
-from hardcontact.surfaces.levelling import level
+from hardcontact.surfaces.levelling import level_plane
 from hardcontact.surfaces.spectrum import BIN_CENTRES, HALF_DECADE_BINS
 
 #: The shortest reliable wavelength in pixels.
@@ -102,7 +102,7 @@ def reliable_band(
 
 def limit_by_tip(band: ReliableBand, scan: HeightMap, tip_radius: float) -> ReliableBand:
     """Return a band that ends at the cutoff of a tip with a radius in nm, if that is longer."""
-    topography = to_surface_topography(level(scan))
+    topography = to_surface_topography(level_plane(scan))
     cutoff = topography.scanning_probe_reliability_cutoff(tip_radius, rtol=TIP_CUTOFF_ERROR)
     if cutoff is None or cutoff <= band.shortest:
         return band

@@ -14,7 +14,7 @@ from hardcontact.base.arrays import Floats
 from hardcontact.scans.reliable_band import STEEPEST_SELF_AFFINE_SLOPE, ReliableBand
 from hardcontact.scans.tail import ROLLOFF_COUNT
 from hardcontact.surfaces.height_map import HeightMap
-from hardcontact.surfaces.levelling import level, squared_projections
+from hardcontact.surfaces.levelling import level_plane, squared_projections
 from hardcontact.surfaces.spectrum import BIN_CENTRES, BIN_WIDTH, LOG_WAVEVECTORS, WAVEVECTORS
 
 #: Ratio of the longest possible roll-off wavelength to the size of the scan: a scan shows longer
@@ -66,7 +66,7 @@ class RolloffEvidence:
         self.size = widest_scans[0].size
         self.count = len(widest_scans)
         #: The mean variance of the levelled heights in nm².
-        self.variance = float(np.mean([level(scan).heights.T.var() for scan in widest_scans]))
+        self.variance = float(np.mean([level_plane(scan).heights.T.var() for scan in widest_scans]))
         self._density = np.nan_to_num(densities[is_widest]).mean(axis=0)
         shortest = min(band.shortest for band in bands if band.longest == longest)
         self._unreliable = 2 * np.pi / BIN_CENTRES < shortest

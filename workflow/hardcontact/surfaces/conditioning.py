@@ -16,13 +16,13 @@ from hardcontact.base import published
 from hardcontact.base.arrays import Floats
 from hardcontact.base.units import DIMENSIONLESS, RAD_PER_NM
 from hardcontact.surfaces.height_map import HeightMap
-from hardcontact.surfaces.levelling import level
+from hardcontact.surfaces.levelling import level_plane
 from hardcontact.surfaces.metrics import metrics
 from hardcontact.surfaces.spectrum import WAVEVECTORS, SpectrumFunction
 from hardcontact.surfaces.substitutes import Substitute, Targets
 from hardcontact.surfaces.synthesis import (
     ScanGrid,
-    add_sphere,
+    add_sphere_shape,
     sample_scan,
     scan_of_noise,
     white_noise,
@@ -147,7 +147,7 @@ def condition_group(
         matrices = []
         for scan_number in scan_numbers:
             noise = white_noise(substitute.generator(scan_number, "scan"), grid.surface_pixels)
-            components = [level(scan_of_noise(noise, spectrum, grid)) for spectrum in spectra]
+            components = [level_plane(scan_of_noise(noise, spectrum, grid)) for spectrum in spectra]
             matrices.append(metric_matrices(components, list(targets.means)))
         amplitudes, factors, mean_errors = _fit_group(np.array(matrices), targets)
         if factors.min() <= 0:
@@ -189,4 +189,4 @@ def conditioned_scan(
     spectrum = multiply_amplitudes(substitute.spectrum, conditioning["amplitude_gain"].values)
     factor = conditioning["factor"].sel(scan=scan_number).item()
     flat_scan = sample_scan(rng, spectrum, substitute.grid, factor)
-    return flat_scan if sphere_radius is None else add_sphere(rng, flat_scan, sphere_radius)
+    return flat_scan if sphere_radius is None else add_sphere_shape(rng, flat_scan, sphere_radius)

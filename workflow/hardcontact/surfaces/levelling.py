@@ -110,7 +110,7 @@ def _candidates(steps: Floats) -> Mask:
     return np.isin(labels, labels[is_certain])
 
 
-def level(scan: HeightMap) -> HeightMap:
+def level_plane(scan: HeightMap) -> HeightMap:
     """Return a scan minus its least-squares plane or line.
 
     The result is that of ``detrend`` of SurfaceTopography, whose import is slow.
@@ -128,7 +128,7 @@ def level(scan: HeightMap) -> HeightMap:
 def squared_projections(phase: Floats) -> tuple[Floats, Floats]:
     """Return the shares of the variance of waves that the mean and the slope of a line contain.
 
-    The wave is exp(2 i `phase` u) for |u| <= 1/2. `level` removes its projections on 1 and
+    The wave is exp(2 i `phase` u) for |u| <= 1/2. `level_plane` removes its projections on 1 and
     sqrt(12) u, the Legendre functions of degree 0 and 1: spherical Bessel functions of the phase.
     """
     return scipy.special.spherical_jn(0, phase) ** 2, 3 * scipy.special.spherical_jn(1, phase) ** 2
@@ -140,14 +140,14 @@ def level_lines(scan: HeightMap) -> HeightMap:
     Each line loses its least-squares line, then its median: drift and jumps of the feedback, and
     real roughness whose wavevector points along y. Source: ``ScanLineAlignedTopography``.
     """
-    heights, is_filled = fill_streaks(level(scan).heights)
+    heights, is_filled = fill_streaks(level_plane(scan).heights)
     scan = replace(scan, heights=heights)
     streak_lines = int(is_filled.any(axis=1).sum())
     if streak_lines:
         note = f"streaks along {streak_lines} lines filled from the lines beside them"
         scan = replace(scan, notes=(*scan.notes, note))
     aligned = to_surface_topography(scan).scan_line_align(direction="x", mode="median", degree=1)
-    return level(replace(scan, heights=aligned.heights().T))
+    return level_plane(replace(scan, heights=aligned.heights().T))
 
 
 def level_quadratic(scan: HeightMap) -> HeightMap:
@@ -157,7 +157,7 @@ def level_quadratic(scan: HeightMap) -> HeightMap:
 
 #: Ways to level a scan, by their names in the configuration.
 LEVELLING: dict[str, Callable[[HeightMap], HeightMap]] = {
-    "plane": level,
+    "plane": level_plane,
     "lines": level_lines,
     "quadratic": level_quadratic,
 }
@@ -174,7 +174,7 @@ def remove_form(
     if levelling not in LEVELLING:
         raise ValueError(f"levelling: expected {', '.join(LEVELLING)}, found {levelling}")
     if scan.kind == "line scan":
-        return level(scan)
+        return level_plane(scan)
     if sphere_radius is not None:
         rows, columns = scan.heights.shape
         y = (np.arange(rows) - (rows - 1) / 2) * scan.pixel_size

@@ -102,7 +102,7 @@ def scan_of_noise(
     return cut_scan(surface, grid.pixels, factor)
 
 
-def add_sphere(rng: np.random.Generator, roughness: HeightMap, radius: float) -> HeightMap:
+def add_sphere_shape(rng: np.random.Generator, roughness: HeightMap, radius: float) -> HeightMap:
     """Return a scan of a rough sphere (radius in nm), its apex within the middle half."""
     apex = rng.uniform(-0.25, 0.25, 2) * roughness.size
     position = (np.arange(roughness.pixels) + 0.5) * roughness.pixel_size - roughness.size / 2

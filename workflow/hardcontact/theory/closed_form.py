@@ -190,7 +190,7 @@ def critical_band(spectrum: Spectrum, contact: Contact, tolerance: float) -> tup
     limits = logarithmic_limits(tolerance)
     unfiltered = closed_form(spectrum, contact, all_rough=False).dmt_ratio
 
-    def find_edge(side: str, cutoffs: Floats) -> float:
+    def edge_of_side(side: str, cutoffs: Floats) -> float:
         """Return the edge (nm) of a side; no wave is removed at the first cutoff."""
         curve = [0.0]
         for cutoff in cutoffs[1:]:
@@ -201,4 +201,4 @@ def critical_band(spectrum: Spectrum, contact: Contact, tolerance: float) -> tup
                 break
         return interpolate_edge(cutoffs[: len(curve)], np.array(curve), limits)
 
-    return find_edge("short", cutoffs), find_edge("long", cutoffs[::-1])
+    return edge_of_side("short", cutoffs), edge_of_side("long", cutoffs[::-1])

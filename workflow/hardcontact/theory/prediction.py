@@ -29,7 +29,7 @@ from hardcontact.theory.validity import (
     is_validated,
     nearest_errors,
     table_coordinates,
-    validated_ranges,
+    validated_limits,
 )
 
 #: Smallest accepted rms height in nm: a tenth of an atom.
@@ -97,7 +97,7 @@ def prediction(
         *_edge_numbers("", critical_band(trimmed, contact, tolerance), point),
         *checks,
         change,
-        *validated_ranges(coordinates),
+        *validated_limits(coordinates),
     ]
     return numbers_by_name(*numbers)
 

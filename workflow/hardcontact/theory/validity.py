@@ -148,11 +148,11 @@ def nearest_errors(point: Mapping[str, Any], name: str) -> tuple[float, float]:
 
 def is_validated(point: Mapping[str, Any]) -> bool:
     """Return whether the table covers a point, so that the error of the closed form is known."""
-    return all(number.status == Validity.INSIDE for number in validated_ranges(point))
+    return all(number.status == Validity.INSIDE for number in validated_limits(point))
 
 
-def validated_ranges(point: Mapping[str, Any]) -> Iterator[Number]:
-    """Yield the parameters of a point on which an error depends, with their ranges in the table."""
+def validated_limits(point: Mapping[str, Any]) -> Iterator[Number]:
+    """Yield the parameters of a point on which an error depends, with their limits in the table."""
     for name, unit in VALIDATED_PARAMETERS.items():
         lowest, highest = held_out_surfaces()[name].agg(["min", "max"])
         status = Validity.INSIDE if lowest <= point[name] <= highest else Validity.OUTSIDE
