@@ -59,8 +59,7 @@ def apex_level(adhesion: xr.Dataset, topography: xr.Dataset) -> xr.Dataset:
 
 def plastic_contact_area(adhesion: xr.Dataset) -> xr.Dataset:
     """Return the area in nm² of the pixels in contact (contact_model)."""
-    pixel_area: float = adhesion.attrs["pixel_size"] ** 2
-    return as_estimate(adhesion["contact_pixel_count"] * pixel_area)
+    return as_estimate(adhesion["contact_pixel_count"] * adhesion.attrs["pixel_size"] ** 2)
 
 
 def share_of_two_asperities(asperities: xr.Dataset) -> xr.Dataset:

@@ -60,11 +60,10 @@ def forces_at_pair(
     statistics = [
         force_statistics(surface_forces, force_floor, sampling) for surface_forces in contact_forces
     ]
-    return xr.concat(statistics, pd.Index(forces.surface.values, name="surface")).assign(
-        forces_over_reference(
-            "ratio_at_pair", "surface", means[:, 0], mean_samples[..., 0], reference_index, sampling
-        )
+    ratios = forces_over_reference(
+        "ratio_at_pair", "surface", means[:, 0], mean_samples[..., 0], reference_index, sampling
     )
+    return xr.concat(statistics, pd.Index(forces.surface.values, name="surface")).assign(ratios)
 
 
 def forces_over_reference(
