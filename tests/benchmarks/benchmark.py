@@ -31,7 +31,7 @@ from hardcontact.contact.bearing_area import all_contact_pixels
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.elastic import adhesive_pull_off, pressure_at_load
 from hardcontact.contact.force_sum.outside_sums import outside_sums
-from hardcontact.contact.geometry import gap_map, join_bodies, part_around_lowest
+from hardcontact.contact.geometry import join_bodies, part_around_lowest, reference_gap_map
 from hardcontact.contact.pull_off import attraction_sums
 from hardcontact.surfaces.filters import interpolate, lowpass
 from hardcontact.surfaces.height_map import mirror_scan
@@ -154,7 +154,7 @@ def rough_sphere():
 def elastic_contact(pixels=512):
     bodies, _ = bodies_in_contact(mirrored(1, 1.0))
     pixel = bodies.geometry.pixel_size
-    gap = part_around_lowest(gap_map(bodies, (3, 5)), pixels)
+    gap = part_around_lowest(reference_gap_map(bodies, (3, 5)), pixels)
     window = f"window of {pixels}² pixels"
     (seconds, pressure), (library_seconds, expected) = timed_in_turn(
         lambda: pressure_at_load(gap, pixel, MODULUS, CONTACT.preload),

@@ -30,7 +30,7 @@ def test_the_force_at_every_range_is_the_direct_sum(case, contact_pixel_count, r
     contacts = all_contact_pixels(bodies, contact_pixel_count)
     counts = [contact_pixel_count, 1]
     totals = attraction_sums(bodies, contacts, counts, ranges)
-    for contact in np.ndindex(contacts.gaps.shape[:2]):
+    for contact in np.ndindex(contacts.reference_gaps.shape[:2]):
         gap = gap_of_bodies(bodies, contact)
         sums = totals[..., *contact].flat
         for (count, rho), total in zip(product(counts, ranges), sums, strict=True):
@@ -74,7 +74,7 @@ def test_contact_pixels_are_subtracted_exactly_at_the_ends_of_its_use(
     (position,) = bodies.geometry.positions
     heights[:] = np.roll(heights, position - 12, axis=(0, 1))
     contacts = all_contact_pixels(bodies, 4)
-    gaps = contacts.gaps[0, 0]
+    gaps = contacts.reference_gaps[0, 0]
     assert gaps[-1] - gaps[0] > 0.9 * penetration * max_penetration * rho
     assert gaps[-1] + heights.max() > 0.9 * raised * max_depth * rho
     total = attraction_sums(bodies, contacts, [4], [rho]).item()

@@ -16,7 +16,7 @@ from hardcontact.base.dataset import variables_of_columns
 from hardcontact.base.progress import progress
 from hardcontact.base.units import NANOMETRE, NEWTON, NM, PASCAL
 from hardcontact.contact.contact import Contact
-from hardcontact.contact.geometry import Bodies, flattened_gaps, gap_map, largest_contact_gap
+from hardcontact.contact.geometry import Bodies, largest_contact_gap, reference_gap_map
 
 ASPERITY_UNITS = {
     "largest_share": "1",
@@ -36,7 +36,7 @@ def trace_contact(bodies: Bodies, index: tuple[int, int], contact: Contact) -> x
     """
     pixel_size = bodies.geometry.pixel_size
     rho = contact.rho
-    gap = gap_map(bodies, index)
+    gap = reference_gap_map(bodies, index)
     gap -= largest_contact_gap(gap, contact.pixel_count(pixel_size))
     pressure = contact.work / (rho * NANOMETRE) * np.exp(-np.maximum(gap, 0) / rho)
     pull_off = float(pressure.sum()) * (pixel_size * NANOMETRE) ** 2
@@ -76,7 +76,8 @@ def find_carrying_asperities(
     sphere = bodies.sphere(offset, offset)
     asperity_values = []
     for index in progress(contact_indices, len(contact_indices), "contacts"):
-        gap = flattened_gaps(gap_map(bodies, index, sphere), contact_pixel_count)
+        gap = reference_gap_map(bodies, index, sphere)
+        gap = np.maximum(gap - largest_contact_gap(gap, contact_pixel_count), 0)
         for rho in ranges:
             asperity_values.append(asperity_sizes(np.exp(gap / -rho), share, pixel_size))
     values = np.reshape(asperity_values, (len(contact_indices), len(ranges), -1))

@@ -1,9 +1,8 @@
 """Rigid and plastic (bearing area) contact: closest approach and contact pixels.
 
-The gap of a pixel is g = y - u - z in nm: sphere y, its roughness u (positive towards the
-substrate) and substrate z. The contact pixels have the N smallest gaps. The highest point of a
-tile, or of a group of tiles, bounds all gaps in it from below. The N-th smallest gap in a few tiles
-of low bounds limits the gaps of contact pixels. Only tiles with bounds up to it are read.
+The contact pixels have the N smallest reference gaps (`geometry`). The highest point of a tile, or
+of a group of tiles, bounds all reference gaps in it from below. The N-th smallest in a few tiles of
+low bounds limits those of contact pixels. Only tiles with bounds up to this limit are read.
 """
 
 from dataclasses import dataclass
@@ -85,16 +84,16 @@ class ContactPixels(NamedTuple):
 
     #: (..., k) nm, ascending. The first is minus the height of the apex at rigid closest approach,
     #: the last minus that at plastic closest approach.
-    gaps: Floats
+    reference_gaps: Floats
     offsets: NDArray[np.int_]  #: (..., k, 2) pixels from the apex: row, column.
 
     def lowest(self, count: int) -> "ContactPixels":
-        """Return as many of the pixels of each contact, those with the smallest gaps."""
-        return ContactPixels(self.gaps[..., :count], self.offsets[..., :count, :])
+        """Return as many of the pixels of each contact, those with the smallest reference gaps."""
+        return ContactPixels(self.reference_gaps[..., :count], self.offsets[..., :count, :])
 
     def pixels_of_contact(self, index: tuple[int, ...]) -> "ContactPixels":
         """Return the pixels of one contact."""
-        return ContactPixels(self.gaps[index], self.offsets[index])
+        return ContactPixels(self.reference_gaps[index], self.offsets[index])
 
 
 class WindowTiles(NamedTuple):
@@ -103,7 +102,7 @@ class WindowTiles(NamedTuple):
     contact_numbers: NDArray[np.int_]  #: (k,) index of the contact of each tile.
     row: NDArray[np.int_]  #: (k,) row of the tile within the window.
     column: NDArray[np.int_]  #: (k,) column of the tile within the window.
-    bounds: Floats  #: (k,) lower bound in nm on the gaps of the tile.
+    bounds: Floats  #: (k,) lower bound in nm on the reference gaps of the tile.
 
     def select(self, index: slice | NDArray[np.int_] | NDArray[np.bool_]) -> "WindowTiles":
         """Return some of the tiles."""
@@ -170,8 +169,8 @@ class _Windows:
         contact, row, column = np.broadcast_arrays(contact, row, column)
         return WindowTiles(contact.ravel(), row.ravel(), column.ravel(), bounds.ravel())
 
-    def gaps(self, tiles: WindowTiles) -> tuple[Floats, NDArray[np.int_], NDArray[np.int_]]:
-        """Return the gaps (k, TILE, TILE) in nm of tiles (k,), infinite outside the window.
+    def tile_gaps(self, tiles: WindowTiles) -> tuple[Floats, NDArray[np.int_], NDArray[np.int_]]:
+        """Return the reference gaps (k, TILE, TILE) of tiles (k,), infinite outside the window.
 
         Also returns the offsets (k, TILE) of their rows, and of their columns, from the apex.
         """
@@ -216,7 +215,7 @@ def _find_contact_pixels(windows: _Windows, contact_pixel_count: int) -> list[Co
 
 
 def _limits_of_gaps(windows: _Windows, tiles: WindowTiles, contact_pixel_count: int) -> Floats:
-    """Return the N-th smallest gap (contact,) in nm in the tiles of lowest bounds.
+    """Return the N-th smallest reference gap (contact,) in the tiles of lowest bounds.
 
     It is an upper bound on the N-th smallest gap of all, with N contact pixels.
     """
@@ -227,7 +226,7 @@ def _limits_of_gaps(windows: _Windows, tiles: WindowTiles, contact_pixel_count: 
         start + _lowest_columns(tiles.bounds[None, start:end], tile_count)[0]
         for start, end in pairwise(ends.tolist())
     ]
-    gaps, _, _ = windows.gaps(tiles.select(np.concatenate(best)))
+    gaps, _, _ = windows.tile_gaps(tiles.select(np.concatenate(best)))
     gaps = gaps.reshape(len(best), -1)
     if gaps.shape[1] < contact_pixel_count:
         return np.full(len(best), np.inf)
@@ -243,11 +242,11 @@ def _lowest_columns(bounds: Floats, count: int) -> NDArray[np.int_]:
 def _gaps_up_to(
     windows: _Windows, tiles: WindowTiles, limits: Floats
 ) -> tuple[NDArray[np.int_], Floats, NDArray[np.int_]]:
-    """Return the gaps (nm) in tiles that do not exceed the limit of their contact.
+    """Return the reference gaps in tiles that do not exceed the limit of their contact.
 
     Returns three arrays: the number of the contact of each gap, the gaps, their offsets (gap, 2).
     """
-    gaps, rows, columns = windows.gaps(tiles)
+    gaps, rows, columns = windows.tile_gaps(tiles)
     low = np.flatnonzero(gaps <= limits[tiles.contact_numbers, None, None])
     tile, y, x = np.unravel_index(low, gaps.shape)
     offsets = np.stack([rows[tile, y], columns[tile, x]], axis=1)

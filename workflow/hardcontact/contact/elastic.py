@@ -21,9 +21,9 @@ from hardcontact.base.units import GIGAPASCAL, NANONEWTON, NM, PASCAL
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import (
     Bodies,
-    gap_map,
     largest_contact_gap,
     part_around_lowest,
+    reference_gap_map,
     window_pixels,
 )
 from hardcontact.contact.hertz_jkr_dmt import hertz_contact
@@ -228,7 +228,7 @@ def solve_elastic_contacts(
     # More threads take twice the processor time and give the same numbers.
     with threadpool_limits(1, "blas"):
         for index in progress(contact_indices, len(contact_indices), "elastic contacts"):
-            gap = gap_map(bodies, index)
+            gap = reference_gap_map(bodies, index)
             period_gap = part_around_lowest(gap, period_pixels)
             window_gap = part_around_lowest(gap, pull_off_pixels)
             pressure = pressure_at_load(period_gap, pixel_size, modulus, contact.preload)

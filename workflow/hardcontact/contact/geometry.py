@@ -2,6 +2,10 @@
 
 Along one axis, a window of n pixels about a contact at the pixel c holds the unfolded indices c + k
 of the substrate, k from -n/2 to n/2 - 1. The substrate continues itself periodically.
+
+The reference gap of a pixel is g = y - u - z in nm, the gap if the apex is at height 0: sphere y,
+its roughness u (positive towards the substrate) and substrate z. If the apex is at the height m,
+the gap is g + m. At closest approach m is minus the largest reference gap of the contact pixels.
 """
 
 from dataclasses import dataclass, replace
@@ -151,9 +155,9 @@ def _refine(surface: HeightMap, pixel_size: float) -> HeightMap:
     return replace(surface, pixel_size=pixel_size)
 
 
-def gaps_at(bodies: Bodies, position: NDArray[np.int_], offsets: NDArray[np.int_]) -> Floats:
-    """Return the gaps (...) in nm at offsets (..., 2) in pixels from an apex at a position (2,)."""
-    y, x = np.moveaxis((position + offsets) % bodies.substrate.pixels, -1, 0)
+def reference_gaps(bodies: Bodies, apex: NDArray[np.int_], offsets: NDArray[np.int_]) -> Floats:
+    """Return the reference gaps (...) at offsets (..., 2) in pixels from an apex (2,)."""
+    y, x = np.moveaxis((apex + offsets) % bodies.substrate.pixels, -1, 0)
     gaps = bodies.geometry.paraboloid(offsets).sum(axis=-1) - bodies.substrate.heights[y, x]
     if bodies.sphere_roughness is not None:
         v, u = np.moveaxis(offsets % bodies.sphere_roughness.pixels, -1, 0)
@@ -161,10 +165,10 @@ def gaps_at(bodies: Bodies, position: NDArray[np.int_], offsets: NDArray[np.int_
     return np.asarray(gaps)
 
 
-def gap_map(
+def reference_gap_map(
     bodies: Bodies, index: tuple[int, int] | NDArray[np.int_], sphere: Floats | None = None
 ) -> Floats:
-    """Return the gap (n, n) in nm of one contact of the array, by its index, at the apex height 0.
+    """Return the reference gaps (n, n) of one contact of the array, by its index.
 
     The apex stands at the pixel (n/2, n/2). The `sphere` is the same for all contacts;
     None computes it.
@@ -179,18 +183,12 @@ def gap_map(
 
 
 def largest_contact_gap(gap: Floats, contact_pixel_count: int) -> float:
-    """Return the largest gap (nm) of the contact pixels: minus the height m of the apex."""
+    """Return the largest gap (nm) of the contact pixels, which have the smallest gaps."""
     if gap.ndim == 2 and contact_pixel_count <= len(gap):
         # As many rows as pixels touch have their lowest gap at or below this bound.
         row_minima = gap.min(axis=1)
         gap = gap[gap <= np.partition(row_minima, contact_pixel_count - 1)[contact_pixel_count - 1]]
     return float(np.partition(gap.ravel(), contact_pixel_count - 1)[contact_pixel_count - 1])
-
-
-def flattened_gaps(gap: Floats, contact_pixel_count: int) -> Floats:
-    """Return the gap (n, n) in nm at plastic closest approach, zero at the contact pixels."""
-    closed = gap - largest_contact_gap(gap, contact_pixel_count)
-    return np.maximum(closed, 0, out=closed)
 
 
 def part_around_lowest(gap: Floats, pixels: int) -> Floats:

@@ -16,7 +16,7 @@ from hardcontact.base.progress import progress
 from hardcontact.base.units import NEWTON, NM
 from hardcontact.contact.bearing_area import ContactPixels, all_contact_pixels
 from hardcontact.contact.contact import CONTACT_AXES, Contact
-from hardcontact.contact.geometry import Bodies, gaps_at, join_bodies
+from hardcontact.contact.geometry import Bodies, join_bodies, reference_gaps
 from hardcontact.surfaces.height_map import HeightMap
 
 #: Pixels on either side of the deepest pixel in the maps of one contact.
@@ -31,7 +31,6 @@ def indent_sizes(pixels: ContactPixels, pixel_size: float) -> tuple[float, float
     The depth is the penetration of the deepest pixel. The sizes are the width of a square with the
     area of the largest indent, and the longer side of its bounding box.
     """
-    # The gaps ascend; the sphere comes down until the largest of them is zero.
     gaps, offsets = pixels
     indent, count = _label_connected(offsets)
     pixel_counts = np.bincount(indent)[indent]
@@ -111,8 +110,8 @@ def _add_height_maps(
     ]
     deepest = pixels_by_load[0].offsets[0]
     offsets = deepest + np.stack(np.meshgrid(steps, steps, indexing="ij"), axis=-1)
-    gap = gaps_at(bodies, bodies.geometry.apexes()[index], offsets)
-    indentation = [np.maximum(pixels.gaps[-1] - gap, 0) for pixels in pixels_by_load]
+    gaps = reference_gaps(bodies, bodies.geometry.apexes()[index], offsets)
+    indentation = [np.maximum(pixels.reference_gaps[-1] - gaps, 0) for pixels in pixels_by_load]
     sphere_height = bodies.sphere(*(deepest[:, None] + steps))
     position = steps * bodies.geometry.pixel_size
     return sizes.assign(

@@ -60,7 +60,7 @@ def attraction_sums(
     A pixel count is the number of pixels that touch; `contact_pixels` has at least as many. If
     fewer touch than it has, all gaps are larger by the same length.
     """
-    gaps = contact_pixels.gaps
+    gaps = contact_pixels.reference_gaps
     outside = outside_sums(bodies, contact_pixels, ranges)
     rho = np.asarray(ranges, float)[:, None, None]
     sums = []
@@ -115,9 +115,8 @@ def pull_off_dataset(bodies: Bodies, contact: Contact, ranges: Sequence[float]) 
     pixel_size = bodies.geometry.pixel_size
     loaded_contacts = [replace(contact, plastic=False), contact]
     counts, contact_pixels, forces = _pixels_and_forces(bodies, loaded_contacts, ranges)
-    gaps = contact_pixels.gaps
-    # At closest approach the largest gap of the touching pixels has become zero.
-    apex_heights = -np.stack([gaps[..., 0], gaps[..., -1]])
+    reference_gaps = contact_pixels.reference_gaps
+    apex_heights = -np.stack([reference_gaps[..., 0], reference_gaps[..., -1]])
     positions = bodies.geometry.positions * pixel_size
     model_axes = ("contact_model", *CONTACT_AXES)
     return xr.Dataset(

@@ -1,10 +1,9 @@
 """Sums of exp(-gap/rho) over the window of every contact of an array, smooth or rough sphere.
 
-The gap of a pixel is g = y - u - z in nm: sphere y, its roughness u (positive towards the
-substrate) and substrate z. On a smooth sphere exp(-y/rho) is a product of one factor per axis, so
-the sums of all contacts are one matrix product, G exp(z/rho) G^T, where G is exp(-y/rho) along an
-axis for every contact. On a rough sphere they are the correlation of exp(z/rho) with the kernel
-exp((u - y)/rho).
+A pixel has the reference gap g = y - u - z (`geometry`). On a smooth sphere exp(-y/rho) is a
+product of one factor per axis, so the sums of all contacts are one matrix product, G exp(z/rho)
+G^T, where G is exp(-y/rho) along an axis for every contact. On a rough sphere they are the
+correlation of exp(z/rho) with the kernel exp((u - y)/rho).
 
 These sums exclude the contact pixels, which `pull_off` adds with exp(0) = 1 each. There are two
 ways. `sums_by_subtraction` sums over all pixels and subtracts the contact pixels. This is fast, but
@@ -65,7 +64,7 @@ def _are_shallow(
     """
     if bodies.sphere_roughness is not None:
         return np.zeros(len(ranges), bool)
-    gaps = contact_pixels.gaps
+    gaps = contact_pixels.reference_gaps
     penetration = (gaps[..., -1] - gaps[..., 0]).max()
     depth = gaps[..., -1].max() + bodies.substrate.heights.max()
     precision = bodies.substrate.heights.dtype.type

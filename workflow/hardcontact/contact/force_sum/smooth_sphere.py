@@ -29,7 +29,7 @@ def sums_by_subtraction(
     ]
     quarter, quarter_factors = _without_mirror_images(heights, factors)
     all_sums = _contact_sums(_row_blocks(quarter, precision, highest, ranges), quarter_factors)
-    gaps = contact_pixels.gaps
+    gaps = contact_pixels.reference_gaps
     largest_gap = gaps[..., -1]
     sums = np.empty_like(all_sums)
     for k, rho in enumerate(ranges):

@@ -1,6 +1,6 @@
 """Contact pixels of an array of contacts, which the sums of exp(-gap/rho) exclude.
 
-Both kinds of sphere, smooth and rough, give such sums as `SphereTerms`.
+Symbols as in `geometry`: sphere y, its roughness u, substrate z.
 """
 
 from collections.abc import Callable
@@ -10,10 +10,11 @@ from numpy.typing import NDArray
 
 from hardcontact.base.arrays import Floats
 from hardcontact.contact.bearing_area import ContactPixels
-from hardcontact.contact.geometry import Bodies, gaps_at
+from hardcontact.contact.geometry import Bodies, reference_gaps
 
-#: Sums (contact_y, contact_x) over all pixels but contact pixels, and a function that returns the
-#: factor of the sphere at the contact pixels as seen from the contact (i, j).
+#: For one range, the sums (contact_y, contact_x) of exp((z + u - y)/rho) over all pixels that touch
+#: in no contact, and a function of a contact (i, j) that returns exp((u - y)/rho) (pixels,)
+#: at the pixels that touch in any. Both are relative to the highest z and u.
 SphereTerms = tuple[Floats, Callable[[tuple[int, int]], Floats]]
 
 
@@ -38,26 +39,25 @@ class TouchedPixels:
         flat = np.unique(touching)
         self.row, self.column = np.divmod(flat, pixels)
         self._indices_of_contact = np.searchsorted(flat, touching)
-        self._largest_gaps = contact_pixels.gaps[..., -1]
+        self._largest_gaps = contact_pixels.reference_gaps[..., -1]
         self._image_gaps = {
             index: _image_gaps(bodies, apexes[index], contact_pixels.offsets[index])
             for index in np.ndindex(self._largest_gaps.shape)
         }
 
     def leave_out(self, terms: NDArray[np.floating], first_row: int = 0) -> None:
-        """Set these pixels to zero in the rows of the substrate (k, n) from the first one on."""
+        """Set the touching pixels to zero in `terms` (k, n), whose rows begin at `first_row`."""
         block = slice(*np.searchsorted(self.row, [first_row, first_row + len(terms)]))
         terms[self.row[block] - first_row, self.column[block]] = 0.0
 
     def sum_outside(
         self, index: tuple[int, int], total: float, terms: Floats, highest: float, rho: float
     ) -> float:
-        """Return the sum of exp(-(g + m)/rho) over pixels outside a contact (i, j).
+        """Return the sum of exp(-gap/rho) outside a contact (i, j), at plastic closest approach.
 
-        m is the height of the apex at closest approach. `total` is the sum over all pixels that
-        touch in no contact; `terms` (pixels,) are the exponentials at the others, overwritten here.
-        Both are relative to exp(highest/rho), with the sum `highest` of the highest points of both
-        bodies in nm.
+        `total` is the sum over the pixels that touch in no contact, `terms` (pixels,) are those of
+        the touching pixels and are overwritten. Both are for the apex at height 0, relative to
+        exp(highest/rho); `highest` is the sum of the highest z and u in nm.
         """
         terms[self._indices_of_contact[index]] = 0.0
         largest_gap = self._largest_gaps[index]
@@ -66,7 +66,7 @@ class TouchedPixels:
 
 
 def _image_gaps(bodies: Bodies, apex: NDArray[np.int_], offsets: NDArray[np.int_]) -> Floats:
-    """Return the gaps (k,) in nm of the periodic images of contact pixels within the window."""
+    """Return the reference gaps (k,) of periodic images of contact pixels within the window."""
     pixels = bodies.substrate.pixels
     geometry = bodies.geometry
     if geometry.window_pixels <= pixels:
@@ -81,4 +81,4 @@ def _image_gaps(bodies: Bodies, apex: NDArray[np.int_], offsets: NDArray[np.int_
     period_y, period_x = (offsets // pixels + reach).T
     in_window[inverse, period_y, period_x] = False
     images = np.stack(np.broadcast_arrays(y[:, :, None], x[:, None, :]), axis=-1)
-    return gaps_at(bodies, apex, images[in_window])
+    return reference_gaps(bodies, apex, images[in_window])
