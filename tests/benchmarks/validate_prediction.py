@@ -56,11 +56,15 @@ STEEP_BOUNDS = {name: ends for name, ends in BOUNDS.items() if name != "kind"} |
     "hurst": (1.0, 1.9),
     "hurst_change": (-0.7, 0.7),
 }
-#: Surfaces of the first design and of the second.
-FIRST, SECOND = 96, 64
+#: Surfaces of the first design.
+FIRST = 96
+#: Surfaces of the second design.
+SECOND = 64
 SURFACES = FIRST + SECOND
-#: Largest size of a surface in nm, and pixels of a smaller or larger one with realizations of each.
-LARGEST, GRIDS = 25e3, {1024: 4, 2048: 3}
+#: Largest size of a surface in nm.
+LARGEST = 25e3
+#: Realizations of a surface, by its pixels.
+GRIDS = {1024: 4, 2048: 3}
 
 
 def design(surfaces: int) -> list[dict[str, Any]]:

@@ -36,8 +36,11 @@ TABLE = RESOURCES / "validation/scan_size.nc"
 #: Substitutes whose random surfaces are cut into windows.
 SURFACES = {"polished_uncd": "polished UNCD", "uncd": "UNCD", "ncd": "NCD", "mcd": "MCD"}
 CONFIDENCE, TOLERANCE, SEED = 0.95, 0.1, 2021
-#: Edges (nm) of two whole surfaces, and of windows along the diagonal of the second.
-SIZES, WINDOWS, WINDOW_COUNT = [20e3, 40e3], [1250.0, 2500.0, 5000.0, 10e3], 3
+#: Widths (nm) of two whole surfaces.
+SIZES = [20e3, 40e3]
+#: Widths (nm) of windows along the diagonal of the second one.
+WINDOWS = [1250.0, 2500.0, 5000.0, 10e3]
+WINDOW_COUNT = 3
 PIXEL_SIZE, REALIZATIONS = 20e3 / 1024, 7
 #: Longer waves are removed.
 CUTOFFS = [

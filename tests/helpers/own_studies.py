@@ -13,8 +13,10 @@ from scan_files import write_nanoscope
 SHARED = ROOT.parent / "shared" / "scans"
 #: Height of a count of a Nanoscope file, in nm.
 COUNT = 0.1
-#: Range in nm (a computed one) and work in J/m² of the user's forces.
-RANGE, WORK = 5.6, 0.05
+#: Range of adhesion in nm of the user's forces: a computed one.
+RANGE = 5.6
+#: Work of adhesion in J/m² of the user's forces.
+WORK = 0.05
 
 
 def run_new(folder, *arguments):

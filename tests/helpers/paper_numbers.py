@@ -23,8 +23,12 @@ TABLE1 = {
     "all_rms_slope": ([0.31, 1.17, 0.92, 0.85], [0.08, 0.28, 0.10, 0.10]),
     "all_rms_curvature": ([1.99, 6.32, 5.91, 5.04], [0.35, 1.20, 1.83, 1.45]),
 }
-#: The sphere (nm), the range of Maugis' model (nm) and the work of adhesion (J/m²).
-RADIUS, SPACING, WORK = 250e3, 0.3, 0.0463
+#: Radius of the sphere in nm.
+RADIUS = 250e3
+#: Range of Maugis' model in nm.
+SPACING = 0.3
+#: Work of adhesion in J/m².
+WORK = 0.0463
 MODULUS = RUBY_ON_DIAMOND_MODULUS
 SPHERE = ElasticSphere(RADIUS, MODULUS, SPACING)
 AFM = Roughness(*(np.array(TABLE1[f"afm_rms_{name}"][0]) for name in Roughness._fields))

@@ -16,8 +16,10 @@ from hardcontact.inference.filtered_masters import (
 )
 from hardcontact.surfaces.filters import filtered_series
 
-#: Wavelength in nm and amplitude of the only wave of a master of 640 nm.
-WAVELENGTH, AMPLITUDE = 80.0, 2.0
+#: Wavelength in nm of the only wave of a master of 640 nm.
+WAVELENGTH = 80.0
+#: Amplitude in nm of this wave.
+AMPLITUDE = 2.0
 CUTOFFS = [40.0, 60.0, 120.0, 240.0]
 
 

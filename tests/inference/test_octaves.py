@@ -18,8 +18,9 @@ from hardcontact.inference.octaves import (
 )
 from hardcontact.inference.scan_parts import ScanParts
 
-#: Pixel size (nm) and pixels of a map of 2560 nm.
-PIXEL_SIZE, PIXELS = 20.0, 128
+#: Pixel size (nm) of a map of 2560 nm.
+PIXEL_SIZE = 20.0
+PIXELS = 128
 
 
 def wavy(*wavelengths):

@@ -27,8 +27,9 @@ from hardcontact.theory.closed_form import closed_form
 CONTACT = Contact(
     radius=250e3, preload=10e-6, hardness=25e9, rho=5.6, work=0.0463, contacts_per_row=20
 )
-#: The shortest wavelengths (nm) of octaves, and a map of 2560 nm with waves in these alone.
+#: The shortest wavelengths (nm) of octaves.
 OCTAVES = 80.0 * 2.0 ** np.arange(4)
+#: A map of 2560 nm with waves in these octaves alone.
 PIXELS, PIXEL_SIZE = 128, 20.0
 
 

@@ -77,7 +77,7 @@ def test_the_factor_of_the_sphere_is_the_ratio_of_mean_forces():
         xr.testing.assert_identical(inputs.pools[name], pool)
 
 
-#: Seed of the study and number of the set.
+#: Seed of the study, then number of the set.
 DRAW = 1, 3
 NO_SAMPLES = Sampling(1, 0, CONFIDENCE)
 

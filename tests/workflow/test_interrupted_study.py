@@ -13,8 +13,10 @@ from repository import environment, run_snakemake
 
 from hardcontact.base.dataset import PART
 
-#: Kills, and the files that a run may write before each: in all, most files of the study.
-KILLS, FILES = 4, 5
+#: Kills of one study.
+KILLS = 4
+#: Files that a run may write before a kill: in all, most files of the study.
+FILES = 5
 #: Seconds that a test waits at most for the next file.
 PATIENCE = 300
 WORDS = ["--configfile", "config/probe.yaml", "few.yaml", "--config", "effort=quick"]

@@ -51,9 +51,11 @@ from hardcontact.theory.validity import wide_contact_message
 if TYPE_CHECKING:
     from SurfaceTopography import Topography
 
-#: Defaults of windows, arrays, tolerances and intervals: the paper's.
+#: Defaults of window and array of contacts: the paper's.
 PAPER_CONTACT = ContactKeys()
+#: Default relative change of the force at an edge: the paper's.
 PAPER_TOLERANCE = ScalesKeys().tolerance
+#: Default probability that an interval holds the true value.
 PAPER_CONFIDENCE = IntervalKeys().confidence
 
 

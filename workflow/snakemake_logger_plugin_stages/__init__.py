@@ -33,8 +33,9 @@ HOME = Path(".snakemake/home")
 MAX_SILENCE_SECONDS = 30
 #: Share of a run in whose time the table of costs weighs as much as the finished jobs.
 PRIOR_SHARE = 0.2
-#: Exceptions, and the end of a message, that repeat the failure of a job.
+#: Exceptions that repeat the failure of a job.
 JOB_EXCEPTIONS = ("CalledProcessError", "RuleException")
+#: The end of a message that repeats the failure of a job.
 INCOMPLETE_MESSAGE = "At least one job did not complete successfully."
 #: Begins of messages of the executor for SLURM: guesses of an account, failures of sacct,
 #: and an error that the line of the job repeats.

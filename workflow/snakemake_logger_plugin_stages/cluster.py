@@ -31,8 +31,9 @@ REPORTS = (
 ADDITION = re.compile(r"^slurmstepd\S*: error: (.*)$", re.M)
 
 
-#: What the executor does with a job that failed, and the lines of jobs that were logged.
+#: What the executor does with a job that failed.
 _print_job_error = RemoteExecutor.print_job_error
+#: The lines of jobs that were logged.
 _logged = set[str]()
 
 

@@ -6,8 +6,10 @@ from answer_inputs import datasets, drop_interval, force, spectra
 
 from hardcontact.report.own_surfaces.comparison import comparison_numbers
 
-#: An octave that scans show, and d ln F / d ln a of it.
-OCTAVE, SENSITIVITY = 80.0, -0.9
+#: The shortest wavelength (nm) of an octave that scans show.
+OCTAVE = 80.0
+#: d ln F / d ln a of this octave.
+SENSITIVITY = -0.9
 
 
 def compare(**others):

@@ -14,6 +14,7 @@ class NumberStatus(StrEnum):
 
     #: Nothing else is known of the number.
     PLAIN = ""
+    #: The value is known.
     KNOWN = "known"
     #: Only ends of the interval are known.
     ONLY_ENDS = "ends"

@@ -14,8 +14,9 @@ from numpy.typing import NDArray
 
 from hardcontact.surfaces.height_map import HeightMap
 
-#: Fourier transform over orders (y, x), in double precision, or in single precision.
+#: Fourier transform over orders (y, x), in double precision.
 Transform = NDArray[np.complex128]
+#: The same in single precision.
 SingleTransform = NDArray[np.complex64]
 AnyTransform = TypeVar("AnyTransform", Transform, SingleTransform)
 

@@ -118,9 +118,9 @@ def _draw_spectra(
 def _draw_maps(row: np.ndarray, scan: xr.Dataset, maps: ScanMaps, titles: Sequence[str]) -> None:
     """Map the heights on one scale, with a bar of SCALE_BAR and the line of the profiles."""
     size = scan["scan_size"].item()
-    height_range = {"vmin": maps.unfiltered.min(), "vmax": maps.unfiltered.max()}
+    height_limits = {"vmin": maps.unfiltered.min(), "vmax": maps.unfiltered.max()}
     for axes, letter, heights, title in zip(row, "bcd", maps, titles, strict=True):
-        image = axes.imshow(heights, cmap=MAP_COLOURS, extent=(0, size, size, 0), **height_range)
+        image = axes.imshow(heights, cmap=MAP_COLOURS, extent=(0, size, size, 0), **height_limits)
         axes.axhline(size / 2, color="white", lw=0.7, ls=":")
         start = 0.05 * size
         axes.plot([start, start + SCALE_BAR], [0.93 * size] * 2, color="white", lw=2.5)
