@@ -77,7 +77,7 @@ def _environment() -> Any:
         "without_interval": quantities.without_interval, "unbroken": unbroken,
         "percent": format_share, "share_of_decades": _share_of_decades,
         # A point before a digit, as in Eq. 2, ends no sentence.
-        "first_sentence": lambda text: re.split(r"(?<=\.) (?=[A-Z])", text, maxsplit=1)[0],
+        "first_sentence": lambda text: re.split(r"(?<=\.) (?=[\"A-Z])", text, maxsplit=1)[0],
         "base64": lambda data: base64.b64encode(data).decode("ascii"),
     }  # fmt: skip
     environment.globals["caption"] = caption

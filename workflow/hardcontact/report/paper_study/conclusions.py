@@ -38,7 +38,6 @@ def claim_facts(claims: pd.DataFrame) -> dict[str, Any]:
     independent = [row for row in facts.values() if row["kind"] == "independent"]
     # Main statements first.
     ordered = sorted(independent, key=lambda row: row["main"] == "")
-    reproduced = [row for row in ordered if row["verdict"] == REPRODUCED]
     main_rules = {facts[name]["rule"] for name in ranks}
     return {
         # Rows by id, and the ids of main statements by rank.
@@ -49,12 +48,13 @@ def claim_facts(claims: pd.DataFrame) -> dict[str, Any]:
             rule.removeprefix("factor ") for rule in main_rules if rule.startswith("factor ")
         ),
         # Rows of independent statements, main statements first.
-        "reproduced": reproduced,
         "contradicted": [row for row in ordered if row["verdict"] == NOT_REPRODUCED],
         "counts": count_verdicts(claims).to_dict("records"),
         "decisive_share": REPRODUCED_SHARE,
         # Statements that are reproduced without any scan.
-        "without_scan": sum(row["basis"] in WITHOUT_SCAN for row in reproduced),
+        "without_scan": sum(
+            row["basis"] in WITHOUT_SCAN for row in independent if row["verdict"] == REPRODUCED
+        ),
         # Statements that only the paper's pixels can test.
         "larger_pixels": sum(LARGER_PIXELS in (row["note"] or "") for row in independent),
     }
