@@ -5,6 +5,18 @@ from hardcontact.records.code import code_inputs, page_templates
 from hardcontact.records.packages import PINS
 from hardcontact.report.figures.listing import PAPER_FIGURES, caption, describe_figure
 
+#: The datasets of the study whose numbers the answer has.
+DATASETS_OF_ANSWER = [
+    "topography",
+    "scales",
+    "edges",
+    "sensitivity",
+    "band_forces",
+    "sets",
+    "features",
+    "fit",
+]
+
 for name in PAPER_FIGURES:
     figure = describe_figure(name)
 
@@ -37,20 +49,10 @@ for name in PAPER_FIGURES:
 rule answer_paper:
     """Write the numbers of the answer, the page that shows them, and the pages of the report."""
     input:
-        **{
-            name: PATTERNS.dataset(name)
-            for name in (
-                "topography",
-                "scales",
-                "edges",
-                "sensitivity",
-                "band_forces",
-                "sets",
-                "features",
-                "fit",
-            )
-        },
-        scan_size="resources/validation/scan_size.nc",
+        datasets=[
+            *(PATTERNS.dataset(name) for name in DATASETS_OF_ANSWER),
+            "resources/validation/scan_size.nc",
+        ],
         claims=PATTERNS.result("claims.csv"),
         published_constants=PUBLISHED_TABLES["published_constants"],
         published_table1=PUBLISHED_TABLES["published_table1"],
@@ -72,6 +74,6 @@ rule answer_paper:
         },
         **ANSWER,
     params:
-        parameters=dict(**config),
+        parameters=config,
     script:
         "../scripts/answer_paper.py"

@@ -19,7 +19,7 @@ rule describe_study:
         surfaces=PATTERNS.result("surfaces.tsv"),
         variables=PATTERNS.result("datasets.md"),
     params:
-        parameters=dict(**config),
+        parameters=config,
     script:
         "../scripts/describe_study.py"
 

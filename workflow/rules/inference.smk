@@ -119,6 +119,6 @@ rule apply_classical_models:
     output:
         PATTERNS.dataset("classical"),
     params:
-        parameters=dict(**SAMPLING),
+        parameters=SAMPLING,
     script:
         "../scripts/apply_classical_models.py"

@@ -163,7 +163,7 @@ rule find_edges_of_scans:
     output:
         PATTERNS.dataset("edges"),
     params:
-        parameters=dict(**MASTER_PARAMETERS),
+        parameters=MASTER_PARAMETERS,
     script:
         "../scripts/find_edges_of_scans.py"
 
@@ -200,6 +200,6 @@ if HAS_FORCES:
         output:
             PATTERNS.dataset("fit"),
         params:
-            parameters=dict(**SAMPLING),
+            parameters=SAMPLING,
         script:
             "../scripts/fit_measured.py"

@@ -25,7 +25,7 @@ rule read_scan:
     output:
         PATTERNS.measurement,
     params:
-        parameters=lambda w: dict(**reading_keys(STUDY, SELECTION.dataset(w.surface, int(w.scan)))),
+        parameters=lambda w: reading_keys(STUDY, SELECTION.dataset(w.surface, int(w.scan))),
     script:
         "../scripts/read_scan.py"
 
@@ -37,7 +37,7 @@ rule measure_spectrum:
     output:
         PATTERNS.measured_spectrum,
     params:
-        parameters=lambda w: dict(**PLAN.measurement_settings(w.surface)),
+        parameters=lambda w: PLAN.measurement_settings(w.surface),
     script:
         "../scripts/measure_spectrum.py"
 
@@ -80,7 +80,7 @@ rule prepare_scan:
     wildcard_constraints:
         surface=any_name_pattern(SELECTION.measured_surfaces),
     params:
-        parameters=lambda w: dict(**PLAN.levelling_settings(w.surface)),
+        parameters=lambda w: PLAN.levelling_settings(w.surface),
     script:
         "../scripts/prepare_scan.py"
 

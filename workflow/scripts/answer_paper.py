@@ -16,13 +16,8 @@ from hardcontact.report.paper_study.pages import figures_page, paper_page, repor
 from hardcontact.report.paper_study.table1 import table1_rows
 from hardcontact.report.templates import Frame
 
-DATASETS = (
-    "topography", "scales", "edges", "sensitivity", "band_forces", "sets", "features", "fit",
-    "scan_size",
-)  # fmt: skip
-
 with run_job(snakemake) as job:
-    datasets = {name: read(job.input[name]) for name in DATASETS}
+    datasets = {path.stem: read(path) for path in map(Path, job.input.datasets)}
     claims = read_verdicts(job.input.claims)
     claims = add_open_ends(claims, [datasets["edges"], datasets["sets"]])
     constants = published.read_constants(job.input.published_constants)
