@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 import xarray as xr
 from direct_sum import direct_force, direct_total, gap_of_bodies
-from periodic_maps import CONTACT, make_bodies, periodic_noise
+from periodic_maps import CONTACT, make_bodies, periodic_map, periodic_noise
 
 from hardcontact.contact.attraction import trace_contact
-from hardcontact.contact.pull_off import pull_off_dataset
+from hardcontact.contact.pull_off import make_force_function, pull_off_dataset
 from hardcontact.contact.scan_pull_off import compute_finer_pixel_ratio, largest_window_change
 
 RHOS = [1.0, 5.6]
@@ -83,3 +83,10 @@ def test_a_traced_contact_has_the_force_of_its_bodies():
     assert pressure.max() == pytest.approx(46.3e-3 / 5.6e-9)
     assert pressure.sum(dtype=float) * 64e-18 == pytest.approx(force, rel=1e-5)
     assert traced["force"].values[0] == -traced.attrs["pull_off_force"]
+
+
+@pytest.mark.parametrize("missing", ["window", "rho"])
+def test_a_force_without_a_field_of_the_contact_says_which(missing):
+    surface = periodic_map(periodic_noise(96, 20.0, 1), 50.0)
+    with pytest.raises(ValueError, match=f"contact: expected {missing}, found none"):
+        make_force_function(replace(CONTACT, **{missing: np.nan}))(surface)

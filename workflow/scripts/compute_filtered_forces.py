@@ -11,7 +11,7 @@ with run_job(snakemake) as job:
     params = job.parameters
     loaded_contacts = [
         Contact(
-            radius=params["radii"][0],
+            radius=params["radii"][0],  # `filtered_pull_off` replaces it by each radius.
             window=params["window"],
             contacts_per_row=params["contacts_per_row"],
             **loading,

@@ -34,6 +34,7 @@ def trace_contact(bodies: Bodies, index: tuple[int, int], contact: Contact) -> x
     The index is row and column in the array. Returns ``gap`` (y, x) in nm, negative where the rigid
     bodies would overlap, ``adhesive_pressure`` (y, x) in Pa and ``force`` (separation) in N.
     """
+    contact.require("rho", "work")
     pixel_size = bodies.geometry.pixel_size
     rho = contact.rho
     gap = reference_gap_map(bodies, index)

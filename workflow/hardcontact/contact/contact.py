@@ -59,7 +59,7 @@ class Contact:
 
     The loading is the preload and the hardness, or that the contact is rigid. Every computation
     needs the first three fields. Height maps also need window and array; forces at one range need
-    `rho`, forces in N other than at 1 J/m² `work`. A field left out is NaN.
+    `rho`, forces in N other than at 1 J/m² `work`. A field left out is NaN; `require` refuses it.
     """
 
     radius: float  #: Radius of the sphere in nm.
@@ -81,6 +81,11 @@ class Contact:
     def area(self) -> float:
         """The contact area, preload over hardness, in nm²; zero in rigid contact, at a point."""
         return self.preload / self.hardness * 1e18 if self.plastic else 0.0
+
+    def require(self, *fields: str) -> None:
+        """Raise ValueError if a field that a computation needs was left out."""
+        if missing := [field for field in fields if math.isnan(getattr(self, field))]:
+            raise ValueError(f"contact: expected {' and '.join(missing)}, found none")
 
     def pixel_count(self, pixel_size: float) -> int:
         """Return the least number of contact pixels (size in nm) that carry the preload.

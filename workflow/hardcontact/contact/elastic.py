@@ -219,6 +219,7 @@ def solve_elastic_contacts(
     width of the pull-off window about the lowest gap in nm. Returns ELASTIC_UNITS (contact), and
     ``pressure`` (y, x) in Pa of the first contact. Raises ValueError if no equilibrium is found.
     """
+    contact.require("rho", "work")
     geometry = bodies.geometry
     pixel_size = geometry.pixel_size
     period_pixels = min(bodies.substrate.pixels, geometry.window_pixels)

@@ -101,6 +101,7 @@ def join_bodies(substrate: HeightMap, sphere: HeightMap | None, contact: Contact
     The coarser map is Fourier interpolated to the whole number of pixels nearest to its period. The
     sphere is its mirrored roughness, or None for a smooth sphere.
     """
+    contact.require("window")
     substrate = _in_native_precision(substrate)
     sphere_roughness = None
     if sphere is not None:

@@ -42,8 +42,7 @@ def force_of_sums(
     if not np.isfinite(sums).all():
         raise ValueError(
             f"rho = {np.min(rho):g} nm: expected a longer range of adhesion, because the surface "
-            f"rises over {EXP_LIMITS[np.float64]:.0f} ranges above a contact, more than exp() can "
-            "hold"
+            f"rises over {EXP_LIMITS[np.float64]:g} ranges above a contact, more than exp() holds"
         )
     pixel_force = work_of_adhesion / np.asarray(rho) * pixel_size**2 * NANOMETRE
     return np.asarray(pixel_force * np.asarray(sums))
@@ -85,6 +84,7 @@ def forces_at_loadings(
 
 def make_force_function(contact: Contact, sphere: HeightMap | None = None) -> ForcesOnSurface:
     """Return a function of a surface: its forces (contact_y, contact_x) in N at 1 J/m²."""
+    contact.require("rho")
 
     def compute_forces(surface: HeightMap) -> Floats:
         bodies = join_bodies(surface, sphere, contact)

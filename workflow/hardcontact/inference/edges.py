@@ -178,8 +178,7 @@ def edges_of_curves(ratios: xr.Dataset, tolerance: float) -> xr.Dataset:
             edges.append(find_edge(curve))
             intervals.append(edge_interval(curve, lowest, highest))
     variables = edge_variables(edges, dimensions, shape)
-    interval = np.reshape(intervals, (*shape, 2))
-    variables["edge_interval"] = ((*dimensions, "end"), interval, NM)
+    variables["edge_interval"] = ((*dimensions, "end"), np.reshape(intervals, (*shape, 2)), NM)
     return xr.Dataset(variables, {dim: ratios[dim] for dim in dimensions} | {"end": ENDS})
 
 
@@ -193,12 +192,9 @@ def _curve_with_interval(ratios: xr.Dataset, tolerance: float) -> tuple[ChangeCu
         interval = np.where(np.isnan(interval), ratio[:, None], interval)
     with np.errstate(divide="ignore"):  # the lower end of an interval without bounds is zero
         log_ratios = np.log([ratio, *interval.T])
-    return ordered_curve(
-        str(ratios["side"].item()),
-        ratios["cutoff_wavelength"].values,
-        log_ratios,
-        logarithmic_limits(tolerance),
-    )
+    cutoffs = ratios["cutoff_wavelength"].values
+    limits = logarithmic_limits(tolerance)
+    return ordered_curve(str(ratios["side"].item()), cutoffs, log_ratios, limits)
 
 
 def edge_variables(
