@@ -1,8 +1,8 @@
 """Adhesion of hard, rough contacts: from height maps to pull-off forces and the scales that matter.
 
 The subpackages are layers. Each imports only from itself and from earlier ones in this order:
-`base`, `records`, `surfaces`, `scans`, `contact`, `inference`, `theory`, `paper`, `config`,
-`files`, `run`, `own`, `report`, `commands`. workflow/README.md says what each layer holds. Programs
+`base`, `records`, `surfaces`, `scans`, `contact`, `inference`, `theory`, `config`, `paper`,
+`own`, `files`, `run`, `report`, `commands`. workflow/README.md says what each layer holds. Programs
 import the functions of the module `api` from this package. A function is loaded when it is first
 used, because no job of the study depends on it.
 """

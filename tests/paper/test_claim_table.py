@@ -5,10 +5,10 @@ import pytest
 from refusals import refusal
 from repository import ROOT
 
-from hardcontact.config.claim_table import refuse_claims
 from hardcontact.contact.contact import CONTACT_MODELS
 from hardcontact.inference.band_forces import BAND_PARTS
 from hardcontact.paper.claim_selection import LABELS, SURFACES
+from hardcontact.paper.claim_table import refuse_claims
 from hardcontact.paper.classical_comparison import METRIC_PREFIXES
 from hardcontact.paper.classical_models import MODELS, Roughness
 from hardcontact.paper.exponents import SCALED_QUANTITIES
