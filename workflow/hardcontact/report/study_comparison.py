@@ -22,6 +22,8 @@ NO_LOW_END = (EdgeStatus.OPEN_BELOW, NumberStatus.INTERVAL_OPEN_LOW, *NO_INTERVA
 NO_HIGH_END = (EdgeStatus.OPEN_ABOVE, NumberStatus.INTERVAL_OPEN_HIGH, *NO_INTERVAL_WORDS)
 #: Agreements in the order of rows; the others, which resolve no change, stand between.
 AGREEMENT_RANKS = {"changed": 0, "different": 1, "equal": 3}
+#: Numbers that answer the question; they come first.
+MAIN_NUMBERS = re.compile("(first_)?(short|long)_edge|mean_force|(range|work)_of_adhesion")
 #: Numbers beside the answer, by the beginning or end of their names; they come last.
 SIDE_NUMBERS = re.compile("(bumps|pits|gaussian|verdicts)_.*|.*_(scatter|agreeing_share)")
 
@@ -74,12 +76,13 @@ class ComparedNumber(NamedTuple):
         return "same" if max(low) <= min(high) else "different"
 
     @property
-    def sort_key(self) -> tuple[bool, int, float]:
-        """Key that sorts rows: numbers of the answer first, then resolved, then large changes."""
+    def sort_key(self) -> tuple[bool, bool, int, float]:
+        """Key that sorts rows: the main numbers first, then resolved, then large changes."""
         largest = max(abs(self.first.value), abs(self.second.value)) or 1.0
         size = np.nan_to_num(abs(self.second.value - self.first.value) / largest)
-        is_side_number = bool(SIDE_NUMBERS.fullmatch(self.name))
-        return is_side_number, AGREEMENT_RANKS.get(self.agreement, 2), -size
+        is_side = bool(SIDE_NUMBERS.fullmatch(self.name))
+        is_main = bool(MAIN_NUMBERS.fullmatch(self.name))
+        return is_side, not is_main, AGREEMENT_RANKS.get(self.agreement, 2), -size
 
 
 class Comparison(NamedTuple):
