@@ -40,9 +40,11 @@ DESCRIPTION_INPUTS = {
     "tables": lambda w: SELECTION.tables(w.surface),
 }
 SUBSTITUTE_INPUTS = {
-    "spectrum": lambda w: FILES.spectrum_path(w.surface),
-    "published_table1": PUBLISHED_TABLES["published_table1"],
-    "published_constants": PUBLISHED_TABLES["published_constants"],
+    "substitute": lambda w: [
+        FILES.spectrum_path(w.surface),
+        PUBLISHED_TABLES["published_table1"],
+        PUBLISHED_TABLES["published_constants"],
+    ],
 }
 WHOLE_SURFACES = {
     "seed": STUDY["seed"],

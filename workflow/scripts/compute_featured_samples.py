@@ -5,18 +5,12 @@ from hardcontact.paper.featured_samples import compute_samples
 from hardcontact.records.job import run_job
 from hardcontact.surfaces.featured_scans import featured_surface
 from hardcontact.surfaces.substitutes import read_substitute
-from hardcontact.surfaces.synthesis import ScanGrid
 
 with run_job(snakemake) as job:
     params = job.parameters
     numbers = range(params["first"], params["last"] + 1)
     substitute = read_substitute(
-        params["surface"],
-        job.input.spectrum,
-        job.input.published_table1,
-        job.input.published_constants,
-        ScanGrid(**params["scan_grid"]),
-        params["seed"],
+        params["surface"], job.input.substitute, params["scan_grid"], params["seed"]
     )
     samples = compute_samples(
         params["features"],

@@ -4,18 +4,12 @@ from hardcontact.contact.contact import Contact
 from hardcontact.paper.pool import compute_pool, pool_heights
 from hardcontact.records.job import run_job
 from hardcontact.surfaces.substitutes import read_substitute, required_targets
-from hardcontact.surfaces.synthesis import ScanGrid
 
 with run_job(snakemake) as job:
     params = job.parameters
     numbers = range(params["first"], params["last"] + 1)
     substitute = read_substitute(
-        params["surface"],
-        job.input.spectrum,
-        job.input.published_table1,
-        job.input.published_constants,
-        ScanGrid(**params["scan_grid"]),
-        params["seed"],
+        params["surface"], job.input.substitute, params["scan_grid"], params["seed"]
     )
     contact = Contact(**params["contact"])
     rms_heights = pool_heights(

@@ -9,19 +9,13 @@ from hardcontact.inference.octaves import octave_force_dataset, octave_limits
 from hardcontact.records.job import run_job
 from hardcontact.surfaces.featured_scans import whole_surface
 from hardcontact.surfaces.substitutes import read_substitute
-from hardcontact.surfaces.synthesis import ScanGrid
 
 with run_job(snakemake) as job:
     params = job.parameters
     numbers = params["realizations"]
     contact = Contact(**params["contact"])
     substitute = read_substitute(
-        params["surface"],
-        job.input.spectrum,
-        job.input.published_table1,
-        job.input.published_constants,
-        ScanGrid(**params["scan_grid"]),
-        params["seed"],
+        params["surface"], job.input.substitute, params["scan_grid"], params["seed"]
     )
     description = None if params["has_features"] else job.input.description
     forces = {}

@@ -5,17 +5,11 @@ from hardcontact.surfaces.conditioning import condition_group, conditioned_scan
 from hardcontact.surfaces.featured_scans import featured_group
 from hardcontact.surfaces.levelling import LEVELLED, MIRRORED, level_and_mirror
 from hardcontact.surfaces.substitutes import read_substitute
-from hardcontact.surfaces.synthesis import ScanGrid
 
 with run_job(snakemake) as job:
     params = job.parameters
     substitute = read_substitute(
-        params["surface"],
-        job.input.spectrum,
-        job.input.published_table1,
-        job.input.published_constants,
-        ScanGrid(**params["scan_grid"]),
-        params["seed"],
+        params["surface"], job.input.substitute, params["scan_grid"], params["seed"]
     )
     scan_numbers = params["scan_numbers"]
     if params["has_features"]:

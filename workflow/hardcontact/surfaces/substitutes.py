@@ -5,10 +5,10 @@ the published scans that groups of its scans meet.
 """
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 import pandas as pd
@@ -83,17 +83,18 @@ class Substitute:
 
 
 def read_substitute(
-    surface_name: str,
-    spectrum_path: str,
-    table1_path: str,
-    constants_path: str,
-    grid: ScanGrid,
-    seed: int,
+    surface_name: str, paths: Sequence[str], grid: Mapping[str, Any], seed: int
 ) -> Substitute:
-    """Read what the scans of a substitute are made of: its spectrum and the published tables."""
+    """Read what the scans of a substitute are made of, from the paths of three files.
+
+    These are its spectrum, Table 1 and the constants of the paper; `grid` has the fields of
+    `ScanGrid`.
+    """
+    spectrum_path, table1_path, constants_path = paths
     table1 = published.rows_of_surface(published.read_table1(table1_path), surface_name)
     constants = published.read_constants(constants_path)
-    return Substitute(surface_name, dataset.read(spectrum_path), table1, constants, grid, seed)
+    data = dataset.read(spectrum_path)
+    return Substitute(surface_name, data, table1, constants, ScanGrid(**grid), seed)
 
 
 def required_targets(substitute: Substitute) -> Targets:
