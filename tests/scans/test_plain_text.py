@@ -55,8 +55,8 @@ MATRICES = {
 def test_a_bare_matrix_is_read_with_its_size_and_unit(tmp_path, name):
     path = written(tmp_path / "a.csv", MATRICES[name])
     message = refusal(read_scan, path)
-    assert_says(message, "physical size and unit", "found none", "--size 5um", "--unit nm")
-    assert_says(refusal(read_scan, path, "", "refuse", "nm"), "--size 5um", "scan.map_size")
+    assert_says(message, "physical size and unit", "found none", "--size 5000nm", "--unit nm")
+    assert_says(refusal(read_scan, path, "", "refuse", "nm"), "--size 5000nm", "scan.map_size")
     measurement = read_scan(path, unit="nm", map_size=240.0)
     assert measurement.pixel_size == pytest.approx(10.0)
     np.testing.assert_allclose(measurement.heights, MAP, atol=1e-4)

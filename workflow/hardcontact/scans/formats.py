@@ -158,7 +158,8 @@ def _read_topography(channel: Any, metadata: dict[str, Any]) -> tuple[Any, list[
         remedy = ", and --unit nm (scan.unit: nm) the unit of the heights" if lacks_unit else ""
         raise RefusedFile(
             f"expected a file that states the physical size{' and unit' if lacks_unit else ''} of "
-            "the scan, found none: --size 5um (scan.map_size: 5 um) gives the longer side" + remedy
+            "the scan, found none: --size 5000nm (scan.map_size: 5000nm) gives the longer side"
+            + remedy
         )
     arguments = _accepted_arguments(channel, metadata | {"size": size})
     topography = channel.topography(**arguments)
