@@ -95,8 +95,8 @@ def test_forces_on_scans_equal_those_on_windows_of_their_size():
     labels = {"surface": "mcd", "map_size": 2500.0}
     data["force_over_largest"].loc[labels] = 2.24
     data["force_over_largest_interval"].loc[labels] = [1.48, 3.39]
-    force = Number("force_on_scans", 2.24, "1", 1.48, 3.39)
-    assert numbers_of_answer(answer(scan_size=data), "mcd")["force_on_scans"] == force
+    force = Number("small_scan_ratio", 2.24, "1", 1.48, 3.39)
+    assert numbers_of_answer(answer(scan_size=data), "mcd")["small_scan_ratio"] == force
 
 
 def test_table_1_compares_values_and_marks_those_by_construction():

@@ -181,7 +181,7 @@ def surface_conclusion(numbers: Mapping[str, Number]) -> Conclusion:
     long = _drop_partial_interval(numbers["long_edge"])
     force = _drop_partial_interval(numbers["mean_force"])
     sides = [side for side in SIDES if f"force_extrapolated_{side}" in numbers]
-    sources = {short.source, long.source, numbers["mean_force_change"].source}
+    sources = {short.source, long.source, numbers["mean_force_measured_share"].source}
     if numbers["mean_force"].status == IntervalSource.FEW_PATCHES:
         band = "few_patches"
     elif short.status == NoValue.NO_BAND:

@@ -42,12 +42,12 @@ def force_numbers(data: Datasets) -> list[Number]:
     smooth = dmt_pull_off(force.attrs["work_of_adhesion"], force.attrs["sphere_radius"])
     return [
         add_status(mean, force["interval_source"]),
-        _change_from_smooth(data),
+        _measured_share(data),
         *_extrapolated_forces(data),
         Number("median_force", median, "N"),
         number_without_value("middle_forces", lowest, highest, "N"),
         Number("force_middle_share", share),
-        Number("smooth_sphere", float(smooth), "N"),
+        Number("smooth_force", float(smooth), "N"),
         number_of(force, "log_force_std", "1"),
         number_of(force, "weibull_modulus", "1"),
         number_of(force, "contacts_needed", "1"),
@@ -57,7 +57,7 @@ def force_numbers(data: Datasets) -> list[Number]:
     ]
 
 
-def _change_from_smooth(data: Datasets) -> Number:
+def _measured_share(data: Datasets) -> Number:
     """Return the share of reliable wavelengths in the decrease below a smooth sphere's force.
 
     The source is "measured" if artificial wavelengths change the force by at most the tolerance.
@@ -67,7 +67,7 @@ def _change_from_smooth(data: Datasets) -> Number:
     source = "artificial" if share < 1 - NEARLY_ALL else "partly_artificial"
     if artificial <= np.log1p(data.edges.attrs["tolerance"]):
         source = "measured"
-    return Number("mean_force_change", share, source=source)
+    return Number("mean_force_measured_share", share, source=source)
 
 
 def _extrapolated_forces(data: Datasets) -> list[Number]:

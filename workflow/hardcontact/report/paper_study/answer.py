@@ -39,7 +39,7 @@ ANSWER_CLAIMS = {
     "rigid_over_plastic_error": "plasticity_is_crucial",
     "range_on_whole_surfaces": "range_on_whole_surfaces",
     "work_on_whole_surfaces": "work_on_whole_surfaces",
-    "band_force": "band_is_sufficient",
+    "band_force_ratio": "band_is_sufficient",
     "plasticity_shift": "plasticity_moves_short_edge",
     "range_shift": "range_moves_short_edge",
 }
@@ -196,9 +196,10 @@ def _claim_numbers(name: str, row: Any, datasets: Mapping[str, xr.Dataset]) -> l
 
 
 def surface_numbers(surface: str, datasets: Mapping[str, xr.Dataset]) -> dict[str, Number]:
-    """Return both edges of one substrate and its forces: mean, on the band alone, on small scans.
+    """Return both edges of one substrate, its mean force, and two ratios of forces.
 
-    The mean force is at the published range and work of adhesion.
+    The mean force is at the published range and work of adhesion. The ratios are of the force on
+    the band alone to that on all roughness, and of the force on small scans to large surfaces.
     """
     band, sets = datasets["edges"], datasets["sets"]
     numbers = {}
@@ -214,15 +215,16 @@ def surface_numbers(surface: str, datasets: Mapping[str, xr.Dataset]) -> dict[st
     fit = datasets["fit"].sel(contact_model=PLASTIC, pair="published", surface=surface)
     numbers["mean_force"] = number_of(fit, "mean_force_at_pair", name="mean_force")
     band_force = datasets["band_forces"].sel(BAND_ALONE).sel(surface=surface)
-    numbers["band_force"] = number_of(band_force, "band_force_ratio", name="band_force")
-    forces = _forces_on_scans(datasets)
-    if surface in forces["surface"].values:
-        force = forces.sel(surface=surface)
-        numbers["force_on_scans"] = number_of(force, "force_over_largest", name="force_on_scans")
+    numbers["band_force_ratio"] = number_of(band_force, "band_force_ratio")
+    small_scan = _small_scan_forces(datasets)
+    if surface in small_scan["surface"].values:
+        numbers["small_scan_ratio"] = number_of(
+            small_scan.sel(surface=surface), "force_over_largest", name="small_scan_ratio"
+        )
     return numbers
 
 
-def _forces_on_scans(datasets: Mapping[str, xr.Dataset]) -> xr.Dataset:
+def _small_scan_forces(datasets: Mapping[str, xr.Dataset]) -> xr.Dataset:
     """Return the validated forces on mirrored windows of the size of the study's scans."""
     table = datasets["scan_size"]
     windows = table.sel(map_size=table["mirrored"] == 1)
@@ -292,6 +294,6 @@ def _settings(datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame) -> It
     yield Number("sets", datasets["sets"].sizes["set"], source="given")
     yield Number("realizations", scales.sizes["realization"], source="given")
     map_size = datasets["scan_size"]["map_size"]
-    mirrored = _forces_on_scans(datasets)["map_size"]
+    mirrored = _small_scan_forces(datasets)["map_size"]
     yield Number("mirrored_scan_size", float(mirrored), "nm", source="given")
     yield Number("large_surface_size", float(map_size[-1]), "nm", source="given")
