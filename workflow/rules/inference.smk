@@ -33,7 +33,7 @@ rule compute_band_forces:
         parameters=lambda w: dict(
             **WHOLE_SURFACES,
             surface=w.surface,
-            realizations=list(range(1, STUDY["scales"]["whole_surfaces"] + 1)),
+            surface_numbers=list(range(1, STUDY["scales"]["whole_surfaces"] + 1)),
             has_features=w.surface in PLAN.featured_surfaces,
         ),
     script:

@@ -14,7 +14,7 @@ rule compute_whole_surface_forces:
         parameters=lambda w: dict(
             **WHOLE_SURFACES,
             surface=w.surface,
-            realizations=list(range(int(w.first), int(w.last) + 1)),
+            surface_numbers=list(range(int(w.first), int(w.last) + 1)),
             has_features=w.surface in PLAN.featured_surfaces,
             ranges=[rho for rho in RANGES if rho >= SHORTEST_WHOLE_RANGE],
         ),

@@ -12,7 +12,7 @@ from hardcontact.surfaces.substitutes import read_substitute
 
 with run_job(snakemake) as job:
     params = job.parameters
-    numbers = params["realizations"]
+    surface_numbers = params["surface_numbers"]
     compute_forces = make_force_function(Contact(**params["contact"]))
     substitute = read_substitute(
         params["surface"], job.input.substitute, params["scan_grid"], params["seed"]
@@ -21,7 +21,7 @@ with run_job(snakemake) as job:
     published_band = substitute.constants["value"][["short_edge", "long_edge"]]
     bands = {"published": tuple(published_band), "found": mean_band(read(job.input.edges))}
     forces = {}
-    for number in progress(numbers, len(numbers), "surfaces"):
+    for number in progress(surface_numbers, len(surface_numbers), "surfaces"):
         surface = whole_surface(substitute, description, number, **params["grid"])
         forces[(number,)] = band_force_dataset(surface, bands, compute_forces)
     job.write(

@@ -12,14 +12,14 @@ from hardcontact.surfaces.substitutes import read_substitute
 
 with run_job(snakemake) as job:
     params = job.parameters
-    numbers = params["realizations"]
+    surface_numbers = params["surface_numbers"]
     contact = Contact(**params["contact"])
     substitute = read_substitute(
         params["surface"], job.input.substitute, params["scan_grid"], params["seed"]
     )
     description = None if params["has_features"] else job.input.description
     forces = {}
-    for number in progress(numbers, len(numbers), "surfaces"):
+    for number in progress(surface_numbers, len(surface_numbers), "surfaces"):
         surface = whole_surface(substitute, description, number, **params["grid"])
         limits = octave_limits(2 * surface.pixel_size, 2 * surface.size)
         octave_forces = octave_force_dataset(surface, limits, make_force_function(contact))
