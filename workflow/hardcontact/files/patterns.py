@@ -101,7 +101,7 @@ class Patterns:
         self.elastic_contacts = f"{folder['elastic']}/{both_surfaces}"
         self.asperities = f"{folder['asperities']}/{both_surfaces}"
 
-        contact = f"{{radius}}/{{loading}}/{{range}}/{_SURFACE}"
+        contact = f"{{radius}}/{{loading}}/{{rho}}/{_SURFACE}"
         self.pool_forces = f"{folder['pool']}/{contact}/scans-{{first}}-{{last}}.nc"
         self.whole_surface_forces = f"{folder['whole']}/{contact}/surfaces-{{first}}-{{last}}.nc"
         scan_on_sphere = f"{rough_sphere}/{contact}/scan-{{scan}}.nc"
@@ -185,7 +185,7 @@ def wildcard_constraints(surfaces: Iterable[str]) -> dict[str, str]:
         "sphere_kind": "smooth|rough|combined",
         "radius": radius,
         "loading": loading,
-        "range": rho,
+        "rho": rho,
         "radii": list_pattern(radius),
         "loadings": list_pattern(loading),
         "ranges": list_pattern(rho),

@@ -20,7 +20,7 @@ class SurfaceFiles:
         self._defaults = {
             "radius": f"R{path_token(plan.contact.radius, 'um')}",
             "loading": plan.contact.loading_name,
-            "range": f"rho{path_token(plan.contact.rho, 'nm')}",
+            "rho": f"rho{path_token(plan.contact.rho, 'nm')}",
             "sphere_digest": self.sphere_digest,
         }
 
