@@ -94,7 +94,7 @@ DESCRIPTION = (
     "10,1,power law,,,0.8,,,assumed,none\n"
 )
 OVERLAY = (
-    "study: mine\nscan: {pixels: 100, size: 2 um}\nscales:\n  realizations: 3\n  short:\n"
+    "study: mine\nsubstitutes: {pixels: 100, size: 2 um}\nscales:\n  realizations: 3\n  short:\n"
     "    cutoffs: [10 nm, 20 nm]\nseed: 7\nquick:\n  seed: 8\n"
 )
 

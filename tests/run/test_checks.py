@@ -30,14 +30,14 @@ CONTRADICTIONS = [
     ("store", "results/paper/store", "results/paper", "found results/paper/store"),
     ("store", "workflow/store", "in results or outside", "found workflow/store"),
     ("sphere.surface", "glass", "ruby", "found glass"),
-    ("scan.featured_surface", "brass", "found brass"),
+    ("substitutes.featured_surface", "brass", "found brass"),
     ("scans", [1, 7], "[1, 2, 3, 4, 5]", "found [7]"),
     ("quick", {"study": "mine"}, "neither study nor store", "found study"),
     ("sets.pool_size", 4, "the 5 scans of polished_uncd", "found 4"),
     # Several values
     ("adhesion.ranges", ["1 nm", "0.001 um"], "ascending", "found 0.001 um after 1 nm"),
     # Wavelengths and pixels
-    ("scan.size", "20 nm", "0.05 to 10000 nm", "found 0.0390625 nm"),
+    ("substitutes.size", "20 nm", "0.05 to 10000 nm", "found 0.0390625 nm"),
     ("scales.short.cutoffs", ["1.2 nm"], "1.221 nm", "found 1.2"),
     ("scales.short.cutoffs", ["6 um"], "5000 nm", "found 6000"),
     ("scales.short.transition", "9 nm", "found 9 nm"),
@@ -57,13 +57,13 @@ CONTRADICTING_VALUES = [
     (("quick", {"seed": 1}, "study", "my-quick"), "config key study", "the end -quick", "my-quick"),
     (("quick", {"seed": 1}, "store", "results/my-quick"), "config key store", "the end -quick"),
     (
-        ("scan.pixels", 64, "contact.contacts_per_row", 129),
+        ("substitutes.pixels", 64, "contact.contacts_per_row", 129),
         "contact.contacts_per_row",
         "128",
         "found 129",
     ),
     (
-        ("scan.pixels", 32, "sphere.radius", "2500 nm"),
+        ("substitutes.pixels", 32, "sphere.radius", "2500 nm"),
         *("adhesion.ranges", "at least 4.89 nm on", "two pixels", "found 0.05 nm"),
     ),
     (("contact.window", "10 nm"), "contact.preload", "4 pixels", "at most 596 nN", "10 µN"),
@@ -206,7 +206,7 @@ def test_a_changed_file_that_cannot_be_read_is_refused_though_it_was_stored(tmp_
 
 # How far contacts on substitutes can lie apart in height
 
-CONFIG = {"scan": {"pixels": 512, "size": 5000.0}, "scales": {"long": {"tiles": 2}}}
+CONFIG = {"substitutes": {"pixels": 512, "size": 5000.0}, "scales": {"long": {"tiles": 2}}}
 
 
 def rows(name):

@@ -71,7 +71,7 @@ def test_conditioned_scans_have_the_given_statistics(spectrum, numbers):
 
 
 PAPER_GRID = ScanGrid(
-    PAPER["scan"]["pixels"], 2500.0, random_surface_pixels(PAPER["scan"]["pixels"])
+    PAPER["substitutes"]["pixels"], 2500.0, random_surface_pixels(PAPER["substitutes"]["pixels"])
 )
 
 

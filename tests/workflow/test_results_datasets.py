@@ -78,7 +78,7 @@ ruby\truby\t1\tsubstitute\tresources/spectra/ruby.csv\t
 """
 OWN = {
     "study": "own", "surfaces": "own.tsv", "indent": {"surface": "uncd"},
-    "scan": {"featured_surface": "none"},
+    "substitutes": {"featured_surface": "none"},
 }  # fmt: skip
 
 

@@ -42,7 +42,7 @@ OTHER_WORDS = {
     "scans": [1], "scan.undefined_pixels": "harmonic", "scan.unit": "nm", "scan.map_size": "5 um",
     "scan.mask": "exclude", "scan.levelling": "lines",
     "reference_surface": "mcd", "indent.surface": "mcd",
-    "scan.featured_surface": "mcd", "scales.sphere_roughness": True,
+    "substitutes.featured_surface": "mcd", "scales.sphere_roughness": True,
 }  # fmt: skip
 #: The keys of filtered masters by their purpose; a section inherits from those around it.
 _OF_SCANS = (*STORE_KEYS["scans"], "contact.window")
@@ -64,7 +64,9 @@ LEFT_OUT = {
     "sampled_spectra", "perturbed_scans", "hindcast", "both_bodies",
 }  # fmt: skip
 FOLDERS = {kind: keys for kind, keys in STORE_KEYS.items() if kind not in LEFT_OUT}
-FOLDERS["featured_samples"] += ("scan.featured_surface",)  # It names their surface, in the path.
+FOLDERS["featured_samples"] += (
+    "substitutes.featured_surface",
+)  # It names their surface, in the path.
 FOLDERS |= {f"filtered/{purpose}": keys for purpose, keys in FILTERED.items()}
 
 

@@ -32,8 +32,8 @@ CHUNKS = Chunks(FILES)
 CONTACT = STUDY["contact"] | {"radius": STUDY["sphere"]["radius"]}
 CONTACT_AT_RANGE = CONTACT | {"rho": STUDY["adhesion"]["range"]}
 SCAN_GRID = {
-    **{key: STUDY["scan"][key] for key in ("pixels", "size")},
-    "surface_pixels": random_surface_pixels(STUDY["scan"]["pixels"]),
+    **{key: STUDY["substitutes"][key] for key in ("pixels", "size")},
+    "surface_pixels": random_surface_pixels(STUDY["substitutes"]["pixels"]),
 }
 DESCRIPTION_INPUTS = {
     "description": lambda w: SELECTION.description(w.surface),

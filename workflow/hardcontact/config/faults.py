@@ -142,7 +142,8 @@ def _describe_unknown(model: type[BaseModel], section: type[BaseModel], names: l
     """Return the expected keys of a section, or keys of the model that unknown keys resemble."""
     known_keys = list(section.model_fields)
     written = {key: _key_in_yaml(key) for key, _ in key_fields(model)}
-    written |= {key.rpartition(".")[2]: text for key, text in written.items()}
+    # Of keys with the same name in several sections, the first.
+    written |= {key.rpartition(".")[2]: text for key, text in reversed(written.items())}
     written |= {key: key for key in known_keys}
     current = [RENAMED_KEYS.get(name, name) for name in names]
     matches = [difflib.get_close_matches(name, written, 1, SIMILARITY) for name in current]

@@ -57,15 +57,8 @@ class SphereKeys(Keys):
 
 
 class ScanKeys(Keys):
-    """Substitutes (random scans in place of scans of the paper), and how your scans are read."""
+    """How measured scans are read and levelled."""
 
-    pixels: Annotated[int, Field(ge=16, le=8192)] = key(512, "Methods")
-    """Pixels per row of a substitute. More pixels resolve shorter wavelengths and cost time."""
-    size: types.Length = key("2500 nm", "Methods")
-    """Width of a substitute. A wider one has longer wavelengths, and larger pixels."""
-    featured_surface: types.SurfaceId = "polished_uncd"
-    """Substrate whose substitutes have bumps or pits on a Gaussian base, or `none`. Their rms
-    heights then scatter as much as the published ones."""
     undefined_pixels: Literal["refuse", "harmonic"] = "refuse"
     """`refuse` measured scans with undefined pixels, or fill the gaps with a `harmonic` function,
     which is smoother than the surface."""
@@ -79,6 +72,18 @@ class ScanKeys(Keys):
     levelling: Literal["plane", "lines", "quadratic"] = "plane"
     """Subtracted from scans: a `plane`; with `lines` also streaks and offsets of lines; with
     `quadratic` also the bow of a scanner. The last two remove some real roughness, too."""
+
+
+class SubstituteKeys(Keys):
+    """Substitutes: random scans in place of scans that are not available."""
+
+    pixels: Annotated[int, Field(ge=16, le=8192)] = key(512, "Methods")
+    """Pixels per row of a substitute. More pixels resolve shorter wavelengths and cost time."""
+    size: types.Length = key("2500 nm", "Methods")
+    """Width of a substitute. A wider one has longer wavelengths, and larger pixels."""
+    featured_surface: types.SurfaceId = "polished_uncd"
+    """Substrate whose substitutes have bumps or pits on a Gaussian base, or `none`. Their rms
+    heights then scatter as much as the published ones."""
 
 
 class ContactKeys(Keys):
@@ -275,6 +280,7 @@ class Study(Keys):
     """Keys of `effort: quick`. Names of study and store then end with `-quick`."""
     sphere: SphereKeys = SphereKeys()
     scan: ScanKeys = ScanKeys()
+    substitutes: SubstituteKeys = SubstituteKeys()
     contact: ContactKeys = ContactKeys()
     adhesion: AdhesionKeys = AdhesionKeys()
     intervals: IntervalKeys = IntervalKeys()

@@ -82,15 +82,15 @@ class StudyPlan:
     @property
     def featured_surfaces(self) -> list[str]:
         """The substrate whose scans have features, if it is a substitute of a published surface."""
-        surface = self.configuration["scan"]["featured_surface"]
+        surface = self.configuration["substitutes"]["featured_surface"]
         return [name for name in self.selection.sampled_substrates if name == surface]
 
     @property
     def whole_surface_grid(self) -> dict[str, Any]:
         """Pixels per row of a whole surface, and their size (nm), as of long masters."""
-        scan = self.configuration["scan"]
+        grid = self.configuration["substitutes"]
         tiles = self.configuration["scales"]["long"]["tiles"]
-        return {"pixels": 2 * tiles * scan["pixels"], "pixel_size": scan["size"] / scan["pixels"]}
+        return {"pixels": 2 * tiles * grid["pixels"], "pixel_size": grid["size"] / grid["pixels"]}
 
     # Both bodies
 

@@ -13,8 +13,8 @@ from hardcontact.surfaces.features import KINDS
 
 _KEYS_OF_READING = ("scan.undefined_pixels", "scan.unit", "scan.map_size", "scan.mask")
 _KEYS_OF_MEASURED = (*_KEYS_OF_READING, "scan.levelling", "scans")
-_KEYS_OF_GAUSSIAN = ("seed", "scans", "scan.pixels", "scan.size")
-_KEYS_OF_SUBSTITUTES = (*_KEYS_OF_GAUSSIAN, "scan.featured_surface")
+_KEYS_OF_GAUSSIAN = ("seed", "scans", "substitutes.pixels", "substitutes.size")
+_KEYS_OF_SUBSTITUTES = (*_KEYS_OF_GAUSSIAN, "substitutes.featured_surface")
 #: Keys on which every scan, measured or substitute, and everything computed from scans depend.
 KEYS_OF_SCANS = (*_KEYS_OF_SUBSTITUTES, *_KEYS_OF_MEASURED)
 _KEYS_OF_CONTACTS = (*KEYS_OF_SCANS, "contact.window", "contact.contacts_per_row")

@@ -104,8 +104,8 @@ def _paper_faults(config: dict[str, Any], contacts: pd.DataFrame) -> list[str]:
     substrates = [surface for surface in surfaces if surface != sphere]
     for key in ("reference_surface", "indent.surface"):
         faults += _name_faults(config, key, substrates)
-    if config["scan"]["featured_surface"] != NONE:
-        faults += _name_faults(config, "scan.featured_surface", substrates)
+    if config["substitutes"]["featured_surface"] != NONE:
+        faults += _name_faults(config, "substitutes.featured_surface", substrates)
     pull_off_table = published.PUBLISHED_TABLES["published_pull_off"]
     compared = published.read_measured_statistics(pull_off_table).index
     unpublished = [surface for surface in substrates if surface not in compared]
@@ -167,14 +167,14 @@ def surface_grid(config: dict[str, Any], surface: str, rows: pd.DataFrame) -> Gr
     """
     path = rows.path.iloc[0]
     if rows.source.iloc[0] == "substitute":
-        pixels = config["scan"]["pixels"]
-        size = config["scan"]["size"]
+        pixels = config["substitutes"]["pixels"]
+        size = config["substitutes"]["size"]
         relief = SUBSTITUTE_RELIEF
         if not needs_calibration(read_segments(path)):
             largest = 2 * size * config["scales"]["long"]["tiles"]
             relief = RELIEF_OVER_RMS * described_rms_height(path, largest)
         grid = Grid(pixels, size / pixels, size, relief)
-        location = "config key scan.size"
+        location = "config key substitutes.size"
     else:
         grid = _measured_grid(config, surface, rows)
         location = path

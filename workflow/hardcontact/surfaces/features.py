@@ -156,7 +156,7 @@ def sample_features(
                 counts=tuple(counts[index].tolist()),
             )
     raise ValueError(
-        "config key scan.featured_surface: expected features that give rms heights of "
+        "config key substitutes.featured_surface: expected features that give rms heights of "
         f"{statistics.means[0]:.3g} ± {statistics.stds[0]:.3g} nm, found none in "
         f"{MAX_BATCHES * BATCH_SIZE} tries: set it to none"
     )
