@@ -102,12 +102,6 @@ def without_interval(number: Number) -> str:
     return re.sub(r" \[[^]]*\]| \(.*\)", "", in_words(number, 2))
 
 
-def value_in_words(number: Number) -> str:
-    """Return a number in words without its interval, with two digits."""
-    wide = number._replace(low=number.value / 2, high=2 * number.value)  # prints two digits
-    return without_interval(wide)
-
-
 def _open_interval_words(number: Number, digits: int) -> str:
     """Return the words after a value whose interval lacks one end or both, or an empty text."""
     low, high = math.isfinite(number.low), math.isfinite(number.high)

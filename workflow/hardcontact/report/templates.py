@@ -73,7 +73,6 @@ def _environment() -> Any:
     environment.filters |= {
         "format_number": quantities.format_number, "in_words": quantities.in_words,
         "two_digit_words": lambda number: quantities.in_words(number, 2), "linked": _linked,
-        "value_in_words": quantities.value_in_words,
         "without_interval": quantities.without_interval, "unbroken": unbroken,
         "percent": format_share, "share_of_decades": _share_of_decades,
         # A point before a digit, as in Eq. 2, ends no sentence.

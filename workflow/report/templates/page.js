@@ -75,7 +75,7 @@ document.querySelectorAll(".table table").forEach(table => {
   const shown = () => [...table.rows].filter(row => !row.hidden);
   tools.append(button("Copy", () => navigator.clipboard.writeText(
     shown().map(row => [...row.cells].map(text).join("\t")).join("\n"))));
-  table.before(tools);
+  table.caption.prepend(tools);
 });
 
 function closeFigures() {

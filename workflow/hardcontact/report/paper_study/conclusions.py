@@ -1,5 +1,6 @@
 """Conclusions from the claims and numbers of the paper's study, which templates put into words."""
 
+import math
 from collections.abc import Mapping
 from typing import Any
 
@@ -21,6 +22,8 @@ from hardcontact.report.quantities import NO_INTERVAL_WORDS
 
 #: Sets of scans below which the ends of a 95 % interval rest on one or two outermost sets.
 MIN_SETS = 50
+#: In place of a number that the paper does not print, because the statement says all.
+IN_WORDS = "as stated"
 #: Grids whose size the paper prints.
 GRIDS = ("scan_pixels", "contacts_per_row")
 
@@ -74,7 +77,7 @@ def _printed_claim(row: Mapping[Any, Any]) -> dict[str, Any]:
         bounds = {"open_end": row["open_end"], "limits": limits}
         computed_text = format_as_paper(row["computed"], unit, interval, **bounds)
     return {
-        "published_text": "" if is_limit else format_as_paper(row["published"], unit),
+        "published_text": ("" if is_limit else format_as_paper(row["published"], unit)) or IN_WORDS,
         "accepted_text": _print_accepted_range(row["accepted_low"], row["accepted_high"], unit),
         "computed_text": computed_text,
         "kind": BY_CONSTRUCTION if row["verdict"] == BY_CONSTRUCTION else kind,
@@ -87,9 +90,15 @@ def _print_accepted_range(low: float, high: float, unit: str) -> str:
         return f"below {format_as_paper(high, unit)}"
     if np.isinf(high):
         return f"above {format_as_paper(low, unit)}"
-    first, last = format_as_paper(low, unit), format_as_paper(high, unit)
-    number, _, first_unit = first.partition(" ")
-    return f"{number} to {last}" if last.endswith(f" {first_unit}") else f"{first} to {last}"
+    low_text, _, low_unit = format_as_paper(low, unit).partition(" ")
+    high_text, _, high_unit = format_as_paper(high, unit).partition(" ")
+    if low_unit != high_unit:
+        return f"{low_text} {low_unit} to {high_text} {high_unit}"
+    # Both ends have equally many decimals: as many as the larger one has with three digits.
+    finest = 2 - math.floor(math.log10(max(abs(float(low_text)), abs(float(high_text)))))
+    printed = max(len(text.partition(".")[2]) for text in (low_text, high_text))
+    decimals = max(min(finest, printed), 0)
+    return f"{float(low_text):.{decimals}f} to {float(high_text):.{decimals}f} {high_unit}".rstrip()
 
 
 def draw_conclusions(numbers: Mapping[str, Number]) -> dict[str, Any]:
