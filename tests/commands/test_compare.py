@@ -83,6 +83,7 @@ def test_a_number_that_moves_is_named(paper, factor, name, surface, changes):
     (Number("n", 5, status="no_interval"), Number("n", 7), "same"),
     (Number("n", float("nan"), high=6), Number("n", 7), "different"),
     (Number("n", float("nan"), status="no_band"), Number("n", 7), "unknown"),
+    (Number("n", 5, status="hard"), Number("n", 7, status="hard"), "no_interval"),
 ])  # fmt: skip
 def test_numbers_are_the_same_if_their_intervals_overlap(first, second, agreement):
     for pair in ((first, second), (second, first)):
@@ -141,7 +142,8 @@ def test_single_surfaces_of_two_own_studies_are_compared_whatever_their_names():
 def test_what_cannot_be_compared_is_refused_in_a_line(written):
     message = refusal(printed, written / "paper", written)
     assert message.count("\n") == 0
-    assert_says(message, "results/answer.json", "snakemake answer")
+    assert_says(message, "results/answer.json", "without it", "snakemake answer")
+    assert_says(refusal(printed, "paper", "absent"), "absent: expected", "no such folder")
     (written / "answer.json").write_text("[]")
     assert_says(refusal(printed, written, "paper"), "expected the answer of a study")
     (written / "answer.json").write_text(json.dumps(own("mine", "bare")))

@@ -9,6 +9,7 @@ import xarray as xr
 from hardcontact.base.number import Number
 from hardcontact.report.answer import all_quantities, answer_text, numbers_of_answer
 from hardcontact.report.quantities import (
+    in_three_digits,
     in_words,
     number_of,
     number_without_value,
@@ -66,6 +67,18 @@ def test_a_number_is_printed_with_its_interval_and_status(number, words):
 )
 def test_a_number_without_its_interval_keeps_the_digits(number, words):
     assert without_interval(number) == words
+
+
+@pytest.mark.parametrize(
+    ("number", "words"),
+    [
+        (Number("edge", 37.24, "nm", 34.1, 45.3), "37.2 [34, 45] nm"),
+        (Number("edge", 269.4, "nm", 227.0), "269 nm (at least 227 nm)"),
+        (Number("edge", NAN, "nm", 34.1, 45.3), "34.1 nm to 45.3 nm"),
+    ],
+)
+def test_a_number_beside_a_ratio_has_three_digits(number, words):
+    assert in_three_digits(number) == words
 
 
 def test_two_quantities_of_one_name_are_refused():

@@ -80,10 +80,13 @@ def _answer_path(path: str) -> str:
 
 def _read_answer(path: str) -> dict[str, Any]:
     """Return the content of answer.json; raise ValueError with one line if there is none."""
+    folder = Path(path).parent
+    if not folder.is_dir():
+        raise ValueError(f"{folder}: expected the results of a study, found no such folder")
     if not Path(path).is_file():
         raise ValueError(
-            f"{path}: expected the answer of a finished study, found none: `snakemake answer` "
-            "makes it, with --configfile for any study but the paper's"
+            f"{path}: expected the answer of a finished study, found a folder without it: "
+            "`snakemake answer` makes it, with --configfile for any study but the paper's"
         )
     try:
         answer: dict[str, Any] = json.loads(Path(path).read_text("utf-8"))

@@ -102,6 +102,15 @@ def without_interval(number: Number) -> str:
     return re.sub(r" \[[^]]*\]| \(.*\)", "", in_words(number, 2))
 
 
+def in_three_digits(number: Number) -> str:
+    """Return a number in words, with three digits even if those of its interval are fewer."""
+    words = in_words(number)
+    if not math.isfinite(number.value):
+        return words
+    value = format_number(number._replace(low=math.nan, high=math.nan)).split()[0]
+    return re.sub(r"\S+(?= \[)", value, words, count=1)
+
+
 def _open_interval_words(number: Number, digits: int) -> str:
     """Return the words after a value whose interval lacks one end or both, or an empty text."""
     low, high = math.isfinite(number.low), math.isfinite(number.high)

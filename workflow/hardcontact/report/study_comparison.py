@@ -167,7 +167,7 @@ def is_known(number: Number) -> bool:
 def lacks_interval(number: Number) -> bool:
     """Return whether a number has neither an interval nor a bound."""
     has_no_end = math.isnan(number.low) and math.isnan(number.high)
-    return has_no_end and number.status in ("", NumberStatus.KNOWN)
+    return has_no_end and number.status not in (*NO_LOW_END, *NO_HIGH_END)
 
 
 def bounds(number: Number) -> tuple[float, float]:

@@ -72,6 +72,7 @@ def _environment() -> Any:
     )  # fmt: skip
     environment.filters |= {
         "format_number": quantities.format_number, "in_words": quantities.in_words,
+        "in_three_digits": quantities.in_three_digits,
         "two_digit_words": lambda number: quantities.in_words(number, 2), "linked": _linked,
         "without_interval": quantities.without_interval, "unbroken": unbroken,
         "percent": format_share, "share_of_decades": _share_of_decades,
