@@ -1,9 +1,8 @@
-"""The functions for programs: ``import hardcontact as hc`` gives these names.
+"""The functions for programs, which ``import hardcontact as hc`` gives.
 
-Each function calls the functions of the study's jobs and commands.
-Lengths and heights are in nm, wavevectors in rad/nm, forces in N, works of adhesion in J/m²,
-pressures in Pa. All raise ValueError with a line for each fault of their input. They warn of
-quantities of a contact that are so unusual that their unit may be wrong.
+They compute as the study and its commands do. Lengths and heights are in nm, wavevectors in rad/nm,
+forces in N, works of adhesion in J/m², pressures in Pa. All raise ValueError with one line for each
+fault of their input. They warn of unusual quantities of a contact, because the unit may be wrong.
 """
 
 from collections.abc import Mapping, Sequence
@@ -51,11 +50,9 @@ from hardcontact.theory.validity import wide_contact_message
 if TYPE_CHECKING:
     from SurfaceTopography import Topography
 
-#: Defaults of window and array of contacts: the paper's.
+# Defaults of the arguments.
 PAPER_CONTACT = ContactKeys()
-#: Default relative change of the force at an edge: the paper's.
 PAPER_TOLERANCE = ScalesKeys().tolerance
-#: Default probability that an interval holds the true value.
 PAPER_CONFIDENCE = IntervalKeys().confidence
 
 
@@ -120,7 +117,7 @@ def from_topography(
     levelling: str = "plane",
     sphere_radius: float | None = None,
 ) -> HeightMap:
-    """Return a height map from SurfaceTopography, prepared like the result of `read_scan`.
+    """Return a levelled height map from SurfaceTopography, as `read_scan` does from a file.
 
     Parameters
     ----------
@@ -180,7 +177,8 @@ def read_spectrum(
     Parameters
     ----------
     *files : str or Path
-        One table in the format of `hardcontact predict`; or height maps, line scans and containers.
+        One table of a spectrum, described by ``hardcontact predict --help``; or height maps, line
+        scans and containers.
     dataset : str
         Name of the only scan in a container to read; empty: all scans.
     tip_radius : float or None
@@ -190,8 +188,8 @@ def read_spectrum(
     map_size, sphere_radius : float or str, float or None
         As for `read_scan`.
     extrapolated : bool
-        Whether the spectrum of scans is extrapolated beyond their reliable wavelengths, like the
-        study's spectrum of masters: artificial, up to a roll-off and self-affine below.
+        Whether the spectrum of scans is extrapolated beyond their reliable wavelengths: to long
+        waves up to a roll-off, to short waves as self-affine, like the roughness that a study adds.
 
     Returns
     -------
@@ -237,20 +235,21 @@ def pull_off_forces(
     radius, preload, hardness : float
         Radius of the sphere in nm, load on a contact in N, hardness of the softer body in Pa.
     rho, work : float or sequence of float, float
-        One or several ranges of adhesion in nm; work of adhesion in J/m² of the returned forces.
+        One or several ranges of adhesion in nm; work of adhesion in J/m².
     window, contacts_per_row : float, int
-        Width in nm of the square around each contact over which the force is summed; number of
-        contacts per row of the array.
+        Width in nm of the square around a contact whose attraction is summed; number of contacts
+        per row of the square array.
     sphere : HeightMap or None
         Levelled roughness of the sphere where it touches; None for a smooth sphere.
 
     Returns
     -------
     xarray.Dataset
-        ``pull_off_force`` (contact_model, rho, contact_y, contact_x) in N, rigid and plastic;
-        ``apex_height`` in nm; ``touched_patches``, the number of patches that contacts touch;
-        ``wider_window_change``, the relative change of the forces at the longest range in a window
-        that is wider by a period on each side.
+        - ``pull_off_force`` (contact_model, rho, contact_y, contact_x) in N, rigid and plastic.
+        - ``apex_height`` in nm, of the sphere above the mean plane at closest approach.
+        - ``touched_patches``, the number of patches that contacts touch.
+        - ``wider_window_change``, the relative change of the forces at the longest range in a
+          window that is wider by a period on each side.
 
     Examples
     --------
@@ -301,10 +300,9 @@ def force_ratios(
     contacts_per_row: int = PAPER_CONTACT.contacts_per_row,
     sphere: HeightMap | None = None,
 ) -> xr.Dataset:
-    """Compute the relative force if roughness beyond cutoffs is removed from the scan itself.
+    """Return forces without the roughness beyond cutoffs, relative to the force on the whole scan.
 
-    The edges from this function belong to the roughness on the scan. A study takes minutes, because
-    it filters masters: scans with roughness extrapolated beyond their wavelengths.
+    The edges belong to the roughness on the scan alone. A study also adds extrapolated roughness.
 
     Parameters
     ----------
@@ -321,11 +319,12 @@ def force_ratios(
     Returns
     -------
     xarray.Dataset
-        ``edge`` (side) in nm, the cutoff where the force leaves its tolerance; ``edge_status``
-        (side), ``"found"``, or ``"open_above"`` or ``"open_below"`` if the edge lies above or below
-        ``edge_bound`` (side) in nm, or ``"ripples"`` if ripples of the filter beside steps, not
-        roughness, change the force; ``filtered_force_ratio`` (side, cutoff_wavelength) of the mean
-        plastic force to the force on the unfiltered scan, NaN at cutoffs of the other side.
+        - ``edge`` (side) in nm, the cutoff at which the force leaves its tolerance.
+        - ``edge_status`` (side): ``"found"``; ``"open_above"`` or ``"open_below"`` if the edge lies
+          above or below ``edge_bound`` (side) in nm; ``"ripples"`` if ripples of the filter at
+          steps, not roughness, change the force.
+        - ``filtered_force_ratio`` (side, cutoff_wavelength), the mean plastic force relative to the
+          force on the unfiltered scan; NaN at cutoffs of the other side.
 
     Examples
     --------
@@ -368,58 +367,48 @@ def predict(
     work: float,
     tolerance: float = PAPER_TOLERANCE,
 ) -> dict[str, Number]:
-    """Compute the force of a smooth sphere on a map, and predict it, like `hardcontact predict`.
+    """Predict the force of a smooth sphere from a spectrum, or from a map on which it is computed.
 
     Parameters
     ----------
     roughness : Spectrum or HeightMap
         C_iso in nm⁴ over growing wavevectors in rad/nm, without gaps; or a levelled map, whose
-        spectrum is measured at its reliable wavelengths. The closed form gives no numbers for scans
-        with steep sidewalls.
+        spectrum is measured at its reliable wavelengths.
     radius, preload, hardness, work, rho, tolerance : float
         As for `pull_off_forces` and `force_ratios`.
 
     Returns
     -------
     dict of str to Number
-        Each with ``value``, ``unit``, ``low`` and ``high`` of its interval, and ``status``. They
-        are numbers of `hardcontact predict --json`, which also has inputs, octaves and elasticity.
+        Numbers of `hardcontact predict --json`, each with ``value``, ``unit``, ``low`` and ``high``
+        of its interval, and ``status``. Forces are in N, lengths in nm.
 
-        ``closed_form_force`` (N), ``short_edge``, ``long_edge`` (nm)
-            Force and band in closed form; status ``"outside"``: the error of the force is unknown.
-        ``extrapolated_change``
-            Relative change of the force by roughness beyond the spectrum. If its status is
-            ``"matters"``, use the extrapolated force and band.
-        ``extrapolated_force`` (N), ``extrapolated_short_edge``, ``extrapolated_long_edge`` (nm)
-            Force and band in closed form for the extrapolated spectrum.
-        ``extrapolated_to``, ``extrapolated_rolloff`` (nm), ``extrapolated_hurst``
-            Shortest wavelength, roll-off and Hurst exponent of the extrapolated spectrum.
-        ``smooth_force`` (N), ``force_over_smooth``
-            Force on a smooth surface; closed form relative to it.
-        ``log_force_std``
-            Standard deviation of ln F over positions of the sphere.
-        ``apex_height`` (nm), ``weibull_modulus``
-            Mean height of the apex of the sphere above the mean plane. Above a modulus of 1 many
-            points decide the force, below it single peaks.
-        ``rms_height`` (nm), ``rms_gradient``, ``shortest_wavelength``, ``longest_wavelength`` (nm)
-            Roughness and ends of the spectrum. The page of own surfaces has the rms height and
-            gradient of each scan's heights, which differ from these.
-        ``tolerance``
-            The argument.
-        ``longest_octave_change``, ``widest_gap``, ``skewness``, ``validated_...``
-            Checks of whether the error of the closed form is known.
+        - Force in closed form: ``closed_form_force``, ``force_over_smooth`` (relative to
+          ``smooth_force``), ``log_force_std`` (standard deviation of ln F over positions). The
+          status ``"outside"`` means that the error is not known, ``"steep_sidewalls"`` that the
+          heights are not Gaussian: then there is no value.
+        - Band: ``short_edge``, ``long_edge``, for the change ``tolerance`` of the force.
+        - Roughness beyond the spectrum: ``extrapolated_change``, the relative change of the force.
+          If its status is ``"matters"``, use ``extrapolated_force``, ``extrapolated_short_edge``
+          and ``extrapolated_long_edge``. The extrapolated spectrum has the shortest wavelength
+          ``extrapolated_to``, ``extrapolated_rolloff`` and ``extrapolated_hurst``.
+        - Contact: ``apex_height``, the mean height of the apex of the sphere above the mean plane;
+          ``weibull_modulus``, above 1 if many points carry the force, below 1 if single peaks do.
+        - Spectrum: ``rms_height``, ``rms_gradient``, ``shortest_wavelength``,
+          ``longest_wavelength``.
+        - Checks whether the error is known: ``longest_octave_change``, ``widest_gap``,
+          ``skewness``, ``validated_...``.
 
-        A map also has these numbers. If it is too large, or `rho` shorter than its
-        ``shortest_range`` (nm), it has only a ``force_on_scan`` without a value.
+        For a map also:
 
-        ``force_on_scan`` (N), ``force_on_scan_over_smooth``
-            Mean force sum over the pixels of the map, and relative to ``smooth_force``.
-        ``closed_form_on_scan`` (N)
-            Closed form for all waves of the map. Unless its status is ``"agrees"``, numbers of the
-            closed form have no interval.
-        ``wide_pixel_ratio``, ``touched_patches``, ``search_size`` (nm)
-            Force on pixels four times wider relative to that on the map; number of patches that
-            contacts touch; width of the square in which the sphere finds the summits it touches.
+        - Force on its pixels: ``force_on_scan``, ``force_on_scan_over_smooth``. If the map is too
+          large, or `rho` below ``shortest_range``, the force has no value, and the numbers below
+          are missing.
+        - ``closed_form_on_scan``, the closed form for all waves of the map. Unless its status is
+          ``"agrees"``, numbers of the closed form have no interval.
+        - Size: ``wide_pixel_ratio``, the force on pixels four times wider relative to the map;
+          ``touched_patches``, the number of patches that contacts touch; ``search_size``, the width
+          of the square in which the sphere finds the summits that it touches.
 
     Examples
     --------

@@ -1,7 +1,6 @@
-"""Arrays of floats, and the random generators that fill them.
+"""The type of float arrays, and a random generator for each purpose of a study.
 
-Nearly all code depends on these: apart from the rest of the library, they change rarely, and with
-them the digests of all results.
+This module is small, because nearly all code imports it: each change of it reruns nearly all jobs.
 """
 
 import hashlib
@@ -16,8 +15,8 @@ Floats = NDArray[np.float64]
 def generator(seed: int, *names: object) -> np.random.Generator:
     """Return the random generator for one purpose, e.g. ``generator(seed, "uncd", 3, "scan")``.
 
-    It depends on the seed and the text of the names alone, never on the order of execution or the
-    machine.
+    The generator depends on the seed and the text of the names alone, so that jobs give the same
+    numbers in any order and on any machine.
     """
     text = "/".join(str(name) for name in names).encode()
     words = np.frombuffer(hashlib.sha256(text).digest(), dtype="<u4")

@@ -1,4 +1,7 @@
-"""Labelled datasets on disk: written completely or not at all, as all files, checked when read."""
+"""Write and read netCDF datasets, and join the datasets of several jobs along labelled dimensions.
+
+Every file is complete or missing, because it is written under another name and then renamed.
+"""
 
 import csv
 import glob
@@ -37,8 +40,8 @@ class NamedSurfaces(TypedDict):
 def atomic_file(path: str | Path) -> Iterator[str]:
     """Yield a temporary path in the same folder; rename it if the block succeeds, else remove it.
 
-    Missing folders are made. The content reaches the disk before the name, so that no power loss
-    leaves half a file. Raises ValueError, with one line, if the file cannot be written.
+    Creates missing folders. The content reaches the disk before the name, so that a power loss
+    leaves no half file. Raises ValueError, with one line, if the file cannot be written.
     """
     path = Path(path)
     temporary = path.with_name(f"{PART}{secrets.token_hex(4)}-{path.name}")
@@ -60,7 +63,7 @@ def atomic_file(path: str | Path) -> Iterator[str]:
 
 
 def remove_parts(path: str | Path) -> None:
-    """Remove incomplete versions of a file from killed processes; nobody else may write it now."""
+    """Remove incomplete versions of a file that killed processes left; no job may write it now."""
     path = Path(path)
     for part in path.parent.glob(f"{PART}*-{glob.escape(path.name)}"):
         part.unlink(missing_ok=True)
@@ -104,7 +107,7 @@ def describe(dataset: xr.Dataset, meanings: Mapping[str, str]) -> xr.Dataset:
 def read(path: str | Path) -> xr.Dataset:
     """Read a dataset into memory, without its encoding.
 
-    The encoding fixes the length of texts: it would cut longer texts that are joined to them.
+    The encoding fixes the length of texts, and would cut longer texts of another dataset.
     Raises ValueError if the file is missing, damaged or truncated.
     """
     try:
@@ -158,7 +161,7 @@ def stack(datasets: DatasetsByLabels, dimensions: Sequence[str]) -> xr.Dataset:
 def variables_of_columns(
     columns: np.ndarray, dimensions: str | Sequence[str], units: Mapping[str, str]
 ) -> dict[str, Any]:
-    """Return a variable for each column, the last axis, with its name and unit in `units`."""
+    """Return a variable for each column (the last axis); `units` has their names and units."""
     return {
         name: (dimensions, columns[..., k], {"units": unit})
         for k, (name, unit) in enumerate(units.items())

@@ -42,7 +42,7 @@ def format_value_and_ends(value: float, low: float, high: float, *limits: float)
 
     The last digit is about a fifth of the interval's width or of the smallest number. If the ends
     have one sign and differ by more than three times, or an end is infinite, each number has two
-    digits instead. An end has more digits if fewer would move it to or across one of the `limits`.
+    digits instead. An end gets more digits if rounding would move it to or across a limit.
     """
     numbers = (value, low, high)
     if not all(map(math.isfinite, numbers)):
@@ -60,7 +60,7 @@ def format_value_and_ends(value: float, low: float, high: float, *limits: float)
 def _format_down_to(last_digit: float, number: float, limits: Sequence[float] = ()) -> str:
     """Return a number rounded to the decimal place of `last_digit`: 0.03 keeps hundredths.
 
-    Further digits follow until rounding moves it across no limit, except limits NEAR it.
+    More digits are kept until rounding moves the number across no limit, except limits NEAR it.
     """
     exponent = math.floor(math.log10(last_digit))
     text = f"{round(number, -exponent):z.{max(-exponent, 0)}f}"
@@ -113,9 +113,9 @@ def format_quantity(
 ) -> str:
     """Return a number with its unit and its interval: "1.7 µm" or "0.64 [0.5, 0.8] µN".
 
-    All are in `unit`, a key of PRINTED_UNITS. Ends of the interval are NaN if they are unknown,
-    zero and infinity if nothing is excluded. `open_end` is the end, "low" or "high", that is only
-    a bound: "0.64 [at least 0.5] µN".
+    Number and interval are in `unit`, a key of PRINTED_UNITS. Ends of the interval are NaN if they
+    are unknown, zero and infinity if nothing is excluded. `open_end` is the end, "low" or "high",
+    that is only a bound: "0.64 [at least 0.5] µN".
     """
     finite = math.isfinite(low + high)
     unbounded = finite and is_unbounded(value, low, high, unit)
@@ -139,10 +139,11 @@ def format_as_paper(
 ) -> str:
     """Return a quantity in the units of the paper, with its interval: "1.66 [1.38, 2.84] µm".
 
-    All are in `unit`, a unit of the datasets; a unit that is not in `UNITS_OF_PAPER` is printed as
-    it is. An unknown interval is NaN. The text is empty if the value is NaN. `open_end` is the end,
-    "low" or "high", that is only a bound: "250 [at least 175] nm". Digits of ends show on which
-    side of each of the `limits` they lie; a number without a unit has the limits 0 and 1, too.
+    Number and interval are in `unit`, a unit of the datasets; a unit that is not in
+    `UNITS_OF_PAPER` is printed as it is. An unknown interval is NaN. The text is empty if the value
+    is NaN. `open_end` is the end, "low" or "high", that is only a bound: "250 [at least 175] nm".
+    Ends have enough digits to show whether they lie above or below each of the `limits`; a number
+    without a unit has the limits 0 and 1, too.
     """
     if math.isnan(value):
         return ""
@@ -153,9 +154,9 @@ def format_as_paper(
 def is_unbounded(value: float, low: float, high: float, unit: str) -> bool:
     """Return whether the ends of an interval differ by more than `MAX_END_RATIO`; False for NaN.
 
-    All are in `unit`. If the interval contains zero, its farther end is compared with the value
-    instead. A number without a unit, such as an exponent or a relative change, may be near zero:
-    its farther end is compared with one if the value is below one.
+    Value and ends are in `unit`. If the interval contains zero, its farther end is compared with
+    the value instead. A number without a unit, such as an exponent or a relative change, may be
+    near zero: its farther end is compared with one if the value is below one.
     """
     near, far = sorted((abs(low), abs(high)))
     if low <= 0 <= high:

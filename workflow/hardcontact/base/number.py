@@ -6,13 +6,13 @@ from typing import Any, NamedTuple
 
 
 class NumberStatus(StrEnum):
-    """The codes of `Number.status` that hold for any quantity.
+    """Codes of `Number.status` for any quantity.
 
-    Modules that compute a quantity have the other codes, each vocabulary in an enumeration of its
-    own. `report.quantities` and templates turn all of them into words.
+    Codes of a single quantity are in an enumeration of the module that computes it.
+    `report.quantities` and templates turn all codes into words.
     """
 
-    #: Nothing else is known of the number.
+    #: Nothing to add to the number and its interval.
     PLAIN = ""
     #: The value is known.
     KNOWN = "known"
@@ -34,8 +34,8 @@ class Number(NamedTuple):
     name: name of the quantity.
     value, low, high: the number and the ends of its interval, in `unit`.
     unit: a unit of datasets: "nm", "N", "J m-2", "1".
-    status: what else is known of the number.
-    source: a code for where the number comes from: "computed", "measured", "from_measured",
+    status: a code for what is known of the number, such as why it has no interval.
+    source: a code for the origin of the number: "computed", "measured", "from_measured",
         "extrapolated", "artificial", "partly_artificial", "interval_artificial", "published",
         "given", "assumed", "file".
     """
@@ -49,7 +49,7 @@ class Number(NamedTuple):
     source: str = "computed"
 
     def __repr__(self) -> str:
-        """Return name, number, interval, unit and status as far as there are any."""
+        """Return the name, the number and, if they exist, interval, unit and status."""
         known = math.isfinite(self.low + self.high)
         interval = f" [{self.low:.3g}, {self.high:.3g}]" if known else ""
         unit = f" {self.unit}" if self.unit != "1" else ""
@@ -58,7 +58,7 @@ class Number(NamedTuple):
 
 
 def numbers_by_name(*numbers: Number) -> dict[str, Number]:
-    """Return numbers by their names; of numbers with the same name, the last."""
+    """Return numbers by their names; the last number if several have the same name."""
     return {number.name: number for number in numbers}
 
 

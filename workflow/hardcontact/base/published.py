@@ -1,4 +1,4 @@
-"""Numbers that the paper prints: the tables of `resources/paper`."""
+"""Read the numbers that the paper prints, from the tables of `resources/paper`."""
 
 from collections.abc import Mapping
 from pathlib import Path
@@ -15,7 +15,7 @@ PUBLISHED_TABLES = {
 
 
 def effective_modulus(constants: Mapping[Any, Any]) -> float:
-    """Return E* in Pa from numbers of `constants.csv`: 1/E* is the sum of (1 - nu²)/E."""
+    """Return the contact modulus E* (Pa) from `constants.csv`: 1/E* is the sum of (1 - nu²)/E."""
     return 1 / sum(
         (1 - float(constants[f"{body}_poisson_ratio"]) ** 2)
         / float(constants[f"{body}_youngs_modulus"])
@@ -26,8 +26,8 @@ def effective_modulus(constants: Mapping[Any, Any]) -> float:
 def read_constants(path: str | Path) -> pd.DataFrame:
     """Read `constants.csv`: single numbers of the paper.
 
-    Returns value and uncertainty (NaN if none is printed), both in `unit`, by quantity. The
-    evidence tells published from inferred numbers; the source is the section of the paper.
+    Returns value and uncertainty (NaN if not printed), both in `unit`, by quantity. The column
+    `evidence` separates published from inferred numbers; `source` is the section of the paper.
     """
     return pd.read_csv(path, index_col="quantity")
 
@@ -36,7 +36,7 @@ def read_measured_statistics(path: str | Path) -> pd.DataFrame:
     """Read `pull_off.csv`: statistics of the measured pull-off forces.
 
     Returns mean_force and median_force in N and effective_work_of_adhesion in J/m², by surface.
-    They are NaN if the paper has none.
+    A number that the paper does not print is NaN.
     """
     return pd.read_csv(path).pivot(index="surface", columns="quantity", values="value")
 
@@ -50,7 +50,7 @@ def read_printed_statistics(path: str | Path) -> pd.DataFrame:
 def read_table1(path: str | Path) -> pd.DataFrame:
     """Read `table1.csv`: the roughness metrics of Table 1, one row per number.
 
-    The columns are those of `read_constants`, and `surface`.
+    It has the columns of `read_constants`, and `surface`.
     """
     return pd.read_csv(path)
 

@@ -1,9 +1,9 @@
 """Intervals of means over scans, and random samples of uncertain quantities.
 
 Uncertainty comes from scans, not from contacts, because contacts on one scan touch the same peaks.
-The study of the paper varies scans: a single mean gets Student's t, a quantity of several means
-gets random samples. The user's surfaces may have only one or two scans: quarters of a scan vary
-(`inference.scan_parts`). The interval of `name` is `name_interval`, with the dimension `end`.
+In the paper's study the interval of a mean over scans is Student's t; a quantity of several means
+gets random samples. The user's surfaces may have only one or two scans: `inference.scan_parts` then
+uses quarters of a scan. The interval of ``name`` is ``name_interval``, with the dimension ``end``.
 """
 
 import warnings
@@ -39,8 +39,8 @@ def with_interval(
 ) -> dict[str, Any]:
     """Return the variables `name` and `name_interval`, ready for `xarray.Dataset`.
 
-    The value (...) has the dimensions; the interval (..., 2) also has `end`, low and high. Both
-    have the attributes; the interval also has the attribute ``confidence``.
+    The value (...) has the dimensions; the interval (..., 2) also has the dimension ``end``, low
+    and high. Both get the attributes, the interval also ``confidence``.
     """
     names = (dimensions,) if isinstance(dimensions, str) else tuple(dimensions)
     return {
@@ -109,7 +109,7 @@ def student_interval(values: xr.DataArray, confidence: float, dim: str) -> xr.Da
 def student_log_interval(values: xr.DataArray, confidence: float, dim: str) -> xr.DataArray:
     """Return the interval of a mean of positive values, by Student's t on their logarithms.
 
-    In logarithms it is centred on ln(mean) and as wide as Student's interval of the mean logarithm.
+    Its logarithm is centred on ln(mean), and as wide as Student's interval of the mean logarithm.
     Arguments and result are as for `student_interval`.
     """
     logarithms: xr.DataArray = xr.apply_ufunc(np.log, values)
@@ -128,9 +128,9 @@ def interval_between(low: xr.DataArray, high: xr.DataArray) -> xr.DataArray:
 def student_log_samples(rng: np.random.Generator, values: Floats, sample_count: int) -> Floats:
     """Return random means (samples, ...) of positive values (n, ...) of n independent scans.
 
-    Normal weights on the scans' deviations from the mean logarithm, divided by a chi of n - 1
-    degrees of freedom, give Student's t as in `student_log_interval`. All elements of a scan share
-    a weight, which keeps their correlation. NaN for n < 2.
+    The scans' deviations from the mean logarithm get normal weights, divided by a chi variable of
+    n - 1 degrees of freedom: Student's t, as in `student_log_interval`. All elements of a scan
+    share a weight, which keeps their correlation. NaN for n < 2.
     """
     count = len(values)
     if count < 2:
@@ -171,10 +171,10 @@ def log_std_of_lognormal(mean: ArrayLike, median: ArrayLike) -> Floats:
 
 @dataclass(frozen=True)
 class Sampling:
-    """The number, seed and confidence of random samples from which intervals follow.
+    """Number, seed and confidence of the random samples of an uncertain quantity.
 
-    Samples come from `student_log_samples` from means over scans or realizations, or from
-    published numbers within their uncertainty.
+    `student_log_samples` samples means over scans or realizations. Published numbers are sampled
+    within their uncertainty.
     """
 
     seed: int  #: The seed of the study.

@@ -1,4 +1,4 @@
-"""The force on the critical band alone, and without the waves on either side of it."""
+"""The force with the roughness of a band alone, or without its shorter or its longer waves."""
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
@@ -23,7 +23,7 @@ BAND_PARTS = ("only the band", "no shorter waves", "no longer waves")
 def band_parts(
     surface: HeightMap, bands: Iterable[tuple[float, float]]
 ) -> Iterator[dict[str, HeightMap]]:
-    """Yield, for each band, the periodic surfaces that keep one of BAND_PARTS each, by its name.
+    """Yield, for each band, a periodic surface for each of BAND_PARTS, by name.
 
     A band keeps wavelengths from its shortest (included) to its longest (excluded), in nm.
     """
@@ -40,11 +40,11 @@ def band_parts(
 def band_force_dataset(
     surface: HeightMap, bands: Mapping[str, tuple[float, float]], compute_forces: ForcesOnSurface
 ) -> xr.Dataset:
-    """Return the forces on a surface with all roughness, and with parts of it, for some bands.
+    """Return the forces on a surface with all roughness, and with BAND_PARTS of it.
 
-    A band has its shortest and its longest wavelength in nm. ``force`` (contact_y, contact_x) and
-    ``band_force`` (band, band_part, contact_y, contact_x) are in N at 1 J/m²; ``band_edge`` (band,
-    side) are the wavelengths.
+    `bands` have the shortest and the longest wavelength of each band in nm. ``force`` (contact_y,
+    contact_x) and ``band_force`` (band, band_part, contact_y, contact_x) are in N at 1 J/m²;
+    ``band_edge`` (band, side) has the wavelengths.
     """
     parts_by_band = band_parts(surface, bands.values())
     part_forces = [[compute_forces(part) for part in parts.values()] for parts in parts_by_band]

@@ -1,7 +1,7 @@
 """The edges of the critical band: the cutoffs at which the change of the force exceeds a tolerance.
 
-`paper.edges_of_masters` finds the edges of substitutes, whose masters are independent, and
-`own.edges_of_scans` those of the user's surfaces, whose masters share few scans.
+`paper.edges_of_masters` finds the edges of substitutes, whose masters are independent.
+`own.edges_of_scans` finds the edges of the user's surfaces, whose masters share few scans.
 """
 
 from collections.abc import Hashable, Sequence
@@ -60,8 +60,8 @@ def ordered_curve(
 ) -> tuple[ChangeCurve, Floats]:
     """Return the curve of the first row of values (row, k), and the other rows at its cutoffs.
 
-    Cutoffs (k,) are in any order; those at which the first row is NaN are left out. All rows begin
-    with zero at `spectrum_end`, the wavelength (nm) at which nothing is removed, if there is one.
+    Cutoffs (k,) are in any order; cutoffs with NaN in the first row are left out. All rows begin
+    with zero at `spectrum_end`, the wavelength (nm) that removes nothing, if it is known.
     """
     computed = np.flatnonzero(np.isfinite(values[0]))
     order = computed[np.argsort(cutoffs[computed])][:: 1 if side == "short" else -1]
@@ -73,20 +73,17 @@ def ordered_curve(
 
 
 def logarithmic_limits(tolerance: float) -> tuple[float, float]:
-    """Return the limits of ln(ratio) between which the force counts as unchanged.
-
-    The tolerance is a relative change of the force, such as 0.1.
-    """
+    """Return both limits of ln(ratio) for a tolerance, a relative change of the force (0.1)."""
     return float(np.log1p(-tolerance)), float(np.log1p(tolerance))
 
 
 def _first_true(mask: NDArray[np.bool_]) -> int:
-    """Return the index of the first True of a mask (k,), or k if there is none."""
+    """Return the index of the first True of a mask (k,), or k if all are False."""
     return int(mask.argmax()) if mask.any() else len(mask)
 
 
 def _first_outside(values: Floats, limits: tuple[float, float]) -> int:
-    """Return the index of the first value (k,) outside the limits, or k if there is none."""
+    """Return the index of the first value (k,) outside the limits, or k if all are within."""
     lower, upper = limits
     return _first_true((values < lower) | (values > upper))
 
@@ -128,8 +125,7 @@ def shows_ripples(curve: ChangeCurve) -> bool:
     """Return whether a curve of ln(ratio) shows the ripples of the filter, not the roughness.
 
     Without its short waves a random surface has lower summits, and the force rises. If the force
-    first leaves its limits by falling, the filter made summits that are higher than the surface:
-    its ripples beside steps.
+    first leaves its limits by falling, the filter has made higher summits: ripples near steps.
     """
     crossing = _first_outside(curve.values, curve.limits)
     value_outside = curve.values[crossing : crossing + 1]  # empty if the curve never leaves them
@@ -139,10 +135,10 @@ def shows_ripples(curve: ChangeCurve) -> bool:
 def edge_interval(curve: ChangeCurve, lowest: Floats, highest: Floats) -> Floats:
     """Return the cutoffs (2,) in nm between which the edge lies, from the intervals of a curve.
 
-    lowest, highest: ends (k,) of the intervals of the values. One end is the last cutoff before any
-    value within the intervals leaves the limits. The other end is the first cutoff at which all
-    values have left. The only assumption is that the curve does not cross its limits twice between
-    two cutoffs. NaN for an end before the first or after the last cutoff, or without intervals.
+    lowest, highest: ends (k,) of the intervals of the values. One end is the last cutoff before an
+    interval reaches beyond the limits. The other end is the first cutoff with an interval wholly
+    outside. The curve is assumed not to cross its limits twice between two cutoffs. NaN for an end
+    before the first or after the last cutoff, or without intervals.
     """
     if np.isnan([lowest, highest]).any():
         return np.full(2, np.nan)
@@ -161,7 +157,7 @@ def edges_of_curves(ratios: xr.Dataset, tolerance: float) -> xr.Dataset:
 
     ``filtered_force_ratio`` (..., cutoff_wavelength) may have an interval, and is NaN at cutoffs
     that a curve does not have; ``side`` is a coordinate. ``edge``, ``edge_bound`` and
-    ``edge_interval`` are NaN if they are open; ``edge_status`` is as in `Edge`.
+    ``edge_interval`` are NaN if they are open; ``edge_status`` has codes of `EdgeStatus`.
     """
     dimensions = [dim for dim in ratios["filtered_force_ratio"].dims if dim != "cutoff_wavelength"]
     shape = [ratios.sizes[dim] for dim in dimensions]

@@ -1,7 +1,7 @@
 """Forces on a master, unfiltered and filtered below or above every cutoff wavelength.
 
 A master is a scan with artificial roughness beyond its own wavelengths, on one side. A filter of
-the side ``"short"`` removes wavelengths below the cutoff, of ``"long"`` wavelengths above it.
+the side ``"short"`` removes wavelengths below the cutoff, a filter of ``"long"`` those above it.
 """
 
 from collections.abc import Iterable, Mapping, Sequence
@@ -78,8 +78,8 @@ def filtered_pull_off(
 ) -> xr.Dataset:
     """Return the pull-off forces on a master, unfiltered and filtered, for all contacts of a sweep.
 
-    The contacts differ only in their loading, the hardness and the preload (or that they are
-    rigid). Radii and ranges (nm) are by default those of the first contact. The variables of
+    The contacts differ only in their loading: preload with hardness (plastic) or without (rigid).
+    Radii and ranges (nm) are by default those of the first contact. The variables of
     `forces_at_cutoffs` are over (radius, loading, rho, contact_y, contact_x). ``touching_area``
     (loading) is the area of the touching pixels, the coordinate ``contact_area`` (loading) the
     preload over the hardness, both in nm².
@@ -128,8 +128,8 @@ def read_master_forces(
     """Read the forces on filtered masters: one file or several for each surface.
 
     Returns the variables of `add_force_ratios` (surface, realization, side, ...), up to the given
-    number of realizations. With the name of a `loading`, there are no dimensions of loading,
-    radius and range; the files then have a single radius and range.
+    number of realizations. If `loading` names one, the result has no dimensions of loading, radius
+    and range; the files then have a single radius and range.
     """
     files = read_all(zip(surfaces, count(), strict=False), paths)
     forces = stack(concatenate(files, "realization", 1), ["surface"])
@@ -143,10 +143,9 @@ def read_master_forces(
 def add_force_ratios(forces: xr.Dataset) -> xr.Dataset:
     """Return forces on masters, by growing cutoff, with their ratios to the unfiltered forces.
 
-    Added is ``filtered_force_ratio`` (..., cutoff_wavelength), the mean over contacts of
-    ``pull_off_force`` relative to that of ``unfiltered_pull_off_force``. It is NaN at cutoffs of
-    the other side. ``unfiltered_wavelength`` is the same for all realizations, and has no
-    dimension of them.
+    ``filtered_force_ratio`` (..., cutoff_wavelength) is the mean of ``pull_off_force`` relative to
+    the mean of ``unfiltered_pull_off_force``, over contacts. It is NaN at cutoffs of the other
+    side. ``unfiltered_wavelength`` is the same for all realizations, and loses their dimension.
     """
     forces = forces.sortby("cutoff_wavelength")
     contact_axes = [axis for axis in CONTACT_AXES if axis in forces.dims]
@@ -161,12 +160,12 @@ def add_force_ratios(forces: xr.Dataset) -> xr.Dataset:
 
 
 def add_spectrum_shifts(scales: xr.Dataset, sampled: xr.Dataset) -> xr.Dataset:
-    """Return forces on masters, and how they change with another spectrum that the scans permit.
+    """Return forces on masters, and their changes with another spectrum that the scans permit.
 
     `scales` has masters with the most likely spectra, `sampled` masters with sampled spectra and
-    the same random numbers. Added are ``log_ratio_shift`` and ``log_unfiltered_force_shift``, the
-    changes of the logarithms of ``filtered_force_ratio`` and of the mean unfiltered force. They
-    are NaN where there is no sampled spectrum.
+    the same random numbers. ``log_ratio_shift`` and ``log_unfiltered_force_shift`` are the changes
+    of the logarithms of ``filtered_force_ratio`` and of the mean unfiltered force. They are NaN for
+    masters without a sampled spectrum.
     """
     unfiltered = "unfiltered_pull_off_force"
     ratio = sampled["filtered_force_ratio"] / scales["filtered_force_ratio"]

@@ -1,6 +1,6 @@
 """Range and work of adhesion that fit mean forces best: the error of any pair, and the best pair.
 
-Everywhere, `mean_forces` (..., surface, rho) are computed at 1 J/m², and `measured_forces`
+In all functions `mean_forces` (..., surface, rho) are computed at 1 J/m², and `measured_forces`
 (surface,) are their targets, both in N. Computed forces are proportional to the work of adhesion.
 """
 
@@ -44,8 +44,8 @@ def minimum_along_axis(errors: Floats, values: Floats, axis: int = -1) -> tuple[
 def fit_work(mean_forces: Floats, measured_forces: Floats) -> tuple[Floats, Floats]:
     """Return the work of adhesion (..., rho) in J/m² with the smallest error, and this error.
 
-    The mean relative error is piecewise linear in the work. Its minimum is therefore at a work that
-    matches the force on one of the surfaces exactly, and all such works are compared.
+    The mean relative error is piecewise linear in the work. Its minimum therefore matches the force
+    on one surface exactly, and the works that do so for each surface are compared.
     """
     relative = mean_forces / measured_forces[:, None]
     candidates = 1 / relative
@@ -84,8 +84,8 @@ def best_fit(mean_forces: Floats, measured_forces: Floats, ranges: Floats) -> di
 def fit_mean_forces(mean_forces: xr.DataArray, measured_forces: pd.Series) -> xr.Dataset:
     """Return the best ``range_of_adhesion``, ``work_of_adhesion`` and ``best_error`` (...).
 
-    The ranges of the fit lie between the computed ones. Surfaces without a measured force do not
-    enter the fit; `measured_forces` has surfaces as its index.
+    The ranges of the fit are finer than the computed ranges. Surfaces without a measured force do
+    not enter the fit; `measured_forces` has surfaces as its index.
     """
     measured_forces = measured_forces.reindex(mean_forces["surface"].values).dropna()
     dimensions = [dim for dim in mean_forces.dims if dim not in ("surface", "rho")]
@@ -102,8 +102,8 @@ def fit_mean_forces(mean_forces: xr.DataArray, measured_forces: pd.Series) -> xr
 def fit_without_each_surface(mean_forces: xr.DataArray, measured_forces: pd.Series) -> xr.Dataset:
     """Return the best pair (left_out, ...) without one surface at a time.
 
-    The variables ``range_without_surface``, ``work_without_surface`` and ``error_without_surface``
-    are those of `fit_mean_forces`.
+    `fit_mean_forces` gives the variables; here they are ``range_without_surface``,
+    ``work_without_surface`` and ``error_without_surface``.
     """
     surfaces: Sequence[str] = mean_forces["surface"].values.tolist()
     fits = [

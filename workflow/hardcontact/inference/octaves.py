@@ -1,7 +1,7 @@
 """The sensitivity d ln F / d ln a of the mean force F to the amplitude a of each octave of waves.
 
-The waves of one octave are amplified and attenuated on the same surface. Both forces share all
-other waves, so that their ratio scatters little. `own.hindcast` replaces an octave instead.
+The waves of one octave are amplified and attenuated on the same surface. The ratio of both forces
+scatters little, because all other waves are the same. `own.hindcast` replaces an octave instead.
 """
 
 from collections.abc import Iterator, Sequence
@@ -22,7 +22,7 @@ from hardcontact.inference.scan_parts import ScanParts, log_force_ratio
 from hardcontact.surfaces.filters import filtered_series
 from hardcontact.surfaces.height_map import HeightMap
 
-#: Limits of all octaves in nm: from below the wavelengths of spectra, 0.1 nm, to above 1 mm.
+#: Limits of octaves in nm, from 0.08 nm to 1.3 mm: all wavelengths of spectra.
 OCTAVE_LIMITS: Floats = np.ldexp(10.0, np.arange(-7, 18))
 #: Relative change of an amplitude. Trade-off of smaller steps, in which single contact pixels
 #: decide, against larger ones, whose central difference has an error that grows with their square.
@@ -48,11 +48,11 @@ def split_octaves(surface: HeightMap, limits: Sequence[float] | Floats) -> Itera
 def octave_forces(
     surface: HeightMap, limits: Sequence[float] | Floats, compute_forces: ForcesOnSurface
 ) -> Floats:
-    """Return forces (octave, factor, ...) with one octave times one of AMPLITUDE_FACTORS."""
+    """Return forces (octave, factor, ...) with one octave multiplied by AMPLITUDE_FACTORS."""
     amplified = replace(surface, heights=np.empty_like(surface.heights))
 
     def force(octave: HeightMap, factor: float) -> Floats:
-        """Return the forces with one octave times a factor."""
+        """Return the forces with one octave multiplied by a factor."""
         np.multiply(octave.heights, factor - 1, out=amplified.heights)
         np.add(amplified.heights, surface.heights, out=amplified.heights)
         return compute_forces(amplified)

@@ -30,7 +30,7 @@ SAME_CORRELATION = 1 - 1e-9
 
 
 class IntervalSource(StrEnum):
-    """What the interval of a mean comes from, or why there is none: `interval_source` of files."""
+    """The origin of the interval of a mean, or why it is missing: `interval_source` of files."""
 
     SCANS, QUARTERS = "scans", "quarters"
     #: No interval, because there is a single part.
@@ -93,7 +93,7 @@ class ScanParts:
 
     @property
     def interval_source(self) -> IntervalSource:
-        """What an interval comes from, or why there is none."""
+        """The origin of an interval, or why it is missing."""
         if not self.are_quarters:
             return IntervalSource.SCANS
         if len(self.correlation) < 2 or self.mean_correlation > SAME_CORRELATION:
@@ -134,8 +134,8 @@ def parts_of_scans(
     """Return the parts of the scans of a surface: scans if there are three, otherwise quarters.
 
     `scan_of_map` (map,) numbers the scan of each map, `quarters` come from `quarters_of_contacts`.
-    The width of a scan and the `weight_deviation` sqrt(R rho), with which a contact feels the
-    surface, are in nm. `touched_patches` comes from `fewest_touched_patches`.
+    The width of a scan is in nm, like the `weight_deviation` sqrt(R rho) of the Gaussian weight
+    around a contact. `touched_patches` comes from `fewest_touched_patches`.
     """
     scans, scan = np.unique(scan_of_map, return_inverse=True)
     if len(scans) >= ENOUGH_SCANS:
@@ -151,7 +151,7 @@ def parts_of_scans(
 def parts_of_maps(
     forces: xr.Dataset, radius: float, rho: float, touched_patches: float = np.inf
 ) -> ScanParts:
-    """Return the parts of maps, each of its own scan: the maps if there are three, else quarters.
+    """Return the parts of maps of different scans: the maps if there are three, else quarters.
 
     `forces` (map, contact_y, contact_x) are on the maps; radius and range of adhesion are in nm.
     """
@@ -165,8 +165,8 @@ def _correlation_of_quarters(size: float, weight_deviation: float) -> Floats:
     """Return the correlation (4, 4) of mean forces of the quarters of a mirrored scan.
 
     Along one axis, the surface attracts the contacts of one half with a weight: a step, 1 on this
-    half and 0 on the other, smoothed by a Gaussian of the `weight_deviation`. With uncorrelated
-    roughness, the covariance of two halves is the mean product of their smoothed steps. It follows
+    half and 0 on the other, smoothed by a Gaussian of the `weight_deviation`. The covariance of two
+    halves is the mean product of their smoothed steps, if roughness is uncorrelated. It follows
     from the Fourier coefficients of the steps: 1/2, and ±2/(k pi) at odd orders k.
     """
     order = np.arange(1, 2000, 2)
@@ -240,7 +240,7 @@ def sampled_deviations(
 ) -> Floats:
     """Sample deviations (samples, ...) of the logarithm of a statistic from its mean over parts.
 
-    They follow Student's t, as in `half_width`; `logarithms` (part, ...) come from
+    They follow Student's t, like the interval of `half_width`; `logarithms` (part, ...) come from
     `delete_one_logarithms`. With the same generator, parts that differ only in their correlation
     share their random numbers. NaN for fewer than two parts.
     """

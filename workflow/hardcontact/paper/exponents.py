@@ -1,7 +1,8 @@
-"""How the pull-off force and the edges of the band scale with the sphere and the load.
+"""Exponents of the pull-off force and of the edges of the band against sphere radius and load.
 
-An edge is a length, and so is compared with the square roots of the radius of the sphere and of the
-area in contact. With the exponent 0 it does not depend on one, with 1 it is proportional to it.
+An edge is a length. It is therefore compared with two square roots: of the radius of the sphere,
+and of the area in contact. The exponent 0 means that the edge does not depend on this root, 1 that
+it is proportional to the root.
 """
 
 import numpy as np
@@ -13,7 +14,7 @@ from hardcontact.base.units import DIMENSIONLESS
 from hardcontact.contact.contact import CONTACT_AXES
 from hardcontact.inference.edges import find_edge, logarithmic_limits, ordered_curve
 
-#: Quantities whose square roots edges are compared with, in the order of the fitted exponents.
+#: Quantities whose square roots are compared with edges, in the order of the fitted exponents.
 SCALED_QUANTITIES = ["radius", "contact"]
 
 
@@ -39,7 +40,8 @@ def edge_exponents(forces: xr.Dataset, tolerance: float, confidence: float) -> x
     """Return the exponents of the edges against the square roots of SCALED_QUANTITIES.
 
     Forces come from `read_master_forces`. ``edge_exponent`` (surface, side, exponent_of) is fitted
-    by least squares to all edges that are found; its interval is the jackknife's over realizations.
+    by least squares to all edges within the cutoffs; its interval is that of the jackknife over
+    realizations.
     """
     exponents = _fit_all_exponents(forces, tolerance)
     count = forces.sizes["realization"]

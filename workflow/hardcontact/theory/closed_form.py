@@ -1,14 +1,15 @@
-"""The pull-off force of a sphere on a Gaussian surface, in closed form from its spectrum.
+"""The pull-off force of a sphere on a Gaussian surface, in closed form from the surface's spectrum.
 
-The force relative to the force of DMT is the sum of three terms, each a mean over positions of the
-sphere, Eq. (1) of workflow/report/theory.md (The mean force), which has the derivation and symbols:
+The force relative to the force of DMT, 2 pi R W, is a sum of three terms, Eq. (1) of
+workflow/report/theory.md (The mean force). That page has the derivation and the symbols. Each term
+is a mean over positions of the sphere:
 
 1. surface term: the attraction of all points below the sphere,
 2. summit term: the attraction of the summits that touch,
 3. contact term: the attraction of the area in contact.
 
-A summit (`summits`) is a rough body itself, so that the same equation gives its force relative to a
-smooth summit.
+A summit (`summits`) is rough itself. The same equation therefore gives the force on a rough summit
+relative to a smooth summit.
 """
 
 from dataclasses import dataclass, replace
@@ -70,7 +71,7 @@ def contact_term(contact: Contact) -> float:
 
 
 def smooth_force(contact: Contact) -> float:
-    """Return the force (N) on a smooth surface: that of DMT and of the area in contact."""
+    """Return the force (N) on a smooth surface: the force of DMT plus the area in contact."""
     return float(smooth_pull_off(contact.work, contact.radius, contact.area, contact.rho))
 
 
@@ -87,7 +88,7 @@ def surface_term(level: ArrayLike, relative_rms: ArrayLike) -> Floats:
 def closed_form(spectrum: Spectrum, contact: Contact, *, all_rough: bool = True) -> ClosedForm:
     """Return the mean pull-off force over contacts of a sphere on a Gaussian surface.
 
-    The surface has no other wavelengths than the spectrum. With `all_rough`, points just below the
+    The surface has no other wavelengths than the spectrum. If `all_rough`, points just below the
     sphere lie on rough summits, too; otherwise only the summits that touch are rough.
     """
     dmt_force = float(dmt_pull_off(contact.work, contact.radius))
@@ -131,8 +132,8 @@ def rough_terms(
     """Return the surface term at each level (n,) and the mean summit term, with rough summits.
 
     The rms height is relative to the range. A rough summit attracts with `summit_ratio` times the
-    force of a smooth summit. Points with a gap below the mean height of a summit do so, too,
-    because these points lie on summits (theory.md, Close points).
+    force of a smooth summit. Points with a gap below the mean height of a summit lie on summits, so
+    the factor holds for them, too (theory.md, Close points).
     """
     summit_height = 1 / max(apex.mean(), 1.0)  # relative to the rms height
 
@@ -181,7 +182,7 @@ def critical_band(spectrum: Spectrum, contact: Contact, tolerance: float) -> tup
 
     If all wavelengths shorter than the short edge, or longer than the long edge, are removed, the
     force changes by the tolerance. An edge is NaN if no cutoff does this. Summits below the sphere
-    count as smooth, because rough summits improve forces on held-out surfaces, but not edges.
+    are taken as smooth, because rough summits improve forces on held-out surfaces, but not edges.
     """
     wavelengths = spectrum.wavelength[spectrum.density > 0]
     if not len(wavelengths):

@@ -1,7 +1,7 @@
 """Predictions of the closed form for a spectrum: numbers with units, intervals and statuses.
 
-The errors come from designed surfaces with computed forces and edges. Only the half of these
-surfaces counts that was held out while the closed form was developed (`held_out_surfaces`).
+The errors come from designed surfaces with computed forces and edges: from the half that was held
+out while the closed form was developed (`held_out_surfaces`).
 """
 
 import math
@@ -59,9 +59,9 @@ def prediction(
 
     Above its longest wavelength an extrapolated spectrum of scans rises as their rms height
     requires; a table is constant there. ``extrapolated_force`` is the force with the spectrum
-    extrapolated to short waves. Without a known error intervals are NaN and the force has the
+    extrapolated to short waves. If the error is not known, intervals are NaN and the force has the
     status OUTSIDE. For scans with steep sidewalls the force has no value. Raises ValueError if
-    `trim_spectrum` refuses the spectrum, which messages call `name`.
+    `trim_spectrum` refuses the spectrum; messages call it `name`.
     """
     trimmed = trim_spectrum(spectrum, name)
     inputs = _input_numbers(trimmed, contact, tolerance)
@@ -153,7 +153,7 @@ def _input_numbers(spectrum: Spectrum, contact: Contact, tolerance: float) -> li
 def _spectrum_checks(
     spectrum: Spectrum, contact: Contact, form: ClosedForm, skewness: float
 ) -> list[Number]:
-    """Return longest octave, widest gap and skewness, each NEGLIGIBLE if the closed form holds."""
+    """Return longest octave, widest gap and skewness; all NEGLIGIBLE if the closed form holds."""
     gap = float((spectrum.wavevector[1:] / spectrum.wavevector[:-1]).max())
     gap_status = Effect.UNKNOWN if gap > MAX_WAVELENGTH_RATIO else Effect.NEGLIGIBLE
     skewness_status = Effect.MATTERS if abs(skewness) > MAX_SKEWNESS else Effect.NEGLIGIBLE
@@ -174,13 +174,13 @@ def _is_measured_error_known(
 
 
 def _validated_interval(name: str, value: float, point: TablePoint | None) -> tuple[float, float]:
-    """Return the interval of a predicted quantity, one of VALIDATED_QUANTITIES, at a point."""
+    """Return the interval of a value at a point; `name` is in VALIDATED_QUANTITIES."""
     lowest, highest = (math.nan, math.nan) if point is None else nearest_errors(point, name)
     return value * lowest, value * highest
 
 
 def _force_number(name: str, form: ClosedForm, point: TablePoint | None) -> Number:
-    """Return a force (N) with its interval; the status says whether its error is known."""
+    """Return a force (N) with its interval, and a status: INSIDE if its error is known."""
     interval = _validated_interval("force", form.force, point)
     status = Validity.OUTSIDE if point is None else Validity.INSIDE
     return Number(name, form.force, "N", *interval, status)

@@ -1,10 +1,10 @@
 """The distribution of the pull-off force over positions of the sphere, from a spectrum.
 
-The summits (`summits`) that rise above a level under the sphere are a Poisson process. Some of them
-touch. At a given level of the apex the force is taken as log-normal, with the mean from
-`closed_form` and the variance of a sum over Poisson summits. Over positions it is a mixture of
-these log-normals over the levels of `apex_distribution`. No number is fitted to a force.
-workflow/report/theory.md (The distribution of forces) has the derivation.
+The force is a mixture of log-normal distributions, one for each level of the apex; the levels
+follow `apex_distribution`. At a given level `closed_form` gives the mean. The variance is that of a
+sum over the summits (`summits`) that rise above a level under the sphere, a Poisson process. No
+number is fitted to a force. workflow/report/theory.md (The distribution of forces) has the
+derivation.
 """
 
 from dataclasses import dataclass
@@ -163,7 +163,7 @@ def _growth_with_radius(
 ) -> float:
     """Return the exponent of the force against the radius; `mean` is the attraction at the radius.
 
-    Rough summits attract with `summit_ratio` times the force of smooth ones at both radii.
+    Rough summits attract with `summit_ratio` times the force of smooth summits at both radii.
     """
     relative_rms = np.sqrt(spectral_moment(spectrum, 0)) / contact.rho
     apex = apex_distribution(spectrum, RADIUS_FACTOR * contact.radius, contact.area)

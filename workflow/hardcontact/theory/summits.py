@@ -4,16 +4,16 @@ A summit is a group of neighbouring points above a high level. Fine roughness ad
 summit, but no summits. Heights above the mean plane are levels t = z/sigma, with the rms height
 sigma. Lengths are in nm, wavevectors in rad/nm. The surface is Gaussian.
 
-A summit covers the area pi delta² on average. Its half-width delta is the distance at which the
-autocorrelation of heights has fallen to (1 - 1/t²) sigma². The density of summits is the share of
-points above the level, divided by this area. On a smooth surface it is the density of Nayak, J.
-Lubr. Technol. 93 (1971) 398; with fine roughness it is the density of Pickands, Trans. Am. Math.
-Soc. 145 (1969) 51, up to a constant.
+A summit covers the area pi delta² on average. Its half-width delta is the distance over which the
+autocorrelation of heights falls to (1 - 1/t²) sigma². The density of summits is the share of points
+above the level, divided by this area. It equals the density of Nayak on a smooth surface (J. Lubr.
+Technol. 93 (1971) 398), and up to a constant the density of Pickands with fine roughness (Trans.
+Am. Math. Soc. 145 (1969) 51).
 
-At high levels summits are independent (Aldous, Probability Approximations via the Poisson Clumping
-Heuristic, 1989). The number of summits that rise above a sphere therefore has a Poisson
-distribution, and the height of the highest point a Gumbel distribution. workflow/report/theory.md
-(The distribution of forces) has the equations.
+High summits are independent (Aldous, Probability Approximations via the Poisson Clumping Heuristic,
+1989). The number of summits that rise above a sphere therefore has a Poisson distribution, and the
+height of the highest point a Gumbel distribution. workflow/report/theory.md (The distribution of
+forces) has the equations.
 """
 
 from functools import lru_cache
@@ -102,7 +102,7 @@ def find_rough_spectrum(spectrum: Spectrum, radius: float) -> Spectrum | None:
 
 @lru_cache(maxsize=4)
 def structure_function(spectrum: Spectrum) -> tuple[Floats, Floats]:
-    """Return distances (n,) in nm, and by what share of sigma² the autocorrelation has fallen."""
+    """Return distances (n,) in nm, and the fall of the autocorrelation in shares of sigma²."""
     q = spectrum.wavevector
     distances = np.geomspace(0.05 / q[-1], 10 / q[0], DISTANCE_COUNT)
     integrand = spectrum.density * q**2 * (1 - special.j0(distances[:, None] * q))
@@ -157,12 +157,12 @@ def summits_above(spectrum: Spectrum, radius: float) -> tuple[Floats, Floats, Fl
 
 
 def search_size(spectrum: Spectrum, radius: float, area: float) -> float:
-    """Return the width (nm) of the square in which a sphere finds the summits that it touches.
+    """Return the width (nm) of the square around the apex with the summits that a sphere touches.
 
-    At the distance r from the apex the sphere is r²/2R higher, and Gaussian heights above the level
-    t are rarer by exp(-t r²/(2 R sigma)). Touching points therefore have the rms distance
-    sqrt(2 R sigma/t), half the width. Levels below 1 count as 1. The radius is in nm, the area in
-    contact in nm². The width is 0 for a surface that the sphere follows.
+    At the distance r from the apex the sphere is r²/2R higher. Gaussian heights above the level t
+    are rarer there by exp(-t r²/(2 R sigma)). Touching points therefore have the rms distance
+    sqrt(2 R sigma/t), half the width. A level below 1 is taken as 1. The radius is in nm, the area
+    in contact in nm². The width is 0 for a surface that the sphere follows.
     """
     rough_spectrum = find_rough_spectrum(spectrum, radius)
     if rough_spectrum is None:

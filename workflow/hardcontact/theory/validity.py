@@ -1,7 +1,7 @@
 """How far the closed form is valid: its errors on designed surfaces, and how hard bodies must be.
 
-Errors come from designed surfaces with computed forces and edges. Only the half of these surfaces
-counts that was held out while the closed form was developed.
+Errors come from designed surfaces with computed forces and edges: from the half that was held out
+while the closed form was developed.
 """
 
 import math
@@ -131,8 +131,8 @@ def mean_hurst_and_change(spectrum: Spectrum, contact_length: float) -> tuple[fl
 def nearest_errors(point: Mapping[str, Any], name: str) -> tuple[float, float]:
     """Return the smallest and the largest error among the surfaces of the table nearest to a point.
 
-    The point comes from `table_coordinates`. An error of the quantity `name`, one of
-    VALIDATED_QUANTITIES, is its computed over its predicted value. The distance is Euclidean in
+    The point comes from `table_coordinates`, `name` is in VALIDATED_QUANTITIES. An error is the
+    computed value relative to the predicted value. The distance is Euclidean in
     ln(weibull_modulus) and ln(contact_over_rolloff), plus one in another regime. A point outside
     the table is moved to its border.
     """
@@ -147,12 +147,12 @@ def nearest_errors(point: Mapping[str, Any], name: str) -> tuple[float, float]:
 
 
 def is_validated(point: Mapping[str, Any]) -> bool:
-    """Return whether the table covers a point, so that the error of the closed form is known."""
+    """Return whether the table covers a point: then the error of the closed form is known."""
     return all(number.status == Validity.INSIDE for number in validated_limits(point))
 
 
 def validated_limits(point: Mapping[str, Any]) -> Iterator[Number]:
-    """Yield the parameters of a point on which an error depends, with their limits in the table."""
+    """Yield VALIDATED_PARAMETERS of a point, with their limits in the table."""
     for name, unit in VALIDATED_PARAMETERS.items():
         lowest, highest = held_out_surfaces()[name].agg(["min", "max"])
         status = Validity.INSIDE if lowest <= point[name] <= highest else Validity.OUTSIDE
