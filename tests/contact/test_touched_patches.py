@@ -42,15 +42,15 @@ def bump(x, y, height, width):
 @pytest.mark.parametrize("seed", range(4))
 def test_contacts_touch_one_patch_on_a_particle_and_many_on_a_rough_surface(seed):
     x, y = generator(seed, "place").uniform(1000, 4000, 2)
-    flat = rough(seed, 1.5)
-    assert patches(flat + bump(x, y, 200.0, 90.0)) == 1
-    assert patches(flat) > 20
-    # The mean over a self-affine scan as rough as polished diamond is over many summits.
+    smoother_surface = rough(seed, 1.5)
+    assert patches(smoother_surface + bump(x, y, 200.0, 90.0)) == 1
+    # 64 contacts share patches, the more, the rougher the surface is.
+    assert patches(smoother_surface) > 20
     assert patches(rough(seed, 5.0)) >= 8
 
 
 def test_neighbouring_pixels_of_one_cap_are_one_patch():
-    """The point of contact moves over a cap of 20 µm by 8 % as far as the apex of the sphere."""
+    """On a cap of radius 20 µm the point of contact moves 7 % of the way of the sphere's apex."""
     distance = (X - 2560) ** 2 + (Y - 2560) ** 2
     cap = np.maximum(150.0 - distance / 40e3, 0)
     one_pixel = replace(CONTACT, preload=1e-9, contacts_per_row=32)

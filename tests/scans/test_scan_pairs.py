@@ -14,7 +14,7 @@ from hardcontact.scans.scan_pairs import (
     describe_contradictions,
     earlier_scans_of_areas,
     find_contradictions,
-    show_same_area,
+    have_same_area,
 )
 from hardcontact.surfaces.levelling import level_lines, level_plane
 from hardcontact.surfaces.spectrum import BIN_CENTRES
@@ -47,7 +47,7 @@ def test_copies_of_an_area_are_recognised(hurst):
         coarse(cut(surface)[::2, ::2], 2 * PIXEL),
         coarse(cut(surface, 5, 5, 7 * PIXELS // 8)),
     ):
-        assert show_same_area(trace, copy) and show_same_area(copy, trace)
+        assert have_same_area(trace, copy) and have_same_area(copy, trace)
 
 
 @pytest.mark.parametrize(("hurst", "rolloff"), [(0.5, 1e9), (1.0, 1e9), (0.8, PIXELS * PIXEL / 8)])
@@ -61,7 +61,7 @@ def test_other_areas_are_not_the_same(hurst, rolloff):
 def test_flat_maps_are_no_copies():
     flat, step = np.zeros((PIXELS, PIXELS)), np.zeros((PIXELS, PIXELS))
     step[:5] = 3.0
-    assert not show_same_area(coarse(flat), coarse(step))
+    assert not have_same_area(coarse(flat), coarse(step))
 
 
 def test_gratings_and_lays_resemble_themselves_everywhere():
@@ -69,7 +69,7 @@ def test_gratings_and_lays_resemble_themselves_everywhere():
     lay = large_map(5)[0]
     for lines in (grating, lay, lay[:, None]):
         surface = large_map(4) / 20 + lines
-        assert not show_same_area(coarse(cut(surface)), coarse(cut(surface, 250, 220)))
+        assert not have_same_area(coarse(cut(surface)), coarse(cut(surface, 250, 220)))
 
 
 # Contradictions

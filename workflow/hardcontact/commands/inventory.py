@@ -19,7 +19,7 @@ from hardcontact.scans.heights import split_notes
 from hardcontact.scans.measured_spectrum import isotropic_psd
 from hardcontact.scans.reading import DEFAULT_OPTIONS, ReadingOptions, list_scans, read_scan
 from hardcontact.scans.reliable_band import LIMIT_NAMES, ReliableBand, reliable_band
-from hardcontact.scans.scan_pairs import coarse_map, repeated_scans
+from hardcontact.scans.scan_pairs import coarse_map, repetition_notes
 from hardcontact.surfaces.height_map import HeightMap
 
 #: How undefined pixels are filled, so that the properties of the scan can be measured.
@@ -155,7 +155,7 @@ def _leave_out_repeated_scans(entries: Sequence[Entry]) -> tuple[list[Entry], li
     kept_entries: list[Entry] = []
     lines: list[str] = []
     for scans in entries_by_surface(entries).values():
-        repeated = repeated_scans([scan.coarse for scan in scans], [scan.name for scan in scans])
+        repeated = repetition_notes([scan.coarse for scan in scans], [scan.name for scan in scans])
         kept_entries += [scan for number, scan in enumerate(scans) if number not in repeated]
         lines += repeated.values()
     return kept_entries, lines

@@ -1,15 +1,10 @@
-"""Connected contact pixels: the indents that contacts leave in the sphere, and touched patches.
-
-Contact pixels that share an edge or a corner belong to one indent if they are of one contact, and
-to one patch of the scan if they are of any contacts.
-"""
+"""The indents that contacts leave in the sphere: connected contact pixels of one contact."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
 import xarray as xr
-from numpy.typing import NDArray
 
 from hardcontact.base.dataset import stack, variables_of_columns
 from hardcontact.base.progress import progress
@@ -17,22 +12,24 @@ from hardcontact.base.units import NEWTON, NM
 from hardcontact.contact.bearing_area import ContactPixels, all_contact_pixels
 from hardcontact.contact.contact import CONTACT_AXES, Contact
 from hardcontact.contact.geometry import Bodies, join_bodies, reference_gaps
+from hardcontact.contact.patches import label_connected
 from hardcontact.surfaces.height_map import HeightMap
 
 #: Pixels on either side of the deepest pixel in the maps of one contact.
 MAP_HALF_WIDTH = 32
 
-INDENT_UNITS = {"depth": "nm", "equal_area_side": "nm", "longer_side": "nm", "indent_count": "1"}
+#: Depth, sizes and number of the indents of a contact, with their units.
+INDENT_SIZES = {"depth": "nm", "equal_area_side": "nm", "longer_side": "nm", "indent_count": "1"}
 
 
 def indent_sizes(pixels: ContactPixels, pixel_size: float) -> tuple[float, float, float, int]:
-    """Return the INDENT_UNITS of the indents of one contact: depth, two sizes (nm), number.
+    """Return depth, two sizes (nm) and number of the indents of one contact: INDENT_SIZES.
 
     The depth is the penetration of the deepest pixel. The sizes are the width of a square with the
     area of the largest indent, and the longer side of its bounding box.
     """
     gaps, offsets = pixels
-    indent, count = _label_connected(offsets)
+    indent, count = label_connected(offsets)
     pixel_counts = np.bincount(indent)[indent]
     # Of equally large indents, the first of these pixels is in the deepest one.
     largest_indent = offsets[indent == indent[pixel_counts.argmax()]]
@@ -50,7 +47,7 @@ def indents_of_scans(
     """Return the indents that every substrate scan leaves in every sphere scan.
 
     Mirrored scans are by number. Ascending preloads (N) replace the preload of the contact. Returns
-    INDENT_UNITS (scan, sphere_scan, preload, contact_y, contact_x) and, for the contact of median
+    INDENT_SIZES (scan, sphere_scan, preload, contact_y, contact_x) and, for the contact of median
     depth at the largest preload, ``indentation`` (preload, y, x), ``sphere_height`` (y, x) in nm.
     """
 
@@ -88,7 +85,7 @@ def _sizes_of_bodies(bodies: Bodies, loaded_contacts: Sequence[Contact]) -> xr.D
             for index in np.ndindex(*array_shape)
         ]
     ).reshape(len(loaded_contacts), *array_shape, -1)
-    return xr.Dataset(variables_of_columns(sizes, ("preload", *CONTACT_AXES), INDENT_UNITS))
+    return xr.Dataset(variables_of_columns(sizes, ("preload", *CONTACT_AXES), INDENT_SIZES))
 
 
 def _median_contact(sizes: xr.Dataset) -> tuple[tuple[int, int], tuple[int, int]]:
@@ -118,32 +115,3 @@ def _add_height_maps(
         indentation=(("preload", "y", "x"), np.array(indentation), NM),
         sphere_height=(("y", "x"), sphere_height, NM),
     ).assign_coords(y=("y", position, NM), x=("x", position, NM))
-
-
-def count_touched_patches(bodies: Bodies, contact_pixels: ContactPixels) -> int:
-    """Return the number of patches of a mirrored scan that hold the deepest pixel of some contact.
-
-    If one particle on a flat scan carried every contact, forces would scatter little, however wrong
-    they were.
-    """
-    pixels = bodies.substrate.pixels
-    points = (bodies.geometry.apexes()[:, :, None] + contact_pixels.offsets) % pixels
-    # Fold the mirror images back onto the scan, a quarter of the map.
-    patch, _ = _label_connected(np.minimum(points, pixels - 1 - points))
-    # The first pixel of a contact has its lowest gap.
-    return len(np.unique(patch[..., 0]))
-
-
-def _label_connected(pixels: NDArray[np.int_]) -> tuple[NDArray[np.int_], int]:
-    """Return the number (...) of the group to which pixels (..., 2) belong, and how many there are.
-
-    Pixels of a group share edges or corners.
-    """
-    from scipy.ndimage import label
-
-    corner = pixels.reshape(-1, 2).min(axis=0)
-    rows, columns = np.moveaxis(pixels - corner, -1, 0)
-    is_set = np.zeros((rows.max() + 1, columns.max() + 1), bool)
-    is_set[rows, columns] = True
-    groups, count = label(is_set, np.ones((3, 3)))
-    return groups[rows, columns], count

@@ -18,7 +18,7 @@ from hardcontact.contact.bearing_area import ContactPixels, all_contact_pixels
 from hardcontact.contact.contact import CONTACT_AXES, CONTACT_MODELS, EXP_LIMITS, Contact
 from hardcontact.contact.force_sum.outside_sums import outside_sums
 from hardcontact.contact.geometry import Bodies, join_bodies
-from hardcontact.contact.indents import count_touched_patches
+from hardcontact.contact.patches import count_touched_patches
 from hardcontact.surfaces.height_map import HeightMap
 
 #: Forces on one surface, of any shape.

@@ -154,7 +154,7 @@ def add_force_ratios(forces: xr.Dataset) -> xr.Dataset:
     spectrum_end = forces["unfiltered_wavelength"]
     realizations = [axis for axis in ("realization",) if axis in forces.dims]
     return forces.assign(
-        filtered_force_ratio=(filtered / unfiltered).assign_attrs(DIMENSIONLESS),
+        filtered_force_ratio=(filtered / unfiltered).drop_attrs().assign_attrs(DIMENSIONLESS),
         unfiltered_wavelength=spectrum_end.max(realizations, keep_attrs=True),
     )
 

@@ -29,7 +29,7 @@ from hardcontact.scans.reliable_band import ReliableBand
 from hardcontact.scans.scan_pairs import (
     describe_contradictions,
     find_contradictions,
-    repeated_scans,
+    repetition_notes,
 )
 from hardcontact.surfaces.height_map import HeightMap, mirror_in_float32
 from hardcontact.surfaces.metrics import metrics
@@ -60,9 +60,6 @@ POSITION_HEADING = re.compile(r"\W*(x|position|distance|lateral)\b", re.IGNORECA
 #: Fewest wavelengths with roughness in a table. In a trial with roll-offs, five points over four
 #: decades gave the rms height with an error of up to 41 %, four points up to 57 %.
 MIN_WAVELENGTHS = 5
-#: Independent modes assumed in each bin of a C_1D, because a table does not state them: enough for
-#: the usual width of smoothing in the conversion.
-MODES_OF_A_BIN = ENOUGH_MODES
 
 
 class OwnSpectrum(NamedTuple):
@@ -94,17 +91,18 @@ def read_own_spectrum(
         raise ValueError(f"{tables[0]}: expected one table, or scans alone, found other files, too")
     if tables:
         return _spectrum_of_table(tables[0])
-    tip_radius, unit, map_size, levelling, mask, filling = options
     read_scans = (
-        read_scan(path, name, filling, unit, map_size, mask)
+        read_scan(
+            path, name, options.undefined_pixels, options.unit, options.map_size, options.mask
+        )
         for path in files
         for name in ([dataset] if dataset else list_scans(path))
     )
-    scans = [scan_with_defects(scan, sphere_radius, levelling) for scan in read_scans]
+    scans = [scan_with_defects(scan, sphere_radius, options.levelling) for scan in read_scans]
     for scan in scans:
         if np.ptp(scan.heights) < LENGTH_BOUNDS[0]:
             raise ValueError(f"{scan.path}: expected a rough surface, found constant height")
-    return _spectrum_of_scans(scans, tip_radius)
+    return _spectrum_of_scans(scans, options.tip_radius)
 
 
 def spectrum_of_map(scan: HeightMap) -> OwnSpectrum:
@@ -155,7 +153,7 @@ def _spectrum_of_scans(scans: Sequence[HeightMap], tip_radius: float | None = No
     Later scans of the same area are left out. The tip radius (nm) serves scans without their own.
     """
     names = [f"{scan.path} {scan.dataset}".strip() for scan in scans]
-    repeated = repeated_scans(scans, names)
+    repeated = repetition_notes(scans, names)
     scans = [scan for number, scan in enumerate(scans) if number not in repeated]
     names = [name for number, name in enumerate(names) if number not in repeated]
     defects = [
@@ -217,16 +215,15 @@ def table_spectrum(path: str | Path) -> Spectrum:
     for line, (wavevector, _) in points.items():
         first_line = lines.setdefault(f"{wavevector:.9g}", line)
         if first_line != line:
-            raise ValueError(
-                f"{path}: line {line}: expected each wavelength once, "
-                f"found that of line {first_line}"
-            )
+            message = f"line {line}: expected each wavelength once, found that of line {first_line}"
+            raise ValueError(f"{path}: {message}")
     rough = sum(value > 0 for _, value in points.values())
     if rough < MIN_WAVELENGTHS:
         raise ValueError(f"{path}: expected at least {MIN_WAVELENGTHS} wavelengths, found {rough}")
     wavevectors, densities = np.array(sorted(points.values())).T
     if density == "c_1d":
-        modes = np.full(densities.shape, MODES_OF_A_BIN)
+        # A table does not state the modes of a bin: enough for the usual width of smoothing.
+        modes = np.full(densities.shape, ENOUGH_MODES)
         densities = isotropic_from_profile(wavevectors, densities, modes)
     return Spectrum(wavevectors, densities)
 

@@ -63,12 +63,12 @@ def earlier_scans_of_areas(scans: Sequence[HeightMap]) -> list[int | None]:
     earlier: list[int | None] = []
     for scan in maps:
         new_areas = [index for index, first in enumerate(earlier) if first is None]
-        same = (index for index in new_areas if show_same_area(maps[index], scan))
+        same = (index for index in new_areas if have_same_area(maps[index], scan))
         earlier.append(next(same, None))
     return earlier
 
 
-def repeated_scans(scans: Sequence[HeightMap], names: Sequence[str]) -> dict[int, str]:
+def repetition_notes(scans: Sequence[HeightMap], names: Sequence[str]) -> dict[int, str]:
     """Return a line on each scan that shows the area of an earlier scan, by its index."""
     return {
         index: f"{names[index]}: it shows the same area as {names[first]}, and an area counts once"
@@ -77,7 +77,7 @@ def repeated_scans(scans: Sequence[HeightMap], names: Sequence[str]) -> dict[int
     }
 
 
-def show_same_area(first: HeightMap, second: HeightMap) -> bool:
+def have_same_area(first: HeightMap, second: HeightMap) -> bool:
     """Return whether two levelled maps from `coarse_map` show the same area.
 
     If its own halves correlate as much, as on a grating, correlation proves nothing.

@@ -48,7 +48,7 @@ VALIDATED_PARAMETERS = {
     "rho": "nm",
     "radius": "nm",
     "weibull_modulus": "1",
-    "contact_over_rolloff": "1",
+    "contact_over_peak_wavelength": "1",
     "mean_hurst": "1",
     "mean_hurst_change": "1",
 }
@@ -104,7 +104,7 @@ def table_coordinates(spectrum: Spectrum, contact: Contact, form: ClosedForm) ->
         "rho": contact.rho,
         "radius": contact.radius,
         "weibull_modulus": form.weibull_modulus,
-        "contact_over_rolloff": math.sqrt(contact.area) / peak_wavelength(spectrum),
+        "contact_over_peak_wavelength": math.sqrt(contact.area) / peak_wavelength(spectrum),
         "mean_hurst": mean_hurst,
         "mean_hurst_change": mean_hurst_change,
         "regime": form.regime,
@@ -114,9 +114,9 @@ def table_coordinates(spectrum: Spectrum, contact: Contact, form: ClosedForm) ->
 def mean_hurst_and_change(spectrum: Spectrum, contact_length: float) -> tuple[float, float]:
     """Return the mean Hurst exponent of a spectrum, and its change per decade of wavevector.
 
-    A parabola is fitted to log C_iso against log q. The fit begins at the roll-off and ends at the
-    length of the contact (nm), or at the shortest wave if that is longer. Both numbers are NaN if
-    the roll-off is shorter than the length of the contact.
+    A parabola is fitted to log C_iso against log q. The fit begins at the peak wavelength
+    and ends at the length of the contact (nm), or at the shortest wave if that is longer. Both
+    numbers are NaN if the peak wavelength is shorter than the length of the contact.
     """
     lowest, highest = 2 * np.pi / peak_wavelength(spectrum), spectrum.wavevector[-1]
     decades = math.log10(min(highest, 2 * np.pi / contact_length) / lowest)
@@ -133,11 +133,11 @@ def nearest_errors(point: Mapping[str, Any], name: str) -> tuple[float, float]:
 
     The point comes from `table_coordinates`, `name` is in VALIDATED_QUANTITIES. An error is the
     computed value relative to the predicted value. The distance is Euclidean in
-    ln(weibull_modulus) and ln(contact_over_rolloff), plus one in another regime. A point outside
-    the table is moved to its border.
+    ln(weibull_modulus) and ln(contact_over_peak_wavelength), plus one in another regime. A point
+    outside the table is moved to its border.
     """
     surfaces = held_out_surfaces().dropna(subset=f"{name}_error")
-    axes = ["weibull_modulus", "contact_over_rolloff"]
+    axes = ["weibull_modulus", "contact_over_peak_wavelength"]
     points = np.maximum(surfaces[axes].to_numpy(), MIN_WEIBULL_MODULUS)
     inside = np.clip([point[axis] for axis in axes], points.min(axis=0), points.max(axis=0))
     log_distances = np.log(points / inside)

@@ -1,4 +1,4 @@
-"""Forces and long edges on mirrored windows, against whole surfaces and known ratios."""
+"""The long edges in the table of scan sizes follow from its force ratios."""
 
 import sys
 

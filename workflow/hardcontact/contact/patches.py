@@ -1,0 +1,36 @@
+"""Patches: contact pixels that share edges or corners."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hardcontact.contact.bearing_area import ContactPixels
+from hardcontact.contact.geometry import Bodies
+
+
+def label_connected(pixels: NDArray[np.int_]) -> tuple[NDArray[np.int_], int]:
+    """Return the number (...) of the group to which pixels (..., 2) belong, and how many there are.
+
+    Pixels of a group share edges or corners.
+    """
+    from scipy.ndimage import label
+
+    corner = pixels.reshape(-1, 2).min(axis=0)
+    rows, columns = np.moveaxis(pixels - corner, -1, 0)
+    is_set = np.zeros((rows.max() + 1, columns.max() + 1), bool)
+    is_set[rows, columns] = True
+    groups, count = label(is_set, np.ones((3, 3)))
+    return groups[rows, columns], count
+
+
+def count_touched_patches(bodies: Bodies, contact_pixels: ContactPixels) -> int:
+    """Return the number of patches of a mirrored scan that hold the deepest pixel of some contact.
+
+    If one particle on a flat scan carried every contact, forces would scatter little, however wrong
+    they were.
+    """
+    pixels = bodies.substrate.pixels
+    points = (bodies.geometry.apexes()[:, :, None] + contact_pixels.offsets) % pixels
+    # Fold the mirror images back onto the scan, a quarter of the map.
+    patch, _ = label_connected(np.minimum(points, pixels - 1 - points))
+    # The first pixel of a contact has its lowest gap.
+    return len(np.unique(patch[..., 0]))
