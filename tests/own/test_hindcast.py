@@ -110,10 +110,10 @@ def test_each_side_ends_with_an_octave_within_the_reliable_wavelengths():
             "longest_reliable": ("measurement", [800.0, 600.0, 5000.0]),
         }
     )
-    octaves = hindcast.last_octaves(measurements, {"short": 20.0, "long": 1000.0})
+    octaves = hindcast.outermost_octaves(measurements, {"short": 20.0, "long": 1000.0})
     assert octaves == {"short": (25, 50), "long": (400, 800)}
-    assert hindcast.last_octave("short", 20, 30, 50) is None
-    assert hindcast.last_octave("long", 1000, 600, 2000) is None
+    assert hindcast.outermost_octave("short", 20, 30, 50) is None
+    assert hindcast.outermost_octave("long", 1000, 600, 2000) is None
 
 
 def test_wide_pixels_have_the_mean_heights_of_their_blocks():

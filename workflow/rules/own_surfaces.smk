@@ -98,7 +98,7 @@ rule sample_spectra:
 
 
 rule compute_hindcast_forces:
-    """Compute the forces on a scan with its last octave replaced, and with wider pixels."""
+    """Compute the forces on a scan with its outermost octave replaced, and with wider pixels."""
     input:
         stitched=lambda w: FILES.roughness_path(w.surface, int(w.scan)),
         spectrum=lambda w: FILES.roughness_spectrum_path(w.surface),

@@ -1,8 +1,8 @@
 """Tests whether forces on a scan may be extrapolated to roughness that the scan does not show.
 
-Hindcast: artificial roughness replaces the last octave of wavelengths that a scan shows. If the
-force then changes, a random surface cannot extrapolate this scan. On a Gaussian surface it changes
-little. Wider pixels show how much the force depends on the size of the pixels.
+Hindcast: artificial roughness replaces the outermost octave of wavelengths that a scan shows. If
+the force then changes, a random surface cannot extrapolate this scan. On a Gaussian surface the
+force changes little. Wider pixels show how much the force depends on the size of the pixels.
 """
 
 from collections.abc import Mapping, Sequence
@@ -44,21 +44,23 @@ class RandomBody(NamedTuple):
     scan: Sequence[str | int]  #: Surface and number of the scan, which name its random numbers.
 
 
-def last_octaves(
+def outermost_octaves(
     measurements: xr.Dataset, transitions: Mapping[str, float]
 ) -> dict[str, Octave | None]:
-    """Return the `last_octave` of each side, within the reliable wavelengths of measurements."""
+    """Return the `outermost_octave` of each side within reliable wavelengths of measurements."""
     reliable = measurements.where(measurements["reliable"].any("bin_wavevector"))
     shortest = float(reliable["shortest_reliable"].min())
     longest = float(reliable["longest_reliable"].max())
     return {
-        side: last_octave(side, transition, shortest, longest)
+        side: outermost_octave(side, transition, shortest, longest)
         for side, transition in transitions.items()
     }
 
 
-def last_octave(side: str, transition: float, shortest: float, longest: float) -> Octave | None:
-    """Return the last octave that a scan shows before its roughness is extrapolated on a side.
+def outermost_octave(
+    side: str, transition: float, shortest: float, longest: float
+) -> Octave | None:
+    """Return the outermost octave that a scan shows before its roughness is extrapolated on a side.
 
     The roughness is extrapolated beyond the transition; the scan is reliable from `shortest` to
     `longest`, all in nm. None if it shows no octave.
@@ -176,7 +178,7 @@ def hindcast_dataset(forces: xr.Dataset, tolerance: float, confidence: float) ->
 
     The forces (map, ...) come from `hindcast_forces` and `pixel_forces`. Besides the variables of
     `hindcast_ratios`, ``wide_pixel_ratio`` is the force on wide pixels and ``filtered_scan_ratio``
-    that without the waves shorter than the last octave, both relative to the force on the scans.
+    that without the waves shorter than the outermost octave, both relative to that on the scans.
     """
     means = forces.mean(["map", *CONTACT_AXES])
     filtered = means["scan_octave_force"].sel(side="short", drop=True) / means["scan_force"]
