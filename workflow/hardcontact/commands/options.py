@@ -57,7 +57,7 @@ def parse_quantities(arguments: Namespace) -> tuple[dict[str, QuantityOption], l
     quantity_types = {name: quantity_type(key) for name, (key, _) in CONTACT_QUANTITIES.items()}
     quantity_types |= {
         "tip": TIP_RADIUS,
-        "size": quantity_type("substitutes.size"),
+        "size": quantity_type("scan.map_size"),
         "modulus": quantity_types["hardness"],
     }
     quantities = {}
