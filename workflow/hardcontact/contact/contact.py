@@ -57,9 +57,10 @@ MIN_WINDOW_SHARE = 0.99
 class Contact:
     """Sphere, loading, adhesion and array that all contacts of a computation share.
 
-    The loading is the preload and the hardness, or that the contact is rigid. Every computation
-    needs the first three fields. Height maps also need window and array; forces at one range need
-    `rho`, forces in N other than at 1 J/m² `work`. A field left out is NaN; `require` refuses it.
+    The loading is a preload with a hardness (plastic), or without one (rigid). Every computation
+    needs the first three fields. Height maps also need window and array, forces at one range need
+    `rho`, and forces at another work than 1 J/m² need `work`. A field left out is NaN; `require`
+    refuses it.
     """
 
     radius: float  #: Radius of the sphere in nm.

@@ -76,7 +76,7 @@ def forces_at_loadings(
 ) -> Floats:
     """Return the forces (loading, rho, contact_y, contact_x) of two bodies in N at 1 J/m².
 
-    A loading is the preload of a contact and the hardness, or that the contact is rigid. The
+    A loading is a preload with a hardness (plastic contact), or without one (rigid contact). The
     contacts differ in their loading alone; ranges of adhesion are in nm.
     """
     return _pixels_and_forces(bodies, loaded_contacts, ranges)[2]
