@@ -28,7 +28,7 @@ from hardcontact.surfaces.metrics import TABLE1_METRICS, measured_metrics
 #: mean and for the median force, at the published range and work of adhesion.
 MAX_FORCE_FACTOR = 2.0
 #: Statistics of forces on a sample, with their units.
-SAMPLE_ATTRS = {
+SAMPLE_STATISTICS = {
     "mean_force_at_pair": NEWTON, "median_force_at_pair": NEWTON, "log_force_std": DIMENSIONLESS,
     "agrees": DIMENSIONLESS,
 }  # fmt: skip
@@ -50,13 +50,13 @@ def compute_samples(
     samples = []
     for number in progress(numbers, len(numbers), "surfaces with features"):
         features, scans = sample_group(featured, kind, range(1, scan_count + 1), number)
-        sample = {}
+        scan_results = {}
         for index, scan in enumerate(map(level_plane, scans), 1):
             forces = smooth_sphere_forces(scan, contact, ranges)
             roughness = measured_metrics(scan, TABLE1_METRICS.values())
-            sample[(index,)] = roughness.assign(pull_off_force=forces)
+            scan_results[(index,)] = roughness.assign(pull_off_force=forces)
         description = describe_features(features, featured.mean_rms_height)
-        samples.append(stack(sample, ["scan"]).assign(description))
+        samples.append(stack(scan_results, ["scan"]).assign(description))
     return xr.concat(samples, pd.Index(list(numbers), name="sample"))
 
 
@@ -94,7 +94,7 @@ def compare_features(
     if not chunks:
         return empty_comparison()
     ((surface, samples),) = samples_by_surface(chunks).items()
-    plastic = {kind: sample.sel(contact_model=PLASTIC) for kind, sample in samples.items()}
+    plastic = {kind: forces.sel(contact_model=PLASTIC) for kind, forces in samples.items()}
     factor = sphere_factors.sel(contact_model=PLASTIC, surface=surface, drop=True)
     comparison = compare_with_published(plastic, factor, published, surface)
     return comparison.assign_attrs(label=labels[surface])
@@ -106,7 +106,7 @@ def compare_with_published(
     published: PublishedForces,
     surface: str,
 ) -> xr.Dataset:
-    """Return SAMPLE_ATTRS (features, sample) of plastic forces at the published pair.
+    """Return SAMPLE_STATISTICS (features, sample) of plastic forces at the published pair.
 
     `sphere_factor` (rho) is the force on the rough sphere relative to a smooth sphere. ``agrees``
     is 1 if mean and median force are within MAX_FORCE_FACTOR of the published forces.
@@ -123,7 +123,7 @@ def compare_with_published(
         values = (mean, median, np.log(contacts.values).std(axis=1), agrees.astype(float))
         statistics = {
             name: ("sample", value, unit)
-            for (name, unit), value in zip(SAMPLE_ATTRS.items(), values, strict=True)
+            for (name, unit), value in zip(SAMPLE_STATISTICS.items(), values, strict=True)
         }
         descriptions = [name for name in kind_samples if kind_samples[name].dims == ("sample",)]
         kinds.append(kind_samples[descriptions].assign(statistics))
@@ -141,7 +141,7 @@ def empty_comparison() -> xr.Dataset:
     """Return an empty dataset like `compare_with_published`, for a study without features."""
     empty = ("features", "sample"), np.empty((len(KINDS), 0))
     return xr.Dataset(
-        {name: (*empty, unit) for name, unit in SAMPLE_ATTRS.items()},
+        {name: (*empty, unit) for name, unit in SAMPLE_STATISTICS.items()},
         {"features": list(KINDS), "sample": np.arange(0)},
         {"surface": "", "label": "", "source": "substitute"},
     )

@@ -27,7 +27,7 @@ from hardcontact.inference.fit import fine_ranges
 
 #: Number of independent forces in a published mean. The paper used at least six spheres; tests with
 #: the same sphere share its summits, so that each sphere counts as a single test.
-SPHERE_COUNT = 6
+INDEPENDENT_FORCES = 6
 #: Label of the posterior of all surfaces.
 NONE_LEFT_OUT = "none"
 
@@ -76,7 +76,7 @@ def posterior(mean_forces: xr.DataArray, published: pd.DataFrame, sampling: Samp
     index, log_works = posterior_samples(
         np.log(curves),
         np.log(targets["mean_force"].to_numpy()),
-        log_mean_error(log_stds, SPHERE_COUNT),
+        log_mean_error(log_stds, INDEPENDENT_FORCES),
         sampling.generator(*forces["surface"].values.tolist()),
         sampling.sample_count,
     )
@@ -84,16 +84,21 @@ def posterior(mean_forces: xr.DataArray, published: pd.DataFrame, sampling: Samp
 
 
 def study_posteriors(
-    sets: xr.Dataset, maps: Mapping[str, xr.DataArray], published: pd.DataFrame, sampling: Sampling
+    sets: xr.Dataset,
+    forces_by_surface: Mapping[str, xr.DataArray],
+    published: pd.DataFrame,
+    sampling: Sampling,
 ) -> xr.Dataset:
     """Return the posteriors (forces_on, left_out) of all surfaces, and without each in turn.
 
-    `sets` has the variables of sets.nc in plastic contact; `maps` has the forces on whole surfaces,
-    as for `means_on_whole_surfaces`, if there are any.
+    `sets` has the variables of sets.nc in plastic contact; `forces_by_surface` are those on whole
+    surfaces, as for `means_on_whole_surfaces`, if there are any.
     """
     forces = {"scans": sets["mean_force"].rename(set="replicate")}
-    if maps:
-        forces["whole surfaces"] = means_on_whole_surfaces(maps, sets["sphere_factor"], sampling)
+    if forces_by_surface:
+        forces["whole surfaces"] = means_on_whole_surfaces(
+            forces_by_surface, sets["sphere_factor"], sampling
+        )
     posteriors = {}
     for name, mean_forces in forces.items():
         for left_out in (NONE_LEFT_OUT, *mean_forces["surface"].values.tolist()):
@@ -104,7 +109,7 @@ def study_posteriors(
 
 
 def means_on_whole_surfaces(
-    surfaces: Mapping[str, xr.DataArray], sphere_factor: xr.DataArray, sampling: Sampling
+    forces_by_surface: Mapping[str, xr.DataArray], sphere_factor: xr.DataArray, sampling: Sampling
 ) -> xr.DataArray:
     """Sample mean forces (replicate, surface, rho) of the rough sphere on whole surfaces.
 
@@ -117,10 +122,10 @@ def means_on_whole_surfaces(
             forces.transpose("map", "rho").values,
             sampling.sample_count,
         )
-        for surface, forces in surfaces.items()
+        for surface, forces in forces_by_surface.items()
     ]
-    rho = next(iter(surfaces.values()))["rho"]
-    coordinates = {"surface": list(surfaces), "rho": rho}
+    rho = next(iter(forces_by_surface.values()))["rho"]
+    coordinates = {"surface": list(forces_by_surface), "rho": rho}
     means = xr.DataArray(np.stack(samples, axis=1), coordinates, ("replicate", "surface", "rho"))
     return means * sphere_factor.sel(rho=rho)
 
