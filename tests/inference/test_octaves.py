@@ -1,4 +1,4 @@
-"""Octaves: waves are split without loss, and the sensitivities are derivatives."""
+"""Waves are split without loss, sensitivities are derivatives, forces on a band are relative."""
 
 import numpy as np
 import xarray as xr
