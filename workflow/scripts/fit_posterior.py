@@ -10,7 +10,7 @@ from hardcontact.records.job import run_job
 with run_job(snakemake) as job:
     params = job.parameters
     sampling = Sampling.from_parameters(params["sampling"], "posterior")
-    published_forces = published.read_measured_statistics(job.input.published_pull_off)
+    published_forces = published.read_published_forces(job.input.published_pull_off)
     sets = read(job.input.sets).sel(contact_model=PLASTIC)
     files = read_all(params["whole_surfaces"], job.input.whole_surfaces)
     whole_surfaces = {

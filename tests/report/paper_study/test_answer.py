@@ -80,11 +80,11 @@ def test_an_edge_at_wavelengths_of_artificial_roughness_says_so():
     sources = {}
     for small, large in ((20.0, 5000.0), (80.0, 1000.0)):
         moved = datasets()["scales"].assign(transition=("side", [small, large]))
-        rows = change_claim("first_short_edge", computed=50.0)
-        rows.loc[rows["id"] == ANSWER_CLAIMS["first_long_edge"], "computed"] = 2000.0
+        rows = change_claim("short_edge_first", computed=50.0)
+        rows.loc[rows["id"] == ANSWER_CLAIMS["long_edge_first"], "computed"] = 2000.0
         artificial_answer = answer(rows, scales=moved)
         numbers = numbers_of_answer(artificial_answer)
-        sources[small] = [numbers[name].source for name in ("first_short_edge", "first_long_edge")]
+        sources[small] = [numbers[name].source for name in ("short_edge_first", "long_edge_first")]
         mcd = numbers_of_answer(artificial_answer, "mcd")
         assert mcd["short_edge"].source == sources[small][0]
     assert sources == {20.0: ["computed"] * 2, 80.0: ["artificial"] * 2}

@@ -45,7 +45,7 @@ def test_the_page_says_first_what_came_out(page):
     assert "Wavelengths of 640 to 1280 nm matter most: 1 % more " in first_words
     assert " (320 to 640 nm: " in first_words
     numbers = numbers_of_answer(answer())
-    for name in ("first_short_edge", "first_long_edge"):
+    for name in ("short_edge_first", "long_edge_first"):
         edge, published = numbers[name], numbers[f"{name}_published"]
         interval = (edge.low, edge.high)
         assert_says(first_words, format_as_paper(edge.value, edge.unit, interval, 2))

@@ -32,8 +32,8 @@ def read_constants(path: str | Path) -> pd.DataFrame:
     return pd.read_csv(path, index_col="quantity")
 
 
-def read_measured_statistics(path: str | Path) -> pd.DataFrame:
-    """Read `pull_off.csv`: statistics of the measured pull-off forces.
+def read_published_forces(path: str | Path) -> pd.DataFrame:
+    """Read `pull_off.csv`: the statistics of pull-off forces that the paper prints.
 
     Returns mean_force and median_force in N and effective_work_of_adhesion in J/m², by surface.
     A number that the paper does not print is NaN.
@@ -41,8 +41,8 @@ def read_measured_statistics(path: str | Path) -> pd.DataFrame:
     return pd.read_csv(path).pivot(index="surface", columns="quantity", values="value")
 
 
-def read_printed_statistics(path: str | Path) -> pd.DataFrame:
-    """Read `pull_off.csv` like `read_measured_statistics`, but keep the printed digits as text."""
+def read_printed_forces(path: str | Path) -> pd.DataFrame:
+    """Read `pull_off.csv` like `read_published_forces`, but keep the printed digits as text."""
     rows = pd.read_csv(path, dtype=str)
     return rows.pivot(index="surface", columns="quantity", values="value")
 

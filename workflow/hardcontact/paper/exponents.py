@@ -14,7 +14,8 @@ from hardcontact.base.units import DIMENSIONLESS
 from hardcontact.contact.contact import CONTACT_AXES
 from hardcontact.inference.edges import find_edge, logarithmic_limits, ordered_curve
 
-#: Quantities whose square roots are compared with edges, in the order of the fitted exponents.
+#: Labels of the fitted exponents: those of the square roots of the sphere's radius, and of the area
+#: in contact.
 SCALED_QUANTITIES = ["radius", "contact"]
 
 

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from hardcontact.base.arrays import Floats
 from hardcontact.base.dataset import stack
 from hardcontact.base.progress import progress
-from hardcontact.base.published import read_constants, read_measured_statistics
+from hardcontact.base.published import read_constants, read_published_forces
 from hardcontact.base.statistics import Sampling, student_log_interval, with_interval
 from hardcontact.base.units import DIMENSIONLESS, JOULE_PER_M2, NEWTON, NM
 from hardcontact.contact.contact import PLASTIC, RIGID
@@ -57,7 +57,7 @@ SAMPLED_VARIABLES = {
 class PublishedForces(NamedTuple):
     """Published forces, and how the paper inferred range and work of adhesion from them."""
 
-    forces: pd.DataFrame  #: From `published.read_measured_statistics`.
+    forces: pd.DataFrame  #: From `published.read_published_forces`.
     pair: tuple[float, float]  #: Published range (nm) and work of adhesion (J/m²).
     error_threshold: float  #: A pair fits if its mean relative error is below this threshold.
     force_floor: float  #: Smallest measurable force in N.
@@ -68,7 +68,7 @@ class PublishedForces(NamedTuple):
         values = read_constants(constants)["value"]
         pair = values["range_of_adhesion"], values["work_of_adhesion"]
         threshold, floor = values["error_threshold"], values["force_floor"]
-        return cls(read_measured_statistics(pull_off), pair, threshold, floor)
+        return cls(read_published_forces(pull_off), pair, threshold, floor)
 
 
 def fit_published(

@@ -23,7 +23,7 @@ NO_HIGH_END = (EdgeStatus.OPEN_ABOVE, NumberStatus.INTERVAL_OPEN_HIGH, *NO_INTER
 #: Agreements in the order of rows; the others, which resolve no change, stand between.
 AGREEMENT_RANKS = {"changed": 0, "different": 1, "equal": 3}
 #: Numbers that answer the question; they come first.
-MAIN_NUMBERS = re.compile("(first_)?(short|long)_edge|mean_force|(range|work)_of_adhesion")
+MAIN_NUMBERS = re.compile("(short|long)_edge(_first)?|mean_force|(range|work)_of_adhesion")
 #: Numbers beside the answer, by the beginning or end of their names; they come last.
 SIDE_NUMBERS = re.compile("(bumps|pits|gaussian|verdicts)_.*|.*_(scatter|agreeing_share)")
 

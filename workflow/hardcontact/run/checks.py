@@ -107,7 +107,7 @@ def _paper_faults(config: dict[str, Any], contacts: pd.DataFrame) -> list[str]:
     if config["substitutes"]["featured_surface"] != NONE:
         faults += _name_faults(config, "substitutes.featured_surface", substrates)
     pull_off_table = published.PUBLISHED_TABLES["published_pull_off"]
-    compared = published.read_measured_statistics(pull_off_table).index
+    compared = published.read_published_forces(pull_off_table).index
     unpublished = [surface for surface in substrates if surface not in compared]
     if unpublished:
         accepted = (

@@ -30,7 +30,7 @@ MAX_VECTOR_POINTS = 1000  # of a curve or of symbols in the SVG; more become an 
 SVG_FONTS = b"'DejaVu Sans', Verdana, sans-serif"  # of equal widths
 READERS = {
     "published_constants": published.read_constants,
-    "published_pull_off": published.read_measured_statistics,
+    "published_pull_off": published.read_published_forces,
 }
 
 

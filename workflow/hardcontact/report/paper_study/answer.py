@@ -31,8 +31,8 @@ from hardcontact.report.templates import render_lines, render_text
 ANSWER_CLAIMS = {
     "short_edge": "short_edge_mean",
     "long_edge": "long_edge_mean",
-    "first_short_edge": "short_edge_first",
-    "first_long_edge": "long_edge_first",
+    "short_edge_first": "short_edge_first",
+    "long_edge_first": "long_edge_first",
     "range_of_adhesion": "range_of_adhesion",
     "work_of_adhesion": "work_of_adhesion",
     "fit_error": "plastic_fits",
@@ -180,7 +180,7 @@ def _interval_status(end: str) -> StrEnum:
 
 def _claim_numbers(name: str, row: Any, datasets: Mapping[str, xr.Dataset]) -> list[Number]:
     """Return the computed and the published number of a claim."""
-    edge = name.removeprefix("first_")
+    edge = name.removesuffix("_first")
     source = "computed"
     if edge in EDGE_SIDES:
         source = _edge_source(datasets["scales"], EDGE_SIDES[edge][0], row.computed)
