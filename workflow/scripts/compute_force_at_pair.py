@@ -3,22 +3,25 @@
 from hardcontact.base.dataset import read
 from hardcontact.contact.contact import Contact
 from hardcontact.inference.scan_parts import fewest_touched_patches
-from hardcontact.own.force_at_pair import SurfaceDatasets, force_dataset
+from hardcontact.own.force_at_pair import force_dataset
 from hardcontact.own.mean_forces import MasterScans
 from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:
     params = job.parameters
-    paths = [job.input[name] for name in SurfaceDatasets._fields]
-    data = SurfaceDatasets(*(read(path) if path else None for path in paths))
-    touched_patches = fewest_touched_patches(data.adhesion)
+    adhesion = read(job.input.adhesion)
+    touched_patches = fewest_touched_patches(adhesion)
     job.write(
         force_dataset(
-            data,
-            Contact(**params["contact"]),
-            MasterScans(params["scan_counts"], params["tiles"], touched_patches),
-            params["tolerance"],
-            params["confidence"],
+            adhesion,
+            read(job.input.scales),
+            read(job.input.topography),
+            read(job.input.spectra),
+            read(job.input.hindcast) if job.input.hindcast else None,
+            contact=Contact(**params["contact"]),
+            master_scans=MasterScans(params["scan_counts"], params["tiles"], touched_patches),
+            tolerance=params["tolerance"],
+            confidence=params["confidence"],
         ),
         title="pull-off forces at one range and work",
     )

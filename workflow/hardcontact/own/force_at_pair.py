@@ -5,7 +5,6 @@ beyond the wavelengths of the scans, because the microscope does not show all of
 """
 
 from collections.abc import Mapping, Sequence
-from typing import NamedTuple
 
 import numpy as np
 import xarray as xr
@@ -43,21 +42,13 @@ from hardcontact.theory.validity import assumed_modulus, judge_tabor_parameter
 FORCE_QUANTILES = [0.05, 0.25, 0.5, 0.75, 0.95]
 
 
-class SurfaceDatasets(NamedTuple):
-    """The datasets of a study of the user's surfaces from which forces follow, as in their files.
-
-    Forces in `adhesion` and `scales` are at 1 J/m². Substitutes alone have no hindcast.
-    """
-
-    adhesion: xr.Dataset
-    scales: xr.Dataset
-    topography: xr.Dataset
-    spectra: xr.Dataset
-    hindcast: xr.Dataset | None
-
-
 def force_dataset(
-    data: SurfaceDatasets,
+    adhesion: xr.Dataset,
+    scales: xr.Dataset,
+    topography: xr.Dataset,
+    spectra: xr.Dataset,
+    hindcast: xr.Dataset | None,
+    *,
     contact: Contact,
     master_scans: MasterScans,
     tolerance: float,
@@ -65,25 +56,30 @@ def force_dataset(
 ) -> xr.Dataset:
     """Return force.nc: the forces on all surfaces at the range and work of the contact.
 
-    The `tolerance` is a relative change of the force. No mean force exceeds that of the smooth
-    sphere. Attributes have the Tabor parameter and whether the bodies are hard.
+    Forces in `adhesion` and `scales` are at 1 J/m²; substitutes alone have no hindcast. The
+    `tolerance` is a relative change of the force. No mean force exceeds that of the smooth sphere.
     """
-    scan_sizes = data.topography["scan_size"].to_series()
     force = forces_on_scans(
-        data.adhesion,
+        adhesion,
         work=contact.work,
         rho=contact.rho,
-        scan_sizes={str(name): size for name, size in scan_sizes.items()},
+        scan_sizes=topography["scan_size"].to_series().to_dict(),
         confidence=confidence,
     )
-    extrapolated_forces = extrapolated_force(data.scales, master_scans, contact.work, confidence)
+    extrapolated_forces = extrapolated_force(scales, master_scans, contact.work, confidence)
     force = add_extrapolated_force(force, extrapolated_forces, tolerance)
-    force = _widen_intervals(force, data.hindcast, contact.rho)
+    force = _widen_intervals(force, hindcast, contact.rho)
     force = bound_by_smooth_sphere(force, contact.area)
-    spectra = [spectrum_of_dataset(data.spectra.sel(surface=name)) for name in force.surface.values]
-    search_sizes = [search_size(spectrum, contact.radius, contact.area) for spectrum in spectra]
-    force = add_sizes(force, data.topography, contact, search_sizes)
-    scatter = [force_scatter(spectrum, contact, tolerance, confidence) for spectrum in spectra]
+    surface_spectra = [
+        spectrum_of_dataset(spectra.sel(surface=name)) for name in force["surface"].values
+    ]
+    search_sizes = [
+        search_size(spectrum, contact.radius, contact.area) for spectrum in surface_spectra
+    ]
+    force = add_sizes(force, topography, contact, search_sizes)
+    scatter = [
+        force_scatter(spectrum, contact, tolerance, confidence) for spectrum in surface_spectra
+    ]
     force = force.merge(xr.concat(scatter, force["surface"]))
     tabor = judge_tabor_parameter(contact, assumed_modulus(contact.hardness))
     return force.assign_attrs(tabor_parameter=tabor.value, bodies=tabor.status)

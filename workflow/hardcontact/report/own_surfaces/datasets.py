@@ -39,8 +39,13 @@ class Datasets(NamedTuple):
 
     def select_surface(self, surface: str) -> "Datasets":
         """Return the datasets of one surface, with the fit to the forces of all surfaces."""
-        surface_datasets = (dataset.sel(surface=surface) for dataset in self[:5])
-        return Datasets(*surface_datasets)._replace(fit=self.fit)
+        return self._replace(
+            topography=self.topography.sel(surface=surface),
+            spectra=self.spectra.sel(surface=surface),
+            edges=self.edges.sel(surface=surface),
+            force=self.force.sel(surface=surface),
+            sensitivity=self.sensitivity.sel(surface=surface),
+        )
 
     def labels(self) -> dict[str, str]:
         """Return the printed name of each surface with a band, with a mark on substitutes."""
