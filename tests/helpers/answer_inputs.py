@@ -310,7 +310,7 @@ def fit(count=1):
             interval_source=("surface", ["scans"] * count),
         )
         .assign(extrapolated_work(count))
-        .assign_attrs(source="measured", confidence=CONFIDENCE, assumed_range=RANGE)
+        .assign_attrs(confidence=CONFIDENCE, rho=RANGE)
     )
 
 

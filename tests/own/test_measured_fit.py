@@ -37,6 +37,7 @@ def adhesion(rng, scans=5, spread=0.2, contact_spread=0.3):
             "pull_off_force": (FORCE_DIMS, factor * curves[:, None, None, None, :, None, None]),
             "touched_patches": (FORCE_DIMS[:3], np.full(shape[:3], 99.0)),
             "label": ("surface", ["A", "B"]),
+            "source": ("surface", ["measured"] * 2),
         },
         {"surface": list(SLOPES), "contact_model": ["plastic"], "rho": RHOS},
         {"sphere_radius": 5e3},

@@ -25,7 +25,7 @@ def test_the_fit_finds_the_range_and_work_that_made_the_forces():
     assert float(fits.range_from_ratios) == pytest.approx(4.0, rel=0.01)
     assert float(fits.work_of_adhesion) == pytest.approx(0.05, rel=0.02)
     assert float(fits.best_error) < 0.01
-    for name, value in (("low_error_range", 4.0), ("low_error_work", 0.05)):
+    for name, value in (("region_range", 4.0), ("region_work", 0.05)):
         low, high = fits[name].sel(end=["low", "high"]).values
         assert low < value < high
 

@@ -50,7 +50,7 @@ def test_fits_of_several_surfaces_have_a_region():
 
 
 def test_the_range_of_the_forces_may_lie_outside_of_the_region():
-    short_range = fit(2).assign_attrs(assumed_range=1.0)  # the region begins at 3.2 nm
+    short_range = fit(2).assign_attrs(rho=1.0)  # the region begins at 3.2 nm
     assert fitted(short_range)["fit_agrees"].value == 0
 
 

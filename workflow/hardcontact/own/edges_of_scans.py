@@ -1,7 +1,8 @@
 """The edges of the critical band of the user's surfaces, whose masters share few scans.
 
 Real roughness goes on beyond the wavelengths of the scans, so an edge beyond the computed cutoffs
-is open. Intervals come from parts of the scans, because scans are few.
+is open. Intervals come from parts of the scans, because scans are few: `paper.edges_of_masters` has
+other scans for each master.
 """
 
 from operator import truediv
@@ -41,7 +42,7 @@ def edges_of_scans(
         curves = _widen_ratios(curves, hindcast["hindcast_ratio"])
     edges = edges_of_curves(curves, tolerance)
     if hindcast is not None:
-        edges = _without_ripples(edges, hindcast["filtered_scan_ratio"] < 1 - tolerance)
+        edges = _without_rippled_edges(edges, hindcast["filtered_scan_ratio"], tolerance)
     curves = curves.transpose("surface", "side", ...)
     descriptions = curves[["interval_is_conditional", "interval_source", "interval_scans"]]
     return (
@@ -79,12 +80,15 @@ def _widen_ratios(curves: xr.Dataset, hindcast_ratio: xr.DataArray) -> xr.Datase
     return widen_interval(curves, "filtered_force_ratio", np.exp(np.minimum(log_error, log_ratio)))
 
 
-def _without_ripples(edges: xr.Dataset, has_ripples: xr.DataArray) -> xr.Dataset:
+def _without_rippled_edges(
+    edges: xr.Dataset, filtered_scan_ratio: xr.DataArray, tolerance: float
+) -> xr.Dataset:
     """Return edges without the short edges of surfaces on which the filter makes ripples.
 
-    Ripples are where removing short wavelengths lowers the force: less roughness should raise it.
+    `shows_ripples` compares with forces on masters, whose artificial roughness lowers the force and
+    may hide ripples. Hence this ratio of the force on the filtered scan to that on the scan.
     """
-    is_rippled = has_ripples.reindex(surface=edges["surface"], fill_value=False)
-    is_kept = ~is_rippled | (edges["side"] != "short")
+    ratio = filtered_scan_ratio.reindex(surface=edges["surface"])
+    is_kept = ~(ratio < 1 - tolerance) | (edges["side"] != "short")
     status = edges["edge_status"].where(is_kept, EdgeStatus.RIPPLES)
     return edges.where(is_kept).assign(edge_status=status).transpose("surface", "side", ...)

@@ -59,11 +59,12 @@ def force_dataset(
     Forces in `adhesion` and `scales` are at 1 J/m²; substitutes alone have no hindcast. The
     `tolerance` is a relative change of the force. No mean force exceeds that of the smooth sphere.
     """
+    scan_sizes = topography["scan_size"].to_series()
     force = forces_on_scans(
         adhesion,
         work=contact.work,
         rho=contact.rho,
-        scan_sizes=topography["scan_size"].to_series().to_dict(),
+        scan_sizes={str(name): size for name, size in scan_sizes.items()},
         confidence=confidence,
     )
     extrapolated_forces = extrapolated_force(scales, master_scans, contact.work, confidence)

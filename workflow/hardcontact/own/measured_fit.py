@@ -2,7 +2,8 @@
 
 Forces F are measured, and forces f are computed at 1 J/m². Forces are proportional to the work of
 adhesion, so that at each range rho the work W = F/f(rho) makes both agree. One surface gives a
-curve W(rho). For several surfaces, the region contains the pairs within the intervals of all.
+curve W(rho). For several surfaces, the region contains the pairs within the intervals of all:
+`paper.published_fit` has an error threshold instead, because the paper prints no intervals.
 """
 
 from collections.abc import Mapping
@@ -73,19 +74,16 @@ def fit_measured(
         else IntervalSource.ONE_TEST
         for name, test in tests.items()
     ]
-    variables = {"interval_source": ("surface", codes), "label": measured_adhesion["label"]}
-    variables |= sampling.with_interval("measured_force", "surface", means, test_samples, NEWTON)
+    variables = sampling.with_interval("measured_force", "surface", means, test_samples, NEWTON)
+    variables["interval_source"] = ("surface", codes)
     for name in ("test_count", "site_count", "look_repeated"):
         counts = [int(getattr(test, name)) for test in tests.values()]
         variables[name] = ("surface", counts, DIMENSIONLESS)
     return (
         stack(fits, ["contact_model"])
         .assign(variables)
-        .assign_attrs(
-            source="measured",
-            confidence=sampling.confidence,
-            sphere_radius=adhesion.attrs["sphere_radius"],
-        )
+        .assign(label=measured_adhesion["label"], source=measured_adhesion["source"])
+        .assign_attrs(confidence=sampling.confidence, sphere_radius=adhesion.attrs["sphere_radius"])
     )
 
 
@@ -216,8 +214,8 @@ def add_extrapolated_work(fitted: xr.Dataset, force: xr.Dataset) -> xr.Dataset:
     """Return a fit to measured forces with the work of adhesion from extrapolated roughness.
 
     Forces on masters (force.nc) are computed at one range and in plastic contact only. So
-    ``extrapolated_work`` (surface, side) in J/m² holds at the ``assumed_range`` alone. In its
-    interval, the independent errors of the logarithms of both forces add in squares.
+    ``extrapolated_work`` (surface, side) in J/m² holds at the range ``rho`` of force.nc alone. In
+    its interval, the independent errors of the logarithms of both forces add in squares.
     """
     surface_force = force.sel(surface=fitted.surface)
     computed_force = surface_force.extrapolated_force / force.attrs["work_of_adhesion"]
@@ -232,7 +230,7 @@ def add_extrapolated_work(fitted: xr.Dataset, force: xr.Dataset) -> xr.Dataset:
         "extrapolated_work", work.dims, work.values, interval, JOULE_PER_M2, confidence
     )
     variables |= {name: surface_force[name] for name in ("extrapolation_matters", "transition")}
-    return fitted.assign(variables).assign_attrs(assumed_range=force.attrs["rho"])
+    return fitted.assign(variables).assign_attrs(rho=force.attrs["rho"])
 
 
 def _logarithmic_errors(data: xr.Dataset, name: str) -> tuple[xr.DataArray, xr.DataArray]:

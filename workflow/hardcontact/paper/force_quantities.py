@@ -203,12 +203,12 @@ def least_ratio_error(fit: xr.Dataset) -> xr.Dataset:
 
 def half_width_of_range(fit: xr.Dataset) -> xr.Dataset:
     """Return half the extent in range of the region of small error (contact_model)."""
-    return _half_width(fit["low_error_range"])
+    return _half_width(fit["region_range"])
 
 
 def half_width_of_work(fit: xr.Dataset) -> xr.Dataset:
     """Return half the extent in work of adhesion of the region of small error (contact_model)."""
-    return _half_width(fit["low_error_work"])
+    return _half_width(fit["region_work"])
 
 
 def _half_width(region: xr.DataArray) -> xr.Dataset:

@@ -2,6 +2,7 @@
 
 All forces are computed for a work of adhesion of 1 J/m², to which they are proportional. Force
 statistics are given for two pairs of range and work of adhesion, the published and the fitted pair.
+`own.measured_fit` finds all pairs within intervals instead, because its user may have few forces.
 """
 
 from pathlib import Path
@@ -181,8 +182,8 @@ def _error_variables(
     return {
         "mean_relative_error": (("rho_fine", "work"), errors, DIMENSIONLESS),
         "best_error_by_range": ("rho_fine", smallest_errors, DIMENSIONLESS),
-        "low_error_range": ("end", region_range, NM),
-        "low_error_work": ("end", region_work, JOULE_PER_M2),
+        "region_range": ("end", region_range, NM),
+        "region_work": ("end", region_work, JOULE_PER_M2),
     } | {
         f"{name}_at_minimum": (
             "minimum",

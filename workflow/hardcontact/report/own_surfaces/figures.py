@@ -206,7 +206,7 @@ def draw_works(datasets: Datasets) -> Figure:
         curves = {"value": np.sqrt(low * high), "low": low, "high": high}
         region = xr.Dataset({name: ("rho", values) for name, values in curves.items()})
         _draw_curve(axes, rho, region, FITS_ALL_LOOK)
-    _finish_over_range(figure, rho, fit.attrs["assumed_range"], "work of adhesion (mJ/m²)")
+    _finish_over_range(figure, rho, fit.attrs["rho"], "work of adhesion (mJ/m²)")
     return figure
 
 

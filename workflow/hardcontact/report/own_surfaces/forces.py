@@ -156,7 +156,7 @@ def measured_numbers(fit: xr.Dataset, data: Datasets) -> list[Number]:
 
     The datasets and the fit hold this surface alone.
     """
-    fit_at_range = fit.sel(rho_fine=fit.attrs["assumed_range"], method="nearest")
+    fit_at_range = fit.sel(rho_fine=fit.attrs["rho"], method="nearest")
     numbers = [
         number_of(fit, "measured_force", source="measured"),
         Number("measured_force_tests", int(fit["test_count"].item())),
@@ -192,7 +192,7 @@ def fit_numbers(fit: xr.Dataset) -> list[Number]:
         region = region._replace(status=NumberStatus.NO_INTERVAL)
     elif not agrees.any():
         region = region._replace(status=NoValue.NO_AGREEMENT)
-    nearest = np.abs(rho - fit.attrs["assumed_range"]).argmin()
+    nearest = np.abs(rho - fit.attrs["rho"]).argmin()
     return [
         Number("fit_best_range", fit["range_of_adhesion"].item(), "nm"),
         Number("fit_best_work", fit["work_of_adhesion"].item(), "J m-2"),
@@ -201,7 +201,7 @@ def fit_numbers(fit: xr.Dataset) -> list[Number]:
         number_without_value("fit_region_work", weakest, strongest, "J m-2"),
         Number("fit_exact_pairs", int(fit["exact_pairs"].item())),
         _widest_gap(rho, agrees),
-        Number("fit_range", fit.attrs["assumed_range"], "nm"),
+        Number("fit_range", fit.attrs["rho"], "nm"),
         Number("fit_agrees", int(agrees[nearest])),
     ]
 
