@@ -160,9 +160,7 @@ def edges(count=1):
     return data.assign(
         edge_bound=(("surface", "side"), np.full((count, 2), np.nan)),
         edge_status=(("surface", "side"), [["found"] * 2] * count),
-        interval_is_conditional=("surface", [0] * count),
         interval_source=("surface", ["scans"] * count),
-        interval_scans=("surface", [SCANS] * count),
         label=("surface", LABELS[:count]),
     ).assign_attrs(tolerance=0.1, confidence=CONFIDENCE)
 
@@ -202,7 +200,6 @@ def open_edges(count=1):
     data = data.assign(edge_status=data["edge_status"].where(data["side"] != "long", "open_above"))
     ratio = data["filtered_force_ratio"].sel(side="long")
     data["filtered_force_ratio"].loc[long_side] = ratio.where(ratio.isnull(), 1.2)
-    data["interval_is_conditional"][:] = 1
     return data.assign(interval_source=("surface", ["quarters"] * count))
 
 
@@ -221,7 +218,6 @@ def force(count=1):
     data["label"] = "surface", LABELS[:count]
     data["interval_source"] = "surface", ["scans"] * count
     data["interval_scans"] = "surface", [SCANS] * count
-    data["interval_is_conditional"] = "surface", [0] * count
     data = data.merge(extrapolated_force(count))
     data["correlation_of_parts"] = "surface", [0.0] * count
     data["search_size"] = "surface", np.full(count, SIZE / 2)
@@ -302,7 +298,6 @@ def fit(count=1):
             exact_pairs=("contact_model", [0, 0]),
             region_range=(("contact_model", "end"), [[3.2, np.nan]] * 2),
             region_work=(("contact_model", "end"), np.full((2, 2), np.nan)),
-            region_status=(("contact_model", "end"), [["found", "open"]] * 2),
             test_count=("surface", [40] * count),
             site_count=("surface", [40] * count),
             look_repeated=("surface", [0] * count),

@@ -39,7 +39,7 @@ def test_intervals_surround_the_edge_within_the_cutoffs_of_their_side(scans):
     for side, ends in (("short", [10, 1000]), ("long", [1000, 4000])):
         bounds = band.edge_interval.sel(side=side).dropna("end")
         assert ((bounds >= ends[0]) & (bounds <= ends[1])).all()
-    assert int(band.interval_is_conditional) == (scans < 3)
+    assert band.interval_source.item() == ("quarters" if scans < 3 else "scans")
 
 
 def test_curves_that_never_cross_the_tolerance_give_bounds():

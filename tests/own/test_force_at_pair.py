@@ -71,7 +71,6 @@ def test_three_scans_give_student_s_interval_and_fewer_a_wider_conditional_one()
         0.05 * student_interval(means, 0.9, "scan"),
         rtol=1e-4,
     )
-    assert scan_forces.interval_is_conditional.values.tolist() == [0, 1]
     assert scan_forces.interval_source.values.tolist() == ["scans", "quarters"]
     low, high = (scan_forces.force_interval.isel(end=index) for index in (0, 1))
     assert (low < scan_forces.force).all() and (scan_forces.force < high).all()

@@ -78,7 +78,6 @@ def test_without_scatter_range_and_work_are_recovered():
     fit = fitted(exact, sampled_tests(rng, number=400, shape=0.01))
     assert float(fit.range_of_adhesion) == pytest.approx(RHO, rel=0.02)
     assert float(fit.work_of_adhesion) == pytest.approx(WORK, rel=0.02)
-    assert fit.region_status.values.tolist() == ["found", "found"]
     for true_value, (low, high) in ((RHO, fit.region_range.values), (WORK, fit.region_work.values)):
         assert (
             0.97 * true_value < low < 1.01 * true_value
@@ -122,20 +121,20 @@ def test_one_surface_gives_a_curve_of_works_and_no_range():
 
 
 @pytest.mark.parametrize(
-    ("ranges", "number", "factor", "status"),
+    ("ranges", "number", "factor", "is_known"),
     [
-        (6, 1, 1, ["none", "none"]),  # a single test a surface: no scatter, no interval
-        (6, 40, 1e3, ["none", "none"]),  # forces that no range explains
-        (4, 40, 1, ["found", "open"]),  # a range at the end of those computed is no limit
+        (6, 1, 1, [False, False]),  # a single test a surface: no scatter, no interval
+        (6, 40, 1e3, [False, False]),  # forces that no range explains
+        (4, 40, 1, [True, False]),  # a range at the end of those computed is no limit
     ],
 )
-def test_an_unknown_region_has_no_work(ranges, number, factor, status):
+def test_an_unknown_region_has_no_work(ranges, number, factor, is_known):
     rng = np.random.default_rng(8)
     computed_forces = adhesion(rng).sel(rho=RHOS[:ranges])
     tests = sampled_tests(rng, number)
     tests.loc[tests.surface == "b", ["mean", "median"]] *= factor
     fit = fitted(computed_forces, tests)
-    assert fit.region_status.values.tolist() == status and fit.region_work.isnull().all()
+    assert fit.region_range.notnull().values.tolist() == is_known and fit.region_work.isnull().all()
     assert fit.work_by_range.notnull().all()
     assert fit.work_by_range_interval.notnull().all() == (number > 1)
 

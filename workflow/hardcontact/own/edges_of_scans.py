@@ -32,8 +32,8 @@ def edges_of_scans(
     """Return the edges of the band of every surface, with intervals from scans or their parts.
 
     `scales` are the forces on filtered masters, as in scales.nc. An interval of a ratio runs from
-    zero to infinity if it is not bounded; ``interval_is_conditional`` is 1 if it is conditional on
-    one or two scans. The error of the hindcast widens the intervals of measured surfaces.
+    zero to infinity if it is not bounded. The error of the hindcast widens the intervals of
+    measured surfaces.
     """
     curves = summarize_masters(
         scales, master_scans, lambda forces: _force_ratios(forces, confidence)
@@ -43,13 +43,8 @@ def edges_of_scans(
     edges = edges_of_curves(curves, tolerance)
     if hindcast is not None:
         edges = _without_rippled_edges(edges, hindcast["filtered_scan_ratio"], tolerance)
-    curves = curves.transpose("surface", "side", ...)
-    descriptions = curves[["interval_is_conditional", "interval_source", "interval_scans"]]
-    return (
-        curves[["filtered_force_ratio", "filtered_force_ratio_interval"]]
-        .merge(descriptions.isel(side=0, drop=True))
-        .merge(edges)
-    )
+    interval_source = curves["interval_source"].isel(side=0, drop=True)
+    return edges.merge(curves.assign(interval_source=interval_source))
 
 
 def _force_ratios(master_forces: MasterForces, confidence: float) -> xr.Dataset:
@@ -60,11 +55,7 @@ def _force_ratios(master_forces: MasterForces, confidence: float) -> xr.Dataset:
     axis = "cutoff_wavelength"
     return xr.Dataset(
         with_interval("filtered_force_ratio", axis, ratio, interval, DIMENSIONLESS, confidence)
-        | {
-            "interval_is_conditional": int(master_forces.scan_parts.are_quarters),
-            "interval_source": master_forces.scan_parts.interval_source,
-            "interval_scans": master_forces.scan_parts.scan_count,
-        },
+        | {"interval_source": master_forces.scan_parts.interval_source},
         {axis: master_forces.forces[axis].variable},
     )
 

@@ -210,7 +210,6 @@ def _force_variables(
         variables
         | {
             "force_quantile": ((*dimensions, "quantile"), quantiles.values, NEWTON),
-            "interval_is_conditional": int(scan_parts.are_quarters),
             "interval_source": scan_parts.interval_source,
             "interval_scans": scan_parts.scan_count,
             "contacts": ((), contact_count, DIMENSIONLESS),

@@ -7,7 +7,6 @@ curve W(rho). For several surfaces, the region contains the pairs within the int
 """
 
 from collections.abc import Mapping
-from enum import StrEnum
 from typing import Any
 
 import numpy as np
@@ -29,15 +28,6 @@ from hardcontact.inference.fit import FIT_ATTRS, best_fit, fine_ranges
 from hardcontact.inference.scan_parts import IntervalSource, sampled_deviations
 from hardcontact.own.mean_forces import SurfaceForces, forces_by_surface
 from hardcontact.own.measured_tests import measured_tests, sampled_means
-
-
-class RegionStatus(StrEnum):
-    """Whether an end of the region of ranges is found.
-
-    OPEN: the region extends beyond the computed ranges. NO_PAIR: no pair fits all forces.
-    """
-
-    FOUND, OPEN, NO_PAIR = "found", "open", "none"
 
 
 def fit_measured(
@@ -188,25 +178,22 @@ def _best_pair(curves: Floats, measured_forces: Floats, ranges: Floats) -> dict[
 
 
 def _region_extent(region: Floats, ranges: Floats) -> dict[str, Any]:
-    """Return the extent of a region (rho, end), and the status of its ends.
+    """Return the lowest and the highest range and work of adhesion in a region (rho, end).
 
     If the region reaches the shortest or longest computed range, it may extend beyond. Its range is
-    then open at this end, and its work at both ends.
+    then NaN at this end, and its work at both ends.
     """
     allowed = np.flatnonzero(np.isfinite(region).all(axis=-1))
     region_range, region_work = np.full(2, np.nan), np.full(2, np.nan)
-    status = np.full(2, RegionStatus.NO_PAIR, "<U5")
     if len(allowed):
         ends = allowed[[0, -1]]
         is_open = ends == [0, len(ranges) - 1]
         region_range = np.where(is_open, np.nan, ranges[ends])
-        status = np.where(is_open, RegionStatus.OPEN, RegionStatus.FOUND)
         if not is_open.any():
             region_work = np.array([np.nanmin(region[:, 0]), np.nanmax(region[:, 1])])
     return {
         "region_range": ("end", region_range, NM),
         "region_work": ("end", region_work, JOULE_PER_M2),
-        "region_status": ("end", status),
     }
 
 
