@@ -19,11 +19,23 @@ from hardcontact.inference.edges import find_edge, logarithmic_limits, ordered_c
 SCALED_QUANTITIES = ["radius", "contact"]
 
 
+def fit_exponents(
+    forces: xr.Dataset, contact_area: float, tolerance: float, confidence: float
+) -> xr.Dataset:
+    """Return exponents.nc, from forces of `read_master_forces` at a single range of adhesion."""
+    forces = forces.squeeze("rho", drop=True)
+    forces = forces.swap_dims(loading="contact_area").drop_vars("loading")
+    exponents = force_exponent(forces, contact_area, confidence)
+    return exponents.merge(edge_exponents(forces, tolerance, confidence)).assign_attrs(
+        contact_area=contact_area, tolerance=tolerance, confidence=confidence
+    )
+
+
 def force_exponent(forces: xr.Dataset, contact_area: float, confidence: float) -> xr.Dataset:
     """Return the exponent of the radius in the mean force on unfiltered masters with long waves.
 
-    Forces come from `read_master_forces`, at the nearest contact area (nm²). The fit is by least
-    squares of ln F against ln R, the interval is over realizations.
+    Forces (..., radius, contact_area) are taken at the nearest contact area (nm²). The fit is by
+    least squares of ln F against ln R, the interval is over realizations.
     """
     long_wave_forces = forces["unfiltered_pull_off_force"].sel(side="long")
     means = long_wave_forces.sel(contact_area=contact_area, method="nearest").mean(CONTACT_AXES)
@@ -40,9 +52,9 @@ def force_exponent(forces: xr.Dataset, contact_area: float, confidence: float) -
 def edge_exponents(forces: xr.Dataset, tolerance: float, confidence: float) -> xr.Dataset:
     """Return the exponents of the edges against the square roots of SCALED_QUANTITIES.
 
-    Forces come from `read_master_forces`. ``edge_exponent`` (surface, side, exponent_of) is fitted
-    by least squares to all edges within the cutoffs; its interval is that of the jackknife over
-    realizations.
+    Forces are over (..., radius, contact_area). ``edge_exponent`` (surface, side, exponent_of) is
+    fitted by least squares to all edges within the cutoffs; its interval is that of the jackknife
+    over realizations.
     """
     exponents = _fit_all_exponents(forces, tolerance)
     count = forces.sizes["realization"]
