@@ -19,7 +19,7 @@ from answer_inputs import (
 
 from hardcontact.base.number import Number, json_value
 from hardcontact.report.own_surfaces.answer import surface_answers
-from hardcontact.report.own_surfaces.datasets import classify_edge, reliable_and_artificial_change
+from hardcontact.report.own_surfaces.datasets import edge_source, reliable_and_artificial_change
 from hardcontact.report.own_surfaces.edges import surface_conclusion
 
 
@@ -65,7 +65,7 @@ def test_open_edges_are_bounds():
     assert numbers_of(edges=lower_bound)["long_edge"].status == "open_below"
     lower_bound["edge_bound"].loc[{"side": "long"}] = 30_000.0
     assert (
-        classify_edge(datasets(edges=lower_bound).select_surface(SURFACES[0]), "long") == "inside"
+        edge_source(datasets(edges=lower_bound).select_surface(SURFACES[0]), "long") == "artificial"
     )
 
 

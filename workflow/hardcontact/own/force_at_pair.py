@@ -71,16 +71,11 @@ def force_dataset(
     force = add_extrapolated_force(force, extrapolated_forces, tolerance)
     force = _widen_intervals(force, hindcast, contact.rho)
     force = bound_by_smooth_sphere(force, contact.area)
-    surface_spectra = [
-        spectrum_of_dataset(spectra.sel(surface=name)) for name in force["surface"].values
-    ]
-    search_sizes = [
-        search_size(spectrum, contact.radius, contact.area) for spectrum in surface_spectra
-    ]
+    names = force["surface"].values
+    surface_spectra = [spectrum_of_dataset(spectra.sel(surface=name)) for name in names]
+    search_sizes = [search_size(psd, contact.radius, contact.area) for psd in surface_spectra]
     force = add_sizes(force, topography, contact, search_sizes)
-    scatter = [
-        force_scatter(spectrum, contact, tolerance, confidence) for spectrum in surface_spectra
-    ]
+    scatter = [force_scatter(psd, contact, tolerance, confidence) for psd in surface_spectra]
     force = force.merge(xr.concat(scatter, force["surface"]))
     tabor = judge_tabor_parameter(contact, assumed_modulus(contact.hardness))
     return force.assign_attrs(tabor_parameter=tabor.value, bodies=tabor.status)

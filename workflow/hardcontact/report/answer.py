@@ -14,8 +14,7 @@ def note(
 ) -> dict[str, Any]:
     """Return a note for answer.json; grave ones stand at the top of the page."""
     # A comparison with an attribute of a dataset is a NumPy truth value, which JSON lacks.
-    is_grave = bool(grave)
-    return {"surface": surface, "kind": kind, "code": code, "grave": is_grave, "text": text}
+    return {"surface": surface, "kind": kind, "code": code, "grave": bool(grave), "text": text}
 
 
 def substitutes_note(labels: Sequence[str]) -> list[dict[str, Any]]:

@@ -55,12 +55,10 @@ def octave_contributions(data: Datasets, reference: Datasets) -> tuple[Floats, F
     """Return octaves (nm) that scans of both surfaces show, and their contributions to ln(F/F')."""
     is_shown = shown_octaves(data) & shown_octaves(reference)
     octaves = data.sensitivity["octave"].values[is_shown]
-    surfaces = (data, reference)
-    sensitivities = [
-        surface.sensitivity["octave_sensitivity"].values[is_shown] for surface in surfaces
-    ]
-    amplitudes = [_octave_amplitudes(surface, octaves) for surface in surfaces]
-    contributions = np.mean(sensitivities, axis=0) * np.log(amplitudes[0] / amplitudes[1])
+    name = "octave_sensitivity"
+    sensitivities = [data.sensitivity[name].values, reference.sensitivity[name].values]
+    amplitude_ratio = _octave_amplitudes(data, octaves) / _octave_amplitudes(reference, octaves)
+    contributions = np.mean(sensitivities, axis=0)[is_shown] * np.log(amplitude_ratio)
     is_known = np.isfinite(contributions)
     return octaves[is_known], contributions[is_known]
 

@@ -174,30 +174,28 @@ def measured_share_at_edge(data: Datasets, side: str) -> float:
     """Return the share of reliable wavelengths in the change at an edge, NaN for an open edge."""
     edge = data.edges["edge"].sel(side=side).item()
     ends = (0.0, edge) if side == "short" else (edge, np.inf)
-    return (
-        np.nan
-        if np.isnan(edge)
-        else reliable_share(reliable_and_artificial_change(data, side, *ends))
-    )
+    if np.isnan(edge):
+        return np.nan
+    return reliable_share(reliable_and_artificial_change(data, side, *ends))
 
 
-def classify_edge(data: Datasets, side: str) -> str:
-    """Return whether an edge rests on artificial roughness, as a code.
+def edge_source(data: Datasets, side: str) -> str:
+    """Return whether an edge rests on artificial roughness, as the source of its number.
 
-    "inside": the edge, or its bound, lies at an artificial wavelength, or artificial roughness
-    causes more than 90 % of the change. "partly": it causes 10 to 90 % of the change. "interval":
-    only the interval reaches artificial wavelengths. "outside": none of these.
+    "artificial": the edge, or its bound, lies at an artificial wavelength, or artificial roughness
+    causes more than 90 % of the change. "partly_artificial": it causes 10 to 90 % of the change.
+    "interval_artificial": only the interval reaches artificial wavelengths. Otherwise "measured".
     """
     side_edges = data.edges.sel(side=side)
     bands = artificial_bands(data.spectra)
     edge = float(side_edges["edge"].fillna(side_edges["edge_bound"]))
     share = measured_share_at_edge(data, side)
     if overlaps_any(edge, edge, bands) or share < 1 - NEARLY_ALL:
-        return "inside"
+        return "artificial"
     if share < NEARLY_ALL:
-        return "partly"
+        return "partly_artificial"
     low, high = side_edges["edge_interval"].fillna(edge).values
-    return "interval" if overlaps_any(low, high, bands) else "outside"
+    return "interval_artificial" if overlaps_any(low, high, bands) else "measured"
 
 
 def measurement_name(measurement: xr.Dataset) -> str:

@@ -15,7 +15,7 @@ from hardcontact.report.own_surfaces.datasets import (
     NEARLY_ALL,
     Datasets,
     artificial_bands,
-    classify_edge,
+    edge_source,
     fails_hindcast,
     measured_share_at_edge,
     overlaps_any,
@@ -25,13 +25,6 @@ from hardcontact.scans.both_bodies import sphere_share
 from hardcontact.surfaces.synthesis import SIDES
 
 EDGES = dict(zip(SIDES, ("short_edge", "long_edge"), strict=True))
-#: Source of an edge by the code of `classify_edge`.
-EDGE_SOURCES = {
-    "inside": "artificial",
-    "partly": "partly_artificial",
-    "interval": "interval_artificial",
-    "outside": "measured",
-}
 
 
 class NextScan(NamedTuple):
@@ -119,8 +112,7 @@ def _known_ends(data: Datasets, side: str) -> Number:
     status = data.edges["edge_status"].sel(side=side).item()
     if status != EdgeStatus.RIPPLES and fails_hindcast(data, side):
         return Number(EDGES[side], np.nan, "nm", status=NoValue.NO_HINDCAST, source="artificial")
-    source = EDGE_SOURCES[classify_edge(data, side)]
-    edge = edge_number(data.edges.sel(side=side), EDGES[side], source)
+    edge = edge_number(data.edges.sel(side=side), EDGES[side], edge_source(data, side))
     bands = artificial_bands(data.spectra)
     low, high = (
         np.nan if edge.source == "artificial" or overlaps_any(end, end, bands) else end
