@@ -1,5 +1,9 @@
 """Which scales of roughness matter for the adhesion of hard contacts: the study, end to end."""
 
+# What these modules add to Snakemake: `start` gives each rule a log, a benchmark and, as its input
+# `code`, the modules that its script imports; `reruns` replaces six attributes of Snakemake, named in
+# `plan_by_records`, so that records in `.origin`, not file times, decide what runs again; `endings`
+# ends a run at once at Ctrl-C, and prints its answer.
 from hardcontact.run import endings, reruns, start
 
 start.prepare(workflow)
@@ -42,17 +46,17 @@ include: "workflow/rules/targets.smk"
 include: "workflow/rules/describe_study.smk"
 
 
-start.complete_rules(workflow, PATTERNS)
+start.complete_rules(workflow, RESULTS)
 
 
 onstart:
-    start.refuse_unwritable_folders(PATTERNS.results, PATTERNS.store)
+    start.refuse_unwritable_folders(RESULTS.results, RESULTS.store)
     reruns.refuse_altered_files(workflow)
     endings.stop_jobs_at_interrupt(workflow)
 
 
 onsuccess:
-    endings.log_answer(workflow, PATTERNS.result("answer.html"))
+    endings.log_answer(workflow, RESULTS.result("answer.html"))
 
 
 onerror:

@@ -31,16 +31,16 @@ else:
 include: "rules/targets.smk"
 
 
-start.complete_rules(workflow, PATTERNS)
+start.complete_rules(workflow, RESULTS)
 
 
 onstart:
-    start.refuse_unwritable_folders(PATTERNS.results)
+    start.refuse_unwritable_folders(RESULTS.results)
     reruns.refuse_altered_files(workflow)
 
 
 onsuccess:
-    endings.log_answer(workflow, PATTERNS.result("answer.html"))
+    endings.log_answer(workflow, RESULTS.result("answer.html"))
 
 
 onerror:

@@ -7,7 +7,7 @@ from repository import ROWS
 from scan_files import write_scan
 from studies import read_surfaces, table_of_own_scans
 
-from hardcontact.config.selected_surfaces import digest_files, surface_table
+from hardcontact.config.selected_surfaces import digest_surfaces, surface_table
 
 FIRST = ROWS.splitlines()[1]
 HEADER = ROWS.partition("\n")[0]
@@ -48,10 +48,10 @@ def test_a_file_listed_twice_is_refused(tmp_path, project_folder):
 
 
 def test_another_scan_of_the_same_name_has_another_folder_in_the_store(tmp_path, project_folder):
-    """The paths of intermediates contain the digest of the files of their surface."""
+    """Paths of intermediates have the digest of the rows and files of their surface."""
     digests = []
     for pixels in (16, 17):
         path = write_scan(tmp_path / "a.nc", np.zeros((pixels, pixels)))
-        digests.append(digest_files(read_surfaces(table_of_own_scans(path), tmp_path)))
+        digests.append(digest_surfaces(read_surfaces(table_of_own_scans(path), tmp_path)))
     first, second = digests
     assert {surface for surface in first if first[surface] != second[surface]} == {"uncd"}

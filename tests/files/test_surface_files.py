@@ -17,13 +17,10 @@ def test_the_shape_of_a_rough_sphere_is_subtracted(tmp_path):
     ball = -(x[:, None] ** 2 + x**2) / (2 * 250e3)
     rough = np.random.default_rng(1).standard_normal((64, 64))
     path = scan_files.write_scan(tmp_path / "ball.nc", ball + rough, (640.0, 640.0))
-    levelling = study_files(scans=[1], measured_surfaces=["ruby"]).plan.levelling_settings("ruby")
-    levelled = remove_form(read_scan(path), **levelling)
+    plan = study_files(scans=[1], measured_surfaces=["ruby", "uncd"]).plan
+    levelled = remove_form(read_scan(path), plan.sphere_radius("ruby"), "plane")
     assert levelled.heights.std() == pytest.approx(rough.std(), rel=1e-3)
-    assert (
-        study_files(measured_surfaces=["uncd"]).plan.levelling_settings("uncd")["sphere_radius"]
-        is None
-    )
+    assert plan.sphere_radius("uncd") is None
 
 
 @pytest.mark.parametrize(

@@ -10,23 +10,11 @@ from hardcontact.base.published import surfaces_of_table1
 from hardcontact.config import selected_surfaces
 from hardcontact.config.configuration import numeric_configuration
 from hardcontact.config.study_plan import StudyPlan
-from hardcontact.files.patterns import STORE_KEYS, Patterns, store_digests
 from hardcontact.files.surface_files import SurfaceFiles
 from hardcontact.run import checks
 
-PATTERNS = Patterns("results/paper", "results/store", "ruby", dict.fromkeys(STORE_KEYS, "digest"))
 #: Stands for the digest of the files of a surface.
 FILES_DIGEST = "0123abcd"
-#: The paths of the tiny study.
-TINY_NUMBERS = numeric_configuration(
-    merge_configurations(PAPER, yaml.safe_load((ROOT / TINY).read_text()))
-)
-TINY_PATTERNS = Patterns("results/tiny", "results/store-tiny", "ruby", store_digests(TINY_NUMBERS))
-TINY_DIGESTS = selected_surfaces.digest_files(
-    pd.read_csv(ROOT / "config/surfaces.tsv", sep="\t", keep_default_na=False).assign(
-        path=lambda table: [str(ROOT / path) for path in table.path]
-    )
-)
 
 
 def replace_value(config, path, value):
@@ -68,6 +56,23 @@ def table_of_own_scans(*paths):
     return "\n".join(rows) + "\n"
 
 
+def configured_files(config):
+    """Return the files of a configured study, as the rules have them."""
+    study = numeric_configuration(config)
+    table = selected_surfaces.surface_table(study["surfaces"])
+    rows = selected_surfaces.selected_scans(table, study["scans"])
+    digests = selected_surfaces.digest_surfaces(rows)
+    selection = selected_surfaces.Selection(
+        rows, study["sphere"]["surface"], digests, surfaces_of_table1()
+    )
+    return SurfaceFiles(StudyPlan(study, selection))
+
+
+def tiny_files():
+    """Return the files of the tiny study."""
+    return configured_files(merge_configurations(PAPER, yaml.safe_load((ROOT / TINY).read_text())))
+
+
 def study_files(*values, scans=(1, 2), measured_surfaces=()):
     """Return the files of a study of these scans; keys and other values alternate.
 
@@ -83,4 +88,4 @@ def study_files(*values, scans=(1, 2), measured_surfaces=()):
     ]
     sources = dict.fromkeys(rows.surface, FILES_DIGEST)
     selection = selected_surfaces.Selection(rows, "ruby", sources, surfaces_of_table1())
-    return SurfaceFiles(StudyPlan(paper_configuration(*values), selection), PATTERNS)
+    return SurfaceFiles(StudyPlan(paper_configuration(*values), selection))

@@ -16,7 +16,7 @@ from hardcontact.config.configuration import reading_keys
 from hardcontact.contact.bearing_area import all_contact_pixels
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies
-from hardcontact.files.patterns import study_patterns
+from hardcontact.files.patterns import MEASUREMENT
 from hardcontact.records.origin import Origin, canonical_json, digests, keep_records
 from hardcontact.run.checks import stored_scan, surface_grid
 from hardcontact.surfaces.height_map import HeightMap
@@ -161,9 +161,8 @@ def test_masters_under_a_rough_sphere_have_its_pixels(tmp_path, project_folder):
 def store(row, arguments, heights):
     """Store heights as the scan of a row, as if the rule read_scan had read its file so."""
     path = Path(
-        study_patterns(paper_configuration()).measurement.format(
-            **row._asdict(), digest=FILES_DIGEST
-        )
+        "results/store/measurements/0123abcd",
+        MEASUREMENT.format(**row._asdict(), digest=FILES_DIGEST),
     )
     path.parent.mkdir(parents=True)
     dataset.write(HeightMap(heights, 10.0).to_dataset(), path)
@@ -177,7 +176,7 @@ def test_a_file_is_read_only_if_the_study_has_not_stored_it_as_it_is(tmp_path, m
     paths = {name: str(write_scan(tmp_path / f"{name}.nc")) for name in "ab"}
     row = namedtuple("Row", "surface scan path dataset")("glass", 1, paths["a"], "")
     config = paper_configuration()
-    stored_path = store(row, reading_keys(config, ""), np.zeros((16, 16)))
+    stored_path = store(row, reading_keys(config) | {"dataset": ""}, np.zeros((16, 16)))
     if change == "file":
         write_scan(tmp_path / "a.nc", 2 * random_heights())
     elif change == "keys":
@@ -194,7 +193,7 @@ def test_a_changed_file_that_cannot_be_read_is_refused_though_it_was_stored(tmp_
     monkeypatch.chdir(tmp_path)
     path = write_scan(tmp_path / "a.nc")
     row = namedtuple("Row", "surface scan path dataset")("glass", 1, str(path), "")
-    store(row, reading_keys(paper_configuration(), ""), np.zeros((16, 16)))
+    store(row, reading_keys(paper_configuration()) | {"dataset": ""}, np.zeros((16, 16)))
     path.write_bytes(b"damaged")
     assert_says(refusal(stored_scan, paper_configuration(), row), "a.nc: expected", "found")
     path.unlink()

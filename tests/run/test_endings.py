@@ -8,7 +8,7 @@ import time
 
 import pytest
 from repository import ROOT, TINY, copy_repository, environment
-from studies import TINY_DIGESTS, TINY_PATTERNS
+from studies import tiny_files
 
 from hardcontact.run import endings
 
@@ -19,12 +19,11 @@ def listen_to_ctrl_c():
 
 
 @pytest.mark.study
-def test_a_stopped_run_reports_that_the_same_command_continues_it(tmp_path):
+def test_a_stopped_run_reports_that_the_same_command_continues_it(tmp_path, project_folder):
     study = copy_repository(tmp_path / "study")
     # Three jobs, one after the other: the first ends before the others begin.
-    master = TINY_PATTERNS.master.format(
-        surface="uncd", digest=TINY_DIGESTS["uncd"], realization=1, side="short"
-    )
+    files = tiny_files()
+    master = files.path(files.patterns.master, "uncd", realization=1, side="short")
     with subprocess.Popen(
         [sys.executable, "-m", "snakemake", master, "--configfile", TINY],
         cwd=study, env=environment(study), text=True, start_new_session=True,

@@ -7,7 +7,7 @@ from own_studies import uncd_heights
 from paper_numbers import SUBSTRATES
 from repository import copy_repository, run_tiny_study
 from scan_files import write_scan
-from studies import TINY_DIGESTS, TINY_PATTERNS
+from studies import tiny_files
 
 from hardcontact.base import dataset
 from hardcontact.base.arrays import generator
@@ -49,21 +49,15 @@ def values_of(folder):
     }
 
 
-def test_the_same_seed_gives_the_same_values(finished, tmp_path):
+def test_the_same_seed_gives_the_same_values(finished, tmp_path, project_folder):
     folder = copy_repository(tmp_path / "again")
-    rows = {"uncd": (1, "flat"), "ruby": (2, "sphere-R250um")}
-    scans = [
-        TINY_PATTERNS.stitched.format(
-            surface=surface, digest=TINY_DIGESTS[surface], scan=scan, shape=shape
-        )
-        for surface, (scan, shape) in rows.items()
-    ]
+    scans = [tiny_files().stitched_path(*row) for row in (("uncd", 1), ("ruby", 2))]
     run = run_tiny_study(folder, *scans)
     assert run.returncode == 0, run.stdout[-3000:]
     reference_values, repeated_values = (
         values_of(study_folder / "results/store-tiny") for study_folder in (finished, folder)
     )
-    assert {f"{TINY_PATTERNS.store}/{path}" for path, _ in repeated_values} >= set(scans)
+    assert {f"results/store-tiny/{path}" for path, _ in repeated_values} >= set(scans)
     assert all(reference_values[key] == values for key, values in repeated_values.items())
 
 

@@ -1,8 +1,7 @@
 """Two studies on one store: neither repeats the files of the other or finds them outdated.
 
-Every key but those that the files of a folder of the store depend on has another value at once:
-Snakemake then finds these files as they should be. That keys which the paths name have files of
-their own by value is tried one by one, or below tests/config.
+A second study differs in all keys that leave the digest of a kind of intermediate as it is:
+Snakemake then finds the files of this kind as they should be.
 """
 
 import csv
@@ -10,71 +9,50 @@ from functools import cache
 
 import pytest
 import yaml
-from repository import (
-    PAPER,
-    ROOT,
-    TINY,
-    leaves,
-    linked_copy,
-    merge_configurations,
-    snakemake_output,
-)
+from repository import leaves, snakemake_output
+from studies import configured_files
 
-from hardcontact.config.configuration import get_key, set_keys
-from hardcontact.files.patterns import STORE_KEYS
+from hardcontact.config.configuration import get_key, numeric_configuration, set_keys
+from hardcontact.config.study_plan import StudyPlan
+from hardcontact.files.settings import settings_digest, store_settings
 
 pytestmark = pytest.mark.study
 
-STUDY = merge_configurations(PAPER, yaml.safe_load((ROOT / TINY).read_text()))
-STORE = STUDY["store"]
-#: Keys without another value here: they name files, or a study that is not the paper's.
+#: Keys without another value here: they name files, or a study of another kind.
 FIXED = {
-    "study", "store", "surfaces", "published", "forces", "effort", "quick", "sphere.surface"
+    "study", "store", "surfaces", "published", "forces", "effort", "quick", "sphere.surface",
+    "scans", "given",
 }  # fmt: skip
-#: Keys whose values, or the numbers that they count, are part of paths.
+#: Keys that change which files there are, by numbers or names in paths.
 IN_PATHS = {
-    "sphere.radius", "contact.preload", "contact.hardness", "adhesion.range",
-    "scales.sphere_roughness", "scales.realizations", "sets.pool_size", "sets.count",
-    "sets.realizations", "exponents.realizations", "exponents.radii", "scales.whole_surfaces",
+    "scales.sphere_roughness", "scales.realizations", "scales.whole_surfaces", "sets.pool_size",
+    "sets.count", "sets.realizations", "exponents.realizations", "substitutes.featured_surface",
 }  # fmt: skip
-#: Other values of keys that are no numbers.
-OTHER_WORDS = {
-    "scans": [1], "scan.undefined_pixels": "harmonic", "scan.unit": "nm", "scan.map_size": "5 um",
-    "scan.mask": "exclude", "scan.levelling": "lines",
-    "reference_surface": "mcd", "indent.surface": "mcd",
-    "substitutes.featured_surface": "mcd", "scales.sphere_roughness": True,
+#: Values of keys that are no numbers; a key takes the first that it does not have.
+WORDS = {
+    "scan.undefined_pixels": ("harmonic", "refuse"), "scan.unit": ("nm", "none"),
+    "scan.map_size": ("5 um", "none"), "scan.mask": ("exclude", "keep"),
+    "scan.levelling": ("lines", "plane"), "reference_surface": ("mcd", "uncd"),
+    "indent.surface": ("mcd", "uncd"), "substitutes.featured_surface": ("mcd",),
 }  # fmt: skip
-#: The keys of filtered masters by their purpose; a section inherits from those around it.
-_OF_SCANS = (*STORE_KEYS["scans"], "contact.window")
-FILTERED = {
-    "scales": (*_OF_SCANS, "scales.short", "scales.long", "contact.contacts_per_row"),
-    "sets": (
-        *_OF_SCANS, "scales.short", "scales.long", "sets.short", "sets.long",
-        "sets.contacts_per_row"
-    ),
-    "edge_shifts": (*_OF_SCANS, "scales.short", "sets.short", "sets.contacts_per_row"),
-    "exponents": (
-        *_OF_SCANS, "scales.short", "scales.long", "sets.short", "sets.long",
-        "sets.contacts_per_row"
-    ),
+#: By the fixture of a finished study: its name, and the kinds of intermediates in its store.
+STUDIES = {
+    "finished": ("tiny", [
+        "scans", "pull_off", "elastic", "asperities", "whole", "pool", "featured_samples",
+        "masters", "filtered/scales", "filtered/sets", "filtered/exponents",
+        "filtered/edge_shifts",
+    ]),
+    "own_study": ("several-quick", [
+        "measurements", "measured_spectra", "sampled_spectra", "scans", "both_bodies", "pull_off",
+        "perturbed_scans", "hindcast", "masters", "filtered/scales", "filtered/sampled",
+    ]),
 }  # fmt: skip
-#: Folders whose keys another one has, or of measured surfaces (test_own_reruns.py).
-LEFT_OUT = {
-    "conditioning", "stitched", "measurements", "measured_spectra",
-    "sampled_spectra", "perturbed_scans", "hindcast", "both_bodies",
-}  # fmt: skip
-FOLDERS = {kind: keys for kind, keys in STORE_KEYS.items() if kind not in LEFT_OUT}
-FOLDERS["featured_samples"] += (
-    "substitutes.featured_surface",
-)  # It names their surface, in the path.
-FOLDERS |= {f"filtered/{purpose}": keys for purpose, keys in FILTERED.items()}
 
 
-def another(key):
+def other_value(key, value):
     """Return another value of a key: 2 more, a few percent less, one tile fewer, or a word."""
-    value = get_key(STUDY, key)
-    if key in OTHER_WORDS:
-        return OTHER_WORDS[key]
+    if key in WORDS:
+        return next(word for word in WORDS[key] if word != value)
     if key.endswith("tiles"):
         return value - 1
     return [moved(item) for item in value] if isinstance(value, list) else moved(value)
@@ -84,66 +62,74 @@ def moved(value):
     if isinstance(value, str):
         number, unit = value.split()
         return f"{0.97 * float(number):.4g} {unit}"
+    if isinstance(value, bool):
+        return not value
     return value + 2 if isinstance(value, int) else 0.9 * value
 
 
-def is_part(key, section):
-    """Return True if a key equals a name or belongs to the section of this name."""
-    return f"{key}.".startswith(f"{section}.")
+def second_study(config, keys):
+    """Return the configuration with other values of some keys."""
+    return set_keys(config, {key: other_value(key, get_key(config, key)) for key in keys})
 
 
-def second_study(keys):
-    """Return the overlay of a study of another name, with other values of some keys."""
-    return set_keys({"study": "second"}, {key: another(key) for key in keys})
+def independent_keys(config, selection, kind):
+    """Return the keys whose values leave the digest of a kind as it is."""
 
+    def digest(*keys):
+        study = numeric_configuration(second_study(config, keys))
+        return settings_digest(store_settings(StudyPlan(study, selection)), kind)
 
-def summary(folder):
-    """Return Snakemake's plan for each existing file of a study in the store."""
-    text = snakemake_output(folder, "--detailed-summary", "--configfile", TINY, "overlay.yaml")
-    lines = text.splitlines()
-    header = next(n for n, line in enumerate(lines) if line.startswith("output_file\t"))
-    rows = csv.DictReader(lines[header:], delimiter="\t")
-    return {
-        row["output_file"]: row["plan"]
-        for row in rows
-        if row["output_file"].startswith(STORE) and (folder / row["output_file"]).exists()
-    }
+    keys = sorted({*leaves(config)} - FIXED - IN_PATHS)
+    return tuple(key for key in keys if digest(key) == digest())
 
 
 @pytest.fixture(scope="module")
-def plans(finished, tmp_path_factory):
-    """Return a function from changed keys to the plans for the store of the finished study."""
-    top = tmp_path_factory.mktemp("second")
+def kept_study(request):
+    """Return a function from a fixture to its folder and the configuration of a second study."""
 
-    @cache  # Some folders have the same keys.
-    def planned(keys):
-        folder = linked_copy(finished, top / str(len(list(top.iterdir()))))
-        (folder / "overlay.yaml").write_text(yaml.safe_dump(second_study(keys)))
-        return summary(folder)
+    def kept(fixture):
+        folder = request.getfixturevalue(fixture)
+        path = folder / f"results/{STUDIES[fixture][0]}/configuration.yaml"
+        unlike = {"study": "second", "effort": "full", "quick": {}}
+        return folder, yaml.safe_load(path.read_text()) | unlike
+
+    return kept
+
+
+@pytest.fixture(scope="module")
+def plans(kept_study, tmp_path_factory):
+    """Return a function from changed keys to Snakemake's plan for each file of the store."""
+    overlay = tmp_path_factory.mktemp("second") / "overlay.yaml"
+
+    @cache  # Some kinds depend on the same keys.
+    def planned(fixture, keys):
+        folder, config = kept_study(fixture)
+        overlay.write_text(yaml.safe_dump(second_study(config, keys)))
+        text = snakemake_output(folder, "--detailed-summary", "--configfile", str(overlay))
+        lines = text.splitlines()
+        header = next(n for n, line in enumerate(lines) if line.startswith("output_file\t"))
+        return {
+            row["output_file"].removeprefix(f"{config['store']}/"): row["plan"]
+            for row in csv.DictReader(lines[header:], delimiter="\t")
+            if row["output_file"].startswith(config["store"])
+            and (folder / row["output_file"]).exists()
+        }
 
     return planned
 
 
-@pytest.mark.parametrize("folder", FOLDERS)
-def test_keys_outside_paths_change_no_file(plans, folder):
-    independent_keys = IN_PATHS | FIXED
-    other_keys = tuple(
-        key
-        for key in leaves(STUDY)
-        if key not in independent_keys
-        and not any(is_part(key, section) for section in FOLDERS[folder])
-    )
-    planned = plans(other_keys)
-    file_plans = {plan for path, plan in planned.items() if path.startswith(f"{STORE}/{folder}/")}
-    assert file_plans == {"no update"}
-
-
 @pytest.mark.parametrize(
-    "keys",
-    [
-        ("scales.sphere_roughness",),
-        ("scales.realizations", "exponents.realizations", "sets.pool_size", "sets.realizations"),
-    ],
+    ("fixture", "kind"),
+    [(fixture, kind) for fixture, (_, kinds) in STUDIES.items() for kind in kinds],
 )
-def test_values_in_paths_change_no_file(plans, keys):
-    assert set(plans(keys).values()) == {"no update"}
+def test_keys_outside_the_digest_change_no_file(plans, kept_study, monkeypatch, fixture, kind):
+    folder, config = kept_study(fixture)
+    monkeypatch.chdir(folder)
+    selection = configured_files(config).selection
+    keys = independent_keys(config, selection, kind.rpartition("/")[2])
+    planned = plans(fixture, keys)
+    assert {plan for path, plan in planned.items() if path.startswith(f"{kind}/")} == {"no update"}
+
+
+def test_values_in_paths_change_no_file(plans):
+    assert {*plans("finished", tuple(sorted(IN_PATHS))).values()} == {"no update"}

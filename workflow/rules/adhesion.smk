@@ -4,17 +4,12 @@
 rule compute_pull_off:
     """Compute rigid and plastic pull-off of one scan on all scans of the sphere, or positions on it."""
     input:
-        substrate=PATTERNS.stitched_substrate,
+        substrate=STORE.stitched_substrate,
         spheres=[FILES.stitched_path(SPHERE, scan) for scan in SELECTION.contact_scans(SPHERE)],
     output:
-        PATTERNS.pull_off,
+        STORE.pull_off,
     params:
-        parameters=dict(
-            sphere_positions=PLAN.sphere_positions,
-            positions_per_row=PLAN.positions_per_row,
-            contact=CONTACT_AT_RANGE | {"contacts_per_row": PLAN.position_contacts_per_row},
-            ranges=RANGES,
-        ),
+        parameters=SETTINGS["pull_off"],
     script:
         "../scripts/compute_pull_off.py"
 
@@ -22,9 +17,9 @@ rule compute_pull_off:
 rule aggregate_adhesion:
     """Gather the pull-off forces of all sphere scans on all substrate scans: adhesion.nc."""
     input:
-        scans=FILES.paths(PATTERNS.pull_off, PLAN.substrate_scan_ids),
+        scans=FILES.paths(STORE.pull_off, PLAN.substrate_scan_ids),
     output:
-        PATTERNS.dataset("adhesion"),
+        RESULTS.dataset("adhesion"),
     params:
         parameters=dict(
             scan_keys=PLAN.substrate_scan_ids,

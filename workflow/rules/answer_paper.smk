@@ -26,19 +26,19 @@ for name in PAPER_FIGURES:
             f"draw_{name}"
         input:
             **{
-                source: PUBLISHED_TABLES.get(source, PATTERNS.dataset(source))
+                source: PUBLISHED_TABLES.get(source, RESULTS.dataset(source))
                 for source in figure.inputs
             },
             code=code_inputs("draw_figure.py", f"hardcontact.report.figures.{name}"),
         output:
-            pdf=PATTERNS.figure(name, "pdf"),
+            pdf=RESULTS.figure(name, "pdf"),
             png=report(
-                PATTERNS.figure(name, "png"),
+                RESULTS.figure(name, "png"),
                 caption="../report/figure.rst",
                 category=figure.chapter,
                 labels={"figure": figure.title},
             ),
-            svg=PATTERNS.figure(name, "svg"),
+            svg=RESULTS.figure(name, "svg"),
         params:
             parameters=dict(figure=name, title=figure.title, inputs=figure.inputs),
             caption="\n\n".join(caption(name, config)[:3]),
@@ -50,13 +50,13 @@ rule answer_paper:
     """Write the numbers of the answer, the page that shows them, and the pages of the report."""
     input:
         datasets=[
-            *(PATTERNS.dataset(name) for name in DATASETS_OF_ANSWER),
+            *(RESULTS.dataset(name) for name in DATASETS_OF_ANSWER),
             "resources/validation/scan_size.nc",
         ],
-        claims=PATTERNS.result("claims.csv"),
+        claims=RESULTS.result("claims.csv"),
         published_constants=PUBLISHED_TABLES["published_constants"],
         published_table1=PUBLISHED_TABLES["published_table1"],
-        figures=[PATTERNS.figure(name, "svg") for name in PAPER_FIGURES],
+        figures=[RESULTS.figure(name, "svg") for name in PAPER_FIGURES],
         chapters=[
             f"workflow/report/{page}.md"
             for page in PAGES
@@ -69,7 +69,7 @@ rule answer_paper:
         templates=page_templates(),
     output:
         **{
-            page: report(PATTERNS.page(page), category=category, labels={"page": title})
+            page: report(RESULTS.page(page), category=category, labels={"page": title})
             for page, (category, title) in PAGES.items()
         },
         **ANSWER,

@@ -11,16 +11,16 @@ rule answer_surfaces:
     """Write the numbers of the answer, its figures, then the page that shows them."""
     input:
         **{
-            name: PATTERNS.dataset(name)
+            name: RESULTS.dataset(name)
             for name in ("topography", "spectra", "edges", "force", "sensitivity")
         },
-        fit=PATTERNS.dataset("fit") if HAS_FORCES else [],
+        fit=RESULTS.dataset("fit") if HAS_FORCES else [],
         templates=page_templates(),
         captions="workflow/report/figures.yaml",
         citation="CITATION.cff",
         pairs="resources/adhesion/pairs.csv",
     output:
-        **{kind: [PATTERNS.figure(name, kind) for name in DRAWN_FIGURES] for kind in FILE_KINDS},
+        **{kind: [RESULTS.figure(name, kind) for name in DRAWN_FIGURES] for kind in FILE_KINDS},
         **ANSWER,
     params:
         parameters=dict(

@@ -11,13 +11,13 @@ CLAIM_DATASETS = datasets_of_claims(CLAIMS)
 rule evaluate_claims:
     """Judge statements of the paper by what was computed: claims.csv."""
     input:
-        **{dataset: PATTERNS.dataset(dataset) for dataset in CLAIM_DATASETS},
-        sets=PATTERNS.dataset("sets"),
+        **{dataset: RESULTS.dataset(dataset) for dataset in CLAIM_DATASETS},
+        sets=RESULTS.dataset("sets"),
         claims=CLAIMS,
         published_constants=PUBLISHED_TABLES["published_constants"],
         published_table1=PUBLISHED_TABLES["published_table1"],
     output:
-        claims=PATTERNS.result("claims.csv"),
+        claims=RESULTS.result("claims.csv"),
     retries: 0  # A faulty row of claims.csv fails again.
     params:
         parameters=dict(

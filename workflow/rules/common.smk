@@ -3,8 +3,7 @@
 # Names that the rules of all files use:
 #   config         the configuration as written, with units: for records and captions
 #   STUDY          the configuration: nested dictionaries, with quantities in nm, N, Pa and J/m²
-#   PATTERNS       the path of each kind of file, with wildcards in braces
-#   RANGES         the ranges of adhesion (nm) at which forces on scans are computed
+#   RESULTS        the paths of the final files of the study
 #   SAMPLING       the seed, the number of random samples and the confidence of intervals
 #   IS_PAPER_STUDY whether results are compared with the paper; false for the user's surfaces
 #   HAS_FORCES     whether the user's surfaces have a table of measured forces
@@ -17,22 +16,21 @@
 from hardcontact.base.published import PUBLISHED_TABLES
 from hardcontact.config.configuration import is_paper_study, read_yaml
 from hardcontact.config.keys import NONE
-from hardcontact.files.patterns import study_patterns
+from hardcontact.files.patterns import StudyPaths
 from hardcontact.run import study_inputs
 
 STUDY = study_inputs.checked_configuration(workflow, config)
-PATTERNS = study_patterns(STUDY)
-RANGES = sorted({*STUDY["adhesion"]["ranges"], STUDY["adhesion"]["range"]})
+RESULTS = StudyPaths(STUDY)
 SAMPLING = STUDY["intervals"] | {"seed": STUDY["seed"]}
 IS_PAPER_STUDY = is_paper_study(STUDY)
 HAS_FORCES = STUDY["forces"] != NONE
 PAGES = read_yaml("workflow/report/pages.yaml")
 ANSWER = {
     "page": report(
-        PATTERNS.result("answer.html"),
+        RESULTS.result("answer.html"),
         caption="../report/answer.rst",
         category="0. Results",
         labels={"page": "the answer"},
     ),
-    "json": PATTERNS.result("answer.json"),
+    "json": RESULTS.result("answer.json"),
 }

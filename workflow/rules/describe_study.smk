@@ -5,7 +5,7 @@ FINAL_DATASETS = [
     path
     for dataset_rule in workflow.rules
     for path in dataset_rule.output
-    if path.startswith(f"{PATTERNS.results}/") and path.endswith(".nc") and "{" not in path
+    if path.startswith(f"{RESULTS.results}/") and path.endswith(".nc") and "{" not in path
 ]
 
 
@@ -15,9 +15,9 @@ rule describe_study:
         surfaces=STUDY["surfaces"],
         datasets=sorted(FINAL_DATASETS),
     output:
-        configuration=PATTERNS.result("configuration.yaml"),
-        surfaces=PATTERNS.result("surfaces.tsv"),
-        variables=PATTERNS.result("datasets.md"),
+        configuration=RESULTS.result("configuration.yaml"),
+        surfaces=RESULTS.result("surfaces.tsv"),
+        variables=RESULTS.result("datasets.md"),
     params:
         parameters=config,
     script:
@@ -28,6 +28,6 @@ rule verify:
     """Check whether the files of the study match what they were made from; write nothing."""
     retries: 0
     params:
-        parameters=dict(results=PATTERNS.results),
+        parameters=dict(results=RESULTS.results),
     script:
         "../scripts/verify.py"

@@ -5,6 +5,8 @@ EXPONENT_MASTERS = CHUNKS.filtered_masters("exponents")
 EDGE_SHIFT_MASTERS = CHUNKS.filtered_masters("edge_shifts")
 #: Bands need whole surfaces: scans are too small for their long waves.
 BAND_SURFACES = SELECTION.substitute_substrates
+#: Not in the store: these forces are of the band that the study itself found.
+BAND_FORCES = RESULTS.dataset("band/{surface}")
 
 
 # Intervals are over masters, because each has other scans and all are independent. Few scans need
@@ -12,9 +14,9 @@ BAND_SURFACES = SELECTION.substitute_substrates
 rule find_edges_of_masters:
     """Find the edges of the critical band of the paper's study: edges.nc."""
     input:
-        scales=PATTERNS.dataset("scales"),
+        scales=RESULTS.dataset("scales"),
     output:
-        PATTERNS.dataset("edges"),
+        RESULTS.dataset("edges"),
     params:
         parameters=dict(tolerance=STUDY["scales"]["tolerance"], sampling=SAMPLING),
     script:
@@ -26,12 +28,12 @@ rule compute_band_forces:
     input:
         **DESCRIPTION_INPUTS,
         **SUBSTITUTE_INPUTS,
-        edges=PATTERNS.dataset("edges"),
+        edges=RESULTS.dataset("edges"),
     output:
-        PATTERNS.band_forces,
+        BAND_FORCES,
     params:
         parameters=lambda w: dict(
-            **WHOLE_SURFACES,
+            **SETTINGS["band"],
             surface=w.surface,
             surface_numbers=list(range(1, STUDY["scales"]["whole_surfaces"] + 1)),
             has_features=w.surface in PLAN.featured_surfaces,
@@ -43,9 +45,9 @@ rule compute_band_forces:
 rule aggregate_band_forces:
     """Gather the forces on the band alone, relative to those with all roughness: band_forces.nc."""
     input:
-        bands=[FILES.path(PATTERNS.band_forces, surface) for surface in BAND_SURFACES],
+        bands=[FILES.path(BAND_FORCES, surface) for surface in BAND_SURFACES],
     output:
-        PATTERNS.dataset("band_forces"),
+        RESULTS.dataset("band_forces"),
     params:
         parameters=dict(
             bands=BAND_SURFACES,
@@ -62,9 +64,9 @@ rule aggregate_band_forces:
 rule fit_exponents:
     """Fit exponents of forces and edges to radius and load: exponents.nc."""
     input:
-        masters=FILES.paths(PATTERNS.filtered_master_forces, EXPONENT_MASTERS),
+        masters=FILES.paths(STORE.filtered_master_forces, EXPONENT_MASTERS),
     output:
-        PATTERNS.dataset("exponents"),
+        RESULTS.dataset("exponents"),
     params:
         parameters=dict(
             surfaces=[row.surface for row in EXPONENT_MASTERS],
@@ -81,9 +83,9 @@ rule fit_exponents:
 rule compute_edge_shifts:
     """Compute how far plasticity and a long range move the short edge: edge_shifts.nc."""
     input:
-        masters=FILES.paths(PATTERNS.filtered_master_forces, EDGE_SHIFT_MASTERS),
+        masters=FILES.paths(STORE.filtered_master_forces, EDGE_SHIFT_MASTERS),
     output:
-        PATTERNS.dataset("edge_shifts"),
+        RESULTS.dataset("edge_shifts"),
     params:
         parameters=dict(
             surfaces=[row.surface for row in EDGE_SHIFT_MASTERS],
@@ -100,11 +102,11 @@ rule compute_edge_shifts:
 rule fit_published:
     """Fit one pair of range and work of adhesion to the published forces: fit.nc."""
     input:
-        adhesion=PATTERNS.dataset("adhesion"),
+        adhesion=RESULTS.dataset("adhesion"),
         published_pull_off=PUBLISHED_TABLES["published_pull_off"],
         published_constants=PUBLISHED_TABLES["published_constants"],
     output:
-        PATTERNS.dataset("fit"),
+        RESULTS.dataset("fit"),
     params:
         parameters=dict(reference_surface=STUDY["reference_surface"], sampling=SAMPLING),
     script:
@@ -115,9 +117,9 @@ rule apply_classical_models:
     """Apply classical models of smooth and rough adhesion to the published forces: classical.nc."""
     input:
         **PUBLISHED_TABLES,
-        fit=PATTERNS.dataset("fit"),
+        fit=RESULTS.dataset("fit"),
     output:
-        PATTERNS.dataset("classical"),
+        RESULTS.dataset("classical"),
     params:
         parameters=SAMPLING,
     script:

@@ -1,7 +1,5 @@
 # Octaves: how the force follows the amplitude of each.
 
-from hardcontact.contact.contact import SHORTEST_WHOLE_RANGE
-
 
 rule compute_whole_surface_forces:
     """Compute the forces on whole substitute surfaces, also with each octave amplified."""
@@ -9,14 +7,13 @@ rule compute_whole_surface_forces:
         **DESCRIPTION_INPUTS,
         **SUBSTITUTE_INPUTS,
     output:
-        PATTERNS.whole_surface_forces,
+        STORE.whole_surface_forces,
     params:
         parameters=lambda w: dict(
-            **WHOLE_SURFACES,
+            **SETTINGS["whole"],
             surface=w.surface,
             surface_numbers=list(range(int(w.first), int(w.last) + 1)),
             has_features=w.surface in PLAN.featured_surfaces,
-            ranges=[rho for rho in RANGES if rho >= SHORTEST_WHOLE_RANGE],
         ),
     script:
         "../scripts/compute_whole_surface_forces.py"
@@ -28,9 +25,9 @@ rule compute_perturbed_scan_forces:
         stitched=lambda w: FILES.roughness_path(w.surface, int(w.scan)),
         sphere=SPHERE_SCAN,
     output:
-        PATTERNS.perturbed_scan_forces,
+        STORE.perturbed_scan_forces,
     params:
-        parameters=lambda w: dict(scan=int(w.scan), contact=CONTACT_AT_RANGE),
+        parameters=lambda w: dict(scan=int(w.scan), **SETTINGS["perturbed_scans"]),
     script:
         "../scripts/compute_perturbed_scan_forces.py"
 
@@ -39,12 +36,12 @@ rule aggregate_sensitivity:
     """Gather how the force follows each octave: sensitivity.nc."""
     input:
         forces=[
-            *FILES.paths(PATTERNS.whole_surface_forces, CHUNKS.whole_surfaces),
-            *FILES.paths(PATTERNS.perturbed_scan_forces, PLAN.measured_scan_ids),
+            *FILES.paths(STORE.whole_surface_forces, CHUNKS.whole_surfaces),
+            *FILES.paths(STORE.perturbed_scan_forces, PLAN.measured_scan_ids),
         ],
-        adhesion=PATTERNS.dataset("adhesion") if PLAN.measured_scan_ids else [],
+        adhesion=RESULTS.dataset("adhesion") if PLAN.measured_scan_ids else [],
     output:
-        PATTERNS.dataset("sensitivity"),
+        RESULTS.dataset("sensitivity"),
     params:
         parameters=dict(
             maps=[*CHUNKS.whole_surfaces, *PLAN.measured_scan_ids],

@@ -3,7 +3,6 @@
 # forces.
 
 from hardcontact.files.patterns import any_name_pattern
-from hardcontact.surfaces.synthesis import SIDES
 
 COMBINED = any_name_pattern(PLAN.combined_surfaces)
 
@@ -11,10 +10,10 @@ COMBINED = any_name_pattern(PLAN.combined_surfaces)
 rule combine_scans:
     """Add the roughness of a scan of the sphere, at a random position, to that of a substrate."""
     input:
-        substrate=PATTERNS.stitched_substrate,
+        substrate=STORE.stitched_substrate,
         sphere=lambda w: FILES.stitched_path(SPHERE, PLAN.sphere_scan(w.surface, int(w.scan))),
     output:
-        PATTERNS.combined_scan,
+        STORE.combined_scan,
     wildcard_constraints:
         surface=COMBINED,
     params:
@@ -22,7 +21,7 @@ rule combine_scans:
             surface=w.surface,
             scan=int(w.scan),
             sphere_scan=PLAN.sphere_scan(w.surface, int(w.scan)),
-            seed=STUDY["seed"],
+            **SETTINGS["both_bodies"],
         ),
     script:
         "../scripts/combine_scans.py"
@@ -34,7 +33,7 @@ rule combine_spectra:
         substrate=lambda w: FILES.spectrum_path(w.surface),
         sphere=lambda w: FILES.spectrum_path(SPHERE),
     output:
-        PATTERNS.combined_spectrum,
+        STORE.combined_spectrum,
     wildcard_constraints:
         surface=COMBINED,
     params:
@@ -46,10 +45,10 @@ rule combine_spectra:
 rule combine_sampled_spectra:
     """Add a sampled spectrum of the sphere to one of a substrate."""
     input:
-        substrate=PATTERNS.sampled_spectrum,
-        sphere=lambda w: FILES.path(PATTERNS.sampled_spectrum, SPHERE, realization=w.realization),
+        substrate=STORE.sampled_spectrum.replace("{shape}", "flat"),
+        sphere=lambda w: FILES.path(STORE.sampled_spectrum, SPHERE, realization=w.realization),
     output:
-        PATTERNS.combined_sampled_spectrum,
+        STORE.combined_sampled_spectrum,
     wildcard_constraints:
         surface=COMBINED,
     params:
@@ -63,7 +62,7 @@ rule aggregate_spectra:
     input:
         spectra=[FILES.roughness_spectrum_path(surface) for surface in SELECTION.surfaces],
     output:
-        PATTERNS.dataset("spectra"),
+        RESULTS.dataset("spectra"),
     params:
         parameters=dict(
             surfaces=SELECTION.surfaces,  # the order of the inputs
@@ -82,16 +81,17 @@ rule sample_spectra:
         measurements=lambda w: FILES.measurement_paths(w.surface),
     output:
         expand(
-            PATTERNS.sampled_spectrum,
+            STORE.sampled_spectrum,
             realization=range(1, STUDY["scales"]["realizations"] + 1),
             allow_missing=True,
         ),
     params:
         parameters=lambda w: dict(
             surface=w.surface,
-            seed=STUDY["seed"],
             contact_scan_indices=SELECTION.contact_scan_indices(w.surface),
-            **PLAN.measurement_settings(w.surface),
+            tip_radii=SELECTION.tip_radii(w.surface),
+            sphere_radius=PLAN.sphere_radius(w.surface),
+            **SETTINGS["sampled_spectra"],
         ),
     script:
         "../scripts/sample_spectra.py"
@@ -107,15 +107,13 @@ rule compute_hindcast_forces:
         ],
         sphere=SPHERE_SCAN,
     output:
-        PATTERNS.hindcast_forces,
+        STORE.hindcast_forces,
     params:
         parameters=lambda w: dict(
             scan=int(w.scan),
             bodies=PLAN.rough_bodies(w.surface, int(w.scan)),
             measurements=PLAN.measurements_of_map(w.surface, int(w.scan)),
-            seed=STUDY["seed"],
-            contact=CONTACT_AT_RANGE,
-            transitions={side: STUDY["scales"][side]["transition"] for side in SIDES},
+            **SETTINGS["hindcast"],
         ),
     script:
         "../scripts/compute_hindcast_forces.py"
@@ -126,9 +124,9 @@ if PLAN.measured_scan_ids:
     rule aggregate_hindcast:
         """Gather the tests whether forces on scans may be extrapolated: hindcast.nc."""
         input:
-            forces=FILES.paths(PATTERNS.hindcast_forces, PLAN.measured_scan_ids),
+            forces=FILES.paths(STORE.hindcast_forces, PLAN.measured_scan_ids),
         output:
-            PATTERNS.dataset("hindcast"),
+            RESULTS.dataset("hindcast"),
         params:
             parameters=dict(
                 scans=PLAN.measured_scan_ids,
@@ -142,7 +140,7 @@ if PLAN.measured_scan_ids:
 
 
 #: The tests of measured scans; substitutes have none.
-HINDCAST = PATTERNS.dataset("hindcast") if PLAN.measured_scan_ids else []
+HINDCAST = RESULTS.dataset("hindcast") if PLAN.measured_scan_ids else []
 #: The scans of masters, and how forces on them are compared.
 MASTER_PARAMETERS = {
     "scan_counts": {name: len(SELECTION.contact_scans(name)) for name in SELECTION.substrates},
@@ -157,11 +155,11 @@ MASTER_PARAMETERS = {
 rule find_edges_of_scans:
     """Find the edges of the critical band of the user's surfaces: edges.nc."""
     input:
-        adhesion=PATTERNS.dataset("adhesion"),
-        scales=PATTERNS.dataset("scales"),
+        adhesion=RESULTS.dataset("adhesion"),
+        scales=RESULTS.dataset("scales"),
         hindcast=HINDCAST,
     output:
-        PATTERNS.dataset("edges"),
+        RESULTS.dataset("edges"),
     params:
         parameters=MASTER_PARAMETERS,
     script:
@@ -171,16 +169,17 @@ rule find_edges_of_scans:
 rule compute_force_at_pair:
     """Compute the force at one range and work, also with extrapolated roughness: force.nc."""
     input:
-        adhesion=PATTERNS.dataset("adhesion"),
-        scales=PATTERNS.dataset("scales"),
-        topography=PATTERNS.dataset("topography"),
-        spectra=PATTERNS.dataset("spectra"),
+        adhesion=RESULTS.dataset("adhesion"),
+        scales=RESULTS.dataset("scales"),
+        topography=RESULTS.dataset("topography"),
+        spectra=RESULTS.dataset("spectra"),
         hindcast=HINDCAST,
     output:
-        PATTERNS.dataset("force"),
+        RESULTS.dataset("force"),
     params:
         parameters=dict(
-            contact=CONTACT_AT_RANGE | {"work": STUDY["adhesion"]["work"]},
+            contact=CONTACT
+            | {"rho": STUDY["adhesion"]["range"], "work": STUDY["adhesion"]["work"]},
             **MASTER_PARAMETERS,
         ),
     script:
@@ -193,12 +192,12 @@ if HAS_FORCES:
     rule fit_measured:
         """Find all pairs of range and work of adhesion that the user's forces permit: fit.nc."""
         input:
-            adhesion=PATTERNS.dataset("adhesion"),
-            force=PATTERNS.dataset("force"),
-            topography=PATTERNS.dataset("topography"),
+            adhesion=RESULTS.dataset("adhesion"),
+            force=RESULTS.dataset("force"),
+            topography=RESULTS.dataset("topography"),
             forces=STUDY["forces"],
         output:
-            PATTERNS.dataset("fit"),
+            RESULTS.dataset("fit"),
         params:
             parameters=SAMPLING,
         script:

@@ -1,12 +1,8 @@
 # Scales: masters, cutoff filters, pull-off of each filtered master.
 
 from hardcontact.config.limits import master_megabytes
-from hardcontact.files.master_purposes import (
-    PURPOSES,
-    contact_sweep,
-    filter_megabytes,
-    filter_settings,
-)
+from hardcontact.config.keys import SMOOTH_SPHERE
+from hardcontact.files.master_purposes import filter_megabytes
 from hardcontact.surfaces.synthesis import SIDES
 
 MASTERS = CHUNKS.filtered_masters("scales")
@@ -22,18 +18,14 @@ rule synthesize_masters:
         ),
         spectrum=lambda w: FILES.roughness_spectrum_path(w.surface),
     output:
-        **{side: PATTERNS.master.replace("{side}", side) for side in SIDES},
+        **{side: STORE.master.replace("{side}", side) for side in SIDES},
     resources:
-        mem_mb=master_megabytes(STUDY["scales"]["short"]["pixels"]),
+        mem_mb=master_megabytes(SETTINGS["masters"]["sides"]["short"]["pixels"]),
     params:
         parameters=lambda w: dict(
             surface=w.surface,
             realization=int(w.realization),
-            seed=STUDY["seed"],
-            sides={
-                "short": {key: STUDY["scales"]["short"][key] for key in ("pixels", "transition")},
-                "long": {key: STUDY["scales"]["long"][key] for key in ("tiles", "transition")},
-            },
+            **SETTINGS["masters"],
         ),
     script:
         "../scripts/synthesize_masters.py"
@@ -43,20 +35,16 @@ rule compute_filtered_forces:
     """Compute the forces of masters with all scales, and without those beyond each cutoff."""
     input:
         unpack(lambda w: CHUNKS.master_inputs(w.purpose, w.surface, int(w.first), int(w.last))),
-        sphere=lambda w: FILES.first_sphere_path if w.sphere_kind == "rough" else [],
+        sphere=lambda w: [] if w.sphere_digest == SMOOTH_SPHERE else FILES.first_sphere_path,
     output:
-        PATTERNS.filtered_master_forces,
+        STORE.filtered_master_forces,
     resources:
-        mem_mb=lambda w: filter_megabytes(STUDY, w.purpose),
+        mem_mb=lambda w: filter_megabytes(SETTINGS[w.purpose]),
     params:
         parameters=lambda w: dict(
             surface=w.surface,
             realizations=list(range(int(w.first), int(w.last) + 1)),
-            seed=STUDY["seed"],
-            stream=PURPOSES[w.purpose].stream,
-            window=STUDY["contact"]["window"],
-            **filter_settings(STUDY, w.purpose),
-            **contact_sweep(STUDY, w.purpose),
+            **SETTINGS[w.purpose],
         ),
     script:
         "../scripts/compute_filtered_forces.py"
@@ -65,10 +53,10 @@ rule compute_filtered_forces:
 rule aggregate_scales:
     """Gather the forces of all filtered surfaces: scales.nc."""
     input:
-        masters=FILES.paths(PATTERNS.filtered_master_forces, MASTERS),
-        sampled=FILES.paths(PATTERNS.filtered_master_forces, SAMPLED_MASTERS),
+        masters=FILES.paths(STORE.filtered_master_forces, MASTERS),
+        sampled=FILES.paths(STORE.filtered_master_forces, SAMPLED_MASTERS),
     output:
-        PATTERNS.dataset("scales"),
+        RESULTS.dataset("scales"),
     params:
         parameters=dict(
             surfaces=[row.surface for row in MASTERS],

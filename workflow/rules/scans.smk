@@ -1,6 +1,5 @@
 # Scans: substitutes where none was measured; all are then prepared and measured in the same way.
 
-from hardcontact.config.configuration import reading_keys
 from hardcontact.files.patterns import any_name_pattern
 
 
@@ -11,7 +10,7 @@ rule calibrate_spectrum:
         published_table1=PUBLISHED_TABLES["published_table1"],
         published_constants=PUBLISHED_TABLES["published_constants"],
     output:
-        PATTERNS.calibrated_spectrum,
+        STORE.calibrated_spectrum,
     params:
         parameters=lambda w: dict(surface=w.surface),
     script:
@@ -23,9 +22,11 @@ rule read_scan:
     input:
         scan=lambda w: SELECTION.path(w.surface, int(w.scan)),
     output:
-        PATTERNS.measurement,
+        STORE.measurement,
     params:
-        parameters=lambda w: reading_keys(STUDY, SELECTION.dataset(w.surface, int(w.scan))),
+        parameters=lambda w: dict(
+            dataset=SELECTION.dataset(w.surface, int(w.scan)), **SETTINGS["measurements"]
+        ),
     script:
         "../scripts/read_scan.py"
 
@@ -35,9 +36,13 @@ rule measure_spectrum:
     input:
         measurements=lambda w: FILES.measurement_paths(w.surface),
     output:
-        PATTERNS.measured_spectrum,
+        STORE.measured_spectrum,
     params:
-        parameters=lambda w: PLAN.measurement_settings(w.surface),
+        parameters=lambda w: dict(
+            tip_radii=SELECTION.tip_radii(w.surface),
+            sphere_radius=PLAN.sphere_radius(w.surface),
+            **SETTINGS["measured_spectra"],
+        ),
     script:
         "../scripts/measure_spectrum.py"
 
@@ -51,9 +56,9 @@ for scan_numbers, surfaces in PLAN.scan_groups.items():
         input:
             **SUBSTITUTE_INPUTS,
         output:
-            **{f"levelled_{n}": PATTERNS.levelled.replace("{scan}", f"{n}") for n in scan_numbers},
-            **{f"stitched_{n}": PATTERNS.stitched.replace("{scan}", f"{n}") for n in scan_numbers},
-            conditioning=PATTERNS.conditioning.replace("{scan}", f"{scan_numbers[0]}"),
+            **{f"levelled_{n}": STORE.levelled.replace("{scan}", f"{n}") for n in scan_numbers},
+            **{f"stitched_{n}": STORE.stitched.replace("{scan}", f"{n}") for n in scan_numbers},
+            conditioning=STORE.conditioning.replace("{scan}", f"{scan_numbers[0]}"),
         wildcard_constraints:
             surface=any_name_pattern(surfaces),
         params:
@@ -61,10 +66,9 @@ for scan_numbers, surfaces in PLAN.scan_groups.items():
             parameters=lambda w, scan_numbers=scan_numbers: dict(
                 surface=w.surface,
                 scan_numbers=scan_numbers,
-                scan_grid=SCAN_GRID,
-                seed=STUDY["seed"],
-                sphere_radius=STUDY["sphere"]["radius"] if w.surface == SPHERE else None,
+                sphere_radius=PLAN.sphere_radius(w.surface),
                 has_features=w.surface in PLAN.featured_surfaces,
+                **SETTINGS["substitute_scans"],
             ),
         script:
             "../scripts/make_scans.py"
@@ -73,14 +77,16 @@ for scan_numbers, surfaces in PLAN.scan_groups.items():
 rule prepare_scan:
     """Level a measured scan, subtract the sphere if it shows one, and mirror it."""
     input:
-        measurement=PATTERNS.measurement,
+        measurement=STORE.measurement,
     output:
-        levelled=PATTERNS.levelled,
-        stitched=PATTERNS.stitched,
+        levelled=STORE.levelled,
+        stitched=STORE.stitched,
     wildcard_constraints:
         surface=any_name_pattern(SELECTION.measured_surfaces),
     params:
-        parameters=lambda w: PLAN.levelling_settings(w.surface),
+        parameters=lambda w: dict(
+            sphere_radius=PLAN.sphere_radius(w.surface), **SETTINGS["measured_scans"]
+        ),
     script:
         "../scripts/prepare_scan.py"
 
@@ -88,11 +94,11 @@ rule prepare_scan:
 rule aggregate_topography:
     """Measure rms metrics and power spectra of all scans, with averages: topography.nc."""
     input:
-        scans=FILES.paths(PATTERNS.levelled, PLAN.scan_ids),
+        scans=FILES.paths(STORE.levelled, PLAN.scan_ids),
         spectra=[FILES.spectrum_path(surface) for surface in SELECTION.surfaces],
         conditionings=[FILES.conditioning_path(surface) for surface in SELECTION.substitutes],
     output:
-        PATTERNS.dataset("topography"),
+        RESULTS.dataset("topography"),
     params:
         parameters=dict(
             scan_keys=PLAN.scan_ids,

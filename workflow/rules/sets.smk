@@ -3,13 +3,6 @@
 from hardcontact.paper.claims import claims_of_sets
 
 SET_MASTERS = CHUNKS.filtered_masters("sets")
-#: Parameters of the surfaces of pools and of samples, and of contacts on them.
-SET_SURFACES = {
-    "scan_grid": SCAN_GRID,
-    "contact": CONTACT | {"contacts_per_row": STUDY["sets"]["contacts_per_row"]},
-    "ranges": RANGES,
-    "seed": STUDY["seed"],
-}
 
 
 rule compute_pool:
@@ -17,15 +10,14 @@ rule compute_pool:
     input:
         **SUBSTITUTE_INPUTS,
     output:
-        PATTERNS.pool_forces,
+        STORE.pool_forces,
     params:
         parameters=lambda w: dict(
-            **SET_SURFACES,
+            **SETTINGS["pool"],
             surface=w.surface,
             first=int(w.first),
             last=int(w.last),
             scan_count=len(SELECTION.contact_scans(w.surface)),
-            rms_height_count=STUDY["sets"]["rms_height_count"],
         ),
     script:
         "../scripts/compute_pool.py"
@@ -36,10 +28,10 @@ rule compute_featured_samples:
     input:
         **SUBSTITUTE_INPUTS,
     output:
-        PATTERNS.featured_sample_forces,
+        STORE.featured_sample_forces,
     params:
         parameters=lambda w: dict(
-            **SET_SURFACES,
+            **SETTINGS["featured_samples"],
             surface=w.surface,
             first=int(w.first),
             last=int(w.last),
@@ -53,15 +45,15 @@ rule compute_featured_samples:
 rule sample_sets:
     """Sample all sets, and compute of each what the statements of the paper are about: sets.nc."""
     input:
-        topography=PATTERNS.dataset("topography"),
-        adhesion=PATTERNS.dataset("adhesion"),
-        pools=FILES.paths(PATTERNS.pool_forces, CHUNKS.pools),
-        samples=FILES.paths(PATTERNS.featured_sample_forces, CHUNKS.featured_samples),
-        masters=FILES.paths(PATTERNS.filtered_master_forces, SET_MASTERS),
+        topography=RESULTS.dataset("topography"),
+        adhesion=RESULTS.dataset("adhesion"),
+        pools=FILES.paths(STORE.pool_forces, CHUNKS.pools),
+        samples=FILES.paths(STORE.featured_sample_forces, CHUNKS.featured_samples),
+        masters=FILES.paths(STORE.filtered_master_forces, SET_MASTERS),
         published_pull_off=PUBLISHED_TABLES["published_pull_off"],
         published_constants=PUBLISHED_TABLES["published_constants"],
     output:
-        PATTERNS.dataset("sets"),
+        RESULTS.dataset("sets"),
     retries: 0  # A faulty row of claims.csv fails again.
     params:
         parameters=dict(
@@ -88,12 +80,12 @@ rule sample_sets:
 rule compare_features:
     """Compare the forces of surfaces with features with the published ones: features.nc."""
     input:
-        sets=PATTERNS.dataset("sets"),
-        samples=FILES.paths(PATTERNS.featured_sample_forces, CHUNKS.featured_samples),
+        sets=RESULTS.dataset("sets"),
+        samples=FILES.paths(STORE.featured_sample_forces, CHUNKS.featured_samples),
         published_pull_off=PUBLISHED_TABLES["published_pull_off"],
         published_constants=PUBLISHED_TABLES["published_constants"],
     output:
-        PATTERNS.dataset("features"),
+        RESULTS.dataset("features"),
     params:
         parameters=dict(sample_chunks=CHUNKS.featured_samples, labels=SELECTION.labels),
     script:
@@ -103,11 +95,11 @@ rule compare_features:
 rule fit_posterior:
     """Weigh all pairs of range and work by the published forces: posterior.nc."""
     input:
-        sets=PATTERNS.dataset("sets"),
-        whole_surfaces=FILES.paths(PATTERNS.whole_surface_forces, CHUNKS.whole_surfaces),
+        sets=RESULTS.dataset("sets"),
+        whole_surfaces=FILES.paths(STORE.whole_surface_forces, CHUNKS.whole_surfaces),
         published_pull_off=PUBLISHED_TABLES["published_pull_off"],
     output:
-        PATTERNS.dataset("posterior"),
+        RESULTS.dataset("posterior"),
     params:
         parameters=dict(whole_surfaces=CHUNKS.whole_surfaces, sampling=SAMPLING),
     script:

@@ -29,7 +29,7 @@ rule trace_contact:
         sphere=FILES.stitched_path(SPHERE, TRACED["sphere_scan"]),
         published_constants=PUBLISHED_TABLES["published_constants"],
     output:
-        PATTERNS.dataset("contact"),
+        RESULTS.dataset("contact"),
     params:
         parameters=dict(**TRACED, contact=CONTACT),
     script:
@@ -42,14 +42,12 @@ rule solve_elastic_contacts:
         **SCANS_IN_TURN,
         published_constants=PUBLISHED_TABLES["published_constants"],
     output:
-        PATTERNS.elastic_contacts,
+        STORE.elastic_contacts,
     params:
         parameters=lambda w: dict(
             surface=w.surface,
             scans=SELECTION.contact_scans(w.surface),
-            contact=CONTACT,
-            contacts=STUDY["elastic"]["contacts"],
-            seed=STUDY["seed"],
+            **SETTINGS["elastic"],
         ),
     script:
         "../scripts/solve_elastic_contacts.py"
@@ -58,11 +56,9 @@ rule solve_elastic_contacts:
 rule aggregate_elastic:
     """Gather elastic contact of all surfaces: elastic.nc."""
     input:
-        surfaces=[
-            FILES.path(PATTERNS.elastic_contacts, surface) for surface in SELECTION.substrates
-        ],
+        surfaces=[FILES.path(STORE.elastic_contacts, surface) for surface in SELECTION.substrates],
     output:
-        PATTERNS.dataset("elastic"),
+        RESULTS.dataset("elastic"),
     params:
         parameters=dict(
             surfaces=SELECTION.substrates,
@@ -81,7 +77,7 @@ rule measure_indents:
         ],
         spheres=[FILES.stitched_path(SPHERE, scan) for scan in SELECTION.contact_scans(SPHERE)],
     output:
-        PATTERNS.dataset("indent"),
+        RESULTS.dataset("indent"),
     params:
         parameters=dict(
             **SELECTION.attributes(INDENTED),
@@ -99,14 +95,12 @@ rule find_asperities:
     input:
         **SCANS_IN_TURN,
     output:
-        PATTERNS.asperities,
+        STORE.asperities,
     params:
         parameters=lambda w: dict(
             surface=w.surface,
             scans=SELECTION.contact_scans(w.surface),
-            contact=CONTACT,
-            asperities=STUDY["asperities"],
-            seed=STUDY["seed"],
+            **SETTINGS["asperities"],
         ),
     script:
         "../scripts/find_asperities.py"
@@ -115,9 +109,9 @@ rule find_asperities:
 rule aggregate_asperities:
     """Gather the asperities of all surfaces: asperities.nc."""
     input:
-        surfaces=[FILES.path(PATTERNS.asperities, surface) for surface in SELECTION.substrates],
+        surfaces=[FILES.path(STORE.asperities, surface) for surface in SELECTION.substrates],
     output:
-        PATTERNS.dataset("asperities"),
+        RESULTS.dataset("asperities"),
     params:
         parameters=dict(
             surfaces=SELECTION.substrates,

@@ -6,17 +6,14 @@
 #   NAMED_SURFACES     the label of each surface, and whether it was measured or is a substitute
 #   PLAN               which scans, bodies and positions contacts are made on, with their settings
 #   FILES              the paths of each surface: spectra, scans, scans of both bodies in one
+#   STORE              the path of each kind of intermediate, with wildcards in braces
+#   SETTINGS           the settings of each kind of intermediate, all that its rule takes from STUDY
 #   CHUNKS             what one job computes together: scans of pools, masters, whole surfaces
 #   CONTACT            the arguments of class Contact: the keys of `contact`, the sphere's radius
-#   CONTACT_AT_RANGE   these, and the range of adhesion (nm)
-#   SCAN_GRID          pixels and size (nm) of a substitute scan, and the pixels of the random surface
-#                      from which it is cut
 #   DESCRIPTION_INPUTS the description of a substitute, and the tables that it names
 #   SUBSTITUTE_INPUTS  from which random surfaces like a substitute are made
-#   WHOLE_SURFACES     parameters of whole substitute surfaces, and of contacts on them
 #   SPHERE_SCAN        the scan of the sphere; none if its roughness was added to that of substrates
 
-from hardcontact.config.limits import random_surface_pixels
 from hardcontact.config.study_plan import StudyPlan
 from hardcontact.files.chunks import Chunks
 from hardcontact.files.patterns import wildcard_constraints as constraints
@@ -27,14 +24,11 @@ SELECTION = study_inputs.checked_selection(workflow, STUDY)
 SPHERE = SELECTION.sphere
 NAMED_SURFACES = {"labels": SELECTION.labels, "source": SELECTION.sources}
 PLAN = StudyPlan(STUDY, SELECTION)
-FILES = SurfaceFiles(PLAN, PATTERNS)
+FILES = SurfaceFiles(PLAN)
+STORE = FILES.patterns
+SETTINGS = STORE.settings
 CHUNKS = Chunks(FILES)
 CONTACT = STUDY["contact"] | {"radius": STUDY["sphere"]["radius"]}
-CONTACT_AT_RANGE = CONTACT | {"rho": STUDY["adhesion"]["range"]}
-SCAN_GRID = {
-    **{key: STUDY["substitutes"][key] for key in ("pixels", "size")},
-    "surface_pixels": random_surface_pixels(STUDY["substitutes"]["pixels"]),
-}
 DESCRIPTION_INPUTS = {
     "description": lambda w: SELECTION.description(w.surface),
     "tables": lambda w: SELECTION.tables(w.surface),
@@ -45,12 +39,6 @@ SUBSTITUTE_INPUTS = {
         PUBLISHED_TABLES["published_table1"],
         PUBLISHED_TABLES["published_constants"],
     ],
-}
-WHOLE_SURFACES = {
-    "seed": STUDY["seed"],
-    "grid": PLAN.whole_surface_grid,
-    "scan_grid": SCAN_GRID,
-    "contact": CONTACT_AT_RANGE,
 }
 SPHERE_SCAN = (
     FILES.first_sphere_path

@@ -24,17 +24,17 @@ else:
         **({"fit": ["fit"]} if HAS_FORCES else {}),
     }
 FIGURE_FILES = {
-    figure: [PATTERNS.figure(figure, kind) for kind in FILE_KINDS]
+    figure: [RESULTS.figure(figure, kind) for kind in FILE_KINDS]
     for figure in (PAPER_FIGURES if IS_PAPER_STUDY else [])
 }
 TARGETS = {
-    target: [PATTERNS.dataset(name) for name in names]
+    target: [RESULTS.dataset(name) for name in names]
     for target, names in DATASETS_OF_TARGETS.items()
 }
 if IS_PAPER_STUDY:
-    TARGETS["claims"] = [PATTERNS.result("claims.csv")]
+    TARGETS["claims"] = [RESULTS.result("claims.csv")]
     TARGETS["figures"] = list(FIGURE_FILES.values())
-    TARGETS["pages"] = [PATTERNS.page(page) for page in PAGES]
+    TARGETS["pages"] = [RESULTS.page(page) for page in PAGES]
     TARGETS["answer"] = rules.answer_paper.output
 else:
     TARGETS["answer"] = rules.answer_surfaces.output

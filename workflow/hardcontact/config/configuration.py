@@ -187,10 +187,10 @@ def study_contact(config: Mapping[str, Any]) -> Contact:
     )
 
 
-def reading_keys(config: Mapping[str, Any], dataset: str) -> dict[str, Any]:
-    """Return the arguments of `read_scan` for a scan of the study, given its name in the file."""
+def reading_keys(config: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the arguments of `read_scan` that all scans of a study share."""
     names = ("undefined_pixels", "unit", "map_size", "mask")
-    return {"dataset": dataset} | {name: config["scan"][name] for name in names}
+    return {name: config["scan"][name] for name in names}
 
 
 def master_keys(config: Mapping[str, Any], section: str, side: str) -> dict[str, str]:

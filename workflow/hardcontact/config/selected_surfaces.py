@@ -68,18 +68,19 @@ class Selection:
     `substrates` are all surfaces except the sphere's, `substitute_substrates` the substitutes among
     them, and `sampled_substrates` those of `published_surfaces`, which each set samples. By
     surface, `labels` has the name to print, `sources` whether scans are measured or substitutes,
-    and `file_digests` the digest from `digest_files`.
+    and `digests` the digest from `digest_surfaces`; `sphere_digest` is that of the sphere.
     """
 
     def __init__(
         self,
         rows: pd.DataFrame,
         sphere: str,
-        file_digests: Mapping[str, str],
+        digests: Mapping[str, str],
         published_surfaces: Collection[str],
     ) -> None:
         self._rows = rows
-        self.file_digests = file_digests
+        self.digests = digests
+        self.sphere_digest = digests.get(sphere, SMOOTH_SPHERE)
         self._contact_rows = rows[rows.use == CONTACT_USE]
         self._cells = rows.set_index(["surface", "scan"])
         self.sphere = sphere
@@ -195,13 +196,11 @@ def surface_table(path: str | Path) -> pd.DataFrame:
     return table
 
 
-def digest_files(rows: pd.DataFrame) -> dict[str, str]:
-    """Return a digest of the files of each surface, which enters paths of intermediates."""
-    surface_files: dict[str, dict[tuple[str, str, str], None]] = {}
-    for row in rows.itertuples():
-        file = (str(row.source), str(row.dataset), digest(str(row.path)))
-        surface_files.setdefault(str(row.surface), {})[file] = None
-    return {surface: short_digest([*files]) for surface, files in surface_files.items()}
+def digest_surfaces(rows: pd.DataFrame) -> dict[str, str]:
+    """Return a digest of the rows and files of each surface, which paths of intermediates have."""
+    cells = rows.assign(path=rows.path.map(digest)).drop(columns="label").astype(str)
+    surfaces = cells.groupby("surface")
+    return {str(name): short_digest(surface.to_dict("records")) for name, surface in surfaces}
 
 
 def selected_scans(table: pd.DataFrame, scans: Literal["all"] | list[int]) -> pd.DataFrame:

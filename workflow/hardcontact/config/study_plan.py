@@ -65,17 +65,12 @@ class StudyPlan:
                 groups[tuple(selection.scans_of_group(surface, group))].append(surface)
         return groups
 
-    def levelling_settings(self, surface: str) -> dict[str, Any]:
-        """Return the levelling of the scans of a surface, with the radius (nm) of a sphere."""
-        radius = self.configuration["sphere"]["radius"]
-        return {
-            "levelling": self.configuration["scan"]["levelling"],
-            "sphere_radius": radius if surface == self.selection.sphere else None,
-        }
+    def sphere_radius(self, surface: str) -> float | None:
+        """Return the radius (nm) that is subtracted from scans of the sphere, None for others.
 
-    def measurement_settings(self, surface: str) -> dict[str, Any]:
-        """Return the levelling and the tip radii (nm) of the measurements of a surface."""
-        return {"tip_radii": self.selection.tip_radii(surface), **self.levelling_settings(surface)}
+        It is `{shape}` in paths.
+        """
+        return self.contact.radius if surface == self.selection.sphere else None
 
     # Substitutes
 
@@ -84,13 +79,6 @@ class StudyPlan:
         """The substrate whose scans have features, if it is a substitute of a published surface."""
         surface = self.configuration["substitutes"]["featured_surface"]
         return [name for name in self.selection.sampled_substrates if name == surface]
-
-    @property
-    def whole_surface_grid(self) -> dict[str, Any]:
-        """Pixels per row of a whole surface, and their size (nm), as of long masters."""
-        grid = self.configuration["substitutes"]
-        tiles = self.configuration["scales"]["long"]["tiles"]
-        return {"pixels": 2 * tiles * grid["pixels"], "pixel_size": grid["size"] / grid["pixels"]}
 
     # Both bodies
 
@@ -124,25 +112,17 @@ class StudyPlan:
             offset += len(scans)
         return indices
 
-    # Positions on the sphere
+    def sphere_positions(self) -> tuple[list[int], int, int]:
+        """Return positions on the sphere, positions and contacts per row on each of its scans.
 
-    @property
-    def positions_per_row(self) -> int:
-        """Positions per row on each scan of the sphere at which it touches the user's surfaces."""
-        if not combines_bodies(self.configuration):
-            return 1
-        return ceil(sqrt(SPHERE_POSITIONS / len(self.selection.sphere_scans)))
-
-    @property
-    def sphere_positions(self) -> list[int]:
-        """The numbers of positions on the sphere: numbers of its scans if each has one position."""
-        if self.positions_per_row == 1:
-            return self.selection.sphere_scans
-        count = len(self.selection.sphere_scans) * self.positions_per_row**2
-        return list(range(1, count + 1))
-
-    @property
-    def position_contacts_per_row(self) -> int:
-        """Contacts per row of their array at each position on the sphere."""
-        count = self.contact.contacts_per_row
-        return count if self.positions_per_row == 1 else min(count, POSITION_CONTACTS_PER_ROW)
+        Positions are numbered, by the numbers of the scans if each has one position.
+        """
+        scans = self.selection.sphere_scans
+        contacts_per_row = self.contact.contacts_per_row
+        per_row = 1
+        if combines_bodies(self.configuration):
+            per_row = ceil(sqrt(SPHERE_POSITIONS / len(scans)))
+        if per_row == 1:
+            return scans, per_row, contacts_per_row
+        positions = list(range(1, len(scans) * per_row**2 + 1))
+        return positions, per_row, min(contacts_per_row, POSITION_CONTACTS_PER_ROW)

@@ -8,16 +8,10 @@ from math import ceil
 from typing import NamedTuple
 
 from hardcontact.base.units import path_token
-from hardcontact.config.configuration import combines_bodies, get_key
-from hardcontact.files.master_purposes import (
-    MASTERS_CHUNK,
-    PURPOSES,
-    contact_sweep,
-    filter_settings,
-)
-from hardcontact.files.patterns import KEYS_OF_SCANS, values_of_keys
+from hardcontact.config.configuration import get_key
+from hardcontact.config.keys import SMOOTH_SPHERE
+from hardcontact.files.master_purposes import MASTERS_CHUNK, PURPOSES
 from hardcontact.files.surface_files import SurfaceFiles
-from hardcontact.records.origin import short_digest
 from hardcontact.surfaces.features import GAUSSIAN, SIGNS
 from hardcontact.surfaces.synthesis import SIDES
 
@@ -51,7 +45,7 @@ class FilteredMasters(NamedTuple):
     purpose: str
     settings_digest: str
     surface: str
-    sphere_kind: str
+    sphere_digest: str
     first: int
     last: int
     radii: str
@@ -115,11 +109,11 @@ class Chunks:
         """Return the masters of a purpose: outputs of rule compute_filtered_forces."""
         count = get_key(self._configuration, PURPOSES[purpose].realizations_key)
         chunks = _spans(count, PURPOSES[purpose].realizations_in_job)
-        digest = self._settings_digest(purpose)
+        digest = self._files.patterns.digests[purpose]
         sweep_names = self._sweep_names(purpose)
         return [
             FilteredMasters(
-                purpose, digest, surface, self._sphere_kind(purpose, surface), *chunk, *sweep_names
+                purpose, digest, surface, self._sphere(purpose, surface), *chunk, *sweep_names
             )
             for surface in self._master_surfaces(purpose)
             for chunk in chunks
@@ -132,31 +126,23 @@ class Chunks:
             return [name for name in substrates if name in self._selection.measured_surfaces]
         return substrates
 
-    def _sphere_kind(self, purpose: str, surface: str) -> str:
-        """Return which sphere touches the masters; combined if masters have its roughness."""
-        if surface in self._plan.combined_surfaces:
-            return "combined"
+    def _sphere(self, purpose: str, surface: str) -> str:
+        """Return the digest of the sphere, which is smooth if masters have its roughness."""
         is_rough = self._configuration["scales"]["sphere_roughness"]
-        return "rough" if is_rough and PURPOSES[purpose].rough_sphere else "smooth"
+        is_added = surface in self._plan.combined_surfaces
+        if is_added or not (is_rough and PURPOSES[purpose].rough_sphere):
+            return SMOOTH_SPHERE
+        return self._selection.sphere_digest
 
     def _sweep_names(self, purpose: str) -> tuple[str, str, str]:
         """Return radii, loadings and ranges of a purpose as parts of paths."""
-        sweep = contact_sweep(self._configuration, purpose)
+        sweep = self._files.patterns.settings[purpose]
+        loadings = (replace(self._plan.contact, **loading) for loading in sweep["loadings"])
         return (
             "+".join(f"R{path_token(radius, 'um')}" for radius in sweep["radii"]),
-            "+".join(
-                replace(self._plan.contact, **loading).loading_name for loading in sweep["loadings"]
-            ),
+            "+".join(contact.loading_name for contact in loadings),
             "+".join(f"rho{path_token(rho, 'nm')}" for rho in sweep["ranges"]),
         )
-
-    def _settings_digest(self, purpose: str) -> str:
-        """Return a digest of all keys on which forces depend and which are not in the path."""
-        configuration = self._configuration
-        values = values_of_keys(configuration, (*KEYS_OF_SCANS, "contact.window", "sphere.surface"))
-        if configuration["scales"]["sphere_roughness"] or combines_bodies(configuration):
-            values["sphere"] = self._files.sphere_digest
-        return short_digest([filter_settings(configuration, purpose), values])
 
     def master_inputs(
         self, purpose: str, surface: str, first: int, last: int

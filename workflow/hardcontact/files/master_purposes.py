@@ -58,12 +58,23 @@ PURPOSES = {
 }  # fmt: skip
 
 
-def contact_sweep(configuration: Mapping[str, Any], purpose: str) -> dict[str, list[Any]]:
-    """Return radii (nm), loadings (N, Pa) and ranges (nm) of the forces on masters."""
+def filtered_settings(configuration: Mapping[str, Any], purpose: str) -> dict[str, Any]:
+    """Return the settings of the forces on filtered masters, with radii in nm, loadings, ranges."""
     settings = PURPOSES[purpose]
     contact = study_contact(configuration)
     radii = get_key(configuration, settings.radii_key)
     return {
+        "seed": configuration["seed"],
+        "stream": settings.stream,
+        "window": contact.window,
+        "contacts_per_row": get_key(configuration, settings.contacts_key),
+        "sides": {
+            side: {
+                name: get_key(configuration, key)
+                for name, key in master_keys(configuration, settings.section, side).items()
+            }
+            for side in settings.sides
+        },
         "radii": radii if isinstance(radii, list) else [radii],
         "loadings": [
             {"preload": share * contact.preload, "hardness": contact.hardness, "plastic": plastic}
@@ -74,20 +85,6 @@ def contact_sweep(configuration: Mapping[str, Any], purpose: str) -> dict[str, l
     }
 
 
-def filter_settings(configuration: Mapping[str, Any], purpose: str) -> dict[str, Any]:
-    """Return the settings of masters and filters on each side, and the contacts per row."""
-    settings = PURPOSES[purpose]
-    sides = {
-        side: {
-            name: get_key(configuration, key)
-            for name, key in master_keys(configuration, settings.section, side).items()
-        }
-        for side in settings.sides
-    }
-    return {"contacts_per_row": get_key(configuration, settings.contacts_key), "sides": sides}
-
-
-def filter_megabytes(configuration: Mapping[str, Any], purpose: str) -> int:
+def filter_megabytes(settings: Mapping[str, Any]) -> int:
     """Return the memory of a job that filters masters, by the larger of its two masters."""
-    sides = filter_settings(configuration, purpose)["sides"]
-    return master_megabytes(max(side["pixels"] for side in sides.values()))
+    return master_megabytes(max(side["pixels"] for side in settings["sides"].values()))

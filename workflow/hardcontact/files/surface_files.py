@@ -4,24 +4,22 @@ from collections.abc import Iterable
 from typing import Any
 
 from hardcontact.base.units import path_token
-from hardcontact.config.keys import SMOOTH_SPHERE
 from hardcontact.config.study_plan import StudyPlan
-from hardcontact.files.patterns import Patterns
+from hardcontact.files.patterns import StorePatterns
 
 
 class SurfaceFiles:
     """The paths of spectra and scans of the surfaces of one study."""
 
-    def __init__(self, plan: StudyPlan, patterns: Patterns) -> None:
+    def __init__(self, plan: StudyPlan) -> None:
         self.plan = plan
         self.selection = plan.selection
-        self.patterns = patterns
-        self.sphere_digest = self.selection.file_digests.get(self.selection.sphere, SMOOTH_SPHERE)
+        self.patterns = StorePatterns(plan)
         self._defaults = {
             "radius": f"R{path_token(plan.contact.radius, 'um')}",
             "loading": plan.contact.loading_name,
             "rho": f"rho{path_token(plan.contact.rho, 'nm')}",
-            "sphere_digest": self.sphere_digest,
+            "sphere_digest": self.selection.sphere_digest,
         }
 
     def path(self, pattern: str, surface: str, **wildcards: object) -> str:
@@ -29,7 +27,7 @@ class SurfaceFiles:
         is_sphere = surface == self.selection.sphere
         surface_values = {
             "shape": f"sphere-{self._defaults['radius']}" if is_sphere else "flat",
-            "digest": self.selection.file_digests[surface],
+            "digest": self.selection.digests[surface],
         }
         return pattern.format(surface=surface, **self._defaults | surface_values | wildcards)
 

@@ -24,7 +24,7 @@ from hardcontact.config.limits import PIXEL_SIZES, refuse_unfit_grids, same_grid
 from hardcontact.config.selected_surfaces import CONTACT_USE
 from hardcontact.config.tables import refuse_description, refuse_paper_surface
 from hardcontact.contact.contact import Grid
-from hardcontact.files.patterns import study_patterns
+from hardcontact.files.patterns import MEASUREMENT
 from hardcontact.records.origin import canonical_json, is_current
 from hardcontact.scans.reading import read_scan
 from hardcontact.surfaces.height_map import HeightMap, load_height_map, refuse_line_scan
@@ -150,9 +150,9 @@ def stored_scan(config: dict[str, Any], row: Any) -> HeightMap:
 
     The rule read_scan stores scans: a file is read here only if it, its keys or the code changed.
     """
-    pattern = escape(study_patterns(config).measurement)
-    arguments = reading_keys(config, row.dataset)
-    for stored in glob(pattern.format(surface=row.surface, scan=row.scan, digest="*")):
+    file = MEASUREMENT.format(surface=row.surface, scan=row.scan, digest="*")
+    arguments = reading_keys(config) | {"dataset": row.dataset}
+    for stored in glob(f"{escape(config['store'])}/measurements/*/{file}"):
         if is_current(stored, canonical_json(arguments), row.path):
             return load_height_map(stored)
     return read_scan(row.path, **arguments)

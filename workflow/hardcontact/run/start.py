@@ -11,7 +11,7 @@ from snakemake.io import strip_wildcard_constraints
 from snakemake.settings.types import ExecMode
 from snakemake.utils import min_version
 
-from hardcontact.files.patterns import Patterns
+from hardcontact.files.patterns import StudyPaths
 from hardcontact.records.code import ROOT, code_inputs
 from hardcontact.records.packages import refuse_other_versions
 from hardcontact.run.endings import end_at_interrupt
@@ -81,7 +81,7 @@ def _refuse_touch() -> None:
         )
 
 
-def complete_rules(workflow: Any, patterns: Patterns) -> None:
+def complete_rules(workflow: Any, paths: StudyPaths) -> None:
     """Give each rule with a script a log and, if it writes files, its code and a benchmark.
 
     Its code, the script and what this imports, are inputs, because a change of these makes files
@@ -93,9 +93,9 @@ def complete_rules(workflow: Any, patterns: Patterns) -> None:
         # What Snakemake itself does for the directives `log` and `benchmark`.
         rule.log_modifier = rule.benchmark_modifier = workflow.modifier.path_modifier
         output = strip_wildcard_constraints(rule.output[0]) if rule.output else ""
-        rule.set_log(patterns.run_file("logs", ".log", rule.name, output))
+        rule.set_log(paths.run_file("logs", ".log", rule.name, output))
         if rule.output:
-            rule.benchmark = patterns.run_file("benchmarks", ".tsv", rule.name, output)
+            rule.benchmark = paths.run_file("benchmarks", ".tsv", rule.name, output)
             if "code" not in rule.input.keys():
                 rule.set_input(code=code_inputs(Path(rule.script).name))
 

@@ -22,7 +22,7 @@ from hardcontact.config.faults import key_fields, run_checks, shorten
 from hardcontact.config.keys import Study
 from hardcontact.config.selected_surfaces import (
     Selection,
-    digest_files,
+    digest_surfaces,
     selected_scans,
     surface_table,
 )
@@ -132,5 +132,5 @@ def checked_selection(workflow: Any, configuration: dict[str, Any]) -> Selection
     except ValueError as error:
         refuse(error)
     return Selection(
-        rows, configuration["sphere"]["surface"], digest_files(rows), surfaces_of_table1()
+        rows, configuration["sphere"]["surface"], digest_surfaces(rows), surfaces_of_table1()
     )

@@ -1,0 +1,31 @@
+"""The digest of a kind of intermediate covers all on which its files depend."""
+
+import re
+
+import pytest
+from repository import ROOT
+from studies import study_files
+
+from hardcontact.files.settings import settings_digest, store_settings
+
+
+def test_rules_of_intermediates_take_no_values_of_the_configuration_but_settings():
+    """Paths have the digest of the settings: of all that a rule takes from keys."""
+    rules = []
+    for path in (ROOT / "workflow/rules").glob("*.smk"):
+        rules += re.findall(r"^ *rule\b.*?^ *output:(.*?)^ *script:", path.read_text(), re.M | re.S)
+    parameters = [rule.partition("params:")[2] for rule in rules if "STORE." in rule]
+    assert parameters
+    for text in parameters:
+        assert not re.search(r"\b(STUDY|CONTACT|SAMPLING|config)\b|PLAN\.contact\b", text), text
+
+
+@pytest.mark.parametrize(
+    "kind", ["both_bodies", "hindcast", "perturbed_scans", "masters", "sampled"]
+)
+def test_files_with_the_roughness_of_another_sphere_have_another_digest(project_folder, kind):
+    plan = study_files("published", "none", measured_surfaces=["uncd", "ruby"]).plan
+    digests = set()
+    for plan.selection.sphere_digest in ("first", "second"):
+        digests.add(settings_digest(store_settings(plan), kind))
+    assert len(digests) == 2
