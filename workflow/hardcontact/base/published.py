@@ -1,4 +1,7 @@
-"""Read the numbers that the paper prints, from the tables of `resources/paper`."""
+"""Read the numbers that the paper prints, from the tables of `resources/paper`.
+
+Substitutes of both kinds of study are made from them, so they are known below the layer `paper`.
+"""
 
 from collections.abc import Mapping
 from pathlib import Path

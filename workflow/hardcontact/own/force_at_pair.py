@@ -195,11 +195,9 @@ def _force_variables(
     scan_parts = forces_by_model[0].scan_parts[np.abs(forces.rho.values - rho).argmin()]
     contact_count = np.prod([forces.sizes[axis] for axis in CONTACT_AXES])
     variables = with_interval("force", dimensions, mean, np.array(intervals), NEWTON, confidence)
-    half_widths = [
-        position_half_width(model_forces, confidence) for model_forces in forces_by_model
-    ]
-    if half_widths[0] is not None:  # The sphere is rough, and its position is not known.
-        factor = np.exp(np.array(half_widths))
+    half = [position_half_width(model_forces, confidence) for model_forces in forces_by_model]
+    if half[0] is not None:  # The sphere is rough, and its position is not known.
+        factor = np.exp(np.array(half))
         variables["position_factor"] = (dimensions, factor, DIMENSIONLESS)
     return xr.Dataset(
         variables

@@ -74,11 +74,9 @@ def sampled_means(rng: np.random.Generator, tests: MeasuredTests, sample_count: 
         return np.full(sample_count, np.nan)
     degrees_of_freedom = tests.site_count - 1
     variance = tests.log_std**2
-    sampled_variance = (
-        variance * degrees_of_freedom / rng.chisquare(degrees_of_freedom, sample_count)
-    )
-    normal = rng.standard_normal(sample_count)
-    errors = normal * np.sqrt(sampled_variance / tests.site_count)
+    chi_squared = rng.chisquare(degrees_of_freedom, sample_count)
+    sampled_variance = variance * degrees_of_freedom / chi_squared
+    errors = rng.standard_normal(sample_count) * np.sqrt(sampled_variance / tests.site_count)
     deviation = (sampled_variance - variance) / 2 - errors
     deviation = np.clip(deviation, -MAX_LOG_DEVIATION, MAX_LOG_DEVIATION)
     return np.asarray(tests.mean * np.exp(deviation))

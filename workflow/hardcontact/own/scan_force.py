@@ -52,10 +52,8 @@ from hardcontact.theory.validity import Validity, is_validated, nearest_errors, 
 
 #: Names of the forces and edges in closed form, which have intervals, also for the extrapolated
 #: spectrum.
-CLOSED_FORM_NAMES = [
-    f"{prefix}{name}"
-    for prefix, force in (("", "closed_form_force"), ("extrapolated_", "force"))
-    for name in (force, *EDGE_NAMES)
+CLOSED_FORM_NAMES = ["closed_form_force", "extrapolated_force", *EDGE_NAMES] + [
+    f"extrapolated_{name}" for name in EDGE_NAMES
 ]
 
 

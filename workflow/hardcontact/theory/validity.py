@@ -28,8 +28,8 @@ from hardcontact.theory.closed_form import ClosedForm, contact_term
 
 #: Designed surfaces, computed and predicted; resources/validation/README.md describes the columns.
 DESIGNED_SURFACES = Path(__file__).with_name("designed_surfaces.csv")
-#: Effective modulus in Pa of ruby on diamond, `effective_modulus` of `constants.csv`. It is
-#: written here, because an installed library has no resources/.
+#: Effective modulus in Pa of ruby on diamond. It is written here, too, because an installed library
+#: has no resources/; a test compares it with `published.effective_modulus` of `constants.csv`.
 RUBY_ON_DIAMOND_MODULUS = 1 / ((1 - 0.29**2) / 365e9 + (1 - 0.22**2) / 1010e9)
 #: Hardness in Pa below which this modulus is not assumed: a tenth of the ruby's hardness. Moduli
 #: are ten to some hundred times the hardness (ceramics, metals), so bodies of this hardness may be
