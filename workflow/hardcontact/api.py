@@ -260,9 +260,9 @@ def pull_off_forces(
     ... )
     >>> mean = forces.pull_off_force.sel(contact_model="plastic").mean()  # N
     """
-    given: dict[str, Any] = {"radius": radius, "preload": preload, "hardness": hardness}
-    check_quantities(**given, work=work)
-    contact = Contact(**given, window=window, contacts_per_row=contacts_per_row)
+    quantities: dict[str, Any] = {"radius": radius, "preload": preload, "hardness": hardness}
+    check_quantities(**quantities, work=work)
+    contact = Contact(**quantities, window=window, contacts_per_row=contacts_per_row)
     ranges = [rho] if isinstance(rho, int | float) else rho
     check_positive_numbers("rho", ranges)
     surface, rough = _periodic_maps(scan, sphere, contact, ranges)
@@ -335,15 +335,15 @@ def force_ratios(
     ... )
     >>> short_edge = float(ratios.edge.sel(side="short"))  # nm
     """
-    given: dict[str, Any] = {
+    quantities: dict[str, Any] = {
         "radius": radius,
         "preload": preload,
         "hardness": hardness,
         "rho": rho,
     }
-    check_quantities(**given)
+    check_quantities(**quantities)
     check_positive(tolerance=tolerance)
-    contact = Contact(**given, window=window, contacts_per_row=contacts_per_row)
+    contact = Contact(**quantities, window=window, contacts_per_row=contacts_per_row)
     surface, rough = _periodic_maps(scan, sphere, contact, [rho])
     check_cutoffs(cutoffs, surface)
     forces = {}

@@ -65,8 +65,8 @@ def atomic_file(path: str | Path) -> Iterator[str]:
 def remove_parts(path: str | Path) -> None:
     """Remove incomplete versions of a file that killed processes left; no job may write it now."""
     path = Path(path)
-    for part in path.parent.glob(f"{PART}*-{glob.escape(path.name)}"):
-        part.unlink(missing_ok=True)
+    for partial_path in path.parent.glob(f"{PART}*-{glob.escape(path.name)}"):
+        partial_path.unlink(missing_ok=True)
 
 
 def write(dataset: xr.Dataset, path: str | Path) -> None:
@@ -94,14 +94,14 @@ def describe(dataset: xr.Dataset, meanings: Mapping[str, str]) -> xr.Dataset:
 
     A variable without a meaning stays as it is. An interval has the meaning of its variable.
     """
-    described = dataset.copy()
-    for name, variable in described.variables.items():
+    result = dataset.copy()
+    for name, variable in result.variables.items():
         meaning = meanings.get(str(name).removesuffix(INTERVAL))
         if meaning is not None:
             variable.attrs["long_name"] = meaning
         if variable.dtype.kind in "biu":  # flags, counts and numbers of scans
             variable.attrs.setdefault("units", "1")
-    return described
+    return result
 
 
 def read(path: str | Path) -> xr.Dataset:

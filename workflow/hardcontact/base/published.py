@@ -72,6 +72,6 @@ def rows_of_surface(table1: pd.DataFrame, surface: str) -> pd.DataFrame:
     return table1[table1["surface"] == surface].set_index("quantity")
 
 
-def rows_met(stored: str) -> list[str]:
+def rows_met(row_names: str) -> list[str]:
     """Return the rows of Table 1 that an attribute or variable `table1_rows_met` names."""
-    return [row for row in stored.split(",") if row]
+    return [row for row in row_names.split(",") if row]

@@ -60,14 +60,14 @@ def main() -> int:
 
 def join_units(words: Sequence[str]) -> list[str]:
     """Return the words of a command line; a number and a unit after it become one word."""
-    joined = list[str]()
+    arguments = list[str]()
     for word in words:
         is_unit = any(re.sub(r"\^2|²", "2", word) in units for units in FACTORS.values())
-        if is_unit and joined and re.fullmatch(r"(--\w+=)?[0-9.]+(e-?[0-9]+)?", joined[-1]):
-            joined[-1] += word
+        if is_unit and arguments and re.fullmatch(r"(--\w+=)?[0-9.]+(e-?[0-9]+)?", arguments[-1]):
+            arguments[-1] += word
         else:
-            joined.append(word)
-    return joined
+            arguments.append(word)
+    return arguments
 
 
 class CommandLine(ArgumentParser):
@@ -88,14 +88,14 @@ class CommandLine(ArgumentParser):
     def _question(self, message: str) -> str:
         """Return a question if a message names an unknown word that resembles a known one."""
         if "invalid choice: " in message:
-            choice, *known = re.findall(r"'([^']+)'", message)
+            choice, *known_words = re.findall(r"'([^']+)'", message)
         else:
             unknown = message.partition("unrecognized arguments: ")[2].partition(" ")[0]
             choice = unknown.partition("=")[0]
             if choice == "--diameter":
                 return " (did you mean --radius, with half of it?)"
-            known = [name for name in self._option_string_actions if name.startswith("--")]
-        return spelling_question(choice, known)
+            known_words = [name for name in self._option_string_actions if name.startswith("--")]
+        return spelling_question(choice, known_words)
 
 
 def output_faults(

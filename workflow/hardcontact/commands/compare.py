@@ -71,8 +71,8 @@ def compare(arguments: Namespace) -> str:
 
 def _answer_path(path: str) -> str:
     """Return the path of answer.json in the results of a study, or the path of a file itself."""
-    named = os.path.join("results", path)
-    answer_or_folder = path if os.path.isdir(path) or not os.path.isdir(named) else named
+    folder = os.path.join("results", path)
+    answer_or_folder = path if os.path.isdir(path) or not os.path.isdir(folder) else folder
     if os.path.isfile(answer_or_folder):
         return answer_or_folder
     return os.path.join(answer_or_folder, ANSWER)

@@ -162,9 +162,9 @@ def _choices_without_scans(
             yield Choice(key, value, f"as given, for {files}")
     if arguments.forces is not None:
         yield Choice("forces", path_from_root(arguments.forces), "own pull-off forces")
-    given = [option for option in CONTACT_QUANTITIES if quantities[option].is_given]
-    if given:
-        yield Choice("given", given, "known; others that equal the paper's are assumed")
+    given_quantities = [option for option in CONTACT_QUANTITIES if quantities[option].is_given]
+    if given_quantities:
+        yield Choice("given", given_quantities, "known; others that equal the paper's are assumed")
     surface, reason = (
         (SPHERE, "its scans") if arguments.sphere else (SMOOTH_SPHERE, "no scans of it")
     )

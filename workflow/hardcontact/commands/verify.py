@@ -28,8 +28,8 @@ def verify(arguments: Namespace) -> tuple[str, int]:
 
     Raises ValueError, with one line, if the folder has no files of a study.
     """
-    named = Path("results", arguments.folder)
-    folder = (named if named.is_dir() else Path(arguments.folder)).resolve()
+    results_folder = Path("results", arguments.folder)
+    folder = (results_folder if results_folder.is_dir() else Path(arguments.folder)).resolve()
     if not folder.is_dir() or len(folder.parts) < 4:
         raise ValueError(f"{arguments.folder}: expected the results of a study, found none")
     # Records name files from the folder that has `results`.

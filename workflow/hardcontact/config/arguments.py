@@ -67,7 +67,7 @@ def unit_question(quantity: str, number: float) -> str:
     if low <= number <= high:
         return ""
     prefixed = [number * factor for factor in (1e-3, 1e3, 1e-6, 1e6)]
-    meant = [format_exact(other, unit) for other in prefixed if low <= other <= high]
+    meant = [format_exact(candidate, unit) for candidate in prefixed if low <= candidate <= high]
     suggestion = f" (did you mean {meant[0]}?)" if meant else ""
     return f"is the unit right? {' to '.join(bounds)} are usual for {kind}{suggestion}"
 
@@ -184,11 +184,11 @@ def make_periodic(surface: HeightMap, name: str = "scan") -> HeightMap:
 def check_heights(heights: np.ndarray, name: str) -> None:
     """Refuse heights that are not a square array of finite numbers."""
     if not isinstance(heights, np.ndarray):
-        found = type(heights).__name__
+        description = type(heights).__name__
     elif heights.ndim != 2 or len(set(heights.shape)) > 1:
-        found = " x ".join(map(str, heights.shape)) + " pixels"
+        description = " x ".join(map(str, heights.shape)) + " pixels"
     elif not np.isfinite(heights).all():
-        found = f"{np.count_nonzero(~np.isfinite(heights))} undefined heights"
+        description = f"{np.count_nonzero(~np.isfinite(heights))} undefined heights"
     else:
         return
-    raise ValueError(f"{name}: expected a square map of finite heights, found {found}")
+    raise ValueError(f"{name}: expected a square map of finite heights, found {description}")

@@ -65,9 +65,9 @@ def run_checks(checks: Iterable[Callable[[], Any]]) -> list[Any]:
     return results
 
 
-def spelling_question(name: str, known: Iterable[str]) -> str:
+def spelling_question(name: str, known_names: Iterable[str]) -> str:
     """Return a question with the known name that an unknown one resembles, or an empty text."""
-    similar = difflib.get_close_matches(name, sorted(known), 1, SIMILARITY)
+    similar = difflib.get_close_matches(name, sorted(known_names), 1, SIMILARITY)
     return f" (did you mean {similar[0]}?)" if similar else ""
 
 

@@ -140,8 +140,8 @@ def _scan_faults(config: dict[str, Any], surface: str, grid: Grid) -> Iterator[s
     # The master has the size of the largest one. Its artificial pixels do not limit ranges.
     master_grid = grid._replace(size=grid.size * config["scales"]["long"]["tiles"])
     for stage, named_contact in study_contacts(config).items():
-        on_masters = stage in ("scales", "sets") and not is_sphere
-        yield from contact_faults(named_contact, surface, master_grid if on_masters else grid)
+        uses_masters = stage in ("scales", "sets") and not is_sphere
+        yield from contact_faults(named_contact, surface, master_grid if uses_masters else grid)
 
 
 def _body_faults(

@@ -123,8 +123,8 @@ def least_carrying_attraction(attraction: Floats, share: float) -> float:
 
 def _diameter_in_pixels(attraction: Floats, share: float) -> int:
     """Return the diameter of the circle about the centre of force that holds a share."""
-    from_y, from_x = (_distance_from_centre(attraction.sum(axis=axis)) for axis in (1, 0))
-    rings = np.rint(np.sqrt(from_y[:, None] ** 2 + from_x**2)).astype(np.intp)
+    distance_y, distance_x = (_distance_from_centre(attraction.sum(axis=axis)) for axis in (1, 0))
+    rings = np.rint(np.sqrt(distance_y[:, None] ** 2 + distance_x**2)).astype(np.intp)
     carried = np.cumsum(np.bincount(rings.ravel(), attraction.ravel()))
     return 2 * int(np.searchsorted(carried, share * carried[-1]))
 

@@ -85,8 +85,8 @@ class Contact:
 
     def require(self, *fields: str) -> None:
         """Raise ValueError if a field that a computation needs was left out."""
-        if missing := [field for field in fields if math.isnan(getattr(self, field))]:
-            raise ValueError(f"contact: expected {' and '.join(missing)}, found none")
+        if missing_fields := [field for field in fields if math.isnan(getattr(self, field))]:
+            raise ValueError(f"contact: expected {' and '.join(missing_fields)}, found none")
 
     def pixel_count(self, pixel_size: float) -> int:
         """Return the least number of contact pixels (size in nm) that carry the preload.

@@ -60,14 +60,14 @@ def attraction_sums(
     fewer touch than it has, all gaps are larger by the same length.
     """
     gaps = contact_pixels.reference_gaps
-    outside = outside_sums(bodies, contact_pixels, ranges)
+    sums_outside = outside_sums(bodies, contact_pixels, ranges)
     rho = np.asarray(ranges, float)[:, None, None]
     sums = []
     for count in pixel_counts:
         largest_gap = gaps[..., count - 1]
         gaps_left = gaps[..., count:] - largest_gap[..., None]
         opened = np.array([np.exp(-gaps_left / length).sum(axis=-1) for length in ranges])
-        sums.append(count + opened + outside * np.exp((largest_gap - gaps[..., -1]) / rho))
+        sums.append(count + opened + sums_outside * np.exp((largest_gap - gaps[..., -1]) / rho))
     return np.array(sums)
 
 

@@ -63,8 +63,8 @@ def ordered_curve(
     Cutoffs (k,) are in any order; cutoffs with NaN in the first row are left out. All rows begin
     with zero at `spectrum_end`, the wavelength (nm) that removes nothing, if it is known.
     """
-    computed = np.flatnonzero(np.isfinite(values[0]))
-    order = computed[np.argsort(cutoffs[computed])][:: 1 if side == "short" else -1]
+    computed_columns = np.flatnonzero(np.isfinite(values[0]))
+    order = computed_columns[np.argsort(cutoffs[computed_columns])][:: 1 if side == "short" else -1]
     cutoffs, values = cutoffs[order], values[:, order]
     if spectrum_end is not None:
         cutoffs = np.append(spectrum_end, cutoffs)

@@ -49,13 +49,13 @@ def octave_forces(
     surface: HeightMap, limits: Sequence[float] | Floats, compute_forces: ForcesOnSurface
 ) -> Floats:
     """Return forces (octave, factor, ...) with one octave multiplied by AMPLITUDE_FACTORS."""
-    amplified = replace(surface, heights=np.empty_like(surface.heights))
+    amplified_surface = replace(surface, heights=np.empty_like(surface.heights))
 
     def force(octave: HeightMap, factor: float) -> Floats:
         """Return the forces with one octave multiplied by a factor."""
-        np.multiply(octave.heights, factor - 1, out=amplified.heights)
-        np.add(amplified.heights, surface.heights, out=amplified.heights)
-        return compute_forces(amplified)
+        np.multiply(octave.heights, factor - 1, out=amplified_surface.heights)
+        np.add(amplified_surface.heights, surface.heights, out=amplified_surface.heights)
+        return compute_forces(amplified_surface)
 
     octaves = split_octaves(surface, limits)
     return np.array([[force(octave, factor) for factor in AMPLITUDE_FACTORS] for octave in octaves])

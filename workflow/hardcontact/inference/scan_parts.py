@@ -187,7 +187,7 @@ def delete_one_logarithms(
     """
     part_of_contact = xr.DataArray(scan_parts.part_of_contact, dims=(map_dimension, *CONTACT_AXES))
     part_count = len(scan_parts.correlation)
-    statistics = [statistic(part_of_contact != part).values for part in range(part_count)]
+    statistics = [statistic(part_of_contact != number).values for number in range(part_count)]
     return np.asarray(np.log(statistics))
 
 

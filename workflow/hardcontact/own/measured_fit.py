@@ -55,11 +55,11 @@ def fit_measured(
     measured_adhesion = adhesion.sel(surface=surfaces)
     fits = {}
     for model in adhesion["contact_model"].values.tolist():
-        computed = forces_by_surface(measured_adhesion.sel(contact_model=model), scan_sizes)
-        fits[(model,)] = _fit_model(computed, means, test_samples, pixel_factors, sampling)
+        surface_forces = forces_by_surface(measured_adhesion.sel(contact_model=model), scan_sizes)
+        fits[(model,)] = _fit_model(surface_forces, means, test_samples, pixel_factors, sampling)
     # Tests and parts of scans, and so what intervals come from, are the same for all models.
     codes = [
-        computed[name].scan_parts[0].interval_source
+        surface_forces[name].scan_parts[0].interval_source
         if test.site_count > 1
         else IntervalSource.ONE_TEST
         for name, test in tests.items()
@@ -227,6 +227,6 @@ def _logarithmic_errors(data: xr.Dataset, name: str) -> tuple[xr.DataArray, xr.D
     """
     low, high = interval_ends(data, name)
     with np.errstate(divide="ignore"):
-        below: xr.DataArray = xr.apply_ufunc(np.log, data[name] / low)
-        above: xr.DataArray = xr.apply_ufunc(np.log, high / data[name])
-    return below, above
+        distance_to_low: xr.DataArray = xr.apply_ufunc(np.log, data[name] / low)
+        distance_to_high: xr.DataArray = xr.apply_ufunc(np.log, high / data[name])
+    return distance_to_low, distance_to_high

@@ -84,9 +84,9 @@ def _largest_change(edges: xr.Dataset, is_selected: xr.DataArray) -> xr.Dataset:
 def stylus_change(edges: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
     """Return the change of the force at the short cutoff nearest to a stylus radius (group)."""
     change = variable_estimate(edges, "filtered_force_change").sel(side="short", drop=True)
-    computed = change.sel(cutoff_wavelength=computed_cutoffs(change["value"]))
+    computed_change = change.sel(cutoff_wavelength=computed_cutoffs(change["value"]))
     radius = paper["stylus_radius"].item()
-    return computed.sel(cutoff_wavelength=radius, method="nearest", drop=True)
+    return computed_change.sel(cutoff_wavelength=radius, method="nearest", drop=True)
 
 
 def flat_limit_fraction(scales: xr.Dataset) -> xr.Dataset:
@@ -106,9 +106,9 @@ def mean_band_ratio(band_forces: xr.Dataset) -> xr.Dataset:
     low, high = interval_ends(band_forces, "band_force_ratio")
     mean = ratio.mean("surface")
     count = ratio.sizes["surface"]
-    below = np.sqrt(((ratio - low) ** 2).sum("surface", skipna=False)) / count
-    above = np.sqrt(((high - ratio) ** 2).sum("surface", skipna=False)) / count
-    return as_estimate(mean, mean - below, mean + above)
+    half_below = np.sqrt(((ratio - low) ** 2).sum("surface", skipna=False)) / count
+    half_above = np.sqrt(((high - ratio) ** 2).sum("surface", skipna=False)) / count
+    return as_estimate(mean, mean - half_below, mean + half_above)
 
 
 def median_force_exponent(exponents: xr.Dataset) -> xr.Dataset:

@@ -78,12 +78,12 @@ def _cell_faults(row: Row) -> Iterator[str]:
         if words and row[name] not in words:
             yield f"{name}: expected {_join_words(words)}, found {quote_key(row[name])}"
     datasets = set(row["dataset"].split("+"))
-    with_samples = {"sets": {*SET_DATASETS, "paper"}, "posterior": {"posterior"}}
+    sampled_datasets = {"sets": {*SET_DATASETS, "paper"}, "posterior": {"posterior"}}
     if unknown := sorted(datasets - _known_datasets()):
         question = spelling_question(unknown[0], _known_datasets())
         accepted = "datasets of workflow/report/variables.tsv, with + between"
         yield f"dataset: expected {accepted}, found {quote_key(unknown[0])}{question}"
-    elif not datasets <= with_samples.get(row["samples_from"], datasets):
+    elif not datasets <= sampled_datasets.get(row["samples_from"], datasets):
         accepted = f"nothing for the dataset {quote_key(row['dataset'])}"
         yield f"samples_from: expected {accepted}, found {quote_key(row['samples_from'])}"
     if FORMS["select"][0].fullmatch(row["select"]):

@@ -131,11 +131,11 @@ def compute_edge_shifts(forces: xr.Dataset, tolerance: float, sampling: Sampling
         model_forces = sorted_forces.isel(loading=loading, rho=column, drop=True)
         edges[model, rho], samples[model, rho] = edges_of_masters(model_forces, tolerance, sampling)
     complete = PLASTIC, max(ranges)
-    without_cause = {"plasticity": (RIGID, max(ranges)), "range": (PLASTIC, min(ranges))}
-    ratios = [edges[complete]["edge"] / edges[key]["edge"] for key in without_cause.values()]
-    ratio_samples = [samples[complete] / samples[key] for key in without_cause.values()]
+    keys_without_cause = {"plasticity": (RIGID, max(ranges)), "range": (PLASTIC, min(ranges))}
+    ratios = [edges[complete]["edge"] / edges[key]["edge"] for key in keys_without_cause.values()]
+    ratio_samples = [samples[complete] / samples[key] for key in keys_without_cause.values()]
     edge_shift = sampling.with_interval(
         "edge_shift", ("cause", "side", "group"), ratios, np.stack(ratio_samples, 1), DIMENSIONLESS
     )
-    coordinates = {"rho": sorted_forces["rho"], "cause": list(without_cause)}
+    coordinates = {"rho": sorted_forces["rho"], "cause": list(keys_without_cause)}
     return stack(edges, ["contact_model", "rho"]).assign_coords(coordinates).assign(edge_shift)

@@ -115,11 +115,11 @@ def force_statistics(forces: Floats, force_floor: float, sampling: Sampling) -> 
     }
     intervals = dict.fromkeys(STATISTIC_ATTRS, np.full(2, np.nan))
     if sampling.sample_count:
-        without_one_scan = [
+        leave_one_out = [
             _jackknife_statistics(np.delete(finite_forces, scan, axis=0), force_floor)
             for scan in range(len(finite_forces))
         ]
-        surface_intervals = jackknife_interval(surface_statistics, without_one_scan, confidence)
+        surface_intervals = jackknife_interval(surface_statistics, leave_one_out, confidence)
         censored_interval = student_interval(censored, confidence, "scan").clip(0, 1)
         intervals = dict(zip(JACKKNIFE_STATISTICS, surface_intervals, strict=True))
         intervals["mean_force_at_pair"] = student_log_interval(mean, confidence, "scan").values
@@ -177,9 +177,9 @@ def _censored_normal_fit(limit: float, censored: float) -> tuple[float, float]:
         square = (1 + mean**2) / deviation**2
         uncensored = 1 - censored
         value = uncensored * (log_deviation + square / 2) - censored * log_below
-        by_mean = uncensored * mean / deviation**2 + censored * hazard / deviation
-        by_log_deviation = uncensored * (1 - square) + censored * hazard * reduced
-        return value, np.array([by_mean, by_log_deviation])
+        mean_gradient = uncensored * mean / deviation**2 + censored * hazard / deviation
+        log_deviation_gradient = uncensored * (1 - square) + censored * hazard * reduced
+        return value, np.array([mean_gradient, log_deviation_gradient])
 
     fit = optimize.minimize(negative_log_likelihood, np.zeros(2), jac=True, options={"gtol": 1e-9})
     return float(fit.x[0]), float(np.exp(fit.x[1]))

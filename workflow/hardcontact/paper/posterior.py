@@ -104,8 +104,8 @@ def study_posteriors(
         for left_out in (NONE_LEFT_OUT, *mean_forces["surface"].values.tolist()):
             other_forces = mean_forces.drop_sel(surface=left_out, errors="ignore")
             posteriors[name, left_out] = posterior(other_forces, published, sampling)
-    stacked = stack(posteriors, ["forces_on", "left_out"]).assign_coords(surface=sets["surface"])
-    return stacked.assign_attrs(confidence=sampling.confidence)
+    result = stack(posteriors, ["forces_on", "left_out"]).assign_coords(surface=sets["surface"])
+    return result.assign_attrs(confidence=sampling.confidence)
 
 
 def means_on_whole_surfaces(

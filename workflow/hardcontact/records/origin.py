@@ -160,10 +160,10 @@ def refuse_changed(digests_now: Mapping[str, str]) -> None:
 
 def refuse_changed_since(digests_before: Mapping[str, str]) -> None:
     """Raise ValueError, in one line, if a file changed since a job began."""
-    changed = [
+    changed_paths = [
         path
         for path, value in sorted(digests_before.items())
         if not Path(path).is_file() or digest(path) != value
     ]
-    if changed:
-        raise ValueError(f"inputs changed while the job ran: {', '.join(changed)}; run again")
+    if changed_paths:
+        raise ValueError(f"inputs changed while the job ran: {', '.join(changed_paths)}; run again")

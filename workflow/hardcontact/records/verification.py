@@ -73,13 +73,13 @@ def _output_faults(
 def _input_faults(records: Mapping[str, Record], digests_now: Mapping[str, str]) -> Iterator[str]:
     """Yield a line for each file whose inputs are no longer those that it was made from."""
     for path, record in sorted(records.items()):
-        changed = [
+        changed_inputs = [
             name
             for name, made_from in sorted(record["input_digests"].items())
             if digests_now.get(name, made_from) != made_from
         ]
-        if changed and path in digests_now:
-            yield f"{path}: does not match its input {', '.join(changed)}"
+        if changed_inputs and path in digests_now:
+            yield f"{path}: does not match its input {', '.join(changed_inputs)}"
 
 
 def _unrecorded_faults(folder: str | Path, traced: Iterable[str]) -> Iterator[str]:
@@ -98,8 +98,8 @@ def _unrecorded_faults(folder: str | Path, traced: Iterable[str]) -> Iterator[st
 
 def _is_made(path: str) -> bool:
     """Return whether a job made a file, also if all records in its folder are lost."""
-    in_results = path.startswith("results/") and path not in PINS
-    return in_results or record_path(path).parent.is_dir()
+    is_result = path.startswith("results/") and path not in PINS
+    return is_result or record_path(path).parent.is_dir()
 
 
 def _other_versions(records: Mapping[str, Record]) -> Iterator[str]:

@@ -88,8 +88,8 @@ def in_words(number: Number, digits: int = 3) -> str:
         return bound + format_number(number, digits) + _open_interval_words(number, digits)
     low, high = math.isfinite(number.low), math.isfinite(number.high)
     if low and high:
-        both = [format_number(number, digits, "low"), format_number(number, digits, "high")]
-        return " to ".join(dict.fromkeys(both))
+        end_texts = [format_number(number, digits, "low"), format_number(number, digits, "high")]
+        return " to ".join(dict.fromkeys(end_texts))
     if low:
         return f"more than {format_number(number, digits, 'low')}"
     if high:

@@ -109,8 +109,8 @@ def _share_of_decades(value: float, low: float, high: float) -> float:
 
 def unbroken(text: Any) -> str:
     """Return a text whose lines do not break between a number and its unit."""
-    joined = NO_BREAK.sub("\N{NO-BREAK SPACE}", str(text))
-    return type(text)(joined) if hasattr(text, "__html__") else joined  # stays escaped
+    words = NO_BREAK.sub("\N{NO-BREAK SPACE}", str(text))
+    return type(text)(words) if hasattr(text, "__html__") else words  # stays escaped
 
 
 def _linked(text: str, claims: Mapping[str, Mapping[str, Any]]) -> Any:

@@ -84,8 +84,8 @@ def _unit_questions(config: dict[str, Any], fault: str) -> Iterator[str]:
     """Yield a line for each quantity of the contact that is not usual and may cause the fault."""
     for quantity, (key, name) in CONTACT_QUANTITIES.items():
         if question := unit_question(quantity, get_key(config, key)):
-            found = f"{contact_words(config)[name]}: {question}; if it is: {fault}"
-            yield key_fault(key, "a value that the scans permit", found)
+            words = f"{contact_words(config)[name]}: {question}; if it is: {fault}"
+            yield key_fault(key, "a value that the scans permit", words)
 
 
 def _name_faults(config: dict[str, Any], key: str, surfaces: list[str]) -> list[str]:
@@ -152,9 +152,9 @@ def stored_scan(config: dict[str, Any], row: Any) -> HeightMap:
     """
     file = MEASUREMENT.format(surface=row.surface, scan=row.scan, digest="*")
     arguments = reading_keys(config) | {"dataset": row.dataset}
-    for stored in glob(f"{escape(config['store'])}/measurements/*/{file}"):
-        if is_current(stored, canonical_json(arguments), row.path):
-            return load_height_map(stored)
+    for stored_path in glob(f"{escape(config['store'])}/measurements/*/{file}"):
+        if is_current(stored_path, canonical_json(arguments), row.path):
+            return load_height_map(stored_path)
     return read_scan(row.path, **arguments)
 
 

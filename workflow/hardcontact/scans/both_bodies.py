@@ -95,12 +95,12 @@ def _limit_to_dominant(body: xr.Dataset, is_dominant: NDArray[np.bool_]) -> xr.D
     shortest, longest = (body[f"{end}_reliable"].values.copy() for end in ("shortest", "longest"))
     limits = body["limited_by"].values.astype(object)
     for index in np.flatnonzero((reliable != was_reliable).any(axis=1)):
-        kept = wavelength[reliable[index]]
-        if not kept.size or kept.min() > wavelength[was_reliable[index]].min():
+        band = wavelength[reliable[index]]
+        if not band.size or band.min() > wavelength[was_reliable[index]].min():
             limits[index] = OTHER_BODY
-        if kept.size:
-            shortest[index] = max(shortest[index], kept.min() / HALF_BIN)
-            longest[index] = min(longest[index], kept.max() * HALF_BIN)
+        if band.size:
+            shortest[index] = max(shortest[index], band.min() / HALF_BIN)
+            longest[index] = min(longest[index], band.max() * HALF_BIN)
     return body.assign(
         reliable=body["reliable"].copy(data=reliable.astype("int8")),
         shortest_reliable=body["shortest_reliable"].copy(data=shortest),

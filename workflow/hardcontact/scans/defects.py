@@ -112,15 +112,15 @@ def scan_with_defects(
 
 def _without_streaks(heights: Floats) -> tuple[Floats, Numbers]:
     """Return heights without streaks, and the lines of streaks and the rms height (nm) without."""
-    filled, is_filled = fill_streaks(heights)
+    filled_heights, is_filled = fill_streaks(heights)
     lines = np.flatnonzero(is_filled.any(axis=1)) + 1
     if not lines.size:
         return heights, {}
-    return filled, {
+    return filled_heights, {
         "streak_lines": float(lines.size),
         "first_streak_line": float(lines[0]),
         "last_streak_line": float(lines[-1]),
-        "rms_height_without_streaks": float(filled.std()),
+        "rms_height_without_streaks": float(filled_heights.std()),
     }
 
 

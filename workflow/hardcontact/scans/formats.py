@@ -213,14 +213,14 @@ def _height_channel(reader: Any, entry: dict[str, Any], name: str) -> tuple[Any,
     if name:
         return _named_channel(channels, height_channels, name), []
     if not height_channels:
-        found = ", ".join(f"{channel.name} ({_unit_in_words(channel)})" for channel in channels)
-        raise RefusedFile(f"expected a channel of heights, found only {found}")
+        names = ", ".join(f"{channel.name} ({_unit_in_words(channel)})" for channel in channels)
+        raise RefusedFile(f"expected a channel of heights, found only {names}")
     if preferred.index not in [channel.index for channel in height_channels]:
         note = f"channel {height_channels[0].name} read: {preferred.name} holds no heights"
         return height_channels[0], [note]
-    others = [channel.name for channel in height_channels if channel.name != preferred.name]
-    is_chosen = container_index is not None or not others
-    return preferred, [] if is_chosen else [f"other channels of heights: {', '.join(others)}"]
+    other_names = [channel.name for channel in height_channels if channel.name != preferred.name]
+    is_chosen = container_index is not None or not other_names
+    return preferred, [] if is_chosen else [f"other channels of heights: {', '.join(other_names)}"]
 
 
 def _named_channel(channels: list[Any], height_channels: list[Any], name: str) -> Any:

@@ -118,8 +118,8 @@ def map_values(topography: Any, factor: float, undefined_pixels: str) -> dict[st
     undefined_count, undefined_notes = _count_undefined(heights, undefined_pixels)
     filled = heights.data
     if undefined_count:
-        with_gaps = Topography(heights, heights.shape)
-        filled = np.asarray(with_gaps.interpolate_undefined_data(undefined_pixels).heights())
+        topography = Topography(heights, heights.shape)
+        filled = np.asarray(topography.interpolate_undefined_data(undefined_pixels).heights())
     return _scan_fields(filled.T * factor, pixel_size, notes + undefined_notes, undefined_count)
 
 

@@ -96,8 +96,8 @@ def _lay_numbers(power: Floats) -> tuple[Numbers, float]:
 
     def profile_variance(axis: complex) -> float:
         component = np.abs((wavevector * np.conj(axis)).real)
-        in_profile = (MIN_WAVES <= component) & (component <= pixels / MIN_PIXELS_PER_WAVE)
-        return float(power[in_profile].sum())
+        is_in_profile = (MIN_WAVES <= component) & (component <= pixels / MIN_PIXELS_PER_WAVE)
+        return float(power[is_in_profile].sum())
 
     variance_along = profile_variance(direction)
     variance_across = profile_variance(1j * direction)
@@ -147,9 +147,9 @@ def noise_numbers(variance: float, power: Floats) -> Numbers:
     half_octaves = np.arange(3, 2 * np.log2(pixels / MIN_WAVES))
     if len(half_octaves) < 2:
         return {}
-    in_half_octave = [half_octave == index for index in half_octaves]
-    density = [power[mask].mean() for mask in in_half_octave]
-    counts = [np.count_nonzero(mask) for mask in in_half_octave]
+    half_octave_masks = [half_octave == index for index in half_octaves]
+    density = [power[mask].mean() for mask in half_octave_masks]
+    counts = [np.count_nonzero(mask) for mask in half_octave_masks]
     slopes = -2 * np.diff(np.log2(np.maximum(density, np.finfo(float).tiny)))
     # The window makes one independent wave of four, and opposite wavevectors have the same power.
     relative_errors = np.sqrt(8 / np.array(counts))

@@ -172,14 +172,14 @@ def _heights_on_grid(heights: Floats, indices: NDArray[np.intp], offsets: Floats
     nearest = ndimage.distance_transform_edt(
         is_missing, return_distances=False, return_indices=True
     )
-    measured = heights[tuple(nearest)]
+    known_heights = heights[tuple(nearest)]
     positions = np.indices(heights.shape, dtype=float)
     positions[:, indices[:, 0], indices[:, 1]] += offsets.T
-    on_grid = measured
+    grid_heights = known_heights
     for _ in range(SPLINE_ITERATIONS):
-        spline = ndimage.map_coordinates(on_grid, positions, order=3, mode="nearest")
-        on_grid = on_grid + measured - spline
-    return np.where(is_missing, np.nan, on_grid)
+        spline = ndimage.map_coordinates(grid_heights, positions, order=3, mode="nearest")
+        grid_heights = grid_heights + known_heights - spline
+    return np.where(is_missing, np.nan, grid_heights)
 
 
 def _grid_axis(positions: Floats) -> Floats:
@@ -208,6 +208,6 @@ def _crowded_axis(positions: Floats, extent: float) -> Floats:
     peak = minimum + int(np.abs(crowding[minimum : maximum + 1]).argmax())
     spacing = ZERO_PADDING * extent / peak
     offset = 0.5 / POSITION_BINS * extent - np.angle(crowding[peak]) / (2 * np.pi) * spacing
-    first = round((positions.min() - edges[0] - offset) / spacing)
-    last = round((positions.max() - edges[0] - offset) / spacing)
-    return np.asarray(edges[0] + offset + spacing * np.arange(first, last + 1))
+    first_step = round((positions.min() - edges[0] - offset) / spacing)
+    last_step = round((positions.max() - edges[0] - offset) / spacing)
+    return np.asarray(edges[0] + offset + spacing * np.arange(first_step, last_step + 1))

@@ -49,8 +49,8 @@ def coarse_map(scan: HeightMap) -> HeightMap:
         return scan
     step = -(-scan.pixels // COMPARED_PIXELS)
     count = scan.pixels // step
-    kept = scan.heights[: count * step, : count * step]
-    means = kept.reshape(count, step, count, step).mean(axis=(1, 3))
+    square = scan.heights[: count * step, : count * step]
+    means = square.reshape(count, step, count, step).mean(axis=(1, 3))
     return replace(scan, heights=means, pixel_size=step * scan.pixel_size)
 
 
@@ -62,18 +62,18 @@ def earlier_scans_of_areas(scans: Sequence[HeightMap]) -> list[int | None]:
     maps = [coarse_map(scan) for scan in scans]
     earlier: list[int | None] = []
     for scan in maps:
-        new_areas = [index for index, first in enumerate(earlier) if first is None]
-        same = (index for index in new_areas if have_same_area(maps[index], scan))
-        earlier.append(next(same, None))
+        new_areas = [index for index, earlier_index in enumerate(earlier) if earlier_index is None]
+        same_areas = (index for index in new_areas if have_same_area(maps[index], scan))
+        earlier.append(next(same_areas, None))
     return earlier
 
 
 def repetition_notes(scans: Sequence[HeightMap], names: Sequence[str]) -> dict[int, str]:
     """Return a line on each scan that shows the area of an earlier scan, by its index."""
     return {
-        index: f"{names[index]}: it shows the same area as {names[first]}, and an area counts once"
-        for index, first in enumerate(earlier_scans_of_areas(scans))
-        if first is not None
+        index: f"{names[index]}: it shows the same area as {names[prior]}, and an area counts once"
+        for index, prior in enumerate(earlier_scans_of_areas(scans))
+        if prior is not None
     }
 
 

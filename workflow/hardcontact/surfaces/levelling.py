@@ -50,8 +50,8 @@ def find_streaks(heights: Floats) -> Mask:
         across = [_run_lengths(_candidates(steps)) for steps in _distances(heights.T, width)]
         longest_across = max(lengths.max() for lengths in across)
         min_length = max(MIN_STREAK_PIXELS, MAX_LENGTH_RATIO * longest_across + 1)
-        above, below = (lengths >= min_length for lengths in along)
-        streaks: Mask = above if above.sum() >= below.sum() else below
+        is_above, is_below = (lengths >= min_length for lengths in along)
+        streaks: Mask = is_above if is_above.sum() >= is_below.sum() else is_below
         if streaks.any():
             return streaks
     return np.zeros(heights.shape, bool)

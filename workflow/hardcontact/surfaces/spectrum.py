@@ -247,6 +247,6 @@ def isotropic_through_points(wavevector: Floats, wavelengths: Floats, profile: F
     # The first and the last segment are extrapolated beyond the points.
     segment = np.clip(np.searchsorted(log_points, log_wavevector) - 1, 0, len(log_points) - 2)
     slope = np.diff(log_profile)[segment] / np.diff(log_points)[segment]
-    from_point = log_wavevector - log_points[segment]
-    profile_density: Floats = np.exp(log_profile[segment] + slope * from_point)
+    log_distance = log_wavevector - log_points[segment]
+    profile_density: Floats = np.exp(log_profile[segment] + slope * log_distance)
     return profile_density / profile_over_isotropic(wavevector, hurst)

@@ -68,8 +68,8 @@ class ForceStatistics:
     def log_force_std(self) -> float:
         """Standard deviation of ln F."""
         centres = np.log(self.means) - self.log_force_stds**2 / 2
-        between = (centres - self.weights @ centres) ** 2
-        return float(np.sqrt(self.weights @ (between + self.log_force_stds**2)))
+        squared_deviations = (centres - self.weights @ centres) ** 2
+        return float(np.sqrt(self.weights @ (squared_deviations + self.log_force_stds**2)))
 
 
 def predict_statistics(spectrum: Spectrum, contact: Contact) -> ForceStatistics:

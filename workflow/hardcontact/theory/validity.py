@@ -139,8 +139,8 @@ def nearest_errors(point: Mapping[str, Any], name: str) -> tuple[float, float]:
     surfaces = held_out_surfaces().dropna(subset=f"{name}_error")
     axes = ["weibull_modulus", "contact_over_peak_wavelength"]
     points = np.maximum(surfaces[axes].to_numpy(), MIN_WEIBULL_MODULUS)
-    inside = np.clip([point[axis] for axis in axes], points.min(axis=0), points.max(axis=0))
-    log_distances = np.log(points / inside)
+    clipped_point = np.clip([point[axis] for axis in axes], points.min(axis=0), points.max(axis=0))
+    log_distances = np.log(points / clipped_point)
     distance = np.hypot(*log_distances.T) + (surfaces["regime"] != point["regime"]).to_numpy()
     errors = surfaces[f"{name}_error"].iloc[np.argsort(distance)[:NEAREST_SURFACES]]
     return float(errors.min()), float(errors.max())

@@ -77,8 +77,8 @@ def _image_gaps(bodies: Bodies, apex: NDArray[np.int_], offsets: NDArray[np.int_
     row, column = np.divmod(flat, pixels)
     y = row[:, None] + periods
     x = column[:, None] + periods
-    in_window = geometry.window_mask(y)[:, :, None] & geometry.window_mask(x)[:, None, :]
+    is_image = geometry.window_mask(y)[:, :, None] & geometry.window_mask(x)[:, None, :]
     period_y, period_x = (offsets // pixels + reach).T
-    in_window[inverse, period_y, period_x] = False
+    is_image[inverse, period_y, period_x] = False
     images = np.stack(np.broadcast_arrays(y[:, :, None], x[:, None, :]), axis=-1)
-    return reference_gaps(bodies, apex, images[in_window])
+    return reference_gaps(bodies, apex, images[is_image])

@@ -134,9 +134,9 @@ def _draw_forces(
     _draw_curves(axes, scans, set_spread, published / style.MICRONEWTON)
     fitted = value_and_interval(fit.sel(pair="fitted"), "mean_force_at_pair") / style.MICRONEWTON
     for factor, look, force in style.iterate_dodged(fitted):
-        at_fit = look | AT_FIT
+        fit_look = look | AT_FIT
         rho = fit["range_of_adhesion"] * factor**AT_FIT_DODGES
-        panels.draw_bars(axes, rho, force, width=1.2, zorder=4, **at_fit)
+        panels.draw_bars(axes, rho, force, width=1.2, zorder=4, **fit_look)
     axes.set_ylabel("mean pull-off force (µN)")
     title = rf"curves: at the published $W$ = {work / style.MILLIJOULE:.3g} mJ/m²"
     style.label_panel(axes, "c", title)

@@ -48,8 +48,8 @@ def _draw_case(ratio_panel: Axes, edge_panel: Axes, edges: xr.Dataset) -> None:
     ratio = value_and_interval(edges, "filtered_force_ratio").dropna("cutoff_wavelength", how="all")
     panels.draw_ratios(ratio_panel, ratio, edges.attrs["tolerance"])
     style.label_logarithmic(ratio_panel.yaxis, digits=(1, 2, 5))
-    first, last = ratio["cutoff_wavelength"].values[[0, -1]]
-    edge_rows = value_and_interval(edges, "edge").clip(first, last)
-    edge_rows["value"] = edge_rows["value"].fillna(last)
-    panels.draw_edges(edge_panel, edge_rows, edges["label"], {"<": first, ">": last})
+    first_cutoff, last_cutoff = ratio["cutoff_wavelength"].values[[0, -1]]
+    edge_rows = value_and_interval(edges, "edge").clip(first_cutoff, last_cutoff)
+    edge_rows["value"] = edge_rows["value"].fillna(last_cutoff)
+    panels.draw_edges(edge_panel, edge_rows, edges["label"], {"<": first_cutoff, ">": last_cutoff})
     edge_panel.set_xlabel("cutoff (nm)")

@@ -29,9 +29,9 @@ def draw(features: xr.Dataset, published_pull_off: pd.DataFrame) -> Figure:
         mean = samples["mean_force_at_pair"] / style.MICRONEWTON
         median_axes.scatter(mean, samples["median_force_at_pair"] / style.MICRONEWTON, s=14, **look)
         scatter_axes.scatter(mean, samples["log_force_std"], s=14, **look)
-    measured = published_pull_off.reindex([features.attrs["surface"]]).iloc[0]
-    mean, median = (measured[name] / style.MICRONEWTON for name in ("mean_force", "median_force"))
-    log_std = log_std_of_lognormal(measured["mean_force"], measured["median_force"])
+    forces = published_pull_off.reindex([features.attrs["surface"]]).iloc[0]
+    mean, median = (forces[name] / style.MICRONEWTON for name in ("mean_force", "median_force"))
+    log_std = log_std_of_lognormal(forces["mean_force"], forces["median_force"])
     published: style.Look = {"marker": "s", "color": "black", "label": "published"}
     median_axes.plot(mean, median, ls="none", **published)
     scatter_axes.plot(mean, log_std, ls="none", **published)

@@ -44,16 +44,16 @@ def draw(
 def _draw_band_ratios(axes: Axes, ratios: xr.Dataset, tolerance: float) -> None:
     """Draw the force with a part of the roughness over the force with all of it."""
     panels.draw_tolerance(axes, tolerance)
-    parts = ratios["band_part"].values
-    positions = np.arange(len(parts))
+    band_parts = ratios["band_part"].values
+    positions = np.arange(len(band_parts))
     values = value_and_interval(ratios, "band_force_ratio")
     surfaces = style.looks(ratios["surface"].values)
     shifts = np.linspace(-0.25, 0.25, len(surfaces))
     for shift, (surface, look) in zip(shifts, surfaces.items(), strict=True):
         curve = values.sel(surface=surface)
         panels.draw_bars(axes, positions + shift, curve, ls="none", width=0.9, **look)
-    axes.set_xticks(positions, parts)
-    axes.set_xlim(-0.5, len(parts) - 0.5)
+    axes.set_xticks(positions, band_parts)
+    axes.set_xlim(-0.5, len(band_parts) - 0.5)
 
 
 def _legend_handles(sensitivity: xr.Dataset, tolerance: float) -> list[Artist]:

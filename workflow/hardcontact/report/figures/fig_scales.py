@@ -73,7 +73,7 @@ def filtered_heights(scan: xr.Dataset, band: Sequence[float]) -> ScanMaps:
     (without_shorter,) = filtered_series(surface, "short", [band[0]], pixels)
     (without_longer,) = filtered_series(surface, "long", [band[1]], pixels)
     surfaces = (surface, without_shorter, without_longer)
-    return ScanMaps(*(part.heights[: pixels // 2, : pixels // 2] for part in surfaces))
+    return ScanMaps(*(periodic.heights[: pixels // 2, : pixels // 2] for periodic in surfaces))
 
 
 def map_titles(band: Sequence[float]) -> list[str]:
@@ -105,9 +105,9 @@ def _draw_spectra(
         axes.plot(wavelengths, spectrum, **look | ARTIFICIAL_LINE)
         axes.plot(wavelengths, scan_spectrum, **look | SCAN_LOOK)
     axes.axvspan(*band, zorder=0, **BAND_LOOK)
-    shown = scales["unfiltered_wavelength"].values
+    wavelengths_shown = scales["unfiltered_wavelength"].values
     axes.set(xscale="log", yscale="log", xlabel="wavelength (nm)", ylabel="isotropic PSD (nm⁴)")
-    axes.set_xlim(shown.min(), shown.max())
+    axes.set_xlim(wavelengths_shown.min(), wavelengths_shown.max())
     highest = 10 * topography["spectrum"].max().item()
     axes.set_ylim(highest / 10**SHOWN_DECADES, highest)
     style.label_logarithmic(axes.xaxis)

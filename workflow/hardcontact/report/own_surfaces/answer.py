@@ -75,7 +75,7 @@ class SurfaceAnswer(NamedTuple):
 def own_answer(datasets: Datasets, setting: Setting) -> dict[str, Any]:
     """Return the content of answer.json: a head, notes in words, and all numbers."""
     surfaces = surface_answers(datasets, setting)
-    chosen = _chosen_inputs(datasets.force, setting)
+    chosen_inputs = _chosen_inputs(datasets.force, setting)
     numbers = numbers_by_name(*_study_numbers(datasets, setting))
     fit_text = _fit_text(numbers)
     return {
@@ -86,7 +86,7 @@ def own_answer(datasets: Datasets, setting: Setting) -> dict[str, Any]:
         "headline": render_lines(
             "own_headline.txt",
             surfaces=surfaces,
-            chosen=chosen,
+            chosen=chosen_inputs,
             effort=setting.effort,
             contact=setting.contact_words,
             assumed=setting.assumed,
@@ -96,7 +96,7 @@ def own_answer(datasets: Datasets, setting: Setting) -> dict[str, Any]:
         "contact": {**setting.contact_words, "contact model": preferred_model(datasets.force)},
         "changed": [],
         "assumed": list(setting.assumed),
-        "chosen": chosen,
+        "chosen": chosen_inputs,
         "surfaces": [_surface_head(surface, datasets.spectra) for surface in surfaces],
         "notes": _notes(surfaces, numbers, fit_text),
         "quantities": all_quantities(

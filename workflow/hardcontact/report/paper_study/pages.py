@@ -140,9 +140,9 @@ def _page_link(link: re.Match[str], pages: Collection[str]) -> str:
 def _keep_units(tokens: Sequence[Token]) -> None:
     """Keep numbers and their units on a line, except in code."""
     for token in tokens:
-        for part in token.children or []:
-            if part.type == "text":
-                part.content = unbroken(part.content)
+        for child in token.children or []:
+            if child.type == "text":
+                child.content = unbroken(child.content)
 
 
 def _set_anchors(tokens: Sequence[Token]) -> list[tuple[str, str]]:
