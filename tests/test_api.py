@@ -193,9 +193,9 @@ def test_a_scan_and_its_spectrum_are_predicted_like_the_file(files):
     path = scan_files.write_scan(files / "wide.nc", wide.heights.T, (10240.0, 10240.0))
     written = json.loads(predict(predict_arguments([str(path), "--json", "-"])))
     scan_numbers = hc.predict(hc.read_scan(path), **contact)
-    measured = hc.predict(hc.read_spectrum(path), **contact)
-    extrapolated = hc.predict(hc.read_spectrum(path, extrapolated=True), **contact)
-    for prefix, numbers in {"": measured, "extrapolated_": extrapolated}.items():
+    measured_numbers = hc.predict(hc.read_spectrum(path), **contact)
+    extrapolated_numbers = hc.predict(hc.read_spectrum(path, extrapolated=True), **contact)
+    for prefix, numbers in {"": measured_numbers, "extrapolated_": extrapolated_numbers}.items():
         for name in ("closed_form_force", "short_edge", "long_edge"):
             number = numbers[name]
             is_force = prefix and name == "closed_form_force"
@@ -203,7 +203,7 @@ def test_a_scan_and_its_spectrum_are_predicted_like_the_file(files):
             assert number.value == pytest.approx(command["value"])
             assert number.status == command["status"]
             assert np.isfinite(number.low) == ("interval" in command)
-    assert extrapolated["closed_form_force"].status == "inside"
+    assert extrapolated_numbers["closed_form_force"].status == "inside"
     for name in ("closed_form_force", "extrapolated_force", "short_edge"):
         assert scan_numbers[name].value == pytest.approx(written[name]["value"], rel=1e-4)
 

@@ -220,8 +220,10 @@ def test_scans_that_spoil_the_forces_have_a_caution_with_numbers(scan, settings,
 @pytest.mark.parametrize(("radius", "stated"), [(50e3, 250e3), (50e3, 60e3), (50e3, 40e3)])
 def test_a_stated_radius_that_the_scan_of_the_sphere_contradicts_is_questioned(radius, stated):
     """Curvatures add: what is left of 1/R by another stated radius is their difference."""
-    left = abs(1 / radius - 1 / stated)
-    ball = entry(defects={"curvature": {"curvature_radius": 1 / left, "uncurved_share": 0.1}})
+    curvature_difference = abs(1 / radius - 1 / stated)
+    ball = entry(
+        defects={"curvature": {"curvature_radius": 1 / curvature_difference, "uncurved_share": 0.1}}
+    )
     ball = replace(ball, scan_file=ScanFile("sphere", "sphere", "ball.nc", "ball.nc", stated))
     (caution,) = [
         line

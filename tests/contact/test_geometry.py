@@ -54,8 +54,8 @@ def test_a_gap_is_sphere_minus_both_roughnesses():
     bodies = make_bodies(periodic_noise(96, 5.0, 1), periodic_noise(70, 0.5, 2), 20.0, 200, 3)
     y, x = np.indices((200, 200)) - 100
     gaps = geometry.reference_gaps(bodies, bodies.geometry.positions[[2, 1]], np.stack([y, x], -1))
-    for computed in (gaps, geometry.reference_gap_map(bodies, (2, 1))):
-        np.testing.assert_allclose(computed, gap_of_bodies(bodies, (2, 1)), atol=1e-12)
+    for gap_map in (gaps, geometry.reference_gap_map(bodies, (2, 1))):
+        np.testing.assert_allclose(gap_map, gap_of_bodies(bodies, (2, 1)), atol=1e-12)
 
 
 @pytest.mark.parametrize("kind", [np.float32, ">f4", ">f8", np.float16, np.int64])

@@ -58,12 +58,12 @@ def test_a_smooth_sphere_on_the_sum_of_both_touches_like_the_rough_one(wafer, sp
 
 def test_only_the_rougher_body_tells_which_waves_were_measured(wafer, sphere):
     spectra = [joined_spectrum([body], [5.0]) for body in (wafer, sphere)]
-    both = combine_spectra(*spectra)
+    combined = combine_spectra(*spectra)
     densities = [spectrum["spectrum"].values for spectrum in spectra]
-    np.testing.assert_allclose(both["spectrum"], np.sum(densities, axis=0))
-    is_measured = both["joined_psd"].notnull()
-    assert is_measured.any() and (both["sphere_share"][is_measured] > 0.99).all()
-    assert both["limited_by"].values.tolist() == ["other_body", spectra[1]["limited_by"].item()]
-    assert both["reliable"].any("bin_wavevector").values.tolist() == [False, True]
+    np.testing.assert_allclose(combined["spectrum"], np.sum(densities, axis=0))
+    is_measured = combined["joined_psd"].notnull()
+    assert is_measured.any() and (combined["sphere_share"][is_measured] > 0.99).all()
+    assert combined["limited_by"].values.tolist() == ["other_body", spectra[1]["limited_by"].item()]
+    assert combined["reliable"].any("bin_wavevector").values.tolist() == [False, True]
     for name in ("shortest_measured", "longest_measured", "rolloff", "tail_hurst"):
-        assert both.attrs[name] == spectra[1].attrs[name]
+        assert combined.attrs[name] == spectra[1].attrs[name]

@@ -55,13 +55,13 @@ def test_a_plateau_with_pits_fails():
 def test_parts_differ_by_the_octave(side):
     """The force is replaced by that on a wave of the octave alone."""
     mirrored = mirror_scan(SCAN)
-    rest, octave = hindcast._split_at_octave(mirrored, side, OCTAVE)
+    other_waves, octave = hindcast._split_at_octave(mirrored, side, OCTAVE)
     wave = np.fft.fftfreq(mirrored.pixels, PIXEL)
     wavelength = 1 / np.maximum(np.hypot(wave[:, None], wave), 1e-9)
     power = np.abs(np.fft.fft2(octave)) ** 2
     is_inside = (wavelength >= OCTAVE[0] * 0.999) & (wavelength < OCTAVE[1] * 1.001)
     assert power[is_inside].sum() > 0.999 * power.sum()
-    kept_power = np.abs(np.fft.fft2(rest + octave)) ** 2
+    kept_power = np.abs(np.fft.fft2(other_waves + octave)) ** 2
     is_beyond = (
         wavelength < OCTAVE[0] * 0.999 if side == "short" else wavelength > OCTAVE[1] * 1.001
     )
@@ -98,8 +98,8 @@ def test_errors_add_in_squares():
     force = xr.Dataset({"force": 1.0, "force_interval": interval}, {"end": ["low", "high"]})
     wide = widen_interval(force, "force", xr.DataArray(np.exp(-0.4)))
     np.testing.assert_allclose(np.log(wide["force_interval"]), [-0.5, np.hypot(0.4, 0.4)])
-    same = widen_interval(force, "force", xr.DataArray(np.nan))
-    np.testing.assert_allclose(same["force_interval"], force["force_interval"])
+    unchanged = widen_interval(force, "force", xr.DataArray(np.nan))
+    np.testing.assert_allclose(unchanged["force_interval"], force["force_interval"])
 
 
 def test_each_side_ends_with_an_octave_within_the_reliable_wavelengths():

@@ -111,9 +111,13 @@ def test_a_map_has_octaves_of_its_force_sum_and_a_table_those_of_the_closed_form
     assert all(shortest < np.sqrt(2) * octave.value < longest for octave in octaves)
     assert {number.status for number in numbers} == {"on_scan"}
     assert f"{derivatives[0]:+.2g} %" in line and "(sum over the scan)" in line
-    first = np.array([octaves[0].value])
+    first_octave = np.array([octaves[0].value])
     (scan,) = own_spectrum.scans
-    assert derivatives_on_scan(scan, first, contact)[0] == pytest.approx(derivatives[0], rel=1e-3)
+    assert derivatives_on_scan(scan, first_octave, contact)[0] == pytest.approx(
+        derivatives[0], rel=1e-3
+    )
     table = OwnSpectrum(self_affine_spectrum(17, 1000, 0.8, 20), ())
-    of_table = list(predicted_octaves(table, CONTACT))
-    assert len(of_table) == 6 and {number.status for number in of_table} == {"closed_form"}
+    table_octaves = list(predicted_octaves(table, CONTACT))
+    assert len(table_octaves) == 6 and {number.status for number in table_octaves} == {
+        "closed_form"
+    }

@@ -120,7 +120,7 @@ def test_the_closed_form_of_a_gaussian_map_has_its_error(predictions):
 
 def test_a_smooth_wafer_has_the_force_and_the_octaves_of_a_rough_sphere(tmp_path, predictions):
     waves = heights_of("gaussian")
-    _, alone = predictions["gaussian"]
+    _, smooth_numbers = predictions["gaussian"]
     position = (np.arange(PIXELS) - (PIXELS - 1) / 2) * PIXEL_SIZE
     sphere = waves - (position[:, None] ** 2 + position**2) / (2 * RADIUS)
     path = tmp_path / "sphere.nc"
@@ -129,10 +129,12 @@ def test_a_smooth_wafer_has_the_force_and_the_octaves_of_a_rough_sphere(tmp_path
     assert "these wavelengths are the sphere's" in words
     assert numbers["octave_1_sphere_share"]["value"] > 0.99
     low, high = numbers["force_on_scan"]["interval"]
-    assert low < alone["force_on_scan"]["value"] < high
+    assert low < smooth_numbers["force_on_scan"]["value"] < high
     # The interval is that of one position of the sphere.
     assert high > numbers["position_factor"]["value"] * numbers["force_on_scan"]["value"] * 0.99
-    assert numbers["rms_height"]["value"] == pytest.approx(alone["rms_height"]["value"], rel=1e-4)
+    assert numbers["rms_height"]["value"] == pytest.approx(
+        smooth_numbers["rms_height"]["value"], rel=1e-4
+    )
     table = tmp_path / "my.csv"
     table.write_text("wavelength,wavelength_unit,c_iso,c_iso_unit\n" + "\n".join(
         f"{100 * number},nm,{number},nm4" for number in range(1, 6)

@@ -63,15 +63,15 @@ def test_the_comparison_has_the_forces_at_the_published_pair(samples):
         "mean_force": [1.9 * forces.mean().item()],
         "median_force": [forces.median().item()],
     }
-    measured = PublishedForces(pd.DataFrame(published, index=["uncd"]), PAIR, 0.1, 30e-9)
+    published_forces = PublishedForces(pd.DataFrame(published, index=["uncd"]), PAIR, 0.1, 30e-9)
     factor = xr.DataArray([0.5, 0.5], {"rho": [1.0, 5.6]})
-    comparison = compare_with_published(plastic, factor, measured, "uncd")
+    comparison = compare_with_published(plastic, factor, published_forces, "uncd")
     sample = comparison.sel(features="pits", sample=1)
     assert sample["mean_force_at_pair"].item() == pytest.approx(forces.mean().item())
     assert sample["median_force_at_pair"].item() == pytest.approx(forces.median().item())
     assert sample["log_force_std"].item() == pytest.approx(np.log(forces).std().item())
     assert sample["agrees"] == 1
-    halved = measured._replace(forces=measured.forces * [1.2, 1])
+    halved = published_forces._replace(forces=published_forces.forces * [1.2, 1])
     assert (
         compare_with_published(plastic, factor, halved, "uncd")["agrees"].sel(
             features="pits", sample=1

@@ -44,7 +44,7 @@ def test_the_error_of_a_mean_is_that_of_a_log_normal():
 
 
 def test_samples_are_described_by_median_and_interval():
-    described = samples_dataset(np.arange(1.0, 202.0), np.arange(201.0), 0.95)
-    assert described.range_of_adhesion == 101
-    np.testing.assert_allclose(described.work_of_adhesion_interval, [5, 195])
-    assert described.sampled_work_of_adhesion.attrs["units"] == "J m-2"
+    summary = samples_dataset(np.arange(1.0, 202.0), np.arange(201.0), 0.95)
+    assert summary.range_of_adhesion == 101
+    np.testing.assert_allclose(summary.work_of_adhesion_interval, [5, 195])
+    assert summary.sampled_work_of_adhesion.attrs["units"] == "J m-2"

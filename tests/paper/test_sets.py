@@ -58,9 +58,9 @@ def test_the_factor_of_the_sphere_is_the_ratio_of_mean_forces():
     adhesion["smooth_sphere_force"] = 2 * means
     pools = {name: make_pool(name) for name in SUBSTRATES}
     chunks = {
-        (name, first, first + 5): pool.sel(scan=slice(first, first + 5))
+        (name, first_scan, first_scan + 5): pool.sel(scan=slice(first_scan, first_scan + 5))
         for name, pool in pools.items()
-        for first in (1, 7)
+        for first_scan in (1, 7)
     }
     topography = make_inputs().topography
     inputs = gather_inputs(

@@ -131,8 +131,8 @@ def test_parameters_of_an_archive_are_compared_with_those_of_now(study, changes,
     text, code = verify(verify_arguments(["paper"]))
     *lines, _ = text.splitlines()
     assert code == 0 and len(lines) == len(expected)
-    for line, part in zip(lines, expected, strict=True):
-        assert_says(line, "results/paper", part)
+    for line, message_part in zip(lines, expected, strict=True):
+        assert_says(line, "results/paper", message_part)
 
 
 # The tiny study

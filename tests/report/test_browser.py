@@ -52,9 +52,9 @@ def page_of(name):
     ],
 )
 def test_axe_finds_no_fault(name, scheme, tmp_path):
-    found = audit_page(page_of(name), tmp_path, scheme)
-    assert found["faults"] == [] and found["kept"] > 20
-    assert found["dark"] == (scheme == "dark")
+    audit = audit_page(page_of(name), tmp_path, scheme)
+    assert audit["faults"] == [] and audit["kept"] > 20
+    assert audit["dark"] == (scheme == "dark")
 
 
 def test_pages_fit_every_screen(tmp_path):

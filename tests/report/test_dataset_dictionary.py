@@ -10,12 +10,12 @@ from hardcontact.base.dataset import describe, read_meanings
 def test_variables_are_described_and_others_keep_their_names():
     named = xr.DataArray(1.0, attrs={"units": "N", "long_name": "Own."})
     data = xr.Dataset({"force": 1.0, "force_interval": 2.0, "named": named, "scan": 3})
-    described = describe(data, {"force": "Force."})
-    names = {name: described[name].attrs.get("long_name") for name in described}
+    result = describe(data, {"force": "Force."})
+    names = {name: result[name].attrs.get("long_name") for name in result}
     assert names == {
         "force": "Force.", "force_interval": "Force.", "named": "Own.", "scan": None,
     }  # fmt: skip
-    assert described.scan.units == "1" and "units" not in described.force.attrs
+    assert result.scan.units == "1" and "units" not in result.force.attrs
     assert data.force.attrs == {}
 
 

@@ -92,9 +92,9 @@ def test_heights_under_a_mask_count_unless_it_is_excluded(tmp_path):
     metres = (values * 1e-9).T.astype("<f8")
     holed = np.where(is_marked.T, 0, metres)
     path.write_bytes(path.read_bytes().replace(holed.tobytes(), metres.tobytes()))
-    kept = read_scan(path)
-    np.testing.assert_allclose(kept.heights, values.T, atol=1e-12)
-    assert_says(kept.notes[0], "take care", "marks 19 of 1024 pixels", "--mask exclude")
+    unmasked = read_scan(path)
+    np.testing.assert_allclose(unmasked.heights, values.T, atol=1e-12)
+    assert_says(unmasked.notes[0], "take care", "marks 19 of 1024 pixels", "--mask exclude")
     assert read_scan(path, "", "harmonic", mask="exclude").undefined_count == 19
 
 
@@ -130,8 +130,8 @@ def test_pixels_that_are_not_square_are_resampled_on_the_longer_edge(tmp_path):
     map_of(random_heights(64, 64)).to_matrix(str(tmp_path / "a.asc"))
     lines = (tmp_path / "a.asc").read_text().splitlines()
     (tmp_path / "a.asc").write_text("\n".join(lines[: len(lines) // 2]))
-    cut = read_scan(tmp_path / "a.asc")
-    assert_says("; ".join(cut.notes), "resampled", "take care", "lines are missing")
+    resampled = read_scan(tmp_path / "a.asc")
+    assert_says("; ".join(resampled.notes), "resampled", "take care", "lines are missing")
     flat = write_scan(tmp_path / "c.nc", sizes=(320.0, 3200.0))
     assert_says(refusal(read_scan, flat), "16 to 8192 pixels", "found 3 x 32")
 

@@ -164,9 +164,11 @@ def test_permitted_spectra_scatter_like_the_means_of_table_1(write_description):
 def test_a_description_without_blanks_permits_itself_alone(write_description):
     path = write_description("inf,6.5,self-affine,5e7,1000,0.8,,")
     constants = published.read_constants(ROOT / "resources/paper/constants.csv")
-    drawn = substitute_spectra.sample_permitted_spectrum(generator(3), path, NO_TABLE1, constants)
-    described, *_ = substitute_spectra.spectrum_from_description(path, NO_TABLE1, WEIGHTS)
-    np.testing.assert_array_equal(drawn.density, described)
+    sampled_spectrum = substitute_spectra.sample_permitted_spectrum(
+        generator(3), path, NO_TABLE1, constants
+    )
+    described_density, *_ = substitute_spectra.spectrum_from_description(path, NO_TABLE1, WEIGHTS)
+    np.testing.assert_array_equal(sampled_spectrum.density, described_density)
 
 
 def test_rms_height_counts_only_waves_within_the_domain(write_description):

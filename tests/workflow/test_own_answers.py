@@ -55,9 +55,9 @@ def check_answer(results, missing_figures=()):
                 assert_bounded(edges.sel(surface=name, side=side))
     assert read_quantities(results)[""]["range_of_adhesion"]["value"] in force["rho"]
     assert not re.search(r"\bnan\b|\binf\b|None|reproduced", page.texts["main"][0])
-    made = {path.relative_to(results).as_posix() for path in results.rglob("*.*")}
+    made_paths = {path.relative_to(results).as_posix() for path in results.rglob("*.*")}
     html = (results / "answer.html").read_text("utf-8")
-    assert dead_links({"answer.html": html}, made - {"answer.html"}) == []
+    assert dead_links({"answer.html": html}, made_paths - {"answer.html"}) == []
     files = {path.name for path in results.iterdir()}
     assert not files & {"claims.csv", "sets.nc", "report"}
 

@@ -124,9 +124,9 @@ def test_altered_files_are_refused_and_made_again(copy, own_study):
     targets = ["force", "adhesion", "scales"]  # of the spectra, forces and filtered masters
     for name in targets[1:]:
         (copy / RESULTS / f"{name}.nc").unlink()
-    refused = run(copy, *targets)
-    (line,) = errors(refused.stdout)
-    assert refused.returncode == 1 and (copy / RESULTS / "force.nc").is_file()
+    refused_run = run(copy, *targets)
+    (line,) = errors(refused_run.stdout)
+    assert refused_run.returncode == 1 and (copy / RESULTS / "force.nc").is_file()
     assert_says(line, f"{spectra.relative_to(copy)}: expected the file that the study wrote")
     spectra.unlink()
     failed_run = run(copy, *targets, "--keep-going")

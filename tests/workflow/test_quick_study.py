@@ -25,5 +25,7 @@ def test_its_intervals_contain_the_numbers_of_the_full_study(quick):
 
 def test_no_verdict_contradicts_that_of_the_full_study(quick):
     verdicts = quick.join(read_full_study().add_suffix("_full"))[["verdict", "verdict_full"]]
-    judged = verdicts[verdicts.isin(["reproduced", "not reproduced"]).all(axis=1)]
-    assert (judged["verdict"] == judged["verdict_full"]).all(), judged.to_string()
+    judged_verdicts = verdicts[verdicts.isin(["reproduced", "not reproduced"]).all(axis=1)]
+    assert (judged_verdicts["verdict"] == judged_verdicts["verdict_full"]).all(), (
+        judged_verdicts.to_string()
+    )

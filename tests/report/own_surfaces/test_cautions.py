@@ -93,8 +93,10 @@ def test_a_caution_is_given_with_its_numbers_only_where_it_applies(
     assert caution.grave == is_grave
     for name, value in numbers.items():
         number = caution.numbers[name]
-        found = (number.low, number.high) if isinstance(value, tuple) else number.value
-        assert found == pytest.approx(value, rel=0.2 if name == "factor" else 1e-6, nan_ok=True)
+        number_or_ends = (number.low, number.high) if isinstance(value, tuple) else number.value
+        assert number_or_ends == pytest.approx(
+            value, rel=0.2 if name == "factor" else 1e-6, nan_ok=True
+        )
     assert not find_cautions(code, **forces(1000.0))
 
 
