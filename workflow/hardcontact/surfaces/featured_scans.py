@@ -77,7 +77,7 @@ class FeaturedSurface(NamedTuple):
 
 
 def featured_surface(substitute: Substitute) -> FeaturedSurface:
-    """Return the source of scans with features of a substitute.
+    """Return the surface with features of a substitute.
 
     Raises ValueError if the paper has no rms height of the surface.
     """
@@ -109,19 +109,19 @@ def whole_surface(
 
 
 def sample_group(
-    source: FeaturedSurface, kind: str, scan_numbers: Sequence[int], *names: object
+    surface: FeaturedSurface, kind: str, scan_numbers: Sequence[int], *names: object
 ) -> tuple[Features, list[HeightMap]]:
     """Sample features of a kind, and scans with these features; `names` name random numbers."""
-    features = source.sample_features(kind, len(scan_numbers), *names)
+    features = surface.sample_features(kind, len(scan_numbers), *names)
     scans = []
     for scan_number, count in zip(scan_numbers, features.counts, strict=True):
-        rng = source.substitute.generator(kind, *names, scan_number, "featured scan")
-        scans.append(source.sample_scan(rng, features, count))
+        rng = surface.substitute.generator(kind, *names, scan_number, "featured scan")
+        scans.append(surface.sample_scan(rng, features, count))
     return features, scans
 
 
 def nearest_group(
-    source: FeaturedSurface, scan_numbers: Sequence[int]
+    surface: FeaturedSurface, scan_numbers: Sequence[int]
 ) -> tuple[Features, list[HeightMap]]:
     """Return the scans whose features are nearest to Table 1 among CANDIDATES samples.
 
@@ -130,10 +130,10 @@ def nearest_group(
     candidates = []
     for candidate in range(CANDIDATES):
         kind = list(SIGNS)[candidate % len(SIGNS)]
-        features = source.sample_features(kind, len(scan_numbers), scan_numbers[0], candidate)
-        candidates.append((source.distance_from_table1(features), kind, candidate))
+        features = surface.sample_features(kind, len(scan_numbers), scan_numbers[0], candidate)
+        candidates.append((surface.distance_from_table1(features), kind, candidate))
     _, kind, candidate = min(candidates)
-    return sample_group(source, kind, scan_numbers, scan_numbers[0], candidate)
+    return sample_group(surface, kind, scan_numbers, scan_numbers[0], candidate)
 
 
 def describe_features(features: Features, base_rms_height: float) -> dict[str, xr.Variable]:
@@ -154,9 +154,9 @@ def featured_group(
     The description has the features, and the rows of Table 1 met by construction. Features are
     accepted by the AFM rows, so these are met within their uncertainty.
     """
-    source = featured_surface(substitute)
-    features, scans = nearest_group(source, scan_numbers)
-    variables = describe_features(features, source.mean_rms_height)
+    surface = featured_surface(substitute)
+    features, scans = nearest_group(surface, scan_numbers)
+    variables = describe_features(features, surface.mean_rms_height)
     variables["feature_count"] = xr.Variable("scan", list(features.counts), DIMENSIONLESS)
     met_rows = substitute.spectrum_data.attrs["table1_rows_met"]
     attributes = {"source": "substitute", "table1_rows_met": met_rows}
