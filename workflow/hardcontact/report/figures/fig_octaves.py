@@ -29,13 +29,13 @@ def draw(
     panels.draw_octaves(top[0], sensitivity)
     style.label_panel(top[0], "a", "change of the force with the amplitude a of one octave")
     tolerance = edges.attrs["tolerance"]
-    titles = {"published": "published", "found": "computed"}
+    titles = {"published": "published band", "found": "mean computed band"}
     bottom[1].sharey(bottom[0])
     for letter, axes, (band_name, title) in zip("bc", bottom, titles.items(), strict=True):
         ratios = band_forces.sel(band=band_name)
         _draw_band_ratios(axes, ratios, tolerance)
         band_edges = [format_quantity(edge, "nm", digits=2) for edge in ratios["band_edge"].values]
-        style.label_panel(axes, letter, f"{title} band: {' to '.join(band_edges)}")
+        style.label_panel(axes, letter, f"{title}: {' to '.join(band_edges)}")
     bottom[0].set_ylabel("force / unfiltered force")
     style.legend_above(figure, _legend_handles(sensitivity, tolerance))
     return figure
