@@ -142,8 +142,10 @@ def test_single_surfaces_of_two_own_studies_are_compared_whatever_their_names():
 def test_what_cannot_be_compared_is_refused_in_a_line(written):
     message = refusal(printed, written / "paper", written)
     assert message.count("\n") == 0
-    assert_says(message, "results/answer.json", "without it", "snakemake answer")
-    assert_says(refusal(printed, "paper", "absent"), "absent: expected", "no such folder")
+    assert_says(message, "results/answer.json", "snakemake answer")
+    assert_says(
+        refusal(printed, "paper", "absent"), "absent/answer.json: expected", "no such folder"
+    )
     (written / "answer.json").write_text("[]")
     assert_says(refusal(printed, written, "paper"), "expected the answer of a study")
     (written / "answer.json").write_text(json.dumps(own("mine", "bare")))

@@ -13,7 +13,7 @@ from repository import PAPER, ROOT
 
 from hardcontact.paper.verdicts import VERDICTS, count_verdicts
 from hardcontact.report.figures.listing import PAPER_FIGURES
-from hardcontact.report.paper_study.conclusions import IN_WORDS, claim_facts
+from hardcontact.report.paper_study.conclusions import claim_facts
 from hardcontact.report.paper_study.pages import convert_chapter, report_pages
 
 HOSTILE = 'a < b & "c" <script>alert(1)</script>'
@@ -65,7 +65,9 @@ def test_facts_are_the_claims_with_their_numbers_as_printed():
     assert rows["first"]["published_text"] == "3 nm"
     accepted = [row["accepted_text"] for row in rows.values()]
     assert accepted == ["2 to 4 nm", "above 1", "below 0.2"]
-    assert rows["second"]["computed_text"] == "1.5" and rows["second"]["published_text"] == IN_WORDS
+    assert (
+        rows["second"]["computed_text"] == "1.5" and rows["second"]["published_text"] == "as stated"
+    )
     assert rows["third"]["computed_text"] == "" and rows["third"]["computed"] is None
     assert [row["kind"] for row in rows.values()] == ["independent", "follows", "independent"]
     assert facts["counts"] == count_verdicts(evaluated()).to_dict("records")

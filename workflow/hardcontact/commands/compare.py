@@ -23,6 +23,8 @@ from hardcontact.report.study_comparison import EQUAL_DIGITS, compare_answers
 from hardcontact.report.templates import Frame, render_document, render_lines
 
 ANSWER = "answer.json"
+#: Of a study that has no answer yet.
+UNFINISHED = "none: `snakemake answer` makes it, with --configfile for any study but the paper's"
 
 
 def compare_arguments(arguments: Sequence[str]) -> Namespace:
@@ -51,10 +53,9 @@ def compare(arguments: Namespace) -> str:
     names = [answer["study"] for answer in answers]
     if names[0] == names[1]:
         names = [arguments.first, arguments.second]
-    comparison = compare_answers(*answers)
     first, second = (_read_sets(path) for path in paths)
     facts = {"studies": names, "digits": EQUAL_DIGITS, "pairing": pairing(first, second)}
-    facts["inputs"], numbers = comparison
+    facts["inputs"], numbers = compare_answers(*answers)
     if facts["pairing"] == "paired":
         numbers = add_paired_intervals(numbers, first, second)
         facts["confidence"] = first["sets"].attrs["confidence"]
@@ -80,14 +81,9 @@ def _answer_path(path: str) -> str:
 
 def _read_answer(path: str) -> dict[str, Any]:
     """Return the content of answer.json; raise ValueError with one line if there is none."""
-    folder = Path(path).parent
-    if not folder.is_dir():
-        raise ValueError(f"{folder}: expected the results of a study, found no such folder")
     if not Path(path).is_file():
-        raise ValueError(
-            f"{path}: expected the answer of a finished study, found a folder without it: "
-            "`snakemake answer` makes it, with --configfile for any study but the paper's"
-        )
+        found = UNFINISHED if Path(path).parent.is_dir() else "no such folder"
+        raise ValueError(f"{path}: expected the answer of a finished study, found {found}")
     try:
         answer: dict[str, Any] = json.loads(Path(path).read_text("utf-8"))
         answer["kind"], answer["quantities"]

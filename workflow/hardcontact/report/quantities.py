@@ -104,11 +104,8 @@ def without_interval(number: Number) -> str:
 
 def in_three_digits(number: Number) -> str:
     """Return a number in words, with three digits even if those of its interval are fewer."""
-    words = in_words(number)
-    if not math.isfinite(number.value):
-        return words
-    value = format_number(number._replace(low=math.nan, high=math.nan)).split()[0]
-    return re.sub(r"\S+(?= \[)", value, words, count=1)
+    value = format_number(number._replace(low=math.nan, high=math.nan)).partition(" ")[0]
+    return re.sub(r"\S+(?= \[)", value, in_words(number))
 
 
 def _open_interval_words(number: Number, digits: int) -> str:

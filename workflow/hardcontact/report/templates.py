@@ -72,9 +72,9 @@ def _environment() -> Any:
     )  # fmt: skip
     environment.filters |= {
         "format_number": quantities.format_number, "in_words": quantities.in_words,
-        "in_three_digits": quantities.in_three_digits,
         "two_digit_words": lambda number: quantities.in_words(number, 2), "linked": _linked,
-        "without_interval": quantities.without_interval, "unbroken": unbroken,
+        "in_three_digits": quantities.in_three_digits, "unbroken": unbroken,
+        "without_interval": quantities.without_interval,
         "percent": format_share, "share_of_decades": _share_of_decades,
         # A point before a digit, as in Eq. 2, ends no sentence.
         "first_sentence": lambda text: re.split(r"(?<=\.) (?=[\"A-Z])", text, maxsplit=1)[0],

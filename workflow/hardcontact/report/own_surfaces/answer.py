@@ -77,7 +77,7 @@ def own_answer(datasets: Datasets, setting: Setting) -> dict[str, Any]:
     surfaces = surface_answers(datasets, setting)
     chosen_inputs = _chosen_inputs(datasets.force, setting)
     numbers = numbers_by_name(*_study_numbers(datasets, setting))
-    fit_text = _fit_text(numbers)
+    fit_text = render_text("own_fit.txt", n=numbers) if "fit_range" in numbers else ""
     return {
         "study": setting.study,
         "version": setting.version,
@@ -197,11 +197,6 @@ def _notes(
     if fit_text:
         notes.append(note("fit", fit_text, numbers["fit_region_range"].status))
     return notes
-
-
-def _fit_text(numbers: Mapping[str, Number]) -> str:
-    """Return the fit to measured forces in words, an empty text without measured forces."""
-    return render_text("own_fit.txt", n=numbers) if "fit_range" in numbers else ""
 
 
 def _caution_numbers(surface_cautions: list[Caution]) -> Iterator[Number]:

@@ -1,6 +1,5 @@
 """Conclusions from the claims and numbers of the paper's study, which templates put into words."""
 
-import math
 from collections.abc import Mapping
 from typing import Any
 
@@ -18,12 +17,11 @@ from hardcontact.paper.verdicts import (
     REPRODUCED_SHARE,
     count_verdicts,
 )
+from hardcontact.report.paper_study.table1 import decimals_of
 from hardcontact.report.quantities import NO_INTERVAL_WORDS
 
 #: Sets of scans below which the ends of a 95 % interval rest on one or two outermost sets.
 MIN_SETS = 50
-#: In place of a number that the paper does not print, because the statement says all.
-IN_WORDS = "as stated"
 #: Grids whose size the paper prints.
 GRIDS = ("scan_pixels", "contacts_per_row")
 
@@ -66,7 +64,8 @@ def claim_facts(claims: pd.DataFrame) -> dict[str, Any]:
 def _printed_claim(row: Mapping[Any, Any]) -> dict[str, Any]:
     """Return the numbers of a claim as printed, and its kind."""
     unit = row["unit"]
-    is_limit = row["rule"] in ONE_SIDED  # which the accepted range shows
+    # The accepted range shows a limit.
+    published = "" if row["rule"] in ONE_SIDED else format_as_paper(row["published"], unit)
     interval = (row["low"], row["high"])
     kind = "follows" if row["follows_from"] else "independent"
     limits = () if row["agreeing_share"] >= 0 else (row["accepted_low"], row["accepted_high"])
@@ -77,7 +76,7 @@ def _printed_claim(row: Mapping[Any, Any]) -> dict[str, Any]:
         bounds = {"open_end": row["open_end"], "limits": limits}
         computed_text = format_as_paper(row["computed"], unit, interval, **bounds)
     return {
-        "published_text": ("" if is_limit else format_as_paper(row["published"], unit)) or IN_WORDS,
+        "published_text": published or "as stated",
         "accepted_text": _print_accepted_range(row["accepted_low"], row["accepted_high"], unit),
         "computed_text": computed_text,
         "kind": BY_CONSTRUCTION if row["verdict"] == BY_CONSTRUCTION else kind,
@@ -94,10 +93,9 @@ def _print_accepted_range(low: float, high: float, unit: str) -> str:
     high_text, _, high_unit = format_as_paper(high, unit).partition(" ")
     if low_unit != high_unit:
         return f"{low_text} {low_unit} to {high_text} {high_unit}"
-    # Both ends have equally many decimals: as many as the larger one has with three digits.
-    finest = 2 - math.floor(math.log10(max(abs(float(low_text)), abs(float(high_text)))))
+    # Equally many decimals: at most those that the upper end has with three digits.
     printed = max(len(text.partition(".")[2]) for text in (low_text, high_text))
-    decimals = max(min(finest, printed), 0)
+    decimals = min(printed, decimals_of(float(high_text), 0.0))
     return f"{float(low_text):.{decimals}f} to {float(high_text):.{decimals}f} {high_unit}".rstrip()
 
 

@@ -14,11 +14,7 @@ from mdit_py_plugins.dollarmath import dollarmath_plugin
 from hardcontact.report.answer import numbers_of_answer, render_page
 from hardcontact.report.figures.listing import PAPER_FIGURES, Caption, describe_figure
 from hardcontact.report.paper_study.answer import ANSWER_CLAIMS
-from hardcontact.report.paper_study.conclusions import (
-    claim_facts,
-    draw_conclusions,
-    most_sensitive_coatings,
-)
+from hardcontact.report.paper_study.conclusions import claim_facts, most_sensitive_coatings
 from hardcontact.report.templates import Frame, render_document, unbroken
 
 #: A link of Markdown within the repository: its words, the document without `.md`, and the anchor.
@@ -48,7 +44,7 @@ def paper_page(
     *coatings, _ = answer["surfaces"]  # the last one is the sphere
     coating_numbers = {row["label"]: numbers_of_answer(answer, row["name"]) for row in coatings}
     numbers = numbers_of_answer(answer)
-    facts = claim_facts(claims) | draw_conclusions(numbers) | {"captions": captions}
+    facts = claim_facts(claims) | {"captions": captions}
     facts["most_sensitive"] = most_sensitive_coatings(coating_numbers)
     facts["artificial_claims"] = [
         claim
