@@ -119,9 +119,8 @@ class StudyPlan:
         """
         scans = self.selection.sphere_scans
         contacts_per_row = self.contact.contacts_per_row
-        per_row = 1
-        if combines_bodies(self.configuration):
-            per_row = ceil(sqrt(SPHERE_POSITIONS / len(scans)))
+        minimum = SPHERE_POSITIONS if combines_bodies(self.configuration) else 1
+        per_row = ceil(sqrt(minimum / len(scans)))
         if per_row == 1:
             return scans, per_row, contacts_per_row
         positions = list(range(1, len(scans) * per_row**2 + 1))

@@ -37,9 +37,8 @@ def store_settings(plan: StudyPlan) -> dict[str, dict[str, Any]]:
     levelling = {"levelling": study["scan"]["levelling"]}
     substitutes, scales, sets = (study[name] for name in ("substitutes", "scales", "sets"))
     pixels, size = substitutes["pixels"], substitutes["size"]
-    # The random surface from which a scan is cut.
-    surface_pixels = random_surface_pixels(pixels)
-    scan_grid = {"pixels": pixels, "size": size, "surface_pixels": surface_pixels}
+    # Scans are cut from a larger random surface.
+    scan_grid = {"pixels": pixels, "size": size, "surface_pixels": random_surface_pixels(pixels)}
     random_surface = seed | {"scan_grid": scan_grid}
     featured_surface = random_surface | {"featured_surface": substitutes["featured_surface"]}
     contact = study["contact"] | {"radius": study["sphere"]["radius"]}
@@ -52,8 +51,7 @@ def store_settings(plan: StudyPlan) -> dict[str, dict[str, Any]]:
     set_forces = random_surface | {"contact": set_contact, "ranges": ranges}
     positions, positions_per_row, contacts_per_row = plan.sphere_positions()
     position_contact = contact_at_range["contact"] | {"contacts_per_row": contacts_per_row}
-    selection = plan.selection
-    sphere = [selection.sphere, selection.sphere_digest, contact["radius"]]
+    sphere = [plan.selection.sphere, plan.selection.sphere_digest, contact["radius"]]
     transitions = {side: scales[side]["transition"] for side in SIDES}
     sides = {
         side: {key: scales[side][key] for key in (grid_key, "transition")}
