@@ -153,8 +153,9 @@ def add_force_ratios(forces: xr.Dataset) -> xr.Dataset:
     unfiltered = forces["unfiltered_pull_off_force"].mean(contact_axes)
     spectrum_end = forces["unfiltered_wavelength"]
     realizations = [axis for axis in ("realization",) if axis in forces.dims]
+    ratio = (filtered / unfiltered).drop_attrs(deep=False)  # Coordinates keep their units.
     return forces.assign(
-        filtered_force_ratio=(filtered / unfiltered).drop_attrs().assign_attrs(DIMENSIONLESS),
+        filtered_force_ratio=ratio.assign_attrs(DIMENSIONLESS),
         unfiltered_wavelength=spectrum_end.max(realizations, keep_attrs=True),
     )
 
