@@ -1,4 +1,4 @@
-# The configuration and the paths of all rules, and the modules that a script imports.
+# The configuration, and the paths of final files.
 #
 # Names that the rules of all files use:
 #   config         the configuration as written, with units: for records and captions
@@ -10,8 +10,8 @@
 #   PAGES          title and category of each page of the report except figures
 #   ANSWER         answer.html and answer.json
 #   PUBLISHED_TABLES  the tables of the paper, by name
-# surfaces.smk defines the names that depend on the table of surfaces. Every other name is local to
-# its file.
+# surfaces.smk defines the names that depend on the table of surfaces. All names defined in other files
+# are local to these, except TARGETS of targets.smk.
 
 from hardcontact.base.published import PUBLISHED_TABLES
 from hardcontact.config.configuration import is_paper_study, read_yaml

@@ -2,7 +2,7 @@
 
 
 rule compute_whole_surface_forces:
-    """Compute the forces on whole substitute surfaces, also with each octave amplified."""
+    """Compute the forces on whole substitute surfaces, also with each octave amplified or weakened."""
     input:
         **DESCRIPTION_INPUTS,
         **SUBSTITUTE_INPUTS,
@@ -20,7 +20,7 @@ rule compute_whole_surface_forces:
 
 
 rule compute_perturbed_scan_forces:
-    """Compute the forces on a scan with each octave amplified."""
+    """Compute the forces on a scan with each octave amplified or weakened."""
     input:
         stitched=lambda w: FILES.roughness_path(w.surface, int(w.scan)),
         sphere=SPHERE_SCAN,

@@ -43,7 +43,7 @@ rule compute_featured_samples:
 
 
 rule sample_sets:
-    """Sample all sets, and compute of each what the statements of the paper are about: sets.nc."""
+    """Sample all sets, and compute the quantities of each that the claims judge: sets.nc."""
     input:
         topography=RESULTS.dataset("topography"),
         adhesion=RESULTS.dataset("adhesion"),

@@ -9,9 +9,9 @@ TRACED = {
     "sphere_scan": SELECTION.contact_scans(SPHERE)[0],
     "contact_index": [STUDY["contact"]["contacts_per_row"] // 2] * 2,
 }
-INDENTED = STUDY["indent"]["surface"]
+INDENTING_SURFACE = STUDY["indent"]["surface"]
 #: All scans of a substrate, each with a scan of the sphere, in turn.
-SCANS_IN_TURN = {
+SUBSTRATE_AND_SPHERE_SCANS = {
     "substrates": lambda w: [
         FILES.stitched_path(w.surface, scan) for scan in SELECTION.contact_scans(w.surface)
     ],
@@ -39,7 +39,7 @@ rule trace_contact:
 rule solve_elastic_contacts:
     """Solve elastic contact, without and with adhesion, of a sample of contacts of one surface."""
     input:
-        **SCANS_IN_TURN,
+        **SUBSTRATE_AND_SPHERE_SCANS,
         published_constants=PUBLISHED_TABLES["published_constants"],
     output:
         STORE.elastic_contacts,
@@ -73,15 +73,16 @@ rule measure_indents:
     """Measure the indents that contacts on one surface leave in the sphere: indent.nc."""
     input:
         substrates=[
-            FILES.stitched_path(INDENTED, scan) for scan in SELECTION.contact_scans(INDENTED)
+            FILES.stitched_path(INDENTING_SURFACE, scan)
+            for scan in SELECTION.contact_scans(INDENTING_SURFACE)
         ],
         spheres=[FILES.stitched_path(SPHERE, scan) for scan in SELECTION.contact_scans(SPHERE)],
     output:
         RESULTS.dataset("indent"),
     params:
         parameters=dict(
-            **SELECTION.attributes(INDENTED),
-            scan_numbers=SELECTION.contact_scans(INDENTED),
+            **SELECTION.attributes(INDENTING_SURFACE),
+            scan_numbers=SELECTION.contact_scans(INDENTING_SURFACE),
             sphere_scan_numbers=SELECTION.contact_scans(SPHERE),
             preloads=STUDY["indent"]["preloads"],
             contact=CONTACT | {"preload": max(STUDY["indent"]["preloads"])},
@@ -93,7 +94,7 @@ rule measure_indents:
 rule find_asperities:
     """Find the asperities that carry most of the force of a sample of contacts of one surface."""
     input:
-        **SCANS_IN_TURN,
+        **SUBSTRATE_AND_SPHERE_SCANS,
     output:
         STORE.asperities,
     params:

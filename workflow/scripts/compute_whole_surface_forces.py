@@ -1,4 +1,4 @@
-"""Forces on whole substitute surfaces: at all ranges, and with each octave amplified."""
+"""Forces on whole substitute surfaces: at all ranges, and with each octave changed."""
 
 from hardcontact.base.dataset import stack
 from hardcontact.base.progress import progress

@@ -72,12 +72,12 @@ class Chunks:
     @property
     def pools(self) -> list[Chunk]:
         """The scans of all pools, for the sets: outputs of rule compute_pool."""
-        chunks = _spans(self._configuration["sets"]["pool_size"], POOL_CHUNK)
+        spans = _spans(self._configuration["sets"]["pool_size"], POOL_CHUNK)
         return [
-            Chunk(surface, *chunk)
+            Chunk(surface, *span)
             for surface in self._selection.sampled_substrates
             if surface not in self._plan.featured_surfaces
-            for chunk in chunks
+            for span in spans
         ]
 
     @property
@@ -90,33 +90,33 @@ class Chunks:
         samples = ceil(self._configuration["sets"]["count"] / len(SIGNS))
         counts = dict.fromkeys(SIGNS, samples) | {GAUSSIAN: min(samples, FEATURED_SAMPLES_CHUNK)}
         return [
-            SampleChunk(surface, kind, *chunk)
+            SampleChunk(surface, kind, *span)
             for surface in self._plan.featured_surfaces
             for kind, count in counts.items()
-            for chunk in _spans(count, FEATURED_SAMPLES_CHUNK)
+            for span in _spans(count, FEATURED_SAMPLES_CHUNK)
         ]
 
     @property
     def whole_surfaces(self) -> list[Chunk]:
         """The whole surfaces of all substitutes: outputs of rule compute_whole_surface_forces."""
-        chunks = _spans(self._configuration["scales"]["whole_surfaces"], MASTERS_CHUNK)
+        spans = _spans(self._configuration["scales"]["whole_surfaces"], MASTERS_CHUNK)
         substitutes = self._selection.substitute_substrates
-        return [Chunk(surface, *chunk) for surface in substitutes for chunk in chunks]
+        return [Chunk(surface, *span) for surface in substitutes for span in spans]
 
     # Masters
 
     def filtered_masters(self, purpose: str) -> list[FilteredMasters]:
         """Return the masters of a purpose: outputs of rule compute_filtered_forces."""
         count = get_key(self._configuration, PURPOSES[purpose].realizations_key)
-        chunks = _spans(count, PURPOSES[purpose].realizations_in_job)
+        spans = _spans(count, PURPOSES[purpose].realizations_in_job)
         digest = self._files.patterns.digests[purpose]
         sweep_names = self._sweep_names(purpose)
         return [
             FilteredMasters(
-                purpose, digest, surface, self._sphere(purpose, surface), *chunk, *sweep_names
+                purpose, digest, surface, self._sphere(purpose, surface), *span, *sweep_names
             )
             for surface in self._master_surfaces(purpose)
-            for chunk in chunks
+            for span in spans
         ]
 
     def _master_surfaces(self, purpose: str) -> list[str]:

@@ -34,13 +34,18 @@ class Purpose(NamedTuple):
     further_ranges: Sequence[float] = ()  #: Ranges of adhesion in nm, besides that of the study.
 
 
-_STUDY_BAND = ("scales", "contact.contacts_per_row", "scales.realizations", 1)
 #: By the name in the paths of their forces.
 PURPOSES = {
     # The band of the study.
-    "scales": Purpose(*_STUDY_BAND, masters_are_files=True, stream="master"),
+    "scales": Purpose(
+        "scales", "contact.contacts_per_row", "scales.realizations", realizations_in_job=1,
+        masters_are_files=True, stream="master",
+    ),
     # The same with sampled spectra, of measured surfaces only, and with the same random numbers.
-    "sampled": Purpose(*_STUDY_BAND, samples_spectra=True, stream="master"),
+    "sampled": Purpose(
+        "scales", "contact.contacts_per_row", "scales.realizations", realizations_in_job=1,
+        samples_spectra=True, stream="master",
+    ),
     # The edges of each set of substitutes.
     "sets": Purpose("sets", "sets.contacts_per_row", "sets.realizations"),
     # How the edges depend on radius and load, on a smooth sphere. At an eighth of the preload the
