@@ -51,7 +51,7 @@ def test_each_wave_is_in_one_octave_with_its_shorter_limit():
 
 
 def test_the_sensitivity_of_a_power_is_its_exponent():
-    # Forces that are powers of the rms height of one wave, on three maps of different size.
+    # Forces that are powers of the rms height of one wave, on three maps of different amplitude.
     maps = [
         octave_force_dataset(
             periodic_map(scale * wavy(160.0).heights, PIXEL_SIZE),

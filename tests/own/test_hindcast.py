@@ -44,6 +44,19 @@ def test_a_gaussian_scan_passes(side):
     assert result["hindcast_fails"] == 0
 
 
+@pytest.mark.parametrize(
+    ("ratio", "fails"), [(0.895, True), (0.905, False), (1.095, False), (1.105, True)]
+)
+def test_a_ratio_may_differ_from_one_by_the_tolerance(ratio, fails):
+    """Random octaves that all give one force have no scatter, so that the tolerance decides."""
+    side = {"side": ["short"]}
+    scan_force = xr.DataArray(np.ones((1, 1, 1, 1)), side, ("side", "map", *CONTACT_AXES))
+    forces = {"scan_octave_force": scan_force}
+    forces["artificial_octave_force"] = ratio * scan_force.expand_dims(realization=12)
+    result = hindcast.hindcast_ratios(xr.Dataset(forces), 0.1, 0.95)
+    assert bool(result["hindcast_fails"].item()) == fails
+
+
 def test_a_plateau_with_pits_fails():
     """Cut off all heights above the mean: the force is higher, and no random octave has it."""
     heights = np.minimum(SCAN.heights, 0) * 2
@@ -53,7 +66,7 @@ def test_a_plateau_with_pits_fails():
 
 @pytest.mark.parametrize("side", ["short", "long"])
 def test_parts_differ_by_the_octave(side):
-    """The force is replaced by that on a wave of the octave alone."""
+    """The octave has no other waves, and the kept waves none beyond it."""
     mirrored = mirror_scan(SCAN)
     other_waves, octave = hindcast._split_at_octave(mirrored, side, OCTAVE)
     wave = np.fft.fftfreq(mirrored.pixels, PIXEL)

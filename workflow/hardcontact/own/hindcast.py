@@ -19,6 +19,7 @@ from hardcontact.base.statistics import student_quantile, with_interval
 from hardcontact.base.units import DIMENSIONLESS
 from hardcontact.contact.contact import CONTACT_AXES, Contact
 from hardcontact.contact.pull_off import FORCE_ATTRS, ForcesOnSurface, make_force_function
+from hardcontact.inference.edges import logarithmic_limits
 from hardcontact.surfaces.filters import filtered_series
 from hardcontact.surfaces.height_map import HeightMap, mirror_scan
 from hardcontact.surfaces.spectrum import SpectrumFunction
@@ -163,7 +164,8 @@ def hindcast_ratios(forces: xr.Dataset, tolerance: float, confidence: float) -> 
     half = quantile * logs.std("realization", ddof=1) * np.sqrt(1 + 1 / count)
     log_ratio = logs.mean("realization") - scan_log
     interval = np.exp(np.stack([log_ratio - half, log_ratio + half], axis=-1))
-    passes = (np.abs(log_ratio) <= half) | (np.abs(log_ratio) <= np.log1p(tolerance))
+    lowest, highest = logarithmic_limits(tolerance)
+    passes = (np.abs(log_ratio) <= half) | ((lowest <= log_ratio) & (log_ratio <= highest))
     variables = with_interval(
         "hindcast_ratio", "side", np.exp(log_ratio.values), interval, DIMENSIONLESS, confidence
     )
