@@ -1,6 +1,5 @@
-# The user's surfaces: the roughness of both bodies in one under a scanned sphere, tests of their
-# extrapolation, edges of the band, force at the configured range and work, and the fit to the user's
-# forces.
+# Rules for the user's surfaces: add the sphere's roughness, test the extrapolation (hindcast), find
+# edges, compute the force, fit range and work.
 
 from hardcontact.files.patterns import any_name_pattern
 

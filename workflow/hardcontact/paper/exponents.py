@@ -62,7 +62,7 @@ def edge_exponents(forces: xr.Dataset, tolerance: float, confidence: float) -> x
         _fit_all_exponents(forces.drop_isel(realization=index), tolerance)
         for index in range(count if count > 2 else 0)
     ]
-    # The jackknife uses Student's t for the logarithm of a positive number, here the exponent.
+    # `jackknife_interval` works on logarithms, so it gets exp(exponent).
     interval = np.log(
         jackknife_interval(np.exp(exponents), np.exp(jackknife_exponents), confidence)
     )

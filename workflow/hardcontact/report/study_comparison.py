@@ -59,8 +59,8 @@ class ComparedNumber(NamedTuple):
     def agreement(self) -> str:
         """Whether both are "equal", "same" within their intervals, or "different".
 
-        "changed", "unchanged": the interval of the change has or lacks only changes. "no_interval":
-        neither number has one. "unknown": one of them is not known.
+        "changed": the interval of the change excludes no change; "unchanged": it includes it.
+        "no_interval": neither number has one. "unknown": one of them is not known.
         """
         if is_equal(self.first, self.second):
             return "equal"

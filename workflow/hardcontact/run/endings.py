@@ -58,10 +58,10 @@ def end_at_interrupt(workflow: Any) -> None:
 
 
 def stop_jobs_at_interrupt(workflow: Any) -> None:
-    """End at Ctrl-C, of which jobs hear nothing; on a cluster, at the second one.
+    """Stop the run at Ctrl-C without passing the signal to jobs.
 
-    Jobs would print tracebacks, and Snakemake would wait for them. On a cluster Snakemake first
-    cancels the jobs that it has submitted.
+    Jobs would print tracebacks, and Snakemake would wait for them. On a cluster, the second Ctrl-C
+    stops it: at the first, Snakemake cancels the jobs that it has submitted.
     """
     if workflow.local_exec:
         # Threads and jobs that begin from here on inherit what is blocked.
