@@ -1,4 +1,4 @@
-"""Bumps or pits on a homogeneous Gaussian base: a family of surfaces that agree with Table 1.
+"""Bumps or pits on a homogeneous Gaussian base: a family of surfaces that Table 1 accepts.
 
 A homogeneous Gaussian surface has nearly the same rms height in each scan. Rare features explain
 why rms heights scatter much more. All features of a surface have one Gaussian shape; their
@@ -24,7 +24,8 @@ GAUSSIAN = "gaussian"
 #: All kinds of surfaces.
 KINDS = (*SIGNS, GAUSSIAN)
 #: Number of features per µm². The prior is uniform in the logarithms within these bounds and the
-#: next three, which contain all that Table 1 accepts for polished UNCD.
+#: next three. The lower bound is assumed: from 0.001 on, 15 % of the bumps that Table 1 accepts for
+#: polished UNCD would be rarer than 0.01.
 DENSITY_BOUNDS = (0.01, 10.0)
 #: Height of features in published mean rms heights of scans.
 HEIGHT_BOUNDS = (1.0, 60.0)
@@ -67,8 +68,8 @@ def published_statistics(
 ) -> ScanStatistics:
     """Return the statistics of Table 1 with means (by `METRICS`) on the pixels of the study.
 
-    Their standard deviations have the same ratios to the means as in Table 1, whose rows for the
-    surface `table1` has.
+    Their standard deviations have the same ratios to the means as in Table 1. `table1` has the rows
+    of the surface.
     """
     rows = table1.loc[list(TABLE1_METRICS)]
     values = np.array([means[name] for name in TABLE1_METRICS.values()])
@@ -110,8 +111,8 @@ def expected_rms(
 def standardized_differences(rms_values: Floats, statistics: ScanStatistics) -> Floats:
     """Return the differences of scans (..., scan, 3) from published statistics, in standard errors.
 
-    The means come before the standard deviations of rms height and slope over two or more scans,
-    whose relative standard error over n normal values is 1/sqrt(2(n - 1)).
+    First the means, then, with two or more scans, the standard deviations of rms height and slope.
+    A standard deviation of n normal values has the relative standard error 1/sqrt(2(n - 1)).
     """
     mean_errors = statistics.stds / np.sqrt(statistics.scan_count)
     differences = (rms_values.mean(axis=-2) - statistics.means) / mean_errors
