@@ -160,7 +160,7 @@ class LongSideKeys(Keys):
 
 
 class ScalesKeys(Keys):
-    """The band of wavelengths that decide the force, from masters: scans with added roughness."""
+    """The band of wavelengths that decide the force, found on masters: partly artificial scans."""
 
     tolerance: types.Fraction = key(0.1, "Most Relevant Length-scales")
     """Relative change up to which a force counts as unchanged. Larger values narrow the band."""

@@ -1,7 +1,7 @@
 """Forces on a master, unfiltered and filtered below or above every cutoff wavelength.
 
-A master is a scan with artificial roughness beyond its own wavelengths, on one side. A filter of
-the side ``"short"`` removes wavelengths below the cutoff, a filter of ``"long"`` those above it.
+In a master artificial roughness replaces the waves of a scan beyond a transition. A filter of the
+side ``"short"`` removes wavelengths below the cutoff, a filter of ``"long"`` those above it.
 """
 
 from collections.abc import Iterable, Mapping, Sequence

@@ -27,7 +27,7 @@ class NoValue(StrEnum):
 #: Words in place of an unknown value, by its status.
 NO_VALUE_WORDS: dict[str, str] = {
     NoValue.NO_BAND: "no band",
-    NoValue.NO_HINDCAST: "not answered: nothing shows that random roughness extends these scans",
+    NoValue.NO_HINDCAST: "not answered: nothing shows that artificial roughness fits these scans",
     EdgeStatus.RIPPLES: "none: the filter's ripples beside steps or pits change the force",
     NoValue.NO_EXPONENT: "not answered: the scans do not tell how their roughness goes on",
     NoValue.NO_AGREEMENT: "none agrees",

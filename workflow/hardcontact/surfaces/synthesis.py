@@ -1,7 +1,8 @@
 """Random surfaces from a spectrum, substitute scans cut out of them, and masters (Fig. 6).
 
-A master is a scan with artificial roughness added. Surfaces and masters are periodic, scans are
-not. Lengths are in nm; densities are C_iso in nm⁴ of wavevectors in rad/nm.
+In a master artificial roughness replaces the waves of a scan beyond a transition. Surfaces and
+masters are periodic, scans are not. Lengths are in nm; densities are C_iso in nm⁴ of wavevectors in
+rad/nm.
 """
 
 from collections.abc import Mapping
