@@ -28,7 +28,7 @@ if IS_PAPER_STUDY:
 
     # Contacts in detail, edges and fits, other substitutes, verdicts, figures and pages.
     include: "workflow/rules/single_contacts.smk"
-    include: "workflow/rules/inference.smk"
+    include: "workflow/rules/edges_and_fits.smk"
     include: "workflow/rules/sets.smk"
     include: "workflow/rules/claims.smk"
     include: "workflow/rules/answer_paper.smk"

@@ -24,10 +24,10 @@ def force_paths(*values):
     patterns = files.patterns
     return [
         *files.paths(patterns.pull_off, files.plan.substrate_scan_ids),
-        *files.paths(patterns.pool_forces, chunks.pools),
-        *files.paths(patterns.whole_surface_forces, chunks.whole_surfaces),
-        *files.paths(patterns.filtered_master_forces, chunks.filtered_masters("scales")),
-        *files.paths(patterns.filtered_master_forces, chunks.filtered_masters("edge_shifts")),
+        *files.paths(patterns.pool, chunks.pools),
+        *files.paths(patterns.whole_surfaces, chunks.whole_surfaces),
+        *files.paths(patterns.filtered_masters, chunks.filtered_masters("scales")),
+        *files.paths(patterns.filtered_masters, chunks.filtered_masters("edge_shifts")),
     ]
 
 

@@ -23,7 +23,7 @@ def test_a_stopped_run_reports_that_the_same_command_continues_it(tmp_path, proj
     study = copy_repository(tmp_path / "study")
     # Three jobs, one after the other: the first ends before the others begin.
     files = tiny_files()
-    master = files.path(files.patterns.master, "uncd", realization=1, side="short")
+    master = files.path(files.patterns.masters, "uncd", realization=1, side="short")
     with subprocess.Popen(
         [sys.executable, "-m", "snakemake", master, "--configfile", TINY],
         cwd=study, env=environment(study), text=True, start_new_session=True,

@@ -51,7 +51,7 @@ def values_of(folder):
 
 def test_the_same_seed_gives_the_same_values(finished, tmp_path, project_folder):
     folder = copy_repository(tmp_path / "again")
-    scans = [tiny_files().stitched_path(*row) for row in (("uncd", 1), ("ruby", 2))]
+    scans = [tiny_files().mirrored_scan_path(*row) for row in (("uncd", 1), ("ruby", 2))]
     run = run_tiny_study(folder, *scans)
     assert run.returncode == 0, run.stdout[-3000:]
     reference_values, repeated_values = (

@@ -4,8 +4,8 @@
 rule compute_pull_off:
     """Compute rigid and plastic pull-off of one scan on all scans of the sphere, or positions on it."""
     input:
-        substrate=STORE.stitched_substrate,
-        spheres=[FILES.stitched_path(SPHERE, scan) for scan in SELECTION.contact_scans(SPHERE)],
+        substrate=STORE.mirrored_substrates,
+        spheres=[FILES.mirrored_scan_path(SPHERE, scan) for scan in SELECTION.contact_scans(SPHERE)],
     output:
         STORE.pull_off,
     params:
@@ -23,7 +23,7 @@ rule aggregate_adhesion:
     params:
         parameters=dict(
             scan_keys=PLAN.substrate_scan_ids,
-            **NAMED_SURFACES,
+            **LABELS_AND_SOURCES,
             sphere_radius=STUDY["sphere"]["radius"],
             rho=STUDY["adhesion"]["range"],
         ),

@@ -1,4 +1,4 @@
-# Description of a study: its configuration, the list of its variables, and the check of its files.
+# Description of a study: its configuration, and the list of its variables.
 
 #: The final datasets of the study: those of all rules before, except the parts of a dataset.
 FINAL_DATASETS = [
@@ -22,12 +22,3 @@ rule describe_study:
         parameters=config,
     script:
         "../scripts/describe_study.py"
-
-
-rule verify:
-    """Check whether the files of the study match what they were made from; write nothing."""
-    retries: 0
-    params:
-        parameters=dict(results=RESULTS.results),
-    script:
-        "../scripts/verify.py"

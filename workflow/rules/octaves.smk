@@ -7,10 +7,10 @@ rule compute_whole_surface_forces:
         **DESCRIPTION_INPUTS,
         **SUBSTITUTE_INPUTS,
     output:
-        STORE.whole_surface_forces,
+        STORE.whole_surfaces,
     params:
         parameters=lambda w: dict(
-            **SETTINGS["whole"],
+            **SETTINGS["whole_surfaces"],
             surface=w.surface,
             surface_numbers=list(range(int(w.first), int(w.last) + 1)),
             has_features=w.surface in PLAN.featured_surfaces,
@@ -22,10 +22,10 @@ rule compute_whole_surface_forces:
 rule compute_perturbed_scan_forces:
     """Compute the forces on a scan with each octave amplified or weakened."""
     input:
-        stitched=lambda w: FILES.roughness_path(w.surface, int(w.scan)),
+        mirrored=lambda w: FILES.mirrored_map_path(w.surface, int(w.scan)),
         sphere=SPHERE_SCAN,
     output:
-        STORE.perturbed_scan_forces,
+        STORE.perturbed_scans,
     params:
         parameters=lambda w: dict(scan=int(w.scan), **SETTINGS["perturbed_scans"]),
     script:
@@ -36,8 +36,8 @@ rule aggregate_sensitivity:
     """Gather how the force follows each octave: sensitivity.nc."""
     input:
         forces=[
-            *FILES.paths(STORE.whole_surface_forces, CHUNKS.whole_surfaces),
-            *FILES.paths(STORE.perturbed_scan_forces, PLAN.measured_scan_ids),
+            *FILES.paths(STORE.whole_surfaces, CHUNKS.whole_surfaces),
+            *FILES.paths(STORE.perturbed_scans, PLAN.measured_scan_ids),
         ],
         adhesion=RESULTS.dataset("adhesion") if PLAN.measured_scan_ids else [],
     output:
@@ -45,7 +45,7 @@ rule aggregate_sensitivity:
     params:
         parameters=dict(
             maps=[*CHUNKS.whole_surfaces, *PLAN.measured_scan_ids],
-            **NAMED_SURFACES,
+            **LABELS_AND_SOURCES,
             radius=STUDY["sphere"]["radius"],
             rho=STUDY["adhesion"]["range"],
             confidence=STUDY["intervals"]["confidence"],

@@ -3,18 +3,18 @@
 
 from hardcontact.files.patterns import any_name_pattern
 
-COMBINED = any_name_pattern(PLAN.combined_surfaces)
+COMBINED_SURFACES = any_name_pattern(PLAN.combined_surfaces)
 
 
 rule combine_scans:
     """Add the roughness of a scan of the sphere, at a random position, to that of a substrate."""
     input:
-        substrate=STORE.stitched_substrate,
-        sphere=lambda w: FILES.stitched_path(SPHERE, PLAN.sphere_scan(w.surface, int(w.scan))),
+        substrate=STORE.mirrored_substrates,
+        sphere=lambda w: FILES.mirrored_scan_path(SPHERE, PLAN.sphere_scan(w.surface, int(w.scan))),
     output:
-        STORE.combined_scan,
+        STORE.combined_scans,
     wildcard_constraints:
-        surface=COMBINED,
+        surface=COMBINED_SURFACES,
     params:
         parameters=lambda w: dict(
             surface=w.surface,
@@ -32,9 +32,9 @@ rule combine_spectra:
         substrate=lambda w: FILES.spectrum_path(w.surface),
         sphere=lambda w: FILES.spectrum_path(SPHERE),
     output:
-        STORE.combined_spectrum,
+        STORE.combined_spectra,
     wildcard_constraints:
-        surface=COMBINED,
+        surface=COMBINED_SURFACES,
     params:
         parameters=lambda w: dict(surface=w.surface),
     script:
@@ -44,12 +44,12 @@ rule combine_spectra:
 rule combine_sampled_spectra:
     """Add a sampled spectrum of the sphere to one of a substrate."""
     input:
-        substrate=STORE.sampled_spectrum.replace("{shape}", "flat"),
-        sphere=lambda w: FILES.path(STORE.sampled_spectrum, SPHERE, realization=w.realization),
+        substrate=STORE.sampled_spectra.replace("{shape}", "flat"),
+        sphere=lambda w: FILES.path(STORE.sampled_spectra, SPHERE, realization=w.realization),
     output:
-        STORE.combined_sampled_spectrum,
+        STORE.combined_sampled_spectra,
     wildcard_constraints:
-        surface=COMBINED,
+        surface=COMBINED_SURFACES,
     params:
         parameters=lambda w: dict(surface=w.surface),
     script:
@@ -80,7 +80,7 @@ rule sample_spectra:
         measurements=lambda w: FILES.measurement_paths(w.surface),
     output:
         expand(
-            STORE.sampled_spectrum,
+            STORE.sampled_spectra,
             realization=range(1, STUDY["scales"]["realizations"] + 1),
             allow_missing=True,
         ),
@@ -99,14 +99,14 @@ rule sample_spectra:
 rule compute_hindcast_forces:
     """Compute the forces on a scan with its outermost octave replaced, and with wider pixels."""
     input:
-        stitched=lambda w: FILES.roughness_path(w.surface, int(w.scan)),
+        mirrored=lambda w: FILES.mirrored_map_path(w.surface, int(w.scan)),
         spectrum=lambda w: FILES.roughness_spectrum_path(w.surface),
         body_spectra=lambda w: [
             FILES.spectrum_path(body.surface) for body in PLAN.rough_bodies(w.surface, int(w.scan))
         ],
         sphere=SPHERE_SCAN,
     output:
-        STORE.hindcast_forces,
+        STORE.hindcast,
     params:
         parameters=lambda w: dict(
             scan=int(w.scan),
@@ -123,13 +123,13 @@ if PLAN.measured_scan_ids:
     rule aggregate_hindcast:
         """Gather the tests whether forces on scans may be extrapolated: hindcast.nc."""
         input:
-            forces=FILES.paths(STORE.hindcast_forces, PLAN.measured_scan_ids),
+            forces=FILES.paths(STORE.hindcast, PLAN.measured_scan_ids),
         output:
             RESULTS.dataset("hindcast"),
         params:
             parameters=dict(
                 scans=PLAN.measured_scan_ids,
-                **NAMED_SURFACES,
+                **LABELS_AND_SOURCES,
                 tolerance=STUDY["scales"]["tolerance"],
                 rho=STUDY["adhesion"]["range"],
                 confidence=STUDY["intervals"]["confidence"],

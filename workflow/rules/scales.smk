@@ -13,12 +13,12 @@ SAMPLED_MASTERS = [] if IS_PAPER_STUDY else CHUNKS.filtered_masters("sampled")
 rule synthesize_masters:
     """Replace wavelengths of a scan beyond the transition of a side by random roughness."""
     input:
-        scan=lambda w: FILES.roughness_path(
+        scan=lambda w: FILES.mirrored_map_path(
             w.surface, SELECTION.master_scan(w.surface, int(w.realization))
         ),
         spectrum=lambda w: FILES.roughness_spectrum_path(w.surface),
     output:
-        **{side: STORE.master.replace("{side}", side) for side in SIDES},
+        **{side: STORE.masters.replace("{side}", side) for side in SIDES},
     resources:
         mem_mb=master_megabytes(SETTINGS["masters"]["sides"]["short"]["pixels"]),
     params:
@@ -37,7 +37,7 @@ rule compute_filtered_forces:
         unpack(lambda w: CHUNKS.master_inputs(w.purpose, w.surface, int(w.first), int(w.last))),
         sphere=lambda w: [] if w.sphere_digest == SMOOTH_SPHERE else FILES.first_sphere_path,
     output:
-        STORE.filtered_master_forces,
+        STORE.filtered_masters,
     resources:
         mem_mb=lambda w: filter_megabytes(SETTINGS[w.purpose]),
     params:
@@ -53,8 +53,8 @@ rule compute_filtered_forces:
 rule aggregate_scales:
     """Gather the forces of all filtered surfaces: scales.nc."""
     input:
-        masters=FILES.paths(STORE.filtered_master_forces, MASTERS),
-        sampled=FILES.paths(STORE.filtered_master_forces, SAMPLED_MASTERS),
+        masters=FILES.paths(STORE.filtered_masters, MASTERS),
+        sampled=FILES.paths(STORE.filtered_masters, SAMPLED_MASTERS),
     output:
         RESULTS.dataset("scales"),
     params:
@@ -63,7 +63,7 @@ rule aggregate_scales:
             sampled_surfaces=[row.surface for row in SAMPLED_MASTERS],
             realizations=STUDY["scales"]["realizations"],
             loading=PLAN.contact.loading_name,
-            **NAMED_SURFACES,
+            **LABELS_AND_SOURCES,
             rho=STUDY["adhesion"]["range"],
             sphere_radius=STUDY["sphere"]["radius"],
             transitions={side: STUDY["scales"][side]["transition"] for side in SIDES},

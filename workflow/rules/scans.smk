@@ -10,7 +10,7 @@ rule calibrate_spectrum:
         published_table1=PUBLISHED_TABLES["published_table1"],
         published_constants=PUBLISHED_TABLES["published_constants"],
     output:
-        STORE.calibrated_spectrum,
+        STORE.calibrated_spectra,
     params:
         parameters=lambda w: dict(surface=w.surface),
     script:
@@ -22,7 +22,7 @@ rule read_scan:
     input:
         scan=lambda w: SELECTION.path(w.surface, int(w.scan)),
     output:
-        STORE.measurement,
+        STORE.measurements,
     params:
         parameters=lambda w: dict(
             dataset=SELECTION.dataset(w.surface, int(w.scan)), **SETTINGS["measurements"]
@@ -36,7 +36,7 @@ rule measure_spectrum:
     input:
         measurements=lambda w: FILES.measurement_paths(w.surface),
     output:
-        STORE.measured_spectrum,
+        STORE.measured_spectra,
     params:
         parameters=lambda w: dict(
             tip_radii=SELECTION.tip_radii(w.surface),
@@ -56,8 +56,14 @@ for scan_numbers, surfaces in PLAN.scan_groups.items():
         input:
             **SUBSTITUTE_INPUTS,
         output:
-            **{f"levelled_{n}": STORE.levelled.replace("{scan}", f"{n}") for n in scan_numbers},
-            **{f"stitched_{n}": STORE.stitched.replace("{scan}", f"{n}") for n in scan_numbers},
+            **{
+                f"levelled_{n}": STORE.levelled_scans.replace("{scan}", f"{n}")
+                for n in scan_numbers
+            },
+            **{
+                f"mirrored_{n}": STORE.mirrored_scans.replace("{scan}", f"{n}")
+                for n in scan_numbers
+            },
             conditioning=STORE.conditioning.replace("{scan}", f"{scan_numbers[0]}"),
         wildcard_constraints:
             surface=any_name_pattern(surfaces),
@@ -77,10 +83,10 @@ for scan_numbers, surfaces in PLAN.scan_groups.items():
 rule prepare_scan:
     """Level a measured scan, subtract the sphere if it shows one, and mirror it."""
     input:
-        measurement=STORE.measurement,
+        measurement=STORE.measurements,
     output:
-        levelled=STORE.levelled,
-        stitched=STORE.stitched,
+        levelled=STORE.levelled_scans,
+        mirrored=STORE.mirrored_scans,
     wildcard_constraints:
         surface=any_name_pattern(SELECTION.measured_surfaces),
     params:
@@ -94,7 +100,7 @@ rule prepare_scan:
 rule aggregate_topography:
     """Measure rms metrics and power spectra of all scans, with averages: topography.nc."""
     input:
-        scans=FILES.paths(STORE.levelled, PLAN.scan_ids),
+        scans=FILES.paths(STORE.levelled_scans, PLAN.scan_ids),
         spectra=[FILES.spectrum_path(surface) for surface in SELECTION.surfaces],
         conditionings=[FILES.conditioning_path(surface) for surface in SELECTION.substitutes],
     output:
@@ -103,7 +109,7 @@ rule aggregate_topography:
         parameters=dict(
             scan_keys=PLAN.scan_ids,
             conditioned=SELECTION.substitutes,
-            **NAMED_SURFACES,
+            **LABELS_AND_SOURCES,
             sphere_surface=SPHERE,
             reference_surface=STUDY["reference_surface"],
             confidence=STUDY["intervals"]["confidence"],

@@ -10,7 +10,7 @@ rule compute_pool:
     input:
         **SUBSTITUTE_INPUTS,
     output:
-        STORE.pool_forces,
+        STORE.pool,
     params:
         parameters=lambda w: dict(
             **SETTINGS["pool"],
@@ -28,7 +28,7 @@ rule compute_featured_samples:
     input:
         **SUBSTITUTE_INPUTS,
     output:
-        STORE.featured_sample_forces,
+        STORE.featured_samples,
     params:
         parameters=lambda w: dict(
             **SETTINGS["featured_samples"],
@@ -47,9 +47,9 @@ rule sample_sets:
     input:
         topography=RESULTS.dataset("topography"),
         adhesion=RESULTS.dataset("adhesion"),
-        pools=FILES.paths(STORE.pool_forces, CHUNKS.pools),
-        samples=FILES.paths(STORE.featured_sample_forces, CHUNKS.featured_samples),
-        masters=FILES.paths(STORE.filtered_master_forces, SET_MASTERS),
+        pools=FILES.paths(STORE.pool, CHUNKS.pools),
+        samples=FILES.paths(STORE.featured_samples, CHUNKS.featured_samples),
+        masters=FILES.paths(STORE.filtered_masters, SET_MASTERS),
         published_pull_off=PUBLISHED_TABLES["published_pull_off"],
         published_constants=PUBLISHED_TABLES["published_constants"],
     output:
@@ -81,7 +81,7 @@ rule compare_features:
     """Compare the forces of surfaces with features with the published ones: features.nc."""
     input:
         sets=RESULTS.dataset("sets"),
-        samples=FILES.paths(STORE.featured_sample_forces, CHUNKS.featured_samples),
+        samples=FILES.paths(STORE.featured_samples, CHUNKS.featured_samples),
         published_pull_off=PUBLISHED_TABLES["published_pull_off"],
         published_constants=PUBLISHED_TABLES["published_constants"],
     output:
@@ -96,7 +96,7 @@ rule fit_posterior:
     """Weigh all pairs of range and work by the published forces: posterior.nc."""
     input:
         sets=RESULTS.dataset("sets"),
-        whole_surfaces=FILES.paths(STORE.whole_surface_forces, CHUNKS.whole_surfaces),
+        whole_surfaces=FILES.paths(STORE.whole_surfaces, CHUNKS.whole_surfaces),
         published_pull_off=PUBLISHED_TABLES["published_pull_off"],
     output:
         RESULTS.dataset("posterior"),

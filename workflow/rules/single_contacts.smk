@@ -13,10 +13,10 @@ INDENTING_SURFACE = STUDY["indent"]["surface"]
 #: All scans of a substrate, each with a scan of the sphere, in turn.
 SUBSTRATE_AND_SPHERE_SCANS = {
     "substrates": lambda w: [
-        FILES.stitched_path(w.surface, scan) for scan in SELECTION.contact_scans(w.surface)
+        FILES.mirrored_scan_path(w.surface, scan) for scan in SELECTION.contact_scans(w.surface)
     ],
     "spheres": lambda w: [
-        FILES.stitched_path(SPHERE, PLAN.sphere_scan(w.surface, scan))
+        FILES.mirrored_scan_path(SPHERE, PLAN.sphere_scan(w.surface, scan))
         for scan in SELECTION.contact_scans(w.surface)
     ],
 }
@@ -25,8 +25,8 @@ SUBSTRATE_AND_SPHERE_SCANS = {
 rule trace_contact:
     """Trace gap, adhesive pressure and force over separation of one contact: contact.nc."""
     input:
-        substrate=FILES.stitched_path(TRACED["surface"], TRACED["scan"]),
-        sphere=FILES.stitched_path(SPHERE, TRACED["sphere_scan"]),
+        substrate=FILES.mirrored_scan_path(TRACED["surface"], TRACED["scan"]),
+        sphere=FILES.mirrored_scan_path(SPHERE, TRACED["sphere_scan"]),
         published_constants=PUBLISHED_TABLES["published_constants"],
     output:
         RESULTS.dataset("contact"),
@@ -42,7 +42,7 @@ rule solve_elastic_contacts:
         **SUBSTRATE_AND_SPHERE_SCANS,
         published_constants=PUBLISHED_TABLES["published_constants"],
     output:
-        STORE.elastic_contacts,
+        STORE.elastic,
     params:
         parameters=lambda w: dict(
             surface=w.surface,
@@ -56,13 +56,13 @@ rule solve_elastic_contacts:
 rule aggregate_elastic:
     """Gather elastic contact of all surfaces: elastic.nc."""
     input:
-        surfaces=[FILES.path(STORE.elastic_contacts, surface) for surface in SELECTION.substrates],
+        surfaces=[FILES.path(STORE.elastic, surface) for surface in SELECTION.substrates],
     output:
         RESULTS.dataset("elastic"),
     params:
         parameters=dict(
             surfaces=SELECTION.substrates,
-            **NAMED_SURFACES,
+            **LABELS_AND_SOURCES,
             title="elastic contacts: pressure at the preload, and pull-off beside that of rigid bodies",
         ),
     script:
@@ -73,10 +73,10 @@ rule measure_indents:
     """Measure the indents that contacts on one surface leave in the sphere: indent.nc."""
     input:
         substrates=[
-            FILES.stitched_path(INDENTING_SURFACE, scan)
+            FILES.mirrored_scan_path(INDENTING_SURFACE, scan)
             for scan in SELECTION.contact_scans(INDENTING_SURFACE)
         ],
-        spheres=[FILES.stitched_path(SPHERE, scan) for scan in SELECTION.contact_scans(SPHERE)],
+        spheres=[FILES.mirrored_scan_path(SPHERE, scan) for scan in SELECTION.contact_scans(SPHERE)],
     output:
         RESULTS.dataset("indent"),
     params:
@@ -116,7 +116,7 @@ rule aggregate_asperities:
     params:
         parameters=dict(
             surfaces=SELECTION.substrates,
-            **NAMED_SURFACES,
+            **LABELS_AND_SOURCES,
             title="asperities that carry the pull-off force of plastic contacts",
         ),
     script:

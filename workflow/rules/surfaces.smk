@@ -3,7 +3,7 @@
 # Names that the rules of several files use:
 #   SELECTION          the surfaces of the table, with their labels, scans and source files
 #   SPHERE             the name of the sphere's surface
-#   NAMED_SURFACES     the label of each surface, and whether it was measured or is a substitute
+#   LABELS_AND_SOURCES the label of each surface, and whether it was measured or is a substitute
 #   PLAN               which scans, bodies and positions contacts are made on, with their settings
 #   FILES              the paths of each surface: spectra, scans, scans of both bodies in one
 #   STORE              the path of each kind of intermediate, with wildcards in braces
@@ -22,7 +22,7 @@ from hardcontact.run import study_inputs
 
 SELECTION = study_inputs.checked_selection(workflow, STUDY)
 SPHERE = SELECTION.sphere
-NAMED_SURFACES = {"labels": SELECTION.labels, "source": SELECTION.sources}
+LABELS_AND_SOURCES = {"labels": SELECTION.labels, "source": SELECTION.sources}
 PLAN = StudyPlan(STUDY, SELECTION)
 FILES = SurfaceFiles(PLAN)
 STORE = FILES.patterns

@@ -1,4 +1,4 @@
-# Named targets: what each stage leaves in the results, and figures one by one.
+# Named targets: what each stage leaves in the results, figures one by one, and the check of files.
 
 from hardcontact.report.figures.listing import FILE_KINDS, PAPER_FIGURES
 
@@ -48,3 +48,12 @@ for target, files in (TARGETS | FIGURE_FILES).items():
             target
         input:
             files,
+
+
+rule verify:
+    """Check whether the files of the study match what they were made from; write nothing."""
+    retries: 0
+    params:
+        parameters=dict(results=RESULTS.results),
+    script:
+        "../scripts/verify.py"

@@ -7,9 +7,9 @@ from hardcontact.surfaces.height_map import load_height_map
 
 with run_job(snakemake) as job:
     params = job.parameters
-    key = [params[name] for name in ("surface", "scan", "sphere_scan")]
+    seed_words = [params[name] for name in ("surface", "scan", "sphere_scan")]
     bodies = [load_height_map(path) for path in (job.input.substrate, job.input.sphere)]
     job.write(
-        combine_maps(generator(params["seed"], *key, "both bodies"), *bodies).to_dataset(),
+        combine_maps(generator(params["seed"], *seed_words, "both bodies"), *bodies).to_dataset(),
         title="roughness of a substrate and of the sphere, with mirror images, periodic",
     )

@@ -11,7 +11,7 @@ from hardcontact.surfaces.spectrum import load_spectrum
 with run_job(snakemake) as job:
     params = job.parameters
     contact = Contact(**params["contact"])
-    mirrored = load_height_map(job.input.stitched)
+    mirrored = load_height_map(job.input.mirrored)
     sphere = load_height_map(job.input.sphere) if job.input.sphere else None
     measurements = read(job.input.spectrum).isel(measurement=params["measurements"])
     octaves = outermost_octaves(measurements, params["transitions"])

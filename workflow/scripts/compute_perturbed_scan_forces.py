@@ -8,7 +8,7 @@ from hardcontact.surfaces.height_map import load_height_map
 
 with run_job(snakemake) as job:
     params = job.parameters
-    mirrored = load_height_map(job.input.stitched)
+    mirrored = load_height_map(job.input.mirrored)
     sphere = load_height_map(job.input.sphere) if job.input.sphere else None
     compute_forces = make_force_function(Contact(**params["contact"]), sphere)
     # A mirrored scan is twice as long as the scan, whose mirror images add no longer waves.

@@ -25,4 +25,4 @@ with run_job(snakemake) as job:
     for number, scan in zip(scan_numbers, scans, strict=True):
         levelled, mirrored = level_and_mirror(scan, params["sphere_radius"])
         job.write(levelled, LEVELLED, f"levelled_{number}")
-        job.write(mirrored, MIRRORED, f"stitched_{number}")
+        job.write(mirrored, MIRRORED, f"mirrored_{number}")

@@ -8,4 +8,4 @@ with run_job(snakemake) as job:
     scan = load_height_map(job.input.measurement)
     levelled, mirrored = level_and_mirror(scan, **job.parameters)
     job.write(levelled, LEVELLED, "levelled")
-    job.write(mirrored, MIRRORED, "stitched")
+    job.write(mirrored, MIRRORED, "mirrored")

@@ -156,16 +156,16 @@ class Chunks:
         if PURPOSES[purpose].masters_are_files:
             return {
                 f"{side}_masters": [
-                    files.path(files.patterns.master, surface, realization=number, side=side)
+                    files.path(files.patterns.masters, surface, realization=number, side=side)
                     for number in realizations
                 ]
                 for side in SIDES
             }
         if PURPOSES[purpose].samples_spectra:
-            scan_of = self._selection.master_scan
+            find_scan = self._selection.master_scan
             spectra = [files.sampled_spectrum_path(surface, number) for number in realizations]
         else:
-            scan_of = self._selection.separate_master_scan
+            find_scan = self._selection.separate_master_scan
             spectra = [files.spectrum_path(surface)] * len(realizations)
-        scans = [files.roughness_path(surface, scan_of(surface, k)) for k in realizations]
+        scans = [files.mirrored_map_path(surface, find_scan(surface, k)) for k in realizations]
         return {"scans": scans, "spectra": spectra}

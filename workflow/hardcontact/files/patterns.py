@@ -34,40 +34,40 @@ class StorePatterns:
         folder = {kind: f"{store}/{kind}/{digest}" for kind, digest in self.digests.items()}
         rough_sphere = f"{plan.selection.sphere}/{{sphere_digest}}"
 
-        self.calibrated_spectrum = f"{store}/spectra/{_SURFACE}/calibrated.nc"
-        self.measured_spectrum = f"{folder['measured_spectra']}/{_SURFACE}/measured-{{shape}}.nc"
+        self.calibrated_spectra = f"{store}/spectra/{_SURFACE}/calibrated.nc"
+        self.measured_spectra = f"{folder['measured_spectra']}/{_SURFACE}/measured-{{shape}}.nc"
         # A spectrum sampled within the uncertainty of the measurements.
-        self.sampled_spectrum = f"{folder['sampled_spectra']}/{_REALIZATION}-{{shape}}.nc"
-        self.measurement = f"{folder['measurements']}/{MEASUREMENT}"
+        self.sampled_spectra = f"{folder['sampled_spectra']}/{_REALIZATION}-{{shape}}.nc"
+        self.measurements = f"{folder['measurements']}/{MEASUREMENT}"
         scans = self.digests["scans"]
         self.conditioning = f"{store}/conditioning/{scans}/{_SCAN}"  # scan: the first of its group
-        self.levelled = f"{store}/scans/{scans}/{_SCAN}"
-        self.stitched = f"{store}/stitched/{scans}/{_SCAN}"
-        self.stitched_substrate = self.stitched.replace("{shape}", "flat")
+        self.levelled_scans = f"{store}/scans/{scans}/{_SCAN}"
+        self.mirrored_scans = f"{store}/stitched/{scans}/{_SCAN}"
+        self.mirrored_substrates = self.mirrored_scans.replace("{shape}", "flat")
 
         both_surfaces = f"{{radius}}/{{loading}}/{_SURFACE}/{rough_sphere}.nc"
-        self.elastic_contacts = f"{folder['elastic']}/{both_surfaces}"
+        self.elastic = f"{folder['elastic']}/{both_surfaces}"
         self.asperities = f"{folder['asperities']}/{both_surfaces}"
 
         contact = f"{{radius}}/{{loading}}/{{rho}}/{_SURFACE}"
-        self.pool_forces = f"{folder['pool']}/{contact}/scans-{{first}}-{{last}}.nc"
-        self.whole_surface_forces = f"{folder['whole']}/{contact}/surfaces-{{first}}-{{last}}.nc"
-        self.featured_sample_forces = (
+        self.pool = f"{folder['pool']}/{contact}/scans-{{first}}-{{last}}.nc"
+        self.whole_surfaces = f"{folder['whole_surfaces']}/{contact}/surfaces-{{first}}-{{last}}.nc"
+        self.featured_samples = (
             f"{folder['featured_samples']}/{contact}/{{features}}/samples-{{first}}-{{last}}.nc"
         )
         scan_on_sphere = f"{rough_sphere}/{contact}/scan-{{scan}}.nc"
         self.pull_off = f"{folder['pull_off']}/{scan_on_sphere}"
-        self.perturbed_scan_forces = f"{folder['perturbed_scans']}/{scan_on_sphere}"
-        self.hindcast_forces = f"{folder['hindcast']}/{scan_on_sphere}"
+        self.perturbed_scans = f"{folder['perturbed_scans']}/{scan_on_sphere}"
+        self.hindcast = f"{folder['hindcast']}/{scan_on_sphere}"
         # The roughness of both bodies.
-        self.combined_scan = f"{folder['both_bodies']}/{_SURFACE}/scan-{{scan}}.nc"
-        self.combined_spectrum = f"{folder['both_bodies']}/{_SURFACE}/spectrum.nc"
-        self.combined_sampled_spectrum = f"{folder['both_bodies']}/{_REALIZATION}.nc"
-        self.master = f"{folder['masters']}/{_REALIZATION}/{{side}}.nc"
+        self.combined_scans = f"{folder['both_bodies']}/{_SURFACE}/scan-{{scan}}.nc"
+        self.combined_spectra = f"{folder['both_bodies']}/{_SURFACE}/spectrum.nc"
+        self.combined_sampled_spectra = f"{folder['both_bodies']}/{_REALIZATION}.nc"
+        self.masters = f"{folder['masters']}/{_REALIZATION}/{{side}}.nc"
         # Forces at lists of radii, loadings and ranges.
         sweep = f"{{settings_digest}}/{{radii}}/{{loadings}}/{{ranges}}/{_SURFACE}"
         realizations = f"{rough_sphere}/realizations-{{first}}-{{last}}.nc"
-        self.filtered_master_forces = f"{store}/filtered/{{purpose}}/{sweep}/{realizations}"
+        self.filtered_masters = f"{store}/filtered/{{purpose}}/{sweep}/{realizations}"
 
 
 class StudyPaths:

@@ -3,6 +3,25 @@
 Rules of intermediates take settings from here alone, and paths have the digest of all of them. The
 other parameters of these rules are wildcards, or come from the rows of a surface in the table of
 surfaces, whose digest paths have, too.
+
+A kind has the same name here and among the attributes of `StorePatterns`, but for those that share
+settings (`scans`, `both_bodies`) and the purposes of filtered masters. The kinds hold:
+
+- ``measurements``: scans of files, as read;
+- ``measured_spectra``: the spectrum of a surface, from all its measurements;
+- ``sampled_spectra``: such spectra, sampled within the uncertainty of the measurements;
+- ``measured_scans``, ``substitute_scans``: how a scan is made; both are parts of ``scans``;
+- ``scans``: levelled and mirrored scans, and the conditioning of substitutes on Table 1;
+- ``both_bodies``: scans and spectra with the roughness of substrate and sphere;
+- ``pull_off``: forces on a scan, with all scans of the sphere;
+- ``elastic``, ``asperities``: elastic contacts of a surface, and the asperities that carry forces;
+- ``perturbed_scans``: forces on a scan with each octave amplified or weakened;
+- ``hindcast``: forces on a scan with random roughness in place of its outermost octaves;
+- ``whole_surfaces``: forces on whole substitute surfaces, also with perturbed octaves;
+- ``band_forces``: forces on the band alone, which are a result and not in the store;
+- ``pool``, ``featured_samples``: forces on random scans, without and with features, for the sets;
+- ``masters``: scans with artificial roughness;
+- purposes of `PURPOSES`: forces on filtered masters.
 """
 
 from collections.abc import Mapping
@@ -31,57 +50,76 @@ MADE_FROM = {
 
 
 def store_settings(plan: StudyPlan) -> dict[str, dict[str, Any]]:
-    """Return the settings of each kind of intermediate; `band` alone is a kind of result."""
+    """Return the settings of each kind of intermediate."""
     study = plan.configuration
-    seed = {"seed": study["seed"]}
+    filtered_masters = {purpose: filtered_settings(study, purpose) for purpose in PURPOSES}
+    return _surface_settings(plan) | _contact_settings(plan) | filtered_masters
+
+
+def _surface_settings(plan: StudyPlan) -> dict[str, dict[str, Any]]:
+    """Return the settings of measurements, spectra, scans and masters."""
+    study = plan.configuration
+    seed, scales = {"seed": study["seed"]}, study["scales"]
     levelling = {"levelling": study["scan"]["levelling"]}
-    substitutes, scales, sets = (study[name] for name in ("substitutes", "scales", "sets"))
-    pixels, size = substitutes["pixels"], substitutes["size"]
-    # Scans are cut from a larger random surface.
-    scan_grid = {"pixels": pixels, "size": size, "surface_pixels": random_surface_pixels(pixels)}
-    random_surface = seed | {"scan_grid": scan_grid}
-    featured_surface = random_surface | {"featured_surface": substitutes["featured_surface"]}
-    contact = study["contact"] | {"radius": study["sphere"]["radius"]}
-    contact_at_range = {"contact": contact | {"rho": study["adhesion"]["range"]}}
-    # As wide as a long-edge master, with the pixels of a scan.
-    grid = {"pixels": 2 * scales["long"]["tiles"] * pixels, "pixel_size": size / pixels}
-    whole_surface = featured_surface | contact_at_range | {"grid": grid}
-    ranges = sorted({*study["adhesion"]["ranges"], study["adhesion"]["range"]})
-    set_contact = contact | {"contacts_per_row": sets["contacts_per_row"]}
-    set_forces = random_surface | {"contact": set_contact, "ranges": ranges}
-    positions, positions_per_row, contacts_per_row = plan.sphere_positions()
-    position_contact = contact_at_range["contact"] | {"contacts_per_row": contacts_per_row}
-    sphere = [plan.selection.sphere, plan.selection.sphere_digest, contact["radius"]]
-    transitions = {side: scales[side]["transition"] for side in SIDES}
-    sides = {
-        side: {key: scales[side][key] for key in (grid_key, "transition")}
-        for side, grid_key in (("short", "pixels"), ("long", "tiles"))
-    }
+    sphere = [plan.selection.sphere, plan.selection.sphere_digest, study["sphere"]["radius"]]
+    master_keys = {"short": ("pixels", "transition"), "long": ("tiles", "transition")}
+    sides = {side: {key: scales[side][key] for key in keys} for side, keys in master_keys.items()}
     return {
         "measurements": reading_keys(study),
         "measured_spectra": levelling,
-        "sampled_spectra": levelling | seed,
+        "sampled_spectra": {**seed, **levelling},
         "measured_scans": levelling,
-        "substitute_scans": featured_surface,
+        "substitute_scans": _featured_surface(study),
         "scans": {},
-        "both_bodies": seed | {"sphere": sphere} if plan.combined_surfaces else {},
+        "both_bodies": {**seed, "sphere": sphere} if plan.combined_surfaces else {},
+        "masters": {**seed, "sides": sides},
+    }
+
+
+def _contact_settings(plan: StudyPlan) -> dict[str, dict[str, Any]]:
+    """Return the settings of contacts on scans, on whole surfaces, and on scans of the sets."""
+    study = plan.configuration
+    seed, scales, sets = {"seed": study["seed"]}, study["scales"], study["sets"]
+    ranges = sorted({*study["adhesion"]["ranges"], study["adhesion"]["range"]})
+    long_ranges = [rho for rho in ranges if rho >= SHORTEST_WHOLE_RANGE]
+    contact = study["contact"] | {"radius": study["sphere"]["radius"]}
+    contact_at_range = contact | {"rho": study["adhesion"]["range"]}
+    transitions = {side: scales[side]["transition"] for side in SIDES}
+    positions, positions_per_row, contacts_per_row = plan.sphere_positions()
+    # As wide as a long-edge master, with the pixels of a scan.
+    pixels, size = study["substitutes"]["pixels"], study["substitutes"]["size"]
+    grid = {"pixels": 2 * scales["long"]["tiles"] * pixels, "pixel_size": size / pixels}
+    whole_surface = {**_featured_surface(study), "contact": contact_at_range, "grid": grid}
+    set_contact = contact | {"contacts_per_row": sets["contacts_per_row"]}
+    set_scan = {**_random_surface(study), "contact": set_contact, "ranges": ranges}
+    return {
         "pull_off": {
             "sphere_positions": positions,
             "positions_per_row": positions_per_row,
-            "contact": position_contact,
+            "contact": contact_at_range | {"contacts_per_row": contacts_per_row},
             "ranges": ranges,
         },
-        "elastic": seed | {"contact": contact} | study["elastic"],
-        "asperities": seed | {"contact": contact, "asperities": study["asperities"]},
-        "perturbed_scans": contact_at_range,
-        "hindcast": seed | contact_at_range | {"transitions": transitions},
-        "whole": whole_surface | {"ranges": [r for r in ranges if r >= SHORTEST_WHOLE_RANGE]},
-        "band": whole_surface,
-        "pool": set_forces | {"rms_height_count": sets["rms_height_count"]},
-        "featured_samples": set_forces,
-        "masters": seed | {"sides": sides},
-        **{purpose: filtered_settings(study, purpose) for purpose in PURPOSES},
+        "elastic": {**seed, "contact": contact, **study["elastic"]},
+        "asperities": {**seed, "contact": contact, "asperities": study["asperities"]},
+        "perturbed_scans": {"contact": contact_at_range},
+        "hindcast": {**seed, "contact": contact_at_range, "transitions": transitions},
+        "whole_surfaces": {**whole_surface, "ranges": long_ranges},
+        "band_forces": whole_surface,
+        "pool": {**set_scan, "rms_height_count": sets["rms_height_count"]},
+        "featured_samples": set_scan,
     }
+
+
+def _random_surface(study: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the settings of random surfaces, larger than the scans that are cut from them."""
+    pixels, size = study["substitutes"]["pixels"], study["substitutes"]["size"]
+    scan_grid = {"pixels": pixels, "size": size, "surface_pixels": random_surface_pixels(pixels)}
+    return {"seed": study["seed"], "scan_grid": scan_grid}
+
+
+def _featured_surface(study: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the settings of random surfaces of which one may have bumps or pits."""
+    return _random_surface(study) | {"featured_surface": study["substitutes"]["featured_surface"]}
 
 
 def settings_digest(settings: Mapping[str, dict[str, Any]], kind: str) -> str:

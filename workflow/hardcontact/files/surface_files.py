@@ -39,50 +39,49 @@ class SurfaceFiles:
 
     def spectrum_path(self, surface: str) -> str:
         """Return the path of the spectrum of a surface at all scales."""
-        is_measured = surface in self.selection.measured_surfaces
-        patterns = self.patterns
-        pattern = patterns.measured_spectrum if is_measured else patterns.calibrated_spectrum
-        return self.path(pattern, surface)
+        if surface in self.selection.measured_surfaces:
+            return self.path(self.patterns.measured_spectra, surface)
+        return self.path(self.patterns.calibrated_spectra, surface)
 
     def measurement_paths(self, surface: str) -> list[str]:
         """Return the paths of all scans of a measured surface; none for a substitute."""
         if surface not in self.selection.measured_surfaces:
             return []
         scans = self.selection.all_scans(surface)
-        return [self.path(self.patterns.measurement, surface, scan=scan) for scan in scans]
+        return [self.path(self.patterns.measurements, surface, scan=scan) for scan in scans]
 
     def conditioning_path(self, surface: str) -> str:
         """Return the path of the gain and factors that the scans of a substitute share."""
         first_scan = self.selection.contact_scans(surface)[0]
         return self.path(self.patterns.conditioning, surface, scan=first_scan)
 
-    def stitched_path(self, surface: str, scan: int) -> str:
-        """Return the path of a levelled scan with its mirror images."""
-        return self.path(self.patterns.stitched, surface, scan=scan)
+    def mirrored_scan_path(self, surface: str, scan: int) -> str:
+        """Return the path of a mirrored scan."""
+        return self.path(self.patterns.mirrored_scans, surface, scan=scan)
 
     @property
     def first_sphere_path(self) -> str:
         """The path of the scan that roughens the sphere on all masters."""
         sphere = self.selection.sphere
-        return self.stitched_path(sphere, self.selection.contact_scans(sphere)[0])
+        return self.mirrored_scan_path(sphere, self.selection.contact_scans(sphere)[0])
 
     # Both bodies
 
-    def roughness_path(self, surface: str, scan: int) -> str:
+    def mirrored_map_path(self, surface: str, scan: int) -> str:
         """Return the path of a mirrored scan, with the sphere's roughness if that is added."""
         if surface not in self.plan.combined_surfaces:
-            return self.stitched_path(surface, scan)
-        return self.path(self.patterns.combined_scan, surface, scan=scan)
+            return self.mirrored_scan_path(surface, scan)
+        return self.path(self.patterns.combined_scans, surface, scan=scan)
 
     def roughness_spectrum_path(self, surface: str) -> str:
         """Return the path of a spectrum, with the sphere's roughness if that is added."""
         if surface not in self.plan.combined_surfaces:
             return self.spectrum_path(surface)
-        return self.path(self.patterns.combined_spectrum, surface)
+        return self.path(self.patterns.combined_spectra, surface)
 
     def sampled_spectrum_path(self, surface: str, realization: int) -> str:
         """Return the path of a sampled spectrum, with the sphere's roughness if that is added."""
         is_combined = surface in self.plan.combined_surfaces
         patterns = self.patterns
-        pattern = patterns.combined_sampled_spectrum if is_combined else patterns.sampled_spectrum
+        pattern = patterns.combined_sampled_spectra if is_combined else patterns.sampled_spectra
         return self.path(pattern, surface, realization=realization)

@@ -1,5 +1,5 @@
-# Inference: the edges of the band, how they depend on contacts, and the force on the band alone; range
-# and work of adhesion, from published forces; classical models.
+# Edges of the band, how they depend on contacts, and the force on the band alone; fits of range and
+# work of adhesion to published forces; classical models.
 
 EXPONENT_MASTERS = CHUNKS.filtered_masters("exponents")
 EDGE_SHIFT_MASTERS = CHUNKS.filtered_masters("edge_shifts")
@@ -9,8 +9,8 @@ BAND_SURFACES = SELECTION.substitute_substrates
 BAND_FORCES = RESULTS.dataset("band/{surface}")
 
 
-# Intervals are over masters, because each has other scans and all are independent. Few scans need
-# `find_edges_of_scans`.
+# Intervals are over masters, because each has its own scan and all are independent. Studies with few
+# scans use `find_edges_of_scans`.
 rule find_edges_of_masters:
     """Find the edges of the critical band of the paper's study: edges.nc."""
     input:
@@ -33,7 +33,7 @@ rule compute_band_forces:
         BAND_FORCES,
     params:
         parameters=lambda w: dict(
-            **SETTINGS["band"],
+            **SETTINGS["band_forces"],
             surface=w.surface,
             surface_numbers=list(range(1, STUDY["scales"]["whole_surfaces"] + 1)),
             has_features=w.surface in PLAN.featured_surfaces,
@@ -52,7 +52,7 @@ rule aggregate_band_forces:
         parameters=dict(
             bands=BAND_SURFACES,
             surfaces=SELECTION.substrates,
-            **NAMED_SURFACES,
+            **LABELS_AND_SOURCES,
             radius=STUDY["sphere"]["radius"],
             rho=STUDY["adhesion"]["range"],
             confidence=STUDY["intervals"]["confidence"],
@@ -64,7 +64,7 @@ rule aggregate_band_forces:
 rule fit_exponents:
     """Fit exponents of forces and edges to radius and load: exponents.nc."""
     input:
-        masters=FILES.paths(STORE.filtered_master_forces, EXPONENT_MASTERS),
+        masters=FILES.paths(STORE.filtered_masters, EXPONENT_MASTERS),
     output:
         RESULTS.dataset("exponents"),
     params:
@@ -74,7 +74,7 @@ rule fit_exponents:
             tolerance=STUDY["scales"]["tolerance"],
             contact_area=PLAN.contact.area,
             confidence=STUDY["intervals"]["confidence"],
-            **NAMED_SURFACES,
+            **LABELS_AND_SOURCES,
         ),
     script:
         "../scripts/fit_exponents.py"
@@ -83,7 +83,7 @@ rule fit_exponents:
 rule compute_edge_shifts:
     """Compute how far plasticity and a long range move the short edge: edge_shifts.nc."""
     input:
-        masters=FILES.paths(STORE.filtered_master_forces, EDGE_SHIFT_MASTERS),
+        masters=FILES.paths(STORE.filtered_masters, EDGE_SHIFT_MASTERS),
     output:
         RESULTS.dataset("edge_shifts"),
     params:
@@ -92,7 +92,7 @@ rule compute_edge_shifts:
             realizations=STUDY["exponents"]["realizations"],
             tolerance=STUDY["scales"]["tolerance"],
             sampling=SAMPLING,
-            **NAMED_SURFACES,
+            **LABELS_AND_SOURCES,
         ),
     script:
         "../scripts/compute_edge_shifts.py"
