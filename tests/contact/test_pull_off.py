@@ -10,7 +10,7 @@ from periodic_maps import CONTACT, make_bodies, periodic_map, periodic_noise
 
 from hardcontact.contact.attraction import trace_contact
 from hardcontact.contact.pull_off import make_force_function, pull_off_dataset
-from hardcontact.contact.scan_pull_off import compute_finer_pixel_ratio, largest_window_change
+from hardcontact.contact.scan_pull_off import finer_pixel_ratio, wider_window_change
 
 RHOS = [1.0, 5.6]
 
@@ -58,7 +58,7 @@ def test_the_change_by_a_wider_window_matches_the_direct_sum():
         for narrow_bodies in all_bodies
     ]
     plastic_forces = xr.concat(forces, "sphere_scan").sel(contact_model="plastic", rho=rho)
-    change = largest_window_change(iter(all_bodies), CONTACT, plastic_forces)
+    change = wider_window_change(iter(all_bodies), CONTACT, plastic_forces)
     assert change == pytest.approx(max(changes), rel=1e-6)
 
 
@@ -67,7 +67,7 @@ def test_finer_pixels_change_only_the_contact_area_at_a_small_range(pixels, area
     """One pixel of any size touches at least; a larger area is the same on all pixels."""
     contact = replace(CONTACT, preload=pixels / 4 * 25e9 * 64e-18, rho=0.02)
     forces = pull_off_dataset(rough_bodies(), contact, [contact.rho]).pull_off_force
-    ratio = compute_finer_pixel_ratio(rough_bodies(), contact, forces.sel(contact_model="plastic"))
+    ratio = finer_pixel_ratio(rough_bodies(), contact, forces.sel(contact_model="plastic"))
     assert ratio == pytest.approx(area_ratio, rel=0.05)
 
 

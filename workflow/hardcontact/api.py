@@ -32,7 +32,7 @@ from hardcontact.config.keys import NONE, ContactKeys, IntervalKeys, ScalesKeys
 from hardcontact.contact.contact import PLASTIC, Contact
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import WORK_OF_ADHESION, pull_off_dataset
-from hardcontact.contact.scan_pull_off import largest_window_change
+from hardcontact.contact.scan_pull_off import wider_window_change
 from hardcontact.inference.edges import edges_of_curves
 from hardcontact.inference.filtered_masters import Filters, add_force_ratios, filtered_pull_off
 from hardcontact.own.own_spectrum import OwnSpectrum, read_own_spectrum, spectrum_of_map
@@ -150,8 +150,7 @@ def from_topography(
             values = map_values(topography, unit_in_nm(topography.unit), undefined_pixels)
         except RefusedFile as error:
             raise ValueError(f"topography: {error}") from None
-    scan = HeightMap(values["heights"], values["pixel_size"])
-    return _prepare(scan, sphere_radius, levelling)
+    return _prepare(HeightMap(values["heights"], values["pixel_size"]), sphere_radius, levelling)
 
 
 def _prepare(scan: HeightMap, sphere_radius: float | None, levelling: str) -> HeightMap:
@@ -270,7 +269,7 @@ def pull_off_forces(
     longest = replace(contact, rho=max(ranges))
     forces = pull_off_dataset(bodies, contact, ranges)
     plastic_forces = forces.pull_off_force.sel(contact_model=[PLASTIC], rho=longest.rho)
-    window_change = largest_window_change([bodies], longest, plastic_forces)
+    window_change = wider_window_change([bodies], longest, plastic_forces)
     force = forces.pull_off_force * (work / WORK_OF_ADHESION)
     force.attrs = NEWTON | {"long_name": "pull-off force"}
     variables = {"pull_off_force": force, "wider_window_change": ((), window_change, DIMENSIONLESS)}

@@ -29,10 +29,10 @@ def indent_sizes(pixels: ContactPixels, pixel_size: float) -> tuple[float, float
     area of the largest indent, and the longer side of its bounding box.
     """
     gaps, offsets = pixels
-    indent, count = label_connected(offsets)
-    pixel_counts = np.bincount(indent)[indent]
+    labels, count = label_connected(offsets)
+    pixel_counts = np.bincount(labels)[labels]
     # Of equally large indents, the first of these pixels is in the deepest one.
-    largest_indent = offsets[indent == indent[pixel_counts.argmax()]]
+    largest_indent = offsets[labels == labels[pixel_counts.argmax()]]
     equal_area_side = np.sqrt(len(largest_indent)) * pixel_size
     longer_side = (np.ptp(largest_indent, axis=0).max() + 1) * pixel_size
     return gaps[-1] - gaps[0], equal_area_side, longer_side, count

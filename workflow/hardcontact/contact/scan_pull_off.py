@@ -30,7 +30,7 @@ def pull_off_on_spheres(
     return stack(forces, ["sphere_scan"])
 
 
-def compute_finer_pixel_ratio(bodies: Bodies, contact: Contact, forces: xr.DataArray) -> float:
+def finer_pixel_ratio(bodies: Bodies, contact: Contact, forces: xr.DataArray) -> float:
     """Return the mean plastic force on pixels of half the size, relative to the bodies' own pixels.
 
     Both maps are Fourier interpolated, so that the surfaces stay the same. The forces (...) of the
@@ -39,7 +39,7 @@ def compute_finer_pixel_ratio(bodies: Bodies, contact: Contact, forces: xr.DataA
     geometry = bodies.geometry
     substrate = bodies.substrate
     sphere = bodies.sphere_roughness
-    finer = Bodies(
+    fine_bodies = Bodies(
         interpolate(substrate, 2 * substrate.pixels),
         sphere and interpolate(sphere, 2 * sphere.pixels),
         replace(
@@ -49,11 +49,11 @@ def compute_finer_pixel_ratio(bodies: Bodies, contact: Contact, forces: xr.DataA
             positions=2 * geometry.positions,
         ),
     )
-    fine = forces_at_loadings(finer, [contact], [contact.rho]).mean()
-    return float(fine / forces.values.mean())
+    fine_forces = forces_at_loadings(fine_bodies, [contact], [contact.rho])
+    return float(fine_forces.mean() / forces.values.mean())
 
 
-def largest_window_change(
+def wider_window_change(
     all_bodies: Iterable[Bodies], contact: Contact, forces: xr.DataArray
 ) -> float:
     """Return the largest relative change of a plastic force in a window that is wider.
@@ -63,11 +63,11 @@ def largest_window_change(
     substrate.
     """
     changes = []
-    for bodies, narrow in zip(all_bodies, forces.values, strict=True):
-        window_pixels = bodies.geometry.window_pixels + 2 * bodies.substrate.pixels
-        wider = replace(bodies, geometry=replace(bodies.geometry, window_pixels=window_pixels))
-        wide = forces_at_loadings(wider, [contact], [contact.rho])[0, 0]
-        changes.append(float(np.abs(wide / narrow - 1).max()))
+    for bodies, narrow_window_forces in zip(all_bodies, forces.values, strict=True):
+        pixels = bodies.geometry.window_pixels + 2 * bodies.substrate.pixels
+        wide_bodies = replace(bodies, geometry=replace(bodies.geometry, window_pixels=pixels))
+        wide_window_forces = forces_at_loadings(wide_bodies, [contact], [contact.rho])[0, 0]
+        changes.append(float(np.abs(wide_window_forces / narrow_window_forces - 1).max()))
     return max(changes)
 
 
@@ -81,20 +81,20 @@ def pull_off_with_checks(
     ``smooth_sphere_force`` (contact_model, rho), the mean over contacts.
     """
     forces = pull_off_on_spheres(all_bodies, contact, ranges)
-    plastic = forces["pull_off_force"].sel(contact_model=PLASTIC)
-    window_change = largest_window_change(
-        all_bodies.values(), contact, plastic.sel(rho=contact.rho)
+    plastic_forces = forces["pull_off_force"].sel(contact_model=PLASTIC)
+    window_change = wider_window_change(
+        all_bodies.values(), contact, plastic_forces.sel(rho=contact.rho)
     )
     bodies = next(iter(all_bodies.values()))
-    shortest = replace(contact, rho=min(ranges))
-    pixel_ratio = compute_finer_pixel_ratio(
-        bodies, shortest, plastic.isel(sphere_scan=0).sel(rho=shortest.rho)
+    shortest_range_contact = replace(contact, rho=min(ranges))
+    pixel_ratio = finer_pixel_ratio(
+        bodies, shortest_range_contact, plastic_forces.isel(sphere_scan=0).sel(rho=min(ranges))
     )
-    smooth = pull_off_dataset(replace(bodies, sphere_roughness=None), contact, ranges)
+    smooth_forces = pull_off_dataset(replace(bodies, sphere_roughness=None), contact, ranges)
     return forces.assign(
         wider_window_change=((), window_change, DIMENSIONLESS),
-        finer_pixel_ratio=((), pixel_ratio, DIMENSIONLESS | {"rho": shortest.rho}),
-        smooth_sphere_force=smooth["pull_off_force"].mean(CONTACT_AXES, keep_attrs=True),
+        finer_pixel_ratio=((), pixel_ratio, DIMENSIONLESS | {"rho": min(ranges)}),
+        smooth_sphere_force=smooth_forces["pull_off_force"].mean(CONTACT_AXES, keep_attrs=True),
     )
 
 
@@ -107,5 +107,5 @@ def stack_pull_off_forces(scans: DatasetsByLabels, named_surfaces: NamedSurfaces
     """
     dimensions = ["surface", "scan"]
     forces = stack(scans, dimensions)
-    largest = forces["contact_pixel_count"].max([*dimensions, "sphere_scan"], keep_attrs=True)
-    return add_surface_names(forces.assign(contact_pixel_count=largest), named_surfaces)
+    pixel_count = forces["contact_pixel_count"].max([*dimensions, "sphere_scan"], keep_attrs=True)
+    return add_surface_names(forces.assign(contact_pixel_count=pixel_count), named_surfaces)

@@ -208,8 +208,7 @@ def edge_variables(
 def computed_cutoffs(values: xr.DataArray) -> Floats:
     """Return the ascending cutoffs (nm) at which any value (..., cutoff_wavelength) is finite."""
     dimensions = [dim for dim in values.dims if dim != "cutoff_wavelength"]
-    cutoffs = values["cutoff_wavelength"].values[values.notnull().any(dimensions).values]
-    return np.sort(cutoffs)
+    return np.sort(values["cutoff_wavelength"].values[values.notnull().any(dimensions).values])
 
 
 def last_cutoff(values: xr.DataArray, side: str) -> float:

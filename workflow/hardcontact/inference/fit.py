@@ -37,8 +37,7 @@ def minimum_along_axis(errors: Floats, values: Floats, axis: int = -1) -> tuple[
     """Return the values at the minima of errors along an axis, and these minima."""
     best_index = np.expand_dims(errors.argmin(axis=axis), axis)
     value = np.take_along_axis(values, best_index, axis).squeeze(axis)
-    error = np.take_along_axis(errors, best_index, axis).squeeze(axis)
-    return value, error
+    return value, np.take_along_axis(errors, best_index, axis).squeeze(axis)
 
 
 def fit_work(mean_forces: Floats, measured_forces: Floats) -> tuple[Floats, Floats]:

@@ -16,8 +16,14 @@ from hardcontact.base.arrays import Floats
 from hardcontact.base.number import Number
 from hardcontact.base.statistics import with_interval
 from hardcontact.base.units import DIMENSIONLESS, NM
-from hardcontact.contact.contact import CONTACT_AXES
-from hardcontact.contact.pull_off import FORCE_ATTRS, ForcesOnSurface
+from hardcontact.contact.contact import CONTACT_AXES, Contact
+from hardcontact.contact.geometry import join_bodies
+from hardcontact.contact.pull_off import (
+    FORCE_ATTRS,
+    ForcesOnSurface,
+    make_force_function,
+    pull_off_dataset,
+)
 from hardcontact.inference.scan_parts import ScanParts, log_force_ratio
 from hardcontact.surfaces.filters import filtered_series
 from hardcontact.surfaces.height_map import HeightMap
@@ -75,6 +81,18 @@ def octave_force_dataset(
     )
 
 
+def whole_surface_forces(surface: HeightMap, contact: Contact, ranges: list[float]) -> xr.Dataset:
+    """Return the forces on a periodic surface: `octave_force_dataset`, and means at all ranges.
+
+    ``pull_off_force`` (contact_model, rho) in N at 1 J/m² is the mean over contacts.
+    """
+    limits = octave_limits(2 * surface.pixel_size, 2 * surface.size)
+    pull_off = pull_off_dataset(join_bodies(surface, None, contact), contact, ranges)
+    mean_force = pull_off["pull_off_force"].mean(CONTACT_AXES, keep_attrs=True)
+    forces = octave_force_dataset(surface, limits, make_force_function(contact))
+    return forces.assign(pull_off_force=mean_force).assign_attrs(map_size=surface.size)
+
+
 def have_middle_within(octave_starts: Floats, shortest: float, longest: float) -> NDArray[np.bool_]:
     """Return the mask of octaves (by their shortest wavelengths) whose middle is in a band (nm)."""
     middle = np.sqrt(2) * octave_starts
@@ -108,8 +126,8 @@ def octave_sensitivities(
     """
     octave_force = forces["octave_force"]
     weak, strong = (octave_force.sel(factor=factor, drop=True) for factor in AMPLITUDE_FACTORS)
-    log_ratio, half = log_force_ratio(strong, weak, scan_parts, confidence)
-    interval = np.stack([log_ratio - half, log_ratio + half], axis=-1) / (2 * STEP)
+    log_ratio, half_width = log_force_ratio(strong, weak, scan_parts, confidence)
+    interval = np.stack([log_ratio - half_width, log_ratio + half_width], axis=-1) / (2 * STEP)
     variables = with_interval(
         "octave_sensitivity", "octave", log_ratio / (2 * STEP), interval, DIMENSIONLESS, confidence
     )

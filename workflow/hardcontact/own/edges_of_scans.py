@@ -49,9 +49,9 @@ def edges_of_scans(
 
 def _force_ratios(master_forces: MasterForces, confidence: float) -> xr.Dataset:
     """Return the force ratios of one surface and side, with intervals and their source."""
-    half = half_width_over_masters(master_forces, truediv, "log_ratio_shift", confidence)
+    half_width = half_width_over_masters(master_forces, truediv, "log_ratio_shift", confidence)
     ratio = master_forces.forces.filtered_force_ratio.mean("realization").values
-    interval = logarithmic_interval(ratio, half)
+    interval = logarithmic_interval(ratio, half_width)
     axis = "cutoff_wavelength"
     return xr.Dataset(
         with_interval("filtered_force_ratio", axis, ratio, interval, DIMENSIONLESS, confidence)

@@ -195,9 +195,9 @@ def _force_variables(
     scan_parts = forces_by_model[0].scan_parts[np.abs(forces.rho.values - rho).argmin()]
     contact_count = np.prod([forces.sizes[axis] for axis in CONTACT_AXES])
     variables = with_interval("force", dimensions, mean, np.array(intervals), NEWTON, confidence)
-    half = [position_half_width(model_forces, confidence) for model_forces in forces_by_model]
-    if half[0] is not None:  # The sphere is rough, and its position is not known.
-        factor = np.exp(np.array(half))
+    half_widths = [position_half_width(model, confidence) for model in forces_by_model]
+    if half_widths[0] is not None:  # The sphere is rough, and its position is not known.
+        factor = np.exp(np.array(half_widths))
         variables["position_factor"] = (dimensions, factor, DIMENSIONLESS)
     return xr.Dataset(
         variables
@@ -227,13 +227,13 @@ def extrapolated_force(
     def summary(master_forces: MasterForces) -> xr.Dataset:
         force_at_unit_work = master_forces.forces.unfiltered_pull_off_force.mean().values
         force = work * force_at_unit_work
-        half = half_width_over_masters(
+        half_width = half_width_over_masters(
             master_forces,
             lambda filtered, unfiltered: unfiltered,
             "log_unfiltered_force_shift",
             confidence,
         )
-        interval = logarithmic_interval(force, half)
+        interval = logarithmic_interval(force, half_width)
         spectrum_end = float(master_forces.forces.unfiltered_wavelength)
         return xr.Dataset(
             with_interval("extrapolated_force", (), force, interval, NEWTON, confidence)

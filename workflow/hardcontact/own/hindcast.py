@@ -161,11 +161,11 @@ def hindcast_ratios(forces: xr.Dataset, tolerance: float, confidence: float) -> 
     logs = xr.DataArray(np.log(forces["artificial_octave_force"].mean(dimensions)))
     count = logs.sizes["realization"]
     quantile = student_quantile(count - 1, confidence)
-    half = quantile * logs.std("realization", ddof=1) * np.sqrt(1 + 1 / count)
+    half_width = quantile * logs.std("realization", ddof=1) * np.sqrt(1 + 1 / count)
     log_ratio = logs.mean("realization") - scan_log
-    interval = np.exp(np.stack([log_ratio - half, log_ratio + half], axis=-1))
+    interval = np.exp(np.stack([log_ratio - half_width, log_ratio + half_width], axis=-1))
     lowest, highest = logarithmic_limits(tolerance)
-    passes = (np.abs(log_ratio) <= half) | ((lowest <= log_ratio) & (log_ratio <= highest))
+    passes = (np.abs(log_ratio) <= half_width) | ((lowest <= log_ratio) & (log_ratio <= highest))
     variables = with_interval(
         "hindcast_ratio", "side", np.exp(log_ratio.values), interval, DIMENSIONLESS, confidence
     )

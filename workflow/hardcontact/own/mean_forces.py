@@ -86,8 +86,7 @@ def _position_variance(forces: xr.DataArray) -> Variance | None:
     if count < 2:
         return None
     position_means = forces.mean(["scan", *CONTACT_AXES]).transpose("rho", "sphere_scan").values
-    variances = (1 + 1 / count) * np.log(position_means).var(axis=1, ddof=1)
-    return Variance(variances, count - 1)
+    return Variance((1 + 1 / count) * np.log(position_means).var(axis=1, ddof=1), count - 1)
 
 
 def position_half_width(surface_forces: SurfaceForces, confidence: float) -> Floats | None:
@@ -102,28 +101,26 @@ def mean_intervals(surface_forces: SurfaceForces, confidence: float) -> Floats:
     A rough sphere touches at one position of its scan, which is not known: half widths of scan
     parts and of positions add in squares.
     """
-    _, mean, delete_one_log_means, scan_parts, _ = surface_forces
-    half = np.array(
-        [
-            half_width([jackknife_variance(log_means, parts)], confidence)
-            for log_means, parts in zip(delete_one_log_means, scan_parts, strict=True)
-        ]
+    parts_at_ranges = zip(
+        surface_forces.delete_one_log_means, surface_forces.scan_parts, strict=True
     )
-    position_half = position_half_width(surface_forces, confidence)
-    if position_half is not None:
-        half = np.hypot(half, position_half)
-    return logarithmic_interval(mean, half)
+    variances = [jackknife_variance(log_means, parts) for log_means, parts in parts_at_ranges]
+    half_widths = np.array([half_width([variance], confidence) for variance in variances])
+    position_half_widths = position_half_width(surface_forces, confidence)
+    if position_half_widths is not None:
+        half_widths = np.hypot(half_widths, position_half_widths)
+    return logarithmic_interval(surface_forces.mean, half_widths)
 
 
-def logarithmic_interval(value: Floats, half: Floats) -> Floats:
+def logarithmic_interval(value: Floats, log_half_width: Floats) -> Floats:
     """Return the interval (..., 2) of a positive value from the half width of its logarithm.
 
     An interval that would span a factor of a thousand or more to each side becomes zero to
     infinity, which is no bound. Student's t with one degree of freedom, from two realizations, can
     span any factor.
     """
-    finite = value[..., None] * np.exp(np.stack([-half, half], axis=-1))
-    return np.where((half > MAX_BOUNDED_HALF_WIDTH)[..., None], [0.0, np.inf], finite)
+    finite = value[..., None] * np.exp(np.stack([-log_half_width, log_half_width], axis=-1))
+    return np.where((log_half_width > MAX_BOUNDED_HALF_WIDTH)[..., None], [0.0, np.inf], finite)
 
 
 class MasterScans(NamedTuple):
@@ -149,7 +146,9 @@ def forces_of_masters(
 ) -> MasterForces:
     """Return the forces, as in scales.nc, on the existing masters of one surface and side."""
     # The spectrum of an unfiltered long-edge master ends at the width of the master.
-    spectrum_end = float(scales.unfiltered_wavelength.sel(surface=surface, side="long"))
+    master_size = float(scales.unfiltered_wavelength.sel(surface=surface, side="long"))
+    # A tile is a mirrored scan, twice as wide as the scan.
+    scan_size = master_size / master_scans.tiles / 2
     tiles = master_scans.tiles if side == "long" else 1
     forces = scales.sel(surface=surface, side=side).dropna(
         "realization", how="all", subset=["filtered_force_ratio"]
@@ -157,7 +156,7 @@ def forces_of_masters(
     scan_parts = parts_of_scans(
         (forces.realization.values - 1) % master_scans.scans[surface],
         quarters_of_contacts(forces.sizes["contact_y"], tiles),
-        spectrum_end / master_scans.tiles / 2,
+        scan_size,
         float(np.sqrt(scales.attrs["sphere_radius"] * scales.attrs["rho"])),
         master_scans.touched_patches[surface],
     )

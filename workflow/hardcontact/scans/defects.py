@@ -19,9 +19,9 @@ from hardcontact.base.formatting import format_length, format_share
 from hardcontact.base.statistics import MEDIAN_DEVIATION
 from hardcontact.scans.map_defects import (
     Numbers,
-    curvature_numbers,
-    direction_numbers,
-    noise_numbers,
+    find_curvature,
+    find_line_patterns,
+    find_noise,
     wave_power,
 )
 from hardcontact.surfaces.height_map import HeightMap
@@ -81,24 +81,24 @@ def scan_defects(
     if raw_heights.ndim == 2:
         rows, columns = _find_equal_lines(raw_heights), _find_equal_lines(raw_heights.T)
         share = float(max(rows.mean(), columns.mean()))
-        numbers["curvature"] = curvature_numbers(levelled_heights, pixel_size)
+        numbers["curvature"] = find_curvature(levelled_heights, pixel_size)
         if share > MAX_EQUAL_LINE_SHARE:
             numbers["equal_lines"] = {"equal_line_share": share}
             measured_heights = raw_heights[~rows][:, ~columns]
         else:  # Unmeasured lines would look like a lay or like streaks.
             levelled_heights, numbers["streaks"] = _without_streaks(levelled_heights)
             power = wave_power(levelled_heights)
-            numbers |= direction_numbers(levelled_heights, power, pixel_size)
-    numbers["spikes"] = _spike_numbers(levelled_heights)
-    numbers |= _clipping_numbers(measured_heights)
+            numbers |= find_line_patterns(levelled_heights, power, pixel_size)
+    numbers["spikes"] = _find_spikes(levelled_heights)
+    numbers |= _find_clipping(measured_heights)
     # Spikes and unmeasured lines look like sidewalls, spikes also like noise. White noise is hidden
     # by sidewalls and offset lines, and quantised heights add to it.
     if not numbers["spikes"] and "equal_lines" not in numbers:
-        numbers["sidewalls"] = _sidewall_numbers(levelled_heights)
+        numbers["sidewalls"] = _find_sidewalls(levelled_heights)
         has_levels = np.median(np.abs(np.diff(raw_heights, axis=0))) == 0
         hides_noise = has_levels or numbers["sidewalls"] or numbers.get("offset_lines")
         if power is not None and not hides_noise:
-            numbers["noise"] = noise_numbers(levelled_heights.var(), power)
+            numbers["noise"] = find_noise(levelled_heights.var(), power)
     return {code: numbers[code] for code in DEFECTS if numbers.get(code)}
 
 
@@ -124,7 +124,7 @@ def _without_streaks(heights: Floats) -> tuple[Floats, Numbers]:
     }
 
 
-def _spike_numbers(heights: Floats) -> Numbers:
+def _find_spikes(heights: Floats) -> Numbers:
     """Return the share of spikes and the rms height (nm) without them.
 
     On a map one neighbour of a spike may be a spike, too. Even the pixel at the corner of a
@@ -159,7 +159,7 @@ def _find_equal_lines(lines: Floats) -> NDArray[np.bool_]:
     return equal
 
 
-def _clipping_numbers(heights: Floats) -> dict[str, Numbers]:
+def _find_clipping(heights: Floats) -> dict[str, Numbers]:
     """Return the shares of pixels at the highest and the lowest value, if they are clipped."""
     _, counts = np.unique(heights, return_counts=True)
     if len(counts) < 2:
@@ -172,7 +172,7 @@ def _clipping_numbers(heights: Floats) -> dict[str, Numbers]:
     return numbers
 
 
-def _sidewall_numbers(heights: Floats) -> Numbers:
+def _find_sidewalls(heights: Floats) -> Numbers:
     """Return the share of the squared slopes at the steepest pixels, which are sidewalls."""
     if heights.ndim == 2:
         squares = np.diff(heights, axis=0)[:, 1:] ** 2 + np.diff(heights, axis=1)[1:] ** 2
@@ -198,8 +198,7 @@ def defect_sentence(code: str, numbers: Mapping[str, float]) -> str:
 @cache
 def _sentences() -> dict[str, str]:
     """Return the sentences on defects by code."""
-    text = Path(__file__).with_name("defects.yaml").read_text("utf-8")
-    return dict(yaml.safe_load(text))
+    return dict(yaml.safe_load(Path(__file__).with_name("defects.yaml").read_text("utf-8")))
 
 
 def _format_number(name: str, number: float) -> str:

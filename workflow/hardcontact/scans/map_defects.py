@@ -21,8 +21,8 @@ MIN_WAVES = 4
 MIN_NOISE_SHARE = 0.02
 #: Largest share of the rms height without a curvature: the curvature has a tenth or more.
 MAX_UNCURVED_SHARE = 0.9
-#: Least power of polynomials of second order relative to third and fourth order. The largest ratio
-#: in 8100 self-affine maps without a roll-off and curvature (H from 0.5 to 1) is 34.
+#: Least sum of squares of polynomials of second order relative to third and fourth order. The
+#: largest ratio in 8100 self-affine maps without a roll-off and curvature (H from 0.5 to 1) is 34.
 MIN_SECOND_ORDER_RATIO = 50.0
 #: Points per row to which polynomials are fitted.
 POLYNOMIAL_POINTS = 32
@@ -39,7 +39,7 @@ def wave_power(heights: Floats) -> Floats:
     return np.asarray(np.abs(np.fft.fft2(heights * np.outer(window, window))) ** 2)
 
 
-def curvature_numbers(heights: Floats, pixel_size: float) -> Numbers:
+def find_curvature(heights: Floats, pixel_size: float) -> Numbers:
     """Return the radius (nm) of a curvature, and the relative rms height without it.
 
     A curvature is the part of second order of polynomials up to the fourth order.
@@ -47,38 +47,38 @@ def curvature_numbers(heights: Floats, pixel_size: float) -> Numbers:
     step = max(1, len(heights) // POLYNOMIAL_POINTS)
     points = heights[::step, ::step]
     axis = np.linspace(-1, 1, len(points))
-    powers = np.array([(order - j, j) for order in range(5) for j in range(order + 1)])
-    terms = [np.outer(axis**i, axis**j).ravel() for i, j in powers]
+    exponents = np.array([(order - j, j) for order in range(5) for j in range(order + 1)])
+    terms = [np.outer(axis**i, axis**j).ravel() for i, j in exponents]
     polynomials, triangle = np.linalg.qr(np.transpose(terms))
     amplitudes = polynomials.T @ points.ravel()
-    orders = powers.sum(axis=1)
-    power = [float((amplitudes[orders == order] ** 2).sum()) for order in range(5)]
-    total = float((points**2).sum()) - power[0] - power[1]
-    uncurved_power = max(total - power[2], 0.0)
-    higher_orders = power[3] + power[4]
-    is_weak = uncurved_power >= MAX_UNCURVED_SHARE**2 * total
-    if is_weak or power[2] < MIN_SECOND_ORDER_RATIO * higher_orders:
+    orders = exponents.sum(axis=1)
+    squares = [float((amplitudes[orders == order] ** 2).sum()) for order in range(5)]
+    total = float((points**2).sum()) - squares[0] - squares[1]
+    uncurved_squares = max(total - squares[2], 0.0)
+    higher_orders = squares[3] + squares[4]
+    is_weak = uncurved_squares >= MAX_UNCURVED_SHARE**2 * total
+    if is_weak or squares[2] < MIN_SECOND_ORDER_RATIO * higher_orders:
         return {}
-    terms_of_order = np.linalg.solve(triangle, np.where(orders == 2, amplitudes, 0))
-    yy, xy, xx = terms_of_order[orders == 2]
+    coefficients = np.linalg.solve(triangle, np.where(orders == 2, amplitudes, 0))
+    yy, xy, xx = coefficients[orders == 2]
     half_width = (len(points) - 1) * step * pixel_size / 2
     curvatures = np.linalg.eigvalsh([[2 * yy, xy], [xy, 2 * xx]]) / half_width**2
     return {
         "curvature_radius": float(1 / np.abs(curvatures).max()),
-        "uncurved_share": float(np.sqrt(uncurved_power / total)),
+        "uncurved_share": float(np.sqrt(uncurved_squares / total)),
     }
 
 
-def direction_numbers(heights: Floats, power: Floats, pixel_size: float) -> dict[str, Numbers]:
+def find_line_patterns(heights: Floats, power: Floats, pixel_size: float) -> dict[str, Numbers]:
     """Return the numbers of offset lines and a lay, or else of slopes that depend on direction."""
-    lay, slope_ratio = _lay_numbers(power)
-    numbers = {"offset_lines": _line_offset_numbers(heights), "lay": lay}
+    lay, slope_ratio = _find_lay(power)
+    numbers = {"offset_lines": _find_line_offsets(heights), "lay": lay}
     if slope_ratio > MIN_LAY_RATIO and not any(numbers.values()):
-        numbers["slopes"] = _slope_numbers(heights, pixel_size)
+        numbers["slopes"] = _find_directional_slopes(heights, pixel_size)
     return numbers
 
 
-def _lay_numbers(power: Floats) -> tuple[Numbers, float]:
+def _find_lay(power: Floats) -> tuple[Numbers, float]:
     """Return the numbers of a lay, and the ratio of squared slopes, steepest direction to across.
 
     The number of a lay is the ratio of the variances of profiles along its wavevector and across.
@@ -86,12 +86,12 @@ def _lay_numbers(power: Floats) -> tuple[Numbers, float]:
     pixels = len(power)
     waves = np.fft.fftfreq(pixels, 1 / pixels)
     wavevector = waves + 1j * waves[:, None]  # x + iy, in waves across the map
-    size = np.abs(wavevector)
-    is_resolved = (MIN_WAVES <= size) & (size <= pixels / MIN_PIXELS_PER_WAVE)
+    wavenumber = np.abs(wavevector)
+    is_resolved = (MIN_WAVES <= wavenumber) & (wavenumber <= pixels / MIN_PIXELS_PER_WAVE)
     # Opposite wavevectors have the same square.
-    squares = (power[is_resolved] * (wavevector[is_resolved] / size[is_resolved]) ** 2).sum()
-    direction = np.exp(0.5j * np.angle(squares))
-    squared_slopes = (power * size**2)[is_resolved].sum()
+    squares = power[is_resolved] * (wavevector[is_resolved] / wavenumber[is_resolved]) ** 2
+    direction = np.exp(0.5j * np.angle(squares.sum()))
+    squared_slopes = (power * wavenumber**2)[is_resolved].sum()
     slope_difference = abs((power * wavevector**2)[is_resolved].sum())
 
     def profile_variance(axis: complex) -> float:
@@ -112,14 +112,13 @@ def _ratio(larger: float, smaller: float) -> float:
     return float(larger / max(smaller, larger / LARGEST_RATIO)) if larger else 1.0
 
 
-def _line_offset_numbers(heights: Floats) -> Numbers:
+def _find_line_offsets(heights: Floats) -> Numbers:
     """Return the rms offset (nm) of lines that are offset at random."""
     steps = np.diff(heights, axis=0)
     line_steps = steps.mean(axis=1)
     is_most = line_steps.var() > steps.var() / 2
     is_random = _correlation_of_steps(line_steps) < MIN_STEP_CORRELATION
-    offset = float(line_steps.std() / np.sqrt(2))
-    return {"line_offset": offset} if is_most and is_random else {}
+    return {"line_offset": float(line_steps.std() / np.sqrt(2))} if is_most and is_random else {}
 
 
 def _correlation_of_steps(steps: Floats) -> float:
@@ -127,7 +126,7 @@ def _correlation_of_steps(steps: Floats) -> float:
     return float((steps[1:] * steps[:-1]).mean() / max((steps**2).mean(), np.finfo(float).tiny))
 
 
-def _slope_numbers(heights: Floats, pixel_size: float) -> Numbers:
+def _find_directional_slopes(heights: Floats, pixel_size: float) -> Numbers:
     """Return the rms slopes along x and y; none if noise of lines makes the steeper one."""
     steps = [np.diff(lines, axis=0) for lines in (heights.T, heights)]
     slopes = [float(axis_steps.std()) / pixel_size for axis_steps in steps]
@@ -135,7 +134,7 @@ def _slope_numbers(heights: Floats, pixel_size: float) -> Numbers:
     return {} if is_noise else {"slope_along_x": slopes[0], "slope_along_y": slopes[1]}
 
 
-def noise_numbers(variance: float, power: Floats) -> Numbers:
+def find_noise(variance: float, power: Floats) -> Numbers:
     """Return the rms of white noise and the rms height without it (nm); none without noise.
 
     The spectrum of a noisy scan is flatter than any self-affine spectrum at two to four pixels, but

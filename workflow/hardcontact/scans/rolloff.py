@@ -33,8 +33,7 @@ def extrapolate_long_waves(density: Floats, longest: float, slope: float, rollof
     """
     relative = np.maximum(2 * np.pi / WAVEVECTORS / longest, 1.0)
     exponent = -np.clip(slope, STEEPEST_SELF_AFFINE_SLOPE, 0.0)
-    rise = np.minimum(relative, max(rolloff / longest, 1.0)) ** exponent
-    return np.asarray(density * rise)
+    return np.asarray(density * np.minimum(relative, max(rolloff / longest, 1.0)) ** exponent)
 
 
 def levelled_share(wavevector: Floats, size: float, kind: str) -> Floats:
@@ -43,11 +42,11 @@ def levelled_share(wavevector: Floats, size: float, kind: str) -> Floats:
     Levelling a scan of this size (nm) removes the mean and the slope along x and, for a map, y.
     """
     angle = (np.arange(DIRECTION_COUNT) + 0.5) * np.pi / 2 / DIRECTION_COUNT
-    half = np.maximum(wavevector[:, None] * size / 2, 1e-3)
-    mean_x, slope_x = squared_projections(half * np.cos(angle))
+    half_phase = np.maximum(wavevector[:, None] * size / 2, 1e-3)
+    mean_x, slope_x = squared_projections(half_phase * np.cos(angle))
     if kind == "line scan":
         return np.asarray((1 - mean_x - slope_x).mean(axis=1))
-    mean_y, slope_y = squared_projections(half * np.sin(angle))
+    mean_y, slope_y = squared_projections(half_phase * np.sin(angle))
     removed = mean_x * mean_y + slope_x * mean_y + mean_x * slope_y
     return np.asarray((1 - removed).mean(axis=1))
 

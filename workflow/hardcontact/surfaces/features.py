@@ -179,6 +179,5 @@ def add_features(
     if surface.periodic:
         distance = (distance + surface.size / 2) % surface.size - surface.size / 2
     shape_y, shape_x = np.exp(-(distance**2) / (2 * features.width**2))
-    bumps = (features.height * shape_y.T) @ shape_x
-    heights = surface.heights + bumps.astype(surface.heights.dtype)
-    return replace(surface, heights=heights)
+    feature_heights = (features.height * shape_y.T) @ shape_x
+    return replace(surface, heights=surface.heights + feature_heights.astype(surface.heights.dtype))

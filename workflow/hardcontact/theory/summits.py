@@ -90,12 +90,12 @@ def find_rough_spectrum(spectrum: Spectrum, radius: float) -> Spectrum | None:
     Waves that are much flatter than the sphere lift it together with the surface. They are no
     roughness for this sphere.
     """
-    fine_spectrum = spectrum_between(spectrum, 0, np.inf)
-    if fine_spectrum is None:
+    resampled = spectrum_between(spectrum, 0, np.inf)
+    if resampled is None:
         return None
-    q = fine_spectrum.wavevector
+    q = resampled.wavevector
     step = np.log(q[1] / q[0])
-    curvature = np.sqrt(np.cumsum(fine_spectrum.density * q**6) * step / (2 * np.pi)) / 2
+    curvature = np.sqrt(np.cumsum(resampled.density * q**6) * step / (2 * np.pi)) / 2
     not_followed = np.flatnonzero(curvature > MAX_FOLLOWED_CURVATURE / radius)
     return spectrum_between(spectrum, q[not_followed[0]], np.inf) if len(not_followed) else None
 
