@@ -8,7 +8,7 @@ from repository import ROOT
 from hardcontact.contact.contact import CONTACT_MODELS
 from hardcontact.inference.band_forces import BAND_PARTS
 from hardcontact.paper.claim_selection import LABELS, SURFACES
-from hardcontact.paper.claim_table import refuse_claims
+from hardcontact.paper.claim_table import check_claims
 from hardcontact.paper.classical_comparison import METRIC_PREFIXES
 from hardcontact.paper.classical_models import MODELS, Roughness
 from hardcontact.paper.exponents import SCALED_QUANTITIES
@@ -21,7 +21,7 @@ TABLE = pd.read_csv(ROOT / CLAIMS, dtype=str, keep_default_na=False)
 
 
 def test_the_statements_of_the_paper_are_accepted():
-    refuse_claims(ROOT / CLAIMS)
+    check_claims(ROOT / CLAIMS)
 
 
 TEXTS = ["section", "statement", "number", "unit", "note"]
@@ -33,7 +33,7 @@ def test_a_stray_character_is_refused_with_its_line_and_column(tmp_path, column)
     table = TABLE.copy()
     table.loc[3, column] += "§;"
     table.to_csv(path, index=False)
-    assert f"claims.csv: line 5: {column}: expected" in refusal(refuse_claims, path)
+    assert f"claims.csv: line 5: {column}: expected" in refusal(check_claims, path)
 
 
 @pytest.mark.parametrize(
@@ -48,7 +48,11 @@ def test_a_stray_character_is_refused_with_its_line_and_column(tmp_path, column)
         ("select", "surfaces=mcd", "found surfaces (did you mean surface?)"),
         ("select", "rho=far", "expected rho as a number, found far"),
         ("rule", "close", "expected interval, factor 2, below, above or order, found 'close'"),
-        ("samples_from", "posterior", "nothing for the dataset topography, found posterior"),
+        (
+            "samples_from",
+            "posterior",
+            "nothing or sets for the dataset topography, found posterior",
+        ),
     ],
 )
 def test_a_faulty_cell_is_refused_with_its_line_and_column(tmp_path, column, cell, end):
@@ -56,7 +60,7 @@ def test_a_faulty_cell_is_refused_with_its_line_and_column(tmp_path, column, cel
     table = TABLE.copy()
     table.loc[3, column] = cell
     table.to_csv(path, index=False)
-    message = refusal(refuse_claims, path)
+    message = refusal(check_claims, path)
     assert f"claims.csv: line 5: {column}: expected" in message and message.endswith(end)
 
 
@@ -75,4 +79,4 @@ def test_an_open_quote_is_refused_in_one_line(tmp_path):
     path = tmp_path / "claims.csv"
     lines = (ROOT / CLAIMS).read_text("utf-8").splitlines()
     path.write_text("\n".join([*lines[:4], f'"{lines[4]}', *lines[5:]]), "utf-8")
-    assert "claims.csv: expected" in refusal(refuse_claims, path)
+    assert "claims.csv: expected" in refusal(check_claims, path)

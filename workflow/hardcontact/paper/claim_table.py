@@ -40,22 +40,22 @@ FORMS = {
 }  # fmt: skip
 
 
-def refuse_claims(path: str | Path) -> None:
-    """Refuse a faulty table of statements; raise ValueError with a line for each fault."""
+def check_claims(path: str | Path) -> None:
+    """Check a table of statements; raise ValueError with a line for each fault."""
     content = f"a table with the columns {', '.join(COLUMNS)} (workflow/README.md)"
     table = user_table(path, content)
     table.require([*COLUMNS], content, COLUMNS)
-    names = set[str]()
     rows = table.convert(_checked_claim)
-    origins = {row["id"] for row in rows.values()}
+    all_ids = {row["id"] for row in rows.values()}
+    earlier_ids = set[str]()
     faults = []
     for line, row in rows.items():
-        if row["id"] in names:
+        if row["id"] in earlier_ids:
             faults.append(f"{path}: line {line}: id: expected each once, found {row['id']} again")
-        if row["follows_from"] and row["follows_from"] not in origins:
-            origin = quote_key(row["follows_from"])
-            faults.append(f"{path}: line {line}: follows_from: expected an id, found {origin}")
-        names.add(row["id"])
+        if row["follows_from"] and row["follows_from"] not in all_ids:
+            unknown_id = quote_key(row["follows_from"])
+            faults.append(f"{path}: line {line}: follows_from: expected an id, found {unknown_id}")
+        earlier_ids.add(row["id"])
     raise_faults(faults)
 
 
@@ -67,9 +67,9 @@ def _checked_claim(row: Row) -> Row:
 
 def _cell_faults(row: Row) -> Iterator[str]:
     """Yield the fault of each faulty cell of a row, as expected and found."""
-    for name, (form, accepted) in FORMS.items():
+    for name, (form, description) in FORMS.items():
         if not form.fullmatch(row[name]):
-            yield f"{name}: expected {accepted}, found {quote_key(row[name])}"
+            yield f"{name}: expected {description}, found {quote_key(row[name])}"
     variables = read_meanings(row["dataset"].partition("+")[0])
     if row["quantity"] not in {*DERIVED_QUANTITIES, *TABLE1_VARIABLES, *variables}:
         files = "workflow/hardcontact/paper or a variable of workflow/report/variables.tsv"
@@ -81,11 +81,12 @@ def _cell_faults(row: Row) -> Iterator[str]:
     sampled_datasets = {"sets": {*SET_DATASETS, "paper"}, "posterior": {"posterior"}}
     if unknown := sorted(datasets - _known_datasets()):
         question = spelling_question(unknown[0], _known_datasets())
-        accepted = "datasets of workflow/report/variables.tsv, with + between"
-        yield f"dataset: expected {accepted}, found {quote_key(unknown[0])}{question}"
+        permitted = "datasets of workflow/report/variables.tsv, with + between"
+        yield f"dataset: expected {permitted}, found {quote_key(unknown[0])}{question}"
     elif not datasets <= sampled_datasets.get(row["samples_from"], datasets):
-        accepted = f"nothing for the dataset {quote_key(row['dataset'])}"
-        yield f"samples_from: expected {accepted}, found {quote_key(row['samples_from'])}"
+        samples = [name for name, sampled in sampled_datasets.items() if datasets <= sampled]
+        permitted = f"{' or '.join(['nothing', *samples])} for the dataset {row['dataset']}"
+        yield f"samples_from: expected {permitted}, found {quote_key(row['samples_from'])}"
     if FORMS["select"][0].fullmatch(row["select"]):
         yield from _selection_faults(row["select"])
     for name in NUMBER_COLUMNS:
@@ -116,9 +117,9 @@ def _selection_faults(select: str) -> Iterator[str]:
             if not labels and math.isnan(parse_number(label)):
                 yield f"select: expected {dimension} as a number, found {quote_key(label)}"
             elif labels and label not in labels:
-                accepted = f"{dimension}, one of {', '.join(labels)}"
+                permitted = f"{dimension}, one of {', '.join(labels)}"
                 question = spelling_question(label, labels)
-                yield f"select: expected {accepted}, found {quote_key(label)}{question}"
+                yield f"select: expected {permitted}, found {quote_key(label)}{question}"
 
 
 def _join_words(words: tuple[str, ...]) -> str:

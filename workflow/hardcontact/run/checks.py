@@ -61,10 +61,10 @@ def check_study(config: dict[str, Any], table: pd.DataFrame) -> None:
     ]
     if is_paper_study(config):
         # Imported here, as the claims would cost studies of the user's surfaces almost a second.
-        from hardcontact.paper.claim_table import refuse_claims
+        from hardcontact.paper.claim_table import check_claims
 
         faults = _paper_faults(config, contacts)
-        checks.append(partial(refuse_claims, CLAIMS))
+        checks.append(partial(check_claims, CLAIMS))
     else:
         faults = []
         if config["sphere"]["surface"] != SMOOTH_SPHERE:
@@ -140,8 +140,7 @@ def _own_surface_checks(
     if config["forces"] != NONE:
         substrates = table.surface[table.surface != config["sphere"]["surface"]]
         radius = config["sphere"]["radius"]
-        names = list(substrates.unique())
-        checks.append(partial(measured_forces, config["forces"], names, radius))
+        checks.append(partial(measured_forces, config["forces"], list(substrates.unique()), radius))
     return checks
 
 

@@ -34,7 +34,7 @@ MAX_READ_SIZE = 1_000_000
 MIN_SNAKEMAKE = "9.27"
 
 
-class Change(NamedTuple):
+class Changes(NamedTuple):
     """The differences between the record of a file and the file that would be made now."""
 
     recorded: set[str]  #: Parameters and versions found only in the record.
@@ -56,17 +56,17 @@ class Reruns:
         self._lineages: dict[Any, str] = {}
         self._changed: set[str] = set()
 
-    def change(self, job: Any, path: str) -> Change:
+    def changes(self, job: Any, path: str) -> Changes:
         """Return the changes since a job made a file."""
         try:
             record = read_record(path) or {}
             recorded = _entries(json.loads(record["parameters"]) | json.loads(record["versions"]))
         except (ValueError, KeyError, TypeError, AttributeError):  # whatever a damage leaves
-            return Change({f"no complete record of {path}"}, set(), set())
+            return Changes({f"no complete record of {path}"}, set(), set())
         current = _entries(job.params.parameters | versions())
         changed_inputs = self._changed_inputs(job, record)
         self._changed |= changed_inputs
-        return Change(recorded - current, current - recorded, changed_inputs)
+        return Changes(recorded - current, current - recorded, changed_inputs)
 
     def _changed_inputs(self, job: Any, record: Record) -> set[str]:
         """Return inputs that changed; missing ones only if a file that leads to them changed."""
@@ -171,19 +171,19 @@ def refuse_altered_files(workflow: Any) -> None:
 
 
 async def _no_time(job: Any) -> None:
-    """Return no time of the files of a job, with which Snakemake would compare inputs."""
+    """Return None, so that Snakemake never compares file times."""
 
 
 def _recorded_change(persistence: Any, job: Any, file: str | None = None) -> ParamsChange:
     """Return changed parameters of a job or of one of its files; add changed inputs to reasons."""
     paths = [path for path in ([file] if file else job.output) if os.path.isfile(path)]
     reruns = _reruns(persistence.dag)
-    changes = [reruns.change(job, path) for path in paths]
+    changes_of_files = [reruns.changes(job, path) for path in paths]
     updated_input = persistence.dag.reason(job).updated_input
-    updated_input.update(path for change in changes for path in change.inputs)
+    updated_input.update(path for changes in changes_of_files for path in changes.inputs)
     return ParamsChange(
-        only_old={value for change in changes for value in change.recorded},
-        only_new={value for change in changes for value in change.current},
+        only_old={value for changes in changes_of_files for value in changes.recorded},
+        only_new={value for changes in changes_of_files for value in changes.current},
         files=set(paths),
     )
 
