@@ -1,12 +1,16 @@
-"""Forces on filtered masters: at the cutoff of a single wave, and against the direct sum."""
+"""Forces on filtered masters: of a single wave, of a flat surface, and against the direct sum."""
+
+from dataclasses import replace
 
 import numpy as np
 import pytest
 import xarray as xr
 from direct_sum import direct_force, gap_of_bodies
 from periodic_maps import CONTACT, LOADED_CONTACTS, periodic_map, periodic_noise
+from scipy.special import erf
 
 from hardcontact.base.dataset import stack
+from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.inference.filtered_masters import (
     Filters,
@@ -125,3 +129,45 @@ def test_the_force_on_every_filtered_master_is_the_direct_sum(sphere, side, end)
                 force = forces.sel(loading=loaded.loading_name).values[contact]
                 # Sums on a smooth sphere are in single precision.
                 assert force == pytest.approx(direct_sum, rel=1e-6 if sphere is None else 1e-9)
+
+
+CONTACTS = [
+    Contact(radius=500.0, preload=preload, hardness=25e9, window=640.0, contacts_per_row=3)
+    for preload in (2.5e-6, 20e-6)
+]
+FILTERS, COMBINATIONS = Filters("short", 64, [40.0, 80.0]), ([500.0, 2000.0], [2.0, 5.0])
+
+
+def noise_master(rms):
+    heights = rms * np.random.default_rng(3).standard_normal((64, 64))
+    return periodic_map(heights, 10.0)
+
+
+def test_a_flat_surface_gives_the_force_of_a_smooth_sphere_at_every_radius_range_and_area():
+    forces = filtered_pull_off(noise_master(0.0), FILTERS, CONTACTS, None, *COMBINATIONS)
+    mean_force = forces["unfiltered_pull_off_force"].mean(["contact_y", "contact_x"]).values
+    radius, rho = (np.array(values) for values in COMBINATIONS)
+    radius = radius[:, None]
+    # 2 pi R W without the attraction outside the window of 640 nm.
+    rigid = 2 * np.pi * radius * 1e-9 * erf(640 / np.sqrt(8 * radius * rho)) ** 2
+    np.testing.assert_allclose(mean_force[:, 0], rigid, rtol=2e-3)
+    # Eight pixels touch: the apex, its neighbours, and three of the four at the distance sqrt(2).
+    gaps = np.array([0, *[100] * 4, *[200] * 3]) / (2 * radius[..., None])
+    approach = np.exp(gaps.max(-1) / rho)
+    flattened = (np.exp((gaps.max(-1, keepdims=True) - gaps) / rho[:, None]) - 1).sum(-1)
+    plastic = approach * rigid - flattened * 100 / rho * 1e-9
+    np.testing.assert_allclose(mean_force[:, 1], plastic, rtol=2e-3)
+
+
+def test_every_combination_equals_its_single_contact():
+    forces = filtered_pull_off(noise_master(3.0), FILTERS, CONTACTS, None, *COMBINATIONS)
+    single = filtered_pull_off(
+        noise_master(3.0), FILTERS, [replace(CONTACTS[1], radius=2000.0, rho=5.0)]
+    )
+    for name in ("pull_off_force", "unfiltered_pull_off_force"):
+        np.testing.assert_allclose(
+            forces[name].isel(radius=1, loading=1, rho=1),
+            single[name].isel(radius=0, loading=0, rho=0),
+        )
+    assert forces["contact_area"].values == pytest.approx([100.0, 800.0])
+    assert forces["touching_area"].values == pytest.approx([100.0, 800.0])

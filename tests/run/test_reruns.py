@@ -41,39 +41,39 @@ def study(tmp_path, monkeypatch):
     return jobs
 
 
-def change(study, path):
+def changes(study, path):
     """Return what changed since a file of the study was made."""
     needed = {study["fit.nc"]: {study["forces.nc"]: ["forces.nc"]}, study["forces.nc"]: {}}
-    return reruns.Reruns(needed).change(study[path], path)
+    return reruns.Reruns(needed).changes(study[path], path)
 
 
-NOTHING = reruns.Change(set(), set(), set())
+NOTHING = reruns.Changes(set(), set(), set())
 
 
 def test_an_unchanged_study_is_not_made_again(study):
-    assert change(study, "forces.nc") == change(study, "fit.nc") == NOTHING
+    assert changes(study, "forces.nc") == changes(study, "fit.nc") == NOTHING
 
 
 def test_changed_parameters_are_named_with_both_values(study):
     study["fit.nc"].params.parameters = {"work": 0.06}
-    assert change(study, "fit.nc") == ({"work=0.05"}, {"work=0.06"}, set())
+    assert changes(study, "fit.nc") == ({"work=0.05"}, {"work=0.06"}, set())
 
 
 def test_another_version_of_a_package_is_a_change(study, monkeypatch):
     monkeypatch.setattr(reruns, "versions", lambda: origin.versions() | {"scipy": "0.1"})
-    assert change(study, "fit.nc").current == {'scipy="0.1"'}
+    assert changes(study, "fit.nc").current == {'scipy="0.1"'}
 
 
 def test_inputs_are_compared_by_content_whatever_their_times(study, tmp_path):
     (tmp_path / "other.txt").write_text("another scan")
     (tmp_path / "other.txt").replace("scan.txt")
-    assert change(study, "forces.nc").inputs == {"scan.txt"}
-    assert change(study, "fit.nc") == NOTHING  # until the forces are made again
+    assert changes(study, "forces.nc").inputs == {"scan.txt"}
+    assert changes(study, "fit.nc") == NOTHING  # until the forces are made again
 
 
 def test_added_and_removed_inputs_are_changes(study):
     study["fit.nc"].input = ("forces.nc", "scan.txt")
-    assert change(study, "fit.nc").inputs == {"scan.txt", "code.py"}
+    assert changes(study, "fit.nc").inputs == {"scan.txt", "code.py"}
 
 
 @pytest.mark.parametrize(
@@ -88,34 +88,34 @@ def test_added_and_removed_inputs_are_changes(study):
 )
 def test_a_file_without_a_whole_record_is_made_again(study, damage):
     damage(record_path("fit.nc"))
-    assert change(study, "fit.nc").recorded == {"no complete record of fit.nc"}
+    assert changes(study, "fit.nc").recorded == {"no complete record of fit.nc"}
 
 
 def test_changes_behind_a_missing_intermediate_are_found(study):
     Path("forces.nc").unlink()
     record_path("forces.nc").unlink()
-    assert change(study, "fit.nc") == NOTHING
+    assert changes(study, "fit.nc") == NOTHING
     Path("scan.txt").write_text("another scan")
-    assert change(study, "fit.nc").inputs == {"forces.nc"}
+    assert changes(study, "fit.nc").inputs == {"forces.nc"}
 
 
 def test_a_large_file_counts_as_its_record_says(study, monkeypatch):
     """The job that uses it compares it with the record."""
     Path("forces.nc").write_text("another file")
-    assert change(study, "fit.nc").inputs == {"forces.nc"}
+    assert changes(study, "fit.nc").inputs == {"forces.nc"}
     monkeypatch.setattr(reruns, "MAX_READ_SIZE", 0)
-    assert change(study, "fit.nc") == NOTHING
+    assert changes(study, "fit.nc") == NOTHING
 
 
 def test_an_input_that_somebody_changed_is_refused_before_a_job_removes_files(study):
     needed = {study["fit.nc"]: {study["forces.nc"]: ["forces.nc"]}, study["forces.nc"]: {}}
     Path("scan.txt").write_text("another scan")  # which no job made
     plan = reruns.Reruns(needed)
-    assert plan.change(study["forces.nc"], "forces.nc").inputs == {"scan.txt"}
+    assert plan.changes(study["forces.nc"], "forces.nc").inputs == {"scan.txt"}
     plan.refuse_altered()
     Path("forces.nc").write_text("changed by hand")
     plan = reruns.Reruns(needed)
-    assert plan.change(study["fit.nc"], "fit.nc").inputs == {"forces.nc"}
+    assert plan.changes(study["fit.nc"], "fit.nc").inputs == {"forces.nc"}
     with pytest.raises(ValueError, match=r"^forces\.nc: expected the file that the study wrote"):
         plan.refuse_altered()
     record_path("forces.nc").write_text("{")  # whose file is made again
