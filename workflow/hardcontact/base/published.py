@@ -46,8 +46,7 @@ def read_published_forces(path: str | Path) -> pd.DataFrame:
 
 def read_printed_forces(path: str | Path) -> pd.DataFrame:
     """Read `pull_off.csv` like `read_published_forces`, but keep the printed digits as text."""
-    rows = pd.read_csv(path, dtype=str)
-    return rows.pivot(index="surface", columns="quantity", values="value")
+    return pd.read_csv(path, dtype=str).pivot(index="surface", columns="quantity", values="value")
 
 
 def read_table1(path: str | Path) -> pd.DataFrame:

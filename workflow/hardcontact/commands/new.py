@@ -106,8 +106,7 @@ def _input_checks(
     """Yield the checks of cells of the table and of measured forces."""
     # Labels are checked once, elsewhere. The id replaces them, so that no row repeats their faults.
     for row in rows:
-        cells = {**row, "label": row["surface"]}
-        yield partial(validate, SurfaceRow, cells, f"{row['path']!r}: ")
+        yield partial(validate, SurfaceRow, {**row, "label": row["surface"]}, f"{row['path']!r}: ")
     if arguments.forces is not None:
         substrates = [surface for surface in dict.fromkeys(surfaces) if surface != SPHERE]
         yield partial(measured_forces, arguments.forces, substrates, radius, "--forces")

@@ -36,8 +36,7 @@ def verify(arguments: Namespace) -> tuple[str, int]:
     os.chdir(folder.parents[1])
     results = folder.relative_to(folder.parents[1])
     faults, summary = verify_study(results)
-    lines = [*faults, *_other_keys(results), *summary]
-    return "\n".join(lines), 1 if faults else 0
+    return "\n".join([*faults, *_other_keys(results), *summary]), 1 if faults else 0
 
 
 def _other_keys(results: Path) -> Iterator[str]:

@@ -189,8 +189,7 @@ def study_contact(config: Mapping[str, Any]) -> Contact:
 
 def reading_keys(config: Mapping[str, Any]) -> dict[str, Any]:
     """Return the arguments of `read_scan` that all scans of a study share."""
-    names = ("undefined_pixels", "unit", "map_size", "mask")
-    return {name: config["scan"][name] for name in names}
+    return {name: config["scan"][name] for name in ("undefined_pixels", "unit", "map_size", "mask")}
 
 
 def master_keys(config: Mapping[str, Any], section: str, side: str) -> dict[str, str]:

@@ -154,8 +154,7 @@ class Selection:
 
     def dataset(self, surface: str, scan: int) -> str:
         """Return the dataset of a scan in its container; empty for a plain file."""
-        is_measured = surface in self.measured_surfaces
-        return str(self._cells.dataset[surface, scan]) if is_measured else ""
+        return str(self._cells.dataset[surface, scan]) if surface in self.measured_surfaces else ""
 
     def description(self, surface: str) -> str:
         """Return the file that describes the spectrum of a substitute."""

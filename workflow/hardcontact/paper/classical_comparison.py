@@ -117,8 +117,7 @@ def rounded_numbers(printed: "pd.Series[str]") -> Floats:
 
 def _half_unit(printed: str) -> float:
     """Return half a unit of the last digit of a printed number: 5e-8 of "8.8e-6"."""
-    exponent = Decimal(printed).as_tuple().exponent
-    return float(Decimal(5).scaleb(int(exponent) - 1))
+    return float(Decimal(5).scaleb(int(Decimal(printed).as_tuple().exponent) - 1))
 
 
 def _forces_and_works(

@@ -86,8 +86,7 @@ def run_job(snakemake: Any) -> Iterator[Job]:
             record_path(path).unlink(missing_ok=True)  # It would describe the old file.
         code = getattr(inputs, "code", [])  # a rule that writes nothing names no code
         origin = Origin(canonical_parameters, input_digests, list(code))
-        parameters = json.loads(canonical_parameters)
-        yield Job(inputs, snakemake.output, parameters, origin)
+        yield Job(inputs, snakemake.output, json.loads(canonical_parameters), origin)
         refuse_changed_since(input_digests)
         keep_records((path for path in snakemake.output if Path(path).is_file()), origin)
     gc.enable()

@@ -83,8 +83,7 @@ def featured_surface(substitute: Substitute) -> FeaturedSurface:
     """
     scan_count = int(substitute.constants["value"]["scans_per_surface"])
     means = required_targets(substitute).means
-    statistics = published_statistics(means, substitute.table1, scan_count)
-    return FeaturedSurface(substitute, statistics)
+    return FeaturedSurface(substitute, published_statistics(means, substitute.table1, scan_count))
 
 
 def whole_surface(

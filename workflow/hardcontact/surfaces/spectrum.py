@@ -175,8 +175,7 @@ def peak_wavelength(spectrum: Spectrum) -> float:
 
     It is the roll-off of a self-affine surface.
     """
-    variance = spectrum.wavevector**2 * spectrum.density
-    return float(spectrum.wavelength[variance.argmax()])
+    return float(spectrum.wavelength[(spectrum.wavevector**2 * spectrum.density).argmax()])
 
 
 def self_affine(wavevector: Floats, plateau: float, rolloff: float, hurst: float) -> Floats:

@@ -108,8 +108,7 @@ def add_sphere_shape(rng: np.random.Generator, roughness: HeightMap, radius: flo
     apex = rng.uniform(-0.25, 0.25, 2) * roughness.size
     position = (np.arange(roughness.pixels) + 0.5) * roughness.pixel_size - roughness.size / 2
     y, x = position - apex[0], position - apex[1]
-    heights = roughness.heights - (y[:, None] ** 2 + x**2) / (2 * radius)
-    return replace(roughness, heights=heights)
+    return replace(roughness, heights=roughness.heights - (y[:, None] ** 2 + x**2) / (2 * radius))
 
 
 def short_edge_master(

@@ -169,8 +169,7 @@ def _is_measured_error_known(
 ) -> bool:
     """Return whether the error of the force is known without the scans' extrapolated waves."""
     numbers = prediction(scans.measured(), contact, tolerance, name)
-    force = numbers.get("extrapolated_force", numbers["closed_form_force"])
-    return force.status == Validity.INSIDE
+    return numbers.get("extrapolated_force", numbers["closed_form_force"]).status == Validity.INSIDE
 
 
 def _validated_interval(name: str, value: float, point: TablePoint | None) -> tuple[float, float]:

@@ -322,5 +322,4 @@ def _finish_over_range(
 
 def _add_legend(figure: Figure) -> None:
     """Write each label above the panels once, in as many columns as fit."""
-    handles = style.legend_entries(figure.axes).values()
-    style.legend_above(figure, list(handles), max_columns=2)
+    style.legend_above(figure, list(style.legend_entries(figure.axes).values()), max_columns=2)

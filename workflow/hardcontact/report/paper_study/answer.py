@@ -271,8 +271,7 @@ def _feature_numbers(features: xr.Dataset, confidence: float) -> Iterator[Number
 
 def _median_number(name: str, unit: str, sample: np.ndarray, confidence: float) -> Number:
     """Return the median over sets or samples of a number, with the interval of the claims."""
-    ends = percentile_interval(sample, confidence)
-    return Number(name, np.quantile(sample, 0.5), unit, *ends)
+    return Number(name, np.quantile(sample, 0.5), unit, *percentile_interval(sample, confidence))
 
 
 def _settings(datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame) -> Iterator[Number]:

@@ -59,8 +59,7 @@ def table1_rows(topography: xr.Dataset, published: pd.DataFrame) -> list[list[st
         ]
         rows.append([f"{quantity.title}, published", *cells])
         for variable, title in quantity.computed.items():
-            cells = [_print_computed(data, variable, quantity) for data in surfaces]
-            rows.append([title, *cells])
+            rows.append([title, *[_print_computed(data, variable, quantity) for data in surfaces]])
     return rows
 
 
