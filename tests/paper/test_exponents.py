@@ -9,6 +9,8 @@ from hardcontact.base.statistics import interval_ends
 from hardcontact.paper.exponents import edge_exponents, force_exponent
 
 RADII, AREAS = [1e4, 1e5, 1e6], [50.0, 400.0, 3200.0]
+#: The contact touches another area on the larger pixels of long-edge masters.
+LONG_AREAS = np.power(AREAS, 0.9).tolist()
 CUTOFFS = np.geomspace(10, 2e4, 60)
 
 
@@ -39,7 +41,7 @@ def curves(*exponents, scatter=0.0):
             "unfiltered_wavelength": (("surface", "side"), [[5.0, 4e4]]),
             "touching_area": (
                 ("surface", "realization", "side", "contact_area"),
-                [[[AREAS] * 2] * 3],
+                [[[AREAS, LONG_AREAS]] * 3],
             ),
         }
     )
@@ -49,7 +51,8 @@ def curves(*exponents, scatter=0.0):
 def test_exponents_of_a_known_power_law_are_recovered(exponents):
     fitted = edge_exponents(curves(*exponents, scatter=0.02), 0.1, 0.95).sel(surface="a")
     exponent = fitted["edge_exponent"]
-    np.testing.assert_allclose(exponent, [exponents] * 2, atol=0.02)
+    of_radius, of_area = exponents
+    np.testing.assert_allclose(exponent, [exponents, (of_radius, of_area / 0.9)], atol=0.02)
     low, high = interval_ends(fitted, "edge_exponent")
     assert (low <= exponent).all() and (exponent <= high).all()
 

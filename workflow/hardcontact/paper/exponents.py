@@ -76,7 +76,7 @@ def edge_exponents(forces: xr.Dataset, tolerance: float, confidence: float) -> x
 
 def _fit_all_exponents(forces: xr.Dataset, tolerance: float) -> Floats:
     """Return the exponents (surface, side, exponent_of) of the edges of all surfaces."""
-    touching_area = forces["touching_area"].isel(surface=0, realization=0, side=0)
+    touching_area = forces["touching_area"].isel(surface=0, realization=0)
     log_lengths = [np.log(forces["radius"]) / 2, np.log(touching_area) / 2]
     exponents: xr.DataArray = xr.apply_ufunc(
         _fit_exponents,
@@ -110,17 +110,17 @@ def _edges(forces: xr.Dataset, tolerance: float) -> xr.DataArray:
     return edges
 
 
-def _fit_exponents(edge: Floats, radius: Floats, touching_area: Floats) -> Floats:
+def _fit_exponents(log_edge: Floats, log_radius: Floats, log_area: Floats) -> Floats:
     """Return the exponents (2,) of SCALED_QUANTITIES, NaN if the edges do not determine them.
 
-    All arguments are logarithms: the edge (radius, contact_area), NaN if open, and the square
-    roots of radius and touching area.
+    Logarithms of the edge (radius, contact_area), NaN if open, and of the square roots of radius
+    and touching area.
     """
-    log_lengths = np.broadcast_arrays(radius[:, None], touching_area)
-    is_found = np.isfinite(edge)
+    log_lengths = np.broadcast_arrays(log_radius[:, None], log_area)
+    is_found = np.isfinite(log_edge)
     columns = [np.ones(is_found.sum()), *(length[is_found] for length in log_lengths)]
     design = np.stack(columns, axis=-1)
     count = len(SCALED_QUANTITIES)
     if len(design) <= count + 1 or np.linalg.matrix_rank(design) <= count:
         return np.full(count, np.nan)
-    return np.asarray(np.linalg.lstsq(design, edge[is_found])[0][1:])
+    return np.asarray(np.linalg.lstsq(design, log_edge[is_found])[0][1:])

@@ -37,7 +37,7 @@ from hardcontact.surfaces.substitute_spectra import (
 #: The statements of the paper.
 CLAIMS = "resources/paper/claims.csv"
 #: Upper bound on the differences in height between contacts on a substitute for a surface of the
-#: paper, in nm: five times the rms height of the roughest.
+#: paper, in nm: about five times the largest rms height (MCD).
 SUBSTITUTE_RELIEF = 500.0
 #: The same bound relative to the rms height of all waves of a domain. The largest ratio on 24
 #: random surfaces of 10 to 40 um, from descriptions of 18 to 850 nm rms, was 3.7; this is a fifth
@@ -46,7 +46,7 @@ RELIEF_OVER_RMS = 4.5
 
 
 def check_study(config: dict[str, Any], table: pd.DataFrame) -> None:
-    """Refuse a study that would fail in a job; new scans are read after all other checks.
+    """Refuse a study that would fail in a job; scans under contact are read after other checks.
 
     Quantities in `config` are numbers. Raises ValueError with a line for each fault, which names
     the key or the file.
@@ -71,10 +71,10 @@ def check_study(config: dict[str, Any], table: pd.DataFrame) -> None:
             faults = _name_faults(config, "sphere.surface", list(contacts.surface.unique()))
         checks += _own_surface_checks(config, table, substitutes, rows_of_table1)
     run_checks([partial(raise_faults, faults), *checks])
-    rows_of = {str(name): rows for name, rows in contacts.groupby("surface", sort=False)}
-    grids = run_checks(partial(surface_grid, config, *item) for item in rows_of.items())
+    rows_by_surface = {str(name): rows for name, rows in contacts.groupby("surface", sort=False)}
+    grids = run_checks(partial(surface_grid, config, *item) for item in rows_by_surface.items())
     try:
-        refuse_unfit_grids(config, dict(zip(rows_of, grids, strict=True)))
+        refuse_unfit_grids(config, dict(zip(rows_by_surface, grids, strict=True)))
     except ValueError as error:
         raise_faults(_unit_questions(config, str(error).splitlines()[-1]))
         raise
