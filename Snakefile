@@ -12,7 +12,7 @@ start.prepare(workflow)
 configfile: "config/config.yaml"
 
 
-# Names that all rules use, such as STUDY and FILES; each of both files begins with their list.
+# These two files define the names that all rules use; each begins with a list of them.
 include: "workflow/rules/common.smk"
 include: "workflow/rules/surfaces.smk"
 # The path of a height map: scans, contacts on them, forces by cutoff wavelength and by octave.

@@ -146,6 +146,15 @@ def test_levelling_of_lines_fills_streaks():
     assert not flat.defects and "3 lines" in flat.notes[-1] and not sound.notes
 
 
+def test_levelling_of_lines_fills_a_streak_on_three_lines():
+    heights = rough(14, 3.0)
+    heights[40:43, 30:60] += 25
+    flat = scan_with_defects(measurement(heights, PIXEL), levelling="lines")
+    sound = scan_with_defects(measurement(rough(14, 3.0), PIXEL), levelling="lines")
+    assert np.abs(flat.heights - sound.heights).max() < 25 / 2
+    assert not flat.defects and "3 lines" in flat.notes[-1]
+
+
 @pytest.mark.parametrize("batch", range(4))
 def test_no_self_affine_surface_has_a_defect(batch):
     """Forty surfaces have H from 0.3 to 1 and roll-offs from a twentieth to twice the scan size."""

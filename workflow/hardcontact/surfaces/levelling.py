@@ -3,7 +3,7 @@
 A streak lies along a line where the tip lost the surface or carried a particle.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 
 import numpy as np
@@ -30,17 +30,17 @@ MIN_STREAK_STEPS = 6.0
 MIN_STREAK_PIXELS = 8
 #: A streak is longer than this multiple of the longest such run across the lines, which the surface
 #: itself makes.
-MAX_LENGTH_RATIO = 2
-#: Least distance of the ends of a streak, in typical steps.
-END_STEPS = 1.0
+MIN_LENGTH_RATIO = 2
+#: Least distance of all pixels of a streak from both lines, in typical steps.
+MIN_END_STEPS = 1.0
 #: Widths of streaks in lines.
 STREAK_WIDTHS = (1, 2, 3)
 #: Streaks on neighbouring lines hide each other, and appear when the others are filled.
 MAX_FILLINGS = 20
 
 
-def find_streaks(heights: Floats) -> Mask:
-    """Return the mask (y, x) of the narrowest streaks along x, all above or all below other lines.
+def find_streaks(heights: Floats) -> Iterator[Mask]:
+    """Yield by width the mask (y, x) of streaks along x, all above or all below other lines.
 
     The ends of a streak may stand out less than the pixels by which it is found. A line between two
     streaks looks like a streak of the other sign: only the sign with more pixels counts.
@@ -49,12 +49,9 @@ def find_streaks(heights: Floats) -> Mask:
         along = [_run_lengths(_candidates(steps)) for steps in _distances(heights, width)]
         across = [_run_lengths(_candidates(steps)) for steps in _distances(heights.T, width)]
         longest_across = max(lengths.max() for lengths in across)
-        min_length = max(MIN_STREAK_PIXELS, MAX_LENGTH_RATIO * longest_across + 1)
+        min_length = max(MIN_STREAK_PIXELS, MIN_LENGTH_RATIO * longest_across + 1)
         is_above, is_below = (lengths >= min_length for lengths in along)
-        streaks: Mask = is_above if is_above.sum() >= is_below.sum() else is_below
-        if streaks.any():
-            return streaks
-    return np.zeros(heights.shape, bool)
+        yield is_above if is_above.sum() >= is_below.sum() else is_below
 
 
 def fill_streaks(heights: Floats) -> tuple[Floats, Mask]:
@@ -62,10 +59,12 @@ def fill_streaks(heights: Floats) -> tuple[Floats, Mask]:
     filled = np.array(heights)
     is_filled = np.zeros(heights.shape, bool)
     for _ in range(MAX_FILLINGS):
-        streaks = find_streaks(filled)
-        if not streaks.any():
+        masks = (is_filled | streaks for streaks in find_streaks(filled))
+        # Of a streak on three lines the width of two shows the middle alone, again and again.
+        grown = next((mask for mask in masks if mask.sum() > is_filled.sum()), None)
+        if grown is None:
             break
-        is_filled |= streaks
+        is_filled = grown
         for column in np.flatnonzero(is_filled.any(axis=0)):
             lines = np.flatnonzero(~is_filled[:, column])
             gaps = np.flatnonzero(is_filled[:, column])
@@ -76,8 +75,8 @@ def fill_streaks(heights: Floats) -> tuple[Floats, Mask]:
 def _distances(heights: Floats, width: int) -> tuple[Floats, Floats]:
     """Return how far each pixel lies above both, and how far below both, of two lines.
 
-    The lines are `width` lines before and after the pixel; the first and the last line have only
-    one. Distances are in typical steps between lines.
+    The lines are `width` lines before and after the pixel. At a width of 1 the first and the last
+    line have only one; a wider streak at the border has none. Distances are in typical steps.
     """
     padded = np.pad(heights, ((width, width), (0, 0)), constant_values=np.nan)
     before, after = padded[: -2 * width], padded[2 * width :]
@@ -102,11 +101,11 @@ def _run_lengths(mask: Mask) -> NDArray[np.intp]:
 
 
 def _candidates(steps: Floats) -> Mask:
-    """Return the mask of runs of more than END_STEPS that reach MIN_STREAK_STEPS somewhere."""
+    """Return the mask of runs of more than MIN_END_STEPS that reach MIN_STREAK_STEPS somewhere."""
     is_certain = steps > MIN_STREAK_STEPS
     if not is_certain.any():
         return is_certain
-    labels = _label_runs(steps > END_STEPS)
+    labels = _label_runs(steps > MIN_END_STEPS)
     return np.isin(labels, labels[is_certain])
 
 
