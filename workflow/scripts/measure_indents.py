@@ -7,11 +7,11 @@ from hardcontact.surfaces.height_map import load_height_map
 
 with run_job(snakemake) as job:
     params = job.parameters
-    substrate_paths = dict(zip(params["scan_numbers"], job.input.substrates, strict=True))
-    sphere_paths = dict(zip(params["sphere_scan_numbers"], job.input.spheres, strict=True))
+    substrate_paths = zip(params["scan_numbers"], job.input.substrates, strict=True)
+    sphere_paths = zip(params["sphere_scan_numbers"], job.input.spheres, strict=True)
     indents = indents_of_scans(
-        {scan: load_height_map(path) for scan, path in substrate_paths.items()},
-        {scan: load_height_map(path) for scan, path in sphere_paths.items()},
+        {scan: load_height_map(path) for scan, path in substrate_paths},
+        {scan: load_height_map(path) for scan, path in sphere_paths},
         Contact(**params["contact"]),
         params["preloads"],
     )

@@ -18,12 +18,12 @@ from hardcontact.surfaces.height_map import HeightMap
 #: Pixels on either side of the deepest pixel in the maps of one contact.
 MAP_HALF_WIDTH = 32
 
-#: Depth, sizes and number of the indents of a contact, with their units.
-INDENT_SIZES = {"depth": "nm", "equal_area_side": "nm", "longer_side": "nm", "indent_count": "1"}
+#: The units of depth, sizes and number of the indents of a contact.
+INDENT_UNITS = {"depth": "nm", "equal_area_side": "nm", "longer_side": "nm", "indent_count": "1"}
 
 
 def indent_sizes(pixels: ContactPixels, pixel_size: float) -> tuple[float, float, float, int]:
-    """Return depth, two sizes (nm) and number of the indents of one contact: INDENT_SIZES.
+    """Return depth, two sizes (nm) and number of the indents of one contact.
 
     The depth is the penetration of the deepest pixel. The sizes are the width of a square with the
     area of the largest indent, and the longer side of its bounding box.
@@ -46,9 +46,9 @@ def indents_of_scans(
 ) -> xr.Dataset:
     """Return the indents that every substrate scan leaves in every sphere scan.
 
-    Mirrored scans are by number. Ascending preloads (N) replace the preload of the contact. Returns
-    INDENT_SIZES (scan, sphere_scan, preload, contact_y, contact_x) and, for the contact of median
-    depth at the largest preload, ``indentation`` (preload, y, x), ``sphere_height`` (y, x) in nm.
+    Mirrored scans are by number. Ascending preloads (N) replace the preload of the contact. The
+    variables are INDENT_UNITS (scan, sphere_scan, preload, contact_y, contact_x) and, for the
+    contact of median depth at the largest preload, ``indentation`` and ``sphere_height`` in nm.
     """
 
     def make_bodies(scan: int, sphere_scan: int) -> Bodies:
@@ -85,7 +85,7 @@ def _sizes_of_bodies(bodies: Bodies, loaded_contacts: Sequence[Contact]) -> xr.D
             for index in np.ndindex(*array_shape)
         ]
     ).reshape(len(loaded_contacts), *array_shape, -1)
-    return xr.Dataset(variables_of_columns(sizes, ("preload", *CONTACT_AXES), INDENT_SIZES))
+    return xr.Dataset(variables_of_columns(sizes, ("preload", *CONTACT_AXES), INDENT_UNITS))
 
 
 def _median_contact(sizes: xr.Dataset) -> tuple[tuple[int, int], tuple[int, int]]:

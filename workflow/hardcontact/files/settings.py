@@ -59,7 +59,8 @@ def store_settings(plan: StudyPlan) -> dict[str, dict[str, Any]]:
 def _surface_settings(plan: StudyPlan) -> dict[str, dict[str, Any]]:
     """Return the settings of measurements, spectra, scans and masters."""
     study = plan.configuration
-    seed, scales = {"seed": study["seed"]}, study["scales"]
+    seed = {"seed": study["seed"]}
+    scales = study["scales"]
     levelling = {"levelling": study["scan"]["levelling"]}
     sphere = [plan.selection.sphere, plan.selection.sphere_digest, study["sphere"]["radius"]]
     master_keys = {"short": ("pixels", "transition"), "long": ("tiles", "transition")}
@@ -79,7 +80,8 @@ def _surface_settings(plan: StudyPlan) -> dict[str, dict[str, Any]]:
 def _contact_settings(plan: StudyPlan) -> dict[str, dict[str, Any]]:
     """Return the settings of contacts on scans, on whole surfaces, and on scans of the sets."""
     study = plan.configuration
-    seed, scales, sets = {"seed": study["seed"]}, study["scales"], study["sets"]
+    seed = {"seed": study["seed"]}
+    scales = study["scales"]
     ranges = sorted({*study["adhesion"]["ranges"], study["adhesion"]["range"]})
     long_ranges = [rho for rho in ranges if rho >= SHORTEST_WHOLE_RANGE]
     contact = study["contact"] | {"radius": study["sphere"]["radius"]}
@@ -90,7 +92,7 @@ def _contact_settings(plan: StudyPlan) -> dict[str, dict[str, Any]]:
     pixels, size = study["substitutes"]["pixels"], study["substitutes"]["size"]
     grid = {"pixels": 2 * scales["long"]["tiles"] * pixels, "pixel_size": size / pixels}
     whole_surface = {**_featured_surface(study), "contact": contact_at_range, "grid": grid}
-    set_contact = contact | {"contacts_per_row": sets["contacts_per_row"]}
+    set_contact = contact | {"contacts_per_row": study["sets"]["contacts_per_row"]}
     set_scan = {**_random_surface(study), "contact": set_contact, "ranges": ranges}
     return {
         "pull_off": {
@@ -105,7 +107,7 @@ def _contact_settings(plan: StudyPlan) -> dict[str, dict[str, Any]]:
         "hindcast": {**seed, "contact": contact_at_range, "transitions": transitions},
         "whole_surfaces": {**whole_surface, "ranges": long_ranges},
         "band_forces": whole_surface,
-        "pool": {**set_scan, "rms_height_count": sets["rms_height_count"]},
+        "pool": {**set_scan, "rms_height_count": study["sets"]["rms_height_count"]},
         "featured_samples": set_scan,
     }
 

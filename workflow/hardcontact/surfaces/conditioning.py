@@ -2,8 +2,8 @@
 
 Random scans meet published statistics only on average. A smooth gain of all amplitudes, and a
 factor on the heights of each scan, give the group exactly the published mean and standard
-deviation of rms heights, and mean slope and curvature. A user's study has substitutes, too, so this
-is no module of `paper`.
+deviation of rms heights, and mean slope and curvature. The layer is not `paper`: a
+user's study also has substitutes.
 """
 
 from collections.abc import Sequence

@@ -61,10 +61,10 @@ def fill_streaks(heights: Floats) -> tuple[Floats, Mask]:
     for _ in range(MAX_FILLINGS):
         masks = (is_filled | streaks for streaks in find_streaks(filled))
         # Of a streak on three lines the width of two shows the middle alone, again and again.
-        grown = next((mask for mask in masks if mask.sum() > is_filled.sum()), None)
-        if grown is None:
+        larger_mask = next((mask for mask in masks if mask.sum() > is_filled.sum()), None)
+        if larger_mask is None:
             break
-        is_filled = grown
+        is_filled = larger_mask
         for column in np.flatnonzero(is_filled.any(axis=0)):
             lines = np.flatnonzero(~is_filled[:, column])
             gaps = np.flatnonzero(is_filled[:, column])

@@ -2,7 +2,7 @@
 
 Expected rms values of a scan are weighted sums of C_iso. A model of the waves that scans show is
 fitted to rms height, slope and curvature of scans. A power law below these waves is fitted to slope
-and curvature over all scales. A user's study has substitutes, too, so this is no module of `paper`.
+and curvature over all scales. The layer is not `paper`: a user's study also has substitutes.
 """
 
 from collections.abc import Callable
