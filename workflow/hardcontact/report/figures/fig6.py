@@ -46,7 +46,10 @@ def draw(edges: xr.Dataset, scales: xr.Dataset, published_constants: pd.DataFram
     low, high = edges.attrs["tolerance"] * np.array(SHOWN_TOLERANCES)
     grid[0, 0].set(yscale="linear", ylim=(1 + low, 1 + high))
     grid[0, 0].set_ylabel(f"pull-off force / unfiltered\nat ρ = {scales.attrs['rho']:g} nm")
-    style.legend_above(figure, _legend_handles(edges, *published_edges.values()))
+    handles = _legend_handles(edges, *published_edges.values())
+    if not any(line.get_marker() in ("<", ">") for axes in grid[2] for line in axes.lines):
+        handles.pop()  # No edge and no interval reaches beyond the last cutoff.
+    style.legend_above(figure, handles)
     figure.align_ylabels(grid[:2, 0])
     return figure
 
