@@ -133,8 +133,6 @@ NUMBERS = [
     ("fig5", 3, "indent", lambda data: data.depth.groupby("preload").max(...)),
     ("fig6", 0, "edges", lambda data: data.filtered_force_ratio.sel(side="short")),
     ("fig6", 1, "edges", lambda data: data.filtered_force_ratio.sel(side="long")),
-    ("fig6", 3, "edges", lambda data: 100 * data.filtered_force_change.sel(side="long")),
-    ("fig6", 5, "edges", lambda data: data.edge.sel(side="long")),
     (
         "fig_asperities",
         2,

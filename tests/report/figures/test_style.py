@@ -26,5 +26,5 @@ def test_endless_error_bars_leave_the_frame(bars, limits):
         axes.errorbar([x], [value], [[value - low], [high - value]])
     axes.set_yscale("log")
     old_limits = axes.get_ylim()
-    style.end_near_values([axes])
+    style.end_near_values(axes)
     assert np.allclose(axes.get_ylim(), limits or old_limits)

@@ -154,4 +154,4 @@ def _draw_curves(
         axes.axhline(published[surface], color=look["color"], **PUBLISHED_MEAN)
         axes.plot(MARK_POSITION, published[surface], transform=transform, mfc="white", **look)
     axes.set(xscale="log", yscale="log")
-    style.end_near_values([axes])
+    style.end_near_values(axes)

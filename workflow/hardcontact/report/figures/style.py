@@ -137,23 +137,22 @@ def label_logarithmic(*axes: Axis, digits: tuple[int, ...] = (1, 2, 3, 5)) -> No
         axis.set_minor_formatter(NullFormatter())
 
 
-def end_near_values(panels: Sequence[Axes]) -> None:
-    """End the logarithmic y axis of panels at most a decade beyond the values drawn as lines.
+def end_near_values(axes: Axes) -> None:
+    """End the logarithmic y axis at most a decade beyond the values drawn as lines.
 
-    The panels share their y axis. Error bars and bands have no effect and may leave the frame: the
-    interval of two scans may span twenty decades, and all values would lie in one line.
+    Error bars and bands have no effect and may leave the frame: the interval of two scans may span
+    twenty decades, and all values would lie in one line.
     """
     heights = [
         np.asarray(line.get_ydata(), float)
-        for axes in panels
         for line in axes.lines
         if line.get_transform().contains_branch_seperately(axes.transData)[1]
     ]
     values = np.concatenate(heights)
     values = values[np.isfinite(values) & (values > 0)]
-    low, high = panels[0].get_ylim()
+    low, high = axes.get_ylim()
     lowest, highest = values.min() / MAX_AXIS_MARGIN, values.max() * MAX_AXIS_MARGIN
-    panels[0].set_ylim(max(low, lowest), min(high, highest))
+    axes.set_ylim(max(low, lowest), min(high, highest))
 
 
 def surface_handles(dataset: xr.Dataset, **look: Any) -> list[Line2D | Patch]:

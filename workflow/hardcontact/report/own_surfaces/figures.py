@@ -131,7 +131,7 @@ def draw_cutoffs(datasets: Datasets) -> Figure:
         known_edges = data.edges["edge"].sel(side=known_sides).values.tolist()
         _mark_positions(axes, known_edges, "edges of the band")
         _set_logarithmic_axes(axes, "cutoff wavelength (nm)", "force / unfiltered force", cutoffs)
-        style.end_near_values([axes])
+        style.end_near_values(axes)
         low, high = axes.get_ylim()
         if high > 10 * low:
             style.label_logarithmic(axes.yaxis)
