@@ -20,8 +20,8 @@ from paper_datasets import (
 from paper_numbers import CLAIMS, CONSTANTS
 from repository import PAPER, ROOT
 
-from hardcontact.paper.claims import COLUMNS
-from hardcontact.paper.verdicts import VERDICTS, add_open_ends
+from hardcontact.paper.claims.judgement import JUDGED_COLUMNS
+from hardcontact.paper.claims.verdicts import VERDICTS, add_open_ends
 from hardcontact.report.answer import answer_text
 from hardcontact.report.figures.listing import PAPER_FIGURES, Caption
 from hardcontact.report.paper_study.answer import paper_answer
@@ -47,7 +47,7 @@ def claims():
         agreeing_share=np.where(numbers % 3, 0.58, np.nan),
         verdict=[VERDICTS[number % len(VERDICTS)] for number in range(len(CLAIMS))],
         basis="substitute scans",
-    )[list(COLUMNS)]
+    )[list(JUDGED_COLUMNS)]
 
 
 @cache

@@ -10,7 +10,7 @@ from html_page import Page
 from paper_study import CITATION, FRAME, make_page, open_claims, svg
 from repository import PAPER, ROOT
 
-from hardcontact.paper.verdicts import VERDICTS
+from hardcontact.paper.claims.verdicts import VERDICTS
 from hardcontact.report.answer import answer_text
 from hardcontact.report.figures.listing import OWN_FIGURES, PAPER_FIGURES
 from hardcontact.report.own_surfaces.answer import own_answer, own_page

@@ -11,9 +11,9 @@ from repository import ROOT
 
 from hardcontact.base import dataset
 from hardcontact.config.configuration import read_yaml
-from hardcontact.paper.claim_selection import WITHOUT_SCAN
-from hardcontact.paper.claims import COLUMNS
-from hardcontact.paper.verdicts import VERDICTS
+from hardcontact.paper.claims.basis import WITHOUT_SCAN
+from hardcontact.paper.claims.judgement import JUDGED_COLUMNS
+from hardcontact.paper.claims.verdicts import VERDICTS
 from hardcontact.report.figures.listing import PAPER_FIGURES
 from hardcontact.report.paper_study.answer import ANSWER_CLAIMS
 
@@ -22,7 +22,7 @@ PAGES = read_yaml("workflow/report/pages.yaml")
 
 def test_every_claim_has_a_verdict_and_a_basis(results):
     claims = pd.read_csv(results / "claims.csv")
-    assert tuple(claims.columns) == COLUMNS
+    assert tuple(claims.columns) == JUDGED_COLUMNS
     assert set(claims.verdict) <= set(VERDICTS)
     assert set(claims.basis) == {"substitute scans", *WITHOUT_SCAN}
     published = pd.read_csv(ROOT / "resources/paper/claims.csv")

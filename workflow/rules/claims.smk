@@ -1,6 +1,6 @@
 # Claims: each statement of the paper beside what was computed.
 
-from hardcontact.paper.claims import datasets_of_claims
+from hardcontact.paper.claims.table import datasets_of_claims
 from hardcontact.report.paper_study.changed_inputs import paper_contact
 
 #: The statements of the paper.

@@ -1,6 +1,6 @@
 # Sets of substitute scans, sampled from pools, and the numbers of each.
 
-from hardcontact.paper.claims import claims_of_sets
+from hardcontact.paper.claims.table import claims_of_sets
 
 SET_MASTERS = CHUNKS.filtered_masters("sets")
 

@@ -6,7 +6,7 @@ import yaml
 
 from hardcontact.base import published
 from hardcontact.base.dataset import read
-from hardcontact.paper.verdicts import add_open_ends, read_verdicts
+from hardcontact.paper.claims.verdicts import add_open_ends, read_verdicts
 from hardcontact.records.job import run_job
 from hardcontact.records.packages import read_pins
 from hardcontact.report.answer import answer_text

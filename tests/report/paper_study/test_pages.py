@@ -11,7 +11,7 @@ from refusals import assert_says
 from repository import PAPER, merge_configurations
 
 from hardcontact.base.formatting import format_as_paper
-from hardcontact.paper.verdicts import VERDICTS
+from hardcontact.paper.claims.verdicts import VERDICTS
 from hardcontact.report.answer import numbers_of_answer
 from hardcontact.report.figures.listing import PAPER_FIGURES
 

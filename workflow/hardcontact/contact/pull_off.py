@@ -15,7 +15,13 @@ from numpy.typing import ArrayLike
 from hardcontact.base.arrays import Floats
 from hardcontact.base.units import DIMENSIONLESS, NANOMETRE, NEWTON, NM
 from hardcontact.contact.bearing_area import ContactPixels, all_contact_pixels
-from hardcontact.contact.contact import CONTACT_AXES, CONTACT_MODELS, EXP_LIMITS, Contact
+from hardcontact.contact.contact import (
+    CONTACT_AXES,
+    CONTACT_DIMENSIONS,
+    CONTACT_MODELS,
+    EXP_LIMITS,
+    Contact,
+)
 from hardcontact.contact.force_sum.outside_sums import outside_sums
 from hardcontact.contact.geometry import Bodies, join_bodies
 from hardcontact.contact.patches import count_touched_patches
@@ -130,6 +136,11 @@ def pull_off_dataset(bodies: Bodies, contact: Contact, ranges: Sequence[float]) 
         | {axis: (axis, positions, NM) for axis in CONTACT_AXES},
         {"work_of_adhesion": WORK_OF_ADHESION, "pixel_size": pixel_size},
     )
+
+
+def mean_over_contacts(values: xr.DataArray) -> xr.DataArray:
+    """Return the mean over the contacts of one scan and over the scans of the sphere."""
+    return values.mean([dim for dim in CONTACT_DIMENSIONS if dim in values.dims])
 
 
 def interpolate_to_ranges(

@@ -18,8 +18,7 @@ from hardcontact.base.statistics import (
 )
 from hardcontact.base.units import DIMENSIONLESS, NEWTON
 from hardcontact.contact.contact import CONTACT_AXES
-from hardcontact.contact.pull_off import interpolate_to_range
-from hardcontact.paper.estimates import mean_over_contacts
+from hardcontact.contact.pull_off import interpolate_to_range, mean_over_contacts
 
 
 def mean_forces(forces: xr.DataArray, sampling: Sampling) -> tuple[Floats, Floats]:

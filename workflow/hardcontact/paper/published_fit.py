@@ -20,7 +20,7 @@ from hardcontact.base.published import read_constants, read_published_forces
 from hardcontact.base.statistics import Sampling, student_log_interval, with_interval
 from hardcontact.base.units import DIMENSIONLESS, JOULE_PER_M2, NEWTON, NM
 from hardcontact.contact.contact import PLASTIC, RIGID
-from hardcontact.contact.pull_off import interpolate_to_ranges
+from hardcontact.contact.pull_off import interpolate_to_ranges, mean_over_contacts
 from hardcontact.inference.fit import (
     FIT_ATTRS,
     best_fit,
@@ -29,7 +29,6 @@ from hardcontact.inference.fit import (
     fit_work,
     mean_relative_error,
 )
-from hardcontact.paper.estimates import mean_over_contacts
 from hardcontact.paper.force_statistics import (
     forces_at_pair,
     forces_over_reference,

@@ -18,10 +18,10 @@ from hardcontact.base.progress import progress
 from hardcontact.base.statistics import Sampling, student_log_samples
 from hardcontact.base.units import DIMENSIONLESS
 from hardcontact.contact.contact import CONTACT_AXES
+from hardcontact.contact.pull_off import mean_over_contacts
 from hardcontact.inference.fit import WITHOUT_SURFACE
-from hardcontact.paper.claims import claim_values
+from hardcontact.paper.claims.judgement import claim_values
 from hardcontact.paper.edges_of_masters import edges_of_masters
-from hardcontact.paper.estimates import mean_over_contacts
 from hardcontact.paper.featured_samples import sample_of_set, samples_by_surface
 from hardcontact.paper.pool import sample_scans
 from hardcontact.paper.published_fit import PublishedForces, fit_published

@@ -61,7 +61,7 @@ def check_study(config: dict[str, Any], table: pd.DataFrame) -> None:
     ]
     if is_paper_study(config):
         # Imported here, as the claims would cost studies of the user's surfaces almost a second.
-        from hardcontact.paper.claim_table import check_claims
+        from hardcontact.paper.claims.table import check_claims
 
         faults = _paper_faults(config, contacts)
         checks.append(partial(check_claims, CLAIMS))

@@ -12,7 +12,7 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.contact.contact import PLASTIC
-from hardcontact.paper.verdicts import sets_interval, stretch_interval
+from hardcontact.paper.claims.verdicts import sets_interval, stretch_interval
 from hardcontact.report.paper_study.answer import ANSWER_CLAIMS, EDGE_SIDES, FORCE_UNITS, PAIR_UNITS
 from hardcontact.report.study_comparison import ComparedNumber
 from hardcontact.surfaces.metrics import TABLE1_METRICS

@@ -1,7 +1,7 @@
 """Estimates about roughness, contact and elasticity, for claims.
 
 Lengths are in nm, forces in N, pressures in Pa. Each function returns an estimate
-(`paper.estimates`), whose dimensions are in brackets.
+(`estimates`), whose dimensions are in brackets.
 """
 
 import numpy as np
@@ -10,10 +10,10 @@ import xarray as xr
 from hardcontact.base.published import effective_modulus
 from hardcontact.base.statistics import interval_ends
 from hardcontact.base.units import NANOMETRE
-from hardcontact.paper.estimates import (
+from hardcontact.contact.pull_off import mean_over_contacts
+from hardcontact.paper.claims.estimates import (
     absolute_value,
     as_estimate,
-    mean_over_contacts,
     mean_over_scans,
     quotient,
     signed_mean_over_scans,

@@ -1,6 +1,6 @@
 """Estimates about the critical band and the interaction radius, for claims.
 
-Forces are in N, lengths in nm. Each function returns an estimate (`paper.estimates`), whose
+Forces are in N, lengths in nm. Each function returns an estimate (`estimates`), whose
 dimensions are in brackets. `paper` has the numbers of resources/paper/constants.csv by name.
 """
 
@@ -10,10 +10,10 @@ from scipy import special
 
 from hardcontact.base.statistics import interval_ends
 from hardcontact.contact.hertz_jkr_dmt import dmt_pull_off
+from hardcontact.contact.pull_off import mean_over_contacts
 from hardcontact.inference.edges import MEAN_GROUP, computed_cutoffs, edges_or_bounds, last_cutoff
-from hardcontact.paper.estimates import (
+from hardcontact.paper.claims.estimates import (
     as_estimate,
-    mean_over_contacts,
     mean_over_scans,
     variable_estimate,
 )

@@ -6,8 +6,8 @@ import xarray as xr
 from scipy import stats
 
 from hardcontact.base.statistics import interval_ends, with_interval
-from hardcontact.paper import estimates
-from hardcontact.paper.estimates import as_estimate
+from hardcontact.paper.claims import estimates
+from hardcontact.paper.claims.estimates import as_estimate
 
 
 def scalar(value, low=np.nan, high=np.nan):

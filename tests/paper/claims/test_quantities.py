@@ -8,9 +8,9 @@ from scipy import constants, stats
 from scipy.integrate import quad
 
 from hardcontact.base.statistics import interval_ends
-from hardcontact.paper import band_quantities
-from hardcontact.paper import contact_quantities as contact
-from hardcontact.paper import force_quantities as force
+from hardcontact.paper.claims import band_quantities
+from hardcontact.paper.claims import contact_quantities as contact
+from hardcontact.paper.claims import force_quantities as force
 
 RADIUS = 250e3
 #: The dataset `paper` of claims.

@@ -1,7 +1,7 @@
 """Estimates about pull-off forces: their distribution, their fits and classical models, for claims.
 
 Forces are in N, lengths in nm, works of adhesion in J/m². The reference range is the computed range
-nearest to the attribute `rho`. Each function returns an estimate (`paper.estimates`), whose
+nearest to the attribute `rho`. Each function returns an estimate (`estimates`), whose
 dimensions are in brackets. `paper` has the numbers of resources/paper/constants.csv by name.
 """
 
@@ -14,9 +14,9 @@ from scipy import constants
 
 from hardcontact.base.arrays import Floats
 from hardcontact.contact.contact import CONTACT_AXES, PLASTIC, RIGID
-from hardcontact.paper.estimates import (
+from hardcontact.contact.pull_off import mean_over_contacts
+from hardcontact.paper.claims.estimates import (
     as_estimate,
-    mean_over_contacts,
     mean_over_scans,
     quotient,
     signed_mean_over_scans,

@@ -1,12 +1,11 @@
-"""Claims: statements of the paper, each compared with a computed estimate (`paper.estimates`).
+"""Compare each claim, a statement of the paper, with a computed estimate (`estimates`).
 
-A claim, a row of resources/paper/claims.csv, names an estimate by dataset, quantity (a variable or
-a derived quantity) and selection. Its rule turns estimate and published limits into a verdict.
+A claim is a row of resources/paper/claims.csv. Its columns `dataset`, `quantity` and `select` name
+the estimate. Its rule and its published limits turn the estimate into a verdict.
 """
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
-from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -15,21 +14,19 @@ import xarray as xr
 
 from hardcontact.base.arrays import Floats
 from hardcontact.base.statistics import interval_ends
-from hardcontact.paper import band_quantities, contact_quantities, force_quantities
-from hardcontact.paper.claim_selection import (
+from hardcontact.paper.claims import band_quantities, contact_quantities, force_quantities
+from hardcontact.paper.claims.basis import (
     WITHOUT_SCAN,
-    SelectedLabels,
     claim_basis,
     claim_surfaces,
     fixed_verdict,
-    parse_selection,
-    select_estimate,
 )
-from hardcontact.paper.estimates import variable_estimate
-from hardcontact.paper.verdicts import accepted_range, interval_with_sets, samples_vary
+from hardcontact.paper.claims.estimates import variable_estimate
+from hardcontact.paper.claims.selection import SelectedLabels, parse_selection, select_estimate
+from hardcontact.paper.claims.verdicts import accepted_range, interval_with_sets, samples_vary
 from hardcontact.surfaces.metrics import TABLE1_VARIABLES
 
-#: Functions of one or several datasets, which claims name: the public ones of these modules.
+#: Functions of datasets that the column `quantity` may name: the public ones of these modules.
 DERIVED_QUANTITIES: dict[str, Callable[..., xr.Dataset]] = {
     name: function
     for module in (band_quantities, contact_quantities, force_quantities)
@@ -37,50 +34,13 @@ DERIVED_QUANTITIES: dict[str, Callable[..., xr.Dataset]] = {
     if getattr(function, "__module__", "") == module.__name__ and not name.startswith("_")
 }
 
-
-def estimate_quantity(quantity: str, dataset: xr.Dataset, *others: xr.Dataset) -> xr.Dataset:
-    """Return the estimate of a quantity: a derived quantity, a variable, or a row of Table 1.
-
-    Raises KeyError if a variable or an attribute that is needed does not exist.
-    """
-    if quantity in DERIVED_QUANTITIES:
-        return DERIVED_QUANTITIES[quantity](dataset, *others)
-    return variable_estimate(dataset, TABLE1_VARIABLES.get(quantity, quantity))
-
-
-#: Columns of claims.csv. `evidence` says where the limits of the paper come from, `basis` on which
-#: scans the computed number rests.
-COLUMNS = (
+#: Columns of the claims.csv of a study. `evidence` says where the limits of the paper come from,
+#: `basis` on which scans the computed number rests.
+JUDGED_COLUMNS = (
     "id", "main", "section", "statement", "number", "published", "computed", "low", "high", "unit",
     "rule", "evidence", "accepted_low", "accepted_high", "agreeing_share", "verdict",
     "follows_from", "basis", "note",
 )  # fmt: skip
-#: Datasets that each set of sets.nc has.
-SET_DATASETS = ("topography", "adhesion", "fit", "edges")
-#: Columns with numbers of the table of claims.
-NUMBER_COLUMNS = ("published", "published_low", "published_high")
-
-
-def read_claims(path: str | Path) -> pd.DataFrame:
-    """Read the claims of the paper, one row each, from a table like resources/paper/claims.csv.
-
-    Published numbers are floats, NaN if blank; other columns are text.
-    """
-    table = pd.read_csv(path, dtype=str, keep_default_na=False)
-    return table.assign(**{name: pd.to_numeric(table[name]) for name in NUMBER_COLUMNS})
-
-
-def claims_of_sets(path: str | Path) -> list[dict[Any, Any]]:
-    """Return the columns that determine the values of the claims that sets.nc has."""
-    table = read_claims(path)
-    columns = ["id", "dataset", "quantity", "select", "rule"]
-    return table.loc[table["samples_from"] == "sets", columns].to_dict("records")
-
-
-def datasets_of_claims(path: str | Path) -> list[str]:
-    """Return the names of the datasets that claims need, in alphabetical order."""
-    names = read_claims(path)["dataset"].str.split("+").explode()
-    return sorted({*names} - {"paper"})
 
 
 def claim_values(
@@ -105,7 +65,7 @@ def judge_claims(
     confidence: float,
     sets: xr.Dataset,
 ) -> pd.DataFrame:
-    """Compare every claim with its computed estimate; return one row per claim with `COLUMNS`.
+    """Compare every claim with its computed estimate; return one row per claim with JUDGED_COLUMNS.
 
     ``value`` (set, claim) of sets.nc gives the agreeing share and, if it varies, interval and
     verdict. A claim about a surface or a number that the study lacks is left out. Raises ValueError
@@ -126,7 +86,7 @@ def judge_claims(
         row["basis"] = claim_basis(claim, surfaces, topography)
         row["note"] = " ".join(filter(None, (claim.note, reason, no_value)))
         rows.append(row)
-    return pd.DataFrame(rows, columns=list(COLUMNS))
+    return pd.DataFrame(rows, columns=list(JUDGED_COLUMNS))
 
 
 class _ClaimResult(NamedTuple):
@@ -156,13 +116,23 @@ def _estimate_claims(
             claim_datasets = {name: complete[name] for name in claim.dataset.split("+")}
             key = claim.dataset, claim.quantity
             if key not in estimates:
-                estimates[key] = estimate_quantity(claim.quantity, *claim_datasets.values())
+                estimates[key] = _estimate_quantity(claim.quantity, *claim_datasets.values())
             labels = parse_selection(estimates[key], claim.select)
             result = None
             if labels is not None:
                 selected = select_estimate(estimates[key], labels, claim.rule)
                 result = _ClaimResult(selected, claim_datasets, labels)
         yield claim, result
+
+
+def _estimate_quantity(quantity: str, dataset: xr.Dataset, *others: xr.Dataset) -> xr.Dataset:
+    """Return the estimate of a quantity: a derived quantity, a variable, or a row of Table 1.
+
+    Raises KeyError if a variable or an attribute that is needed does not exist.
+    """
+    if quantity in DERIVED_QUANTITIES:
+        return DERIVED_QUANTITIES[quantity](dataset, *others)
+    return variable_estimate(dataset, TABLE1_VARIABLES.get(quantity, quantity))
 
 
 def _add_surface(data: xr.Dataset) -> xr.Dataset:
@@ -187,7 +157,7 @@ def _prefix_errors(claim: Any) -> Iterator[None]:
 
 
 def _judge(claim: Any, result: _ClaimResult, sets: xr.Dataset, confidence: float) -> dict[str, Any]:
-    """Return value, interval, accepted range, agreeing share and verdict by names of COLUMNS."""
+    """Return the columns ``computed`` to ``verdict`` of JUDGED_COLUMNS that follow from numbers."""
     value = float(result.estimate["value"])
     samples = _claim_samples(claim, result, sets)
     ends = interval_ends(result.estimate, "value")

@@ -7,8 +7,8 @@ import xarray as xr
 from paper_numbers import CLAIMS, TABLES
 from scipy import stats
 
-from hardcontact.paper.claims import COLUMNS, claim_values, judge_claims
-from hardcontact.paper.verdicts import EDGE_CLAIMS, accepted_range
+from hardcontact.paper.claims.judgement import JUDGED_COLUMNS, claim_values, judge_claims
+from hardcontact.paper.claims.verdicts import EDGE_CLAIMS, accepted_range
 
 ROWS = CLAIMS.set_index("id")
 TABLE1 = pd.read_csv(TABLES / "table1.csv")
@@ -127,7 +127,7 @@ def judge(datasets=None, *samples, **changes):
 
 def test_a_number_is_judged_with_its_interval():
     table = judge_all(make_datasets())
-    assert tuple(table.columns) == COLUMNS
+    assert tuple(table.columns) == JUDGED_COLUMNS
     row = table.iloc[0]
     assert (row.computed, row.low, row.high) == pytest.approx((2.0, 1.8, 2.2))
     assert (row.verdict, row.basis) == ("reproduced", "measured")

@@ -13,6 +13,7 @@ from hardcontact.base.statistics import (
     student_log_interval,
 )
 from hardcontact.contact.contact import CONTACT_DIMENSIONS
+from hardcontact.contact.pull_off import mean_over_contacts
 
 
 def as_estimate(
@@ -38,11 +39,6 @@ def variable_estimate(dataset: xr.Dataset, name: str) -> xr.Dataset:
             raise KeyError("expected an attribute named 'confidence', found none")
         return mean_over_scans(mean_over_contacts(value), dataset.attrs["confidence"])
     return as_estimate(value)
-
-
-def mean_over_contacts(values: xr.DataArray) -> xr.DataArray:
-    """Return the mean over the contacts of one scan and over the scans of the sphere."""
-    return values.mean([dim for dim in CONTACT_DIMENSIONS if dim in values.dims])
 
 
 def mean_over_scans(values: xr.DataArray, confidence: float, dim: str = "scan") -> xr.Dataset:

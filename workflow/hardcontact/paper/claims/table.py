@@ -1,4 +1,4 @@
-"""Check the statements of the paper, resources/paper/claims.csv, before a job removes verdicts."""
+"""The table of claims, resources/paper/claims.csv: reading, and checks before a run."""
 
 import csv
 import math
@@ -7,19 +7,25 @@ from collections.abc import Iterator
 from functools import cache
 from itertools import chain
 from pathlib import Path
+from typing import Any
 
 import pandas as pd
 
 from hardcontact.base.dataset import MEANINGS, read_meanings
 from hardcontact.config.faults import quote_key, raise_faults, spelling_question
 from hardcontact.config.tables import Row, parse_number, user_table
-from hardcontact.paper.claim_selection import LABELS, WITHOUT_SCAN, split_selection
-from hardcontact.paper.claims import DERIVED_QUANTITIES, NUMBER_COLUMNS, SET_DATASETS
-from hardcontact.paper.verdicts import accepted_range
+from hardcontact.paper.claims.basis import WITHOUT_SCAN
+from hardcontact.paper.claims.judgement import DERIVED_QUANTITIES
+from hardcontact.paper.claims.selection import LABELS, split_selection
+from hardcontact.paper.claims.verdicts import accepted_range
 from hardcontact.surfaces.metrics import TABLE1_VARIABLES
 
-#: Columns, and the words that each may have; an empty tuple permits any text.
-COLUMNS: dict[str, tuple[str, ...]] = {
+#: Datasets that each set of sets.nc has.
+SET_DATASETS = ("topography", "adhesion", "fit", "edges")
+#: Columns with numbers.
+NUMBER_COLUMNS = ("published", "published_low", "published_high")
+#: The words that each column may have; an empty tuple permits any text.
+PERMITTED_WORDS: dict[str, tuple[str, ...]] = {
     "id": (), "main": (), "section": (), "statement": (), "number": (), "unit": (), "rule": (),
     **dict.fromkeys(NUMBER_COLUMNS, ()),
     "evidence": ("published", "inferred", "assumed"),
@@ -40,11 +46,33 @@ FORMS = {
 }  # fmt: skip
 
 
+def read_claims(path: str | Path) -> pd.DataFrame:
+    """Read the claims of the paper, one row each, from a table like resources/paper/claims.csv.
+
+    Published numbers are floats, NaN if blank; other columns are text.
+    """
+    table = pd.read_csv(path, dtype=str, keep_default_na=False)
+    return table.assign(**{name: pd.to_numeric(table[name]) for name in NUMBER_COLUMNS})
+
+
+def claims_of_sets(path: str | Path) -> list[dict[Any, Any]]:
+    """Return the columns that determine the values of the claims that sets.nc has."""
+    table = read_claims(path)
+    columns = ["id", "dataset", "quantity", "select", "rule"]
+    return table.loc[table["samples_from"] == "sets", columns].to_dict("records")
+
+
+def datasets_of_claims(path: str | Path) -> list[str]:
+    """Return the names of the datasets that claims need, in alphabetical order."""
+    names = read_claims(path)["dataset"].str.split("+").explode()
+    return sorted({*names} - {"paper"})
+
+
 def check_claims(path: str | Path) -> None:
     """Check a table of statements; raise ValueError with a line for each fault."""
-    content = f"a table with the columns {', '.join(COLUMNS)} (workflow/README.md)"
+    content = f"a table with the columns {', '.join(PERMITTED_WORDS)} (workflow/README.md)"
     table = user_table(path, content)
-    table.require([*COLUMNS], content, COLUMNS)
+    table.require([*PERMITTED_WORDS], content, PERMITTED_WORDS)
     rows = table.convert(_checked_claim)
     all_ids = {row["id"] for row in rows.values()}
     earlier_ids = set[str]()
@@ -72,9 +100,9 @@ def _cell_faults(row: Row) -> Iterator[str]:
             yield f"{name}: expected {description}, found {quote_key(row[name])}"
     variables = read_meanings(row["dataset"].partition("+")[0])
     if row["quantity"] not in {*DERIVED_QUANTITIES, *TABLE1_VARIABLES, *variables}:
-        files = "workflow/hardcontact/paper or a variable of workflow/report/variables.tsv"
+        files = "workflow/hardcontact/paper/claims or a variable of workflow/report/variables.tsv"
         yield f"quantity: expected a function of {files}, found {quote_key(row['quantity'])}"
-    for name, words in COLUMNS.items():
+    for name, words in PERMITTED_WORDS.items():
         if words and row[name] not in words:
             yield f"{name}: expected {_join_words(words)}, found {quote_key(row[name])}"
     datasets = set(row["dataset"].split("+"))

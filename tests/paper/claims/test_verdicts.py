@@ -8,7 +8,7 @@ import pytest
 import xarray as xr
 from refusals import assert_says, refusal
 
-from hardcontact.paper.verdicts import (
+from hardcontact.paper.claims.verdicts import (
     VERDICTS,
     accepted_range,
     add_open_ends,

@@ -1,0 +1,5 @@
+"""Claims: the statements of the paper, each with a computed estimate and a verdict.
+
+Read `table` (resources/paper/claims.csv), `estimates`, one of the modules of quantities,
+`selection`, `basis`, `verdicts`, then `judgement`.
+"""
