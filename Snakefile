@@ -19,16 +19,16 @@ include: "workflow/rules/surfaces.smk"
 include: "workflow/rules/scans.smk"
 include: "workflow/rules/adhesion.smk"
 include: "workflow/rules/scales.smk"
-include: "workflow/rules/octaves.smk"
 
 
 if IS_PAPER_STUDY:
 
     report: "workflow/report/workflow.rst"
 
-    # Contacts in detail, edges and fits, other substitutes, verdicts, figures and pages.
+    # Contacts in detail, the band, fits, other substitutes, verdicts, figures and pages.
     include: "workflow/rules/single_contacts.smk"
-    include: "workflow/rules/edges_and_fits.smk"
+    include: "workflow/rules/band.smk"
+    include: "workflow/rules/fits.smk"
     include: "workflow/rules/sets.smk"
     include: "workflow/rules/claims.smk"
     include: "workflow/rules/answer_paper.smk"
@@ -37,7 +37,8 @@ else:
 
     report: "workflow/report/own_surfaces.rst"
 
-    # Roughness of both bodies, edges of the band, predicted force, and the page.
+    # Roughness of both bodies, the band, the force and the fit, and the page.
+    include: "workflow/rules/both_bodies.smk"
     include: "workflow/rules/own_surfaces.smk"
     include: "workflow/rules/answer_surfaces.smk"
 

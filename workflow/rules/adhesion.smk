@@ -5,7 +5,7 @@ rule compute_pull_off:
     """Compute rigid and plastic pull-off of one scan on all scans of the sphere, or positions on it."""
     input:
         substrate=STORE.mirrored_substrates,
-        spheres=[FILES.mirrored_scan_path(SPHERE, scan) for scan in SELECTION.contact_scans(SPHERE)],
+        spheres=FILES.mirrored_scan_paths(SELECTION.sphere),
     output:
         STORE.pull_off,
     params:

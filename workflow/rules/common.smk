@@ -7,7 +7,7 @@
 #   SAMPLING       the seed, the number of random samples and the confidence of intervals
 #   IS_PAPER_STUDY whether results are compared with the paper; false for the user's surfaces
 #   HAS_FORCES     whether the user's surfaces have a table of measured forces
-#   PAGES          title and category of each page of the report except figures
+#   PAGES          the category and the title of each page of the report
 #   ANSWER         answer.html and answer.json
 #   PUBLISHED_TABLES  the tables of the paper, by name
 # surfaces.smk defines the names that depend on the table of surfaces. All names defined in other files

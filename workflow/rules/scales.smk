@@ -1,4 +1,4 @@
-# Scales: masters, cutoff filters, pull-off of each filtered master.
+# Scales: forces without the waves beyond each cutoff, and with each octave amplified or weakened.
 
 from hardcontact.config.limits import master_megabytes
 from hardcontact.config.keys import SMOOTH_SPHERE
@@ -70,3 +70,56 @@ rule aggregate_scales:
         ),
     script:
         "../scripts/aggregate_scales.py"
+
+
+rule compute_whole_surface_forces:
+    """Compute the forces on whole substitute surfaces, also with each octave amplified or weakened."""
+    input:
+        **DESCRIPTION_INPUTS,
+        **SUBSTITUTE_INPUTS,
+    output:
+        STORE.whole_surfaces,
+    params:
+        parameters=lambda w: dict(
+            **SETTINGS["whole_surfaces"],
+            surface=w.surface,
+            surface_numbers=list(range(int(w.first), int(w.last) + 1)),
+            has_features=w.surface in PLAN.featured_surfaces,
+        ),
+    script:
+        "../scripts/compute_whole_surface_forces.py"
+
+
+rule compute_perturbed_scan_forces:
+    """Compute the forces on a scan with each octave amplified or weakened."""
+    input:
+        mirrored=lambda w: FILES.mirrored_map_path(w.surface, int(w.scan)),
+        sphere=SPHERE_SCAN,
+    output:
+        STORE.perturbed_scans,
+    params:
+        parameters=lambda w: dict(scan=int(w.scan), **SETTINGS["perturbed_scans"]),
+    script:
+        "../scripts/compute_perturbed_scan_forces.py"
+
+
+rule aggregate_sensitivity:
+    """Gather how the force follows each octave: sensitivity.nc."""
+    input:
+        forces=[
+            *FILES.paths(STORE.whole_surfaces, CHUNKS.whole_surfaces),
+            *FILES.paths(STORE.perturbed_scans, PLAN.measured_scan_ids),
+        ],
+        adhesion=RESULTS.dataset("adhesion") if PLAN.measured_scan_ids else [],
+    output:
+        RESULTS.dataset("sensitivity"),
+    params:
+        parameters=dict(
+            maps=[*CHUNKS.whole_surfaces, *PLAN.measured_scan_ids],
+            **LABELS_AND_SOURCES,
+            radius=STUDY["sphere"]["radius"],
+            rho=STUDY["adhesion"]["range"],
+            confidence=STUDY["intervals"]["confidence"],
+        ),
+    script:
+        "../scripts/aggregate_sensitivity.py"

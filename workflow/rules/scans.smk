@@ -110,7 +110,7 @@ rule aggregate_topography:
             scan_keys=PLAN.scan_ids,
             conditioned=SELECTION.substitutes,
             **LABELS_AND_SOURCES,
-            sphere_surface=SPHERE,
+            sphere_surface=SELECTION.sphere,
             reference_surface=STUDY["reference_surface"],
             confidence=STUDY["intervals"]["confidence"],
         ),

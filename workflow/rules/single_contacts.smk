@@ -1,22 +1,20 @@
-# Single contacts: the separation of one, drawn in Fig. 4a, elastic contacts, the indents that
-# contacts leave in the sphere, and the asperities that carry their force.
+# Single contacts: one as it separates, for Fig. 4a; elastic ones; the indents that they leave in the
+# sphere; the asperities that carry their force.
 
 # The paper does not say which contact Fig. 4a shows. This one is in the middle of the first
 # scans of the reference surface.
 TRACED = {
     **SELECTION.attributes(STUDY["reference_surface"]),
     "scan": SELECTION.contact_scans(STUDY["reference_surface"])[0],
-    "sphere_scan": SELECTION.contact_scans(SPHERE)[0],
+    "sphere_scan": SELECTION.contact_scans(SELECTION.sphere)[0],
     "contact_index": [STUDY["contact"]["contacts_per_row"] // 2] * 2,
 }
 INDENTING_SURFACE = STUDY["indent"]["surface"]
-#: All scans of a substrate, each with a scan of the sphere, in turn.
+#: All scans of a substrate, and for each the scan of the sphere that meets it.
 SUBSTRATE_AND_SPHERE_SCANS = {
-    "substrates": lambda w: [
-        FILES.mirrored_scan_path(w.surface, scan) for scan in SELECTION.contact_scans(w.surface)
-    ],
+    "substrates": lambda w: FILES.mirrored_scan_paths(w.surface),
     "spheres": lambda w: [
-        FILES.mirrored_scan_path(SPHERE, PLAN.sphere_scan(w.surface, scan))
+        FILES.mirrored_scan_path(SELECTION.sphere, PLAN.sphere_scan(w.surface, scan))
         for scan in SELECTION.contact_scans(w.surface)
     ],
 }
@@ -26,12 +24,12 @@ rule trace_contact:
     """Trace gap, adhesive pressure and force over separation of one contact: contact.nc."""
     input:
         substrate=FILES.mirrored_scan_path(TRACED["surface"], TRACED["scan"]),
-        sphere=FILES.mirrored_scan_path(SPHERE, TRACED["sphere_scan"]),
+        sphere=FILES.mirrored_scan_path(SELECTION.sphere, TRACED["sphere_scan"]),
         published_constants=PUBLISHED_TABLES["published_constants"],
     output:
         RESULTS.dataset("contact"),
     params:
-        parameters=dict(**TRACED, contact=CONTACT),
+        parameters=dict(**TRACED, contact=CONTACT_ARGUMENTS),
     script:
         "../scripts/trace_contact.py"
 
@@ -72,20 +70,17 @@ rule aggregate_elastic:
 rule measure_indents:
     """Measure the indents that contacts on one surface leave in the sphere: indent.nc."""
     input:
-        substrates=[
-            FILES.mirrored_scan_path(INDENTING_SURFACE, scan)
-            for scan in SELECTION.contact_scans(INDENTING_SURFACE)
-        ],
-        spheres=[FILES.mirrored_scan_path(SPHERE, scan) for scan in SELECTION.contact_scans(SPHERE)],
+        substrates=FILES.mirrored_scan_paths(INDENTING_SURFACE),
+        spheres=FILES.mirrored_scan_paths(SELECTION.sphere),
     output:
         RESULTS.dataset("indent"),
     params:
         parameters=dict(
             **SELECTION.attributes(INDENTING_SURFACE),
             scan_numbers=SELECTION.contact_scans(INDENTING_SURFACE),
-            sphere_scan_numbers=SELECTION.contact_scans(SPHERE),
+            sphere_scan_numbers=SELECTION.contact_scans(SELECTION.sphere),
             preloads=STUDY["indent"]["preloads"],
-            contact=CONTACT | {"preload": max(STUDY["indent"]["preloads"])},
+            contact=CONTACT_ARGUMENTS | {"preload": max(STUDY["indent"]["preloads"])},
         ),
     script:
         "../scripts/measure_indents.py"

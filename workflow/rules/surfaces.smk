@@ -2,14 +2,13 @@
 #
 # Names that the rules of several files use:
 #   SELECTION          the surfaces of the table, with their labels, scans and source files
-#   SPHERE             the name of the sphere's surface
 #   LABELS_AND_SOURCES the label of each surface, and whether it was measured or is a substitute
 #   PLAN               which scans, bodies and positions contacts are made on, with their settings
 #   FILES              the paths of each surface: spectra, scans, scans of both bodies in one
 #   STORE              the path of each kind of intermediate, with wildcards in braces
 #   SETTINGS           the settings of each kind of intermediate, all that its rule takes from STUDY
 #   CHUNKS             what one job computes together: scans of pools, masters, whole surfaces
-#   CONTACT            the arguments of class Contact: the keys of `contact`, the sphere's radius
+#   CONTACT_ARGUMENTS  of class Contact: the keys of `contact`, and the sphere's radius
 #   DESCRIPTION_INPUTS the description of a substitute, and the tables that it names
 #   SUBSTITUTE_INPUTS  from which random surfaces like a substitute are made
 #   SPHERE_SCAN        the scan of the sphere; none if its roughness was added to that of substrates
@@ -21,14 +20,13 @@ from hardcontact.files.surface_files import SurfaceFiles
 from hardcontact.run import study_inputs
 
 SELECTION = study_inputs.checked_selection(workflow, STUDY)
-SPHERE = SELECTION.sphere
 LABELS_AND_SOURCES = {"labels": SELECTION.labels, "source": SELECTION.sources}
 PLAN = StudyPlan(STUDY, SELECTION)
 FILES = SurfaceFiles(PLAN)
 STORE = FILES.patterns
 SETTINGS = STORE.settings
 CHUNKS = Chunks(FILES)
-CONTACT = STUDY["contact"] | {"radius": STUDY["sphere"]["radius"]}
+CONTACT_ARGUMENTS = STUDY["contact"] | {"radius": STUDY["sphere"]["radius"]}
 DESCRIPTION_INPUTS = {
     "description": lambda w: SELECTION.description(w.surface),
     "tables": lambda w: SELECTION.tables(w.surface),
@@ -42,7 +40,7 @@ SUBSTITUTE_INPUTS = {
 }
 SPHERE_SCAN = (
     FILES.first_sphere_path
-    if SELECTION.contact_scans(SPHERE) and not PLAN.combined_surfaces
+    if SELECTION.contact_scans(SELECTION.sphere) and not PLAN.combined_surfaces
     else []
 )
 

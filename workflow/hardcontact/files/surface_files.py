@@ -59,11 +59,15 @@ class SurfaceFiles:
         """Return the path of a mirrored scan."""
         return self.path(self.patterns.mirrored_scans, surface, scan=scan)
 
+    def mirrored_scan_paths(self, surface: str) -> list[str]:
+        """Return the paths of all mirrored scans of a surface."""
+        scans = self.selection.contact_scans(surface)
+        return [self.mirrored_scan_path(surface, scan) for scan in scans]
+
     @property
     def first_sphere_path(self) -> str:
         """The path of the scan that roughens the sphere on all masters."""
-        sphere = self.selection.sphere
-        return self.mirrored_scan_path(sphere, self.selection.contact_scans(sphere)[0])
+        return self.mirrored_scan_paths(self.selection.sphere)[0]
 
     # Both bodies
 
