@@ -173,8 +173,8 @@ def fits_without_surfaces() -> dict[str, xr.Variable]:
 
 
 def features() -> xr.Dataset:
-    """Return forces on samples of features; one of two with bumps has the published forces."""
-    axes = ("features", "sample")
+    """Return forces on candidates with features; one of two with bumps has the published forces."""
+    axes = ("features", "candidate")
     forces = np.array([[8e-6, 20e-6], [30e-6, 40e-6], [20e-6, 25e-6]])
     return xr.Dataset(
         {
@@ -183,7 +183,7 @@ def features() -> xr.Dataset:
             "log_force_std": (axes, [[1.8, 2.0], [0.2, 0.3], [0.4, 0.4]]),
             "agrees": (axes, [[1.0, 0.0], [0.0, 0.0], [0.0, 0.0]]),
         },
-        {"features": ["bumps", "pits", "gaussian"], "sample": [1, 2]},
+        {"features": ["bumps", "pits", "gaussian"], "candidate": [1, 2]},
         {
             "surface": SUBSTRATES[0],
             "label": LABELS[0],

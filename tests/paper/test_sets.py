@@ -66,8 +66,8 @@ def test_the_factor_of_the_sphere_is_the_ratio_of_mean_forces():
     inputs = gather_inputs(
         topography=topography,
         adhesion=adhesion,
-        chunks=chunks,
-        sample_chunks={},
+        pool_chunks=chunks,
+        candidate_chunks={},
         sampled_substrates=SUBSTRATES,
         masters=make_masters(),
     )

@@ -38,8 +38,8 @@ WORDS = {
 #: By the fixture of a finished study: its name, and the kinds of intermediates in its store.
 STUDIES = {
     "finished": ("tiny", [
-        "scans", "pull_off", "elastic", "asperities", "whole_surfaces", "pool", "featured_samples",
-        "masters", "filtered/scales", "filtered/sets", "filtered/exponents",
+        "scans", "pull_off", "elastic", "asperities", "whole_surfaces", "pool",
+        "featured_candidates", "masters", "filtered/scales", "filtered/sets", "filtered/exponents",
         "filtered/edge_shifts",
     ]),
     "own_study": ("several-quick", [

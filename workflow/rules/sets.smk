@@ -23,15 +23,15 @@ rule compute_pool:
         "../scripts/compute_pool.py"
 
 
-rule compute_featured_samples:
+rule compute_featured_candidates:
     """Compute the forces on some surfaces with features that Table 1 accepts."""
     input:
         **SUBSTITUTE_INPUTS,
     output:
-        STORE.featured_samples,
+        STORE.featured_candidates,
     params:
         parameters=lambda w: dict(
-            **SETTINGS["featured_samples"],
+            **SETTINGS["featured_candidates"],
             surface=w.surface,
             first=int(w.first),
             last=int(w.last),
@@ -39,7 +39,7 @@ rule compute_featured_samples:
             features=w.features,
         ),
     script:
-        "../scripts/compute_featured_samples.py"
+        "../scripts/compute_featured_candidates.py"
 
 
 rule sample_sets:
@@ -48,7 +48,7 @@ rule sample_sets:
         topography=RESULTS.dataset("topography"),
         adhesion=RESULTS.dataset("adhesion"),
         pools=FILES.paths(STORE.pool, CHUNKS.pools),
-        samples=FILES.paths(STORE.featured_samples, CHUNKS.featured_samples),
+        candidates=FILES.paths(STORE.featured_candidates, CHUNKS.featured_candidates),
         masters=FILES.paths(STORE.filtered_masters, SET_MASTERS),
         published_pull_off=PUBLISHED_TABLES["published_pull_off"],
         published_constants=PUBLISHED_TABLES["published_constants"],
@@ -57,8 +57,8 @@ rule sample_sets:
     retries: 0  # A faulty row of claims.csv fails again.
     params:
         parameters=dict(
-            chunks=CHUNKS.pools,
-            sample_chunks=CHUNKS.featured_samples,
+            pool_chunks=CHUNKS.pools,
+            candidate_chunks=CHUNKS.featured_candidates,
             sampled_substrates=SELECTION.sampled_substrates,
             master_surfaces=[row.surface for row in SET_MASTERS],
             realizations=STUDY["sets"]["realizations"],
@@ -81,13 +81,13 @@ rule compare_features:
     """Compare the forces of surfaces with features with the published ones: features.nc."""
     input:
         sets=RESULTS.dataset("sets"),
-        samples=FILES.paths(STORE.featured_samples, CHUNKS.featured_samples),
+        candidates=FILES.paths(STORE.featured_candidates, CHUNKS.featured_candidates),
         published_pull_off=PUBLISHED_TABLES["published_pull_off"],
         published_constants=PUBLISHED_TABLES["published_constants"],
     output:
         RESULTS.dataset("features"),
     params:
-        parameters=dict(sample_chunks=CHUNKS.featured_samples, labels=SELECTION.labels),
+        parameters=dict(candidate_chunks=CHUNKS.featured_candidates, labels=SELECTION.labels),
     script:
         "../scripts/compare_features.py"
 

@@ -1,7 +1,7 @@
 """Forces of surfaces with features at the published range and work of adhesion: features.nc."""
 
 from hardcontact.base.dataset import read, read_all
-from hardcontact.paper.featured_samples import compare_features
+from hardcontact.paper.featured_candidates import compare_features
 from hardcontact.paper.published_fit import PublishedForces
 from hardcontact.records.job import run_job
 
@@ -9,7 +9,7 @@ with run_job(snakemake) as job:
     params = job.parameters
     job.write(
         compare_features(
-            read_all(params["sample_chunks"], job.input.samples),
+            read_all(params["candidate_chunks"], job.input.candidates),
             read(job.input.sets)["sphere_factor"],
             PublishedForces.read(job.input.published_pull_off, job.input.published_constants),
             params["labels"],

@@ -14,8 +14,8 @@ with run_job(snakemake) as job:
     inputs = gather_inputs(
         topography=read(job.input.topography),
         adhesion=read(job.input.adhesion),
-        chunks=read_all(params["chunks"], job.input.pools),
-        sample_chunks=read_all(params["sample_chunks"], job.input.samples),
+        pool_chunks=read_all(params["pool_chunks"], job.input.pools),
+        candidate_chunks=read_all(params["candidate_chunks"], job.input.candidates),
         sampled_substrates=params["sampled_substrates"],
         masters=read_master_forces(
             params["master_surfaces"], job.input.masters, params["realizations"], params["loading"]

@@ -113,6 +113,6 @@ def test_forces_on_features_are_medians_over_samples():
     number = numbers["bumps_mean_force"]
     assert number.value == pytest.approx(14e-6)
     assert 8e-6 < number.low < number.value < number.high < 20e-6
-    assert numbers["bumps_samples_that_agree"].value == 0.5
-    assert numbers["pits_samples_that_agree"].value == 0
+    assert numbers["bumps_candidates_that_agree"].value == 0.5
+    assert numbers["pits_candidates_that_agree"].value == 0
     assert numbers["featured_mean_force_published"].value == 8.8e-6

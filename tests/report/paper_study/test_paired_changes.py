@@ -15,7 +15,7 @@ from hardcontact.surfaces.metrics import TABLE1_METRICS
 SETS = 20_000
 SCATTER = 0.01
 SAMPLING = {
-    "chunks": [["uncd", 1, 15]], "sample_chunks": [], "sampled_substrates": ["uncd"],
+    "pool_chunks": [["uncd", 1, 15]], "candidate_chunks": [], "sampled_substrates": ["uncd"],
     "master_surfaces": ["uncd"], "realizations": 20, "loading": "H25GPa-F10uN",
     "settings": {"seed": 2021, "realizations": 5, "tolerance": 0.1},
 }  # fmt: skip
@@ -54,7 +54,7 @@ def study(factor=1.0, scatter=0.0, rms=11.0, **settings):
         "topography": xr.Dataset(metrics | labels, coordinates),
         "scales": xr.Dataset(masters, coordinates),
         "features": xr.Dataset(
-            {name: (("features", "sample"), numbers[None]) for name in FORCE_UNITS},
+            {name: (("features", "candidate"), numbers[None]) for name in FORCE_UNITS},
             {"features": ["bumps"]},
         ),
     }

@@ -18,8 +18,8 @@ from hardcontact.surfaces.synthesis import SIDES
 #: Scans of a pool in one job: a trade-off of busy cores against starts, as MASTERS_CHUNK is. If a
 #: study has more scans, all full jobs stay as they are.
 POOL_CHUNK = 15
-#: Samples of surfaces with features in one job, for the same reasons.
-FEATURED_SAMPLES_CHUNK = 10
+#: Candidates for a surface with features in one job, for the same reasons.
+FEATURED_CANDIDATES_CHUNK = 10
 
 
 class Chunk(NamedTuple):
@@ -30,8 +30,8 @@ class Chunk(NamedTuple):
     last: int
 
 
-class SampleChunk(NamedTuple):
-    """The numbers of the first and the last sample of a chunk, whose features are of one kind."""
+class CandidateChunk(NamedTuple):
+    """The numbers of the first and the last candidate of a chunk, with features of one kind."""
 
     surface: str
     features: str
@@ -67,7 +67,7 @@ class Chunks:
         self._configuration = files.plan.configuration
         self._selection = files.selection
 
-    # Pools, samples and whole surfaces
+    # Pools, candidates and whole surfaces
 
     @property
     def pools(self) -> list[Chunk]:
@@ -81,19 +81,20 @@ class Chunks:
         ]
 
     @property
-    def featured_samples(self) -> list[SampleChunk]:
-        """The samples of surfaces with features, for the sets: outputs of compute_featured_samples.
+    def featured_candidates(self) -> list[CandidateChunk]:
+        """The candidates with features, for the sets: outputs of compute_featured_candidates.
 
-        Each set takes one sample, of bumps and pits in turn. Gaussian surfaces make one chunk,
+        Each set takes one candidate, of bumps and pits in turn. Gaussian surfaces make one chunk,
         because they serve for comparison alone.
         """
-        samples = ceil(self._configuration["sets"]["count"] / len(SIGNS))
-        counts = dict.fromkeys(SIGNS, samples) | {GAUSSIAN: min(samples, FEATURED_SAMPLES_CHUNK)}
+        set_candidates = ceil(self._configuration["sets"]["count"] / len(SIGNS))
+        counts = dict.fromkeys(SIGNS, set_candidates)
+        counts[GAUSSIAN] = min(set_candidates, FEATURED_CANDIDATES_CHUNK)
         return [
-            SampleChunk(surface, kind, *span)
+            CandidateChunk(surface, kind, *span)
             for surface in self._plan.featured_surfaces
             for kind, count in counts.items()
-            for span in _spans(count, FEATURED_SAMPLES_CHUNK)
+            for span in _spans(count, FEATURED_CANDIDATES_CHUNK)
         ]
 
     @property

@@ -52,8 +52,8 @@ class StorePatterns:
         contact = f"{{radius}}/{{loading}}/{{rho}}/{_SURFACE}"
         self.pool = f"{folder['pool']}/{contact}/scans-{{first}}-{{last}}.nc"
         self.whole_surfaces = f"{folder['whole_surfaces']}/{contact}/surfaces-{{first}}-{{last}}.nc"
-        self.featured_samples = (
-            f"{folder['featured_samples']}/{contact}/{{features}}/samples-{{first}}-{{last}}.nc"
+        self.featured_candidates = (
+            f"{folder['featured_candidates']}/{contact}/{{features}}/{{first}}-{{last}}.nc"
         )
         scan_on_sphere = f"{rough_sphere}/{contact}/scan-{{scan}}.nc"
         self.pull_off = f"{folder['pull_off']}/{scan_on_sphere}"

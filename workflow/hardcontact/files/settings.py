@@ -19,7 +19,7 @@ settings (`scans`, `both_bodies`) and the purposes of filtered masters. The kind
 - ``hindcast``: forces on a scan with random roughness in place of its outermost octaves;
 - ``whole_surfaces``: forces on whole substitute surfaces, also with perturbed octaves;
 - ``band_forces``: forces on the band alone, which are a result and not in the store;
-- ``pool``, ``featured_samples``: forces on random scans, without and with features, for the sets;
+- ``pool``, ``featured_candidates``: forces on scans for the sets, without and with features;
 - ``masters``: scans with artificial roughness;
 - purposes of `PURPOSES`: forces on filtered masters.
 """
@@ -108,7 +108,7 @@ def _contact_settings(plan: StudyPlan) -> dict[str, dict[str, Any]]:
         "whole_surfaces": {**whole_surface, "ranges": long_ranges},
         "band_forces": whole_surface,
         "pool": {**set_scan, "rms_height_count": study["sets"]["rms_height_count"]},
-        "featured_samples": set_scan,
+        "featured_candidates": set_scan,
     }
 
 

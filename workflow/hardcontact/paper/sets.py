@@ -1,8 +1,8 @@
 """Sets of scans: forces, fit, band and claims of each, computed as for the study, for sets.nc.
 
 A set has as many scans of each substrate as the study, from the pool of the substrate. A surface
-with features has a sample that no other set has. The sets show how much the numbers of the study
-depend on its scans.
+with features has a candidate (`featured_candidates`) that no other set has. The sets show how much
+the numbers of the study depend on its scans.
 """
 
 from collections.abc import Mapping, Sequence
@@ -22,7 +22,7 @@ from hardcontact.contact.pull_off import mean_over_contacts
 from hardcontact.inference.fit import WITHOUT_SURFACE
 from hardcontact.paper.claims.judgement import claim_values
 from hardcontact.paper.edges_of_masters import edges_of_masters
-from hardcontact.paper.featured_samples import sample_of_set, samples_by_surface
+from hardcontact.paper.featured_candidates import candidate_of_set, candidates_by_surface
 from hardcontact.paper.pool import sample_scans
 from hardcontact.paper.published_fit import PublishedForces, fit_published
 from hardcontact.surfaces.metrics import TABLE1_METRICS, scan_averages
@@ -37,12 +37,12 @@ SET_EDGE_VARIABLES = ["filtered_force_ratio", "filtered_force_change", "edge", "
 
 
 class SetInputs(NamedTuple):
-    """Datasets of which sets are made; a substrate without pool or samples keeps its scans."""
+    """Datasets of which sets are made; a substrate without pool or candidates keeps its scans."""
 
     topography: xr.Dataset  #: topography.nc of the study.
     adhesion: xr.Dataset  #: adhesion.nc of the study.
     pools: Mapping[str, xr.Dataset]  #: By substrate.
-    samples: Mapping[str, Mapping[str, xr.Dataset]]  #: By substrate with features and their kind.
+    candidates: Mapping[str, Mapping[str, xr.Dataset]]  #: By substrate with features and kind.
     #: (contact_model, surface, rho) force on the rough sphere relative to a smooth sphere.
     sphere_factor: xr.DataArray
     masters: xr.Dataset  #: From `read_master_forces` at one load.
@@ -63,18 +63,17 @@ def gather_inputs(
     *,
     topography: xr.Dataset,
     adhesion: xr.Dataset,
-    chunks: Mapping[tuple[Any, ...], xr.Dataset],
-    sample_chunks: Mapping[tuple[Any, ...], xr.Dataset],
+    pool_chunks: Mapping[tuple[Any, ...], xr.Dataset],
+    candidate_chunks: Mapping[tuple[Any, ...], xr.Dataset],
     sampled_substrates: Sequence[str],
     masters: xr.Dataset,
 ) -> SetInputs:
-    """Join the chunks of pools and samples, and compute the factor of the rough sphere.
+    """Join the chunks of pools and candidates, and compute the factor of the rough sphere.
 
-    `chunks` come from `pool.compute_pool`, by substrate, first and last scan; `sample_chunks` from
-    `featured_samples.compute_samples`, by substrate, kind, first and last sample. The
-    `sampled_substrates` have a pool or samples.
+    `pool_chunks` come from `compute_pool`, by substrate, first and last scan; `candidate_chunks`
+    are those of `candidates_by_surface`. The `sampled_substrates` have a pool or candidates.
     """
-    pools = concatenate(chunks, "scan", 1)
+    pools = concatenate(pool_chunks, "scan", 1)
     rough = adhesion["pull_off_force"].mean(["scan", "sphere_scan", *CONTACT_AXES])
     smooth = adhesion["smooth_sphere_force"].mean("scan")
     factor = (rough / smooth).where(rough["surface"].isin(list(sampled_substrates)))
@@ -82,21 +81,22 @@ def gather_inputs(
         topography,
         adhesion,
         {surface: pool for (surface,), pool in pools.items()},
-        samples_by_surface(sample_chunks),
+        candidates_by_surface(candidate_chunks),
         factor,
         masters,
     )
 
 
 def sample_set_scans(inputs: SetInputs, seed: int, set_number: int) -> dict[str, xr.Dataset]:
-    """Return as many scans as the study has, for each substrate with a pool or samples."""
+    """Return as many scans as the study has, for each substrate with a pool or candidates."""
     counts = inputs.topography["rms_height"].count("scan").to_series()
     pool_scans = {
         name: sample_scans(pool, generator(seed, name, set_number, "set", "scans"), counts[name])
         for name, pool in inputs.pools.items()
     }
     return pool_scans | {
-        name: sample_of_set(samples, set_number) for name, samples in inputs.samples.items()
+        name: candidate_of_set(candidates, set_number)
+        for name, candidates in inputs.candidates.items()
     }
 
 

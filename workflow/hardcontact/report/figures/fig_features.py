@@ -21,14 +21,15 @@ EQUALITY_LOOK: style.Look = {"color": "0.6", "lw": 0.8}
 
 
 def draw(features: xr.Dataset, published_pull_off: pd.DataFrame) -> Figure:
-    """Draw (a) median and (b) scatter of the forces on each sample against their mean."""
+    """Draw (a) median and (b) scatter of the forces on each candidate against their mean."""
     figure = drawing.create(3.2, features)
     median_axes, scatter_axes = figure.subplots(1, 2)
     for kind, look in KIND_LOOKS.items():
-        samples = features.sel(features=kind)
-        mean = samples["mean_force_at_pair"] / style.MICRONEWTON
-        median_axes.scatter(mean, samples["median_force_at_pair"] / style.MICRONEWTON, s=14, **look)
-        scatter_axes.scatter(mean, samples["log_force_std"], s=14, **look)
+        candidates = features.sel(features=kind)
+        mean = candidates["mean_force_at_pair"] / style.MICRONEWTON
+        median = candidates["median_force_at_pair"] / style.MICRONEWTON
+        median_axes.scatter(mean, median, s=14, **look)
+        scatter_axes.scatter(mean, candidates["log_force_std"], s=14, **look)
     forces = published_pull_off.reindex([features.attrs["surface"]]).iloc[0]
     mean, median = (forces[name] / style.MICRONEWTON for name in ("mean_force", "median_force"))
     log_std = log_std_of_lognormal(forces["mean_force"], forces["median_force"])

@@ -256,13 +256,13 @@ def _pairs_of_sets(datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame) 
 
 def _feature_numbers(features: xr.Dataset, confidence: float) -> Iterator[Number]:
     """Yield the forces on surfaces with bumps, with pits, and Gaussian, and the published ones."""
-    if features.sizes["sample"] == 0:
+    if features.sizes["candidate"] == 0:
         return
-    for kind, samples in features.groupby("features"):
-        yield Number(f"{kind}_samples_that_agree", samples["agrees"].mean().item())
+    for kind, candidates in features.groupby("features"):
+        yield Number(f"{kind}_candidates_that_agree", candidates["agrees"].mean().item())
         for variable, unit in FORCE_UNITS.items():
             name = f"{kind}_{variable.removesuffix('_at_pair')}"
-            yield _median_number(name, unit, samples[variable].values.ravel(), confidence)
+            yield _median_number(name, unit, candidates[variable].values.ravel(), confidence)
     for variable, unit in FORCE_UNITS.items():
         name = variable.removesuffix("_at_pair")
         value = features.attrs[f"published_{name}"]

@@ -1,7 +1,7 @@
 """Pull-off forces on scans of some surfaces with features, whose roughness is that of Table 1."""
 
 from hardcontact.contact.contact import Contact
-from hardcontact.paper.featured_samples import compute_samples
+from hardcontact.paper.featured_candidates import compute_candidates
 from hardcontact.records.job import run_job
 from hardcontact.surfaces.featured_scans import featured_surface
 from hardcontact.surfaces.substitutes import read_substitute
@@ -12,7 +12,7 @@ with run_job(snakemake) as job:
     substitute = read_substitute(
         params["surface"], job.input.substitute, params["scan_grid"], params["seed"]
     )
-    samples = compute_samples(
+    candidates = compute_candidates(
         params["features"],
         numbers,
         featured_surface(substitute),
@@ -21,7 +21,7 @@ with run_job(snakemake) as job:
         params["ranges"],
     )
     job.write(
-        samples,
+        candidates,
         title=f"pull-off forces on surfaces of {params['surface']} with features: "
         f"{params['features']}",
     )

@@ -1,0 +1,154 @@
+"""Candidates for a surface with features, bumps or pits, and the forces on them (features.nc).
+
+A candidate is one random choice of the features of a surface, and of scans with these features that
+have the roughness of Table 1. Each set takes one candidate. Forces never enter the choice.
+"""
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+
+from hardcontact.base.dataset import concatenate, stack
+from hardcontact.base.progress import progress
+from hardcontact.base.statistics import log_std_of_lognormal
+from hardcontact.base.units import DIMENSIONLESS, NEWTON
+from hardcontact.contact.contact import CONTACT_AXES, PLASTIC, Contact
+from hardcontact.contact.pull_off import interpolate_to_range
+from hardcontact.paper.pool import smooth_sphere_forces
+from hardcontact.paper.published_fit import PublishedForces
+from hardcontact.surfaces.featured_scans import FeaturedSurface, describe_features, sample_group
+from hardcontact.surfaces.features import KINDS, SIGNS
+from hardcontact.surfaces.levelling import level_plane
+from hardcontact.surfaces.metrics import TABLE1_METRICS, measured_metrics
+
+#: Largest factor between computed and published force of a candidate that agrees. It holds for the
+#: mean and for the median force, at the published range and work of adhesion.
+MAX_FORCE_FACTOR = 2.0
+#: Statistics of the forces on a candidate, with their units.
+CANDIDATE_STATISTICS = {
+    "mean_force_at_pair": NEWTON, "median_force_at_pair": NEWTON, "log_force_std": DIMENSIONLESS,
+    "agrees": DIMENSIONLESS,
+}  # fmt: skip
+
+
+def compute_candidates(
+    kind: str,
+    numbers: Sequence[int],
+    featured: FeaturedSurface,
+    scan_count: int,
+    contact: Contact,
+    ranges: list[float],
+) -> xr.Dataset:
+    """Return features, roughness and forces of candidates of a kind: bumps, pits or gaussian.
+
+    Forces (candidate, scan, contact_model, rho, contact_y, contact_x) of a smooth sphere are in N
+    at 1 J/m², at ranges in nm.
+    """
+    candidates = []
+    for number in progress(numbers, len(numbers), "surfaces with features"):
+        features, scans = sample_group(featured, kind, range(1, scan_count + 1), number)
+        scan_results = {}
+        for index, scan in enumerate(map(level_plane, scans), 1):
+            forces = smooth_sphere_forces(scan, contact, ranges)
+            roughness = measured_metrics(scan, TABLE1_METRICS.values())
+            scan_results[(index,)] = roughness.assign(pull_off_force=forces)
+        description = describe_features(features, featured.mean_rms_height)
+        candidates.append(stack(scan_results, ["scan"]).assign(description))
+    return xr.concat(candidates, pd.Index(list(numbers), name="candidate"))
+
+
+def candidates_by_surface(
+    chunks: Mapping[tuple[Any, ...], xr.Dataset],
+) -> dict[str, dict[str, xr.Dataset]]:
+    """Return the candidates of each surface and kind, joined from chunks.
+
+    A chunk from `compute_candidates` has the key surface, kind, first and last candidate.
+    """
+    surfaces: dict[str, dict[str, xr.Dataset]] = {}
+    for (surface, kind), candidates in concatenate(chunks, "candidate", 2).items():
+        surfaces.setdefault(surface, {})[kind] = candidates
+    return surfaces
+
+
+def candidate_of_set(candidates: Mapping[str, xr.Dataset], set_number: int) -> xr.Dataset:
+    """Return the candidate of a set: odd sets have bumps, even sets pits.
+
+    Candidates are by kind. No candidate is in two sets.
+    """
+    index = set_number - 1
+    kind = list(SIGNS)[index % len(SIGNS)]
+    return candidates[kind].isel(candidate=index // len(SIGNS), drop=True)
+
+
+def compare_features(
+    chunks: Mapping[tuple[Any, ...], xr.Dataset],
+    sphere_factors: xr.DataArray,
+    published: PublishedForces,
+    labels: Mapping[str, str],
+) -> xr.Dataset:
+    """Return features.nc: CANDIDATE_STATISTICS (features, candidate) and the published ones.
+
+    `chunks` are those of `candidates_by_surface`. `sphere_factors` (surface, contact_model, rho)
+    are the forces on the rough sphere relative to a smooth sphere. The dataset is empty if no
+    surface has features; the paper has one at most.
+    """
+    if not chunks:
+        return _empty_comparison()
+    ((surface, candidates),) = candidates_by_surface(chunks).items()
+    factor = sphere_factors.sel(contact_model=PLASTIC, surface=surface, drop=True)
+    targets = published.forces.loc[surface].to_dict()
+    statistics = [
+        _candidate_statistics(
+            candidates_of_kind.sel(contact_model=PLASTIC), factor, published.pair, targets
+        )
+        for candidates_of_kind in candidates.values()
+    ]
+    log_std = log_std_of_lognormal(targets["mean_force"], targets["median_force"])
+    kinds = pd.Index(list(candidates), name="features")
+    return xr.concat(statistics, kinds, join="outer").assign_attrs(
+        surface=surface,
+        label=labels[surface],
+        source="substitute",
+        published_mean_force=targets["mean_force"],
+        published_median_force=targets["median_force"],
+        published_log_force_std=float(log_std),
+    )
+
+
+def _candidate_statistics(
+    candidates: xr.Dataset,
+    sphere_factor: xr.DataArray,
+    pair: tuple[float, float],
+    targets: Mapping[Any, float],
+) -> xr.Dataset:
+    """Return the features and CANDIDATE_STATISTICS (candidate,) of plastic forces at a pair.
+
+    ``agrees`` is 1 if mean and median force are within MAX_FORCE_FACTOR of the targets.
+    """
+    rho, work = pair
+    forces = work * interpolate_to_range(candidates["pull_off_force"] * sphere_factor, rho)
+    contacts = forces.stack(contact=("scan", *CONTACT_AXES)).transpose("candidate", "contact")
+    mean = contacts.values.mean(axis=1)
+    median = np.median(contacts, axis=1)
+    factors = np.array([mean / targets["mean_force"], median / targets["median_force"]])
+    agrees = (np.abs(np.log(factors)) <= np.log(MAX_FORCE_FACTOR)).all(axis=0)
+    values = (mean, median, np.log(contacts.values).std(axis=1), agrees.astype(float))
+    statistics = {
+        name: ("candidate", value, unit)
+        for (name, unit), value in zip(CANDIDATE_STATISTICS.items(), values, strict=True)
+    }
+    features = [name for name in candidates if candidates[name].dims == ("candidate",)]
+    return candidates[features].assign(statistics)
+
+
+def _empty_comparison() -> xr.Dataset:
+    """Return an empty dataset like `compare_features`, for a study without features."""
+    empty = ("features", "candidate"), np.empty((len(KINDS), 0))
+    return xr.Dataset(
+        {name: (*empty, unit) for name, unit in CANDIDATE_STATISTICS.items()},
+        {"features": list(KINDS), "candidate": np.arange(0)},
+        {"surface": "", "label": "", "source": "substitute"},
+    )
