@@ -7,14 +7,14 @@ from scipy import fft
 from hardcontact.contact.geometry import contact_positions
 from hardcontact.inference import scan_parts
 from hardcontact.inference.scan_parts import (
-    half_width,
+    interval_half_width,
     jackknife_variance,
     parts_of_scans,
 )
 
 
-def half_of(left_out, scan_parts, confidence):
-    return half_width([jackknife_variance(left_out, scan_parts)], confidence)
+def half_width_of(left_out, scan_parts, confidence):
+    return interval_half_width([jackknife_variance(left_out, scan_parts)], confidence)
 
 
 @pytest.mark.parametrize("count, tiles", [(4, 1), (20, 1), (20, 4), (7, 2), (6, 4)])
@@ -33,9 +33,9 @@ QUARTERS = scan_parts.quarters_of_contacts(4, 1)
 def test_three_scans_are_independent_parts_and_fewer_are_divided_into_quarters():
     three = parts_of_scans(np.array([0, 1, 2, 0]), QUARTERS, 100.0, 50.0)
     assert not three.are_quarters and three.part_of_contact[:, 0, 0].tolist() == [0, 1, 2, 0]
-    np.testing.assert_array_equal(three.correlation, np.eye(3))
+    np.testing.assert_array_equal(three.correlation_matrix, np.eye(3))
     two = parts_of_scans(np.array([0, 1, 0]), QUARTERS, 100.0, 50.0)
-    assert two.are_quarters and (two.correlation[:4, 4:] == 0).all()
+    assert two.are_quarters and (two.correlation_matrix[:4, 4:] == 0).all()
     np.testing.assert_array_equal(two.part_of_contact[1], QUARTERS + 4)
 
 
@@ -56,7 +56,7 @@ def test_quarters_correlate_as_those_of_smoothed_noise(reach):
     means = quarter_means(fields(np.random.default_rng(1), 4000, 32, reach * 32))
     measured_correlation = means.T @ means / np.mean(means**2) / len(means)
     scan_parts = parts_of_scans(np.zeros(1), QUARTERS, 1.0, reach)
-    np.testing.assert_allclose(scan_parts.correlation, measured_correlation, atol=0.05)
+    np.testing.assert_allclose(scan_parts.correlation_matrix, measured_correlation, atol=0.05)
 
 
 @pytest.mark.parametrize("scans", [1, 2, 3, 5])
@@ -69,15 +69,15 @@ def test_intervals_contain_the_mean_with_their_confidence(scans):
         means = means.reshape(draws, scans, 4).mean(axis=-1)
     count = means.shape[1]
     left_out = (means.sum(axis=1, keepdims=True) - means) / (count - 1)
-    half = half_of(left_out.T, scan_parts, 0.9)
-    assert np.mean(np.abs(means.mean(axis=1)) < half) == pytest.approx(0.9, abs=0.03)
+    half_width = half_width_of(left_out.T, scan_parts, 0.9)
+    assert np.mean(np.abs(means.mean(axis=1)) < half_width) == pytest.approx(0.9, abs=0.03)
 
 
 def test_a_single_part_or_equal_parts_have_no_interval():
     far = parts_of_scans(np.zeros(1), QUARTERS, 1.0, 5.0)
-    assert np.isnan(half_of(np.arange(4.0), far, 0.95))
+    assert np.isnan(half_width_of(np.arange(4.0), far, 0.95))
     single = parts_of_scans(np.zeros(1), np.zeros((1, 1), int), 1.0, 0.1)
-    assert np.isnan(half_of(np.zeros(1), single, 0.95))
+    assert np.isnan(half_width_of(np.zeros(1), single, 0.95))
     near = parts_of_scans(np.zeros(1), QUARTERS, 1.0, 0.1)
-    half = half_of(np.array([[0.1, 0.2]] * 4) + 1e-17, near, 0.95)
-    assert np.isnan(half).all()
+    half_width = half_width_of(np.array([[0.1, 0.2]] * 4) + 1e-17, near, 0.95)
+    assert np.isnan(half_width).all()

@@ -63,11 +63,13 @@ def band_ratios(forces: xr.Dataset, scan_parts: ScanParts, confidence: float) ->
 
     `forces` come from `band_force_dataset`, with the further dimension `map`.
     """
-    log_ratio, half = log_force_ratio(forces["band_force"], forces["force"], scan_parts, confidence)
-    interval = np.exp(np.stack([log_ratio - half, log_ratio + half], axis=-1))
+    log_ratio, log_interval = log_force_ratio(
+        forces["band_force"], forces["force"], scan_parts, confidence
+    )
+    ratio, interval = np.exp(log_ratio), np.exp(log_interval)
     dimensions = ("band", "band_part")
     variables = with_interval(
-        "band_force_ratio", dimensions, np.exp(log_ratio), interval, DIMENSIONLESS, confidence
+        "band_force_ratio", dimensions, ratio, interval, DIMENSIONLESS, confidence
     )
     return xr.Dataset(variables, {name: forces[name] for name in dimensions})
 

@@ -126,10 +126,10 @@ def octave_sensitivities(
     """
     octave_force = forces["octave_force"]
     weak, strong = (octave_force.sel(factor=factor, drop=True) for factor in AMPLITUDE_FACTORS)
-    log_ratio, half_width = log_force_ratio(strong, weak, scan_parts, confidence)
-    interval = np.stack([log_ratio - half_width, log_ratio + half_width], axis=-1) / (2 * STEP)
+    log_ratio, log_interval = log_force_ratio(strong, weak, scan_parts, confidence)
+    sensitivity, interval = log_ratio / (2 * STEP), log_interval / (2 * STEP)
     variables = with_interval(
-        "octave_sensitivity", "octave", log_ratio / (2 * STEP), interval, DIMENSIONLESS, confidence
+        "octave_sensitivity", "octave", sensitivity, interval, DIMENSIONLESS, confidence
     )
     map_size = ((), forces.attrs["map_size"], NM)
     return xr.Dataset(variables | {"map_size": map_size}, {"octave": forces["octave"]})

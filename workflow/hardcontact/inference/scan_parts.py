@@ -54,7 +54,7 @@ class ScanParts:
 
     #: (map, contact_y, contact_x), the number of the part in which a contact of a map lies.
     part_of_contact: NDArray[np.int_]
-    correlation: Floats  #: (part, part), of mean forces of parts.
+    correlation_matrix: Floats  #: (part, part), of mean forces on parts.
     scan_count: int  #: Number of scans.
     touched_patches: float = np.inf  #: Fewest patches that the contacts on a scan touch.
 
@@ -64,15 +64,25 @@ class ScanParts:
         return self.scan_count < ENOUGH_SCANS
 
     @property
-    def touches_few_patches(self) -> bool:
-        """Whether the contacts of a scan touch fewer patches than it has quarters."""
-        return self.are_quarters and self.touched_patches * self.scan_count < len(self.correlation)
+    def part_count(self) -> int:
+        """Number of parts."""
+        return len(self.correlation_matrix)
 
     @property
     def mean_correlation(self) -> float:
         """Mean correlation of two parts."""
-        count = len(self.correlation)
-        return float((self.correlation.sum() - count) / max(count * (count - 1), 1))
+        count = self.part_count
+        return float((self.correlation_matrix.sum() - count) / max(count * (count - 1), 1))
+
+    @property
+    def interval_source(self) -> IntervalSource:
+        """The origin of an interval, or why it is missing."""
+        if not self.are_quarters:
+            return IntervalSource.SCANS
+        if self.part_count < 2 or self.mean_correlation > SAME_CORRELATION:
+            return IntervalSource.ONE_PART
+        touches_few_patches = self.touched_patches * self.scan_count < self.part_count
+        return IntervalSource.FEW_PATCHES if touches_few_patches else IntervalSource.QUARTERS
 
     @property
     def variance_correction(self) -> tuple[float, float]:
@@ -83,22 +93,13 @@ class ScanParts:
         both. The degrees of freedom are Satterthwaite's for the correlation matrix without its
         row means. NaN if the parts give no interval.
         """
-        count = len(self.correlation)
-        correlation = self.mean_correlation
-        if count < 2 or correlation > SAME_CORRELATION or self.touches_few_patches:
+        if self.interval_source not in (IntervalSource.SCANS, IntervalSource.QUARTERS):
             return np.nan, np.nan
-        centred = (np.eye(count) - 1 / count) @ self.correlation
+        count = self.part_count
+        correlation = self.mean_correlation
+        centred = (np.eye(count) - 1 / count) @ self.correlation_matrix
         degrees_of_freedom = np.trace(centred) ** 2 / np.trace(centred @ centred)
         return (1 + (count - 1) * correlation) / (1 - correlation), float(degrees_of_freedom)
-
-    @property
-    def interval_source(self) -> IntervalSource:
-        """The origin of an interval, or why it is missing."""
-        if not self.are_quarters:
-            return IntervalSource.SCANS
-        if len(self.correlation) < 2 or self.mean_correlation > SAME_CORRELATION:
-            return IntervalSource.ONE_PART
-        return IntervalSource.FEW_PATCHES if self.touches_few_patches else IntervalSource.QUARTERS
 
 
 def fewest_touched_patches(adhesion: xr.Dataset) -> dict[str, float]:
@@ -120,8 +121,8 @@ def quarters_of_contacts(contacts_per_row: int, tiles: int) -> NDArray[np.int_]:
     """
     # Positions in widths of the scan.
     unfolded = 2 * tiles * (np.arange(contacts_per_row) + 0.25) / contacts_per_row % 2
-    half = (np.minimum(unfolded, 2 - unfolded) >= 0.5).astype(int)
-    return np.asarray(2 * half[:, None] + half)
+    is_second_half = (np.minimum(unfolded, 2 - unfolded) >= 0.5).astype(int)
+    return np.asarray(2 * is_second_half[:, None] + is_second_half)
 
 
 def parts_of_scans(
@@ -143,9 +144,9 @@ def parts_of_scans(
         return ScanParts(part_of_contact, np.eye(len(scans)), len(scans), touched_patches)
     numbers, quarter = np.unique(quarters, return_inverse=True)
     part_of_contact = scan[:, None, None] * len(numbers) + quarter.reshape(quarters.shape)
-    correlation = _correlation_of_quarters(size, weight_deviation)[np.ix_(numbers, numbers)]
-    correlations = np.asarray(np.kron(np.eye(len(scans)), correlation), float)
-    return ScanParts(part_of_contact, correlations, len(scans), touched_patches)
+    scan_matrix = _correlation_of_quarters(size, weight_deviation)[np.ix_(numbers, numbers)]
+    correlation_matrix = np.asarray(np.kron(np.eye(len(scans)), scan_matrix), float)
+    return ScanParts(part_of_contact, correlation_matrix, len(scans), touched_patches)
 
 
 def parts_of_maps(
@@ -186,8 +187,8 @@ def delete_one_logarithms(
     `map_dimension` is the name of the first dimension.
     """
     part_of_contact = xr.DataArray(scan_parts.part_of_contact, dims=(map_dimension, *CONTACT_AXES))
-    part_count = len(scan_parts.correlation)
-    statistics = [statistic(part_of_contact != number).values for number in range(part_count)]
+    parts = range(scan_parts.part_count)
+    statistics = [statistic(part_of_contact != part).values for part in parts]
     return np.asarray(np.log(statistics))
 
 
@@ -200,7 +201,7 @@ def jackknife_variance(logarithms: Floats, scan_parts: ScanParts) -> Variance:
     return Variance((len(logarithms) - 1) * logarithms.var(axis=0) * factor, degrees_of_freedom)
 
 
-def half_width(variances: Sequence[Variance], confidence: float) -> Floats:
+def interval_half_width(variances: Sequence[Variance], confidence: float) -> Floats:
     """Return the half width of the interval of a logarithm with several causes of variance.
 
     It follows from Student's t with the sum of the independent variances (...), and with the
@@ -212,14 +213,14 @@ def half_width(variances: Sequence[Variance], confidence: float) -> Floats:
     inverse = sum((cause.value / positive) ** 2 / cause.degrees_of_freedom for cause in variances)
     inverse = np.where(total > 0, inverse, 1.0)
     quantile = student_quantile(1 / inverse, confidence)
-    half = np.minimum(quantile * np.sqrt(total), MAX_LOG_DEVIATION)
-    return np.where(half > MIN_HALF_WIDTH, half, np.nan)
+    half_width = np.minimum(quantile * np.sqrt(total), MAX_LOG_DEVIATION)
+    return np.where(half_width > MIN_HALF_WIDTH, half_width, np.nan)
 
 
 def log_force_ratio(
     changed_force: xr.DataArray, force: xr.DataArray, scan_parts: ScanParts, confidence: float
 ) -> tuple[Floats, Floats]:
-    """Return the logarithm (...) of a ratio of mean forces, and the half width of its interval.
+    """Return the logarithm (...) of a ratio of mean forces, and its interval (..., 2).
 
     Forces are over (map, ..., contact_y, contact_x); the means are over maps and contacts. The
     interval comes from the jackknife over the parts of the maps.
@@ -231,16 +232,17 @@ def log_force_ratio(
         return changed_force.where(is_kept).mean(dimensions) / force.where(is_kept).mean(dimensions)
 
     logarithms = delete_one_logarithms(scan_parts, "map", ratio)
-    half = half_width([jackknife_variance(logarithms, scan_parts)], confidence)
-    return np.log(ratio(xr.DataArray(True)).values), half
+    half_width = interval_half_width([jackknife_variance(logarithms, scan_parts)], confidence)
+    log_ratio = np.log(ratio(xr.DataArray(True)).values)
+    return log_ratio, np.stack([log_ratio - half_width, log_ratio + half_width], axis=-1)
 
 
-def sampled_deviations(
+def sample_deviations(
     rng: np.random.Generator, logarithms: Floats, scan_parts: ScanParts, samples: int
 ) -> Floats:
     """Sample deviations (samples, ...) of the logarithm of a statistic from its mean over parts.
 
-    They follow Student's t, like the interval of `half_width`; `logarithms` (part, ...) come from
+    They follow Student's t, as in `interval_half_width`; `logarithms` (part, ...) come from
     `delete_one_logarithms`. With the same generator, parts that differ only in their correlation
     share their random numbers. NaN for fewer than two parts.
     """

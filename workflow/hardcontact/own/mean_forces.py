@@ -18,7 +18,7 @@ from hardcontact.inference.scan_parts import (
     Variance,
     delete_one_logarithms,
     fewest_touched_patches,
-    half_width,
+    interval_half_width,
     jackknife_variance,
     parts_of_scans,
     quarters_of_contacts,
@@ -92,7 +92,7 @@ def _position_variance(forces: xr.DataArray) -> Variance | None:
 def position_half_width(surface_forces: SurfaceForces, confidence: float) -> Floats | None:
     """Return the half width (rho,) of the interval of ln F for the position of the sphere."""
     variance = surface_forces.position_variance
-    return None if variance is None else half_width([variance], confidence)
+    return None if variance is None else interval_half_width([variance], confidence)
 
 
 def mean_intervals(surface_forces: SurfaceForces, confidence: float) -> Floats:
@@ -105,7 +105,7 @@ def mean_intervals(surface_forces: SurfaceForces, confidence: float) -> Floats:
         surface_forces.delete_one_log_means, surface_forces.scan_parts, strict=True
     )
     variances = [jackknife_variance(log_means, parts) for log_means, parts in parts_at_ranges]
-    half_widths = np.array([half_width([variance], confidence) for variance in variances])
+    half_widths = np.array([interval_half_width([variance], confidence) for variance in variances])
     position_half_widths = position_half_width(surface_forces, confidence)
     if position_half_widths is not None:
         half_widths = np.hypot(half_widths, position_half_widths)
@@ -126,7 +126,7 @@ def logarithmic_interval(value: Floats, log_half_width: Floats) -> Floats:
 class MasterScans(NamedTuple):
     """The scans of masters: realization r uses scan (r - 1) modulo the number of scans."""
 
-    scans: Mapping[str, int]  #: Number of scans of each surface.
+    counts: Mapping[str, int]  #: Number of scans of each surface.
     tiles: int  #: Mirrored scans per row of a long-edge master.
     touched_patches: Mapping[str, float]  #: From `fewest_touched_patches`.
 
@@ -154,7 +154,7 @@ def forces_of_masters(
         "realization", how="all", subset=["filtered_force_ratio"]
     )
     scan_parts = parts_of_scans(
-        (forces.realization.values - 1) % master_scans.scans[surface],
+        (forces.realization.values - 1) % master_scans.counts[surface],
         quarters_of_contacts(forces.sizes["contact_y"], tiles),
         scan_size,
         float(np.sqrt(scales.attrs["sphere_radius"] * scales.attrs["rho"])),
@@ -210,4 +210,4 @@ def half_width_over_masters(
     shifts = forces.get(shift_name)
     if shifts is not None and shifts.notnull().any():
         variances.append(Variance((shifts**2).mean("realization").values, count))
-    return half_width(variances, confidence)
+    return interval_half_width(variances, confidence)

@@ -25,7 +25,7 @@ from hardcontact.base.statistics import (
 from hardcontact.base.units import DIMENSIONLESS, JOULE_PER_M2, NEWTON, NM
 from hardcontact.contact.pull_off import interpolate_to_ranges
 from hardcontact.inference.fit import FIT_ATTRS, best_fit, fine_ranges
-from hardcontact.inference.scan_parts import IntervalSource, sampled_deviations
+from hardcontact.inference.scan_parts import IntervalSource, sample_deviations
 from hardcontact.own.mean_forces import SurfaceForces, forces_by_surface
 from hardcontact.own.measured_tests import measured_tests, sampled_means
 
@@ -85,7 +85,7 @@ def _sampled_forces(surface_forces: SurfaceForces, surface: str, sampling: Sampl
     _, mean, delete_one_log_means, scan_parts, position_variance = surface_forces
     count = sampling.sample_count
     scan_deviations = [
-        sampled_deviations(sampling.generator("scans", surface), log_means, parts, count)
+        sample_deviations(sampling.generator("scans", surface), log_means, parts, count)
         for log_means, parts in zip(delete_one_log_means, scan_parts, strict=True)
     ]
     deviations = np.stack(scan_deviations, axis=1)

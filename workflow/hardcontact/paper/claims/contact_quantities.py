@@ -21,7 +21,7 @@ from hardcontact.paper.claims.estimates import (
 )
 from hardcontact.surfaces.metrics import TABLE1_VARIABLES
 
-#: E* h' of a smooth sphere relative to its mean pressure, by Hertz.
+#: κ: E* h' of a smooth sphere relative to its mean pressure, by Hertz (findings.md).
 SLOPE_OVER_PRESSURE = 3 * np.pi / (4 * np.sqrt(2))
 
 
@@ -114,8 +114,8 @@ def deformation_over_adhesion(topography: xr.Dataset, elastic: xr.Dataset) -> xr
 def elastic_pressure_over_hardness(topography: xr.Dataset, elastic: xr.Dataset) -> xr.Dataset:
     """Return the mean pressure of elastic contact relative to the hardness (surface).
 
-    The pressure is E* h'/k with the rms slope h' of all scales and the k of a smooth sphere. For a
-    rough flat k is 1.6 (Persson, J. Chem. Phys. 115 (2001) 3840) to 2.5 (Bush, Gibson and Thomas,
+    The pressure is E* h'/κ with the rms slope h' of all scales and the κ of a smooth sphere. For a
+    rough flat κ is 1.6 (Persson, J. Chem. Phys. 115 (2001) 3840) to 2.5 (Bush, Gibson and Thomas,
     Wear 35 (1975) 87).
     """
     slope = topography[TABLE1_VARIABLES["all_rms_slope"]].sel(surface=elastic["surface"])
