@@ -118,7 +118,8 @@ class _Windows:
     """The tiles of the substrate in the windows of contacts, with lower bounds on their gaps.
 
     Tiles are numbered along each axis of the window of their contact. Bounds in nm are infinite for
-    tiles outside the window.
+    tiles outside the window. `sphere_maxima` are those of the roughness of the sphere, over the
+    tiles that a tile of the substrate meets.
     """
 
     def __init__(
@@ -129,23 +130,24 @@ class _Windows:
         positions: NDArray[np.int_],
     ) -> None:
         self.substrate = substrate
-        self.roughness = bodies.sphere_roughness
+        self.sphere_roughness = bodies.sphere_roughness
         self.sphere_maxima = sphere_maxima
         self.geometry = geometry = bodies.geometry
         offset, index, meets = substrate.tiles_in_window(positions, geometry.window_pixels)
-        # The lowest point of the sphere over the TILE pixels that begin at each offset.
         nearest = np.maximum(np.maximum(offset, -(offset + TILE - 1)), 0)
-        low = np.where(meets, geometry.paraboloid(nearest), np.inf)
-        padding = ((0, 0), (0, 0), (0, -low.shape[-1] % GROUP))
-        #: (contact, axis, tiles along the axis), whole groups.
-        self.offset = np.pad(offset, padding, constant_values=geometry.window_pixels)  # outside it
+        paraboloid_low = np.where(meets, geometry.paraboloid(nearest), np.inf)
+        padding = ((0, 0), (0, 0), (0, -paraboloid_low.shape[-1] % GROUP))
+        # Three arrays (contact, axis, tiles along the axis), padded to whole groups: the offset of
+        # a tile, outside the window for padding; its index; the lowest point of the smooth sphere
+        # over it.
+        self.offset = np.pad(offset, padding, constant_values=geometry.window_pixels)
         self.index = np.pad(index, padding)
-        self.low = np.pad(low, padding, constant_values=np.inf)
+        self.paraboloid_low = np.pad(paraboloid_low, padding, constant_values=np.inf)
 
     def group_bounds(self) -> Floats:
         """Return the bounds (contact, group), groups numbered by rows within the window."""
-        contacts, axes, tiles = self.low.shape
-        low = self.low.reshape(contacts, axes, tiles // GROUP, GROUP).min(axis=-1)
+        contacts, axes, tiles = self.paraboloid_low.shape
+        low = self.paraboloid_low.reshape(contacts, axes, tiles // GROUP, GROUP).min(axis=-1)
         groups = self.index[:, :, ::GROUP]
         bounds = low[:, 0, :, None] + low[:, 1, None, :]
         bounds -= self.substrate.group_maxima[groups[:, 0, :, None], groups[:, 1, None, :]]
@@ -155,14 +157,14 @@ class _Windows:
 
     def tiles_of_groups(self, contacts: NDArray[np.int_], group: NDArray[np.int_]) -> WindowTiles:
         """Return the tiles of groups (k,), in this order; `contacts` (k,) are their contacts."""
-        group_row, group_column = np.divmod(group, self.low.shape[-1] // GROUP)
+        group_row, group_column = np.divmod(group, self.paraboloid_low.shape[-1] // GROUP)
         row = (group_row[:, None] * GROUP + np.arange(GROUP))[:, :, None]
         column = (group_column[:, None] * GROUP + np.arange(GROUP))[:, None, :]
         contact = contacts[:, None, None]
-        bounds = self.low[contact, 0, row] + self.low[contact, 1, column]
+        bounds = self.paraboloid_low[contact, 0, row] + self.paraboloid_low[contact, 1, column]
         bounds -= self.substrate.maxima[self.index[contact, 0, row], self.index[contact, 1, column]]
-        if self.roughness is not None and self.sphere_maxima is not None:
-            sphere_tiles = self.offset % self.roughness.pixels // TILE
+        if self.sphere_roughness is not None and self.sphere_maxima is not None:
+            sphere_tiles = self.offset % self.sphere_roughness.pixels // TILE
             bounds -= self.sphere_maxima[
                 sphere_tiles[contact, 0, row], sphere_tiles[contact, 1, column]
             ]
@@ -180,9 +182,9 @@ class _Windows:
         tile_y, tile_x = self.index[contact, 0, row], self.index[contact, 1, column]
         gaps: Floats = self._sphere_in_window(y)[:, :, None] + self._sphere_in_window(x)[:, None, :]
         gaps -= self.substrate.blocks[tile_y, :, tile_x, :]
-        if self.roughness is not None:
-            period = self.roughness.pixels
-            gaps -= self.roughness.heights[y[:, :, None] % period, x[:, None, :] % period]
+        if self.sphere_roughness is not None:
+            period = self.sphere_roughness.pixels
+            gaps -= self.sphere_roughness.heights[y[:, :, None] % period, x[:, None, :] % period]
         return gaps, y, x
 
     def _sphere_in_window(self, offset: NDArray[np.int_]) -> Floats:
@@ -209,7 +211,7 @@ def _find_contact_pixels(windows: _Windows, contact_pixel_count: int) -> list[Co
     contacts, gaps, offsets = (np.concatenate(arrays) for arrays in zip(*low_gaps, strict=True))
     ends = np.searchsorted(contacts, np.arange(1, len(limits)))
     return [
-        _lowest(*candidates, contact_pixel_count)
+        _pixels_of_smallest_gaps(*candidates, contact_pixel_count)
         for candidates in zip(np.split(gaps, ends), np.split(offsets, ends), strict=True)
     ]
 
@@ -253,7 +255,9 @@ def _gaps_up_to(
     return tiles.contact_numbers[tile], gaps.ravel()[low], offsets
 
 
-def _lowest(gaps: Floats, offsets: NDArray[np.int_], contact_pixel_count: int) -> ContactPixels:
+def _pixels_of_smallest_gaps(
+    gaps: Floats, offsets: NDArray[np.int_], contact_pixel_count: int
+) -> ContactPixels:
     """Return the pixels of the smallest gaps, ascending; equal gaps in the order of offsets."""
     if gaps.size > contact_pixel_count:
         # Few gaps are left to sort, with all that equal the largest one.

@@ -57,7 +57,7 @@ MIN_WINDOW_SHARE = 0.99
 class Contact:
     """Sphere, loading, adhesion and array that all contacts of a computation share.
 
-    The loading is a preload with a hardness (plastic), or without one (rigid). Every computation
+    The loading is a contact model with its preload and, if plastic, its hardness. Every computation
     needs the first three fields. Height maps also need window and array, forces at one range need
     `rho`, and forces at another work than 1 J/m² need `work`. A field left out is NaN; `require`
     refuses it.

@@ -13,6 +13,7 @@ from hardcontact.contact.bearing_area import ContactPixels, all_contact_pixels
 from hardcontact.contact.contact import CONTACT_AXES, Contact
 from hardcontact.contact.geometry import Bodies, join_bodies, reference_gaps
 from hardcontact.contact.patches import label_connected
+from hardcontact.contact.pull_off import pixel_counts
 from hardcontact.surfaces.height_map import HeightMap
 
 #: Pixels on either side of the deepest pixel in the maps of one contact.
@@ -30,9 +31,9 @@ def indent_sizes(pixels: ContactPixels, pixel_size: float) -> tuple[float, float
     """
     gaps, offsets = pixels
     labels, count = label_connected(offsets)
-    pixel_counts = np.bincount(labels)[labels]
-    # Of equally large indents, the first of these pixels is in the deepest one.
-    largest_indent = offsets[labels == labels[pixel_counts.argmax()]]
+    indent_pixel_counts = np.bincount(labels)[labels]  # by pixel, the deepest pixel first
+    # Of equally large indents, this is the deepest one.
+    largest_indent = offsets[labels == labels[indent_pixel_counts.argmax()]]
     equal_area_side = np.sqrt(len(largest_indent)) * pixel_size
     longer_side = (np.ptp(largest_indent, axis=0).max() + 1) * pixel_size
     return gaps[-1] - gaps[0], equal_area_side, longer_side, count
@@ -70,7 +71,7 @@ def indents_of_scans(
 
 def _pixels_by_load(bodies: Bodies, loaded_contacts: Sequence[Contact]) -> list[ContactPixels]:
     """Return the contact pixels of the array at each load."""
-    counts = [contact.pixel_count(bodies.geometry.pixel_size) for contact in loaded_contacts]
+    counts = pixel_counts(bodies, loaded_contacts)
     contact_pixels = all_contact_pixels(bodies, max(counts))
     return [contact_pixels.lowest(count) for count in counts]
 

@@ -57,23 +57,24 @@ def force_of_sums(
 def attraction_sums(
     bodies: Bodies,
     contact_pixels: ContactPixels,
-    pixel_counts: Sequence[int],
+    counts: Sequence[int],
     ranges: Sequence[float],
 ) -> Floats:
     """Return sums (pixel count, rho, contact_y, contact_x) of exp(-gap/rho) at closest approach.
 
-    A pixel count is the number of pixels that touch; `contact_pixels` has at least as many. If
+    `counts` are numbers of pixels that touch; `contact_pixels` has at least as many. If
     fewer touch than it has, all gaps are larger by the same length.
     """
     gaps = contact_pixels.reference_gaps
     sums_outside = outside_sums(bodies, contact_pixels, ranges)
-    rho = np.asarray(ranges, float)[:, None, None]
+    rho_column = np.asarray(ranges, float)[:, None, None]
     sums = []
-    for count in pixel_counts:
+    for count in counts:
         largest_gap = gaps[..., count - 1]
         gaps_left = gaps[..., count:] - largest_gap[..., None]
-        opened = np.array([np.exp(-gaps_left / length).sum(axis=-1) for length in ranges])
-        sums.append(count + opened + sums_outside * np.exp((largest_gap - gaps[..., -1]) / rho))
+        open_sums = np.array([np.exp(-gaps_left / rho).sum(axis=-1) for rho in ranges])
+        decay = np.exp((largest_gap - gaps[..., -1]) / rho_column)
+        sums.append(count + open_sums + sums_outside * decay)
     return np.array(sums)
 
 
@@ -82,10 +83,15 @@ def forces_at_loadings(
 ) -> Floats:
     """Return the forces (loading, rho, contact_y, contact_x) of two bodies in N at 1 J/m².
 
-    A loading is a preload with a hardness (plastic contact), or without one (rigid contact). The
-    contacts differ in their loading alone; ranges of adhesion are in nm.
+    The contacts differ in their loading (`Contact`) alone; ranges of adhesion are in nm.
     """
-    return _pixels_and_forces(bodies, loaded_contacts, ranges)[2]
+    counts = pixel_counts(bodies, loaded_contacts)
+    return _forces_of_pixels(bodies, all_contact_pixels(bodies, max(counts)), counts, ranges)
+
+
+def pixel_counts(bodies: Bodies, loaded_contacts: Sequence[Contact]) -> list[int]:
+    """Return the number of contact pixels at each loading."""
+    return [contact.pixel_count(bodies.geometry.pixel_size) for contact in loaded_contacts]
 
 
 def make_force_function(contact: Contact, sphere: HeightMap | None = None) -> ForcesOnSurface:
@@ -99,16 +105,13 @@ def make_force_function(contact: Contact, sphere: HeightMap | None = None) -> Fo
     return compute_forces
 
 
-def _pixels_and_forces(
-    bodies: Bodies, loaded_contacts: Sequence[Contact], ranges: Sequence[float]
-) -> tuple[list[int], ContactPixels, Floats]:
-    """Return the counts (loading,) of contact pixels, the pixels of the largest, and the forces."""
-    pixel_size = bodies.geometry.pixel_size
-    pixel_counts = [contact.pixel_count(pixel_size) for contact in loaded_contacts]
-    contact_pixels = all_contact_pixels(bodies, max(pixel_counts))
-    sums = attraction_sums(bodies, contact_pixels, pixel_counts, ranges)
-    rho = np.asarray(ranges, float)[:, None, None]
-    return pixel_counts, contact_pixels, force_of_sums(sums, rho, pixel_size)
+def _forces_of_pixels(
+    bodies: Bodies, contact_pixels: ContactPixels, counts: Sequence[int], ranges: Sequence[float]
+) -> Floats:
+    """Return the forces (pixel count, rho, contact_y, contact_x) in N at 1 J/m²."""
+    sums = attraction_sums(bodies, contact_pixels, counts, ranges)
+    rho_column = np.asarray(ranges, float)[:, None, None]
+    return force_of_sums(sums, rho_column, bodies.geometry.pixel_size)
 
 
 def pull_off_dataset(bodies: Bodies, contact: Contact, ranges: Sequence[float]) -> xr.Dataset:
@@ -119,8 +122,9 @@ def pull_off_dataset(bodies: Bodies, contact: Contact, ranges: Sequence[float]) 
     range (nm) is too short for the relief of the surface.
     """
     pixel_size = bodies.geometry.pixel_size
-    loaded_contacts = [replace(contact, plastic=False), contact]
-    counts, contact_pixels, forces = _pixels_and_forces(bodies, loaded_contacts, ranges)
+    counts = pixel_counts(bodies, [replace(contact, plastic=False), contact])
+    contact_pixels = all_contact_pixels(bodies, max(counts))
+    forces = _forces_of_pixels(bodies, contact_pixels, counts, ranges)
     reference_gaps = contact_pixels.reference_gaps
     apex_heights = -np.stack([reference_gaps[..., 0], reference_gaps[..., -1]])
     positions = bodies.geometry.positions * pixel_size
