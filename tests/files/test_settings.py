@@ -17,7 +17,9 @@ def test_rules_of_intermediates_take_no_values_of_the_configuration_but_settings
     parameters = [rule.partition("params:")[2] for rule in rules if "STORE." in rule]
     assert parameters
     for text in parameters:
-        assert not re.search(r"\b(STUDY|CONTACT_ARGUMENTS|SAMPLING|config)\b|PLAN\.contact\b", text), text
+        assert not re.search(
+            r"\b(STUDY|CONTACT_ARGUMENTS|SAMPLING|config)\b|PLAN\.contact\b", text
+        ), text
 
 
 @pytest.mark.parametrize(

@@ -103,16 +103,23 @@ rule aggregate_topography:
         scans=FILES.paths(STORE.levelled_scans, PLAN.scan_ids),
         spectra=[FILES.spectrum_path(surface) for surface in SELECTION.surfaces],
         conditionings=[FILES.conditioning_path(surface) for surface in SELECTION.substitutes],
+        examples=[
+            FILES.path(STORE.levelled_scans, surface, scan=SELECTION.contact_scans(surface)[0])
+            for surface in SELECTION.surfaces
+        ],
     output:
         RESULTS.dataset("topography"),
     params:
         parameters=dict(
             scan_keys=PLAN.scan_ids,
+            surfaces=SELECTION.surfaces,
             conditioned=SELECTION.substitutes,
-            **LABELS_AND_SOURCES,
-            sphere_surface=SELECTION.sphere,
-            reference_surface=STUDY["reference_surface"],
-            confidence=STUDY["intervals"]["confidence"],
+            attributes=dict(
+                **LABELS_AND_SOURCES,
+                sphere_surface=SELECTION.sphere,
+                reference_surface=STUDY["reference_surface"],
+                confidence=STUDY["intervals"]["confidence"],
+            ),
         ),
     script:
         "../scripts/aggregate_topography.py"

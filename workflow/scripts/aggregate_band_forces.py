@@ -1,13 +1,13 @@
 """The force on the critical band alone, relative to that with all roughness: band_forces.nc."""
 
-from hardcontact.base.dataset import add_surface_names, read
+from hardcontact.base.dataset import add_surface_names, read_by_name
 from hardcontact.inference.band_forces import band_ratios_by_surface
 from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:
     params = job.parameters
     rho, confidence = params["rho"], params["confidence"]
-    bands = dict(zip(params["bands"], map(read, job.input.bands), strict=True))
+    bands = read_by_name(params["bands"], job.input.bands)
     ratios = band_ratios_by_surface(bands, params["radius"], rho, confidence)
     # Measured surfaces have no whole surfaces, and so NaN.
     band_forces = ratios.reindex(surface=params["surfaces"])

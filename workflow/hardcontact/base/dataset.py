@@ -131,6 +131,11 @@ def read_all(
     return {tuple(key): read(path) for key, path in zip(keys, paths, strict=True)}
 
 
+def read_by_name(names: Iterable[str], paths: Iterable[str | Path]) -> dict[str, xr.Dataset]:
+    """Read one dataset for each name; raise ValueError as `read_all` does."""
+    return {name: read(path) for name, path in zip(names, paths, strict=True)}
+
+
 def concatenate(
     datasets: DatasetsByLabels, dimension: str, shared_labels: int
 ) -> dict[tuple[Any, ...], xr.Dataset]:

@@ -3,6 +3,7 @@
 import math
 import re
 from collections.abc import Iterator, Mapping
+from enum import StrEnum
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -20,12 +21,26 @@ INPUT_SOURCES = ("given", "assumed", "file")
 NO_LOW_END = (EdgeStatus.OPEN_BELOW, NumberStatus.INTERVAL_OPEN_LOW, *NO_INTERVAL_WORDS)
 #: Statuses of numbers whose interval has no high end.
 NO_HIGH_END = (EdgeStatus.OPEN_ABOVE, NumberStatus.INTERVAL_OPEN_HIGH, *NO_INTERVAL_WORDS)
-#: Agreements in the order of rows; the others, which resolve no change, stand between.
-AGREEMENT_RANKS = {"changed": 0, "different": 1, "equal": 3}
 #: Numbers that answer the question; they come first.
 MAIN_NUMBERS = re.compile("(short|long)_edge(_first)?|mean_force|(range|work)_of_adhesion")
 #: Numbers beside the answer, by the beginning or end of their names; they come last.
 SIDE_NUMBERS = re.compile("(bumps|pits|gaussian|verdicts)_.*|.*_(scatter|agreeing_share)")
+
+
+class Agreement(StrEnum):
+    """How the numbers of two studies agree."""
+
+    CHANGED = "changed"  #: The interval of the change excludes no change.
+    DIFFERENT = "different"  #: The intervals do not overlap.
+    UNCHANGED = "unchanged"  #: The interval of the change includes no change.
+    SAME = "same"  #: The intervals overlap.
+    NO_INTERVAL = "no_interval"  #: Neither number has an interval.
+    UNKNOWN = "unknown"  #: One of the numbers is not known.
+    EQUAL = "equal"  #: To EQUAL_DIGITS.
+
+
+#: Agreements in the order of rows; the others, which resolve no change, stand between.
+AGREEMENT_RANKS = {Agreement.CHANGED: 0, Agreement.DIFFERENT: 1, Agreement.EQUAL: 3}
 
 
 class ChangedInput(NamedTuple):
@@ -56,24 +71,21 @@ class ComparedNumber(NamedTuple):
         return Number("difference", second - first, self.first.unit, *self.change_interval)
 
     @property
-    def agreement(self) -> str:
-        """Whether both are "equal", "same" within their intervals, or "different".
-
-        "changed": the interval of the change excludes no change; "unchanged": it includes it.
-        "no_interval": neither number has one. "unknown": one of them is not known.
-        """
+    def agreement(self) -> Agreement:
+        """How both numbers agree; an interval of the change comes before their own intervals."""
         if is_equal(self.first, self.second):
-            return "equal"
+            return Agreement.EQUAL
         if not (is_known(self.first) and is_known(self.second)):
-            return "unknown"
+            return Agreement.UNKNOWN
         low_change, high_change = self.change_interval
         if math.isfinite(low_change):
             no_change = 1 if self.change.name == "ratio" else 0
-            return "unchanged" if low_change <= no_change <= high_change else "changed"
+            includes_none = low_change <= no_change <= high_change
+            return Agreement.UNCHANGED if includes_none else Agreement.CHANGED
         if lacks_interval(self.first) and lacks_interval(self.second):
-            return "no_interval"
+            return Agreement.NO_INTERVAL
         low, high = zip(bounds(self.first), bounds(self.second), strict=True)
-        return "same" if max(low) <= min(high) else "different"
+        return Agreement.SAME if max(low) <= min(high) else Agreement.DIFFERENT
 
     @property
     def sort_key(self) -> tuple[bool, bool, int, float]:
@@ -114,7 +126,8 @@ def compare_answers(first: Mapping[str, Any], second: Mapping[str, Any]) -> Comp
         ChangedInput(number.surface, number.name, number.first, number.second)
         for number in compared
         if number.first.source in INPUT_SOURCES
-        if number.name.replace("_", " ") not in first["contact"] and number.agreement != "equal"
+        if number.name.replace("_", " ") not in first["contact"]
+        and number.agreement != Agreement.EQUAL
     ]
     results = [number for number in compared if number.first.source not in INPUT_SOURCES]
     return Comparison([*_changed_contact(first, second), *inputs], results)

@@ -55,22 +55,15 @@ def check_study(config: dict[str, Any], table: pd.DataFrame) -> None:
     substitutes = table[table.source == "substitute"].drop_duplicates("surface")
     table1 = published.read_table1(published.PUBLISHED_TABLES["published_table1"])
     rows_of_table1 = {str(name): set(rows.quantity) for name, rows in table1.groupby("surface")}
-    checks: list[Callable[[], object]] = [
-        partial(refuse_description, path, rows_of_table1.get(surface, set()))
-        for surface, path in zip(substitutes.surface, substitutes.path, strict=True)
-    ]
+    faults = list[str]()
+    for row in substitutes.itertuples():
+        published_rows = rows_of_table1.get(str(row.surface), set())
+        faults += _faults_found_by(refuse_description, row.path, published_rows)
     if is_paper_study(config):
-        # Imported here, as the claims would cost studies of the user's surfaces almost a second.
-        from hardcontact.paper.claims.table import check_claims
-
-        faults = _paper_faults(config, contacts)
-        checks.append(partial(check_claims, CLAIMS))
+        faults += _paper_faults(config, contacts)
     else:
-        faults = []
-        if config["sphere"]["surface"] != SMOOTH_SPHERE:
-            faults = _name_faults(config, "sphere.surface", list(contacts.surface.unique()))
-        checks += _own_surface_checks(config, table, substitutes, rows_of_table1)
-    run_checks([partial(raise_faults, faults), *checks])
+        faults += _own_surface_faults(config, table, substitutes, rows_of_table1)
+    raise_faults(dict.fromkeys(faults))
     rows_by_surface = {str(name): rows for name, rows in contacts.groupby("surface", sort=False)}
     grids = run_checks(partial(surface_grid, config, *item) for item in rows_by_surface.items())
     try:
@@ -78,6 +71,15 @@ def check_study(config: dict[str, Any], table: pd.DataFrame) -> None:
     except ValueError as error:
         raise_faults(_unit_questions(config, str(error).splitlines()[-1]))
         raise
+
+
+def _faults_found_by(check: Callable[..., object], *arguments: Any) -> list[str]:
+    """Return the lines of the ValueError that a check raises, if it does."""
+    try:
+        check(*arguments)
+    except ValueError as error:
+        return str(error).splitlines()
+    return []
 
 
 def _unit_questions(config: dict[str, Any], fault: str) -> Iterator[str]:
@@ -121,27 +123,33 @@ def _paper_faults(config: dict[str, Any], contacts: pd.DataFrame) -> list[str]:
     if len(scans) and scans.max() > pool:
         accepted = f"at least the {scans.max()} scans of {scans.idxmax()}"
         faults.append(key_fault("sets.pool_size", accepted, pool))
-    return faults
+    # Imported here, as the claims would cost studies of the user's surfaces almost a second.
+    from hardcontact.paper.claims.table import check_claims
+
+    return faults + _faults_found_by(check_claims, CLAIMS)
 
 
-def _own_surface_checks(
+def _own_surface_faults(
     config: dict[str, Any],
     table: pd.DataFrame,
     substitutes: pd.DataFrame,
     paper_surfaces: Collection[str],
-) -> list[Callable[[], object]]:
-    """Return the checks of substitutes, scans that contacts do not use, and the user's forces."""
-    checks: list[Callable[[], object]] = [
-        partial(refuse_paper_surface, path, surface, paper_surfaces)
-        for surface, path in zip(substitutes.surface, substitutes.path, strict=True)
-    ]
-    spectrum_scans = table[table.use != CONTACT_USE]
-    checks += [partial(stored_scan, config, row) for row in spectrum_scans.itertuples()]
+) -> list[str]:
+    """Return the faults of a study of the user's surfaces; scans under contact are not read."""
+    faults = list[str]()
+    sphere = config["sphere"]["surface"]
+    if sphere != SMOOTH_SPHERE:
+        contacts = table[table.use == CONTACT_USE]
+        faults += _name_faults(config, "sphere.surface", list(contacts.surface.unique()))
+    for row in substitutes.itertuples():
+        faults += _faults_found_by(refuse_paper_surface, row.path, row.surface, paper_surfaces)
+    for row in table[table.use != CONTACT_USE].itertuples():
+        faults += _faults_found_by(stored_scan, config, row)
     if config["forces"] != NONE:
-        substrates = table.surface[table.surface != config["sphere"]["surface"]]
+        substrates = list(table.surface[table.surface != sphere].unique())
         radius = config["sphere"]["radius"]
-        checks.append(partial(measured_forces, config["forces"], list(substrates.unique()), radius))
-    return checks
+        faults += _faults_found_by(measured_forces, config["forces"], substrates, radius)
+    return faults
 
 
 def stored_scan(config: dict[str, Any], row: Any) -> HeightMap:
