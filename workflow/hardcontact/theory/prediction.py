@@ -74,13 +74,12 @@ def prediction(
     error_is_known = all(number.status == Effect.NEGLIGIBLE for number in checks)
     if scans is not None and scans.is_extrapolated:
         error_is_known &= _is_measured_error_known(scans, contact, tolerance, name)
-    tail = _short_wave_tail(spectrum, trimmed)
-    is_unknown = tail is None and spectrum.density[-1] > 0
-    change_status = Effect.UNKNOWN if is_unknown else Effect.NEGLIGIBLE
-    change = Number("extrapolated_change", math.nan, status=change_status)
     extrapolated: list[Number] = []
-    # Without an exponent no waves are added: slope or curvature are at their bounds already.
-    if tail is not None and (math.isfinite(tail.hurst) or tail.rolloff > trimmed.wavelength[0]):
+    change = Number("extrapolated_change", math.nan, status=Effect.NEGLIGIBLE)
+    tail = _short_wave_tail(spectrum, trimmed)
+    if tail is None and spectrum.density[-1] > 0:
+        change = change._replace(status=Effect.UNKNOWN)
+    elif tail is not None and _adds_waves(tail, trimmed):
         extrapolated = _extrapolated_numbers(tail, contact, tolerance, error_is_known)
         change = _force_change("extrapolated_change", extrapolated[0].value, form)
     coordinates = table_coordinates(trimmed, contact, form)
@@ -224,6 +223,14 @@ def _short_wave_tail(spectrum: Spectrum, trimmed: Spectrum) -> _Tail | None:
     fit = fit_hurst_exponent(trimmed.wavevector, trimmed.density, variance)
     density, tail = extrapolate_short_waves(trimmed.wavevector, trimmed.density, fit)
     return _Tail(density, float(trimmed.wavelength[0]), tail.tail_hurst, tail.tail_ended_by)
+
+
+def _adds_waves(tail: _Tail, trimmed: Spectrum) -> bool:
+    """Return whether the extrapolation adds short waves, or long waves up to the roll-off.
+
+    It adds no short waves, and has no exponent, if slope or curvature are at their bounds already.
+    """
+    return math.isfinite(tail.hurst) or tail.rolloff > trimmed.wavelength[0]
 
 
 def _extrapolated_numbers(
