@@ -45,12 +45,12 @@ rule compute_band_forces:
 rule aggregate_band_forces:
     """Gather the forces on the band alone, relative to those with all roughness: band_forces.nc."""
     input:
-        bands=[FILES.path(BAND_FORCES, surface) for surface in BAND_SURFACES],
+        surfaces=[FILES.path(BAND_FORCES, surface) for surface in BAND_SURFACES],
     output:
         RESULTS.dataset("band_forces"),
     params:
         parameters=dict(
-            bands=BAND_SURFACES,
+            band_surfaces=BAND_SURFACES,
             surfaces=SELECTION.substrates,
             **LABELS_AND_SOURCES,
             radius=STUDY["sphere"]["radius"],

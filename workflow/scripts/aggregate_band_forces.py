@@ -7,8 +7,8 @@ from hardcontact.records.job import run_job
 with run_job(snakemake) as job:
     params = job.parameters
     rho, confidence = params["rho"], params["confidence"]
-    bands = read_by_name(params["bands"], job.input.bands)
-    ratios = band_ratios_by_surface(bands, params["radius"], rho, confidence)
+    forces = read_by_name(params["band_surfaces"], job.input.surfaces)
+    ratios = band_ratios_by_surface(forces, params["radius"], rho, confidence)
     # Measured surfaces have no whole surfaces, and so NaN.
     band_forces = ratios.reindex(surface=params["surfaces"])
     job.write(

@@ -5,7 +5,7 @@ from pathlib import Path
 import pandas as pd
 import yaml
 
-from hardcontact.base import dataset
+from hardcontact.base.dataset import read
 from hardcontact.records.job import run_job
 from hardcontact.report.answer import answer_text
 from hardcontact.report.figures.listing import FILE_KINDS
@@ -16,9 +16,7 @@ from hardcontact.report.templates import Frame
 
 with run_job(snakemake) as job:
     paths = {name: getattr(job.input, name, None) for name in Datasets._fields}
-    datasets = Datasets(
-        **{name: dataset.read(path) if path else None for name, path in paths.items()}
-    )
+    datasets = Datasets(**{name: read(path) if path else None for name, path in paths.items()})
     pairs = pd.read_csv(job.input.pairs).to_dict("records")
     setting = Setting(**job.parameters, pairs=pairs)
     answer = own_answer(datasets, setting)

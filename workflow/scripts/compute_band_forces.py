@@ -17,14 +17,13 @@ with run_job(snakemake) as job:
     substitute = read_substitute(
         params["surface"], job.input.substitute, params["scan_grid"], params["seed"]
     )
-    # Without a description `whole_surface` makes a surface with bumps or pits; with one, a Gaussian
-    # surface whose spectrum the description permits.
-    description = None if params["has_features"] else job.input.description
     published_band = substitute.constants["value"][["short_edge", "long_edge"]]
     bands = {"published": tuple(published_band), "found": mean_band(read(job.input.edges))}
     forces = {}
     for number in progress(surface_numbers, len(surface_numbers), "surfaces"):
-        surface = whole_surface(substitute, description, number, **params["grid"])
+        surface = whole_surface(
+            substitute, params["has_features"], job.input.description, number, **params["grid"]
+        )
         band_forces = band_force_dataset(surface, bands, compute_forces)
         forces[(number,)] = band_forces.assign_attrs(map_size=surface.size)
     job.write(

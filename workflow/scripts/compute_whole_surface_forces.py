@@ -15,12 +15,11 @@ with run_job(snakemake) as job:
     substitute = read_substitute(
         params["surface"], job.input.substitute, params["scan_grid"], params["seed"]
     )
-    # Without a description `whole_surface` makes a surface with bumps or pits; with one, a Gaussian
-    # surface whose spectrum the description permits.
-    description = None if params["has_features"] else job.input.description
     forces = {}
     for number in progress(surface_numbers, len(surface_numbers), "surfaces"):
-        surface = whole_surface(substitute, description, number, **params["grid"])
+        surface = whole_surface(
+            substitute, params["has_features"], job.input.description, number, **params["grid"]
+        )
         forces[(number,)] = whole_surface_forces(surface, contact, params["ranges"])
     job.write(
         stack(forces, ["map"]),

@@ -1,6 +1,6 @@
 """Range and work of adhesion that the user's forces allow."""
 
-from hardcontact.base import dataset
+from hardcontact.base.dataset import read
 from hardcontact.base.statistics import Sampling
 from hardcontact.config.force_table import measured_forces
 from hardcontact.own.hindcast import pixel_factors
@@ -8,10 +8,10 @@ from hardcontact.own.measured_fit import add_extrapolated_work, fit_measured
 from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:
-    adhesion = dataset.read(job.input.adhesion)
+    adhesion = read(job.input.adhesion)
     surfaces = adhesion["surface"].values.tolist()
-    force = dataset.read(job.input.force)
-    sizes = dataset.read(job.input.topography)["scan_size"].to_series().to_dict()
+    force = read(job.input.force)
+    sizes = read(job.input.topography)["scan_size"].to_series().to_dict()
     fitted = fit_measured(
         adhesion,
         measured_forces(job.input.forces, surfaces, adhesion.attrs["sphere_radius"]),

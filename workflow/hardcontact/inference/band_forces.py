@@ -75,7 +75,7 @@ def band_ratios(forces: xr.Dataset, scan_parts: ScanParts, confidence: float) ->
 
 
 def band_ratios_by_surface(
-    bands: Mapping[str, xr.Dataset], radius: float, rho: float, confidence: float
+    forces_by_surface: Mapping[str, xr.Dataset], radius: float, rho: float, confidence: float
 ) -> xr.Dataset:
     """Return ``band_force_ratio`` (surface, band, band_part) and ``band_edge`` (band, side) in nm.
 
@@ -83,7 +83,7 @@ def band_ratios_by_surface(
     """
     surfaces = {
         (surface,): band_ratios(forces, parts_of_maps(forces, radius, rho), confidence)
-        for surface, forces in bands.items()
+        for surface, forces in forces_by_surface.items()
     }
-    edges = next(iter(bands.values()))["band_edge"].isel(map=0, drop=True)
+    edges = next(iter(forces_by_surface.values()))["band_edge"].isel(map=0, drop=True)
     return stack(surfaces, ["surface"]).assign(band_edge=edges)

@@ -88,17 +88,18 @@ def featured_surface(substitute: Substitute) -> FeaturedSurface:
 
 def whole_surface(
     substitute: Substitute,
-    description: str | None,
+    has_features: bool,
+    description: str,
     number: int,
     pixels: int,
     pixel_size: float,
 ) -> HeightMap:
-    """Return a whole surface, with features or with its own spectrum that Table 1 permits.
+    """Return a whole surface: with features, or Gaussian with a spectrum of its own.
 
-    `description` is the path of the description of the spectrum, or None for a surface with
-    features; `pixel_size` is in nm.
+    Table 1 and the description of the spectrum (a path) permit this spectrum; `pixel_size` is in
+    nm.
     """
-    if description is None:
+    if has_features:
         return featured_surface(substitute).sample_whole_surface(number, pixels, pixel_size)
     rng = substitute.generator(number, "permitted spectrum")
     table1, constants = substitute.table1, substitute.constants
