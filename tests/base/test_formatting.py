@@ -35,7 +35,7 @@ from hardcontact.base.formatting import (
     ],
 )
 def test_a_quantity_has_three_digits_or_those_of_its_interval(value, unit, ends, printed):
-    assert format_quantity(value, unit, *ends) == printed
+    assert format_quantity(value, unit, ends) == printed
 
 
 @pytest.mark.parametrize(

@@ -64,18 +64,18 @@ class LogHandler(LogHandlerBase):
         refuse_faults()
         log_reasons()
         settings = self.common_settings
-        self._own_log = bool(settings.dryrun or settings.verbose or settings.quiet)
+        self._shows_snakemake_log = bool(settings.dryrun or settings.verbose or settings.quiet)
         self._stream = sys.stdout if settings.stdout else sys.stderr
         self._stages: dict[str, Stage] = {}
         self._planned: dict[str, int] = {}  # jobs of each rule
         self._cores = os.cpu_count() or 1
-        self._crowding = 1.0
+        self._crowding = 1.0  # processes per processor
         self._done = Counter[str]()
         self._rules: dict[int, str] = {}  # by job
         self._begin: dict[str, float] = {}  # of the first job of each rule
         self._ended = threading.Event()
         self._last_line = time.monotonic()
-        if not self._own_log:
+        if not self._shows_snakemake_log:
             self._say("Planning the run ...")
 
     def emit(self, record: LogRecord) -> None:
@@ -84,7 +84,7 @@ class LogHandler(LogHandlerBase):
         fields = vars(record)
         if event == LogEvent.ERROR:
             self._show_error(record, fields["exception"])
-        elif self._own_log:
+        elif self._shows_snakemake_log:
             self._say(self.format(record))
         elif event == LogEvent.RESOURCES_INFO:
             self._cores = fields.get("cores", self._cores)
@@ -121,7 +121,7 @@ class LogHandler(LogHandlerBase):
         message = record.getMessage()
         repeats = exception in JOB_EXCEPTIONS or message.endswith(INCOMPLETE_MESSAGE)
         line = "" if self._planned else error_line(exception, message)
-        if line or self._own_log or not (self._planned and repeats):
+        if line or self._shows_snakemake_log or not (self._planned and repeats):
             self._say(line or self.format(record))
 
     def _plan(self, jobs: dict[str, int]) -> None:
@@ -131,7 +131,7 @@ class LogHandler(LogHandlerBase):
         self._total = self._planned.pop("total")
         self._stages = {rule: stage_of(rule, stages) for rule in self._planned}
         self._run_begin = time.monotonic()
-        # Processes of others share the processors; the average is that of the last minute.
+        # Others' processes share the processors: as many as on average in the last minute.
         processes = os.getloadavg()[0] + self._cores
         self._crowding = max(1.0, processes / (os.cpu_count() or 1))
         minutes = math.ceil(self._cost(self._planned) / 60)
@@ -144,7 +144,7 @@ class LogHandler(LogHandlerBase):
         seconds = sum(self._stages[rule].seconds * count for rule, count in jobs.items())
         return seconds / self._cores * self._crowding
 
-    def _position(self) -> str:
+    def _progress(self) -> str:
         """Return the number of finished jobs, and the remaining time from the costs of jobs.
 
         The table of costs weighs as much as a PRIOR_SHARE of the run: finished jobs alone leave out
@@ -161,7 +161,7 @@ class LogHandler(LogHandlerBase):
         """Show the progress if there was no line for a while."""
         while not self._ended.wait(1):
             if time.monotonic() - self._last_line > MAX_SILENCE_SECONDS:
-                self._say(self._position())
+                self._say(self._progress())
 
     def _start(self, job: int, rule: str, message: str | None) -> None:
         self._rules[job] = rule
@@ -175,7 +175,7 @@ class LogHandler(LogHandlerBase):
         if self._done[rule] == self._planned[rule]:
             took = timedelta(seconds=round(time.monotonic() - self._begin[rule]))
             name, jobs = self._stages[rule].name, _jobs(self._planned[rule])
-            self._say(f"{name:40}{jobs:>8} in {took}, {self._position()}")
+            self._say(f"{name:40}{jobs:>8} in {took}, {self._progress()}")
 
     def close(self) -> None:
         """End the thread that breaks silence."""

@@ -72,11 +72,6 @@ def _format_down_to(last_digit: float, number: float, limits: Sequence[float] = 
     return _format_down_to(last_digit / 10, number, limits) if is_hidden else text
 
 
-def _add_interval(number: str, low: str, high: str, unit: str = "") -> str:
-    """Return a number, its interval and its unit as "67 [47, 74] nm"."""
-    return f"{number} [{low}, {high}] {unit}".rstrip()
-
-
 def _format(
     value: float,
     units: Mapping[str, float],
@@ -87,7 +82,8 @@ def _format(
 ) -> str:
     """Return a number in the unit that fits best, with its interval if both ends are known.
 
-    `digits` is the number of significant digits if there is no interval.
+    `digits` is the number of significant digits if there is no interval, and `open_end` the end,
+    "low" or "high", that is only a bound.
     """
     # 999.9 nm is printed as 1 µm, not as 1000 nm: half of the last digit is enough.
     threshold = 1 - 0.5 * 10**-digits
@@ -97,17 +93,14 @@ def _format(
         return f"{format_number(value / units[name], digits)} {name}".rstrip()
     scaled = [number / units[name] for number in (value, *interval, *limits)]
     number, low, high = format_value_and_ends(*scaled)
-    if open_end:
-        bound = f"at least {low}" if open_end == "high" else f"at most {high}"
-        return f"{number} [{bound}] {name}".rstrip()
-    return _add_interval(number, low, high, name)
+    bounds = {"": f"{low}, {high}", "high": f"at least {low}", "low": f"at most {high}"}
+    return f"{number} [{bounds[open_end]}] {name}".rstrip()
 
 
 def format_quantity(
     value: float,
     unit: str,
-    low: float = math.nan,
-    high: float = math.nan,
+    interval: tuple[float, float] = (math.nan, math.nan),
     digits: int = 3,
     open_end: str = "",
 ) -> str:
@@ -117,11 +110,11 @@ def format_quantity(
     are unknown, zero and infinity if nothing is excluded. `open_end` is the end, "low" or "high",
     that is only a bound: "0.64 [at least 0.5] µN".
     """
-    finite = math.isfinite(low + high)
-    unbounded = finite and is_unbounded(value, low, high, unit)
-    interval = (low, high) if finite and not unbounded else (math.nan, math.nan)
-    text = _format(value, PRINTED_UNITS[unit], interval, digits, open_end)
-    return f"{text} [not bounded]" if unbounded or (low, high) == (0, math.inf) else text
+    is_finite = math.isfinite(sum(interval))
+    unbounded = is_finite and is_unbounded(value, *interval, unit)
+    shown_interval = interval if is_finite and not unbounded else (math.nan, math.nan)
+    text = _format(value, PRINTED_UNITS[unit], shown_interval, digits, open_end)
+    return f"{text} [not bounded]" if unbounded or interval == (0, math.inf) else text
 
 
 def format_length(length: float) -> str:
@@ -175,4 +168,4 @@ def format_with_interval(ends: Mapping[str, float], form: str) -> str:
     `form` is the format of each number, such as ".2g". No unit is printed.
     """
     number, low, high = (f"{ends[name]:{form}}" for name in ("value", "low", "high"))
-    return _add_interval(number, low, high) if math.isfinite(ends["low"] + ends["high"]) else number
+    return f"{number} [{low}, {high}]" if math.isfinite(ends["low"] + ends["high"]) else number

@@ -111,13 +111,22 @@ class Chunks:
         count = get_key(self._configuration, PURPOSES[purpose].realizations_key)
         spans = _spans(count, PURPOSES[purpose].realizations_in_job)
         digest = self._files.patterns.digests[purpose]
-        sweep_names = self._sweep_names(purpose)
+        sweep = self._files.patterns.settings[purpose]
+        loadings = [replace(self._plan.contact, **loading) for loading in sweep["loadings"]]
         return [
             FilteredMasters(
-                purpose, digest, surface, self._sphere(purpose, surface), *span, *sweep_names
+                purpose=purpose,
+                settings_digest=digest,
+                surface=surface,
+                sphere_digest=self._sphere_digest(purpose, surface),
+                first=first,
+                last=last,
+                radii="+".join(f"R{path_token(radius, 'um')}" for radius in sweep["radii"]),
+                loadings="+".join(contact.loading_name for contact in loadings),
+                ranges="+".join(f"rho{path_token(rho, 'nm')}" for rho in sweep["ranges"]),
             )
             for surface in self._master_surfaces(purpose)
-            for span in spans
+            for first, last in spans
         ]
 
     def _master_surfaces(self, purpose: str) -> list[str]:
@@ -127,23 +136,13 @@ class Chunks:
             return [name for name in substrates if name in self._selection.measured_surfaces]
         return substrates
 
-    def _sphere(self, purpose: str, surface: str) -> str:
+    def _sphere_digest(self, purpose: str, surface: str) -> str:
         """Return the digest of the sphere, which is smooth if masters have its roughness."""
         is_rough = self._configuration["scales"]["sphere_roughness"]
         is_added = surface in self._plan.combined_surfaces
         if is_added or not (is_rough and PURPOSES[purpose].rough_sphere):
             return SMOOTH_SPHERE
         return self._selection.sphere_digest
-
-    def _sweep_names(self, purpose: str) -> tuple[str, str, str]:
-        """Return radii, loadings and ranges of a purpose as parts of paths."""
-        sweep = self._files.patterns.settings[purpose]
-        loadings = (replace(self._plan.contact, **loading) for loading in sweep["loadings"])
-        return (
-            "+".join(f"R{path_token(radius, 'um')}" for radius in sweep["radii"]),
-            "+".join(contact.loading_name for contact in loadings),
-            "+".join(f"rho{path_token(rho, 'nm')}" for rho in sweep["ranges"]),
-        )
 
     def master_inputs(
         self, purpose: str, surface: str, first: int, last: int

@@ -14,14 +14,13 @@ from hardcontact.inference.scan_parts import IntervalSource
 
 
 class NoValue(StrEnum):
-    """Why a number has no value: no band, an untested extrapolation, or measured forces.
+    """Why a number has no value."""
 
-    NO_HINDCAST: artificial roughness is untested. NO_EXPONENT: it does not follow from the scans.
-    NO_AGREEMENT: no pair fits the forces. ONE_FORCE: a single force does not determine a pair.
-    """
-
-    NO_BAND, NO_HINDCAST, NO_EXPONENT = "no_band", "no_hindcast", "no_exponent"
-    NO_AGREEMENT, ONE_FORCE = "no_agreement", "one_force"
+    NO_BAND = "no_band"  #: No wavelength changes the force.
+    NO_HINDCAST = "no_hindcast"  #: No hindcast shows that roughness may be extrapolated.
+    NO_EXPONENT = "no_exponent"  #: The scans do not tell how their roughness goes on.
+    NO_AGREEMENT = "no_agreement"  #: No range and work of adhesion fit all measured forces.
+    ONE_FORCE = "one_force"  #: One measured force does not determine range and work.
 
 
 #: Words in place of an unknown value, by its status.
@@ -76,9 +75,9 @@ def format_number(number: Number, digits: int = 3, end: str = "") -> str:
         open_end = number.status.removeprefix("interval_open_")
     if end:
         number = Number(number.name, getattr(number, end), number.unit)
-    if number.unit in PRINTED_UNITS:
-        return format_quantity(number.value, number.unit, number.low, number.high, digits, open_end)
-    return format_as_paper(number.value, number.unit, (number.low, number.high), digits, open_end)
+    print_number = format_quantity if number.unit in PRINTED_UNITS else format_as_paper
+    interval = number.low, number.high
+    return print_number(number.value, number.unit, interval, digits, open_end)
 
 
 def in_words(number: Number, digits: int = 3) -> str:

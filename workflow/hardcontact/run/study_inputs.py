@@ -66,7 +66,7 @@ def checked_configuration(workflow: Any, config: dict[str, Any]) -> dict[str, An
         overwrite = yaml_values(config.pop("overwrite", False))
         numbers = numeric_configuration(config)
         if plans_the_run(workflow) and overwrite is not True:
-            _refuse_unnamed(config)
+            _refuse_changed_project_study(config)
         if numbers["quick"]:
             numeric_configuration(apply_effort(config | {"effort": "quick"}), "effort quick: ")
         return numbers
@@ -85,19 +85,20 @@ def _refuse_grids_of_paper(workflow: Any, config: Mapping[str, Any]) -> None:
         )
 
 
-def _refuse_unnamed(config: Mapping[str, Any]) -> None:
-    """Refuse other values for a study whose name is the project's own."""
+def _refuse_changed_project_study(config: Mapping[str, Any]) -> None:
+    """Refuse a study with the name of one of the project's studies, but with other values."""
     name = config["study"]
     project_config = read_yaml("config/config.yaml")
     if name == "quick":
         project_config = merge(project_config, read_yaml("config/quick.yaml"))
     if name != project_config["study"]:
         return
-    numbers, asked_numbers = numeric_configuration(project_config), numeric_configuration(config)
+    project_numbers = numeric_configuration(project_config)
+    numbers = numeric_configuration(config)
     changes = [
         f"{key}: {shorten(get_key(config, key))} for {shorten(get_key(project_config, key))}"
         for key, _ in key_fields(Study)
-        if key != "quick" and get_key(numbers, key) != get_key(asked_numbers, key)
+        if key != "quick" and get_key(project_numbers, key) != get_key(numbers, key)
     ]
     if changes:
         raise ValueError(

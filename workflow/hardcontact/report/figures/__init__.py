@@ -1,4 +1,4 @@
 """Figures of the paper's study, a module each, from final datasets and published tables alone.
 
-`drawing`, `style`, `panels` and `values` also serve the figures of the user's surfaces.
+`drawing`, `listing`, `style` and `panels` also serve the figures of the user's surfaces.
 """

@@ -20,15 +20,12 @@ from hardcontact.report.own_surfaces.cautions import cautions
 from hardcontact.report.own_surfaces.comparison import comparison_numbers
 from hardcontact.report.own_surfaces.datasets import (
     MEASUREMENT_LENGTHS,
-    NEARLY_ALL,
     Datasets,
     Setting,
     measurement_name,
     preferred_model,
-    shown_octaves,
-    split_scans,
+    split_measurements,
     stored_tabor_number,
-    without_padding,
 )
 from hardcontact.report.own_surfaces.edges import (
     EDGES,
@@ -45,6 +42,7 @@ from hardcontact.report.own_surfaces.forces import (
     pair_numbers,
     preferred_fit,
 )
+from hardcontact.report.own_surfaces.reliable_wavelengths import NEARLY_ALL, shown_octaves
 from hardcontact.report.own_surfaces.spectrum_cautions import Caution
 from hardcontact.report.quantities import number_of, number_without_value
 from hardcontact.report.templates import Frame, render_lines, render_text
@@ -225,7 +223,7 @@ def _topography_numbers(topography: xr.Dataset) -> Iterator[Number]:
 
 def _measurement_numbers(spectra: xr.Dataset) -> Iterator[Number]:
     """Yield the lengths of each measurement of one surface: size, pixels, reliable band, tip."""
-    for index, measurement in enumerate(split_scans(without_padding(spectra)), start=1):
+    for index, measurement in enumerate(split_measurements(spectra), start=1):
         for name in MEASUREMENT_LENGTHS:
             number = number_of(measurement, name, "nm", source="file")
             yield number._replace(name=f"measurement_{index}_{name}")
@@ -242,7 +240,7 @@ def _limit_name(scan: xr.Dataset) -> str:
 
 def _surface_head(surface: SurfaceAnswer, spectra: xr.Dataset) -> dict[str, Any]:
     """Return the head of one surface in answer.json: its name, conclusion and measurements."""
-    scans = split_scans(without_padding(spectra.sel(surface=surface.name)))
+    scans = split_measurements(spectra.sel(surface=surface.name))
     return {
         "name": surface.name,
         "label": surface.label,

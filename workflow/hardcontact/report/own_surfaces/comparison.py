@@ -13,7 +13,8 @@ import numpy as np
 from hardcontact.base.arrays import Floats
 from hardcontact.base.number import Number, NumberStatus
 from hardcontact.inference.octaves import OCTAVES_NAMED
-from hardcontact.report.own_surfaces.datasets import Datasets, forces_at_range, shown_octaves
+from hardcontact.report.own_surfaces.datasets import Datasets, forces_at_range
+from hardcontact.report.own_surfaces.reliable_wavelengths import shown_octaves
 from hardcontact.report.quantities import number_of
 from hardcontact.surfaces.spectrum import spectrum_of_dataset
 

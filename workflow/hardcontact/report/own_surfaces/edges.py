@@ -11,12 +11,11 @@ from hardcontact.base.number import Number, NumberStatus
 from hardcontact.base.statistics import interval_ends
 from hardcontact.inference.edges import EdgeStatus, computed_cutoffs
 from hardcontact.inference.scan_parts import IntervalSource
-from hardcontact.report.own_surfaces.datasets import (
+from hardcontact.report.own_surfaces.datasets import Datasets, fails_hindcast
+from hardcontact.report.own_surfaces.reliable_wavelengths import (
     NEARLY_ALL,
-    Datasets,
     artificial_bands,
     edge_source,
-    fails_hindcast,
     measured_share_at_edge,
     overlaps_any,
 )
@@ -189,9 +188,17 @@ def surface_conclusion(numbers: Mapping[str, Number]) -> Conclusion:
     else:
         answer = "partly"
     known = [side for side in sides if np.isfinite(numbers[f"force_extrapolated_{side}"].value)]
-    octave = _octave_body(numbers), _octave_is_certain(numbers)
-    modulus = numbers["weibull_modulus"].value
-    return Conclusion(answer, band, short, long, force, known, *octave, modulus < 1)
+    return Conclusion(
+        answer=answer,
+        band=band,
+        short_edge=short,
+        long_edge=long,
+        force=force,
+        extrapolated=known,
+        octave_body=_octave_body(numbers),
+        octave_is_certain=_octave_is_certain(numbers),
+        few_summits=numbers["weibull_modulus"].value < 1,
+    )
 
 
 def _octave_body(numbers: Mapping[str, Number]) -> str:

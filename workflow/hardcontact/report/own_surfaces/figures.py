@@ -22,14 +22,13 @@ from hardcontact.report.figures.listing import FILE_KINDS, describe_figure
 from hardcontact.report.figures.panels import mean_free_heights, value_and_interval
 from hardcontact.report.own_surfaces.datasets import (
     Datasets,
-    artificial_bands,
     fails_hindcast,
     measurement_name,
     preferred_model,
-    shown_octaves,
-    split_scans,
+    split_measurements,
     without_padding,
 )
+from hardcontact.report.own_surfaces.reliable_wavelengths import artificial_bands, shown_octaves
 from hardcontact.scans.both_bodies import sphere_share
 
 #: Label and look of the curve for each side of the band.
@@ -150,7 +149,7 @@ def draw_spectra(datasets: Datasets) -> Figure:
         all_measurements = without_padding(data.spectra)
         has_data = np.isfinite(all_measurements["psd"].values).any(axis=0)
         shows_unreliable = all_measurements.sizes["measurement"] <= MAX_UNRELIABLE_CURVES
-        measurements = split_scans(all_measurements)
+        measurements = split_measurements(all_measurements)
         for measurement, marker in zip(measurements, cycle(style.MARKERS), strict=False):
             _draw_measurement(axes, wavelengths, measurement, marker, shows_unreliable)
         used_density = _used_spectrum(data.spectra)[has_data]

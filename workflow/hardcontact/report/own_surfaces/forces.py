@@ -10,15 +10,17 @@ from hardcontact.base.arrays import Floats
 from hardcontact.base.number import Number, NumberStatus
 from hardcontact.contact.hertz_jkr_dmt import dmt_pull_off
 from hardcontact.report.own_surfaces.datasets import (
-    NEARLY_ALL,
     Datasets,
     fails_hindcast,
     forces_at_range,
     preferred_model,
+)
+from hardcontact.report.own_surfaces.edges import interval_status
+from hardcontact.report.own_surfaces.reliable_wavelengths import (
+    NEARLY_ALL,
     reliable_and_artificial_change,
     reliable_share,
 )
-from hardcontact.report.own_surfaces.edges import interval_status
 from hardcontact.report.quantities import NoValue, number_of, number_without_value
 from hardcontact.surfaces.synthesis import SIDES
 

@@ -10,7 +10,7 @@ from hardcontact.base.number import Number, numbers_by_name
 from hardcontact.report.own_surfaces.datasets import (
     Datasets,
     measurement_name,
-    split_scans,
+    split_measurements,
     without_padding,
 )
 from hardcontact.report.quantities import number_of, number_without_value
@@ -60,7 +60,7 @@ def defect_cautions(spectra: xr.Dataset, *, grave: bool) -> list[Caution]:
     MISLEADING_DEFECTS are grave, all other defects are not.
     """
     defects = []
-    for index, measurement in enumerate(split_scans(without_padding(spectra)), start=1):
+    for index, measurement in enumerate(split_measurements(spectra), start=1):
         for code, units in DEFECTS.items():
             values = {name: measurement[name].item() for name in units}
             if (code in MISLEADING_DEFECTS) != grave or not np.isfinite([*values.values()]).all():
@@ -80,7 +80,7 @@ def reading_cautions(spectra: xr.Dataset) -> list[Caution]:
     """Return the cautions that reading the file of each measurement gave, as sentences."""
     return [
         Caution("reading", texts={"scan": measurement_name(measurement), "sentence": line})
-        for measurement in split_scans(without_padding(spectra))
+        for measurement in split_measurements(spectra)
         for line in split_notes(str(measurement["notes"].item()).splitlines())[1]
     ]
 
@@ -89,7 +89,7 @@ def repeated_scan_cautions(spectra: xr.Dataset) -> list[Caution]:
     """Return a caution for each scan of an area that an earlier scan shows."""
     return [
         Caution("repeated_scan", True, {}, {"scan": measurement_name(scan), "earlier": earlier})
-        for scan in split_scans(without_padding(spectra))
+        for scan in split_measurements(spectra)
         if (earlier := str(scan["earlier_scan"].item()))
     ]
 
@@ -107,7 +107,7 @@ def contradiction_caution(spectra: xr.Dataset) -> Caution | None:
         Number("factor", worst.factor),
         Number("more_pairs", len(contradictions) - 1),
     )
-    names = [measurement_name(scan) for scan in split_scans(scans)]
+    names = [measurement_name(scan) for scan in split_measurements(scans)]
     texts = {"higher": names[worst.higher], "lower": names[worst.lower]}
     return Caution("contradiction", numbers=numbers, texts=texts)
 

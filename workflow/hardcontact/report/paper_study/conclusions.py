@@ -27,7 +27,7 @@ GRIDS = ("scan_pixels", "contacts_per_row")
 
 
 def claim_facts(claims: pd.DataFrame) -> dict[str, Any]:
-    """Return the facts about claims that templates show; the last two are numbers of statements."""
+    """Return the facts about claims that templates show, by the names that templates use."""
     # Templates test for None, because a comparison with NaN is always false.
     plain_rows = claims.astype(object).where(claims.notna(), None).to_dict("records")
     rows = zip(plain_rows, claims.to_dict("records"), strict=True)
@@ -41,7 +41,7 @@ def claim_facts(claims: pd.DataFrame) -> dict[str, Any]:
     ordered = sorted(independent, key=lambda row: row["main"] == "")
     main_rules = {facts[name]["rule"] for name in ranks}
     return {
-        # Rows by id, and the ids of main statements by rank.
+        # Rows by id, and the ids of main statements, the first in rank first.
         "claims": facts,
         "main_statements": sorted(ranks, key=lambda name: ranks[name]),
         # Factors within which numbers of main statements agree.
@@ -52,11 +52,11 @@ def claim_facts(claims: pd.DataFrame) -> dict[str, Any]:
         "contradicted": [row for row in ordered if row["verdict"] == NOT_REPRODUCED],
         "counts": count_verdicts(claims).to_dict("records"),
         "decisive_share": REPRODUCED_SHARE,
-        # Statements that are reproduced without any scan.
+        # Number of statements that are reproduced without any scan.
         "without_scan": sum(
             row["basis"] in WITHOUT_SCAN for row in independent if row["verdict"] == REPRODUCED
         ),
-        # Statements that only the paper's pixels can test.
+        # Number of statements that only the paper's pixels can test.
         "larger_pixels": sum(LARGER_PIXELS in (row["note"] or "") for row in independent),
     }
 
@@ -100,7 +100,7 @@ def _print_accepted_range(low: float, high: float, unit: str) -> str:
 
 
 def draw_conclusions(numbers: Mapping[str, Number]) -> dict[str, Any]:
-    """Return what the headline says of the numbers of the whole study, by the template's names."""
+    """Return the conclusions of the headline from the numbers of the whole study."""
     sizes = [(numbers[name].value, numbers[f"{name}_published"].value) for name in GRIDS]
     octaves = [numbers[f"octave_{rank}_sensitivity"].value for rank in (1, 2, 3)]
     shifts = [numbers.get(name) for name in ("plasticity_shift", "range_shift")]

@@ -3,11 +3,8 @@
 import numpy as np
 from answer_inputs import MEASUREMENTS, SURFACES, spectra
 
-from hardcontact.report.own_surfaces.datasets import (
-    artificial_bands,
-    reliable_scans,
-    without_padding,
-)
+from hardcontact.report.own_surfaces.datasets import without_padding
+from hardcontact.report.own_surfaces.reliable_wavelengths import artificial_bands, reliable_scans
 
 
 def select_first(data):
