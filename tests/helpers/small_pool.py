@@ -7,7 +7,7 @@ from measurements import UNCD
 
 from hardcontact.base.arrays import generator
 from hardcontact.contact.contact import Contact
-from hardcontact.paper.pool import compute_pool, pool_heights
+from hardcontact.paper.pool import compute_pool, pool_rms_heights
 from hardcontact.surfaces.levelling import level_plane
 from hardcontact.surfaces.spectrum import spectrum_dataset
 from hardcontact.surfaces.substitutes import Substitute
@@ -25,7 +25,7 @@ SUBSTITUTE = Substitute(
     GRID,
     seed=7,
 )
-HEIGHTS = pool_heights(SUBSTITUTE.targets, 5, 7)
+HEIGHTS = pool_rms_heights(SUBSTITUTE.targets, 5, 7)
 RANGES = [0.05, 1.0, 5.6]
 
 

@@ -13,7 +13,7 @@ from hardcontact.base.arrays import generator
 from hardcontact.base.statistics import student_log_interval
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import pull_off_dataset, spline_weights
-from hardcontact.paper.pool import pool_heights, sample_scans
+from hardcontact.paper.pool import pool_rms_heights, sample_scans
 from hardcontact.paper.sets import scale_to_sampled_mean
 from hardcontact.surfaces.height_map import mirror_scan
 from hardcontact.surfaces.metrics import TABLE1_METRICS, metrics
@@ -30,7 +30,7 @@ def test_heights_of_the_pool_cover_those_of_any_set():
     reach = (sample.max() - sample.mean()) / sample.std(ddof=1)
     np.testing.assert_allclose(HEIGHTS[[0, -1]], [10 - 4 * reach, 10 + 4 * reach])
     np.testing.assert_allclose(np.diff(np.sqrt(HEIGHTS), 2), 0, atol=1e-12)
-    np.testing.assert_array_equal(pool_heights(SUBSTITUTE.targets, 1, 7), [10.0])
+    np.testing.assert_array_equal(pool_rms_heights(SUBSTITUTE.targets, 1, 7), [10.0])
 
 
 def test_interpolation_is_exact_at_its_heights_and_of_cubics():

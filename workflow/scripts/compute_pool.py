@@ -1,7 +1,7 @@
 """Pull-off forces of some scans of the pool of one substrate, at several heights of each."""
 
 from hardcontact.contact.contact import Contact
-from hardcontact.paper.pool import compute_pool, pool_heights
+from hardcontact.paper.pool import compute_pool, pool_rms_heights
 from hardcontact.records.job import run_job
 from hardcontact.surfaces.substitutes import read_substitute, required_targets
 
@@ -12,7 +12,7 @@ with run_job(snakemake) as job:
         params["surface"], job.input.substitute, params["scan_grid"], params["seed"]
     )
     contact = Contact(**params["contact"])
-    rms_heights = pool_heights(
+    rms_heights = pool_rms_heights(
         required_targets(substitute), params["scan_count"], params["rms_height_count"]
     )
     job.write(

@@ -111,8 +111,8 @@ def _forces_at_published_pair(fit: xr.Dataset) -> Floats:
 def rounded_numbers(printed: "pd.Series[str]") -> Floats:
     """Return printed numbers, and the smallest and largest number rounded to them, (n, 3)."""
     value = printed.astype(float).to_numpy()
-    half = printed.map(_half_unit).astype(float).to_numpy()
-    return np.stack([value, value - half, value + half], axis=-1)
+    half_unit = printed.map(_half_unit).astype(float).to_numpy()
+    return np.stack([value, value - half_unit, value + half_unit], axis=-1)
 
 
 def _half_unit(printed: str) -> float:

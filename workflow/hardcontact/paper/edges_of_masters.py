@@ -1,8 +1,8 @@
 """Edges of the critical band of substitutes (edges.nc), and what shifts them (edge_shifts.nc).
 
-Each master has other scans, so that samples of the mean over masters give the scatter of an edge:
-`own.edges_of_scans` has few scans. Edges have the group `mean` too, because the paper has one band
-for all coatings, whereas each surface of a user has its own.
+Each master of a substitute has a scan of its own. Samples of the mean over masters therefore give
+the scatter of an edge; masters of measured scans share few scans (`own.edges_of_scans`). The group
+`mean` of edges is the mean over coatings, because the paper has one band for all.
 """
 
 from collections.abc import Iterator

@@ -56,10 +56,10 @@ def edge_exponents(forces: xr.Dataset, tolerance: float, confidence: float) -> x
     fitted by least squares to all edges within the cutoffs; its interval is that of the jackknife
     over realizations.
     """
-    exponents = _fit_all_exponents(forces, tolerance)
+    exponents = _fit_all_edges(forces, tolerance)
     count = forces.sizes["realization"]
     jackknife_exponents = [
-        _fit_all_exponents(forces.drop_isel(realization=index), tolerance)
+        _fit_all_edges(forces.drop_isel(realization=index), tolerance)
         for index in range(count if count > 2 else 0)
     ]
     # `jackknife_interval` works on logarithms, so it gets exp(exponent).
@@ -74,12 +74,12 @@ def edge_exponents(forces: xr.Dataset, tolerance: float, confidence: float) -> x
     return xr.Dataset(variables, names | {"exponent_of": SCALED_QUANTITIES})
 
 
-def _fit_all_exponents(forces: xr.Dataset, tolerance: float) -> Floats:
+def _fit_all_edges(forces: xr.Dataset, tolerance: float) -> Floats:
     """Return the exponents (surface, side, exponent_of) of the edges of all surfaces."""
     touching_area = forces["touching_area"].isel(surface=0, realization=0)
     log_lengths = [np.log(forces["radius"]) / 2, np.log(touching_area) / 2]
     exponents: xr.DataArray = xr.apply_ufunc(
-        _fit_exponents,
+        _fit_edges_of_surface,
         np.log(_edges(forces, tolerance)),
         *log_lengths,
         input_core_dims=[["radius", "contact_area"], ["radius"], ["contact_area"]],
@@ -110,7 +110,7 @@ def _edges(forces: xr.Dataset, tolerance: float) -> xr.DataArray:
     return edges
 
 
-def _fit_exponents(log_edge: Floats, log_radius: Floats, log_area: Floats) -> Floats:
+def _fit_edges_of_surface(log_edge: Floats, log_radius: Floats, log_area: Floats) -> Floats:
     """Return the exponents (2,) of SCALED_QUANTITIES, NaN if the edges do not determine them.
 
     Logarithms of the edge (radius, contact_area), NaN if open, and of the square roots of radius

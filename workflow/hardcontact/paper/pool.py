@@ -30,19 +30,19 @@ MIN_HEIGHT_RATIO = 0.05
 MAX_TRIES = 1000
 
 
-def pool_heights(targets: Targets, scan_count: int, count: int) -> Floats:
-    """Return the ascending rms heights (count,) in nm at which the forces of a pool are computed.
+def pool_rms_heights(targets: Targets, scan_count: int, height_count: int) -> Floats:
+    """Return the ascending rms heights (n,) in nm at which the forces of a pool are computed.
 
-    They reach as far as a scan of a set can: (n - 1)/sqrt(n) standard deviations of a sample of n
-    from its mean. Their roots are evenly spaced, because forces change faster at small heights. A
-    set of one scan needs a single height.
+    A scan of a set of k scans is at most (k - 1)/sqrt(k) standard deviations from their mean: the
+    heights reach so far. Their roots are evenly spaced, because forces change faster at small
+    heights. A set of one scan needs a single height.
     """
     mean = targets.means["rms_height"]
     if scan_count == 1:
         return np.array([mean])
     reach = targets.rms_height_std * (scan_count - 1) / np.sqrt(scan_count)
     lowest = max(mean - reach, MIN_HEIGHT_RATIO * mean)
-    return np.asarray(np.linspace(lowest**0.5, (mean + reach) ** 0.5, count) ** 2)
+    return np.asarray(np.linspace(lowest**0.5, (mean + reach) ** 0.5, height_count) ** 2)
 
 
 def compute_pool(

@@ -154,8 +154,8 @@ def scale_to_sampled_mean(forces: xr.DataArray, rng: np.random.Generator) -> xr.
     means = mean_over_contacts(forces).transpose(*axes)
     if means.sizes["scan"] < 2:
         return forces
-    sample = student_log_samples(rng, means.values, 1)[0]
-    factor = xr.DataArray(sample, dims=axes[1:]) / means.mean("scan").drop_vars(axes[1:])
+    sampled_means = student_log_samples(rng, means.values, 1)[0]
+    factor = xr.DataArray(sampled_means, dims=axes[1:]) / means.mean("scan").drop_vars(axes[1:])
     return (forces * factor).transpose(*forces.dims)
 
 

@@ -100,12 +100,13 @@ def closed_form(spectrum: Spectrum, contact: Contact, *, all_rough: bool = True)
     apex = apex_distribution(rough_spectrum, contact.radius, contact.area)
     mean_surface_term, summit_term = _terms(rough_spectrum, apex, contact, GENERATIONS, all_rough)
     dmt_ratio = mean_surface_term + summit_term + contact_term(contact)
-    m = float(sigma * apex.mean())
-    weibull_modulus = max(contact.rho * m / sigma**2, 0.0)
+    apex_height = float(sigma * apex.mean())
+    weibull_modulus = max(contact.rho * apex_height / sigma**2, 0.0)
     regime = Regime.SINGLE_PEAKS if weibull_modulus < 1 else Regime.MANY_POINTS
     if mean_surface_term + summit_term > SMOOTH_SHARE:
         regime = Regime.SMOOTH
-    return ClosedForm(dmt_force * dmt_ratio, dmt_ratio, sigma, m, weibull_modulus, regime)
+    force = dmt_force * dmt_ratio
+    return ClosedForm(force, dmt_ratio, sigma, apex_height, weibull_modulus, regime)
 
 
 def _terms(

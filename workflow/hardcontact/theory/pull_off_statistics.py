@@ -125,27 +125,28 @@ def _attraction(spectrum: Spectrum, contact: Contact, generations: int) -> _Attr
     touching_share = special.ndtr(-apex.levels)
     # Force of a rough summit relative to a smooth summit, and its scatter and growth.
     summit_ratio = 1.0
-    scatter = 1.0
-    growth = 1.0
+    summit_scatter = 1.0
+    summit_growth = 1.0
     summit = roughness_on_summit(spectrum, apex, contact)
     if summit is not None and generations:
         rough_summit = _attraction(*summit, generations - 1)
         if rough_summit.mean < 1:
             summit_ratio = rough_summit.mean
-            scatter = rough_summit.scatter
-            growth = rough_summit.growth
+            summit_scatter = rough_summit.scatter
+            summit_growth = rough_summit.growth
     surface_terms, summit_term = rough_terms(apex, relative_rms, summit_ratio)
-    counts = np.interp(apex.levels, LEVELS, summits_above(spectrum, contact.radius)[1])
-    touching_count = max(apex.mean(counts), 1.0)
+    summit_counts = np.interp(apex.levels, LEVELS, summits_above(spectrum, contact.radius)[1])
+    touching_count = max(apex.mean(summit_counts), 1.0)
     cover = apex.mean(touching_share)
     # Mean of the squared force of a summit, relative to the square of its mean force. The radius of
     # a summit counts only as far as its force grows with the radius.
-    mean_square = (1 + (growth * summit_radius_variation(spectrum, apex)) ** 2) * scatter
+    radius_variation = summit_growth * summit_radius_variation(spectrum, apex)
+    mean_square = (1 + radius_variation**2) * summit_scatter
     dispersion = dispersion_index(cover)
-    force_of_one = summit_ratio * touching_share / np.maximum(counts, 1e-300)
+    summit_force = summit_ratio * touching_share / np.maximum(summit_counts, 1e-300)
     # Squared attractions fall with half the range of adhesion.
     squared_terms = rough_terms(apex, 2 * relative_rms, summit_ratio)[0]
-    summit_variance = dispersion * mean_square * force_of_one * squared_terms
+    summit_variance = dispersion * mean_square * summit_force * squared_terms
     field_variance = surface_terms**2 * field_variation(spectrum, contact) ** 2
     # One summit always touches; the number of the others scatters like Poisson's. Summits that
     # cover the plane are one flat contact, and only its rim scatters.
@@ -192,16 +193,18 @@ def summit_radius_variation(spectrum: Spectrum, apex: ApexDistribution) -> float
     if longer is None:
         return 0.0
     sigma = np.sqrt(spectral_moment(spectrum, 0))
-    gradient = spectral_moment(longer, 2)
-    laplacian = spectral_moment(longer, 4)
-    deviation = np.sqrt(max(laplacian - gradient**2 / sigma**2, 0.0)) / 2
-    a = max(apex.mean(), 1.0) * gradient / (2 * sigma) + deviation * DEVIATIONS
-    a = np.maximum(a, 0)
-    b = np.sqrt(laplacian) / 2
-    summits = -np.expm1(-((a / b) ** 2))  # the probability of a > b
-    density = PROBABILITIES @ (a**2 - b**2 * summits)  # means over b of K, sqrt(K), 1
-    mean = PROBABILITIES @ (a - b * special.dawsn(a / b)) / density
-    return float(np.sqrt(max(PROBABILITIES @ summits / density / mean**2 - 1, 0.0)))
+    squared_gradient = spectral_moment(longer, 2)
+    squared_laplacian = spectral_moment(longer, 4)
+    deviation = np.sqrt(max(squared_laplacian - squared_gradient**2 / sigma**2, 0.0)) / 2
+    mean = max(apex.mean(), 1.0) * squared_gradient / (2 * sigma)
+    a = np.maximum(mean + deviation * DEVIATIONS, 0)
+    b = np.sqrt(squared_laplacian) / 2  # the rms of b
+    # The density of summits is the mean of K over a > b; means over summits are weighted with K.
+    probability = -np.expm1(-((a / b) ** 2))
+    density = PROBABILITIES @ (a**2 - b**2 * probability)
+    mean_radius = PROBABILITIES @ (a - b * special.dawsn(a / b)) / density
+    mean_square = PROBABILITIES @ probability / density
+    return float(np.sqrt(max(mean_square / mean_radius**2 - 1, 0.0)))
 
 
 def field_variation(spectrum: Spectrum, contact: Contact) -> float:

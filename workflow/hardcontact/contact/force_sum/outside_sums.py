@@ -88,10 +88,10 @@ def _sums_by_omission(
     sums = np.empty((len(ranges), *[len(bodies.geometry.positions)] * 2))
     sphere_terms = smooth_sphere_terms if roughness is None else rough_sphere_terms
     terms = sphere_terms(bodies, touched_pixels, ranges)
-    for k, (rho, (total, factor)) in enumerate(zip(ranges, terms, strict=True)):
+    for k, (rho, (totals, factor)) in enumerate(zip(ranges, terms, strict=True)):
         attraction = exponential(touching, highest_substrate, rho)
-        for index in np.ndindex(total.shape):
+        for index in np.ndindex(totals.shape):
             sums[k][index] = touched_pixels.sum_outside(
-                index, float(total[index]), attraction * factor(index), highest, rho
+                index, float(totals[index]), attraction * factor(index), highest, rho
             )
     return sums

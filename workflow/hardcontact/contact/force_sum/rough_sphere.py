@@ -40,7 +40,7 @@ def rough_sphere_terms(
         def factor(index: tuple[int, int], kernel: Floats = kernel) -> Floats:
             return np.asarray(kernel.take(rows[index[0]] + columns[index[1]]))
 
-        yield _correlation(terms, kernel, positions), factor
+        yield SphereTerms(_correlation(terms, kernel, positions), factor)
 
 
 def _kernel(
@@ -95,9 +95,9 @@ def _correlation_by_transforms(
     """Return `_correlation` with an error of some 1e-16 of the norms of both factors."""
     from scipy import fft
 
-    product = fft.rfft2(attraction)
-    product *= np.conj(fft.rfft2(kernel))
-    rows = fft.ifft(product, axis=0, overwrite_x=True)[positions]
+    transform = fft.rfft2(attraction)
+    transform *= np.conj(fft.rfft2(kernel))
+    rows = fft.ifft(transform, axis=0, overwrite_x=True)[positions]
     return np.asarray(fft.irfft(rows, len(kernel), axis=1)[:, positions])
 
 

@@ -52,7 +52,7 @@ def smooth_sphere_terms(
         def factor(index: tuple[int, int], axis_factor: Floats = axis_factor) -> Floats:
             return np.asarray(axis_factor[index[0], row] * axis_factor[index[1], column])
 
-        yield total, factor
+        yield SphereTerms(total, factor)
 
 
 def axis_factors(pixels: int, geometry: ContactGeometry, rho: float) -> Floats:
@@ -123,10 +123,12 @@ def _without_mirror_images(
     """
     if len(heights) % 2 or not _is_mirrored(heights):
         return heights, factors
-    half = len(heights) // 2
-    return heights[:half, :half], [
-        axis_factor[:, :half] + axis_factor[:, : half - 1 : -1] for axis_factor in factors
+    scan_pixels = len(heights) // 2
+    folded_factors = [
+        axis_factor[:, :scan_pixels] + axis_factor[:, : scan_pixels - 1 : -1]
+        for axis_factor in factors
     ]
+    return heights[:scan_pixels, :scan_pixels], folded_factors
 
 
 def _is_mirrored(heights: NDArray[np.floating]) -> bool:

@@ -4,6 +4,7 @@ Symbols as in `geometry`: sphere y, its roughness u, substrate z.
 """
 
 from collections.abc import Callable
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,10 +13,14 @@ from hardcontact.base.arrays import Floats
 from hardcontact.contact.bearing_area import ContactPixels
 from hardcontact.contact.geometry import Bodies, reference_gaps
 
-#: For one range, the sums (contact_y, contact_x) of exp((z + u - y)/rho) over all pixels that touch
-#: in no contact, and a function of a contact (i, j) that returns exp((u - y)/rho) (pixels,)
-#: at the pixels that touch in any. Both are relative to the highest z and u.
-SphereTerms = tuple[Floats, Callable[[tuple[int, int]], Floats]]
+
+class SphereTerms(NamedTuple):
+    """The terms of the sums at one range, relative to the highest z and u."""
+
+    #: (contact_y, contact_x), sums of exp((z + u - y)/rho) over pixels that touch in no contact.
+    totals: Floats
+    #: Returns exp((u - y)/rho) (pixels,) of a contact (i, j) at the pixels that touch in any.
+    factor: Callable[[tuple[int, int]], Floats]
 
 
 def exponential(heights: NDArray[np.floating], highest: float, rho: float) -> NDArray[np.floating]:

@@ -106,9 +106,9 @@ def mean_band_ratio(band_forces: xr.Dataset) -> xr.Dataset:
     low, high = interval_ends(band_forces, "band_force_ratio")
     mean = ratio.mean("surface")
     count = ratio.sizes["surface"]
-    half_below = np.sqrt(((ratio - low) ** 2).sum("surface", skipna=False)) / count
-    half_above = np.sqrt(((high - ratio) ** 2).sum("surface", skipna=False)) / count
-    return as_estimate(mean, mean - half_below, mean + half_above)
+    low_half_width = np.sqrt(((ratio - low) ** 2).sum("surface", skipna=False)) / count
+    high_half_width = np.sqrt(((high - ratio) ** 2).sum("surface", skipna=False)) / count
+    return as_estimate(mean, mean - low_half_width, mean + high_half_width)
 
 
 def median_force_exponent(exponents: xr.Dataset) -> xr.Dataset:

@@ -83,8 +83,8 @@ def smooth_sphere_change(adhesion: xr.Dataset) -> xr.Dataset:
     pixel = adhesion.attrs["pixel_size"]
     rho = adhesion["rho"]
     # At this distance the attraction at the longest range is exp(-72) of that at the apex.
-    half_width = int(12 * np.sqrt(radius * rho.max()) / pixel)
-    position = xr.DataArray(pixel * np.arange(-half_width, half_width + 1), dims="position")
+    reach = int(12 * np.sqrt(radius * rho.max()) / pixel)
+    position = xr.DataArray(pixel * np.arange(-reach, reach + 1), dims="position")
     force = np.exp(-(position**2) / (2 * radius * rho)).sum("position") ** 2 / rho
     return as_estimate(force.max() / force.min() - 1)
 
