@@ -74,21 +74,20 @@ def read_scan(
     path : str or Path
         Any format that SurfaceTopography reads, or a container of scans.
     dataset : str
-        The scan in a container, or the channel of any other file; empty for the file's choice.
+        Scan of a container, or channel of any other file; empty for the file's choice.
     undefined_pixels : str
         ``"refuse"`` a scan with undefined pixels, or fill them with a ``"harmonic"`` function.
-    unit : str
+    unit, map_size : str, float or str
         For a file that states none: a unit such as ``"nm"``, or ``"mm,nm"`` for positions and
-        heights.
-    map_size : float or str
-        For a file that states none: the longer side in nm.
+        heights; the longer side in nm.
     mask : str
         ``"keep"`` or ``"exclude"`` the heights under a mask in a file of Gwyddion.
     levelling : str
-        ``"plane"``; ``"lines"``, which aligns the scan lines and fills streaks first; or
-        ``"quadratic"``, which also subtracts the bow of a scanner.
+        ``"plane"``; ``"lines"``, which fills streaks and aligns lines first; or ``"quadratic"``,
+        which also subtracts the bow of a scanner.
     sphere_radius : float or None
-        Radius in nm of a sphere on the scan, which is subtracted; None for a flat surface.
+        Radius in nm of the sphere that the scan shows, which is subtracted; None for a flat
+        surface.
 
     Returns
     -------
@@ -98,7 +97,6 @@ def read_scan(
     Examples
     --------
     >>> scan = hc.read_scan("scan.nc")
-    >>> size = scan.size  # nm
     """
     lengths = {"map_size": map_size, "sphere_radius": sphere_radius}
     check_read_arguments(
@@ -107,7 +105,7 @@ def read_scan(
     with arguments_in_messages():
         scan = reading.read_scan(path, dataset, undefined_pixels, unit, map_size, mask)
         refuse_line_scan(scan)
-    return _prepare(scan, sphere_radius, levelling)
+    return _level(scan, sphere_radius, levelling)
 
 
 def from_topography(
@@ -123,15 +121,13 @@ def from_topography(
     ----------
     topography : SurfaceTopography.Topography
         A map with physical sizes and a unit of length.
-    undefined_pixels, levelling : str
-        As for `read_scan`.
-    sphere_radius : float or None
+    undefined_pixels, levelling, sphere_radius : str, str, float or None
         As for `read_scan`.
 
     Returns
     -------
     HeightMap
-        ``heights`` (y, x) in nm, in float32, and ``pixel_size`` in nm.
+        As of `read_scan`.
 
     Examples
     --------
@@ -150,11 +146,11 @@ def from_topography(
             values = map_values(topography, unit_in_nm(topography.unit), undefined_pixels)
         except RefusedFile as error:
             raise ValueError(f"topography: {error}") from None
-    return _prepare(HeightMap(values["heights"], values["pixel_size"]), sphere_radius, levelling)
+    return _level(HeightMap(values["heights"], values["pixel_size"]), sphere_radius, levelling)
 
 
-def _prepare(scan: HeightMap, sphere_radius: float | None, levelling: str) -> HeightMap:
-    """Return a height map levelled and in float32, like in the study's files."""
+def _level(scan: HeightMap, sphere_radius: float | None, levelling: str) -> HeightMap:
+    """Return a levelled height map in float32, like the study's files."""
     flat = remove_form(scan, sphere_radius, levelling)
     return replace(flat, heights=flat.heights.astype(np.float32))
 
@@ -182,13 +178,11 @@ def read_spectrum(
         Name of the only scan in a container to read; empty: all scans.
     tip_radius : float or None
         Radius of the tip in nm for scans whose files do not state it.
-    undefined_pixels, unit, mask, levelling : str
-        As for `read_scan`.
-    map_size, sphere_radius : float or str, float or None
+    undefined_pixels, unit, map_size, mask, levelling, sphere_radius : str, float or None
         As for `read_scan`.
     extrapolated : bool
-        Whether the spectrum of scans is extrapolated beyond their reliable wavelengths: to long
-        waves up to a roll-off, to short waves as self-affine, like the roughness that a study adds.
+        Whether the spectrum of scans is extrapolated beyond their reliable wavelengths, as a study
+        does: to long waves up to a roll-off, to short waves as self-affine.
 
     Returns
     -------
@@ -197,8 +191,7 @@ def read_spectrum(
 
     Examples
     --------
-    >>> spectrum = hc.read_spectrum("scan.nc")
-    >>> shortest = spectrum.wavelength[-1]  # nm
+    >>> shortest = hc.read_spectrum("scan.nc").wavelength[-1]  # nm
     """
     lengths = {"map_size": map_size, "tip_radius": tip_radius, "sphere_radius": sphere_radius}
     check_read_arguments(
@@ -236,8 +229,8 @@ def pull_off_forces(
     rho, work : float or sequence of float, float
         One or several ranges of adhesion in nm; work of adhesion in J/m².
     window, contacts_per_row : float, int
-        Width in nm of the square around a contact whose attraction is summed; number of contacts
-        per row of the square array.
+        Width in nm of the square around a contact in which attraction is summed; contacts per row
+        of the square array.
     sphere : HeightMap or None
         Levelled roughness of the sphere where it touches; None for a smooth sphere.
 
@@ -247,8 +240,8 @@ def pull_off_forces(
         - ``pull_off_force`` (contact_model, rho, contact_y, contact_x) in N, rigid and plastic.
         - ``apex_height`` in nm, of the sphere above the mean plane at closest approach.
         - ``touched_patches``, the number of patches that contacts touch.
-        - ``wider_window_change``, the relative change of the forces at the longest range in a
-          window that is wider by a period on each side.
+        - ``wider_window_change``, the relative change of forces at the longest range if the window
+          is wider by a period of the map on each side.
 
     Examples
     --------
@@ -264,8 +257,8 @@ def pull_off_forces(
     contact = Contact(**quantities, window=window, contacts_per_row=contacts_per_row)
     ranges = [rho] if isinstance(rho, int | float) else rho
     check_positive_numbers("rho", ranges)
-    surface, rough = _periodic_maps(scan, sphere, contact, ranges)
-    bodies = join_bodies(surface, rough, contact)
+    surface, rough_sphere = _periodic_maps(scan, sphere, contact, ranges)
+    bodies = join_bodies(surface, rough_sphere, contact)
     longest = replace(contact, rho=max(ranges))
     forces = pull_off_dataset(bodies, contact, ranges)
     plastic_forces = forces.pull_off_force.sel(contact_model=[PLASTIC], rho=longest.rho)
@@ -279,11 +272,11 @@ def pull_off_forces(
 def _periodic_maps(
     scan: HeightMap, sphere: HeightMap | None, contact: Contact, ranges: Sequence[float]
 ) -> tuple[HeightMap, HeightMap | None]:
-    """Return the mirrored maps of both bodies, if the contact on them is within the limits."""
+    """Return the mirrored maps of both bodies; refuse a contact on them beyond the limits."""
     surface = make_periodic(scan)
-    rough = None if sphere is None else make_periodic(sphere, "sphere")
+    rough_sphere = None if sphere is None else make_periodic(sphere, "sphere")
     check_contact(surface, contact, ranges)
-    return surface, rough
+    return surface, rough_sphere
 
 
 def force_ratios(
@@ -301,15 +294,15 @@ def force_ratios(
 ) -> xr.Dataset:
     """Return forces without the roughness beyond cutoffs, relative to the force on the whole scan.
 
-    The edges belong to the roughness on the scan alone. A study also adds extrapolated roughness.
+    The edges are those of the scan alone, whereas a study adds extrapolated roughness.
 
     Parameters
     ----------
     scan : HeightMap
         As for `pull_off_forces`.
     cutoffs : mapping of str to sequence of float
-        Wavelengths in nm of more than two pixels. Shorter wavelengths are removed on the side
-        ``"short"``, longer wavelengths on the side ``"long"``. One side suffices.
+        Wavelengths in nm of more than two pixels, on the side ``"short"``, which removes shorter
+        wavelengths, the side ``"long"``, which removes longer ones, or both.
     rho, tolerance : float
         Range of adhesion in nm; relative change of the force that defines an edge.
     radius, preload, hardness, window, contacts_per_row, sphere : float, int, HeightMap or None
@@ -334,22 +327,17 @@ def force_ratios(
     ... )
     >>> short_edge = float(ratios.edge.sel(side="short"))  # nm
     """
-    quantities: dict[str, Any] = {
-        "radius": radius,
-        "preload": preload,
-        "hardness": hardness,
-        "rho": rho,
-    }
-    check_quantities(**quantities)
+    quantities: dict[str, Any] = {"radius": radius, "preload": preload, "hardness": hardness}
+    check_quantities(**quantities, rho=rho)
     check_positive(tolerance=tolerance)
-    contact = Contact(**quantities, window=window, contacts_per_row=contacts_per_row)
-    surface, rough = _periodic_maps(scan, sphere, contact, [rho])
+    contact = Contact(**quantities, rho=rho, window=window, contacts_per_row=contacts_per_row)
+    surface, rough_sphere = _periodic_maps(scan, sphere, contact, [rho])
     check_cutoffs(cutoffs, surface)
     forces = {}
     for side, side_cutoffs in cutoffs.items():
         wavelengths = sorted({float(wavelength) for wavelength in side_cutoffs})
         filters = Filters(side, surface.pixels, wavelengths)
-        side_forces = filtered_pull_off(surface, filters, [contact], rough)
+        side_forces = filtered_pull_off(surface, filters, [contact], rough_sphere)
         forces[(side,)] = side_forces.isel(radius=0, loading=0, rho=0, drop=True)
     ratios = add_force_ratios(stack(forces, ["side"]))[["filtered_force_ratio"]]
     edges = edges_of_curves(ratios, tolerance)[["edge", "edge_status", "edge_bound"]]
@@ -379,20 +367,20 @@ def predict(
     Returns
     -------
     dict of str to Number
-        Numbers of `hardcontact predict --json`, each with ``value``, ``unit``, ``low`` and ``high``
-        of its interval, and ``status``. Forces are in N, lengths in nm.
+        Numbers of ``hardcontact predict --json``, each with ``value``, ``unit``, ``low`` and
+        ``high`` of its interval, and ``status``. Forces are in N, lengths in nm.
 
         - Force in closed form: ``closed_form_force``, ``force_over_smooth`` (relative to
           ``smooth_force``), ``log_force_std`` (standard deviation of ln F over positions). The
           status ``"outside"`` means that the error is not known, ``"steep_sidewalls"`` that the
-          heights are not Gaussian: then there is no value.
+          heights are not Gaussian, so that there is no value.
         - Band: ``short_edge``, ``long_edge``, for the change ``tolerance`` of the force.
         - Roughness beyond the spectrum: ``extrapolated_change``, the relative change of the force.
           If its status is ``"matters"``, use ``extrapolated_force``, ``extrapolated_short_edge``
-          and ``extrapolated_long_edge``. The extrapolated spectrum has the shortest wavelength
-          ``extrapolated_to``, ``extrapolated_rolloff`` and ``extrapolated_hurst``.
-        - Contact: ``apex_height``, the mean height of the apex of the sphere above the mean plane;
-          ``weibull_modulus``, above 1 if many points carry the force, below 1 if single peaks do.
+          and ``extrapolated_long_edge``. ``extrapolated_to`` is the shortest wavelength of this
+          spectrum; it also has ``extrapolated_rolloff`` and ``extrapolated_hurst``.
+        - Contact: ``apex_height``, of the sphere above the mean plane; ``weibull_modulus``, above 1
+          if many points carry the force, below 1 if single peaks do.
         - Spectrum: ``rms_height``, ``rms_gradient``, ``shortest_wavelength``,
           ``longest_wavelength``.
         - Checks whether the error is known: ``longest_octave_change``, ``widest_gap``,
@@ -403,11 +391,11 @@ def predict(
         - Force on its pixels: ``force_on_scan``, ``force_on_scan_over_smooth``. If the map is too
           large, or `rho` below ``shortest_range``, the force has no value, and the numbers below
           are missing.
-        - ``closed_form_on_scan``, the closed form for all waves of the map. Unless its status is
-          ``"agrees"``, numbers of the closed form have no interval.
+        - ``closed_form_on_scan``, for all waves of the map. Unless its status is ``"agrees"``, no
+          number of the closed form has an interval.
         - Size: ``wide_pixel_ratio``, the force on pixels four times wider relative to the map;
-          ``touched_patches``, the number of patches that contacts touch; ``search_size``, the width
-          of the square in which the sphere finds the summits that it touches.
+          ``touched_patches``; ``search_size``, the width of the square in which the sphere finds
+          the summits that it touches.
 
     Examples
     --------
