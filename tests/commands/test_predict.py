@@ -13,7 +13,7 @@ from refusals import assert_says, refusal
 
 from hardcontact.commands.options import implausible_quantities, parse_quantities
 from hardcontact.commands.predict import predict_arguments
-from hardcontact.own.own_spectrum import table_spectrum
+from hardcontact.own.spectrum_table import read_spectrum_table
 from hardcontact.scans.measured_spectrum import CALIBRATION_SCATTER, isotropic_from_profile
 from hardcontact.scans.tail import extrapolate_short_waves, fit_hurst_exponent
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
@@ -59,14 +59,14 @@ def test_a_table_may_have_any_units_order_and_zeros(table):
         "1,um,2e-30,m4", "500,nm,1e6,nm4", "100,nm,5e4,nm⁴", "0.01,µm,3,nm4", "50,nm,1e4,nm^4",
         "5,nm,0,nm4",
     ]  # fmt: skip
-    spectrum = table_spectrum(table(HEADER, *rows))
+    spectrum = read_spectrum_table(table(HEADER, *rows))
     assert spectrum.wavelength == pytest.approx([1000, 500, 100, 50, 10, 5])
     assert spectrum.density == pytest.approx([2e6, 1e6, 5e4, 1e4, 3, 0])
     assert spectrum(2 * np.pi / np.array([5, 3])) == pytest.approx(0, abs=1e-90)
     wavevector = np.geomspace(0.01, 1, 9)
     profile = 1e-2 * wavevector**-2.6
     rows = [f"{q:.17g},rad/nm,{c:.17g},nm3" for q, c in zip(wavevector, profile, strict=True)]
-    spectrum = table_spectrum(table("wavevector,wavevector_unit,c_1d,c_1d_unit", *rows))
+    spectrum = read_spectrum_table(table("wavevector,wavevector_unit,c_1d,c_1d_unit", *rows))
     isotropic_density = isotropic_from_profile(wavevector, profile, np.full(9, 20.0))
     assert spectrum.density == pytest.approx(isotropic_density)
 
@@ -180,7 +180,7 @@ def test_unknown_quantities_have_a_status_and_no_number(table):
 def test_short_waves_missing_from_the_table_are_extrapolated(table):
     """The missing waves of an optical spectrum change the force, unless the table ends with 0."""
     rows = rows_of(self_affine_spectrum(17, 4000, 0.8, 1500))
-    numbers, spectrum = predict_json(table(*rows)), table_spectrum(table(*rows))
+    numbers, spectrum = predict_json(table(*rows)), read_spectrum_table(table(*rows))
     variance = np.full(spectrum.density.shape, CALIBRATION_SCATTER**2)
     fit = fit_hurst_exponent(spectrum.wavevector, spectrum.density, variance)
     density, _ = extrapolate_short_waves(spectrum.wavevector, spectrum.density, fit)

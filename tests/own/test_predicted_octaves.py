@@ -14,12 +14,12 @@ from hardcontact.commands.predict import predict, predict_arguments
 from hardcontact.contact.contact import Contact
 from hardcontact.inference.octaves import AMPLITUDE_FACTORS, STEP
 from hardcontact.own.own_spectrum import OwnSpectrum, read_own_spectrum
-from hardcontact.own.scan_contact import window_on_scans
-from hardcontact.own.scan_force import (
+from hardcontact.own.predicted_octaves import (
     derivatives_in_closed_form,
     derivatives_on_scan,
     predicted_octaves,
 )
+from hardcontact.own.scan_contact import window_on_scans
 from hardcontact.surfaces.spectrum import Spectrum
 from hardcontact.theory.closed_form import closed_form
 
@@ -78,7 +78,7 @@ def test_octaves_in_closed_form_add_up_to_the_derivative_for_all_roughness():
 @pytest.mark.parametrize("method", ["scan", "closed form"])
 def test_central_differences_converge(method, monkeypatch):
     def derivative(step):
-        for module in ("inference.octaves", "own.scan_force"):
+        for module in ("inference.octaves", "own.predicted_octaves"):
             monkeypatch.setattr(f"hardcontact.{module}.AMPLITUDE_FACTORS", (1 - step, 1 + step))
             monkeypatch.setattr(f"hardcontact.{module}.STEP", step)
         # With 20 contacts, a single pixel cancels the error of one of the steps.

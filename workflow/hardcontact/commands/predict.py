@@ -30,7 +30,8 @@ from hardcontact.config.keys import Study
 from hardcontact.contact.contact import Contact
 from hardcontact.own.hindcast import WIDE_PIXEL
 from hardcontact.own.own_spectrum import OwnSpectrum, add_sphere_roughness, read_own_spectrum
-from hardcontact.own.scan_force import predicted_octaves, prediction_and_scan_force
+from hardcontact.own.predicted_octaves import predicted_octaves
+from hardcontact.own.scan_force import prediction_and_scan_force
 from hardcontact.scans.both_bodies import sphere_share
 from hardcontact.scans.heights import TAKE_CARE
 from hardcontact.scans.joined_spectrum import ScanSpectrum

@@ -1,7 +1,7 @@
-"""The force on the user's only map and its strongest octaves, summed over pixels or in closed form.
+"""The force on the user's only map, summed over its pixels, beside the force in closed form.
 
-The closed form takes Gaussian heights. The sum over the map takes none, and shows where the closed
-form fails.
+The closed form assumes Gaussian heights. The sum over pixels assumes none, and shows where the
+closed form fails.
 """
 
 import math
@@ -10,9 +10,7 @@ from dataclasses import replace
 from enum import StrEnum
 
 import numpy as np
-import xarray as xr
 
-from hardcontact.base.arrays import Floats
 from hardcontact.base.number import Number, numbers_by_name
 from hardcontact.config.study_plan import POSITION_CONTACTS_PER_ROW, SPHERE_POSITIONS
 from hardcontact.contact.contact import (
@@ -25,14 +23,6 @@ from hardcontact.contact.geometry import join_bodies, spheres_at_positions
 from hardcontact.contact.hertz_jkr_dmt import limit_forces
 from hardcontact.contact.pull_off import make_force_function
 from hardcontact.contact.scan_pull_off import pull_off_on_spheres
-from hardcontact.inference.octaves import (
-    AMPLITUDE_FACTORS,
-    OCTAVE_LIMITS,
-    STEP,
-    have_middle_within,
-    octave_forces,
-    strongest_octaves,
-)
 from hardcontact.own.hindcast import pixel_factor, widen_pixels
 from hardcontact.own.mean_forces import (
     SurfaceForces,
@@ -46,7 +36,7 @@ from hardcontact.scans.joined_spectrum import ScanSpectrum
 from hardcontact.surfaces.height_map import HeightMap, mirror_in_float32
 from hardcontact.surfaces.spectrum import Spectrum, measured_psds
 from hardcontact.theory.closed_form import closed_form, smooth_force
-from hardcontact.theory.prediction import EDGE_NAMES, prediction, trim_spectrum
+from hardcontact.theory.prediction import EDGE_NAMES, prediction
 from hardcontact.theory.summits import search_size
 from hardcontact.theory.validity import Validity, is_validated, nearest_errors, table_coordinates
 
@@ -71,12 +61,6 @@ class Agreement(StrEnum):
     """
 
     AGREES, NOT_GAUSSIAN, OUTSIDE = "agrees", "not_gaussian", "outside"
-
-
-class OctaveStatus(StrEnum):
-    """Whether the effect of an octave is that on the sum over a scan, or on the closed form."""
-
-    ON_SCAN, IN_CLOSED_FORM = "on_scan", "closed_form"
 
 
 def prediction_and_scan_force(
@@ -174,9 +158,9 @@ def _scan_force_numbers(
     yield Number("force_on_scan_over_smooth", mean / smooth)
     yield Number("wide_pixel_ratio", wide_pixel_ratio)
     yield Number("touched_patches", scan_parts.touched_patches)
-    position_half = position_half_width(surface_forces, confidence)
-    if position_half is not None:
-        yield Number("position_factor", float(np.exp(position_half[0])))
+    log_half_width = position_half_width(surface_forces, confidence)
+    if log_half_width is not None:
+        yield Number("position_factor", float(np.exp(log_half_width[0])))
     status = ScanSize.SMALL if scan.size < LARGE_SIZE_RATIO * search_width else ScanSize.LARGE
     yield Number("search_size", search_width, "nm", status=status)
     _, small_scan_ratio = finite_scan_ratio(scan.size, search_width)
@@ -209,53 +193,3 @@ def _closed_form_number(
         status = Agreement.OUTSIDE
     interval = (low, high) if status == Agreement.AGREES else (math.nan, math.nan)
     return Number("closed_form_on_scan", form.force, "N", *interval, status)
-
-
-def predicted_octaves(own_spectrum: OwnSpectrum, contact: Contact) -> Iterator[Number]:
-    """Yield the octaves that matter most to the force, if the user's files show their middles.
-
-    They have the status ON_SCAN if a single map permits contacts, otherwise IN_CLOSED_FORM.
-    The closed form takes Gaussian heights, and yields none for scans with steep sidewalls.
-    """
-    spectrum = trim_spectrum(own_spectrum.spectrum)
-    longest, shortest = spectrum.wavelength[[0, -1]]
-    octaves = OCTAVE_LIMITS[have_middle_within(OCTAVE_LIMITS, shortest, longest)]
-    scans = own_spectrum.scans
-    obstacle, _ = find_obstacle(scans, contact, len(AMPLITUDE_FACTORS) * len(octaves))
-    if len(octaves) and not obstacle:
-        derivatives = derivatives_on_scan(scans[0], octaves, contact)
-        status = OctaveStatus.ON_SCAN
-    elif any("sidewalls" in scan.defects for scan in scans):
-        return
-    else:
-        derivatives = derivatives_in_closed_form(spectrum, octaves, contact)
-        status = OctaveStatus.IN_CLOSED_FORM
-    sensitivity = xr.Dataset({"octave_sensitivity": ("octave", derivatives)}, {"octave": octaves})
-    for number in strongest_octaves(sensitivity):
-        yield number._replace(status=status)
-
-
-def derivatives_on_scan(scan: HeightMap, octaves: Floats, contact: Contact) -> Floats:
-    """Return d ln F / d ln a (octave,) of the mean force sum over contacts on a levelled map.
-
-    The octaves follow each other; they are given by their shortest wavelengths (nm).
-    """
-    limits = [*octaves, 2 * octaves[-1]]
-    compute_forces = make_force_function(contact_on_scan(scan, contact))
-    forces = octave_forces(mirror_in_float32(scan), limits, compute_forces).mean(axis=(-2, -1))
-    return np.asarray(np.log(forces[:, 1] / forces[:, 0]) / (2 * STEP))
-
-
-def derivatives_in_closed_form(spectrum: Spectrum, octaves: Floats, contact: Contact) -> Floats:
-    """Return d ln F / d ln a (octave,) of the closed form for a spectrum."""
-    wavelength = spectrum.wavelength
-
-    def log_force(octave: float, factor: float) -> float:
-        """Return the logarithm of the force with the amplitude of one octave times a factor."""
-        is_inside = (octave <= wavelength) & (wavelength < 2 * octave)
-        density = spectrum.density * np.where(is_inside, factor**2, 1.0)
-        return float(np.log(closed_form(Spectrum(spectrum.wavevector, density), contact).force))
-
-    weak, strong = AMPLITUDE_FACTORS
-    changes = [log_force(octave, strong) - log_force(octave, weak) for octave in octaves]
-    return np.array(changes) / (2 * STEP)
