@@ -8,8 +8,9 @@ from refusals import assert_says
 from scan_files import write_scan
 
 from hardcontact.commands import inventory as module
-from hardcontact.commands.inventory import inventory, table_rows
+from hardcontact.commands.inventory import inventory
 from hardcontact.commands.request import ScanFile, list_scan_files, new_arguments
+from hardcontact.commands.scan_tables import table_rows
 from hardcontact.scans.reading import ReadingOptions
 
 

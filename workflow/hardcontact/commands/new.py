@@ -11,13 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from hardcontact.base.dataset import atomic_file
-from hardcontact.commands.inventory import (
-    Entry,
-    entries_by_surface,
-    inventory,
-    printed_table,
-    table_rows,
-)
+from hardcontact.commands.inventory import Entry, entries_by_surface, inventory
 from hardcontact.commands.options import (
     QuantityOption,
     contact_of_quantities,
@@ -28,6 +22,7 @@ from hardcontact.commands.options import (
 from hardcontact.commands.proposal import Choice, Proposal, propose
 from hardcontact.commands.request import SPHERE, list_scan_files, name_faults, path_from_root
 from hardcontact.commands.scan_cautions import refuse_unreliable
+from hardcontact.commands.scan_tables import printed_table, table_rows
 from hardcontact.config.configuration import (
     CONTACT_QUANTITIES,
     key_field,
