@@ -16,9 +16,7 @@ with run_job(snakemake) as job:
     surface = params["surface"]
     constants = published.read_constants(job.input.published_constants)["value"]
     contact = Contact(
-        rho=constants["range_of_adhesion"],
-        work=constants["work_of_adhesion"],
-        **params["contact"],
+        rho=constants["range_of_adhesion"], work=constants["work_of_adhesion"], **params["contact"]
     )
     scans = zip(params["scans"], job.input.substrates, job.input.spheres, strict=True)
     contacts = {}

@@ -12,9 +12,7 @@ with run_job(snakemake) as job:
     params = job.parameters
     constants = published.read_constants(job.input.published_constants)["value"]
     contact = Contact(
-        rho=constants["range_of_adhesion"],
-        work=constants["work_of_adhesion"],
-        **params["contact"],
+        rho=constants["range_of_adhesion"], work=constants["work_of_adhesion"], **params["contact"]
     )
     contact_index = params["contact_index"]
     bodies = read_bodies(job.input.substrate, job.input.sphere, contact)

@@ -13,12 +13,7 @@ import numpy as np
 
 from hardcontact.base.number import Number, numbers_by_name
 from hardcontact.config.study_plan import POSITION_CONTACTS_PER_ROW, SPHERE_POSITIONS
-from hardcontact.contact.contact import (
-    LARGE_SIZE_RATIO,
-    PLASTIC,
-    Contact,
-    finite_scan_ratio,
-)
+from hardcontact.contact.contact import LARGE_SIZE_RATIO, PLASTIC, Contact, finite_scan_ratio
 from hardcontact.contact.geometry import join_bodies, spheres_at_positions
 from hardcontact.contact.hertz_jkr_dmt import limit_forces
 from hardcontact.contact.pull_off import make_force_function

@@ -7,11 +7,7 @@ import scipy
 from numpy.typing import NDArray
 
 from hardcontact.base.arrays import Floats
-from hardcontact.scans.measured_spectrum import (
-    CALIBRATION_SCATTER,
-    bias_of_log,
-    variance_of_log,
-)
+from hardcontact.scans.measured_spectrum import CALIBRATION_SCATTER, bias_of_log, variance_of_log
 from hardcontact.surfaces.spectrum import BIN_CENTRES, BIN_WIDTH, Spectrum
 
 #: Standard deviation of the change of the slope d ln C/d ln q over a decade; it grows with the root

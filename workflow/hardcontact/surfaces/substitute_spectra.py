@@ -59,10 +59,7 @@ def needs_calibration(segments: pd.DataFrame) -> bool:
 
 
 def spectrum_from_description(
-    path: str | Path,
-    table1: pd.DataFrame,
-    weights: Weights,
-    segments: pd.DataFrame | None = None,
+    path: str | Path, table1: pd.DataFrame, weights: Weights, segments: pd.DataFrame | None = None
 ) -> tuple[Floats, pd.DataFrame, list[str]]:
     """Return C_iso (nm⁴) on WAVEVECTORS of a description, its segments, the rows of Table 1 met.
 
