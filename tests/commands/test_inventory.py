@@ -7,10 +7,10 @@ import pytest
 from refusals import assert_says
 from scan_files import write_scan
 
-from hardcontact.commands import inventory as module
 from hardcontact.commands.inventory import inventory
 from hardcontact.commands.request import ScanFile, list_scan_files, new_arguments
 from hardcontact.commands.scan_tables import table_rows
+from hardcontact.scans import reading
 from hardcontact.scans.reading import ReadingOptions
 
 
@@ -96,12 +96,10 @@ def test_an_area_counts_once(tmp_path):
 def test_the_tip_option_serves_only_files_that_state_no_tip_radius(
     tmp_path, monkeypatch, stated_radius, used_radius, table_radius
 ):
-    path, read_original = (
-        write_scan(tmp_path / "wave.nc", wave(), (640.0, 640.0)),
-        module.read_scan,
-    )
+    path = write_scan(tmp_path / "wave.nc", wave(), (640.0, 640.0))
+    read_original = reading.read_scan
     monkeypatch.setattr(
-        module,
+        reading,
         "read_scan",
         lambda *choices: replace(read_original(*choices), tip_radius=stated_radius),
     )

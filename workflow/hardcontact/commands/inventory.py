@@ -13,7 +13,7 @@ from hardcontact.commands.request import ScanFile
 from hardcontact.contact.contact import Grid
 from hardcontact.scans.defects import scan_with_defects
 from hardcontact.scans.measured_spectrum import isotropic_psd
-from hardcontact.scans.reading import DEFAULT_OPTIONS, ReadingOptions, list_scans, read_scan
+from hardcontact.scans.reading import DEFAULT_OPTIONS, ReadingOptions, list_scans
 from hardcontact.scans.reliable_band import ReliableBand, reliable_band
 from hardcontact.scans.scan_pairs import coarse_map, repetition_notes
 from hardcontact.surfaces.height_map import HeightMap
@@ -93,9 +93,8 @@ def inventory(
     problems: list[str] = []
 
     def read_entry(scan_file: ScanFile, dataset: str) -> Entry:
-        tip_radius, unit, map_size, levelling, mask, filling = options
-        scan = read_scan(scan_file.file, dataset or channel, filling, unit, map_size, mask)
-        return _entry(scan_file, scan, tip_radius, levelling)
+        scan = options.read(scan_file.file, dataset or channel)
+        return _entry(scan_file, scan, options)
 
     for scan_file in scan_files:
         file_entries, faults = _read_file(scan_file, read_entry)
@@ -165,16 +164,15 @@ def entries_by_surface(entries: Sequence[Entry]) -> dict[str, list[Entry]]:
     return surfaces
 
 
-def _entry(scan_file: ScanFile, scan: HeightMap, tip_radius: float | None, levelling: str) -> Entry:
+def _entry(scan_file: ScanFile, scan: HeightMap, options: ReadingOptions) -> Entry:
     """Return the entry of one topography; raise ValueError if it cannot be used."""
     relief = np.ptp(scan.heights)
     if relief == 0:
         raise ValueError(f"{scan_file.file}: expected a rough surface, found constant height")
-    flat = scan_with_defects(scan, scan_file.sphere_radius, levelling)
+    flat = scan_with_defects(scan, scan_file.sphere_radius, options.levelling)
     peak_to_valley = float(np.ptp(flat.heights))
     density = isotropic_psd(flat)
-    stated_radius = scan.tip_radius
-    radius = tip_radius if stated_radius is None else stated_radius
+    tip_radius = options.tip_radius if scan.tip_radius is None else scan.tip_radius
     return Entry(
         scan_file=scan_file,
         dataset=scan.dataset,
@@ -186,9 +184,9 @@ def _entry(scan_file: ScanFile, scan: HeightMap, tip_radius: float | None, level
         rms_height=float(flat.heights.std()),
         peak_to_valley=peak_to_valley,
         relief=max(float(relief), peak_to_valley),
-        tip_radius=radius,
-        tip_given=radius is not stated_radius,
-        band=reliable_band(flat, radius, density),
+        tip_radius=tip_radius,
+        tip_given=tip_radius is not scan.tip_radius,
+        band=reliable_band(flat, tip_radius, density),
         density=density,
         undefined_count=scan.undefined_count,
         notes=flat.notes,

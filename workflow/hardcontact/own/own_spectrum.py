@@ -18,7 +18,7 @@ from hardcontact.scans.both_bodies import combine_maps, combine_spectra
 from hardcontact.scans.defects import defect_sentence, scan_with_defects
 from hardcontact.scans.heights import LENGTH_BOUNDS, TAKE_CARE, split_notes
 from hardcontact.scans.joined_spectrum import ScanSpectrum, joined_spectrum, reliable_spectrum
-from hardcontact.scans.reading import DEFAULT_OPTIONS, ReadingOptions, list_scans, read_scan
+from hardcontact.scans.reading import DEFAULT_OPTIONS, ReadingOptions, list_scans
 from hardcontact.scans.reliable_band import ReliableBand
 from hardcontact.scans.scan_pairs import (
     describe_contradictions,
@@ -59,14 +59,11 @@ def read_own_spectrum(
         raise ValueError(f"{tables[0]}: expected one table, or scans alone, found other files, too")
     if tables:
         return _spectrum_of_table(tables[0])
-    read_scans = (
-        read_scan(
-            path, name, options.undefined_pixels, options.unit, options.map_size, options.mask
-        )
+    scans = [
+        scan_with_defects(options.read(path, name), sphere_radius, options.levelling)
         for path in files
         for name in ([dataset] if dataset else list_scans(path))
-    )
-    scans = [scan_with_defects(scan, sphere_radius, options.levelling) for scan in read_scans]
+    ]
     for scan in scans:
         if np.ptp(scan.heights) < LENGTH_BOUNDS[0]:
             raise ValueError(f"{scan.path}: expected a rough surface, found constant height")

@@ -139,8 +139,8 @@ def _largest_square(heights: np.ma.MaskedArray) -> np.ma.MaskedArray:
     is_in_aperture = np.pad(~np.isin(regions, corners), 1)
     reach = scipy.ndimage.distance_transform_cdt(is_in_aperture, "chessboard")[1:-1, 1:-1]
     centre = np.unravel_index(reach.argmax(), reach.shape)
-    half = int(reach.max()) - 1
-    column, row = (slice(int(index) - half, int(index) + half + 1) for index in centre)
+    half_width = int(reach.max()) - 1
+    column, row = (slice(int(i) - half_width, int(i) + half_width + 1) for i in centre)
     return heights[column, row]
 
 

@@ -57,6 +57,10 @@ class ReadingOptions(NamedTuple):
     mask: str = MASKS[0]
     undefined_pixels: str = "harmonic"  #: filled, so that the scan can be measured
 
+    def read(self, path: str | Path, dataset: str) -> HeightMap:
+        """Return the height map or line scan of `read_scan`."""
+        return read_scan(path, dataset, self.undefined_pixels, self.unit, self.map_size, self.mask)
+
 
 #: How scans are read if nothing is said.
 DEFAULT_OPTIONS = ReadingOptions()

@@ -66,10 +66,10 @@ class RolloffEvidence:
         self.count = len(widest_scans)
         #: The mean variance of the levelled heights in nm².
         self.variance = float(np.mean([level_plane(scan).heights.T.var() for scan in widest_scans]))
-        self._density = np.nan_to_num(densities[is_widest]).mean(axis=0)
+        self._measured_density = np.nan_to_num(densities[is_widest]).mean(axis=0)
         shortest = min(band.shortest for band in bands if band.longest == longest)
-        self._unreliable = 2 * np.pi / BIN_CENTRES < shortest
-        self._share = levelled_share(WAVEVECTORS, self.size, kind)
+        self._is_unreliable = 2 * np.pi / BIN_CENTRES < shortest
+        self._levelled_share = levelled_share(WAVEVECTORS, self.size, kind)
         # Independent modes per ln q: q²L²/4π in a map, qL/2π along a line, and 1 for waves longer
         # than the scan, which appear as a bow.
         waves = WAVEVECTORS * self.size / (2 * np.pi)
@@ -101,10 +101,10 @@ class RolloffEvidence:
         The power of each of N independent modes is distributed exponentially, so that their sum is
         a gamma variable of relative variance 1/N.
         """
-        power = density * WAVEVECTORS**2 * self._share / (2 * np.pi)
+        power = density * WAVEVECTORS**2 * self._levelled_share / (2 * np.pi)
         expected_variance = np.trapezoid(power, LOG_WAVEVECTORS) + self._noise_variance(density)
-        variance_of_scan = np.trapezoid(power**2 / self._mode_count, LOG_WAVEVECTORS)
-        shape = expected_variance**2 / variance_of_scan * self.count
+        variance_of_variance = np.trapezoid(power**2 / self._mode_count, LOG_WAVEVECTORS)
+        shape = expected_variance**2 / variance_of_variance * self.count
         scale = expected_variance / shape
         ratio = self.variance / scale
         return float(
@@ -116,6 +116,6 @@ class RolloffEvidence:
 
         It is what the measured spectrum has in excess of the surface's C_iso.
         """
-        excess = self._density - np.interp(BIN_CENTRES, WAVEVECTORS, density)
-        power = (np.maximum(excess, 0) * BIN_CENTRES**2)[self._unreliable]
+        excess = self._measured_density - np.interp(BIN_CENTRES, WAVEVECTORS, density)
+        power = (np.maximum(excess, 0) * BIN_CENTRES**2)[self._is_unreliable]
         return float(power.sum() * BIN_WIDTH / (2 * np.pi))

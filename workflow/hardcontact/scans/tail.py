@@ -183,5 +183,6 @@ def _find_tail_end(density: Floats) -> tuple[int, TailEnd]:
         TailEnd.ATOMS: density == 0,
     }
     # The appended True stands for a bound that no wave exceeds.
-    ends = [(int(np.append(waves, True).argmax()) - 1, end) for end, waves in exceeded.items()]
-    return min(ends, key=lambda end: end[0])
+    last_indices = {end: int(np.append(mask, True).argmax()) - 1 for end, mask in exceeded.items()}
+    ended_by = min(last_indices, key=lambda end: last_indices[end])
+    return last_indices[ended_by], ended_by

@@ -8,6 +8,7 @@ user's study also has substitutes.
 
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import NamedTuple
 
 import numpy as np
 import scipy
@@ -98,11 +99,16 @@ def metric_matrices(components: Sequence[HeightMap], names: Sequence[str]) -> Fl
     return matrices
 
 
-def _fit_group(matrices: Floats, targets: Targets) -> tuple[Floats, Floats, Floats]:
-    """Return amplitudes (component,), factors of heights (scan,), relative errors of means (3,).
+class GroupFit(NamedTuple):
+    """Amplitudes and factors with which a group of scans meets its targets."""
 
-    `matrices` (scan, metric, component, component) come from `metric_matrices`.
-    """
+    amplitudes: Floats  #: (component,)
+    factors: Floats  #: (scan,) Factors on the heights, with the mean 1.
+    mean_errors: Floats  #: (3,) Relative errors of mean rms height, slope and curvature.
+
+
+def _fit_group(matrices: Floats, targets: Targets) -> GroupFit:
+    """Return the fit to `matrices` (scan, metric, component, component) of `metric_matrices`."""
     means = np.array(list(targets.means.values()))
 
     def errors_and_factors(log_amplitudes: Floats) -> tuple[Floats, Floats]:
@@ -114,7 +120,8 @@ def _fit_group(matrices: Floats, targets: Targets) -> tuple[Floats, Floats, Floa
         return (factors[:, None] * scan_rms).mean(axis=0) / means - 1, factors
 
     def slope_and_curvature_errors(log_amplitudes: Floats) -> Floats:
-        return errors_and_factors(log_amplitudes)[0][1:]
+        mean_errors, _ = errors_and_factors(log_amplitudes)
+        return mean_errors[1:]
 
     bound = np.log(MAX_AMPLITUDE_RATIO)
     fit = scipy.optimize.least_squares(
@@ -124,9 +131,9 @@ def _fit_group(matrices: Floats, targets: Targets) -> tuple[Floats, Floats, Floa
         **FIT_TOLERANCES,
     )
     mean_errors, factors = errors_and_factors(fit.x)
-    # The mean factor goes into the gain, so that the factors of the scans have the mean 1.
     mean_factor = factors.mean()
-    return mean_factor * np.exp(np.append(0.0, fit.x)), factors / mean_factor, mean_errors
+    amplitudes = mean_factor * np.exp(np.append(0.0, fit.x))
+    return GroupFit(amplitudes, factors / mean_factor, mean_errors)
 
 
 def condition_group(

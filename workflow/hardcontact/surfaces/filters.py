@@ -90,13 +90,13 @@ def interpolate(surface: HeightMap, pixels: int) -> HeightMap:
     _refuse_coarser(coarse_pixels, pixels)
     transform = scipy.fft.rfft2(surface.heights.astype(float))
     padded = np.zeros((pixels, transform.shape[1]), complex)
-    half = coarse_pixels // 2
-    padded[: coarse_pixels - half] = transform[: coarse_pixels - half]
-    padded[-half:] += transform[-half:]
+    nyquist_order = coarse_pixels // 2
+    padded[: coarse_pixels - nyquist_order] = transform[: coarse_pixels - nyquist_order]
+    padded[-nyquist_order:] += transform[-nyquist_order:]
     if coarse_pixels % 2 == 0 and pixels > coarse_pixels:
         # A grid holds both signs of the Nyquist order in one entry; a finer grid holds each.
-        padded[-half] /= 2
-        padded[half] += padded[-half]
+        padded[-nyquist_order] /= 2
+        padded[nyquist_order] += padded[-nyquist_order]
         padded[:, -1] /= 2
     fine = np.empty((pixels, pixels), np.float32)
     for rows, heights in _inverse_blocks(padded):

@@ -11,15 +11,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
 from hardcontact.base.arrays import generator
-from hardcontact.surfaces.filters import BLOCK_ROWS, interpolate, lowpass
+from hardcontact.surfaces.filters import BLOCK_ROWS, SingleTransform, interpolate, lowpass
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import SpectrumFunction
-
-#: Fourier transform of a real map, one half of it.
-Transform = NDArray[np.complex64]
 
 
 class ScanGrid(NamedTuple):
@@ -35,22 +31,22 @@ class ScanGrid(NamedTuple):
         return self.size / self.pixels
 
 
-def white_noise(rng: np.random.Generator, pixels: int) -> Transform:
+def white_noise(rng: np.random.Generator, pixels: int) -> SingleTransform:
     """Return the transform (pixels, pixels/2 + 1) of white noise of unit variance, in complex64."""
     return np.asarray(scipy.fft.rfft2(rng.standard_normal((pixels, pixels), dtype=np.float32)))
 
 
-def scale_noise(noise: Transform, pixel_size: float, spectrum: SpectrumFunction) -> None:
+def scale_noise(noise: SingleTransform, pixel_size: float, spectrum: SpectrumFunction) -> None:
     """Scale the transform of white noise, in place, so that its surface has the C_iso `spectrum`.
 
     White noise of unit variance has C_iso = pixel area; amplitudes are multiplied by the root of
     the ratio of both C_iso. Wavevectors of opposite y have the same density.
     """
     pixels = len(noise)
-    half = pixels // 2 + 1
+    row_count = pixels // 2 + 1  # Other rows have the opposite y.
     wave = 2 * np.pi * np.fft.rfftfreq(pixels, pixel_size)
-    for start in range(0, half, BLOCK_ROWS):
-        rows = np.arange(start, min(start + BLOCK_ROWS, half))
+    for start in range(0, row_count, BLOCK_ROWS):
+        rows = np.arange(start, min(start + BLOCK_ROWS, row_count))
         amplitudes = np.sqrt(spectrum(np.hypot(wave[rows, None], wave))) / pixel_size
         noise[rows] *= amplitudes
         is_paired = (rows > 0) & (2 * rows < pixels)
@@ -69,7 +65,7 @@ def random_surface(
 
 
 def random_corner(
-    noise: Transform, corner_pixels: int, pixel_size: float, spectrum: SpectrumFunction
+    noise: SingleTransform, corner_pixels: int, pixel_size: float, spectrum: SpectrumFunction
 ) -> HeightMap:
     """Return a corner of the random surface that a transform of white noise makes, in float32.
 
@@ -96,7 +92,7 @@ def sample_scan(
 
 
 def scan_of_noise(
-    noise: Transform, spectrum: SpectrumFunction, grid: ScanGrid, factor: float = 1.0
+    noise: SingleTransform, spectrum: SpectrumFunction, grid: ScanGrid, factor: float = 1.0
 ) -> HeightMap:
     """Return the scan that a transform of white noise makes: the corner of a random surface."""
     surface = random_corner(noise, grid.pixels, grid.pixel_size, spectrum)

@@ -68,27 +68,28 @@ def transfer_weights(pixels: int, pixel_size: float, window_pixels: int) -> Weig
     Squares of rms height, gradient and half-Laplacian are weights @ C_iso. The scan of
     `window_pixels` is cut out of a periodic surface of `pixels` (both per row) and levelled.
     """
-    wave = 2 * np.pi * np.abs(np.fft.fftfreq(pixels, pixel_size))
-    half = wave[: pixels // 2 + 1]
-    count = np.where((half == 0) | (half == half.max()), 1.0, 2.0)
-    shortest = np.hypot(wave.max(), half.max())
-    edges = np.geomspace(half[1] * 0.999, shortest * 1.001, BIN_COUNT + 1)
-    mean, slope = squared_projections(wave * window_pixels * pixel_size / 2)
+    wave_y = 2 * np.pi * np.abs(np.fft.fftfreq(pixels, pixel_size))
+    wave_x = wave_y[: pixels // 2 + 1]
+    # An entry of the transform of a real map stands for both waves of a pair of opposite q_x.
+    wave_count = np.where((wave_x == 0) | (wave_x == wave_x.max()), 1.0, 2.0)
+    shortest = np.hypot(wave_y.max(), wave_x.max())
+    edges = np.geomspace(wave_x[1] * 0.999, shortest * 1.001, BIN_COUNT + 1)
+    mean, slope = squared_projections(wave_y * window_pixels * pixel_size / 2)
     # The squared difference operator along one axis.
-    difference = (2 * np.sin(wave * pixel_size / 2) / pixel_size) ** 2
-    mean_x, slope_x, difference_x = (values[: len(half)] for values in (mean, slope, difference))
+    difference = (2 * np.sin(wave_y * pixel_size / 2) / pixel_size) ** 2
+    mean_x, slope_x, difference_x = (values[: len(wave_x)] for values in (mean, slope, difference))
     weights = np.zeros((3, BIN_COUNT))
     for start in range(0, pixels, BLOCK_ROWS):
         rows = slice(start, start + BLOCK_ROWS)
         mean_y, slope_y = mean[rows, None], slope[rows, None]
         removed = mean_y * mean_x + slope_y * mean_x + mean_y * slope_x
         laplacian = difference[rows, None] + difference_x
-        radius = np.hypot(wave[rows, None], half)
+        radius = np.hypot(wave_y[rows, None], wave_x)
         if start == 0:
-            radius[0, 0] = half[1]  # The mean has no weight, but needs a bin.
+            radius[0, 0] = wave_x[1]  # The mean has no weight, but needs a bin.
         index = np.searchsorted(edges, radius.ravel()) - 1
         for k, factor in enumerate((1 - removed, laplacian, laplacian**2 / 4)):
-            weights[k] += np.bincount(index, (count * factor).ravel(), BIN_COUNT)
+            weights[k] += np.bincount(index, (wave_count * factor).ravel(), BIN_COUNT)
     return np.sqrt(edges[1:] * edges[:-1]), weights / (pixels * pixel_size) ** 2
 
 
