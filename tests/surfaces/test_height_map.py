@@ -40,7 +40,7 @@ def test_a_sphere_is_removed_wherever_its_apex_lies():
     np.testing.assert_allclose(flat.heights, level_plane(scan_of(wave)).heights, atol=1e-8)
 
 
-def test_a_stitched_map_is_mirror_symmetric():
+def test_a_mirrored_map_is_mirror_symmetric():
     scan = scan_of(np.random.default_rng(0).standard_normal((7, 7)))
     mirrored = mirror_scan(scan)
     assert mirrored.heights.shape == (14, 14) and mirrored.periodic

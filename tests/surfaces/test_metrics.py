@@ -63,7 +63,7 @@ def test_maps_of_all_surfaces_have_the_pixels_of_the_coarsest(table, maps):
 
 
 @pytest.mark.parametrize("radius", [None, 250e3])
-def test_a_prepared_scan_is_levelled_and_stitched_and_keeps_its_notes(maps, radius):
+def test_a_prepared_scan_is_levelled_and_mirrored_and_keeps_its_notes(maps, radius):
     scan = replace(measurement(maps["ruby", 1].heights, PIXEL), notes=("cropped", "filled"))
     levelled, mirrored = level_and_mirror(scan, radius, "lines")
     np.testing.assert_array_equal(mirrored.heights[48:, 48:], levelled.heights[::-1, ::-1])

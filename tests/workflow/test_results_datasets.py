@@ -28,7 +28,7 @@ def test_substitutes_are_labelled(final, finished):
         assert set(data.source.values.ravel()) <= {"substitute"}, name
     assert set(SUBSTRATES) <= set(final["adhesion"].surface.values)
     store = finished / "results" / "store-tiny"
-    maps = [path for kind in ("scans", "stitched", "masters")
+    maps = [path for kind in ("scans", "mirrored", "masters")
             for path in store.glob(f"{kind}/**/*.nc")]  # fmt: skip
     assert maps
     for path in maps:
@@ -43,7 +43,7 @@ def values_of(folder):
     """Bytes of every variable of the scans and spectra in a store."""
     return {
         (path.relative_to(folder).as_posix(), name): variable.values.tobytes()
-        for kind in ("spectra", "scans", "stitched")
+        for kind in ("spectra", "scans", "mirrored")
         for path in folder.glob(f"{kind}/**/*.nc")
         for name, variable in dataset.read(path).variables.items()
     }

@@ -42,7 +42,7 @@ class StorePatterns:
         scans = self.digests["scans"]
         self.conditioning = f"{store}/conditioning/{scans}/{_SCAN}"  # scan: the first of its group
         self.levelled_scans = f"{store}/scans/{scans}/{_SCAN}"
-        self.mirrored_scans = f"{store}/stitched/{scans}/{_SCAN}"
+        self.mirrored_scans = f"{store}/mirrored/{scans}/{_SCAN}"
         self.mirrored_substrates = self.mirrored_scans.replace("{shape}", "flat")
 
         both_surfaces = f"{{radius}}/{{loading}}/{_SURFACE}/{rough_sphere}.nc"

@@ -148,8 +148,8 @@ def to_surface_topography(scan: HeightMap) -> "Topography | UniformLineScan":
 def mirror_scan(scan: HeightMap) -> HeightMap:
     """Return the mirrored scan, periodic and twice as wide: a map (2y, 2x) with its mirror images.
 
-    Its edges match, so that contacts can lie across them. Files call it ``stitched``. Source: the
-    paper, section Numerical Analysis of Results.
+    Its edges match, so that contacts can lie across them. Source: the paper, section Numerical
+    Analysis of Results.
     """
     wide = np.concatenate([scan.heights, scan.heights[:, ::-1]], axis=1)
     return replace(scan, heights=np.concatenate([wide, wide[::-1]], axis=0), periodic=True)
