@@ -1,6 +1,6 @@
 """The contents of the user's files: an entry for each topography, and tables of the entries."""
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 from pathlib import PurePath
@@ -91,13 +91,8 @@ def inventory(
     entries: list[Entry] = []
     unreadable: list[str] = []
     problems: list[str] = []
-
-    def read_entry(scan_file: ScanFile, dataset: str) -> Entry:
-        scan = options.read(scan_file.file, dataset or channel)
-        return _entry(scan_file, scan, options)
-
     for scan_file in scan_files:
-        file_entries, faults = _read_file(scan_file, read_entry)
+        file_entries, faults = _read_file(scan_file, options, channel)
         entries += file_entries
         # A dataset that cannot be used stops nothing: the user cannot take it out.
         (unreadable if file_entries or scan_file.is_in_folder else problems).extend(faults)
@@ -109,23 +104,25 @@ def inventory(
 
 
 def _read_file(
-    scan_file: ScanFile, read_entry: Callable[[ScanFile, str], Entry]
+    scan_file: ScanFile, options: ReadingOptions, channel: str
 ) -> tuple[list[Entry], list[str]]:
     """Return the entries of usable datasets of a file, and a line on each fault of others."""
+    try:
+        datasets = list_scans(scan_file.file)
+    except ValueError as error:
+        return [], str(error).splitlines()
     entries = []
     faults = []
-    try:
-        for dataset in list_scans(scan_file.file):
-            try:
-                entries.append(read_entry(scan_file, dataset))
-            except ValueError as error:
-                file = f"{scan_file.file}: "
-                faults += [
-                    f"{file}{dataset}: {line.removeprefix(file)}" if dataset else line
-                    for line in str(error).splitlines()
-                ]
-    except ValueError as error:
-        faults += str(error).splitlines()
+    for dataset in datasets:
+        try:
+            scan = options.read(scan_file.file, dataset or channel)
+            entries.append(_entry(scan_file, scan, options))
+        except ValueError as error:
+            file = f"{scan_file.file}: "
+            faults += [
+                f"{file}{dataset}: {line.removeprefix(file)}" if dataset else line
+                for line in str(error).splitlines()
+            ]
     return entries, faults
 
 

@@ -99,26 +99,17 @@ def read_inputs(arguments: Namespace) -> Inputs:
         faults.append("; ".join([f"--{wide}", *cautions]))
     outputs = {name: getattr(arguments, name) for name in WRITERS}
     faults += output_faults(outputs, {arguments.file: "that of the surface"}, arguments.overwrite)
-    readers = _spectrum_readers(arguments, quantities)
+    reader = partial(read_own_spectrum, options=reading_options(arguments, quantities))
+    readers = [partial(reader, [arguments.file], dataset=arguments.dataset)]
+    if arguments.sphere is not None:
+        radius = quantities["radius"].number
+        readers.append(partial(reader, [arguments.sphere], sphere_radius=radius))
     _, spectrum, *sphere_spectra = run_checks([partial(raise_faults, faults), *readers])
     for sphere_spectrum in sphere_spectra:
         spectrum = add_sphere_roughness(spectrum, sphere_spectrum, PAPER_STUDY.seed)
     cautions += one_pixel_touches(contact.area, [scan.pixel_size for scan in spectrum.scans])
     notes = [*(f"{TAKE_CARE}{line}" for line in cautions), *spectrum.notes]
     return Inputs(quantities, contact, spectrum, notes)
-
-
-def _spectrum_readers(
-    arguments: Namespace, quantities: Mapping[str, QuantityOption]
-) -> list[Callable[[], OwnSpectrum]]:
-    """Return the functions that read the spectra of the surface and of a rough sphere."""
-    options = reading_options(arguments, quantities)
-    reader = partial(read_own_spectrum, options=options)
-    readers = [partial(reader, [arguments.file], dataset=arguments.dataset)]
-    if arguments.sphere is not None:
-        radius = quantities["radius"].number
-        readers.append(partial(reader, [arguments.sphere], sphere_radius=radius))
-    return [*readers]
 
 
 class QuantityStatus(StrEnum):

@@ -8,16 +8,15 @@ from typing import NamedTuple
 import numpy as np
 
 from hardcontact.base.formatting import format_length
-from hardcontact.commands.contact_scans import (
+from hardcontact.commands.contact_scans import all_search_sizes, contact_scans
+from hardcontact.commands.inventory import FILLING, Entry
+from hardcontact.commands.permitted_contacts import (
     WindowChoice,
     affordable_contacts,
-    all_search_sizes,
     choose_window,
-    contact_scans,
     count_tiles,
     short_edge_pixels,
 )
-from hardcontact.commands.inventory import FILLING, Entry
 from hardcontact.commands.scan_cautions import scan_cautions
 from hardcontact.config.configuration import quantity_type
 from hardcontact.contact.contact import Contact

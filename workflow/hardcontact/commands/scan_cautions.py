@@ -5,8 +5,8 @@ from collections.abc import Iterator, Mapping, Sequence
 import numpy as np
 
 from hardcontact.base.formatting import format_length, format_quantity
-from hardcontact.commands.contact_scans import WindowChoice
 from hardcontact.commands.inventory import Entry, entries_by_surface
+from hardcontact.commands.permitted_contacts import WindowChoice
 from hardcontact.config.faults import raise_faults
 from hardcontact.contact.contact import (
     LARGE_SIZE_RATIO,

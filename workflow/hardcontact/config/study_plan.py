@@ -1,8 +1,8 @@
 """The plan of a study: on which scans, bodies and positions it computes contacts."""
 
+import math
 from collections import defaultdict
 from collections.abc import Iterable, Mapping
-from math import ceil, sqrt
 from typing import Any, NamedTuple
 
 from hardcontact.config.configuration import combines_bodies, study_contact
@@ -112,16 +112,20 @@ class StudyPlan:
             offset += len(scans)
         return indices
 
-    def sphere_positions(self) -> tuple[list[int], int, int]:
-        """Return positions on the sphere, positions and contacts per row on each of its scans.
-
-        Positions are numbered, by the numbers of the scans if each has one position.
-        """
-        scans = self.selection.sphere_scans
-        contacts_per_row = self.contact.contacts_per_row
+    @property
+    def positions_per_row(self) -> int:
+        """Positions per row of their square array on each scan of the sphere."""
         minimum = SPHERE_POSITIONS if combines_bodies(self.configuration) else 1
-        per_row = ceil(sqrt(minimum / len(scans)))
-        if per_row == 1:
-            return scans, per_row, contacts_per_row
-        positions = list(range(1, len(scans) * per_row**2 + 1))
-        return positions, per_row, min(contacts_per_row, POSITION_CONTACTS_PER_ROW)
+        return math.ceil(math.sqrt(minimum / len(self.selection.sphere_scans)))
+
+    @property
+    def sphere_positions(self) -> list[int]:
+        """Numbers of the positions on the sphere: those of its scans if each has one position."""
+        scans, per_row = self.selection.sphere_scans, self.positions_per_row
+        return scans if per_row == 1 else list(range(1, len(scans) * per_row**2 + 1))
+
+    @property
+    def contacts_per_row_at_position(self) -> int:
+        """Contacts per row of the array at each position: fewer if a scan has several positions."""
+        limit = math.inf if self.positions_per_row == 1 else POSITION_CONTACTS_PER_ROW
+        return int(min(self.contact.contacts_per_row, limit))

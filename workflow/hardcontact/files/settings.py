@@ -87,7 +87,6 @@ def _contact_settings(plan: StudyPlan) -> dict[str, dict[str, Any]]:
     contact = study["contact"] | {"radius": study["sphere"]["radius"]}
     contact_at_range = contact | {"rho": study["adhesion"]["range"]}
     transitions = {side: scales[side]["transition"] for side in SIDES}
-    positions, positions_per_row, contacts_per_row = plan.sphere_positions()
     # As wide as a long-edge master, with the pixels of a scan.
     pixels, size = study["substitutes"]["pixels"], study["substitutes"]["size"]
     grid = {"pixels": 2 * scales["long"]["tiles"] * pixels, "pixel_size": size / pixels}
@@ -96,9 +95,9 @@ def _contact_settings(plan: StudyPlan) -> dict[str, dict[str, Any]]:
     set_scan = {**_random_surface(study), "contact": set_contact, "ranges": ranges}
     return {
         "pull_off": {
-            "sphere_positions": positions,
-            "positions_per_row": positions_per_row,
-            "contact": contact_at_range | {"contacts_per_row": contacts_per_row},
+            "sphere_positions": plan.sphere_positions,
+            "positions_per_row": plan.positions_per_row,
+            "contact": contact_at_range | {"contacts_per_row": plan.contacts_per_row_at_position},
             "ranges": ranges,
         },
         "elastic": {**seed, "contact": contact, **study["elastic"]},

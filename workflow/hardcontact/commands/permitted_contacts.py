@@ -1,0 +1,154 @@
+"""The contacts that scans, time and memory permit: window, range of adhesion, pixels and number."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import NamedTuple
+
+from hardcontact.commands.inventory import Entry
+from hardcontact.config.limits import MAX_CONTACT_PIXELS
+from hardcontact.contact.bearing_area import TILE
+from hardcontact.contact.contact import (
+    PENETRATION_OVER_RANGE,
+    Contact,
+    minimum_range,
+    penetration_depth,
+    periods_in_window,
+)
+from hardcontact.contact.geometry import window_pixels
+from hardcontact.own.scan_contact import window_on_scans
+
+#: The longest range of adhesion (nm) that is proposed if none is given, as in the paper's study.
+LONGEST_RANGE = 40.0
+#: Width of the long-edge master relative to a scan.
+MASTER_SCANS = 8
+#: Width of the long-edge master relative to the window.
+MASTER_WINDOWS = 1.6
+#: The finest pixels worth computing, in nm: half the distance of atoms.
+FINEST_PIXEL_SIZE = 0.15
+#: Numbers of contacts per row of the array. Even ones fall evenly on the quarters of a scan.
+ARRAY_WIDTHS = (20, 16, 12, 10, 8, 6, 4)
+#: Seconds that the contacts of one filtered surface may take. Chosen: the 150 filtered surfaces of
+#: a scan at full effort then take at most 5 minutes of processor time, whatever the scan.
+CONTACT_SECONDS = 2.0
+#: Measured seconds for a contact pixel in one period of the map.
+SECONDS_A_PIXEL = 4e-7
+#: Measured seconds for a tile of the map in the window.
+SECONDS_A_TILE = 1e-8
+
+
+class WindowChoice(NamedTuple):
+    """The window and the range of adhesion of a study, with their reasons in words."""
+
+    contact: Contact  #: The contact with this window and range.
+    shortest_range: float  #: The shortest range (nm) that the scans permit.
+    window_reason: str
+    range_reason: str
+
+
+def choose_window(
+    scans: Sequence[Entry],
+    substrates: Sequence[Entry],
+    contact: Contact,
+    range_given: bool,
+    max_pixels: int,
+) -> WindowChoice:
+    """Return a window, and a longer range of adhesion than the contact's if the scans need it.
+
+    `scans` includes the scans of the sphere, `substrates` does not. Masters have at most
+    `max_pixels` per row. The study's limits refuse a range that stays too short.
+    """
+    window, window_reason = _window(scans, contact)
+    shortest, reason = _shortest_range(scans, substrates, contact, window, max_pixels)
+    range_reason = "as given" if range_given else "the paper's; --range changes it"
+    if shortest > contact.rho and not range_given:
+        contact = replace(contact, rho=max(contact.rho, min(shortest, LONGEST_RANGE)))
+        range_reason = f"the least on these scans, where {reason}"
+        # A longer range needs a wider window, which does not raise the shortest range.
+        window, window_reason = _window(scans, contact)
+    return WindowChoice(replace(contact, window=window), shortest, window_reason, range_reason)
+
+
+def _window(scans: Sequence[Entry], contact: Contact) -> tuple[float, str]:
+    """Return the width of the window (nm) that a contact on scans needs, and the reason."""
+    return window_on_scans(
+        max(scan.rms_height for scan in scans),
+        min(scan.pixel_size for scan in scans),
+        min(scan.size for scan in scans),
+        contact.radius,
+        contact.rho,
+    )
+
+
+def _shortest_range(
+    scans: Sequence[Entry],
+    substrates: Sequence[Entry],
+    contact: Contact,
+    window: float,
+    max_pixels: int,
+) -> tuple[float, str]:
+    """Return the shortest range of adhesion (nm) that scans and masters permit, and why."""
+    tiles = count_tiles(substrates, window, max_pixels)
+    limits = [minimum_range(contact.radius, window, scan.grid) for scan in scans]
+    for scan in substrates:
+        master = scan.grid._replace(size=scan.size * tiles)
+        limits.append(minimum_range(contact.radius, window, master))
+        depth = penetration_depth(contact, scan.relief)
+        depth_reason = f"the preload presses the bodies some {depth:.3g} nm into each other"
+        limits.append((float(f"{1.005 * depth / PENETRATION_OVER_RANGE:.3g}"), depth_reason))
+    return max(limits)
+
+
+def count_tiles(substrates: Sequence[Entry], window: float, pixels: int) -> int:
+    """Return the number of mirrored scans per row of long-edge masters.
+
+    The master is eight scans long, as in the paper, and longer than the window (nm), if its number
+    of pixels suffices.
+    """
+    size = min(scan.size for scan in substrates)
+    tiles = math.ceil(max(MASTER_SCANS * size, MASTER_WINDOWS * window) / (2 * size) * (1 - 1e-9))
+    return max(1, min(tiles, pixels // max(2 * scan.pixels for scan in substrates)))
+
+
+def short_edge_pixels(scan: Entry, contact: Contact, max_pixels: int) -> int:
+    """Return the pixels of short-edge masters of one scan: mirrored, halved repeatedly."""
+    pixels = 2 * scan.pixels
+    while 2 * pixels <= max_pixels:
+        pixel_size = scan.size / pixels
+        seconds = _contact_seconds(scan, contact, pixel_size)
+        if pixel_size < FINEST_PIXEL_SIZE or ARRAY_WIDTHS[-1] ** 2 * seconds > CONTACT_SECONDS:
+            break
+        pixels *= 2
+    return pixels
+
+
+def _contact_seconds(scan: Entry, contact: Contact, pixel_size: float) -> float:
+    """Return about the time (s) for one contact and all its periods on pixels of a size (nm)."""
+    periods = periods_in_window(contact.window, scan.size)
+    tiles = (window_pixels(contact.window, pixel_size) / TILE) ** 2
+    return contact.pixel_count(pixel_size) * periods * SECONDS_A_PIXEL + tiles * SECONDS_A_TILE
+
+
+def affordable_contacts(
+    substrates: Sequence[Entry], contact: Contact, short_pixels: int, max_contacts_per_row: int
+) -> tuple[int, bool]:
+    """Return the contacts per row that time and memory permit, and whether they take long.
+
+    The pixels of all contacts stay in memory: on masters, and on scans with all periods in the
+    window.
+    """
+    seconds = 0.0
+    kept_pixels = 0.0
+    for scan in substrates:
+        periods = periods_in_window(contact.window, scan.size)
+        finest = 2 * scan.size / short_pixels
+        for pixel_size, period_count in ((scan.pixel_size, periods), (finest, 1.0)):
+            seconds = max(seconds, _contact_seconds(scan, contact, pixel_size))
+            kept_pixels = max(kept_pixels, contact.pixel_count(pixel_size) * period_count)
+    for contacts_per_row in ARRAY_WIDTHS:
+        contact_count = contacts_per_row**2
+        is_slow = contact_count * seconds > CONTACT_SECONDS
+        fits = contact_count * kept_pixels <= MAX_CONTACT_PIXELS
+        if fits and not is_slow and contacts_per_row <= max_contacts_per_row:
+            break
+    return contacts_per_row, is_slow
