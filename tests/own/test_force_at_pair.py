@@ -15,8 +15,8 @@ from hardcontact.own.force_at_pair import (
     add_extrapolated_force,
     bound_by_smooth_sphere,
     extend_by_pixel_factors,
-    extrapolated_force,
     force_scatter,
+    forces_on_masters,
     forces_on_scans,
 )
 from hardcontact.own.mean_forces import MasterScans
@@ -115,7 +115,7 @@ def test_contacts_that_touch_few_patches_give_no_interval():
         assert scan_forces.force_interval.sel(surface="a").notnull().all()
         assert scan_forces.contacts.values.tolist() == [16, 16]
         master_scans = MasterScans({"a": 1}, 2, {"a": patches})
-        extrapolated_forces = extrapolated_force(master_forces(), master_scans, 0.05, 0.95)
+        extrapolated_forces = forces_on_masters(master_forces(), master_scans, 0.05, 0.95)
         assert extrapolated_forces.extrapolated_force_interval.notnull().all() == (patches == 4)
 
 
@@ -153,7 +153,7 @@ def test_the_extrapolated_force_is_the_mean_over_contacts_and_masters():
     forces = master_forces()
     mean = forces.unfiltered_pull_off_force.mean(["realization", "contact_y", "contact_x"])
     np.testing.assert_allclose(
-        extrapolated_force(forces, MASTERS, 0.05, 0.95).extrapolated_force, 0.05 * mean
+        forces_on_masters(forces, MASTERS, 0.05, 0.95).extrapolated_force, 0.05 * mean
     )
 
 
@@ -161,7 +161,7 @@ def test_the_extrapolated_force_is_the_mean_over_contacts_and_masters():
     "ratio, half, differs", [(3.0, 0.4, 1), (3.0, 2.8, 0), (1.01, 0.001, 0), (3.0, np.nan, 1)]
 )
 def test_the_extrapolated_force_differs_beyond_its_interval_and_the_tolerance(ratio, half, differs):
-    extrapolated_forces = extrapolated_force(master_forces(), MASTERS, 0.05, 0.95)
+    extrapolated_forces = forces_on_masters(master_forces(), MASTERS, 0.05, 0.95)
     # The force on the scans, relative to the force with extrapolated roughness below their pixels.
     relative = np.array([[[ratio]]]), np.array([[[[ratio - half, ratio + half]]]])
     unit = extrapolated_forces.extrapolated_force.sel(side="short").item()

@@ -405,7 +405,8 @@ def predict(
     ... )
     >>> force = numbers["closed_form_force"].value  # N
     """
-    check_quantities(radius=radius, preload=preload, hardness=hardness, rho=rho, work=work)
+    quantities: dict[str, Any] = {"radius": radius, "preload": preload, "hardness": hardness}
+    check_quantities(**quantities, rho=rho, work=work)
     check_positive(tolerance=tolerance)
     if isinstance(roughness, HeightMap):
         check_heights(roughness.heights, "roughness")
@@ -418,13 +419,7 @@ def predict(
             "roughness: expected a scan of hc.read_scan(FILE), or a spectrum of "
             f"hc.read_spectrum(FILE), found {type(roughness).__name__}"
         )
-    contact = Contact(
-        radius=radius,
-        rho=rho,
-        work=work,
-        preload=preload,
-        hardness=hardness,
-        contacts_per_row=PAPER_CONTACT.contacts_per_row,
-    )
+    contacts_per_row = PAPER_CONTACT.contacts_per_row
+    contact = Contact(**quantities, rho=rho, work=work, contacts_per_row=contacts_per_row)
     raise_faults(filter(None, [wide_contact_message(contact)]))
     return prediction_and_scan_force(own_spectrum, contact, tolerance, PAPER_CONFIDENCE)

@@ -17,7 +17,7 @@ from hardcontact.config.faults import raise_faults, spelling_question
 
 
 def main() -> int:
-    """Carry out the command with which the command line begins; return the exit code."""
+    """Carry out the command of the command line, and print its report; return the exit code."""
     words = join_units(sys.argv[1:])
     try:
         # A terminal would obey control characters, and tables are written in UTF-8.
@@ -26,36 +26,41 @@ def main() -> int:
             for word in words
             if not word.isprintable()
         )
-        if words[:1] == ["predict"]:
-            from hardcontact.commands.predict import predict, predict_arguments
-
-            print(predict(predict_arguments(words[1:])))
-        elif words[:1] == ["verify"]:
-            from hardcontact.commands.verify import verify, verify_arguments
-
-            text, code = verify(verify_arguments(words[1:]))
-            print(text, flush=True)
-            return code
-        elif words[:1] == ["compare"]:
-            from hardcontact.commands.compare import compare, compare_arguments
-
-            print(compare(compare_arguments(words[1:])))
-        else:
-            from hardcontact.commands.new import new_study
-            from hardcontact.commands.request import new_arguments
-
-            print(new_study(new_arguments(words)))
-        sys.stdout.flush()
+        text, code = _run(words)
+        print(text, flush=True)
     except BrokenPipeError:  # The reader of the output has ended, such as `head`.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        code = 0
     except ValueError as error:
         for line in dict.fromkeys(str(error).splitlines()):
             print(f"error: {line}", file=sys.stderr)
-        return 1
+        code = 1
     except KeyboardInterrupt:
         print("Stopped before anything was written.", file=sys.stderr)
-        return 130
-    return 0
+        code = 130
+    return code
+
+
+def _run(words: Sequence[str]) -> tuple[str, int]:
+    """Carry out the command with which the words begin; return its report and the exit code."""
+    match words[:1]:
+        case ["predict"]:
+            from hardcontact.commands.predict import predict, predict_arguments
+
+            return predict(predict_arguments(words[1:])), 0
+        case ["verify"]:
+            from hardcontact.commands.verify import verify, verify_arguments
+
+            return verify(verify_arguments(words[1:]))
+        case ["compare"]:
+            from hardcontact.commands.compare import compare, compare_arguments
+
+            return compare(compare_arguments(words[1:])), 0
+        case _:
+            from hardcontact.commands.new import new_study
+            from hardcontact.commands.request import new_arguments
+
+            return new_study(new_arguments(words)), 0
 
 
 def join_units(words: Sequence[str]) -> list[str]:

@@ -57,10 +57,10 @@ def contact_scans(
     groups = _groups(entries)
     sphere_groups = groups.pop(sphere) if sphere is not None else []
     large_enough = LARGE_SIZE_RATIO * max(search_sizes.values())
+    interaction_radius = math.sqrt(2 * contact.radius * contact.rho)
     selected: list[Entry] = []
     reasons = []
     for surface, surface_groups in groups.items():
-        interaction_radius = math.sqrt(2 * contact.radius * contact.rho)
         group = _best_group(surface_groups, interaction_radius, large_enough)
         reason = "no others can be used"
         if len(surface_groups) > 1:

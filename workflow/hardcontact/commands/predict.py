@@ -189,14 +189,11 @@ def _report(inputs: Inputs, numbers: Mapping[str, Number], arguments: Namespace)
     from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
     environment = Environment(
-        loader=FileSystemLoader(Path(__file__).parent),
-        undefined=StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-    )
+        loader=FileSystemLoader(Path(__file__).parent), undefined=StrictUndefined,
+        trim_blocks=True, lstrip_blocks=True,
+    )  # fmt: skip
     environment.filters |= {"length": format_length, "quantity": format_quantity}
     environment.tests["known"] = math.isfinite
-    meanings = {name: meaning for name, (_, meaning) in CONTACT_QUANTITIES.items()}
     report = environment.get_template("predict.txt").render(
         file=arguments.file,
         verbose=arguments.verbose,
@@ -205,7 +202,7 @@ def _report(inputs: Inputs, numbers: Mapping[str, Number], arguments: Namespace)
         scans=inputs.spectrum.scans,
         reading_notes=[note for note in inputs.notes if not note.startswith(TAKE_CARE)],
         cautions=[note for note in inputs.notes if note.startswith(TAKE_CARE)],
-        meanings=meanings,
+        meanings={name: meaning for name, (_, meaning) in CONTACT_QUANTITIES.items()},
         change_that_matters=MAX_NEGLIGIBLE_CHANGE,
         confidence=PAPER_STUDY.intervals.confidence,
         finer=WIDE_PIXEL,

@@ -51,11 +51,9 @@ def new_arguments(arguments: Sequence[str]) -> Namespace:
         "name", metavar="NAME", help="name of the study; results go to results/NAME/"
     )
     parser.add_argument(
-        "files",
-        metavar="FILE",
-        nargs="*",
+        "files", metavar="FILE", nargs="*",
         help="scans, line scans or containers of one surface, or folders of them",
-    )
+    )  # fmt: skip
     parser.add_argument(
         "--surface", nargs="+", action="append", default=[], metavar=("LABEL", "FILE"),
         help="a label and the files of a surface; repeat it for each surface",

@@ -25,7 +25,6 @@ def printed_table(entries: Sequence[Entry], contact_entries: Sequence[Entry]) ->
     notes = []
     for number, entry in enumerate(entries, 1):
         is_map = entry.kind == "map"
-        tip = entry.tip_radius
         band = entry.band
         rows.append(
             (
@@ -39,7 +38,7 @@ def printed_table(entries: Sequence[Entry], contact_entries: Sequence[Entry]) ->
                 entry.file_unit,
                 format_length(entry.rms_height),
                 format_length(entry.peak_to_valley),
-                "unknown" if tip is None else format_length(tip),
+                "unknown" if entry.tip_radius is None else format_length(entry.tip_radius),
                 "none"
                 if entry.is_blind
                 else f"{format_length(band.shortest)} to {format_length(band.longest)}",

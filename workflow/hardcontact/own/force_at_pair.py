@@ -56,18 +56,15 @@ def force_dataset(
 ) -> xr.Dataset:
     """Return force.nc: the forces on all surfaces at the range and work of the contact.
 
-    Forces in `adhesion` and `scales` are at 1 J/m²; substitutes alone have no hindcast. The
-    `tolerance` is a relative change of the force. No mean force exceeds that of the smooth sphere.
+    Forces in `adhesion` and `scales` are at 1 J/m². `hindcast` is None if all surfaces are
+    substitutes. The `tolerance` is a relative change of the force.
     """
-    scan_sizes = topography["scan_size"].to_series()
+    sizes = topography["scan_size"].to_series()
+    scan_sizes = {str(surface): size for surface, size in sizes.items()}
     force = forces_on_scans(
-        adhesion,
-        work=contact.work,
-        rho=contact.rho,
-        scan_sizes={str(name): size for name, size in scan_sizes.items()},
-        confidence=confidence,
+        adhesion, work=contact.work, rho=contact.rho, scan_sizes=scan_sizes, confidence=confidence
     )
-    extrapolated_forces = extrapolated_force(scales, master_scans, contact.work, confidence)
+    extrapolated_forces = forces_on_masters(scales, master_scans, contact.work, confidence)
     force = add_extrapolated_force(force, extrapolated_forces, tolerance)
     force = _widen_intervals(force, hindcast, contact.rho)
     force = bound_by_smooth_sphere(force, contact.area)
@@ -79,64 +76,6 @@ def force_dataset(
     force = force.merge(xr.concat(scatter, force["surface"]))
     tabor = judge_tabor_parameter(contact, assumed_modulus(contact.hardness))
     return force.assign_attrs(tabor_parameter=tabor.value, bodies=tabor.status)
-
-
-def add_sizes(
-    force: xr.Dataset, topography: xr.Dataset, contact: Contact, search_sizes: Sequence[float]
-) -> xr.Dataset:
-    """Return forces (surface) with the sizes of scans, window and pixels, in nm.
-
-    `search_sizes` (surface,) have the order of the forces. ``finite_scan_ratio`` (surface, end) is
-    the force on the scan relative to a large scan. ``window_share`` (rho) is the share of a smooth
-    sphere's attraction within the window.
-    """
-    scans = topography[["scan_size", "pixel_size"]].sel(surface=force["surface"])
-    ratios = [
-        finite_scan_ratio(size, search_size)
-        for size, search_size in zip(scans["scan_size"].values, search_sizes, strict=True)
-    ]
-    return force.assign(
-        search_size=("surface", search_sizes, NM),
-        finite_scan_ratio=(("surface", "end"), ratios, DIMENSIONLESS),
-        pixel_area=("surface", scans["pixel_size"].values ** 2, {"units": "nm2"}),
-        window_share=("rho", window_share(contact, force["rho"].values), DIMENSIONLESS),
-    ).assign_attrs(window=contact.window, contact_area=contact.area)
-
-
-def _widen_intervals(force: xr.Dataset, hindcast: xr.Dataset | None, rho: float) -> xr.Dataset:
-    """Return forces whose intervals also include the errors that other computations give.
-
-    The errors are those of the unknown position of a rough sphere, of artificial roughness, and of
-    the finite width of pixels.
-    """
-    if "position_factor" in force:
-        plastic_factor = force["position_factor"].sel(contact_model=PLASTIC, drop=True)
-        factor = plastic_factor.sel(rho=rho, method="nearest", drop=True)
-        force = widen_interval(force, "extrapolated_force", factor)
-    if hindcast is not None:
-        names = ["hindcast_ratio", "hindcast_ratio_interval", "hindcast_fails", "wide_pixel_ratio"]
-        force = force.merge(hindcast[names], join="left")
-        force = widen_interval(force, "extrapolated_force", force["hindcast_ratio"])
-        force = extend_by_pixel_factors(force)
-    return force
-
-
-def force_scatter(
-    spectrum: Spectrum, contact: Contact, tolerance: float, confidence: float
-) -> xr.Dataset:
-    """Return the scatter of the force over the positions of the sphere.
-
-    Returns ``weibull_modulus``, the standard deviation of ln F, ``log_force_std``, and
-    ``contacts_needed`` for a mean that is within the relative tolerance with the confidence.
-    """
-    statistics = predict_statistics(spectrum, contact)
-    quantile = special.ndtri((1 + confidence) / 2)
-    scatter = {
-        "weibull_modulus": statistics.weibull_modulus,
-        "log_force_std": statistics.log_force_std,
-        "contacts_needed": (quantile * statistics.relative_std / tolerance) ** 2,
-    }
-    return xr.Dataset({name: ((), value, DIMENSIONLESS) for name, value in scatter.items()})
 
 
 def forces_on_scans(
@@ -214,19 +153,18 @@ def _force_variables(
     )
 
 
-def extrapolated_force(
+def forces_on_masters(
     scales: xr.Dataset, master_scans: MasterScans, work: float, confidence: float
 ) -> xr.Dataset:
-    """Return the mean force on unfiltered masters in plastic contact.
+    """Return the mean force on unfiltered masters, which have extrapolated roughness.
 
-    `scales` has the forces on masters at 1 J/m². ``extrapolated_force`` (surface, side) in N has an
+    Forces in `scales` are plastic, at 1 J/m². ``extrapolated_force`` (surface, side) in N has an
     interval from the same parts and realizations as the edges. Roughness is artificial from the
     ``transition`` to the ``extrapolation_end``, both in nm.
     """
 
     def summary(master_forces: MasterForces) -> xr.Dataset:
-        force_at_unit_work = master_forces.forces.unfiltered_pull_off_force.mean().values
-        force = work * force_at_unit_work
+        force = work * master_forces.forces.unfiltered_pull_off_force.mean().values
         half_width = half_width_over_masters(
             master_forces,
             lambda filtered, unfiltered: unfiltered,
@@ -268,6 +206,24 @@ def add_extrapolated_force(
     )
 
 
+def _widen_intervals(force: xr.Dataset, hindcast: xr.Dataset | None, rho: float) -> xr.Dataset:
+    """Return forces whose intervals also include the errors that other computations give.
+
+    The errors are those of the unknown position of a rough sphere, of artificial roughness, and of
+    the finite width of pixels.
+    """
+    if "position_factor" in force:
+        plastic_factor = force["position_factor"].sel(contact_model=PLASTIC, drop=True)
+        factor = plastic_factor.sel(rho=rho, method="nearest", drop=True)
+        force = widen_interval(force, "extrapolated_force", factor)
+    if hindcast is not None:
+        names = ["hindcast_ratio", "hindcast_ratio_interval", "hindcast_fails", "wide_pixel_ratio"]
+        force = force.merge(hindcast[names], join="left")
+        force = widen_interval(force, "extrapolated_force", force["hindcast_ratio"])
+        force = extend_by_pixel_factors(force)
+    return force
+
+
 def extend_by_pixel_factors(force: xr.Dataset) -> xr.Dataset:
     """Extend the intervals of forces on scans to the forces on pixels WIDE_PIXEL times finer."""
     interval = force["force_interval"]
@@ -295,3 +251,43 @@ def bound_by_smooth_sphere(force: xr.Dataset, area: float) -> xr.Dataset:
                 limit_forces, force[variable], limit, keep_attrs=True
             )
     return force.assign(bounded)
+
+
+def add_sizes(
+    force: xr.Dataset, topography: xr.Dataset, contact: Contact, search_sizes: Sequence[float]
+) -> xr.Dataset:
+    """Return forces (surface) with the sizes of scans, window and pixels, in nm.
+
+    `search_sizes` (surface,) have the order of the forces. ``finite_scan_ratio`` (surface, end) is
+    the force on the scan relative to a large scan. ``window_share`` (rho) is the share of a smooth
+    sphere's attraction within the window.
+    """
+    scans = topography[["scan_size", "pixel_size"]].sel(surface=force["surface"])
+    ratios = [
+        finite_scan_ratio(size, search_size)
+        for size, search_size in zip(scans["scan_size"].values, search_sizes, strict=True)
+    ]
+    return force.assign(
+        search_size=("surface", search_sizes, NM),
+        finite_scan_ratio=(("surface", "end"), ratios, DIMENSIONLESS),
+        pixel_area=("surface", scans["pixel_size"].values ** 2, {"units": "nm2"}),
+        window_share=("rho", window_share(contact, force["rho"].values), DIMENSIONLESS),
+    ).assign_attrs(window=contact.window, contact_area=contact.area)
+
+
+def force_scatter(
+    spectrum: Spectrum, contact: Contact, tolerance: float, confidence: float
+) -> xr.Dataset:
+    """Return the scatter of the force over the positions of the sphere.
+
+    Returns ``weibull_modulus``, the standard deviation of ln F, ``log_force_std``, and
+    ``contacts_needed`` for a mean that is within the relative tolerance with the confidence.
+    """
+    statistics = predict_statistics(spectrum, contact)
+    quantile = special.ndtri((1 + confidence) / 2)
+    scatter = {
+        "weibull_modulus": statistics.weibull_modulus,
+        "log_force_std": statistics.log_force_std,
+        "contacts_needed": (quantile * statistics.relative_std / tolerance) ** 2,
+    }
+    return xr.Dataset({name: ((), value, DIMENSIONLESS) for name, value in scatter.items()})

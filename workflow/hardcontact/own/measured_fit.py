@@ -46,10 +46,10 @@ def fit_measured(
     measured_surfaces = set(forces["surface"])
     surfaces = [name for name in adhesion["surface"].values.tolist() if name in measured_surfaces]
     tests = {name: measured_tests(forces[forces["surface"] == name]) for name in surfaces}
-    means = np.array([test.mean for test in tests.values()])
+    means = np.array([surface_tests.mean for surface_tests in tests.values()])
     samples = [
-        sampled_means(sampling.generator("tests", name), test, sampling.sample_count)
-        for name, test in tests.items()
+        sampled_means(sampling.generator("tests", name), surface_tests, sampling.sample_count)
+        for name, surface_tests in tests.items()
     ]
     test_samples = np.stack(samples, axis=1)
     measured_adhesion = adhesion.sel(surface=surfaces)
@@ -57,17 +57,17 @@ def fit_measured(
     for model in adhesion["contact_model"].values.tolist():
         surface_forces = forces_by_surface(measured_adhesion.sel(contact_model=model), scan_sizes)
         fits[(model,)] = _fit_model(surface_forces, means, test_samples, pixel_factors, sampling)
-    # Tests and parts of scans, and so what intervals come from, are the same for all models.
-    codes = [
+    # The tests and the parts of scans are the same for all models.
+    interval_sources = [
         surface_forces[name].scan_parts[0].interval_source
-        if test.site_count > 1
+        if surface_tests.site_count > 1
         else IntervalSource.ONE_TEST
-        for name, test in tests.items()
+        for name, surface_tests in tests.items()
     ]
     variables = sampling.with_interval("measured_force", "surface", means, test_samples, NEWTON)
-    variables["interval_source"] = ("surface", codes)
+    variables["interval_source"] = ("surface", interval_sources)
     for name in ("test_count", "site_count", "look_repeated"):
-        counts = [int(getattr(test, name)) for test in tests.values()]
+        counts = [int(getattr(surface_tests, name)) for surface_tests in tests.values()]
         variables[name] = ("surface", counts, DIMENSIONLESS)
     return (
         stack(fits, ["contact_model"])
@@ -123,10 +123,12 @@ def _fit_model(
     widening = np.array([[[1.0, pixel_factors[name]]] for name in computed_forces])
     # All intervals of n independent surfaces contain the true pair with the confidence c if each
     # has the confidence c^(1/n).
-    confidences = sampling.confidence, sampling.confidence ** (1 / len(computed_forces))
-    intervals, joint_intervals = (
-        widening * _work_intervals(sampled_works, computed_ranges, ranges, confidence)
-        for confidence in confidences
+    joint_confidence = sampling.confidence ** (1 / len(computed_forces))
+    intervals = widening * _work_intervals(
+        sampled_works, computed_ranges, ranges, sampling.confidence
+    )
+    joint_intervals = widening * _work_intervals(
+        sampled_works, computed_ranges, ranges, joint_confidence
     )
     works = measured_forces[:, None] / curves
     region = _common_region(joint_intervals)
