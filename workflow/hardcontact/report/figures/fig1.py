@@ -8,7 +8,6 @@ import xarray as xr
 from matplotlib.figure import Figure
 
 from hardcontact.report.figures import drawing, panels, style
-from hardcontact.report.figures.panels import mean_free_heights
 
 MAPS_IN_A_ROW = 3
 
@@ -27,7 +26,7 @@ def draw(topography: xr.Dataset) -> Figure:
     figure = drawing.create(2.4 * rows + drawing.FOOTER, topography)
     grid = figure.subplots(rows, MAPS_IN_A_ROW, squeeze=False).ravel()
     for axes, letter, (surface, state, scan) in zip(grid, ascii_lowercase, maps, strict=False):
-        heights = mean_free_heights(scan)
+        heights = panels.mean_free_heights(scan)
         surface_data = topography.sel(surface=surface)
         panels.draw_map(axes, heights, surface_data["scan_size"].item(), colours[surface])
         rms_height = np.std(heights, dtype=float)

@@ -18,8 +18,7 @@ from hardcontact.base.formatting import format_with_interval
 from hardcontact.base.statistics import log_std_of_lognormal
 from hardcontact.contact.contact import PLASTIC
 from hardcontact.contact.pull_off import interpolate_to_range
-from hardcontact.report.figures import drawing, style
-from hardcontact.report.figures.panels import value_and_bounds
+from hardcontact.report.figures import drawing, panels, style
 
 LINEAR_BINS = 24
 BINS_PER_DECADE = 8
@@ -60,7 +59,7 @@ def draw(
         _draw_linear(linear, surface_forces, lognormals[0], colour)
         _draw_logarithmic(logarithmic, surface_forces, lognormals, floor, colour)
         style.label_panel(linear, f"{letter}_1", str(surface_fit["label"].item()))
-        log_std = format_with_interval(value_and_bounds(surface_fit, "log_force_std"), ".2f")
+        log_std = format_with_interval(panels.value_and_bounds(surface_fit, "log_force_std"), ".2f")
         title = f"published $s$ = {lognormals[0].args[0]:.2f}\nhere {log_std}"
         style.label_panel(logarithmic, f"{letter}_2", title)
         for axes in (linear, logarithmic):

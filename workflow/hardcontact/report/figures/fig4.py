@@ -12,12 +12,6 @@ from matplotlib.patches import Patch
 from hardcontact.base.formatting import format_share
 from hardcontact.contact.contact import PLASTIC
 from hardcontact.report.figures import drawing, panels, style
-from hardcontact.report.figures.panels import (
-    SHARE_OF_SETS,
-    summarize_sets,
-    value_and_bounds,
-    value_and_interval,
-)
 
 MEGAPASCAL = 1e6
 DRAWN_MAP_PIXELS = 640  # per row of the map of the pressure
@@ -68,7 +62,7 @@ def _legend_handles(fit: xr.Dataset, published_constants: pd.DataFrame) -> list[
     confidence = format_share(fit.attrs["confidence"])
     published = published_constants["value"]["range_of_adhesion"]
     fit_label = "at the best fit, " + style.print_pair(fit).replace(", ", ",\n")
-    sets = format_share(SHARE_OF_SETS)
+    sets = format_share(panels.SHARE_OF_SETS)
     grey: style.Look = {"color": "0.3"}
     return [
         *style.surface_handles(fit),
@@ -114,10 +108,10 @@ def _draw_ratios(axes: Axes, fit: xr.Dataset, set_fits: xr.Dataset, published: p
     The reference is the surface whose ratio is 1 everywhere.
     """
     reference = abs(fit["force_over_reference"] - 1).max("rho").idxmin("surface").item()
-    scans = value_and_interval(fit, "force_over_reference")
-    set_spread = summarize_sets(set_fits["force_over_reference"])
+    scans = panels.value_and_interval(fit, "force_over_reference")
+    set_spread = panels.summarize_sets(set_fits["force_over_reference"])
     _draw_curves(axes, scans, set_spread, published / published[reference])
-    best = value_and_bounds(fit, "range_from_ratios")
+    best = panels.value_and_bounds(fit, "range_from_ratios")
     ranges = [best[name] for name in ("low", "value", "high")]
     axes.plot(ranges, [0.05] * 3, transform=axes.get_xaxis_transform(), markevery=[1], **RATIO_FIT)
     axes.set_ylabel(f"force relative to {fit['label'].sel(surface=reference).item()}")
@@ -129,11 +123,11 @@ def _draw_forces(
 ) -> None:
     """Draw the mean force (µN) at the published work of adhesion (J/m²) against rho (nm)."""
     unit = work / style.MICRONEWTON
-    scans = value_and_interval(fit, "mean_force") * unit
-    set_spread = summarize_sets(set_fits["mean_force"]) * unit
+    scans = panels.value_and_interval(fit, "mean_force") * unit
+    set_spread = panels.summarize_sets(set_fits["mean_force"]) * unit
     _draw_curves(axes, scans, set_spread, published / style.MICRONEWTON)
-    fitted = value_and_interval(fit.sel(pair="fitted"), "mean_force_at_pair") / style.MICRONEWTON
-    for factor, look, force in style.iterate_dodged(fitted):
+    fitted = panels.value_and_interval(fit.sel(pair="fitted"), "mean_force_at_pair")
+    for factor, look, force in style.iterate_dodged(fitted / style.MICRONEWTON):
         fit_look = look | AT_FIT
         rho = fit["range_of_adhesion"] * factor**AT_FIT_DODGES
         panels.draw_bars(axes, rho, force, width=1.2, zorder=4, **fit_look)

@@ -10,7 +10,6 @@ from matplotlib.patches import Patch
 from hardcontact.base.formatting import format_share
 from hardcontact.inference.edges import MEAN_GROUP
 from hardcontact.report.figures import drawing, panels, style
-from hardcontact.report.figures.panels import published_edge, value_and_bounds
 
 MICROMETRE = 1000  # nm
 EDGE_INTERVAL: style.Look = {"fc": "0.94", "ec": "0.7", "hatch": r"\\\\", "lw": 0, "zorder": 0}
@@ -71,9 +70,9 @@ def _draw_smooth(axes: Axes, asperities: xr.Dataset) -> None:
 def _draw_long_edge(axes: Axes, edges: xr.Dataset, published_constants: pd.DataFrame) -> None:
     """Draw the long edge (µm) of the mean force, computed and published."""
     mean_band = edges.sel(side="long", group=MEAN_GROUP)
-    edge = value_and_bounds(mean_band, "edge")
+    edge = panels.value_and_bounds(mean_band, "edge")
     value, low, high = np.array([edge["value"], edge["low"], edge["high"]]) / MICROMETRE
-    published = published_edge(published_constants, "long")
+    published = panels.published_edge(published_constants, "long")
     confidence = format_share(edges.attrs["confidence"])
     axes.axhline(value, color="0.4", lw=1.0, label="long edge $λ_L$ (d)")
     if np.isfinite([low, high]).all():

@@ -7,8 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from hardcontact.report.figures import drawing, style
-from hardcontact.report.figures.panels import draw_bars, value_and_interval
+from hardcontact.report.figures import drawing, panels, style
 
 MIN_DRAWN_FORCE = 1e-6  # µN; a model that predicts less predicts no force at all
 METRIC_LABELS = {"afm": "AFM scans alone", "all_scales": "all scales"}
@@ -53,17 +52,17 @@ def _draw_forces(axes: Axes, classical: xr.Dataset) -> None:
     ):
         colour = look["color"]
         for x, variable in enumerate(names[:2]):
-            force = value_and_interval(surface_data, variable) / style.MICRONEWTON
-            draw_bars(axes, x + offset, force, ls="none", **look)
+            force = panels.value_and_interval(surface_data, variable) / style.MICRONEWTON
+            panels.draw_bars(axes, x + offset, force, ls="none", **look)
         published = surface_data["published_mean_force"].item() / style.MICRONEWTON
         axes.axhline(published, color=colour, zorder=0, **PUBLISHED_LINE)
-        forces = value_and_interval(surface_data, "model_force") / style.MICRONEWTON
+        forces = panels.value_and_interval(surface_data, "model_force") / style.MICRONEWTON
         drawn_forces = forces.where(~(forces < MIN_DRAWN_FORCE), 1.7 * bottom)
         positions = 2 + offset + np.arange(classical.sizes["model"])
         for metrics, shift in zip(METRIC_LABELS, (-0.04, 0.04), strict=True):
             face = colour if metrics == "afm" else "white"
             model_forces = drawn_forces.sel(metrics=metrics)
-            draw_bars(axes, positions + shift, model_forces, ls="none", mfc=face, **look)
+            panels.draw_bars(axes, positions + shift, model_forces, ls="none", mfc=face, **look)
     axes.axhspan(bottom, 3 * bottom, color="0.9", zorder=0)
     axes.text(1.6, 1.7 * bottom, "no force", fontsize=7, va="center")
     axes.axvline(1.5, color="black", lw=0.6)
@@ -76,7 +75,7 @@ def _draw_forces(axes: Axes, classical: xr.Dataset) -> None:
 
 def _draw_errors(axes: Axes, classical: xr.Dataset) -> None:
     """Draw the least mean relative error of each model to the published and computed forces."""
-    errors = value_and_interval(classical, "mean_relative_error")
+    errors = panels.value_and_interval(classical, "mean_relative_error")
     threshold = classical.attrs["error_threshold"]
     axes.axhspan(0, threshold, color="0.88", zorder=0)
     for side, (force_source, error_look) in zip((-1, 1), ERROR_LOOKS.items(), strict=True):
@@ -84,7 +83,7 @@ def _draw_errors(axes: Axes, classical: xr.Dataset) -> None:
             face = error_look["color"] if metrics == "afm" else "white"
             positions = np.arange(classical.sizes["model"]) + 0.17 * side + shift
             model_errors = errors.sel(metrics=metrics, force_source=force_source)
-            draw_bars(axes, positions, model_errors, ls="none", mfc=face, **error_look)
+            panels.draw_bars(axes, positions, model_errors, ls="none", mfc=face, **error_look)
         axes.plot([], [], ls="none", label=f"to {force_source} forces", **error_look)
     axes.text(-0.4, threshold / 2, f"paper: below {threshold:g}", fontsize=7, va="center")
     labels = classical["model_label"].values

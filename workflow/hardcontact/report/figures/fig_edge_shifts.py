@@ -9,7 +9,6 @@ from matplotlib.patches import Patch
 
 from hardcontact.base.formatting import format_share
 from hardcontact.report.figures import drawing, panels, style
-from hardcontact.report.figures.panels import published_edge, value_and_interval
 
 
 def draw(edge_shifts: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
@@ -20,7 +19,7 @@ def draw(edge_shifts: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
     grid = figure.subplots(
         2, len(cases), sharex=True, sharey="row", height_ratios=(3, 1.5), squeeze=False
     )
-    edge = published_edge(published_constants, "short")
+    edge = panels.published_edge(published_constants, "short")
     for letter, (model, rho), (ratio_panel, edge_panel) in zip("abcd", cases, grid.T, strict=True):
         _draw_case(ratio_panel, edge_panel, bands.sel(contact_model=model, rho=rho))
         for axes in (ratio_panel, edge_panel):
@@ -45,11 +44,12 @@ def _draw_case(ratio_panel: Axes, edge_panel: Axes, edges: xr.Dataset) -> None:
 
     Arrows at the first and last cutoff show what lies beyond; a missing edge is beyond the last.
     """
-    ratio = value_and_interval(edges, "filtered_force_ratio").dropna("cutoff_wavelength", how="all")
+    ratio = panels.value_and_interval(edges, "filtered_force_ratio")
+    ratio = ratio.dropna("cutoff_wavelength", how="all")
     panels.draw_ratios(ratio_panel, ratio, edges.attrs["tolerance"])
     style.label_logarithmic(ratio_panel.yaxis, digits=(1, 2, 5))
     first_cutoff, last_cutoff = ratio["cutoff_wavelength"].values[[0, -1]]
-    edge_rows = value_and_interval(edges, "edge").clip(first_cutoff, last_cutoff)
+    edge_rows = panels.value_and_interval(edges, "edge").clip(first_cutoff, last_cutoff)
     edge_rows["value"] = edge_rows["value"].fillna(last_cutoff)
     panels.draw_edges(edge_panel, edge_rows, edges["label"], {"<": first_cutoff, ">": last_cutoff})
     edge_panel.set_xlabel("cutoff (nm)")

@@ -12,7 +12,6 @@ from matplotlib.lines import Line2D
 from hardcontact.base.formatting import format_share, format_with_interval
 from hardcontact.contact.contact import PLASTIC, RIGID
 from hardcontact.report.figures import drawing, panels, style
-from hardcontact.report.figures.panels import value_and_bounds
 
 MODEL_LOOKS: dict[str, style.Look] = {
     PLASTIC: {"color": "black", "ls": "-"},
@@ -64,7 +63,7 @@ def _draw_least_error(axes: Axes, fit: xr.Dataset, set_fits: xr.Dataset) -> None
     for model in [name for name in MODEL_LOOKS if name in fit["contact_model"]]:
         curve = fit["best_error_by_range"].sel(contact_model=model)
         axes.plot(curve["rho_fine"], curve, lw=1.2, label=f"{model} contact", **MODEL_LOOKS[model])
-    best = value_and_bounds(plastic_fit, "best_error")
+    best = panels.value_and_bounds(plastic_fit, "best_error")
     ends = [best["low"], best["high"]]
     axes.plot([plastic_fit["range_of_adhesion"]] * 2, ends, color="black", lw=1.0)
     _mark_minima(axes, plastic_fit, "error")

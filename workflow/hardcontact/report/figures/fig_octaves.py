@@ -11,7 +11,6 @@ from matplotlib.patches import Patch
 
 from hardcontact.base.formatting import format_quantity, format_share
 from hardcontact.report.figures import drawing, panels, style
-from hardcontact.report.figures.panels import published_edge, value_and_interval
 
 PUBLISHED_BAND_LOOK: style.Look = {"color": "0.9", "lw": 0, "zorder": 0}
 
@@ -24,7 +23,7 @@ def draw(
 ) -> Figure:
     """Draw the sensitivity to each octave, and the force with only a part of the roughness."""
     figure, (top, bottom) = drawing.create_rows(5.4, sensitivity, (3, [1]), (2.2, [1, 1]))
-    band = [published_edge(published_constants, side) for side in ("short", "long")]
+    band = [panels.published_edge(published_constants, side) for side in ("short", "long")]
     top[0].axvspan(*band, **PUBLISHED_BAND_LOOK)
     panels.draw_octaves(top[0], sensitivity)
     style.label_panel(top[0], "a", "change of the force with the amplitude a of one octave")
@@ -46,7 +45,7 @@ def _draw_band_ratios(axes: Axes, ratios: xr.Dataset, tolerance: float) -> None:
     panels.draw_tolerance(axes, tolerance)
     band_parts = ratios["band_part"].values
     positions = np.arange(len(band_parts))
-    values = value_and_interval(ratios, "band_force_ratio")
+    values = panels.value_and_interval(ratios, "band_force_ratio")
     surfaces = style.looks(ratios["surface"].values)
     shifts = np.linspace(-0.25, 0.25, len(surfaces))
     for shift, (surface, look) in zip(shifts, surfaces.items(), strict=True):

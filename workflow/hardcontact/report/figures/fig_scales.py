@@ -15,7 +15,6 @@ from matplotlib.patches import Patch
 
 from hardcontact.base.formatting import format_length
 from hardcontact.report.figures import drawing, panels, style
-from hardcontact.report.figures.panels import mean_free_heights, published_edge
 from hardcontact.surfaces.filters import filtered_series, interpolate
 from hardcontact.surfaces.height_map import HeightMap, mirror_scan
 
@@ -45,7 +44,7 @@ class ScanMaps(NamedTuple):
 
 def draw(topography: xr.Dataset, scales: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
     """Draw (a) the spectra of all surfaces, (b-d) maps of one scan, (e) their profiles."""
-    band = [published_edge(published_constants, side) for side in ("short", "long")]
+    band = [panels.published_edge(published_constants, side) for side in ("short", "long")]
     figure, ((spectrum_axes,), map_axes, (profile_axes,)) = drawing.create_rows(
         7.4, topography, (2.3, [1]), (2.1, [1, 1, 1]), (1.4, [1])
     )
@@ -66,7 +65,7 @@ def filtered_heights(scan: xr.Dataset, band: Sequence[float]) -> ScanMaps:
 
     The map has the waves of the scan and its mirror images, on pixels that resolve the short edge.
     """
-    heights = mean_free_heights(scan["example_heights"])
+    heights = panels.mean_free_heights(scan["example_heights"])
     mirrored = mirror_scan(HeightMap(heights, scan["scan_size"].item() / len(heights)))
     pixels = max(mirrored.pixels, 2 * int(mirrored.size / band[0]) + 4)
     surface = interpolate(mirrored, pixels)

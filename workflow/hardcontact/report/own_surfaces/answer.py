@@ -15,7 +15,7 @@ from hardcontact.report.answer import (
     render_page,
     substitutes_note,
 )
-from hardcontact.report.figures.panels import mean_free_heights
+from hardcontact.report.figures import panels
 from hardcontact.report.own_surfaces.cautions import cautions
 from hardcontact.report.own_surfaces.comparison import comparison_numbers
 from hardcontact.report.own_surfaces.datasets import (
@@ -50,8 +50,9 @@ from hardcontact.scans.both_bodies import sphere_share
 from hardcontact.scans.reliable_band import LIMIT_NAMES, MIN_PIXELS, MIN_WAVES_IN_SIZE, OTHER_BODY
 from hardcontact.surfaces.metrics import METRICS
 
-#: The name of the range of adhesion among the inputs of contacts.
+#: Names of the range and the work of adhesion among the inputs of contacts.
 RANGE = "range of adhesion"
+WORK = "work of adhesion"
 #: Metrics of a scan, of `METRICS`.
 SHOWN_METRICS = (
     "rms_height", "rms_gradient", "rms_half_laplacian", "peak_to_valley", "skewness", "kurtosis",
@@ -128,7 +129,7 @@ def _surface_answer(
     if data.force["surface"].item() != reference.force["surface"].item():
         numbers += comparison_numbers(data, reference)
     # A user who gave measured forces, or both range and work of adhesion, has a pair.
-    if data.fit is None and {RANGE, "work of adhesion"} & set(setting.assumed):
+    if data.fit is None and {RANGE, WORK} & set(setting.assumed):
         numbers += pair_numbers(data.force, setting.pairs)
     if data.fit is not None and name in data.fit["surface"].values:
         numbers += measured_numbers(preferred_fit(data.fit).sel(surface=name), data)
@@ -159,20 +160,16 @@ def _octave_numbers(data: Datasets) -> Iterator[Number]:
 
 def _study_numbers(datasets: Datasets, setting: Setting) -> list[Number]:
     """Return the numbers of the whole study: settings and, with measured forces, the fit."""
-    numbers = []
-    attributes = {
-        "range_of_adhesion": ("rho", "nm"),
-        "work_of_adhesion": ("work_of_adhesion", "J m-2"),
-    }
-    for name, (attribute, unit) in attributes.items():
-        source = "assumed" if name.replace("_", " ") in setting.assumed else "given"
-        numbers.append(Number(name, datasets.force.attrs[attribute], unit, source=source))
-    for name in ("tolerance", "confidence"):
-        numbers.append(Number(name, datasets.edges.attrs[name], source="given"))
-    numbers.append(stored_tabor_number(datasets.force))
-    if datasets.fit is not None:
-        numbers += fit_numbers(preferred_fit(datasets.fit))
-    return numbers
+    force, edges = datasets.force.attrs, datasets.edges.attrs
+    sources = {name: "assumed" if name in setting.assumed else "given" for name in (RANGE, WORK)}
+    return [
+        Number("range_of_adhesion", force["rho"], "nm", source=sources[RANGE]),
+        Number("work_of_adhesion", force["work_of_adhesion"], "J m-2", source=sources[WORK]),
+        Number("tolerance", edges["tolerance"], source="given"),
+        Number("confidence", edges["confidence"], source="given"),
+        stored_tabor_number(datasets.force),
+        *([] if datasets.fit is None else fit_numbers(preferred_fit(datasets.fit))),
+    ]
 
 
 def _notes(
@@ -201,15 +198,15 @@ def _caution_numbers(surface_cautions: list[Caution]) -> Iterator[Number]:
     """Yield the numbers of cautions, named after the code or, for a defect, the measurement."""
     for caution in surface_cautions:
         prefix = f"measurement_{caution.measurement}" if caution.measurement else caution.code
-        for name, number in caution.numbers.items():
-            yield number._replace(name=f"{prefix}_{name}")
+        for number in caution.numbers.values():
+            yield number._replace(name=f"{prefix}_{number.name}")
 
 
 def _topography_numbers(topography: xr.Dataset) -> Iterator[Number]:
     """Yield the sizes, heights and roughness of the scans of one surface, and of all scales."""
     for name in ("scan_size", "pixel_size"):
         yield number_of(topography, name, "nm", source="file")
-    heights = mean_free_heights(topography["example_heights"])
+    heights = panels.mean_free_heights(topography["example_heights"])
     yield number_without_value("heights", float(heights.min()), float(heights.max()), "nm")
     scans = topography.dropna("scan", subset=["rms_height"])
     for index in range(scans.sizes["scan"]):

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 import numpy as np
 import xarray as xr
 
-from hardcontact.base.number import Number, numbers_by_name
+from hardcontact.base.number import Number
 from hardcontact.contact.contact import MIN_WINDOW_SHARE, SMALLEST_SIZE_RATIO
 from hardcontact.contact.hertz_jkr_dmt import STRONGEST_WORK
 from hardcontact.inference.edges import EdgeStatus
@@ -70,7 +70,7 @@ def _few_patches_caution(force: xr.Dataset) -> Caution | None:
     if force["interval_source"].item() != IntervalSource.FEW_PATCHES:
         return None
     numbers = [Number(name, int(force[name].item())) for name in ("contacts", "touched_patches")]
-    return Caution("few_patches", grave=True, numbers=numbers_by_name(*numbers))
+    return Caution("few_patches", *numbers, grave=True)
 
 
 def _soft_bodies_caution(force: xr.Dataset) -> Caution | None:
@@ -78,7 +78,7 @@ def _soft_bodies_caution(force: xr.Dataset) -> Caution | None:
     number = stored_tabor_number(force)
     if number.status == Elasticity.HARD:
         return None
-    return Caution("soft_bodies", grave=True, numbers={"tabor": number})
+    return Caution("soft_bodies", number._replace(name="tabor"), grave=True)
 
 
 def _strong_work_caution(numbers: Mapping[str, Number]) -> Caution | None:
@@ -86,7 +86,7 @@ def _strong_work_caution(numbers: Mapping[str, Number]) -> Caution | None:
     work = numbers.get("measured_work")
     if work is None or work.value <= STRONGEST_WORK:
         return None
-    return Caution("strong_work", grave=True, numbers={"work": work})
+    return Caution("strong_work", work._replace(name="work"), grave=True)
 
 
 def _few_tests_caution(numbers: Mapping[str, Number]) -> Caution | None:
@@ -97,7 +97,7 @@ def _few_tests_caution(numbers: Mapping[str, Number]) -> Caution | None:
     above, below = np.log(force.high / force.value), np.log(force.value / force.low)
     if not above > MAX_LOPSIDEDNESS * below:
         return None
-    return Caution("few_tests", numbers={"tests": numbers["measured_force_sites"]})
+    return Caution("few_tests", numbers["measured_force_sites"]._replace(name="tests"))
 
 
 def _repeated_tests_caution(numbers: Mapping[str, Number]) -> Caution | None:
@@ -105,7 +105,8 @@ def _repeated_tests_caution(numbers: Mapping[str, Number]) -> Caution | None:
     repeated = numbers.get("measured_force_looks_repeated")
     if repeated is None or not repeated.value:
         return None
-    return Caution("repeated_tests", True, {"tests": numbers["measured_force_tests"]})
+    tests = numbers["measured_force_tests"]._replace(name="tests")
+    return Caution("repeated_tests", tests, grave=True)
 
 
 def _smooth_bound_caution(force: xr.Dataset, numbers: Mapping[str, Number]) -> Caution | None:
@@ -126,13 +127,14 @@ def _small_window_caution(data: Datasets) -> Caution | None:
     # The share falls with the range of adhesion, so that the longest range has the smallest.
     shown_share = answer_share if lowers_answer else shares.sel(rho=shares["rho"].max())
     first_range = np.nan if lowers_answer else small_shares["rho"].min().item()
-    numbers = numbers_by_name(
+    return Caution(
+        "window",
         Number("share", shown_share.item()),
         Number("window", float(data.force.attrs["window"]), "nm"),
         Number("range", shown_share["rho"].item(), "nm"),
         Number("shortest_low_range", first_range, "nm"),
+        grave=answer_share.item() < 1 - data.edges.attrs["tolerance"],
     )
-    return Caution("window", answer_share.item() < 1 - data.edges.attrs["tolerance"], numbers)
 
 
 def _small_scan_caution(data: Datasets) -> Caution | None:
@@ -143,12 +145,11 @@ def _small_scan_caution(data: Datasets) -> Caution | None:
     size = number_of(data.topography, "scan_size", "nm", name="size")
     search_size = number_of(data.force, "search_size", "nm")
     share = size.value / search_size.value
-    numbers = numbers_by_name(
-        size, search_size, Number("share", share), number_without_value("ratio", low, high)
-    )
+    ratio = number_without_value("ratio", low, high)
+    numbers = [size, search_size, Number("share", share), ratio]
     if share < SMALLEST_SIZE_RATIO:
-        numbers["smallest_share"] = Number("smallest_share", SMALLEST_SIZE_RATIO)
-    return Caution("small_scan", low > 1 + data.edges.attrs["tolerance"], numbers)
+        numbers.append(Number("smallest_share", SMALLEST_SIZE_RATIO))
+    return Caution("small_scan", *numbers, grave=low > 1 + data.edges.attrs["tolerance"])
 
 
 def _few_pixels_caution(force: xr.Dataset) -> Caution | None:
@@ -157,30 +158,29 @@ def _few_pixels_caution(force: xr.Dataset) -> Caution | None:
     pixel = force["pixel_area"].item()
     if area >= MIN_CONTACT_PIXELS * pixel:
         return None
-    numbers = numbers_by_name(
+    return Caution(
+        "few_pixels",
         Number("area", area, "nm2"),
         Number("pixel_area", pixel, "nm2"),
         Number("pixels", area / pixel),
+        grave=area < pixel,
     )
-    return Caution("few_pixels", area < pixel, numbers)
 
 
 def _conditional_intervals_caution(force: xr.Dataset) -> Caution | None:
     """Return a caution if intervals are conditional on the scans at hand."""
     if force["interval_source"].item() != IntervalSource.QUARTERS:
         return None
-    numbers = numbers_by_name(
-        Number("scans", int(force["interval_scans"].item())),
-        number_of(force, "correlation_of_parts", name="correlation"),
-    )
-    return Caution("conditional_intervals", numbers=numbers)
+    scans = Number("scans", int(force["interval_scans"].item()))
+    correlation = number_of(force, "correlation_of_parts", name="correlation")
+    return Caution("conditional_intervals", scans, correlation)
 
 
 def _sphere_positions_caution(numbers: Mapping[str, Number]) -> Caution | None:
     """Return a caution on the unknown position of a rough sphere, which changes the force."""
     if "position_factor" not in numbers:
         return None
-    return Caution("sphere_positions", numbers={"factor": numbers["position_factor"]})
+    return Caution("sphere_positions", numbers["position_factor"]._replace(name="factor"))
 
 
 def _hindcast_cautions(data: Datasets) -> list[Caution]:
@@ -193,6 +193,6 @@ def _hindcast_cautions(data: Datasets) -> list[Caution]:
         ratio = number_of(force, "hindcast_ratio", name="ratio")
         fails = fails_hindcast(data, side)
         if fails or np.isfinite(ratio.value):
-            numbers = numbers_by_name(ratio, number_of(force, "transition", "nm", name="start"))
-            side_cautions.append(Caution(f"hindcast_{side}", fails, numbers, {"side": side}))
+            start = number_of(force, "transition", "nm", name="start")
+            side_cautions.append(Caution(f"hindcast_{side}", ratio, start, grave=fails, side=side))
     return side_cautions

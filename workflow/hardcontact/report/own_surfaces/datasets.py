@@ -31,13 +31,8 @@ class Datasets(NamedTuple):
 
     def select_surface(self, surface: str) -> "Datasets":
         """Return the datasets of one surface, with the fit to the forces of all surfaces."""
-        return self._replace(
-            topography=self.topography.sel(surface=surface),
-            spectra=self.spectra.sel(surface=surface),
-            edges=self.edges.sel(surface=surface),
-            force=self.force.sel(surface=surface),
-            sensitivity=self.sensitivity.sel(surface=surface),
-        )
+        names = [name for name in self._fields if name != "fit"]
+        return self._replace(**{name: getattr(self, name).sel(surface=surface) for name in names})
 
     def labels(self) -> dict[str, str]:
         """Return the printed name of each surface with a band, with a mark on substitutes."""

@@ -19,7 +19,6 @@ from matplotlib.patches import Patch
 from hardcontact.inference.edges import computed_cutoffs
 from hardcontact.report.figures import drawing, panels, style
 from hardcontact.report.figures.listing import FILE_KINDS, describe_figure
-from hardcontact.report.figures.panels import mean_free_heights, value_and_interval
 from hardcontact.report.own_surfaces.datasets import (
     Datasets,
     fails_hindcast,
@@ -108,7 +107,7 @@ def draw_maps(datasets: Datasets) -> Figure:
     figure, column = _titled_panels(names.values(), 3.3)
     for axes, name in zip(column, names, strict=True):
         scan = topography.sel(surface=name)
-        heights = mean_free_heights(scan["example_heights"])
+        heights = panels.mean_free_heights(scan["example_heights"])
         panels.draw_map(axes, heights, scan["scan_size"].item(), colours.get(name, SPHERE_COLOUR))
     return figure
 
@@ -121,7 +120,7 @@ def draw_cutoffs(datasets: Datasets) -> Figure:
     figure, surface_panels = _surface_panels(datasets)
     for axes, colour, data in surface_panels:
         cutoffs = computed_cutoffs(data.edges["filtered_force_ratio"])
-        ratios = value_and_interval(data.edges, "filtered_force_ratio")
+        ratios = panels.value_and_interval(data.edges, "filtered_force_ratio")
         for side, (label, look) in SIDE_LOOKS.items():
             curve = ratios.sel(side=side, cutoff_wavelength=cutoffs)
             _draw_curve(axes, cutoffs, curve, look | {"color": colour, "label": label})
@@ -173,7 +172,7 @@ def draw_forces(datasets: Datasets) -> Figure:
     models = sorted(force["contact_model"].values.tolist(), key=lambda name: name != answer_model)
     figure, axes = _single_panel(3.4)
     ranges = force["rho"].values
-    forces = value_and_interval(force, "force") / style.MICRONEWTON
+    forces = panels.value_and_interval(force, "force") / style.MICRONEWTON
     for surface, surface_look in style.looks(labels).items():
         for model, model_look in zip(models, MODEL_LOOKS, strict=False):
             curve = forces.sel(surface=surface, contact_model=model)
@@ -197,7 +196,7 @@ def draw_works(datasets: Datasets) -> Figure:
     rho = fit["rho_fine"].values
     looks = style.looks(labels)
     figure, axes = _single_panel(3.4)
-    works = value_and_interval(fit, "work_by_range") / style.MILLIJOULE
+    works = panels.value_and_interval(fit, "work_by_range") / style.MILLIJOULE
     for name in names:
         _draw_curve(axes, rho, works.sel(surface=name), looks[name] | {"label": labels[name]})
     low, high = fit["region"].values.T / style.MILLIJOULE

@@ -1,6 +1,5 @@
 """Cautions on the scans of a surface, and on the spectrum that is made from them."""
 
-from dataclasses import dataclass, field
 from statistics import NormalDist
 
 import numpy as np
@@ -28,15 +27,22 @@ MAX_POWER_RATIO = 2.0
 MISLEADING_DEFECTS = frozenset({"spikes", "equal_lines", "highest"})
 
 
-@dataclass(frozen=True)
 class Caution:
-    """A caution about the answer of one surface: a code, and what its sentence needs."""
+    """A caution about the answer of one surface: a code, and what its sentence needs.
 
-    code: str  #: What makes the answer less sure.
-    grave: bool = False  #: Whether it changes the force by more than the tolerance of the band.
-    numbers: dict[str, Number] = field(default_factory=dict)  #: By name.
-    texts: dict[str, str] = field(default_factory=dict)  #: Names of scans and the like, by role.
-    measurement: int = 0  #: Number of the measurement with the defect; 0 for other cautions.
+    A grave caution changes the force by more than the tolerance of the band. `measurement` is the
+    number of the measurement with a defect, 0 for other cautions. Texts are names of scans and the
+    like, by their role in the sentence.
+    """
+
+    def __init__(
+        self, code: str, *numbers: Number, grave: bool = False, measurement: int = 0, **texts: str
+    ) -> None:
+        self.code = code
+        self.numbers = numbers_by_name(*numbers)
+        self.grave = grave
+        self.measurement = measurement
+        self.texts = texts
 
 
 def blind_scans_caution(data: Datasets) -> Caution | None:
@@ -65,21 +71,19 @@ def defect_cautions(spectra: xr.Dataset, *, grave: bool) -> list[Caution]:
             values = {name: measurement[name].item() for name in units}
             if (code in MISLEADING_DEFECTS) != grave or not np.isfinite([*values.values()]).all():
                 continue
-            numbers = numbers_by_name(
-                *(Number(name, values[name], unit, source="file") for name, unit in units.items())
-            )
+            numbers = [Number(name, values[name], units[name], source="file") for name in units]
             texts = {
                 "scan": measurement_name(measurement),
                 "sentence": defect_sentence(code, values),
             }
-            defects.append(Caution(code, grave, numbers, texts, index))
+            defects.append(Caution(code, *numbers, grave=grave, measurement=index, **texts))
     return defects
 
 
 def reading_cautions(spectra: xr.Dataset) -> list[Caution]:
     """Return the cautions that reading the file of each measurement gave, as sentences."""
     return [
-        Caution("reading", texts={"scan": measurement_name(measurement), "sentence": line})
+        Caution("reading", scan=measurement_name(measurement), sentence=line)
         for measurement in split_measurements(spectra)
         for line in split_notes(str(measurement["notes"].item()).splitlines())[1]
     ]
@@ -88,7 +92,7 @@ def reading_cautions(spectra: xr.Dataset) -> list[Caution]:
 def repeated_scan_cautions(spectra: xr.Dataset) -> list[Caution]:
     """Return a caution for each scan of an area that an earlier scan shows."""
     return [
-        Caution("repeated_scan", True, {}, {"scan": measurement_name(scan), "earlier": earlier})
+        Caution("repeated_scan", grave=True, scan=measurement_name(scan), earlier=earlier)
         for scan in split_measurements(spectra)
         if (earlier := str(scan["earlier_scan"].item()))
     ]
@@ -102,14 +106,15 @@ def contradiction_caution(spectra: xr.Dataset) -> Caution | None:
     if not contradictions:
         return None
     worst = contradictions[0]
-    numbers = numbers_by_name(
+    names = [measurement_name(scan) for scan in split_measurements(scans)]
+    return Caution(
+        "contradiction",
         number_without_value("band", worst.shortest, worst.longest, "nm"),
         Number("factor", worst.factor),
         Number("more_pairs", len(contradictions) - 1),
+        higher=names[worst.higher],
+        lower=names[worst.lower],
     )
-    names = [measurement_name(scan) for scan in split_measurements(scans)]
-    texts = {"higher": names[worst.higher], "lower": names[worst.lower]}
-    return Caution("contradiction", numbers=numbers, texts=texts)
 
 
 def excess_roughness_caution(spectra: xr.Dataset) -> Caution | None:
@@ -127,11 +132,8 @@ def excess_roughness_caution(spectra: xr.Dataset) -> Caution | None:
         return None
     shortest, longest = wavelength[is_excess].min(), wavelength[is_excess].max()
     factor = (added_density[is_excess] / scan_density[is_excess]).max()
-    numbers = numbers_by_name(
-        number_without_value("band", float(shortest), float(longest), "nm"),
-        Number("factor", float(factor)),
-    )
-    return Caution("more_than_measured", numbers=numbers)
+    band = number_without_value("band", float(shortest), float(longest), "nm")
+    return Caution("more_than_measured", band, Number("factor", float(factor)))
 
 
 def tail_caution(data: Datasets) -> Caution:
@@ -143,13 +145,14 @@ def tail_caution(data: Datasets) -> Caution:
     half_width = quantile * spectra["tail_hurst_error"].item()
     low, high = max(hurst - half_width, 0.0), min(hurst + half_width, 1.0)
     shortest, longest = spectra["tail_fit_shortest"].item(), spectra["tail_fit_longest"].item()
-    numbers = numbers_by_name(
+    return Caution(
+        "tail",
         Number("hurst", hurst, "1", low, high, source="extrapolated"),
         Number("exponent_known", int(spectra["tail_known"].item() == 1)),
         number_without_value("fitted_band", shortest, longest, "nm"),
         Number("spectrum_end", float(wavelength.min()), "nm"),
+        ended_by=spectra["tail_ended_by"].item(),
     )
-    return Caution("tail", numbers=numbers, texts={"ended_by": spectra["tail_ended_by"].item()})
 
 
 def long_wave_caution(data: Datasets) -> Caution | None:
@@ -157,13 +160,13 @@ def long_wave_caution(data: Datasets) -> Caution | None:
     rolloff = data.spectra["rolloff"].item()
     if not np.isfinite(rolloff):
         return None
-    numbers = numbers_by_name(
+    numbers = [
         Number("rolloff", rolloff, "nm", source="extrapolated"),
         number_of(data.spectra, "longest_measured", "nm"),
-    )
+    ]
     if "sphere_share" not in data.spectra:  # Otherwise the spectrum is of both bodies.
-        numbers |= numbers_by_name(
+        numbers += [
             Number("scan_rms_height", float(data.topography["rms_height"].mean()), "nm"),
             number_of(data.topography, "all_scales_rms_height", "nm"),
-        )
-    return Caution("long_waves", numbers=numbers)
+        ]
+    return Caution("long_waves", *numbers)
