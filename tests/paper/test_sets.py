@@ -5,7 +5,7 @@ import pandas as pd
 import pytest
 import xarray as xr
 from paper_numbers import CLAIMS, CONSTANTS, MEAN_FORCE, SUBSTRATES
-from set_inputs import CONFIDENCE, SCANS, make_adhesion, make_inputs, make_masters, make_pool
+from set_inputs import CONFIDENCE, SCANS, make_adhesion, make_inputs, make_masters
 
 from hardcontact.base.statistics import Sampling
 from hardcontact.paper.published_fit import PublishedForces, fit_published
@@ -13,9 +13,9 @@ from hardcontact.paper.sets import (
     SetSettings,
     adhesion_of_set,
     edges_of_set,
-    gather_inputs,
     sample_set_scans,
     sample_sets,
+    sphere_factor,
     topography_of_set,
 )
 from hardcontact.surfaces.metrics import TABLE1_METRICS
@@ -56,25 +56,10 @@ def test_the_factor_of_the_sphere_is_the_ratio_of_mean_forces():
     adhesion = make_adhesion()
     means = adhesion["pull_off_force"].mean(["sphere_scan", "contact_y", "contact_x"])
     adhesion["smooth_sphere_force"] = 2 * means
-    pools = {name: make_pool(name) for name in SUBSTRATES}
-    chunks = {
-        (name, first_scan, first_scan + 5): pool.sel(scan=slice(first_scan, first_scan + 5))
-        for name, pool in pools.items()
-        for first_scan in (1, 7)
-    }
-    topography = make_inputs().topography
-    inputs = gather_inputs(
-        topography=topography,
-        adhesion=adhesion,
-        pool_chunks=chunks,
-        candidate_chunks={},
-        sampled_substrates=SUBSTRATES,
-        masters=make_masters(),
-    )
-    np.testing.assert_allclose(inputs.sphere_factor, 0.5, rtol=1e-12)
-    assert set(inputs.sphere_factor.dims) == {"contact_model", "surface", "rho"}
-    for name, pool in pools.items():
-        xr.testing.assert_identical(inputs.pools[name], pool)
+    factor = sphere_factor(adhesion, ["uncd", "mcd"])
+    assert set(factor.dims) == {"contact_model", "surface", "rho"}
+    np.testing.assert_allclose(factor.sel(surface=["uncd", "mcd"]), 0.5, rtol=1e-12)
+    assert factor.sel(surface="ncd").isnull().all()
 
 
 #: Seed of the study, then number of the set.

@@ -59,7 +59,6 @@ rule sample_sets:
         parameters=dict(
             pool_chunks=CHUNKS.pools,
             candidate_chunks=CHUNKS.featured_candidates,
-            sampled_substrates=SELECTION.sampled_substrates,
             master_surfaces=[row.surface for row in SET_MASTERS],
             realizations=STUDY["sets"]["realizations"],
             loading=PLAN.contact.loading_name,

@@ -3,25 +3,30 @@
 import pandas as pd
 
 from hardcontact.base import published
-from hardcontact.base.dataset import read, read_all
+from hardcontact.base.dataset import concatenate, read, read_all
 from hardcontact.inference.filtered_masters import read_master_forces
+from hardcontact.paper.featured_candidates import candidates_by_surface
 from hardcontact.paper.published_fit import PublishedForces
-from hardcontact.paper.sets import SetSettings, gather_inputs, sample_sets
+from hardcontact.paper.sets import SetInputs, SetSettings, sample_sets, sphere_factor
 from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:
     params = job.parameters
-    inputs = gather_inputs(
-        topography=read(job.input.topography),
-        adhesion=read(job.input.adhesion),
-        pool_chunks=read_all(params["pool_chunks"], job.input.pools),
-        candidate_chunks=read_all(params["candidate_chunks"], job.input.candidates),
-        sampled_substrates=params["sampled_substrates"],
-        masters=read_master_forces(
+    adhesion = read(job.input.adhesion)
+    pool_chunks = concatenate(read_all(params["pool_chunks"], job.input.pools), "scan", 1)
+    pools = {surface: pool for (surface,), pool in pool_chunks.items()}
+    candidates = candidates_by_surface(read_all(params["candidate_chunks"], job.input.candidates))
+    inputs = SetInputs(
+        read(job.input.topography),
+        adhesion,
+        pools,
+        candidates,
+        sphere_factor(adhesion, [*pools, *candidates]),
+        read_master_forces(
             params["master_surfaces"], job.input.masters, params["realizations"], params["loading"]
         ),
     )
-    set_numbers = sample_sets(
+    sets = sample_sets(
         inputs,
         pd.DataFrame(params["claims"]),
         published.read_constants(job.input.published_constants),
@@ -29,6 +34,6 @@ with run_job(snakemake) as job:
         SetSettings(**params["settings"]),
     )
     job.write(
-        set_numbers.assign_attrs(confidence=params["settings"]["confidence"]),
+        sets.assign_attrs(confidence=params["settings"]["confidence"]),
         title="numbers of many sets of substitute scans",
     )

@@ -15,7 +15,7 @@ from hardcontact.surfaces.metrics import TABLE1_METRICS
 SETS = 20_000
 SCATTER = 0.01
 SAMPLING = {
-    "pool_chunks": [["uncd", 1, 15]], "candidate_chunks": [], "sampled_substrates": ["uncd"],
+    "pool_chunks": [["uncd", 1, 15]], "candidate_chunks": [],
     "master_surfaces": ["uncd"], "realizations": 20, "loading": "H25GPa-F10uN",
     "settings": {"seed": 2021, "realizations": 5, "tolerance": 0.1},
 }  # fmt: skip

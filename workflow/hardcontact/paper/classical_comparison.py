@@ -24,6 +24,12 @@ from hardcontact.paper.classical_models import MODELS, ClassicalModel, ElasticSp
 
 #: Prefixes of the rows of Table 1: roughness of the AFM scans, and roughness of all scales.
 METRIC_PREFIXES = {"afm": "afm", "all_scales": "all"}
+#: Dimensions and units of the variables about models and power laws.
+MODEL_VARIABLES = {
+    "model_force": (("model", "surface"), NEWTON),
+    "mean_relative_error": (("model", "force_source"), DIMENSIONLESS),
+    "power_law_error": (("rms_parameter", "force_source"), DIMENSIONLESS),
+}
 #: Works of adhesion (J/m²) among which the best fit is searched first.
 SEARCHED_WORKS = np.geomspace(1e-3, 10, 401)
 #: Exponents of power laws of roughness parameters that are searched first.
@@ -64,20 +70,31 @@ def apply_classical_models(
         source: hertz_jkr_dmt.effective_work_of_adhesion(ends, sphere.radius, coefficient)
         for source, ends in forces.items()
     }
+    work = value["work_of_adhesion"]
     models = {}
     for metrics, prefix in METRIC_PREFIXES.items():
         mean = _roughness(rows.loc[surfaces], "value", prefix)
         uncertainty = _roughness(rows.loc[surfaces], "uncertainty", prefix)
         rng = sampling.generator(metrics)
         samples = sample_roughness(rng, mean, uncertainty, sampling.sample_count)
-        comparison = _compare_models(
-            mean, samples, sphere, value["work_of_adhesion"], forces, sampling
-        )
-        models[(metrics,)] = comparison.merge(_power_laws(mean, samples, works, sampling))
+        numbers = _model_numbers(mean, sphere, work, forces, works)
+        sampled_numbers = _model_numbers(samples, sphere, work, forces, works)
+        variables: dict[str, Any] = {}
+        for name, (dimensions, unit) in MODEL_VARIABLES.items():
+            variables |= sampling.with_interval(
+                name, dimensions, numbers[name], sampled_numbers[name], unit
+            )
+        models[(metrics,)] = xr.Dataset(variables)
+    coordinates = {
+        "surface": surfaces,
+        "force_source": list(forces),
+        "model": list(MODELS),
+        "rms_parameter": list(Roughness._fields),
+    }
     return (
         stack(models, ["metrics"])
         .merge(_forces_and_works(forces, works, sampling.confidence))
-        .assign_coords(surface=surfaces)
+        .assign_coords(coordinates)
         .reindex(surface=fit["surface"].values)
         .merge(_smooth_contact(sphere, value))
         .assign(
@@ -124,18 +141,15 @@ def _forces_and_works(
     forces: Mapping[str, Floats], works: Mapping[str, Floats], confidence: float
 ) -> xr.Dataset:
     """Return mean forces and effective works from arrays (surface, 3): value, low and high end."""
-
-    def variables(name: str, ends: Floats, attributes: dict[str, Any]) -> dict[str, Any]:
-        return with_interval(name, "surface", ends[:, 0], ends[:, 1:], attributes, confidence)
-
-    name = "effective_work_of_adhesion"
-    effective = {
-        (source,): xr.Dataset(variables(name, work, JOULE_PER_M2)) for source, work in works.items()
-    }
-    dataset = stack(effective, ["force_source"])
+    ends = np.stack(list(works.values()))
+    variables = with_interval(
+        "effective_work_of_adhesion", ("force_source", "surface"), ends[..., 0], ends[..., 1:],
+        JOULE_PER_M2, confidence,
+    )  # fmt: skip
     for source, force in forces.items():
-        dataset = dataset.assign(variables(f"{source}_mean_force", force, NEWTON))
-    return dataset
+        name = f"{source}_mean_force"
+        variables |= with_interval(name, "surface", force[:, 0], force[:, 1:], NEWTON, confidence)
+    return xr.Dataset(variables)
 
 
 def _roughness(rows: pd.DataFrame, column: str, prefix: str) -> Roughness:
@@ -163,51 +177,31 @@ def sample_roughness(
     )
 
 
-def _compare_models(
-    mean: Roughness,
-    samples: Roughness,
+def _model_numbers(
+    roughness: Roughness,
     sphere: ElasticSphere,
     work: float,
-    targets: Mapping[str, Floats],
-    sampling: Sampling,
-) -> xr.Dataset:
-    """Return the forces of each model, and the errors of its fits to target forces.
+    forces: Mapping[str, Floats],
+    works: Mapping[str, Floats],
+) -> dict[str, Floats]:
+    """Return the values of MODEL_VARIABLES, after the dimensions of a roughness (..., surface).
 
-    Targets (surface, 3) begin with the force. Samples (samples, surface) of the roughness give the
-    intervals.
+    Forces and effective works (surface, 3) begin with the values to which errors refer.
     """
-    forces = {}
-    errors = {}
-    for name, model in MODELS.items():
-        force = model.force(work, mean, sphere)
-        force_samples = model.force(work, samples, sphere)
-        forces[(name,)] = xr.Dataset(
-            sampling.with_interval("model_force", "surface", force, force_samples, NEWTON)
-        )
-        for source, target in targets.items():
-            error = classical_error(model, mean, sphere, target[:, 0])
-            error_samples = classical_error(model, samples, sphere, target[:, 0])
-            errors[name, source] = xr.Dataset(
-                sampling.with_interval(
-                    "mean_relative_error", (), error, error_samples, DIMENSIONLESS
-                )
-            )
-    return stack(forces, ["model"]).merge(stack(errors, ["model", "force_source"]))
-
-
-def _power_laws(
-    mean: Roughness, samples: Roughness, works: Mapping[str, Floats], sampling: Sampling
-) -> xr.Dataset:
-    """Return ``power_law_error`` of each roughness parameter for effective works (surface, 3)."""
-    errors = {}
-    for parameter in Roughness._fields:
-        for source, work in works.items():
-            error = power_law_error(getattr(mean, parameter), work[:, 0])
-            error_samples = power_law_error(getattr(samples, parameter), work[:, 0])
-            errors[parameter, source] = xr.Dataset(
-                sampling.with_interval("power_law_error", (), error, error_samples, DIMENSIONLESS)
-            )
-    return stack(errors, ["rms_parameter", "force_source"])
+    errors = [
+        [classical_error(model, roughness, sphere, force[:, 0]) for force in forces.values()]
+        for model in MODELS.values()
+    ]
+    power_law_errors = [
+        [power_law_error(parameter, work[:, 0]) for work in works.values()]
+        for parameter in roughness
+    ]
+    model_forces = [model.force(work, roughness, sphere) for model in MODELS.values()]
+    return {
+        "model_force": np.stack(model_forces, axis=-2),
+        "mean_relative_error": np.moveaxis(np.array(errors), (0, 1), (-2, -1)),
+        "power_law_error": np.moveaxis(np.array(power_law_errors), (0, 1), (-2, -1)),
+    }
 
 
 def classical_error(

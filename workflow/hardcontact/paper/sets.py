@@ -6,14 +6,13 @@ the numbers of the study depend on its scans.
 """
 
 from collections.abc import Mapping, Sequence
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 import pandas as pd
 import xarray as xr
 
 from hardcontact.base.arrays import generator
-from hardcontact.base.dataset import concatenate
 from hardcontact.base.progress import progress
 from hardcontact.base.statistics import Sampling, student_log_samples
 from hardcontact.base.units import DIMENSIONLESS
@@ -22,7 +21,7 @@ from hardcontact.contact.pull_off import mean_over_contacts
 from hardcontact.inference.fit import WITHOUT_SURFACE
 from hardcontact.paper.claims.judgement import claim_values
 from hardcontact.paper.edges_of_masters import edges_of_masters
-from hardcontact.paper.featured_candidates import candidate_of_set, candidates_by_surface
+from hardcontact.paper.featured_candidates import candidate_of_set
 from hardcontact.paper.pool import sample_scans
 from hardcontact.paper.published_fit import PublishedForces, fit_published
 from hardcontact.surfaces.metrics import TABLE1_METRICS, scan_averages
@@ -41,10 +40,9 @@ class SetInputs(NamedTuple):
 
     topography: xr.Dataset  #: topography.nc of the study.
     adhesion: xr.Dataset  #: adhesion.nc of the study.
-    pools: Mapping[str, xr.Dataset]  #: By substrate.
-    candidates: Mapping[str, Mapping[str, xr.Dataset]]  #: By substrate with features and kind.
-    #: (contact_model, surface, rho) force on the rough sphere relative to a smooth sphere.
-    sphere_factor: xr.DataArray
+    pools: Mapping[str, xr.Dataset]  #: From `compute_pool`, by substrate.
+    candidates: Mapping[str, Mapping[str, xr.Dataset]]  #: From `candidates_by_surface`.
+    sphere_factor: xr.DataArray  #: (contact_model, surface, rho), from the function of this name.
     masters: xr.Dataset  #: From `read_master_forces` at one load.
 
 
@@ -59,32 +57,11 @@ class SetSettings(NamedTuple):
     confidence: float  #: Confidence of the intervals.
 
 
-def gather_inputs(
-    *,
-    topography: xr.Dataset,
-    adhesion: xr.Dataset,
-    pool_chunks: Mapping[tuple[Any, ...], xr.Dataset],
-    candidate_chunks: Mapping[tuple[Any, ...], xr.Dataset],
-    sampled_substrates: Sequence[str],
-    masters: xr.Dataset,
-) -> SetInputs:
-    """Join the chunks of pools and candidates, and compute the factor of the rough sphere.
-
-    `pool_chunks` come from `compute_pool`, by substrate, first and last scan; `candidate_chunks`
-    are those of `candidates_by_surface`. The `sampled_substrates` have a pool or candidates.
-    """
-    pools = concatenate(pool_chunks, "scan", 1)
+def sphere_factor(adhesion: xr.Dataset, sampled_substrates: Sequence[str]) -> xr.DataArray:
+    """Return the forces on the rough sphere relative to a smooth sphere, NaN if not sampled."""
     rough = adhesion["pull_off_force"].mean(["scan", "sphere_scan", *CONTACT_AXES])
     smooth = adhesion["smooth_sphere_force"].mean("scan")
-    factor = (rough / smooth).where(rough["surface"].isin(list(sampled_substrates)))
-    return SetInputs(
-        topography,
-        adhesion,
-        {surface: pool for (surface,), pool in pools.items()},
-        candidates_by_surface(candidate_chunks),
-        factor,
-        masters,
-    )
+    return (rough / smooth).where(rough["surface"].isin(sampled_substrates))
 
 
 def sample_set_scans(inputs: SetInputs, seed: int, set_number: int) -> dict[str, xr.Dataset]:

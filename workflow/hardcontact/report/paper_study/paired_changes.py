@@ -20,7 +20,7 @@ from hardcontact.surfaces.metrics import TABLE1_METRICS
 SET_DATASETS = ("sets", "topography", "scales", "features")
 #: Parameters of sets.nc that decide which scans and masters a set has.
 SAMPLING_PARAMETERS = (
-    "pool_chunks", "candidate_chunks", "sampled_substrates", "master_surfaces", "realizations",
+    "pool_chunks", "candidate_chunks", "master_surfaces", "realizations",
 )  # fmt: skip
 SAMPLING_SETTINGS = ("seed", "realizations")
 #: Relative difference of equal surfaces: far more than other processors cause, 7e-16.
