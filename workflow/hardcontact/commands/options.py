@@ -54,19 +54,16 @@ def parse_quantities(arguments: Namespace) -> tuple[dict[str, QuantityOption], l
     Tip, size and modulus are there only if the user gave them. A faulty quantity has the paper's
     value.
     """
-    quantity_types = {name: quantity_type(key) for name, (key, _) in CONTACT_QUANTITIES.items()}
-    quantity_types |= {
-        "tip": TIP_RADIUS,
-        "size": quantity_type("scan.map_size"),
-        "modulus": quantity_types["hardness"],
-    }
+    types = {name: quantity_type(key) for name, (key, _) in CONTACT_QUANTITIES.items()}
+    types |= {"tip": TIP_RADIUS, "size": quantity_type("scan.map_size")}
+    types["modulus"] = types["hardness"]
     quantities = {}
     faults = []
     try:
         UNIT.check(arguments.unit)
     except ValueError as error:
         faults.append(f"--unit: {error}")
-    for name, kind in quantity_types.items():
+    for name, kind in types.items():
         text = getattr(arguments, name, None)
         try:
             if text is not None:

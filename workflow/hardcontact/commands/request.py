@@ -3,6 +3,7 @@
 import os
 import re
 from argparse import Namespace
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from importlib.metadata import version
 from pathlib import Path
@@ -154,11 +155,11 @@ def list_scan_files(arguments: Namespace, radius: float) -> tuple[list[ScanFile]
                 ScanFile(surface, label, path, path_from_root(path), sphere_radius, path != file)
                 for path in file_paths
             ]
-    paths = [scan_file.path for scan_file in scan_files]
+    counts = Counter(scan_file.path for scan_file in scan_files)
     faults += [
-        f"{path}: expected each file once, found it {paths.count(path)} times"
-        for path in dict.fromkeys(paths)
-        if paths.count(path) > 1
+        f"{path}: expected each file once, found it {count} times"
+        for path, count in counts.items()
+        if count > 1
     ]
     return scan_files, faults
 

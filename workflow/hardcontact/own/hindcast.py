@@ -102,14 +102,12 @@ def hindcast_forces(
             all_octaves = scan_octave, *artificial_octaves
             surfaces = (replace(mirrored, heights=kept_heights + waves) for waves in all_octaves)
             octave_forces = np.array([compute_forces(surface) for surface in surfaces])
-        side_forces[(side,)] = xr.Dataset(
-            {
-                "scan_octave_force": (CONTACT_AXES, octave_forces[0], FORCE_ATTRS),
-                "artificial_octave_force": (
-                    ("realization", *CONTACT_AXES), octave_forces[1:], FORCE_ATTRS,
-                ),
-            }
-        )  # fmt: skip
+        axes = ("realization", *CONTACT_AXES)
+        variables = {
+            "scan_octave_force": (CONTACT_AXES, octave_forces[0], FORCE_ATTRS),
+            "artificial_octave_force": (axes, octave_forces[1:], FORCE_ATTRS),
+        }
+        side_forces[(side,)] = xr.Dataset(variables)
     return stack(side_forces, ["side"])
 
 

@@ -47,19 +47,14 @@ def window_on_scans(
     if BORDER_HEIGHT_IN_RMS * rms_height > height:
         height = BORDER_HEIGHT_IN_RMS * rms_height
         height_words = f"{BORDER_HEIGHT_IN_RMS} rms heights"
+    width_at_height = 2 * math.sqrt(2 * radius * height)
+    height_reason = f"at its border the sphere is {height_words} above its apex"
+    pixel_reason = f"{MAX_MAP_PIXELS} pixels of the scans, the most that are computed"
+    scan_reason = f"{MAX_MIRRORED_SCANS} mirrored scans, which all have the same summits"
     window, reason = min(
-        (
-            2 * math.sqrt(2 * radius * height),
-            f"at its border the sphere is {height_words} above its apex",
-        ),
-        (
-            MAX_MAP_PIXELS * min_pixel_size,
-            f"{MAX_MAP_PIXELS} pixels of the scans, the most that are computed",
-        ),
-        (
-            2 * MAX_MIRRORED_SCANS * min_scan_size,
-            f"{MAX_MIRRORED_SCANS} mirrored scans, which all have the same summits",
-        ),
+        (width_at_height, height_reason),
+        (MAX_MAP_PIXELS * min_pixel_size, pixel_reason),
+        (2 * MAX_MIRRORED_SCANS * min_scan_size, scan_reason),
     )
     return round_with(math.floor, window), reason
 

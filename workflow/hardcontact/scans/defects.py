@@ -6,7 +6,6 @@ A defect has a code, and numbers such as the share of spikes. DEFECTS lists all 
 
 from collections.abc import Mapping
 from dataclasses import replace
-from functools import cache
 from itertools import product
 from pathlib import Path
 
@@ -27,7 +26,11 @@ from hardcontact.scans.map_defects import (
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.levelling import MIN_STREAK_STEPS, fill_streaks, remove_form
 
-#: By code of a defect: its numbers with their units. defects.yaml has a sentence on each.
+#: Sentences on defects by code, with the names of their numbers in braces.
+SENTENCES: dict[str, str] = yaml.safe_load(
+    Path(__file__).with_name("defects.yaml").read_text("utf-8")
+)
+#: By code of a defect: its numbers with their units.
 DEFECTS = {
     "streaks": {
         "streak_lines": "1",
@@ -187,18 +190,8 @@ def _find_sidewalls(heights: Floats) -> Numbers:
 def defect_sentence(code: str, numbers: Mapping[str, float]) -> str:
     """Return the sentence on a defect, with its numbers and without a full stop."""
     words = {name: _format_number(name, number) for name, number in numbers.items()}
-    return _sentences()[code].format(
-        **words,
-        streak=MIN_STREAK_STEPS,
-        spike=MIN_SPIKE_DISTANCE,
-        sidewall_pixels=format_share(SIDEWALL_PIXEL_SHARE),
-    )
-
-
-@cache
-def _sentences() -> dict[str, str]:
-    """Return the sentences on defects by code."""
-    return dict(yaml.safe_load(Path(__file__).with_name("defects.yaml").read_text("utf-8")))
+    words["sidewall_pixels"] = format_share(SIDEWALL_PIXEL_SHARE)
+    return SENTENCES[code].format(**words, streak=MIN_STREAK_STEPS, spike=MIN_SPIKE_DISTANCE)
 
 
 def _format_number(name: str, number: float) -> str:

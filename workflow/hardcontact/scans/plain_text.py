@@ -101,12 +101,8 @@ def _has_decimal_commas(rows: str) -> bool:
 
     If every row is two whole numbers with a comma between, the comma is ambiguous: False.
     """
-    return (
-        "," in rows
-        and "." not in rows
-        and not OTHER_COMMA.search(rows)
-        and bool(BETWEEN_CELLS.search(rows))
-    )
+    has_commas_alone = "," in rows and "." not in rows and not OTHER_COMMA.search(rows)
+    return has_commas_alone and bool(BETWEEN_CELLS.search(rows))
 
 
 def _separate_with_blanks(rows: list[str]) -> list[str]:

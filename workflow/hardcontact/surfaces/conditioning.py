@@ -124,11 +124,9 @@ def _fit_group(matrices: Floats, targets: Targets) -> GroupFit:
         return mean_errors[1:]
 
     bound = np.log(MAX_AMPLITUDE_RATIO)
+    first_guess = np.zeros(COMPONENT_COUNT - 1)
     fit = scipy.optimize.least_squares(
-        slope_and_curvature_errors,
-        np.zeros(COMPONENT_COUNT - 1),
-        bounds=(-bound, bound),
-        **FIT_TOLERANCES,
+        slope_and_curvature_errors, first_guess, bounds=(-bound, bound), **FIT_TOLERANCES
     )
     mean_errors, factors = errors_and_factors(fit.x)
     mean_factor = factors.mean()

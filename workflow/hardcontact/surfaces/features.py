@@ -73,12 +73,8 @@ def published_statistics(
     """
     rows = table1.loc[list(TABLE1_METRICS)]
     values = np.array([means[name] for name in TABLE1_METRICS.values()])
-    return ScanStatistics(
-        values,
-        values * (rows["uncertainty"] / rows["value"]).to_numpy(float),
-        scan_count,
-        float(table1["value"]["all_rms_height"]),
-    )
+    stds = values * (rows["uncertainty"] / rows["value"]).to_numpy(float)
+    return ScanStatistics(values, stds, scan_count, float(table1["value"]["all_rms_height"]))
 
 
 def feature_squares(height: ArrayLike, width: ArrayLike, size: float) -> Floats:

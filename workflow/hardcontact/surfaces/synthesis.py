@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import scipy
 
-from hardcontact.base.arrays import generator
+from hardcontact.base.arrays import Floats, generator
 from hardcontact.surfaces.filters import BLOCK_ROWS, SingleTransform, interpolate, lowpass
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import SpectrumFunction
@@ -145,12 +145,11 @@ def long_edge_master(
     long_waves = lowpass(repeated, transition)
     # The margin keeps waves exactly at the transition artificial in spite of rounding.
     transition_q = 2 * np.pi / transition * (1 + 1e-12)
-    artificial = random_surface(
-        rng,
-        long_waves.pixels,
-        long_waves.pixel_size,
-        lambda q: np.where(q <= transition_q, spectrum(q), 0.0),
-    )
+
+    def long_wave_spectrum(wavevector: Floats) -> Floats:
+        return np.where(wavevector <= transition_q, spectrum(wavevector), 0.0)
+
+    artificial = random_surface(rng, long_waves.pixels, long_waves.pixel_size, long_wave_spectrum)
     change = replace(long_waves, heights=artificial.heights - long_waves.heights)
     heights = repeated.heights + interpolate(change, repeated.pixels).heights
     return replace(repeated, heights=heights.astype(np.float32))
