@@ -18,6 +18,7 @@ from hardcontact.base.units import NANOMETRE, NEWTON, NM, PASCAL
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import Bodies, largest_contact_gap, reference_gap_map
 
+#: Units of the sizes that `asperity_sizes` returns.
 ASPERITY_UNITS = {
     "largest_share": "1",
     "two_largest_share": "1",
@@ -123,7 +124,8 @@ def least_carrying_attraction(attraction: Floats, share: float) -> float:
 
 def _diameter_in_pixels(attraction: Floats, share: float) -> int:
     """Return the diameter of the circle about the centre of force that holds a share."""
-    distance_y, distance_x = (_distance_from_centre(attraction.sum(axis=axis)) for axis in (1, 0))
+    distance_y = _distance_from_centre(attraction.sum(axis=1))
+    distance_x = _distance_from_centre(attraction.sum(axis=0))
     rings = np.rint(np.sqrt(distance_y[:, None] ** 2 + distance_x**2)).astype(np.intp)
     carried = np.cumsum(np.bincount(rings.ravel(), attraction.ravel()))
     return 2 * int(np.searchsorted(carried, share * carried[-1]))

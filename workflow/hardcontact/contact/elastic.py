@@ -139,7 +139,7 @@ def pressure_at_load(gap: Floats, pixel_size: float, modulus: float, load: float
 
 
 def adhesive_pull_off(
-    gap: Floats, pixel_size: float, modulus: float, work_of_adhesion: float, rho: float
+    gap: Floats, pixel_size: float, modulus: float, work: float, rho: float
 ) -> tuple[float, float]:
     """Return the pull-off forces (N) of one window, rigid and elastic.
 
@@ -148,7 +148,7 @@ def adhesive_pull_off(
     in J/m². Raises ValueError if attraction stretches soft bodies by over rho/10.
     """
     rigid_gap = gap - gap.min()
-    strength = work_of_adhesion / rho * pixel_size**2
+    strength = work / rho * pixel_size**2
     attraction = strength * np.exp(-rigid_gap / rho)
     rigid = float(attraction.sum())
     half_space = HalfSpace(len(gap), pixel_size, modulus)
@@ -179,6 +179,7 @@ def adhesive_pull_off(
     return rigid * NANONEWTON, elastic * NANONEWTON
 
 
+#: Units of what elasticity gives for each contact.
 ELASTIC_UNITS = {
     "elastic_contact_area": "nm2",
     "share_above_hardness": "1",

@@ -37,7 +37,7 @@ FORCE_ATTRS = NEWTON | {"long_name": "pull-off force at W = 1 J/m2"}
 
 
 def force_of_sums(
-    sums: ArrayLike, rho: ArrayLike, pixel_size: float, work_of_adhesion: float = WORK_OF_ADHESION
+    sums: ArrayLike, rho: ArrayLike, pixel_size: float, work: float = WORK_OF_ADHESION
 ) -> Floats:
     """Return the pull-off force (N, positive) from sums of exp(-gap/rho): Eq. 3.
 
@@ -50,7 +50,7 @@ def force_of_sums(
             f"rho = {np.min(rho):g} nm: expected a longer range of adhesion, because the surface "
             f"rises over {EXP_LIMITS[np.float64]:g} ranges above a contact, more than exp() holds"
         )
-    pixel_force = work_of_adhesion / np.asarray(rho) * pixel_size**2 * NANOMETRE
+    pixel_force = work / np.asarray(rho) * pixel_size**2 * NANOMETRE
     return np.asarray(pixel_force * np.asarray(sums))
 
 

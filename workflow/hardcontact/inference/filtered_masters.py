@@ -6,7 +6,6 @@ side ``"short"`` removes wavelengths below the cutoff, a filter of ``"long"`` th
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
-from itertools import count
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -131,7 +130,7 @@ def read_master_forces(
     number of realizations. If `loading` names one, the result has no dimensions of loading, radius
     and range; the files then have a single radius and range.
     """
-    files = read_all(zip(surfaces, count(), strict=False), paths)
+    files = read_all([(name, number) for number, name in enumerate(surfaces)], paths)
     forces = stack(concatenate(files, "realization", 1), ["surface"])
     forces = forces.sel(realization=forces["realization"] <= realizations)
     if loading is not None:

@@ -104,7 +104,22 @@ def _cell_faults(row: Row) -> Iterator[str]:
         yield f"quantity: expected a function of {files}, found {quote_key(row['quantity'])}"
     for name, words in PERMITTED_WORDS.items():
         if words and row[name] not in words:
-            yield f"{name}: expected {_join_words(words)}, found {quote_key(row[name])}"
+            permitted = "one of " + ", ".join(word or "nothing" for word in words)
+            yield f"{name}: expected {permitted}, found {quote_key(row[name])}"
+    yield from _dataset_faults(row)
+    if FORMS["select"][0].fullmatch(row["select"]):
+        yield from _selection_faults(row["select"])
+    for name in NUMBER_COLUMNS:
+        if row[name] and not abs(parse_number(row[name])) >= 0:
+            yield f"{name}: expected a number, found {quote_key(row[name])}"
+    try:
+        accepted_range(row["rule"], *(parse_number(row[name]) for name in NUMBER_COLUMNS[1:]))
+    except ValueError as error:
+        yield str(error)
+
+
+def _dataset_faults(row: Row) -> Iterator[str]:
+    """Yield a fault of an unknown dataset, or of one that has no samples from the given origin."""
     datasets = set(row["dataset"].split("+"))
     sampled_datasets = {"sets": {*SET_DATASETS, "paper"}, "posterior": {"posterior"}}
     if unknown := sorted(datasets - _known_datasets()):
@@ -115,15 +130,6 @@ def _cell_faults(row: Row) -> Iterator[str]:
         samples = [name for name, sampled in sampled_datasets.items() if datasets <= sampled]
         permitted = f"{' or '.join(['nothing', *samples])} for the dataset {row['dataset']}"
         yield f"samples_from: expected {permitted}, found {quote_key(row['samples_from'])}"
-    if FORMS["select"][0].fullmatch(row["select"]):
-        yield from _selection_faults(row["select"])
-    for name in NUMBER_COLUMNS:
-        if row[name] and not abs(parse_number(row[name])) >= 0:
-            yield f"{name}: expected a number, found {quote_key(row[name])}"
-    try:
-        accepted_range(row["rule"], *(parse_number(row[name]) for name in NUMBER_COLUMNS[1:]))
-    except ValueError as error:
-        yield str(error)
 
 
 @cache
@@ -148,8 +154,3 @@ def _selection_faults(select: str) -> Iterator[str]:
                 permitted = f"{dimension}, one of {', '.join(labels)}"
                 question = spelling_question(label, labels)
                 yield f"select: expected {permitted}, found {quote_key(label)}{question}"
-
-
-def _join_words(words: tuple[str, ...]) -> str:
-    """Return words as a choice, in which nothing is named."""
-    return "one of " + ", ".join(word or "nothing" for word in words)

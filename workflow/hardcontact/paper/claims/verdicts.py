@@ -200,19 +200,19 @@ def read_verdicts(path: str | Path) -> pd.DataFrame:
     return pd.read_csv(path, dtype=text).fillna(dict.fromkeys(text, ""))
 
 
-def without_verdicts(evaluated: pd.DataFrame) -> pd.DataFrame:
+def without_verdicts(claims: pd.DataFrame) -> pd.DataFrame:
     """Return the claims of a study whose inputs are not the paper's: it judges no statement."""
-    return evaluated.assign(verdict="", agreeing_share=np.nan)
+    return claims.assign(verdict="", agreeing_share=np.nan)
 
 
-def count_verdicts(evaluated: pd.DataFrame) -> pd.DataFrame:
+def count_verdicts(claims: pd.DataFrame) -> pd.DataFrame:
     """Count the claims of each of `VERDICTS`, and the independent statements among them.
 
     A claim is not independent if it follows from another claim, holds by construction, or compares
     the model with measured forces.
     """
-    verdicts = evaluated["verdict"]
-    independent = (evaluated["follows_from"] == "") & ~verdicts.isin([BY_CONSTRUCTION, EXPERIMENT])
+    verdicts = claims["verdict"]
+    independent = (claims["follows_from"] == "") & ~verdicts.isin([BY_CONSTRUCTION, EXPERIMENT])
     counts = pd.DataFrame(
         {
             "independent": verdicts[independent].value_counts().reindex(VERDICTS, fill_value=0),
