@@ -15,8 +15,16 @@ configfile: "config/config.yaml"
 # These two files define the names that all rules use; each begins with a list of them.
 include: "workflow/rules/common.smk"
 include: "workflow/rules/surfaces.smk"
-# The path of a height map: scans, contacts on them, forces by cutoff wavelength and by octave.
+# The path of a height map: scans, contacts on them, forces by cutoff wavelength and by octave. To the
+# user's surfaces the roughness of a scanned sphere is added first.
 include: "workflow/rules/scans.smk"
+
+
+if not IS_PAPER_STUDY:
+
+    include: "workflow/rules/both_bodies.smk"
+
+
 include: "workflow/rules/adhesion.smk"
 include: "workflow/rules/scales.smk"
 
@@ -37,8 +45,7 @@ else:
 
     report: "workflow/report/own_surfaces.rst"
 
-    # Roughness of both bodies, the band, the force and the fit, and the page.
-    include: "workflow/rules/both_bodies.smk"
+    # The band, the force and the fit, and the page.
     include: "workflow/rules/own_surfaces.smk"
     include: "workflow/rules/answer_surfaces.smk"
 
