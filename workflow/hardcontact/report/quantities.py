@@ -23,6 +23,8 @@ class NoValue(StrEnum):
     ONE_FORCE = "one_force"  #: One measured force does not determine range and work.
 
 
+#: Names of the edges of the band among the numbers of an answer, by their side.
+EDGE_NAMES = {"short": "short_edge", "long": "long_edge"}
 #: Words in place of an unknown value, by its status.
 NO_VALUE_WORDS: dict[str, str] = {
     NoValue.NO_BAND: "no band",
@@ -52,10 +54,10 @@ def number_of(
     number = Number(name or variable, float(dataset[variable].item()), unit, source=source)
     if not math.isfinite(number.value) or f"{variable}_interval" not in dataset:
         return number
-    low, high = (end.item() for end in interval_ends(dataset, variable))
-    if (low, high) == (0, math.inf):
+    low, high = interval_ends(dataset, variable)
+    if low == 0 and high == math.inf:
         return number._replace(status=NumberStatus.NO_INTERVAL)
-    return number._replace(low=low, high=high)
+    return number._replace(low=low.item(), high=high.item())
 
 
 def number_without_value(name: str, low: float, high: float, unit: str = "1") -> Number:

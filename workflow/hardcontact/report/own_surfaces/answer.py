@@ -28,7 +28,6 @@ from hardcontact.report.own_surfaces.datasets import (
     stored_tabor_number,
 )
 from hardcontact.report.own_surfaces.edges import (
-    EDGES,
     Conclusion,
     NextScan,
     edge_numbers,
@@ -44,7 +43,7 @@ from hardcontact.report.own_surfaces.forces import (
 )
 from hardcontact.report.own_surfaces.reliable_wavelengths import NEARLY_ALL, shown_octaves
 from hardcontact.report.own_surfaces.spectrum_cautions import Caution
-from hardcontact.report.quantities import number_of, number_without_value
+from hardcontact.report.quantities import EDGE_NAMES, number_of, number_without_value
 from hardcontact.report.templates import Frame, render_lines, render_text
 from hardcontact.scans.both_bodies import sphere_share
 from hardcontact.scans.reliable_band import LIMIT_NAMES, MIN_PIXELS, MIN_WAVES_IN_SIZE, OTHER_BODY
@@ -136,7 +135,7 @@ def _surface_answer(
     named_numbers = numbers_by_name(*numbers)
     conclusion = surface_conclusion(named_numbers)
     surface_cautions = cautions(data, named_numbers)
-    new_scans = next_scans([named_numbers[name] for name in EDGES.values()], data.spectra)
+    new_scans = next_scans([named_numbers[name] for name in EDGE_NAMES.values()], data.spectra)
     named_numbers |= numbers_by_name(
         *_caution_numbers(surface_cautions),
         *(scan.limit._replace(name=f"{scan.edge}_{scan.code}_limit") for scan in new_scans),

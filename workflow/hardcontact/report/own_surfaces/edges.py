@@ -19,11 +19,9 @@ from hardcontact.report.own_surfaces.reliable_wavelengths import (
     measured_share_at_edge,
     overlaps_any,
 )
-from hardcontact.report.quantities import OPEN_WORDS, NoValue, number_without_value
+from hardcontact.report.quantities import EDGE_NAMES, OPEN_WORDS, NoValue, number_without_value
 from hardcontact.scans.both_bodies import sphere_share
 from hardcontact.surfaces.synthesis import SIDES
-
-EDGES = dict(zip(SIDES, ("short_edge", "long_edge"), strict=True))
 
 
 class NextScan(NamedTuple):
@@ -74,12 +72,12 @@ def edge_number(side_edges: xr.Dataset, name: str, source: str) -> Number:
 
     `side_edges` is the part of edges.nc at one side of one surface.
     """
-    edge = side_edges["edge"].item()
-    low, high = (end.item() for end in interval_ends(side_edges, "edge"))
-    if np.isfinite(edge):
-        return Number(name, edge, "nm", low, high, source=source)
+    low, high = interval_ends(side_edges, "edge")
+    number = Number(name, side_edges["edge"].item(), "nm", low.item(), high.item(), source=source)
+    if np.isfinite(number.value):
+        return number
     bound, status = side_edges["edge_bound"].item(), side_edges["edge_status"].item()
-    return Number(name, bound, "nm", low, high, status, source)
+    return number._replace(value=bound, status=status)
 
 
 def resolves_nothing(edges: xr.Dataset) -> bool:
@@ -91,7 +89,7 @@ def resolves_nothing(edges: xr.Dataset) -> bool:
 def edge_numbers(data: Datasets) -> list[Number]:
     """Return the edges of one surface, each with its measured share and the cutoffs around it."""
     if resolves_nothing(data.edges):
-        return [Number(name, np.nan, "nm", status=NoValue.NO_BAND) for name in EDGES.values()]
+        return [Number(name, np.nan, "nm", status=NoValue.NO_BAND) for name in EDGE_NAMES.values()]
     numbers = []
     for side in SIDES:
         edge = _known_ends(data, side)
@@ -108,19 +106,19 @@ def _known_ends(data: Datasets, side: str) -> Number:
     It has no value if the filter makes ripples. It has none if the hindcast fails, because the
     unfiltered force then rests on artificial roughness that is wrong.
     """
-    status = data.edges["edge_status"].sel(side=side).item()
-    if status != EdgeStatus.RIPPLES and fails_hindcast(data, side):
-        return Number(EDGES[side], np.nan, "nm", status=NoValue.NO_HINDCAST, source="artificial")
-    edge = edge_number(data.edges.sel(side=side), EDGES[side], edge_source(data, side))
+    name = EDGE_NAMES[side]
+    has_ripples = data.edges["edge_status"].sel(side=side).item() == EdgeStatus.RIPPLES
+    if fails_hindcast(data, side) and not has_ripples:
+        return Number(name, np.nan, "nm", status=NoValue.NO_HINDCAST, source="artificial")
+    edge = edge_number(data.edges.sel(side=side), name, edge_source(data, side))
     bands = artificial_bands(data.spectra)
-    low, high = (
-        np.nan if edge.source == "artificial" or overlaps_any(end, end, bands) else end
-        for end in (edge.low, edge.high)
-    )
-    status = edge.status
-    if not status and not np.isfinite([low, high]).any():
-        status = interval_status(data.edges["interval_source"])
-    return edge._replace(low=low, high=high, status=status)
+    if edge.source == "artificial" or overlaps_any(edge.low, edge.low, bands):
+        edge = edge._replace(low=np.nan)
+    if edge.source == "artificial" or overlaps_any(edge.high, edge.high, bands):
+        edge = edge._replace(high=np.nan)
+    if edge.status or np.isfinite([edge.low, edge.high]).any():
+        return edge
+    return edge._replace(status=interval_status(data.edges["interval_source"]))
 
 
 def _cutoffs_around(edge: Number, side_edges: xr.Dataset) -> Number:

@@ -24,7 +24,7 @@ from hardcontact.report.paper_study.conclusions import (
     features_by_scatter,
     most_sensitive_coatings,
 )
-from hardcontact.report.quantities import number_of
+from hardcontact.report.quantities import EDGE_NAMES, number_of
 from hardcontact.report.templates import render_lines, render_text
 
 #: Claims with numbers in the answer, by the names of these numbers.
@@ -43,11 +43,8 @@ ANSWER_CLAIMS = {
     "plasticity_shift": "plasticity_moves_short_edge",
     "range_shift": "range_moves_short_edge",
 }
-#: Side of each edge of the band in the datasets, and its status if it lies beyond the cutoffs.
-EDGE_SIDES = {
-    "short_edge": ("short", EdgeStatus.OPEN_ABOVE),
-    "long_edge": ("long", EdgeStatus.OPEN_BELOW),
-}
+#: Status of an edge that lies beyond the cutoffs, by its side.
+OPEN_STATUSES = {"short": EdgeStatus.OPEN_ABOVE, "long": EdgeStatus.OPEN_BELOW}
 #: Parameters that are fitted to the forces of each set of scans, with units.
 PAIR_UNITS = {"range_of_adhesion": "nm", "work_of_adhesion": "J/m2"}
 #: Statistics of the forces on surfaces with features, with units.
@@ -180,15 +177,14 @@ def _interval_status(end: str) -> StrEnum:
 
 def _claim_numbers(name: str, row: Any, datasets: Mapping[str, xr.Dataset]) -> list[Number]:
     """Return the computed and the published number of a claim."""
-    edge = name.removesuffix("_first")
     source = "computed"
-    if edge in EDGE_SIDES:
-        source = _edge_source(datasets["scales"], EDGE_SIDES[edge][0], row.computed)
     status = _interval_status(row.open_end)
-    if name in EDGE_SIDES:
-        side, open_status = EDGE_SIDES[name]
-        if np.isnan(datasets["edges"]["edge"].sel(side=side, group=MEAN_GROUP).item()):
-            status = open_status
+    mean_edges = datasets["edges"]["edge"].sel(group=MEAN_GROUP)
+    for side, edge_name in EDGE_NAMES.items():
+        if name.startswith(edge_name):
+            source = _edge_source(datasets["scales"], side, row.computed)
+        if name == edge_name and np.isnan(mean_edges.sel(side=side).item()):
+            status = OPEN_STATUSES[side]
     return [
         Number(name, row.computed, row.unit, row.low, row.high, status, source),
         Number(f"{name}_published", row.published, row.unit, source="published"),
@@ -203,7 +199,7 @@ def surface_numbers(surface: str, datasets: Mapping[str, xr.Dataset]) -> dict[st
     """
     band, sets = datasets["edges"], datasets["sets"]
     numbers = {}
-    for name, (side, _) in EDGE_SIDES.items():
+    for side, name in EDGE_NAMES.items():
         labels = {"side": side, "group": surface}
         value = edges_or_bounds(band).sel(labels).item()
         samples = edges_or_bounds(sets).sel(labels).values

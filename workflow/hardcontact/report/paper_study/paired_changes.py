@@ -13,7 +13,8 @@ import xarray as xr
 
 from hardcontact.contact.contact import PLASTIC
 from hardcontact.paper.claims.verdicts import sets_interval, stretch_interval
-from hardcontact.report.paper_study.answer import ANSWER_CLAIMS, EDGE_SIDES, FORCE_UNITS, PAIR_UNITS
+from hardcontact.report.paper_study.answer import ANSWER_CLAIMS, FORCE_UNITS, PAIR_UNITS
+from hardcontact.report.quantities import EDGE_NAMES
 from hardcontact.report.study_comparison import ComparedNumber
 from hardcontact.surfaces.metrics import TABLE1_METRICS
 
@@ -100,7 +101,7 @@ def _set_numbers(study: Mapping[str, xr.Dataset]) -> dict[tuple[str, str], xr.Da
     }
     edges = {
         (label, name): sets["edge"].sel(side=side, group=surface)
-        for name, (side, _) in EDGE_SIDES.items()
+        for side, name in EDGE_NAMES.items()
         for surface, label in labels.items()
     }
     forces = {
