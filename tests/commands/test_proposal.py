@@ -12,7 +12,7 @@ from measurements import uncd_density
 from refusals import assert_says, refusal
 from repository import PAPER
 
-from hardcontact.commands.contact_scans import all_search_sizes, contact_scans
+from hardcontact.commands.contact_scans import all_search_sizes, select_contact_scans
 from hardcontact.commands.inventory import Entry
 from hardcontact.commands.new import values_by_key
 from hardcontact.commands.proposal import propose
@@ -95,7 +95,7 @@ BALL = [entry(size, rms=1.0, surface="sphere") for size in (2500, 2500, 6000)]
 def test_contacts_are_made_on_scans_that_hold_and_resolve_the_summits(entries, radius, size_counts):
     sphere = "sphere" if entries[-1].scan_file.surface == "sphere" else None
     sizes = all_search_sizes(entries, sphere, contact(radius))
-    selected_scans, _ = contact_scans(entries, sphere, contact(radius), sizes)
+    selected_scans, _ = select_contact_scans(entries, sphere, contact(radius), sizes)
     assert Counter(round(scan.size) for scan in selected_scans) == size_counts
 
 

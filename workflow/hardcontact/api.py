@@ -38,7 +38,7 @@ from hardcontact.inference.filtered_masters import Filters, add_force_ratios, fi
 from hardcontact.own.own_spectrum import OwnSpectrum, read_own_spectrum, spectrum_of_map
 from hardcontact.own.scan_force import prediction_and_scan_force
 from hardcontact.scans import reading
-from hardcontact.scans.heights import RefusedFile, map_values, unit_in_nm
+from hardcontact.scans.heights import RefusedFile, map_fields, unit_in_nm
 from hardcontact.scans.joined_spectrum import ScanSpectrum
 from hardcontact.surfaces.height_map import HeightMap, refuse_line_scan
 from hardcontact.surfaces.levelling import remove_form
@@ -143,10 +143,10 @@ def from_topography(
     check_read_arguments([], {"sphere_radius": sphere_radius})
     with arguments_in_messages():
         try:
-            values = map_values(topography, unit_in_nm(topography.unit), undefined_pixels)
+            fields = map_fields(topography, unit_in_nm(topography.unit), undefined_pixels)
         except RefusedFile as error:
             raise ValueError(f"topography: {error}") from None
-    return _level(HeightMap(values["heights"], values["pixel_size"]), sphere_radius, levelling)
+    return _level(HeightMap(fields["heights"], fields["pixel_size"]), sphere_radius, levelling)
 
 
 def _level(scan: HeightMap, sphere_radius: float | None, levelling: str) -> HeightMap:

@@ -44,7 +44,7 @@ def all_search_sizes(
     return sizes
 
 
-def contact_scans(
+def select_contact_scans(
     entries: Sequence[Entry], sphere: str | None, contact: Contact, search_sizes: dict[str, float]
 ) -> tuple[list[Entry], list[str]]:
     """Return the scans that contacts are made on, one grid for each surface, and reasons.

@@ -37,22 +37,22 @@ SECONDS_A_PIXEL = 4e-7
 SECONDS_A_TILE = 1e-8
 
 
-class WindowChoice(NamedTuple):
-    """The window and the range of adhesion of a study, with their reasons in words."""
+class PermittedContact(NamedTuple):
+    """A contact whose window and range of adhesion scans permit, with reasons in words."""
 
-    contact: Contact  #: The contact with this window and range.
+    contact: Contact
     shortest_range: float  #: The shortest range (nm) that the scans permit.
     window_reason: str
     range_reason: str
 
 
-def choose_window(
+def choose_contact(
     scans: Sequence[Entry],
     substrates: Sequence[Entry],
     contact: Contact,
     range_given: bool,
     max_pixels: int,
-) -> WindowChoice:
+) -> PermittedContact:
     """Return a window, and a longer range of adhesion than the contact's if the scans need it.
 
     `scans` includes the scans of the sphere, `substrates` does not. Masters have at most
@@ -66,7 +66,7 @@ def choose_window(
         range_reason = f"the least on these scans, where {reason}"
         # A longer range needs a wider window, which does not raise the shortest range.
         window, window_reason = _window(scans, contact)
-    return WindowChoice(replace(contact, window=window), shortest, window_reason, range_reason)
+    return PermittedContact(replace(contact, window=window), shortest, window_reason, range_reason)
 
 
 def _window(scans: Sequence[Entry], contact: Contact) -> tuple[float, str]:

@@ -8,12 +8,12 @@ from typing import NamedTuple
 import numpy as np
 
 from hardcontact.base.formatting import format_length
-from hardcontact.commands.contact_scans import all_search_sizes, contact_scans
+from hardcontact.commands.contact_scans import all_search_sizes, select_contact_scans
 from hardcontact.commands.inventory import FILLING, Entry
 from hardcontact.commands.permitted_contacts import (
-    WindowChoice,
+    PermittedContact,
     affordable_contacts,
-    choose_window,
+    choose_contact,
     count_tiles,
     short_edge_pixels,
 )
@@ -98,23 +98,23 @@ def propose(
     surface without a height map, or if scans are too different for one study.
     """
     search_sizes = all_search_sizes(entries, sphere, contact)
-    scans, reasons = contact_scans(entries, sphere, contact, search_sizes)
+    scans, reasons = select_contact_scans(entries, sphere, contact, search_sizes)
     substrates = [scan for scan in scans if scan.scan_file.surface != sphere]
     _refuse_unlike_scans(substrates)
-    window = choose_window(scans, substrates, contact, range_given, FULL_EFFORT.pixels)
+    permitted = choose_contact(scans, substrates, contact, range_given, FULL_EFFORT.pixels)
     sphere_scans = [scan for scan in scans if scan.scan_file.surface == sphere]
     transitions = _transitions(substrates, sphere_scans)
-    full = _choices(substrates, window, transitions, FULL_EFFORT)
+    full = _choices(substrates, permitted, transitions, FULL_EFFORT)
     usual = {choice.key: choice.value for choice in full}
     quick = [
         choice._replace(reason="")
-        for choice in _choices(substrates, window, transitions, QUICK_EFFORT)
+        for choice in _choices(substrates, permitted, transitions, QUICK_EFFORT)
         if choice.value != usual[choice.key]
     ]
     if gaps := sum(entry.undefined_count > 0 for entry in entries):
         reason = f"{gaps} of the files have undefined pixels"
         full.insert(0, Choice("scan.undefined_pixels", FILLING, reason))
-    cautions = [*scan_cautions(entries, substrates, contact.rho, window, search_sizes)]
+    cautions = [*scan_cautions(entries, substrates, contact.rho, permitted, search_sizes)]
     return Proposal(scans, full, quick, reasons, cautions)
 
 
@@ -132,22 +132,26 @@ def _refuse_unlike_scans(substrates: Sequence[Entry]) -> None:
 
 
 def _choices(
-    substrates: Sequence[Entry], window: WindowChoice, transitions: Transitions, effort: Effort
+    substrates: Sequence[Entry],
+    permitted: PermittedContact,
+    transitions: Transitions,
+    effort: Effort,
 ) -> list[Choice]:
     """Return the choices of one effort, within the limits of the checks."""
-    contact = window.contact
+    contact = permitted.contact
     short_pixels = max(short_edge_pixels(scan, contact, effort.pixels) for scan in substrates)
     contacts_per_row, is_slow = affordable_contacts(
         substrates, contact, short_pixels, effort.contacts_per_row
     )
-    ranges = [_nm(rho) for rho in _ranges(contact.rho, window.shortest_range, effort.range_count)]
-    permitted = f"these scans permit {window.shortest_range:.3g} nm or more"
+    shortest_range = permitted.shortest_range
+    ranges = [_nm(rho) for rho in _ranges(contact.rho, shortest_range, effort.range_count)]
+    limit = f"these scans permit {shortest_range:.3g} nm or more"
     master_count = _master_count(substrates, effort, is_slow)
     return [
-        Choice("contact.window", _nm(contact.window), window.window_reason),
+        Choice("contact.window", _nm(contact.window), permitted.window_reason),
         Choice("contact.contacts_per_row", contacts_per_row, "contacts per row of their array"),
-        Choice("adhesion.range", _nm(contact.rho), window.range_reason),
-        Choice("adhesion.ranges", ranges, f"for the force as a function of it; {permitted}"),
+        Choice("adhesion.range", _nm(contact.rho), permitted.range_reason),
+        Choice("adhesion.ranges", ranges, f"for the force as a function of it; {limit}"),
         Choice("scales.realizations", master_count, "masters on each side"),
         *_master_choices(substrates, contact, transitions, effort, short_pixels),
     ]

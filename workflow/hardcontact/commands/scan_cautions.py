@@ -6,7 +6,7 @@ import numpy as np
 
 from hardcontact.base.formatting import format_length, format_quantity
 from hardcontact.commands.inventory import Entry, entries_by_surface
-from hardcontact.commands.permitted_contacts import WindowChoice
+from hardcontact.commands.permitted_contacts import PermittedContact
 from hardcontact.config.faults import raise_faults
 from hardcontact.contact.contact import (
     LARGE_SIZE_RATIO,
@@ -48,7 +48,7 @@ def scan_cautions(
     entries: Sequence[Entry],
     substrates: Sequence[Entry],
     usual_range: float,
-    window: WindowChoice,
+    permitted: PermittedContact,
     search_sizes: Mapping[str, float],
 ) -> Iterator[str]:
     """Yield sentences on all scans, and on contacts on the scans of substrates.
@@ -56,7 +56,7 @@ def scan_cautions(
     The usual range and the sizes that the sphere searches for summits, by surface, are in nm.
     """
     yield from _reading_cautions(entries)
-    yield from _contact_cautions(substrates, usual_range, window, search_sizes)
+    yield from _contact_cautions(substrates, usual_range, permitted, search_sizes)
     yield from (f"{scan.name}: reliable {scan.band}" for scan in substrates if scan.is_blind)
     yield from _contradiction_cautions(entries)
     yield from _filling_cautions(entries)
@@ -93,15 +93,15 @@ def _radius_question(entry: Entry, stated_radius: float) -> str:
 def _contact_cautions(
     substrates: Sequence[Entry],
     usual_range: float,
-    window: WindowChoice,
+    permitted: PermittedContact,
     search_sizes: Mapping[str, float],
 ) -> Iterator[str]:
     """Yield sentences on contacts on these scans; the usual range and the sizes are in nm."""
-    contact = window.contact
+    contact = permitted.contact
     if contact.rho > usual_range:
         yield (
             f"the range of adhesion is {contact.rho:.3g} nm, not the usual {usual_range:.3g} nm: "
-            f"it is {window.range_reason}"
+            f"it is {permitted.range_reason}"
         )
     share = float(window_share(contact, contact.rho))
     if share < MIN_WINDOW_SHARE:

@@ -61,15 +61,7 @@ class SurfaceRow(Keys):
 
 
 class Selection:
-    """The surfaces and scans of a table of surfaces.
-
-    The rows, one a scan, come from `selected_scans`. A sphere that is not in the table is smooth.
-    `surfaces` are in the order of the table, and so are `measured_surfaces` and `substitutes`.
-    `substrates` are all surfaces except the sphere's, `substitute_substrates` the substitutes among
-    them, and `sampled_substrates` those of `published_surfaces`, which each set samples. By
-    surface, `labels` has the name to print, `sources` whether scans are measured or substitutes,
-    and `digests` the digest from `digest_surfaces`; `sphere_digest` is that of the sphere.
-    """
+    """The surfaces and scans of a table of surfaces, in its order."""
 
     def __init__(
         self,
@@ -78,19 +70,27 @@ class Selection:
         digests: Mapping[str, str],
         published_surfaces: Collection[str],
     ) -> None:
+        """Take rows from `selected_scans`, the surface of the sphere, and `digest_surfaces`.
+
+        A sphere that is not in the table is smooth.
+        """
         self._rows = rows
-        self.digests = digests
-        self.sphere_digest = digests.get(sphere, SMOOTH_SPHERE)
         self._contact_rows = rows[rows.use == CONTACT_USE]
         self._cells = rows.set_index(["surface", "scan"])
+        self.digests = digests
         self.sphere = sphere
+        self.sphere_digest = digests.get(sphere, SMOOTH_SPHERE)
         self.surfaces: list[str] = list(rows.surface.unique())
-        self.substrates = [surface for surface in self.surfaces if surface != sphere]
+        #: Name to print, by surface.
         self.labels: dict[str, str] = dict(zip(rows.surface, rows.label, strict=True))
+        #: ``"measured"`` or ``"substitute"``, by surface.
         self.sources: dict[str, str] = dict(zip(rows.surface, rows.source, strict=True))
         self.measured_surfaces = rows.surface[rows.source == "measured"].unique().tolist()
         self.substitutes = rows.surface[rows.source == "substitute"].unique().tolist()
+        #: All surfaces but the sphere's.
+        self.substrates = [surface for surface in self.surfaces if surface != sphere]
         self.substitute_substrates = [name for name in self.substrates if name in self.substitutes]
+        #: Substitutes for surfaces of the paper, which each set samples.
         self.sampled_substrates = [
             name for name in self.substitute_substrates if name in published_surfaces
         ]

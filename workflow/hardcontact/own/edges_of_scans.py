@@ -76,8 +76,8 @@ def _without_rippled_edges(
 ) -> xr.Dataset:
     """Return edges without the short edges of surfaces on which the filter makes ripples.
 
-    `shows_ripples` compares with forces on masters, whose artificial roughness lowers the force and
-    may hide ripples. Hence this ratio of the force on the filtered scan to that on the scan.
+    Forces on masters may not show ripples (`shows_ripples`), because artificial roughness lowers
+    them. `filtered_scan_ratio` is the force on the filtered scan relative to that on the scan.
     """
     ratio = filtered_scan_ratio.reindex(surface=edges["surface"])
     is_kept = ~(ratio < 1 - tolerance) | (edges["side"] != "short")

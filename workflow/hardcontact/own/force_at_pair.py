@@ -1,4 +1,4 @@
-"""The pull-off forces on the user's surfaces at one range and work of adhesion: force.nc.
+"""The pull-off forces on the user's surfaces at a pair of range and work of adhesion: force.nc.
 
 Forces on scans have the roughness of the scans alone. The extrapolated force also has roughness
 beyond the wavelengths of the scans, because the microscope does not show all of it.

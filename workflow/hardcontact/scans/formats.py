@@ -14,8 +14,8 @@ from hardcontact.scans.heights import (
     MAX_ASPECT_DEVIATION,
     TAKE_CARE,
     RefusedFile,
-    map_values,
-    profile_values,
+    line_scan_fields,
+    map_fields,
     refuse_point_counts,
     unit_in_nm,
 )
@@ -55,8 +55,8 @@ def read_fields(
     if is_map and isinstance(reader, AscReader):
         notes += _aspect_cautions(topography)
     try:
-        read_values = map_values if is_map else profile_values
-        fields = read_values(topography, unit_in_nm(topography.unit), undefined_pixels)
+        find_fields = map_fields if is_map else line_scan_fields
+        fields = find_fields(topography, unit_in_nm(topography.unit), undefined_pixels)
     except RefusedFile as error:
         remedy = "; --unit mm,nm (scan.unit: mm,nm) gives positions and heights a unit each"
         raise RefusedFile(f"{error}{remedy if unit == topography.unit else ''}") from None

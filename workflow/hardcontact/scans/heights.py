@@ -70,7 +70,7 @@ def unit_in_nm(unit: str) -> float:
 def _scan_fields(
     heights: Floats, pixel_size: float, notes: list[str], undefined_count: int
 ) -> dict[str, Any]:
-    """Return the fields of a scan, by name, lengths in nm; refuse impossible values."""
+    """Return the fields of a scan by their names in `HeightMap`; refuse impossible values."""
     minimum, maximum = LENGTH_BOUNDS
     # An offset larger than any relief is the position of a stage; heights need digits below it.
     offset = float(np.median(heights))
@@ -98,8 +98,8 @@ def _scan_fields(
     }
 
 
-def map_values(topography: Any, factor: float, undefined_pixels: str) -> dict[str, Any]:
-    """Return the fields of a scan, by name, from the largest square of a map, in `factor` nm."""
+def map_fields(topography: Any, factor: float, undefined_pixels: str) -> dict[str, Any]:
+    """Return the fields of a scan from the largest square of a map, whose unit is `factor` nm."""
     from SurfaceTopography import Topography
 
     sizes = np.asarray(topography.physical_sizes, float) * factor
@@ -197,8 +197,8 @@ def _count_undefined(heights: np.ma.MaskedArray, undefined_pixels: str) -> tuple
     return count, [f"{count} undefined pixels of {heights.size} filled"] if count else []
 
 
-def profile_values(line_scan: Any, factor: float, undefined_pixels: str) -> dict[str, Any]:
-    """Return the fields of a scan from a line scan in `factor` nm, evenly spaced, gaps filled."""
+def line_scan_fields(line_scan: Any, factor: float, undefined_pixels: str) -> dict[str, Any]:
+    """Return the fields of an evenly spaced scan from a line scan, whose unit is `factor` nm."""
     heights = _mask_undefined(line_scan.heights())
     positions = np.asarray(line_scan.positions(), float) * factor
     if positions[-1] < positions[0]:

@@ -56,16 +56,16 @@ def _find_peaks(density: Floats, variance: Floats, power: Floats) -> NDArray[np.
     """Return the mask of bins with a peak: more power than chance adds to a smooth spectrum."""
     inner = np.flatnonzero(np.isfinite(density))[1:-1]
     modes = 1 / variance[inner] + 0.5  # inverts the variance, trigamma(n) ≈ 1/(n - 0.5)
-    peaks = np.zeros(len(power), bool)
+    is_peak = np.zeros(len(power), bool)
     while True:
-        curve = smooth_curve(np.where(peaks, np.nan, density), variance)
+        curve = smooth_curve(np.where(is_peak, np.nan, density), variance)
         smooth_power = Spectrum(curve.wavevector, curve.density)(BIN_CENTRES[inner])
         # The power of n modes over its mean is a gamma variable.
         chance = scipy.special.gammaincc(modes, modes * power[inner] / smooth_power)
-        new_peaks = inner[(chance < PEAK_PROBABILITY) & ~peaks[inner]]
+        new_peaks = inner[(chance < PEAK_PROBABILITY) & ~is_peak[inner]]
         if not len(new_peaks):
-            return peaks
-        peaks[new_peaks] = True
+            return is_peak
+        is_peak[new_peaks] = True
 
 
 def smooth_curve(

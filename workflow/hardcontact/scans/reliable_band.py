@@ -111,16 +111,16 @@ def limit_by_tip(band: ReliableBand, scan: HeightMap, tip_radius: float) -> Reli
 
 def _spectral_ends(scan: HeightMap, density: Floats) -> list[tuple[float, str]]:
     """Return the wavelengths (nm) of noise and smoothing, with their codes in LIMIT_NAMES."""
-    mask = np.isfinite(density) & (BIN_CENTRES * MIN_PIXELS * scan.pixel_size <= 2 * np.pi)
-    q = BIN_CENTRES[mask]
-    variance = variance_of_log(independent_modes(scan.kind, scan.size)[mask])
-    slope, error = local_slopes(q, density[mask], variance)
-    axes_differ = axis_ratio(scan)[mask] > MAX_AXIS_RATIO
+    is_resolved = np.isfinite(density) & (BIN_CENTRES * MIN_PIXELS * scan.pixel_size <= 2 * np.pi)
+    q = BIN_CENTRES[is_resolved]
+    variance = variance_of_log(independent_modes(scan.kind, scan.size)[is_resolved])
+    slope, error = local_slopes(q, density[is_resolved], variance)
+    axes_differ = axis_ratio(scan)[is_resolved] > MAX_AXIS_RATIO
     is_smoothed = slope + MIN_STANDARD_ERRORS * error < np.where(
         axes_differ, STEEPEST_SELF_AFFINE_SLOPE, STEEPEST_FACET_SLOPE
     )
     is_flat = slope - MIN_STANDARD_ERRORS * error > FLATTEST_SLOPE
-    is_near_peak = _find_bins_near_peaks(np.log(density[mask]), variance)
+    is_near_peak = _find_bins_near_peaks(np.log(density[is_resolved]), variance)
     is_smoothed, is_flat = is_smoothed & ~is_near_peak, is_flat & ~is_near_peak
 
     unsmoothed_count = _count_unsmoothed(is_smoothed, len(q))
