@@ -79,7 +79,8 @@ def forces_over_reference(
     return sampling.with_interval(name, dimensions, ratio, ratio_samples, DIMENSIONLESS)
 
 
-#: Statistics of the forces on one surface, with their attributes.
+#: Statistics of the forces on one surface, with their attributes. Intervals of the first and the
+#: last are Student's t over scans, those of the others come from the jackknife over scans.
 STATISTIC_ATTRS = {
     "mean_force_at_pair": NEWTON,
     "median_force_at_pair": NEWTON,
@@ -88,16 +89,12 @@ STATISTIC_ATTRS = {
     "censored_fraction": DIMENSIONLESS,
 }
 
-#: Statistics of the forces on all scans together; their intervals come from the jackknife.
-JACKKNIFE_STATISTICS = ["median_force_at_pair", "log_force_std", "lognormal_median"]
-
 
 def force_statistics(forces: Floats, force_floor: float, sampling: Sampling) -> xr.Dataset:
-    """Return mean, median and censored log-normal fit of the computed forces of one surface.
+    """Return STATISTIC_ATTRS of the computed forces of one surface, with intervals.
 
     Forces (scan, sphere_scan, contact) are in N, censored below the floor, NaN for a missing scan.
-    Returns STATISTIC_ATTRS with intervals over substrate scans: JACKKNIFE_STATISTICS by the
-    jackknife, the others by Student's t. Intervals are NaN if `sampling.sample_count` is 0.
+    Intervals are NaN if `sampling.sample_count` is 0.
     """
     is_finite = np.isfinite(forces)
     scan_count = int(is_finite.any(axis=(1, 2)).sum())
@@ -105,36 +102,32 @@ def force_statistics(forces: Floats, force_floor: float, sampling: Sampling) -> 
     scan_forces = xr.DataArray(finite_forces, dims=("scan", "contact"))
     mean = scan_forces.mean("contact")
     censored = (scan_forces < force_floor).mean("contact")
+    jackknife_values = _jackknife_statistics(finite_forces, force_floor)
+    values = [float(mean.mean()), *jackknife_values, float(censored.mean())]
+    intervals = [np.full(2, np.nan)] * len(values)
     confidence = sampling.confidence
-    surface_statistics = _jackknife_statistics(finite_forces, force_floor)
-    statistics = dict(zip(JACKKNIFE_STATISTICS, surface_statistics, strict=True))
-    statistics |= {
-        "mean_force_at_pair": float(mean.mean()),
-        "censored_fraction": float(censored.mean()),
-    }
-    intervals = dict.fromkeys(STATISTIC_ATTRS, np.full(2, np.nan))
     if sampling.sample_count:
         leave_one_out = [
             _jackknife_statistics(np.delete(finite_forces, scan, axis=0), force_floor)
-            for scan in range(len(finite_forces))
+            for scan in range(scan_count)
         ]
-        surface_intervals = jackknife_interval(surface_statistics, leave_one_out, confidence)
-        censored_interval = student_interval(censored, confidence, "scan").clip(0, 1)
-        intervals = dict(zip(JACKKNIFE_STATISTICS, surface_intervals, strict=True))
-        intervals["mean_force_at_pair"] = student_log_interval(mean, confidence, "scan").values
-        intervals["censored_fraction"] = censored_interval.values
+        intervals = [
+            student_log_interval(mean, confidence, "scan").values,
+            *jackknife_interval(jackknife_values, leave_one_out, confidence),
+            student_interval(censored, confidence, "scan").clip(0, 1).values,
+        ]
     variables: dict[str, Any] = {}
-    for name, attributes in STATISTIC_ATTRS.items():
-        variables |= with_interval(
-            name, (), statistics[name], intervals[name], attributes, confidence
-        )
+    for (name, unit), value, interval in zip(
+        STATISTIC_ATTRS.items(), values, intervals, strict=True
+    ):
+        variables |= with_interval(name, (), value, interval, unit, confidence)
     return xr.Dataset(variables)
 
 
 def _jackknife_statistics(forces: Floats, floor: float) -> Floats:
-    """Return the JACKKNIFE_STATISTICS (3,) of all forces (N) together; NaN without forces."""
+    """Return median, deviation of ln F and log-normal median (3,) of all forces; NaN without."""
     if not forces.size:
-        return np.full(len(JACKKNIFE_STATISTICS), np.nan)
+        return np.full(3, np.nan)
     log_std, median = fit_lognormal(forces.ravel(), floor)
     return np.array([np.median(forces), log_std, median])
 
