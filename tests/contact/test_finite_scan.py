@@ -7,13 +7,13 @@ import pytest
 import xarray as xr
 
 from hardcontact.base.arrays import generator
-from hardcontact.contact.contact import (
+from hardcontact.contact.contact import Contact
+from hardcontact.contact.geometry import join_bodies
+from hardcontact.contact.numerical_limits import (
     FINITE_SCAN_RATIOS,
     LARGE_SIZE_RATIO,
-    Contact,
     finite_scan_ratio,
 )
-from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import pull_off_dataset
 from hardcontact.own.force_at_pair import add_sizes
 from hardcontact.surfaces.height_map import mirror_scan

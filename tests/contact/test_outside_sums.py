@@ -8,8 +8,8 @@ from direct_sum import direct_total, gap_of_bodies
 from periodic_maps import CASES, RADIUS, make_bodies, periodic_noise
 
 from hardcontact.contact.bearing_area import all_contact_pixels
-from hardcontact.contact.contact import DEPTH_OVER_RANGE
 from hardcontact.contact.force_sum.outside_sums import MAX_PENETRATION, outside_sums
+from hardcontact.contact.numerical_limits import DEPTH_OVER_RANGE
 from hardcontact.contact.pull_off import attraction_sums, force_of_sums
 
 #: Error of sums over heights in single precision, on a smooth sphere and unless the range is short.

@@ -10,7 +10,7 @@ from measurements import random_map
 
 from hardcontact.base import dataset
 from hardcontact.base.arrays import generator
-from hardcontact.contact.contact import SMALLEST_SIZE_RATIO
+from hardcontact.contact.numerical_limits import SMALLEST_SIZE_RATIO
 from hardcontact.report.own_surfaces.answer import own_answer, surface_answers
 from hardcontact.report.own_surfaces.datasets import measurement_name
 from hardcontact.scans.joined_spectrum import joined_spectrum

@@ -9,10 +9,8 @@ from hardcontact.base.formatting import format_length
 from hardcontact.commands.inventory import Entry, entries_by_surface
 from hardcontact.config.faults import raise_faults
 from hardcontact.config.limits import MAX_MAP_PIXELS, PIXEL_SIZES, same_grid
-from hardcontact.contact.contact import (
-    LARGE_SIZE_RATIO,
-    Contact,
-)
+from hardcontact.contact.contact import Contact
+from hardcontact.contact.numerical_limits import LARGE_SIZE_RATIO
 from hardcontact.surfaces.spectrum import BIN_CENTRES, Spectrum
 from hardcontact.theory.summits import search_size
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from hardcontact.base.arrays import Floats
 from hardcontact.commands.request import ScanFile
-from hardcontact.contact.contact import Grid
+from hardcontact.contact.numerical_limits import Grid
 from hardcontact.scans.defects import scan_with_defects
 from hardcontact.scans.measured_spectrum import isotropic_psd
 from hardcontact.scans.reading import DEFAULT_OPTIONS, ReadingOptions, list_scans

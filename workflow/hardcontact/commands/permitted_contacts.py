@@ -8,14 +8,14 @@ from typing import NamedTuple
 from hardcontact.commands.inventory import Entry
 from hardcontact.config.limits import MAX_CONTACT_PIXELS
 from hardcontact.contact.bearing_area import TILE
-from hardcontact.contact.contact import (
+from hardcontact.contact.contact import Contact
+from hardcontact.contact.geometry import window_pixels
+from hardcontact.contact.numerical_limits import (
     PENETRATION_OVER_RANGE,
-    Contact,
     minimum_range,
     penetration_depth,
     periods_in_window,
 )
-from hardcontact.contact.geometry import window_pixels
 from hardcontact.own.scan_contact import window_on_scans
 
 #: The longest range of adhesion (nm) that is proposed if none is given, as in the paper's study.

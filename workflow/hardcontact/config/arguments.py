@@ -17,8 +17,9 @@ from hardcontact.config.configuration import CONTACT_QUANTITIES, quantity_type
 from hardcontact.config.faults import raise_faults, shorten
 from hardcontact.config.keys import NONE
 from hardcontact.config.limits import PIXEL_SIZES, NamedContact, contact_faults
-from hardcontact.contact.contact import Contact, Grid
+from hardcontact.contact.contact import Contact
 from hardcontact.contact.hertz_jkr_dmt import STRONGEST_WORK
+from hardcontact.contact.numerical_limits import Grid
 from hardcontact.scans.reading import MASKS
 from hardcontact.surfaces.height_map import HeightMap, mirror_scan
 from hardcontact.surfaces.synthesis import SIDES

@@ -15,15 +15,15 @@ import numpy as np
 from hardcontact.base.formatting import format_quantity
 from hardcontact.config.configuration import get_key, is_paper_study, master_keys, study_contact
 from hardcontact.config.faults import key_fault, raise_faults
-from hardcontact.contact.contact import (
+from hardcontact.contact.contact import Contact
+from hardcontact.contact.geometry import window_pixels
+from hardcontact.contact.numerical_limits import (
     PENETRATION_OVER_RANGE,
-    Contact,
     Grid,
     minimum_range,
     penetration_depth,
     periods_in_window,
 )
-from hardcontact.contact.geometry import window_pixels
 from hardcontact.surfaces.synthesis import SIDES
 
 #: Pixel sizes in nm at which spectra are known: tables and bins end at 0.1 nm and 100 um.

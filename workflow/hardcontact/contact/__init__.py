@@ -2,6 +2,6 @@
 
 Read `contact` (what contacts share), `geometry` (their array and gaps), `bearing_area` (contact
 pixels), `force_sum`, then `pull_off`. `indents`, `attraction` and `elastic` look closer at
-contacts; `hertz_jkr_dmt` has the closed forms of smooth spheres. Everywhere `rho` is one range of
-adhesion in nm, and `ranges` are several.
+contacts; `hertz_jkr_dmt` has the closed forms of smooth spheres, `numerical_limits` says which
+ranges, windows and scans suffice. `rho` is one range of adhesion in nm, and `ranges` are several.
 """

@@ -15,15 +15,10 @@ from numpy.typing import ArrayLike
 from hardcontact.base.arrays import Floats
 from hardcontact.base.units import DIMENSIONLESS, NANOMETRE, NEWTON, NM
 from hardcontact.contact.bearing_area import ContactPixels, all_contact_pixels
-from hardcontact.contact.contact import (
-    CONTACT_AXES,
-    CONTACT_DIMENSIONS,
-    CONTACT_MODELS,
-    EXP_LIMITS,
-    Contact,
-)
+from hardcontact.contact.contact import CONTACT_AXES, CONTACT_DIMENSIONS, CONTACT_MODELS, Contact
 from hardcontact.contact.force_sum.outside_sums import outside_sums
 from hardcontact.contact.geometry import Bodies, join_bodies
+from hardcontact.contact.numerical_limits import EXP_LIMITS
 from hardcontact.contact.patches import count_touched_patches
 from hardcontact.surfaces.height_map import HeightMap
 

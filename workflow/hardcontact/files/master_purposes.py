@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 
 from hardcontact.config.configuration import get_key, master_keys, study_contact
 from hardcontact.config.limits import master_megabytes
-from hardcontact.contact.contact import SHORT_ADHESION_RANGE
+from hardcontact.contact.numerical_limits import SHORT_ADHESION_RANGE
 from hardcontact.surfaces.synthesis import SIDES
 
 #: Realizations in one job: few enough to keep all cores busy, and so many that a job takes much

@@ -30,7 +30,7 @@ from typing import Any
 from hardcontact.config.configuration import reading_keys
 from hardcontact.config.limits import random_surface_pixels
 from hardcontact.config.study_plan import StudyPlan
-from hardcontact.contact.contact import SHORTEST_WHOLE_RANGE
+from hardcontact.contact.numerical_limits import SHORTEST_WHOLE_RANGE
 from hardcontact.files.master_purposes import PURPOSES, filtered_settings
 from hardcontact.records.origin import short_digest
 from hardcontact.surfaces.synthesis import SIDES

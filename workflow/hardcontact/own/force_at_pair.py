@@ -13,14 +13,9 @@ from scipy import special
 from hardcontact.base.dataset import stack
 from hardcontact.base.statistics import interval_ends, widen_interval, with_interval
 from hardcontact.base.units import DIMENSIONLESS, NEWTON, NM
-from hardcontact.contact.contact import (
-    CONTACT_AXES,
-    PLASTIC,
-    Contact,
-    finite_scan_ratio,
-    window_share,
-)
+from hardcontact.contact.contact import CONTACT_AXES, PLASTIC, Contact
 from hardcontact.contact.hertz_jkr_dmt import limit_forces, smooth_pull_off
+from hardcontact.contact.numerical_limits import finite_scan_ratio, window_share
 from hardcontact.own.hindcast import pixel_factors
 from hardcontact.own.mean_forces import (
     MasterForces,

@@ -9,7 +9,8 @@ import numpy as np
 
 from hardcontact.base.formatting import round_with
 from hardcontact.config.limits import MAX_MAP_PIXELS
-from hardcontact.contact.contact import Contact, Grid, minimum_range, periods_in_window
+from hardcontact.contact.contact import Contact
+from hardcontact.contact.numerical_limits import Grid, minimum_range, periods_in_window
 from hardcontact.surfaces.height_map import HeightMap
 
 #: Height of the sphere above its apex at the border of the window, relative to the range of

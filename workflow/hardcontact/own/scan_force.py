@@ -13,9 +13,10 @@ import numpy as np
 
 from hardcontact.base.number import Number, numbers_by_name
 from hardcontact.config.study_plan import POSITION_CONTACTS_PER_ROW, SPHERE_POSITIONS
-from hardcontact.contact.contact import LARGE_SIZE_RATIO, PLASTIC, Contact, finite_scan_ratio
+from hardcontact.contact.contact import PLASTIC, Contact
 from hardcontact.contact.geometry import join_bodies, spheres_at_positions
 from hardcontact.contact.hertz_jkr_dmt import limit_forces
+from hardcontact.contact.numerical_limits import LARGE_SIZE_RATIO, finite_scan_ratio
 from hardcontact.contact.pull_off import make_force_function
 from hardcontact.contact.scan_pull_off import pull_off_on_spheres
 from hardcontact.own.hindcast import pixel_factor, widen_pixels

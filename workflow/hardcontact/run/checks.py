@@ -23,7 +23,7 @@ from hardcontact.config.keys import NONE, SMOOTH_SPHERE
 from hardcontact.config.limits import PIXEL_SIZES, refuse_unfit_grids, same_grid
 from hardcontact.config.selected_surfaces import CONTACT_USE
 from hardcontact.config.tables import refuse_description, refuse_paper_surface
-from hardcontact.contact.contact import Grid
+from hardcontact.contact.numerical_limits import Grid
 from hardcontact.files.patterns import MEASUREMENT
 from hardcontact.records.origin import canonical_json, is_current
 from hardcontact.scans.reading import read_scan

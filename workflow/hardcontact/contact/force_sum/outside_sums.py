@@ -21,11 +21,11 @@ from threadpoolctl import ThreadpoolController
 
 from hardcontact.base.arrays import Floats
 from hardcontact.contact.bearing_area import ContactPixels
-from hardcontact.contact.contact import DEPTH_OVER_RANGE
 from hardcontact.contact.force_sum.rough_sphere import rough_sphere_terms
 from hardcontact.contact.force_sum.smooth_sphere import smooth_sphere_terms, sums_by_subtraction
 from hardcontact.contact.force_sum.touched_pixels import TouchedPixels, exponential
 from hardcontact.contact.geometry import Bodies
+from hardcontact.contact.numerical_limits import DEPTH_OVER_RANGE
 
 #: Looked up once: it takes milliseconds.
 LIBRARIES = ThreadpoolController()

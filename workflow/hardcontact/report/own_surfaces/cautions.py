@@ -9,8 +9,8 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.base.number import Number
-from hardcontact.contact.contact import MIN_WINDOW_SHARE, SMALLEST_SIZE_RATIO
 from hardcontact.contact.hertz_jkr_dmt import STRONGEST_WORK
+from hardcontact.contact.numerical_limits import MIN_WINDOW_SHARE, SMALLEST_SIZE_RATIO
 from hardcontact.inference.edges import EdgeStatus
 from hardcontact.inference.scan_parts import IntervalSource
 from hardcontact.report.own_surfaces import spectrum_cautions

@@ -11,7 +11,8 @@ import xarray as xr
 from hardcontact.base.number import Number, NumberStatus, numbers_by_name
 from hardcontact.base.statistics import interval_ends, percentile_interval
 from hardcontact.config.configuration import numeric_configuration
-from hardcontact.contact.contact import PLASTIC, SHORT_ADHESION_RANGE
+from hardcontact.contact.contact import PLASTIC
+from hardcontact.contact.numerical_limits import SHORT_ADHESION_RANGE
 from hardcontact.inference.edges import MEAN_GROUP, EdgeStatus, edges_or_bounds
 from hardcontact.inference.fit import WITHOUT_SURFACE
 from hardcontact.inference.octaves import strongest_octaves
