@@ -114,7 +114,7 @@ def test_the_closed_form_of_a_gaussian_map_has_its_error(predictions):
     assert form["interval"][0] < form["value"] < form["interval"][1]
     assert form["interval"][0] < force["interval"][1] and force["interval"][0] < form["interval"][1]
     assert_says(words, "closed form, for the spectrum of this scan: ", "pixels 4 times finer")
-    assert_says(words, "a check that takes Gaussian heights", "quote the force on the scan")
+    assert_says(words, "a check that assumes Gaussian heights", "quote the force on the scan")
     assert_says(words, "regime: many")
 
 

@@ -37,10 +37,10 @@ class OctaveStatus(StrEnum):
 
 
 def predicted_octaves(own_spectrum: OwnSpectrum, contact: Contact) -> Iterator[Number]:
-    """Yield the octaves that matter most to the force, if the user's files show their middles.
+    """Yield the octaves that matter most to the force, among those whose middle the files show.
 
-    They have the status ON_SCAN if a single map permits contacts, otherwise IN_CLOSED_FORM.
-    The closed form takes Gaussian heights, and yields none for scans with steep sidewalls.
+    Their status is ON_SCAN if a single map permits contacts, otherwise IN_CLOSED_FORM. There are
+    none in closed form for scans with steep sidewalls, whose heights are not Gaussian.
     """
     spectrum = trim_spectrum(own_spectrum.spectrum)
     longest, shortest = spectrum.wavelength[[0, -1]]

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class HeightMap:
-    """Heights in nm on square pixels (y, x), or along a line scan (x,), as `kind` tells.
+    """Heights in nm on square pixels (y, x) of a map, or at the points (x,) of a line scan.
 
     Heights grow out of the material. The pixel size in nm is the spacing of a line scan. A periodic
     map repeats beyond its borders. The source is ``"measured"`` or ``"substitute"``.
