@@ -102,8 +102,10 @@ def student_interval(values: xr.DataArray, confidence: float, dim: str) -> xr.Da
     """
     mean = values.mean(dim)
     count = values.count(dim)
-    half = student_quantile(count - 1, confidence) * values.std(dim, ddof=1) / np.sqrt(count)
-    return interval_between(mean - half, mean + half).assign_attrs(confidence=confidence)
+    half_width = student_quantile(count - 1, confidence) * values.std(dim, ddof=1) / np.sqrt(count)
+    return interval_between(mean - half_width, mean + half_width).assign_attrs(
+        confidence=confidence
+    )
 
 
 def student_log_interval(values: xr.DataArray, confidence: float, dim: str) -> xr.DataArray:
@@ -157,8 +159,8 @@ def jackknife_interval(value: ArrayLike, leave_one_out: ArrayLike, confidence: f
     if count < 2:
         return np.full((*np.shape(value), 2), np.nan)
     error = np.sqrt((count - 1) * logarithms.var(axis=0))
-    half = student_quantile(count - 1, confidence) * error
-    return np.stack([value * np.exp(-half), value * np.exp(half)], axis=-1)
+    half_width = student_quantile(count - 1, confidence) * error
+    return np.stack([value * np.exp(-half_width), value * np.exp(half_width)], axis=-1)
 
 
 def log_std_of_lognormal(mean: ArrayLike, median: ArrayLike) -> Floats:
@@ -192,6 +194,17 @@ class Sampling:
     def generator(self, *names: str) -> np.random.Generator:
         """Return the random generator of one sampled quantity."""
         return generator(self.seed, *self.stream, *names)
+
+    def sample_means(self, name: str, values_by_surface: Mapping[str, Floats]) -> Floats:
+        """Return `student_log_samples` (sample, surface, ...) of the values of each surface.
+
+        Random numbers depend on the name and the surface alone.
+        """
+        samples = [
+            student_log_samples(self.generator(name, surface), values, self.sample_count)
+            for surface, values in values_by_surface.items()
+        ]
+        return np.stack(samples, axis=1)
 
     def with_interval(
         self,

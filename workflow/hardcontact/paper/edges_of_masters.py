@@ -13,7 +13,7 @@ import xarray as xr
 
 from hardcontact.base.arrays import Floats
 from hardcontact.base.dataset import stack
-from hardcontact.base.statistics import Sampling, student_log_samples
+from hardcontact.base.statistics import Sampling
 from hardcontact.base.units import DIMENSIONLESS, NM
 from hardcontact.contact.contact import CONTACT_MODELS, PLASTIC, RIGID
 from hardcontact.inference.edges import (
@@ -69,15 +69,12 @@ def edges_of_masters(
 def _mean_ratios(scales: xr.Dataset, sampling: Sampling) -> tuple[Floats, Floats]:
     """Return mean ratios (side, surface, cutoff) over realizations, and samples (sample, ...)."""
     realizations = scales["filtered_force_ratio"].transpose("realization", *RATIO_AXES)
-    samples = [
-        student_log_samples(
-            sampling.generator("scales", str(surface)),
-            realizations.sel(surface=surface).dropna("realization", how="all").values,
-            sampling.sample_count,
-        )
-        for surface in scales["surface"].values
-    ]
-    return realizations.mean("realization").values, np.stack(samples, axis=2)
+    values = {
+        surface: realizations.sel(surface=surface).dropna("realization", how="all").values
+        for surface in scales["surface"].values.tolist()
+    }
+    samples = sampling.sample_means("scales", values)
+    return realizations.mean("realization").values, samples.swapaxes(1, 2)
 
 
 def _changes(ratios: Floats) -> Floats:

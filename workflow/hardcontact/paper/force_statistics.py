@@ -13,7 +13,6 @@ from hardcontact.base.statistics import (
     jackknife_interval,
     student_interval,
     student_log_interval,
-    student_log_samples,
     with_interval,
 )
 from hardcontact.base.units import DIMENSIONLESS, NEWTON
@@ -29,15 +28,11 @@ def mean_forces(forces: xr.DataArray, sampling: Sampling) -> tuple[Floats, Float
     depend on the surface alone: contact models share them.
     """
     scans = mean_over_contacts(forces).transpose("surface", "scan", "rho")
-    samples = [
-        student_log_samples(
-            sampling.generator("adhesion", str(surface)),
-            scans.sel(surface=surface).dropna("scan").values,
-            sampling.sample_count,
-        )
-        for surface in scans.surface.values
-    ]
-    return scans.mean("scan").values, np.stack(samples, axis=1)
+    values = {
+        surface: scans.sel(surface=surface).dropna("scan").values
+        for surface in scans.surface.values.tolist()
+    }
+    return scans.mean("scan").values, sampling.sample_means("adhesion", values)
 
 
 def forces_at_pair(

@@ -18,7 +18,6 @@ from hardcontact.base.statistics import (
     Sampling,
     log_std_of_lognormal,
     percentile_interval,
-    student_log_samples,
     with_interval,
 )
 from hardcontact.base.units import JOULE_PER_M2, NM
@@ -116,17 +115,14 @@ def means_on_whole_surfaces(
     Each surface has the forces of a smooth sphere (map, rho) in N. The sphere factor (surface, rho)
     is the force of the rough sphere relative to a smooth sphere.
     """
-    samples = [
-        student_log_samples(
-            sampling.generator("whole surfaces", surface),
-            forces.transpose("map", "rho").values,
-            sampling.sample_count,
-        )
+    values = {
+        surface: forces.transpose("map", "rho").values
         for surface, forces in forces_by_surface.items()
-    ]
+    }
+    samples = sampling.sample_means("whole surfaces", values)
     rho = next(iter(forces_by_surface.values()))["rho"]
     coordinates = {"surface": list(forces_by_surface), "rho": rho}
-    means = xr.DataArray(np.stack(samples, axis=1), coordinates, ("replicate", "surface", "rho"))
+    means = xr.DataArray(samples, coordinates, ("replicate", "surface", "rho"))
     return means * sphere_factor.sel(rho=rho)
 
 
