@@ -2,10 +2,9 @@
 
 from pathlib import Path
 
-import yaml
-
 from hardcontact.base import published
 from hardcontact.base.dataset import read
+from hardcontact.config.configuration import read_yaml
 from hardcontact.paper.claims.verdicts import add_open_ends, read_verdicts
 from hardcontact.records.job import run_job
 from hardcontact.records.packages import read_pins
@@ -17,30 +16,32 @@ from hardcontact.report.paper_study.table1 import table1_rows
 from hardcontact.report.templates import Frame
 
 with run_job(snakemake) as job:
-    datasets = {path.stem: read(path) for path in map(Path, job.input.datasets)}
+    configuration = job.parameters
+    datasets = {Path(path).stem: read(path) for path in job.input.datasets}
+    figures = {Path(path).stem: Path(path).read_bytes() for path in job.input.figures}
+    chapters = {Path(path).stem: Path(path).read_text("utf-8") for path in job.input.chapters}
+    captions = {name: caption(name, configuration) for name in figures}
+    citation = read_yaml(job.input.citation)
+    table1 = published.read_table1(job.input.published_table1)
     claims = read_verdicts(job.input.claims)
     claims = add_open_ends(claims, [datasets["edges"], datasets["sets"]])
-    constants = published.read_constants(job.input.published_constants)
-    citation = yaml.safe_load(Path(job.input.citation).read_text("utf-8"))
-    published_table1 = published.read_table1(job.input.published_table1)
+
     answer = paper_answer(
         claims,
         datasets,
-        constants=constants,
-        table1=published_table1,
-        configuration=job.parameters,
+        constants=published.read_constants(job.input.published_constants),
+        table1=table1,
+        configuration=configuration,
         version=citation["version"],
     )
     job.write_text(answer_text(answer), "json")
-    table1 = table1_rows(datasets["topography"], published_table1)
-    figures = {path.stem: path.read_bytes() for path in map(Path, job.input.figures)}
-    captions = {name: caption(name, job.parameters) for name in figures}
-    pages = yaml.safe_load(Path(job.input.pages).read_text("utf-8"))
+
+    pages = read_yaml(job.input.pages)
     frame = Frame(answer["version"], {name: category for name, (category, _) in pages.items()})
     job.write_text(paper_page(answer, claims, figures, captions, citation, frame), "page")
-    job.write_text(figures_page(answer, table1, figures, captions, frame), "figures")
-    chapters = {path.stem: path.read_text("utf-8") for path in map(Path, job.input.chapters)}
+    printed_table1 = table1_rows(datasets["topography"], table1)
+    job.write_text(figures_page(answer, printed_table1, figures, captions, frame), "figures")
     versions = read_pins(job.input.environment)
-    report = report_pages(claims, answer["changed"], chapters, job.parameters, versions, frame)
+    report = report_pages(claims, answer["changed"], chapters, configuration, versions, frame)
     for name, page in report.items():
         job.write_text(page, name)
