@@ -71,9 +71,17 @@ class ComparedNumber(NamedTuple):
         return Number("difference", second - first, self.first.unit, *self.change_interval)
 
     @property
+    def is_equal(self) -> bool:
+        """Whether values, ends and status of both numbers are equal, to EQUAL_DIGITS."""
+        first = [self.first.value, self.first.low, self.first.high]
+        second = [self.second.value, self.second.low, self.second.high]
+        is_close = np.isclose(first, second, rtol=10.0**-EQUAL_DIGITS, atol=0, equal_nan=True)
+        return bool(is_close.all()) and self.first.status == self.second.status
+
+    @property
     def agreement(self) -> Agreement:
         """How both numbers agree; an interval of the change comes before their own intervals."""
-        if is_equal(self.first, self.second):
+        if self.is_equal:
             return Agreement.EQUAL
         if not (is_known(self.first) and is_known(self.second)):
             return Agreement.UNKNOWN
@@ -115,22 +123,15 @@ def compare_answers(first: Mapping[str, Any], second: Mapping[str, Any]) -> Comp
             f"{second['study']}: expected a study of the kind of {first['study']}, "
             f"{first['kind']}, found {second['kind']}"
         )
-    compared = [
-        ComparedNumber(label, name, numbers[0][name], numbers[1][name])
-        for label, *numbers in _numbers_of_both(first, second)
-        for name in numbers[0]
-        if name in numbers[1] and numbers[0][name].source != "published"
-        if is_known(numbers[0][name]) or is_known(numbers[1][name])
-    ]
-    inputs = [
-        ChangedInput(number.surface, number.name, number.first, number.second)
-        for number in compared
-        if number.first.source in INPUT_SOURCES
-        if number.name.replace("_", " ") not in first["contact"]
-        and number.agreement != Agreement.EQUAL
-    ]
-    results = [number for number in compared if number.first.source not in INPUT_SOURCES]
-    return Comparison([*_changed_contact(first, second), *inputs], results)
+    inputs = [*_changed_contact(first, second)]
+    results = []
+    for number in _numbers_of_both(first, second):
+        if number.first.source not in INPUT_SOURCES:
+            results.append(number)
+        # The inputs of contacts are compared as texts.
+        elif number.name.replace("_", " ") not in first["contact"] and not number.is_equal:
+            inputs.append(ChangedInput(number.surface, number.name, number.first, number.second))
+    return Comparison(inputs, results)
 
 
 def _changed_contact(first: Mapping[str, Any], second: Mapping[str, Any]) -> Iterator[ChangedInput]:
@@ -147,29 +148,22 @@ def _changed_contact(first: Mapping[str, Any], second: Mapping[str, Any]) -> Ite
 
 def _numbers_of_both(
     first: Mapping[str, Any], second: Mapping[str, Any]
-) -> Iterator[tuple[str, dict[str, Number], dict[str, Number]]]:
-    """Yield the numbers of whole studies, then the numbers of each surface below its label."""
-    yield "", numbers_of_answer(first), numbers_of_answer(second)
-    surfaces = [
-        {surface["name"]: surface["label"] for surface in answer["surfaces"]}
-        for answer in (first, second)
-    ]
-    names = [(name, name) for name in surfaces[0] if name in surfaces[1]]
-    if len(surfaces[0]) == len(surfaces[1]) == 1:
-        names = [(*surfaces[0], *surfaces[1])]
-    for name, other_name in names:
-        yield (
-            surfaces[0][name],
-            numbers_of_answer(first, name),
-            numbers_of_answer(second, other_name),
-        )
-
-
-def is_equal(first: Number, second: Number) -> bool:
-    """Return whether values, ends and status of two numbers are equal, to EQUAL_DIGITS."""
-    values = np.array([[number.value, number.low, number.high] for number in (first, second)])
-    is_close = np.isclose(values[0], values[1], rtol=10.0**-EQUAL_DIGITS, atol=0, equal_nan=True)
-    return bool(is_close.all()) and first.status == second.status
+) -> Iterator[ComparedNumber]:
+    """Yield the numbers of the whole study, then of each surface, that both answers have."""
+    labels = {surface["name"]: surface["label"] for surface in first["surfaces"]}
+    second_names = [surface["name"] for surface in second["surfaces"]]
+    names = {name: name for name in labels if name in second_names}
+    if len(labels) == len(second_names) == 1:
+        names = dict(zip(labels, second_names, strict=True))
+    for name, second_name in {"": "", **names}.items():
+        second_numbers = numbers_of_answer(second, second_name)
+        for number in numbers_of_answer(first, name).values():
+            second_number = second_numbers.get(number.name)
+            if second_number is None or number.source == "published":
+                continue
+            if is_known(number) or is_known(second_number):
+                label = labels.get(name, "")
+                yield ComparedNumber(label, number.name, number, second_number)
 
 
 def is_known(number: Number) -> bool:
