@@ -4,8 +4,8 @@ import pytest
 from refusals import assert_says, refusal
 from repository import BANDS, ROOT
 
+from hardcontact.config.descriptions import refuse_description, refuse_paper_surface
 from hardcontact.config.force_table import measured_forces
-from hardcontact.config.tables import refuse_description, refuse_paper_surface
 from hardcontact.surfaces.table1_calibration import AFM_ROWS, TAIL_ROWS
 
 SURFACES = ["coating", "bare"]

@@ -1,8 +1,4 @@
-"""Read tables that the user wrote, and refuse them with a line for each faulty row.
-
-The tables are own pull-off forces (`config.force_table`), and descriptions of substitute surfaces
-(`resources/README.md`), which are checked before use.
-"""
+"""Read tables that the user wrote, and refuse them with a line for each faulty row."""
 
 import csv
 import io
@@ -10,18 +6,10 @@ import math
 import os
 import re
 from collections.abc import Callable, Collection, Mapping, Sequence
-from functools import partial
 from pathlib import Path
 from typing import NamedTuple, TypeVar
 
 from hardcontact.config.faults import quote_key, raise_faults
-from hardcontact.surfaces.substitute_spectra import (
-    DATA_EVIDENCE,
-    DESCRIPTION_NUMBERS,
-    needs_calibration,
-    read_segments,
-)
-from hardcontact.surfaces.table1_calibration import CALIBRATION_ROWS
 
 #: Largest size of a table: a hundred thousand rows.
 MAX_BYTES = 10_000_000
@@ -30,14 +18,6 @@ DECIMAL = re.compile(r"^([-+]?\d*),(\d+(?:[eE][-+]?\d+)?)$")
 #: Cells by the name of their column.
 Row = Mapping[str, str]
 Result = TypeVar("Result")
-#: Models of a segment; a power law extrapolates the segment above, so that it cannot come first.
-SEGMENT_MODELS = ("self-affine", "varying Hurst", "smooth roll-off", "profile", "power law")
-#: Columns of numbers that may be below zero: local exponents of shoulders are.
-SIGNED = ("hurst", "hurst_change")
-#: Smallest Hurst exponent: C_iso is then constant.
-FLATTEST = -1.0
-#: Columns of the points of a profile's spectrum.
-PROFILE_COLUMNS = ("wavelength_nm", "c1d_nm3")
 
 
 class UserTable(NamedTuple):
@@ -140,79 +120,3 @@ def parse_number(cell: str) -> float:
         return float(cell)
     except ValueError:
         return math.nan
-
-
-def refuse_description(path: str | Path, published: Collection[str]) -> None:
-    """Refuse a description without a spectrum; `published` are the surface's rows in Table 1."""
-    for line, row in _description(path, DESCRIPTION_NUMBERS, ("model", "table")).items():
-        fault = _segment_fault(row, line == 2, published)
-        if fault:
-            raise ValueError(f"{path}: line {line}: expected {fault}")
-        if row["model"] == "profile":
-            _description(Path(path).parent / row["table"], PROFILE_COLUMNS)
-
-
-def _segment_fault(row: Row, is_longest: bool, published: Collection[str]) -> str:
-    """Return the fault of a segment, as expected and found; no text if the segment is sound."""
-    model = row["model"]
-    models = [name for name in SEGMENT_MODELS if not (is_longest and name == "power law")]
-    if model not in models:
-        return f"a model, one of {', '.join(models)}; found {quote_key(model)}"
-    missing_rows = set(CALIBRATION_ROWS.get(model, ())).difference(published)
-    if missing_rows and not row["hurst"]:
-        return (
-            f"a Hurst exponent, or of this surface the rows {', '.join(sorted(missing_rows))} in "
-            "resources/paper/table1.csv; found neither"
-        )
-    if model == "varying Hurst" and not row["rolloff_nm"]:
-        return "a roll-off wavelength of a varying Hurst exponent, found none"
-    if parse_number(row["hurst"]) < FLATTEST:
-        return (
-            f"a Hurst exponent of {FLATTEST:g} or more, below which a spectrum grows towards "
-            f"short wavelengths, found {parse_number(row['hurst']):g}"
-        )
-    return ""
-
-
-def refuse_paper_surface(path: str | Path, surface: str, published: Collection[str]) -> None:
-    """Refuse a substitute for a surface of the paper in a study of the user's surfaces.
-
-    `refuse_description` must accept the description. `published` are the surfaces in the paper's
-    Table 1, to which substitutes with these names are conditioned. Raises ValueError with one line.
-    """
-    segments = read_segments(path)
-    if surface in published or needs_calibration(segments):
-        raise ValueError(
-            "config key published: expected paper in a study with substitutes for its surfaces "
-            f"({surface}), found none"
-        )
-    if not segments.evidence.isin(DATA_EVIDENCE).any():
-        found = ", ".join(map(quote_key, segments.evidence.unique()))
-        raise ValueError(
-            f"{path}: expected, in a study of your surfaces, a segment whose evidence is "
-            f"{' or '.join(DATA_EVIDENCE)}, found {found}"
-        )
-
-
-def _description(
-    path: str | Path, numbers: Sequence[str], text_columns: Sequence[str] = ()
-) -> dict[int, Row]:
-    """Return the rows of a small table by line: columns of numbers or blanks, and of text.
-
-    Only a Hurst exponent and its change may be below zero.
-    """
-    columns = (*numbers, *text_columns)
-    content = f"a table with the columns {', '.join(columns)} (resources/README.md)"
-    table = user_table(path, content)
-    table.require(columns, content)
-    return table.convert(partial(_row_of_numbers, numbers=numbers))
-
-
-def _row_of_numbers(row: Row, numbers: Sequence[str]) -> Row:
-    """Return a row whose cells in columns of numbers are numbers or blank; refuse another one."""
-    for name in numbers:
-        lowest = -math.inf if name in SIGNED else 0
-        if row[name] and not parse_number(row[name]) >= lowest:
-            accepted = "a number" if name in SIGNED else "a number, none below zero"
-            raise ValueError(f"{name}: expected {accepted}, found {quote_key(row[name])}")
-    return row

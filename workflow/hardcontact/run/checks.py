@@ -17,12 +17,12 @@ from hardcontact.config.configuration import (
     is_paper_study,
     reading_keys,
 )
+from hardcontact.config.descriptions import refuse_description, refuse_paper_surface
 from hardcontact.config.faults import key_fault, raise_faults, run_checks
 from hardcontact.config.force_table import measured_forces
 from hardcontact.config.keys import NONE, SMOOTH_SPHERE
 from hardcontact.config.limits import PIXEL_SIZES, refuse_unfit_grids, same_grid
 from hardcontact.config.selected_surfaces import CONTACT_USE
-from hardcontact.config.tables import refuse_description, refuse_paper_surface
 from hardcontact.contact.numerical_limits import Grid
 from hardcontact.files.patterns import MEASUREMENT
 from hardcontact.records.origin import canonical_json, is_current
