@@ -30,7 +30,7 @@ from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, self_affine, va
 from hardcontact.surfaces.synthesis import SIDES, random_surface
 from hardcontact.theory.closed_form import closed_form, critical_band
 from hardcontact.theory.summits import spectrum_between
-from hardcontact.theory.validity import table_coordinates
+from hardcontact.theory.validity import table_point
 
 TABLE = Path(__file__).parents[2] / "workflow/hardcontact/theory/designed_surfaces.csv"
 SEED, WORK, HARDNESS, TOLERANCE = 20261123, 1.0, 25e9, 0.1
@@ -208,7 +208,7 @@ def predict_row(row: dict[str, Any]) -> dict[str, Any]:
         "predicted_force": form.force,
         "predicted_short_edge": short,
         "predicted_long_edge": long,
-        **table_coordinates(grid_spectrum, contact, form),
+        **table_point(grid_spectrum, contact, form),
         "unfollowed_rms_height": form.rms_height,
         "apex_height": form.apex_height,
     }

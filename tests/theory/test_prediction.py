@@ -87,7 +87,7 @@ def test_the_coatings_of_the_paper_lie_within_the_table(rolloff, plateau, hurst,
     fit = validity.mean_hurst_and_change(spectrum, 20.0)
     assert fit == pytest.approx((mean_hurst, change), abs=0.01)
     assert validity.is_validated(
-        validity.table_coordinates(spectrum, contact, closed_form(spectrum, contact))
+        validity.table_point(spectrum, contact, closed_form(spectrum, contact))
     )
 
 
@@ -96,5 +96,5 @@ def test_a_contact_wider_than_the_roll_off_leaves_no_hurst_exponent():
     assert np.isnan(validity.mean_hurst_and_change(spectrum, 400.0)).all()
     contact = contact_of_area(250e3, 5.6, 0.0463, 400.0**2)
     assert not validity.is_validated(
-        validity.table_coordinates(spectrum, contact, closed_form(spectrum, contact))
+        validity.table_point(spectrum, contact, closed_form(spectrum, contact))
     )

@@ -93,7 +93,7 @@ def whole_surface_forces(surface: HeightMap, contact: Contact, ranges: list[floa
     return forces.assign(pull_off_force=mean_force).assign_attrs(map_size=surface.size)
 
 
-def have_middle_within(octave_starts: Floats, shortest: float, longest: float) -> NDArray[np.bool_]:
+def octaves_within(octave_starts: Floats, shortest: float, longest: float) -> NDArray[np.bool_]:
     """Return the mask of octaves (by their shortest wavelengths) whose middle is in a band (nm)."""
     middle = np.sqrt(2) * octave_starts
     return np.asarray((shortest < middle) & (middle < longest))

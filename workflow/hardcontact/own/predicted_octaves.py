@@ -18,8 +18,8 @@ from hardcontact.inference.octaves import (
     AMPLITUDE_FACTORS,
     OCTAVE_LIMITS,
     STEP,
-    have_middle_within,
     octave_forces,
+    octaves_within,
     strongest_octaves,
 )
 from hardcontact.own.own_spectrum import OwnSpectrum
@@ -44,7 +44,7 @@ def predicted_octaves(own_spectrum: OwnSpectrum, contact: Contact) -> Iterator[N
     """
     spectrum = trim_spectrum(own_spectrum.spectrum)
     longest, shortest = spectrum.wavelength[[0, -1]]
-    octaves = OCTAVE_LIMITS[have_middle_within(OCTAVE_LIMITS, shortest, longest)]
+    octaves = OCTAVE_LIMITS[octaves_within(OCTAVE_LIMITS, shortest, longest)]
     scans = own_spectrum.scans
     obstacle, _ = find_obstacle(scans, contact, len(AMPLITUDE_FACTORS) * len(octaves))
     if len(octaves) and not obstacle:

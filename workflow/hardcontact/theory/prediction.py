@@ -28,7 +28,7 @@ from hardcontact.theory.validity import (
     Validity,
     is_validated,
     nearest_errors,
-    table_coordinates,
+    table_point,
     validated_limits,
 )
 
@@ -42,8 +42,8 @@ MAX_WAVELENGTH_RATIO = 4.0
 MAX_SKEWNESS = 1.0
 #: The edges of the band among the predicted quantities.
 EDGE_NAMES = VALIDATED_QUANTITIES[1:]
-#: From `table_coordinates`; None stands for a point at which the error is not known.
-TablePoint = Mapping[str, Any]
+#: The point in the table of designed surfaces at which an error is read; None: it is not known.
+KnownPoint = Mapping[str, Any] | None
 
 
 class Effect(StrEnum):
@@ -82,21 +82,21 @@ def prediction(
     elif tail is not None and _adds_waves(tail, trimmed):
         extrapolated = _extrapolated_numbers(tail, contact, tolerance, error_is_known)
         change = _force_change("extrapolated_change", extrapolated[0].value, form)
-    coordinates = table_coordinates(trimmed, contact, form)
-    error_is_known &= change.status == Effect.NEGLIGIBLE and is_validated(coordinates)
-    point = coordinates if error_is_known else None
+    point = table_point(trimmed, contact, form)
+    error_is_known &= change.status == Effect.NEGLIGIBLE and is_validated(point)
+    known_point = point if error_is_known else None
     numbers = [
         *inputs,
-        _force_number("closed_form_force", form, point),
+        _force_number("closed_form_force", form, known_point),
         *extrapolated,
         Number("log_force_std", predict_statistics(trimmed, contact).log_force_std),
         Number("force_over_smooth", form.force / smooth_force(contact)),
         Number("apex_height", form.apex_height, "nm"),
         Number("weibull_modulus", form.weibull_modulus, status=form.regime),
-        *_edge_numbers("", critical_band(trimmed, contact, tolerance), point),
+        *_edge_numbers("", critical_band(trimmed, contact, tolerance), known_point),
         *checks,
         change,
-        *validated_limits(coordinates),
+        *validated_limits(point),
     ]
     return numbers_by_name(*numbers)
 
@@ -171,22 +171,20 @@ def _is_measured_error_known(
     return numbers.get("extrapolated_force", numbers["closed_form_force"]).status == Validity.INSIDE
 
 
-def _validated_interval(name: str, value: float, point: TablePoint | None) -> tuple[float, float]:
+def _validated_interval(name: str, value: float, point: KnownPoint) -> tuple[float, float]:
     """Return the interval of a value at a point; `name` is in VALIDATED_QUANTITIES."""
     lowest, highest = (math.nan, math.nan) if point is None else nearest_errors(point, name)
     return value * lowest, value * highest
 
 
-def _force_number(name: str, form: ClosedForm, point: TablePoint | None) -> Number:
+def _force_number(name: str, form: ClosedForm, point: KnownPoint) -> Number:
     """Return a force (N) with its interval, and a status: INSIDE if its error is known."""
     interval = _validated_interval("force", form.force, point)
     status = Validity.OUTSIDE if point is None else Validity.INSIDE
     return Number(name, form.force, "N", *interval, status)
 
 
-def _edge_numbers(
-    prefix: str, band: tuple[float, float], point: TablePoint | None
-) -> Iterator[Number]:
+def _edge_numbers(prefix: str, band: tuple[float, float], point: KnownPoint) -> Iterator[Number]:
     """Yield the edges (nm) of a band with their intervals, named by a prefix and EDGE_NAMES."""
     for name, edge in zip(EDGE_NAMES, band, strict=True):
         if math.isfinite(edge):
@@ -243,12 +241,12 @@ def _extrapolated_numbers(
     """
     spectrum = trim_spectrum(Spectrum(WAVEVECTORS, tail.density))
     form = closed_form(spectrum, contact)
-    coordinates = table_coordinates(spectrum, contact, form)
-    point = coordinates if error_is_known and is_validated(coordinates) else None
+    point = table_point(spectrum, contact, form)
+    known_point = point if error_is_known and is_validated(point) else None
     band = critical_band(spectrum, contact, tolerance)
     return [
-        _force_number("extrapolated_force", form, point),
-        *_edge_numbers("extrapolated_", band, point),
+        _force_number("extrapolated_force", form, known_point),
+        *_edge_numbers("extrapolated_", band, known_point),
         Number("extrapolated_to", float(spectrum.wavelength[-1]), "nm"),
         Number("extrapolated_rolloff", tail.rolloff, "nm"),
         Number("extrapolated_hurst", tail.hurst, status=TailEnd(tail.ended_by)),

@@ -93,10 +93,10 @@ def held_out_surfaces() -> pd.DataFrame:
     return held_out
 
 
-def table_coordinates(spectrum: Spectrum, contact: Contact, form: ClosedForm) -> dict[str, Any]:
-    """Return the coordinates of a spectrum and a contact in the table of designed surfaces.
+def table_point(spectrum: Spectrum, contact: Contact, form: ClosedForm) -> dict[str, Any]:
+    """Return the point of a spectrum and a contact in the table of designed surfaces.
 
-    These are the values of VALIDATED_PARAMETERS and the regime. The spectrum comes from
+    It has the values of VALIDATED_PARAMETERS and the regime. The spectrum comes from
     `trim_spectrum`.
     """
     mean_hurst, mean_hurst_change = mean_hurst_and_change(spectrum, math.sqrt(contact.area))
@@ -131,7 +131,7 @@ def mean_hurst_and_change(spectrum: Spectrum, contact_length: float) -> tuple[fl
 def nearest_errors(point: Mapping[str, Any], name: str) -> tuple[float, float]:
     """Return the smallest and the largest error among the surfaces of the table nearest to a point.
 
-    The point comes from `table_coordinates`, `name` is in VALIDATED_QUANTITIES. An error is the
+    The point comes from `table_point`, `name` is in VALIDATED_QUANTITIES. An error is the
     computed value relative to the predicted value. The distance is Euclidean in
     ln(weibull_modulus) and ln(contact_over_peak_wavelength), plus one in another regime. A point
     outside the table is moved to its border.

@@ -81,7 +81,7 @@ def elastic_change(elastic: xr.Dataset) -> xr.Dataset:
 
 
 def median_share_above_hardness(elastic: xr.Dataset) -> xr.Dataset:
-    """Return the share of the contact area whose pressure exceeds the hardness (no dimensions).
+    """Return the share of the contact area whose pressure exceeds the hardness ().
 
     It is the median over the surfaces.
     """
@@ -89,7 +89,7 @@ def median_share_above_hardness(elastic: xr.Dataset) -> xr.Dataset:
 
 
 def median_plastic_over_elastic_area(elastic: xr.Dataset) -> xr.Dataset:
-    """Return the area of plastic contact relative to elastic contact (no dimensions).
+    """Return the area of plastic contact relative to elastic contact ().
 
     It is the median over the surfaces; the area of plastic contact is preload/hardness.
     """

@@ -64,17 +64,14 @@ def range_exponent_of_area(adhesion: xr.Dataset) -> xr.Dataset:
 
 
 def force_at_shortest_range_over_smallest(adhesion: xr.Dataset) -> xr.Dataset:
-    """Return the mean force at the shortest range, relative to its minimum over all ranges.
-
-    Its dimensions are surface and contact_model.
-    """
+    """Return the mean force at the shortest range over its minimum (surface, contact_model)."""
     mean = mean_over_contacts(adhesion["pull_off_force"]).sortby("rho")
     ratio = mean.isel(rho=0, drop=True) / mean.min("rho")
     return mean_over_scans(ratio, adhesion.attrs["confidence"])
 
 
 def smooth_sphere_change(adhesion: xr.Dataset) -> xr.Dataset:
-    """Return the relative change of the force on a smooth sphere over the ranges (no dimensions).
+    """Return the relative change of the force on a smooth sphere over the ranges ().
 
     It is the largest force relative to the smallest, minus one. Eq. 3 is summed on the pixels of
     the study; for a paraboloid the sums over both axes separate.
@@ -158,8 +155,8 @@ def _force_statistic(adhesion: xr.Dataset, statistic: Callable[[Floats], float])
     return as_estimate(
         xr.apply_ufunc(
             lambda row: statistic(row[np.isfinite(row)]),
-            forces.stack(sample=["scan", "sphere_scan", *CONTACT_AXES]),
-            input_core_dims=[["sample"]],
+            forces.stack(single_force=["scan", "sphere_scan", *CONTACT_AXES]),
+            input_core_dims=[["single_force"]],
             vectorize=True,
         )
     )
@@ -216,7 +213,7 @@ def _half_width(region: xr.DataArray) -> xr.Dataset:
 
 
 def strength_over_casimir(paper: xr.Dataset) -> xr.Dataset:
-    """Return the largest pressure of Eq. 2 relative to ideal metals (no dimensions).
+    """Return the largest pressure of Eq. 2 relative to ideal metals ().
 
     Eq. 2 has the published range and work of adhesion; the ratio is largest at a gap of four ranges
     (workflow/report/findings.md). Casimir, Proc. K. Ned. Akad. Wet. 51 (1948) 793.
@@ -242,7 +239,7 @@ def printed_effective_work(classical: xr.Dataset) -> xr.Dataset:
 
 
 def tabor_by_convention(classical: xr.Dataset) -> xr.Dataset:
-    """Return the Tabor parameter (no dimensions), by either convention of its symbols.
+    """Return the Tabor parameter (), by either convention of its symbols.
 
     Its interval reaches to the convention with K = 4 E*/3 (workflow/report/departures.md, 5).
     """
@@ -253,7 +250,7 @@ def tabor_by_convention(classical: xr.Dataset) -> xr.Dataset:
 def classical_over_numerical(classical: xr.Dataset, fit: xr.Dataset) -> xr.Dataset:
     """Return the error of classical models relative to the error of the computed forces.
 
-    Its dimensions are metrics, model, force_source and contact_model.
+    Dimensions: (metrics, model, force_source, contact_model).
     """
     return quotient(
         variable_estimate(classical, "mean_relative_error"), variable_estimate(fit, "best_error")

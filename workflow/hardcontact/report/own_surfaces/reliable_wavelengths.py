@@ -9,7 +9,7 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.inference.edges import computed_cutoffs
-from hardcontact.inference.octaves import have_middle_within
+from hardcontact.inference.octaves import octaves_within
 from hardcontact.report.own_surfaces.datasets import Datasets, without_padding
 
 #: Smallest share of a change that counts as the whole change: a choice.
@@ -47,7 +47,7 @@ def overlaps_any(low: float, high: float, bands: Iterable[tuple[float, float]]) 
 def shown_octaves(data: Datasets) -> np.ndarray:
     """Return a mask (octave,) of the octaves at whose middle a scan of one surface is reliable."""
     octaves = data.sensitivity["octave"].values
-    hidden = [have_middle_within(octaves, *band) for band in artificial_bands(data.spectra)]
+    hidden = [octaves_within(octaves, *band) for band in artificial_bands(data.spectra)]
     return np.asarray(np.logical_not(hidden).all(axis=0))
 
 
