@@ -54,7 +54,7 @@ def test_a_single_peak_carries_the_force_of_every_contact():
     contact = Contact(radius=RADIUS, preload=1e-6, hardness=25e9)
     positions = np.array([(0, 0), (0, 1), (1, 0), (1, 1)])
     bodies = make_bodies(heights, None, 20.0, 200, 2)
-    carriers = find_carrying_asperities(bodies, contact, positions, 0.9, [1.0])
+    carriers = find_carrying_asperities(bodies, contact, positions, [1.0])
     assert (carriers["asperity_count"] == 1).all()
     assert carriers["largest_share"].values == pytest.approx(np.ones((4, 1)), abs=1e-3)
     assert carriers["contact_y"].values.tolist() == [0, 0, 1, 1]

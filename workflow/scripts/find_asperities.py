@@ -2,7 +2,7 @@
 
 from hardcontact.base.arrays import generator
 from hardcontact.base.dataset import stack
-from hardcontact.contact.attraction import CARRIED_SHARE, find_carrying_asperities
+from hardcontact.contact.attraction import find_carrying_asperities
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import read_bodies, sample_contacts
 from hardcontact.records.job import run_job
@@ -20,7 +20,6 @@ with run_job(snakemake) as job:
             read_bodies(*paths, contact),
             contact,
             sample_contacts(rng, contact.contacts_per_row, settings["contacts"]),
-            CARRIED_SHARE,
             settings["ranges"],
         )
     job.write(stack(asperities, ["scan"]), title=f"asperities of {surface}")

@@ -3,11 +3,7 @@
 from hardcontact.base import published
 from hardcontact.base.arrays import generator
 from hardcontact.contact.contact import Contact
-from hardcontact.contact.elastic import (
-    PULL_OFF_WINDOW,
-    solve_elastic_contacts,
-    stack_elastic_contacts,
-)
+from hardcontact.contact.elastic import solve_elastic_contacts, stack_elastic_contacts
 from hardcontact.contact.geometry import read_bodies, sample_contacts
 from hardcontact.records.job import run_job
 
@@ -27,6 +23,5 @@ with run_job(snakemake) as job:
             contact,
             sample_contacts(rng, contact.contacts_per_row, params["contacts"]),
             published.effective_modulus(constants),
-            PULL_OFF_WINDOW,
         )
     job.write(stack_elastic_contacts(contacts), title=f"elastic contacts of {surface}")

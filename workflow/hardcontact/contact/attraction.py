@@ -61,11 +61,7 @@ def trace_contact(bodies: Bodies, index: tuple[int, int], contact: Contact) -> x
 
 
 def find_carrying_asperities(
-    bodies: Bodies,
-    contact: Contact,
-    contact_indices: NDArray[np.int_],
-    share: float,
-    ranges: Sequence[float],
+    bodies: Bodies, contact: Contact, contact_indices: NDArray[np.int_], ranges: Sequence[float]
 ) -> xr.Dataset:
     """Return the sizes of the asperities that carry the force of some plastic contacts.
 
@@ -81,7 +77,7 @@ def find_carrying_asperities(
         gap = reference_gap_map(bodies, index, sphere)
         gap = np.maximum(gap - largest_contact_gap(gap, contact_pixel_count), 0)
         for rho in ranges:
-            asperity_values.append(asperity_sizes(np.exp(gap / -rho), share, pixel_size))
+            asperity_values.append(asperity_sizes(np.exp(gap / -rho), CARRIED_SHARE, pixel_size))
     values = np.reshape(asperity_values, (len(contact_indices), len(ranges), -1))
     return xr.Dataset(
         variables_of_columns(values, ("contact", "rho"), ASPERITY_UNITS),
@@ -90,7 +86,7 @@ def find_carrying_asperities(
             "contact_y": ("contact", contact_indices[:, 0]),
             "contact_x": ("contact", contact_indices[:, 1]),
         },
-        {"share": share, "sphere_radius": bodies.geometry.radius},
+        {"share": CARRIED_SHARE, "sphere_radius": bodies.geometry.radius},
     )
 
 

@@ -212,7 +212,7 @@ def solve_elastic_contacts(
     contact: Contact,
     contact_indices: NDArray[np.int_],
     modulus: float,
-    pull_off_window: float,
+    pull_off_window: float = PULL_OFF_WINDOW,
 ) -> xr.Dataset:
     """Solve some contacts of two bodies with elasticity, without plasticity.
 

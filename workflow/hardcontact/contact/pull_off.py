@@ -50,10 +50,7 @@ def force_of_sums(
 
 
 def attraction_sums(
-    bodies: Bodies,
-    contact_pixels: ContactPixels,
-    counts: Sequence[int],
-    ranges: Sequence[float],
+    bodies: Bodies, contact_pixels: ContactPixels, counts: Sequence[int], ranges: Sequence[float]
 ) -> Floats:
     """Return sums (pixel count, rho, contact_y, contact_x) of exp(-gap/rho) at closest approach.
 

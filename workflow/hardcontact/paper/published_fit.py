@@ -29,11 +29,7 @@ from hardcontact.inference.fit import (
     fit_work,
     mean_relative_error,
 )
-from hardcontact.paper.force_statistics import (
-    forces_at_pair,
-    forces_over_reference,
-    mean_forces,
-)
+from hardcontact.paper.force_statistics import forces_at_pair, forces_over_reference, mean_forces
 
 #: Labels of the pairs of range and work of adhesion.
 PAIRS = ["published", "fitted"]
@@ -72,10 +68,7 @@ class PublishedForces(NamedTuple):
 
 
 def fit_published(
-    adhesion: xr.Dataset,
-    published: PublishedForces,
-    reference_surface: str,
-    sampling: Sampling,
+    adhesion: xr.Dataset, published: PublishedForces, reference_surface: str, sampling: Sampling
 ) -> xr.Dataset:
     """Fit range and work of adhesion for every contact model, and return the resulting forces.
 

@@ -12,11 +12,7 @@ from hardcontact.base.statistics import interval_ends
 from hardcontact.contact.hertz_jkr_dmt import dmt_pull_off
 from hardcontact.contact.pull_off import mean_over_contacts
 from hardcontact.inference.edges import MEAN_GROUP, computed_cutoffs, edges_or_bounds, last_cutoff
-from hardcontact.paper.claims.estimates import (
-    as_estimate,
-    mean_over_scans,
-    variable_estimate,
-)
+from hardcontact.paper.claims.estimates import as_estimate, mean_over_scans, variable_estimate
 
 
 def band_edge(edges: xr.Dataset) -> xr.Dataset:
