@@ -95,6 +95,7 @@ def _shortest_range(
         limits.append(minimum_range(contact.radius, window, master))
         depth = penetration_depth(contact, scan.relief)
         depth_reason = f"the preload presses the bodies some {depth:.3g} nm into each other"
+        # Half a per cent more, so that rounding to three digits gives no shorter range.
         limits.append((float(f"{1.005 * depth / PENETRATION_OVER_RANGE:.3g}"), depth_reason))
     return max(limits)
 

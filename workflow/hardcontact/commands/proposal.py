@@ -31,6 +31,12 @@ TRANSITION_SHARE = 0.4
 #: it. Chosen: 0.7 to 45 nm around the paper's 5.6 nm; a wider span would leave larger steps between
 #: the 12 ranges, which are a factor 1.5 apart.
 RANGE_SPAN = 8.0
+#: The shortest cutoff in pixels, like the shortest wavelength that a scan keeps.
+MIN_CUTOFF_PIXELS = 4
+#: The size of the scan, and the interaction radius sqrt(D rho), relative to the shortest cutoff of
+#: the long side: in the paper 2500 nm and 1.67 µm, relative to 100 nm.
+SIZE_OVER_CUTOFF = 25
+INTERACTION_RADIUS_OVER_CUTOFF = 16
 #: The smallest ratio of neighbouring cutoffs. Trial on the forces of the paper's study: each was
 #: interpolated between its neighbours. For neighbours a factor 1.1 to 1.6 apart the median error is
 #: 1 to 2 %, so that closer cutoffs gain nothing beside a tolerance of 10 %.
@@ -181,9 +187,11 @@ def _master_choices(
     size = min(scan.size for scan in substrates)
     finest = max(2 * scan.size / short_pixels for scan in substrates)
     coarsest = max(scan.pixel_size for scan in substrates)
-    shortest = min(size / 25, math.sqrt(2 * contact.radius * contact.rho) / 16)
-    short_cutoffs = _cutoffs(4 * finest, size, effort.cutoff_count)
-    long_cutoffs = _cutoffs(max(4 * coarsest, shortest), size * tiles, effort.cutoff_count)
+    interaction_radius = math.sqrt(2 * contact.radius * contact.rho)
+    shortest = min(size / SIZE_OVER_CUTOFF, interaction_radius / INTERACTION_RADIUS_OVER_CUTOFF)
+    shortest = max(MIN_CUTOFF_PIXELS * coarsest, shortest)
+    short_cutoffs = _cutoffs(MIN_CUTOFF_PIXELS * finest, size, effort.cutoff_count)
+    long_cutoffs = _cutoffs(shortest, size * tiles, effort.cutoff_count)
     short_transition, long_transition, reason = transitions
     long_reason = f"{TRANSITION_SHARE:g} of the size of the scan; above, roughness is artificial"
     tiles_reason = f"mirrored scans per row, {format_length(2 * size * tiles)}"
@@ -210,12 +218,13 @@ def _transitions(substrates: Sequence[Entry], sphere_scans: Sequence[Entry]) -> 
     """
     short_scans = _decisive_scans(substrates, sphere_scans, "shortest")
     long_scans = _decisive_scans(substrates, sphere_scans, "longest")
-    scans = [*substrates, *short_scans]
-    ends = [(TRANSITION_PIXELS * scan.pixel_size, "four pixels") for scan in scans]
-    ends += [(scan.band.shortest, LIMIT_NAMES[scan.band.limited_by]) for scan in short_scans]
+    limits = [
+        (TRANSITION_PIXELS * scan.pixel_size, "four pixels") for scan in (*substrates, *short_scans)
+    ]
+    limits += [(scan.band.shortest, LIMIT_NAMES[scan.band.limited_by]) for scan in short_scans]
+    limit, reason = max(limits)
     longest = float(f"{TRANSITION_SHARE * min(scan.size for scan in long_scans):.3g}")
-    wavelength, reason = max(ends)
-    shortest = min(float(f"{wavelength:.3g}"), longest)
+    shortest = min(float(f"{limit:.3g}"), longest)
     return Transitions(shortest, longest, f"{reason}; below, roughness is artificial")
 
 
