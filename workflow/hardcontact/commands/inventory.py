@@ -106,7 +106,7 @@ def inventory(
 def _read_file(
     scan_file: ScanFile, options: ReadingOptions, channel: str
 ) -> tuple[list[Entry], list[str]]:
-    """Return the entries of usable datasets of a file, and a line on each fault of others."""
+    """Return the entries of usable datasets of a file, and a line on each fault of the rest."""
     try:
         datasets = list_scans(scan_file.file)
     except ValueError as error:

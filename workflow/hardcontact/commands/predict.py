@@ -141,7 +141,7 @@ def compute_numbers(inputs: Inputs, arguments: Namespace) -> dict[str, Number]:
 
 
 def _quantity_number(name: str, option: QuantityOption) -> Number:
-    """Return the number of a quantity, which the user gave or which is the paper's."""
+    """Return a quantity of the user or of the paper as a number."""
     status = QuantityStatus.GIVEN if option.is_given else QuantityStatus.FROM_PAPER
     return Number(name, option.number, option.unit, status=status)
 

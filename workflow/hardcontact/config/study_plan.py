@@ -66,7 +66,7 @@ class StudyPlan:
         return groups
 
     def sphere_radius(self, surface: str) -> float | None:
-        """Return the radius (nm) that is subtracted from scans of the sphere, None for others.
+        """Return the radius (nm) of the sphere in scans of its surface; None in other scans.
 
         It is `{shape}` in paths.
         """

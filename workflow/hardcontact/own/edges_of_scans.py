@@ -63,8 +63,8 @@ def _force_ratios(master_forces: MasterForces, confidence: float) -> xr.Dataset:
 def _widen_ratios(curves: xr.Dataset, hindcast_ratio: xr.DataArray) -> xr.Dataset:
     """Return ratios whose intervals contain the error of artificial roughness (surface, side).
 
-    The error in the logarithm of a ratio is at most this logarithm, so that a ratio of one, where
-    the filter changes nothing, has no error.
+    The error in the logarithm of a ratio is at most this logarithm: where the filter changes
+    nothing, the ratio is one and has no error.
     """
     log_error = abs(np.log(hindcast_ratio.reindex(surface=curves["surface"]).fillna(1)))
     log_ratio = abs(np.log(curves["filtered_force_ratio"]))

@@ -182,11 +182,10 @@ def forces_on_masters(
 def add_extrapolated_force(
     force: xr.Dataset, extrapolated_forces: xr.Dataset, tolerance: float
 ) -> xr.Dataset:
-    """Return forces on scans with those of extrapolated roughness, and whether they differ.
+    """Return forces on scans, extrapolated forces, and whether they differ.
 
-    ``extrapolation_matters`` (surface, side) is 1 if both differ by more than the relative
-    tolerance, and the extrapolated force lies outside the interval of the force on the scans, if
-    there is one.
+    ``extrapolation_matters`` (surface, side) is 1 if both forces differ by more than the relative
+    tolerance, and the extrapolated force does not lie in an interval of the force on the scans.
     """
     rho = force.attrs["rho"]
     scan_force = force.sel(contact_model=PLASTIC).sel(rho=rho, method="nearest", drop=True)
@@ -204,8 +203,7 @@ def add_extrapolated_force(
 def _widen_intervals(force: xr.Dataset, hindcast: xr.Dataset | None, rho: float) -> xr.Dataset:
     """Return forces whose intervals also include the errors that other computations give.
 
-    The errors are those of the unknown position of a rough sphere, of artificial roughness, and of
-    the finite width of pixels.
+    The position of a rough sphere is unknown, roughness is artificial, and pixels are wide.
     """
     if "position_factor" in force:
         plastic_factor = force["position_factor"].sel(contact_model=PLASTIC, drop=True)
@@ -275,8 +273,8 @@ def force_scatter(
 ) -> xr.Dataset:
     """Return the scatter of the force over the positions of the sphere.
 
-    Returns ``weibull_modulus``, the standard deviation of ln F, ``log_force_std``, and
-    ``contacts_needed`` for a mean that is within the relative tolerance with the confidence.
+    ``weibull_modulus`` and ``log_force_std``, the standard deviation of ln F, describe the scatter.
+    A mean over ``contacts_needed`` is within the relative tolerance with the confidence.
     """
     statistics = predict_statistics(spectrum, contact)
     quantile = special.ndtri((1 + confidence) / 2)

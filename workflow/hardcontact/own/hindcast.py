@@ -114,9 +114,9 @@ def hindcast_forces(
 def _split_at_octave(
     mirrored: HeightMap, side: str, octave: Octave
 ) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
-    """Return the heights of the waves that a hindcast keeps, and those of the octave alone.
+    """Return the heights of the waves that a hindcast keeps, and of the octave alone.
 
-    It keeps the waves longer than an octave of the short side, or shorter than one of the long
+    It keeps longer waves than an octave of the short side, or shorter waves than one of the long
     side.
     """
     series = filtered_series(mirrored, "short", list(octave), mirrored.pixels)
@@ -151,8 +151,8 @@ def hindcast_ratios(forces: xr.Dataset, tolerance: float, confidence: float) -> 
 
     The ratio is the mean force with artificial octaves relative to that with the octave of the
     scans. Its prediction interval, for another random octave, contains 1 if the octave of the scans
-    is as random. If the interval does not and the ratio differs from 1 by more than the tolerance,
-    or if there is no octave, ``hindcast_fails`` is 1.
+    is as random. ``hindcast_fails`` is 1 if there is no octave, or if this interval excludes 1 and
+    the ratio lies outside the tolerance.
     """
     dimensions = ["map", *CONTACT_AXES]
     scan_log = xr.DataArray(np.log(forces["scan_octave_force"].mean(dimensions)))
@@ -176,9 +176,9 @@ def hindcast_ratios(forces: xr.Dataset, tolerance: float, confidence: float) -> 
 def hindcast_dataset(forces: xr.Dataset, tolerance: float, confidence: float) -> xr.Dataset:
     """Return the ratios of mean forces on the scans of a surface that test their extrapolation.
 
-    The forces (map, ...) come from `hindcast_forces` and `pixel_forces`. Besides the variables of
-    `hindcast_ratios`, ``wide_pixel_ratio`` is the force on wide pixels and ``filtered_scan_ratio``
-    that without the waves shorter than the outermost octave, both relative to that on the scans.
+    The forces (map, ...) come from `hindcast_forces` and `pixel_forces`. Added to `hindcast_ratios`
+    are two forces relative to the force on the scans: ``wide_pixel_ratio`` on wide pixels, and
+    ``filtered_scan_ratio`` without the waves shorter than the outermost octave.
     """
     means = forces.mean(["map", *CONTACT_AXES])
     filtered = means["scan_octave_force"].sel(side="short", drop=True) / means["scan_force"]

@@ -115,9 +115,8 @@ def mean_intervals(surface_forces: SurfaceForces, confidence: float) -> Floats:
 def logarithmic_interval(value: Floats, log_half_width: Floats) -> Floats:
     """Return the interval (..., 2) of a positive value from the half width of its logarithm.
 
-    An interval that would span a factor of a thousand or more to each side becomes zero to
-    infinity, which is no bound. Student's t with one degree of freedom, from two realizations, can
-    span any factor.
+    An interval of a factor of more than a thousand to each side becomes zero to infinity, which is
+    no bound: Student's t with one degree of freedom, from two realizations, can span any factor.
     """
     finite = value[..., None] * np.exp(np.stack([-log_half_width, log_half_width], axis=-1))
     return np.where((log_half_width > MAX_BOUNDED_HALF_WIDTH)[..., None], [0.0, np.inf], finite)
@@ -185,9 +184,9 @@ def half_width_over_masters(
 
     The statistic (realization, ...) takes the mean forces with and without a filter. Variances are
     (1) the jackknife's over parts of scans; (2) if the parts are quarters, which share their
-    realizations, that of the mean over realizations; (3) if spectra were sampled, the mean square
-    of the variable `shift_name`, because another spectrum moves all realizations at once. No mean
-    of these shifts is estimated, so that each is a degree of freedom.
+    realizations, the variance of the mean over realizations; (3) if spectra were sampled, the mean
+    square of the variable `shift_name`, because another spectrum moves all realizations at once.
+    No mean of these shifts is subtracted, so each is a degree of freedom.
     """
     forces, scan_parts = master_forces
 

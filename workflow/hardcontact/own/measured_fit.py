@@ -106,8 +106,8 @@ def _fit_model(
     """Return the fit of one contact model to measured forces (surface,) and their samples, in N.
 
     ``work_by_range`` (surface, rho_fine) in J/m² has an interval. ``region`` (rho_fine, end) is the
-    lowest and the highest work in J/m² that all surfaces allow, or NaN. Further variables are those
-    of `_region_extent` and `_best_pair`.
+    lowest and the highest work in J/m² that all surfaces allow, or NaN. `_region_extent` and
+    `_best_pair` add their variables.
     """
     computed_ranges = next(iter(computed_forces.values())).ranges
     # The curves contain the computed ranges, so that the works at these are exact.

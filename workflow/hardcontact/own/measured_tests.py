@@ -46,8 +46,8 @@ def look_repeated(forces: pd.DataFrame) -> bool:
     """Return whether tests on one surface without sites look as if several share a site.
 
     True if at most half of the values are distinct, or if von Neumann's ratio is significantly
-    below one at some lag. It is half the mean squared difference of the logarithms of tests so many
-    rows apart, relative to their variance, and one for independent tests.
+    below one, its value for independent tests, at some lag of rows. The ratio is half the mean
+    squared difference of the logarithms of tests at this lag, relative to their variance.
     """
     logs = np.log(forces["mean"].to_numpy(float))
     if (forces["site"] != "").any() or len(logs) < 3:

@@ -1,7 +1,7 @@
 """The isotropic spectrum C_iso of the user's surface, from a table or from scans.
 
 Scans give the spectrum at their reliable wavelengths alone, because noise, tip and levelling
-distort the others.
+distort it at other wavelengths.
 """
 
 from collections.abc import Iterator, Sequence

@@ -40,8 +40,7 @@ def window_on_scans(
 ) -> tuple[float, str]:
     """Return the width of a window (nm), and the reason.
 
-    All lengths are in nm: the largest rms height, the finest pixels and the smallest size of the
-    scans, the radius of the sphere and the range of adhesion.
+    Lengths are in nm. The rms height is the largest of the scans, `rho` is the range of adhesion.
     """
     height = BORDER_HEIGHT_IN_RANGES * rho
     height_words = f"{BORDER_HEIGHT_IN_RANGES} ranges of adhesion"

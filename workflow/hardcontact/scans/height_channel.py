@@ -8,9 +8,9 @@ from hardcontact.scans.heights import RefusedFile
 def find_height_channel(reader: Any, entry: dict[str, Any], name: str) -> tuple[Any, list[str]]:
     """Return the channel of heights that the user, else the container or the reader, chooses.
 
-    If the user's channel, by `name`, holds no heights, it is refused. If the choice of the
-    container (its `entry`) or of the reader holds none, the first channel of heights replaces it,
-    with a note.
+    The user's channel, by `name`, is refused if it holds no heights. Without heights, the choice of
+    the container (its `entry`) or of the reader is replaced by the first channel of heights, with a
+    note.
     """
     channels = reader.channels
     container_index = entry.get("data_source")

@@ -1,8 +1,8 @@
 """C_iso of one scan, a map or a line scan, with the number of independent modes and local slopes.
 
-C_iso (nm⁴) is the isotropic power spectral density of a surface, C_1D (nm³) that of profiles along
-lines. C_iso follows from the slope of C_1D at all larger wavevectors by an inverse Abel transform
-(Bracewell, The Fourier Transform and Its Applications).
+C_iso (nm⁴) is the isotropic power spectral density of a surface, C_1D (nm³) the power spectral
+density of profiles along lines. An inverse Abel transform of the slope of C_1D at all larger
+wavevectors gives C_iso (Bracewell, The Fourier Transform and Its Applications).
 """
 
 from dataclasses import replace

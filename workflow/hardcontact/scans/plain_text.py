@@ -179,7 +179,7 @@ def _heights_on_grid(heights: Floats, indices: NDArray[np.intp], offsets: Floats
 
 
 def _grid_axis(positions: Floats) -> Floats:
-    """Return the evenly spaced positions (n,) on which positions lie or about which they crowd.
+    """Return evenly spaced positions (n,) on or about which the positions along an axis lie.
 
     Empty if there are fewer or more than a map may have.
     """

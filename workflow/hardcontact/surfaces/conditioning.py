@@ -1,9 +1,9 @@
 """Conditioning of a group of substitute scans of one surface on Table 1.
 
 Random scans meet published statistics only on average. A smooth gain of all amplitudes, and a
-factor on the heights of each scan, give the group exactly the published mean and standard
-deviation of rms heights, and mean slope and curvature. The layer is not `paper`: a
-user's study also has substitutes.
+factor on the heights of each scan, make the group meet them exactly: mean and standard deviation of
+rms heights, mean slope and mean curvature. The layer is not `paper`, because a user's study also
+has substitutes.
 """
 
 from collections.abc import Sequence
@@ -52,9 +52,9 @@ def scale_rms_heights(rms_heights: Floats, mean: float, std: float) -> Floats:
 def component_shares(grid: ScanGrid) -> Floats:
     """Return the shares of amplitude of three smooth components: (3, points of WAVEVECTORS).
 
-    The components hold long, middle and short wavelengths, and their shares add up to one. From the
-    size of a scan down to two pixels, each gives way to the next as the squared sine of the
-    logarithm of wavelength; the middle component has its peak halfway on this logarithm.
+    The components hold long, middle and short wavelengths, and their shares add up to one. On the
+    logarithm of wavelength, from the size of a scan to two pixels, each gives way to the next as a
+    squared sine; the middle component has its peak halfway.
     """
     longest, shortest = grid.size, 2 * grid.pixel_size
     log_position = np.log(longest * WAVEVECTORS / (2 * np.pi)) / np.log(longest / shortest)

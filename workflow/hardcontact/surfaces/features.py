@@ -80,8 +80,8 @@ def published_statistics(
 def feature_squares(height: ArrayLike, width: ArrayLike, size: float) -> Floats:
     """Return the increase of the squared rms values (..., 3) of a scan by one feature.
 
-    By Campbell's theorem these are the integrals of the squared shape, gradient and half-Laplacian
-    over the area, without the part beyond the edges and without the mean plane. Lengths are in nm.
+    By Campbell's theorem the increases are integrals of the squared shape, gradient and
+    half-Laplacian over the area of the scan, without the mean plane. Lengths are in nm.
     """
     height, width = np.asarray(height), np.asarray(width)
     slope_square = (1 - width / (np.sqrt(np.pi) * size)) ** 2 * np.pi * height**2 / size**2

@@ -112,7 +112,7 @@ def _candidates(steps: Floats) -> Mask:
 def level_plane(scan: HeightMap) -> HeightMap:
     """Return a scan minus its least-squares plane or line.
 
-    The result is that of ``detrend`` of SurfaceTopography, whose import is slow.
+    Equal to ``detrend`` of SurfaceTopography, which is not used because its import is slow.
     """
     heights = np.asarray(scan.heights, dtype=float).T
     axes = np.meshgrid(*(np.arange(count) / count for count in heights.shape), indexing="ij")

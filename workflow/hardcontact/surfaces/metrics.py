@@ -131,9 +131,9 @@ def roughness_table(
 ) -> xr.Dataset:
     """Return the topography of all surfaces: every scan, averages, spectra and example maps.
 
-    `scans`, by surface and number, come from `measured_roughness`. All others are by surface:
-    `conditionings` come from `condition_group`, `examples` are levelled scans; the example of a
-    rough sphere has the variable `as_scanned`.
+    `scans`, by surface and number, come from `measured_roughness`, `conditionings`, by surface,
+    from `condition_group`. `examples` are levelled scans, by surface; the example of a rough sphere
+    has the variable `as_scanned`.
     """
     surface_names = list(dict.fromkeys(surface_name for surface_name, _ in scans))
     scan_table = stack(scans, ["surface", "scan"])

@@ -1,7 +1,7 @@
 """Spectra of substitutes from descriptions: segments of wavelengths, each with its model.
 
-Parameters that a description leaves blank are calibrated, so that scans of the spectrum have the
-rms height, slope and curvature of the paper's Table 1.
+Blank parameters of a description are calibrated: scans of the spectrum then have the rms height,
+slope and curvature of the paper's Table 1.
 """
 
 from pathlib import Path
@@ -156,8 +156,8 @@ def substitute_spectrum(
 ) -> xr.Dataset:
     """Return the spectrum of a substitute from a description.
 
-    Attributes of `spectrum` (nm⁴) are the segments, the rows of Table 1 to which they were
-    calibrated, and the expected rms values of a scan with the paper's pixels and size.
+    The dataset of `spectrum` (nm⁴) has attributes: its segments, the rows of Table 1 to which these
+    were calibrated, and the expected rms values of a scan with the paper's pixels and size.
     """
     weights = paper_weights(constants)
     density, segments, calibrated = spectrum_from_description(description, table1, weights)

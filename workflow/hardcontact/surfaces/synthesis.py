@@ -116,9 +116,9 @@ def short_edge_master(
 ) -> HeightMap:
     """Return a mirrored scan whose wavelengths below the transition (nm) are artificial.
 
-    The added random surface has the C_iso `spectrum` below the transition, and a constant C_iso
-    above it, so that some long waves are added, too. Source: the paper, section Determining the
-    Most Relevant Length-scales of Roughness.
+    The added random surface has the C_iso `spectrum` below the transition. Above it C_iso is
+    constant, so some long waves are added, too. Source: the paper, section Determining the Most
+    Relevant Length-scales of Roughness.
     """
     long_waves = lowpass(mirrored, transition)
     transition_q = 2 * np.pi / transition
