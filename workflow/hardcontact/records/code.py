@@ -60,18 +60,18 @@ def _imported_names(tree: ast.AST) -> Iterator[str]:
             yield from _imported_names(node)
 
 
-def _module_files(name: str) -> Iterator[Path]:
-    """Yield the files that Python runs to import a name, those of its parent packages included."""
-    package, *parents = name.split(".")
+@cache
+def _module_files(name: str) -> list[Path]:
+    """Return the files that Python runs to import a name, those of its parent packages included."""
+    package, *names = name.split(".")
     if package != LIBRARY.name:
-        return
+        return []
     path = LIBRARY
-    yield path / "__init__.py"
-    for parent in parents:
-        path = path / parent
+    files = [path / "__init__.py"]
+    for name_in_package in names:
+        path = path / name_in_package
         if path.is_dir():
-            yield path / "__init__.py"
+            files.append(path / "__init__.py")
         elif path.with_suffix(".py").is_file():
-            yield path.with_suffix(".py")
-        else:
-            return
+            files.append(path.with_suffix(".py"))
+    return files
