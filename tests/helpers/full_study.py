@@ -10,6 +10,7 @@ import sys
 from pathlib import Path
 
 import pandas as pd
+import xarray as xr
 
 #: The table of the full study.
 TABLE = Path(__file__).parents[1] / "full_study.csv"
@@ -21,6 +22,8 @@ CLAIMS = (
     "plasticity_moves_short_edge",
 )  # fmt: skip
 EDGES = ("short_edge", "long_edge")
+#: The best ranges (nm) of the sets lie in two groups, below and above this one.
+LIMIT_OF_GROUPS = 5.0
 
 
 def study_numbers(results):
@@ -31,7 +34,21 @@ def study_numbers(results):
     edges = quantities[quantities["name"].isin(EDGES) & (quantities["surface"] != "")]
     edges = edges.set_index(edges["name"] + "_" + edges["surface"]).rename_axis("id")
     columns = ["value", "low", "high", "unit", "verdict"]
-    return pd.concat([claims.reindex(columns=columns), edges.reindex(columns=columns)])
+    tables = (claims, edges, best_pairs(results))
+    return pd.concat([table.reindex(columns=columns) for table in tables])
+
+
+def best_pairs(results):
+    """Return the median best range and work of each group of sets, and its share of the sets."""
+    sets = xr.open_dataset(Path(results, "sets.nc")).sel(contact_model="plastic")
+    is_long = sets["range_of_adhesion"] > LIMIT_OF_GROUPS
+    rows = {}
+    for pair, is_chosen in (("long_range", is_long), ("short_range", ~is_long)):
+        chosen_sets = sets.where(is_chosen, drop=True)
+        rows[f"{pair}.range_of_adhesion"] = chosen_sets["range_of_adhesion"].median().item(), "nm"
+        rows[f"{pair}.work_of_adhesion"] = chosen_sets["work_of_adhesion"].median().item(), "J/m2"
+        rows[f"{pair}.share_of_sets"] = is_chosen.mean().item(), "1"
+    return pd.DataFrame.from_dict(rows, "index", columns=["value", "unit"]).rename_axis("id")
 
 
 def read_full_study():
