@@ -19,7 +19,7 @@ def test_contact_pixels_equal_those_of_the_whole_window(case, contact_pixel_coun
     bodies = make_bodies(periodic_noise(pixels, rms, 1), roughness, pixel_size, window, 3)
     contacts = all_contact_pixels(bodies, contact_pixel_count)
     for contact in np.ndindex(contacts.reference_gaps.shape[:2]):
-        gaps, offsets = contacts.pixels_of_contact(contact)
+        gaps, offsets = contacts.reference_gaps[contact], contacts.offsets[contact]
         window_gaps = gap_of_bodies(bodies, contact)
         np.testing.assert_allclose(
             gaps, np.sort(window_gaps.ravel())[:contact_pixel_count], atol=1e-9

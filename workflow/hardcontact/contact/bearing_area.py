@@ -87,13 +87,9 @@ class ContactPixels(NamedTuple):
     reference_gaps: Floats
     offsets: NDArray[np.int_]  #: (..., k, 2) pixels from the apex: row, column.
 
-    def lowest(self, count: int) -> "ContactPixels":
-        """Return as many of the pixels of each contact, those with the smallest reference gaps."""
-        return ContactPixels(self.reference_gaps[..., :count], self.offsets[..., :count, :])
-
-    def pixels_of_contact(self, index: tuple[int, ...]) -> "ContactPixels":
-        """Return the pixels of one contact."""
-        return ContactPixels(self.reference_gaps[index], self.offsets[index])
+    def lowest_of_contact(self, index: tuple[int, ...], count: int) -> "ContactPixels":
+        """Return as many pixels of one contact, those with the smallest reference gaps."""
+        return ContactPixels(self.reference_gaps[index][:count], self.offsets[index][:count])
 
 
 class WindowTiles(NamedTuple):

@@ -69,24 +69,18 @@ def indents_of_scans(
     )
 
 
-def _pixels_by_load(bodies: Bodies, loaded_contacts: Sequence[Contact]) -> list[ContactPixels]:
-    """Return the contact pixels of the array at each load."""
-    counts = pixel_counts(bodies, loaded_contacts)
-    contact_pixels = all_contact_pixels(bodies, max(counts))
-    return [contact_pixels.lowest(count) for count in counts]
-
-
 def _sizes_of_bodies(bodies: Bodies, loaded_contacts: Sequence[Contact]) -> xr.Dataset:
     """Return the sizes of indents (preload, contact_y, contact_x) of two bodies."""
-    array_shape = [len(bodies.geometry.positions)] * 2
-    sizes = np.array(
-        [
-            indent_sizes(pixels.pixels_of_contact(index), bodies.geometry.pixel_size)
-            for pixels in _pixels_by_load(bodies, loaded_contacts)
-            for index in np.ndindex(*array_shape)
-        ]
-    ).reshape(len(loaded_contacts), *array_shape, -1)
-    return xr.Dataset(variables_of_columns(sizes, ("preload", *CONTACT_AXES), INDENT_UNITS))
+    counts = pixel_counts(bodies, loaded_contacts)
+    contact_pixels = all_contact_pixels(bodies, max(counts))
+    array_shape = contact_pixels.reference_gaps.shape[:2]
+    sizes = [
+        indent_sizes(contact_pixels.lowest_of_contact(index, count), bodies.geometry.pixel_size)
+        for count in counts
+        for index in np.ndindex(*array_shape)
+    ]
+    columns = np.reshape(sizes, (len(counts), *array_shape, -1))
+    return xr.Dataset(variables_of_columns(columns, ("preload", *CONTACT_AXES), INDENT_UNITS))
 
 
 def _median_contact(sizes: xr.Dataset) -> tuple[tuple[int, int], tuple[int, int]]:
@@ -102,17 +96,17 @@ def _add_height_maps(
     sizes: xr.Dataset, bodies: Bodies, loaded_contacts: Sequence[Contact], index: tuple[int, int]
 ) -> xr.Dataset:
     """Add maps of the penetration in one contact at every preload, and of the sphere there."""
+    counts = np.array(pixel_counts(bodies, loaded_contacts))
+    contact_pixels = all_contact_pixels(bodies, int(counts.max()))
     steps = np.arange(-MAP_HALF_WIDTH, MAP_HALF_WIDTH + 1)
-    pixels_by_load = [
-        pixels.pixels_of_contact(index) for pixels in _pixels_by_load(bodies, loaded_contacts)
-    ]
-    deepest = pixels_by_load[0].offsets[0]
+    deepest = contact_pixels.offsets[index][0]
     offsets = deepest + np.stack(np.meshgrid(steps, steps, indexing="ij"), axis=-1)
     gaps = reference_gaps(bodies, bodies.geometry.apexes()[index], offsets)
-    indentation = [np.maximum(pixels.reference_gaps[-1] - gaps, 0) for pixels in pixels_by_load]
+    largest_gaps = contact_pixels.reference_gaps[index][counts - 1]
+    indentation = np.maximum(largest_gaps[:, None, None] - gaps, 0)
     sphere_height = bodies.sphere(*(deepest[:, None] + steps))
     position = steps * bodies.geometry.pixel_size
     return sizes.assign(
-        indentation=(("preload", "y", "x"), np.array(indentation), NM),
+        indentation=(("preload", "y", "x"), indentation, NM),
         sphere_height=(("y", "x"), sphere_height, NM),
     ).assign_coords(y=("y", position, NM), x=("x", position, NM))
