@@ -178,13 +178,15 @@ def test_any_scan_gives_a_valid_study_or_a_justified_refusal(entries, settings):
 
 def test_scans_like_the_paper_s_get_about_its_grids():
     config, _ = both_efforts(contact(), propose([entry()] * 5, None, contact()))
-    small, large = config["scales"]["short"], config["scales"]["long"]
+    short_side, long_side = config["scales"]["short"], config["scales"]["long"]
     assert config["contact"]["window"] == pytest.approx(12500, rel=0.01)
-    assert small["transition"] == pytest.approx(20, rel=0.05) and large["transition"] == 1000
-    assert small["pixels"] == large["pixels"] == 4096 and large["tiles"] == 4
+    assert (
+        short_side["transition"] == pytest.approx(20, rel=0.05) and long_side["transition"] == 1000
+    )
+    assert short_side["pixels"] == long_side["pixels"] == 4096 and long_side["tiles"] == 4
     # Both edges of the paper lie well inside.
-    assert small["cutoffs"][0] < 43 / 4 and small["cutoffs"][-1] == 2500
-    assert large["cutoffs"][0] <= 100 and large["cutoffs"][-1] == 10000
+    assert short_side["cutoffs"][0] < 43 / 4 and short_side["cutoffs"][-1] == 2500
+    assert long_side["cutoffs"][0] <= 100 and long_side["cutoffs"][-1] == 10000
 
 
 @pytest.mark.parametrize(("shortest", "transition"), [(120.0, "120 nm"), (2000.0, "1000 nm")])

@@ -60,11 +60,11 @@ def test_the_error_of_artificial_roughness_widens_intervals():
     plain = edges(curves, [3], spread=0.1).sel(surface="a")
     hindcast = hindcasts(ratio=1 / 1.5)
     wide = edges(curves, [3], hindcast, spread=0.1).sel(surface="a")
-    half, wide_half = (
+    half_width, wide_half_width = (
         np.log(band.filtered_force_ratio_interval.sel(end="high") / band.filtered_force_ratio)
         for band in (plain, wide)
     )
-    added = np.sqrt(wide_half**2 - half**2)
+    added = np.sqrt(wide_half_width**2 - half_width**2)
     change = np.log(plain.filtered_force_ratio.sel(side="short"))
     np.testing.assert_allclose(added.sel(side="short"), np.minimum(change, error))
     np.testing.assert_allclose(added.sel(side="long").dropna("cutoff_wavelength"), 0, atol=1e-7)

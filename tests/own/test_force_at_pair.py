@@ -88,11 +88,11 @@ def test_the_interval_includes_the_position_on_a_rough_sphere():
     )
     scan_forces = forces_on_scans(rough_sphere, **OPTIONS)
     # One more of 16 normal numbers lies within this distance of their mean.
-    half = stats.t(15).ppf(0.95) * logarithms.std(ddof=1).item() * np.sqrt(1 + 1 / 16)
-    np.testing.assert_allclose(scan_forces.position_factor, np.exp(half), rtol=1e-4)
+    half_width = stats.t(15).ppf(0.95) * logarithms.std(ddof=1).item() * np.sqrt(1 + 1 / 16)
+    np.testing.assert_allclose(scan_forces.position_factor, np.exp(half_width), rtol=1e-4)
     ends = scan_forces.force_interval / scan_forces.force
-    np.testing.assert_allclose(ends.isel(end=0), np.exp(-half), rtol=1e-3)
-    np.testing.assert_allclose(ends.isel(end=1), np.exp(half), rtol=1e-3)
+    np.testing.assert_allclose(ends.isel(end=0), np.exp(-half_width), rtol=1e-3)
+    np.testing.assert_allclose(ends.isel(end=1), np.exp(half_width), rtol=1e-3)
 
 
 def test_a_contact_as_wide_as_the_scan_gives_no_interval():
@@ -158,12 +158,14 @@ def test_the_extrapolated_force_is_the_mean_over_contacts_and_masters():
 
 
 @pytest.mark.parametrize(
-    "ratio, half, differs", [(3.0, 0.4, 1), (3.0, 2.8, 0), (1.01, 0.001, 0), (3.0, np.nan, 1)]
+    "ratio, half_width, differs", [(3.0, 0.4, 1), (3.0, 2.8, 0), (1.01, 0.001, 0), (3.0, np.nan, 1)]
 )
-def test_the_extrapolated_force_differs_beyond_its_interval_and_the_tolerance(ratio, half, differs):
+def test_the_extrapolated_force_differs_beyond_its_interval_and_the_tolerance(
+    ratio, half_width, differs
+):
     extrapolated_forces = forces_on_masters(master_forces(), MASTERS, 0.05, 0.95)
     # The force on the scans, relative to the force with extrapolated roughness below their pixels.
-    relative = np.array([[[ratio]]]), np.array([[[[ratio - half, ratio + half]]]])
+    relative = np.array([[[ratio]]]), np.array([[[[ratio - half_width, ratio + half_width]]]])
     unit = extrapolated_forces.extrapolated_force.sel(side="short").item()
     axes = ("surface", "contact_model", "rho")
     scan_forces = xr.Dataset(

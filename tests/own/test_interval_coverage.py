@@ -71,7 +71,7 @@ def logarithms(spectrum, edges):
 
 def test_intervals_contain_spectrum_force_and_edges_of_known_surfaces(monkeypatch):
     monkeypatch.setattr(closed, "CUTOFF_COUNT", 24)
-    contained, forces, halves = [], [], []
+    contained, forces, force_half_widths = [], [], []
     for number, has_line in product(range(TRIALS // 2), (0, 1)):
         rng = generator(31, number, has_line)
         spectrum = truth(rng)
@@ -85,14 +85,14 @@ def test_intervals_contain_spectrum_force_and_edges_of_known_surfaces(monkeypatc
             for sampled_spectrum, _ in sample_spectra(rngs, scans, radii)
         ]
         # As for the user's surfaces; the interval of an edge holds it if that of F_c/F there does.
-        half = stats.t.ppf(0.975, DRAWS) * np.sqrt(np.mean(np.square(shifts), axis=0))
+        half_width = stats.t.ppf(0.975, DRAWS) * np.sqrt(np.mean(np.square(shifts), axis=0))
         true = logarithms(spectrum, edges)
         contained.append(
-            np.where(np.isfinite(true), np.abs(measured_forces - true) <= half, np.nan)
+            np.where(np.isfinite(true), np.abs(measured_forces - true) <= half_width, np.nan)
         )
         forces.append(true[3])
-        halves.append(half[3])
+        force_half_widths.append(half_width[3])
     count, contained_count = np.isfinite(contained).sum(axis=0), np.nansum(contained, axis=0)
     assert count.min() > TRIALS / 2
     assert (contained_count >= stats.binom.ppf(0.01, count, 0.93)).all(), (contained_count, count)
-    assert np.median(halves) < np.std(forces)
+    assert np.median(force_half_widths) < np.std(forces)

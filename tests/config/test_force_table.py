@@ -1,19 +1,12 @@
-"""The user's forces and descriptions of substitutes: accepted, or refused in one line per fault."""
+"""The user's tables of forces: accepted, or refused in one line per fault."""
 
 import pytest
 from refusals import assert_says, refusal
-from repository import BANDS, ROOT
 
-from hardcontact.config.descriptions import refuse_description, refuse_paper_surface
 from hardcontact.config.force_table import measured_forces
-from hardcontact.surfaces.table1_calibration import AFM_ROWS, TAIL_ROWS
 
 SURFACES = ["coating", "bare"]
 RADIUS = 250e3
-SPECTRA = ROOT / "resources/spectra"
-TABLE_1 = {*AFM_ROWS, *TAIL_ROWS}
-
-# Forces
 
 
 @pytest.fixture
@@ -131,52 +124,3 @@ def test_a_table_of_200_mb_is_not_read(tmp_path):
 def test_a_column_that_resembles_none_is_ignored(table):
     path = table("surface,operator,value,unit", "bare,a,1,uN")
     assert measured_forces(path, SURFACES, RADIUS)["mean"].tolist() == [1e-6]
-
-
-# Descriptions of substitutes
-
-
-def test_all_spectra_of_the_repository_are_accepted():
-    descriptions = [path for path in SPECTRA.glob("*.csv") if path.read_text().startswith(BANDS)]
-    assert len(descriptions) > 10
-    for path in descriptions:
-        refuse_description(path, TABLE_1)
-
-
-@pytest.mark.parametrize(
-    ("band", "message_parts"),
-    [
-        ("inf,20,varying Hurst,,,,,,assumed,none", ["roll-off wavelength", "none"]),
-        ("inf,20,varying Hurst,1e9,-3,1,-1,,assumed,none", ["below zero"]),
-        ("inf,twenty,self-affine,1e9,2000,1,,,assumed,none", ["shortest_nm", "twenty"]),
-        ("inf,20,self-affine,1e9,2000,1,,", ["10 cells", "found 8"]),
-        ("inf,20,fractal,1e9,2000,1,,,assumed,none", ["varying Hurst", "fractal"]),
-        ("inf,20,power law,,,1,,,assumed,none", ["model", "power law"]),
-        ("inf,20,self-affine,1e9,2000,-1.1,,,assumed,none", ["Hurst", "-1.1"]),
-    ],
-)
-def test_faulty_descriptions_are_refused(tmp_path, band, message_parts):
-    path = tmp_path / "surface.csv"
-    path.write_text(f"{BANDS}{band}\n")
-    assert_says(
-        refusal(refuse_description, path, TABLE_1), "surface.csv", "expected", *message_parts
-    )
-
-
-def test_a_blank_hurst_exponent_needs_rows_of_table_1(tmp_path):
-    path = tmp_path / "surface.csv"
-    path.write_text(f"{BANDS}inf,6.5,varying Hurst,,2000,,,,assumed,none\n")
-    assert_says(refusal(refuse_description, path, set()), "line 2", "afm_rms_height", "neither")
-    refuse_description(path, TABLE_1)
-
-
-def test_own_studies_refuse_substitutes_for_the_paper():
-    for path in SPECTRA.glob("crn_*.csv"):
-        refuse_paper_surface(path, path.stem, {"uncd", "ncd"})
-    for name, surface, message_parts in (
-        ("uncd", "my_uncd", ["config key published", "my_uncd", "none"]),
-        ("crn_smoother", "uncd", ["config key published", "uncd", "none"]),
-        ("ruby", "other", ["ruby.csv", "measured", "assumed"]),
-    ):
-        message = refusal(refuse_paper_surface, SPECTRA / f"{name}.csv", surface, {"uncd", "ncd"})
-        assert_says(message, "expected", *message_parts)
