@@ -76,11 +76,11 @@ def prediction(
         error_is_known &= _is_measured_error_known(scans, contact, tolerance, name)
     extrapolated: list[Number] = []
     change = Number("extrapolated_change", math.nan, status=Effect.NEGLIGIBLE)
-    tail = _short_wave_tail(spectrum, trimmed)
-    if tail is None and spectrum.density[-1] > 0:
+    extrapolation = _extrapolate(spectrum, trimmed)
+    if extrapolation is None and spectrum.density[-1] > 0:
         change = change._replace(status=Effect.UNKNOWN)
-    elif tail is not None and _adds_waves(tail, trimmed):
-        extrapolated = _extrapolated_numbers(tail, contact, tolerance, error_is_known)
+    elif extrapolation is not None and _adds_waves(extrapolation, trimmed):
+        extrapolated = _extrapolated_numbers(extrapolation, contact, tolerance, error_is_known)
         change = _force_change("extrapolated_change", extrapolated[0].value, form)
     point = table_point(trimmed, contact, form)
     error_is_known &= change.status == Effect.NEGLIGIBLE and is_validated(point)
@@ -194,7 +194,7 @@ def _edge_numbers(prefix: str, band: tuple[float, float], point: KnownPoint) -> 
             yield Number(f"{prefix}{name}", edge, "nm", status=EdgeStatus.NO_EDGE)
 
 
-class _Tail(NamedTuple):
+class _Extrapolation(NamedTuple):
     """A spectrum that is extrapolated to short waves."""
 
     density: Floats  #: C_iso in nm⁴ at WAVEVECTORS.
@@ -203,7 +203,7 @@ class _Tail(NamedTuple):
     ended_by: str  #: What ends the tail: `scans.tail.Tail.tail_ended_by`.
 
 
-def _short_wave_tail(spectrum: Spectrum, trimmed: Spectrum) -> _Tail | None:
+def _extrapolate(spectrum: Spectrum, trimmed: Spectrum) -> _Extrapolation | None:
     """Return a spectrum with its extrapolation to short waves; None if that is not known.
 
     `trimmed` comes from `trim_spectrum`. A spectrum is not extrapolated below a density of zero at
@@ -214,32 +214,34 @@ def _short_wave_tail(spectrum: Spectrum, trimmed: Spectrum) -> _Tail | None:
         if not ends["tail_known"]:
             return None
         density = spectrum.joined["spectrum"].values
-        return _Tail(density, ends["rolloff"], ends["tail_hurst"], ends["tail_ended_by"])
+        return _Extrapolation(density, ends["rolloff"], ends["tail_hurst"], ends["tail_ended_by"])
     if spectrum.density[-1] == 0 or len(trimmed.density) < MIN_BINS or not trimmed.density.all():
         return None
     variance = np.full(trimmed.density.shape, CALIBRATION_SCATTER**2)
     fit = fit_hurst_exponent(trimmed.wavevector, trimmed.density, variance)
     density, tail = extrapolate_short_waves(trimmed.wavevector, trimmed.density, fit)
-    return _Tail(density, float(trimmed.wavelength[0]), tail.tail_hurst, tail.tail_ended_by)
+    return _Extrapolation(
+        density, float(trimmed.wavelength[0]), tail.tail_hurst, tail.tail_ended_by
+    )
 
 
-def _adds_waves(tail: _Tail, trimmed: Spectrum) -> bool:
+def _adds_waves(extrapolation: _Extrapolation, trimmed: Spectrum) -> bool:
     """Return whether the extrapolation adds short waves, or long waves up to the roll-off.
 
     It adds no short waves, and has no exponent, if slope or curvature are at their bounds already.
     """
-    return math.isfinite(tail.hurst) or tail.rolloff > trimmed.wavelength[0]
+    return math.isfinite(extrapolation.hurst) or extrapolation.rolloff > trimmed.wavelength[0]
 
 
 def _extrapolated_numbers(
-    tail: _Tail, contact: Contact, tolerance: float, error_is_known: bool
+    extrapolation: _Extrapolation, contact: Contact, tolerance: float, error_is_known: bool
 ) -> list[Number]:
     """Return the force and both edges of an extrapolated spectrum, and how it was extrapolated.
 
     The tolerance defines the edges. The error of the force is known only if it is known without
     the extrapolation.
     """
-    spectrum = trim_spectrum(Spectrum(WAVEVECTORS, tail.density))
+    spectrum = trim_spectrum(Spectrum(WAVEVECTORS, extrapolation.density))
     form = closed_form(spectrum, contact)
     point = table_point(spectrum, contact, form)
     known_point = point if error_is_known and is_validated(point) else None
@@ -248,8 +250,8 @@ def _extrapolated_numbers(
         _force_number("extrapolated_force", form, known_point),
         *_edge_numbers("extrapolated_", band, known_point),
         Number("extrapolated_to", float(spectrum.wavelength[-1]), "nm"),
-        Number("extrapolated_rolloff", tail.rolloff, "nm"),
-        Number("extrapolated_hurst", tail.hurst, status=TailEnd(tail.ended_by)),
+        Number("extrapolated_rolloff", extrapolation.rolloff, "nm"),
+        Number("extrapolated_hurst", extrapolation.hurst, status=TailEnd(extrapolation.ended_by)),
     ]
 
 
