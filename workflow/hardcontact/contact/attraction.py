@@ -111,8 +111,8 @@ def asperity_sizes(
 def least_carrying_attraction(attraction: Floats, share: float) -> float:
     """Return the smallest attraction of the fewest pixels that carry a share of the total."""
     total = attraction.sum()
-    # All pixels of less than (1 - share) of the mean attraction carry together less than 1 - share
-    # of the force: they are not among the fewest pixels that carry the share.
+    # Pixels below (1 - share) of the mean attraction carry together less than 1 - share of the
+    # force. None of them is needed to carry the share.
     strong = np.sort(attraction[attraction > (1 - share) * total / attraction.size])[::-1]
     weakest = np.searchsorted(np.cumsum(strong), share * total)
     return float(strong[min(weakest, len(strong) - 1)])

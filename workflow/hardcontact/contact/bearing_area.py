@@ -44,8 +44,9 @@ class Tiles:
     ) -> tuple[NDArray[np.int_], NDArray[np.int_], NDArray[np.bool_]]:
         """Return the tiles that meet windows of pixels about positions (...), along one axis.
 
-        Three arrays (..., k), padded to the largest number k of tiles in a window: the offset of
-        the first pixel of a tile from the position, its index, and whether it meets the window.
+        Three arrays (..., k), padded to the largest number k of tiles in a window. They are the
+        offset of the first pixel of a tile from the position, the index of the tile, and whether
+        the tile meets the window.
         """
         count = self.maxima.shape[0]
         start = positions - window // 2
@@ -134,8 +135,8 @@ class _Windows:
         paraboloid_low = np.where(meets, geometry.paraboloid(nearest), np.inf)
         padding = ((0, 0), (0, 0), (0, -paraboloid_low.shape[-1] % GROUP))
         # Three arrays (contact, axis, tiles along the axis), padded to whole groups: the offset of
-        # a tile, outside the window for padding; its index; the lowest point of the smooth sphere
-        # over it.
+        # a tile, its index, and the lowest point of the smooth sphere over it. The padding lies
+        # outside the window.
         self.offset = np.pad(offset, padding, constant_values=geometry.window_pixels)
         self.index = np.pad(index, padding)
         self.paraboloid_low = np.pad(paraboloid_low, padding, constant_values=np.inf)

@@ -3,9 +3,10 @@
 Along one axis, a window of n pixels about a contact at the pixel c holds the unfolded indices c + k
 of the substrate, k from -n/2 to n/2 - 1. The substrate continues itself periodically.
 
-The reference gap of a pixel is g = y - u - z in nm, the gap if the apex is at height 0: sphere y,
-its roughness u (positive towards the substrate) and substrate z. If the apex is at the height m,
-the gap is g + m. At closest approach m is minus the largest reference gap of the contact pixels.
+The reference gap of a pixel is g = y - u - z in nm: the height y of the sphere, less its roughness
+u (positive towards the substrate) and the height z of the substrate. It is the gap if the apex is
+at height 0; if the apex is at the height m, the gap is g + m. At closest approach m is minus the
+largest reference gap of the contact pixels.
 """
 
 from dataclasses import dataclass, replace

@@ -28,11 +28,11 @@ SHORT_ADHESION_RANGE = 1.0
 #: Largest penetration relative to the range of adhesion, for a smooth sphere: its force sums lose
 #: 11 of 16 digits, because exp(25) is 7e10.
 PENETRATION_OVER_RANGE = 25.0
-#: Mean force on a mirrored scan relative to that on the surface of 20 µm from which it was cut:
-#: smallest and largest ratio, by the size of the scan relative to the search size. Larger scans had
-#: 0.95 to 1.14. Source: scans of 0.6 to 10 µm on 24 realizations each of ten Gaussian surfaces (rms
-#: height 2 to 50 nm, roll-off 300 to 2000 nm, H = 0.5 to 0.84), R = 20 to 250 µm, rho = 2 and 5.6
-#: nm. Each ratio is known to 1 to 10 %.
+#: Smallest and largest ratio of two mean forces: on a mirrored scan, and on the surface of 20 µm
+#: from which it was cut. The key is the largest size of the scan relative to the search size; at
+#: larger sizes the ratio was 0.95 to 1.14. Source: scans of 0.6 to 10 µm on 24 realizations each of
+#: ten Gaussian surfaces (rms height 2 to 50 nm, roll-off 300 to 2000 nm, H = 0.5 to 0.84); R = 20
+#: to 250 µm, rho = 2 and 5.6 nm. Each ratio is known to 1 to 10 %.
 FINITE_SCAN_RATIOS = {
     0.125: (8.0, 17.0), 0.25: (3.0, 9.0), 0.5: (1.5, 3.6), 1.0: (1.1, 2.0), 2.0: (1.0, 1.5)
 }  # fmt: skip

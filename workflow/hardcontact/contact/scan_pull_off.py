@@ -76,9 +76,9 @@ def pull_off_with_checks(
 ) -> xr.Dataset:
     """Return the pull-off forces on one substrate scan, with three numbers to judge them by.
 
-    To the variables of `pull_off_on_spheres` it adds ``wider_window_change`` at the range of the
-    contact, ``finer_pixel_ratio`` of the first sphere scan at the shortest range, and
-    ``smooth_sphere_force`` (contact_model, rho), the mean over contacts.
+    ``wider_window_change`` is at the range of the contact, ``finer_pixel_ratio`` of the first
+    sphere scan at the shortest range. ``smooth_sphere_force`` (contact_model, rho) is the mean over
+    contacts. `pull_off_on_spheres` gives the other variables.
     """
     forces = pull_off_on_spheres(all_bodies, contact, ranges)
     plastic_forces = forces["pull_off_force"].sel(contact_model=PLASTIC)

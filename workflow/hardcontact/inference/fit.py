@@ -14,8 +14,8 @@ from hardcontact.base.arrays import Floats
 from hardcontact.base.units import DIMENSIONLESS, JOULE_PER_M2, NM
 from hardcontact.contact.pull_off import interpolate_to_ranges
 
-#: Number of ranges of adhesion of a fit, from the shortest to the longest computed range: the steps
-#: between 0.05 and 40 nm are 0.8 %, far below the interval of a fitted range.
+#: Number of ranges of adhesion of a fit. The steps between 0.05 and 40 nm are 0.8 %, far below the
+#: interval of a fitted range.
 RANGE_COUNT = 801
 #: Variables of the best fit, with their units.
 FIT_ATTRS = {"range_of_adhesion": NM, "work_of_adhesion": JOULE_PER_M2, "best_error": DIMENSIONLESS}

@@ -1,11 +1,11 @@
 """Parts of a few scans: the jackknife over the parts gives the interval of a mean force.
 
 If a surface has three scans or more, the parts are the scans. Otherwise the parts are the quarters
-of each scan: contacts of a mirrored scan are grouped by their quarter. Quarters are not
-independent, because contacts of different quarters are attracted by the same peaks: the surface
-around a contact attracts with a Gaussian weight of the deviation sqrt(R rho), since the paraboloid
-of the sphere enters Eq. 3 of the paper. This correlation corrects the variance. If the contacts
-touch fewer patches than there are quarters, some quarters share a patch, and there is no interval.
+of each scan: contacts of a mirrored scan are grouped by their quarter. Quarters are correlated,
+because the same peaks attract contacts of several quarters: by Eq. 3 of the paper, the surface
+around a contact attracts with a Gaussian weight of the deviation sqrt(R rho). The variance is
+corrected for this correlation. If the contacts touch fewer patches than there are quarters, some
+quarters share a patch, and there is no interval.
 """
 
 from collections.abc import Callable, Sequence
@@ -165,10 +165,10 @@ def parts_of_maps(
 def _correlation_of_quarters(size: float, weight_deviation: float) -> Floats:
     """Return the correlation (4, 4) of mean forces of the quarters of a mirrored scan.
 
-    Along one axis, the surface attracts the contacts of one half with a weight: a step, 1 on this
-    half and 0 on the other, smoothed by a Gaussian of the `weight_deviation`. The covariance of two
-    halves is the mean product of their smoothed steps, if roughness is uncorrelated. It follows
-    from the Fourier coefficients of the steps: 1/2, and ±2/(k pi) at odd orders k.
+    Along one axis, the surface attracts the contacts of one half with a weight. It is a step, 1 on
+    this half and 0 on the other, smoothed by a Gaussian of the `weight_deviation`. The covariance
+    of two halves is the mean product of their smoothed steps, if roughness is uncorrelated. It
+    follows from the Fourier coefficients of the steps: 1/2, and ±2/(k pi) at odd orders k.
     """
     order = np.arange(1, 2000, 2)
     decay = np.exp(-((np.pi * order * weight_deviation / size) ** 2))

@@ -210,8 +210,8 @@ def summit_radius_variation(spectrum: Spectrum, apex: ApexDistribution) -> float
 def field_variation(spectrum: Spectrum, contact: Contact) -> float:
     """Return the coefficient of variation of the attraction of a surface that many points carry.
 
-    theory.md (All together) has its square, an integral over the autocorrelation, and the term that
-    is linear in the autocorrelation, an integral over the spectrum.
+    theory.md (All together) has its square, an integral over the autocorrelation. The term that is
+    linear in the autocorrelation is an integral over the spectrum.
     """
     q = spectrum.wavevector
     reach = 4 * contact.radius * contact.rho

@@ -1,15 +1,17 @@
 """Sums of exp(-gap/rho) over the window of every contact of an array, smooth or rough sphere.
 
 A pixel has the reference gap g = y - u - z (`geometry`). On a smooth sphere exp(-y/rho) is a
-product of one factor per axis, so the sums of all contacts are one matrix product, G exp(z/rho)
-G^T, where G is exp(-y/rho) along an axis for every contact. On a rough sphere they are the
+product of one factor per axis. The sums of all contacts are therefore one matrix product, G
+exp(z/rho) G^T; G is exp(-y/rho) along an axis for every contact. On a rough sphere the sums are the
 correlation of exp(z/rho) with the kernel exp((u - y)/rho).
 
-These sums exclude the contact pixels, which `pull_off` adds with exp(0) = 1 each. There are two
-ways. `sums_by_subtraction` sums over all pixels and subtracts the contact pixels. This is fast, but
-a contact pixel that penetrates by d has the term exp(d/rho), so that the difference loses digits if
-d is much larger than rho. At short ranges and on rough spheres `_sums_by_omission` therefore sums
-without the contact pixels of any contact, then adds to each contact the pixels of the others.
+The sums exclude the contact pixels, which `pull_off` adds with exp(0) = 1 each. There are two ways:
+
+- `sums_by_subtraction` sums over all pixels and subtracts the contact pixels. It is fast, but loses
+  digits at short ranges, because a pixel that penetrates by d has the term exp(d/rho).
+- `_sums_by_omission`, for short ranges and rough spheres, sums without the contact pixels of any
+  contact. Then it adds to each contact the pixels of the others.
+
 Exponentials are relative to the highest points of z and u, so that none overflows.
 """
 
@@ -40,7 +42,7 @@ def outside_sums(
 ) -> Floats:
     """Return the sum (rho, contact_y, contact_x) of exp(-(g + m)/rho) outside plastic contact.
 
-    m is the height of the apex at closest approach; the contact pixels are those of the array.
+    m is the height of the apex at closest approach. The contact pixels are those of the array.
     """
     all_ranges = np.asarray(ranges, float)
     sums = np.empty((len(all_ranges), *[len(bodies.geometry.positions)] * 2))
