@@ -1,10 +1,9 @@
 # Claims: each statement of the paper beside what was computed.
 
+from hardcontact.base.published import CLAIMS
 from hardcontact.paper.claims.table import datasets_of_claims
 from hardcontact.report.paper_study.changed_inputs import paper_contact
 
-#: The statements of the paper.
-CLAIMS = "resources/paper/claims.csv"
 CLAIM_DATASETS = datasets_of_claims(CLAIMS)
 
 

@@ -1,5 +1,6 @@
 # Sets of substitute scans, sampled from pools, and the numbers of each.
 
+from hardcontact.base.published import CLAIMS
 from hardcontact.paper.claims.table import claims_of_sets
 
 SET_MASTERS = CHUNKS.filtered_masters("sets")
@@ -62,7 +63,7 @@ rule sample_sets:
             master_surfaces=[row.surface for row in SET_MASTERS],
             realizations=STUDY["sets"]["realizations"],
             loading=PLAN.contact.loading_name,
-            claims=claims_of_sets("resources/paper/claims.csv"),
+            claims=claims_of_sets(CLAIMS),
             settings={
                 "seed": STUDY["seed"],
                 "set_count": STUDY["sets"]["count"],

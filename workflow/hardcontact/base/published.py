@@ -15,6 +15,8 @@ PUBLISHED_TABLES = {
     "published_pull_off": "resources/paper/pull_off.csv",
     "published_table1": "resources/paper/table1.csv",
 }
+#: The statements of the paper.
+CLAIMS = "resources/paper/claims.csv"
 
 
 def effective_modulus(constants: Mapping[Any, Any]) -> float:

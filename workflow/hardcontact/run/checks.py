@@ -34,8 +34,6 @@ from hardcontact.surfaces.substitute_spectra import (
     read_segments,
 )
 
-#: The statements of the paper.
-CLAIMS = "resources/paper/claims.csv"
 #: Upper bound on the differences in height between contacts on a substitute for a surface of the
 #: paper, in nm: about five times the largest rms height (MCD).
 SUBSTITUTE_RELIEF = 500.0
@@ -126,7 +124,7 @@ def _paper_faults(config: dict[str, Any], contacts: pd.DataFrame) -> list[str]:
     # Imported here, as the claims would cost studies of the user's surfaces almost a second.
     from hardcontact.paper.claims.table import check_claims
 
-    return faults + _faults_found_by(check_claims, CLAIMS)
+    return faults + _faults_found_by(check_claims, published.CLAIMS)
 
 
 def _own_surface_faults(
