@@ -2,7 +2,8 @@
 
 from hardcontact.report.figures.listing import FILE_KINDS, PAPER_FIGURES
 
-#: The datasets of each target that makes some; `fit` of the user's surfaces needs measured forces.
+#: The datasets of each target that makes some, the files of each figure, and all other targets. `fit`
+#: of the user's surfaces needs measured forces.
 if IS_PAPER_STUDY:
     DATASETS_OF_TARGETS = {
         "topography": ["topography"],
@@ -15,6 +16,15 @@ if IS_PAPER_STUDY:
         "classical": ["classical"],
         "sets": ["sets", "posterior", "features"],
     }
+    FIGURE_FILES = {
+        figure: [RESULTS.figure(figure, kind) for kind in FILE_KINDS] for figure in PAPER_FIGURES
+    }
+    OTHER_TARGETS = {
+        "claims": [RESULTS.result("claims.csv")],
+        "figures": list(FIGURE_FILES.values()),
+        "pages": [RESULTS.page(page) for page in PAGES],
+        "answer": rules.answer_paper.output,
+    }
 else:
     DATASETS_OF_TARGETS = {
         "topography": ["topography", "spectra"],
@@ -23,21 +33,12 @@ else:
         "force": ["force"],
         **({"fit": ["fit"]} if HAS_FORCES else {}),
     }
-FIGURE_FILES = {
-    figure: [RESULTS.figure(figure, kind) for kind in FILE_KINDS]
-    for figure in (PAPER_FIGURES if IS_PAPER_STUDY else [])
-}
-TARGETS = {
+    FIGURE_FILES = {}
+    OTHER_TARGETS = {"answer": rules.answer_surfaces.output}
+TARGETS = OTHER_TARGETS | {
     target: [RESULTS.dataset(name) for name in names]
     for target, names in DATASETS_OF_TARGETS.items()
 }
-if IS_PAPER_STUDY:
-    TARGETS["claims"] = [RESULTS.result("claims.csv")]
-    TARGETS["figures"] = list(FIGURE_FILES.values())
-    TARGETS["pages"] = [RESULTS.page(page) for page in PAGES]
-    TARGETS["answer"] = rules.answer_paper.output
-else:
-    TARGETS["answer"] = rules.answer_surfaces.output
 
 
 for target, files in (TARGETS | FIGURE_FILES).items():

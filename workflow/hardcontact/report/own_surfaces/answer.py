@@ -104,7 +104,7 @@ def own_answer(datasets: Datasets, setting: Setting) -> dict[str, Any]:
 
 
 def _chosen_inputs(force: xr.Dataset, setting: Setting) -> list[str]:
-    """Return the names of inputs that are the least that the scans permit: the range, or none."""
+    """Return the name of the range of adhesion if it is the shortest that the scans permit."""
     ranges = force["rho"].values
     is_shortest = len(ranges) > 1 and np.isclose(force.attrs["rho"], ranges.min())
     return [RANGE] if is_shortest and RANGE not in setting.assumed else []
@@ -142,9 +142,14 @@ def _surface_answer(
         *_topography_numbers(data.topography),
         *_measurement_numbers(data.spectra),
     )
-    source = str(data.topography["source"].item())
     return SurfaceAnswer(
-        name, label, source, named_numbers, conclusion, surface_cautions, new_scans
+        name=name,
+        label=label,
+        source=str(data.topography["source"].item()),
+        numbers=named_numbers,
+        conclusion=conclusion,
+        cautions=surface_cautions,
+        next_scans=new_scans,
     )
 
 

@@ -68,6 +68,7 @@ def _printed_claim(row: Mapping[Any, Any]) -> dict[str, Any]:
     published = "" if row["rule"] in ONE_SIDED else format_as_paper(row["published"], unit)
     interval = (row["low"], row["high"])
     kind = "follows" if row["follows_from"] else "independent"
+    # Where no sets decide, the ends show on which side of each limit they lie.
     limits = () if row["agreeing_share"] >= 0 else (row["accepted_low"], row["accepted_high"])
     computed_text = format_as_paper(row["computed"], unit)
     if is_unbounded(row["computed"], *interval, unit):
