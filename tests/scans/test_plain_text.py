@@ -65,7 +65,7 @@ def test_a_bare_matrix_is_read_with_its_size_and_unit(tmp_path, name):
     np.testing.assert_allclose(coarse.heights, MAP, atol=1e-4)
 
 
-def test_the_given_size_is_the_longer_edge_of_files_without_a_size(tmp_path):
+def test_the_given_size_is_the_longer_side_of_files_without_a_size(tmp_path):
     path = written(tmp_path / "a.txt", matrix(" ")[:20])
     assert read_scan(path, unit="nm", map_size=240.0).pixel_size == pytest.approx(10.0)
     path = written(tmp_path / "b.txt", [*(line.replace(",", ".") for line in HEAD), *METRES])

@@ -108,7 +108,7 @@ def test_only_gaps_in_the_square_are_filled_and_at_most_half_of_it(tmp_path):
     assert_says(message, "a.nc", "at most 50%", "found 544 of 1024")
 
 
-def test_pixels_that_are_not_square_are_resampled_on_the_longer_edge(tmp_path):
+def test_pixels_that_are_not_square_are_resampled_to_the_larger_width(tmp_path):
     x, y = np.mgrid[:48, :64]
     values = np.ma.masked_array(0.3 * x - 0.2 * y, False)  # linear: interpolation is exact
     values[20, 31] = np.ma.masked
@@ -271,10 +271,7 @@ def test_a_scan_of_a_container_is_found_by_its_file_or_a_unique_name(tmp_path):
     ]
     path = write_container(tmp_path / "a.zip", entries, {"2.txt": tmp_path / "a.txt"})
     for name, message_parts in (
-        (
-            "one",
-            ["that names one scan", "found 2 of 'one' among one (1.txt), one (2.txt)"],
-        ),
+        ("one", ["that names one scan", "found 2 of 'one' among one (1.txt), one (2.txt)"]),
         ("three", ["that names one scan", "found 0 of 'three'"]),
         ("two", ["found one that its reader cannot follow", "no item named '3.txt'"]),
     ):

@@ -17,11 +17,7 @@ from hardcontact.surfaces.spectrum import spectrum_dataset
 from hardcontact.surfaces.substitute_spectra import substitute_spectrum
 from hardcontact.surfaces.substitutes import Substitute, Targets
 from hardcontact.surfaces.synthesis import ScanGrid
-from hardcontact.surfaces.table1_calibration import (
-    AFM_ROWS,
-    expected_scan_rms,
-    transfer_weights,
-)
+from hardcontact.surfaces.table1_calibration import AFM_ROWS, expected_scan_rms, transfer_weights
 
 NAMES = ("rms_height", "rms_gradient", "rms_half_laplacian")
 GRID = ScanGrid(64, 64 * PIXEL, 256)
