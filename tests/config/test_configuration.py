@@ -10,6 +10,7 @@ from studies import paper_configuration
 from hardcontact.config import configuration, key_tables
 from hardcontact.config.faults import raise_faults, run_checks
 from hardcontact.config.keys import Study
+from hardcontact.config.yaml_files import refuse_unreadable
 
 # Keys
 
@@ -97,7 +98,7 @@ def test_a_link_to_a_missing_folder_is_refused(tmp_path, monkeypatch, link):
 def test_a_file_that_is_no_configuration_is_refused(tmp_path, content, message_part):
     path = tmp_path / "a.yaml"
     path.mkdir() if content is None else path.write_bytes(content)
-    message = refusal(configuration.refuse_unreadable, path)
+    message = refusal(refuse_unreadable, path)
     assert message.startswith(f"{path}: expected YAML with keys at its top, found: ")
     assert_says(message, message_part)
     assert len(message.splitlines()) == 1 and len(message) < len(str(path)) + 200
@@ -107,7 +108,7 @@ def test_a_file_too_large_for_a_configuration_is_not_read(tmp_path):
     path = tmp_path / "a.yaml"
     with open(path, "wb") as file:
         file.truncate(200_000_000)
-    message = refusal(configuration.refuse_unreadable, path)
+    message = refusal(refuse_unreadable, path)
     assert_says(message, "at most 1 MB, found 200,000,000 bytes")
 
 

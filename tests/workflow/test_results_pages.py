@@ -10,7 +10,7 @@ from paper_numbers import SUBSTRATES
 from repository import ROOT
 
 from hardcontact.base import dataset
-from hardcontact.config.configuration import read_yaml
+from hardcontact.config.yaml_files import read_yaml
 from hardcontact.paper.claims.basis import WITHOUT_SCAN
 from hardcontact.paper.claims.judgement import JUDGED_COLUMNS
 from hardcontact.paper.claims.verdicts import VERDICTS

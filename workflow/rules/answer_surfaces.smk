@@ -1,7 +1,8 @@
 # The page that answers for the user's surfaces, and its figures.
 
+from hardcontact.config.configuration import assumed_quantities, contact_words
+from hardcontact.config.yaml_files import read_yaml
 from hardcontact.records.code import page_templates
-from hardcontact.config.configuration import assumed_quantities, contact_words, read_yaml
 from hardcontact.report.figures.listing import FILE_KINDS, OWN_FIGURES
 
 DRAWN_FIGURES = [name for name in OWN_FIGURES if name != "works" or HAS_FORCES]

@@ -14,8 +14,9 @@
 # are local to these, except TARGETS of targets.smk.
 
 from hardcontact.base.published import PUBLISHED_TABLES
-from hardcontact.config.configuration import is_paper_study, read_yaml
+from hardcontact.config.configuration import is_paper_study
 from hardcontact.config.keys import NONE
+from hardcontact.config.yaml_files import read_yaml
 from hardcontact.files.patterns import StudyPaths
 from hardcontact.run import study_inputs
 

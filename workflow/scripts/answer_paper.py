@@ -4,7 +4,7 @@ from pathlib import Path
 
 from hardcontact.base import published
 from hardcontact.base.dataset import read
-from hardcontact.config.configuration import read_yaml
+from hardcontact.config.yaml_files import read_yaml
 from hardcontact.paper.claims.verdicts import add_open_ends, read_verdicts
 from hardcontact.records.job import run_job
 from hardcontact.records.packages import read_pins

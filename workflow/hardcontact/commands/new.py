@@ -27,7 +27,6 @@ from hardcontact.config.configuration import (
     CONTACT_QUANTITIES,
     key_field,
     numeric_configuration,
-    read_yaml,
     set_keys,
 )
 from hardcontact.config.faults import raise_faults, run_checks, validate
@@ -36,6 +35,7 @@ from hardcontact.config.key_tables import commented_yaml
 from hardcontact.config.keys import NONE, SMOOTH_SPHERE
 from hardcontact.config.limits import refuse_unfit_grids
 from hardcontact.config.selected_surfaces import SurfaceRow
+from hardcontact.config.yaml_files import read_yaml
 from hardcontact.records.code import ROOT
 
 

@@ -15,8 +15,6 @@ from hardcontact.config.configuration import (
     is_paper_study,
     merge,
     numeric_configuration,
-    read_yaml,
-    refuse_unreadable,
 )
 from hardcontact.config.faults import key_fields, run_checks, shorten
 from hardcontact.config.keys import Study
@@ -26,6 +24,7 @@ from hardcontact.config.selected_surfaces import (
     selected_scans,
     surface_table,
 )
+from hardcontact.config.yaml_files import read_yaml, refuse_unreadable
 from hardcontact.records.code import ROOT
 from hardcontact.records.origin import digests, refuse_changed
 from hardcontact.records.packages import write_pins
