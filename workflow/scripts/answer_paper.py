@@ -5,7 +5,7 @@ from pathlib import Path
 from hardcontact.base import published
 from hardcontact.base.dataset import read
 from hardcontact.config.yaml_files import read_yaml
-from hardcontact.paper.claims.verdicts import add_open_ends, read_verdicts
+from hardcontact.paper.claims.judged_claims import add_open_ends, read_judged_claims
 from hardcontact.records.job import run_job
 from hardcontact.records.packages import read_pins
 from hardcontact.report.answer import answer_text
@@ -23,7 +23,7 @@ with run_job(snakemake) as job:
     captions = {name: caption(name, configuration) for name in figures}
     citation = read_yaml(job.input.citation)
     table1 = published.read_table1(job.input.published_table1)
-    claims = read_verdicts(job.input.claims)
+    claims = read_judged_claims(job.input.claims)
     claims = add_open_ends(claims, [datasets["edges"], datasets["sets"]])
 
     answer = paper_answer(

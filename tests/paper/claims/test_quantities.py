@@ -158,7 +158,7 @@ def test_ratios_of_forces_are_taken_on_each_scan():
     forces[1, :, 1] *= 3
     near(force.plastic_over_rigid(make_adhesion(forces)), (2 + 6) / 2)
     forces[1, 0] = forces[1, 1] * np.array([2.0, 4.0])[:, None]
-    near(force.force_at_shortest_range_over_smallest(make_adhesion(forces)), [1.0, 3.0])
+    near(force.shortest_range_force_over_minimum(make_adhesion(forces)), [1.0, 3.0])
 
 
 def test_the_force_on_a_smooth_sphere_changes_where_pixels_are_coarse():

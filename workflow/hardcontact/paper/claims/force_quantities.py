@@ -63,7 +63,7 @@ def range_exponent_of_area(adhesion: xr.Dataset) -> xr.Dataset:
     return 1 + range_exponent_of_force(adhesion)
 
 
-def force_at_shortest_range_over_smallest(adhesion: xr.Dataset) -> xr.Dataset:
+def shortest_range_force_over_minimum(adhesion: xr.Dataset) -> xr.Dataset:
     """Return the mean force at the shortest range over its minimum (surface, contact_model)."""
     mean = mean_over_contacts(adhesion["pull_off_force"]).sortby("rho")
     ratio = mean.isel(rho=0, drop=True) / mean.min("rho")

@@ -17,6 +17,7 @@ from hardcontact.base.statistics import interval_ends
 from hardcontact.paper.claims import band_quantities, contact_quantities, force_quantities
 from hardcontact.paper.claims.basis import WITHOUT_SCAN, claim_basis, claim_surfaces, fixed_verdict
 from hardcontact.paper.claims.estimates import variable_estimate
+from hardcontact.paper.claims.judged_claims import JUDGED_COLUMNS
 from hardcontact.paper.claims.selection import SelectedLabels, parse_selection, select_estimate
 from hardcontact.paper.claims.verdicts import accepted_range, interval_with_sets, samples_vary
 from hardcontact.surfaces.metrics import TABLE1_VARIABLES
@@ -28,14 +29,6 @@ DERIVED_QUANTITIES: dict[str, Callable[..., xr.Dataset]] = {
     for name, function in vars(module).items()
     if getattr(function, "__module__", "") == module.__name__ and not name.startswith("_")
 }
-
-#: Columns of the claims.csv of a study. `evidence` says where the limits of the paper come from,
-#: `basis` on which scans the computed number rests.
-JUDGED_COLUMNS = (
-    "id", "main", "section", "statement", "number", "published", "computed", "low", "high", "unit",
-    "rule", "evidence", "accepted_low", "accepted_high", "agreeing_share", "verdict",
-    "follows_from", "basis", "note",
-)  # fmt: skip
 
 
 def claim_values(

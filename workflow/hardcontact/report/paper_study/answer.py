@@ -16,7 +16,8 @@ from hardcontact.contact.numerical_limits import SHORT_ADHESION_RANGE
 from hardcontact.inference.edges import MEAN_GROUP, EdgeStatus, edges_or_bounds
 from hardcontact.inference.fit import WITHOUT_SURFACE
 from hardcontact.inference.octaves import strongest_octaves
-from hardcontact.paper.claims.verdicts import count_verdicts, find_open_end, interval_with_sets
+from hardcontact.paper.claims.judged_claims import count_verdicts, find_open_end
+from hardcontact.paper.claims.verdicts import interval_with_sets
 from hardcontact.report.answer import all_quantities, note, substitutes_note
 from hardcontact.report.paper_study.changed_inputs import changed_inputs, paper_contact
 from hardcontact.report.paper_study.conclusions import (
@@ -67,7 +68,7 @@ def paper_answer(
 ) -> dict[str, Any]:
     """Return the content of answer.json: a head, notes in words, and all numbers.
 
-    `claims` comes from `verdicts.add_open_ends`, `constants` and `table1` from `published`. The
+    `claims` comes from `add_open_ends`, `constants` and `table1` from `published`. The
     datasets are `topography`, `scales`, `edges`, `sensitivity`, `band_forces`, `sets`, `features`,
     `fit`, and `scan_size` from resources/validation.
     """
