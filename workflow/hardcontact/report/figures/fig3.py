@@ -1,6 +1,6 @@
 """Fig. 3: distributions of the pull-off forces, published and computed."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from string import ascii_lowercase
 from typing import Any
 
@@ -42,27 +42,21 @@ def draw(
     floor = fit.attrs["force_floor"]
     pairs: dict[str, FitPair] = {"published": published_constants["value"], "fitted": plastic_fit}
     forces_of_all = {name: _forces_at(adhesion, pair) for name, pair in pairs.items()}
+    published_forces = published_pull_off.to_dict("index")
     colours = style.colours(fit["surface"].values)
     figure = drawing.create(5.0, fit)
     grid = figure.subplots(2, len(colours), squeeze=False)
-    for letter, (surface, colour), (linear, logarithmic) in zip(
-        ascii_lowercase, colours.items(), grid.T, strict=False
-    ):
+    for letter, surface, column in zip(ascii_lowercase, colours, grid.T, strict=False):
         surface_forces = {  # a surface with fewer scans than others has NaN in place of theirs
             name: values.sel(surface=surface).stack(force=[...]).dropna("force").values
             for name, values in forces_of_all.items()
         }
         surface_fit = plastic_fit.sel(surface=surface, pair="published")
-        mean = published_pull_off["mean_force"][surface]
-        median = published_pull_off["median_force"][surface]
-        lognormals = _lognormals(mean, median, surface_fit)
-        _draw_linear(linear, surface_forces, lognormals[0], colour)
-        _draw_logarithmic(logarithmic, surface_forces, lognormals, floor, colour)
-        style.label_panel(linear, f"{letter}_1", str(surface_fit["label"].item()))
-        log_std = format_with_interval(panels.value_and_bounds(surface_fit, "log_force_std"), ".2f")
-        title = f"published $s$ = {lognormals[0].args[0]:.2f}\nhere {log_std}"
-        style.label_panel(logarithmic, f"{letter}_2", title)
-        for axes in (linear, logarithmic):
+        lognormals = _lognormals(published_forces[surface], surface_fit)
+        _draw_linear(column[0], surface_forces, lognormals[0], colours[surface])
+        _draw_logarithmic(column[1], surface_forces, lognormals, floor, colours[surface])
+        _label_column(column, letter, surface_fit, lognormals[0])
+        for axes in column:
             axes.axvspan(axes.get_xlim()[0], floor / style.MICRONEWTON, color="0.85", zorder=0)
             axes.set_xlabel("pull-off force (µN)")
     for axes in grid[:, 0]:
@@ -79,13 +73,23 @@ def _forces_at(adhesion: xr.Dataset, pair: FitPair) -> xr.DataArray:
     return interpolate_to_range(forces, float(pair["range_of_adhesion"])) * work
 
 
-def _lognormals(mean: float, median: float, fit: xr.Dataset) -> tuple[Any, Any]:
+def _lognormals(published: Mapping[Any, float], fit: xr.Dataset) -> tuple[Any, Any]:
     """Return the log-normals (N) of one surface: published, and fitted to the computed forces.
 
-    The published one has the published mean and median force.
+    The published log-normal has the published mean and median force.
     """
-    log_std, centre = fit["log_force_std"].item(), fit["lognormal_median"].item()
-    return lognorm(log_std_of_lognormal(mean, median), scale=median), lognorm(log_std, scale=centre)
+    median = published["median_force"]
+    published_log_std = log_std_of_lognormal(published["mean_force"], median)
+    computed = lognorm(fit["log_force_std"].item(), scale=fit["lognormal_median"].item())
+    return lognorm(published_log_std, scale=median), computed
+
+
+def _label_column(column: np.ndarray, letter: str, fit: xr.Dataset, published: Any) -> None:
+    """Name the surface above its linear panel, and the scatter s above its logarithmic panel."""
+    style.label_panel(column[0], f"{letter}_1", str(fit["label"].item()))
+    log_std = format_with_interval(panels.value_and_bounds(fit, "log_force_std"), ".2f")
+    title = f"published $s$ = {published.args[0]:.2f}\nhere {log_std}"
+    style.label_panel(column[1], f"{letter}_2", title)
 
 
 def _draw_linear(axes: Axes, forces_by_pair: ForcesByPair, published: Any, colour: str) -> None:

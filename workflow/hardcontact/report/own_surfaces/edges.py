@@ -171,32 +171,37 @@ def surface_conclusion(numbers: Mapping[str, Number]) -> Conclusion:
     force = _drop_partial_interval(numbers["mean_force"])
     sides = [side for side in SIDES if f"force_extrapolated_{side}" in numbers]
     sources = {short.source, long.source, numbers["mean_force_measured_share"].source}
-    if numbers["mean_force"].status == IntervalSource.FEW_PATCHES:
-        band = "few_patches"
-    elif short.status == NoValue.NO_BAND:
-        band = "none"
-    elif {NoValue.NO_HINDCAST, EdgeStatus.RIPPLES} & {short.status, long.status}:
-        band = "unknown"
-    else:
-        band = "overlapping" if short.value >= long.value else "found"
+    band = _describe_band(short, long, numbers["mean_force"])
     if band in ("few_patches", "none") or sources == {"artificial"}:
         answer = "no"
     elif sources == {"measured"} and not sides and not short.status and not long.status:
         answer = "yes"
     else:
         answer = "partly"
-    known = [side for side in sides if np.isfinite(numbers[f"force_extrapolated_{side}"].value)]
     return Conclusion(
         answer=answer,
         band=band,
         short_edge=short,
         long_edge=long,
         force=force,
-        extrapolated=known,
+        extrapolated=[
+            side for side in sides if np.isfinite(numbers[f"force_extrapolated_{side}"].value)
+        ],
         octave_body=_octave_body(numbers),
         octave_is_certain=_octave_is_certain(numbers),
         few_summits=numbers["weibull_modulus"].value < 1,
     )
+
+
+def _describe_band(short: Number, long: Number, force: Number) -> str:
+    """Return what is known of the band of one surface, as `Conclusion.band`."""
+    if force.status == IntervalSource.FEW_PATCHES:
+        return "few_patches"
+    if short.status == NoValue.NO_BAND:
+        return "none"
+    if {NoValue.NO_HINDCAST, EdgeStatus.RIPPLES} & {short.status, long.status}:
+        return "unknown"
+    return "overlapping" if short.value >= long.value else "found"
 
 
 def _octave_body(numbers: Mapping[str, Number]) -> str:
