@@ -7,7 +7,8 @@ from known_masters import master_ratios
 from paper_numbers import MEAN_FORCE, SUBSTRATES, SURFACES, TABLE1
 
 from hardcontact.paper.sets import SetInputs
-from hardcontact.surfaces.metrics import METRICS, scan_averages
+from hardcontact.surfaces.metrics import METRICS
+from hardcontact.surfaces.topography import scan_averages
 
 CONFIDENCE, SCANS, CONTACTS = 0.95, 5, 3
 RADIUS, RHO, MODELS = 250e3, [0.05, 2.0, 4.0, 5.6, 8.0], ["rigid", "plastic"]

@@ -9,9 +9,10 @@ from measurements import PIXEL, UNCD, levelled_scan, measurement
 
 from hardcontact.base.arrays import generator
 from hardcontact.surfaces.levelling import level_and_mirror, remove_form
-from hardcontact.surfaces.metrics import measured_roughness, metrics, roughness_table
+from hardcontact.surfaces.metrics import metrics
 from hardcontact.surfaces.spectrum import measured_psds, spectrum_dataset
 from hardcontact.surfaces.synthesis import add_sphere_shape
+from hardcontact.surfaces.topography import measured_roughness, topography_dataset
 
 SETTINGS = dict(
     labels={"uncd": "UNCD", "ruby": "ruby"},
@@ -42,7 +43,7 @@ def table(maps):
     }
     conditionings = {"ruby": xr.Dataset(attrs={"table1_rows_met": "afm_rms_height"})}
     scans = {key: measured_roughness(scan) for key, scan in maps.items()}
-    return roughness_table(scans, spectra, conditionings, examples, **SETTINGS)
+    return topography_dataset(scans, spectra, conditionings, examples, **SETTINGS)
 
 
 def test_the_table_has_every_scan_and_nan_for_missing_scans(table, maps):

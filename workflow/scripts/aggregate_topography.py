@@ -3,13 +3,13 @@
 from hardcontact.base.dataset import read_by_name
 from hardcontact.records.job import run_job
 from hardcontact.surfaces.height_map import load_height_map
-from hardcontact.surfaces.metrics import measured_roughness, roughness_table
+from hardcontact.surfaces.topography import measured_roughness, topography_dataset
 
 with run_job(snakemake) as job:
     params = job.parameters
     scan_paths = zip(params["scan_keys"], job.input.scans, strict=True)
     job.write(
-        roughness_table(
+        topography_dataset(
             {tuple(key): measured_roughness(load_height_map(path)) for key, path in scan_paths},
             read_by_name(params["surfaces"], job.input.spectra),
             read_by_name(params["conditioned"], job.input.conditionings),

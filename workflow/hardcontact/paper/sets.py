@@ -24,7 +24,8 @@ from hardcontact.paper.edges_of_masters import edges_of_masters
 from hardcontact.paper.featured_candidates import candidate_of_set
 from hardcontact.paper.pool import sample_scans
 from hardcontact.paper.published_fit import PublishedForces, fit_published
-from hardcontact.surfaces.metrics import TABLE1_METRICS, scan_averages
+from hardcontact.surfaces.metrics import TABLE1_METRICS
+from hardcontact.surfaces.topography import scan_averages
 
 #: Variables of fit.nc that sets.nc has for each set.
 SET_FIT_VARIABLES = [
