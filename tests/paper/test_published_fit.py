@@ -8,7 +8,7 @@ from paper_numbers import MEAN_FORCE, SUBSTRATES
 
 from hardcontact.base.statistics import Sampling
 from hardcontact.contact.pull_off import interpolate_to_ranges
-from hardcontact.inference.fit import fit_range_and_work, mean_relative_error
+from hardcontact.inference.fit import best_fit, mean_relative_error
 from hardcontact.paper import published_fit as fit
 from hardcontact.paper.published_fit import PublishedForces
 
@@ -35,11 +35,12 @@ def test_the_fit_has_the_smallest_error_of_a_fine_search():
     forces = forces.mean(["scan", "sphere_scan", "contact_y", "contact_x"]).values
     fine = np.geomspace(RHOS[0], RHOS[-1], 60)
     curve = interpolate_to_ranges(forces, RHOS, fine)
-    best, _, error = fit_range_and_work(curve, MEAN_FORCE)
+    pair = best_fit(curve, MEAN_FORCE, fine)
+    error = pair["best_error"]
     search = mean_relative_error(curve, MEAN_FORCE, np.geomspace(1e-3, 2, 20001))
     assert error <= search.min() + 1e-12
     assert error == pytest.approx(search.min(), rel=1e-3)
-    assert np.unravel_index(search.argmin(), search.shape)[0] == best
+    assert fine[np.unravel_index(search.argmin(), search.shape)[0]] == pair["range_of_adhesion"]
 
 
 def test_the_region_contains_exactly_the_small_errors():

@@ -1,6 +1,6 @@
 """The force with the roughness of a band alone, or without its shorter or its longer waves."""
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import replace
 
 import numpy as np
@@ -20,21 +20,15 @@ from hardcontact.surfaces.synthesis import SIDES
 BAND_PARTS = ("only the band", "no shorter waves", "no longer waves")
 
 
-def band_parts(
-    surface: HeightMap, bands: Iterable[tuple[float, float]]
-) -> Iterator[dict[str, HeightMap]]:
-    """Yield, for each band, a periodic surface for each of BAND_PARTS, by name.
+def band_parts(surface: HeightMap, band: tuple[float, float]) -> list[HeightMap]:
+    """Return a periodic surface for each of BAND_PARTS.
 
     A band keeps wavelengths from its shortest (included) to its longest (excluded), in nm.
     """
-    for shortest, longest in bands:
-        series = filtered_series(surface, "short", [shortest, longest], surface.pixels)
-        band_and_longer, longer = (waves.heights for waves in series)
-        heights = (band_and_longer - longer, band_and_longer, surface.heights - longer)
-        yield {
-            name: replace(surface, heights=part_heights)
-            for name, part_heights in zip(BAND_PARTS, heights, strict=True)
-        }
+    series = filtered_series(surface, "short", band, surface.pixels)
+    band_and_longer, longer = (waves.heights for waves in series)
+    parts = (band_and_longer - longer, band_and_longer, surface.heights - longer)
+    return [replace(surface, heights=heights) for heights in parts]
 
 
 def band_force_dataset(
@@ -46,8 +40,9 @@ def band_force_dataset(
     contact_x) and ``band_force`` (band, band_part, contact_y, contact_x) are in N at 1 J/m²;
     ``band_edge`` (band, side) has the wavelengths.
     """
-    parts_by_band = band_parts(surface, bands.values())
-    part_forces = [[compute_forces(part) for part in parts.values()] for parts in parts_by_band]
+    part_forces = [
+        [compute_forces(part) for part in band_parts(surface, band)] for band in bands.values()
+    ]
     return xr.Dataset(
         {
             "force": (CONTACT_AXES, compute_forces(surface), FORCE_ATTRS),

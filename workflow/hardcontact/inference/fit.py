@@ -55,14 +55,6 @@ def fit_work(mean_forces: Floats, measured_forces: Floats) -> tuple[Floats, Floa
     return minimum_along_axis(np.stack(errors, axis=-2), candidates, axis=-2)
 
 
-def fit_range_and_work(
-    mean_forces: Floats, measured_forces: Floats
-) -> tuple[Floats, Floats, Floats]:
-    """Return the index of the best range, its work in J/m² and the relative error, each (...)."""
-    work, error = fit_work(mean_forces, measured_forces)
-    return error.argmin(axis=-1), *minimum_along_axis(error, work)
-
-
 def fine_ranges(ranges: Floats) -> Floats:
     """Return the ranges (nm) of a fit, from the shortest to the longest of the computed ranges."""
     if len(ranges) == 1:
@@ -75,8 +67,9 @@ def best_fit(mean_forces: Floats, measured_forces: Floats, ranges: Floats) -> di
 
     They are NaN if a computed force is NaN.
     """
-    best_index, work, error = fit_range_and_work(mean_forces, measured_forces)
-    best_range = np.where(np.isfinite(error), ranges[best_index], np.nan)
+    works, errors = fit_work(mean_forces, measured_forces)
+    work, error = minimum_along_axis(errors, works)
+    best_range = np.where(np.isfinite(error), ranges[errors.argmin(axis=-1)], np.nan)
     return {"range_of_adhesion": best_range, "work_of_adhesion": work, "best_error": error}
 
 
