@@ -50,19 +50,12 @@ def _draw_forces(axes: Axes, classical: xr.Dataset) -> None:
     for (look, surface_data), offset in zip(
         style.iterate_surfaces(classical), offsets, strict=True
     ):
-        colour = look["color"]
         for x, variable in enumerate(names[:2]):
             force = panels.value_and_interval(surface_data, variable) / style.MICRONEWTON
             panels.draw_bars(axes, x + offset, force, ls="none", **look)
         published = surface_data["published_mean_force"].item() / style.MICRONEWTON
-        axes.axhline(published, color=colour, zorder=0, **PUBLISHED_LINE)
-        forces = panels.value_and_interval(surface_data, "model_force") / style.MICRONEWTON
-        drawn_forces = forces.where(~(forces < MIN_DRAWN_FORCE), 1.7 * bottom)
-        positions = 2 + offset + np.arange(classical.sizes["model"])
-        for metrics, shift in zip(METRIC_LABELS, (-0.04, 0.04), strict=True):
-            face = colour if metrics == "afm" else "white"
-            model_forces = drawn_forces.sel(metrics=metrics)
-            panels.draw_bars(axes, positions + shift, model_forces, ls="none", mfc=face, **look)
+        axes.axhline(published, color=look["color"], zorder=0, **PUBLISHED_LINE)
+        _draw_model_forces(axes, surface_data, 2 + offset, 1.7 * bottom, look)
     axes.axhspan(bottom, 3 * bottom, color="0.9", zorder=0)
     axes.text(1.6, 1.7 * bottom, "no force", fontsize=7, va="center")
     axes.axvline(1.5, color="black", lw=0.6)
@@ -71,6 +64,19 @@ def _draw_forces(axes: Axes, classical: xr.Dataset) -> None:
     axes.set(xlim=(-0.5, len(labels) - 0.5), yscale="log", ylim=(bottom, top))
     axes.set_ylabel("pull-off force (µN)")
     style.label_logarithmic(axes.yaxis)
+
+
+def _draw_model_forces(
+    axes: Axes, surface_data: xr.Dataset, start: float, no_force: float, look: style.Look
+) -> None:
+    """Draw the forces (µN) of the models on one surface from a position on; none is `no_force`."""
+    forces = panels.value_and_interval(surface_data, "model_force") / style.MICRONEWTON
+    drawn_forces = forces.where(~(forces < MIN_DRAWN_FORCE), no_force)
+    positions = start + np.arange(surface_data.sizes["model"])
+    for metrics, shift in zip(METRIC_LABELS, (-0.04, 0.04), strict=True):
+        face = look["color"] if metrics == "afm" else "white"
+        model_forces = drawn_forces.sel(metrics=metrics)
+        panels.draw_bars(axes, positions + shift, model_forces, ls="none", mfc=face, **look)
 
 
 def _draw_errors(axes: Axes, classical: xr.Dataset) -> None:
