@@ -24,7 +24,8 @@ from hardcontact.scans.map_defects import (
     wave_power,
 )
 from hardcontact.surfaces.height_map import HeightMap
-from hardcontact.surfaces.levelling import MIN_STREAK_STEPS, fill_streaks, remove_form
+from hardcontact.surfaces.levelling import remove_form
+from hardcontact.surfaces.streaks import MIN_STREAK_STEPS, fill_streaks
 
 #: Sentences on defects by code, with the names of their numbers in braces.
 SENTENCES: dict[str, str] = yaml.safe_load(
