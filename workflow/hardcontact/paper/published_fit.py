@@ -124,39 +124,53 @@ def fit_model(
     Forces (surface, scan, sphere_scan, rho, contact_y, contact_x) are in N at 1 J/m², NaN for a
     missing scan. Surfaces whose published force is NaN do not enter the fit.
     """
-    computed_ranges = forces.rho.values
-    ranges = fine_ranges(computed_ranges)
+    ranges = fine_ranges(forces.rho.values)
     means, mean_samples = mean_forces(forces, sampling)
     is_published = np.isfinite(published_forces)
     published_forces = published_forces[is_published]
-    # The first curves are the means, all others their samples.
     fitted_means = np.concatenate([means[None], mean_samples])[:, is_published]
-    curves = interpolate_to_ranges(fitted_means, computed_ranges, ranges)
-    fits = best_fit(curves, published_forces, ranges)
-    errors = ratio_errors(curves, published_forces, int(is_published[:reference_index].sum()))
-    best_ranges = ranges[errors.argmin(axis=-1)]
-    fits["range_from_ratios"] = np.where(np.isfinite(fits["best_error"]), best_ranges, np.nan)
+    curves = interpolate_to_ranges(fitted_means, forces.rho.values, ranges)
+    fitted_reference = int(is_published[:reference_index].sum())
     axes = ("surface", "rho")
     scans = mean_over_contacts(forces).transpose(..., *axes)
     interval = student_log_interval(scans, sampling.confidence, "scan")
     variables = (
         _error_variables(curves[0], published_forces, ranges, threshold)
-        | {"ratio_error": ("rho_fine", errors[0], DIMENSIONLESS)}
+        | _fitted_variables(curves, published_forces, ranges, fitted_reference, sampling)
         | with_interval("mean_force", axes, means, interval.values, NEWTON, sampling.confidence)
         | forces_over_reference(
             "force_over_reference", axes, means, mean_samples, reference_index, sampling
         )
     )
-    for name, attributes in FITTED_ATTRS.items():
-        variables |= sampling.with_interval(name, (), fits[name][0], fits[name][1:], attributes)
-    for name, variable in SAMPLED_VARIABLES.items():
-        variables[f"sampled_{name}"] = ("sample", fits[variable][1:], FITTED_ATTRS[variable])
     coordinates = {
         "rho_fine": ("rho_fine", ranges, NM),
         "work": ("work", MAPPED_WORKS, JOULE_PER_M2),
         "minimum": np.arange(1, MAX_MINIMA + 1),
     }
     return xr.Dataset(variables, {"surface": forces.surface, "rho": forces.rho} | coordinates)
+
+
+def _fitted_variables(
+    curves: Floats,
+    published_forces: Floats,
+    ranges: Floats,
+    reference_index: int,
+    sampling: Sampling,
+) -> dict[str, Any]:
+    """Return FITTED_ATTRS with intervals, samples of SAMPLED_VARIABLES, and ``ratio_error``.
+
+    The first of the curves (k, surface, rho) has the means of forces, all others their samples.
+    """
+    fits = best_fit(curves, published_forces, ranges)
+    errors = ratio_errors(curves, published_forces, reference_index)
+    best_ranges = ranges[errors.argmin(axis=-1)]
+    fits["range_from_ratios"] = np.where(np.isfinite(fits["best_error"]), best_ranges, np.nan)
+    variables: dict[str, Any] = {"ratio_error": ("rho_fine", errors[0], DIMENSIONLESS)}
+    for name, attributes in FITTED_ATTRS.items():
+        variables |= sampling.with_interval(name, (), fits[name][0], fits[name][1:], attributes)
+    for name, variable in SAMPLED_VARIABLES.items():
+        variables[f"sampled_{name}"] = ("sample", fits[variable][1:], FITTED_ATTRS[variable])
+    return variables
 
 
 def _error_variables(
