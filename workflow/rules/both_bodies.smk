@@ -3,6 +3,7 @@
 
 from hardcontact.files.patterns import any_name_pattern
 
+#: The substrates to which the roughness of a scanned sphere is added; the others stay as they are.
 COMBINED_SURFACES = any_name_pattern(PLAN.combined_surfaces)
 
 
