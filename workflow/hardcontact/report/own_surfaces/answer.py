@@ -18,6 +18,7 @@ from hardcontact.report.answer import (
 from hardcontact.report.figures import panels
 from hardcontact.report.own_surfaces.cautions import cautions
 from hardcontact.report.own_surfaces.comparison import comparison_numbers
+from hardcontact.report.own_surfaces.conclusions import Conclusion, surface_conclusion
 from hardcontact.report.own_surfaces.datasets import (
     MEASUREMENT_LENGTHS,
     Datasets,
@@ -27,13 +28,7 @@ from hardcontact.report.own_surfaces.datasets import (
     split_measurements,
     stored_tabor_number,
 )
-from hardcontact.report.own_surfaces.edges import (
-    Conclusion,
-    NextScan,
-    edge_numbers,
-    next_scans,
-    surface_conclusion,
-)
+from hardcontact.report.own_surfaces.edges import NextScan, edge_numbers, next_scans
 from hardcontact.report.own_surfaces.forces import (
     fit_numbers,
     force_numbers,

@@ -1,6 +1,6 @@
-"""The edges of the critical band of a user's surface, a conclusion, and what to measure next."""
+"""The edges of the critical band of a user's surface, and what to measure next to find them."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from enum import StrEnum
 from typing import NamedTuple
 
@@ -13,7 +13,6 @@ from hardcontact.inference.edges import EdgeStatus, computed_cutoffs
 from hardcontact.inference.scan_parts import IntervalSource
 from hardcontact.report.own_surfaces.datasets import Datasets, fails_hindcast
 from hardcontact.report.own_surfaces.reliable_wavelengths import (
-    NEARLY_ALL,
     artificial_bands,
     edge_source,
     measured_share_at_edge,
@@ -31,34 +30,6 @@ class NextScan(NamedTuple):
     code: str  #: finer or larger.
     limit: Number
     body: str = ""  #: "sphere" or "surface", the rougher one there; "" under a smooth sphere.
-
-
-class Conclusion(NamedTuple):
-    """The answer of one surface in short; printed intervals have both ends.
-
-    answer: "yes" if both edges are found, no second force has extrapolated roughness, and force
-        and edges come from wavelengths at which a scan is reliable. "no" if none of the three comes
-        from such wavelengths, if contacts touch too few patches, or if there is no band. Otherwise
-        "partly".
-    band: "few_patches", "none" if no resolved wavelength changes the force, "unknown" if a hindcast
-        fails or the short edge shows ripples of the filter, "overlapping" if the short edge is the
-        longer one, otherwise "found".
-    extrapolated: sides with a known force with extrapolated roughness.
-    octave_body: "sphere", "surface" or "both", which have the waves that change the force most;
-        empty under a smooth sphere.
-    octave_is_certain: whether the interval of that change excludes none.
-    few_summits: whether single summits carry the force; otherwise many points attract.
-    """
-
-    answer: str
-    band: str
-    short_edge: Number
-    long_edge: Number
-    force: Number
-    extrapolated: list[str]
-    octave_body: str
-    octave_is_certain: bool
-    few_summits: bool
 
 
 def interval_status(interval_source: xr.DataArray) -> StrEnum:
@@ -162,64 +133,3 @@ def _next_scan(edge: Number, spectra: xr.Dataset) -> NextScan:
     body = "" if np.isnan(share) else "sphere" if share > 0.5 else "surface"
     code = "finer" if is_finer else "larger"
     return NextScan(edge.name, code, Number("limit", limit, "nm"), body)
-
-
-def surface_conclusion(numbers: Mapping[str, Number]) -> Conclusion:
-    """Return the conclusion on one surface from its numbers by name."""
-    short = _drop_partial_interval(numbers["short_edge"])
-    long = _drop_partial_interval(numbers["long_edge"])
-    force = _drop_partial_interval(numbers["mean_force"])
-    sides = [side for side in SIDES if f"force_extrapolated_{side}" in numbers]
-    sources = {short.source, long.source, numbers["mean_force_measured_share"].source}
-    band = _describe_band(short, long, numbers["mean_force"])
-    if band in ("few_patches", "none") or sources == {"artificial"}:
-        answer = "no"
-    elif sources == {"measured"} and not sides and not short.status and not long.status:
-        answer = "yes"
-    else:
-        answer = "partly"
-    return Conclusion(
-        answer=answer,
-        band=band,
-        short_edge=short,
-        long_edge=long,
-        force=force,
-        extrapolated=[
-            side for side in sides if np.isfinite(numbers[f"force_extrapolated_{side}"].value)
-        ],
-        octave_body=_octave_body(numbers),
-        octave_is_certain=_octave_is_certain(numbers),
-        few_summits=numbers["weibull_modulus"].value < 1,
-    )
-
-
-def _describe_band(short: Number, long: Number, force: Number) -> str:
-    """Return what is known of the band of one surface, as `Conclusion.band`."""
-    if force.status == IntervalSource.FEW_PATCHES:
-        return "few_patches"
-    if short.status == NoValue.NO_BAND:
-        return "none"
-    if {NoValue.NO_HINDCAST, EdgeStatus.RIPPLES} & {short.status, long.status}:
-        return "unknown"
-    return "overlapping" if short.value >= long.value else "found"
-
-
-def _octave_body(numbers: Mapping[str, Number]) -> str:
-    """Return which body has the waves that change the force most, as `Conclusion.octave_body`."""
-    if "octave_1_sphere_share" not in numbers:
-        return ""
-    share = numbers["octave_1_sphere_share"].value
-    return "sphere" if share > NEARLY_ALL else "surface" if share < 1 - NEARLY_ALL else "both"
-
-
-def _octave_is_certain(numbers: Mapping[str, Number]) -> bool:
-    """Return whether the interval of the largest change by an octave excludes no change."""
-    change = numbers.get("octave_1_sensitivity")
-    return change is None or not change.low <= 0 <= change.high
-
-
-def _drop_partial_interval(number: Number) -> Number:
-    """Return a number without its interval if only one end of it is known."""
-    is_whole = np.isfinite([number.low, number.high]).all() or np.isnan(number.value)
-    status = number.status if number.status in OPEN_WORDS else NumberStatus.PLAIN
-    return number if is_whole else number._replace(low=np.nan, high=np.nan, status=status)
