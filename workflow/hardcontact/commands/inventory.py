@@ -31,19 +31,19 @@ class Entry:
     channel: str
     file_unit: str
     kind: str
-    pixels: int  #: per row of a map, or points of a line scan
+    pixels: int  #: Pixels per row of a map, or points of a line scan.
     pixel_size: float
-    rms_height: float  #: levelled, of the sphere without its paraboloid
-    peak_to_valley: float  #: levelled, of the sphere without its paraboloid
-    relief: float  #: the largest difference in height, levelled or not
+    rms_height: float  #: Of the levelled scan, without the shape of a sphere.
+    peak_to_valley: float  #: Of the levelled scan, without the shape of a sphere.
+    relief: float  #: The largest difference in height, levelled or not.
     tip_radius: float | None
-    tip_given: bool  #: by the user, as the file does not state it
+    tip_given: bool  #: Whether the user gave the radius, because the file states none.
     band: ReliableBand
     density: Floats  #: C_iso (bins,) in nm⁴
-    undefined_count: int  #: pixels, which were filled
-    notes: tuple[str, ...]  #: what was done in reading
-    defects: Mapping[str, Mapping[str, float]]  #: of `scan_defects`
-    coarse: HeightMap  #: levelled, to find scans of the same area
+    undefined_count: int  #: Number of undefined pixels, which were filled.
+    notes: tuple[str, ...]  #: What was done in reading.
+    defects: Mapping[str, Mapping[str, float]]  #: From `scan_defects`.
+    coarse: HeightMap  #: The levelled scan on few pixels, to find scans of the same area.
 
     @property
     def undefined_share(self) -> float:

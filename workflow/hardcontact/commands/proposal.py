@@ -46,12 +46,12 @@ MIN_CUTOFF_RATIO = 1.15
 class Effort(NamedTuple):
     """The size of a study, which decides its cost."""
 
-    pixels: int  #: per row of masters, if scans do not have more
-    cutoff_count: int  #: on each side
-    master_count: int  #: on each side
-    slow_master_count: int  #: on each side if contacts take long
-    contacts_per_row: int  #: per row of the array
-    range_count: int  #: of adhesion
+    pixels: int  #: Pixels per row of masters, if scans do not have more.
+    cutoff_count: int  #: Cutoffs on each side.
+    master_count: int  #: Masters on each side.
+    slow_master_count: int  #: Masters on each side if contacts take long.
+    contacts_per_row: int  #: Contacts per row of the array.
+    range_count: int  #: Ranges of adhesion.
 
 
 #: Full effort takes a minute of processor time for a scan of 512 x 512 pixels, quick effort a
@@ -87,11 +87,11 @@ class Transitions(NamedTuple):
 class Proposal(NamedTuple):
     """The choices for scans."""
 
-    contact_entries: list[Entry]  #: scans that contacts are made on; others only enter the spectrum
+    contact_entries: list[Entry]  #: Scans that make contacts; others only enter the spectrum.
     choices: list[Choice]
-    quick: list[Choice]  #: choices that differ at quick effort
-    reasons: list[str]  #: why these scans make contacts, a line for each surface
-    cautions: list[str]  #: what the user should know before believing the answer
+    quick: list[Choice]  #: Choices that differ at quick effort.
+    reasons: list[str]  #: Why these scans make contacts, a line for each surface.
+    cautions: list[str]  #: What the user should know before believing the answer.
 
 
 def propose(

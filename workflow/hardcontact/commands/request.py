@@ -30,8 +30,8 @@ class ScanFile(NamedTuple):
     label: str
     file: str
     path: str
-    sphere_radius: float | None = None  #: in nm, of scans of the sphere
-    is_in_folder: bool = False  #: whether the user named its folder, which may hold other files
+    sphere_radius: float | None = None  #: In nm, of scans of the sphere.
+    is_in_folder: bool = False  #: Whether the user named its folder, which may hold other files.
 
 
 def new_arguments(arguments: Sequence[str]) -> Namespace:

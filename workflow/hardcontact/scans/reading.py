@@ -50,12 +50,12 @@ MAX_MESSAGE_LENGTH = 2000
 class ReadingOptions(NamedTuple):
     """How scans are read; tip radius, unit and size serve files that do not state them."""
 
-    tip_radius: float | None = None  #: in nm
-    unit: str = "none"  #: of length, or of positions and of heights
-    map_size: float | str = "none"  #: longer side, in nm
+    tip_radius: float | None = None  #: In nm.
+    unit: str = "none"  #: Unit of length, or units of positions and of heights.
+    map_size: float | str = "none"  #: Longer side in nm.
     levelling: str = "plane"
     mask: str = MASKS[0]
-    undefined_pixels: str = "harmonic"  #: filled, so that the scan can be measured
+    undefined_pixels: str = "harmonic"  #: They are filled, so that the scan can be measured.
 
     def read(self, path: str | Path, dataset: str) -> HeightMap:
         """Return the height map or line scan of `read_scan`."""
