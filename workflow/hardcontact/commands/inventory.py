@@ -116,7 +116,7 @@ def _read_file(
     for dataset in datasets:
         try:
             scan = options.read(scan_file.file, dataset or channel)
-            entries.append(_entry(scan_file, scan, options))
+            entries.append(_measure_scan(scan_file, scan, options))
         except ValueError as error:
             file = f"{scan_file.file}: "
             faults += [
@@ -161,7 +161,7 @@ def entries_by_surface(entries: Sequence[Entry]) -> dict[str, list[Entry]]:
     return surfaces
 
 
-def _entry(scan_file: ScanFile, scan: HeightMap, options: ReadingOptions) -> Entry:
+def _measure_scan(scan_file: ScanFile, scan: HeightMap, options: ReadingOptions) -> Entry:
     """Return the entry of one topography; raise ValueError if it cannot be used."""
     relief = np.ptp(scan.heights)
     if relief == 0:

@@ -150,13 +150,13 @@ def _choices(
         substrates, contact, short_pixels, effort.contacts_per_row
     )
     shortest_range = permitted.shortest_range
-    ranges = [_nm(rho) for rho in _ranges(contact.rho, shortest_range, effort.range_count)]
+    ranges = [_in_nm(rho) for rho in _ranges(contact.rho, shortest_range, effort.range_count)]
     limit = f"these scans permit {shortest_range:.3g} nm or more"
     master_count = _master_count(substrates, effort, is_slow)
     return [
-        Choice("contact.window", _nm(contact.window), permitted.window_reason),
+        Choice("contact.window", _in_nm(contact.window), permitted.window_reason),
         Choice("contact.contacts_per_row", contacts_per_row, "contacts per row of their array"),
-        Choice("adhesion.range", _nm(contact.rho), permitted.range_reason),
+        Choice("adhesion.range", _in_nm(contact.rho), permitted.range_reason),
         Choice("adhesion.ranges", ranges, f"for the force as a function of it; {limit}"),
         Choice("scales.realizations", master_count, "masters on each side"),
         *_master_choices(substrates, contact, transitions, effort, short_pixels),
@@ -196,11 +196,11 @@ def _master_choices(
     long_reason = f"{TRANSITION_SHARE:g} of the size of the scan; above, roughness is artificial"
     tiles_reason = f"mirrored scans per row, {format_length(2 * size * tiles)}"
     yield Choice("scales.short.pixels", short_pixels, f"{format_length(finest)} a pixel")
-    yield Choice("scales.short.transition", _nm(short_transition), reason)
+    yield Choice("scales.short.transition", _in_nm(short_transition), reason)
     yield Choice("scales.short.cutoffs", short_cutoffs, "from four pixels to the size of the scan")
     yield Choice("scales.long.pixels", long_pixels, "those of the scans")
     yield Choice("scales.long.tiles", tiles, tiles_reason)
-    yield Choice("scales.long.transition", _nm(long_transition), long_reason)
+    yield Choice("scales.long.transition", _in_nm(long_transition), long_reason)
     yield Choice("scales.long.cutoffs", long_cutoffs, "to half the size of the master")
 
 
@@ -208,7 +208,7 @@ def _cutoffs(shortest: float, longest: float, max_count: int) -> list[str]:
     """Return wavelengths (nm) of three digits, evenly spaced in their logarithm, as quantities."""
     steps = int(math.log(longest / shortest) / math.log(MIN_CUTOFF_RATIO))
     wavelengths = np.geomspace(shortest, longest, min(max_count, max(steps, 1) + 1))
-    return [_nm(float(f"{wavelength:.3g}")) for wavelength in wavelengths]
+    return [_in_nm(float(f"{wavelength:.3g}")) for wavelength in wavelengths]
 
 
 def _transitions(substrates: Sequence[Entry], sphere_scans: Sequence[Entry]) -> Transitions:
@@ -261,6 +261,6 @@ def _ranges(rho: float, shortest_range: float, count: int) -> list[float]:
     return sorted({shortest, rho, *(length for length in rounded if length > shortest)})
 
 
-def _nm(length: float) -> str:
+def _in_nm(length: float) -> str:
     """Return a length (nm) as the configuration has it."""
     return f"{length:.12g} nm"

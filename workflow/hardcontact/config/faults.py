@@ -11,7 +11,7 @@ from pydantic import BaseModel, ValidationError
 from pydantic.fields import FieldInfo
 
 #: The accepted values in words, for types of pydantic's errors that it explains to programmers.
-EXPECTED = {
+EXPECTED_VALUES = {
     "bool_type": "true or false",
     "dict_type": "a mapping",
     "int_type": "a whole number",
@@ -134,7 +134,7 @@ def _describe_fault(fault: Mapping[str, Any]) -> str:
     if fault["type"] == "value_error":
         return str(fault["ctx"]["error"])
     words = PYDANTIC_PHRASES.sub("", fault["msg"].replace("''", "nothing"))
-    accepted = EXPECTED.get(fault["type"], words)
+    accepted = EXPECTED_VALUES.get(fault["type"], words)
     return f"expected {accepted}, found {shorten(fault['input'])}"
 
 

@@ -38,7 +38,7 @@ def measured_forces(
     it. Returns by line of the file: surface, mean and median in N (of a single test its force),
     count of tests, and site, blank if not given. Raises ValueError with a line for each fault.
     """
-    table = user_table(path, f"a table of forces ({given_as})", decode=_decode)
+    table = user_table(path, f"a table of forces ({given_as})", decode=_decode_forces)
     header, units = _split_units(table.header)
     table = table._replace(header=header)
     columns = SUMMARIES if "mean" in header else TESTS
@@ -67,7 +67,7 @@ def measured_forces(
     return forces
 
 
-def _decode(content: bytes) -> str:
+def _decode_forces(content: bytes) -> str:
     """Return a text in UTF-8, or in Latin-1 if it has no control characters; refuse others."""
     try:
         return decode_utf8(content)

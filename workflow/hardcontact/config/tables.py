@@ -12,7 +12,7 @@ from typing import NamedTuple, TypeVar
 from hardcontact.config.faults import quote_key, raise_faults
 
 #: Largest size of a table: a hundred thousand rows.
-MAX_BYTES = 10_000_000
+MAX_TABLE_BYTES = 10_000_000
 #: A number with a decimal comma.
 DECIMAL = re.compile(r"^([-+]?\d*),(\d+(?:[eE][-+]?\d+)?)$")
 #: Cells by the name of their column.
@@ -90,9 +90,9 @@ def user_table(
     """
     if not os.path.isfile(path):
         raise ValueError(f"{path}: expected {content}, found no file")
-    if os.path.getsize(path) > MAX_BYTES:
+    if os.path.getsize(path) > MAX_TABLE_BYTES:
         raise ValueError(
-            f"{path}: expected {content}, of at most {MAX_BYTES / 1e6:g} MB, found "
+            f"{path}: expected {content}, of at most {MAX_TABLE_BYTES / 1e6:g} MB, found "
             f"{os.path.getsize(path) / 1e6:.0f} MB"
         )
     try:

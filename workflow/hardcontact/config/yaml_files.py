@@ -10,7 +10,7 @@ from hardcontact.config.faults import quote_key
 from hardcontact.records.code import ROOT
 
 #: The most bytes of a configuration: a hundred times as many as the paper's study has.
-MAX_BYTES = 1_000_000
+MAX_CONFIGURATION_BYTES = 1_000_000
 #: The most values of a configuration: a hundred times as many as the paper's study has.
 MAX_VALUES = 100_000
 
@@ -27,7 +27,7 @@ def refuse_unreadable(path: str | Path) -> None:
             f"{path}: expected a YAML file, found none (targets stand before --configfile)"
         )
     size = os.stat(path).st_size
-    if size > MAX_BYTES:
+    if size > MAX_CONFIGURATION_BYTES:
         raise ValueError(f"{path}: expected a configuration of at most 1 MB, found {size:,} bytes")
     try:
         content = yaml.load(Path(path).read_bytes().decode("utf-8"), _StrictLoader)

@@ -36,7 +36,7 @@ def edges_of_scans(
     measured surfaces.
     """
     curves = summarize_masters(
-        scales, master_scans, lambda forces: _force_ratios(forces, confidence)
+        scales, master_scans, lambda forces: _ratios_of_masters(forces, confidence)
     )
     if hindcast is not None:
         curves = _widen_ratios(curves, hindcast["hindcast_ratio"])
@@ -47,7 +47,7 @@ def edges_of_scans(
     return edges.merge(curves.assign(interval_source=interval_source))
 
 
-def _force_ratios(master_forces: MasterForces, confidence: float) -> xr.Dataset:
+def _ratios_of_masters(master_forces: MasterForces, confidence: float) -> xr.Dataset:
     """Return the force ratios of one surface and side, with intervals and their source."""
     half_width = half_width_over_masters(master_forces, truediv, "log_ratio_shift", confidence)
     ratio = master_forces.forces.filtered_force_ratio.mean("realization").values

@@ -56,7 +56,9 @@ def fit_measured(
     fits = {}
     for model in adhesion["contact_model"].values.tolist():
         surface_forces = forces_by_surface(measured_adhesion.sel(contact_model=model), scan_sizes)
-        fits[(model,)] = _fit_model(surface_forces, means, test_samples, pixel_factors, sampling)
+        fits[(model,)] = _fit_contact_model(
+            surface_forces, means, test_samples, pixel_factors, sampling
+        )
     # The tests and the parts of scans are the same for all models.
     interval_sources = [
         surface_forces[name].scan_parts[0].interval_source
@@ -96,7 +98,7 @@ def _sampled_forces(surface_forces: SurfaceForces, surface: str, sampling: Sampl
     return np.asarray(mean * np.exp(deviations))
 
 
-def _fit_model(
+def _fit_contact_model(
     computed_forces: Mapping[str, SurfaceForces],
     measured_forces: Floats,
     measured_samples: Floats,

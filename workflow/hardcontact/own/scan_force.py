@@ -49,7 +49,7 @@ class ScanSize(StrEnum):
     SMALL, LARGE = "small", "large"
 
 
-class Agreement(StrEnum):
+class ClosedFormStatus(StrEnum):
     """Whether the closed form for the spectrum of a map agrees with the force on the map.
 
     AGREES: the force lies within the known error of the closed form. NOT_GAUSSIAN: the intervals of
@@ -73,7 +73,7 @@ def prediction_and_scan_force(
     numbers = prediction(own_spectrum.spectrum, contact, tolerance, name)
     scan_numbers = force_on_scan(own_spectrum, contact, confidence)
     form = scan_numbers.get("closed_form_on_scan")
-    if form is not None and form.status != Agreement.AGREES:
+    if form is not None and form.status != ClosedFormStatus.AGREES:
         for quantity in numbers.keys() & set(CLOSED_FORM_NAMES):
             number = numbers[quantity]._replace(low=math.nan, high=math.nan)
             is_force = number.unit == "N" and math.isfinite(number.value)
@@ -182,10 +182,10 @@ def _closed_form_number(
     is_bounded = math.isfinite(force.low + force.high)
     force_low, force_high = (force.low, force.high) if is_bounded else (force.value, force.value)
     if low > force_high or high < force_low:
-        status = Agreement.NOT_GAUSSIAN
+        status = ClosedFormStatus.NOT_GAUSSIAN
     elif low <= force.value <= high and is_validated(point):
-        status = Agreement.AGREES
+        status = ClosedFormStatus.AGREES
     else:
-        status = Agreement.OUTSIDE
-    interval = (low, high) if status == Agreement.AGREES else (math.nan, math.nan)
+        status = ClosedFormStatus.OUTSIDE
+    interval = (low, high) if status == ClosedFormStatus.AGREES else (math.nan, math.nan)
     return Number("closed_form_on_scan", form.force, "N", *interval, status)

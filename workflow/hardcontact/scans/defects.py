@@ -63,7 +63,7 @@ MAX_END_SHARE = 1e-3
 MAX_END_PIXELS = 10
 #: Their largest ratio to the number of pixels at the next height. Quantised heights have a ratio
 #: below 1, a flat summit whose height falls with the fourth power of the distance 2.4.
-MAX_END_RATIO = 3.0
+MAX_CLIPPING_RATIO = 3.0
 #: Share of the steepest pixels, which may be sidewalls.
 SIDEWALL_PIXEL_SHARE = 0.05
 #: Least share of sidewalls in the squared slopes. The steepest pixels have 0.2 to 0.45 of them on
@@ -171,7 +171,9 @@ def _find_clipping(heights: Floats) -> dict[str, Numbers]:
     numbers = {}
     for code, (end_count, next_count) in (("highest", counts[::-1][:2]), ("lowest", counts[:2])):
         share = float(end_count / heights.size)
-        if share > MAX_END_SHARE and end_count > max(MAX_END_RATIO * next_count, MAX_END_PIXELS):
+        if share > MAX_END_SHARE and end_count > max(
+            MAX_CLIPPING_RATIO * next_count, MAX_END_PIXELS
+        ):
             numbers[code] = {f"{code}_share": share}
     return numbers
 
@@ -190,12 +192,12 @@ def _find_sidewalls(heights: Floats) -> Numbers:
 
 def defect_sentence(code: str, numbers: Mapping[str, float]) -> str:
     """Return the sentence on a defect, with its numbers and without a full stop."""
-    words = {name: _format_number(name, number) for name, number in numbers.items()}
+    words = {name: _format_defect_number(name, number) for name, number in numbers.items()}
     words["sidewall_pixels"] = format_share(SIDEWALL_PIXEL_SHARE)
     return SENTENCES[code].format(**words, streak=MIN_STREAK_STEPS, spike=MIN_SPIKE_DISTANCE)
 
 
-def _format_number(name: str, number: float) -> str:
+def _format_defect_number(name: str, number: float) -> str:
     """Return a number of a defect with its unit, a share in per cent."""
     if DEFECT_UNITS[name] == "nm":
         return format_length(number)

@@ -106,7 +106,9 @@ def _container_entries(content: bytes) -> list[dict[str, Any]] | None:
     try:
         contents = json.loads(text) if name == INDEX_FILES[0] else yaml.load(text, yaml.CFullLoader)
         surfaces = contents["surfaces"]
-        entries = [_entry(scan) for surface in surfaces for scan in surface["topographies"]]
+        entries = [
+            _container_entry(scan) for surface in surfaces for scan in surface["topographies"]
+        ]
     except Exception as error:  # A malformed list may raise any error.
         raise RefusedFile(
             f"expected {name} that lists surfaces, their topographies and the data file of "
@@ -119,7 +121,7 @@ def _container_entries(content: bytes) -> list[dict[str, Any]] | None:
     return entries
 
 
-def _entry(scan: dict[str, Any]) -> dict[str, Any]:
+def _container_entry(scan: dict[str, Any]) -> dict[str, Any]:
     """Return the metadata of a scan in a container with its data file, and a name."""
     key = next(key for key in DATA_FILE_KEYS if scan["datafile"].get(key))
     file = scan["datafile"][key]

@@ -45,7 +45,7 @@ def readable_text(content: bytes) -> tuple[bytes, list[str]]:
     Points (x, y, height) on a grid with gaps gain points of undefined height; points beside a grid
     are interpolated. Any other content stays as it is. The list has notes for the user.
     """
-    text = _decode(content)
+    text = _decode_text(content)
     if text is None:
         return content, []
     lines = text.splitlines()
@@ -72,7 +72,7 @@ def readable_text(content: bytes) -> tuple[bytes, list[str]]:
     return ("\n".join(lines) + "\n").encode(), notes
 
 
-def _decode(content: bytes) -> str | None:
+def _decode_text(content: bytes) -> str | None:
     """Return the text of bytes; None if they are not text."""
     is_utf16 = content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))
     if BINARY.search(content) and not is_utf16:

@@ -43,7 +43,7 @@ Weights = tuple[Floats, Floats]
 #: Bins of wavevectors in which weights are added up: they are 0.2 % wide.
 BIN_COUNT = 4000
 #: Rows of the grid of wavevectors that are added at a time.
-BLOCK_ROWS = 512
+ROWS_AT_A_TIME = 512
 #: Relative error at which a number of Table 1 counts as met: far below its digits.
 MET_ERROR = 1e-9
 #: Calibrated parameters by model, and parameters whose logarithms are searched.
@@ -79,8 +79,8 @@ def transfer_weights(pixels: int, pixel_size: float, window_pixels: int) -> Weig
     difference = (2 * np.sin(wave_y * pixel_size / 2) / pixel_size) ** 2
     mean_x, slope_x, difference_x = (values[: len(wave_x)] for values in (mean, slope, difference))
     weights = np.zeros((3, BIN_COUNT))
-    for start in range(0, pixels, BLOCK_ROWS):
-        rows = slice(start, start + BLOCK_ROWS)
+    for start in range(0, pixels, ROWS_AT_A_TIME):
+        rows = slice(start, start + ROWS_AT_A_TIME)
         mean_y, slope_y = mean[rows, None], slope[rows, None]
         removed = mean_y * mean_x + slope_y * mean_x + mean_y * slope_x
         laplacian = difference[rows, None] + difference_x
