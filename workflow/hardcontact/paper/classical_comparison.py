@@ -51,9 +51,9 @@ def apply_classical_models(
     `published`. Intervals follow from the uncertainty of Table 1 and the rounding of printed
     forces. NaN if the paper prints no force or no roughness of a surface.
     """
-    value = constants["value"].to_dict()
+    paper = constants["value"].to_dict()
     sphere = ElasticSphere(
-        fit.attrs["sphere_radius"], effective_modulus(value), value["equilibrium_spacing"]
+        fit.attrs["sphere_radius"], effective_modulus(paper), paper["equilibrium_spacing"]
     )
     rows = table1.pivot(index="surface", columns="quantity", values=["value", "uncertainty"])
     rows = rows.dropna()
@@ -64,13 +64,13 @@ def apply_classical_models(
         "published": rounded_numbers(printed.loc[surfaces, "mean_force"]),
         "computed": _forces_at_published_pair(fit.sel(surface=surfaces)),
     }
-    maugis = hertz_jkr_dmt.maugis_parameter(value["tabor_parameter"])
+    maugis = hertz_jkr_dmt.maugis_parameter(paper["tabor_parameter"])
     coefficient = hertz_jkr_dmt.pull_off_coefficient(maugis)
     works = {
         source: hertz_jkr_dmt.effective_work_of_adhesion(ends, sphere.radius, coefficient)
         for source, ends in forces.items()
     }
-    work = value["work_of_adhesion"]
+    work = paper["work_of_adhesion"]
     models = {}
     for metrics, prefix in METRIC_PREFIXES.items():
         mean = _roughness(rows.loc[surfaces], "value", prefix)
@@ -96,7 +96,7 @@ def apply_classical_models(
         .merge(_forces_and_works(forces, works, sampling.confidence))
         .assign_coords(coordinates)
         .reindex(surface=fit["surface"].values)
-        .merge(_smooth_contact(sphere, value))
+        .merge(_smooth_contact(sphere, paper))
         .assign(
             model_label=("model", [model.label for model in MODELS.values()]),
             label=fit["label"],
@@ -106,10 +106,10 @@ def apply_classical_models(
     )
 
 
-def _smooth_contact(sphere: ElasticSphere, constants: Mapping[Any, float]) -> xr.Dataset:
+def _smooth_contact(sphere: ElasticSphere, paper: Mapping[Any, float]) -> xr.Dataset:
     """Return Tabor parameter and Hertz pressure of the sphere, if it is smooth."""
-    hertz = hertz_jkr_dmt.hertz_contact(constants["preload"], sphere.radius, sphere.modulus)
-    tabor = hertz_jkr_dmt.tabor_parameter(constants["work_of_adhesion"], *sphere)
+    hertz = hertz_jkr_dmt.hertz_contact(paper["preload"], sphere.radius, sphere.modulus)
+    tabor = hertz_jkr_dmt.tabor_parameter(paper["work_of_adhesion"], *sphere)
     return xr.Dataset(
         {
             "tabor_parameter": ((), tabor, DIMENSIONLESS),

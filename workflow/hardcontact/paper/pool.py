@@ -93,7 +93,7 @@ def smooth_sphere_forces(scan: HeightMap, contact: Contact, ranges: list[float])
     return pull_off_dataset(bodies, contact, ranges)["pull_off_force"]
 
 
-def sample_scans(pool: xr.Dataset, rng: np.random.Generator, scan_count: int) -> xr.Dataset:
+def scans_of_set(pool: xr.Dataset, rng: np.random.Generator, scan_count: int) -> xr.Dataset:
     """Return the scans of one substrate in a set, sampled from its pool without replacement.
 
     Their rms heights are scaled to the mean and deviation of Table 1. A set is sampled again if a

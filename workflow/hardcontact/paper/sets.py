@@ -22,7 +22,7 @@ from hardcontact.inference.fit import WITHOUT_SURFACE
 from hardcontact.paper.claims.judgement import claim_values
 from hardcontact.paper.edges_of_masters import edges_of_masters
 from hardcontact.paper.featured_candidates import candidate_of_set
-from hardcontact.paper.pool import sample_scans
+from hardcontact.paper.pool import scans_of_set
 from hardcontact.paper.published_fit import PublishedForces, fit_published
 from hardcontact.surfaces.metrics import TABLE1_METRICS
 from hardcontact.surfaces.topography import scan_averages
@@ -69,7 +69,7 @@ def sample_set_scans(inputs: SetInputs, seed: int, set_number: int) -> dict[str,
     """Return as many scans as the study has, for each substrate with a pool or candidates."""
     counts = inputs.topography["rms_height"].count("scan").to_series()
     pool_scans = {
-        name: sample_scans(pool, generator(seed, name, set_number, "set", "scans"), counts[name])
+        name: scans_of_set(pool, generator(seed, name, set_number, "set", "scans"), counts[name])
         for name, pool in inputs.pools.items()
     }
     return pool_scans | {
