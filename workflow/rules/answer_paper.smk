@@ -6,16 +6,7 @@ from hardcontact.records.packages import PINS
 from hardcontact.report.figures.listing import PAPER_FIGURES, caption, describe_figure
 
 #: The datasets of the study whose numbers the answer has.
-DATASETS_OF_ANSWER = [
-    "topography",
-    "scales",
-    "edges",
-    "sensitivity",
-    "band_forces",
-    "sets",
-    "features",
-    "fit",
-]
+DATASETS_OF_ANSWER = "topography scales edges sensitivity band_forces sets features fit".split()
 
 for name in PAPER_FIGURES:
     figure = describe_figure(name)

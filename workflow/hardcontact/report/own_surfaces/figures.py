@@ -64,13 +64,13 @@ def write_figures(datasets: Datasets, outputs: Mapping[str, Sequence[str]]) -> d
     Outputs are by FILE_KINDS, in one order of figures; a file has the name of its figure.
     """
     pictures = {}
-    for paths in zip(*(outputs[kind] for kind in FILE_KINDS), strict=True):
-        files = dict(zip(FILE_KINDS, paths, strict=True))
-        name = PurePath(files["svg"]).stem
+    for index, svg in enumerate(outputs["svg"]):
+        files = {kind: outputs[kind][index] for kind in FILE_KINDS}
+        name = PurePath(svg).stem
         with style.print_style():
             figure = OWN_DRAWINGS[name](datasets)
             drawing.save(figure, describe_figure(name).title, files, MAP_DOTS_PER_INCH)
-        pictures[name] = Path(files["svg"]).read_bytes()
+        pictures[name] = Path(svg).read_bytes()
     return pictures
 
 
