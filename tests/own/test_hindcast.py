@@ -13,6 +13,7 @@ from hardcontact.contact.contact import CONTACT_AXES, Contact
 from hardcontact.contact.pull_off import make_force_function
 from hardcontact.own import hindcast
 from hardcontact.own.hindcast import RandomBody
+from hardcontact.own.wide_pixels import pixel_forces, widen_pixels
 from hardcontact.surfaces.height_map import mirror_scan
 from hardcontact.surfaces.synthesis import random_surface
 
@@ -131,7 +132,7 @@ def test_each_side_ends_with_an_octave_within_the_reliable_wavelengths():
 
 def test_wide_pixels_have_the_mean_heights_of_their_blocks():
     heights = np.arange(100.0).reshape(10, 10)
-    wide = hindcast.widen_pixels(replace(SCAN, heights=heights)).heights
+    wide = widen_pixels(replace(SCAN, heights=heights)).heights
     for block in (np.s_[:4, :4], np.s_[4:8, 8:], np.s_[8:, 8:]):
         np.testing.assert_allclose(wide[block], heights[block].mean())
 
@@ -143,9 +144,9 @@ def test_wide_pixels_hide_summits():
     ratios = [
         float(forces["wide_pixel_force"].mean() / forces["scan_force"].mean())
         for forces in (
-            hindcast.pixel_forces(mirror_scan(flat), None, CONTACT),
-            hindcast.pixel_forces(rough, None, CONTACT),
-            hindcast.pixel_forces(mirror_scan(flat), rough, CONTACT),
+            pixel_forces(mirror_scan(flat), None, CONTACT),
+            pixel_forces(rough, None, CONTACT),
+            pixel_forces(mirror_scan(flat), rough, CONTACT),
         )
     ]
     assert ratios[0] == pytest.approx(1) and min(ratios[1:]) > 1.02

@@ -16,7 +16,6 @@ from hardcontact.base.units import DIMENSIONLESS, NEWTON, NM
 from hardcontact.contact.contact import CONTACT_AXES, PLASTIC, Contact
 from hardcontact.contact.hertz_jkr_dmt import limit_forces, smooth_pull_off
 from hardcontact.contact.numerical_limits import finite_scan_ratio, window_share
-from hardcontact.own.hindcast import pixel_factors
 from hardcontact.own.mean_forces import (
     MasterForces,
     MasterScans,
@@ -28,6 +27,7 @@ from hardcontact.own.mean_forces import (
     position_half_width,
     summarize_masters,
 )
+from hardcontact.own.wide_pixels import pixel_factors
 from hardcontact.surfaces.spectrum import Spectrum, spectrum_of_dataset
 from hardcontact.theory.pull_off_statistics import predict_statistics
 from hardcontact.theory.summits import search_size

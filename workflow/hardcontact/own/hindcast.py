@@ -2,7 +2,7 @@
 
 Hindcast: artificial roughness replaces the outermost octave of wavelengths that a scan shows. If
 the force then changes, a random surface cannot extrapolate this scan. On a Gaussian surface the
-force changes little. Wider pixels show how much the force depends on the size of the pixels.
+force changes little.
 """
 
 from collections.abc import Mapping, Sequence
@@ -17,8 +17,8 @@ from hardcontact.base.arrays import Floats, generator
 from hardcontact.base.dataset import stack
 from hardcontact.base.statistics import student_quantile, with_interval
 from hardcontact.base.units import DIMENSIONLESS
-from hardcontact.contact.contact import CONTACT_AXES, Contact
-from hardcontact.contact.pull_off import FORCE_ATTRS, ForcesOnSurface, make_force_function
+from hardcontact.contact.contact import CONTACT_AXES
+from hardcontact.contact.pull_off import FORCE_ATTRS, ForcesOnSurface
 from hardcontact.inference.edges import logarithmic_limits
 from hardcontact.surfaces.filters import filtered_series
 from hardcontact.surfaces.height_map import HeightMap, mirror_scan
@@ -32,8 +32,6 @@ Octave = tuple[float, float]
 #: seed. With six, the outcome depended on the seed on one scan; with twelve, the interval is 1.15
 #: times as wide as with many.
 ARTIFICIAL_OCTAVES = 12
-#: Pixels per row of a block with one height.
-WIDE_PIXEL = 4
 
 
 class RandomBody(NamedTuple):
@@ -187,44 +185,3 @@ def hindcast_dataset(forces: xr.Dataset, tolerance: float, confidence: float) ->
         filtered_scan_ratio=filtered.assign_attrs(DIMENSIONLESS),
         wide_pixel_ratio=wide.assign_attrs(DIMENSIONLESS),
     )
-
-
-def widen_pixels(surface: HeightMap) -> HeightMap:
-    """Return a map on the same grid whose blocks of WIDE_PIXEL x WIDE_PIXEL have their mean height.
-
-    Blocks at the last rows and columns may be smaller.
-    """
-    starts = np.arange(0, surface.pixels, WIDE_PIXEL)
-    counts = np.diff(starts, append=surface.pixels)
-    sums = np.add.reduceat(np.add.reduceat(surface.heights.astype(float), starts, 0), starts, 1)
-    means = sums / np.outer(counts, counts)
-    heights = means.repeat(counts, 0).repeat(counts, 1)
-    return replace(surface, heights=heights.astype(surface.heights.dtype))
-
-
-def pixel_forces(surface: HeightMap, sphere: HeightMap | None, contact: Contact) -> xr.Dataset:
-    """Return ``scan_force`` and ``wide_pixel_force`` (contact_y, contact_x) in N at 1 J/m².
-
-    Both bodies have wider pixels for ``wide_pixel_force``. `sphere` is None for a smooth sphere.
-    """
-    wide_sphere = None if sphere is None else widen_pixels(sphere)
-    forces = {
-        "scan_force": make_force_function(contact, sphere)(surface),
-        "wide_pixel_force": make_force_function(contact, wide_sphere)(widen_pixels(surface)),
-    }
-    return xr.Dataset({name: (CONTACT_AXES, force, FORCE_ATTRS) for name, force in forces.items()})
-
-
-def pixel_factor(wide_pixel_ratio: np.ndarray | float) -> np.ndarray:
-    """Return the largest factor by which finer pixels may lower a force.
-
-    It is the factor by which wider pixels raise the force
-    (tests/benchmarks/validate_random_surfaces.py), and 1 where the ratio is NaN.
-    """
-    return np.asarray(np.fmax(wide_pixel_ratio, 1.0))
-
-
-def pixel_factors(force: xr.Dataset) -> xr.DataArray:
-    """Return the factors (surface) by which finer pixels may lower forces, 1 for substitutes."""
-    ratios = force.get("wide_pixel_ratio", xr.ones_like(force["surface"], dtype=float))
-    return ratios.copy(data=pixel_factor(ratios.values))
