@@ -40,10 +40,10 @@ def pixel_forces(surface: HeightMap, sphere: HeightMap | None, contact: Contact)
 
 
 def pixel_factor(wide_pixel_ratio: np.ndarray | float) -> np.ndarray:
-    """Return the largest factor by which finer pixels may lower a force.
+    """Return the largest factor by which finer pixels may lower a force; 1 where the ratio is NaN.
 
-    It is the factor by which wider pixels raise the force
-    (tests/benchmarks/validate_random_surfaces.py), and 1 where the ratio is NaN.
+    It is taken equal to the factor by which wider pixels raise the force, as validated by
+    tests/benchmarks/validate_random_surfaces.py.
     """
     return np.asarray(np.fmax(wide_pixel_ratio, 1.0))
 
