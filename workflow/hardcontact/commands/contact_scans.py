@@ -47,9 +47,9 @@ def select_contact_scans(
 ) -> tuple[list[Entry], list[str]]:
     """Return the scans that contacts are made on, one grid for each surface, and reasons.
 
-    Among grids that resolve the interaction radius, the smallest one counts that is large enough
-    for the largest search size of all surfaces, or else the largest. Surfaces are thus compared on
-    one size if possible. Raises ValueError, with a line for each surface without a height map.
+    Of the grids that resolve the interaction radius, it is the smallest that is large enough for
+    the largest search size of all surfaces, or else the largest. Surfaces are thus compared on one
+    size if possible. Raises ValueError, with a line for each surface without a height map.
     """
     groups = _groups(entries)
     sphere_groups = groups.pop(sphere) if sphere is not None else []

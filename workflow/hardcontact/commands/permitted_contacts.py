@@ -21,16 +21,16 @@ from hardcontact.own.scan_contact import window_on_scans
 #: The longest range of adhesion (nm) that is proposed if none is given, as in the paper's study.
 LONGEST_RANGE = 40.0
 #: Width of the long-edge master relative to a scan.
-MASTER_SCANS = 8
+MASTER_OVER_SCAN = 8
 #: Width of the long-edge master relative to the window.
-MASTER_WINDOWS = 1.6
+MASTER_OVER_WINDOW = 1.6
 #: The finest pixels worth computing, in nm: half the distance of atoms.
 FINEST_PIXEL_SIZE = 0.15
 #: Numbers of contacts per row of the array. Even ones fall evenly on the quarters of a scan.
-ARRAY_WIDTHS = (20, 16, 12, 10, 8, 6, 4)
+CONTACTS_PER_ROW_CHOICES = (20, 16, 12, 10, 8, 6, 4)
 #: Seconds that the contacts of one filtered surface may take. Chosen: the 150 filtered surfaces of
 #: a scan at full effort then take at most 5 minutes of processor time, whatever the scan.
-CONTACT_SECONDS = 2.0
+MAX_CONTACT_SECONDS = 2.0
 #: Measured seconds for a contact pixel in one period of the map.
 SECONDS_A_PIXEL = 4e-7
 #: Measured seconds for a tile of the map in the window.
@@ -53,7 +53,7 @@ def choose_contact(
     range_given: bool,
     max_pixels: int,
 ) -> PermittedContact:
-    """Return a window, and a longer range of adhesion than the contact's if the scans need it.
+    """Return a contact with the window, and perhaps the longer range, that the scans need.
 
     `scans` includes the scans of the sphere, `substrates` does not. Masters have at most
     `max_pixels` per row. The study's limits refuse a range that stays too short.
@@ -107,7 +107,9 @@ def count_tiles(substrates: Sequence[Entry], window: float, pixels: int) -> int:
     of pixels suffices.
     """
     size = min(scan.size for scan in substrates)
-    tiles = math.ceil(max(MASTER_SCANS * size, MASTER_WINDOWS * window) / (2 * size) * (1 - 1e-9))
+    tiles = math.ceil(
+        max(MASTER_OVER_SCAN * size, MASTER_OVER_WINDOW * window) / (2 * size) * (1 - 1e-9)
+    )
     return max(1, min(tiles, pixels // max(2 * scan.pixels for scan in substrates)))
 
 
@@ -117,7 +119,10 @@ def short_edge_pixels(scan: Entry, contact: Contact, max_pixels: int) -> int:
     while 2 * pixels <= max_pixels:
         pixel_size = scan.size / pixels
         seconds = _contact_seconds(scan, contact, pixel_size)
-        if pixel_size < FINEST_PIXEL_SIZE or ARRAY_WIDTHS[-1] ** 2 * seconds > CONTACT_SECONDS:
+        if (
+            pixel_size < FINEST_PIXEL_SIZE
+            or CONTACTS_PER_ROW_CHOICES[-1] ** 2 * seconds > MAX_CONTACT_SECONDS
+        ):
             break
         pixels *= 2
     return pixels
@@ -146,9 +151,9 @@ def affordable_contacts(
         for pixel_size, period_count in ((scan.pixel_size, periods), (finest, 1.0)):
             seconds = max(seconds, _contact_seconds(scan, contact, pixel_size))
             kept_pixels = max(kept_pixels, contact.pixel_count(pixel_size) * period_count)
-    for contacts_per_row in ARRAY_WIDTHS:
+    for contacts_per_row in CONTACTS_PER_ROW_CHOICES:
         contact_count = contacts_per_row**2
-        is_slow = contact_count * seconds > CONTACT_SECONDS
+        is_slow = contact_count * seconds > MAX_CONTACT_SECONDS
         fits = contact_count * kept_pixels <= MAX_CONTACT_PIXELS
         if fits and not is_slow and contacts_per_row <= max_contacts_per_row:
             break
