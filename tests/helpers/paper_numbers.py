@@ -4,7 +4,7 @@ import numpy as np
 from repository import ROOT
 
 from hardcontact.base import published
-from hardcontact.paper.claims.table import read_claims
+from hardcontact.paper.claims.statements import read_claims
 from hardcontact.paper.classical_models import ElasticSphere, Roughness
 from hardcontact.surfaces.features import ScanStatistics
 from hardcontact.theory.validity import RUBY_ON_DIAMOND_MODULUS

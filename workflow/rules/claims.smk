@@ -1,7 +1,7 @@
 # Claims: each statement of the paper beside what was computed.
 
 from hardcontact.base.published import CLAIMS
-from hardcontact.paper.claims.table import datasets_of_claims
+from hardcontact.paper.claims.statements import datasets_of_claims
 from hardcontact.report.paper_study.changed_inputs import paper_contact
 
 CLAIM_DATASETS = datasets_of_claims(CLAIMS)

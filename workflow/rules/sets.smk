@@ -1,7 +1,7 @@
 # Sets of substitute scans, sampled from pools, and the numbers of each.
 
 from hardcontact.base.published import CLAIMS
-from hardcontact.paper.claims.table import claims_of_sets
+from hardcontact.paper.claims.statements import claims_of_sets
 
 SET_MASTERS = CHUNKS.filtered_masters("sets")
 

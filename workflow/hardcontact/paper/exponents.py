@@ -94,7 +94,7 @@ def _edges(forces: xr.Dataset, tolerance: float) -> xr.DataArray:
     cutoffs = forces["cutoff_wavelength"].values
 
     def edge(ratios: Floats, spectrum_end: float, side: str) -> float:
-        """Return the edge of mean ratios (cutoff,) of a side, NaN at cutoffs of the other side."""
+        """Return the edge of a side; the ratios (cutoff,) are NaN at cutoffs of the other side."""
         limits = logarithmic_limits(tolerance)
         curve, _ = ordered_curve(side, cutoffs, np.log(ratios)[None], limits, spectrum_end)
         return find_edge(curve).value

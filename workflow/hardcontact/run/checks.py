@@ -122,7 +122,7 @@ def _paper_faults(config: dict[str, Any], contacts: pd.DataFrame) -> list[str]:
         accepted = f"at least the {scans.max()} scans of {scans.idxmax()}"
         faults.append(key_fault("sets.pool_size", accepted, pool))
     # Imported here, as the claims would cost studies of the user's surfaces almost a second.
-    from hardcontact.paper.claims.table import check_claims
+    from hardcontact.paper.claims.statements import check_claims
 
     return faults + _faults_found_by(check_claims, published.CLAIMS)
 

@@ -9,7 +9,7 @@ from hardcontact.base.published import CLAIMS
 from hardcontact.contact.contact import CONTACT_MODELS
 from hardcontact.inference.band_forces import BAND_PARTS
 from hardcontact.paper.claims.selection import LABELS, SURFACES
-from hardcontact.paper.claims.table import check_claims
+from hardcontact.paper.claims.statements import check_claims
 from hardcontact.paper.classical_comparison import METRIC_PREFIXES
 from hardcontact.paper.classical_models import MODELS, Roughness
 from hardcontact.paper.exponents import SCALED_QUANTITIES

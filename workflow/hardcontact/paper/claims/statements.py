@@ -1,4 +1,4 @@
-"""The table of claims, resources/paper/claims.csv: reading, and checks before a run."""
+"""The statements of the paper, resources/paper/claims.csv: reading, and checks before a run."""
 
 import csv
 import math
