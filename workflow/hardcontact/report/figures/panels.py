@@ -171,5 +171,5 @@ def draw_published_fit(axes: Axes, published_constants: pd.DataFrame) -> None:
     rho = published_constants.loc["range_of_adhesion"]
     work = published_constants.loc["work_of_adhesion"]
     values = rho["value"], work["value"] / style.MILLIJOULE
-    half = work["uncertainty"] / style.MILLIJOULE, rho["uncertainty"]
-    axes.errorbar(*values, *half, zorder=5, label="published fit", **style.PUBLISHED_FIT)
+    half_widths = work["uncertainty"] / style.MILLIJOULE, rho["uncertainty"]
+    axes.errorbar(*values, *half_widths, zorder=5, label="published fit", **style.PUBLISHED_FIT)
