@@ -1,8 +1,9 @@
 """Rigid and plastic (bearing area) contact: closest approach and contact pixels.
 
 The contact pixels have the N smallest reference gaps (`geometry`). The highest point of a tile, or
-of a group of tiles, bounds all reference gaps in it from below. The N-th smallest in a few tiles of
-low bounds limits those of contact pixels. Only tiles with bounds up to this limit are read.
+of a group of tiles, gives a lower bound on all reference gaps in it. The N-th smallest gap in a few
+tiles of low bounds is a limit that no gap of a contact pixel exceeds. Only tiles with bounds up to
+this limit are read.
 """
 
 from dataclasses import dataclass
@@ -21,12 +22,12 @@ TILE = 32
 #: Tiles per row of a group.
 GROUP = 16
 #: Tiles that are read at once.
-BATCH = 256
+TILES_AT_ONCE = 256
 #: Contacts that are searched at once.
-CONTACT_BATCH = 50
+CONTACTS_AT_ONCE = 50
 #: Tiles that are read for a limit, relative to the fewest that have N pixels. On a smooth surface
 #: the lowest tiles lie on one slope, and too few of them set a high limit.
-LIMIT_TILES = 2
+LIMIT_TILE_FACTOR = 2
 
 
 @dataclass(frozen=True, eq=False)
@@ -203,7 +204,10 @@ def _find_contact_pixels(windows: _Windows, contact_pixel_count: int) -> list[Co
     # Tiles of lower bounds, from all groups, give lower limits.
     limits = np.minimum(limits, _limits_of_gaps(windows, tiles, contact_pixel_count))
     tiles = tiles.tiles_within(limits)
-    batches = [slice(start, start + BATCH) for start in range(0, len(tiles.contact_numbers), BATCH)]
+    batches = [
+        slice(start, start + TILES_AT_ONCE)
+        for start in range(0, len(tiles.contact_numbers), TILES_AT_ONCE)
+    ]
     low_gaps = [_gaps_up_to(windows, tiles.select(batch), limits) for batch in batches]
     contacts, gaps, offsets = (np.concatenate(arrays) for arrays in zip(*low_gaps, strict=True))
     ends = np.searchsorted(contacts, np.arange(1, len(limits)))
@@ -219,7 +223,7 @@ def _limits_of_gaps(windows: _Windows, tiles: WindowTiles, contact_pixel_count: 
     It is an upper bound on the N-th smallest gap of all, with N contact pixels.
     """
     ends = np.searchsorted(tiles.contact_numbers, np.arange(tiles.contact_numbers[-1] + 2))
-    tile_count = LIMIT_TILES * -(-contact_pixel_count // TILE**2)
+    tile_count = LIMIT_TILE_FACTOR * -(-contact_pixel_count // TILE**2)
     tile_count = min(tile_count, np.diff(ends).min())
     best = [
         start + _lowest_columns(tiles.bounds[None, start:end], tile_count)[0]
@@ -274,8 +278,8 @@ def all_contact_pixels(bodies: Bodies, contact_pixel_count: int) -> ContactPixel
     apexes = bodies.geometry.apexes()
     positions = apexes.reshape(-1, 2)
     pixels: list[ContactPixels] = []
-    for start in range(0, len(positions), CONTACT_BATCH):
-        batch = positions[start : start + CONTACT_BATCH]
+    for start in range(0, len(positions), CONTACTS_AT_ONCE):
+        batch = positions[start : start + CONTACTS_AT_ONCE]
         windows = _Windows(bodies, substrate, sphere_maxima, batch)
         pixels += _find_contact_pixels(windows, contact_pixel_count)
     gaps, offsets = (np.stack(arrays) for arrays in zip(*pixels, strict=True))
