@@ -35,8 +35,6 @@ def variable_estimate(dataset: xr.Dataset, name: str) -> xr.Dataset:
     if f"{name}_interval" in dataset:
         return as_estimate(value, *interval_ends(dataset, name))
     if "scan" in value.dims and set(CONTACT_DIMENSIONS) & set(value.dims):
-        if "confidence" not in dataset.attrs:
-            raise KeyError("expected an attribute named 'confidence', found none")
         return mean_over_scans(mean_over_contacts(value), dataset.attrs["confidence"])
     return as_estimate(value)
 
