@@ -12,6 +12,9 @@ from hardcontact.base.units import NANOMETRE
 
 #: A number or an array of any shape; arrays broadcast.
 Values = Any
+#: Work in J/m² to part diamond along (111): no known solids adhere more strongly. Source: J. E.
+#: Field, The Properties of Diamond (Academic Press, 1979).
+STRONGEST_WORK = 10.6
 
 
 class HertzContact(NamedTuple):
@@ -20,11 +23,6 @@ class HertzContact(NamedTuple):
     contact_radius: float  #: In nm.
     peak_pressure: float  #: In Pa.
     approach: float  #: In nm.
-
-
-#: Work in J/m² to part diamond along (111): no known solids adhere more strongly. Source: J. E.
-#: Field, The Properties of Diamond (Academic Press, 1979).
-STRONGEST_WORK = 10.6
 
 
 def hertz_contact(load: float, radius: float, modulus: float) -> HertzContact:
