@@ -41,15 +41,34 @@ def run_program(folder, module, words, environment):
 
     Returns the exit code and the text of output and errors.
     """
+    (run,) = run_programs(folder, module, [words], environment)
+    return run
+
+
+def run_programs(folder, module, runs, environment, load=lambda: None):
+    """Return the result of `run_program` for several runs, each a list of words.
+
+    The runs share what `load` loads from the library.
+    """
     importlib.import_module(module)  # with its packages, once for all runs
+
+    def run_each():
+        use_library_of(folder)
+        load()
+        return [run_captured(module, words, environment) for words in runs]
+
+    return run_forked(run_each)
+
+
+def run_captured(module, words, environment):
+    """Run the `main` of a module in a process of its own; return the exit code and the text."""
     with tempfile.TemporaryFile() as output:
-        code = run_forked(call_main, folder, module, words, environment, output.fileno())
+        code = run_forked(call_main, module, words, environment, output.fileno())
         output.seek(0)
         return SimpleNamespace(returncode=code, stdout=output.read().decode())
 
 
-def call_main(folder, module, words, environment, output):
-    use_library_of(folder)
+def call_main(module, words, environment, output):
     sys.dont_write_bytecode = False  # The next run in this folder need not compile again.
     os.environ.update(environment)
     for descriptor in (1, 2):

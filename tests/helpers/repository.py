@@ -1,12 +1,13 @@
 """The repository: its parts, its configuration, copies of it, and Snakemake run in a copy."""
 
+import importlib
 import os
 import shutil
 import sys
 from pathlib import Path
 
 import yaml
-from forked_runs import run_program
+from forked_runs import run_program, run_programs
 
 ROOT = Path(__file__).parents[2]
 #: Files and folders that a study needs.
@@ -70,6 +71,22 @@ def snakemake_output(folder, *words):
     run = run_snakemake(folder, *words)
     assert run.returncode == 0, run.stdout
     return run.stdout
+
+
+def snakemake_outputs(folder, runs):
+    """Return the outputs of several runs without jobs, which load the library of a copy once."""
+    results = run_programs(folder, "snakemake.cli", runs, environment(folder), load_library)
+    assert all(run.returncode == 0 for run in results), [run.stdout for run in results]
+    return [run.stdout for run in results]
+
+
+def load_library():
+    """Import what a run imports before its jobs, and find the code of all scripts."""
+    for name in ("run.checks", "run.endings", "run.reruns", "paper.claims.table"):
+        importlib.import_module(f"hardcontact.{name}")
+    code = importlib.import_module("hardcontact.records.code")
+    for script in code.SCRIPTS.glob("*.py"):
+        code.code_inputs(script.name)
 
 
 def run_tiny_study(folder, *arguments, overlays=()):

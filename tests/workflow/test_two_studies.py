@@ -5,11 +5,12 @@ Snakemake then finds the files of this kind as they should be.
 """
 
 import csv
+from contextlib import chdir
 from functools import cache
 
 import pytest
 import yaml
-from repository import leaves, snakemake_output
+from repository import leaves, snakemake_outputs
 from studies import configured_files
 
 from hardcontact.config.configuration import get_key, numeric_configuration, set_keys
@@ -47,9 +48,6 @@ STUDIES = {
         "perturbed_scans", "hindcast", "masters", "filtered/scales", "filtered/sampled",
     ]),
 }  # fmt: skip
-#: The kinds tried at each commit, because each takes a plan of Snakemake: those that most files
-#: are made from or are of. The others are tried before a release.
-ALWAYS_TRIED = {"measurements", "measured_spectra", "scans", "pool", "filtered/scales"}
 
 
 def other_value(key, value):
@@ -87,56 +85,57 @@ def independent_keys(config, selection, kind):
 
 
 @pytest.fixture(scope="module")
-def kept_study(request):
-    """Return a function from a fixture to its folder and the configuration of a second study."""
+def plans(request, tmp_path_factory):
+    """Return a function from a fixture to Snakemake's plans for the files of its store.
 
-    def kept(fixture):
+    Each kind has the plan of a second study in which all keys outside the digest of the kind have
+    other values; the plan IN_PATHS has other values of these keys.
+    """
+
+    @cache
+    def planned(fixture):
+        study, kinds = STUDIES[fixture]
         folder = request.getfixturevalue(fixture)
-        path = folder / f"results/{STUDIES[fixture][0]}/configuration.yaml"
-        unlike = {"study": "second", "effort": "full", "quick": {}}
-        return folder, yaml.safe_load(path.read_text()) | unlike
-
-    return kept
-
-
-@pytest.fixture(scope="module")
-def plans(kept_study, tmp_path_factory):
-    """Return a function from changed keys to Snakemake's plan for each file of the store."""
-    overlay = tmp_path_factory.mktemp("second") / "overlay.yaml"
-
-    @cache  # Some kinds depend on the same keys.
-    def planned(fixture, keys):
-        folder, config = kept_study(fixture)
-        overlay.write_text(yaml.safe_dump(second_study(config, keys)))
-        text = snakemake_output(folder, "--detailed-summary", "--configfile", str(overlay))
-        lines = text.splitlines()
-        header = next(n for n, line in enumerate(lines) if line.startswith("output_file\t"))
-        return {
-            row["output_file"].removeprefix(f"{config['store']}/"): row["plan"]
-            for row in csv.DictReader(lines[header:], delimiter="\t")
-            if row["output_file"].startswith(config["store"])
-            and (folder / row["output_file"]).exists()
+        config = yaml.safe_load((folder / f"results/{study}/configuration.yaml").read_text())
+        config |= {"study": "second", "effort": "full", "quick": {}}
+        with chdir(folder):
+            selection = configured_files(config).selection
+        keys = {
+            kind: independent_keys(config, selection, kind.rpartition("/")[2]) for kind in kinds
         }
+        if fixture == "finished":
+            keys["IN_PATHS"] = IN_PATHS
+        overlays = tmp_path_factory.mktemp(fixture)
+        runs = []
+        for number, changed_keys in enumerate(keys.values()):
+            overlay = overlays / f"{number}.yaml"
+            overlay.write_text(yaml.safe_dump(second_study(config, changed_keys)))
+            runs.append(["--detailed-summary", "--configfile", str(overlay)])
+        texts = snakemake_outputs(folder, runs)
+        plans_of_runs = [plans_of_store(text, folder, config["store"]) for text in texts]
+        return dict(zip(keys, plans_of_runs, strict=True))
 
     return planned
 
 
+def plans_of_store(text, folder, store):
+    """Return the plan of each existing file of a store, by its path there, from a summary."""
+    lines = text.splitlines()
+    header = next(n for n, line in enumerate(lines) if line.startswith("output_file\t"))
+    return {
+        row["output_file"].removeprefix(f"{store}/"): row["plan"]
+        for row in csv.DictReader(lines[header:], delimiter="\t")
+        if row["output_file"].startswith(store) and (folder / row["output_file"]).exists()
+    }
+
+
 @pytest.mark.parametrize(
-    ("fixture", "kind"),
-    [
-        pytest.param(fixture, kind, marks=[] if kind in ALWAYS_TRIED else pytest.mark.system)
-        for fixture, (_, kinds) in STUDIES.items()
-        for kind in kinds
-    ],
+    ("fixture", "kind"), [(fixture, kind) for fixture in STUDIES for kind in STUDIES[fixture][1]]
 )
-def test_keys_outside_the_digest_change_no_file(plans, kept_study, monkeypatch, fixture, kind):
-    folder, config = kept_study(fixture)
-    monkeypatch.chdir(folder)
-    selection = configured_files(config).selection
-    keys = independent_keys(config, selection, kind.rpartition("/")[2])
-    planned = plans(fixture, keys)
+def test_keys_outside_the_digest_change_no_file(plans, fixture, kind):
+    planned = plans(fixture)[kind]
     assert {plan for path, plan in planned.items() if path.startswith(f"{kind}/")} == {"no update"}
 
 
 def test_values_in_paths_change_no_file(plans):
-    assert {*plans("finished", tuple(sorted(IN_PATHS))).values()} == {"no update"}
+    assert {*plans("finished")["IN_PATHS"].values()} == {"no update"}
