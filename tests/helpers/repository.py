@@ -1,6 +1,5 @@
 """The repository: its parts, its configuration, copies of it, and Snakemake run in a copy."""
 
-import importlib
 import os
 import shutil
 import sys
@@ -81,12 +80,12 @@ def snakemake_outputs(folder, runs):
 
 
 def load_library():
-    """Import what a run imports before its jobs, and find the code of all scripts."""
-    for name in ("run.checks", "run.endings", "run.reruns", "paper.claims.table"):
-        importlib.import_module(f"hardcontact.{name}")
-    code = importlib.import_module("hardcontact.records.code")
-    for script in code.SCRIPTS.glob("*.py"):
-        code.code_inputs(script.name)
+    """Import most of what a run imports before its jobs, and find the code of all scripts."""
+    from hardcontact.records.code import SCRIPTS, code_inputs
+    from hardcontact.run import checks, endings, reruns  # noqa: F401
+
+    for script in SCRIPTS.glob("*.py"):
+        code_inputs(script.name)
 
 
 def run_tiny_study(folder, *arguments, overlays=()):
