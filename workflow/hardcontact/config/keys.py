@@ -153,7 +153,7 @@ class LongSideKeys(Keys):
     transition: types.Length = key("1000 nm", "Most Relevant Length-scales")
     """Wavelength above which roughness is artificial."""
     cutoffs: types.Lengths = key(
-        nm(100, 250, 500, 800, 1100, 1400, 1600, 1800, 2000, 2300, 2700, 3500, 5000, 10000),
+        nm(100, 250, 500, 800, 1100, 1400, 1600, 1800, 2000, 2300, 2700, 3000, 3500, 5000, 10000),
         "Fig. 6b",
     )
     """Cutoffs: at each, all roughness at longer wavelengths is removed, and the force computed."""
@@ -208,7 +208,7 @@ class SetShortSideKeys(Keys):
 
     pixels: types.Pixels = 4096
     """Pixels per row of a master."""
-    cutoffs: types.Lengths = key(nm(20, 30, 36, 43, 52, 62, 80, 120, 250))
+    cutoffs: types.Lengths = key(nm(5, 10, 20, 30, 36, 43, 52, 62, 80, 120, 250))
     """Cutoffs: at each, all roughness at shorter wavelengths is removed."""
 
 
@@ -217,7 +217,7 @@ class SetLongSideKeys(Keys):
 
     pixels: types.Pixels = 4096
     """Pixels per row of a master."""
-    cutoffs: types.Lengths = key(nm(500, 800, 1100, 1400, 1600, 1800, 2000, 2300, 2700, 3500))
+    cutoffs: types.Lengths = key(nm(500, 800, 1100, 1400, 1600, 1800, 2000, 2300, 2700, 3000, 3500))
     """Cutoffs: at each, all roughness at longer wavelengths is removed."""
 
 
