@@ -56,6 +56,13 @@ def test_a_table_of_one_surface_needs_no_name(table):
     assert_says(refusal(measured_forces, path, SURFACES, RADIUS), "surface, value, unit")
 
 
+def test_a_second_column_of_forces_is_not_read(table):
+    path = table("surface,value (nN),error (nN)", "bare,400,30")
+    assert measured_forces(path, SURFACES, RADIUS)["mean"].tolist() == [4e-7]
+    path = table("surface,adhesion (nN),error (nN)", "bare,400,30")
+    assert_says(refusal(measured_forces, path, SURFACES, RADIUS), "adhesion, error")
+
+
 def test_each_kind_of_fault_of_a_table_of_forces_has_its_line(table):
     faults = [
         (

@@ -27,7 +27,7 @@ rule compute_hindcast_forces:
 if PLAN.measured_scan_ids:
 
     rule aggregate_hindcast:
-        """Gather the tests whether forces on scans may be extrapolated: hindcast.nc."""
+        """Gather the hindcasts, tests of the extrapolation within scans: hindcast.nc."""
         input:
             forces=FILES.paths(STORE.hindcast, PLAN.measured_scan_ids),
         output:
@@ -93,7 +93,8 @@ rule compute_force_at_pair:
 
 if HAS_FORCES:
 
-    # One force permits a curve of pairs, a few a region; `fit_published` finds the best pair.
+    # Forces on one surface permit a curve of pairs, those on several a region; `fit_published` finds
+    # the best pair.
     rule fit_measured:
         """Find all pairs of range and work of adhesion that the user's forces permit: fit.nc."""
         input:

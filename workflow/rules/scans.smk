@@ -68,7 +68,7 @@ for scan_numbers, surfaces in PLAN.scan_groups.items():
         wildcard_constraints:
             surface=any_name_pattern(surfaces),
         params:
-            # The default keeps the scans of this rule for when the loop has gone on.
+            # The default binds the scans of this rule, because the loop goes on before the call.
             parameters=lambda w, scan_numbers=scan_numbers: dict(
                 surface=w.surface,
                 scan_numbers=scan_numbers,

@@ -93,7 +93,8 @@ class CommandLine(ArgumentParser):
     def _question(self, message: str) -> str:
         """Return a question if a message names an unknown word that resembles a known one."""
         if "invalid choice: " in message:
-            choice, *known_words = re.findall(r"'([^']+)'", message)
+            choice = message.partition("invalid choice: '")[2].partition("'")[0]
+            known_words = [word for action in self._actions for word in action.choices or ()]
         else:
             unknown = message.partition("unrecognized arguments: ")[2].partition(" ")[0]
             choice = unknown.partition("=")[0]

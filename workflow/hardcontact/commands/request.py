@@ -142,8 +142,8 @@ def list_scan_files(arguments: Namespace, radius: float) -> tuple[list[ScanFile]
         surface = surface_id(label)
         if surface in labels:
             faults.append(
-                f"--surface {labels[surface]}: expected labels that differ in more than capitals "
-                f"and signs, found also {label}"
+                f"--surface {labels[surface]}: expected labels that differ in their first 40 "
+                f"letters and digits, found also {label}"
             )
         labels.setdefault(surface, label)
         sphere_radius = radius if files is arguments.sphere else None

@@ -81,20 +81,22 @@ def _decode_forces(content: bytes) -> str:
 def _split_units(header: Sequence[str]) -> tuple[list[str], dict[str, str]]:
     """Return the columns of a table, and the units of those whose header states a unit of force.
 
-    A column of forces with any other name is taken for `value`.
+    A column of forces with any other name is taken for `value`, if it is the only column of forces.
     """
     names = []
     units = {}
     for cell in header:
         match = COLUMN_WITH_UNIT.fullmatch(cell)
         if match and _is_force_unit(match[2]):
-            name = match[1].lower()
-            name = name if name in FORCE_COLUMNS else "value"
-            units[name] = match[2]
+            names.append(match[1].lower())
+            units[names[-1]] = match[2]
         else:
-            name = cell.lower()
-        names.append(name)
-    return names, units
+            names.append(cell.lower())
+    if len(units) == 1 and not set(FORCE_COLUMNS) & set(names):
+        ((name, unit),) = units.items()
+        names[names.index(name)] = "value"
+        return names, {"value": unit}
+    return names, {name: unit for name, unit in units.items() if name in FORCE_COLUMNS}
 
 
 def _is_force_unit(unit: str) -> bool:

@@ -186,7 +186,8 @@ def _find_sidewalls(heights: Floats) -> Numbers:
         squares = np.diff(heights) ** 2
     squares = np.sort(squares, axis=None)
     steepest = squares[-max(1, round(SIDEWALL_PIXEL_SHARE * squares.size)) :]
-    share = float(steepest.sum() / squares.sum())
+    total = squares.sum()
+    share = float(steepest.sum() / total) if total else 0.0
     return {"sidewall_slope_share": share} if share > MIN_SIDEWALL_SLOPE_SHARE else {}
 
 

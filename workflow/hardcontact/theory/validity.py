@@ -96,8 +96,8 @@ def held_out_surfaces() -> pd.DataFrame:
 def table_point(spectrum: Spectrum, contact: Contact, form: ClosedForm) -> dict[str, Any]:
     """Return the point of a spectrum and a contact in the table of designed surfaces.
 
-    It has the values of VALIDATED_PARAMETERS and the regime. The spectrum comes from
-    `trim_spectrum`.
+    It has the values of VALIDATED_PARAMETERS and the regime. The spectrum has no zeros at its
+    ends, as those of `trim_spectrum` and of mirrored maps.
     """
     mean_hurst, mean_hurst_change = mean_hurst_and_change(spectrum, math.sqrt(contact.area))
     return {

@@ -62,7 +62,7 @@ def quotient(upper: xr.Dataset, lower: xr.Dataset) -> xr.Dataset:
     """Return the ratio of two positive estimates; negative ends of their intervals count as zero.
 
     The ends of the interval are ratios of the ends of both intervals. If the two are
-    independent, the interval is wider than its confidence.
+    independent, it contains the true ratio more often than its confidence says.
     """
     upper_low, upper_high = interval_ends(upper, "value")
     lower_low, lower_high = interval_ends(lower, "value")
