@@ -86,7 +86,7 @@ rule combine_sampled_spectra:
 rule aggregate_spectra:
     """Gather the spectra of all surfaces, measured or described: spectra.nc."""
     input:
-        spectra=[FILES.roughness_spectrum_path(surface) for surface in SELECTION.surfaces],
+        spectra=[FILES.contact_spectrum_path(surface) for surface in SELECTION.surfaces],
     output:
         RESULTS.dataset("spectra"),
     params:

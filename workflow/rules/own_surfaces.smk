@@ -5,8 +5,8 @@
 rule compute_hindcast_forces:
     """Compute the forces on a scan with its outermost octave replaced, and with wider pixels."""
     input:
-        mirrored=lambda w: FILES.mirrored_map_path(w.surface, int(w.scan)),
-        spectrum=lambda w: FILES.roughness_spectrum_path(w.surface),
+        mirrored=lambda w: FILES.contact_map_path(w.surface, int(w.scan)),
+        spectrum=lambda w: FILES.contact_spectrum_path(w.surface),
         body_spectra=lambda w: [
             FILES.spectrum_path(body.surface) for body in PLAN.rough_bodies(w.surface, int(w.scan))
         ],

@@ -13,10 +13,10 @@ SAMPLED_MASTERS = [] if IS_PAPER_STUDY else CHUNKS.filtered_masters("sampled")
 rule synthesize_masters:
     """Replace wavelengths of a scan beyond the transition of a side by random roughness."""
     input:
-        scan=lambda w: FILES.mirrored_map_path(
+        scan=lambda w: FILES.contact_map_path(
             w.surface, SELECTION.master_scan(w.surface, int(w.realization))
         ),
-        spectrum=lambda w: FILES.roughness_spectrum_path(w.surface),
+        spectrum=lambda w: FILES.contact_spectrum_path(w.surface),
     output:
         **{side: STORE.masters.replace("{side}", side) for side in SIDES},
     resources:
@@ -35,7 +35,7 @@ rule compute_filtered_forces:
     """Compute the forces of masters with all scales, and without those beyond each cutoff."""
     input:
         unpack(lambda w: CHUNKS.master_inputs(w.purpose, w.surface, int(w.first), int(w.last))),
-        sphere=lambda w: [] if w.sphere_digest == SMOOTH_SPHERE else FILES.first_sphere_path,
+        sphere=lambda w: [] if w.sphere_digest == SMOOTH_SPHERE else FILES.masters_sphere_path,
     output:
         STORE.filtered_masters,
     resources:
@@ -93,7 +93,7 @@ rule compute_whole_surface_forces:
 rule compute_perturbed_scan_forces:
     """Compute the forces on a scan with each octave amplified or weakened."""
     input:
-        mirrored=lambda w: FILES.mirrored_map_path(w.surface, int(w.scan)),
+        mirrored=lambda w: FILES.contact_map_path(w.surface, int(w.scan)),
         sphere=SPHERE_SCAN,
     output:
         STORE.perturbed_scans,

@@ -39,7 +39,7 @@ SUBSTITUTE_INPUTS = {
     ],
 }
 SPHERE_SCAN = (
-    FILES.first_sphere_path
+    FILES.masters_sphere_path
     if SELECTION.contact_scans(SELECTION.sphere) and not PLAN.combined_surfaces
     else []
 )

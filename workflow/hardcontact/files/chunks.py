@@ -167,5 +167,5 @@ class Chunks:
         else:
             find_scan = self._selection.separate_master_scan
             spectra = [files.spectrum_path(surface)] * len(realizations)
-        scans = [files.mirrored_map_path(surface, find_scan(surface, k)) for k in realizations]
+        scans = [files.contact_map_path(surface, find_scan(surface, k)) for k in realizations]
         return {"scans": scans, "spectra": spectra}

@@ -65,19 +65,19 @@ class SurfaceFiles:
         return [self.mirrored_scan_path(surface, scan) for scan in scans]
 
     @property
-    def first_sphere_path(self) -> str:
-        """The path of the scan that roughens the sphere on all masters."""
+    def masters_sphere_path(self) -> str:
+        """The path of the first scan of the sphere, the only one on masters and changed scans."""
         return self.mirrored_scan_paths(self.selection.sphere)[0]
 
     # Both bodies
 
-    def mirrored_map_path(self, surface: str, scan: int) -> str:
+    def contact_map_path(self, surface: str, scan: int) -> str:
         """Return the path of a mirrored scan, with the sphere's roughness if that is added."""
         if surface not in self.plan.combined_surfaces:
             return self.mirrored_scan_path(surface, scan)
         return self.path(self.patterns.combined_scans, surface, scan=scan)
 
-    def roughness_spectrum_path(self, surface: str) -> str:
+    def contact_spectrum_path(self, surface: str) -> str:
         """Return the path of a spectrum, with the sphere's roughness if that is added."""
         if surface not in self.plan.combined_surfaces:
             return self.spectrum_path(surface)
