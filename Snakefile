@@ -15,13 +15,14 @@ configfile: "config/config.yaml"
 # These two files define the names that all rules use; each begins with a list of them.
 include: "workflow/rules/common.smk"
 include: "workflow/rules/surfaces.smk"
-# The path of a height map: scans, contacts on them, forces by cutoff wavelength and by octave. To the
-# user's surfaces the roughness of a scanned sphere is added first.
+# The path of a height map: scans, contacts on them, forces by cutoff wavelength and by octave. For the
+# user's surfaces, spectra are sampled, and the roughness of a scanned sphere is added.
 include: "workflow/rules/scans.smk"
 
 
 if not IS_PAPER_STUDY:
 
+    include: "workflow/rules/spectra.smk"
     include: "workflow/rules/both_bodies.smk"
 
 

@@ -28,7 +28,7 @@ def test_lint_finds_only_missing_environments(repository):
 def test_the_cluster_profile_names_existing_rules(rules):
     """Snakemake ignores unknown names of rules."""
     own_rules = set()
-    for name in ("both_bodies", "own_surfaces", "answer_surfaces"):
+    for name in ("spectra", "both_bodies", "own_surfaces", "answer_surfaces"):
         text = (ROOT / f"workflow/rules/{name}.smk").read_text()
         own_rules |= set(re.findall(r"^ *rule (\w+):", text, re.M))
     named_rules = PROFILE["groups"].keys() | PROFILE["set-resources"].keys()
