@@ -16,8 +16,8 @@ rule compute_hindcast_forces:
     params:
         parameters=lambda w: dict(
             scan=int(w.scan),
-            bodies=PLAN.rough_bodies(w.surface, int(w.scan)),
-            measurements=PLAN.measurements_of_map(w.surface, int(w.scan)),
+            body_scans=PLAN.rough_bodies(w.surface, int(w.scan)),
+            measurement_indices=PLAN.measurements_of_map(w.surface, int(w.scan)),
             **SETTINGS["hindcast"],
         ),
     script:

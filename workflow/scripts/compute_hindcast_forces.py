@@ -14,13 +14,15 @@ with run_job(snakemake) as job:
     contact = Contact(**params["contact"])
     mirrored = load_height_map(job.input.mirrored)
     sphere = load_height_map(job.input.sphere) if job.input.sphere else None
-    measurements = read(job.input.spectrum).isel(measurement=params["measurements"])
+    measurements = read(job.input.spectrum).isel(measurement=params["measurement_indices"])
     octaves = outermost_octaves(measurements, params["transitions"])
     # The substrate's scan is half as wide as its mirrored map; a scan of the sphere may follow.
     sizes = [mirrored.size / 2, *measurements["size"].values[1:]]
     bodies = [
         RandomBody(load_spectrum(path), size, params["seed"], scan)
-        for path, size, scan in zip(job.input.body_spectra, sizes, params["bodies"], strict=True)
+        for path, size, scan in zip(
+            job.input.body_spectra, sizes, params["body_scans"], strict=True
+        )
     ]
     forces = hindcast_forces(mirrored, octaves, bodies, make_force_function(contact, sphere))
     job.write(
