@@ -1,4 +1,4 @@
-"""Forces of surfaces with features at the published range and work of adhesion: features.nc."""
+"""Forces, at the published range and work, of surfaces with features: features.nc."""
 
 from hardcontact.base.dataset import read, read_all
 from hardcontact.paper.featured_candidates import compare_features
