@@ -1,7 +1,7 @@
 """The answer of the paper's study, from claims and datasets: the content of its answer.json."""
 
 from collections.abc import Iterator, Mapping
-from enum import StrEnum
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -22,7 +22,6 @@ from hardcontact.report.answer import all_quantities, note, substitutes_note
 from hardcontact.report.paper_study.changed_inputs import changed_inputs, paper_contact
 from hardcontact.report.paper_study.conclusions import (
     claim_facts,
-    draw_conclusions,
     features_by_scatter,
     most_sensitive_coatings,
 )
@@ -53,8 +52,27 @@ PAIR_UNITS = {"range_of_adhesion": "nm", "work_of_adhesion": "J/m2"}
 FORCE_UNITS = {"mean_force_at_pair": "N", "median_force_at_pair": "N", "log_force_std": "1"}
 #: Part of the roughness whose force says whether the published band is sufficient.
 BAND_ALONE = {"band": "published", "band_part": "only the band"}
+#: Sets of scans below which the ends of a 95 % interval rest on one or two outermost sets.
+MIN_SETS = 50
+#: Grids that are coarse if they are smaller than the paper's.
+COMPARED_GRIDS = ("scan_pixels", "contacts_per_row")
 #: Sizes in the study that the paper also prints, with units.
 GRID_UNITS = {"scan_pixels": "1", "scan_size": "nm", "contacts_per_row": "1"}
+
+
+@dataclass(frozen=True)
+class StudyFacts:
+    """What templates say of the whole study, by the names that they use."""
+
+    numbers: dict[str, Number]
+    surfaces: dict[str, dict[str, Number]]  #: The numbers of each substrate.
+    is_substitute: bool  #: Whether any surface is a substitute.
+    featured: str  #: Label of the coating with rare bumps or pits, if any.
+    most_sensitive: dict[str, str]  #: As `most_sensitive_coatings` returns.
+    is_coarse: bool  #: Whether a grid is smaller than the paper's.
+    has_few_sets: bool
+    roughness_lowers_force: bool  #: In each of the three strongest octaves.
+    reasons_are_resolved: bool  #: Whether intervals show that plasticity and range matter.
 
 
 def paper_answer(
@@ -73,65 +91,67 @@ def paper_answer(
     `fit`, and `scan_size` from resources/validation.
     """
     topography = datasets["topography"]
-    facts = _facts(claims, datasets, constants)
-    numbers, surfaces, labels = facts["numbers"], facts["surfaces"], facts["labels"]
-    source = topography["source"].to_series()
+    facts = _study_facts(claims, datasets, constants)
+    heads = topography[["label", "source"]].to_dataframe()
     contact = paper_contact(numeric_configuration(configuration))
-    changed = changed_inputs(contact, list(surfaces), table1)
+    changed = changed_inputs(contact, list(facts.surfaces), table1)
     verdict_numbers = [] if changed else _verdict_numbers(claims)
+    template_names = vars(facts) | claim_facts(claims)
     return {
         "study": configuration["study"],
         "version": version,
-        "effort": "quick" if facts["is_coarse"] else configuration["effort"],
+        "effort": "quick" if facts.is_coarse else configuration["effort"],
         "kind": "paper",
-        "headline": render_lines("paper_headline.txt", changed=changed, **facts),
-        "verdicts": [] if changed else render_lines("paper_verdicts.txt", **facts),
+        "headline": render_lines("paper_headline.txt", changed=changed, **template_names),
+        "verdicts": [] if changed else render_lines("paper_verdicts.txt", **template_names),
         "contact": contact,
         "changed": changed,
         "assumed": [],
         "chosen": [],
         "surfaces": [
-            {"name": name, "label": labels[name], "source": source[name]}
-            for name in (*surfaces, topography.attrs["sphere_surface"])
+            {"name": name, "label": heads["label"][name], "source": heads["source"][name]}
+            for name in (*facts.surfaces, topography.attrs["sphere_surface"])
         ],
         "notes": _notes(topography, facts),
         "quantities": all_quantities(
-            [*numbers.values(), *verdict_numbers],
-            {name: surfaces[name].values() for name in surfaces},
+            [*facts.numbers.values(), *verdict_numbers],
+            {name: numbers.values() for name, numbers in facts.surfaces.items()},
         ),
     }
 
 
-def _facts(
+def _study_facts(
     claims: pd.DataFrame, datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame
-) -> dict[str, Any]:
-    """Return the facts that the templates of headline and notes show."""
+) -> StudyFacts:
+    """Return what the headline and the notes say of the study."""
     topography = datasets["topography"]
-    labels = topography["label"].to_series().to_dict()
+    labels = topography["label"].to_series()
     numbers = numbers_by_name(*study_numbers(claims, datasets, constants))
     substrates = [str(name) for name in datasets["edges"]["surface"].values]
     surfaces = {name: surface_numbers(name, datasets) for name in substrates}
-    return {
-        "numbers": numbers,
-        "surfaces": surfaces,
-        "labels": labels,
-        "is_substitute": bool((topography["source"] == "substitute").any()),
-        "featured": datasets["features"].attrs["label"],
-        "most_sensitive": most_sensitive_coatings(
-            {labels[name]: surfaces[name] for name in substrates}
-        ),
-        **draw_conclusions(numbers),
-        **claim_facts(claims),
-    }
+    sizes = [(numbers[name].value, numbers[f"{name}_published"].value) for name in COMPARED_GRIDS]
+    octaves = [numbers[f"octave_{rank}_sensitivity"].value for rank in (1, 2, 3)]
+    shifts = [numbers.get(name) for name in ("plasticity_shift", "range_shift")]
+    return StudyFacts(
+        numbers=numbers,
+        surfaces=surfaces,
+        is_substitute=bool((topography["source"] == "substitute").any()),
+        featured=datasets["features"].attrs["label"],
+        most_sensitive=most_sensitive_coatings({labels[name]: surfaces[name] for name in surfaces}),
+        is_coarse=any(size < published for size, published in sizes),
+        has_few_sets=numbers["sets"].value < MIN_SETS,
+        roughness_lowers_force=max(octaves) < 0,
+        reasons_are_resolved=all(shift is not None and shift.low > 1 for shift in shifts),
+    )
 
 
-def _notes(topography: xr.Dataset, facts: Mapping[str, Any]) -> list[dict[str, Any]]:
+def _notes(topography: xr.Dataset, facts: StudyFacts) -> list[dict[str, Any]]:
     """Return the notes on substitutes and on rare bumps or pits."""
     is_substitute = (topography["source"] == "substitute").values
     notes = substitutes_note(topography["label"].values[is_substitute].tolist())
-    if facts["featured"]:
-        nearer = features_by_scatter(facts["numbers"])
-        text = render_text("paper_features.txt", features_by_scatter=nearer, **facts)
+    if facts.featured:
+        nearer = features_by_scatter(facts.numbers)
+        text = render_text("paper_features.txt", features_by_scatter=nearer, **vars(facts))
         notes.append(note("features", text))
     return notes
 
@@ -172,7 +192,7 @@ def _edge_source(scales: xr.Dataset, side: str, edge: float) -> str:
     return "artificial" if is_artificial else "computed"
 
 
-def _interval_status(end: str) -> StrEnum:
+def _interval_status(end: str) -> NumberStatus:
     """Return the status of a number whose interval is open at an end, "low" or "high", if any."""
     return NumberStatus(f"interval_open_{end}" if end else "")
 
@@ -180,7 +200,7 @@ def _interval_status(end: str) -> StrEnum:
 def _claim_numbers(name: str, row: Any, datasets: Mapping[str, xr.Dataset]) -> list[Number]:
     """Return the computed and the published number of a claim."""
     source = "computed"
-    status = _interval_status(row.open_end)
+    status: NumberStatus | EdgeStatus = _interval_status(row.open_end)
     mean_edges = datasets["edges"]["edge"].sel(group=MEAN_GROUP)
     for side, edge_name in EDGE_NAMES.items():
         if name.startswith(edge_name):

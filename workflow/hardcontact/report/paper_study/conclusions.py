@@ -20,11 +20,6 @@ from hardcontact.paper.claims.verdicts import (
 from hardcontact.report.paper_study.table1 import decimals_of
 from hardcontact.report.quantities import NO_INTERVAL_WORDS
 
-#: Sets of scans below which the ends of a 95 % interval rest on one or two outermost sets.
-MIN_SETS = 50
-#: Grids whose size the paper prints.
-GRIDS = ("scan_pixels", "contacts_per_row")
-
 
 def claim_facts(claims: pd.DataFrame) -> dict[str, Any]:
     """Return the facts about claims that templates show, by the names that templates use."""
@@ -98,19 +93,6 @@ def _print_accepted_range(low: float, high: float, unit: str) -> str:
     printed = max(len(text.partition(".")[2]) for text in (low_text, high_text))
     decimals = min(printed, decimals_of(float(high_text), 0.0))
     return f"{float(low_text):.{decimals}f} to {float(high_text):.{decimals}f} {high_unit}".rstrip()
-
-
-def draw_conclusions(numbers: Mapping[str, Number]) -> dict[str, Any]:
-    """Return the conclusions of the headline from the numbers of the whole study."""
-    sizes = [(numbers[name].value, numbers[f"{name}_published"].value) for name in GRIDS]
-    octaves = [numbers[f"octave_{rank}_sensitivity"].value for rank in (1, 2, 3)]
-    shifts = [numbers.get(name) for name in ("plasticity_shift", "range_shift")]
-    return {
-        "is_coarse": any(size < published for size, published in sizes),
-        "has_few_sets": numbers["sets"].value < MIN_SETS,
-        "roughness_lowers_force": max(octaves) < 0,
-        "reasons_are_resolved": all(shift is not None and shift.low > 1 for shift in shifts),
-    }
 
 
 def most_sensitive_coatings(coatings: Mapping[str, Mapping[str, Number]]) -> dict[str, str]:
