@@ -25,13 +25,13 @@ CONTACT = Contact(
 Y, X = np.indices((PIXELS, PIXELS)) * PIXEL
 
 
-def patches(heights, contact=CONTACT):
+def count_patches(heights, contact=CONTACT):
     scan = mirror_scan(HeightMap(heights, PIXEL, False, "measured"))
     bodies = join_bodies(scan, None, contact)
     return int(pull_off_dataset(bodies, contact, [5.6]).touched_patches)
 
 
-def rough(seed, rms_height):
+def rough_heights(seed, rms_height):
     return self_affine_heights(generator(seed), PIXELS, PIXEL, rms_height)
 
 
@@ -42,11 +42,11 @@ def bump(x, y, height, width):
 @pytest.mark.parametrize("seed", range(4))
 def test_contacts_touch_one_patch_on_a_particle_and_many_on_a_rough_surface(seed):
     x, y = generator(seed, "place").uniform(1000, 4000, 2)
-    smoother_surface = rough(seed, 1.5)
-    assert patches(smoother_surface + bump(x, y, 200.0, 90.0)) == 1
+    smoother_surface = rough_heights(seed, 1.5)
+    assert count_patches(smoother_surface + bump(x, y, 200.0, 90.0)) == 1
     # 64 contacts share patches, the more, the rougher the surface is.
-    assert patches(smoother_surface) > 20
-    assert patches(rough(seed, 5.0)) >= 8
+    assert count_patches(smoother_surface) > 20
+    assert count_patches(rough_heights(seed, 5.0)) >= 8
 
 
 def test_neighbouring_pixels_of_one_cap_are_one_patch():
@@ -54,4 +54,4 @@ def test_neighbouring_pixels_of_one_cap_are_one_patch():
     distance = (X - 2560) ** 2 + (Y - 2560) ** 2
     cap = np.maximum(150.0 - distance / 40e3, 0)
     one_pixel = replace(CONTACT, preload=1e-9, contacts_per_row=32)
-    assert patches(cap, one_pixel) == 1
+    assert count_patches(cap, one_pixel) == 1

@@ -87,14 +87,14 @@ def test_a_half_decade_in_which_two_scans_differ_is_named():
     assert contradiction.longest < 160
 
 
-def simulate_contradictions(seed, heights=1.0):
+def simulate_contradictions(seed, height_factor=1.0):
     """Return the contradictions of three measurements, the second with multiplied heights."""
     scans = [
         random_map(generator(seed, 0), 128, 80.0, uncd_density),
         random_map(generator(seed, 1), 128, 16.0, uncd_density),
         random_line(generator(seed, 2), 2000, 20.0, uncd_density),
     ]
-    scans[1] = replace(scans[1], heights=heights * scans[1].heights)
+    scans[1] = replace(scans[1], heights=height_factor * scans[1].heights)
     spectrum = joined_spectrum(scans, [None] * 3)
     return find_contradictions(
         *(spectrum[name].values for name in ("psd", "reliable", "kind", "size"))
@@ -106,9 +106,9 @@ def test_scans_of_one_surface_agree_within_their_scatter_and_calibration():
     assert not any(simulate_contradictions(seed, 1.1) for seed in range(3))  # 10 % calibration
 
 
-@pytest.mark.parametrize(("heights", "order"), [(10.0, [1, 0]), (0.1, [0, 1])])
-def test_a_scan_of_other_heights_is_named_with_the_square_of_their_factor(heights, order):
-    contradictions = simulate_contradictions(1, heights)
+@pytest.mark.parametrize(("height_factor", "order"), [(10.0, [1, 0]), (0.1, [0, 1])])
+def test_a_scan_of_other_heights_is_named_with_the_square_of_their_factor(height_factor, order):
+    contradictions = simulate_contradictions(1, height_factor)
     assert [sorted(item[:2]) for item in contradictions] in ([[0, 1], [1, 2]], [[1, 2], [0, 1]])
     large_and_small = next(item for item in contradictions if set(item[:2]) == {0, 1})
     assert list(large_and_small[:2]) == order and large_and_small.factor == pytest.approx(
