@@ -97,7 +97,7 @@ def band_forces() -> xr.Dataset:
     return xr.Dataset(
         {"band_force_ratio": ratio, "band_force_ratio_interval": interval},
         {
-            "surface": SUBSTRATES, "band": ["published", "found"], "band_part": parts,
+            "surface": SUBSTRATES, "band": ["published", "computed"], "band_part": parts,
             "end": ["low", "high"],
         },
     )  # fmt: skip

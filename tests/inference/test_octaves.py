@@ -68,7 +68,7 @@ def test_the_sensitivity_of_a_power_is_its_exponent():
 
 
 def test_ratios_of_a_band_are_relative_to_the_force_with_all_roughness():
-    bands = {"published": (200.0, 600.0), "found": (100.0, 2561.0)}
+    bands = {"published": (200.0, 600.0), "computed": (100.0, 2561.0)}
     maps = [
         band_force_dataset(
             periodic_map(scale * wavy(160.0, 512.0, 1280.0).heights, PIXEL_SIZE),

@@ -18,7 +18,7 @@ with run_job(snakemake) as job:
         params["surface"], job.input.substitute, params["scan_grid"], params["seed"]
     )
     published_band = substitute.constants["value"][["short_edge", "long_edge"]]
-    bands = {"published": tuple(published_band), "found": mean_band(read(job.input.edges))}
+    bands = {"published": tuple(published_band), "computed": mean_band(read(job.input.edges))}
     forces = {}
     for number in progress(surface_numbers, len(surface_numbers), "surfaces"):
         surface = whole_surface(

@@ -23,7 +23,7 @@ LABELS: dict[str, Sequence[str]] = {
     "model": ("rumpf_height", "rumpf_curvature", "rabinovich", "fuller_tabor", "maugis"),
     "rms_parameter": ("height", "slope", "curvature"), "cause": ("plasticity", "range"),
     "exponent_of": ("radius", "contact"), "forces_on": ("scans", "whole surfaces"),
-    "band": ("published", "found"),
+    "band": ("published", "computed"),
     "band_part": ("only the band", "no shorter waves", "no longer waves"),
     "rho": (), "preload": (), "minimum": (),
 }  # fmt: skip

@@ -28,7 +28,7 @@ def draw(
     panels.draw_octaves(top[0], sensitivity)
     style.label_panel(top[0], "a", "change of the force with the amplitude a of one octave")
     tolerance = edges.attrs["tolerance"]
-    titles = {"published": "published band", "found": "mean computed band"}
+    titles = {"published": "published band", "computed": "mean computed band"}
     bottom[1].sharey(bottom[0])
     for letter, axes, (band_name, title) in zip("bc", bottom, titles.items(), strict=True):
         ratios = band_forces.sel(band=band_name)
