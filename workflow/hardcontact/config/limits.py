@@ -7,7 +7,6 @@ master. Only one fault of each is reported, because later limits may assume earl
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
-from itertools import islice
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -26,7 +25,8 @@ from hardcontact.contact.numerical_limits import (
 )
 from hardcontact.surfaces.synthesis import SIDES
 
-#: Pixel sizes in nm at which spectra are known: tables and bins end at 0.1 nm and 100 um.
+#: Pixel sizes in nm at which spectra are known. The bins of measured spectra reach from 0.1 nm, two
+#: of the smallest pixels, to 100 µm, ten of the largest pixels.
 PIXEL_SIZES = (0.05, 1e4)
 #: Largest number of pixels per row of a map: arrays of more than 2 GiB are not validated.
 MAX_MAP_PIXELS = 16384
@@ -101,6 +101,7 @@ def refuse_unfit_grids(config: dict[str, Any], grids: Mapping[str, Grid]) -> Non
     """
     fault_series = []
     sphere_surface = config["sphere"]["surface"]
+    master_sections = ["scales", "sets"] if is_paper_study(config) else ["scales"]
     for surface, grid in grids.items():
         fault_series.append(_scan_faults(config, surface, grid))
         if surface != sphere_surface:
@@ -108,10 +109,11 @@ def refuse_unfit_grids(config: dict[str, Any], grids: Mapping[str, Grid]) -> Non
             fault_series.append(_body_faults(config, surface, grid, sphere_grid))
             fault_series += [
                 _master_faults(config, section, side, surface, grid, sphere_grid)
-                for section in ("scales", "sets")[: 1 + is_paper_study(config)]
+                for section in master_sections
                 for side in SIDES
             ]
-    raise_faults(dict.fromkeys(fault for faults in fault_series for fault in islice(faults, 1)))
+    first_faults = dict.fromkeys(next(faults, "") for faults in fault_series)  # Each line once.
+    raise_faults(filter(None, first_faults))
 
 
 def contact_faults(named_contact: NamedContact, surface: str, grid: Grid) -> Iterator[str]:
@@ -209,10 +211,8 @@ def _map_faults(bodies: str, pixel_size: float, *grids: Grid) -> Iterator[str]:
     """Yield the fault of mirrored maps that are too large on the pixels (nm) of the finest map."""
     pixels = round(max(2 * grid.size for grid in grids) / pixel_size)
     if pixels > MAX_MAP_PIXELS:
-        accepted = (
-            f"at most {MAX_MAP_PIXELS} pixels per row of {bodies} on common pixels of "
-            f"{pixel_size:.4g} nm"
-        )
+        common_pixels = f"{bodies} on common pixels of {pixel_size:.4g} nm"
+        accepted = f"at most {MAX_MAP_PIXELS} pixels per row of {common_pixels}"
         yield key_fault("surfaces and scan", accepted, pixels)
 
 
