@@ -28,16 +28,17 @@ SHORT_ADHESION_RANGE = 1.0
 #: Largest penetration relative to the range of adhesion, for a smooth sphere: its force sums lose
 #: 11 of 16 digits, because exp(25) is 7e10.
 PENETRATION_OVER_RANGE = 25.0
-#: Smallest and largest ratio of two mean forces: on a mirrored scan, and on the surface of 20 µm
-#: from which it was cut. The key is the largest size of the scan relative to the search size; at
-#: larger sizes the ratio was 0.95 to 1.14. Source: scans of 0.6 to 10 µm on 24 realizations each of
-#: ten Gaussian surfaces (rms height 2 to 50 nm, roll-off 300 to 2000 nm, H = 0.5 to 0.84); R = 20
-#: to 250 µm, rho = 2 and 5.6 nm. Each ratio is known to 1 to 10 %.
-FINITE_SCAN_RATIOS = {
-    0.125: (8.0, 17.0), 0.25: (3.0, 9.0), 0.5: (1.5, 3.6), 1.0: (1.1, 2.0), 2.0: (1.0, 1.5)
-}  # fmt: skip
+#: Lowest and highest mean force on a mirrored scan, relative to the 20 µm surface it was cut from.
+#: Before both: upper limit of scan width / search size. On larger scans the force was 0.95 to 1.14.
+#: Source: scans of 0.6 to 10 µm on 24 realizations each of ten Gaussian surfaces (rms height 2 to
+#: 50 nm, roll-off 300 to 2000 nm, H = 0.5 to 0.84); R = 20 to 250 µm, rho = 2 and 5.6 nm. Each
+#: ratio is known to 1 to 10 %.
+FINITE_SCAN_RATIOS = (
+    (0.125, (8.0, 17.0)), (0.25, (3.0, 9.0)), (0.5, (1.5, 3.6)),
+    (1.0, (1.1, 2.0)), (2.0, (1.0, 1.5)),
+)  # fmt: skip
 #: Size relative to the search size from which a scan is large enough, and the smallest tested one.
-LARGE_SIZE_RATIO = max(FINITE_SCAN_RATIOS)
+LARGE_SIZE_RATIO = FINITE_SCAN_RATIOS[-1][0]
 SMALLEST_SIZE_RATIO = 0.12
 #: Smallest share of the force on a smooth sphere in a window without a caution.
 MIN_WINDOW_SHARE = 0.99
@@ -92,8 +93,8 @@ def finite_scan_ratio(size: float, search_size: float) -> tuple[float, float]:
 
     The sizes (nm) are the width of the scan and the search size.
     """
-    ratios = (ratio for limit, ratio in FINITE_SCAN_RATIOS.items() if size < limit * search_size)
-    return next(ratios, (1.0, 1.0))
+    candidates = (ratios for limit, ratios in FINITE_SCAN_RATIOS if size < limit * search_size)
+    return next(candidates, (1.0, 1.0))
 
 
 def window_share(contact: Contact, rho: ArrayLike) -> NDArray[np.float64]:
