@@ -37,7 +37,7 @@ class OwnSpectrum(NamedTuple):
     notes: tuple[str, ...]
     scans: tuple[HeightMap, ...] = ()  #: Levelled; empty for a table.
     #: The levelled maps of a substrate and of a rough sphere, whose sum is the only scan.
-    bodies: tuple[HeightMap, ...] = ()
+    body_maps: tuple[HeightMap, ...] = ()
 
 
 def read_own_spectrum(

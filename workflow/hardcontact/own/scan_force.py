@@ -86,20 +86,39 @@ def force_on_scan(
 ) -> dict[str, Number]:
     """Return the force summed over the pixels of the only map, or why there is none.
 
-    A table has no numbers. The search size follows from the extrapolated spectrum, as in a study.
+    Returns an empty dictionary if the spectrum comes from a table, because there is no map. The
+    search size follows from the extrapolated spectrum, as in a study.
     """
-    spectrum, _, scans, bodies = own_spectrum
+    spectrum, _, scans, body_maps = own_spectrum
     if not (scans and isinstance(spectrum, ScanSpectrum)):
         return {}
     status, shortest_range = find_obstacle(scans, contact)
-    if not status:
-        search_width = search_size(spectrum.extrapolated(), contact.radius, contact.area)
-        numbers = _scan_force_numbers(scans[0], bodies, contact, search_width, confidence)
-        return numbers_by_name(*numbers)
-    no_force = numbers_by_name(Number("force_on_scan", math.nan, "N", status=status))
-    if status == Obstacle.SHORT_RANGE:
-        no_force["shortest_range"] = Number("shortest_range", shortest_range, "nm")
-    return no_force
+    if status:
+        no_force = [Number("force_on_scan", math.nan, "N", status=status)]
+        if status == Obstacle.SHORT_RANGE:
+            no_force.append(Number("shortest_range", shortest_range, "nm"))
+        return numbers_by_name(*no_force)
+    scan = scans[0]
+    surface = mirror_in_float32(scan)
+    contact = contact_on_scan(scan, contact)
+    surface_forces = _surface_forces(scan, surface, body_maps, contact)
+    wide_pixel_ratio = _wide_pixel_ratio(scan, surface, contact)
+    # Finer pixels may lower forces by this factor, but not raise them.
+    finer_pixel_factor = float(pixel_factor(wide_pixel_ratio))
+    force = _mean_force(surface_forces, smooth_force(contact), confidence)
+    force = force._replace(low=force.low / finer_pixel_factor)
+    search_width = search_size(spectrum.extrapolated(), contact.radius, contact.area)
+    size_status = ScanSize.SMALL if scan.size < LARGE_SIZE_RATIO * search_width else ScanSize.LARGE
+    _, small_scan_ratio = finite_scan_ratio(scan.size, search_width)
+    form = _closed_form_number(surface, force, small_scan_ratio, contact)
+    return numbers_by_name(
+        force,
+        Number("force_on_scan_over_smooth", force.value / smooth_force(contact)),
+        Number("wide_pixel_ratio", wide_pixel_ratio),
+        *_scatter_numbers(surface_forces, confidence),
+        Number("search_size", search_width, "nm", status=size_status),
+        form._replace(low=form.low / finer_pixel_factor),
+    )
 
 
 def _surface_forces(
@@ -109,59 +128,39 @@ def _surface_forces(
 
     `surface` is the mirrored scan. `body_maps` are the maps of substrate and rough sphere, or none.
     """
-    all_bodies = [join_bodies(surface, None, contact)]
+    joined_bodies = [join_bodies(surface, None, contact)]
     if body_maps:
-        substrate, sphere = (mirror_in_float32(body) for body in body_maps)
+        substrate, sphere = (mirror_in_float32(body_map) for body_map in body_maps)
         contact = replace(contact, contacts_per_row=POSITION_CONTACTS_PER_ROW)
         positions = spheres_at_positions(sphere, math.isqrt(SPHERE_POSITIONS))
-        all_bodies = [join_bodies(substrate, position, contact) for position in positions]
-    pull_off = pull_off_on_spheres(dict(enumerate(all_bodies)), contact, [contact.rho])
+        joined_bodies = [join_bodies(substrate, position, contact) for position in positions]
+    pull_off = pull_off_on_spheres(dict(enumerate(joined_bodies)), contact, [contact.rho])
     forces = contact.work * pull_off["pull_off_force"].sel(contact_model=PLASTIC, drop=True)
     touched_patches = float(pull_off["touched_patches"].max())
     return forces_of_surface(forces.expand_dims("scan"), scan.size, contact.radius, touched_patches)
 
 
-def _extend_low_end(number: Number, wide_pixel_ratio: float) -> Number:
-    """Return a number with its lower end divided by the factor that finer pixels may cause."""
-    return number._replace(low=number.low / float(pixel_factor(wide_pixel_ratio)))
-
-
-def _scan_force_numbers(
-    scan: HeightMap,
-    body_maps: Sequence[HeightMap],
-    contact: Contact,
-    search_width: float,
-    confidence: float,
-) -> Iterator[Number]:
-    """Yield the mean plastic force on a levelled map, in N and relative to a smooth sphere.
-
-    Further numbers serve to judge it; the width that a contact searches is in nm. As in
-    `bound_by_smooth_sphere`, mean and interval never exceed a smooth sphere's force.
-    """
-    surface = mirror_in_float32(scan)
-    contact = contact_on_scan(scan, contact)
-    surface_forces = _surface_forces(scan, surface, body_maps, contact)
-    (scan_parts,) = surface_forces.scan_parts
-    smooth = smooth_force(contact)
+def _mean_force(surface_forces: SurfaceForces, smooth: float, confidence: float) -> Number:
+    """Return the mean plastic force (N), which like its interval is at most the `smooth` force."""
     values = np.append(surface_forces.mean, mean_intervals(surface_forces, confidence)[0])
     mean, low, high = limit_forces(values, smooth).tolist()
-    force = Number("force_on_scan", mean, "N", low, high, scan_parts.interval_source)
+    source = surface_forces.scan_parts[0].interval_source
+    return Number("force_on_scan", mean, "N", low, high, source)
+
+
+def _wide_pixel_ratio(scan: HeightMap, surface: HeightMap, contact: Contact) -> float:
+    """Return the force on wider pixels relative to the force on the mirrored scan, `surface`."""
     forces_on_map = make_force_function(contact)
     wide_pixel_force = forces_on_map(mirror_in_float32(widen_pixels(scan))).mean()
-    wide_pixel_ratio = float(wide_pixel_force / forces_on_map(surface).mean())
-    force = _extend_low_end(force, wide_pixel_ratio)
-    yield force
-    yield Number("force_on_scan_over_smooth", mean / smooth)
-    yield Number("wide_pixel_ratio", wide_pixel_ratio)
-    yield Number("touched_patches", scan_parts.touched_patches)
+    return float(wide_pixel_force / forces_on_map(surface).mean())
+
+
+def _scatter_numbers(surface_forces: SurfaceForces, confidence: float) -> Iterator[Number]:
+    """Yield how many patches are touched, and how much the position of a rough sphere matters."""
+    yield Number("touched_patches", surface_forces.scan_parts[0].touched_patches)
     log_half_width = position_half_width(surface_forces, confidence)
     if log_half_width is not None:
         yield Number("position_factor", float(np.exp(log_half_width[0])))
-    status = ScanSize.SMALL if scan.size < LARGE_SIZE_RATIO * search_width else ScanSize.LARGE
-    yield Number("search_size", search_width, "nm", status=status)
-    _, small_scan_ratio = finite_scan_ratio(scan.size, search_width)
-    form = _closed_form_number(surface, force, small_scan_ratio, contact)
-    yield _extend_low_end(form, wide_pixel_ratio)
 
 
 def _closed_form_number(
