@@ -16,13 +16,7 @@ from numpy.typing import NDArray
 from hardcontact.base.arrays import Floats
 from hardcontact.base.formatting import format_length, format_share
 from hardcontact.base.statistics import MEDIAN_DEVIATION
-from hardcontact.scans.map_defects import (
-    Numbers,
-    find_curvature,
-    find_line_patterns,
-    find_noise,
-    wave_power,
-)
+from hardcontact.scans.map_defects import Defect, find_curvature, find_line_patterns, find_noise
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.levelling import remove_form
 from hardcontact.surfaces.streaks import MIN_STREAK_STEPS, fill_streaks
@@ -34,9 +28,7 @@ SENTENCES: dict[str, str] = yaml.safe_load(
 #: By code of a defect: its numbers with their units.
 DEFECTS = {
     "streaks": {
-        "streak_lines": "1",
-        "first_streak_line": "1",
-        "last_streak_line": "1",
+        "streak_lines": "1", "first_streak_line": "1", "last_streak_line": "1",
         "rms_height_without_streaks": "nm",
     },
     "spikes": {"spike_share": "1", "rms_height_without_spikes": "nm"},
@@ -49,6 +41,14 @@ DEFECTS = {
     "slopes": {"slope_along_x": "1", "slope_along_y": "1"},
     "sidewalls": {"sidewall_slope_share": "1"},
     "noise": {"noise_height": "nm", "rms_height_without_noise": "nm"},
+}  # fmt: skip
+#: By code of a defect: the defects beside which it is not looked for, because they look like it (as
+#: unmeasured, and thus equal, lines look like a lay) or hide it (as sidewalls hide white noise).
+#: Line patterns are streaks, and the defects from `find_line_patterns`.
+MASKING_DEFECTS = {
+    "line_patterns": ["equal_lines"],
+    "sidewalls": ["equal_lines", "spikes"],
+    "noise": ["equal_lines", "spikes", "sidewalls", "offset_lines"],
 }
 #: The numbers of all defects with their units.
 DEFECT_UNITS = {name: unit for units in DEFECTS.values() for name, unit in units.items()}
@@ -73,37 +73,37 @@ MIN_SIDEWALL_SLOPE_SHARE = 0.7
 
 def scan_defects(
     raw_heights: Floats, levelled_heights: Floats, pixel_size: float
-) -> dict[str, Numbers]:
+) -> dict[str, Defect]:
     """Return the defects of a scan by code, each with its numbers as in DEFECTS; empty for none.
 
     Heights in nm, before and after levelling, are (y, x) or (n,) of a line scan. The pixel size in
     nm is the spacing of a line scan.
     """
-    numbers: dict[str, Numbers] = {}
-    power: Floats | None = None  # of a map without equal lines
+    defects: dict[str, Defect] = {}
+
+    def is_masked(code: str) -> bool:
+        return any(defects.get(masking_code) for masking_code in MASKING_DEFECTS[code])
+
     measured_heights = raw_heights
     if raw_heights.ndim == 2:
+        defects["curvature"] = find_curvature(levelled_heights, pixel_size)
         rows, columns = _find_equal_lines(raw_heights), _find_equal_lines(raw_heights.T)
         share = float(max(rows.mean(), columns.mean()))
-        numbers["curvature"] = find_curvature(levelled_heights, pixel_size)
         if share > MAX_EQUAL_LINE_SHARE:
-            numbers["equal_lines"] = {"equal_line_share": share}
+            defects["equal_lines"] = {"equal_line_share": share}
             measured_heights = raw_heights[~rows][:, ~columns]
-        else:  # Unmeasured lines would look like a lay or like streaks.
-            levelled_heights, numbers["streaks"] = _without_streaks(levelled_heights)
-            power = wave_power(levelled_heights)
-            numbers |= find_line_patterns(levelled_heights, power, pixel_size)
-    numbers["spikes"] = _find_spikes(levelled_heights)
-    numbers |= _find_clipping(measured_heights)
-    # Spikes and unmeasured lines look like sidewalls, spikes also like noise. White noise is hidden
-    # by sidewalls and offset lines, and quantised heights add to it.
-    if not numbers["spikes"] and "equal_lines" not in numbers:
-        numbers["sidewalls"] = _find_sidewalls(levelled_heights)
-        has_levels = np.median(np.abs(np.diff(raw_heights, axis=0))) == 0
-        hides_noise = has_levels or numbers["sidewalls"] or numbers.get("offset_lines")
-        if power is not None and not hides_noise:
-            numbers["noise"] = find_noise(levelled_heights.var(), power)
-    return {code: numbers[code] for code in DEFECTS if numbers.get(code)}
+        if not is_masked("line_patterns"):
+            levelled_heights, defects["streaks"] = _without_streaks(levelled_heights)
+            defects |= find_line_patterns(levelled_heights, pixel_size)
+    defects["spikes"] = _find_spikes(levelled_heights)
+    defects |= _find_clipping(measured_heights)
+    if not is_masked("sidewalls"):
+        defects["sidewalls"] = _find_sidewalls(levelled_heights)
+    # Quantised heights have noise from rounding.
+    is_quantised = np.median(np.abs(np.diff(raw_heights, axis=0))) == 0
+    if raw_heights.ndim == 2 and not is_quantised and not is_masked("noise"):
+        defects["noise"] = find_noise(levelled_heights)
+    return {code: defects[code] for code in DEFECTS if defects.get(code)}
 
 
 def scan_with_defects(
@@ -114,7 +114,7 @@ def scan_with_defects(
     return replace(flat, defects=scan_defects(scan.heights, flat.heights, scan.pixel_size))
 
 
-def _without_streaks(heights: Floats) -> tuple[Floats, Numbers]:
+def _without_streaks(heights: Floats) -> tuple[Floats, Defect]:
     """Return heights without streaks, and the lines of streaks and the rms height (nm) without."""
     filled_heights, is_filled = fill_streaks(heights)
     lines = np.flatnonzero(is_filled.any(axis=1)) + 1
@@ -128,16 +128,17 @@ def _without_streaks(heights: Floats) -> tuple[Floats, Numbers]:
     }
 
 
-def _find_spikes(heights: Floats) -> Numbers:
+def _find_spikes(heights: Floats) -> Defect:
     """Return the share of spikes and the rms height (nm) without them.
 
     On a map one neighbour of a spike may be a spike, too. Even the pixel at the corner of a
     particle has three neighbours on it.
     """
     isolation = _isolation(heights)
-    # Spikes raise the rms height, so leave out pixels that are isolated by the median distance.
-    distance = np.median(np.abs(heights - np.median(heights)))
-    rms_height = float(heights[isolation <= MIN_SPIKE_DISTANCE * distance / MEDIAN_DEVIATION].std())
+    # Spikes raise the rms height, so leave out pixels that are isolated by the median deviation.
+    median_deviation = np.median(np.abs(heights - np.median(heights)))
+    max_isolation = MIN_SPIKE_DISTANCE * median_deviation / MEDIAN_DEVIATION
+    rms_height = float(heights[isolation <= max_isolation].std())
     share = float((isolation > MIN_SPIKE_DISTANCE * rms_height).mean())
     return {"spike_share": share, "rms_height_without_spikes": rms_height} if share else {}
 
@@ -163,22 +164,21 @@ def _find_equal_lines(lines: Floats) -> NDArray[np.bool_]:
     return equal
 
 
-def _find_clipping(heights: Floats) -> dict[str, Numbers]:
+def _find_clipping(heights: Floats) -> dict[str, Defect]:
     """Return the shares of pixels at the highest and the lowest value, if they are clipped."""
     _, counts = np.unique(heights, return_counts=True)
     if len(counts) < 2:
         return {}
-    numbers = {}
+    defects = {}
     for code, (end_count, next_count) in (("highest", counts[::-1][:2]), ("lowest", counts[:2])):
         share = float(end_count / heights.size)
-        if share > MAX_END_SHARE and end_count > max(
-            MAX_CLIPPING_RATIO * next_count, MAX_END_PIXELS
-        ):
-            numbers[code] = {f"{code}_share": share}
-    return numbers
+        max_count = max(MAX_CLIPPING_RATIO * next_count, MAX_END_PIXELS)
+        if share > MAX_END_SHARE and end_count > max_count:
+            defects[code] = {f"{code}_share": share}
+    return defects
 
 
-def _find_sidewalls(heights: Floats) -> Numbers:
+def _find_sidewalls(heights: Floats) -> Defect:
     """Return the share of the squared slopes at the steepest pixels, which are sidewalls."""
     if heights.ndim == 2:
         squares = np.diff(heights, axis=0)[:, 1:] ** 2 + np.diff(heights, axis=1)[1:] ** 2

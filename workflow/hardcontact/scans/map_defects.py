@@ -5,8 +5,8 @@ import numpy as np
 from hardcontact.base.arrays import Floats
 from hardcontact.scans.reliable_band import FLATTEST_SLOPE, MIN_STANDARD_ERRORS
 
-#: Numbers of a defect, by name; empty if a scan lacks it.
-Numbers = dict[str, float]
+#: The numbers of a defect by name; empty if a scan lacks it.
+Defect = dict[str, float]
 
 #: Least ratio, for a lay, of the variance of profiles along its wavevector to that across.
 MIN_LAY_RATIO = 3.0
@@ -33,13 +33,13 @@ MIN_STEP_CORRELATION = -0.25
 LARGEST_RATIO = 1e6
 
 
-def wave_power(heights: Floats) -> Floats:
+def _wave_power(heights: Floats) -> Floats:
     """Return the power (y, x) of the waves in a map under a Hann window, |FFT|² in nm²."""
     window = np.hanning(len(heights) + 1)[:-1]
     return np.asarray(np.abs(np.fft.fft2(heights * np.outer(window, window))) ** 2)
 
 
-def find_curvature(heights: Floats, pixel_size: float) -> Numbers:
+def find_curvature(heights: Floats, pixel_size: float) -> Defect:
     """Return the radius (nm) of a curvature, and the relative rms height without it.
 
     A curvature is the part of second order of polynomials up to the fourth order.
@@ -55,9 +55,8 @@ def find_curvature(heights: Floats, pixel_size: float) -> Numbers:
     squares = [float((amplitudes[orders == order] ** 2).sum()) for order in range(5)]
     total = float((points**2).sum()) - squares[0] - squares[1]
     uncurved_squares = max(total - squares[2], 0.0)
-    higher_orders = squares[3] + squares[4]
     is_weak = uncurved_squares >= MAX_UNCURVED_SHARE**2 * total
-    if is_weak or squares[2] < MIN_SECOND_ORDER_RATIO * higher_orders:
+    if is_weak or squares[2] < MIN_SECOND_ORDER_RATIO * (squares[3] + squares[4]):
         return {}
     coefficients = np.linalg.solve(triangle, np.where(orders == 2, amplitudes, 0))
     yy, xy, xx = coefficients[orders == 2]
@@ -69,16 +68,16 @@ def find_curvature(heights: Floats, pixel_size: float) -> Numbers:
     }
 
 
-def find_line_patterns(heights: Floats, power: Floats, pixel_size: float) -> dict[str, Numbers]:
+def find_line_patterns(heights: Floats, pixel_size: float) -> dict[str, Defect]:
     """Return the numbers of offset lines and a lay, or else of slopes that depend on direction."""
-    lay, slope_ratio = _find_lay(power)
-    numbers = {"offset_lines": _find_line_offsets(heights), "lay": lay}
-    if slope_ratio > MIN_LAY_RATIO and not any(numbers.values()):
-        numbers["slopes"] = _find_directional_slopes(heights, pixel_size)
-    return numbers
+    lay, slope_ratio = _find_lay(_wave_power(heights))
+    patterns = {"offset_lines": _find_line_offsets(heights), "lay": lay}
+    if slope_ratio > MIN_LAY_RATIO and not any(patterns.values()):
+        patterns["slopes"] = _find_directional_slopes(heights, pixel_size)
+    return patterns
 
 
-def _find_lay(power: Floats) -> tuple[Numbers, float]:
+def _find_lay(power: Floats) -> tuple[Defect, float]:
     """Return the numbers of a lay, and the ratio of squared slopes, steepest direction to across.
 
     The number of a lay is the ratio of the variances of profiles along its wavevector and across.
@@ -112,7 +111,7 @@ def _ratio(larger: float, smaller: float) -> float:
     return float(larger / max(smaller, larger / LARGEST_RATIO)) if larger else 1.0
 
 
-def _find_line_offsets(heights: Floats) -> Numbers:
+def _find_line_offsets(heights: Floats) -> Defect:
     """Return the rms offset (nm) of lines that are offset at random."""
     steps = np.diff(heights, axis=0)
     line_steps = steps.mean(axis=1)
@@ -126,7 +125,7 @@ def _correlation_of_steps(steps: Floats) -> float:
     return float((steps[1:] * steps[:-1]).mean() / max((steps**2).mean(), np.finfo(float).tiny))
 
 
-def _find_directional_slopes(heights: Floats, pixel_size: float) -> Numbers:
+def _find_directional_slopes(heights: Floats, pixel_size: float) -> Defect:
     """Return the rms slopes along x and y; none if noise of lines makes the steeper one."""
     steps = [np.diff(lines, axis=0) for lines in (heights.T, heights)]
     slopes = [float(axis_steps.std()) / pixel_size for axis_steps in steps]
@@ -134,12 +133,13 @@ def _find_directional_slopes(heights: Floats, pixel_size: float) -> Numbers:
     return {} if is_noise else {"slope_along_x": slopes[0], "slope_along_y": slopes[1]}
 
 
-def find_noise(variance: float, power: Floats) -> Numbers:
+def find_noise(heights: Floats) -> Defect:
     """Return the rms of white noise and the rms height without it (nm); none without noise.
 
     The spectrum of a noisy scan is flatter than any self-affine spectrum at two to four pixels, but
     steeper at longer waves.
     """
+    power = _wave_power(heights)
     pixels = len(power)
     waves = np.fft.fftfreq(pixels, 1 / pixels)
     half_octave = np.round(2 * np.log2(pixels / np.maximum(np.hypot(waves, waves[:, None]), 1)))
@@ -157,9 +157,9 @@ def find_noise(variance: float, power: Floats) -> Numbers:
     is_noisy = slopes[0] - margins[0] > FLATTEST_SLOPE > (slopes + margins).min()
     # The mean square of the window is 3/8 along each axis.
     noise = density[0] / (3 / 8 * pixels) ** 2
-    if not is_noisy or noise < MIN_NOISE_SHARE * variance:
+    if not is_noisy or noise < MIN_NOISE_SHARE * heights.var():
         return {}
     return {
         "noise_height": float(np.sqrt(noise)),
-        "rms_height_without_noise": float(np.sqrt(max(variance - noise, 0))),
+        "rms_height_without_noise": float(np.sqrt(max(heights.var() - noise, 0))),
     }
