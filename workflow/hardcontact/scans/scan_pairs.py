@@ -35,7 +35,7 @@ LONGEST_COMPARED_SHARE = 1 / 4
 #: Least overlap after a shift, as a share of the smaller map.
 MIN_OVERLAP = 0.5
 #: Least product of variances, relative to the largest: rounding of Fourier transforms is smaller.
-ROUNDING = 1e-9
+MIN_RELATIVE_VARIANCE_PRODUCT = 1e-9
 #: Largest ratio of the sides of two maps: a smaller part of an area shows other waves.
 MAX_SIZE_RATIO = 1.25
 #: Standard errors by which the mean logarithms of two scans differ before they contradict
@@ -60,12 +60,12 @@ def earlier_scans_of_areas(scans: Sequence[HeightMap]) -> list[int | None]:
     Scans are levelled; line scans are never compared.
     """
     maps = [coarse_map(scan) for scan in scans]
-    earlier: list[int | None] = []
+    earlier_indices: list[int | None] = []
     for scan in maps:
-        new_areas = [index for index, earlier_index in enumerate(earlier) if earlier_index is None]
+        new_areas = [index for index, earlier in enumerate(earlier_indices) if earlier is None]
         same_areas = (index for index in new_areas if have_same_area(maps[index], scan))
-        earlier.append(next(same_areas, None))
-    return earlier
+        earlier_indices.append(next(same_areas, None))
+    return earlier_indices
 
 
 def repetition_notes(scans: Sequence[HeightMap], names: Sequence[str]) -> dict[int, str]:
@@ -88,22 +88,23 @@ def have_same_area(first: HeightMap, second: HeightMap) -> bool:
     if larger.size > MAX_SIZE_RATIO * smaller.size:
         return False
     pixel_size = max(first.pixel_size, second.pixel_size)
-    longest = LONGEST_COMPARED_SHARE * smaller.size / pixel_size
-    waves, other_waves = (_short_waves(scan, pixel_size, longest) for scan in (smaller, larger))
+    longest_pixels = LONGEST_COMPARED_SHARE * smaller.size / pixel_size
+    waves = _short_waves(smaller, pixel_size, longest_pixels)
+    other_waves = _short_waves(larger, pixel_size, longest_pixels)
     if _best_correlation(waves, other_waves) <= SAME_AREA_CORRELATION:
         return False
     halves = [np.array_split(waves, 2, axis=axis) for axis in (0, 1)]
     return all(_best_correlation(*pair) <= SAME_AREA_CORRELATION for pair in halves)
 
 
-def _short_waves(scan: HeightMap, pixel_size: float, longest: float) -> Floats:
-    """Return a map on pixels of a size (nm) without waves longer than `longest` (pixels)."""
+def _short_waves(scan: HeightMap, pixel_size: float, longest_pixels: float) -> Floats:
+    """Return a map on pixels of a size (nm) without waves longer than a number of pixels."""
     ratio = scan.pixel_size / pixel_size
     heights = scan.heights
     if ratio < 1:
         heights = scipy.ndimage.zoom(scipy.ndimage.gaussian_filter(heights, 0.4 / ratio), ratio)
     # A Gaussian of this width keeps half of the longest wave.
-    width = np.sqrt(2 * np.log(2)) * longest / (2 * np.pi)
+    width = np.sqrt(2 * np.log(2)) * longest_pixels / (2 * np.pi)
     return np.asarray(heights - scipy.ndimage.gaussian_filter(heights, width), float)
 
 
@@ -115,13 +116,13 @@ def _best_correlation(first: Floats, second: Floats) -> float:
 
     first_weights, second_weights = np.ones(first.shape), np.ones(second.shape)
     overlap = sums_over_shifts(first_weights, second_weights)
-    variances = sums_over_shifts(first**2, second_weights)
-    variances *= sums_over_shifts(first_weights, second**2)
+    variance_products = sums_over_shifts(first**2, second_weights)
+    variance_products *= sums_over_shifts(first_weights, second**2)
     # Where one map is constant, such as in unmeasured lines, rounding leaves no variance to trust.
     is_comparable = overlap >= MIN_OVERLAP * min(first.size, second.size)
-    is_comparable &= variances > ROUNDING * variances.max()
+    is_comparable &= variance_products > MIN_RELATIVE_VARIANCE_PRODUCT * variance_products.max()
     covariances = sums_over_shifts(first, second)
-    correlations = covariances[is_comparable] / np.sqrt(variances[is_comparable])
+    correlations = covariances[is_comparable] / np.sqrt(variance_products[is_comparable])
     return float(correlations.max(initial=0.0))
 
 
@@ -131,18 +132,18 @@ class Contradiction(NamedTuple):
     higher: int
     lower: int
     factor: float  #: Ratio of C_iso, higher to lower, by the mean of its logarithm.
-    shortest: float  #: Wavelengths (nm) at which both are reliable.
-    longest: float
+    wavelengths: tuple[float, float]  #: Shortest and longest (nm) at which both are reliable.
 
 
 def describe_contradictions(contradictions: Sequence[Contradiction], names: Sequence[str]) -> str:
     """Return a line on the first contradiction, with the names of scans, and a count."""
     worst = contradictions[0]
     remainder = f"; more pairs that do: {len(contradictions) - 1}" if contradictions[1:] else ""
+    shortest, longest = worst.wavelengths
     return (
         f"{names[worst.higher]} and {names[worst.lower]} contradict each other: at wavelengths "
-        f"from {format_length(worst.shortest)} to {format_length(worst.longest)} the power "
-        f"spectral density of the first is {worst.factor:.2g} times that of the other{remainder}"
+        f"from {format_length(shortest)} to {format_length(longest)} the power spectral density of "
+        f"the first is {worst.factor:.2g} times that of the other{remainder}"
     )
 
 
@@ -174,9 +175,9 @@ def find_contradictions(
         mean, error, bins = max(differences, key=lambda entry: abs(entry[0]) / entry[1])
         if abs(mean) > MIN_CONTRADICTION_ERRORS * error:
             higher, lower = (left, right) if mean > 0 else (right, left)
-            shortest, longest = 2 * np.pi / BIN_CENTRES[bins[[-1, 0]]]
+            shortest, longest = (2 * np.pi / BIN_CENTRES[bins[[-1, 0]]]).tolist()
             factor = float(np.exp(abs(mean)))
-            results.append(Contradiction(higher, lower, factor, float(shortest), float(longest)))
+            results.append(Contradiction(higher, lower, factor, (shortest, longest)))
     return sorted(results, key=lambda result: -result.factor)
 
 

@@ -109,7 +109,7 @@ def contradiction_caution(spectra: xr.Dataset) -> Caution | None:
     names = [measurement_name(scan) for scan in split_measurements(scans)]
     return Caution(
         "contradiction",
-        number_without_value("band", worst.shortest, worst.longest, "nm"),
+        number_without_value("band", *worst.wavelengths, "nm"),
         Number("factor", worst.factor),
         Number("more_pairs", len(contradictions) - 1),
         higher=names[worst.higher],
