@@ -98,8 +98,8 @@ def test_the_force_has_left_the_tolerance_at_the_edges():
     spectrum = self_affine_spectrum(17, 1000, 0.8, 10.0)
     short, long = critical_band(spectrum, contact(), 0.1)
     assert 10 < short < 300 < long < 5000
-    unfiltered = closed_form(spectrum, contact(), all_rough=False).dmt_ratio
+    unfiltered = closed_form(spectrum, contact(), rough_close_points=False).dmt_ratio
     for side, edge in (("short", short), ("long", long)):
         filtered = filtered_spectrum(spectrum, side, edge)
-        ratio = closed_form(filtered, contact(), all_rough=False).dmt_ratio / unfiltered
+        ratio = closed_form(filtered, contact(), rough_close_points=False).dmt_ratio / unfiltered
         assert min(abs(np.log(ratio / limit)) for limit in (0.9, 1.1)) < 0.02

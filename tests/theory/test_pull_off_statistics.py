@@ -61,7 +61,7 @@ def test_the_mean_force_equals_the_closed_form(rho, low, high):
     contact, spectrum = replace(SPHERE, rho=rho), self_affine_spectrum(30, 1000, 0.8, 5.0)
     force = closed_form(spectrum, contact).force
     assert predict_statistics(spectrum, contact).force == pytest.approx(force)
-    assert low < force / closed_form(spectrum, contact, all_rough=False).force < high
+    assert low < force / closed_form(spectrum, contact, rough_close_points=False).force < high
 
 
 def test_radii_of_summits_scatter_like_sampled_radii():

@@ -85,11 +85,13 @@ def surface_term(level: ArrayLike, relative_rms: ArrayLike) -> Floats:
     return np.asarray(np.exp(s**2 / 2 - t * s + special.log_ndtr(t - s)))
 
 
-def closed_form(spectrum: Spectrum, contact: Contact, *, all_rough: bool = True) -> ClosedForm:
+def closed_form(
+    spectrum: Spectrum, contact: Contact, *, rough_close_points: bool = True
+) -> ClosedForm:
     """Return the mean pull-off force over contacts of a sphere on a Gaussian surface.
 
-    The surface has no other wavelengths than the spectrum. If `all_rough`, points just below the
-    sphere lie on rough summits, too; otherwise only the summits that touch are rough.
+    The surface has no other wavelengths than the spectrum. If `rough_close_points`, points just
+    below the sphere lie on rough summits, too; otherwise only the summits that touch are rough.
     """
     dmt_force = float(dmt_pull_off(contact.work, contact.radius))
     rough_spectrum = find_rough_spectrum(spectrum, contact.radius)
@@ -98,19 +100,22 @@ def closed_form(spectrum: Spectrum, contact: Contact, *, all_rough: bool = True)
         return ClosedForm(force, force / dmt_force, 0.0, 0.0, np.inf, Regime.SMOOTH)
     sigma = float(np.sqrt(spectral_moment(rough_spectrum, 0)))
     apex = apex_distribution(rough_spectrum, contact.radius, contact.area)
-    mean_surface_term, summit_term = _terms(rough_spectrum, apex, contact, GENERATIONS, all_rough)
+    mean_surface_term, summit_term = _terms(rough_spectrum, apex, contact, rough_close_points)
     dmt_ratio = mean_surface_term + summit_term + contact_term(contact)
     apex_height = float(sigma * apex.mean())
     weibull_modulus = max(contact.rho * apex_height / sigma**2, 0.0)
     regime = Regime.SINGLE_PEAKS if weibull_modulus < 1 else Regime.MANY_POINTS
     if mean_surface_term + summit_term > SMOOTH_SHARE:
         regime = Regime.SMOOTH
-    force = dmt_force * dmt_ratio
-    return ClosedForm(force, dmt_ratio, sigma, apex_height, weibull_modulus, regime)
+    return ClosedForm(dmt_force * dmt_ratio, dmt_ratio, sigma, apex_height, weibull_modulus, regime)
 
 
 def _terms(
-    spectrum: Spectrum, apex: ApexDistribution, contact: Contact, generations: int, all_rough: bool
+    spectrum: Spectrum,
+    apex: ApexDistribution,
+    contact: Contact,
+    rough_close_points: bool,
+    generations: int = GENERATIONS,
 ) -> tuple[float, float]:
     """Return the surface term and the summit term, averaged over levels of the apex."""
     relative_rms = np.sqrt(spectral_moment(spectrum, 0)) / contact.rho
@@ -119,10 +124,10 @@ def _terms(
     if summit is not None and generations:
         finer, summit_contact = summit
         finer_apex = apex_distribution(finer, summit_contact.radius, summit_contact.area)
-        terms = _terms(finer, finer_apex, summit_contact, generations - 1, all_rough)
+        terms = _terms(finer, finer_apex, summit_contact, rough_close_points, generations - 1)
         summit_ratio = min(sum(terms), 1.0)
     surface_terms, summit_term = rough_terms(apex, relative_rms, summit_ratio)
-    if not all_rough:
+    if not rough_close_points:
         surface_terms = surface_term(apex.levels, relative_rms)
     return apex.mean(surface_terms), summit_term
 
@@ -170,11 +175,8 @@ def filtered_spectrum(spectrum: Spectrum, side: str, cutoff: float) -> Spectrum:
     no wave remains, all densities are zero.
     """
     limit = 2 * np.pi / cutoff
-    filtered = (
-        spectrum_between(spectrum, 0.0, limit)
-        if side == "short"
-        else spectrum_between(spectrum, limit, np.inf)
-    )
+    lowest, highest = (0.0, limit) if side == "short" else (limit, np.inf)
+    filtered = spectrum_between(spectrum, lowest, highest)
     return filtered or Spectrum(spectrum.wavevector, np.zeros_like(spectrum.density))
 
 
@@ -190,14 +192,14 @@ def critical_band(spectrum: Spectrum, contact: Contact, tolerance: float) -> tup
         return np.nan, np.nan
     cutoffs = np.geomspace(wavelengths[-1], wavelengths[0], CUTOFF_COUNT)
     limits = logarithmic_limits(tolerance)
-    unfiltered = closed_form(spectrum, contact, all_rough=False).dmt_ratio
+    unfiltered = closed_form(spectrum, contact, rough_close_points=False).dmt_ratio
 
     def edge_of_side(side: str, cutoffs: Floats) -> float:
         """Return the edge (nm) of a side; no wave is removed at the first cutoff."""
         curve = [0.0]
         for cutoff in cutoffs[1:]:
             filtered = filtered_spectrum(spectrum, side, cutoff)
-            dmt_ratio = closed_form(filtered, contact, all_rough=False).dmt_ratio
+            dmt_ratio = closed_form(filtered, contact, rough_close_points=False).dmt_ratio
             curve.append(np.log(dmt_ratio / unfiltered))
             if not limits[0] <= curve[-1] <= limits[1]:
                 break
