@@ -84,7 +84,9 @@ def test_a_study_of_the_project_has_other_values_only_if_asked():
     study_inputs.checked_configuration(*configured("contact={hardness: 25GPa}"))  # the same
     harder = "contact={hardness: 30 GPa}"
     line = refusal_line(study_inputs.checked_configuration, *configured(harder))
-    assert_says(line, "study paper", "contact.hardness: '30 GPa' for '25 GPa'", "overwrite=true")
+    assert_says(
+        line, "study paper", "contact.hardness: '30 GPa' in place of '25 GPa'", "overwrite=true"
+    )
     for words in ((harder, "overwrite=true"), (harder, "study=harder")):
         study_inputs.checked_configuration(*configured(*words))
 

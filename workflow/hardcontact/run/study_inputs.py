@@ -50,9 +50,8 @@ def finished_configuration(config: Mapping[str, Any]) -> str:
 def checked_configuration(workflow: Any, config: dict[str, Any]) -> dict[str, Any]:
     """Complete the configuration that Snakemake merged; return it with quantities as numbers.
 
-    Files and values of the command line are read alike: nested values of the latter, which
-    Snakemake leaves as text, become those of YAML. Keys under `quick` are checked even where they
-    are not used. A faulty configuration is refused.
+    Snakemake leaves nested command-line values as text; they are parsed as YAML here. Keys under
+    `quick` are checked even where they are not used. A faulty configuration is refused.
     """
     try:
         if plans_the_run(workflow):
@@ -87,15 +86,15 @@ def _refuse_grids_of_paper(workflow: Any, config: Mapping[str, Any]) -> None:
 def _refuse_changed_project_study(config: Mapping[str, Any]) -> None:
     """Refuse a study with the name of one of the project's studies, but with other values."""
     name = config["study"]
-    project_config = read_yaml("config/config.yaml")
+    project = read_yaml("config/config.yaml")
     if name == "quick":
-        project_config = merge(project_config, read_yaml("config/quick.yaml"))
-    if name != project_config["study"]:
+        project = merge(project, read_yaml("config/quick.yaml"))
+    if name != project["study"]:
         return
-    project_numbers = numeric_configuration(project_config)
+    project_numbers = numeric_configuration(project)
     numbers = numeric_configuration(config)
     changes = [
-        f"{key}: {shorten(get_key(config, key))} for {shorten(get_key(project_config, key))}"
+        f"{key}: {shorten(get_key(config, key))} in place of {shorten(get_key(project, key))}"
         for key, _ in key_fields(Study)
         if key != "quick" and get_key(project_numbers, key) != get_key(numbers, key)
     ]
