@@ -19,7 +19,7 @@ from hardcontact.scans.tail import extrapolate_short_waves, fit_hurst_exponent
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
 from hardcontact.theory.closed_form import closed_form, critical_band
 from hardcontact.theory.prediction import trim_spectrum
-from hardcontact.theory.validity import nearest_errors, table_point
+from hardcontact.theory.validity import nearest_ratios, table_point
 
 pytestmark = pytest.mark.usefixtures("quick_predictions")
 HEADER = "wavelength,wavelength_unit,c_iso,c_iso_unit"
@@ -149,7 +149,7 @@ def test_every_format_has_the_numbers_of_the_closed_form(table, tmp_path):
     assert force["value"] == pytest.approx(prediction.force, rel=1e-6)
     assert force["unit"] == "N" and force["status"] == "inside"
     coordinates = table_point(trim_spectrum(spectrum), contact, prediction)
-    force_interval = prediction.force * np.array(nearest_errors(coordinates, "force"))
+    force_interval = prediction.force * np.array(nearest_ratios(coordinates, "force"))
     assert force["interval"] == pytest.approx(force_interval, rel=1e-5)
     band = critical_band(spectrum, contact, 0.1)
     for name, edge in zip(("short_edge", "long_edge"), band, strict=True):

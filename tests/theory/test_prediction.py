@@ -63,7 +63,7 @@ def test_intervals_contain_nine_tenths_of_the_other_half(name):
     closed_edges = closed_edges.dropna(subset=f"predicted_{name}")
     is_inside = []
     for _, row in closed_edges.iterrows():
-        low, high = validity.nearest_errors(row, name)
+        low, high = validity.nearest_ratios(row, name)
         is_inside.append(low <= row[name] / row[f"predicted_{name}"] <= high)
     assert 0.75 < np.mean(is_inside) <= 1
 

@@ -45,7 +45,7 @@ from hardcontact.surfaces.levelling import remove_form
 from hardcontact.surfaces.metrics import metrics as metrics
 from hardcontact.surfaces.spectrum import Spectrum
 from hardcontact.surfaces.spectrum import measured_psds as measured_psds
-from hardcontact.theory.validity import wide_contact_message
+from hardcontact.theory.assumptions import wide_contact_message
 
 if TYPE_CHECKING:
     from SurfaceTopography import Topography

@@ -35,7 +35,7 @@ from hardcontact.own.wide_pixels import WIDE_PIXEL
 from hardcontact.scans.both_bodies import sphere_share
 from hardcontact.scans.heights import TAKE_CARE
 from hardcontact.scans.joined_spectrum import ScanSpectrum
-from hardcontact.theory.validity import (
+from hardcontact.theory.assumptions import (
     MAX_NEGLIGIBLE_CHANGE,
     assumed_modulus,
     judge_tabor_parameter,

@@ -34,7 +34,7 @@ from hardcontact.surfaces.spectrum import Spectrum, measured_psds
 from hardcontact.theory.closed_form import closed_form, smooth_force
 from hardcontact.theory.prediction import EDGE_NAMES, prediction
 from hardcontact.theory.summits import search_size
-from hardcontact.theory.validity import Validity, is_validated, nearest_errors, table_point
+from hardcontact.theory.validity import Validity, is_validated, nearest_ratios, table_point
 
 #: Names of the forces and edges in closed form, which have intervals, also for the extrapolated
 #: spectrum.
@@ -176,7 +176,7 @@ def _closed_form_number(
     spectrum = Spectrum(wavevector[has_waves], density[has_waves])
     form = closed_form(spectrum, contact)
     point = table_point(spectrum, contact, form)
-    lowest, highest = nearest_errors(point, "force")
+    lowest, highest = nearest_ratios(point, "force")
     low, high = lowest * form.force, highest * small_scan_ratio * form.force
     is_bounded = math.isfinite(force.low + force.high)
     force_low, force_high = (force.low, force.high) if is_bounded else (force.value, force.value)

@@ -1,5 +1,6 @@
 """Pull-off force and critical band from a spectrum alone, without a height map, in closed form.
 
 Read `summits`, `closed_form` (the mean force), `pull_off_statistics` (its distribution), then
-`prediction` (numbers with intervals) and `validity` (where the closed form holds).
+`prediction` (numbers with intervals), `validity` (where the closed form is validated) and
+`assumptions` (hard bodies, a small contact area).
 """

@@ -20,14 +20,14 @@ from hardcontact.scans.joined_spectrum import ScanSpectrum
 from hardcontact.scans.measured_spectrum import CALIBRATION_SCATTER
 from hardcontact.scans.tail import TailEnd, extrapolate_short_waves, fit_hurst_exponent
 from hardcontact.surfaces.spectrum import MIN_BINS, WAVEVECTORS, Spectrum, all_scales_rms
+from hardcontact.theory.assumptions import MAX_NEGLIGIBLE_CHANGE
 from hardcontact.theory.closed_form import ClosedForm, closed_form, critical_band, smooth_force
 from hardcontact.theory.pull_off_statistics import predict_statistics
 from hardcontact.theory.validity import (
-    MAX_NEGLIGIBLE_CHANGE,
     VALIDATED_QUANTITIES,
     Validity,
     is_validated,
-    nearest_errors,
+    nearest_ratios,
     table_point,
     validated_limits,
 )
@@ -173,7 +173,7 @@ def _is_measured_error_known(
 
 def _validated_interval(name: str, value: float, point: KnownPoint) -> tuple[float, float]:
     """Return the interval of a value at a point; `name` is in VALIDATED_QUANTITIES."""
-    lowest, highest = (math.nan, math.nan) if point is None else nearest_errors(point, name)
+    lowest, highest = (math.nan, math.nan) if point is None else nearest_ratios(point, name)
     return value * lowest, value * highest
 
 
@@ -187,11 +187,9 @@ def _force_number(name: str, form: ClosedForm, point: KnownPoint) -> Number:
 def _edge_numbers(prefix: str, band: tuple[float, float], point: KnownPoint) -> Iterator[Number]:
     """Yield the edges (nm) of a band with their intervals, named by a prefix and EDGE_NAMES."""
     for name, edge in zip(EDGE_NAMES, band, strict=True):
-        if math.isfinite(edge):
-            interval = _validated_interval(name, edge, point)
-            yield Number(f"{prefix}{name}", edge, "nm", *interval, EdgeStatus.FOUND)
-        else:
-            yield Number(f"{prefix}{name}", edge, "nm", status=EdgeStatus.NO_EDGE)
+        interval = _validated_interval(name, edge, point)
+        status = EdgeStatus.FOUND if math.isfinite(edge) else EdgeStatus.NO_EDGE
+        yield Number(f"{prefix}{name}", edge, "nm", *interval, status)
 
 
 class _Extrapolation(NamedTuple):
@@ -220,9 +218,8 @@ def _extrapolate(spectrum: Spectrum, trimmed: Spectrum) -> _Extrapolation | None
     variance = np.full(trimmed.density.shape, CALIBRATION_SCATTER**2)
     fit = fit_hurst_exponent(trimmed.wavevector, trimmed.density, variance)
     density, tail = extrapolate_short_waves(trimmed.wavevector, trimmed.density, fit)
-    return _Extrapolation(
-        density, float(trimmed.wavelength[0]), tail.tail_hurst, tail.tail_ended_by
-    )
+    longest = float(trimmed.wavelength[0])
+    return _Extrapolation(density, longest, tail.tail_hurst, tail.tail_ended_by)
 
 
 def _adds_waves(extrapolation: _Extrapolation, trimmed: Spectrum) -> bool:

@@ -1,6 +1,6 @@
-"""How far the closed form is valid: its errors on designed surfaces, and how hard bodies must be.
+"""Where the closed form is validated, and the ratios of computed to predicted values there.
 
-Errors come from designed surfaces with computed forces and edges: from the half that was held out
+Ratios come from designed surfaces with computed forces and edges: from the half that was held out
 while the closed form was developed.
 """
 
@@ -14,29 +14,16 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from hardcontact.base.formatting import format_quantity
 from hardcontact.base.number import Number
 from hardcontact.contact.contact import Contact
-from hardcontact.contact.hertz_jkr_dmt import (
-    maugis_parameter,
-    pull_off_coefficient,
-    tabor_parameter,
-)
 from hardcontact.inference.edges import EdgeStatus
 from hardcontact.surfaces.spectrum import Spectrum, peak_wavelength
-from hardcontact.theory.closed_form import ClosedForm, contact_term
+from hardcontact.theory.closed_form import ClosedForm
 
 #: Designed surfaces, computed and predicted; resources/validation/README.md describes the columns.
 DESIGNED_SURFACES = Path(__file__).with_name("designed_surfaces.csv")
-#: Effective modulus in Pa of ruby on diamond. It is written here, too, because an installed library
-#: has no resources/; a test compares it with `published.effective_modulus` of `constants.csv`.
-RUBY_ON_DIAMOND_MODULUS = 1 / ((1 - 0.29**2) / 365e9 + (1 - 0.22**2) / 1010e9)
-#: Hardness in Pa below which this modulus is not assumed: a tenth of the ruby's hardness. Moduli
-#: are ten to some hundred times the hardness (ceramics, metals), so bodies of this hardness may be
-#: ten times as compliant.
-SOFT_HARDNESS = 2.5e9
-#: Number of surfaces nearest to an input whose errors count. Another error of the same distribution
-#: lies between the smallest and the largest of n errors with the probability (n - 1)/(n + 1): 0.9.
+#: Number of surfaces nearest to an input whose ratios count. Another ratio of the same distribution
+#: lies between the smallest and the largest of n ratios with the probability (n - 1)/(n + 1): 0.9.
 NEAREST_SURFACES = 19
 #: Smaller moduli count as this one: below the mean plane the modulus is 0 and has no logarithm.
 MIN_WEIBULL_MODULUS = 1e-3
@@ -45,17 +32,11 @@ VALIDATED_QUANTITIES = ("force", "short_edge", "long_edge")
 #: Parameters on which an error depends, with their units. An input must lie within their ranges in
 #: the table.
 VALIDATED_PARAMETERS = {
-    "rho": "nm",
-    "radius": "nm",
-    "weibull_modulus": "1",
-    "contact_over_peak_wavelength": "1",
-    "mean_hurst": "1",
-    "mean_hurst_change": "1",
-}
+    "rho": "nm", "radius": "nm", "weibull_modulus": "1", "contact_over_peak_wavelength": "1",
+    "mean_hurst": "1", "mean_hurst_change": "1",
+}  # fmt: skip
 #: Points of a spectrum to which a Hurst exponent and its change are fitted.
 FITTED_POINTS = 40
-#: Largest relative change of the force, by missing waves or by elasticity, that is negligible.
-MAX_NEGLIGIBLE_CHANGE = 0.1
 
 
 class Validity(StrEnum):
@@ -67,29 +48,20 @@ class Validity(StrEnum):
     INSIDE, OUTSIDE, STEEP_SIDEWALLS = "inside", "outside", "steep_sidewalls"
 
 
-class Elasticity(StrEnum):
-    """Whether elasticity reduces the force of a smooth sphere by more than MAX_NEGLIGIBLE_CHANGE.
-
-    HARD: it does not. UNKNOWN: the effective modulus is not known.
-    """
-
-    HARD, SOFT, UNKNOWN = "hard", "soft", "unknown"
-
-
 @cache
 def held_out_surfaces() -> pd.DataFrame:
-    """Return the surfaces of the table DESIGNED_SURFACES that were held out, with their errors.
+    """Return the surfaces of the table DESIGNED_SURFACES that were held out, with ratios.
 
-    The column ``<name>_error``, for each of VALIDATED_QUANTITIES, is the computed value relative to
+    The column ``<name>_ratio``, for each of VALIDATED_QUANTITIES, is the computed value relative to
     the predicted value, NaN if an edge is open or not predicted.
     """
     table = pd.read_csv(DESIGNED_SURFACES)
     held_out = table[table["held_out"] == 1].copy()
     for name in VALIDATED_QUANTITIES:
-        error = held_out[name] / held_out[f"predicted_{name}"]
+        ratio = held_out[name] / held_out[f"predicted_{name}"]
         if f"{name}_status" in held_out:
-            error = error.where(held_out[f"{name}_status"] == EdgeStatus.FOUND)
-        held_out[f"{name}_error"] = error
+            ratio = ratio.where(held_out[f"{name}_status"] == EdgeStatus.FOUND)
+        held_out[f"{name}_ratio"] = ratio
     return held_out
 
 
@@ -128,22 +100,22 @@ def mean_hurst_and_change(spectrum: Spectrum, contact_length: float) -> tuple[fl
     return float(-1 - slope / 2), float(-curvature)
 
 
-def nearest_errors(point: Mapping[str, Any], name: str) -> tuple[float, float]:
-    """Return the smallest and the largest error among the surfaces of the table nearest to a point.
+def nearest_ratios(point: Mapping[str, Any], name: str) -> tuple[float, float]:
+    """Return the smallest and the largest ratio on the surfaces of the table nearest to a point.
 
-    The point comes from `table_point`, `name` is in VALIDATED_QUANTITIES. An error is the
+    The point comes from `table_point`, `name` is in VALIDATED_QUANTITIES. A ratio is the
     computed value relative to the predicted value. The distance is Euclidean in
     ln(weibull_modulus) and ln(contact_over_peak_wavelength), plus one in another regime. A point
     outside the table is moved to its border.
     """
-    surfaces = held_out_surfaces().dropna(subset=f"{name}_error")
+    surfaces = held_out_surfaces().dropna(subset=f"{name}_ratio")
     axes = ["weibull_modulus", "contact_over_peak_wavelength"]
     points = np.maximum(surfaces[axes].to_numpy(), MIN_WEIBULL_MODULUS)
     clipped_point = np.clip([point[axis] for axis in axes], points.min(axis=0), points.max(axis=0))
     log_distances = np.log(points / clipped_point)
     distance = np.hypot(*log_distances.T) + (surfaces["regime"] != point["regime"]).to_numpy()
-    errors = surfaces[f"{name}_error"].iloc[np.argsort(distance)[:NEAREST_SURFACES]]
-    return float(errors.min()), float(errors.max())
+    ratios = surfaces[f"{name}_ratio"].iloc[np.argsort(distance)[:NEAREST_SURFACES]]
+    return float(ratios.min()), float(ratios.max())
 
 
 def is_validated(point: Mapping[str, Any]) -> bool:
@@ -157,36 +129,3 @@ def validated_limits(point: Mapping[str, Any]) -> Iterator[Number]:
         lowest, highest = held_out_surfaces()[name].agg(["min", "max"])
         status = Validity.INSIDE if lowest <= point[name] <= highest else Validity.OUTSIDE
         yield Number(f"validated_{name}", point[name], unit, lowest, highest, status)
-
-
-def assumed_modulus(hardness: float) -> float:
-    """Return the effective modulus (Pa) to assume at a hardness (Pa); NaN below SOFT_HARDNESS."""
-    return RUBY_ON_DIAMOND_MODULUS if hardness >= SOFT_HARDNESS else math.nan
-
-
-def judge_tabor_parameter(contact: Contact, effective_modulus: float) -> Number:
-    """Return the Tabor parameter, with the range of adhesion as spacing; its status: `Elasticity`.
-
-    The effective modulus is in Pa, NaN if it is not known.
-    """
-    if math.isnan(effective_modulus):
-        return Number("tabor_parameter", effective_modulus, status=Elasticity.UNKNOWN)
-    value = float(tabor_parameter(contact.work, contact.radius, effective_modulus, contact.rho))
-    softening = 1 - float(pull_off_coefficient(maugis_parameter(value))) / 2
-    status = Elasticity.SOFT if softening > MAX_NEGLIGIBLE_CHANGE else Elasticity.HARD
-    return Number("tabor_parameter", value, status=status)
-
-
-def wide_contact_message(contact: Contact) -> str:
-    """Return a message if the contact area alone attracts as strongly as a smooth sphere, or "".
-
-    It names the largest preload (N) that is valid.
-    """
-    share = contact_term(contact)
-    if share < 1:
-        return ""
-    return (
-        f"preload: expected less than {format_quantity(contact.preload / share, 'N')} at this "
-        f"hardness, radius and range, found {format_quantity(contact.preload, 'N')}: the contact "
-        "alone would stick like a smooth sphere"
-    )
