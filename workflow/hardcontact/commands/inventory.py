@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from hardcontact.base.arrays import Floats
-from hardcontact.commands.request import ScanFile
+from hardcontact.commands.scan_files import ScanFile
 from hardcontact.contact.numerical_limits import Grid
 from hardcontact.scans.defects import scan_with_defects
 from hardcontact.scans.measured_spectrum import isotropic_psd

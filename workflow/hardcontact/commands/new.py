@@ -20,8 +20,9 @@ from hardcontact.commands.options import (
     reading_options,
 )
 from hardcontact.commands.proposal import Choice, Proposal, propose
-from hardcontact.commands.request import SPHERE, list_scan_files, name_faults, path_from_root
+from hardcontact.commands.request import name_faults
 from hardcontact.commands.scan_cautions import refuse_unreliable
+from hardcontact.commands.scan_files import SPHERE, list_scan_files, path_from_root
 from hardcontact.commands.scan_tables import printed_table, table_rows
 from hardcontact.config.configuration import (
     CONTACT_QUANTITIES,

@@ -15,6 +15,9 @@ from pydantic_core import CoreSchema, core_schema
 from hardcontact.base.units import format_exact, parse_quantity
 from hardcontact.config.faults import shorten
 
+#: Largest number of characters in the name of a study.
+MAX_NAME_LENGTH = 100
+
 
 @dataclass(frozen=True)
 class Quantity:
@@ -72,6 +75,18 @@ def _ascending(texts: Any, validate: Callable[[Any], list[float]]) -> list[float
     return numbers
 
 
+def study_name(max_length: int = MAX_NAME_LENGTH) -> Matching:
+    """Return the type of names of a study with at most a number of characters.
+
+    Names that end with .txt belong to the project's own files in the folder of results.
+    """
+    return Matching(
+        rf"(?!.*\.txt$)[A-Za-z0-9][A-Za-z0-9_.-]{{0,{max_length - 1}}}",
+        f"a name of up to {max_length} letters, digits, dots, dashes and underscores, without "
+        ".txt at the end",
+    )
+
+
 def or_word(word: str) -> WrapValidator:
     """Accept a word in place of other values."""
     return WrapValidator(lambda value, validate: value if value == word else validate(value))
@@ -106,11 +121,6 @@ SurfaceId = Annotated[str, Matching("[a-z][a-z0-9_]*", "the id of a surface")]
 UNIT = Matching(
     "none|(?:m|mm|[uµ]m|nm|Å|A|angstrom|pm)(?:,(?:m|mm|[uµ]m|nm|Å|A|angstrom|pm))?",
     "none, m, mm, um, nm, angstrom or pm, or two of these, such as mm,nm",
-)
-#: Names that end with .txt belong to the project's own files in the folder of results.
-STUDY_NAME = Matching(
-    r"(?!.*\.txt$)[A-Za-z0-9][A-Za-z0-9_.-]{0,99}",
-    "a name of up to 100 letters, digits, dots, dashes and underscores, without .txt at the end",
 )
 FOLDER = Matching(
     r"(?=.{1,200}$)/?(?!\.)[A-Za-z0-9_.-]+(/(?!\.)[A-Za-z0-9_.-]+)*",

@@ -253,7 +253,7 @@ class ExponentKeys(Keys):
 class Study(Keys):
     """All keys of a study, with the rules across keys."""
 
-    study: Annotated[str, types.STUDY_NAME] = "paper"
+    study: Annotated[str, types.study_name()] = "paper"
     """Name of the study; results go to `results/<study>/`."""
     store: Annotated[str, types.FOLDER] = "results/store"
     """Folder of intermediate files. Studies that share it compute nothing twice."""
