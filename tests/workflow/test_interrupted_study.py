@@ -8,7 +8,7 @@ import time
 
 import pytest
 from comparison import damaged_datasets, differences, result_paths
-from forked_runs import call_main
+from forked_runs import call_main, use_library_of
 from repository import environment, run_snakemake
 
 from hardcontact.base.dataset import PART
@@ -44,9 +44,10 @@ def kill_after_files(study):
 
     def run_as_group():
         os.setsid()
+        use_library_of(study)
         words = ["--cores", "1", *RESUME]  # A second job would be repeated as well.
         with open(study / "output", "w") as output:
-            call_main(study, "snakemake.cli", words, environment(study), output.fileno())
+            call_main("snakemake.cli", words, environment(study), output.fileno())
 
     count = len(result_paths(study / "results")) + FILES
     run = multiprocessing.get_context("fork").Process(target=run_as_group)
