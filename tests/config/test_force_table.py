@@ -63,6 +63,11 @@ def test_a_second_column_of_forces_is_not_read(table):
     assert_says(refusal(measured_forces, path, SURFACES, RADIUS), "adhesion, error")
 
 
+def test_a_count_needs_a_mean_and_a_median(table):
+    path = table("surface,value,unit,count", "bare,5,nN,40")
+    assert_says(refusal(measured_forces, path, SURFACES, RADIUS), "count", "found 40")
+
+
 def test_each_kind_of_fault_of_a_table_of_forces_has_its_line(table):
     faults = [
         (

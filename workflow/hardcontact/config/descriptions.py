@@ -27,8 +27,9 @@ PROFILE_COLUMNS = ("wavelength_nm", "c1d_nm3")
 
 def refuse_description(path: str | Path, published_rows: Collection[str]) -> None:
     """Refuse a description without a spectrum; the published rows are the surface's in Table 1."""
-    for line, row in _read_rows(path, DESCRIPTION_NUMBERS, ("model", "table")).items():
-        fault = _segment_fault(row, line == 2, published_rows)
+    rows = _read_rows(path, DESCRIPTION_NUMBERS, ("model", "table"))
+    for line, row in rows.items():
+        fault = _segment_fault(row, line == min(rows), published_rows)
         if fault:
             raise ValueError(f"{path}: line {line}: expected {fault}")
         if row["model"] == "profile":
@@ -44,7 +45,7 @@ def _segment_fault(row: Row, is_longest: bool, published_rows: Collection[str]) 
     missing_rows = set(CALIBRATION_ROWS.get(model, ())).difference(published_rows)
     if missing_rows and not row["hurst"]:
         return (
-            f"a Hurst exponent, or of this surface the rows {', '.join(sorted(missing_rows))} in "
+            f"a Hurst exponent, or the rows {', '.join(sorted(missing_rows))} of this surface in "
             "resources/paper/table1.csv; found neither"
         )
     if model == "varying Hurst" and not row["rolloff_nm"]:

@@ -24,7 +24,7 @@ SITE_SYNONYMS = dict.fromkeys(("place", "position", "location", "spot"), "site")
 FORCE_COLUMNS = ("value", "mean", "median")
 #: A column with its unit, such as "force (uN)" or "pull-off [nN]".
 COLUMN_WITH_UNIT = re.compile(r"(.*?)\s*[(\[]\s*(\S+?)\s*[)\]]")
-#: A pull-off force: of an atom at least, and of a hundred kilograms at most.
+#: A pull-off force: 1 fN, below what any instrument measures, to the weight of 100 kg.
 FORCE_QUANTITY = Quantity("N", 1e-15, 1e3)
 
 
@@ -141,8 +141,11 @@ def _parse_force(
     mean, median = forces
     if surface not in surfaces:
         raise ValueError(f"surface: expected {' or '.join(surfaces)}, found {quote_key(surface)}")
-    if not re.fullmatch("[1-9][0-9]{0,8}", count):
-        raise ValueError(f"count: expected a number of tests, found {quote_key(count)}")
+    if not re.fullmatch("[1-9][0-9]{0,8}" if "mean" in row else "1", count):
+        raise ValueError(
+            "count: expected a number of tests beside their mean and median, "
+            f"found {quote_key(count)}"
+        )
     if median > mean:
         raise ValueError(
             "median: expected at most the mean, as of log-normal forces (or give single tests), "
