@@ -41,7 +41,7 @@ def format_value_and_ends(value: float, low: float, high: float, *limits: float)
     """Return a number and both ends of its interval, with the same number of decimals.
 
     The last digit is about a fifth of the interval's width or of the smallest number. If the ends
-    have one sign and differ by more than three times, or an end is infinite, each number has two
+    have the same sign and a ratio above three, or an end is infinite, each number has two
     digits instead. An end gets more digits if rounding would move it to or across a limit.
     """
     numbers = (value, low, high)

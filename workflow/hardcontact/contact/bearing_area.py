@@ -1,9 +1,8 @@
 """Rigid and plastic (bearing area) contact: closest approach and contact pixels.
 
-The contact pixels have the N smallest reference gaps (`geometry`). The highest point of a tile, or
-of a group of tiles, gives a lower bound on all reference gaps in it. The N-th smallest gap in a few
-tiles of low bounds is a limit that no gap of a contact pixel exceeds. Only tiles with bounds up to
-this limit are read.
+The contact pixels have the N smallest reference gaps (`geometry`). The N-th smallest gap in a few
+tiles is an upper limit of them. The highest point of a tile, or of a group of tiles, gives a lower
+bound of the gaps in it. Only tiles whose bound is below the limit are read.
 """
 
 from dataclasses import dataclass
@@ -17,7 +16,7 @@ from hardcontact.base.arrays import Floats
 from hardcontact.contact.geometry import Bodies, largest_contact_gap
 from hardcontact.surfaces.height_map import HeightMap
 
-#: Pixels per row of a tile. This number and the next three change the speed only.
+#: Pixels per row of a tile. This number and the next four change the speed only.
 TILE = 32
 #: Tiles per row of a group.
 GROUP = 16

@@ -63,7 +63,7 @@ def edge_numbers(data: Datasets) -> list[Number]:
         return [Number(name, np.nan, "nm", status=NoValue.NO_BAND) for name in EDGE_NAMES.values()]
     numbers = []
     for side in SIDES:
-        edge = _known_ends(data, side)
+        edge = _edge_without_artificial_ends(data, side)
         share = measured_share_at_edge(data, side)
         numbers += [edge, Number(f"{edge.name}_measured_share", share, source=edge.source)]
         if edge.status == NumberStatus.NO_INTERVAL:
@@ -71,11 +71,11 @@ def edge_numbers(data: Datasets) -> list[Number]:
     return numbers
 
 
-def _known_ends(data: Datasets, side: str) -> Number:
+def _edge_without_artificial_ends(data: Datasets, side: str) -> Number:
     """Return an edge without the ends of its interval at artificial wavelengths.
 
-    It has no value if the filter makes ripples. It has none if the hindcast fails, because the
-    unfiltered force then rests on artificial roughness that is wrong.
+    The edge is NaN if the filter makes ripples, or if the hindcast fails, because the unfiltered
+    force then rests on artificial roughness that is wrong.
     """
     name = EDGE_NAMES[side]
     has_ripples = data.edges["edge_status"].sel(side=side).item() == EdgeStatus.RIPPLES
