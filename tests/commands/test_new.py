@@ -209,3 +209,19 @@ def test_faulty_arguments_are_refused_in_one_line_and_nothing_is_written(folder,
             all(message_part in line for message_part in message_parts) for line in done.errors
         ), done.errors
         assert sorted(folder.rglob("*")) == files_before
+
+
+@pytest.mark.parametrize(
+    ("message", "question"),
+    [
+        ("invalid choice: 'grow' (choose from 'new', 'grown')", "(did you mean grown?)"),
+        ("invalid choice: 'grow' (choose from new, grown)", "(did you mean grown?)"),
+        ("invalid choice: '' (choose from new, grown)", "choose from"),
+    ],
+)
+def test_an_unknown_choice_is_answered_in_the_words_of_each_python(capsys, message, question):
+    parser = command_line.CommandLine("program", "")
+    parser.add_argument("command", choices=["new", "grown"])
+    with pytest.raises(SystemExit):
+        parser.error(f"argument command: {message}")
+    assert_says(capsys.readouterr().err, question)

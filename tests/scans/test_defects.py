@@ -8,7 +8,7 @@ from measurements import measurement, random_map, self_affine_heights
 from scipy.ndimage import gaussian_filter
 
 from hardcontact.base.arrays import generator
-from hardcontact.scans.defects import DEFECTS, scan_with_defects
+from hardcontact.scans.defects import DEFECTS, scan_defects, scan_with_defects
 from hardcontact.surfaces.features import Features, add_features
 from hardcontact.surfaces.spectrum import smooth_rolloff
 
@@ -186,3 +186,7 @@ def with_bumps(seed):
 )  # fmt: skip
 def test_no_sound_scan_has_a_defect(heights):
     assert not defects_of(heights)
+
+
+def test_a_flat_line_scan_has_no_sidewalls():
+    assert "sidewalls" not in scan_defects(np.zeros(64), np.zeros(64), 10.0)
