@@ -7,10 +7,9 @@ import pytest
 from refusals import assert_says
 from scan_files import write_scan
 
-from hardcontact.commands.inventory import inventory
+from hardcontact.commands.inventory import inventory, table_rows
 from hardcontact.commands.request import new_arguments
 from hardcontact.commands.scan_files import ScanFile, list_scan_files
-from hardcontact.commands.scan_tables import table_rows
 from hardcontact.scans import reading
 from hardcontact.scans.reading import ReadingOptions
 

@@ -13,7 +13,7 @@ from refusals import assert_says, refusal
 
 from hardcontact.commands.options import implausible_quantities, parse_quantities
 from hardcontact.commands.predict import predict_arguments
-from hardcontact.own.spectrum_table import read_spectrum_table
+from hardcontact.own.own_spectrum import read_spectrum_table
 from hardcontact.scans.measured_spectrum import CALIBRATION_SCATTER, isotropic_from_profile
 from hardcontact.scans.tail import extrapolate_short_waves, fit_hurst_exponent
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum

@@ -18,8 +18,8 @@ from scan_files import (
 from SurfaceTopography import NonuniformLineScan, Topography, UniformLineScan
 
 from hardcontact.base import dataset
+from hardcontact.scans.formats import stated_tip_radius
 from hardcontact.scans.reading import list_scans, read_scan
-from hardcontact.scans.tip_radius import stated_tip_radius
 from hardcontact.surfaces.height_map import HeightMap, load_height_map, refuse_line_scan
 
 

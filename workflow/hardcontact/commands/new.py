@@ -11,7 +11,13 @@ from pathlib import Path
 from typing import Any
 
 from hardcontact.base.dataset import atomic_file
-from hardcontact.commands.inventory import Entry, entries_by_surface, inventory
+from hardcontact.commands.inventory import (
+    Entry,
+    entries_by_surface,
+    inventory,
+    printed_table,
+    table_rows,
+)
 from hardcontact.commands.options import (
     QuantityOption,
     contact_of_quantities,
@@ -23,7 +29,6 @@ from hardcontact.commands.proposal import Choice, Proposal, propose
 from hardcontact.commands.request import name_faults
 from hardcontact.commands.scan_cautions import refuse_unreliable
 from hardcontact.commands.scan_files import SPHERE, list_scan_files, path_from_root
-from hardcontact.commands.scan_tables import printed_table, table_rows
 from hardcontact.config.configuration import (
     CONTACT_QUANTITIES,
     key_field,

@@ -16,7 +16,13 @@ from numpy.typing import NDArray
 from hardcontact.base.arrays import Floats
 from hardcontact.base.formatting import format_length, format_share
 from hardcontact.base.statistics import MEDIAN_DEVIATION
-from hardcontact.scans.map_defects import Defect, find_curvature, find_line_patterns, find_noise
+from hardcontact.scans.map_defects import (
+    Defect,
+    find_curvature,
+    find_line_patterns,
+    find_noise,
+    wave_power,
+)
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.levelling import remove_form
 from hardcontact.surfaces.streaks import MIN_STREAK_STEPS, fill_streaks
@@ -94,15 +100,16 @@ def scan_defects(
             measured_heights = raw_heights[~rows][:, ~columns]
         if not is_masked("line_patterns"):
             levelled_heights, defects["streaks"] = _without_streaks(levelled_heights)
-            defects |= find_line_patterns(levelled_heights, pixel_size)
+            power = wave_power(levelled_heights)
+            defects |= find_line_patterns(levelled_heights, power, pixel_size)
     defects["spikes"] = _find_spikes(levelled_heights)
     defects |= _find_clipping(measured_heights)
     if not is_masked("sidewalls"):
         defects["sidewalls"] = _find_sidewalls(levelled_heights)
-    # Quantised heights have noise from rounding.
+    # Quantised heights have noise from rounding. The power is known: equal lines mask noise, too.
     is_quantised = np.median(np.abs(np.diff(raw_heights, axis=0))) == 0
     if raw_heights.ndim == 2 and not is_quantised and not is_masked("noise"):
-        defects["noise"] = find_noise(levelled_heights)
+        defects["noise"] = find_noise(levelled_heights.var(), power)
     return {code: defects[code] for code in DEFECTS if defects.get(code)}
 
 

@@ -1,6 +1,7 @@
 """Read the fields of a scan from the bytes of its file, in any format of SurfaceTopography."""
 
 import math
+import re
 from contextlib import suppress
 from typing import Any
 
@@ -9,8 +10,8 @@ from SurfaceTopography import Topography
 from SurfaceTopography.Exceptions import MetadataAlreadyFixedByFile
 from SurfaceTopography.IO import AscReader, GWYReader, XYZReader
 
-from hardcontact.scans.height_channel import find_height_channel
 from hardcontact.scans.heights import (
+    LENGTH_BOUNDS,
     MAX_ASPECT_DEVIATION,
     TAKE_CARE,
     RefusedFile,
@@ -21,7 +22,6 @@ from hardcontact.scans.heights import (
 )
 from hardcontact.scans.open_file import open_scan
 from hardcontact.scans.plain_text import POINT_COLUMNS
-from hardcontact.scans.tip_radius import stated_tip_radius
 
 #: Stands for a unit or a size that the user does not give.
 NOT_GIVEN = "none"
@@ -31,6 +31,10 @@ KEY_BY_ARGUMENT = {"physical_sizes": "size", "unit": "unit", "height_scale_facto
 #: if the unit is m. This is too coarse for line scans whose mean spacing is at most
 #: MAX_TOLERATED_SPACING of that unit. They are read again with zero tolerance.
 MAX_TOLERATED_SPACING = 1e-4
+#: "Tip radius: 8 nm", "Initial tip radii - 17 nm" and the like in the words of a container.
+TIP_RADIUS_IN_WORDS = re.compile(
+    r"\btip\s+radi(?:us|i)\b[\s:=~≈\-–]*(\d+(?:\.\d+)?)\s*(nm|µm|μm|um)\b", re.I
+)
 
 
 def read_fields(
@@ -183,3 +187,89 @@ def _accepted_arguments(channel: Any, metadata: dict[str, Any]) -> dict[str, Any
                 channel.topography(**arguments | {argument: metadata[key]})
                 arguments[argument] = metadata[key]
     return arguments
+
+
+def find_height_channel(reader: Any, entry: dict[str, Any], name: str) -> tuple[Any, list[str]]:
+    """Return the channel of heights that the user, else the container or the reader, chooses.
+
+    The user's channel, by `name`, is refused if it holds no heights. Without heights, the choice of
+    the container (its `entry`) or of the reader is replaced by the first channel of heights, with a
+    note.
+    """
+    channels = reader.channels
+    container_index = entry.get("data_source")
+    if container_index is not None and container_index not in range(len(channels)):
+        raise RefusedFile(
+            f"expected a data_source from 0 to {len(channels) - 1} in the container, "
+            f"found {container_index}"
+        )
+    preferred = reader.default_channel if container_index is None else channels[container_index]
+    # The reader takes phases and voltages of Nanoscope files for heights; they have two units.
+    height_channels = [
+        channel
+        for channel in channels
+        if channel.is_height_channel and not isinstance(channel.unit, tuple)
+    ]
+    if name:
+        return _named_channel(channels, height_channels, name), []
+    if not height_channels:
+        names = ", ".join(f"{channel.name} ({_unit_in_words(channel)})" for channel in channels)
+        raise RefusedFile(f"expected a channel of heights, found only {names}")
+    if preferred.index not in [channel.index for channel in height_channels]:
+        note = f"channel {height_channels[0].name} read: {preferred.name} holds no heights"
+        return height_channels[0], [note]
+    other_names = [channel.name for channel in height_channels if channel.name != preferred.name]
+    is_chosen = container_index is not None or not other_names
+    return preferred, [] if is_chosen else [f"other channels of heights: {', '.join(other_names)}"]
+
+
+def _named_channel(channels: list[Any], height_channels: list[Any], name: str) -> Any:
+    """Return the channel of heights with a name, or with its number among all channels from 1."""
+    names = ", ".join(channel.name for channel in height_channels) or "none"
+    matching = [channel for channel in channels if name in (channel.name, str(channel.index + 1))]
+    if not matching:
+        raise RefusedFile(
+            f"expected one of the channels of heights ({names}), or its number among all "
+            f"channels from 1; found {name!r}"
+        )
+    if matching[0] not in height_channels:
+        raise RefusedFile(
+            f"expected a channel of heights, found only {matching[0].name} "
+            f"({_unit_in_words(matching[0])}); of heights: {names}"
+        )
+    return matching[0]
+
+
+def _unit_in_words(channel: Any) -> str:
+    """Return the unit of the values of a channel, which is the second if there are two units."""
+    unit = channel.unit[1] if isinstance(channel.unit, tuple) else channel.unit
+    return str(unit or "of no stated unit")
+
+
+def stated_tip_radius(
+    file: dict[str, Any], container: dict[str, Any]
+) -> tuple[float | None, list[str]]:
+    """Return the radius of the tip in nm, and a note that says who states it; None if nobody does.
+
+    The file has precedence over its container, and a number over words. The largest radius in words
+    counts, because a worn tip limits the scan.
+    """
+    for source, metadata in (("file", file), ("container", container)):
+        radius = _radius_in_numbers(metadata)
+        if radius is not None:
+            return radius, [f"tip radius of {radius:.4g} nm stated by the {source}"]
+    matches = TIP_RADIUS_IN_WORDS.findall(str(container.get("description") or ""))
+    if not matches:
+        return None, []
+    radius = max(float(value) * unit_in_nm(unit) for value, unit in matches)
+    return radius, [f"largest tip radius in the container's description, {radius:.4g} nm"]
+
+
+def _radius_in_numbers(metadata: dict[str, Any]) -> float | None:
+    """Return the radius (nm) of the instrument's tip in metadata; None if it is not plausible."""
+    try:
+        tip_radius = metadata["instrument"]["parameters"]["tip_radius"]
+        radius = float(tip_radius["value"]) * unit_in_nm(tip_radius["unit"])
+    except (LookupError, TypeError, ValueError, RefusedFile):
+        return None
+    return radius if LENGTH_BOUNDS[0] <= radius <= LENGTH_BOUNDS[1] else None

@@ -33,7 +33,7 @@ MIN_STEP_CORRELATION = -0.25
 LARGEST_RATIO = 1e6
 
 
-def _wave_power(heights: Floats) -> Floats:
+def wave_power(heights: Floats) -> Floats:
     """Return the power (y, x) of the waves in a map under a Hann window, |FFT|² in nm²."""
     window = np.hanning(len(heights) + 1)[:-1]
     return np.asarray(np.abs(np.fft.fft2(heights * np.outer(window, window))) ** 2)
@@ -68,9 +68,9 @@ def find_curvature(heights: Floats, pixel_size: float) -> Defect:
     }
 
 
-def find_line_patterns(heights: Floats, pixel_size: float) -> dict[str, Defect]:
+def find_line_patterns(heights: Floats, power: Floats, pixel_size: float) -> dict[str, Defect]:
     """Return the numbers of offset lines and a lay, or else of slopes that depend on direction."""
-    lay, slope_ratio = _find_lay(_wave_power(heights))
+    lay, slope_ratio = _find_lay(power)
     patterns = {"offset_lines": _find_line_offsets(heights), "lay": lay}
     if slope_ratio > MIN_LAY_RATIO and not any(patterns.values()):
         patterns["slopes"] = _find_directional_slopes(heights, pixel_size)
@@ -133,13 +133,12 @@ def _find_directional_slopes(heights: Floats, pixel_size: float) -> Defect:
     return {} if is_noise else {"slope_along_x": slopes[0], "slope_along_y": slopes[1]}
 
 
-def find_noise(heights: Floats) -> Defect:
+def find_noise(variance: float, power: Floats) -> Defect:
     """Return the rms of white noise and the rms height without it (nm); none without noise.
 
     The spectrum of a noisy scan is flatter than any self-affine spectrum at two to four pixels, but
-    steeper at longer waves.
+    steeper at longer waves. The variance of the heights is in nm²; the power is from `wave_power`.
     """
-    power = _wave_power(heights)
     pixels = len(power)
     waves = np.fft.fftfreq(pixels, 1 / pixels)
     half_octave = np.round(2 * np.log2(pixels / np.maximum(np.hypot(waves, waves[:, None]), 1)))
@@ -157,9 +156,9 @@ def find_noise(heights: Floats) -> Defect:
     is_noisy = slopes[0] - margins[0] > FLATTEST_SLOPE > (slopes + margins).min()
     # The mean square of the window is 3/8 along each axis.
     noise = density[0] / (3 / 8 * pixels) ** 2
-    if not is_noisy or noise < MIN_NOISE_SHARE * heights.var():
+    if not is_noisy or noise < MIN_NOISE_SHARE * variance:
         return {}
     return {
         "noise_height": float(np.sqrt(noise)),
-        "rms_height_without_noise": float(np.sqrt(max(heights.var() - noise, 0))),
+        "rms_height_without_noise": float(np.sqrt(max(variance - noise, 0))),
     }

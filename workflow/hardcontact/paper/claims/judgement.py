@@ -15,10 +15,17 @@ import xarray as xr
 from hardcontact.base.arrays import Floats
 from hardcontact.base.statistics import interval_ends
 from hardcontact.paper.claims import band_quantities, contact_quantities, force_quantities
-from hardcontact.paper.claims.basis import WITHOUT_SCAN, claim_basis, claim_surfaces, fixed_verdict
 from hardcontact.paper.claims.estimates import variable_estimate
 from hardcontact.paper.claims.judged_claims import JUDGED_COLUMNS
-from hardcontact.paper.claims.selection import SelectedLabels, parse_selection, select_estimate
+from hardcontact.paper.claims.selection import (
+    WITHOUT_SCAN,
+    SelectedLabels,
+    claim_basis,
+    claim_surfaces,
+    fixed_verdict,
+    parse_selection,
+    select_estimate,
+)
 from hardcontact.paper.claims.verdicts import accepted_range, interval_with_sets, samples_vary
 from hardcontact.surfaces.metrics import TABLE1_VARIABLES
 

@@ -14,9 +14,8 @@ import pandas as pd
 from hardcontact.base.dataset import MEANINGS, read_meanings
 from hardcontact.config.faults import quote_key, raise_faults, spelling_question
 from hardcontact.config.tables import Row, parse_number, user_table
-from hardcontact.paper.claims.basis import WITHOUT_SCAN
 from hardcontact.paper.claims.judgement import DERIVED_QUANTITIES
-from hardcontact.paper.claims.selection import LABELS, split_selection
+from hardcontact.paper.claims.selection import LABELS, WITHOUT_SCAN, split_selection
 from hardcontact.paper.claims.verdicts import accepted_range
 from hardcontact.surfaces.metrics import TABLE1_VARIABLES
 

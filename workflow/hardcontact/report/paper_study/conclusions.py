@@ -8,8 +8,8 @@ import pandas as pd
 
 from hardcontact.base.formatting import format_as_paper, is_unbounded
 from hardcontact.base.number import Number, NumberStatus
-from hardcontact.paper.claims.basis import LARGER_PIXELS, WITHOUT_SCAN
 from hardcontact.paper.claims.judged_claims import count_verdicts
+from hardcontact.paper.claims.selection import LARGER_PIXELS, WITHOUT_SCAN
 from hardcontact.paper.claims.verdicts import (
     BY_CONSTRUCTION,
     NOT_REPRODUCED,
