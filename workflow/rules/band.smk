@@ -12,7 +12,7 @@ BAND_FORCES = RESULTS.dataset("band/{surface}")
 # Intervals are over masters, because each has its own scan and all are independent. Studies with few
 # scans use `find_edges_of_scans`.
 rule find_edges_of_masters:
-    """Find the edges of the critical band of the paper's study: edges.nc."""
+    """Find the edges of the band of the paper's study: edges.nc."""
     input:
         scales=RESULTS.dataset("scales"),
     output:

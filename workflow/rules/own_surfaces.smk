@@ -58,7 +58,7 @@ MASTER_PARAMETERS = {
 # Intervals are over parts of scans, because masters share few scans. `find_edges_of_masters` needs
 # independent masters.
 rule find_edges_of_scans:
-    """Find the edges of the critical band of the user's surfaces: edges.nc."""
+    """Find the edges of the band of the user's surfaces: edges.nc."""
     input:
         adhesion=RESULTS.dataset("adhesion"),
         scales=RESULTS.dataset("scales"),

@@ -1,4 +1,4 @@
-"""The force on the critical band alone, relative to that with all roughness: band_forces.nc."""
+"""The force on the band alone, relative to that with all roughness: band_forces.nc."""
 
 from hardcontact.base.dataset import add_surface_names, read_by_name
 from hardcontact.inference.band_forces import band_ratios_by_surface

@@ -13,5 +13,5 @@ with run_job(snakemake) as job:
     )
     job.write(
         add_surface_names(exponents, params),
-        title="exponents of the pull-off force and of the edges of the critical band",
+        title="exponents of the pull-off force and of the edges of the band",
     )

@@ -1,4 +1,4 @@
 """Forces on filtered and perturbed surfaces, and the conclusions of both kinds of study.
 
-The conclusions are the critical band, the octaves that matter, and range and work of adhesion.
+The conclusions are the band, the octaves that matter, and range and work of adhesion.
 """

@@ -1,4 +1,4 @@
-"""The edges of the critical band: the cutoffs at which the change of the force exceeds a tolerance.
+"""The edges of the band: the cutoffs at which the change of the force exceeds a tolerance.
 
 `paper.edges_of_masters` finds the edges of substitutes, whose masters are independent.
 `own.edges_of_scans` finds the edges of the user's surfaces, whose masters share few scans.

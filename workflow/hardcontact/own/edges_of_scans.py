@@ -1,4 +1,4 @@
-"""The edges of the critical band of the user's surfaces, whose masters share few scans.
+"""The edges of the band of the user's surfaces, whose masters share few scans.
 
 Real roughness goes on beyond the wavelengths of the scans, so an edge beyond the computed cutoffs
 is open. Intervals come from parts of the scans, because scans are few: `paper.edges_of_masters` has

@@ -1,4 +1,4 @@
-"""Edges of the critical band of substitutes (edges.nc), and what shifts them (edge_shifts.nc).
+"""Edges of the band of substitutes (edges.nc), and what shifts them (edge_shifts.nc).
 
 Each master of a substitute has a scan of its own. Samples of the mean over masters therefore give
 the scatter of an edge; masters of measured scans share few scans (`own.edges_of_scans`). The group

@@ -140,7 +140,7 @@ def scale_to_sampled_mean(forces: xr.DataArray, rng: np.random.Generator) -> xr.
 def edges_of_set(
     masters: xr.Dataset, realizations: int, tolerance: float, sampling: Sampling, set_number: int
 ) -> xr.Dataset:
-    """Return the critical band of masters of each substrate, sampled with replacement."""
+    """Return the band of masters of each substrate, sampled with replacement."""
     surface_ratios = []
     for surface in masters["surface"].values.tolist():
         ratio = masters["filtered_force_ratio"].sel(surface=surface, drop=True)

@@ -155,7 +155,7 @@ def refuse_changed(digests_now: Mapping[str, str]) -> None:
         if record and record["sha256"] != digests_now[path]
     ]
     if lines:
-        raise ValueError("; ".join(lines) + "; delete it, and a run without targets makes it again")
+        raise ValueError("; ".join(lines) + "; delete it: a run that needs it makes it again")
 
 
 def refuse_changed_since(digests_before: Mapping[str, str]) -> None:

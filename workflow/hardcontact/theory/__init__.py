@@ -1,4 +1,4 @@
-"""Pull-off force and critical band from a spectrum alone, without a height map, in closed form.
+"""Pull-off force and band from a spectrum alone, without a height map, in closed form.
 
 Read `summits`, `closed_form` (the mean force), `pull_off_statistics` (its distribution), then
 `prediction` (numbers with intervals), `validity` (where the closed form is validated) and

@@ -1,4 +1,4 @@
-"""Estimates about the critical band and the interaction radius, for claims.
+"""Estimates about the band and the interaction radius, for claims.
 
 Forces are in N, lengths in nm. Each function returns an estimate (`estimates`), whose
 dimensions are in brackets. `paper` has the numbers of resources/paper/constants.csv by name.
@@ -16,7 +16,7 @@ from hardcontact.paper.claims.estimates import as_estimate, mean_over_scans, var
 
 
 def band_edge(edges: xr.Dataset) -> xr.Dataset:
-    """Return the edges of the critical band in nm, or their bounds (side, group).
+    """Return the edges of the band in nm, or their bounds (side, group).
 
     The bound is the last cutoff of the side, at which the change is still within the tolerance.
     """

@@ -1,4 +1,4 @@
-"""The edges of the critical band of a user's surface, and what to measure next to find them."""
+"""The edges of the band of a user's surface, and what to measure next to find them."""
 
 from collections.abc import Iterable
 from enum import StrEnum
