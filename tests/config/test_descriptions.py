@@ -23,6 +23,8 @@ def test_all_spectra_of_the_repository_are_accepted():
     [
         ("inf,20,varying Hurst,,,,,,assumed,none", ["roll-off wavelength", "none"]),
         ("inf,20,varying Hurst,1e9,-3,1,-1,,assumed,none", ["below zero"]),
+        ("inf,20,self-affine,inf,2000,1,,,assumed,none", ["plateau_nm4", "inf"]),
+        ("inf,20,varying Hurst,1e9,2000,1,-inf,,assumed,none", ["hurst_change", "-inf"]),
         ("inf,twenty,self-affine,1e9,2000,1,,,assumed,none", ["shortest_nm", "twenty"]),
         ("inf,20,self-affine,1e9,2000,1,,", ["10 cells", "found 8"]),
         ("inf,20,fractal,1e9,2000,1,,,assumed,none", ["varying Hurst", "fractal"]),

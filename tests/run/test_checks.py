@@ -17,6 +17,7 @@ from hardcontact.contact.bearing_area import all_contact_pixels
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.files.patterns import MEASUREMENT
+from hardcontact.records import origin
 from hardcontact.records.origin import Origin, canonical_json, digests, keep_records
 from hardcontact.run.checks import stored_scan, surface_grid
 from hardcontact.surfaces.height_map import HeightMap
@@ -170,7 +171,7 @@ def store(row, arguments, heights):
     return path
 
 
-@pytest.mark.parametrize("change", ["none", "file", "keys", "stored file", "source"])
+@pytest.mark.parametrize("change", ["none", "file", "keys", "stored file", "source", "versions"])
 def test_a_file_is_read_only_if_the_study_has_not_stored_it_as_it_is(tmp_path, monkeypatch, change):
     monkeypatch.chdir(tmp_path)
     paths = {name: str(write_scan(tmp_path / f"{name}.nc")) for name in "ab"}
@@ -185,6 +186,8 @@ def test_a_file_is_read_only_if_the_study_has_not_stored_it_as_it_is(tmp_path, m
         dataset.write(HeightMap(np.ones((16, 16)), 10.0).to_dataset(), stored_path)
     elif change == "source":
         row = row._replace(path=paths["b"])
+    elif change == "versions":
+        monkeypatch.setattr(origin, "versions", lambda: {"SurfaceTopography": "0.1"})
     is_stored = not stored_scan(config, row).heights.any()
     assert is_stored == (change == "none")
 

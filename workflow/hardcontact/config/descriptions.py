@@ -92,8 +92,9 @@ def _read_rows(
 def _check_numbers(row: Row, numbers: Sequence[str]) -> Row:
     """Return a row; refuse one whose cells in columns of numbers are neither numbers nor blank."""
     for name in numbers:
-        lowest = -math.inf if name in SIGNED_COLUMNS else 0
-        if row[name] and not parse_number(row[name]) >= lowest:
+        low = -math.inf if name in SIGNED_COLUMNS else 0
+        number = parse_number(row[name] or "0")
+        if not low <= number or (math.isinf(number) and name != "longest_nm"):
             accepted = "a number" if name in SIGNED_COLUMNS else "a number, none below zero"
             raise ValueError(f"{name}: expected {accepted}, found {quote_key(row[name])}")
     return row

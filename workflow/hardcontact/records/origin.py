@@ -130,12 +130,13 @@ def read_record(path: str | Path) -> Record | None:
 
 
 def is_current(path: str | Path, parameters: str, input_path: str) -> bool:
-    """Return whether a job made a file from an input with these parameters, both unchanged since.
+    """Return whether a job would make the same file from this input with these parameters now.
 
     Raises ValueError, with one line, if the record of the file is damaged.
     """
     record = read_record(path)
-    if record is None or record["parameters"] != parameters:
+    origin = {"parameters": parameters, "versions": canonical_json(versions())}
+    if record is None or any(record.get(name) != value for name, value in origin.items()):
         return False
     recorded = record["input_digests"] | {str(path): record["sha256"]}
     return Path(input_path).as_posix() in recorded and all(
