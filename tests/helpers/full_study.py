@@ -1,19 +1,24 @@
 """The numbers of a finished study that a study with fewer repetitions should find as well.
 
-    python tests/helpers/full_study.py results/paper > tests/full_study.csv
+    python tests/helpers/full_study.py results/paper
 
-makes the table of the full study, with which tests compare the quick study.
+hands on what the repository has of the full study: the table with which tests compare the quick
+study and resources/adhesion, and the page and the figure of the README.
 """
 
 import json
+import shutil
 import sys
 from pathlib import Path
 
 import pandas as pd
 import xarray as xr
 
+ROOT = Path(__file__).parents[2]
 #: The table of the full study.
-TABLE = Path(__file__).parents[1] / "full_study.csv"
+TABLE = ROOT / "tests/full_study.csv"
+#: Files of a study that the README shows.
+SHOWN_FILES = ("answer.html", "figures/fig6.png")
 #: Claims on edges, on forces at the published range and work of adhesion, and on both.
 CLAIMS = (
     "short_edge_first", "short_edge_mean", "long_edge_first", "long_edge_mean",
@@ -57,4 +62,6 @@ def read_full_study():
 
 
 if __name__ == "__main__":
-    study_numbers(sys.argv[1]).to_csv(sys.stdout, float_format="%.6g")
+    study_numbers(sys.argv[1]).to_csv(TABLE, float_format="%.6g")
+    for name in SHOWN_FILES:
+        shutil.copy(Path(sys.argv[1], name), ROOT / "resources/readme")

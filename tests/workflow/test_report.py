@@ -64,7 +64,7 @@ def is_rounded(printed, number):
 
 
 def test_the_page_to_look_at_has_the_numbers_of_the_readme():
-    """After a change of results, copy the answer of the full study there and correct README.md."""
+    """After a change of results, run tests/helpers/full_study.py, and correct README.md."""
     page = Page(PAGE_TO_LOOK_AT.read_text("utf-8"))
     text = " ".join(
         [*page.texts["p"], *page.texts["li"], *(cell for row in page.rows for cell in row)]
