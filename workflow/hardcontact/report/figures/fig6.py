@@ -37,7 +37,7 @@ def draw(edges: xr.Dataset, scales: xr.Dataset, published_constants: pd.DataFram
     low, high = edges.attrs["tolerance"] * np.array(SHOWN_TOLERANCES)
     both_axes[0].set(yscale="linear", ylim=(1 + low, 1 + high))
     rho = scales.attrs["rho"]
-    both_axes[0].set_ylabel(f"force / force with all roughness\n(range of attraction {rho:g} nm)")
+    both_axes[0].set_ylabel(f"force / force with all roughness\n(range of adhesion {rho:g} nm)")
     style.legend_above(figure, _legend_handles(edges, *published_edges.values()))
     return figure
 
