@@ -1,6 +1,6 @@
 """The program `hardcontact`, and what its commands share: their parser and their output.
 
-No command replaces an input, or another file unasked.
+No command replaces an input; it replaces other files only with --overwrite.
 """
 
 import os
@@ -17,7 +17,7 @@ from hardcontact.config.faults import raise_faults, spelling_question
 
 
 def main() -> int:
-    """Carry out the command of the command line, and print its report; return the exit code."""
+    """Run the command of the command line, and print its report; return the exit code."""
     words = join_units(sys.argv[1:])
     try:
         # A terminal would obey control characters, and tables are written in UTF-8.
@@ -42,7 +42,7 @@ def main() -> int:
 
 
 def _run(words: Sequence[str]) -> tuple[str, int]:
-    """Carry out the command with which the words begin; return its report and the exit code."""
+    """Return the report and the exit code of the command with which the words begin."""
     match words[:1]:
         case ["predict"]:
             from hardcontact.commands.predict import predict, predict_arguments
@@ -64,7 +64,7 @@ def _run(words: Sequence[str]) -> tuple[str, int]:
 
 
 def join_units(words: Sequence[str]) -> list[str]:
-    """Return the words of a command line; a number and a unit after it become one word."""
+    """Return the words of a command line, each number and the unit after it as one word."""
     arguments = list[str]()
     for word in words:
         is_unit = any(re.sub(r"\^2|²", "2", word) in units for units in FACTORS.values())
@@ -76,7 +76,7 @@ def join_units(words: Sequence[str]) -> list[str]:
 
 
 class CommandLine(ArgumentParser):
-    """A parser whose options have no short forms, and which suggests one for a wrong option."""
+    """A parser without short options, which suggests the right word for a wrong one."""
 
     def __init__(self, command: str, description: str) -> None:
         """Take the command, and the text with which its help begins."""
@@ -86,7 +86,7 @@ class CommandLine(ArgumentParser):
         )  # fmt: skip
 
     def error(self, message: str) -> NoReturn:
-        """End the program with one line, which names the option that an unknown one resembles."""
+        """End the program with one line, which asks whether another word is meant."""
         line = f"error: {message}{self._question(message)}; {self.prog} --help lists all options"
         self.exit(2, f"{line}\n")
 
@@ -107,9 +107,10 @@ class CommandLine(ArgumentParser):
 def output_faults(
     outputs: Mapping[str, str | None], inputs: Mapping[str, str], overwrite: bool
 ) -> Iterator[str]:
-    """Yield a line for each output, by option, that cannot be written or would replace a file.
+    """Yield a line for each output that cannot be written, or would replace a file.
 
-    `inputs` are words for files by their paths. An output may be None, or - for the terminal.
+    `outputs` are paths by option: None if not asked for, - for the terminal. `inputs` are words
+    such as "that of the surface", by path.
     """
     reserved = {
         os.path.realpath(path): f"another file than {words}" for path, words in inputs.items()
@@ -131,7 +132,7 @@ def output_faults(
 
 
 def align_cells(rows: Sequence[Sequence[str]]) -> list[str]:
-    """Return a line for each row, with aligned cells; the last may be long."""
+    """Return the rows as lines, with cells in columns; the last cell of a row may be longer."""
     columns = max(map(len, rows))
     padded = [[*row, *[""] * (columns - len(row))] for row in rows]
     widths = [

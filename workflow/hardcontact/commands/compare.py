@@ -41,8 +41,7 @@ def compare_arguments(arguments: Sequence[str]) -> Namespace:
 def compare(arguments: Namespace) -> str:
     """Return the comparison as text, and write the page that was asked for.
 
-    If its name is -, the page is returned instead of the text. Raises ValueError with a line for
-    each problem.
+    If the page is named -, it is returned in place of the text.
     """
     paths = [_answer_path(path) for path in (arguments.first, arguments.second)]
     inputs = dict.fromkeys(paths, "those compared")
@@ -71,7 +70,7 @@ def compare(arguments: Namespace) -> str:
 
 
 def _answer_path(path: str) -> str:
-    """Return the path of answer.json in the results of a study, or the path of a file itself."""
+    """Return the path of the answer.json that a path, or the name of a study, means."""
     folder = os.path.join("results", path)
     answer_or_folder = path if os.path.isdir(path) or not os.path.isdir(folder) else folder
     if os.path.isfile(answer_or_folder):
@@ -80,7 +79,7 @@ def _answer_path(path: str) -> str:
 
 
 def _read_answer(path: str) -> dict[str, Any]:
-    """Return the content of answer.json; raise ValueError with one line if there is none."""
+    """Return the content of answer.json, if it is the answer of a study."""
     if not Path(path).is_file():
         found = UNFINISHED if Path(path).parent.is_dir() else "no such folder"
         raise ValueError(f"{path}: expected the answer of a finished study, found {found}")
@@ -93,7 +92,7 @@ def _read_answer(path: str) -> dict[str, Any]:
 
 
 def _read_sets(path: str) -> dict[str, xr.Dataset]:
-    """Return the datasets of sets of scans beside answer.json; empty if one is not there."""
+    """Return the datasets of sets of scans beside answer.json, or none if one is missing."""
     paths = {name: Path(path).parent / f"{name}.nc" for name in SET_DATASETS}
     if not all(dataset_path.is_file() for dataset_path in paths.values()):
         return {}

@@ -24,9 +24,9 @@ Group = list[Entry]
 def all_search_sizes(
     entries: Sequence[Entry], sphere: str | None, contact: Contact
 ) -> dict[str, float]:
-    """Return the search size (nm) of each surface but the sphere's, with the sphere's roughness.
+    """Return the search size (nm) of each substrate: that of its roughest scan.
 
-    A contact finds its summits within the search size. The largest of a surface's scans counts.
+    The sphere finds the summits that it touches within the search size. Its own roughness counts.
     """
     sizes: dict[str, float] = {}
     sphere_densities = [entry.density for entry in entries if entry.scan_file.surface == sphere]
@@ -45,11 +45,11 @@ def all_search_sizes(
 def select_contact_scans(
     entries: Sequence[Entry], sphere: str | None, contact: Contact, search_sizes: dict[str, float]
 ) -> tuple[list[Entry], list[str]]:
-    """Return the scans that contacts are made on, one grid for each surface, and reasons.
+    """Return the scans that contacts are made on, and the reasons in words.
 
-    Of the grids that resolve the interaction radius, it is the smallest that is large enough for
-    the largest search size of all surfaces, or else the largest. Surfaces are thus compared on one
-    size if possible. Raises ValueError, with a line for each surface without a height map.
+    The scans of a surface have one grid: of those that resolve the interaction radius the smallest
+    that is large enough for every search size, or else the largest. Surfaces are thus compared on
+    one size if possible.
     """
     groups = _groups(entries)
     sphere_groups = groups.pop(sphere) if sphere is not None else []
@@ -99,10 +99,7 @@ def _groups(entries: Sequence[Entry]) -> dict[str, list[Group]]:
 
 
 def _best_group(groups: list[Group], interaction_radius: float, large_enough: float) -> Group:
-    """Return the group of scans of one surface on which contacts are made.
-
-    The interaction radius, and the size at which a scan is large enough, are in nm.
-    """
+    """Return the group of scans of a surface that contacts are made on; lengths are in nm."""
 
     def rank(group: Group) -> tuple[bool, bool, bool, float, int, float]:
         size = group[0].size
@@ -118,9 +115,10 @@ def _best_group(groups: list[Group], interaction_radius: float, large_enough: fl
 
 
 def _sphere_group(groups: list[Group], substrates: Sequence[Entry], radius: float) -> Group:
-    """Return the scans of the sphere: those on the pixels of the substrates, or the largest group.
+    """Return the scans of the sphere: those on the substrates' grid, or the largest group.
 
-    Two bodies are computed on the finer pixels of both, so that different sizes make large maps.
+    Both bodies are computed on the finer pixels of the two, so that different grids make large
+    maps.
     """
 
     def rank(group: Group) -> tuple[bool, bool, int, float]:

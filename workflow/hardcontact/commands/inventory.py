@@ -35,7 +35,7 @@ ENTRY_COLUMNS = (
 
 @dataclass(frozen=True)
 class Entry:
-    """One topography: the statements of its file, and measured properties; lengths in nm."""
+    """A topography: what its file states, and what is measured on it; lengths are in nm."""
 
     scan_file: ScanFile
     dataset: str
@@ -94,10 +94,9 @@ class Inventory(NamedTuple):
 def inventory(
     scan_files: Sequence[ScanFile], options: ReadingOptions, channel: str = ""
 ) -> Inventory:
-    """Return the topographies of files.
+    """Return the topographies of files, each area once.
 
-    Unusable datasets of containers, and scans of an area that an earlier scan shows, are left out.
-    `channel` is read from files that are not containers; empty for the file's own choice.
+    `channel` is read from files that are not containers; if it is empty, the file chooses.
     """
     entries: list[Entry] = []
     unreadable: list[str] = []
@@ -117,7 +116,7 @@ def inventory(
 def _read_file(
     scan_file: ScanFile, options: ReadingOptions, channel: str
 ) -> tuple[list[Entry], list[str]]:
-    """Return the entries of usable datasets of a file, and a line on each fault of the rest."""
+    """Return the entries of a file, and a line for each fault of a dataset that is not usable."""
     try:
         datasets = list_scans(scan_file.file)
     except ValueError as error:
@@ -140,7 +139,7 @@ def _read_file(
 def _twin_faults(entries: Sequence[Entry]) -> Iterator[str]:
     """Yield a line for each scan given twice, which would make intervals too narrow.
 
-    Formats round differently: twins have equal pixels, and sizes and roughness within 1e-4.
+    File formats round differently, so that twins agree within 1e-4.
     """
     for entry, twin in combinations(entries, 2):
         is_twin = (entry.kind, entry.pixels) == (twin.kind, twin.pixels) and np.allclose(
@@ -154,7 +153,7 @@ def _twin_faults(entries: Sequence[Entry]) -> Iterator[str]:
 
 
 def _leave_out_repeated_scans(entries: Sequence[Entry]) -> tuple[list[Entry], list[str]]:
-    """Return the entries that show another area than those before, and a line on each other."""
+    """Return the entries whose area no earlier entry shows, and a line for each other entry."""
     kept_entries: list[Entry] = []
     lines: list[str] = []
     for scans in entries_by_surface(entries).values():
@@ -204,7 +203,7 @@ def _measure_scan(scan_file: ScanFile, scan: HeightMap, options: ReadingOptions)
 
 
 def printed_table(entries: Sequence[Entry], contact_entries: Sequence[Entry]) -> str:
-    """Return a table of the entries and their uses, with the notes on reading below."""
+    """Return a table of the entries and their uses, with notes on their reading below."""
     contact_ids = {id(entry) for entry in contact_entries}
     rows = [ENTRY_COLUMNS]
     notes = []
@@ -242,7 +241,7 @@ def table_rows(
 ) -> list[dict[str, str]]:
     """Return the rows of the table of surfaces by column; scans that make contacts come first.
 
-    The tip radius is the quantity that the user gave for files that state none, or empty.
+    The tip radius is a text for files that state none; it is empty if the user gave none.
     """
     contact_ids = {id(entry) for entry in contact_entries}
     return [

@@ -46,10 +46,7 @@ from hardcontact.records.code import ROOT
 
 
 def new_study(arguments: Namespace) -> str:
-    """Write the files of a study of the user's surfaces; return a report in words.
-
-    Raises ValueError with a line for each problem; then nothing is written.
-    """
+    """Write the files of a study of the user's surfaces; return a report in words."""
     quantities, faults = parse_quantities(arguments)
     scan_files, file_faults = list_scan_files(arguments, quantities["radius"].number)
     tip_text = quantities["tip"].text if "tip" in quantities else ""
@@ -116,7 +113,7 @@ def _input_checks(
 def _propose_study(
     arguments: Namespace, quantities: Mapping[str, QuantityOption], entries: Sequence[Entry]
 ) -> tuple[Proposal, list[Choice]]:
-    """Return the proposal, and all keys of the overlay except the keys of quick effort.
+    """Return the proposal, and the keys of full effort.
 
     Raises ValueError if the study would refuse these scans at either effort.
     """
@@ -209,7 +206,7 @@ def values_by_key(choices: Sequence[Choice]) -> dict[str, Any]:
 
 
 def overlay_text(command: str, choices: Sequence[Choice], quick: Sequence[Choice]) -> str:
-    """Return an overlay as YAML: the command that runs it, and each choice below its reason."""
+    """Return an overlay as YAML: the command that runs it, and a reason above each key."""
     reasons = {choice.key: choice.reason for choice in choices}
     reasons["quick"] = "With --config effort=quick these keys replace those above."
     tree = set_keys({}, values_by_key(choices)) | {"quick": set_keys({}, values_by_key(quick))}

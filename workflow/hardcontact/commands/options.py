@@ -49,7 +49,7 @@ def add_shared_options(parser: ArgumentParser) -> None:
 
 
 def parse_quantities(arguments: Namespace) -> tuple[dict[str, QuantityOption], list[str]]:
-    """Return the quantities of the command line by name, and a line for each faulty quantity.
+    """Return the quantities of the command line by name, and a line for each fault.
 
     Tip, size and modulus are there only if the user gave them. A faulty quantity has the paper's
     value.
@@ -89,7 +89,7 @@ def contact_of_quantities(
 def reading_options(
     arguments: Namespace, quantities: Mapping[str, QuantityOption]
 ) -> ReadingOptions:
-    """Return how the command line wants scans to be read."""
+    """Return the options of the command line that say how scans are read."""
     return ReadingOptions(
         quantities["tip"].number if "tip" in quantities else None,
         arguments.unit,

@@ -53,10 +53,10 @@ def choose_contact(
     range_given: bool,
     max_pixels: int,
 ) -> PermittedContact:
-    """Return a contact with the window, and perhaps the longer range, that the scans need.
+    """Return a contact with the window and, if none was given, the range that the scans need.
 
     `scans` includes the scans of the sphere, `substrates` does not. Masters have at most
-    `max_pixels` per row. The study's limits refuse a range that stays too short.
+    `max_pixels` per row. A given range may be too short: then the study refuses it.
     """
     window, window_reason = _window(scans, contact)
     shortest, reason = _shortest_range(scans, substrates, contact, window, max_pixels)
@@ -87,7 +87,7 @@ def _shortest_range(
     window: float,
     max_pixels: int,
 ) -> tuple[float, str]:
-    """Return the shortest range of adhesion (nm) that scans and masters permit, and why."""
+    """Return the shortest range of adhesion (nm) that scans and masters permit, and the reason."""
     tiles = count_tiles(substrates, window, max_pixels)
     limits = [minimum_range(contact.radius, window, scan.grid) for scan in scans]
     for scan in substrates:
@@ -103,8 +103,8 @@ def _shortest_range(
 def count_tiles(substrates: Sequence[Entry], window: float, pixels: int) -> int:
     """Return the number of mirrored scans per row of long-edge masters.
 
-    The master is eight scans long, as in the paper, and longer than the window (nm), if its number
-    of pixels suffices.
+    If pixels suffice, the master is eight scans wide, as in the paper, and wider than the window
+    (nm).
     """
     size = min(scan.size for scan in substrates)
     tiles = math.ceil(
@@ -114,7 +114,7 @@ def count_tiles(substrates: Sequence[Entry], window: float, pixels: int) -> int:
 
 
 def short_edge_pixels(scan: Entry, contact: Contact, max_pixels: int) -> int:
-    """Return the pixels of short-edge masters of one scan: mirrored, halved repeatedly."""
+    """Return the pixels per row of a scan's short-edge masters: as many as time permits."""
     pixels = 2 * scan.pixels
     while 2 * pixels <= max_pixels:
         pixel_size = scan.size / pixels
@@ -129,7 +129,7 @@ def short_edge_pixels(scan: Entry, contact: Contact, max_pixels: int) -> int:
 
 
 def _contact_seconds(scan: Entry, contact: Contact, pixel_size: float) -> float:
-    """Return about the time (s) for one contact and all its periods on pixels of a size (nm)."""
+    """Estimate the seconds for one contact and its periods on pixels of a width (nm)."""
     periods = periods_in_window(contact.window, scan.size)
     tiles = (window_pixels(contact.window, pixel_size) / TILE) ** 2
     return contact.pixel_count(pixel_size) * periods * SECONDS_A_PIXEL + tiles * SECONDS_A_TILE

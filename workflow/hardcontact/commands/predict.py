@@ -80,8 +80,7 @@ class Inputs(NamedTuple):
 def predict(arguments: Namespace) -> str:
     """Return the prediction in words, and write the requested files of numbers.
 
-    If a file is named -, its content is returned instead of the words. Raises ValueError with a
-    line for each problem.
+    If a file is named -, its content is returned instead of the words.
     """
     inputs = read_inputs(arguments)
     numbers = compute_numbers(inputs, arguments)
@@ -90,7 +89,7 @@ def predict(arguments: Namespace) -> str:
 
 
 def read_inputs(arguments: Namespace) -> Inputs:
-    """Return the inputs of a prediction. Raises ValueError with a line for each problem."""
+    """Return the inputs of a prediction."""
     quantities, faults = parse_quantities(arguments)
     contact = contact_of_quantities(quantities, CONTACTS_PER_ROW)
     cautions = [*implausible_quantities(quantities)]
@@ -119,7 +118,7 @@ class QuantityStatus(StrEnum):
 
 
 def compute_numbers(inputs: Inputs, arguments: Namespace) -> dict[str, Number]:
-    """Return the numbers of a prediction by name: its quantities, forces, octaves and modulus."""
+    """Return the numbers of a prediction by name: quantities, forces, octaves, modulus."""
     quantities, contact, own_spectrum, _ = inputs
     spectrum = own_spectrum.spectrum
     numbers = {name: _quantity_number(name, quantities[name]) for name in CONTACT_QUANTITIES}
@@ -160,7 +159,7 @@ def write_numbers(numbers: Mapping[str, Number], notes: Sequence[str], arguments
 
 
 def _json(numbers: Mapping[str, Number]) -> str:
-    """Return numbers by name, each with value, unit, and its interval and status if it has any."""
+    """Return numbers as JSON by name; intervals and statuses are there if they are known."""
     entries: dict[str, dict[str, Any]] = {}
     for name, number in numbers.items():
         entries[name] = {"value": json_value(number.value), "unit": number.unit}
@@ -172,7 +171,7 @@ def _json(numbers: Mapping[str, Number]) -> str:
 
 
 def _csv(numbers: Mapping[str, Number]) -> str:
-    """Return numbers as a table, one row per number; unknown cells are empty."""
+    """Return numbers as a table, one row each; unknown cells are empty."""
     columns = ["quantity", "value", "unit", "low", "high", "status"]
     table = pd.DataFrame([number[:6] for number in numbers.values()], columns=columns)
     finite = table.replace([math.inf, -math.inf], math.nan)
@@ -184,7 +183,7 @@ WRITERS: dict[str, Callable[[Mapping[str, Number]], str]] = {"json": _json, "csv
 
 
 def _report(inputs: Inputs, numbers: Mapping[str, Number], arguments: Namespace) -> str:
-    """Return the prediction in words, which repeat the quantities as the user wrote them."""
+    """Return the prediction in words, with the quantities as the user wrote them."""
     # Imported here: it takes as long as a prediction.
     from jinja2 import Environment, FileSystemLoader, StrictUndefined
 

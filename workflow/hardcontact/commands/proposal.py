@@ -97,11 +97,11 @@ class Proposal(NamedTuple):
 def propose(
     entries: Sequence[Entry], sphere: str | None, contact: Contact, range_given: bool = False
 ) -> Proposal:
-    """Choose every key that depends on the scans of surfaces, and of the sphere if it is rough.
+    """Choose every key that depends on the scans.
 
-    `sphere` is the id of the sphere's surface, None for a smooth sphere. If the user did not give
-    the range of adhesion, a longer one may be chosen. Raises ValueError, with a line for each
-    surface without a height map, or if scans are too different for one study.
+    `sphere` is the id of the sphere's surface, None for a smooth sphere. Unless the user gave the
+    range of adhesion, it may be longer than that of the contact. Raises ValueError if scans are too
+    different for one study, or a surface has no height map.
     """
     search_sizes = all_search_sizes(entries, sphere, contact)
     scans, reasons = select_contact_scans(entries, sphere, contact, search_sizes)
@@ -143,7 +143,7 @@ def _choices(
     transitions: Transitions,
     effort: Effort,
 ) -> list[Choice]:
-    """Return the choices of one effort, within the limits of the checks."""
+    """Return the choices of one effort."""
     contact = permitted.contact
     short_pixels = max(short_edge_pixels(scan, contact, effort.pixels) for scan in substrates)
     contacts_per_row, is_slow = affordable_contacts(
@@ -164,7 +164,7 @@ def _choices(
 
 
 def _master_count(substrates: Sequence[Entry], effort: Effort, is_slow: bool) -> int:
-    """Return the number of masters on each side; at full effort every scan makes equally many."""
+    """Return the number of masters on each side; at full effort scans make equally many."""
     masters = effort.slow_master_count if is_slow else effort.master_count
     scan_counts = Counter(scan.scan_file.surface for scan in substrates)
     most_scans = max(scan_counts.values())
@@ -205,7 +205,7 @@ def _master_choices(
 
 
 def _cutoffs(shortest: float, longest: float, max_count: int) -> list[str]:
-    """Return wavelengths (nm) of three digits, evenly spaced in their logarithm, as quantities."""
+    """Return wavelengths (nm) as quantities of three digits, evenly spaced in their logarithm."""
     steps = int(math.log(longest / shortest) / math.log(MIN_CUTOFF_RATIO))
     wavelengths = np.geomspace(shortest, longest, min(max_count, max(steps, 1) + 1))
     return [_in_nm(float(f"{wavelength:.3g}")) for wavelength in wavelengths]
@@ -231,7 +231,7 @@ def _transitions(substrates: Sequence[Entry], sphere_scans: Sequence[Entry]) -> 
 def _decisive_scans(
     substrates: Sequence[Entry], sphere_scans: Sequence[Entry], end: str
 ) -> list[Entry]:
-    """Return the scans whose body is the rougher at this end of their band; all if none is."""
+    """Return the scans whose body is the rougher one at an end of their band; all if none is."""
     bodies = [(scan, sphere_scans) for scan in substrates]
     bodies += [(scan, substrates) for scan in sphere_scans]
     rough_scans = [
@@ -241,17 +241,14 @@ def _decisive_scans(
 
 
 def _is_rougher(scan: Entry, others: Sequence[Entry], wavelength: float) -> bool:
-    """Return whether no scan of the other body has more power at a wavelength."""
+    """Return False if all scans of the other body have more power at a wavelength (nm)."""
     index = nearest_bin(wavelength)
     exceeds = [other.density[index] > scan.density[index] for other in others]
     return not (exceeds and all(exceeds))
 
 
 def _ranges(rho: float, shortest_range: float, count: int) -> list[float]:
-    """Return ranges of adhesion (nm) around the range of the masters, and this range itself.
-
-    Limits of the study refuse a range of the masters below the shortest range that scans permit.
-    """
+    """Return ranges of adhesion (nm) around the range rho of the masters, and rho itself."""
     accepted = quantity_type("adhesion.range")
     shortest = min(max(shortest_range, rho / RANGE_SPAN, accepted.low), rho)
     longest = min(rho * RANGE_SPAN, accepted.high)

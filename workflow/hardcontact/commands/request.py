@@ -21,7 +21,7 @@ USAGE = Path(__file__).with_name("new_help.txt").read_text("utf-8")
 def new_arguments(arguments: Sequence[str]) -> Namespace:
     """Return the parsed command line, with the command; a wrong one ends the program.
 
-    The parser also serves `hardcontact --help`, and refuses unknown commands.
+    It also serves `hardcontact --help` and unknown commands.
     """
     parser = CommandLine("hardcontact", USAGE)
     parser.add_argument("--version", action="version", version=version("hardcontact"))

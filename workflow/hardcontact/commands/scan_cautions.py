@@ -24,11 +24,7 @@ MANY_UNDEFINED = 0.05
 
 
 def refuse_unreliable(entries: Sequence[Entry]) -> None:
-    """Refuse surfaces with too few reliable wavelengths for a spectrum.
-
-    Raises ValueError with a line for each surface, and for each defect of its scans, a possible
-    cause.
-    """
+    """Refuse surfaces with too few reliable wavelengths, and name the defects of their scans."""
     faults = []
     for surface, scans in entries_by_surface(entries).items():
         count = int(np.any([scan.band.bins for scan in scans], axis=0).sum())
@@ -53,7 +49,7 @@ def scan_cautions(
 ) -> Iterator[str]:
     """Yield sentences on all scans, and on contacts on the scans of substrates.
 
-    The usual range and the sizes that the sphere searches for summits, by surface, are in nm.
+    The usual range and the search sizes, by surface, are in nm.
     """
     yield from _reading_cautions(entries)
     yield from _contact_cautions(substrates, usual_range, permitted, search_sizes)
@@ -75,9 +71,9 @@ def _reading_cautions(entries: Sequence[Entry]) -> Iterator[str]:
 
 
 def _radius_question(entry: Entry, stated_radius: float) -> str:
-    """Return a question about the stated radius (nm) of a sphere that leaves its scan curved.
+    """Return a question about the radius (nm) of a sphere whose scan stays curved.
 
-    The defect has no sign: a sphere that is smaller or, with less curvature, larger leaves it.
+    The defect has no sign: a smaller sphere leaves it, or a larger one.
     """
     remaining = 1 / entry.defects["curvature"]["curvature_radius"]
     curvatures = (1 / stated_radius + remaining, 1 / stated_radius - remaining)
@@ -96,7 +92,7 @@ def _contact_cautions(
     permitted: PermittedContact,
     search_sizes: Mapping[str, float],
 ) -> Iterator[str]:
-    """Yield sentences on contacts on these scans; the usual range and the sizes are in nm."""
+    """Yield sentences on contacts on these scans; lengths are in nm."""
     contact = permitted.contact
     if contact.rho > usual_range:
         yield (

@@ -1,4 +1,4 @@
-"""`hardcontact verify`: the check of the files of a finished study, wherever they are kept."""
+"""The command `hardcontact verify`: it compares files of a finished study with their records."""
 
 import json
 import os
@@ -25,10 +25,7 @@ def verify_arguments(arguments: Sequence[str]) -> Namespace:
 
 
 def verify(arguments: Namespace) -> tuple[str, int]:
-    """Return the files that do not match, in words, and the exit code; nothing is written.
-
-    Raises ValueError, with one line, if the folder has no files of a study.
-    """
+    """Return the files that do not match their records, in words, and the exit code."""
     results_folder = Path("results", arguments.folder)
     folder = (results_folder if results_folder.is_dir() else Path(arguments.folder)).resolve()
     if not folder.is_dir() or len(folder.parts) < 4:
@@ -41,7 +38,7 @@ def verify(arguments: Namespace) -> tuple[str, int]:
 
 
 def _other_keys(results: Path) -> Iterator[str]:
-    """Yield a line for each key that has another value now, in this repository's `config` folder.
+    """Yield a line for each key that has another value now in this repository's overlay.
 
     The overlay of a study has its name; values of the command line are in no file.
     """

@@ -44,7 +44,7 @@ REMEDY = re.compile(r"(?:--\w+ \S+ \()?scan\.(\w+): ([\w,]+)\)?")
 
 @contextmanager
 def arguments_in_messages() -> Iterator[None]:
-    """Raise the same ValueError with arguments of functions in place of options and keys."""
+    """Put arguments of functions in place of options and keys in a ValueError."""
     try:
         yield
     except ValueError as error:
@@ -58,9 +58,9 @@ def _argument(remedy: re.Match[str]) -> str:
 
 
 def unit_question(quantity: str, number: float) -> str:
-    """Return a question if a number, in the unit of the key, is not usual; else an empty text.
+    """Ask about the unit of a number, in the unit of its key, that is not usual; else return "".
 
-    It suggests the number with another prefix of the unit, if this number is usual.
+    The question suggests the number with another prefix of the unit, if that number is usual.
     """
     *bounds, kind = USUAL_BOUNDS[quantity]
     unit = quantity_type(CONTACT_QUANTITIES[quantity][0]).unit
@@ -76,9 +76,9 @@ def unit_question(quantity: str, number: float) -> str:
 def check_read_arguments(
     files: Sequence[object], lengths: Mapping[str, object], **texts: object
 ) -> None:
-    """Refuse files that are not paths, and arguments, by name, that are not lengths or texts.
+    """Refuse files that are not paths, lengths that are not positive, and texts that are none.
 
-    A length is a positive number of nm, or None, or NONE.
+    A length may also be None or NONE.
     """
     faults = [
         f"files: expected a path in each argument, found {' '.join(shorten(file).split())}"
@@ -107,7 +107,7 @@ def check_positive_numbers(name: str, numbers: object) -> None:
 
 
 def check_positive(**numbers: object) -> None:
-    """Refuse numbers that are not positive and finite; messages name them."""
+    """Refuse numbers that are not positive and finite."""
     raise_faults(
         f"{name}: expected a positive number, found {value!r}"
         for name, value in numbers.items()
@@ -118,7 +118,7 @@ def check_positive(**numbers: object) -> None:
 def check_quantities(**numbers: Any) -> None:
     """Refuse quantities of a contact beyond the limits of their keys, and warn of unusual ones.
 
-    `radius` and `rho` are in nm, `preload` in N, `hardness` in Pa, `work` in J/m².
+    They are `radius` and `rho` in nm, `preload` in N, `hardness` in Pa, `work` in J/m².
     """
     check_positive(**numbers)
     options = {name: "range" if name == "rho" else name for name in numbers}
@@ -134,7 +134,7 @@ def check_quantities(**numbers: Any) -> None:
 
 
 def check_contact(surface: HeightMap, contact: Contact, ranges: Sequence[float]) -> None:
-    """Refuse values that a study of this periodic surface would refuse, with the same messages."""
+    """Refuse a contact that a study of this periodic surface would refuse."""
     low, high = PIXEL_SIZES
     if not low <= surface.pixel_size <= high:
         raise ValueError(

@@ -38,8 +38,7 @@ def numeric_configuration(config: object, prefix: str = "") -> dict[str, Any]:
     """Return a configuration, as read from YAML, with every quantity as a number.
 
     Lengths are in nm, forces in N, pressures in Pa, energies per area in J/m². Missing keys have
-    their defaults. Raises ValueError with a line, after the prefix, for each key that is unknown or
-    has a wrong type or unit, or is out of bounds.
+    their defaults. Messages begin with the prefix.
     """
     # `scans` may be a word in place of a list, of which pydantic would warn.
     return validate(Study, config, f"{prefix}config key ").model_dump(warnings=False)
@@ -51,7 +50,7 @@ def get_key(tree: Mapping[str, Any], key: str) -> Any:
 
 
 def key_values(tree: Mapping[str, Any], prefix: str = "") -> dict[str, Any]:
-    """Return the values of a tree of keys, by keys with dots between their parts."""
+    """Return the values of a tree by keys with dots between their parts."""
     values = dict[str, Any]()
     for key, value in tree.items():
         if isinstance(value, Mapping):
@@ -62,7 +61,7 @@ def key_values(tree: Mapping[str, Any], prefix: str = "") -> dict[str, Any]:
 
 
 def merge(config: Mapping[str, Any], overlay: Mapping[str, Any]) -> dict[str, Any]:
-    """Return a configuration with the values of an overlay, merged at any depth as by Snakemake."""
+    """Return a configuration with the values of an overlay, merged as Snakemake does."""
     merged = dict(config)
     for key, value in overlay.items():
         section = merged.get(key)
@@ -75,8 +74,8 @@ def merge(config: Mapping[str, Any], overlay: Mapping[str, Any]) -> dict[str, An
 def apply_effort(config: Mapping[str, Any]) -> dict[str, Any]:
     """Return the configuration; with `effort: quick` the keys under `quick` replace others.
 
-    Names of the study and of its store then end with QUICK_SUFFIX: a quick study of an overlay
-    never replaces that of another one.
+    The names of study and store then end with QUICK_SUFFIX, so that a quick study replaces no
+    other.
     """
     quick = config.get("quick")
     if config.get("effort") != "quick" or not isinstance(quick, dict):
@@ -99,7 +98,7 @@ def combines_bodies(configuration: Mapping[str, Any]) -> bool:
 
 
 def set_keys(config: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str, Any]:
-    """Return a copy of a tree of keys with new values, by keys with dots between their parts."""
+    """Return a copy of a tree with new values, by keys with dots between their parts."""
     updated = dict(config)
     for key, value in values.items():
         *sections, name = key.split(".")
@@ -124,7 +123,7 @@ def reading_keys(config: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def master_keys(config: Mapping[str, Any], section: str, side: str) -> dict[str, str]:
-    """Return the key of each setting of the masters of one side that a section filters.
+    """Return the key of each setting of the masters that a section filters on one side.
 
     A section inherits missing settings from `scales`.
     """
@@ -144,7 +143,7 @@ def contact_words(config: Mapping[str, Any]) -> dict[str, str]:
 
 
 def assumed_quantities(config: Mapping[str, Any]) -> list[str]:
-    """Return the names of the CONTACT_QUANTITIES that have the paper's value and were not given."""
+    """Return the names of the CONTACT_QUANTITIES that the user did not give."""
     paper = Study().model_dump(warnings=False)
     return [
         name

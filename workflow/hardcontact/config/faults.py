@@ -1,4 +1,7 @@
-"""Faults of the user's input: one line each, all of them at once."""
+"""Faults of the user's input: one line each, all of them at once.
+
+A function that refuses or checks raises ValueError, whose message has one line for each fault.
+"""
 
 import datetime
 import difflib
@@ -42,7 +45,7 @@ def key_fault(key: str, accepted: object, value: object) -> str:
 def raise_faults(lines: Iterable[str]) -> None:
     """Raise ValueError if there are lines, each of which reports a fault.
 
-    If there are more than MAX_LINES, the last line counts the faults that are not reported.
+    Beyond MAX_LINES, the last line counts the faults that are not reported.
     """
     reported = [*lines]
     if len(reported) > MAX_LINES:
@@ -53,7 +56,7 @@ def raise_faults(lines: Iterable[str]) -> None:
 
 
 def run_checks(checks: Iterable[Callable[[], Any]]) -> list[Any]:
-    """Carry out all checks; return their results, or raise ValueError with each fault once."""
+    """Return the results of all checks, or raise ValueError with each fault once."""
     results = []
     faults = list[str]()
     for check in checks:
@@ -66,7 +69,7 @@ def run_checks(checks: Iterable[Callable[[], Any]]) -> list[Any]:
 
 
 def spelling_question(name: str, known_names: Iterable[str]) -> str:
-    """Return a question with the known name that an unknown one resembles, or an empty text."""
+    """Ask whether a known name that resembles an unknown one is meant; "" if none does."""
     similar = difflib.get_close_matches(name, sorted(known_names), 1, SIMILARITY)
     return f" (did you mean {similar[0]}?)" if similar else ""
 
@@ -88,11 +91,7 @@ def shorten(value: object) -> str:
 
 
 def validate(model: type[Model], value: object, prefix: str = "") -> Model:
-    """Return a value of YAML or of a table as a model.
-
-    Raises ValueError with a line for each faulty key: the prefix, the key, the accepted values and
-    the value.
-    """
+    """Return a value of YAML or of a table as a model; messages begin with the prefix."""
     try:
         return model.model_validate(value)
     except ValidationError as error:
@@ -139,7 +138,7 @@ def _describe_fault(fault: Mapping[str, Any]) -> str:
 
 
 def _describe_unknown(model: type[BaseModel], section: type[BaseModel], names: list[str]) -> str:
-    """Return the expected keys of a section, or keys of the model that unknown keys resemble."""
+    """Return the expected keys of a section, and known keys that unknown ones resemble."""
     known_keys = list(section.model_fields)
     written = {key: _key_in_yaml(key) for key, _ in key_fields(model)}
     # Of keys with the same name in several sections, the first.

@@ -31,12 +31,11 @@ FORCE_QUANTITY = Quantity("N", 1e-15, 1e3)
 def measured_forces(
     path: str | Path, surfaces: Collection[str], radius: float, given_as: str = "config key forces"
 ) -> pd.DataFrame:
-    """Read the user's pull-off forces on the surfaces of a study.
+    """Return the user's pull-off forces on the surfaces of a study, by line of the file.
 
-    The columns are TESTS, and perhaps `site`, or SUMMARIES with one row per surface; others are not
-    read, and messages name `given_as`. Forces over the radius of the probe (nm) are multiplied by
-    it. Returns by line of the file: surface, mean and median in N (of a single test its force),
-    count of tests, and site, blank if not given. Raises ValueError with a line for each fault.
+    The columns are surface, mean and median in N, count of tests, and site, blank if not given. A
+    single test is its own mean and median. A force over the radius of the probe is multiplied by
+    the `radius` (nm). Messages name `given_as`.
     """
     table = user_table(path, f"a table of forces ({given_as})", decode=_decode_forces)
     header, units = _split_units(table.header)
@@ -68,7 +67,7 @@ def measured_forces(
 
 
 def _decode_forces(content: bytes) -> str:
-    """Return a text in UTF-8, or in Latin-1 if it has no control characters; refuse others."""
+    """Return a text in UTF-8, or in Latin-1 if it has no control characters."""
     try:
         return decode_utf8(content)
     except UnicodeDecodeError:
@@ -81,7 +80,7 @@ def _decode_forces(content: bytes) -> str:
 def _split_units(header: Sequence[str]) -> tuple[list[str], dict[str, str]]:
     """Return the columns of a table, and the units of those whose header states a unit of force.
 
-    A column of forces with any other name is taken for `value`, if it is the only column of forces.
+    If no column is named value, mean or median, the only one with such a unit is `value`.
     """
     names = []
     units = {}
@@ -118,7 +117,7 @@ def _convert_to_newton(number: str, unit: str, radius: float) -> float:
 def _parse_force(
     row: Row, units: Mapping[str, str], surfaces: Collection[str], radius: float
 ) -> tuple[str, float, float, int, str]:
-    """Return surface, mean and median in N, count and site; refuse the first fault of a row."""
+    """Return surface, mean and median in N, count and site of a row."""
     surface = row["surface"]
     count = row.get("count", "1")
     forces = []

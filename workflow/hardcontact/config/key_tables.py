@@ -31,7 +31,7 @@ VALUES_IN_WORDS = {bool: "`true` or `false`", dict[Any, Any]: "a mapping", list[
 
 
 def configuration_yaml() -> str:
-    """Return the YAML of all keys below comments: meanings, sections of the paper, values."""
+    """Return all keys as YAML, below their meanings, sections of the paper and values."""
     fields = dict(key_fields(Study))
     comments = {
         key: f"{_meaning(field)}{_paper_section(field)} Allowed: {_values(field)}."
@@ -44,7 +44,7 @@ def configuration_yaml() -> str:
 
 
 def update_columns(text: str) -> str:
-    """Return Markdown whose table of the columns of a table of surfaces is renewed.
+    """Return Markdown with a new table of the columns of a table of surfaces.
 
     It is between the lines ``<!-- columns: begin -->`` and ``<!-- columns: end -->``.
     """
@@ -62,7 +62,7 @@ def _meaning(field: FieldInfo) -> str:
 
 
 def _paper_section(field: FieldInfo) -> str:
-    """Return the section of the paper that a default comes from as a sentence, or nothing."""
+    """Return the sentence on the section of the paper that a default comes from, if any."""
     extra: Any = field.json_schema_extra or {}
     return f" Paper: {extra['paper']}." if extra.get("paper") else ""
 

@@ -21,7 +21,7 @@ MAX_NAME_LENGTH = 100
 
 @dataclass(frozen=True)
 class Quantity:
-    """Text such as "10 uN", which becomes a number in a unit of the study, between two bounds."""
+    """Text such as "10 uN", which becomes a number in a unit of the study, between bounds."""
 
     unit: str
     low: float
@@ -66,7 +66,7 @@ class Matching:
 
 
 def _ascending(texts: Any, validate: Callable[[Any], list[float]]) -> list[float]:
-    """Refuse quantities that do not ascend, in whatever units they are written."""
+    """Return numbers; refuse quantities that do not ascend, in whatever units they are written."""
     numbers = validate(texts)
     for index, (smaller, larger) in enumerate(pairwise(numbers)):
         if smaller >= larger:
@@ -76,7 +76,7 @@ def _ascending(texts: Any, validate: Callable[[Any], list[float]]) -> list[float
 
 
 def study_name(max_length: int = MAX_NAME_LENGTH) -> Matching:
-    """Return the type of names of a study with at most a number of characters.
+    """Return the type of names of a study.
 
     Names that end with .txt belong to the project's own files in the folder of results.
     """

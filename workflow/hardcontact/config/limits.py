@@ -1,7 +1,7 @@
 """Limits of keys that follow from the pixels of scans and masters, and from memory.
 
-Limits are checked for the scans of each surface, for each substrate with the sphere, and for each
-master. Only one fault of each is reported, because later limits may assume earlier ones.
+A line names the first fault of each surface, of each substrate with the sphere, and of each master,
+because later limits may assume earlier ones.
 """
 
 import math
@@ -64,7 +64,7 @@ def master_megabytes(pixels: int) -> int:
 
 
 class NamedContact(NamedTuple):
-    """A contact, and the names by which its user gave three of its quantities."""
+    """A contact, and the names of three of its quantities in messages."""
 
     contact: Contact
     preload: str = "config key contact.preload"
@@ -73,7 +73,7 @@ class NamedContact(NamedTuple):
 
 
 def study_contacts(config: dict[str, Any]) -> dict[str, NamedContact]:
-    """Return by stage of a study the contact for which scans or masters must be the finest."""
+    """Return the contact of each stage of a study that needs the finest pixels."""
     contact = study_contact(config)
     scan_contact = NamedContact(replace(contact, rho=config["adhesion"]["ranges"][0]))
     master_contact = NamedContact(contact, range="config key adhesion.range")
@@ -94,10 +94,9 @@ def study_contacts(config: dict[str, Any]) -> dict[str, NamedContact]:
 
 
 def refuse_unfit_grids(config: dict[str, Any], grids: Mapping[str, Grid]) -> None:
-    """Refuse values that the pixels of scans do not permit; `grids` maps each surface to its grid.
+    """Refuse values that the pixels of scans do not permit.
 
-    Quantities in `config` are numbers in the units of the study. Raises ValueError with a line for
-    each fault, which names the key.
+    Quantities in `config` are numbers; `grids` are by surface.
     """
     fault_series = []
     sphere_surface = config["sphere"]["surface"]
@@ -149,7 +148,7 @@ def _scan_faults(config: dict[str, Any], surface: str, grid: Grid) -> Iterator[s
 def _body_faults(
     config: dict[str, Any], surface: str, grid: Grid, sphere_grid: Grid
 ) -> Iterator[str]:
-    """Yield the faults on a scan of a substrate and a scan of the sphere, on common pixels."""
+    """Yield the faults on scans of a substrate and of the sphere, on common pixels."""
     window = config["contact"]["window"]
     pixel_size = min(grid.pixel_size, sphere_grid.pixel_size)
     bodies = f"{surface} and the sphere"

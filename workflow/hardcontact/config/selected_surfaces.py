@@ -109,7 +109,7 @@ class Selection:
         return {"surface": surface, "label": self.labels[surface], "source": self.sources[surface]}
 
     def all_scans(self, surface: str) -> list[int]:
-        """Return the numbers of all scans of a surface, also those that only enter its spectrum."""
+        """Return the numbers of all scans of a surface, with those of its spectrum alone."""
         return self._rows.scan[self._rows.surface == surface].tolist()
 
     def tip_radii(self, surface: str) -> list[float | None]:
@@ -130,7 +130,7 @@ class Selection:
     def separate_master_scan(self, surface: str, master_number: int) -> int:
         """Return the number of a scan in one master only; masters take measured scans in turn.
 
-        The study's substitute scans come before scans of larger numbers, made for other masters.
+        Substitute scans beyond those of the study are made for these masters.
         """
         scans = self.contact_scans(surface)
         if master_number <= len(scans) or surface in self.measured_surfaces:
@@ -143,7 +143,7 @@ class Selection:
         return 0 if scan in scans else 1 + (scan - max(scans) - 1) // len(scans)
 
     def scans_of_group(self, surface: str, group: int) -> list[int]:
-        """Return the scans of a group: as many as the study has, and conditioned together."""
+        """Return the scans of a group: as many as the study has, conditioned together."""
         scans = self.contact_scans(surface)
         start = max(scans) + 1 + (group - 1) * len(scans)
         return list(range(start, start + len(scans))) if group else scans
@@ -168,11 +168,10 @@ class Selection:
 
 
 def surface_table(path: str | Path) -> pd.DataFrame:
-    """Read the table of surfaces, which is tab-separated, and check that its rows agree.
+    """Return the rows of the table of surfaces, by line of the file.
 
-    Returns one row per scan, indexed by the line of the file, with the columns of `SurfaceRow`;
-    `scan` is an int, `tip_radius` a number in nm as text or empty, an empty `use` CONTACT_USE.
-    Raises ValueError with a line for each fault, which names the file and the line or the surface.
+    The columns are those of `SurfaceRow`: `scan` is an int, `tip_radius` a number in nm as text or
+    empty, an empty `use` CONTACT_USE.
     """
     if not os.path.isfile(path):
         raise ValueError(f"config key surfaces: expected a table of surfaces, found no file {path}")

@@ -66,10 +66,7 @@ class StudyPlan:
         return groups
 
     def sphere_radius(self, surface: str) -> float | None:
-        """Return the radius (nm) of the sphere in scans of its surface; None in other scans.
-
-        It is `{shape}` in paths.
-        """
+        """Return the radius (nm) of the sphere in scans of its surface, None in other scans."""
         return self.contact.radius if surface == self.selection.sphere else None
 
     # Substitutes
@@ -103,7 +100,7 @@ class StudyPlan:
         return sphere_scans[self.selection.contact_scans(surface).index(scan) % len(sphere_scans)]
 
     def measurements_of_map(self, surface: str, scan: int) -> list[int]:
-        """Return the indices of the measurements, in a spectrum, whose roughness a map has."""
+        """Return the indices, in the spectrum of a surface, of the scans that a map is made of."""
         indices = []
         offset = 0
         for body in self.rough_bodies(surface, scan):
@@ -126,6 +123,6 @@ class StudyPlan:
 
     @property
     def contacts_per_row_at_position(self) -> int:
-        """Contacts per row of the array at each position: fewer if a scan has several positions."""
+        """Contacts per row of the array at each position: fewer if there are several."""
         limit = math.inf if self.positions_per_row == 1 else POSITION_CONTACTS_PER_ROW
         return int(min(self.contact.contacts_per_row, limit))

@@ -21,10 +21,7 @@ Result = TypeVar("Result")
 
 
 class UserTable(NamedTuple):
-    """A table that the user wrote: its header, and the cells of other rows by line of the file.
-
-    Empty rows are omitted. The header of an empty file is empty.
-    """
+    """A table that the user wrote: its header, and the cells of rows by line of the file."""
 
     path: str
     header: list[str]
@@ -33,7 +30,7 @@ class UserTable(NamedTuple):
     def require(
         self, columns: Sequence[str], content: str, allowed: Collection[str] | None = None
     ) -> None:
-        """Refuse a table without rows, with a missing column, or with a repeated column.
+        """Refuse a table without rows, or with a missing or repeated column.
 
         If `allowed` columns are given, all other columns are refused, too.
         """
@@ -45,10 +42,10 @@ class UserTable(NamedTuple):
             )
 
     def convert(self, function: Callable[[Row], Result]) -> dict[int, Result]:
-        """Apply a function to each row, and return its results by line.
+        """Return the results of a function of each row, by line.
 
-        Raises ValueError with a line for each fault from the function, or of a number of cells that
-        differs from the header's. Rows of the same fault share a line.
+        Raises ValueError with the faults that the function raises; rows of the same fault share a
+        line.
         """
         results = dict[int, Result]()
         faults = dict[str, list[tuple[int, str]]]()
@@ -86,7 +83,7 @@ def user_table(
     """Read a table that the user wrote, with a header; between tabs nothing is quoted.
 
     Semicolons or tabs may separate cells, and decimals then have a comma, as in spreadsheets.
-    Raises ValueError with one line that names the required content and form of the table.
+    Messages name the required content and form of the table.
     """
     if not os.path.isfile(path):
         raise ValueError(f"{path}: expected {content}, found no file")

@@ -21,7 +21,7 @@ def read_yaml(path: str) -> Any:
 
 
 def refuse_unreadable(path: str | Path) -> None:
-    """Refuse a file that is not YAML with keys at its top; raise ValueError with one line."""
+    """Refuse a file that is not YAML with keys at its top."""
     if not Path(path).exists():
         raise ValueError(
             f"{path}: expected a YAML file, found none (targets stand before --configfile)"

@@ -1,8 +1,7 @@
-"""The edges of the band of the user's surfaces, whose masters share few scans.
+"""The edges of the band of the user's surfaces.
 
-Real roughness goes on beyond the wavelengths of the scans, so an edge beyond the computed cutoffs
-is open. Intervals come from parts of the scans, because scans are few: `paper.edges_of_masters` has
-other scans for each master.
+Intervals come from parts of the scans, because the user's masters share few scans. In the paper's
+study each master has a scan of its own (`paper.edges_of_masters`).
 """
 
 from operator import truediv
@@ -29,11 +28,10 @@ def edges_of_scans(
     tolerance: float,
     confidence: float,
 ) -> xr.Dataset:
-    """Return the edges of the band of every surface, with intervals from scans or their parts.
+    """Return the edges of the band of every surface, with intervals.
 
-    `scales` are the forces on filtered masters, as in scales.nc. An interval of a ratio runs from
-    zero to infinity if it is not bounded. The error of the hindcast widens the intervals of
-    measured surfaces.
+    `scales` is scales.nc. The error of the hindcast widens the intervals of measured surfaces. A
+    ratio without bounds has an interval from zero to infinity.
     """
     curves = summarize_masters(
         scales, master_scans, lambda forces: _ratios_of_masters(forces, confidence)
@@ -63,8 +61,8 @@ def _ratios_of_masters(master_forces: MasterForces, confidence: float) -> xr.Dat
 def _widen_ratios(curves: xr.Dataset, hindcast_ratio: xr.DataArray) -> xr.Dataset:
     """Return ratios whose intervals contain the error of artificial roughness (surface, side).
 
-    The error in the logarithm of a ratio is at most this logarithm: where the filter changes
-    nothing, the ratio is one and has no error.
+    The error of ln(ratio) is at most ln(ratio): where the filter changes nothing, there is no
+    error.
     """
     log_error = abs(np.log(hindcast_ratio.reindex(surface=curves["surface"]).fillna(1)))
     log_ratio = abs(np.log(curves["filtered_force_ratio"]))
@@ -76,8 +74,8 @@ def _without_rippled_edges(
 ) -> xr.Dataset:
     """Return edges without the short edges of surfaces on which the filter makes ripples.
 
-    Forces on masters may not show ripples (`shows_ripples`), because artificial roughness lowers
-    them. `filtered_scan_ratio` is the force on the filtered scan relative to that on the scan.
+    Masters may hide ripples (`shows_ripples`), because artificial roughness lowers their forces.
+    `filtered_scan_ratio` is the force on the filtered scan relative to that on the scan.
     """
     ratio = filtered_scan_ratio.reindex(surface=edges["surface"])
     is_kept = ~(ratio < 1 - tolerance) | (edges["side"] != "short")

@@ -1,7 +1,7 @@
-"""The pull-off forces on the user's surfaces at a pair of range and work of adhesion: force.nc.
+"""The pull-off forces on the user's surfaces at one range and one work of adhesion: force.nc.
 
-Forces on scans have the roughness of the scans alone. The extrapolated force also has roughness
-beyond the wavelengths of the scans, because the microscope does not show all of it.
+Forces on scans come from their roughness alone. The extrapolated force also has the roughness that
+the microscope does not show.
 """
 
 from collections.abc import Mapping, Sequence
@@ -83,9 +83,9 @@ def forces_on_scans(
 ) -> xr.Dataset:
     """Return the pull-off force of every surface at one work and all ranges of adhesion.
 
-    ``force`` (surface, contact_model, rho) in N is the mean over contacts and scans, with its
-    interval; ``force_quantile`` is of single contacts. `adhesion` is at 1 J/m²; lengths are in nm,
-    `work` is in J/m². Raises ValueError if forces at the range `rho` were not computed.
+    ``force`` (surface, contact_model, rho) in N is the mean over contacts and scans,
+    ``force_quantile`` is of single contacts. `adhesion` is at 1 J/m²; `rho` and scan sizes are in
+    nm, `work` in J/m². Raises ValueError if forces at the range `rho` were not computed.
     """
     ranges = adhesion.rho.values
     if not np.isclose(ranges, rho, rtol=1e-9).any():
@@ -119,7 +119,7 @@ def forces_on_scans(
 def _force_variables(
     forces: xr.Dataset, forces_by_model: Sequence[SurfaceForces], rho: float, confidence: float
 ) -> xr.Dataset:
-    """Return the variables of one surface, from its forces at the configured work of adhesion."""
+    """Return the variables of one surface, whose `forces` are at the configured work."""
     mean = np.array([model_forces.mean for model_forces in forces_by_model])
     intervals = [mean_intervals(model_forces, confidence) for model_forces in forces_by_model]
     dimensions = ("contact_model", "rho")
@@ -153,9 +153,8 @@ def forces_on_masters(
 ) -> xr.Dataset:
     """Return the mean force on unfiltered masters, which have extrapolated roughness.
 
-    Forces in `scales` are plastic, at 1 J/m². ``extrapolated_force`` (surface, side) in N has an
-    interval from the same parts and realizations as the edges. Roughness is artificial from the
-    ``transition`` to the ``extrapolation_end``, both in nm.
+    Forces in `scales` are plastic, at 1 J/m². ``extrapolated_force`` (surface, side) is in N.
+    Roughness is artificial from the ``transition`` to the ``extrapolation_end``, both in nm.
     """
 
     def summary(master_forces: MasterForces) -> xr.Dataset:
@@ -184,8 +183,8 @@ def add_extrapolated_force(
 ) -> xr.Dataset:
     """Return forces on scans, extrapolated forces, and whether they differ.
 
-    ``extrapolation_matters`` (surface, side) is 1 if both forces differ by more than the relative
-    tolerance, and the extrapolated force does not lie in an interval of the force on the scans.
+    ``extrapolation_matters`` (surface, side) is 1 if both differ by more than the relative
+    tolerance, and the extrapolated force lies outside the interval of the force on the scans.
     """
     rho = force.attrs["rho"]
     scan_force = force.sel(contact_model=PLASTIC).sel(rho=rho, method="nearest", drop=True)
@@ -201,7 +200,7 @@ def add_extrapolated_force(
 
 
 def _widen_intervals(force: xr.Dataset, hindcast: xr.Dataset | None, rho: float) -> xr.Dataset:
-    """Return forces whose intervals also include the errors that other computations give.
+    """Return forces whose intervals also include errors that other computations give.
 
     The position of a rough sphere is unknown, roughness is artificial, and pixels are wide.
     """
@@ -225,11 +224,10 @@ def extend_by_pixel_factors(force: xr.Dataset) -> xr.Dataset:
 
 
 def bound_by_smooth_sphere(force: xr.Dataset, area: float) -> xr.Dataset:
-    """Return forces whose means and intervals never exceed the smooth sphere's force.
+    """Return forces that, with their intervals, never exceed the smooth sphere's force.
 
-    The forces come from `add_extrapolated_force`; the `area` in plastic contact is in nm².
-    ``smooth_bound`` (contact_model, rho) in N is added. Single contacts (`force_quantile`) have no
-    such bound. workflow/report/theory.md (Upper bound of the force) has the proof.
+    The bound is ``smooth_bound`` (contact_model, rho) in N; the contact `area` is in nm². Single
+    contacts have no such bound. Proof: workflow/report/theory.md (Upper bound of the force).
     """
     areas = area * (force["contact_model"] == PLASTIC)
     work = force.attrs["work_of_adhesion"]
@@ -251,9 +249,8 @@ def add_sizes(
 ) -> xr.Dataset:
     """Return forces (surface) with the sizes of scans, window and pixels, in nm.
 
-    `search_sizes` (surface,) have the order of the forces. ``finite_scan_ratio`` (surface, end) is
-    the force on the scan relative to a large scan. ``window_share`` (rho) is the share of a smooth
-    sphere's attraction within the window.
+    ``finite_scan_ratio`` (surface, end) is the force on the scan relative to a large scan,
+    ``window_share`` (rho) the share of a smooth sphere's attraction within the window.
     """
     scans = topography[["scan_size", "pixel_size"]].sel(surface=force["surface"])
     ratios = [
@@ -271,10 +268,10 @@ def add_sizes(
 def force_scatter(
     spectrum: Spectrum, contact: Contact, tolerance: float, confidence: float
 ) -> xr.Dataset:
-    """Return the scatter of the force over the positions of the sphere.
+    """Return how the force scatters over the positions of the sphere.
 
-    ``weibull_modulus`` and ``log_force_std``, the standard deviation of ln F, describe the scatter.
-    A mean over ``contacts_needed`` is within the relative tolerance with the confidence.
+    ``log_force_std`` is the standard deviation of ln F. A mean over ``contacts_needed`` is within
+    the relative tolerance, with the confidence.
     """
     statistics = predict_statistics(spectrum, contact)
     quantile = special.ndtri((1 + confidence) / 2)

@@ -1,8 +1,7 @@
-"""Tests whether forces on a scan may be extrapolated to roughness that the scan does not show.
+"""Tests whether the force on a scan may be extrapolated to roughness that the scan does not show.
 
-Hindcast: artificial roughness replaces the outermost octave of wavelengths that a scan shows. If
-the force then changes, a random surface cannot extrapolate this scan. On a Gaussian surface the
-force changes little.
+A hindcast replaces the outermost octave that a scan shows by artificial roughness. If the force
+changes, a random surface cannot extrapolate this scan. On a Gaussian surface it changes little.
 """
 
 from collections.abc import Mapping, Sequence
@@ -35,7 +34,7 @@ ARTIFICIAL_OCTAVES = 12
 
 
 class RandomBody(NamedTuple):
-    """Random roughness that replaces the roughness on the scan of a body: substrate or sphere."""
+    """Random roughness in place of that on the scan of a body: substrate or sphere."""
 
     spectrum: SpectrumFunction  #: C_iso in nm⁴.
     size: float  #: Width of the scan in nm.
@@ -46,7 +45,7 @@ class RandomBody(NamedTuple):
 def outermost_octaves(
     measurements: xr.Dataset, transitions: Mapping[str, float]
 ) -> dict[str, Octave | None]:
-    """Return the `outermost_octave` of each side within reliable wavelengths of measurements."""
+    """Return the `outermost_octave` of each side within the reliable wavelengths of a surface."""
     reliable = measurements.where(measurements["reliable"].any("bin_wavevector"))
     shortest = float(reliable["shortest_reliable"].min())
     longest = float(reliable["longest_reliable"].max())
@@ -59,10 +58,10 @@ def outermost_octaves(
 def outermost_octave(
     side: str, transition: float, shortest: float, longest: float
 ) -> Octave | None:
-    """Return the outermost octave that a scan shows before its roughness is extrapolated on a side.
+    """Return the outermost octave that a scan shows on a side; None if it shows none.
 
-    The roughness is extrapolated beyond the transition; the scan is reliable from `shortest` to
-    `longest`, all in nm. None if it shows no octave.
+    The scan is reliable from `shortest` to `longest`; beyond the transition its roughness is
+    extrapolated. All are in nm.
     """
     if side == "short":
         end = max(transition, shortest)
@@ -112,11 +111,7 @@ def hindcast_forces(
 def _split_at_octave(
     mirrored: HeightMap, side: str, octave: Octave
 ) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
-    """Return the heights of the waves that a hindcast keeps, and of the octave alone.
-
-    It keeps longer waves than an octave of the short side, or shorter waves than one of the long
-    side.
-    """
+    """Return the heights of the waves on the inner side of an octave, and of the octave alone."""
     series = filtered_series(mirrored, "short", list(octave), mirrored.pixels)
     octave_and_longer, longer = (waves.heights for waves in series)
     kept_heights = longer if side == "short" else mirrored.heights - octave_and_longer
@@ -126,7 +121,7 @@ def _split_at_octave(
 def _artificial_octave(
     mirrored: HeightMap, octave: Octave, body: RandomBody, seed_word: str, index: int
 ) -> NDArray[np.float32]:
-    """Return random heights of one octave, made on the size of a body's scan and mirrored."""
+    """Return random heights of one octave, as wide as the scan of a body, and mirrored."""
     longest_wavevector, shortest_wavevector = (2 * np.pi / end for end in octave)
 
     def octave_spectrum(wavevector: Floats) -> Floats:
@@ -148,9 +143,8 @@ def hindcast_ratios(forces: xr.Dataset, tolerance: float, confidence: float) -> 
     """Return ``hindcast_ratio`` and ``hindcast_fails`` (side) from the forces on maps of a surface.
 
     The ratio is the mean force with artificial octaves relative to that with the octave of the
-    scans. Its prediction interval, for another random octave, contains 1 if the octave of the scans
-    is as random. ``hindcast_fails`` is 1 if there is no octave, or if this interval excludes 1 and
-    the ratio lies outside the tolerance.
+    scans. Its interval is for another random octave. The hindcast fails if there is no octave, or
+    if this interval excludes 1 and the ratio lies outside the tolerance.
     """
     dimensions = ["map", *CONTACT_AXES]
     scan_log = xr.DataArray(np.log(forces["scan_octave_force"].mean(dimensions)))
@@ -172,11 +166,10 @@ def hindcast_ratios(forces: xr.Dataset, tolerance: float, confidence: float) -> 
 
 
 def hindcast_dataset(forces: xr.Dataset, tolerance: float, confidence: float) -> xr.Dataset:
-    """Return the ratios of mean forces on the scans of a surface that test their extrapolation.
+    """Return `hindcast_ratios`, and two forces relative to the force on the scans.
 
-    The forces (map, ...) come from `hindcast_forces` and `pixel_forces`. Added to `hindcast_ratios`
-    are two forces relative to the force on the scans: ``wide_pixel_ratio`` on wide pixels, and
-    ``filtered_scan_ratio`` without the waves shorter than the outermost octave.
+    ``wide_pixel_ratio`` is on wide pixels, ``filtered_scan_ratio`` without the waves shorter than
+    the outermost octave. The forces (map, ...) come from `hindcast_forces` and `pixel_forces`.
     """
     means = forces.mean(["map", *CONTACT_AXES])
     filtered = means["scan_octave_force"].sel(side="short", drop=True) / means["scan_force"]

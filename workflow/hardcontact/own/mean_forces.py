@@ -1,7 +1,7 @@
 """Mean forces on the user's scans and on masters made of them, and the widths of their intervals.
 
-A master is a scan with artificial roughness, which differs between realizations. The mean over
-realizations therefore varies with the scans and, on the same scans, with the random numbers.
+A master is a scan with artificial roughness, which differs between realizations. So the mean over
+realizations varies with the scans and, on the same scans, with the random numbers.
 """
 
 from collections.abc import Callable, Mapping
@@ -44,9 +44,9 @@ def forces_of_surface(
 ) -> SurfaceForces:
     """Return the mean forces of one surface and contact model, with and without each part.
 
-    Forces (scan, sphere_scan, rho, contact_y, contact_x) are in N, NaN where a scan is missing.
-    `size` is the width of a scan and `radius` the radius of the sphere, in nm; `touched_patches`
-    comes from `fewest_touched_patches`.
+    Forces (scan, sphere_scan, rho, contact_y, contact_x) are in N, NaN where a scan is missing. The
+    `size` of a scan and the `radius` of the sphere are in nm; `touched_patches` is that of
+    `fewest_touched_patches`.
     """
     scan_forces = forces.dropna("scan", how="all").mean("sphere_scan")
     scan_forces = scan_forces.transpose("scan", "rho", *CONTACT_AXES)
@@ -67,10 +67,7 @@ def forces_of_surface(
 def forces_by_surface(
     adhesion: xr.Dataset, scan_sizes: Mapping[str, float]
 ) -> dict[str, SurfaceForces]:
-    """Return the forces of each surface in one contact model, at the work of `adhesion`.
-
-    Scan sizes are in nm.
-    """
+    """Return the forces of each surface in one contact model; scan sizes are in nm."""
     radius = float(adhesion.attrs["sphere_radius"])
     return {
         name: forces_of_surface(
@@ -98,8 +95,8 @@ def position_half_width(surface_forces: SurfaceForces, confidence: float) -> Flo
 def mean_intervals(surface_forces: SurfaceForces, confidence: float) -> Floats:
     """Return the intervals (rho, 2) of the mean forces of one surface, in N.
 
-    A rough sphere touches at one position of its scan, which is not known: half widths of scan
-    parts and of positions add in squares.
+    A rough sphere touches at an unknown position of its scan: half widths of scan parts and of
+    positions add in squares.
     """
     parts_at_ranges = zip(
         surface_forces.delete_one_log_means, surface_forces.scan_parts, strict=True
@@ -115,8 +112,8 @@ def mean_intervals(surface_forces: SurfaceForces, confidence: float) -> Floats:
 def logarithmic_interval(value: Floats, log_half_width: Floats) -> Floats:
     """Return the interval (..., 2) of a positive value from the half width of its logarithm.
 
-    An interval of a factor of more than a thousand to each side becomes zero to infinity, which is
-    no bound: Student's t with one degree of freedom, from two realizations, can span any factor.
+    An interval wider than MAX_BOUNDED_HALF_WIDTH becomes zero to infinity, which is no bound:
+    Student's t with one degree of freedom, from two realizations, can span any factor.
     """
     finite = value[..., None] * np.exp(np.stack([-log_half_width, log_half_width], axis=-1))
     return np.where((log_half_width > MAX_BOUNDED_HALF_WIDTH)[..., None], [0.0, np.inf], finite)
@@ -165,7 +162,7 @@ def forces_of_masters(
 def summarize_masters(
     scales: xr.Dataset, master_scans: MasterScans, summary: Callable[[MasterForces], xr.Dataset]
 ) -> xr.Dataset:
-    """Return a summary of the forces, as in scales.nc, over surface and side."""
+    """Return a summary of the forces of scales.nc, over surface and side."""
     summaries = {
         (surface, side): summary(forces_of_masters(scales, surface, side, master_scans))
         for surface in scales.surface.values.tolist()
@@ -182,11 +179,11 @@ def half_width_over_masters(
 ) -> Floats:
     """Return the half width (...) of the interval of the logarithm of a mean over masters.
 
-    The statistic (realization, ...) takes the mean forces with and without a filter. Variances are
-    (1) the jackknife's over parts of scans; (2) if the parts are quarters, which share their
-    realizations, the variance of the mean over realizations; (3) if spectra were sampled, the mean
-    square of the variable `shift_name`, because another spectrum moves all realizations at once.
-    No mean of these shifts is subtracted, so each is a degree of freedom.
+    The statistic (realization, ...) takes the mean forces with and without a filter. Three
+    variances add: (1) the jackknife's over parts of scans; (2) if the parts are quarters, which
+    share their realizations, that of the mean over realizations; (3) if spectra were sampled, the
+    mean square of the variable `shift_name`, because another spectrum moves all realizations at
+    once.
     """
     forces, scan_parts = master_forces
 
@@ -208,5 +205,6 @@ def half_width_over_masters(
         variances.append(Variance(logarithms.var(axis=0, ddof=1) / count, count - 1))
     shifts = forces.get(shift_name)
     if shifts is not None and shifts.notnull().any():
+        # No mean of the shifts is subtracted, so that each is a degree of freedom.
         variances.append(Variance((shifts**2).mean("realization").values, count))
     return interval_half_width(variances, confidence)

@@ -1,9 +1,9 @@
 """Ranges and works of adhesion that agree with the user's measured forces: fit.nc.
 
-Forces F are measured, and forces f are computed at 1 J/m². Forces are proportional to the work of
-adhesion, so that at each range rho the work W = F/f(rho) makes both agree. One surface gives a
-curve W(rho). For several surfaces, the region contains the pairs within the intervals of all:
-`paper.published_fit` has an error threshold instead, because the paper prints no intervals.
+Forces are proportional to the work of adhesion. So at each range rho a measured force F and a
+computed force f, at 1 J/m², agree for the work W = F/f(rho). One surface gives a curve W(rho);
+several give a region, the pairs within the intervals of all. `paper.published_fit` has an error
+threshold instead, because the paper prints no intervals.
 """
 
 from collections.abc import Mapping
@@ -40,8 +40,7 @@ def fit_measured(
     """Return fit.nc: ranges and works of adhesion that agree with measured forces.
 
     `adhesion` holds the computed forces, `forces` the measured ones in N. Scan sizes (nm) and the
-    factors by which finer pixels may divide the force have surfaces as keys. Intervals come from
-    random samples of the mean of the tests and of the mean over scans.
+    factors by which finer pixels may divide the force are by surface.
     """
     measured_surfaces = set(forces["surface"])
     surfaces = [name for name in adhesion["surface"].values.tolist() if name in measured_surfaces]
@@ -107,9 +106,8 @@ def _fit_contact_model(
 ) -> xr.Dataset:
     """Return the fit of one contact model to measured forces (surface,) and their samples, in N.
 
-    ``work_by_range`` (surface, rho_fine) in J/m² has an interval. ``region`` (rho_fine, end) is the
-    lowest and the highest work in J/m² that all surfaces allow, or NaN. `_region_extent` and
-    `_best_pair` add their variables.
+    ``work_by_range`` (surface, rho_fine) is in J/m². ``region`` (rho_fine, end) is the lowest and
+    the highest work in J/m² that all surfaces allow, or NaN.
     """
     computed_ranges = next(iter(computed_forces.values())).ranges
     # The curves contain the computed ranges, so that the works at these are exact.
@@ -162,11 +160,10 @@ def _common_region(intervals: Floats) -> Floats:
 
 
 def _best_pair(curves: Floats, measured_forces: Floats, ranges: Floats) -> dict[str, Any]:
-    """Return the `best_fit` of curves (surface, range) and the number of pairs that fit exactly.
+    """Return the `best_fit` of curves (surface, range), and how many pairs fit exactly.
 
-    One surface has no best range: all are NaN. For two surfaces ``exact_pairs`` counts the pairs
-    that give both forces. If there are any, two unknowns fit two numbers by construction, and
-    ``best_error`` is NaN: the remaining error comes from the grid of ranges alone.
+    One surface has no best range: all are NaN. Two unknowns may fit the forces on two surfaces
+    exactly; ``best_error`` is then NaN, because the remaining error comes from the grid of ranges.
     """
     fit = best_fit(curves, measured_forces, ranges)
     exact_pairs = 0
@@ -184,8 +181,8 @@ def _best_pair(curves: Floats, measured_forces: Floats, ranges: Floats) -> dict[
 def _region_extent(region: Floats, ranges: Floats) -> dict[str, Any]:
     """Return the lowest and the highest range and work of adhesion in a region (rho, end).
 
-    If the region reaches the shortest or longest computed range, it may extend beyond. Its range is
-    then NaN at this end, and its work at both ends.
+    A region that reaches the shortest or longest computed range may extend beyond: its range is NaN
+    at this end, and its work at both.
     """
     allowed = np.flatnonzero(np.isfinite(region).all(axis=-1))
     region_range, region_work = np.full(2, np.nan), np.full(2, np.nan)
@@ -204,9 +201,9 @@ def _region_extent(region: Floats, ranges: Floats) -> dict[str, Any]:
 def add_extrapolated_work(fitted: xr.Dataset, force: xr.Dataset) -> xr.Dataset:
     """Return a fit to measured forces with the work of adhesion from extrapolated roughness.
 
-    Forces on masters (force.nc) are computed at one range and in plastic contact only. So
-    ``extrapolated_work`` (surface, side) in J/m² holds at the range ``rho`` of force.nc alone. In
-    its interval, the independent errors of the logarithms of both forces add in squares.
+    ``extrapolated_work`` (surface, side) in J/m² holds at the range ``rho`` of force.nc, the only
+    one at which forces on masters are computed. The errors of the logarithms of both forces add in
+    squares.
     """
     surface_force = force.sel(surface=fitted.surface)
     computed_force = surface_force.extrapolated_force / force.attrs["work_of_adhesion"]
@@ -225,7 +222,7 @@ def add_extrapolated_work(fitted: xr.Dataset, force: xr.Dataset) -> xr.Dataset:
 
 
 def _logarithmic_errors(data: xr.Dataset, name: str) -> tuple[xr.DataArray, xr.DataArray]:
-    """Return the logarithmic distances of a value from the low and high ends of its interval.
+    """Return the logarithmic distances of a value from both ends of its interval.
 
     A lower end of zero is no bound, and its distance is infinite.
     """

@@ -1,4 +1,4 @@
-"""Tests that measure pull-off forces: their mean, and its uncertainty from few sites.
+"""Tests that measure pull-off forces: their mean, and its uncertainty.
 
 Forces scatter between sites of a surface, so that sites, not tests, are the independent samples.
 """
@@ -47,7 +47,7 @@ def look_repeated(forces: pd.DataFrame) -> bool:
 
     True if at most half of the values are distinct, or if von Neumann's ratio is significantly
     below one, its value for independent tests, at some lag of rows. The ratio is half the mean
-    squared difference of the logarithms of tests at this lag, relative to their variance.
+    squared difference of ln F at this lag, relative to the variance of ln F.
     """
     logs = np.log(forces["mean"].to_numpy(float))
     if (forces["site"] != "").any() or len(logs) < 3:
@@ -62,13 +62,12 @@ def look_repeated(forces: pd.DataFrame) -> bool:
 
 
 def sampled_means(rng: np.random.Generator, tests: MeasuredTests, sample_count: int) -> np.ndarray:
-    """Return random mean forces (sample,) in N of a log-normal distribution from a few sites.
+    """Return random mean forces (sample,) in N that a log-normal distribution may have.
 
-    The logarithm of the mean is the mean of the logarithms plus half their variance. Each sample
-    draws a variance, from a chi-squared number, and then an error of the mean of the logarithms.
-    The sum of both deviations is added to the logarithm of the measured mean. NaN for one site,
-    whose scatter is unknown. Source: generalized pivot of Krishnamoorthy and Mathew, J. Stat. Plan.
-    Inference 115 (2003) 103.
+    ln(mean) is the mean of ln F plus half its variance. A sample draws the variance, from a
+    chi-squared number, and then an error of the mean of ln F. NaN for one site, whose scatter is
+    unknown. Source: generalized pivot of Krishnamoorthy and Mathew, J. Stat. Plan. Inference 115
+    (2003) 103.
     """
     if tests.site_count < 2:
         return np.full(sample_count, np.nan)

@@ -1,7 +1,7 @@
 """The isotropic spectrum C_iso of the user's surface, from a table or from scans.
 
-Scans give the spectrum at their reliable wavelengths alone, because noise, tip and levelling
-distort it at other wavelengths.
+Scans give it at their reliable wavelengths alone, because noise, tip and levelling distort the
+others.
 """
 
 import math
@@ -81,8 +81,7 @@ def read_own_spectrum(
 ) -> OwnSpectrum:
     """Return the spectrum of a table, or of scans of one surface at their reliable wavelengths.
 
-    `dataset` is the only scan to read. `sphere_radius` (nm) is the radius of scans of a sphere.
-    Raises ValueError, with a line for each fault, if a file is invalid.
+    `dataset` is the only scan to read, `sphere_radius` (nm) that of scans of a sphere.
     """
     if not files:
         raise ValueError("files: expected a table of a spectrum or scans, found none")
@@ -198,11 +197,10 @@ def is_spectrum_table(path: str | Path) -> bool:
 
 
 def read_spectrum_table(path: str | Path) -> Spectrum:
-    """Read C_iso (nm⁴) from a CSV: the columns `wavevector` or `wavelength`, and `c_iso` or `c_1d`.
+    """Return C_iso (nm⁴) of a CSV.
 
-    The unit of each is in a column whose name ends with `_unit`. C_1D is converted by the inverse
-    Abel transform. A density of 0 means no roughness. Raises ValueError with a line for each
-    faulty row.
+    Its columns are `wavevector` or `wavelength`, `c_iso` or `c_1d`, and the unit of each with the
+    end `_unit`. C_1D is converted by the inverse Abel transform. A density of 0 means no roughness.
     """
     table = user_table(path, "a table of a power spectral density")
     wave = _find_column(table, WAVE_COLUMNS)
@@ -226,7 +224,7 @@ def read_spectrum_table(path: str | Path) -> Spectrum:
 
 
 def _find_column(table: UserTable, names: Sequence[str]) -> str:
-    """Return the name of the column that a table has, out of two; its unit must be there, too."""
+    """Return the one of two names that a table has as a column, with a column of its unit."""
     present = [name for name in names if name in table.header]
     if len(present) != 1:
         raise ValueError(

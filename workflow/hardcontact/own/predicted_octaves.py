@@ -1,7 +1,6 @@
 """The octaves of wavelengths that matter most to the force on the user's only map.
 
-Forces are summed over the pixels of the map or, if this is not possible, follow from the spectrum
-in closed form.
+Forces are summed over the pixels of the map or, if this is not possible, come from the closed form.
 """
 
 from collections.abc import Iterator
@@ -39,8 +38,7 @@ class OctaveStatus(StrEnum):
 def predicted_octaves(own_spectrum: OwnSpectrum, contact: Contact) -> Iterator[Number]:
     """Yield the octaves that matter most to the force, among those whose middle the files show.
 
-    Their status is ON_SCAN if a single map permits contacts, otherwise IN_CLOSED_FORM. There are
-    none in closed form for scans with steep sidewalls, whose heights are not Gaussian.
+    Scans with steep sidewalls have none in closed form, because their heights are not Gaussian.
     """
     spectrum = trim_spectrum(own_spectrum.spectrum)
     longest, shortest = spectrum.wavelength[[0, -1]]
@@ -63,7 +61,7 @@ def predicted_octaves(own_spectrum: OwnSpectrum, contact: Contact) -> Iterator[N
 def derivatives_on_scan(scan: HeightMap, octaves: Floats, contact: Contact) -> Floats:
     """Return d ln F / d ln a (octave,) of the mean force sum over contacts on a levelled map.
 
-    The octaves follow each other; they are given by their shortest wavelengths (nm).
+    Neighbouring octaves are given by their shortest wavelengths (nm).
     """
     limits = [*octaves, 2 * octaves[-1]]
     compute_forces = make_force_function(contact_on_scan(scan, contact))

@@ -28,7 +28,7 @@ MAX_QUICK_CONTACT_PIXELS = 2**23
 
 
 class Obstacle(StrEnum):
-    """Why scans give no force: the range of adhesion may be too short for pixels or relief."""
+    """Why scans give no force; SHORT_RANGE: the range is too short for pixels or relief."""
 
     NONE = ""
     NO_MAP, SEVERAL_SCANS = "no_map", "several_scans"
@@ -38,9 +38,9 @@ class Obstacle(StrEnum):
 def window_on_scans(
     rms_height: float, min_pixel_size: float, min_scan_size: float, radius: float, rho: float
 ) -> tuple[float, str]:
-    """Return the width of a window (nm), and the reason.
+    """Return the width of the window (nm) on scans, and the reason.
 
-    Lengths are in nm. The rms height is the largest of the scans, `rho` is the range of adhesion.
+    Lengths are in nm. The rms height is the largest of the scans; `rho` is the range of adhesion.
     """
     height = BORDER_HEIGHT_IN_RANGES * rho
     height_words = f"{BORDER_HEIGHT_IN_RANGES} ranges of adhesion"
@@ -70,10 +70,9 @@ def contact_on_scan(scan: HeightMap, contact: Contact) -> Contact:
 def find_obstacle(
     scans: Sequence[HeightMap], contact: Contact, sums: int = 1
 ) -> tuple[Obstacle, float]:
-    """Return why levelled scans give no force, NONE if they do, and the shortest range (nm).
+    """Return why levelled scans give no force, and the shortest range (nm) that a map resolves.
 
-    The range is the shortest that a single map resolves. `sums` is the number of force sums
-    on this map; it multiplies the time.
+    `sums` is the number of force sums on the map; it multiplies the time.
     """
     if not any(scan.kind == "map" for scan in scans):
         return Obstacle.NO_MAP, math.nan

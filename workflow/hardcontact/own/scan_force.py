@@ -1,7 +1,6 @@
 """The force on the user's only map, summed over its pixels, beside the force in closed form.
 
-The closed form assumes Gaussian heights. The sum over pixels assumes none, and shows where the
-closed form fails.
+The sum shows where the closed form fails, because it does not assume Gaussian heights.
 """
 
 import math
@@ -86,8 +85,8 @@ def force_on_scan(
 ) -> dict[str, Number]:
     """Return the force summed over the pixels of the only map, or why there is none.
 
-    Returns an empty dictionary if the spectrum comes from a table, because there is no map. The
-    search size follows from the extrapolated spectrum, as in a study.
+    Returns no numbers if the spectrum comes from a table. The search size follows from the
+    extrapolated spectrum, as in a study.
     """
     spectrum, _, scans, body_maps = own_spectrum
     if not (scans and isinstance(spectrum, ScanSpectrum)):
@@ -141,7 +140,7 @@ def _surface_forces(
 
 
 def _mean_force(surface_forces: SurfaceForces, smooth: float, confidence: float) -> Number:
-    """Return the mean plastic force (N), which like its interval is at most the `smooth` force."""
+    """Return the mean plastic force (N); it and its interval are at most the `smooth` force."""
     values = np.append(surface_forces.mean, mean_intervals(surface_forces, confidence)[0])
     mean, low, high = limit_forces(values, smooth).tolist()
     source = surface_forces.scan_parts[0].interval_source
@@ -156,7 +155,7 @@ def _wide_pixel_ratio(scan: HeightMap, surface: HeightMap, contact: Contact) -> 
 
 
 def _scatter_numbers(surface_forces: SurfaceForces, confidence: float) -> Iterator[Number]:
-    """Yield how many patches are touched, and how much the position of a rough sphere matters."""
+    """Yield the number of touched patches, and how much the position of a rough sphere matters."""
     yield Number("touched_patches", surface_forces.scan_parts[0].touched_patches)
     log_half_width = position_half_width(surface_forces, confidence)
     if log_half_width is not None:
@@ -168,8 +167,8 @@ def _closed_form_number(
 ) -> Number:
     """Return the force in closed form for all wavelengths of the mirrored map.
 
-    AGREES: the force on the map lies between the lower end of the closed form's interval and its
-    upper end times `small_scan_ratio`. NOT_GAUSSIAN: the intervals of both forces are disjoint.
+    The force on the map agrees if it lies between the lower end of the closed form's interval and
+    the upper end times `small_scan_ratio`.
     """
     wavevector, _, density = measured_psds(surface)
     has_waves = np.isfinite(density)

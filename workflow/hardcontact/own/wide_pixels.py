@@ -14,7 +14,7 @@ WIDE_PIXEL = 4
 
 
 def widen_pixels(surface: HeightMap) -> HeightMap:
-    """Return a map on the same grid whose blocks of WIDE_PIXEL x WIDE_PIXEL have their mean height.
+    """Return a map whose blocks of WIDE_PIXEL x WIDE_PIXEL pixels have their mean height.
 
     Blocks at the last rows and columns may be smaller.
     """
@@ -42,8 +42,8 @@ def pixel_forces(surface: HeightMap, sphere: HeightMap | None, contact: Contact)
 def pixel_factor(wide_pixel_ratio: np.ndarray | float) -> np.ndarray:
     """Return the largest factor by which finer pixels may lower a force; 1 where the ratio is NaN.
 
-    It is taken equal to the factor by which wider pixels raise the force, as validated by
-    tests/benchmarks/validate_random_surfaces.py.
+    It is the factor by which wider pixels raise the force
+    (tests/benchmarks/validate_random_surfaces.py).
     """
     return np.asarray(np.fmax(wide_pixel_ratio, 1.0))
 

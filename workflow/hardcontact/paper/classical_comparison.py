@@ -45,7 +45,7 @@ def apply_classical_models(
     printed: pd.DataFrame,
     sampling: Sampling,
 ) -> xr.Dataset:
-    """Return effective works of adhesion, and forces and errors of classical models (classical.nc).
+    """Return classical.nc: effective works of adhesion, forces and errors of classical models.
 
     The fit (fit.nc) has mean forces of plastic contact at the published pair; the tables come from
     `published`. Intervals follow from the uncertainty of Table 1 and the rounding of printed
@@ -126,7 +126,7 @@ def _forces_at_published_pair(fit: xr.Dataset) -> Floats:
 
 
 def rounded_numbers(printed: "pd.Series[str]") -> Floats:
-    """Return printed numbers, and the smallest and largest number rounded to them, (n, 3)."""
+    """Return printed numbers, and the smallest and largest numbers rounded to them, (n, 3)."""
     value = printed.astype(float).to_numpy()
     half_unit = printed.map(_half_unit).astype(float).to_numpy()
     return np.stack([value, value - half_unit, value + half_unit], axis=-1)
@@ -163,8 +163,7 @@ def sample_roughness(
 ) -> Roughness:
     """Sample the roughness (samples, surface) within its uncertainty.
 
-    Each number has a normal distribution, truncated at zero, whose standard deviation is the
-    published ±.
+    Each number is normal, truncated at zero; its standard deviation is the published ±.
     """
     from scipy.stats import truncnorm
 
@@ -186,7 +185,7 @@ def _model_numbers(
 ) -> dict[str, Floats]:
     """Return the values of MODEL_VARIABLES, after the dimensions of a roughness (..., surface).
 
-    Forces and effective works (surface, 3) begin with the values to which errors refer.
+    Forces and effective works are (surface, 3), their values first.
     """
     errors = [
         [classical_error(model, roughness, sphere, force[:, 0]) for force in forces.values()]
@@ -243,7 +242,7 @@ def power_law_error(parameter: Floats, work: Floats) -> Floats:
 def _search_minimum(
     error_at: Callable[[Floats], Floats], grid: Floats, shape: tuple[int, ...]
 ) -> Floats:
-    """Return the smallest error (...) on an even grid, and on finer grids about the best value.
+    """Return the smallest error (...) on an even grid, refined about the best value.
 
     `error_at` returns the errors (..., k) at values (..., k).
     """

@@ -1,9 +1,8 @@
 """Classical models of the adhesion of a rough sphere, applied to the roughness of Table 1.
 
-The models need radii, heights and distances of asperities, which Table 1 does not give. They are
-assumed to follow from rms height, slope and curvature, as each function says. Lengths are in nm,
-forces in N, works of adhesion in J/m², moduli in Pa. Attractive forces are positive. Arguments may
-be arrays; they broadcast.
+The models need radii, heights and distances of asperities, which Table 1 does not give: each
+function says how it takes them from rms height, slope and curvature. Lengths are in nm, forces in
+N, works of adhesion in J/m², moduli in Pa. Attractive forces are positive. Arrays broadcast.
 """
 
 from collections.abc import Callable
@@ -126,7 +125,7 @@ def _jkr_tension(compression: Floats) -> Values:
     """Return the tension of an asperity relative to its pull-off force 1.5πβW.
 
     The compression, in (π²W²β/K²)^⅓, is zero where the asperity detaches at fixed grips. It is
-    quartic in the root of the contact radius. Newton's iteration finds the only root from above.
+    quartic in the root of the contact radius, whose only root Newton's iteration finds from above.
     """
     smallest = 6 ** (-1 / 6)
     excess = np.minimum(np.sqrt(compression / 6) / smallest, compression**0.25)
@@ -169,7 +168,7 @@ def _mean_tension(tension: Tension, spread: float, separation: float) -> tuple[f
     """Return the mean tension of Gaussian asperities times sqrt(2π) exp(-exponent), and exponent.
 
     The separation is in standard deviations of heights; an asperity of mean height detaches at 0.
-    The exponent prevents an underflow of the mean tension of separated surfaces.
+    The exponent prevents an underflow between separated surfaces.
     """
     low = max(0.0, -MAX_HEIGHT_DEVIATIONS - separation)
     high = (
@@ -198,10 +197,7 @@ def _spline(tension: Tension, factor: float) -> CubicSpline:
 
 
 def _relative_pull_off(tension: Tension, factor: float, index: Values) -> Values:
-    """Return the pull-off force of asperities relative to as many asperities of equal height.
-
-    It is one at the lower end of ADHESION_INDICES, and zero at the upper end.
-    """
+    """Return the pull-off force of asperities relative to as many asperities of equal height."""
     return np.exp(-np.exp(_spline(tension, factor)(np.log(np.clip(index, *ADHESION_INDICES)))))
 
 

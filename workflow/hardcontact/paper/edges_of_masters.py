@@ -1,8 +1,8 @@
 """Edges of the band of substitutes (edges.nc), and what shifts them (edge_shifts.nc).
 
-Each master of a substitute has a scan of its own. Samples of the mean over masters therefore give
-the scatter of an edge; masters of measured scans share few scans (`own.edges_of_scans`). The group
-`mean` of edges is the mean over coatings, because the paper has one band for all.
+Each master of a substitute has a scan of its own, so that samples of the mean over masters give the
+scatter of an edge. The user's masters share scans (`own.edges_of_scans`). The group `mean` of edges
+is the mean over coatings, because the paper has one band for all.
 """
 
 from collections.abc import Iterator
@@ -88,9 +88,9 @@ def _curves(
 ) -> Iterator[tuple[ChangeCurve, Floats]]:
     """Yield the curve of each side and group, and samples (sample, k) of its values.
 
-    Ratios and samples come from `_mean_ratios`. A surface has the curve ln(ratio) with two limits;
-    the mean over surfaces has |ratio - 1| with an upper limit, because signs would cancel. A curve
-    begins with zero at the unfiltered wavelength, where no roughness is removed.
+    A surface has the curve ln(ratio) with two limits. The mean over surfaces has |ratio - 1| with
+    an upper limit, because signs would cancel. A curve begins with zero at the unfiltered
+    wavelength, where no roughness is removed.
     """
     ratios = np.concatenate([ratio[None], ratio_samples])
     curves = np.concatenate([np.log(ratios), _changes(ratios)[:, :, -1:]], axis=2)

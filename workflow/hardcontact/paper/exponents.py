@@ -1,8 +1,7 @@
 """Exponents of the pull-off force and of the edges of the band against sphere radius and load.
 
-An edge is a length. It is therefore compared with two square roots: of the radius of the sphere,
-and of the area in contact. The exponent 0 means that the edge does not depend on this root, 1 that
-it is proportional to the root.
+An edge is a length, and is therefore compared with two square roots: of the radius of the sphere,
+and of the area in contact. It is proportional to such a root if the exponent is 1.
 """
 
 import numpy as np
@@ -32,7 +31,7 @@ def fit_exponents(
 
 
 def force_exponent(forces: xr.Dataset, contact_area: float, confidence: float) -> xr.Dataset:
-    """Return the exponent of the radius in the mean force on unfiltered masters with long waves.
+    """Return the exponent of the mean force on unfiltered long-edge masters against the radius.
 
     Forces (..., radius, contact_area) are taken at the nearest contact area (nm²). The fit is by
     least squares of ln F against ln R, the interval is over realizations.
@@ -52,9 +51,8 @@ def force_exponent(forces: xr.Dataset, contact_area: float, confidence: float) -
 def edge_exponents(forces: xr.Dataset, tolerance: float, confidence: float) -> xr.Dataset:
     """Return the exponents of the edges against the square roots of SCALED_QUANTITIES.
 
-    Forces are over (..., radius, contact_area). ``edge_exponent`` (surface, side, exponent_of) is
-    fitted by least squares to all edges within the cutoffs; its interval is that of the jackknife
-    over realizations.
+    ``edge_exponent`` (surface, side, exponent_of) is fitted by least squares to all edges within
+    the cutoffs. Its interval is the jackknife's over realizations.
     """
     exponents = _fit_all_edges(forces, tolerance)
     count = forces.sizes["realization"]
@@ -113,8 +111,7 @@ def _edges(forces: xr.Dataset, tolerance: float) -> xr.DataArray:
 def _fit_edges_of_surface(log_edge: Floats, log_radius: Floats, log_area: Floats) -> Floats:
     """Return the exponents (2,) of SCALED_QUANTITIES, NaN if the edges do not determine them.
 
-    Logarithms of the edge (radius, contact_area), NaN if open, and of the square roots of radius
-    and touching area.
+    The arguments are the logarithms of edges (radius, contact_area), NaN if open, and of the roots.
     """
     log_lengths = np.broadcast_arrays(log_radius[:, None], log_area)
     is_found = np.isfinite(log_edge)

@@ -1,7 +1,7 @@
 """Candidates for a surface with features, bumps or pits, and the forces on them (features.nc).
 
-A candidate is one random choice of the features of a surface, and of scans with these features that
-have the roughness of Table 1. Each set takes one candidate. Forces never enter the choice.
+A candidate is one random choice of features, and scans with these features that have the roughness
+of Table 1. Each set takes one candidate. Forces never enter the choice.
 """
 
 from collections.abc import Mapping, Sequence
@@ -74,10 +74,7 @@ def candidates_by_surface(
 
 
 def candidate_of_set(candidates: Mapping[str, xr.Dataset], set_number: int) -> xr.Dataset:
-    """Return the candidate of a set: odd sets have bumps, even sets pits.
-
-    Candidates are by kind. No candidate is in two sets.
-    """
+    """Return the candidate of a set alone: odd sets have bumps, even sets pits."""
     index = set_number - 1
     kind = list(SIGNS)[index % len(SIGNS)]
     return candidates[kind].isel(candidate=index // len(SIGNS), drop=True)
@@ -92,8 +89,8 @@ def compare_features(
     """Return features.nc: CANDIDATE_STATISTICS (features, candidate) and the published ones.
 
     `chunks` are those of `candidates_by_surface`. `sphere_factors` (surface, contact_model, rho)
-    are the forces on the rough sphere relative to a smooth sphere. The dataset is empty if no
-    surface has features; the paper has one at most.
+    are the forces on the rough sphere relative to a smooth sphere. The paper has one surface with
+    features at most; without one the dataset is empty.
     """
     if not chunks:
         return _empty_comparison()
@@ -145,7 +142,7 @@ def _candidate_statistics(
 
 
 def _empty_comparison() -> xr.Dataset:
-    """Return an empty dataset like `compare_features`, for a study without features."""
+    """Return what `compare_features` returns for a study without features."""
     empty = ("features", "candidate"), np.empty((len(KINDS), 0))
     return xr.Dataset(
         {name: (*empty, unit) for name, unit in CANDIDATE_STATISTICS.items()},

@@ -21,11 +21,11 @@ from hardcontact.contact.pull_off import interpolate_to_range, mean_over_contact
 
 
 def mean_forces(forces: xr.DataArray, sampling: Sampling) -> tuple[Floats, Floats]:
-    """Average forces over all scans of each surface, and sample this mean.
+    """Return mean forces over all scans of each surface, and samples of this mean.
 
-    Forces (surface, scan, rho, ...) are in N, NaN for a missing scan. Returns means (surface, rho)
-    and samples (sample, surface, rho) in N, NaN for a surface with a single scan. Random numbers
-    depend on the surface alone: contact models share them.
+    Forces (surface, scan, rho, ...) are in N, NaN for a missing scan. Samples (sample, surface,
+    rho) are NaN for a surface with a single scan. Random numbers depend on the surface alone:
+    contact models share them.
     """
     scans = mean_over_contacts(forces).transpose("surface", "scan", "rho")
     values = {
@@ -128,10 +128,9 @@ def _jackknife_statistics(forces: Floats, floor: float) -> Floats:
 
 
 def fit_lognormal(forces: Floats, floor: float) -> tuple[float, float]:
-    """Fit the maximum-likelihood log-normal to forces (n,), left-censored below a floor, in N.
+    """Return deviation of ln F and median (N) of the likeliest log-normal; NaN if all are censored.
 
-    Returns the standard deviation of ln F and the median in N, NaN if all forces are below the
-    floor.
+    Forces (n,) in N are censored below the floor.
     """
     is_censored = forces < floor
     if is_censored.all():

@@ -1,7 +1,7 @@
 """Pool of substitute scans: their forces at several rms heights, and the scans that a set takes.
 
-A set scales the rms heights of its scans to those of Table 1. Forces on a smooth sphere are
-computed at a few rms heights, which span all that sets need, and interpolated between them.
+A set scales the rms heights of its scans to those of Table 1. Its forces are interpolated between
+those at a few rms heights, which span all that sets need.
 """
 
 from collections.abc import Sequence
@@ -35,7 +35,7 @@ def pool_rms_heights(targets: Targets, scan_count: int, height_count: int) -> Fl
 
     A scan of a set of k scans is at most (k - 1)/sqrt(k) standard deviations from their mean: the
     heights reach so far. Their roots are evenly spaced, because forces change faster at small
-    heights. A set of one scan needs a single height.
+    heights.
     """
     mean = targets.means["rms_height"]
     if scan_count == 1:
@@ -96,9 +96,8 @@ def smooth_sphere_forces(scan: HeightMap, contact: Contact, ranges: list[float])
 def scans_of_set(pool: xr.Dataset, rng: np.random.Generator, scan_count: int) -> xr.Dataset:
     """Return the scans of one substrate in a set, sampled from its pool without replacement.
 
-    Their rms heights are scaled to the mean and deviation of Table 1. A set is sampled again if a
-    height is below the lowest height of the pool; from six scans on it may even be negative.
-    Raises ValueError if no set with possible heights is found.
+    Their rms heights have the mean and deviation of Table 1. A set is sampled again if a height is
+    below the lowest height of the pool. Raises ValueError if no set with possible heights is found.
     """
     lowest = pool["rms_height_of_force"].values.min()
     mean = pool.attrs["mean_rms_height"]

@@ -1,8 +1,8 @@
 """Posterior of range and work of adhesion: how probable the published mean forces make each pair.
 
 A replicate is one set of possible mean forces: from a set of scans, or drawn from the distribution
-of the means on whole surfaces. The posterior uses all replicates, with the same prior weight. The
-priors of range and work are uniform in their logarithms.
+of the means on whole surfaces. All replicates weigh the same. The priors of range and work are
+uniform in their logarithms.
 """
 
 from collections.abc import Mapping
@@ -32,10 +32,9 @@ NONE_LEFT_OUT = "none"
 
 
 def log_mean_error(log_std: ArrayLike, count: int) -> Floats:
-    """Return the standard deviation of the logarithm of a mean of log-normal forces.
+    """Return the standard deviation of ln(mean) of some log-normal forces.
 
-    `log_std` is the standard deviation of the logarithm of a single force, `count` the number of
-    independent forces.
+    `log_std` is the standard deviation of ln F, `count` the number of independent forces.
     """
     return np.sqrt(np.log1p(np.expm1(np.square(log_std)) / count))
 
@@ -47,7 +46,7 @@ def posterior_samples(
 
     `log_curves` are logarithms of computed forces (replicate, surface, range) at 1 J/m²; the ranges
     are evenly spaced in their logarithm. `log_targets` are logarithms of measured mean forces
-    (surface,), `errors` the standard deviations of `log_targets`.
+    (surface,), `errors` their standard deviations.
     """
     precision = 1 / errors**2
     log_works = log_targets[:, None] - log_curves
@@ -90,8 +89,8 @@ def study_posteriors(
 ) -> xr.Dataset:
     """Return the posteriors (forces_on, left_out) of all surfaces, and without each in turn.
 
-    `sets` has the variables of sets.nc in plastic contact; `forces_by_surface` are those on whole
-    surfaces, as for `means_on_whole_surfaces`, if there are any.
+    `sets` is sets.nc in plastic contact; `forces_by_surface` are those on whole surfaces, if any,
+    as for `means_on_whole_surfaces`.
     """
     forces = {"scans": sets["mean_force"].rename(set="replicate")}
     if forces_by_surface:
@@ -110,7 +109,7 @@ def study_posteriors(
 def means_on_whole_surfaces(
     forces_by_surface: Mapping[str, xr.DataArray], sphere_factor: xr.DataArray, sampling: Sampling
 ) -> xr.DataArray:
-    """Sample mean forces (replicate, surface, rho) of the rough sphere on whole surfaces.
+    """Return sampled mean forces (replicate, surface, rho) of the rough sphere on whole surfaces.
 
     Each surface has the forces of a smooth sphere (map, rho) in N. The sphere factor (surface, rho)
     is the force of the rough sphere relative to a smooth sphere.

@@ -1,7 +1,7 @@
 """Range and work of adhesion that fit published mean pull-off forces, for fit.nc.
 
-All forces are computed for a work of adhesion of 1 J/m², to which they are proportional. Force
-statistics are given for two pairs of range and work of adhesion, the published and the fitted pair.
+Forces are computed at a work of adhesion of 1 J/m², to which they are proportional. Statistics of
+forces are given for two pairs of range and work, the published and the fitted one.
 `own.measured_fit` finds all pairs within intervals instead, because its user may have few forces.
 """
 
@@ -70,7 +70,7 @@ class PublishedForces(NamedTuple):
 def fit_published(
     adhesion: xr.Dataset, published: PublishedForces, reference_surface: str, sampling: Sampling
 ) -> xr.Dataset:
-    """Fit range and work of adhesion for every contact model, and return the resulting forces.
+    """Return the fit of range and work for every contact model, and the resulting forces.
 
     Forces of adhesion.nc are at 1 J/m². ``model_error_ratio`` is the smallest error of rigid
     contact relative to plastic contact.
@@ -119,7 +119,7 @@ def fit_model(
     threshold: float,
     sampling: Sampling,
 ) -> xr.Dataset:
-    """Fit range and work of adhesion for one contact model, with error map and force curves.
+    """Return the fit of range and work for one contact model, with error map and force curves.
 
     Forces (surface, scan, sphere_scan, rho, contact_y, contact_x) are in N at 1 J/m², NaN for a
     missing scan. Surfaces whose published force is NaN do not enter the fit.
@@ -178,7 +178,7 @@ def _error_variables(
 ) -> dict[str, Any]:
     """Return the error map, the region of small error, and the local minima along the range.
 
-    The minima are those of the error at the best work for each range, the smallest first.
+    The minima are those of the error at the best work for each range.
     """
     errors = mean_relative_error(curves, published_forces, MAPPED_WORKS)
     region_range, region_work = error_region(errors, ranges, MAPPED_WORKS, threshold)
@@ -233,7 +233,7 @@ def error_region(
 ) -> tuple[Floats, Floats]:
     """Return the smallest and largest range (2,) and work (2,) of the pairs that fit, or NaN.
 
-    Pairs (rho, work) whose error is below the threshold fit; ranges are in nm, works in J/m².
+    Pairs (rho, work) with an error below the threshold fit; ranges are in nm, works in J/m².
     """
     rows, columns = np.nonzero(errors < threshold)
     if not rows.size:

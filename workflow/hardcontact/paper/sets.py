@@ -1,8 +1,8 @@
 """Sets of scans: forces, fit, band and claims of each, computed as for the study, for sets.nc.
 
-A set has as many scans of each substrate as the study, from the pool of the substrate. A surface
-with features has a candidate (`featured_candidates`) that no other set has. The sets show how much
-the numbers of the study depend on its scans.
+A set has as many scans of each substrate as the study, from the substrate's pool. A surface with
+features has a candidate (`featured_candidates`) that no other set has. The scatter over sets shows
+how much the numbers of the study depend on its scans.
 """
 
 from collections.abc import Mapping, Sequence
@@ -101,8 +101,8 @@ def adhesion_of_set(
 ) -> xr.Dataset:
     """Return the pull-off forces of a set, as in adhesion.nc.
 
-    Forces of sampled scans are their forces on a smooth sphere times the factor of the rough
-    sphere. Other substrates keep their scans and get a sampled mean.
+    Forces on sampled scans are those of a smooth sphere times the factor of the rough sphere. Other
+    substrates keep their scans and get a sampled mean.
     """
     adhesion = inputs.adhesion
     surface_forces = []
@@ -124,7 +124,7 @@ def adhesion_of_set(
 
 
 def scale_to_sampled_mean(forces: xr.DataArray, rng: np.random.Generator) -> xr.DataArray:
-    """Return the forces of measured scans, scaled to the mean force that other scans might have.
+    """Return the forces of measured scans, scaled to a mean that other scans might have.
 
     The distribution over contacts stays the same. A single scan keeps its forces.
     """
@@ -160,10 +160,9 @@ def sample_sets(
     published: PublishedForces,
     settings: SetSettings,
 ) -> xr.Dataset:
-    """Return sets.nc: of each set the values of claims, the fit and the edges.
+    """Return sets.nc: of each set the values (set, claim) of claims, the fit and the edges.
 
-    ``value`` has the dimensions set and claim. ``sphere_factor`` (contact_model, surface, rho) is
-    NaN for a substrate that keeps its scans.
+    ``sphere_factor`` (contact_model, surface, rho) is NaN for a substrate that keeps its scans.
     """
     numbers = range(1, settings.set_count + 1)
     sets = []

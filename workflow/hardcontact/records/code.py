@@ -26,9 +26,9 @@ def page_templates() -> list[str]:
 def code_inputs(script: str, *modules: str) -> Sequence[str]:
     """Return the source files of a script, relative to the working directory.
 
-    These are the script itself and all modules of the library that it imports, sorted. `modules`
-    are further modules, which it imports by a name in a variable. The lists of pinned packages come
-    last. Imports for type checkers do not count.
+    They are the script, all modules of the library that it imports, and the lists of pinned
+    packages. `modules` are further ones, imported by a name in a variable. Imports for type
+    checkers do not count.
     """
     paths = {SCRIPTS / script, *(path for name in modules for path in _module_files(name))}
     pending = [*paths]
@@ -47,7 +47,7 @@ def _imported_files(path: Path) -> frozenset[Path]:
 
 
 def _imported_names(tree: ast.AST) -> Iterator[str]:
-    """Yield the full names of modules, and of names in modules, that a file imports."""
+    """Yield the full names of the modules, and of names in modules, that a file imports."""
     for node in ast.iter_child_nodes(tree):
         if isinstance(node, ast.If) and ast.unparse(node.test).endswith("TYPE_CHECKING"):
             continue
@@ -62,7 +62,7 @@ def _imported_names(tree: ast.AST) -> Iterator[str]:
 
 @cache
 def _module_files(name: str) -> list[Path]:
-    """Return the files that Python runs to import a name, those of its parent packages included."""
+    """Return the files that Python runs to import a name, also those of its parent packages."""
     package, *names = name.split(".")
     if package != LIBRARY.name:
         return []

@@ -68,7 +68,7 @@ class Job(NamedTuple):
 
 @contextmanager
 def run_job(snakemake: Any) -> Iterator[Job]:
-    """Log a script, yield its `Job` and keep records of its outputs.
+    """Log a script, yield its `Job`, and keep records of its outputs.
 
     Raises ValueError at the beginning if an input differs from what the study wrote, and at the end
     if an input changed meanwhile.
@@ -96,8 +96,8 @@ def run_job(snakemake: Any) -> Iterator[Job]:
 def job_log(path: str | Path) -> Iterator[None]:
     """Keep the log of a job; an error goes there in full and to stderr in one line.
 
-    An error ends the process with exit code 1. Ctrl-C ends it without a message, as the run prints
-    that it was stopped.
+    An error ends the process with exit code 1. Ctrl-C ends it without a message, because the run
+    prints that it was stopped.
     """
     # If the log cannot be written, only the line on stderr is left.
     logging.raiseExceptions = False

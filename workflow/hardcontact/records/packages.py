@@ -37,7 +37,7 @@ def write_pins() -> None:
 def refuse_other_versions() -> None:
     """Raise ValueError, in one line, if an installed version is not the pinned one.
 
-    A package that is needed only on some systems may be missing.
+    A package that only some systems need may be missing.
     """
     locked = _by_plain_name(read_pins(LOCK))
     required = _by_plain_name(read_pins(ENVIRONMENT))
@@ -58,7 +58,7 @@ def refuse_other_versions() -> None:
 
 
 def _by_plain_name(pins: dict[str, str]) -> dict[str, str]:
-    """Return pins by normalized name: pip ignores case and treats ``-``, ``_`` and ``.`` alike."""
+    """Return pins by the name that pip compares: without case, ``-``, ``_`` and ``.`` alike."""
     return {re.sub(r"[-_.]+", "-", name).lower(): pin for name, pin in pins.items()}
 
 

@@ -1,7 +1,4 @@
-"""Verify a finished or archived study: compare every file with its record.
-
-Nothing is written, and no workflow is needed.
-"""
+"""Compare every file of a finished or archived study with its record, without a workflow."""
 
 import json
 from collections import defaultdict
@@ -16,10 +13,7 @@ RUN_FOLDERS = ("logs", "benchmarks")
 
 
 def traced_records(folder: str | Path) -> dict[str, Record]:
-    """Return the records, by path, of ``results/<study>`` and of all files that led to it.
-
-    Raises ValueError, with one line, if a record is damaged.
-    """
+    """Return the records, by path, of ``results/<study>`` and of all files that led to it."""
     records: dict[str, Record] = {}
     pending = [
         (path.parents[1] / path.stem).as_posix()
@@ -35,11 +29,10 @@ def traced_records(folder: str | Path) -> dict[str, Record]:
 
 
 def verify_study(folder: str | Path) -> tuple[list[str], list[str]]:
-    """Compare every file that led to ``results/<study>`` with its record.
+    """Return a line for each file of ``results/<study>`` that does not match, and a summary.
 
-    Returns a line for each file that is missing, has no record or does not match, and further lines
-    on other versions and on counts. Raises ValueError, with one line, if there is nothing to
-    compare or a record is damaged.
+    Files that led to the study are compared, too; a file may be missing or have no record. Raises
+    ValueError, with one line, if there is nothing to compare or a record is damaged.
     """
     records = traced_records(folder)
     if not records:

@@ -71,7 +71,7 @@ def render_page(
 ) -> str:
     """Return the page as HTML from the content of answer.json and the SVG of each figure.
 
-    Further facts are those that the templates of one kind of study need.
+    Further facts are those that only the templates of one kind of study name.
     """
     surfaces = [
         {**surface, "numbers": numbers_of_answer(answer, surface["name"])}

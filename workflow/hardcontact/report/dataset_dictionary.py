@@ -16,7 +16,7 @@ TABLE_HEAD = "| variable | dimensions | unit | meaning |\n| --- | --- | --- | --
 
 
 def dictionary_page(datasets: Mapping[str, xr.Dataset]) -> str:
-    """Return the page in Markdown, a table for each dataset, by its name."""
+    """Return the page in Markdown, with a table for each dataset, by its name."""
     return "\n".join([HEAD, *(_table(name, data) for name, data in datasets.items())])
 
 

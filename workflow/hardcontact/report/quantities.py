@@ -47,8 +47,8 @@ def number_of(
 ) -> Number:
     """Return a variable without dimensions, with its `<variable>_interval` if there is one.
 
-    A unit replaces the dataset's unit, and a name the variable's name. An interval from zero
-    to infinity counts as none.
+    `unit` and `name` replace those of the variable. An interval from zero to infinity counts as
+    none.
     """
     unit = unit or str(dataset[variable].attrs.get("units", "1"))
     number = Number(name or variable, float(dataset[variable].item()), unit, source=source)
@@ -61,7 +61,7 @@ def number_of(
 
 
 def number_without_value(name: str, low: float, high: float, unit: str = "1") -> Number:
-    """Return a number without a value: only one end or both ends of its interval are known."""
+    """Return a number of which only one end or both ends of its interval are known."""
     is_known = math.isfinite(low) or math.isfinite(high)
     status = NumberStatus.ONLY_ENDS if is_known else NumberStatus.NOT_KNOWN
     return Number(name, math.nan, unit, low, high, status)

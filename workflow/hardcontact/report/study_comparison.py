@@ -115,8 +115,8 @@ class Comparison(NamedTuple):
 def compare_answers(first: Mapping[str, Any], second: Mapping[str, Any]) -> Comparison:
     """Return the inputs that differ between two answers, and the results that both have.
 
-    Single surfaces are compared whatever their names are. Published numbers are left out. Raises
-    ValueError if one study is the paper's kind and one of the user's surfaces.
+    Single surfaces are compared whatever their names are. Raises ValueError if one study is the
+    paper's kind and one of the user's surfaces.
     """
     if first["kind"] != second["kind"]:
         raise ValueError(

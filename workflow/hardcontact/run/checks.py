@@ -44,10 +44,9 @@ RELIEF_OVER_RMS = 4.5
 
 
 def check_study(config: dict[str, Any], table: pd.DataFrame) -> None:
-    """Refuse a study that would fail in a job; scans under contact are read after other checks.
+    """Refuse a study that would fail in a job; scans with contacts are read last.
 
-    Quantities in `config` are numbers. Raises ValueError with a line for each fault, which names
-    the key or the file.
+    Quantities in `config` are numbers. A line for each fault names the key or the file.
     """
     contacts = table[table.use == CONTACT_USE]
     substitutes = table[table.source == "substitute"].drop_duplicates("surface")
@@ -153,7 +152,8 @@ def _own_surface_faults(
 def stored_scan(config: dict[str, Any], row: Any) -> HeightMap:
     """Return a measured scan of a row of the table, as `read_scan` reads it.
 
-    The rule read_scan stores scans: a file is read here only if it, its keys or the code changed.
+    The rule read_scan stores scans, so that a file is read here only if it, its keys or the code
+    changed.
     """
     file = MEASUREMENT.format(surface=row.surface, scan=row.scan, digest="*")
     arguments = reading_keys(config) | {"dataset": row.dataset}
@@ -164,11 +164,9 @@ def stored_scan(config: dict[str, Any], row: Any) -> HeightMap:
 
 
 def surface_grid(config: dict[str, Any], surface: str, rows: pd.DataFrame) -> Grid:
-    """Return the grid of the scans of a surface from its rows in the table.
+    """Return the grid of the scans of a surface, with the largest relief of them or its masters.
 
-    The relief of measured scans is the largest of all. The relief of a substitute is
-    the relief of its largest master. Raises ValueError with one line if a scan is unusable or its
-    pixels differ from the first scan's.
+    Raises ValueError if a scan is not usable or its pixels differ from the first scan's.
     """
     path = rows.path.iloc[0]
     if rows.source.iloc[0] == "substitute":

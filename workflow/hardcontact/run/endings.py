@@ -29,7 +29,7 @@ def log_answer(workflow: Any, page: str) -> None:
 
 
 def log_how_to_resume(workflow: Any) -> None:
-    """Log, at the end of a failed or stopped run that makes files, that its command resumes it."""
+    """Log, after a failed or stopped run that makes files, that its command resumes it."""
     if any(job.output for job in workflow.dag.jobs):
         logger.error(RESUME)
     _cancel_timers()
@@ -60,8 +60,8 @@ def end_at_interrupt(workflow: Any) -> None:
 def stop_jobs_at_interrupt(workflow: Any) -> None:
     """Stop the run at Ctrl-C without passing the signal to jobs.
 
-    Jobs would print tracebacks, and Snakemake would wait for them. On a cluster, the second Ctrl-C
-    stops it: at the first, Snakemake cancels the jobs that it has submitted.
+    Jobs would print tracebacks, and Snakemake would wait for them. On a cluster Snakemake cancels
+    its jobs at the first Ctrl-C; the second stops the run.
     """
     if workflow.local_exec:
         # Threads and jobs that begin from here on inherit what is blocked.

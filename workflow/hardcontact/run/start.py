@@ -1,4 +1,4 @@
-"""The environment of a run: checks before its configuration is read, and parts of all rules."""
+"""The beginning of a run: checks before its configuration is read, and parts of all rules."""
 
 import logging
 import os
@@ -84,8 +84,8 @@ def _refuse_touch() -> None:
 def complete_rules(workflow: Any, paths: StudyPaths) -> None:
     """Give each rule with a script a log and, if it writes files, its code and a benchmark.
 
-    Its code, the script and what this imports, are inputs, because a change of these makes files
-    anew. A rule may name more code.
+    Its code, the script and the modules that this imports, are inputs: if they change, the files
+    are made again. A rule may name more code.
     """
     for rule in workflow.rules:
         if rule.norun:

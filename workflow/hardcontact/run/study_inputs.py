@@ -32,10 +32,9 @@ from hardcontact.run.start import plans_the_run, refuse
 
 
 def finished_configuration(config: Mapping[str, Any]) -> str:
-    """Return the path of the configuration of a finished study.
+    """Return the path of the configuration of a finished study, unless it was changed.
 
-    The key `study` of the command line names the study; without it, the study is the paper's. A
-    missing or changed configuration is refused.
+    The key `study` of the command line names the study; without it, the study is the paper's.
     """
     path = f"results/{config.get('study', 'paper')}/configuration.yaml"
     if not os.path.isfile(path):
@@ -50,8 +49,8 @@ def finished_configuration(config: Mapping[str, Any]) -> str:
 def checked_configuration(workflow: Any, config: dict[str, Any]) -> dict[str, Any]:
     """Complete the configuration that Snakemake merged; return it with quantities as numbers.
 
-    Snakemake leaves nested command-line values as text; they are parsed as YAML here. Keys under
-    `quick` are checked even where they are not used. A faulty configuration is refused.
+    Snakemake leaves nested values of the command line as text; here they are parsed as YAML. Keys
+    under `quick` are checked even if they are not used.
     """
     try:
         if plans_the_run(workflow):

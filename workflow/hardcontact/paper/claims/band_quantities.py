@@ -1,7 +1,7 @@
 """Estimates about the band and the interaction radius, for claims.
 
-Forces are in N, lengths in nm. Each function returns an estimate (`estimates`), whose
-dimensions are in brackets. `paper` has the numbers of resources/paper/constants.csv by name.
+Forces are in N, lengths in nm. Each function returns an estimate (`estimates`). `paper` has the
+numbers of resources/paper/constants.csv by name.
 """
 
 import numpy as np
@@ -16,10 +16,7 @@ from hardcontact.paper.claims.estimates import as_estimate, mean_over_scans, var
 
 
 def band_edge(edges: xr.Dataset) -> xr.Dataset:
-    """Return the edges of the band in nm, or their bounds (side, group).
-
-    The bound is the last cutoff of the side, at which the change is still within the tolerance.
-    """
+    """Return the edges of the band in nm, or the last cutoff if open (side, group)."""
     return as_estimate(edges_or_bounds(edges), *interval_ends(edges, "edge"))
 
 
@@ -39,10 +36,7 @@ def edge_over_interaction_radius(edges: xr.Dataset, paper: xr.Dataset) -> xr.Dat
 
 
 def change_outside_band(edges: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
-    """Return the largest change of the force by cutoffs outside the published band (side, group).
-
-    These are cutoffs up to the published short edge, and from the published long edge on.
-    """
+    """Return the largest change of force by cutoffs outside the published band (side, group)."""
     cutoff = edges["cutoff_wavelength"]
     is_short = cutoff <= paper["short_edge"]
     is_long = cutoff >= paper["long_edge"]
@@ -50,10 +44,7 @@ def change_outside_band(edges: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
 
 
 def change_inside_band(edges: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
-    """Return the change of the force by a cutoff an octave inside the published band (side, group).
-
-    It is interpolated between the computed cutoffs of the side.
-    """
+    """Return the change of force by a cutoff an octave inside the published band (side, group)."""
     change = variable_estimate(edges, "filtered_force_change")
     sides = [
         change.sel(side=side)
@@ -96,7 +87,7 @@ def flat_limit_fraction(scales: xr.Dataset) -> xr.Dataset:
 def mean_band_ratio(band_forces: xr.Dataset) -> xr.Dataset:
     """Return the mean over surfaces of the force on a part of the roughness (band, band_part).
 
-    The surfaces are independent: the half widths of their intervals add in squares.
+    Surfaces are independent, so that the half widths of their intervals add in squares.
     """
     ratio = band_forces["band_force_ratio"]
     low, high = interval_ends(band_forces, "band_force_ratio")
@@ -115,8 +106,8 @@ def median_force_exponent(exponents: xr.Dataset) -> xr.Dataset:
 def median_edge_exponent(exponents: xr.Dataset) -> xr.Dataset:
     """Return the exponent of an edge, the median over surfaces (side, exponent_of).
 
-    NaN if the edges of a surface determine no exponent. The interval is the median over the
-    surfaces with an interval.
+    NaN if the edges of a surface determine no exponent. The interval is the median of those that
+    exist.
     """
     exponent = variable_estimate(exponents, "edge_exponent")
     return exponent.median("surface").where(exponent["value"].notnull().all("surface"))
@@ -146,7 +137,7 @@ def sinusoid_share(paper: xr.Dataset) -> xr.Dataset:
     """Return the share of the attraction on the nearer half of a sinusoidal gap in contact (rho).
 
     The mean of the exponential attraction over half a period is a sum of modified Struve and Bessel
-    functions. The share is 1/2 if the attraction is uniform. Amplitude and ranges are published.
+    functions. The share is 1/2 if the attraction is uniform.
     """
     ranges = [paper[f"sinusoid_range_{name}"].item() for name in ("short", "long")]
     ratio = paper["sinusoid_amplitude"].item() / np.array(ranges)

@@ -1,7 +1,6 @@
 """Estimates about roughness, contact and elasticity, for claims.
 
-Lengths are in nm, forces in N, pressures in Pa. Each function returns an estimate
-(`estimates`), whose dimensions are in brackets.
+Lengths are in nm, forces in N, pressures in Pa. Each function returns an estimate (`estimates`).
 """
 
 import numpy as np
@@ -48,10 +47,10 @@ def _all_over_afm(topography: xr.Dataset, quantity: str) -> xr.Dataset:
 
 
 def apex_level(adhesion: xr.Dataset, topography: xr.Dataset) -> xr.Dataset:
-    """Return the height of the apex of the sphere in contact above the mean plane.
+    """Return the height of the sphere's apex above the mean plane, in rms heights of the scan.
 
-    It is in rms heights of the scan (surface, contact_model). Contact pixels are at least as high,
-    because a smooth sphere is lowest at its apex.
+    It is (surface, contact_model). Contact pixels are at least as high, because a smooth sphere is
+    lowest at its apex.
     """
     apex_height = mean_over_contacts(adhesion["apex_height"])
     return mean_over_scans(apex_height / topography["rms_height"], adhesion.attrs["confidence"])
@@ -65,7 +64,7 @@ def plastic_contact_area(adhesion: xr.Dataset) -> xr.Dataset:
 def share_of_two_asperities(asperities: xr.Dataset) -> xr.Dataset:
     """Return the share of the force that the two strongest asperities carry (surface, rho).
 
-    All asperities together carry the attribute ``share`` of the force: the interval ends there.
+    The interval ends at the attribute ``share``, which all asperities carry together.
     """
     share = variable_estimate(asperities, "two_largest_share")
     low, high = interval_ends(share, "value")
@@ -81,17 +80,14 @@ def elastic_change(elastic: xr.Dataset) -> xr.Dataset:
 
 
 def median_share_above_hardness(elastic: xr.Dataset) -> xr.Dataset:
-    """Return the share of the contact area whose pressure exceeds the hardness ().
-
-    It is the median over the surfaces.
-    """
+    """Return the share of contact area with a pressure above the hardness, median over surfaces."""
     return variable_estimate(elastic, "share_above_hardness").median("surface", skipna=False)
 
 
 def median_plastic_over_elastic_area(elastic: xr.Dataset) -> xr.Dataset:
-    """Return the area of plastic contact relative to elastic contact ().
+    """Return the area of plastic relative to elastic contact, median over surfaces.
 
-    It is the median over the surfaces; the area of plastic contact is preload/hardness.
+    The area of plastic contact is preload/hardness.
     """
     plastic_area = elastic.attrs["preload"] / elastic.attrs["hardness"] / NANOMETRE**2
     ratio = plastic_area / mean_over_contacts(elastic["elastic_contact_area"])

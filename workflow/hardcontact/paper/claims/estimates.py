@@ -19,7 +19,7 @@ from hardcontact.contact.pull_off import mean_over_contacts
 def as_estimate(
     value: xr.DataArray, low: xr.DataArray | float = np.nan, high: xr.DataArray | float = np.nan
 ) -> xr.Dataset:
-    """Return an estimate from values and the ends of their intervals; NaN for no interval."""
+    """Return values and the ends of their intervals as an estimate; NaN for no interval."""
     zero = xr.zeros_like(value)
     return xr.Dataset({"value": value, "value_interval": interval_between(zero + low, zero + high)})
 
@@ -28,8 +28,8 @@ def variable_estimate(dataset: xr.Dataset, name: str) -> xr.Dataset:
     """Return a variable as an estimate, with the variable's interval if it has one.
 
     A variable of single contacts becomes its mean over contacts and scans, with an interval over
-    scans. Other variables get no interval. Raises KeyError if the variable does not exist, or the
-    attribute ``confidence`` that a mean needs.
+    scans; the dataset then needs the attribute ``confidence``. Raises KeyError if anything is
+    missing.
     """
     value = dataset[name]
     if f"{name}_interval" in dataset:
@@ -61,8 +61,7 @@ def signed_mean_over_scans(values: xr.DataArray, confidence: float) -> xr.Datase
 def quotient(upper: xr.Dataset, lower: xr.Dataset) -> xr.Dataset:
     """Return the ratio of two positive estimates; negative ends of their intervals count as zero.
 
-    The ends of the interval are ratios of the ends of both intervals. If the two are
-    independent, it contains the true ratio more often than its confidence says.
+    Its interval is wider than needed if both are independent: its ends are ratios of their ends.
     """
     upper_low, upper_high = interval_ends(upper, "value")
     lower_low, lower_high = interval_ends(lower, "value")

@@ -1,8 +1,8 @@
 """Estimates about pull-off forces: their distribution, their fits and classical models, for claims.
 
 Forces are in N, lengths in nm, works of adhesion in J/m². The reference range is the computed range
-nearest to the attribute `rho`. Each function returns an estimate (`estimates`), whose
-dimensions are in brackets. `paper` has the numbers of resources/paper/constants.csv by name.
+nearest to the attribute `rho`. Each function returns an estimate (`estimates`). `paper` has the
+numbers of resources/paper/constants.csv by name.
 """
 
 from collections.abc import Callable
@@ -32,7 +32,7 @@ def mean_over_median(fit: xr.Dataset) -> xr.Dataset:
 
 
 def plastic_over_rigid(adhesion: xr.Dataset) -> xr.Dataset:
-    """Return the mean plastic force relative to the rigid force at the reference range (surface).
+    """Return the mean plastic relative to the rigid force at the reference range (surface).
 
     The ratio is taken scan by scan.
     """
@@ -43,10 +43,7 @@ def plastic_over_rigid(adhesion: xr.Dataset) -> xr.Dataset:
 
 
 def range_exponent_of_force(adhesion: xr.Dataset) -> xr.Dataset:
-    """Return the exponent of the mean force against the range (surface, contact_model).
-
-    It is the logarithmic slope at the reference range, the mean over scans.
-    """
+    """Return d ln F/d ln rho of the mean force at the reference range (surface, contact_model)."""
     mean = mean_over_contacts(adhesion["pull_off_force"])
     logarithm = xr.DataArray(np.log(mean)).assign_coords(rho=np.log(mean["rho"]))
     log_rho = np.log(adhesion.attrs["rho"])
@@ -57,7 +54,7 @@ def range_exponent_of_force(adhesion: xr.Dataset) -> xr.Dataset:
 def range_exponent_of_area(adhesion: xr.Dataset) -> xr.Dataset:
     """Return the exponent of the area that attracts against the range (surface, contact_model).
 
-    Each pixel counts by its attraction relative to a pixel in contact, so that by Eq. 3 the area is
+    Each pixel counts by its attraction relative to a pixel in contact. By Eq. 3 the area is then
     proportional to force times range.
     """
     return 1 + range_exponent_of_force(adhesion)
@@ -73,8 +70,7 @@ def shortest_range_force_over_minimum(adhesion: xr.Dataset) -> xr.Dataset:
 def smooth_sphere_change(adhesion: xr.Dataset) -> xr.Dataset:
     """Return the relative change of the force on a smooth sphere over the ranges ().
 
-    It is the largest force relative to the smallest, minus one. Eq. 3 is summed on the pixels of
-    the study; for a paraboloid the sums over both axes separate.
+    Eq. 3 is summed on the pixels of the study; for a paraboloid the sums over both axes separate.
     """
     radius = adhesion.attrs["sphere_radius"]
     pixel = adhesion.attrs["pixel_size"]
@@ -87,17 +83,14 @@ def smooth_sphere_change(adhesion: xr.Dataset) -> xr.Dataset:
 
 
 def finer_pixel_ratio(adhesion: xr.Dataset) -> xr.Dataset:
-    """Return the plastic force on finer pixels relative to the pixels of the study (surface).
-
-    The force is taken at the smallest computed range. The finer pixels have half the width.
-    """
+    """Return the plastic force on pixels of half the width, at the smallest range (surface)."""
     return mean_over_scans(adhesion["finer_pixel_ratio"], adhesion.attrs["confidence"])
 
 
 def lognormal_misfit(adhesion: xr.Dataset) -> xr.Dataset:
     """Return the Kolmogorov distance of forces to a log-normal (surface, contact_model).
 
-    The log-normal has the mean and the standard deviation of the logarithms of the forces.
+    The log-normal has the mean and the standard deviation of ln F.
     """
 
     def parameters(forces: Floats) -> tuple[Any, ...]:
@@ -168,10 +161,7 @@ def _forces_at_reference(adhesion: xr.Dataset) -> xr.DataArray:
 
 
 def short_range_force(fit: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
-    """Return the mean force at the published work and the longest atomic range.
-
-    It is interpolated linearly between the computed ranges (contact_model, surface).
-    """
+    """Return the force at the published work and longest atomic range (contact_model, surface)."""
     force = variable_estimate(fit, "mean_force")
     atomic_force: xr.Dataset = force.interp(rho=paper["atomic_range_upper_bound"]).drop_vars("rho")
     return paper["work_of_adhesion"] * atomic_force
@@ -186,7 +176,7 @@ def short_range_error(fit: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
 def error_of_second_minimum(fit: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
     """Return the error at the second-best minimum along the range (contact_model).
 
-    It is infinite if there is no second minimum, and NaN if the best error is above the published
+    It is infinite without a second minimum, and NaN if the best error exceeds the published
     threshold.
     """
     second_error = fit["error_at_minimum"].sel(minimum=2, drop=True).fillna(np.inf)
@@ -213,10 +203,10 @@ def _half_width(region: xr.DataArray) -> xr.Dataset:
 
 
 def strength_over_casimir(paper: xr.Dataset) -> xr.Dataset:
-    """Return the largest pressure of Eq. 2 relative to ideal metals ().
+    """Return the largest pressure of Eq. 2, as published, relative to ideal metals ().
 
-    Eq. 2 has the published range and work of adhesion; the ratio is largest at a gap of four ranges
-    (workflow/report/findings.md). Casimir, Proc. K. Ned. Akad. Wet. 51 (1948) 793.
+    The ratio is largest at a gap of four ranges (workflow/report/findings.md). Casimir, Proc. K.
+    Ned. Akad. Wet. 51 (1948) 793.
     """
     rho = 1e-9 * paper["range_of_adhesion"]
     gap = 4 * rho
@@ -239,9 +229,9 @@ def printed_effective_work(classical: xr.Dataset) -> xr.Dataset:
 
 
 def tabor_by_convention(classical: xr.Dataset) -> xr.Dataset:
-    """Return the Tabor parameter (), by either convention of its symbols.
+    """Return the Tabor parameter (); its interval reaches to the other convention, K = 4 E*/3.
 
-    Its interval reaches to the convention with K = 4 E*/3 (workflow/report/departures.md, 5).
+    Both are in workflow/report/departures.md, 5.
     """
     tabor = classical["tabor_parameter"]
     return as_estimate(tabor, tabor, (9 / 4) ** (1 / 3) * tabor)
@@ -250,7 +240,7 @@ def tabor_by_convention(classical: xr.Dataset) -> xr.Dataset:
 def classical_over_numerical(classical: xr.Dataset, fit: xr.Dataset) -> xr.Dataset:
     """Return the error of classical models relative to the error of the computed forces.
 
-    Dimensions: (metrics, model, force_source, contact_model).
+    Its dimensions are (metrics, model, force_source, contact_model).
     """
     return quotient(
         variable_estimate(classical, "mean_relative_error"), variable_estimate(fit, "best_error")

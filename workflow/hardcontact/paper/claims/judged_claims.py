@@ -25,10 +25,7 @@ EDGE_CLAIMS = {
 
 
 def read_judged_claims(path: str | Path) -> pd.DataFrame:
-    """Read the claims.csv of a study, a table of `judge_claims`.
-
-    Raises ValueError if the file ends within a line.
-    """
+    """Read the claims.csv of a study; raise ValueError if it ends within a line."""
     if not Path(path).read_bytes().endswith(b"\n"):
         raise ValueError(
             f"{path}: expected a complete table, found a part of it; delete it and run again"
@@ -40,11 +37,10 @@ def read_judged_claims(path: str | Path) -> pd.DataFrame:
 def find_open_end(
     side: str, value: float, low: float, high: float, bands: Sequence[xr.Dataset]
 ) -> str:
-    """Return which end of the interval of an edge (nm) lies beyond the computed cutoffs.
+    """Return which end of the interval of an edge (nm) lies beyond the cutoffs of any band.
 
-    It is ``"high"`` for a short edge, ``"low"`` for a long edge, or ``""`` if the interval is
-    within the cutoffs of all `bands`. An edge beyond the cutoffs counts as the last cutoff; an
-    interval that is stretched to such an edge is open, too.
+    It is ``"high"`` for a short edge, ``"low"`` for a long edge, otherwise ``""``. An edge beyond
+    the cutoffs counts as the last cutoff, and an interval that is stretched to it is open, too.
     """
     end, limit, sign = ("high", high, 1) if side == "short" else ("low", low, -1)
     last_cutoffs = np.array(
@@ -56,7 +52,7 @@ def find_open_end(
 
 
 def add_open_ends(claims: pd.DataFrame, bands: Sequence[xr.Dataset]) -> pd.DataFrame:
-    """Add the column `open_end`, from `find_open_end`, to claims about edges; others have ``""``.
+    """Add the column `open_end` to claims, from `find_open_end` for edges, ``""`` for others.
 
     The `bands` are edges.nc and sets.nc, whose sets have fewer cutoffs than the study.
     """

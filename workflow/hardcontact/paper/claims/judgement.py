@@ -1,7 +1,7 @@
 """Compare each claim, a statement of the paper, with a computed estimate (`estimates`).
 
-A claim is a row of resources/paper/claims.csv. Its columns `dataset`, `quantity` and `select` name
-the estimate. Its rule and its published limits turn the estimate into a verdict.
+A claim is a row of resources/paper/claims.csv: `dataset`, `quantity` and `select` name the
+estimate, the rule and the published limits turn it into a verdict.
 """
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
@@ -41,10 +41,9 @@ DERIVED_QUANTITIES: dict[str, Callable[..., xr.Dataset]] = {
 def claim_values(
     claims: pd.DataFrame, datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame
 ) -> pd.Series:
-    """Compute the value of every claim by ``id``, without its interval.
+    """Return the value of every claim by ``id``, without its interval; NaN if there is none.
 
-    It is NaN if no value exists or the datasets lack a label. Raises ValueError if a claim needs a
-    dataset, a variable or an attribute that is missing.
+    Raises ValueError if a claim needs a dataset, a variable or an attribute that is missing.
     """
     values = {
         claim.id: np.nan if result is None else float(result.estimate["value"])
@@ -60,7 +59,7 @@ def judge_claims(
     confidence: float,
     sets: xr.Dataset,
 ) -> pd.DataFrame:
-    """Compare every claim with its computed estimate; return one row per claim with JUDGED_COLUMNS.
+    """Return one row for each claim, with JUDGED_COLUMNS.
 
     ``value`` (set, claim) of sets.nc gives the agreeing share and, if it varies, interval and
     verdict. A claim about a surface or a number that the study lacks is left out. Raises ValueError
@@ -121,10 +120,7 @@ def _estimate_claims(
 
 
 def _estimate_quantity(quantity: str, dataset: xr.Dataset, *others: xr.Dataset) -> xr.Dataset:
-    """Return the estimate of a quantity: a derived quantity, a variable, or a row of Table 1.
-
-    Raises KeyError if a variable or an attribute that is needed does not exist.
-    """
+    """Return the estimate of a derived quantity, a variable, or a row of Table 1."""
     if quantity in DERIVED_QUANTITIES:
         return DERIVED_QUANTITIES[quantity](dataset, *others)
     return variable_estimate(dataset, TABLE1_VARIABLES.get(quantity, quantity))
@@ -139,7 +135,7 @@ def _add_surface(data: xr.Dataset) -> xr.Dataset:
 
 @contextmanager
 def _prefix_errors(claim: Any) -> Iterator[None]:
-    """Prefix the first sentence of an error with the name of the claim.
+    """Put the name of the claim before the first sentence of an error.
 
     A KeyError of a missing dataset or attribute has only its name as its message.
     """
@@ -152,7 +148,7 @@ def _prefix_errors(claim: Any) -> Iterator[None]:
 
 
 def _judge(claim: Any, result: _ClaimResult, sets: xr.Dataset, confidence: float) -> dict[str, Any]:
-    """Return the columns ``computed`` to ``verdict`` of JUDGED_COLUMNS that follow from numbers."""
+    """Return the columns ``computed`` to ``verdict`` of a claim, which follow from numbers."""
     value = float(result.estimate["value"])
     samples = _claim_samples(claim, result, sets)
     ends = interval_ends(result.estimate, "value")
@@ -180,8 +176,7 @@ def _judge(claim: Any, result: _ClaimResult, sets: xr.Dataset, confidence: float
 def _claim_samples(claim: Any, result: _ClaimResult, sets: xr.Dataset) -> Floats:
     """Return the samples of a claim's value, from sets or from the posterior; empty if none.
 
-    The column `samples_from` is ``"sets"`` if sets.nc has the values, and ``"posterior"`` if the
-    claim's dataset has them in a variable ``sampled_`` and the quantity.
+    In the dataset of a posterior they are the variable ``sampled_`` and the quantity.
     """
     if claim.samples_from == "posterior":
         posterior = next(iter(result.datasets.values()))

@@ -1,6 +1,6 @@
 """The estimate (`estimates`) that a claim selects, and the surfaces on which it rests.
 
-These surfaces alone decide some verdicts.
+If these surfaces are substitutes, they alone may decide the verdict.
 """
 
 from collections.abc import Iterable, Mapping, Sequence
@@ -73,9 +73,9 @@ def _label(coordinate: np.ndarray, label: str) -> Any:
 def select_estimate(estimate: xr.Dataset, labels: SelectedLabels, rule: str) -> xr.Dataset:
     """Return the single estimate that is judged, by labels from `parse_selection`.
 
-    For a chain of groups, ``a > b > c``, it is the smallest ratio of values of neighbouring groups.
-    A rule with one limit takes the worst value along other dimensions. Raises ValueError if the
-    rule has two limits and more than one estimate remains.
+    A chain of groups, ``a > b > c``, gives the smallest ratio of values of neighbouring groups. A
+    rule with one limit takes the worst value along other dimensions; with two limits, more than one
+    estimate raises ValueError.
     """
     for dim, groups in labels.items():
         selected = [estimate.sel({dim: group}) for group in groups]
@@ -108,9 +108,8 @@ def claim_surfaces(
 ) -> list[str]:
     """Return the names of the surfaces on which a claim depends.
 
-    A claim depends on the surfaces that it selects. If it selects none, it depends on all surfaces
-    of its first dataset. Unless it is about topography alone, it depends on the sphere, too. A
-    claim that needs no scan depends on no surface.
+    These are the surfaces that it selects, or else all of its first dataset; and the sphere, unless
+    it is about topography alone. A claim that needs no scan depends on none.
     """
     if claim.needs in WITHOUT_SCAN:
         return []
@@ -140,8 +139,7 @@ def fixed_verdict(
 ) -> tuple[str, str]:
     """Return a verdict that does not depend on the estimate, and its reason, or empty texts.
 
-    ``table1_rows_met`` of topography.nc names the rows of Table 1 that the scans of a surface meet
-    by construction.
+    ``table1_rows_met`` of topography.nc names the rows of Table 1 that scans meet by construction.
     """
     if claim.needs == "construction":
         return BY_CONSTRUCTION, ""

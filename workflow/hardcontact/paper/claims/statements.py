@@ -46,10 +46,7 @@ FORMS = {
 
 
 def read_claims(path: str | Path) -> pd.DataFrame:
-    """Read the claims of the paper, one row each, from a table like resources/paper/claims.csv.
-
-    Published numbers are floats, NaN if blank; other columns are text.
-    """
+    """Read the claims of the paper, one row each; published numbers are floats, NaN if blank."""
     table = pd.read_csv(path, dtype=str, keep_default_na=False)
     return table.assign(**{name: pd.to_numeric(table[name]) for name in NUMBER_COLUMNS})
 
@@ -68,7 +65,7 @@ def datasets_of_claims(path: str | Path) -> list[str]:
 
 
 def check_claims(path: str | Path) -> None:
-    """Check a table of statements; raise ValueError with a line for each fault."""
+    """Check a table of statements."""
     content = f"a table with the columns {', '.join(PERMITTED_WORDS)} (workflow/README.md)"
     table = user_table(path, content)
     table.require([*PERMITTED_WORDS], content, PERMITTED_WORDS)
@@ -118,7 +115,7 @@ def _cell_faults(row: Row) -> Iterator[str]:
 
 
 def _dataset_faults(row: Row) -> Iterator[str]:
-    """Yield a fault of an unknown dataset, or of one that has no samples from the given origin."""
+    """Yield the fault of an unknown dataset, or of one without samples."""
     datasets = set(row["dataset"].split("+"))
     sampled_datasets = {"sets": {*SET_DATASETS, "paper"}, "posterior": {"posterior"}}
     if unknown := sorted(datasets - _known_datasets()):

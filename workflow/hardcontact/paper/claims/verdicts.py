@@ -46,10 +46,7 @@ class AcceptedRange:
         return (self.low < values) & (values < self.high)
 
     def verdict_of_sets(self, set_values: Floats) -> str:
-        """Judge the numbers (set,) of sets of scans by the share of sets that agree.
-
-        A set without a number does not agree.
-        """
+        """Judge the numbers (set,) of sets by the share that agrees; a missing one does not."""
         share = self.accepts(set_values).mean()
         if share >= REPRODUCED_SHARE:
             return REPRODUCED
@@ -58,8 +55,8 @@ class AcceptedRange:
     def verdict_of_posterior(self, samples: Floats, low: float, high: float) -> str:
         """Judge samples (sample,) of the posterior of a number, and their interval.
 
-        Few samples agree if the accepted range is narrow and the interval wide: then the statement
-        is undecided, not rejected.
+        If the accepted range is narrow and the interval wide, few samples agree; the statement is
+        then undecided, not rejected.
         """
         if self.accepts(samples).mean() >= REPRODUCED_SHARE:
             return REPRODUCED
@@ -68,9 +65,8 @@ class AcceptedRange:
     def verdict(self, computed: float, low: float, high: float) -> str:
         """Judge a number, NaN if none exists, and its interval, NaN if it has none.
 
-        Reproduced: the whole interval is accepted. Undecided: it contains accepted and rejected
-        numbers, or no number exists. Not reproduced: the whole interval is rejected. A number
-        without an interval agrees if it is accepted, otherwise it is not reproduced.
+        It is reproduced if the whole interval is accepted, not reproduced if the whole interval is
+        rejected, otherwise undecided. Without an interval the number alone decides.
         """
         if np.isnan(computed):
             return UNDECIDED
@@ -87,7 +83,7 @@ def accepted_range(rule: str, published_low: float, published_high: float) -> Ac
     """Return the numbers that agree with the paper by a rule, given the published limits or NaN.
 
     The rule is ``interval``, ``factor`` and a number, ``below``, ``above`` or ``order``. Raises
-    ValueError if the rule is unknown, or needs a limit that is missing.
+    ValueError if it is unknown, or needs a limit that is missing.
     """
     factor = rule.removeprefix("factor ")
     if rule == "interval":
@@ -110,8 +106,7 @@ def accepted_range(rule: str, published_low: float, published_high: float) -> Ac
 def sets_interval(samples: Floats, confidence: float) -> Floats:
     """Return the central intervals (..., 2) of the numbers (set, ...) of many sets.
 
-    A set without a number has NaN. The interval is NaN if the share of sets with a
-    number is below the confidence.
+    The interval is NaN if the share of sets with a number is below the confidence.
     """
     enough = np.isfinite(samples).sum(axis=0) >= confidence * len(samples)
     return np.where(enough[..., None], percentile_interval(samples, confidence), np.nan)
@@ -120,7 +115,7 @@ def sets_interval(samples: Floats, confidence: float) -> Floats:
 def stretch_interval(ends: ArrayLike, value: ArrayLike) -> tuple[Floats, Floats]:
     """Return both ends (...) of intervals (..., 2), stretched to contain their numbers (...).
 
-    This is how intervals are judged and printed. NaN leaves the interval as it is.
+    Intervals are judged and printed like this. NaN leaves an interval as it is.
     """
     low, high = np.moveaxis(np.asarray(ends, dtype=float), -1, 0)
     is_missing = np.isnan(value)
@@ -140,8 +135,8 @@ def interval_with_sets(
 ) -> tuple[float, float]:
     """Return both ends of the interval of a number, stretched to contain it; NaN if none.
 
-    If the numbers (set,) of all sets vary, their spread is the interval. Otherwise it is the
-    number's own interval.
+    If the numbers (set,) of the sets vary, their spread is the interval, otherwise the number's
+    own.
     """
     ends = sets_interval(samples, confidence) if samples_vary(samples) else np.array(interval)
     low, high = stretch_interval(ends, value)

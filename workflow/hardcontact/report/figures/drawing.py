@@ -1,4 +1,4 @@
-"""Creation of an empty figure, and its files: PDF, PNG and SVG."""
+"""An empty figure to draw on, and the files of a figure: PDF, PNG and SVG."""
 
 import importlib
 import re
@@ -39,7 +39,7 @@ def draw_figure(
 ) -> None:
     """Draw a figure by the module of its name, and write its files.
 
-    Inputs are datasets and published tables, by the arguments of `draw`; outputs are by FILE_KINDS.
+    Inputs are paths by the arguments of `draw`; outputs are by FILE_KINDS.
     """
     module = importlib.import_module(f"hardcontact.report.figures.{name}")
     data = {key: READERS.get(key, dataset.read)(path) for key, path in inputs.items()}
@@ -66,8 +66,7 @@ def save(
 def svg_bytes(figure: Figure, title: str, resolution: float) -> bytes:
     """Return a figure as SVG for pages, with images of a resolution in dots per inch.
 
-    Letters are text, which has a third of the size of outlines. Curves and symbols with more than
-    MAX_VECTOR_POINTS points become images.
+    Letters are text, a third of the size of outlines. Long curves and many symbols become images.
     """
     for artist in figure.findobj(lambda artist: not artist.get_rasterized()):
         artist.set_rasterized(_has_many_points(artist))
@@ -81,7 +80,7 @@ def svg_bytes(figure: Figure, title: str, resolution: float) -> bytes:
 
 
 def _round_positions(tag: re.Match[bytes]) -> bytes:
-    """Return a tag with two decimals of each number; numbers between tags are text to be read."""
+    """Return a tag with two decimals of each number; text between tags stays as it is."""
     return re.sub(rb"(\.\d\d)\d+", rb"\1", tag[0])
 
 
@@ -100,7 +99,7 @@ def create(height: float, surfaces: xr.Dataset) -> Figure:
     """Return an empty figure of print width and a height (inch).
 
     A line at its foot names the substitute surfaces. The dataset has `label(surface)` and
-    `source(surface)`, "substitute" or "measured", or both as attributes for a single surface.
+    `source(surface)`, or both as attributes for a single surface.
     """
     footer = FOOTER / height
     layout = ConstrainedLayoutEngine(rect=(0, footer, 1, 1 - footer))
@@ -119,7 +118,7 @@ def create(height: float, surfaces: xr.Dataset) -> Figure:
 def create_rows(
     height: float, surfaces: xr.Dataset, *rows: tuple[float, Sequence[float]]
 ) -> tuple[Figure, list[np.ndarray]]:
-    """Return a figure as `create` does, and the panels of each row (height, widths: relative)."""
+    """Return a figure of `create`, and the panels of each row: relative height and widths."""
     figure = create(height, surfaces)
     grid = figure.add_gridspec(len(rows), 1, height_ratios=[ratio for ratio, _ in rows])
     return figure, [

@@ -74,10 +74,7 @@ def _forces_at(adhesion: xr.Dataset, pair: FitPair) -> xr.DataArray:
 
 
 def _lognormals(published: Mapping[Any, float], fit: xr.Dataset) -> tuple[Any, Any]:
-    """Return the log-normals (N) of one surface: published, and fitted to the computed forces.
-
-    The published log-normal has the published mean and median force.
-    """
+    """Return the log-normals (N) of one surface: published, and fitted to the computed forces."""
     median = published["median_force"]
     published_log_std = log_std_of_lognormal(published["mean_force"], median)
     computed = lognorm(fit["log_force_std"].item(), scale=fit["lognormal_median"].item())
@@ -93,10 +90,7 @@ def _label_column(column: np.ndarray, letter: str, fit: xr.Dataset, published: A
 
 
 def _draw_linear(axes: Axes, forces_by_pair: ForcesByPair, published: Any, colour: str) -> None:
-    """Draw the computed histograms and the published log-normal over the same bins, in µN.
-
-    The bins reach from zero to the highest of high quantiles of the distributions.
-    """
+    """Draw the computed histograms and the published log-normal over the same bins, in µN."""
     ends = [np.quantile(forces, 0.97) for forces in forces_by_pair.values()]
     edges = np.linspace(0, np.nanmax([*ends, published.ppf(0.9)]), LINEAR_BINS + 1)
     _draw_histograms(axes, forces_by_pair, edges, colour)
@@ -135,9 +129,9 @@ def _draw_logarithmic(
 def _draw_histograms(
     axes: Axes, forces_by_pair: ForcesByPair, edges: np.ndarray, colour: str
 ) -> np.ndarray:
-    """Fill the histogram at the published pair, and outline the histogram at the fitted pair.
+    """Draw filled the histogram at the published pair, and outlined that at the fitted pair.
 
-    The total includes forces beyond the bins. Returns the densities (pair, bin) in 1/N.
+    Returns the densities (pair, bin) in 1/N. They count forces beyond the bins in the total.
     """
     looks: dict[str, style.Look] = {
         "published": {**AT_PUBLISHED, "color": colour, "fill": True},

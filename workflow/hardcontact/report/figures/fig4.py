@@ -78,8 +78,8 @@ def _legend_handles(fit: xr.Dataset, published_constants: pd.DataFrame) -> list[
 def _draw_pressure(axes: Axes, contact: xr.Dataset) -> None:
     """Map the largest PRESSURE_DECADES of the adhesive pressure (MPa) around the apex.
 
-    The map has at most DRAWN_MAP_PIXELS per row, each with the largest pressure of the pixels
-    that it covers. A finer map looks the same and takes gigabytes to draw.
+    A map of DRAWN_MAP_PIXELS, each with the largest pressure in it, looks like the finer one, which
+    takes gigabytes to draw.
     """
     pressure = abs(contact["adhesive_pressure"]) / MEGAPASCAL
     covered_pixels = -(-pressure.sizes["x"] // DRAWN_MAP_PIXELS)
@@ -103,10 +103,7 @@ def _draw_pressure(axes: Axes, contact: xr.Dataset) -> None:
 
 
 def _draw_ratios(axes: Axes, fit: xr.Dataset, set_fits: xr.Dataset, published: pd.Series) -> None:
-    """Draw the ratio of mean forces to the reference surface against rho (nm).
-
-    The reference is the surface whose ratio is 1 everywhere.
-    """
+    """Draw the ratio of mean forces to the reference surface against rho (nm)."""
     reference = abs(fit["force_over_reference"] - 1).max("rho").idxmin("surface").item()
     scans = panels.value_and_interval(fit, "force_over_reference")
     set_spread = panels.summarize_sets(set_fits["force_over_reference"])

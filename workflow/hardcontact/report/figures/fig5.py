@@ -70,7 +70,7 @@ def _draw_map(axes: Axes, contact: xr.Dataset) -> None:
 def _draw_line(axes: Axes, contact: xr.Dataset, axis: str) -> None:
     """Draw the sphere's height (nm) before and after, along x or y through the deepest point.
 
-    Heights point out of the sphere, as under a microscope: indents point downwards.
+    Heights point out of the sphere, as under a microscope, so that indents point downwards.
     """
     other_axis = "y" if axis == "x" else "x"
     line = contact.sel({other_axis: 0})

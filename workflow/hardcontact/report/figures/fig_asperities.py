@@ -55,7 +55,7 @@ def draw(asperities: xr.Dataset, edges: xr.Dataset, published_constants: pd.Data
 def _draw_smooth(axes: Axes, asperities: xr.Dataset) -> None:
     """Draw lengths (µm) against rho for a smooth sphere on a plane.
 
-    The attraction there falls with the distance r from the apex as exp(-r²/(Dρ)).
+    The attraction falls with the distance r from the apex as exp(-r²/(Dρ)).
     """
     radius = np.sqrt(2 * asperities.attrs["sphere_radius"] * asperities["rho"])
     extent = 2 * radius * np.sqrt(-np.log(1 - asperities.attrs["share"]))

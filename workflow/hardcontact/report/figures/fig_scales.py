@@ -63,7 +63,7 @@ def draw(topography: xr.Dataset, scales: xr.Dataset, published_constants: pd.Dat
 def filtered_heights(scan: xr.Dataset, band: Sequence[float]) -> ScanMaps:
     """Return the maps of a scan with all waves, and without those below and above a band (nm).
 
-    The map has the waves of the scan and its mirror images, on pixels that resolve the short edge.
+    The scan is mirrored before the filter; its pixels resolve the short edge.
     """
     heights = panels.mean_free_heights(scan["example_heights"])
     mirrored = mirror_scan(HeightMap(heights, scan["scan_size"].item() / len(heights)))

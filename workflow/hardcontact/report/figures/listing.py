@@ -51,10 +51,7 @@ def describe_figure(name: str) -> Description:
 
 
 def caption(name: str, facts: Mapping[str, Any]) -> Caption:
-    """Return the texts of a figure with the facts that its templates name.
-
-    Raises jinja2.UndefinedError if a fact is missing.
-    """
+    """Return the texts of a figure with the facts that its templates name."""
     from jinja2 import Environment, StrictUndefined
 
     environment = Environment(undefined=StrictUndefined)

@@ -122,9 +122,9 @@ def draw_edges(
 def draw_octaves(axes: Axes, sensitivity: xr.Dataset) -> None:
     """Draw d ln F / d ln a of each octave, a bar and a symbol for each surface, with its interval.
 
-    ``octave_sensitivity`` (surface, octave) is NaN where a surface has no data. Octaves are hatched
-    where ``is_shown`` (surface, octave), if there, is false. ``sphere_share`` (surface, octave), if
-    there, is the dark share of a bar.
+    ``octave_sensitivity`` (surface, octave) is NaN where a surface has no data. Two variables
+    (surface, octave) may be there: octaves are hatched where ``is_shown`` is false, and
+    ``sphere_share`` is the dark share of a bar.
     """
     octaves = sensitivity["octave"].values
     surfaces = style.looks(sensitivity["surface"].values)

@@ -94,9 +94,9 @@ def iterate_surfaces(data: xr.Dataset) -> Iterator[tuple[Look, xr.Dataset]]:
 
 
 def iterate_dodged(data: xr.Dataset) -> Iterator[tuple[float, Look, xr.Dataset]]:
-    """Yield as `iterate_surfaces` does, with the factor of positions on a logarithmic axis.
+    """Yield as `iterate_surfaces` does, with a factor of positions on a logarithmic axis.
 
-    The factors are a few per cent from one, so that error bars do not hide each other.
+    The factors differ by a few per cent, so that error bars do not hide each other.
     """
     middle = (data.sizes["surface"] - 1) / 2
     for index, (look, curve) in enumerate(iterate_surfaces(data)):
@@ -104,9 +104,9 @@ def iterate_dodged(data: xr.Dataset) -> Iterator[tuple[float, Look, xr.Dataset]]
 
 
 def freeze_layout(figure: Figure) -> None:
-    """Lay the figure out once and round the positions to a millionth of its size.
+    """Lay the figure out once, and round the positions to a millionth of its size.
 
-    Further digits of the solver differ from run to run, and would change the bytes of the file.
+    Further digits differ from run to run, and would change the bytes of the file.
     """
     if engine := figure.get_layout_engine():
         engine.execute(figure)
@@ -123,7 +123,7 @@ def label_panel(axes: Axes, letter: str, title: str = "") -> None:
 
 
 def label_logarithmic(*axes: Axis, digits: tuple[int, ...] = (1, 2, 3, 5)) -> None:
-    """Label logarithmic axes by plain numbers, at these digits of each decade, or at decades.
+    """Label logarithmic axes by plain numbers, at these digits of each decade.
 
     Axes of more than three decades have at most one label a decade.
     """
@@ -140,8 +140,8 @@ def label_logarithmic(*axes: Axis, digits: tuple[int, ...] = (1, 2, 3, 5)) -> No
 def end_near_values(axes: Axes) -> None:
     """End the logarithmic y axis at most a decade beyond the values drawn as lines.
 
-    Error bars and bands have no effect and may leave the frame: the interval of two scans may span
-    twenty decades, and all values would lie in one line.
+    Error bars may leave the frame: the interval of two scans may span twenty decades, and all
+    values would lie in one line.
     """
     heights = [
         np.asarray(line.get_ydata(), float)

@@ -99,7 +99,7 @@ def own_answer(datasets: Datasets, setting: Setting) -> dict[str, Any]:
 
 
 def _chosen_inputs(force: xr.Dataset, setting: Setting) -> list[str]:
-    """Return the name of the range of adhesion if it is the shortest that the scans permit."""
+    """Return RANGE if the range of adhesion is the shortest that the scans permit."""
     ranges = force["rho"].values
     is_shortest = len(ranges) > 1 and np.isclose(force.attrs["rho"], ranges.min())
     return [RANGE] if is_shortest and RANGE not in setting.assumed else []
@@ -118,7 +118,7 @@ def surface_answers(datasets: Datasets, setting: Setting) -> list[SurfaceAnswer]
 def _surface_answer(
     name: str, label: str, data: Datasets, reference: Datasets, setting: Setting
 ) -> SurfaceAnswer:
-    """Return the answer of one surface from its datasets, compared to the first surface."""
+    """Return the answer of one surface; the reference is the first surface."""
     numbers = [*_octave_numbers(data), *edge_numbers(data), *force_numbers(data)]
     if data.force["surface"].item() != reference.force["surface"].item():
         numbers += comparison_numbers(data, reference)
@@ -226,10 +226,7 @@ def _measurement_numbers(spectra: xr.Dataset) -> Iterator[Number]:
 
 
 def _limit_name(scan: xr.Dataset) -> str:
-    """Return the limit of the shortest reliable wavelengths; an empty text if none is reliable.
-
-    A scan of the smoother body may be reliable only where the rougher body has most of the power.
-    """
+    """Return what limits the shortest reliable wavelengths; an empty text if none is reliable."""
     limit = str(scan["limited_by"].item())
     return limit if scan["reliable"].any() or limit == OTHER_BODY else ""
 

@@ -1,6 +1,6 @@
 """Cautions about the answer of a surface, and those on its forces, tests and intervals.
 
-A caution is a code with numbers. The template own_caution.txt has the sentence for each code.
+A caution is a code with numbers; the template own_caution.txt has the sentence for each code.
 """
 
 from collections.abc import Mapping
@@ -35,7 +35,7 @@ MAX_LOPSIDEDNESS = 2.0
 def cautions(data: Datasets, numbers: Mapping[str, Number]) -> list[Caution]:
     """Return the cautions about the answer of one surface, the grave ones first.
 
-    The numbers of edges and forces are given by name.
+    The numbers of edges and forces are by name.
     """
     possible_cautions = [
         spectrum_cautions.blind_scans_caution(data),

@@ -1,8 +1,7 @@
 """The force on one surface relative to that on another, and the octaves that cause the ratio.
 
-Forces are proportional to the work of adhesion, so that their ratio holds for any work that both
-surfaces have. In logarithms, an octave contributes the change of its amplitude times the mean of
-the sensitivities d ln F / d ln a of both surfaces.
+The ratio holds for any work of adhesion that both surfaces have. An octave contributes to its
+logarithm the change of the octave's ln(amplitude) times the mean sensitivity d ln F / d ln a.
 """
 
 import math
@@ -25,9 +24,9 @@ WAVEVECTORS_PER_OCTAVE = 33
 def comparison_numbers(data: Datasets, reference: Datasets) -> Iterator[Number]:
     """Yield the ratio of the forces on a surface and a reference, and the octaves that cause it.
 
-    ``force_over_reference_octave_1`` is the shortest wavelength of the octave that contributes most
-    to the ratio, and ``force_over_reference_octave_1_factor`` is its factor in the ratio. The scans
-    are independent, so that the errors of the logarithms of both forces add in squares.
+    ``force_over_reference_octave_1`` is the shortest wavelength of the octave that contributes
+    most, ``force_over_reference_octave_1_factor`` its factor in the ratio. Scans are independent,
+    so that the errors of both logarithms add in squares.
     """
     force = number_of(forces_at_range(data.force), "force")
     reference_force = number_of(forces_at_range(reference.force), "force")

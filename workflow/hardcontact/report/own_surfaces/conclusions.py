@@ -14,31 +14,22 @@ from hardcontact.surfaces.synthesis import SIDES
 
 
 class Conclusion(NamedTuple):
-    """The answer of one surface in short; printed intervals have both ends.
+    """The answer of one surface in short; printed intervals have both ends."""
 
-    answer: "yes" if both edges are found, no second force has extrapolated roughness, and force
-        and edges come from wavelengths at which a scan is reliable. "no" if none of the three comes
-        from such wavelengths, if contacts touch too few patches, or if there is no band. Otherwise
-        "partly".
-    band: "few_patches", "none" if no resolved wavelength changes the force, "unknown" if a hindcast
-        fails or the short edge shows ripples of the filter, "overlapping" if the short edge is the
-        longer one, otherwise "found".
-    extrapolated: sides with a known force with extrapolated roughness.
-    octave_body: "sphere", "surface" or "both", which have the waves that change the force most;
-        empty under a smooth sphere.
-    octave_is_certain: whether the interval of that change excludes none.
-    few_summits: whether single summits carry the force; otherwise many points attract.
-    """
-
+    #: "yes" if both edges are found, edges and force come from wavelengths at which a scan is
+    #: reliable, and no extrapolated force differs; "no" if none of the three comes from there, or
+    #: if there is no band or too few patches are touched; otherwise "partly".
     answer: str
+    #: "few_patches"; "none" if no resolved wavelength changes the force; "unknown" if a hindcast
+    #: fails or the filter makes ripples; "overlapping" if the short edge is longer; or "found".
     band: str
     short_edge: Number
     long_edge: Number
     force: Number
-    extrapolated: list[str]
-    octave_body: str
-    octave_is_certain: bool
-    few_summits: bool
+    extrapolated: list[str]  #: Sides with a known force with extrapolated roughness.
+    octave_body: str  #: Rougher body in the strongest octave: sphere, surface or both; or "".
+    octave_is_certain: bool  #: Whether the interval of that octave's effect excludes none.
+    few_summits: bool  #: Whether single summits carry the force; otherwise many points attract.
 
 
 def surface_conclusion(numbers: Mapping[str, Number]) -> Conclusion:

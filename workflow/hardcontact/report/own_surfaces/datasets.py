@@ -70,10 +70,7 @@ def stored_tabor_number(force: xr.Dataset) -> Number:
 
 
 def forces_at_range(force: xr.Dataset) -> xr.Dataset:
-    """Return the forces of the preferred contact model at the configured range of adhesion.
-
-    Raises KeyError if forces were not computed at this range.
-    """
+    """Return the forces of the preferred contact model at the configured range of adhesion."""
     rho = force.attrs["rho"]
     return force.sel(contact_model=preferred_model(force)).sel(
         rho=rho, method="nearest", tolerance=1e-6 * rho

@@ -24,7 +24,7 @@ from hardcontact.surfaces.synthesis import SIDES
 
 
 class NextScan(NamedTuple):
-    """A measurement to make next: scans reliable beyond `limit` (nm) would find an edge."""
+    """A measurement to make next: a scan that is reliable beyond `limit` would find an edge."""
 
     edge: str  #: short_edge or long_edge.
     code: str  #: finer or larger.
@@ -39,10 +39,7 @@ def interval_status(interval_source: xr.DataArray) -> StrEnum:
 
 
 def edge_number(side_edges: xr.Dataset, name: str, source: str) -> Number:
-    """Return an edge in nm with its interval, or the bound on an open edge.
-
-    `side_edges` is the part of edges.nc at one side of one surface.
-    """
+    """Return the edge (nm) of one surface and side with its interval, or its bound if open."""
     low, high = interval_ends(side_edges, "edge")
     number = Number(name, side_edges["edge"].item(), "nm", low.item(), high.item(), source=source)
     if np.isfinite(number.value):
@@ -75,7 +72,7 @@ def _edge_without_artificial_ends(data: Datasets, side: str) -> Number:
     """Return an edge without the ends of its interval at artificial wavelengths.
 
     The edge is NaN if the filter makes ripples, or if the hindcast fails, because the unfiltered
-    force then rests on artificial roughness that is wrong.
+    force then rests on wrong roughness.
     """
     name = EDGE_NAMES[side]
     has_ripples = data.edges["edge_status"].sel(side=side).item() == EdgeStatus.RIPPLES

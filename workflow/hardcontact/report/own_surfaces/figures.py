@@ -1,7 +1,4 @@
-"""Figures of the user's surfaces: octaves, force ratios, height maps, spectra, forces and fits.
-
-Each figure has a panel or a curve for every surface.
-"""
+"""Figures of the user's surfaces: octaves, force ratios, height maps, spectra, forces and fits."""
 
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from itertools import cycle
@@ -113,10 +110,7 @@ def draw_maps(datasets: Datasets) -> Figure:
 
 
 def draw_cutoffs(datasets: Datasets) -> Figure:
-    """Draw the force relative to the unfiltered surface against the cutoff, for each surface.
-
-    The axis of the ratio is logarithmic if it spans more than a factor of ten.
-    """
+    """Draw the force relative to the unfiltered surface against the cutoff, for each surface."""
     figure, surface_panels = _surface_panels(datasets)
     for axes, colour, data in surface_panels:
         cutoffs = computed_cutoffs(data.edges["filtered_force_ratio"])
@@ -141,7 +135,7 @@ def draw_cutoffs(datasets: Datasets) -> Figure:
 
 
 def draw_spectra(datasets: Datasets) -> Figure:
-    """Draw the isotropic PSDs of each surface: its measurements, the joined and the used PSD."""
+    """Draw the PSDs of each surface: of its measurements, joined, and as used for masters."""
     figure, surface_panels = _surface_panels(datasets, 3.6)
     for axes, colour, data in surface_panels:
         wavelengths = 2 * np.pi / data.spectra["bin_wavevector"].values
@@ -162,10 +156,7 @@ def draw_spectra(datasets: Datasets) -> Figure:
 
 
 def draw_forces(datasets: Datasets) -> Figure:
-    """Draw the mean force of all surfaces and contact models against the range of adhesion.
-
-    Intervals are drawn for the contact model of the answer.
-    """
+    """Draw the mean force of all surfaces and contact models against the range of adhesion."""
     force = datasets.force
     labels = datasets.labels()
     answer_model = preferred_model(force)
@@ -184,11 +175,7 @@ def draw_forces(datasets: Datasets) -> Figure:
 
 
 def draw_works(datasets: Datasets) -> Figure:
-    """Draw the work of adhesion that fits the force of each surface, against the range.
-
-    Forces are from the contact model of the answer. If there are several surfaces, the figure also
-    shows the works that fit all of them.
-    """
+    """Draw the work of adhesion that fits the force of each surface, and all, against the range."""
     assert datasets.fit is not None
     fit = datasets.fit.sel(contact_model=preferred_model(datasets.fit))
     labels = datasets.labels()
@@ -230,13 +217,13 @@ def _surface_panels(
 
 
 def _single_panel(height: float) -> tuple[Figure, Axes]:
-    """Return a figure with one panel; its height is in inches."""
+    """Return a figure with one panel of a height (inch)."""
     figure = Figure(figsize=(FIGURE_WIDTH, height), layout="constrained")
     return figure, figure.subplots()
 
 
 def _titled_panels(titles: Collection[str], height: float) -> tuple[Figure, np.ndarray]:
-    """Return a figure with a column of panels, each with its title and height in inches."""
+    """Return a figure with a column of panels of a height (inch), each with its title."""
     figure = Figure(figsize=(FIGURE_WIDTH, height * len(titles) + 0.4), layout="constrained")
     column = figure.subplots(len(titles), squeeze=False)[:, 0]
     for axes, title in zip(column, titles, strict=True):

@@ -60,7 +60,7 @@ def force_numbers(data: Datasets) -> list[Number]:
 
 
 def _measured_share(data: Datasets) -> Number:
-    """Return the share of reliable wavelengths in the decrease below a smooth sphere's force.
+    """Return the share of reliable wavelengths in what roughness takes from the force.
 
     The source is "measured" if artificial wavelengths change the force by at most the tolerance.
     """
@@ -95,8 +95,7 @@ def differing_sides(data: xr.Dataset) -> list[str]:
 def extrapolated_number(side_data: xr.Dataset, variable: str, name: str, data: Datasets) -> Number:
     """Return the force, or the work of adhesion, with roughness extrapolated at one side.
 
-    It has no value if the hindcast fails. At the short side, it has none if no exponent could be
-    fitted to the spectrum.
+    It has no value if the hindcast fails or, at the short side, no exponent fits the spectrum.
     """
     number = number_of(side_data, variable, name=name, source="extrapolated")
     side = str(side_data["side"].item())
@@ -126,9 +125,8 @@ def _sensitivity(force: xr.Dataset) -> float:
 def pair_numbers(force: xr.Dataset, pairs: Sequence[Mapping[str, Any]]) -> list[Number]:
     """Return the force of one surface at other pairs of range and work of adhesion.
 
-    A pair is a row of resources/adhesion/pairs.csv. The logarithm of the force is interpolated over
-    the logarithm of the range; beyond the computed ranges a force is not known. The configured
-    pair has no number.
+    A pair is a row of resources/adhesion/pairs.csv. ln F is interpolated over ln(range), and not
+    known beyond the computed ranges.
     """
     configured = force.attrs["rho"], force.attrs["work_of_adhesion"]
     log_ranges, log_forces = _logarithmic_curve(force)
@@ -154,10 +152,7 @@ def preferred_fit(fit: xr.Dataset) -> xr.Dataset:
 
 
 def measured_numbers(fit: xr.Dataset, data: Datasets) -> list[Number]:
-    """Return the force measured on one surface, and the works of adhesion that fit it.
-
-    The datasets and the fit hold this surface alone.
-    """
+    """Return the force measured on one surface, and the works of adhesion that fit it."""
     fit_at_range = fit.sel(rho_fine=fit.attrs["rho"], method="nearest")
     numbers = [
         number_of(fit, "measured_force", source="measured"),

@@ -25,8 +25,8 @@ def reliable_scans(spectra: xr.Dataset) -> xr.Dataset:
 def artificial_bands(spectra: xr.Dataset) -> list[tuple[float, float]]:
     """Return the bands of wavelengths at which no measurement of a surface is reliable.
 
-    A band is a pair of its shortest and its longest wavelength (nm). The first begins at 0, the
-    last ends at infinity; between them lie gaps between scans.
+    A band is its shortest and its longest wavelength (nm). The first begins at 0, the last ends at
+    infinity; between them lie gaps between scans.
     """
     scans = reliable_scans(spectra)
     ends = (scans[name].values.tolist() for name in ("shortest_reliable", "longest_reliable"))
@@ -40,7 +40,7 @@ def artificial_bands(spectra: xr.Dataset) -> list[tuple[float, float]]:
 
 
 def overlaps_any(low: float, high: float, bands: Iterable[tuple[float, float]]) -> bool:
-    """Return whether wavelengths from low to high (nm) overlap any band; False if either is NaN."""
+    """Return whether wavelengths from low to high (nm) overlap a band; False if one is NaN."""
     return any(shortest < high and low < longest for shortest, longest in bands)
 
 
@@ -54,11 +54,10 @@ def shown_octaves(data: Datasets) -> np.ndarray:
 def reliable_and_artificial_change(
     data: Datasets, side: str, shortest: float = 0.0, longest: float = np.inf
 ) -> tuple[float, float]:
-    """Return the change of the force by reliable and by artificial wavelengths of one surface.
+    """Return how much reliable and how much artificial wavelengths of one surface change the force.
 
-    Roughness is removed on the `side`. Each change is the sum of |d ln F| over wavelengths
-    between `shortest` and `longest` (nm); ln F is interpolated linearly over the logarithm of the
-    cutoff.
+    Roughness is removed on the `side`. A change is the sum of |d ln F| between `shortest` and
+    `longest` (nm); ln F is interpolated linearly over the logarithm of the cutoff.
     """
     side_edges = data.edges.sel(side=side)
     cutoffs = computed_cutoffs(side_edges["filtered_force_ratio"])
@@ -78,7 +77,7 @@ def reliable_and_artificial_change(
 
 
 def reliable_share(changes: tuple[float, float]) -> float:
-    """Return the share of the first of `reliable_and_artificial_change`, NaN without any change."""
+    """Return the share of the first of both changes, NaN without any change."""
     return changes[0] / sum(changes) if sum(changes) > 0 else np.nan
 
 

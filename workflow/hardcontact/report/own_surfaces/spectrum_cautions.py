@@ -31,8 +31,8 @@ class Caution:
     """A caution about the answer of one surface: a code, and what its sentence needs.
 
     A grave caution changes the force by more than the tolerance of the band. `measurement` is the
-    number of the measurement with a defect, 0 for other cautions. Texts are names of scans and the
-    like, by their role in the sentence.
+    number of the measurement with a defect, 0 for other cautions. `texts` are names of scans and
+    the like, by their role in the sentence.
     """
 
     def __init__(
@@ -46,10 +46,7 @@ class Caution:
 
 
 def blind_scans_caution(data: Datasets) -> Caution | None:
-    """Return a caution if the scans on which forces are computed are reliable nowhere.
-
-    They are the maps with the pixels of the computed contacts.
-    """
+    """Return a caution if the maps on which contacts are made are reliable nowhere."""
     scans = without_padding(data.spectra)
     makes_contacts = (scans["kind"].values.astype(str) == "map") & np.isclose(
         scans["pixel_size"].values ** 2, data.force["pixel_area"].item()
@@ -61,10 +58,7 @@ def blind_scans_caution(data: Datasets) -> Caution | None:
 
 
 def defect_cautions(spectra: xr.Dataset, *, grave: bool) -> list[Caution]:
-    """Return a caution for each defect of the measurements of a surface, as a sentence.
-
-    MISLEADING_DEFECTS are grave, all other defects are not.
-    """
+    """Return a caution for each defect of the measurements, grave for MISLEADING_DEFECTS."""
     defects = []
     for index, measurement in enumerate(split_measurements(spectra), start=1):
         for code, units in DEFECTS.items():

@@ -28,8 +28,8 @@ def changed_inputs(
 ) -> list[dict[str, str]]:
     """Return the inputs that differ from the paper's, each with both values.
 
-    The contact comes from `paper_contact`; Table 1 lists the paper's surfaces. Other names,
-    grids and repetitions are no other inputs.
+    The contact comes from `paper_contact`; Table 1 lists the paper's surfaces. Other names, grids
+    and repetitions are no other inputs.
     """
     paper_inputs = paper_contact(Study().model_dump(warnings=False))
     paper_inputs["coatings"] = _join_surfaces(table1["surface"])

@@ -96,10 +96,7 @@ def _print_accepted_range(low: float, high: float, unit: str) -> str:
 
 
 def most_sensitive_coatings(coatings: Mapping[str, Mapping[str, Number]]) -> dict[str, str]:
-    """Return the label of the coating whose force changes first, by the name of the edge.
-
-    `coatings` has the numbers of each coating by its label.
-    """
+    """Return the label of the coating whose force changes first, by edge; coatings are by label."""
     return {
         "short_edge": min(coatings, key=lambda label: coatings[label]["short_edge"].value),
         "long_edge": max(coatings, key=lambda label: coatings[label]["long_edge"].value),
@@ -107,7 +104,7 @@ def most_sensitive_coatings(coatings: Mapping[str, Mapping[str, Number]]) -> dic
 
 
 def features_by_scatter(numbers: Mapping[str, Number]) -> str:
-    """Return "bumps" or "pits", whichever scatters ln F more like the published forces."""
+    """Return which features scatter ln F more like the published forces: "bumps" or "pits"."""
     bumps = numbers["bumps_log_force_std"].value
     pits = numbers["pits_log_force_std"].value
     published = numbers["featured_log_force_std_published"].value

@@ -39,7 +39,7 @@ def paper_page(
 ) -> str:
     """Return the page of the paper's study.
 
-    `claims` comes from `verdicts.add_open_ends`; SVG and captions are by the name of the figure.
+    `claims` comes from `judged_claims.add_open_ends`; SVG and captions are by figure.
     """
     *coatings, _ = answer["surfaces"]  # the last one is the sphere
     coating_numbers = {row["label"]: numbers_of_answer(answer, row["name"]) for row in coatings}
@@ -86,8 +86,7 @@ def report_pages(
 ) -> dict[str, str]:
     """Return the HTML of the pages of the report by name: `claims`, each text, and `parameters`.
 
-    `claims` comes from `verdicts.add_open_ends`, `changed` from `changed_inputs`; `texts` are
-    chapters in Markdown, by name.
+    `claims` comes from `judged_claims.add_open_ends`; `texts` are chapters in Markdown, by name.
     """
     confidence = configuration["intervals"]["confidence"]
     facts = claim_facts(claims) | {"changed": changed, "confidence": confidence}
@@ -153,9 +152,9 @@ def _set_anchors(tokens: Sequence[Token]) -> list[tuple[str, str]]:
 
 
 def _label_cells(tokens: Sequence[Token]) -> None:
-    """Mark the headings of Markdown tables as column headings, and label each cell with one.
+    """Mark the first cells of Markdown tables as column headings, and label other cells with them.
 
-    Cells show the label on a page that is too narrow for a header.
+    A page that is too narrow for a header shows the labels.
     """
     labels: list[str] = []
     column = 0

@@ -1,7 +1,7 @@
 """Changes between two studies with the same sets of scans, set by set: their scatter cancels.
 
 Random numbers of a set depend on the seed, the surface and the number of the set alone, not on the
-contacts. Datasets of a study are its `SET_DATASETS`.
+contacts. The datasets of a study are its SET_DATASETS.
 """
 
 import json
@@ -29,7 +29,7 @@ TOLERANCE = 1e-6
 
 
 def pairing(first: Mapping[str, xr.Dataset], second: Mapping[str, xr.Dataset]) -> str:
-    """Return "paired" if two studies have the same sets of scans, otherwise why they do not.
+    """Return "paired" if two studies have the same sets of scans, otherwise why not.
 
     "no_sets": a study has no datasets. "other_scans": seeds or recorded surfaces differ.
     """
@@ -67,7 +67,7 @@ def add_paired_intervals(
     first: Mapping[str, xr.Dataset],
     second: Mapping[str, xr.Dataset],
 ) -> list[ComparedNumber]:
-    """Add the intervals of changes between paired studies, as far as sets have the numbers."""
+    """Add the intervals of changes between paired studies to the numbers that sets have."""
     first_values, second_values = _set_numbers(first), _set_numbers(second)
     confidence = first["sets"].attrs["confidence"]
     return [

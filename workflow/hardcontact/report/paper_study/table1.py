@@ -46,9 +46,8 @@ TABLE1_QUANTITIES = (
 def table1_rows(topography: xr.Dataset, published: pd.DataFrame) -> list[list[str]]:
     """Return the rows of Table 1 as printed: a title, then the value for each surface.
 
-    Computed values from scans are mean and standard deviation over the scans of a surface. Values
-    over all scales are rms values of the joined spectrum, without a standard deviation. A dagger
-    marks the values that substitutes meet by construction.
+    Values of scans are mean and standard deviation over the scans of a surface. Values over all
+    scales are those of the joined spectrum. A dagger marks what substitutes meet by construction.
     """
     surfaces = [topography.sel(surface=name) for name in topography["surface"].values]
     rows = []
