@@ -60,7 +60,7 @@ def test_the_comparison_has_the_forces_at_the_published_pair(candidates):
     pull_off_forces = candidates["pits"]["pull_off_force"]
     forces = 0.5 * 0.05 * pull_off_forces.sel(contact_model="plastic", candidate=1, rho=5.6)
     printed = {"mean_force": [1.9 * forces.mean().item()], "median_force": [forces.median().item()]}
-    published = PublishedForces(pd.DataFrame(printed, index=["uncd"]), PAIR, 0.1, 30e-9)
+    published = PublishedForces(pd.DataFrame(printed, index=["uncd"]), PAIR, 0.1)
     factor = xr.full_like(pull_off_forces.isel(candidate=0, scan=0, contact_y=0, contact_x=0), 0.5)
     factors = factor.expand_dims(surface=["uncd"])
     chunks = {("uncd", kind, 1, 2): dataset for kind, dataset in candidates.items()}

@@ -80,7 +80,7 @@ def make_adhesion(plastic):
     )
 
 
-PUBLISHED = PublishedForces(TABLE.iloc[::-1], (5.0, 0.04), 0.1, 30e-9)  # in any order
+PUBLISHED = PublishedForces(TABLE.iloc[::-1], (5.0, 0.04), 0.1)  # in any order
 
 
 def fit_published(plastic, sampling=SAMPLING):

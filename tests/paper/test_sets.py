@@ -30,7 +30,7 @@ SETTINGS = SetSettings(
 )
 FORCES = pd.DataFrame({"mean_force": MEAN_FORCE}, index=SUBSTRATES)
 REPLICATED = CLAIMS[CLAIMS["samples_from"] == "sets"]
-PAPER = REPLICATED, CONSTANTS, PublishedForces(FORCES, (5.6, 46.3e-3), 0.1, 30e-9)
+PAPER = REPLICATED, CONSTANTS, PublishedForces(FORCES, (5.6, 46.3e-3), 0.1)
 
 
 @pytest.fixture(scope="module")

@@ -11,7 +11,6 @@ from hardcontact.base.arrays import Floats
 from hardcontact.base.statistics import (
     Sampling,
     jackknife_interval,
-    student_interval,
     student_log_interval,
     with_interval,
 )
@@ -39,7 +38,6 @@ def forces_at_pair(
     forces: xr.DataArray,
     pair: tuple[float, float],
     reference_index: int,
-    force_floor: float,
     sampling: Sampling,
 ) -> xr.Dataset:
     """Return force statistics and ratios of mean forces of one contact model by surface.
@@ -51,9 +49,7 @@ def forces_at_pair(
     means, mean_samples = mean_forces(pair_forces.expand_dims("rho"), sampling)
     contact_forces = pair_forces.transpose("surface", "scan", "sphere_scan", *CONTACT_AXES).values
     contact_forces = contact_forces.reshape(*contact_forces.shape[:3], -1)
-    statistics = [
-        force_statistics(surface_forces, force_floor, sampling) for surface_forces in contact_forces
-    ]
+    statistics = [force_statistics(surface_forces, sampling) for surface_forces in contact_forces]
     ratios = forces_over_reference(
         "ratio_at_pair", "surface", means[:, 0], mean_samples[..., 0], reference_index, sampling
     )
@@ -74,42 +70,38 @@ def forces_over_reference(
     return sampling.with_interval(name, dimensions, ratio, ratio_samples, DIMENSIONLESS)
 
 
-#: Statistics of the forces on one surface, with their attributes. Intervals of the first and the
-#: last are Student's t over scans, those of the others come from the jackknife over scans.
+#: Statistics of the forces on one surface, with their attributes. The interval of the mean is
+#: Student's t over scans, those of the others come from the jackknife over scans.
 STATISTIC_ATTRS = {
     "mean_force_at_pair": NEWTON,
     "median_force_at_pair": NEWTON,
     "log_force_std": DIMENSIONLESS,
     "lognormal_median": NEWTON,
-    "censored_fraction": DIMENSIONLESS,
 }
 
 
-def force_statistics(forces: Floats, force_floor: float, sampling: Sampling) -> xr.Dataset:
+def force_statistics(forces: Floats, sampling: Sampling) -> xr.Dataset:
     """Return STATISTIC_ATTRS of the computed forces of one surface, with intervals.
 
-    Forces (scan, sphere_scan, contact) are in N, censored below the floor, NaN for a missing scan.
-    Intervals are NaN if `sampling.sample_count` is 0.
+    Forces (scan, sphere_scan, contact) are in N, NaN for a missing scan. Intervals are NaN if
+    `sampling.sample_count` is 0.
     """
     is_finite = np.isfinite(forces)
     scan_count = int(is_finite.any(axis=(1, 2)).sum())
     finite_forces = forces[is_finite].reshape(scan_count, is_finite.sum() // max(scan_count, 1))
-    scan_forces = xr.DataArray(finite_forces, dims=("scan", "contact"))
-    mean = scan_forces.mean("contact")
-    censored = (scan_forces < force_floor).mean("contact")
-    jackknife_values = _jackknife_statistics(finite_forces, force_floor)
-    values = [float(mean.mean()), *jackknife_values, float(censored.mean())]
+    mean = xr.DataArray(finite_forces, dims=("scan", "contact")).mean("contact")
+    jackknife_values = _jackknife_statistics(finite_forces)
+    values = [float(mean.mean()), *jackknife_values]
     intervals = [np.full(2, np.nan)] * len(values)
     confidence = sampling.confidence
     if sampling.sample_count:
         leave_one_out = [
-            _jackknife_statistics(np.delete(finite_forces, scan, axis=0), force_floor)
+            _jackknife_statistics(np.delete(finite_forces, scan, axis=0))
             for scan in range(scan_count)
         ]
         intervals = [
             student_log_interval(mean, confidence, "scan").values,
             *jackknife_interval(jackknife_values, leave_one_out, confidence),
-            student_interval(censored, confidence, "scan").clip(0, 1).values,
         ]
     variables: dict[str, Any] = {}
     for (name, unit), value, interval in zip(
@@ -119,53 +111,9 @@ def force_statistics(forces: Floats, force_floor: float, sampling: Sampling) -> 
     return xr.Dataset(variables)
 
 
-def _jackknife_statistics(forces: Floats, floor: float) -> Floats:
+def _jackknife_statistics(forces: Floats) -> Floats:
     """Return median, deviation of ln F and log-normal median (3,) of all forces; NaN without."""
     if not forces.size:
         return np.full(3, np.nan)
-    log_std, median = fit_lognormal(forces.ravel(), floor)
-    return np.array([np.median(forces), log_std, median])
-
-
-def fit_lognormal(forces: Floats, floor: float) -> tuple[float, float]:
-    """Return deviation of ln F and median (N) of the likeliest log-normal; NaN if all are censored.
-
-    Forces (n,) in N are censored below the floor.
-    """
-    is_censored = forces < floor
-    if is_censored.all():
-        return np.nan, np.nan
-    logarithms = np.log(forces[~is_censored])
-    centre = logarithms.mean()
-    log_std = logarithms.std()
-    if is_censored.any() and log_std > 0:
-        limit = (np.log(floor) - centre) / log_std
-        shift, stretch = _censored_normal_fit(limit, is_censored.mean())
-        centre, log_std = centre + shift * log_std, stretch * log_std
-    return float(log_std), float(np.exp(centre))
-
-
-def _censored_normal_fit(limit: float, censored: float) -> tuple[float, float]:
-    """Return mean and deviation of the maximum-likelihood normal distribution.
-
-    Values above `limit` have the mean 0 and the deviation 1; a share `censored` of all is below.
-    Only these numbers enter the likelihood.
-    """
-    from scipy import optimize, special
-
-    def negative_log_likelihood(parameters: Floats) -> tuple[float, Floats]:
-        """Return the mean over forces at mean and log deviation, and its gradient."""
-        mean, log_deviation = parameters
-        deviation = np.exp(log_deviation)
-        reduced = (limit - mean) / deviation
-        log_below = special.log_ndtr(reduced)
-        hazard = np.exp(-(reduced**2) / 2 - log_below) / np.sqrt(2 * np.pi)
-        square = (1 + mean**2) / deviation**2
-        uncensored = 1 - censored
-        value = uncensored * (log_deviation + square / 2) - censored * log_below
-        mean_gradient = uncensored * mean / deviation**2 + censored * hazard / deviation
-        log_deviation_gradient = uncensored * (1 - square) + censored * hazard * reduced
-        return value, np.array([mean_gradient, log_deviation_gradient])
-
-    fit = optimize.minimize(negative_log_likelihood, np.zeros(2), jac=True, options={"gtol": 1e-9})
-    return float(fit.x[0]), float(np.exp(fit.x[1]))
+    logarithms = np.log(forces)
+    return np.array([np.median(forces), logarithms.std(), np.exp(logarithms.mean())])

@@ -56,15 +56,13 @@ class PublishedForces(NamedTuple):
     forces: pd.DataFrame  #: From `published.read_published_forces`.
     pair: tuple[float, float]  #: Published range (nm) and work of adhesion (J/m²).
     error_threshold: float  #: A pair fits if its mean relative error is below this threshold.
-    force_floor: float  #: Smallest measurable force in N.
 
     @classmethod
     def read(cls, pull_off: str | Path, constants: str | Path) -> "PublishedForces":
         """Read `pull_off.csv` and `constants.csv`."""
         values = read_constants(constants)["value"]
         pair = values["range_of_adhesion"], values["work_of_adhesion"]
-        threshold, floor = values["error_threshold"], values["force_floor"]
-        return cls(read_published_forces(pull_off), pair, threshold, floor)
+        return cls(read_published_forces(pull_off), pair, values["error_threshold"])
 
 
 def fit_published(
@@ -86,7 +84,7 @@ def fit_published(
         )
         fitted = float(fit.range_of_adhesion), float(fit.work_of_adhesion)
         statistics = [
-            forces_at_pair(forces, pair, reference_index, published.force_floor, sampling)
+            forces_at_pair(forces, pair, reference_index, sampling)
             for pair in progress([published.pair, fitted], 2, f"force statistics, {model}")
         ]
         fits[(model,)] = fit.merge(xr.concat(statistics, pd.Index(PAIRS, name="pair")))
@@ -97,7 +95,6 @@ def fit_published(
         .assign(label=adhesion.label, source=adhesion.source)
         .assign_attrs(
             error_threshold=published.error_threshold,
-            force_floor=published.force_floor,
             confidence=sampling.confidence,
             sphere_radius=adhesion.attrs["sphere_radius"],
         )

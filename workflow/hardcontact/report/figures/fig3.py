@@ -39,7 +39,7 @@ def draw(
 ) -> Figure:
     """Draw Fig. 3: one column per substrate, linear axes above and logarithmic axes below."""
     plastic_fit = fit.sel(contact_model=PLASTIC)
-    floor = fit.attrs["force_floor"]
+    floor = published_constants["value"]["force_floor"]
     pairs: dict[str, FitPair] = {"published": published_constants["value"], "fitted": plastic_fit}
     forces_of_all = {name: _forces_at(adhesion, pair) for name, pair in pairs.items()}
     published_forces = published_pull_off.to_dict("index")
