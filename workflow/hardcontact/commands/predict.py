@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 import pandas as pd
 
 from hardcontact.base.formatting import format_length, format_quantity
-from hardcontact.base.number import Number, json_value, numbers_by_name
+from hardcontact.base.number import Number, json_value
 from hardcontact.commands.command_line import CommandLine, output_faults, write_output
 from hardcontact.commands.options import (
     QuantityOption,
@@ -29,12 +29,9 @@ from hardcontact.config.faults import raise_faults, run_checks
 from hardcontact.config.keys import Study
 from hardcontact.contact.contact import Contact
 from hardcontact.own.own_spectrum import OwnSpectrum, add_sphere_roughness, read_own_spectrum
-from hardcontact.own.predicted_octaves import predicted_octaves
 from hardcontact.own.scan_force import prediction_and_scan_force
 from hardcontact.own.wide_pixels import WIDE_PIXEL
-from hardcontact.scans.both_bodies import sphere_share
 from hardcontact.scans.heights import TAKE_CARE
-from hardcontact.scans.joined_spectrum import ScanSpectrum
 from hardcontact.theory.assumptions import (
     MAX_NEGLIGIBLE_CHANGE,
     assumed_modulus,
@@ -118,19 +115,13 @@ class QuantityStatus(StrEnum):
 
 
 def compute_numbers(inputs: Inputs, arguments: Namespace) -> dict[str, Number]:
-    """Return the numbers of a prediction by name: quantities, forces, octaves, modulus."""
+    """Return the numbers of a prediction by name: quantities, forces, modulus."""
     quantities, contact, own_spectrum, _ = inputs
-    spectrum = own_spectrum.spectrum
     numbers = {name: _quantity_number(name, quantities[name]) for name in CONTACT_QUANTITIES}
     tolerance, confidence = PAPER_STUDY.scales.tolerance, PAPER_STUDY.intervals.confidence
     numbers |= prediction_and_scan_force(
         own_spectrum, contact, tolerance, confidence, arguments.file
     )
-    numbers |= numbers_by_name(*predicted_octaves(own_spectrum, contact))
-    if arguments.sphere and isinstance(spectrum, ScanSpectrum) and "octave_1" in numbers:
-        middle = math.sqrt(2) * numbers["octave_1"].value
-        share = sphere_share(spectrum.joined, middle)
-        numbers["octave_1_sphere_share"] = Number("octave_1_sphere_share", share)
     modulus = assumed_modulus(contact.hardness)
     numbers["modulus"] = Number("modulus", modulus, "Pa", status=QuantityStatus.FROM_PAPER)
     if "modulus" in quantities:

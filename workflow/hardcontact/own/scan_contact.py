@@ -22,8 +22,8 @@ BORDER_HEIGHT_IN_RMS = 4
 MAX_MIRRORED_SCANS = 10
 #: Largest number of pixels per row of a scan: it keeps the time below a few seconds.
 MAX_QUICK_PIXELS = 2048
-#: Largest number of pixels in contact, summed over contacts, force sums and mirrored scans in the
-#: window, for the same reason.
+#: Largest number of pixels in contact, summed over contacts and mirrored scans in the window,
+#: for the same reason.
 MAX_QUICK_CONTACT_PIXELS = 2**23
 
 
@@ -67,13 +67,8 @@ def contact_on_scan(scan: HeightMap, contact: Contact) -> Contact:
     return replace(contact, window=window)
 
 
-def find_obstacle(
-    scans: Sequence[HeightMap], contact: Contact, sums: int = 1
-) -> tuple[Obstacle, float]:
-    """Return why levelled scans give no force, and the shortest range (nm) that a map resolves.
-
-    `sums` is the number of force sums on the map; it multiplies the time.
-    """
+def find_obstacle(scans: Sequence[HeightMap], contact: Contact) -> tuple[Obstacle, float]:
+    """Return why levelled scans give no force, and the shortest range (nm) that a map resolves."""
     if not any(scan.kind == "map" for scan in scans):
         return Obstacle.NO_MAP, math.nan
     if len(scans) > 1:
@@ -81,7 +76,7 @@ def find_obstacle(
     (scan,) = scans
     window = contact_on_scan(scan, contact).window
     contact_pixels = contact.pixel_count(scan.pixel_size) * periods_in_window(window, scan.size)
-    contact_pixels *= contact.contacts_per_row**2 * sums
+    contact_pixels *= contact.contacts_per_row**2
     if scan.pixels > MAX_QUICK_PIXELS or contact_pixels > MAX_QUICK_CONTACT_PIXELS:
         return Obstacle.TOO_LARGE, math.nan
     grid = Grid(scan.pixels, scan.pixel_size, scan.size, float(np.ptp(scan.heights)))
