@@ -109,8 +109,8 @@ class AdhesionKeys(Keys):
     work: types.Work = key("46.3 mJ/m2", "Intrinsic Work of Adhesion")
     """With `published: none`: work of adhesion. The predicted force is proportional to it."""
     range: types.Range = key("5.6 nm", "Most Relevant Length-scales")
-    """Range of adhesion ρ at which the force is predicted, and the band of wavelengths found that
-    decide it. A longer range bridges higher roughness, and the force is larger."""
+    """Range of adhesion ρ for which the force is predicted and the band found. A longer range
+    bridges higher roughness, and the force is larger."""
     ranges: types.Ranges = key(
         nm(0.05, 0.1, 0.2, 0.35, 0.5, 0.7, 1, 1.4, 2, 2.8, 4, 5, 5.6, 7, 8, 10, 14, 20, 28, 40),
         "Fig. 4, and beyond on both sides",
@@ -122,7 +122,7 @@ class IntervalKeys(Keys):
     """How many random samples intervals rest on, and how wide the intervals are."""
 
     samples: Annotated[int, Field(ge=20, le=10000)] = 1000
-    """Random samples of the scans or masters of each mean. With more samples intervals scatter
+    """Random samples of scans or masters for each interval. With more samples intervals scatter
     less."""
     confidence: types.Fraction = 0.95
     """Confidence of all intervals. Larger values widen them."""
@@ -165,11 +165,11 @@ class ScalesKeys(Keys):
     tolerance: types.Fraction = key(0.1, "Most Relevant Length-scales")
     """Relative change up to which a force counts as unchanged. Larger values narrow the band."""
     realizations: types.MasterCount = 5
-    """Masters of each substrate for each edge of the band; masters take its scans in turn. With
-    more masters edges scatter less and cost more time."""
+    """Masters of each substrate for each edge of the band. With more masters edges scatter less and
+    cost more time."""
     whole_surfaces: Annotated[int, Field(ge=1, le=1000)] = 10
-    """Periodic random surfaces of each substrate, as wide as long-edge masters, for changes by
-    octave, the band alone, and the posterior."""
+    """Periodic random surfaces of each substrate, as wide as long-edge masters. They serve the
+    changes by octave, the band alone, and the posterior."""
     sphere_roughness: bool = key(False, "not stated")
     """Paper's study: whether the sphere has the roughness of its first scan when the band is
     computed. With `published: none` a scanned sphere is always rough."""
@@ -231,7 +231,7 @@ class SetsKeys(Keys):
     """Scans of each substrate in the pool, from which sets are sampled. With more scans sets share
     fewer of them."""
     rms_height_count: Annotated[int, Field(ge=4, le=50)] = 7
-    """Rms heights to which scans of the pool are scaled for their forces; forces between are
+    """Rms heights for which forces on scans of the pool are computed; forces between are
     interpolated."""
     contacts_per_row: types.ContactsPerRow = 10
     """Contacts per row of the array on scans and masters of the sets."""

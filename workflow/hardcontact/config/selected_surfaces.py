@@ -48,14 +48,13 @@ class SurfaceRow(Keys):
     source: Literal["measured", "substitute"]
     """Origin of the scans, the same in all rows of a surface."""
     path: FilePath
-    """File of a measured scan, or description of a substitute (`resources/README.md`), the same in
-    all its rows; from the top folder."""
+    """File of a measured scan, or description of a substitute (`resources/README.md`), relative to
+    the top folder."""
     dataset: Annotated[str, Matching(".{0,1000}", "a name, or nothing")]
-    """Scan of a container (`.zip`), by name or data file; channel of another file, or nothing for
-    the file's own choice."""
+    """Scan of a container (`.zip`), by name or data file; channel of another file; or nothing."""
     use: Literal["", "contact", "spectrum"] = ""
-    """Optional. `contact`, also if empty: a height map on which contacts are made. `spectrum`: a
-    measured scan that only enters the spectrum."""
+    """Optional. `contact`, also if empty: contacts are made on it. `spectrum`: it only enters the
+    spectrum."""
     tip_radius: Annotated[float | str, TIP_RADIUS, or_word("")] = ""
     """Optional; radius of the tip of the scan, in place of what the file states."""
 
