@@ -66,7 +66,7 @@ def datasets_of_claims(path: str | Path) -> list[str]:
 
 def check_claims(path: str | Path) -> None:
     """Check a table of statements."""
-    content = f"a table with the columns {', '.join(PERMITTED_WORDS)} (workflow/README.md)"
+    content = f"a table with the columns {', '.join(PERMITTED_WORDS)} (resources/paper/README.md)"
     table = user_table(path, content)
     table.require([*PERMITTED_WORDS], content, PERMITTED_WORDS)
     rows = table.convert(_checked_claim)
