@@ -24,8 +24,6 @@ EDGES = {"short": 37.0, "long": 1700.0}
 QUANTILES = [0.05, 0.25, 0.5, 0.75, 0.95]
 SCANS, PIXELS, PIXEL_SIZE = 3, 64, 10.0
 SIZE = PIXELS * PIXEL_SIZE
-#: Scatter of forces over positions, and the contacts that it needs.
-SCATTER = {"weibull_modulus": 0.5, "log_force_std": 0.4, "contacts_needed": 80.0}
 
 
 def power_law(wavevector):
@@ -224,8 +222,9 @@ def force(count=1):
     data["finite_scan_ratio"] = ("surface", "end"), np.ones((count, 2))
     data["window_share"] = "rho", np.ones(RHOS.size)
     data["pixel_area"] = "surface", np.full(count, PIXEL_SIZE**2)
-    for name, value in SCATTER.items():
-        data[name] = "surface", np.full(count, value)
+    data["log_force_std"] = axes, np.full(mean.shape, 0.4)
+    data["contacts_needed"] = axes, np.full(mean.shape, 80.0)
+    data["weibull_modulus"] = "surface", np.full(count, 0.5)
     smooth = np.full((len(MODELS), RHOS.size), 2 * np.pi * 250e-6 * WORK)
     data["smooth_bound"] = axes[1:], smooth
     return data.assign_attrs(

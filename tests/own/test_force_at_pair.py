@@ -5,7 +5,6 @@ import pytest
 import xarray as xr
 from known_forces import FORCE_DIMS
 from known_masters import LONG, SHORT, scales
-from known_spectra import contact_of_area, self_affine_spectrum
 from refusals import assert_says, refusal
 from scipy import stats
 
@@ -14,13 +13,12 @@ from hardcontact.base.statistics import student_interval
 from hardcontact.own.force_at_pair import (
     add_extrapolated_force,
     bound_by_smooth_sphere,
+    contacts_needed,
     extend_by_pixel_factors,
-    force_scatter,
     forces_on_masters,
     forces_on_scans,
 )
 from hardcontact.own.mean_forces import MasterScans
-from hardcontact.theory.pull_off_statistics import predict_statistics
 
 RHOS = [1.0, 5.0, 20.0]
 OPTIONS = {"work": 0.05, "rho": 5.0, "scan_sizes": {"a": 2500.0, "b": 2500.0}, "confidence": 0.9}
@@ -56,6 +54,8 @@ def test_the_force_is_the_mean_over_contacts_times_the_work():
     single = 0.05 * computed_forces.pull_off_force.sel(selection).values
     quantiles = scan_forces.force_quantile.sel(selection)
     np.testing.assert_allclose(quantiles, np.quantile(single, quantiles["quantile"]))
+    log_force_std = scan_forces.log_force_std.sel(selection)
+    np.testing.assert_allclose(log_force_std, np.log(single).std())
 
 
 def test_three_scans_give_student_s_interval_and_fewer_a_wider_conditional_one():
@@ -180,16 +180,13 @@ def test_the_extrapolated_force_differs_beyond_its_interval_and_the_tolerance(
     assert comparison.sel(side="short").values.tolist() == [differs]
 
 
-def test_the_needed_number_of_contacts_keeps_the_mean_within_the_tolerance():
-    contact = contact_of_area(250e3, 5.6, 1.0, 400.0)
-    scatter = force_scatter(self_affine_spectrum(10.0), contact, tolerance=0.1, confidence=0.9)
-    law = predict_statistics(self_affine_spectrum(10.0), contact)
-    needed = round(scatter["contacts_needed"].item())
-    rng = generator(1, "contacts")
-    level = rng.choice(len(law.means), (2000, needed), p=law.weights)
-    deviation, spread = rng.standard_normal(level.shape), law.log_force_stds[level]
-    samples = law.means[level] * np.exp(spread * deviation - spread**2 / 2)
-    is_within = np.abs(samples.mean(axis=1) / law.force - 1) < 0.1
+def test_a_mean_over_the_needed_contacts_keeps_the_tolerance():
+    computed_forces = adhesion([3, 1], spread=0.8).pull_off_force
+    selection = {"surface": "a", "contact_model": "plastic", "rho": 5.0}
+    forces = computed_forces.sel(selection).values.ravel()
+    needed = round(contacts_needed(computed_forces, 0.1, 0.9).sel(selection).item())
+    means = generator(1, "contacts").choice(forces, (2000, needed)).mean(axis=1)
+    is_within = np.abs(means / forces.mean() - 1) < 0.1
     assert needed > 50 and is_within.mean() == pytest.approx(0.9, abs=0.02)
 
 

@@ -49,8 +49,8 @@ def heights_of(kind):
     return 4 * excess / excess.std() * (1 if kind == "peaks" else -1) + 0.3 * waves
 
 
-def mean_direct_force(scan):
-    """The mean plastic force (N) over the contacts of a levelled map, pixel by pixel."""
+def direct_forces(scan):
+    """The plastic forces (N) of all contacts on a levelled map, pixel by pixel."""
     heights = mirror(scan.heights)
     pixels = window_pixels(contact_on_scan(scan, CONTACT).window, scan.pixel_size)
     positions = (np.arange(CONTACTS) + 0.25) * len(heights) / CONTACTS
@@ -59,7 +59,7 @@ def mean_direct_force(scan):
         gap_to_sphere(heights, position, pixels, scan.pixel_size, RADIUS)
         for position in product(positions.astype(int), repeat=2)
     )
-    return np.mean([direct_force(gap, touching, RANGE, scan.pixel_size, WORK) for gap in gaps])
+    return [direct_force(gap, touching, RANGE, scan.pixel_size, WORK) for gap in gaps]
 
 
 def predicted(tmp_path, heights, *options):
@@ -83,7 +83,11 @@ def predictions(tmp_path_factory):
 @pytest.mark.parametrize("kind", ["gaussian", "pits", "peaks"])
 def test_the_force_on_a_map_is_the_sum_over_its_pixels(kind, predictions):
     words, numbers = predictions[kind]
-    force = mean_direct_force(level_plane(hc.HeightMap(heights_of(kind), PIXEL_SIZE)))
+    forces = direct_forces(level_plane(hc.HeightMap(heights_of(kind), PIXEL_SIZE)))
+    force = np.mean(forces)
+    log_force_std = numbers["log_force_std"]["value"]
+    assert log_force_std == pytest.approx(np.log(forces).std(), rel=1e-2)
+    assert f"ln F of single contacts has a standard deviation of {log_force_std:.2g}" in words
     assert numbers["force_on_scan"]["value"] == pytest.approx(force, rel=1e-3)
     share = force / numbers["smooth_force"]["value"]
     assert numbers["force_on_scan_over_smooth"]["value"] == pytest.approx(share, rel=1e-3)

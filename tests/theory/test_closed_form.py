@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from known_spectra import contact_of_area, gaussian_spectrum, self_affine_spectrum
-from scipy import stats
+from scipy import special, stats
 
 from hardcontact.base.arrays import generator
 from hardcontact.contact.contact import Contact
@@ -14,10 +14,13 @@ from hardcontact.surfaces.synthesis import random_surface
 from hardcontact.theory.closed_form import (
     Regime,
     closed_form,
+    contact_term,
     critical_band,
     filtered_spectrum,
+    smooth_force,
     surface_term,
 )
+from hardcontact.theory.summits import LEVELS, apex_distribution, spectrum_between, summits_above
 
 RADIUS = 250e3
 
@@ -77,6 +80,36 @@ def test_a_single_smooth_summit_attracts_like_a_sphere_of_its_radius():
     summit = length**2 / (sigma * level)  # its curvature is t m2/sigma
     assert form.regime == Regime.SINGLE_PEAKS
     assert form.dmt_ratio == pytest.approx(summit / flat, rel=0.1)
+
+
+@pytest.mark.parametrize("summits", [3.0, 30.0])
+def test_n_summits_attract_like_the_mean_power_of_a_gamma_variable(summits):
+    sigma, flat = 4.0, 1e12  # so flat that its highest summits obey the laws of high levels
+    spectrum = gaussian_spectrum(sigma, 100)
+    rough_spectrum = spectrum_between(spectrum, 0, np.inf)
+    _, counts, bearing_areas = summits_above(rough_spectrum, flat)
+    highest = apex_distribution(rough_spectrum, flat, 0.0).mean()
+    area = summits * np.interp(highest, LEVELS, bearing_areas / np.maximum(counts, 1e-99))
+    apex = apex_distribution(rough_spectrum, flat, area)
+    rho = 3 * sigma / apex.mean()  # the modulus is 3
+    plastic_contact = contact(rho, area, flat)
+    plastic = closed_form(spectrum, plastic_contact)
+    rigid = closed_form(spectrum, contact(rho, 0.0, flat))
+    # The contact area itself attracts, too.
+    area_force = smooth_force(plastic_contact) * (1 - 1 / (1 + contact_term(plastic_contact)))
+    power, number = 2 / (plastic.weibull_modulus + rigid.weibull_modulus), 1 + np.arange(200)
+    touching_count = apex.mean(np.interp(apex.levels, LEVELS, counts))
+    chance = stats.poisson.pmf(number - 1, touching_count - 1)
+    mean_power = chance @ np.exp(special.gammaln(number + power) - special.gammaln(number))
+    force_ratio = (plastic.force - area_force) / rigid.force
+    assert force_ratio == pytest.approx(mean_power / special.gamma(1 + power), rel=0.01)
+
+
+@pytest.mark.parametrize(("rho", "low", "high"), [(2.0, 0.7, 0.9), (40.0, 0.99, 1.0)])
+def test_rough_close_points_lessen_the_force_where_single_peaks_decide(rho, low, high):
+    spectrum = self_affine_spectrum(30, 1000, 0.8, 5.0)
+    smooth_points = closed_form(spectrum, contact(rho), rough_close_points=False)
+    assert low < closed_form(spectrum, contact(rho)).force / smooth_points.force < high
 
 
 @pytest.mark.parametrize(("rms", "rho", "error"), [(4, 5.6, 0.2), (4, 20, 0.05), (40, 5.6, 0.4)])

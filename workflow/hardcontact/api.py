@@ -371,9 +371,8 @@ def predict(
         ``high`` of its interval, and ``status``. Forces are in N, lengths in nm.
 
         - Force in closed form: ``closed_form_force``, ``force_over_smooth`` (relative to
-          ``smooth_force``), ``log_force_std`` (standard deviation of ln F over positions). The
-          status ``"outside"`` means that the error is not known, ``"steep_sidewalls"`` that the
-          heights are not Gaussian, so that there is no value.
+          ``smooth_force``). The status ``"outside"`` means that the error is not known,
+          ``"steep_sidewalls"`` that the heights are not Gaussian, so that there is no value.
         - Band: ``short_edge``, ``long_edge``, for the change ``tolerance`` of the force.
         - Roughness beyond the spectrum: ``extrapolated_change``, the relative change of the force.
           If its status is ``"matters"``, use ``extrapolated_force``, ``extrapolated_short_edge``
@@ -388,9 +387,10 @@ def predict(
 
         For a map also:
 
-        - Force on its pixels: ``force_on_scan``, ``force_on_scan_over_smooth``. If the map is too
-          large, or `rho` below ``shortest_range``, the force has no value, and the numbers below
-          are missing.
+        - Force on its pixels: ``force_on_scan``, ``force_on_scan_over_smooth``, and
+          ``log_force_std``, the standard deviation of ln F over contacts. If the map is too large,
+          or `rho` below ``shortest_range``, the force has no value, and the numbers below are
+          missing.
         - ``closed_form_on_scan``, for all waves of the map. Unless its status is ``"agrees"``, no
           number of the closed form has an interval.
         - Size: ``wide_pixel_ratio``, the force on pixels four times wider relative to the map;

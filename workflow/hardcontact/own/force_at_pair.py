@@ -17,6 +17,7 @@ from hardcontact.contact.contact import CONTACT_AXES, PLASTIC, Contact
 from hardcontact.contact.hertz_jkr_dmt import limit_forces, smooth_pull_off
 from hardcontact.contact.numerical_limits import finite_scan_ratio, window_share
 from hardcontact.own.mean_forces import (
+    SINGLE_CONTACT_AXES,
     MasterForces,
     MasterScans,
     SurfaceForces,
@@ -28,9 +29,9 @@ from hardcontact.own.mean_forces import (
     summarize_masters,
 )
 from hardcontact.own.wide_pixels import pixel_factors
-from hardcontact.surfaces.spectrum import Spectrum, spectrum_of_dataset
+from hardcontact.surfaces.spectrum import spectrum_of_dataset
 from hardcontact.theory.assumptions import assumed_modulus, judge_tabor_parameter
-from hardcontact.theory.pull_off_statistics import predict_statistics
+from hardcontact.theory.closed_form import closed_form
 from hardcontact.theory.summits import search_size
 
 #: Quantiles of the forces of single contacts: the middle half and the middle 90 %.
@@ -67,8 +68,9 @@ def force_dataset(
     surface_spectra = [spectrum_of_dataset(spectra.sel(surface=name)) for name in names]
     search_sizes = [search_size(psd, contact.radius, contact.area) for psd in surface_spectra]
     force = add_sizes(force, topography, contact, search_sizes)
-    scatter = [force_scatter(psd, contact, tolerance, confidence) for psd in surface_spectra]
-    force = force.merge(xr.concat(scatter, force["surface"]))
+    moduli = [closed_form(psd, contact).weibull_modulus for psd in surface_spectra]
+    needed = contacts_needed(adhesion["pull_off_force"], tolerance, confidence)
+    force = force.assign(weibull_modulus=("surface", moduli, DIMENSIONLESS), contacts_needed=needed)
     tabor = judge_tabor_parameter(contact, assumed_modulus(contact.hardness))
     return force.assign_attrs(tabor_parameter=tabor.value, bodies=tabor.status)
 
@@ -123,9 +125,10 @@ def _force_variables(
     mean = np.array([model_forces.mean for model_forces in forces_by_model])
     intervals = [mean_intervals(model_forces, confidence) for model_forces in forces_by_model]
     dimensions = ("contact_model", "rho")
-    quantiles = forces.pull_off_force.quantile(
-        FORCE_QUANTILES, ["scan", "sphere_scan", *CONTACT_AXES]
-    ).transpose(*dimensions, "quantile")
+    quantiles = forces.pull_off_force.quantile(FORCE_QUANTILES, SINGLE_CONTACT_AXES).transpose(
+        *dimensions, "quantile"
+    )
+    log_force_std = np.array([model_forces.log_force_std for model_forces in forces_by_model])
     scan_parts = forces_by_model[0].scan_parts[np.abs(forces.rho.values - rho).argmin()]
     contact_count = np.prod([forces.sizes[axis] for axis in CONTACT_AXES])
     variables = with_interval("force", dimensions, mean, np.array(intervals), NEWTON, confidence)
@@ -137,6 +140,7 @@ def _force_variables(
         variables
         | {
             "force_quantile": ((*dimensions, "quantile"), quantiles.values, NEWTON),
+            "log_force_std": (dimensions, log_force_std, DIMENSIONLESS),
             "interval_source": scan_parts.interval_source,
             "interval_scans": scan_parts.scan_count,
             "contacts": ((), contact_count, DIMENSIONLESS),
@@ -265,19 +269,12 @@ def add_sizes(
     ).assign_attrs(window=contact.window, contact_area=contact.area)
 
 
-def force_scatter(
-    spectrum: Spectrum, contact: Contact, tolerance: float, confidence: float
-) -> xr.Dataset:
-    """Return how the force scatters over the positions of the sphere.
+def contacts_needed(forces: xr.DataArray, tolerance: float, confidence: float) -> xr.DataArray:
+    """Return how many contacts give a mean force within the relative tolerance.
 
-    ``log_force_std`` is the standard deviation of ln F. A mean over ``contacts_needed`` is within
-    the relative tolerance, with the confidence.
+    The number (surface, contact_model, rho) holds with the confidence; the forces are of single
+    contacts on the scans.
     """
-    statistics = predict_statistics(spectrum, contact)
-    quantile = special.ndtri((1 + confidence) / 2)
-    scatter = {
-        "weibull_modulus": statistics.weibull_modulus,
-        "log_force_std": statistics.log_force_std,
-        "contacts_needed": (quantile * statistics.relative_std / tolerance) ** 2,
-    }
-    return xr.Dataset({name: ((), value, DIMENSIONLESS) for name, value in scatter.items()})
+    relative_std = forces.std(SINGLE_CONTACT_AXES) / forces.mean(SINGLE_CONTACT_AXES)
+    quantile = float(special.ndtri((1 + confidence) / 2))
+    return ((quantile / tolerance * relative_std) ** 2).assign_attrs(DIMENSIONLESS)

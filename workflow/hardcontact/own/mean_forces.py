@@ -26,6 +26,8 @@ from hardcontact.inference.scan_parts import (
 
 #: An interval that spans a wider factor to each side bounds nothing of use.
 MAX_BOUNDED_HALF_WIDTH = float(np.log(1e3))
+#: Dimensions over which the forces of single contacts on one surface differ.
+SINGLE_CONTACT_AXES = ["scan", "sphere_scan", *CONTACT_AXES]
 
 
 class SurfaceForces(NamedTuple):
@@ -35,6 +37,7 @@ class SurfaceForces(NamedTuple):
     mean: Floats  #: (rho,) Mean force in N, at the work of adhesion of the single forces.
     delete_one_log_means: Floats  #: (rho, part) Logarithms of the mean of all parts but one.
     scan_parts: list[ScanParts]  #: (rho,) Parts correlate more at longer ranges.
+    log_force_std: Floats  #: (rho,) Standard deviation of ln F over single contacts.
     #: (rho,) Variance of ln F between positions on a rough sphere; None for a single position.
     position_variance: Variance | None
 
@@ -60,8 +63,11 @@ def forces_of_surface(
         scan_parts[0], "scan", lambda kept: scan_forces.where(kept).mean(CONTACT_AXES).mean("scan")
     )
     mean = scan_forces.mean(CONTACT_AXES).mean("scan").values
+    log_force_std = np.log(forces).std(SINGLE_CONTACT_AXES).values
     variance = _position_variance(forces)
-    return SurfaceForces(scan_forces.rho.values, mean, delete_one_log_means.T, scan_parts, variance)
+    return SurfaceForces(
+        scan_forces.rho.values, mean, delete_one_log_means.T, scan_parts, log_force_std, variance
+    )
 
 
 def forces_by_surface(

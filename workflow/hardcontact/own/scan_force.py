@@ -155,7 +155,8 @@ def _wide_pixel_ratio(scan: HeightMap, surface: HeightMap, contact: Contact) -> 
 
 
 def _scatter_numbers(surface_forces: SurfaceForces, confidence: float) -> Iterator[Number]:
-    """Yield the number of touched patches, and how much the position of a rough sphere matters."""
+    """Yield the scatter of ln F, the touched patches, and the effect of a sphere's position."""
+    yield Number("log_force_std", float(surface_forces.log_force_std[0]))
     yield Number("touched_patches", surface_forces.scan_parts[0].touched_patches)
     log_half_width = position_half_width(surface_forces, confidence)
     if log_half_width is not None:

@@ -120,19 +120,19 @@ def _terms(
     """Return the surface term and the summit term, averaged over levels of the apex."""
     relative_rms = np.sqrt(spectral_moment(spectrum, 0)) / contact.rho
     summit_ratio = 1.0
-    summit = roughness_on_summit(spectrum, apex, contact)
+    summit = _roughness_on_summit(spectrum, apex, contact)
     if summit is not None and generations:
         finer, summit_contact = summit
         finer_apex = apex_distribution(finer, summit_contact.radius, summit_contact.area)
         terms = _terms(finer, finer_apex, summit_contact, rough_close_points, generations - 1)
         summit_ratio = min(sum(terms), 1.0)
-    surface_terms, summit_term = rough_terms(apex, relative_rms, summit_ratio)
+    surface_terms, summit_term = _rough_terms(apex, relative_rms, summit_ratio)
     if not rough_close_points:
         surface_terms = surface_term(apex.levels, relative_rms)
     return apex.mean(surface_terms), summit_term
 
 
-def rough_terms(
+def _rough_terms(
     apex: ApexDistribution, relative_rms: float, summit_ratio: float
 ) -> tuple[Floats, float]:
     """Return the surface term at each level (n,) and the mean summit term, with rough summits.
@@ -152,7 +152,7 @@ def rough_terms(
     return surface_terms, summit_ratio * apex.mean(special.ndtr(-apex.levels))
 
 
-def roughness_on_summit(
+def _roughness_on_summit(
     spectrum: Spectrum, apex: ApexDistribution, contact: Contact
 ) -> tuple[Spectrum, Contact] | None:
     """Return the spectrum of the roughness on a touching summit, and the contact of the summit.

@@ -22,7 +22,6 @@ from hardcontact.scans.tail import TailEnd, extrapolate_short_waves, fit_hurst_e
 from hardcontact.surfaces.spectrum import MIN_BINS, WAVEVECTORS, Spectrum, all_scales_rms
 from hardcontact.theory.assumptions import MAX_NEGLIGIBLE_CHANGE
 from hardcontact.theory.closed_form import ClosedForm, closed_form, critical_band, smooth_force
-from hardcontact.theory.pull_off_statistics import predict_statistics
 from hardcontact.theory.validity import (
     VALIDATED_QUANTITIES,
     Validity,
@@ -89,7 +88,6 @@ def prediction(
         *inputs,
         _force_number("closed_form_force", form, known_point),
         *extrapolated,
-        Number("log_force_std", predict_statistics(trimmed, contact).log_force_std),
         Number("force_over_smooth", form.force / smooth_force(contact)),
         Number("apex_height", form.apex_height, "nm"),
         Number("weibull_modulus", form.weibull_modulus, status=form.regime),
