@@ -1,19 +1,12 @@
-"""The program `hardcontact`, and what its commands share: their parser and their output.
-
-No command replaces an input; it replaces other files only with --overwrite.
-"""
+"""The program `hardcontact`: it runs one command, and prints its report or its faults."""
 
 import os
 import re
 import sys
-from argparse import ArgumentParser, RawDescriptionHelpFormatter
-from collections.abc import Iterator, Mapping, Sequence
-from pathlib import Path
-from typing import NoReturn
+from collections.abc import Sequence
 
-from hardcontact.base.dataset import atomic_file
 from hardcontact.base.units import FACTORS
-from hardcontact.config.faults import raise_faults, spelling_question
+from hardcontact.config.faults import raise_faults
 
 
 def main() -> int:
@@ -73,79 +66,3 @@ def join_units(words: Sequence[str]) -> list[str]:
         else:
             arguments.append(word)
     return arguments
-
-
-class CommandLine(ArgumentParser):
-    """A parser without short options, which suggests the right word for a wrong one."""
-
-    def __init__(self, command: str, description: str) -> None:
-        """Take the command, and the text with which its help begins."""
-        super().__init__(
-            command, description=description, formatter_class=RawDescriptionHelpFormatter,
-            allow_abbrev=False,
-        )  # fmt: skip
-
-    def error(self, message: str) -> NoReturn:
-        """End the program with one line, which asks whether another word is meant."""
-        line = f"error: {message}{self._question(message)}; {self.prog} --help lists all options"
-        self.exit(2, f"{line}\n")
-
-    def _question(self, message: str) -> str:
-        """Return a question if a message names an unknown word that resembles a known one."""
-        if "invalid choice: " in message:
-            choice = message.partition("invalid choice: '")[2].partition("'")[0]
-            known_words = [word for action in self._actions for word in action.choices or ()]
-        else:
-            unknown = message.partition("unrecognized arguments: ")[2].partition(" ")[0]
-            choice = unknown.partition("=")[0]
-            if choice == "--diameter":
-                return " (did you mean --radius, with half of it?)"
-            known_words = [name for name in self._option_string_actions if name.startswith("--")]
-        return spelling_question(choice, known_words)
-
-
-def output_faults(
-    outputs: Mapping[str, str | None], inputs: Mapping[str, str], overwrite: bool
-) -> Iterator[str]:
-    """Yield a line for each output that cannot be written, or would replace a file.
-
-    `outputs` are paths by option: None if not asked for, - for the terminal. `inputs` are words
-    such as "that of the surface", by path.
-    """
-    reserved = {
-        os.path.realpath(path): f"another file than {words}" for path, words in inputs.items()
-    }
-    for option, path in outputs.items():
-        if path is None:
-            continue
-        real_path = path if path == "-" else os.path.realpath(path)
-        if real_path in reserved:
-            yield f"--{option}: expected {reserved[real_path]}, found {path}"
-        elif path != "-" and (not Path(real_path).parent.is_dir() or Path(real_path).is_dir()):
-            yield f"--{option}: expected a file in a folder that exists, found {path}"
-        elif Path(real_path).is_file() and not overwrite:
-            yield (
-                f"--{option}: expected a new file, found {path}: take another name, or add "
-                "--overwrite"
-            )
-        reserved[real_path] = f"another file than that of --{option}"
-
-
-def align_cells(rows: Sequence[Sequence[str]]) -> list[str]:
-    """Return the rows as lines, with cells in columns; the last cell of a row may be longer."""
-    columns = max(map(len, rows))
-    padded = [[*row, *[""] * (columns - len(row))] for row in rows]
-    widths = [
-        max((len(row[column]) for row in rows if len(row) > column + 1), default=0)
-        for column in range(columns)
-    ]
-    return ["  ".join(map(str.ljust, row, widths)).rstrip() for row in padded]
-
-
-def write_output(path: str, text: str) -> None:
-    """Write a file completely; pipes and devices take the text as it comes."""
-    if Path(path).exists() and not Path(path).is_file():
-        Path(path).write_text(text, "utf-8")
-        return
-    with atomic_file(os.path.realpath(path)) as temporary:
-        Path(temporary).write_text(text, "utf-8")

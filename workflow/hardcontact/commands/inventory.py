@@ -10,7 +10,7 @@ import numpy as np
 
 from hardcontact.base.arrays import Floats
 from hardcontact.base.formatting import format_length
-from hardcontact.commands.command_line import align_cells
+from hardcontact.commands.outputs import align_cells
 from hardcontact.commands.scan_files import ScanFile
 from hardcontact.config.selected_surfaces import CONTACT_USE
 from hardcontact.contact.numerical_limits import Grid

@@ -14,7 +14,6 @@ import pandas as pd
 
 from hardcontact.base.formatting import format_length, format_quantity
 from hardcontact.base.number import Number, json_value
-from hardcontact.commands.command_line import CommandLine, output_faults, write_output
 from hardcontact.commands.options import (
     QuantityOption,
     add_shared_options,
@@ -23,6 +22,8 @@ from hardcontact.commands.options import (
     parse_quantities,
     reading_options,
 )
+from hardcontact.commands.outputs import output_faults, write_output
+from hardcontact.commands.parser import CommandLine
 from hardcontact.commands.scan_cautions import one_pixel_touches
 from hardcontact.config.configuration import CONTACT_QUANTITIES
 from hardcontact.config.faults import raise_faults, run_checks

@@ -6,8 +6,8 @@ from collections.abc import Iterator, Sequence
 from importlib.metadata import version
 from pathlib import Path
 
-from hardcontact.commands.command_line import CommandLine
 from hardcontact.commands.options import add_shared_options
+from hardcontact.commands.parser import CommandLine
 from hardcontact.commands.scan_files import label_faults
 from hardcontact.config.key_types import MAX_NAME_LENGTH, study_name
 from hardcontact.config.keys import QUICK_SUFFIX
