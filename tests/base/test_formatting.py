@@ -6,10 +6,10 @@ import pytest
 
 from hardcontact.base.formatting import (
     format_as_paper,
+    format_estimate,
     format_number,
     format_quantity,
     format_value_and_ends,
-    format_with_interval,
     is_unbounded,
 )
 
@@ -92,10 +92,10 @@ def test_the_width_of_an_interval_decides_the_digits(numbers, printed):
 
 def test_digits_are_as_asked_and_without_exponent():
     assert format_as_paper(67.23, "nm", digits=2) == "67 nm"
-    assert format_with_interval({"value": 0.0561, "low": 0.045, "high": 0.0684}, ".2g") == (
+    assert format_estimate({"value": 0.0561, "low": 0.045, "high": 0.0684}, ".2g") == (
         "0.056 [0.045, 0.068]"
     )
-    assert format_with_interval({"value": 1.8, "low": nan, "high": nan}, ".2f") == "1.80"
+    assert format_estimate({"value": 1.8, "low": nan, "high": nan}, ".2f") == "1.80"
     assert [format_number(length) for length in (99594.5, 0.1953)] == ["99600", "0.195"]
 
 

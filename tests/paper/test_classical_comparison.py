@@ -37,7 +37,7 @@ def apply_models(inference, seed=1):
         inference,
         published.read_constants(TABLES / "constants.csv"),
         published.read_table1(TABLES / "table1.csv"),
-        published.read_printed_forces(TABLES / "pull_off.csv"),
+        published.read_published_forces(TABLES / "pull_off.csv", dtype=str),
         Sampling(seed, 20, 0.9, ("classical",)),
     )
 

@@ -18,7 +18,7 @@ from scan_files import (
 from SurfaceTopography import NonuniformLineScan, Topography, UniformLineScan
 
 from hardcontact.base import dataset
-from hardcontact.scans.formats import stated_tip_radius
+from hardcontact.scans.formats import find_tip_radius
 from hardcontact.scans.reading import list_scans, read_scan
 from hardcontact.surfaces.height_map import HeightMap, load_height_map, refuse_line_scan
 
@@ -319,6 +319,6 @@ WORDS = {"description": "tip radius 7 nm"}
     ],
 )
 def test_the_tip_radius_is_read_from_the_file_or_from_words(file, container, radius):
-    stated_radius, notes = stated_tip_radius(file, container)
+    stated_radius, notes = find_tip_radius(file, container)
     assert stated_radius == (None if radius is None else pytest.approx(radius))
     assert len(notes) == (radius is not None)

@@ -12,7 +12,7 @@ with run_job(snakemake) as job:
             read(job.input.fit),
             published.read_constants(job.input.published_constants),
             published.read_table1(job.input.published_table1),
-            published.read_printed_forces(job.input.published_pull_off),
+            published.read_published_forces(job.input.published_pull_off, dtype=str),
             Sampling.from_parameters(job.parameters, "classical"),
         ),
         title="effective work of adhesion, and classical models of rough adhesion",

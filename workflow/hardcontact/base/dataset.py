@@ -25,7 +25,7 @@ PART = ".part-"
 MEANINGS = Path(__file__).resolve().parents[2] / "report/variables.tsv"
 #: End of the name of a variable that holds the interval of another one.
 INTERVAL = "_interval"
-#: Datasets by their labels, one for each dimension along which they are stacked.
+#: Datasets by key; a key has a label for each dimension along which they are stacked.
 DatasetsByLabels = Mapping[tuple[Any, ...], xr.Dataset]
 
 
@@ -40,8 +40,8 @@ class NamedSurfaces(TypedDict):
 def atomic_file(path: str | Path) -> Iterator[str]:
     """Yield a temporary path in the same folder; rename it if the block succeeds, else remove it.
 
-    Creates missing folders. The content reaches the disk before the name, so that a power loss
-    leaves no half file. Raises ValueError, with one line, if the file cannot be written.
+    The content reaches the disk before the name, so that a power loss leaves no half file. Raises
+    ValueError, with one line, if the file cannot be written.
     """
     path = Path(path)
     temporary = path.with_name(f"{PART}{secrets.token_hex(4)}-{path.name}")
@@ -70,10 +70,7 @@ def remove_parts(path: str | Path) -> None:
 
 
 def write(dataset: xr.Dataset, path: str | Path) -> None:
-    """Write a dataset completely or not at all.
-
-    An existing file is replaced. Raises ValueError if the file cannot be written.
-    """
+    """Write a dataset by `atomic_file`; an existing file is replaced."""
     with atomic_file(path) as temporary:
         try:
             dataset.to_netcdf(temporary, engine="netcdf4")
@@ -92,7 +89,7 @@ def read_meanings(name: str) -> dict[str, str]:
 def describe(dataset: xr.Dataset, meanings: Mapping[str, str]) -> xr.Dataset:
     """Return a dataset whose variables have their meaning as `long_name`, and whole numbers a unit.
 
-    A variable without a meaning stays as it is. An interval has the meaning of its variable.
+    An interval has the meaning of its variable.
     """
     result = dataset.copy()
     for name, variable in result.variables.items():
@@ -105,10 +102,9 @@ def describe(dataset: xr.Dataset, meanings: Mapping[str, str]) -> xr.Dataset:
 
 
 def read(path: str | Path) -> xr.Dataset:
-    """Read a dataset into memory, without its encoding.
+    """Read a dataset into memory; raises ValueError if the file is missing or damaged.
 
-    The encoding fixes the length of texts, and would cut longer texts of another dataset.
-    Raises ValueError if the file is missing, damaged or truncated.
+    The encoding is dropped: it fixes the length of texts, and would cut longer ones when joined.
     """
     try:
         with xr.open_dataset(path, engine="netcdf4") as dataset:
@@ -123,16 +119,12 @@ def read(path: str | Path) -> xr.Dataset:
 def read_all(
     keys: Iterable[Sequence[Any]], paths: Iterable[str | Path]
 ) -> dict[tuple[Any, ...], xr.Dataset]:
-    """Read one dataset for each key, for `stack`.
-
-    A key has a label for each dimension. Raises ValueError if there are not as many keys as paths,
-    or if `read` fails.
-    """
+    """Read one dataset for each key, for `stack`."""
     return {tuple(key): read(path) for key, path in zip(keys, paths, strict=True)}
 
 
 def read_by_name(names: Iterable[str], paths: Iterable[str | Path]) -> dict[str, xr.Dataset]:
-    """Read one dataset for each name; raise ValueError as `read_all` does."""
+    """Read one dataset for each name."""
     return {name: read(path) for name, path in zip(names, paths, strict=True)}
 
 
@@ -147,10 +139,9 @@ def concatenate(
 
 
 def stack(datasets: DatasetsByLabels, dimensions: Sequence[str]) -> xr.Dataset:
-    """Join datasets along new dimensions, the outermost first.
+    """Join datasets along new dimensions, the outermost first; missing combinations are NaN.
 
-    A key has a label for each dimension. Labels keep the order of the keys; inner labels are sorted
-    if they differ between outer labels. Values are NaN where a combination of labels is missing.
+    Labels keep the order of the keys. Inner labels are sorted if they differ between outer labels.
     """
     if not dimensions:
         return datasets[()]

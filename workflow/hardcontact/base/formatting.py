@@ -3,13 +3,13 @@
 import math
 from collections.abc import Callable, Mapping, Sequence
 
-#: By the unit of a dataset: the units that are printed, largest first, each in that unit.
+#: For each unit of datasets: the units that are printed, largest first, with their sizes.
 PRINTED_UNITS = {
     "nm": {"mm": 1e6, "µm": 1e3, "nm": 1.0},
     "N": {"N": 1.0, "mN": 1e-3, "µN": 1e-6, "nN": 1e-9, "pN": 1e-12},
     "J m-2": {"J/m²": 1.0, "mJ/m²": 1e-3},
 }
-#: Printed units of numbers that are compared with the paper: the units that the paper prints.
+#: The same for numbers that are compared with the paper: the units that it prints.
 UNITS_OF_PAPER = {
     "nm": {"µm": 1e3, "nm": 1.0},
     "nm2": {"nm²": 1.0},
@@ -20,10 +20,10 @@ UNITS_OF_PAPER = {
     "1": {"": 1.0},
 }
 
-#: Largest ratio of the ends of a printed interval; a wider one only says that scans are too few.
+#: Largest ratio of the ends of a printed interval: a wider one only says that scans are too few.
 MAX_END_RATIO = 100
-#: Relative and absolute difference from a limit up to which a number counts as at the limit.
-NEAR = 1e-5
+#: Relative and absolute difference up to which a number lies on a limit.
+LIMIT_TOLERANCE = 1e-5
 
 
 def format_number(value: float, digits: int = 3) -> str:
@@ -31,8 +31,8 @@ def format_number(value: float, digits: int = 3) -> str:
     return f"{float(f'{value:.{digits}g}'):g}"
 
 
-def round_with(rounding: Callable[[float], int], value: float) -> float:
-    """Return a positive number rounded to three digits by `math.floor` or `math.ceil`."""
+def round_to_three_digits(value: float, rounding: Callable[[float], int]) -> float:
+    """Return a positive number rounded by `math.floor` or `math.ceil`."""
     step = 10.0 ** (math.floor(math.log10(value)) - 2)
     return float(f"{rounding(value / step) * step:.3g}")
 
@@ -40,9 +40,9 @@ def round_with(rounding: Callable[[float], int], value: float) -> float:
 def format_value_and_ends(value: float, low: float, high: float, *limits: float) -> list[str]:
     """Return a number and both ends of its interval, with the same number of decimals.
 
-    The last digit is about a fifth of the interval's width or of the smallest number. If the ends
-    have the same sign and a ratio above three, or an end is infinite, each number has two
-    digits instead. An end gets more digits if rounding would move it to or across a limit.
+    The last digit is about a fifth of the interval's width or of the smallest number. A wide
+    interval, with a ratio of its ends above three, has numbers of two digits instead. An end gets
+    more digits if rounding would move it to or across a limit.
     """
     numbers = (value, low, high)
     if not all(map(math.isfinite, numbers)):
@@ -53,26 +53,26 @@ def format_value_and_ends(value: float, low: float, high: float, *limits: float)
     last_digits = [max(finest / 5, largest / 1000) or 1] * 3
     if has_one_sign and largest > 3 * smallest:
         last_digits = [abs(number) / 10 or 1 for number in numbers]
-    arguments = zip(last_digits, numbers, ((), limits, limits), strict=True)
-    return [_format_down_to(*row) for row in arguments]
+    arguments = zip(numbers, last_digits, ((), limits, limits), strict=True)
+    return [_format_to_place(*row) for row in arguments]
 
 
-def _format_down_to(last_digit: float, number: float, limits: Sequence[float] = ()) -> str:
-    """Return a number rounded to the decimal place of `last_digit`: 0.03 keeps hundredths.
+def _format_to_place(number: float, last_digit: float, limits: Sequence[float] = ()) -> str:
+    """Return a number with the decimal places of `last_digit`: 0.03 keeps hundredths.
 
-    More digits are kept until rounding moves the number across no limit, except limits NEAR it.
+    It has more places if rounding would otherwise move it to or across a limit.
     """
     exponent = math.floor(math.log10(last_digit))
     text = f"{round(number, -exponent):z.{max(-exponent, 0)}f}"
-    is_hidden = any(
+    crosses_limit = any(
         (float(text) - limit) * (number - limit) <= 0
         for limit in limits
-        if not math.isclose(number, limit, rel_tol=NEAR, abs_tol=NEAR)
+        if not math.isclose(number, limit, rel_tol=LIMIT_TOLERANCE, abs_tol=LIMIT_TOLERANCE)
     )
-    return _format_down_to(last_digit / 10, number, limits) if is_hidden else text
+    return _format_to_place(number, last_digit / 10, limits) if crosses_limit else text
 
 
-def _format(
+def _format_in_best_unit(
     value: float,
     units: Mapping[str, float],
     interval: tuple[float, float],
@@ -82,8 +82,8 @@ def _format(
 ) -> str:
     """Return a number in the unit that fits best, with its interval if both ends are known.
 
-    `digits` is the number of significant digits if there is no interval, and `open_end` the end,
-    "low" or "high", that is only a bound.
+    `digits` counts significant digits without an interval. The `open_end`, "low" or "high", of an
+    interval is only a bound.
     """
     # 999.9 nm is printed as 1 µm, not as 1000 nm: half of the last digit is enough.
     threshold = 1 - 0.5 * 10**-digits
@@ -106,19 +106,18 @@ def format_quantity(
 ) -> str:
     """Return a number with its unit and its interval: "1.7 µm" or "0.64 [0.5, 0.8] µN".
 
-    Number and interval are in `unit`, a key of PRINTED_UNITS. Ends of the interval are NaN if they
-    are unknown, zero and infinity if nothing is excluded. `open_end` is the end, "low" or "high",
-    that is only a bound: "0.64 [at least 0.5] µN".
+    Number and interval are in `unit`, a key of PRINTED_UNITS. Unknown ends are NaN; they are zero
+    and infinity if nothing is excluded. With the `open_end` "high": "0.64 [at least 0.5] µN".
     """
     is_finite = math.isfinite(sum(interval))
     unbounded = is_finite and is_unbounded(value, *interval, unit)
     shown_interval = interval if is_finite and not unbounded else (math.nan, math.nan)
-    text = _format(value, PRINTED_UNITS[unit], shown_interval, digits, open_end)
+    text = _format_in_best_unit(value, PRINTED_UNITS[unit], shown_interval, digits, open_end)
     return f"{text} [not bounded]" if unbounded or interval == (0, math.inf) else text
 
 
 def format_length(length: float) -> str:
-    """Return a length (nm) with its unit, for example "37 nm"."""
+    """Return a length in nm with its unit: "37 nm"."""
     return format_quantity(length, "nm")
 
 
@@ -132,24 +131,22 @@ def format_as_paper(
 ) -> str:
     """Return a quantity in the units of the paper, with its interval: "1.66 [1.38, 2.84] µm".
 
-    Number and interval are in `unit`, a unit of the datasets; a unit that is not in
-    `UNITS_OF_PAPER` is printed as it is. An unknown interval is NaN. The text is empty if the value
-    is NaN. `open_end` is the end, "low" or "high", that is only a bound: "250 [at least 175] nm".
-    Ends have enough digits to show whether they lie above or below each of the `limits`; a number
-    without a unit has the limits 0 and 1, too.
+    The arguments are those of `format_quantity`, but any `unit` is accepted. The text is empty if
+    the value is NaN. Ends have enough digits to show on which side of each of the `limits` they
+    lie; numbers without a unit have the limits 0 and 1, too.
     """
     if math.isnan(value):
         return ""
     limits = (*limits, 0, 1) if unit == "1" else limits
-    return _format(value, UNITS_OF_PAPER.get(unit, {unit: 1.0}), interval, digits, open_end, limits)
+    units = UNITS_OF_PAPER.get(unit, {unit: 1.0})
+    return _format_in_best_unit(value, units, interval, digits, open_end, limits)
 
 
 def is_unbounded(value: float, low: float, high: float, unit: str) -> bool:
     """Return whether the ends of an interval differ by more than `MAX_END_RATIO`; False for NaN.
 
-    Value and ends are in `unit`. If the interval contains zero, its farther end is compared with
-    the value instead. A number without a unit, such as an exponent or a relative change, may be
-    near zero: its farther end is compared with one if the value is below one.
+    If the interval contains zero, its farther end is compared with the value; without a unit, as
+    for an exponent, with one if the value is smaller.
     """
     near, far = sorted((abs(low), abs(high)))
     if low <= 0 <= high:
@@ -162,10 +159,11 @@ def format_share(share: float, form: str = "g") -> str:
     return f"{100 * share:{form}} %"
 
 
-def format_with_interval(ends: Mapping[str, float], form: str) -> str:
-    """Return `value`, `low`, `high` as "0.056 [0.045, 0.068]", or the value if ends are NaN.
+def format_estimate(estimate: Mapping[str, float], form: str) -> str:
+    """Return `value`, `low`, `high` as "0.056 [0.045, 0.068]", or the value if an end is NaN.
 
-    `form` is the format of each number, such as ".2g". No unit is printed.
+    `form` is the format of each number, such as ".2g".
     """
-    number, low, high = (f"{ends[name]:{form}}" for name in ("value", "low", "high"))
-    return f"{number} [{low}, {high}]" if math.isfinite(ends["low"] + ends["high"]) else number
+    value, low, high = (f"{estimate[name]:{form}}" for name in ("value", "low", "high"))
+    is_bounded = math.isfinite(estimate["low"] + estimate["high"])
+    return f"{value} [{low}, {high}]" if is_bounded else value

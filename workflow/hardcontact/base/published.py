@@ -1,6 +1,6 @@
 """Read the numbers that the paper prints, from the tables of `resources/paper`.
 
-Substitutes of both kinds of study are made from them, so they are known below the layer `paper`.
+This module is not in the layer `paper`, because the substitutes of any study need these numbers.
 """
 
 from collections.abc import Mapping
@@ -29,33 +29,26 @@ def effective_modulus(constants: Mapping[Any, Any]) -> float:
 
 
 def read_constants(path: str | Path) -> pd.DataFrame:
-    """Read `constants.csv`: single numbers of the paper.
+    """Read `constants.csv`, single numbers of the paper, by quantity.
 
-    Returns value and uncertainty (NaN if not printed), both in `unit`, by quantity. The column
-    `evidence` separates published from inferred numbers; `source` is the section of the paper.
+    The uncertainty is NaN if it is not printed. `evidence` says whether a number is published or
+    inferred, `source` in which section of the paper it is.
     """
     return pd.read_csv(path, index_col="quantity")
 
 
-def read_published_forces(path: str | Path) -> pd.DataFrame:
-    """Read `pull_off.csv`: the statistics of pull-off forces that the paper prints.
+def read_published_forces(path: str | Path, dtype: type[str] | None = None) -> pd.DataFrame:
+    """Read `pull_off.csv`: the statistics of pull-off forces that the paper prints, by surface.
 
-    Returns mean_force and median_force in N and effective_work_of_adhesion in J/m², by surface.
-    A number that the paper does not print is NaN.
+    Returns mean_force and median_force in N and effective_work_of_adhesion in J/m², NaN if they are
+    not printed. The `dtype` str keeps the printed digits as text.
     """
-    return pd.read_csv(path).pivot(index="surface", columns="quantity", values="value")
-
-
-def read_printed_forces(path: str | Path) -> pd.DataFrame:
-    """Read `pull_off.csv` like `read_published_forces`, but keep the printed digits as text."""
-    return pd.read_csv(path, dtype=str).pivot(index="surface", columns="quantity", values="value")
+    table = pd.read_csv(path, dtype=dtype)
+    return table.pivot(index="surface", columns="quantity", values="value")
 
 
 def read_table1(path: str | Path) -> pd.DataFrame:
-    """Read `table1.csv`: the roughness metrics of Table 1, one row per number.
-
-    It has the columns of `read_constants`, and `surface`.
-    """
+    """Read `table1.csv`: the roughness metrics of Table 1, one row per number and surface."""
     return pd.read_csv(path)
 
 
@@ -66,7 +59,7 @@ def surfaces_of_table1() -> set[str]:
 
 
 def rows_of_surface(table1: pd.DataFrame, surface: str) -> pd.DataFrame:
-    """Return value and uncertainty of a surface in Table 1, by quantity; empty if it is not there.
+    """Return the rows of a surface in Table 1, by quantity; none if it is not there.
 
     Slopes of Table 1 are read as rms gradients, curvatures as half rms Laplacians.
     """

@@ -1,9 +1,8 @@
 """Intervals of means over scans, and random samples of uncertain quantities.
 
-Uncertainty comes from scans, not from contacts, because contacts on one scan touch the same peaks.
-In the paper's study the interval of a mean over scans is Student's t; a quantity of several means
-gets random samples. The user's surfaces may have only one or two scans: `inference.scan_parts` then
-uses quarters of a scan. The interval of ``name`` is ``name_interval``, with the dimension ``end``.
+Scans are the samples, not contacts, because contacts on one scan touch the same peaks. A mean over
+scans gets the interval of Student's t. A number that follows from several means gets it from random
+samples of these means. A user may have only one or two scans, which `inference.scan_parts` divides.
 """
 
 import warnings
@@ -18,18 +17,16 @@ from numpy.typing import ArrayLike
 
 from hardcontact.base.arrays import Floats, generator
 
-#: Largest deviation of ln(sample) from ln(mean); larger deviations are clipped. Two scans give
-#: Student's t one degree of freedom and no moments: products of its extremes would leave the range
-#: of floating-point numbers. A factor of e^50 is as good as infinite.
+#: Largest deviation of ln(sample) from ln(mean): e^50 is as good as infinite. Larger ones are
+#: clipped, because products of the extremes of Student's t would leave the range of floats.
 MAX_LOG_DEVIATION = 50.0
-
 #: Median distance of normal values from their mean, in standard deviations.
 MEDIAN_DEVIATION = 0.6745
 #: The ends of an interval, in their order along the dimension `end`.
 ENDS = ["low", "high"]
 
 
-def with_interval(
+def estimate_variables(
     name: str,
     dimensions: str | Sequence[str],
     value: ArrayLike,
@@ -37,10 +34,9 @@ def with_interval(
     attributes: dict[str, Any],
     confidence: float,
 ) -> dict[str, Any]:
-    """Return the variables `name` and `name_interval`, ready for `xarray.Dataset`.
+    """Return a value (...) and its interval (..., 2) as the variables `name` and `name_interval`.
 
-    The value (...) has the dimensions; the interval (..., 2) also has the dimension ``end``, low
-    and high. Both get the attributes, the interval also ``confidence``.
+    The interval also has the dimension ``end``, low and high, and the attribute ``confidence``.
     """
     names = (dimensions,) if isinstance(dimensions, str) else tuple(dimensions)
     return {
@@ -58,9 +54,9 @@ def interval_ends(dataset: xr.Dataset, name: str) -> tuple[xr.DataArray, xr.Data
 
 
 def percentile_interval(samples: ArrayLike, confidence: float) -> Floats:
-    """Return the central interval (..., 2) of samples (samples, ...), which may be NaN.
+    """Return the interval (..., 2) that holds the central share `confidence` of samples (n, ...).
 
-    The confidence is the share of the samples inside. Ends are NaN if all samples are NaN.
+    Samples may be NaN; the ends are if all samples are.
     """
     samples = np.asarray(samples)
     tail = 50 * (1 - confidence)
@@ -95,24 +91,21 @@ def student_quantile(degrees_of_freedom: Any, confidence: float) -> Any:
 
 
 def student_interval(values: xr.DataArray, confidence: float, dim: str) -> xr.DataArray:
-    """Return the interval of a mean of independent values along a dimension by Student's t.
+    """Return the interval (..., end) of a mean of independent values along a dimension.
 
-    Missing values are NaN. Both ends, along the last dimension `end`, are NaN for fewer than two
-    values. The confidence is the probability that the interval holds the mean.
+    It is Student's t; NaN for fewer than two values. Missing values are NaN.
     """
     mean = values.mean(dim)
     count = values.count(dim)
     half_width = student_quantile(count - 1, confidence) * values.std(dim, ddof=1) / np.sqrt(count)
-    return interval_between(mean - half_width, mean + half_width).assign_attrs(
-        confidence=confidence
-    )
+    interval = join_ends(mean - half_width, mean + half_width)
+    return interval.assign_attrs(confidence=confidence)
 
 
 def student_log_interval(values: xr.DataArray, confidence: float, dim: str) -> xr.DataArray:
-    """Return the interval of a mean of positive values, by Student's t on their logarithms.
+    """Return the `student_interval` of a mean of positive values, from their logarithms.
 
-    Its logarithm is centred on ln(mean), and as wide as Student's interval of the mean logarithm.
-    Arguments and result are as for `student_interval`.
+    It is centred on ln(mean), and as wide as the interval of the mean logarithm.
     """
     logarithms: xr.DataArray = xr.apply_ufunc(np.log, values)
     about_zero = student_interval(logarithms, confidence, dim) - logarithms.mean(dim)
@@ -120,7 +113,7 @@ def student_log_interval(values: xr.DataArray, confidence: float, dim: str) -> x
     return interval.transpose(..., "end").assign_attrs(confidence=confidence)
 
 
-def interval_between(low: xr.DataArray, high: xr.DataArray) -> xr.DataArray:
+def join_ends(low: xr.DataArray, high: xr.DataArray) -> xr.DataArray:
     """Return both ends of an interval in one array, along a new last dimension `end`."""
     low, high = xr.broadcast(low, high)
     ends = np.stack([low.values, high.values], axis=-1)  # xr.concat takes five times as long
@@ -128,11 +121,11 @@ def interval_between(low: xr.DataArray, high: xr.DataArray) -> xr.DataArray:
 
 
 def student_log_samples(rng: np.random.Generator, values: Floats, sample_count: int) -> Floats:
-    """Return random means (samples, ...) of positive values (n, ...) of n independent scans.
+    """Sample the mean (samples, ...) of positive values (n, ...) on n independent scans.
 
-    The scans' deviations from the mean logarithm get normal weights, divided by a chi variable of
-    n - 1 degrees of freedom: Student's t, as in `student_log_interval`. All elements of a scan
-    share a weight, which keeps their correlation. NaN for n < 2.
+    The samples have the distribution of `student_log_interval`: the deviations of scans from the
+    mean logarithm get normal weights over a chi variable. A weight serves all elements of a scan,
+    which keeps their correlation. NaN for n < 2.
     """
     count = len(values)
     if count < 2:
@@ -149,9 +142,8 @@ def student_log_samples(rng: np.random.Generator, values: Floats, sample_count: 
 def jackknife_interval(value: ArrayLike, leave_one_out: ArrayLike, confidence: float) -> Floats:
     """Return the interval (..., 2) of a positive statistic of n scans by the jackknife.
 
-    `value` (...) is the statistic of all scans, `leave_one_out` (n, ...) has its values without
-    each scan. The interval is Student's t on the logarithm with the standard error of the
-    delete-one jackknife. NaN for fewer than two scans, or if a statistic is zero.
+    `leave_one_out` (n, ...) has the statistic without each scan. The interval is Student's t on the
+    logarithm; NaN for fewer than two scans, or if a statistic is zero.
     """
     statistics = np.asarray(leave_one_out, float)
     logarithms = np.log(np.where(statistics > 0, statistics, np.nan))
@@ -164,20 +156,13 @@ def jackknife_interval(value: ArrayLike, leave_one_out: ArrayLike, confidence: f
 
 
 def log_std_of_lognormal(mean: ArrayLike, median: ArrayLike) -> Floats:
-    """Return the standard deviation of the logarithm of a log-normal with this mean and median.
-
-    It is biased if forces below a floor were not measured.
-    """
+    """Return the standard deviation of ln x for a log-normal x, sqrt(2 ln(mean/median))."""
     return np.asarray(np.sqrt(2 * np.log(np.asarray(mean) / np.asarray(median))))
 
 
 @dataclass(frozen=True)
 class Sampling:
-    """Number, seed and confidence of the random samples of an uncertain quantity.
-
-    `student_log_samples` samples means over scans or realizations. Published numbers are sampled
-    within their uncertainty.
-    """
+    """Number, seed and confidence of the random samples of an uncertain quantity."""
 
     seed: int  #: The seed of the study.
     sample_count: int  #: Number of samples; if it is 0, all intervals are NaN.
@@ -196,17 +181,14 @@ class Sampling:
         return generator(self.seed, *self.stream, *names)
 
     def sample_means(self, name: str, values_by_surface: Mapping[str, Floats]) -> Floats:
-        """Return `student_log_samples` (sample, surface, ...) of the values of each surface.
-
-        Random numbers depend on the name and the surface alone.
-        """
+        """Return `student_log_samples` (sample, surface, ...) of the values of each surface."""
         samples = [
             student_log_samples(self.generator(name, surface), values, self.sample_count)
             for surface, values in values_by_surface.items()
         ]
         return np.stack(samples, axis=1)
 
-    def with_interval(
+    def estimate_variables(
         self,
         name: str,
         dimensions: str | Sequence[str],
@@ -216,4 +198,4 @@ class Sampling:
     ) -> dict[str, Any]:
         """Return a value (...) and the interval of its samples (sample, ...) as variables."""
         interval = percentile_interval(samples, self.confidence)
-        return with_interval(name, dimensions, value, interval, attributes, self.confidence)
+        return estimate_variables(name, dimensions, value, interval, attributes, self.confidence)

@@ -53,8 +53,7 @@ _PRINTED_PREFIXES = ("G", "M", "k", "", "m", "µ", "n", "p", "f")
 def parse_quantity(text: object, unit: str) -> float:
     """Return the number of a quantity such as ``"10 uN"`` in a unit of the study such as ``"N"``.
 
-    It is rounded to twelve digits. Raises ValueError with one line if the quantity is no finite
-    number with a unit of this dimension.
+    Raises ValueError with one line if the quantity is no finite number with such a unit.
     """
     match = _QUANTITY.fullmatch(text) if isinstance(text, str) else None
     unit_symbol = f"{match[2]}{'2' if match[3] else ''}" if match else ""
@@ -69,10 +68,7 @@ def parse_quantity(text: object, unit: str) -> float:
 
 
 def format_exact(value: float, unit: str) -> str:
-    """Return a quantity in a unit of the study with all its digits: ``(1e-5, "N")`` is ``"10 µN"``.
-
-    `formatting.format_quantity` rounds instead.
-    """
+    """Return a quantity of the study with all its digits: ``(1e-5, "N")`` is ``"10 µN"``."""
     name = "m" if unit == "nm" else unit
     for prefix in _PRINTED_PREFIXES:
         number = float(f"{value / 10.0 ** POWERS_OF_TEN[unit][prefix + name]:.12g}")

@@ -1,7 +1,6 @@
 """Attraction over the pixels of single contacts: its pressure, and the asperities that carry it.
 
-Of the fewest pixels that carry a share of the force, those that share an edge or a corner form one
-asperity.
+The fewest pixels that carry 90 % of the force form asperities: groups that share edges or corners.
 """
 
 from collections.abc import Sequence
@@ -18,7 +17,7 @@ from hardcontact.base.units import NANOMETRE, NEWTON, NM, PASCAL
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import Bodies, largest_contact_gap, reference_gap_map
 
-#: Units of the sizes that `asperity_sizes` returns.
+#: The results of `asperity_sizes`, with their units.
 ASPERITY_UNITS = {
     "largest_share": "1",
     "two_largest_share": "1",
@@ -32,8 +31,8 @@ CARRIED_SHARE = 0.9
 def trace_contact(bodies: Bodies, index: tuple[int, int], contact: Contact) -> xr.Dataset:
     """Return the gap, adhesive pressure and force of one plastic contact of the array.
 
-    The index is row and column in the array. Returns ``gap`` (y, x) in nm, negative where the rigid
-    bodies would overlap, ``adhesive_pressure`` (y, x) in Pa and ``force`` (separation) in N.
+    Returns ``gap`` (y, x) in nm, negative where the rigid bodies would overlap,
+    ``adhesive_pressure`` (y, x) in Pa and ``force`` (separation) in N.
     """
     contact.require("rho", "work")
     pixel_size = bodies.geometry.pixel_size
@@ -63,10 +62,9 @@ def trace_contact(bodies: Bodies, index: tuple[int, int], contact: Contact) -> x
 def find_carrying_asperities(
     bodies: Bodies, contact: Contact, contact_indices: NDArray[np.int_], ranges: Sequence[float]
 ) -> xr.Dataset:
-    """Return the sizes of the asperities that carry the force of some plastic contacts.
+    """Return ASPERITY_UNITS (contact, rho) of some plastic contacts at several ranges.
 
-    The indices (contact, 2) are row and column in the array of contacts; ranges of adhesion are in
-    nm. Returns the variables of ASPERITY_UNITS (contact, rho).
+    The indices (contact, 2) are row and column in the array of contacts.
     """
     pixel_size = bodies.geometry.pixel_size
     contact_pixel_count = contact.pixel_count(pixel_size)
@@ -95,9 +93,9 @@ def asperity_sizes(
 ) -> tuple[float, float, int, float]:
     """Return the ASPERITY_UNITS of the asperities that together carry a share of the force.
 
-    The shares are those of the strongest asperity and of the two strongest. The extent (nm) is the
-    diameter of the circle about the centre of force that holds the share of the force. The
-    attraction (n, n) is proportional to the force on each pixel.
+    These are the shares of the strongest asperity and of the two strongest, the number of
+    asperities, and the diameter (nm) of the circle about the centre of force that holds the share.
+    The attraction (n, n) is proportional to the force on each pixel.
     """
     total = attraction.sum()
     is_carrier = attraction >= least_carrying_attraction(attraction, share)
@@ -111,8 +109,7 @@ def asperity_sizes(
 def least_carrying_attraction(attraction: Floats, share: float) -> float:
     """Return the smallest attraction of the fewest pixels that carry a share of the total."""
     total = attraction.sum()
-    # Pixels below (1 - share) of the mean attraction carry together less than 1 - share of the
-    # force. None of them is needed to carry the share.
+    # No pixel below (1 - share) of the mean is needed: all together carry less than 1 - share.
     strong = np.sort(attraction[attraction > (1 - share) * total / attraction.size])[::-1]
     weakest = np.searchsorted(np.cumsum(strong), share * total)
     return float(strong[min(weakest, len(strong) - 1)])

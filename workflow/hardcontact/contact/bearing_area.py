@@ -1,8 +1,9 @@
 """Rigid and plastic (bearing area) contact: closest approach and contact pixels.
 
-The contact pixels have the N smallest reference gaps (`geometry`). The N-th smallest gap in a few
-tiles is an upper limit of them. The highest point of a tile, or of a group of tiles, gives a lower
-bound of the gaps in it. Only tiles whose bound is below the limit are read.
+The contact pixels have the N smallest reference gaps (`geometry`). To find them without reading all
+pixels, the map is cut into tiles. The highest point of a tile, or of a group of tiles, gives a
+lower bound of its gaps. The N-th smallest gap of a few tiles is an upper limit of the gaps in
+contact. Only tiles with a bound below the limit are read.
 """
 
 from dataclasses import dataclass
@@ -17,15 +18,15 @@ from hardcontact.contact.geometry import Bodies, largest_contact_gap
 from hardcontact.surfaces.height_map import HeightMap
 
 #: Pixels per row of a tile. This number and the next four change the speed only.
-TILE = 32
+TILE_PIXELS = 32
 #: Tiles per row of a group.
-GROUP = 16
+GROUP_TILES = 16
 #: Tiles that are read at once.
 TILES_AT_ONCE = 256
 #: Contacts that are searched at once.
 CONTACTS_AT_ONCE = 50
-#: Tiles that are read for a limit, relative to the fewest that have N pixels. On a smooth surface
-#: the lowest tiles lie on one slope, and too few of them set a high limit.
+#: Tiles that are read for a limit, relative to the fewest that have N pixels: on a smooth surface
+#: fewer would lie on one slope, and set a high limit.
 LIMIT_TILE_FACTOR = 2
 
 
@@ -34,9 +35,11 @@ class Tiles:
     """A periodic map (n, n), in nm, cut into tiles."""
 
     pixels: int  #: The period n.
-    blocks: NDArray[np.floating]  #: (tiles, TILE, tiles, TILE), padded with minus infinity.
+    blocks: NDArray[
+        np.floating
+    ]  #: (tiles, TILE_PIXELS, tiles, TILE_PIXELS), padded with minus infinity.
     maxima: NDArray[np.floating]  #: (tiles, tiles), the highest point of each.
-    #: (tiles, tiles), the highest point of the GROUP x GROUP tiles that begin at each tile.
+    #: (tiles, tiles), the highest point of the group of tiles that begins at each tile.
     group_maxima: NDArray[np.floating]
 
     def tiles_in_window(
@@ -44,9 +47,8 @@ class Tiles:
     ) -> tuple[NDArray[np.int_], NDArray[np.int_], NDArray[np.bool_]]:
         """Return the tiles that meet windows of pixels about positions (...), along one axis.
 
-        Three arrays (..., k), padded to the largest number k of tiles in a window. They are the
-        offset of the first pixel of a tile from the position, the index of the tile, and whether
-        the tile meets the window.
+        Returns three arrays (..., k), padded to the largest number k of tiles in a window: the
+        offset of a tile from the position, its index, and whether it meets the window.
         """
         count = self.maxima.shape[0]
         start = positions - window // 2
@@ -54,12 +56,14 @@ class Tiles:
         last_tile = self._tile_number(start + window - 1)
         tiles = first_tile[..., None] + np.arange((last_tile - first_tile).max() + 1)
         index = tiles % count
-        offset = tiles // count * self.pixels + index * TILE - positions[..., None]
+        offset = tiles // count * self.pixels + index * TILE_PIXELS - positions[..., None]
         return offset, index, tiles <= last_tile[..., None]
 
     def _tile_number(self, pixel: NDArray[np.int_]) -> NDArray[np.int_]:
         """Return the number of the tile of a pixel along one axis, counted on over periods."""
-        return np.asarray(pixel // self.pixels * len(self.maxima) + pixel % self.pixels // TILE)
+        return np.asarray(
+            pixel // self.pixels * len(self.maxima) + pixel % self.pixels // TILE_PIXELS
+        )
 
 
 def _maxima_of_squares(maxima: NDArray[np.floating], count: int) -> NDArray[np.floating]:
@@ -71,25 +75,25 @@ def _maxima_of_squares(maxima: NDArray[np.floating], count: int) -> NDArray[np.f
 def cut_into_tiles(surface: HeightMap) -> Tiles:
     """Cut a square periodic map into tiles."""
     heights = surface.heights
-    count = -(-surface.pixels // TILE)
-    extra = count * TILE - surface.pixels
+    count = -(-surface.pixels // TILE_PIXELS)
+    extra = count * TILE_PIXELS - surface.pixels
     if extra:
         heights = np.pad(heights, ((0, extra), (0, extra)), constant_values=-np.inf)
-    blocks = heights.reshape(count, TILE, count, TILE)
+    blocks = heights.reshape(count, TILE_PIXELS, count, TILE_PIXELS)
     maxima = blocks.max(axis=1).max(axis=2)
-    return Tiles(surface.pixels, blocks, maxima, _maxima_of_squares(maxima, GROUP))
+    return Tiles(surface.pixels, blocks, maxima, _maxima_of_squares(maxima, GROUP_TILES))
 
 
 class ContactPixels(NamedTuple):
     """The contact pixels of contacts (...): k of each."""
 
-    #: (..., k) nm, ascending. The first is minus the height of the apex at rigid closest approach,
-    #: the last minus that at plastic closest approach.
+    #: (..., k) nm, ascending. The apex is at minus the first one at rigid closest approach, at
+    #: minus the last one at plastic closest approach.
     reference_gaps: Floats
     offsets: NDArray[np.int_]  #: (..., k, 2) pixels from the apex: row, column.
 
     def lowest_of_contact(self, index: tuple[int, ...], count: int) -> "ContactPixels":
-        """Return as many pixels of one contact, those with the smallest reference gaps."""
+        """Return the pixels of one contact with the smallest reference gaps."""
         return ContactPixels(self.reference_gaps[index][:count], self.offsets[index][:count])
 
 
@@ -112,11 +116,10 @@ class WindowTiles(NamedTuple):
 
 
 class _Windows:
-    """The tiles of the substrate in the windows of contacts, with lower bounds on their gaps.
+    """The tiles of the substrate in the windows of contacts, with lower bounds (nm) on their gaps.
 
-    Tiles are numbered along each axis of the window of their contact. Bounds in nm are infinite for
-    tiles outside the window. `sphere_maxima` are those of the roughness of the sphere, over the
-    tiles that a tile of the substrate meets.
+    Tiles are numbered along each axis of the window. Bounds outside the window are infinite.
+    `sphere_maxima` are the highest points of the sphere's roughness over a tile of the substrate.
     """
 
     def __init__(
@@ -131,21 +134,22 @@ class _Windows:
         self.sphere_maxima = sphere_maxima
         self.geometry = geometry = bodies.geometry
         offset, index, meets = substrate.tiles_in_window(positions, geometry.window_pixels)
-        nearest = np.maximum(np.maximum(offset, -(offset + TILE - 1)), 0)
-        paraboloid_low = np.where(meets, geometry.paraboloid(nearest), np.inf)
-        padding = ((0, 0), (0, 0), (0, -paraboloid_low.shape[-1] % GROUP))
-        # Three arrays (contact, axis, tiles along the axis), padded to whole groups: the offset of
-        # a tile, its index, and the lowest point of the smooth sphere over it. The padding lies
-        # outside the window.
+        nearest = np.maximum(np.maximum(offset, -(offset + TILE_PIXELS - 1)), 0)
+        paraboloid_minima = np.where(meets, geometry.paraboloid(nearest), np.inf)
+        padding = ((0, 0), (0, 0), (0, -paraboloid_minima.shape[-1] % GROUP_TILES))
+        # Arrays (contact, axis, tile) of offsets, indices, and lowest points of the smooth sphere,
+        # padded to whole groups by tiles outside the window.
         self.offset = np.pad(offset, padding, constant_values=geometry.window_pixels)
         self.index = np.pad(index, padding)
-        self.paraboloid_low = np.pad(paraboloid_low, padding, constant_values=np.inf)
+        self.paraboloid_minima = np.pad(paraboloid_minima, padding, constant_values=np.inf)
 
     def group_bounds(self) -> Floats:
         """Return the bounds (contact, group), groups numbered by rows within the window."""
-        contacts, axes, tiles = self.paraboloid_low.shape
-        low = self.paraboloid_low.reshape(contacts, axes, tiles // GROUP, GROUP).min(axis=-1)
-        groups = self.index[:, :, ::GROUP]
+        contacts, axes, tiles = self.paraboloid_minima.shape
+        low = self.paraboloid_minima.reshape(contacts, axes, tiles // GROUP_TILES, GROUP_TILES).min(
+            axis=-1
+        )
+        groups = self.index[:, :, ::GROUP_TILES]
         bounds = low[:, 0, :, None] + low[:, 1, None, :]
         bounds -= self.substrate.group_maxima[groups[:, 0, :, None], groups[:, 1, None, :]]
         if self.sphere_maxima is not None:
@@ -154,14 +158,16 @@ class _Windows:
 
     def tiles_of_groups(self, contacts: NDArray[np.int_], group: NDArray[np.int_]) -> WindowTiles:
         """Return the tiles of groups (k,), in this order; `contacts` (k,) are their contacts."""
-        group_row, group_column = np.divmod(group, self.paraboloid_low.shape[-1] // GROUP)
-        row = (group_row[:, None] * GROUP + np.arange(GROUP))[:, :, None]
-        column = (group_column[:, None] * GROUP + np.arange(GROUP))[:, None, :]
+        group_row, group_column = np.divmod(group, self.paraboloid_minima.shape[-1] // GROUP_TILES)
+        row = (group_row[:, None] * GROUP_TILES + np.arange(GROUP_TILES))[:, :, None]
+        column = (group_column[:, None] * GROUP_TILES + np.arange(GROUP_TILES))[:, None, :]
         contact = contacts[:, None, None]
-        bounds = self.paraboloid_low[contact, 0, row] + self.paraboloid_low[contact, 1, column]
+        bounds = (
+            self.paraboloid_minima[contact, 0, row] + self.paraboloid_minima[contact, 1, column]
+        )
         bounds -= self.substrate.maxima[self.index[contact, 0, row], self.index[contact, 1, column]]
         if self.sphere_roughness is not None and self.sphere_maxima is not None:
-            sphere_tiles = self.offset % self.sphere_roughness.pixels // TILE
+            sphere_tiles = self.offset % self.sphere_roughness.pixels // TILE_PIXELS
             bounds -= self.sphere_maxima[
                 sphere_tiles[contact, 0, row], sphere_tiles[contact, 1, column]
             ]
@@ -169,13 +175,13 @@ class _Windows:
         return WindowTiles(contact.ravel(), row.ravel(), column.ravel(), bounds.ravel())
 
     def tile_gaps(self, tiles: WindowTiles) -> tuple[Floats, NDArray[np.int_], NDArray[np.int_]]:
-        """Return the reference gaps (k, TILE, TILE) of tiles (k,), infinite outside the window.
+        """Return the reference gaps (k, y, x) of tiles (k,), infinite outside the window.
 
-        Also returns the offsets (k, TILE) of their rows, and of their columns, from the apex.
+        Also returns the offsets of their rows (k, y) and columns (k, x) from the apex.
         """
         contact, row, column, _ = tiles
-        y = self.offset[contact, 0, row][:, None] + np.arange(TILE)
-        x = self.offset[contact, 1, column][:, None] + np.arange(TILE)
+        y = self.offset[contact, 0, row][:, None] + np.arange(TILE_PIXELS)
+        x = self.offset[contact, 1, column][:, None] + np.arange(TILE_PIXELS)
         tile_y, tile_x = self.index[contact, 0, row], self.index[contact, 1, column]
         gaps: Floats = self._sphere_in_window(y)[:, :, None] + self._sphere_in_window(x)[:, None, :]
         gaps -= self.substrate.blocks[tile_y, :, tile_x, :]
@@ -193,8 +199,8 @@ class _Windows:
 def _find_contact_pixels(windows: _Windows, contact_pixel_count: int) -> list[ContactPixels]:
     """Return the contact pixels of each contact; equal gaps come in the order of their offsets."""
     group_bounds = windows.group_bounds()
-    tile_count = -(-contact_pixel_count // TILE**2)
-    best_groups = _lowest_columns(group_bounds, -(-tile_count // GROUP**2))
+    tile_count = -(-contact_pixel_count // TILE_PIXELS**2)
+    best_groups = _lowest_columns(group_bounds, -(-tile_count // GROUP_TILES**2))
     contacts = np.repeat(np.arange(len(best_groups)), best_groups.shape[1])
     tiles = windows.tiles_of_groups(contacts, best_groups.ravel())
     limits = _limits_of_gaps(windows, tiles, contact_pixel_count)
@@ -217,12 +223,9 @@ def _find_contact_pixels(windows: _Windows, contact_pixel_count: int) -> list[Co
 
 
 def _limits_of_gaps(windows: _Windows, tiles: WindowTiles, contact_pixel_count: int) -> Floats:
-    """Return the N-th smallest reference gap (contact,) in the tiles of lowest bounds.
-
-    It is an upper bound on the N-th smallest gap of all, with N contact pixels.
-    """
+    """Return the N-th smallest gap (contact,) in the tiles of lowest bounds: an upper limit."""
     ends = np.searchsorted(tiles.contact_numbers, np.arange(tiles.contact_numbers[-1] + 2))
-    tile_count = LIMIT_TILE_FACTOR * -(-contact_pixel_count // TILE**2)
+    tile_count = LIMIT_TILE_FACTOR * -(-contact_pixel_count // TILE_PIXELS**2)
     tile_count = min(tile_count, np.diff(ends).min())
     best = [
         start + _lowest_columns(tiles.bounds[None, start:end], tile_count)[0]
@@ -244,10 +247,7 @@ def _lowest_columns(bounds: Floats, count: int) -> NDArray[np.int_]:
 def _gaps_up_to(
     windows: _Windows, tiles: WindowTiles, limits: Floats
 ) -> tuple[NDArray[np.int_], Floats, NDArray[np.int_]]:
-    """Return the reference gaps in tiles that do not exceed the limit of their contact.
-
-    Returns three arrays: the number of the contact of each gap, the gaps, their offsets (gap, 2).
-    """
+    """Return contact numbers, reference gaps and offsets (gap, 2) of all gaps up to the limits."""
     gaps, rows, columns = windows.tile_gaps(tiles)
     low = np.flatnonzero(gaps <= limits[tiles.contact_numbers, None, None])
     tile, y, x = np.unravel_index(low, gaps.shape)
@@ -272,7 +272,7 @@ def all_contact_pixels(bodies: Bodies, contact_pixel_count: int) -> ContactPixel
     substrate = cut_into_tiles(bodies.substrate)
     sphere_maxima = None
     if bodies.sphere_roughness is not None:
-        # TILE x TILE pixels from any offset meet three tiles along an axis with a cut tile.
+        # A tile of the substrate meets three tiles along an axis of the sphere, one of them cut.
         sphere_maxima = _maxima_of_squares(cut_into_tiles(bodies.sphere_roughness).maxima, 3)
     apexes = bodies.geometry.apexes()
     positions = apexes.reshape(-1, 2)

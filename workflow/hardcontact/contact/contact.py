@@ -19,20 +19,19 @@ CONTACT_DIMENSIONS = ("sphere_scan", "contact", *CONTACT_AXES)
 class Contact:
     """Sphere, loading, adhesion and array that all contacts of a computation share.
 
-    The loading is a contact model with its preload and, if plastic, its hardness. Every computation
-    needs the first three fields. Height maps also need window and array, forces at one range need
-    `rho`, and forces at another work than 1 J/m² need `work`. A field left out is NaN; `require`
-    refuses it.
+    Preload, hardness and `plastic` are the loading. A field that is left out is NaN; computations
+    that need it refuse it by `require`.
     """
 
     radius: float  #: Radius of the sphere in nm.
     preload: float  #: Load in N.
     hardness: float  #: Hardness of the softer body in Pa.
     plastic: bool = True  #: Whether contact pixels yield; in rigid contact a single pixel touches.
-    window: float = math.nan  #: Width in nm of the square around each contact that attracts.
-    contacts_per_row: int = 1  #: Per row of the square array of contacts.
+    #: Width in nm of the square around each contact that attracts; only height maps need it.
+    window: float = math.nan
+    contacts_per_row: int = 1  #: Of the square array of contacts.
     rho: float = math.nan  #: Range of adhesion in nm.
-    work: float = math.nan  #: Work of adhesion in J/m².
+    work: float = math.nan  #: Work of adhesion in J/m²; most forces are computed at 1 J/m².
 
     @property
     def loading_name(self) -> str:

@@ -1,8 +1,8 @@
 """Elastic contact without plasticity: a rough body is pressed into a half space, or pulled off it.
 
 Some hundred pixels touch, so that their forces follow from one dense matrix. Attraction acts on all
-pixels. The half space is flat and periodic and has the effective modulus. Lengths are in nm, forces
-in nN, pressures in GPa, energies per area in J/m².
+pixels. The half space is flat and periodic and has the effective modulus of both bodies. Inside,
+lengths are in nm, forces in nN, pressures in GPa, and energies per area in J/m².
 """
 
 from typing import NamedTuple
@@ -48,9 +48,9 @@ LOAD_STEP = 1e-6
 
 
 class HalfSpace:
-    """A flat elastic half space with the period of n x n pixels, on whose pixels forces act.
+    """A flat elastic half space, periodic after n x n pixels, on whose pixels forces act.
 
-    Pixels have a size (nm), the effective modulus is in Pa. The mean displacement is left out.
+    The modulus is in Pa. The mean displacement is left out.
     """
 
     def __init__(self, pixels: int, pixel_size: float, modulus: float) -> None:
@@ -74,10 +74,10 @@ class HalfSpace:
 
 
 def wall_forces(influence: Floats, gaps: Floats, load: float) -> tuple[Floats, float]:
-    """Return the forces (k,) in nN on touching pixels under a load (nN), and their approach (nm).
+    """Return the forces (k,) in nN on pixels with gaps (k,) under a load, and their approach (nm).
 
-    Pixels with a force have no gap left, others no force and no overlap: the primal-dual active set
-    (Hintermüller, Ito and Kunisch, SIAM J. Optim. 13 (2002) 865). Gaps (k,) are in nm.
+    Pixels with a force have no gap left, others have no force and no overlap: the primal-dual
+    active set (Hintermüller, Ito and Kunisch, SIAM J. Optim. 13 (2002) 865).
     """
     touching = np.ones(len(gaps), bool)
     for _ in range(MAX_ITERATIONS):
@@ -103,10 +103,10 @@ class Wall(NamedTuple):
 
 
 def press(half_space: HalfSpace, gap: Floats, load: float) -> Wall:
-    """Press a rough body onto a half space; its gap (n, n) in nm may be at any approach.
+    """Press a rough body onto a half space with a load (nN), from a gap (n, n) at any approach.
 
-    The load is in nN. The lowest pixels touch first; pixels that would overlap join them. Raises
-    ValueError if more than MAX_TOUCHING_PIXELS touch.
+    The lowest pixels touch first, and pixels that would overlap join them. Raises ValueError if
+    more than MAX_TOUCHING_PIXELS touch.
     """
     if load == 0:  # The lowest pixel touches without a force.
         return Wall(np.zeros_like(gap), gap - gap.min())
@@ -131,8 +131,7 @@ def press(half_space: HalfSpace, gap: Floats, load: float) -> Wall:
 def pressure_at_load(gap: Floats, pixel_size: float, modulus: float, load: float) -> Floats:
     """Return the pressure (n, n) in Pa of elastic contact without adhesion.
 
-    The gap (n, n) at any approach and the pixel size are in nm, the effective modulus in Pa and the
-    load in N. Raises ValueError if too many pixels touch.
+    The gap (n, n) may be at any approach; modulus and load are in Pa and N.
     """
     half_space = HalfSpace(len(gap), pixel_size, modulus)
     return press(half_space, gap, load / NANONEWTON).forces / pixel_size**2 * GIGAPASCAL
@@ -143,9 +142,8 @@ def adhesive_pull_off(
 ) -> tuple[float, float]:
     """Return the pull-off forces (N) of one window, rigid and elastic.
 
-    The elastic force is the maximum, over loads of the wall, of the attraction less this load (the
-    paper, elastic analysis). Lengths are in nm, the effective modulus in Pa, the work of adhesion
-    in J/m². Raises ValueError if attraction stretches soft bodies by over rho/10.
+    The elastic force is the largest attraction less the load of the wall, over all loads (the
+    paper, elastic analysis). Raises ValueError if attraction stretches the bodies by over rho/10.
     """
     rigid_gap = gap - gap.min()
     strength = work / rho * pixel_size**2
@@ -157,10 +155,7 @@ def adhesive_pull_off(
         raise ValueError(f"{EXPECTED}, found bodies stretched by {elongation:.2g} nm")
 
     def pull(wall_load: float) -> float:
-        """Return the pull on the bodies (nN): the attraction less the load of the wall.
-
-        The iteration starts from the attraction of the previous call.
-        """
+        """Return the attraction less the load of the wall (nN), from the previous attraction."""
         nonlocal attraction
         while True:
             wall = press(half_space, rigid_gap - half_space.displacement(attraction), wall_load)
@@ -191,7 +186,7 @@ ELASTIC_UNITS = {
 
 
 def _pressure_metrics(pressure: Floats, pixel_size: float, hardness: float) -> tuple[float, ...]:
-    """Return area in nm², share above the hardness, peak and mean of a pressure (n, n) in Pa."""
+    """Return area (nm²), share above the hardness, peak and mean of a pressure (n, n) in Pa."""
     touching = pressure[pressure > 0]
     share = float(np.mean(touching > hardness))
     return touching.size * pixel_size**2, share, touching.max(), touching.mean()
@@ -216,8 +211,7 @@ def solve_elastic_contacts(
 ) -> xr.Dataset:
     """Solve some contacts of two bodies with elasticity, without plasticity.
 
-    The indices (contact, 2) are row and column in the array; the effective modulus is in Pa, the
-    width of the pull-off window about the lowest gap in nm. Returns ELASTIC_UNITS (contact), and
+    The indices (contact, 2) are row and column in the array. Returns ELASTIC_UNITS (contact), and
     ``pressure`` (y, x) in Pa of the first contact. Raises ValueError if no equilibrium is found.
     """
     contact.require("rho", "work")
@@ -259,10 +253,6 @@ def solve_elastic_contacts(
 
 
 def stack_elastic_contacts(scans: DatasetsByLabels) -> xr.Dataset:
-    """Stack the elastic contacts on all scans of one surface.
-
-    `scans` has the dataset of `solve_elastic_contacts` by (scan,). Returns the same variables over
-    (scan, ...); ``pressure`` (y, x) in Pa shows one contact on the first scan.
-    """
+    """Stack the results of `solve_elastic_contacts` by (scan,); keep the pressure of the first."""
     numbers = {key: scan.drop_vars(["pressure", "y", "x"]) for key, scan in scans.items()}
     return stack(numbers, ["scan"]).assign(pressure=next(iter(scans.values()))["pressure"])

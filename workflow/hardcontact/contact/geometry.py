@@ -1,12 +1,12 @@
 """The sphere over a surface: its paraboloid, the array of contacts, their gaps in a window.
 
-Along one axis, a window of n pixels about a contact at the pixel c holds the unfolded indices c + k
-of the substrate, k from -n/2 to n/2 - 1. The substrate continues itself periodically.
-
 The reference gap of a pixel is g = y - u - z in nm: the height y of the sphere, less its roughness
 u (positive towards the substrate) and the height z of the substrate. It is the gap if the apex is
-at height 0; if the apex is at the height m, the gap is g + m. At closest approach m is minus the
+at height 0. If the apex is at the height m, the gap is g + m. At closest approach m is minus the
 largest reference gap of the contact pixels.
+
+The substrate is periodic. Along one axis, a window of n pixels about a contact at the pixel c holds
+the pixels c - n/2 to c + n/2 - 1, counted on over periods.
 """
 
 from dataclasses import dataclass, replace
@@ -34,7 +34,7 @@ class ContactGeometry:
     def paraboloid(self, offsets: ArrayLike) -> Floats:
         """Return the height (nm) of the sphere along one axis, k pixels from its apex: (k p)²/2R.
 
-        The height at (k, l) is the sum of both axes; this makes the force sum separable.
+        The height at (k, l) is the sum of both axes, which makes the force sum separable.
         """
         return (np.asarray(offsets) * self.pixel_size) ** 2 / (2 * self.radius)
 
@@ -77,8 +77,7 @@ def window_pixels(window: float, pixel_size: float) -> int:
 def contact_positions(pixels: int, contacts_per_row: int) -> NDArray[np.int_]:
     """Return the pixels (contacts_per_row,) of contacts evenly over one period of the substrate.
 
-    The first lies a quarter of a step from the border, so that no two contacts are mirror images of
-    each other on a mirrored surface.
+    The first lies a quarter of a step from the border, so that no two contacts are mirror images.
     """
     steps = np.arange(contacts_per_row) + 0.25
     return np.floor(steps * pixels / contacts_per_row).astype(int)
@@ -87,10 +86,9 @@ def contact_positions(pixels: int, contacts_per_row: int) -> NDArray[np.int_]:
 def sample_contacts(
     rng: np.random.Generator, contacts_per_row: int, count: int
 ) -> NDArray[np.int_]:
-    """Sample the indices (count, 2) of contacts from the array of all, each at most once.
+    """Sample the indices (count, 2) of contacts from the array, each at most once.
 
-    All contacts if there are fewer than `count`. With the same generator a larger sample
-    contains the smaller one.
+    With the same generator a larger sample contains the smaller one.
     """
     numbers = rng.permutation(contacts_per_row**2)[:count]
     return np.stack(np.divmod(numbers, contacts_per_row), axis=1)
@@ -99,8 +97,7 @@ def sample_contacts(
 def join_bodies(substrate: HeightMap, sphere: HeightMap | None, contact: Contact) -> Bodies:
     """Bring a substrate and a sphere together, on the smaller of their two pixel sizes.
 
-    The coarser map is Fourier interpolated to the whole number of pixels nearest to its period. The
-    sphere is its mirrored roughness, or None for a smooth sphere.
+    The sphere is its mirrored roughness, or None for a smooth sphere.
     """
     contact.require("window")
     substrate = _in_native_precision(substrate)
@@ -126,7 +123,7 @@ def join_bodies(substrate: HeightMap, sphere: HeightMap | None, contact: Contact
 def spheres_at_positions(sphere: HeightMap, positions_per_row: int) -> list[HeightMap]:
     """Return the mirrored scan of a sphere, moved so that it touches at even positions.
 
-    A single position is the middle of the scan, on which `join_bodies` puts the apex.
+    A single position is the middle of the scan, where `join_bodies` puts the apex.
     """
     scan_pixels = sphere.pixels // 2
     positions = (2 * np.arange(positions_per_row) + 1) * scan_pixels // (2 * positions_per_row)
@@ -138,19 +135,22 @@ def spheres_at_positions(sphere: HeightMap, positions_per_row: int) -> list[Heig
 
 
 def read_bodies(substrate: str, sphere: str | None, contact: Contact) -> Bodies:
-    """Bring together two height maps, read from files that the study wrote, as in `join_bodies`."""
+    """Bring two height maps of files of the study together, as `join_bodies` does."""
     sphere_map = load_height_map(sphere) if sphere else None
     return join_bodies(load_height_map(substrate), sphere_map, contact)
 
 
 def _in_native_precision(surface: HeightMap) -> HeightMap:
-    """Return a map with heights in single precision if it has them so, otherwise in double."""
+    """Return a map whose heights are in double precision, unless they are in single precision."""
     precision = np.float32 if surface.heights.dtype == np.float32 else np.float64
     return replace(surface, heights=surface.heights.astype(precision, copy=False))
 
 
 def _refine(surface: HeightMap, pixel_size: float) -> HeightMap:
-    """Return a periodic map on pixels of a size (nm), its period changed by up to half of one."""
+    """Return a periodic map interpolated on pixels of a size (nm).
+
+    Its period changes by up to half a pixel, to a whole number of them.
+    """
     pixels = max(round(surface.size / pixel_size), surface.pixels)
     if pixels != surface.pixels:
         surface = interpolate(surface, pixels)
@@ -170,10 +170,9 @@ def reference_gaps(bodies: Bodies, apex: NDArray[np.int_], offsets: NDArray[np.i
 def reference_gap_map(
     bodies: Bodies, index: tuple[int, int] | NDArray[np.int_], sphere: Floats | None = None
 ) -> Floats:
-    """Return the reference gaps (n, n) of one contact of the array, by its index.
+    """Return the reference gaps (n, n) of one contact of the array; the apex is at (n/2, n/2).
 
-    The apex stands at the pixel (n/2, n/2). The `sphere` is the same for all contacts;
-    None computes it.
+    The `sphere` is the same for all contacts; None computes it.
     """
     geometry = bodies.geometry
     offset = geometry.offsets()

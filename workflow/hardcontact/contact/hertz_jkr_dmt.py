@@ -1,7 +1,7 @@
 """A smooth elastic sphere on a flat: Hertz without adhesion, and with it between JKR and DMT.
 
-Lengths in nm, forces in N, works of adhesion in J/m², pressures and moduli in Pa. Pull-off forces
-are positive. Arguments may be arrays; they broadcast.
+Lengths are in nm, forces in N, works of adhesion W in J/m², and moduli in Pa; R is the radius of
+the sphere, E* the effective modulus. Pull-off forces are positive. Arrays broadcast.
 """
 
 from typing import Any, NamedTuple
@@ -28,8 +28,7 @@ class HertzContact(NamedTuple):
 def hertz_contact(load: float, radius: float, modulus: float) -> HertzContact:
     """Return the contact of a sphere under a load: a³ = 3FR/4E*, p0 = 3F/2πa², approach a²/R.
 
-    The modulus E* is the effective one. Johnson, Contact Mechanics (Cambridge University Press,
-    1985), chapter 4.
+    Johnson, Contact Mechanics (Cambridge University Press, 1985), chapter 4.
     """
     a = np.cbrt(0.75 * load * radius * NANOMETRE / modulus)
     return HertzContact(
@@ -59,7 +58,7 @@ def smooth_pull_off(work: Values, radius: Values, area: Values, rho: Values) -> 
 
 
 def limit_forces(forces: Values, bound: Values) -> Values:
-    """Return mean forces, or ends of their intervals, that do not exceed a bound; infinity stays.
+    """Return forces or ends of intervals up to a bound; infinite ends stay.
 
     workflow/report/theory.md (Upper bound of the force) has the proof for a smooth sphere.
     """
@@ -67,10 +66,9 @@ def limit_forces(forces: Values, bound: Values) -> Values:
 
 
 def tabor_parameter(work: Values, radius: float, modulus: float, spacing: float) -> Values:
-    """Return the Tabor parameter (RW²/E*²z0³)^⅓: small for DMT, large for JKR.
+    """Return the Tabor parameter (RW²/E*²z0³)^⅓ with the spacing z0: small for DMT, large for JKR.
 
-    E* is the effective modulus, z0 the equilibrium spacing. Tabor, J. Colloid Interface Sci. 58
-    (1977) 2.
+    Tabor, J. Colloid Interface Sci. 58 (1977) 2.
     """
     return np.cbrt(radius * NANOMETRE * work**2 / (modulus**2 * (spacing * NANOMETRE) ** 3))
 
@@ -85,17 +83,16 @@ def maugis_parameter(tabor: Values) -> Values:
 
 
 def pull_off_coefficient(maugis: Values) -> Values:
-    """Return the pull-off force relative to πWR for Maugis parameters, by the fit of Carpick et al.
+    """Return F/πWR, from 2 (DMT) to 3/2 (JKR): 7/4 - ¼ (4.04 λ^1.4 - 1)/(4.04 λ^1.4 + 1).
 
-    7/4 - ¼ (4.04 λ^1.4 - 1)/(4.04 λ^1.4 + 1): 2 (DMT) to 3/2 (JKR). Carpick, Ogletree and Salmeron,
-    J. Colloid Interface Sci. 211 (1999) 395, as used by Grierson, Flater and Carpick, J. Adhes.
-    Sci. Technol. 19 (2005) 291. Unverified against the primary source; it keeps within 1.7 % of the
-    exact pair it was fitted to (Maugis, J. Colloid Interface Sci. 150 (1992) 243, section 6).
+    This fit of Carpick, Ogletree and Salmeron, J. Colloid Interface Sci. 211 (1999) 395, was taken
+    from Grierson, Flater and Carpick, J. Adhes. Sci. Technol. 19 (2005) 291. It is within 1.7 % of
+    the exact solution (Maugis, section 6).
     """
     scaled_maugis = 4.04 * np.asarray(maugis) ** 1.4
     return 7 / 4 - (scaled_maugis - 1) / (scaled_maugis + 1) / 4
 
 
 def effective_work_of_adhesion(force: Values, radius: Values, coefficient: Values) -> Values:
-    """Return the work F/(coefficient πR) of a smooth sphere; the coefficient is F/πRW, 3/2 to 2."""
+    """Return the work F/(coefficient πR) of a smooth sphere, by its `pull_off_coefficient`."""
     return force / (coefficient * np.pi * radius * NANOMETRE)

@@ -1,4 +1,4 @@
-"""The indents that contacts leave in the sphere: connected contact pixels of one contact."""
+"""The indents that contacts leave in the sphere: patches of contact pixels."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -12,8 +12,7 @@ from hardcontact.base.units import NEWTON, NM
 from hardcontact.contact.bearing_area import ContactPixels, all_contact_pixels
 from hardcontact.contact.contact import CONTACT_AXES, Contact
 from hardcontact.contact.geometry import Bodies, join_bodies, reference_gaps
-from hardcontact.contact.patches import label_connected
-from hardcontact.contact.pull_off import pixel_counts
+from hardcontact.contact.pull_off import label_patches, pixel_counts
 from hardcontact.surfaces.height_map import HeightMap
 
 #: Pixels on either side of the deepest pixel in the maps of one contact.
@@ -24,13 +23,13 @@ INDENT_UNITS = {"depth": "nm", "equal_area_side": "nm", "longer_side": "nm", "in
 
 
 def indent_sizes(pixels: ContactPixels, pixel_size: float) -> tuple[float, float, float, int]:
-    """Return depth, two sizes (nm) and number of the indents of one contact.
+    """Return INDENT_UNITS of one contact.
 
-    The depth is the penetration of the deepest pixel. The sizes are the width of a square with the
-    area of the largest indent, and the longer side of its bounding box.
+    The depth is that of the deepest pixel. The sizes are the width of a square with the area of the
+    largest indent, and the longer side of its bounding box.
     """
     gaps, offsets = pixels
-    labels, count = label_connected(offsets)
+    labels, count = label_patches(offsets)
     indent_pixel_counts = np.bincount(labels)[labels]  # by pixel, the deepest pixel first
     # Of equally large indents, this is the deepest one.
     largest_indent = offsets[labels == labels[indent_pixel_counts.argmax()]]
@@ -47,9 +46,9 @@ def indents_of_scans(
 ) -> xr.Dataset:
     """Return the indents that every substrate scan leaves in every sphere scan.
 
-    Mirrored scans are by number. Ascending preloads (N) replace the preload of the contact. The
-    variables are INDENT_UNITS (scan, sphere_scan, preload, contact_y, contact_x) and, for the
-    contact of median depth at the largest preload, ``indentation`` and ``sphere_height`` in nm.
+    Ascending preloads (N) replace that of the contact. Returns INDENT_UNITS (scan, sphere_scan,
+    preload, contact_y, contact_x) and, for the contact of median depth at the largest preload, the
+    maps ``indentation`` and ``sphere_height`` in nm.
     """
 
     def make_bodies(scan: int, sphere_scan: int) -> Bodies:

@@ -1,8 +1,8 @@
 """Pull-off forces of two bodies: at several loadings and ranges, and interpolated between ranges.
 
 A pixel at the gap g attracts with the pressure (W/rho) exp(-g/rho), Eq. 2 of the paper. The force
-follows from the sum of exp(-gap/rho) over all pixels at closest approach, Eq. 3. It is proportional
-to the work of adhesion W; computed forces are those at 1 J/m².
+is W/rho times the pixel area times the sum of exp(-g/rho) over all pixels at closest approach, Eq.
+3. Forces are computed at a work of adhesion W of 1 J/m², because they are proportional to it.
 """
 
 from collections.abc import Callable, Sequence
@@ -10,7 +10,7 @@ from dataclasses import replace
 
 import numpy as np
 import xarray as xr
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from hardcontact.base.arrays import Floats
 from hardcontact.base.units import DIMENSIONLESS, NANOMETRE, NEWTON, NM
@@ -19,12 +19,10 @@ from hardcontact.contact.contact import CONTACT_AXES, CONTACT_DIMENSIONS, CONTAC
 from hardcontact.contact.force_sum.outside_sums import outside_sums
 from hardcontact.contact.geometry import Bodies, join_bodies
 from hardcontact.contact.numerical_limits import EXP_LIMITS
-from hardcontact.contact.patches import count_touched_patches
 from hardcontact.surfaces.height_map import HeightMap
 
-#: Forces on one surface, of any shape.
+#: Returns the forces on a surface, of any shape.
 ForcesOnSurface = Callable[[HeightMap], Floats]
-
 #: Work of adhesion (J/m²) of all computed forces.
 WORK_OF_ADHESION = 1.0
 #: Attributes of a computed force.
@@ -36,9 +34,8 @@ def force_of_sums(
 ) -> Floats:
     """Return the pull-off force (N, positive) from sums of exp(-gap/rho): Eq. 3.
 
-    Sums and ranges of adhesion broadcast. Ranges and pixel size are in nm, the work of adhesion in
-    J/m². Raises ValueError if a sum exceeds the range of floats, because the highest point outside
-    the window lies many hundred rho above the contact.
+    Sums and ranges (nm) broadcast. Raises ValueError if a sum exceeds the range of floats, because
+    the highest point outside the window lies many hundred rho above the contact.
     """
     if not np.isfinite(sums).all():
         raise ValueError(
@@ -54,8 +51,8 @@ def attraction_sums(
 ) -> Floats:
     """Return sums (pixel count, rho, contact_y, contact_x) of exp(-gap/rho) at closest approach.
 
-    `counts` are numbers of pixels that touch; `contact_pixels` has at least as many. If
-    fewer touch than it has, all gaps are larger by the same length.
+    `contact_pixels` has at least as many pixels as each of the counts. If fewer of them touch, all
+    gaps are larger by the same length.
     """
     gaps = contact_pixels.reference_gaps
     sums_outside = outside_sums(bodies, contact_pixels, ranges)
@@ -75,7 +72,7 @@ def forces_at_loadings(
 ) -> Floats:
     """Return the forces (loading, rho, contact_y, contact_x) of two bodies in N at 1 J/m².
 
-    The contacts differ in their loading (`Contact`) alone; ranges of adhesion are in nm.
+    The contacts differ in their loading (`Contact`) alone.
     """
     counts = pixel_counts(bodies, loaded_contacts)
     return _forces_of_pixels(bodies, all_contact_pixels(bodies, max(counts)), counts, ranges)
@@ -111,7 +108,7 @@ def pull_off_dataset(bodies: Bodies, contact: Contact, ranges: Sequence[float]) 
 
     Returns ``pull_off_force`` (contact_model, rho, contact_y, contact_x) in N at 1 J/m²,
     ``apex_height`` in nm, ``contact_pixel_count`` and ``touched_patches``. Raises ValueError if a
-    range (nm) is too short for the relief of the surface.
+    range is too short for the relief of the surface.
     """
     pixel_size = bodies.geometry.pixel_size
     counts = pixel_counts(bodies, [replace(contact, plastic=False), contact])
@@ -134,6 +131,35 @@ def pull_off_dataset(bodies: Bodies, contact: Contact, ranges: Sequence[float]) 
     )
 
 
+def label_patches(pixels: NDArray[np.int_]) -> tuple[NDArray[np.int_], int]:
+    """Return the number (...) of the patch to which pixels (..., 2) belong, and the patch count.
+
+    Pixels of a patch share edges or corners.
+    """
+    from scipy.ndimage import label
+
+    corner = pixels.reshape(-1, 2).min(axis=0)
+    rows, columns = np.moveaxis(pixels - corner, -1, 0)
+    is_set = np.zeros((rows.max() + 1, columns.max() + 1), bool)
+    is_set[rows, columns] = True
+    labels, count = label(is_set, np.ones((3, 3)))
+    return labels[rows, columns], count
+
+
+def count_touched_patches(bodies: Bodies, contact_pixels: ContactPixels) -> int:
+    """Return the number of patches of a mirrored scan that hold the deepest pixel of some contact.
+
+    If one particle on a flat scan carried every contact, forces would scatter little, however wrong
+    they were.
+    """
+    pixels = bodies.substrate.pixels
+    points = (bodies.geometry.apexes()[:, :, None] + contact_pixels.offsets) % pixels
+    # Fold the mirror images back onto the scan, a quarter of the map.
+    patch, _ = label_patches(np.minimum(points, pixels - 1 - points))
+    # The first pixel of a contact has its lowest gap.
+    return len(np.unique(patch[..., 0]))
+
+
 def mean_over_contacts(values: xr.DataArray) -> xr.DataArray:
     """Return the mean over the contacts of one scan and over the scans of the sphere."""
     return values.mean([dim for dim in CONTACT_DIMENSIONS if dim in values.dims])
@@ -142,16 +168,16 @@ def mean_over_contacts(values: xr.DataArray) -> xr.DataArray:
 def interpolate_to_ranges(
     forces: Floats, computed_ranges: Floats, new_ranges: Floats | float
 ) -> Floats:
-    """Return forces (..., rho) at new ranges (nm), by a cubic spline in log F and log rho.
+    """Return forces (..., rho) at new ranges by a cubic spline in log F and log rho.
 
-    NaN beyond the computed ranges (nm).
+    NaN beyond the computed ranges.
     """
     weights = spline_weights(np.log(computed_ranges), np.log(new_ranges))
     return np.asarray(np.exp(np.log(forces) @ weights.T))
 
 
 def interpolate_to_range(forces: xr.DataArray, rho: float) -> xr.DataArray:
-    """Return forces (..., rho, ...) at one rho (nm), by the spline of `interpolate_to_ranges`."""
+    """Return forces (..., rho, ...) at one range by the spline of `interpolate_to_ranges`."""
     interpolated: xr.DataArray = xr.apply_ufunc(
         interpolate_to_ranges, forces, forces["rho"], rho, input_core_dims=[["rho"], ["rho"], []]
     )
@@ -161,8 +187,8 @@ def interpolate_to_range(forces: xr.DataArray, rho: float) -> xr.DataArray:
 def spline_weights(points: Floats, targets: Floats | float, *, extrapolate: bool = False) -> Floats:
     """Return the weights (..., point) of a cubic spline through ascending points at targets (...).
 
-    A spline is linear in its data, so that one matrix serves all data. NaN beyond the points unless
-    the spline is extrapolated.
+    One matrix serves all data, because a spline is linear in them. NaN beyond the points unless the
+    spline is extrapolated.
     """
     from scipy.interpolate import make_interp_spline
 

@@ -17,10 +17,9 @@ from hardcontact.surfaces.filters import interpolate
 def pull_off_on_spheres(
     all_bodies: Mapping[int, Bodies], contact: Contact, ranges: Sequence[float]
 ) -> xr.Dataset:
-    """Return pull-off forces and apex heights of all bodies (sphere_scan, ...).
+    """Return the variables (sphere_scan, ...) of `pull_off_dataset` for bodies of one substrate.
 
-    The bodies share the substrate. The variables are those of `pull_off_dataset`; contacts are
-    numbered, because their positions differ between pixel sizes.
+    Contacts are numbered, because their positions differ between pixel sizes.
     """
     forces = {}
     for sphere_scan, bodies in all_bodies.items():
@@ -31,10 +30,9 @@ def pull_off_on_spheres(
 
 
 def finer_pixel_ratio(bodies: Bodies, contact: Contact, forces: xr.DataArray) -> float:
-    """Return the mean plastic force on pixels of half the size, relative to the bodies' own pixels.
+    """Return the mean plastic force on interpolated pixels of half the size, relative to `forces`.
 
-    Both maps are Fourier interpolated, so that the surfaces stay the same. The forces (...) of the
-    bodies in N at 1 J/m² are at the range of the contact.
+    The forces (...) in N at 1 J/m² are those on the bodies' pixels, at the range of the contact.
     """
     geometry = bodies.geometry
     substrate = bodies.substrate
@@ -56,11 +54,9 @@ def finer_pixel_ratio(bodies: Bodies, contact: Contact, forces: xr.DataArray) ->
 def wider_window_change(
     all_bodies: Iterable[Bodies], contact: Contact, forces: xr.DataArray
 ) -> float:
-    """Return the largest relative change of a plastic force in a window that is wider.
+    """Return the largest relative change of plastic forces in a window wider by a period per side.
 
-    The window is wider by a period of the substrate on each side. The forces (sphere_scan,
-    contact_y, contact_x) in N at 1 J/m² are at the range of the contact. All bodies share the
-    substrate.
+    The forces (sphere_scan, contact_y, contact_x) in N at 1 J/m² are at the range of the contact.
     """
     changes = []
     for bodies, narrow_window_forces in zip(all_bodies, forces.values, strict=True):
@@ -74,11 +70,10 @@ def wider_window_change(
 def pull_off_with_checks(
     all_bodies: Mapping[int, Bodies], contact: Contact, ranges: Sequence[float]
 ) -> xr.Dataset:
-    """Return the pull-off forces on one substrate scan, with three numbers to judge them by.
+    """Return `pull_off_on_spheres` of one substrate scan, with three numbers to judge forces by.
 
-    ``wider_window_change`` is at the range of the contact, ``finer_pixel_ratio`` of the first
-    sphere scan at the shortest range. ``smooth_sphere_force`` (contact_model, rho) is the mean over
-    contacts. `pull_off_on_spheres` gives the other variables.
+    ``wider_window_change`` is at the range of the contact, ``finer_pixel_ratio`` at the shortest
+    range on the first sphere scan. ``smooth_sphere_force`` (contact_model, rho) is a mean.
     """
     forces = pull_off_on_spheres(all_bodies, contact, ranges)
     plastic_forces = forces["pull_off_force"].sel(contact_model=PLASTIC)
@@ -99,11 +94,9 @@ def pull_off_with_checks(
 
 
 def stack_pull_off_forces(scans: DatasetsByLabels, named_surfaces: NamedSurfaces) -> xr.Dataset:
-    """Stack the pull-off forces of all surfaces, scans, contact models and ranges.
+    """Stack the results of `pull_off_with_checks` by (surface, scan).
 
-    `scans` has the dataset of `pull_off_with_checks` by (surface, scan).
-    Returns the same variables over (surface, scan, ...); ``contact_pixel_count`` (contact_model) is
-    the largest of all scans.
+    ``contact_pixel_count`` (contact_model) is the largest of all scans.
     """
     dimensions = ["surface", "scan"]
     forces = stack(scans, dimensions)

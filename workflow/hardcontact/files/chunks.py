@@ -1,4 +1,4 @@
-"""Chunks: the pools, samples, whole surfaces and filtered masters that one job computes together.
+"""Chunks: what one job computes together, such as some scans of a pool or some masters.
 
 The fields of a chunk are the wildcards of a pattern, from which `SurfaceFiles.paths` makes a path.
 """
@@ -15,15 +15,14 @@ from hardcontact.files.surface_files import SurfaceFiles
 from hardcontact.surfaces.features import GAUSSIAN, SIGNS
 from hardcontact.surfaces.synthesis import SIDES
 
-#: Scans of a pool in one job: a trade-off of busy cores against starts, as MASTERS_CHUNK is. If a
-#: study has more scans, all full jobs stay as they are.
+#: Scans of a pool, and candidates with features, in one job: a trade-off of busy cores against
+#: starts, as MASTERS_CHUNK is.
 POOL_CHUNK = 15
-#: Candidates for a surface with features in one job, for the same reasons.
 FEATURED_CANDIDATES_CHUNK = 10
 
 
 class Chunk(NamedTuple):
-    """The numbers of the first and the last scan, or whole surface, of a chunk."""
+    """The numbers of the first and the last scan or whole surface of a chunk."""
 
     surface: str
     first: int
@@ -31,7 +30,7 @@ class Chunk(NamedTuple):
 
 
 class CandidateChunk(NamedTuple):
-    """The numbers of the first and the last candidate of a chunk, with features of one kind."""
+    """The numbers of the first and the last candidate with features of one kind."""
 
     surface: str
     features: str
@@ -54,7 +53,7 @@ class FilteredMasters(NamedTuple):
 
 
 def _spans(count: int, step: int) -> list[tuple[int, int]]:
-    """Split the numbers from 1 to a count into spans; return the first and the last of each."""
+    """Return the first and the last number of each span of a count."""
     return [(start, min(start + step - 1, count)) for start in range(1, count + 1, step)]
 
 
@@ -84,8 +83,8 @@ class Chunks:
     def featured_candidates(self) -> list[CandidateChunk]:
         """The candidates with features, for the sets: outputs of compute_featured_candidates.
 
-        Each set takes one candidate, of bumps and pits in turn. Gaussian surfaces make one chunk,
-        because they serve for comparison alone.
+        Each set takes one candidate, bumps and pits in turn. Gaussian surfaces only serve for
+        comparison, and make one chunk.
         """
         set_candidates = ceil(self._configuration["sets"]["count"] / len(SIGNS))
         counts = dict.fromkeys(SIGNS, set_candidates)
@@ -149,7 +148,7 @@ class Chunks:
     ) -> dict[str, list[str]]:
         """Return the inputs of rule compute_filtered_forces, one file for each realization.
 
-        Masters of the study are files of their own; the job makes others from scans and spectra.
+        The job makes masters that are no files from scans and spectra.
         """
         files = self._files
         realizations = range(first, last + 1)

@@ -1,7 +1,4 @@
-"""The purposes for which forces on filtered masters are computed, with their settings.
-
-A master is a scan with artificial roughness. Filtering removes all its waves beyond a cutoff.
-"""
+"""The purposes for which forces on filtered masters are computed, with their settings."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
@@ -11,8 +8,8 @@ from hardcontact.config.limits import master_megabytes
 from hardcontact.contact.numerical_limits import SHORT_ADHESION_RANGE
 from hardcontact.surfaces.synthesis import SIDES
 
-#: Realizations in one job: few enough to keep all cores busy, and so many that a job takes much
-#: longer than the half second in which it starts.
+#: Realizations in one job: few enough to keep all cores busy, but so many that a job takes much
+#: longer than its start, half a second.
 MASTERS_CHUNK = 5
 
 
@@ -49,8 +46,7 @@ PURPOSES = {
     # The edges of each set of substitutes.
     "sets": Purpose("sets", "sets.contacts_per_row", "sets.realizations"),
     # How the edges depend on radius and load, on a smooth sphere. At an eighth of the preload the
-    # contact is 2.8 times narrower and has some 30 pixels; larger loads than the preload move short
-    # edges beyond the cutoffs of sets.
+    # contact still has some 30 pixels; larger loads move short edges beyond the cutoffs of sets.
     "exponents": Purpose(
         "sets", "sets.contacts_per_row", "exponents.realizations", rough_sphere=False,
         radii_key="exponents.radii", preload_shares=(1 / 8, 1),
@@ -64,7 +60,7 @@ PURPOSES = {
 
 
 def filtered_settings(configuration: Mapping[str, Any], purpose: str) -> dict[str, Any]:
-    """Return the settings of the forces on filtered masters, with radii in nm, loadings, ranges."""
+    """Return the settings of the forces on filtered masters for a purpose."""
     settings = PURPOSES[purpose]
     contact = study_contact(configuration)
     radii = get_key(configuration, settings.radii_key)
@@ -91,5 +87,5 @@ def filtered_settings(configuration: Mapping[str, Any], purpose: str) -> dict[st
 
 
 def filter_megabytes(settings: Mapping[str, Any]) -> int:
-    """Return the memory of a job that filters masters, by the larger of its two masters."""
+    """Return the memory (MB) of a job that filters masters, by the larger of its two masters."""
     return master_megabytes(max(side["pixels"] for side in settings["sides"].values()))

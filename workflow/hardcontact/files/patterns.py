@@ -22,9 +22,9 @@ MEASUREMENT = f"{_SURFACE}/scan-{{scan}}.nc"
 class StorePatterns:
     """The paths of intermediates, with wildcards in braces where a rule makes several files.
 
-    Paths have the digest of all settings on which a file depends, and that of the rows of its
-    surface in the table of surfaces: two studies share equal files, and others coexist. Radius,
-    loading and range of adhesion, which people vary, can also be read from the path.
+    Paths have digests of all settings on which a file depends, and of the rows of its surface in
+    the table of surfaces, so that two studies share equal files, and others coexist. Radius,
+    loading and range of adhesion, which people vary, can be read from the path.
     """
 
     def __init__(self, plan: StudyPlan) -> None:

@@ -1,11 +1,9 @@
 """The settings of each kind of intermediate, which its rule passes to its jobs.
 
-Rules of intermediates take settings from here alone, and paths have the digest of all of them. The
-other parameters of these rules are wildcards, or come from the rows of a surface in the table of
-surfaces, whose digest paths have, too.
+Paths have the digest of these settings, so that a changed setting makes new files. Other parameters
+of these rules are wildcards, or rows of the table of surfaces, whose digest paths have, too.
 
-A kind has the same name here and among the attributes of `StorePatterns`, but for those that share
-settings (`scans`, `both_bodies`) and the purposes of filtered masters. The kinds hold:
+Most kinds have the name of their attribute of `StorePatterns`. The kinds hold:
 
 - ``measurements``: scans of files, as read;
 - ``measured_spectra``: the spectrum of a surface, from all its measurements;
@@ -119,7 +117,7 @@ def _random_surface(study: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _featured_surface(study: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the settings of random surfaces of which one may have bumps or pits."""
+    """Return the settings of random surfaces, of which one may have bumps or pits."""
     return _random_surface(study) | {"featured_surface": study["substitutes"]["featured_surface"]}
 
 

@@ -1,4 +1,4 @@
-"""The files of the surfaces of one study: their spectra, their scans, and both bodies together."""
+"""The paths of spectra and scans of the surfaces of one study, and of both bodies together."""
 
 from collections.abc import Iterable
 from typing import Any

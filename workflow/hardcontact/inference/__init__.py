@@ -1,4 +1,4 @@
-"""Forces on filtered and perturbed surfaces, and the conclusions of both kinds of study.
+"""Forces on filtered and perturbed surfaces, and what both kinds of study conclude from forces.
 
-The conclusions are the band, the octaves that matter, and range and work of adhesion.
+These are the band, the octaves that matter, and range and work of adhesion.
 """

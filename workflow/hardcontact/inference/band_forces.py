@@ -7,7 +7,7 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.base.dataset import stack
-from hardcontact.base.statistics import with_interval
+from hardcontact.base.statistics import estimate_variables
 from hardcontact.base.units import DIMENSIONLESS, NM
 from hardcontact.contact.contact import CONTACT_AXES
 from hardcontact.contact.pull_off import FORCE_ATTRS, ForcesOnSurface
@@ -36,9 +36,8 @@ def band_force_dataset(
 ) -> xr.Dataset:
     """Return the forces on a surface with all roughness, and with BAND_PARTS of it.
 
-    `bands` have the shortest and the longest wavelength of each band in nm. ``force`` (contact_y,
-    contact_x) and ``band_force`` (band, band_part, contact_y, contact_x) are in N at 1 J/m²;
-    ``band_edge`` (band, side) has the wavelengths.
+    ``force`` (contact_y, contact_x) and ``band_force`` (band, band_part, contact_y, contact_x) are
+    in N at 1 J/m²; ``band_edge`` (band, side) has the edges of the bands in nm.
     """
     part_forces = [
         [compute_forces(part) for part in band_parts(surface, band)] for band in bands.values()
@@ -54,7 +53,7 @@ def band_force_dataset(
 
 
 def band_ratios(forces: xr.Dataset, scan_parts: ScanParts, confidence: float) -> xr.Dataset:
-    """Return ``band_force_ratio`` (band, band_part), relative to the force with all roughness.
+    """Return ``band_force_ratio`` (band, band_part) to the force with all roughness.
 
     `forces` come from `band_force_dataset`, with the further dimension `map`.
     """
@@ -63,7 +62,7 @@ def band_ratios(forces: xr.Dataset, scan_parts: ScanParts, confidence: float) ->
     )
     ratio, interval = np.exp(log_ratio), np.exp(log_interval)
     dimensions = ("band", "band_part")
-    variables = with_interval(
+    variables = estimate_variables(
         "band_force_ratio", dimensions, ratio, interval, DIMENSIONLESS, confidence
     )
     return xr.Dataset(variables, {name: forces[name] for name in dimensions})
@@ -72,10 +71,7 @@ def band_ratios(forces: xr.Dataset, scan_parts: ScanParts, confidence: float) ->
 def band_ratios_by_surface(
     forces_by_surface: Mapping[str, xr.Dataset], radius: float, rho: float, confidence: float
 ) -> xr.Dataset:
-    """Return ``band_force_ratio`` (surface, band, band_part) and ``band_edge`` (band, side) in nm.
-
-    The radius of the sphere and the range of adhesion are in nm.
-    """
+    """Return ``band_force_ratio`` (surface, band, band_part) and ``band_edge`` (band, side)."""
     surfaces = {
         (surface,): band_ratios(forces, parts_of_maps(forces, radius, rho), confidence)
         for surface, forces in forces_by_surface.items()

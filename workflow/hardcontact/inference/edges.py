@@ -1,7 +1,7 @@
 """The edges of the band: the cutoffs at which the change of the force exceeds a tolerance.
 
-`paper.edges_of_masters` finds the edges of substitutes, whose masters are independent.
-`own.edges_of_scans` finds the edges of the user's surfaces, whose masters share few scans.
+The masters of substitutes are independent, those of the user's surfaces share few scans. Intervals
+therefore come from `paper.edges_of_masters` or from `own.edges_of_scans`.
 """
 
 from collections.abc import Hashable, Sequence
@@ -24,12 +24,8 @@ class ChangeCurve(NamedTuple):
     """The change of the force with the cutoff on one side; it is zero without a filter."""
 
     side: str  #: short: wavelengths below the cutoff are removed; long: wavelengths above it.
-    #: (k,) in nm, in the order of growing effect: ascending on the short side, descending on the
-    #: long side.
-    cutoffs: Floats
-    #: (k,) ln(ratio) for a single surface, which passes through zero where the ratio crosses one;
-    #: the mean of |ratio - 1| for several.
-    values: Floats
+    cutoffs: Floats  #: (k,) in nm, by growing effect: ascending if short, descending if long.
+    values: Floats  #: (k,) ln(ratio) for a single surface, the mean of |ratio - 1| for several.
     limits: tuple[float, float]  #: Lower and upper limit; a change within them does not count.
 
 
@@ -60,8 +56,8 @@ def ordered_curve(
 ) -> tuple[ChangeCurve, Floats]:
     """Return the curve of the first row of values (row, k), and the other rows at its cutoffs.
 
-    Cutoffs (k,) are in any order; cutoffs with NaN in the first row are left out. All rows begin
-    with zero at `spectrum_end`, the wavelength (nm) that removes nothing, if it is known.
+    Cutoffs are sorted; those with NaN in the first row are left out. If `spectrum_end` is known,
+    the wavelength (nm) that removes nothing, all rows begin there with zero.
     """
     computed_columns = np.flatnonzero(np.isfinite(values[0]))
     order = computed_columns[np.argsort(cutoffs[computed_columns])][:: 1 if side == "short" else -1]
@@ -73,7 +69,7 @@ def ordered_curve(
 
 
 def logarithmic_limits(tolerance: float) -> tuple[float, float]:
-    """Return both limits of ln(ratio) for a tolerance, a relative change of the force (0.1)."""
+    """Return both limits of ln(ratio) for a relative change of the force, such as 0.1."""
     return float(np.log1p(-tolerance)), float(np.log1p(tolerance))
 
 
@@ -88,29 +84,24 @@ def _first_outside(values: Floats, limits: tuple[float, float]) -> int:
     return _first_true((values < lower) | (values > upper))
 
 
-def interpolate_edge(cutoffs: Floats, curve: Floats, limits: tuple[float, float]) -> float:
-    """Return the cutoff (nm) at which a curve first leaves its limits.
+def interpolate_edge(cutoffs: Floats, values: Floats, limits: tuple[float, float]) -> float:
+    """Return the cutoff (nm) at which the values (k,) of a curve first leave its limits.
 
-    Cutoffs and curve (k,) are in the order of growing effect; the curve is interpolated linearly in
-    the logarithm of the wavelength. NaN if the curve never leaves its limits, or is outside at
-    the first cutoff.
+    They are interpolated linearly in the logarithm of the cutoff. NaN if no value is outside, or
+    the first one is.
     """
-    crossing = _first_outside(curve, limits)
-    if crossing in (0, len(curve)):
+    crossing = _first_outside(values, limits)
+    if crossing in (0, len(values)):
         return np.nan
     lower, upper = limits
-    limit = upper if curve[crossing] > upper else lower
-    share = (limit - curve[crossing - 1]) / (curve[crossing] - curve[crossing - 1])
+    limit = upper if values[crossing] > upper else lower
+    share = (limit - values[crossing - 1]) / (values[crossing] - values[crossing - 1])
     step = np.log(cutoffs[crossing] / cutoffs[crossing - 1])
     return float(np.exp(np.log(cutoffs[crossing - 1]) + share * step))
 
 
 def find_edge(curve: ChangeCurve) -> Edge:
-    """Return the edge of a curve.
-
-    It is open if the curve is outside its limits at the first cutoff already, or within them up to
-    the last cutoff.
-    """
+    """Return the edge of a curve, open if no value or the first one is outside the limits."""
     edge = interpolate_edge(curve.cutoffs, curve.values, curve.limits)
     if np.isfinite(edge):
         return Edge(edge, np.nan, EdgeStatus.FOUND)
@@ -124,8 +115,8 @@ def find_edge(curve: ChangeCurve) -> Edge:
 def shows_ripples(curve: ChangeCurve) -> bool:
     """Return whether a curve of ln(ratio) shows the ripples of the filter, not the roughness.
 
-    Without its short waves a random surface has lower summits, and the force rises. If the force
-    first leaves its limits by falling, the filter has made higher summits: ripples near steps.
+    Without its short waves a random surface has lower summits, so that the force rises. If it falls
+    first, the filter has made higher summits: ripples near steps.
     """
     crossing = _first_outside(curve.values, curve.limits)
     value_outside = curve.values[crossing : crossing + 1]  # empty if the curve never leaves them
@@ -135,10 +126,9 @@ def shows_ripples(curve: ChangeCurve) -> bool:
 def edge_interval(curve: ChangeCurve, lowest: Floats, highest: Floats) -> Floats:
     """Return the cutoffs (2,) in nm between which the edge lies, from the intervals of a curve.
 
-    lowest, highest: ends (k,) of the intervals of the values. One end is the last cutoff before an
-    interval reaches beyond the limits. The other end is the first cutoff with an interval wholly
-    outside. The curve is assumed not to cross its limits twice between two cutoffs. NaN for an end
-    before the first or after the last cutoff, or without intervals.
+    `lowest` and `highest` (k,) are the ends of the intervals of its values. The edge lies between
+    the last cutoff before an interval reaches beyond the limits, and the first cutoff with an
+    interval wholly outside. NaN for an end beyond the cutoffs, or without intervals.
     """
     if np.isnan([lowest, highest]).any():
         return np.full(2, np.nan)
@@ -155,9 +145,8 @@ def edge_interval(curve: ChangeCurve, lowest: Floats, highest: Floats) -> Floats
 def edges_of_curves(ratios: xr.Dataset, tolerance: float) -> xr.Dataset:
     """Return the edges of several curves of force ratios, with their bounds and intervals in nm.
 
-    ``filtered_force_ratio`` (..., cutoff_wavelength) may have an interval, and is NaN at cutoffs
-    that a curve does not have; ``side`` is a coordinate. ``edge``, ``edge_bound`` and
-    ``edge_interval`` are NaN if they are open; ``edge_status`` has codes of `EdgeStatus`.
+    ``filtered_force_ratio`` (..., cutoff_wavelength), with its coordinate ``side``, may have an
+    interval, and is NaN at cutoffs that a curve does not have. Open edges and ends are NaN.
     """
     dimensions = [dim for dim in ratios["filtered_force_ratio"].dims if dim != "cutoff_wavelength"]
     shape = [ratios.sizes[dim] for dim in dimensions]
@@ -184,7 +173,7 @@ def _curve_with_interval(ratios: xr.Dataset, tolerance: float) -> tuple[ChangeCu
     unknown = np.full((len(ratio), 2), np.nan)
     interval = np.asarray(ratios.get("filtered_force_ratio_interval", unknown))
     if not np.isnan(interval).all():
-        # If other ratios have intervals, a ratio without one is equal in all parts: zero width.
+        # If only some ratios have no interval, they are equal in all parts: zero width.
         interval = np.where(np.isnan(interval), ratio[:, None], interval)
     with np.errstate(divide="ignore"):  # the lower end of an interval without bounds is zero
         log_ratios = np.log([ratio, *interval.T])
@@ -212,10 +201,7 @@ def computed_cutoffs(values: xr.DataArray) -> Floats:
 
 
 def last_cutoff(values: xr.DataArray, side: str) -> float:
-    """Return the cutoff (nm) of a side, "short" or "long", that removes most of the roughness.
-
-    The values (..., cutoff_wavelength) of this side are NaN at the cutoffs of the other side.
-    """
+    """Return the cutoff (nm) of a side, "short" or "long", that removes most of the roughness."""
     return float(computed_cutoffs(values)[-1 if side == "short" else 0])
 
 

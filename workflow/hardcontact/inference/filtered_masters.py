@@ -1,7 +1,6 @@
 """Forces on a master, unfiltered and filtered below or above every cutoff wavelength.
 
-In a master artificial roughness replaces the waves of a scan beyond a transition. A filter of the
-side ``"short"`` removes wavelengths below the cutoff, a filter of ``"long"`` those above it.
+In a master random waves replace those of a scan beyond a transition (`surfaces.synthesis`).
 """
 
 from collections.abc import Iterable, Mapping, Sequence
@@ -32,7 +31,7 @@ Axis = tuple[tuple[str], Any, dict[str, str]]
 
 
 class Filters(NamedTuple):
-    """The cutoffs of one side; each cutoff filters the unfiltered master."""
+    """The filters of one side, each of which is applied to the unfiltered master."""
 
     side: str  #: short: wavelengths below the cutoff are removed; long: wavelengths above it.
     pixels: int  #: Pixels per row of the filtered surfaces.
@@ -44,9 +43,9 @@ def forces_at_cutoffs(
 ) -> xr.Dataset:
     """Return the forces on a periodic master, unfiltered and filtered at every cutoff of a side.
 
-    `compute_forces` returns the forces (...) in N on a surface; `axes` are their dimensions and
-    coordinates. Returns ``pull_off_force`` (cutoff_wavelength, ...), ``unfiltered_pull_off_force``
-    (...) and ``unfiltered_wavelength``, the end of the unfiltered spectrum in nm.
+    `axes` are the dimensions and coordinates of computed forces (...). Returns ``pull_off_force``
+    (cutoff_wavelength, ...), ``unfiltered_pull_off_force`` (...) and ``unfiltered_wavelength``, the
+    end of the unfiltered spectrum in nm.
     """
     side, pixels, cutoffs = filters
     out = np.empty((pixels, pixels), np.float32)  # A new array for each surface takes longer.
@@ -75,13 +74,11 @@ def filtered_pull_off(
     radii: Sequence[float] | None = None,
     ranges: Sequence[float] | None = None,
 ) -> xr.Dataset:
-    """Return the pull-off forces on a master, unfiltered and filtered, for all contacts of a sweep.
+    """Return `forces_at_cutoffs` on a master, over (radius, loading, rho, contact_y, contact_x).
 
-    The contacts differ only in their loading: preload with hardness (plastic) or without (rigid).
-    Radii and ranges (nm) are by default those of the first contact. The variables of
-    `forces_at_cutoffs` are over (radius, loading, rho, contact_y, contact_x). ``touching_area``
-    (loading) is the area of the touching pixels, the coordinate ``contact_area`` (loading) the
-    preload over the hardness, both in nm².
+    The contacts differ in their loading alone; radii and ranges are by default those of the first.
+    ``touching_area`` (loading) in nm² is the area of the touching pixels, the coordinate
+    ``contact_area`` the preload over the hardness.
     """
     contact = loaded_contacts[0]
     pixel_size = master.size / filters.pixels
@@ -112,7 +109,7 @@ def make_master(
     spectrum_path: str,
     settings: Mapping[str, Any],
 ) -> HeightMap:
-    """Return a master of a side with its settings, made from a mirrored scan and its spectrum."""
+    """Return a master made from the files of a mirrored scan and its spectrum."""
     scan = load_height_map(scan_path)
     spectrum_data = read(spectrum_path)
     # A sampled spectrum has a factor on the heights of its scan.
@@ -126,9 +123,8 @@ def read_master_forces(
 ) -> xr.Dataset:
     """Read the forces on filtered masters: one file or several for each surface.
 
-    Returns the variables of `add_force_ratios` (surface, realization, side, ...), up to the given
-    number of realizations. If `loading` names one, the result has no dimensions of loading, radius
-    and range; the files then have a single radius and range.
+    Returns `add_force_ratios` (surface, realization, side, ...) of some realizations. If `loading`
+    names one, the result has no dimensions of loading, radius and range, which must be single.
     """
     files = read_all([(name, number) for number, name in enumerate(surfaces)], paths)
     forces = stack(concatenate(files, "realization", 1), ["surface"])
@@ -140,11 +136,10 @@ def read_master_forces(
 
 
 def add_force_ratios(forces: xr.Dataset) -> xr.Dataset:
-    """Return forces on masters, by growing cutoff, with their ratios to the unfiltered forces.
+    """Return forces on masters, by growing cutoff, with ratios of mean to unfiltered mean forces.
 
-    ``filtered_force_ratio`` (..., cutoff_wavelength) is the mean of ``pull_off_force`` relative to
-    the mean of ``unfiltered_pull_off_force``, over contacts. It is NaN at cutoffs of the other
-    side. ``unfiltered_wavelength`` is the same for all realizations, and loses their dimension.
+    ``filtered_force_ratio`` (..., cutoff_wavelength) is NaN at cutoffs of the other side.
+    ``unfiltered_wavelength`` is the same for all realizations, and loses their dimension.
     """
     forces = forces.sortby("cutoff_wavelength")
     contact_axes = [axis for axis in CONTACT_AXES if axis in forces.dims]
@@ -160,12 +155,11 @@ def add_force_ratios(forces: xr.Dataset) -> xr.Dataset:
 
 
 def add_spectrum_shifts(scales: xr.Dataset, sampled: xr.Dataset) -> xr.Dataset:
-    """Return forces on masters, and their changes with another spectrum that the scans permit.
+    """Return `scales`, and the changes with another spectrum that the scans permit (`sampled`).
 
-    `scales` has masters with the most likely spectra, `sampled` masters with sampled spectra and
-    the same random numbers. ``log_ratio_shift`` and ``log_unfiltered_force_shift`` are the changes
-    of the logarithms of ``filtered_force_ratio`` and of the mean unfiltered force. They are NaN for
-    masters without a sampled spectrum.
+    Both masters have the same random numbers. ``log_ratio_shift`` and
+    ``log_unfiltered_force_shift`` are the changes of the logarithms of ``filtered_force_ratio`` and
+    of the mean unfiltered force, NaN for masters without a sampled spectrum.
     """
     unfiltered = "unfiltered_pull_off_force"
     ratio = sampled["filtered_force_ratio"] / scales["filtered_force_ratio"]

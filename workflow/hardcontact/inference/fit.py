@@ -1,7 +1,7 @@
-"""Range and work of adhesion that fit mean forces best: the error of any pair, and the best pair.
+"""Range and work of adhesion that fit measured forces best: the error of any pair, the best pair.
 
-In all functions `mean_forces` (..., surface, rho) are computed at 1 J/m², and `measured_forces`
-(surface,) are their targets, both in N. Computed forces are proportional to the work of adhesion.
+In all functions `mean_forces` (..., surface, rho) are computed at 1 J/m², and proportional to the
+work of adhesion. They are compared with `measured_forces` (surface,). Forces are in N.
 """
 
 from collections.abc import Sequence
@@ -14,7 +14,7 @@ from hardcontact.base.arrays import Floats
 from hardcontact.base.units import DIMENSIONLESS, JOULE_PER_M2, NM
 from hardcontact.contact.pull_off import interpolate_to_ranges
 
-#: Number of ranges of adhesion of a fit. The steps between 0.05 and 40 nm are 0.8 %, far below the
+#: Number of ranges of adhesion of a fit: steps between 0.05 and 40 nm are 0.8 %, far below the
 #: interval of a fitted range.
 RANGE_COUNT = 801
 #: Variables of the best fit, with their units.
@@ -43,8 +43,8 @@ def minimum_along_axis(errors: Floats, values: Floats, axis: int = -1) -> tuple[
 def fit_work(mean_forces: Floats, measured_forces: Floats) -> tuple[Floats, Floats]:
     """Return the work of adhesion (..., rho) in J/m² with the smallest error, and this error.
 
-    The mean relative error is piecewise linear in the work. Its minimum therefore matches the force
-    on one surface exactly, and the works that do so for each surface are compared.
+    The mean relative error is piecewise linear in the work, so that at its minimum the force on one
+    surface matches exactly. The works at which each surface matches are compared.
     """
     relative = mean_forces / measured_forces[:, None]
     candidates = 1 / relative
@@ -56,17 +56,14 @@ def fit_work(mean_forces: Floats, measured_forces: Floats) -> tuple[Floats, Floa
 
 
 def fine_ranges(ranges: Floats) -> Floats:
-    """Return the ranges (nm) of a fit, from the shortest to the longest of the computed ranges."""
+    """Return RANGE_COUNT ranges from the shortest to the longest of the computed ranges."""
     if len(ranges) == 1:
         return ranges
     return np.geomspace(ranges[0], ranges[-1], RANGE_COUNT)
 
 
 def best_fit(mean_forces: Floats, measured_forces: Floats, ranges: Floats) -> dict[str, Floats]:
-    """Return the variables of FIT_ATTRS (...) by name, of the best pair at the given ranges (nm).
-
-    They are NaN if a computed force is NaN.
-    """
+    """Return FIT_ATTRS (...) of the best pair at given ranges; NaN if a computed force is NaN."""
     works, errors = fit_work(mean_forces, measured_forces)
     work, error = minimum_along_axis(errors, works)
     best_range = np.where(np.isfinite(error), ranges[errors.argmin(axis=-1)], np.nan)
@@ -74,10 +71,9 @@ def best_fit(mean_forces: Floats, measured_forces: Floats, ranges: Floats) -> di
 
 
 def fit_mean_forces(mean_forces: xr.DataArray, measured_forces: pd.Series) -> xr.Dataset:
-    """Return the best ``range_of_adhesion``, ``work_of_adhesion`` and ``best_error`` (...).
+    """Return FIT_ATTRS (...) of the best pair, at finer ranges than the computed ranges.
 
-    The ranges of the fit are finer than the computed ranges. Surfaces without a measured force do
-    not enter the fit; `measured_forces` has surfaces as its index.
+    Surfaces without a measured force do not enter the fit; surfaces index `measured_forces`.
     """
     measured_forces = measured_forces.reindex(mean_forces["surface"].values).dropna()
     dimensions = [dim for dim in mean_forces.dims if dim not in ("surface", "rho")]
@@ -92,11 +88,7 @@ def fit_mean_forces(mean_forces: xr.DataArray, measured_forces: pd.Series) -> xr
 
 
 def fit_without_each_surface(mean_forces: xr.DataArray, measured_forces: pd.Series) -> xr.Dataset:
-    """Return the best pair (left_out, ...) without one surface at a time.
-
-    `fit_mean_forces` gives the variables; here they are ``range_without_surface``,
-    ``work_without_surface`` and ``error_without_surface``.
-    """
+    """Return the best pair (left_out, ...) without one surface at a time, named WITHOUT_SURFACE."""
     surfaces: Sequence[str] = mean_forces["surface"].values.tolist()
     fits = [
         fit_mean_forces(mean_forces.drop_sel(surface=name), measured_forces) for name in surfaces

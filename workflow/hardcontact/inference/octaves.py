@@ -1,7 +1,7 @@
 """The sensitivity d ln F / d ln a of the mean force F to the amplitude a of each octave of waves.
 
-The waves of one octave are amplified and attenuated on the same surface. The ratio of both forces
-scatters little, because all other waves are the same. `own.hindcast` replaces an octave instead.
+The waves of one octave are amplified, and attenuated, on the same surface. The ratio of both forces
+scatters little, because all other waves are the same.
 """
 
 from collections.abc import Iterator, Sequence
@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from hardcontact.base.arrays import Floats
 from hardcontact.base.number import Number
-from hardcontact.base.statistics import with_interval
+from hardcontact.base.statistics import estimate_variables
 from hardcontact.base.units import DIMENSIONLESS, NM
 from hardcontact.contact.contact import CONTACT_AXES, Contact
 from hardcontact.contact.geometry import join_bodies
@@ -30,8 +30,8 @@ from hardcontact.surfaces.height_map import HeightMap
 
 #: Limits of octaves in nm, from 0.08 nm to 1.3 mm: all wavelengths of spectra.
 OCTAVE_LIMITS: Floats = np.ldexp(10.0, np.arange(-7, 18))
-#: Relative change of an amplitude. Trade-off of smaller steps, in which single contact pixels
-#: decide, against larger ones, whose central difference has an error that grows with their square.
+#: Relative change of an amplitude. In smaller steps single contact pixels would decide. The error
+#: of the central difference grows with the square of the step.
 STEP = 0.05
 #: Factors on the amplitude of an octave.
 AMPLITUDE_FACTORS = (1 - STEP, 1 + STEP)
@@ -40,7 +40,7 @@ OCTAVES_NAMED = 3
 
 
 def octave_limits(shortest: float, longest: float) -> Floats:
-    """Return the limits (nm) of the octaves above one wavelength (nm) and up to another."""
+    """Return the OCTAVE_LIMITS above one wavelength and up to another."""
     return OCTAVE_LIMITS[(OCTAVE_LIMITS > shortest) & (OCTAVE_LIMITS <= longest)]
 
 
@@ -58,7 +58,6 @@ def octave_forces(
     amplified_surface = replace(surface, heights=np.empty_like(surface.heights))
 
     def force(octave: HeightMap, factor: float) -> Floats:
-        """Return the forces with one octave multiplied by a factor."""
         np.multiply(octave.heights, factor - 1, out=amplified_surface.heights)
         np.add(amplified_surface.heights, surface.heights, out=amplified_surface.heights)
         return compute_forces(amplified_surface)
@@ -82,9 +81,9 @@ def octave_force_dataset(
 
 
 def whole_surface_forces(surface: HeightMap, contact: Contact, ranges: list[float]) -> xr.Dataset:
-    """Return the forces on a periodic surface: `octave_force_dataset`, and means at all ranges.
+    """Return `octave_force_dataset` of a periodic surface, and its mean force at all ranges.
 
-    ``pull_off_force`` (contact_model, rho) in N at 1 J/m² is the mean over contacts.
+    ``pull_off_force`` (contact_model, rho) is in N at 1 J/m².
     """
     limits = octave_limits(2 * surface.pixel_size, 2 * surface.size)
     pull_off = pull_off_dataset(join_bodies(surface, None, contact), contact, ranges)
@@ -94,7 +93,7 @@ def whole_surface_forces(surface: HeightMap, contact: Contact, ranges: list[floa
 
 
 def octaves_within(octave_starts: Floats, shortest: float, longest: float) -> NDArray[np.bool_]:
-    """Return the mask of octaves (by their shortest wavelengths) whose middle is in a band (nm)."""
+    """Return the mask of octaves, by their shortest wavelengths, whose middle is in a band."""
     middle = np.sqrt(2) * octave_starts
     return np.asarray((shortest < middle) & (middle < longest))
 
@@ -103,7 +102,7 @@ def strongest_octaves(sensitivity: xr.Dataset) -> Iterator[Number]:
     """Yield the octaves whose amplitudes change the force most, and by how much.
 
     ``octave_1`` is the shortest wavelength of the strongest octave, ``octave_1_sensitivity`` its
-    ``octave_sensitivity`` (octave). Octaves with NaN do not count.
+    sensitivity. Octaves with NaN do not count.
     """
     finite = sensitivity.dropna("octave", subset=["octave_sensitivity"])
     strongest = np.argsort(-np.abs(finite["octave_sensitivity"].values))[:OCTAVES_NAMED]
@@ -118,17 +117,16 @@ def strongest_octaves(sensitivity: xr.Dataset) -> Iterator[Number]:
 def octave_sensitivities(
     forces: xr.Dataset, scan_parts: ScanParts, confidence: float
 ) -> xr.Dataset:
-    """Return ``octave_sensitivity`` (octave) from the forces on all maps of a surface.
+    """Return ``octave_sensitivity`` (octave): a central difference of logarithms of mean forces.
 
     ``octave_force`` (map, octave, factor, contact_y, contact_x) comes from `octave_force_dataset`.
-    The derivative is the central difference of the logarithms of the mean forces. ``map_size`` is
-    the width of the maps in nm.
+    ``map_size`` is the width of the maps in nm.
     """
     octave_force = forces["octave_force"]
     weak, strong = (octave_force.sel(factor=factor, drop=True) for factor in AMPLITUDE_FACTORS)
     log_ratio, log_interval = log_force_ratio(strong, weak, scan_parts, confidence)
     sensitivity, interval = log_ratio / (2 * STEP), log_interval / (2 * STEP)
-    variables = with_interval(
+    variables = estimate_variables(
         "octave_sensitivity", "octave", sensitivity, interval, DIMENSIONLESS, confidence
     )
     map_size = ((), forces.attrs["map_size"], NM)

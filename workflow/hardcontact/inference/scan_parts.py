@@ -1,11 +1,9 @@
 """Parts of a few scans: the jackknife over the parts gives the interval of a mean force.
 
-If a surface has three scans or more, the parts are the scans. Otherwise the parts are the quarters
-of each scan: contacts of a mirrored scan are grouped by their quarter. Quarters are correlated,
-because the same peaks attract contacts of several quarters: by Eq. 3 of the paper, the surface
-around a contact attracts with a Gaussian weight of the deviation sqrt(R rho). The variance is
-corrected for this correlation. If the contacts touch fewer patches than there are quarters, some
-quarters share a patch, and there is no interval.
+If a surface has three scans or more, the parts are the scans. Otherwise they are the quarters of
+each scan, by which the contacts are grouped. Quarters are correlated, because the same peaks
+attract contacts of several quarters, and the variance is corrected for that. If contacts touch
+fewer patches than there are quarters, some quarters share a patch, and there is no interval.
 """
 
 from collections.abc import Callable, Sequence
@@ -21,7 +19,7 @@ from hardcontact.base.arrays import Floats
 from hardcontact.base.statistics import MAX_LOG_DEVIATION, student_quantile
 from hardcontact.contact.contact import CONTACT_AXES
 
-#: Fewer scans than these are divided into quarters.
+#: Fewer scans than this number are divided into quarters.
 ENOUGH_SCANS = 3
 #: Smaller half widths of logarithms come from rounding.
 MIN_HALF_WIDTH = 1e-9
@@ -52,8 +50,7 @@ class Variance(NamedTuple):
 class ScanParts:
     """Parts of the scans of one surface."""
 
-    #: (map, contact_y, contact_x), the number of the part in which a contact of a map lies.
-    part_of_contact: NDArray[np.int_]
+    part_of_contact: NDArray[np.int_]  #: (map, contact_y, contact_x) numbers of parts.
     correlation_matrix: Floats  #: (part, part), of mean forces on parts.
     scan_count: int  #: Number of scans.
     touched_patches: float = np.inf  #: Fewest patches that the contacts on a scan touch.
@@ -88,10 +85,9 @@ class ScanParts:
     def variance_correction(self) -> tuple[float, float]:
         """Factor on the variance of the delete-one jackknife, and its degrees of freedom.
 
-        A mean correlation c of n parts lowers the jackknife variance by the factor 1 - c, and
-        raises the variance of their mean by the factor 1 + (n - 1) c. The factor returned corrects
-        both. The degrees of freedom are Satterthwaite's for the correlation matrix without its
-        row means. NaN if the parts give no interval.
+        A mean correlation c of n parts lowers the jackknife variance by the factor 1 - c, but
+        raises the variance of their mean by 1 + (n - 1) c. The degrees of freedom are
+        Satterthwaite's for the correlation matrix without its row means. NaN without an interval.
         """
         if self.interval_source not in (IntervalSource.SCANS, IntervalSource.QUARTERS):
             return np.nan, np.nan
@@ -105,19 +101,16 @@ class ScanParts:
 def fewest_touched_patches(adhesion: xr.Dataset) -> dict[str, float]:
     """Return the smallest number of patches that the contacts on a scan touch, by surface.
 
-    ``touched_patches`` of adhesion.nc is over surface, scan and sphere_scan. For several scans of
-    the sphere, the scan with the most touched patches counts.
+    Of several scans of the sphere, the one that touches most patches counts.
     """
     patches = adhesion.touched_patches.max("sphere_scan").min("scan")
     return {str(name): float(patches.sel(surface=name)) for name in patches.surface.values}
 
 
 def quarters_of_contacts(contacts_per_row: int, tiles: int) -> NDArray[np.int_]:
-    """Return the quarter of the scan that holds each contact of a square array.
+    """Return the quarter, 0 to 3, of the scan that holds each contact of a square array.
 
-    A map is a mirrored scan, repeated `tiles` times along each axis; `contact_positions` gives the
-    positions of contacts. The quarter is 2 in the second half along y, plus 1 in the second half
-    along x.
+    The map is the mirrored scan, repeated `tiles` times along each axis.
     """
     # Positions in widths of the scan.
     unfolded = 2 * tiles * (np.arange(contacts_per_row) + 0.25) / contacts_per_row % 2
@@ -135,8 +128,8 @@ def parts_of_scans(
     """Return the parts of the scans of a surface: scans if there are three, otherwise quarters.
 
     `scan_of_map` (map,) numbers the scan of each map, `quarters` come from `quarters_of_contacts`.
-    The width of a scan is in nm, like the `weight_deviation` sqrt(R rho) of the Gaussian weight
-    around a contact. `touched_patches` comes from `fewest_touched_patches`.
+    Around a contact, the surface attracts with a Gaussian weight (Eq. 3 of the paper), whose
+    `weight_deviation` is sqrt(R rho).
     """
     scans, scan = np.unique(scan_of_map, return_inverse=True)
     if len(scans) >= ENOUGH_SCANS:
@@ -152,10 +145,7 @@ def parts_of_scans(
 def parts_of_maps(
     forces: xr.Dataset, radius: float, rho: float, touched_patches: float = np.inf
 ) -> ScanParts:
-    """Return the parts of maps of different scans: the maps if there are three, else quarters.
-
-    `forces` (map, contact_y, contact_x) are on the maps; radius and range of adhesion are in nm.
-    """
+    """Return the parts of maps of different scans by their forces (map, contact_y, contact_x)."""
     quarters = quarters_of_contacts(forces.sizes["contact_y"], 1)
     size = float(forces.attrs["map_size"])
     maps = np.arange(forces.sizes["map"])
@@ -165,10 +155,10 @@ def parts_of_maps(
 def _correlation_of_quarters(size: float, weight_deviation: float) -> Floats:
     """Return the correlation (4, 4) of mean forces of the quarters of a mirrored scan.
 
-    Along one axis, the surface attracts the contacts of one half with a weight. It is a step, 1 on
-    this half and 0 on the other, smoothed by a Gaussian of the `weight_deviation`. The covariance
-    of two halves is the mean product of their smoothed steps, if roughness is uncorrelated. It
-    follows from the Fourier coefficients of the steps: 1/2, and ±2/(k pi) at odd orders k.
+    Along one axis, the surface attracts the contacts of one half with a weight: a step, 1 on this
+    half and 0 on the other, smoothed by a Gaussian. If roughness is uncorrelated, the covariance of
+    two halves is the mean product of their weights. It follows from the Fourier coefficients of the
+    steps: 1/2, and ±2/(k pi) at odd orders k.
     """
     order = np.arange(1, 2000, 2)
     decay = np.exp(-((np.pi * order * weight_deviation / size) ** 2))
@@ -183,8 +173,8 @@ def delete_one_logarithms(
 ) -> Floats:
     """Return the logarithms (part, ...) of a statistic over all parts except one.
 
-    The statistic (...) is a function of the mask (map, contact_y, contact_x) of kept contacts;
-    `map_dimension` is the name of the first dimension.
+    The statistic (...) is a function of the mask (`map_dimension`, contact_y, contact_x) of kept
+    contacts.
     """
     part_of_contact = xr.DataArray(scan_parts.part_of_contact, dims=(map_dimension, *CONTACT_AXES))
     parts = range(scan_parts.part_count)
@@ -193,20 +183,16 @@ def delete_one_logarithms(
 
 
 def jackknife_variance(logarithms: Floats, scan_parts: ScanParts) -> Variance:
-    """Return the corrected variance of the delete-one jackknife: see `variance_correction`.
-
-    `logarithms` (part, ...) come from `delete_one_logarithms`.
-    """
+    """Return the corrected variance of `delete_one_logarithms`: see `variance_correction`."""
     factor, degrees_of_freedom = scan_parts.variance_correction
     return Variance((len(logarithms) - 1) * logarithms.var(axis=0) * factor, degrees_of_freedom)
 
 
 def interval_half_width(variances: Sequence[Variance], confidence: float) -> Floats:
-    """Return the half width of the interval of a logarithm with several causes of variance.
+    """Return the half width (...) of the interval of a logarithm with independent variances.
 
-    It follows from Student's t with the sum of the independent variances (...), and with the
-    degrees of freedom of Welch and Satterthwaite. NaN if a variance is NaN, or if all variances
-    are rounding.
+    It is that of Student's t with the degrees of freedom of Welch and Satterthwaite; NaN if a
+    variance is NaN, or if all are rounding.
     """
     total = np.asarray(sum(variance.value for variance in variances))
     positive = np.where(total > 0, total, 1.0)
@@ -220,15 +206,13 @@ def interval_half_width(variances: Sequence[Variance], confidence: float) -> Flo
 def log_force_ratio(
     changed_force: xr.DataArray, force: xr.DataArray, scan_parts: ScanParts, confidence: float
 ) -> tuple[Floats, Floats]:
-    """Return the logarithm (...) of a ratio of mean forces, and its interval (..., 2).
+    """Return the logarithm (...) of a ratio of mean forces, and its jackknife interval (..., 2).
 
-    Forces are over (map, ..., contact_y, contact_x); the means are over maps and contacts. The
-    interval comes from the jackknife over the parts of the maps.
+    The means of forces (map, ..., contact_y, contact_x) are over maps and contacts.
     """
     dimensions = ["map", *CONTACT_AXES]
 
     def ratio(is_kept: xr.DataArray) -> xr.DataArray:
-        """Return the ratio of mean forces over the contacts that are kept."""
         return changed_force.where(is_kept).mean(dimensions) / force.where(is_kept).mean(dimensions)
 
     logarithms = delete_one_logarithms(scan_parts, "map", ratio)
@@ -240,11 +224,10 @@ def log_force_ratio(
 def sample_deviations(
     rng: np.random.Generator, logarithms: Floats, scan_parts: ScanParts, samples: int
 ) -> Floats:
-    """Sample deviations (samples, ...) of the logarithm of a statistic from its mean over parts.
+    """Sample deviations (samples, ...) of `delete_one_logarithms` from their mean, by Student's t.
 
-    They follow Student's t, as in `interval_half_width`; `logarithms` (part, ...) come from
-    `delete_one_logarithms`. With the same generator, parts that differ only in their correlation
-    share their random numbers. NaN for fewer than two parts.
+    With the same generator, parts that differ only in their correlation share their random numbers.
+    NaN for fewer than two parts.
     """
     from scipy import special
 

@@ -17,10 +17,10 @@ from hardcontact.base.arrays import Floats
 from hardcontact.base.dataset import stack
 from hardcontact.base.statistics import (
     Sampling,
-    interval_between,
+    estimate_variables,
     interval_ends,
+    join_ends,
     percentile_interval,
-    with_interval,
 )
 from hardcontact.base.units import DIMENSIONLESS, JOULE_PER_M2, NEWTON, NM
 from hardcontact.contact.pull_off import interpolate_to_ranges
@@ -65,7 +65,9 @@ def fit_measured(
         else IntervalSource.ONE_TEST
         for name, surface_tests in tests.items()
     ]
-    variables = sampling.with_interval("measured_force", "surface", means, test_samples, NEWTON)
+    variables = sampling.estimate_variables(
+        "measured_force", "surface", means, test_samples, NEWTON
+    )
     variables["interval_source"] = ("surface", interval_sources)
     for name in ("test_count", "site_count", "look_repeated"):
         counts = [int(getattr(surface_tests, name)) for surface_tests in tests.values()]
@@ -134,7 +136,7 @@ def _fit_contact_model(
     region = _common_region(joint_intervals)
     dimensions = ("surface", "rho_fine")
     return xr.Dataset(
-        with_interval(
+        estimate_variables(
             "work_by_range", dimensions, works, intervals, JOULE_PER_M2, sampling.confidence
         )
         | {"region": (("rho_fine", "end"), region, JOULE_PER_M2)}
@@ -212,9 +214,9 @@ def add_extrapolated_work(fitted: xr.Dataset, force: xr.Dataset) -> xr.Dataset:
     computed_below, computed_above = _logarithmic_errors(surface_force, "extrapolated_force")
     low = work * np.exp(-np.hypot(measured_below, computed_above))
     high = work * np.exp(np.hypot(measured_above, computed_below))
-    interval = interval_between(low, high).transpose(*work.dims, "end").values
+    interval = join_ends(low, high).transpose(*work.dims, "end").values
     confidence = fitted.attrs["confidence"]
-    variables = with_interval(
+    variables = estimate_variables(
         "extrapolated_work", work.dims, work.values, interval, JOULE_PER_M2, confidence
     )
     variables |= {name: surface_force[name] for name in ("extrapolation_matters", "transition")}

@@ -7,7 +7,7 @@ from enum import StrEnum
 
 import numpy as np
 
-from hardcontact.base.formatting import round_with
+from hardcontact.base.formatting import round_to_three_digits
 from hardcontact.config.limits import MAX_MAP_PIXELS
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.numerical_limits import Grid, minimum_range, periods_in_window
@@ -56,7 +56,7 @@ def window_on_scans(
         (MAX_MAP_PIXELS * min_pixel_size, pixel_reason),
         (2 * MAX_MIRRORED_SCANS * min_scan_size, scan_reason),
     )
-    return round_with(math.floor, window), reason
+    return round_to_three_digits(window, math.floor), reason
 
 
 def contact_on_scan(scan: HeightMap, contact: Contact) -> Contact:

@@ -10,9 +10,9 @@ import xarray as xr
 from hardcontact.base.arrays import Floats
 from hardcontact.base.statistics import (
     Sampling,
+    estimate_variables,
     jackknife_interval,
     student_log_interval,
-    with_interval,
 )
 from hardcontact.base.units import DIMENSIONLESS, NEWTON
 from hardcontact.contact.contact import CONTACT_AXES
@@ -67,7 +67,7 @@ def forces_over_reference(
     """Return mean forces (surface, ...) relative to the reference surface, with intervals."""
     ratio = means / means[reference_index]
     ratio_samples = samples / samples[:, [reference_index]]
-    return sampling.with_interval(name, dimensions, ratio, ratio_samples, DIMENSIONLESS)
+    return sampling.estimate_variables(name, dimensions, ratio, ratio_samples, DIMENSIONLESS)
 
 
 #: Statistics of the forces on one surface, with their attributes. The interval of the mean is
@@ -107,7 +107,7 @@ def force_statistics(forces: Floats, sampling: Sampling) -> xr.Dataset:
     for (name, unit), value, interval in zip(
         STATISTIC_ATTRS.items(), values, intervals, strict=True
     ):
-        variables |= with_interval(name, (), value, interval, unit, confidence)
+        variables |= estimate_variables(name, (), value, interval, unit, confidence)
     return xr.Dataset(variables)
 
 

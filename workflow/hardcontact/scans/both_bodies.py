@@ -1,7 +1,7 @@
 """The roughness of a substrate and of the sphere in one map and one spectrum.
 
-Gaps depend only on the sum of both heights. A smooth sphere on this map therefore touches like a
-rough sphere on the substrate; each contact uses another position on the rough sphere.
+Gaps depend only on the sum of both heights, so that a smooth sphere on this map touches like a
+rough sphere on the substrate. Each contact uses another position on the rough sphere.
 """
 
 from dataclasses import replace
@@ -27,10 +27,7 @@ HALF_BIN = 10**0.05
 
 
 def combine_maps(rng: np.random.Generator, substrate: HeightMap, sphere: HeightMap) -> HeightMap:
-    """Return the mirrored sum of the roughness of both bodies, on the substrate's pixels.
-
-    Both maps are mirrored; the sphere's shape is subtracted.
-    """
+    """Return the sum of two mirrored maps, on the substrate's pixels, mirrored again."""
     pixels = substrate.pixels // 2
     roughness = _resample(sphere, substrate.pixel_size).heights
     rows, columns = (start + np.arange(pixels) for start in rng.integers(len(roughness), size=2))
@@ -50,8 +47,8 @@ def _resample(surface: HeightMap, pixel_size: float) -> HeightMap:
 def combine_spectra(substrate: xr.Dataset, sphere: xr.Dataset) -> xr.Dataset:
     """Return the sum of two spectra of `joined_spectrum`, with the measurements of both bodies.
 
-    A measurement is reliable where its body has most of the power. ``sphere_share``
-    (bin_wavevector) is the sphere's share of the power.
+    A measurement is reliable where its body has most of the power, of which ``sphere_share``
+    (bin_wavevector) is the sphere's.
     """
     densities = [spectrum_of_dataset(body)(BIN_CENTRES) for body in (substrate, sphere)]
     total = sum(densities)
@@ -110,7 +107,7 @@ def _limit_to_dominant(body: xr.Dataset, is_dominant: NDArray[np.bool_]) -> xr.D
 
 
 def sphere_share(spectra: xr.Dataset, wavelength: float) -> float:
-    """Return the sphere's share of the power of both bodies at a wavelength (nm), NaN if smooth."""
+    """Return the sphere's share of the power at a wavelength (nm); NaN for a smooth sphere."""
     if "sphere_share" not in spectra:
         return np.nan
     wavevector = np.log(spectra["bin_wavevector"].values)

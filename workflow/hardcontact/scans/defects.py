@@ -1,7 +1,7 @@
 """Find defects of a scan that make forces wrong although its file is readable, and state them.
 
-A defect has a code, and numbers such as the share of spikes. DEFECTS lists all of them.
-`map_defects` finds those that a line scan cannot have.
+A defect has a code and numbers, such as the share of spikes (DEFECTS). `map_defects` finds those
+that a line scan cannot have.
 """
 
 from collections.abc import Mapping
@@ -48,9 +48,9 @@ DEFECTS = {
     "sidewalls": {"sidewall_slope_share": "1"},
     "noise": {"noise_height": "nm", "rms_height_without_noise": "nm"},
 }  # fmt: skip
-#: By code of a defect: the defects beside which it is not looked for, because they look like it (as
-#: unmeasured, and thus equal, lines look like a lay) or hide it (as sidewalls hide white noise).
-#: Line patterns are streaks, and the defects from `find_line_patterns`.
+#: By code of a defect: the defects beside which it is not looked for. They look like it, as equal
+#: lines look like a lay, or hide it, as sidewalls hide white noise. Line patterns are streaks, and
+#: the defects from `find_line_patterns`.
 MASKING_DEFECTS = {
     "line_patterns": ["equal_lines"],
     "sidewalls": ["equal_lines", "spikes"],
@@ -65,15 +65,14 @@ MIN_SPIKE_DISTANCE = 6.0
 MAX_EQUAL_LINE_SHARE = 0.01
 #: Largest share of pixels at an end of an unclipped range of heights.
 MAX_END_SHARE = 1e-3
-#: Largest number of pixels there.
 MAX_END_PIXELS = 10
-#: Their largest ratio to the number of pixels at the next height. Quantised heights have a ratio
-#: below 1, a flat summit whose height falls with the fourth power of the distance 2.4.
+#: Their largest ratio to the number of pixels at the next height: quantised heights have less than
+#: 1, a flat summit has 2.4.
 MAX_CLIPPING_RATIO = 3.0
 #: Share of the steepest pixels, which may be sidewalls.
 SIDEWALL_PIXEL_SHARE = 0.05
-#: Least share of sidewalls in the squared slopes. The steepest pixels have 0.2 to 0.45 of them on
-#: rough surfaces; with pillars and steps, 0.8 to 1.
+#: Least share of sidewalls in the squared slopes: the steepest pixels have 0.2 to 0.45 of them on
+#: rough surfaces, 0.8 to 1 with pillars and steps.
 MIN_SIDEWALL_SLOPE_SHARE = 0.7
 
 
@@ -82,8 +81,7 @@ def scan_defects(
 ) -> dict[str, Defect]:
     """Return the defects of a scan by code, each with its numbers as in DEFECTS; empty for none.
 
-    Heights in nm, before and after levelling, are (y, x) or (n,) of a line scan. The pixel size in
-    nm is the spacing of a line scan.
+    Heights in nm, before and after levelling, are (y, x), or (n,) of a line scan.
     """
     defects: dict[str, Defect] = {}
 
@@ -106,7 +104,7 @@ def scan_defects(
     defects |= _find_clipping(measured_heights)
     if not is_masked("sidewalls"):
         defects["sidewalls"] = _find_sidewalls(levelled_heights)
-    # Quantised heights have noise from rounding. The power is known: equal lines mask noise, too.
+    # Quantised heights have noise from rounding. `power` exists, because equal lines mask noise.
     is_quantised = np.median(np.abs(np.diff(raw_heights, axis=0))) == 0
     if raw_heights.ndim == 2 and not is_quantised and not is_masked("noise"):
         defects["noise"] = find_noise(levelled_heights.var(), power)
@@ -116,13 +114,13 @@ def scan_defects(
 def scan_with_defects(
     scan: HeightMap, sphere_radius: float | None = None, levelling: str = "plane"
 ) -> HeightMap:
-    """Return a levelled scan with its defects, without the sphere of a radius (nm) if given."""
+    """Return a scan, levelled as by `remove_form`, with its defects."""
     flat = remove_form(scan, sphere_radius, levelling)
     return replace(flat, defects=scan_defects(scan.heights, flat.heights, scan.pixel_size))
 
 
 def _without_streaks(heights: Floats) -> tuple[Floats, Defect]:
-    """Return heights without streaks, and the lines of streaks and the rms height (nm) without."""
+    """Return heights without streaks, and the numbers of the streaks."""
     filled_heights, is_filled = fill_streaks(heights)
     lines = np.flatnonzero(is_filled.any(axis=1)) + 1
     if not lines.size:
@@ -138,8 +136,7 @@ def _without_streaks(heights: Floats) -> tuple[Floats, Defect]:
 def _find_spikes(heights: Floats) -> Defect:
     """Return the share of spikes and the rms height (nm) without them.
 
-    On a map one neighbour of a spike may be a spike, too. Even the pixel at the corner of a
-    particle has three neighbours on it.
+    On a map one neighbour of a spike may be a spike, too: pixels of a particle have three or more.
     """
     isolation = _isolation(heights)
     # Spikes raise the rms height, so leave out pixels that are isolated by the median deviation.
@@ -206,7 +203,7 @@ def defect_sentence(code: str, numbers: Mapping[str, float]) -> str:
 
 
 def _format_defect_number(name: str, number: float) -> str:
-    """Return a number of a defect with its unit, a share in per cent."""
+    """Return a number of a defect with its unit, a share in percent."""
     if DEFECT_UNITS[name] == "nm":
         return format_length(number)
     if name.endswith(("_lines", "_line")):

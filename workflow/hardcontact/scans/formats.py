@@ -27,11 +27,10 @@ from hardcontact.scans.plain_text import POINT_COLUMNS
 NOT_GIVEN = "none"
 #: Metadata that a container may state, by their names as arguments of a reader.
 KEY_BY_ARGUMENT = {"physical_sizes": "size", "unit": "unit", "height_scale_factor": "height_scale"}
-#: The reader takes spacings as equal if they differ by less than 1e-6 of the unit of a text: 1 µm
-#: if the unit is m. This is too coarse for line scans whose mean spacing is at most
-#: MAX_TOLERATED_SPACING of that unit. They are read again with zero tolerance.
+#: The reader takes spacings as equal if they differ by less than 1e-6 of the unit of a text, such
+#: as 1 µm if it is m. Line scans with finer spacings than this, in units, need zero tolerance.
 MAX_TOLERATED_SPACING = 1e-4
-#: "Tip radius: 8 nm", "Initial tip radii - 17 nm" and the like in the words of a container.
+#: "Tip radius: 8 nm", "Initial tip radii - 17 nm" and the like in the description of a container.
 TIP_RADIUS_IN_WORDS = re.compile(
     r"\btip\s+radi(?:us|i)\b[\s:=~≈\-–]*(\d+(?:\.\d+)?)\s*(nm|µm|μm|um)\b", re.I
 )
@@ -64,7 +63,7 @@ def read_fields(
     except RefusedFile as error:
         remedy = "; --unit mm,nm (scan.unit: mm,nm) gives positions and heights a unit each"
         raise RefusedFile(f"{error}{remedy if unit == topography.unit else ''}") from None
-    tip_radius, tip_notes = stated_tip_radius(topography.info, entry)
+    tip_radius, tip_notes = find_tip_radius(topography.info, entry)
     return {
         "dataset": dataset if entry or len(reader.channels) > 1 else "",
         "channel": channel.name,
@@ -90,7 +89,7 @@ def _refuse_without_unit_or_size(topography: Any) -> None:
 
 
 def _aspect_cautions(topography: Any) -> list[str]:
-    """Return a caution if a text has pixels that are not square: lines may be missing in it."""
+    """Return a caution if the pixels of a text are not square, because lines may be missing."""
     pixel_width, pixel_height = np.divide(topography.physical_sizes, topography.nb_grid_pts)
     if abs(pixel_width / pixel_height - 1) <= MAX_ASPECT_DEVIATION:
         return []
@@ -103,7 +102,7 @@ def _aspect_cautions(topography: Any) -> list[str]:
 def _keep_marked_pixels(topography: Any) -> tuple[Any, list[str]]:
     """Return a map with the heights under its mask, and a caution on them.
 
-    A mask that marks gaps covers heights that are undefined or, if a program filled them, equal.
+    A mask of gaps stays: it covers heights that are undefined or, if a program filled them, equal.
     """
     unscaled_heights = topography.parent_topography.heights()
     is_marked = np.ma.getmaskarray(unscaled_heights)
@@ -119,10 +118,7 @@ def _keep_marked_pixels(topography: Any) -> tuple[Any, list[str]]:
 
 
 def _user_metadata(channel: Any, unit: str, map_size: float | str) -> dict[str, Any]:
-    """Return the user's metadata for a file that lacks them, in the form of a container.
-
-    `unit` may have two units, for positions and for heights; `map_size` is the longer side in nm.
-    """
+    """Return the user's metadata for a file that lacks them, in the form of a container."""
     metadata: dict[str, Any] = {}
     lateral, _, vertical = unit.partition(",")
     if channel.unit is None and unit != NOT_GIVEN:
@@ -137,7 +133,7 @@ def _user_metadata(channel: Any, unit: str, map_size: float | str) -> dict[str, 
 
 
 def _read_topography(channel: Any, metadata: dict[str, Any]) -> tuple[Any, list[str]]:
-    """Return the topography of a channel, and the metadata that complete its file, in words."""
+    """Return the topography of a channel, and in words the metadata that completed its file."""
     is_text = isinstance(channel.reader, AscReader)
     if is_text and channel.physical_sizes is None and channel.nb_grid_pts[0] <= POINT_COLUMNS:
         raise RefusedFile(
@@ -175,10 +171,7 @@ def _read_topography(channel: Any, metadata: dict[str, Any]) -> tuple[Any, list[
 
 
 def _accepted_arguments(channel: Any, metadata: dict[str, Any]) -> dict[str, Any]:
-    """Return the metadata that the file itself lacks, by argument.
-
-    A height scale of the file and another one would scale twice.
-    """
+    """Return the metadata that the file itself lacks, by argument of the reader."""
     arguments: dict[str, Any] = {}
     for argument, key in KEY_BY_ARGUMENT.items():
         if metadata.get(key) is not None:
@@ -190,11 +183,10 @@ def _accepted_arguments(channel: Any, metadata: dict[str, Any]) -> dict[str, Any
 
 
 def find_height_channel(reader: Any, entry: dict[str, Any], name: str) -> tuple[Any, list[str]]:
-    """Return the channel of heights that the user, else the container or the reader, chooses.
+    """Return the channel of heights that the user, the container or the reader chooses, and notes.
 
-    The user's channel, by `name`, is refused if it holds no heights. Without heights, the choice of
-    the container (its `entry`) or of the reader is replaced by the first channel of heights, with a
-    note.
+    The user's channel, by `name`, is refused if it holds no heights. Another choice without heights
+    is replaced by the first channel of heights.
     """
     channels = reader.channels
     container_index = entry.get("data_source")
@@ -241,17 +233,17 @@ def _named_channel(channels: list[Any], height_channels: list[Any], name: str) -
 
 
 def _unit_in_words(channel: Any) -> str:
-    """Return the unit of the values of a channel, which is the second if there are two units."""
+    """Return the unit of the values of a channel, the second of two units."""
     unit = channel.unit[1] if isinstance(channel.unit, tuple) else channel.unit
     return str(unit or "of no stated unit")
 
 
-def stated_tip_radius(
+def find_tip_radius(
     file: dict[str, Any], container: dict[str, Any]
 ) -> tuple[float | None, list[str]]:
-    """Return the radius of the tip in nm, and a note that says who states it; None if nobody does.
+    """Return the radius of the tip (nm), and a note on its source; None if it is not stated.
 
-    The file has precedence over its container, and a number over words. The largest radius in words
+    Numbers of the file, then of its container, come before words. The largest radius in words
     counts, because a worn tip limits the scan.
     """
     for source, metadata in (("file", file), ("container", container)):
@@ -266,7 +258,7 @@ def stated_tip_radius(
 
 
 def _radius_in_numbers(metadata: dict[str, Any]) -> float | None:
-    """Return the radius (nm) of the instrument's tip in metadata; None if it is not plausible."""
+    """Return the radius (nm) of the instrument's tip in metadata, None if it is not plausible."""
     try:
         tip_radius = metadata["instrument"]["parameters"]["tip_radius"]
         radius = float(tip_radius["value"]) * unit_in_nm(tip_radius["unit"])

@@ -16,17 +16,16 @@ from hardcontact.base.formatting import format_length, format_share
 PIXEL_BOUNDS = (16, 8192)
 #: Points of a line scan, as read and as resampled.
 POINT_BOUNDS = (16, 2**20)
-#: Pixels and heights of a scan in nm, 1 pm to 1 cm: the range of all microscopes, and squares of
-#: these keep their digits. A damaged header may state any number.
+#: Pixels and heights of a scan in nm, 1 pm to 1 cm: the range of all microscopes. A damaged header
+#: may state any number.
 LENGTH_BOUNDS = (1e-3, 1e7)
 #: Largest relative difference between the widths of a square pixel: files round them.
 MAX_ASPECT_DEVIATION = 1e-3
 #: Share of undefined pixels beyond which a scan is more filled than measured.
 MAX_UNDEFINED_SHARE = 0.5
-#: Least length of a strip, in widths: the central square that is read is at most half of it.
+#: Least length of a strip in widths: at most half of it is read.
 MIN_STRIP_LENGTH = 2
-#: The largest mean slope: no tip follows 84 degrees. Heights that a reader takes from a wrong place
-#: in a file are steeper.
+#: The largest mean slope: no tip follows 84 degrees, but heights from a wrong place are steeper.
 MAX_MEAN_SLOPE = 10
 #: Begins a note that is a caution.
 TAKE_CARE = "take care: "
@@ -124,9 +123,9 @@ def map_fields(topography: Any, factor: float, undefined_pixels: str) -> dict[st
 
 
 def _largest_square(heights: np.ma.MaskedArray) -> np.ma.MaskedArray:
-    """Return the central square of a map, or the largest one within its aperture.
+    """Return the central square of a map, or of a round or rotated scan the largest one within.
 
-    All corners of a round or rotated scan are undefined. Filled, they would be too smooth.
+    The corners of such a scan are undefined. Filled, they would be too smooth.
     """
     columns, rows = heights.shape
     width = min(rows, columns)
@@ -182,7 +181,7 @@ def _mask_undefined(heights: Floats) -> np.ma.MaskedArray:
 
 
 def _count_undefined(heights: np.ma.MaskedArray, undefined_pixels: str) -> tuple[int, list[str]]:
-    """Return the number of undefined pixels and a note; refuse too many, or any if so asked."""
+    """Return the number of undefined pixels and a note; refuse too many, or any if told so."""
     count = int(heights.mask.sum())
     if count > MAX_UNDEFINED_SHARE * heights.size:
         raise RefusedFile(

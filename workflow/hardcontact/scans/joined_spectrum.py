@@ -91,8 +91,8 @@ def _measured_spectra(
 def joined_spectrum(scans: Sequence[HeightMap], tip_radii: Sequence[float | None]) -> xr.Dataset:
     """Return the spectrum of a surface, joined from its levelled scans in their bands.
 
-    Radii are in nm; None stands for the radius that a file states. `spectrum` (wavevector) in nm⁴
-    has all scales; `joined_psd` (bin_wavevector) is the smooth mean, NaN in unreliable bins. Raises
+    A tip radius of None stands for that of the file. ``spectrum`` (wavevector) in nm⁴ has all
+    scales; ``joined_psd`` (bin_wavevector) is the smooth mean, NaN in unreliable bins. Raises
     ValueError, in one line, if fewer than MIN_BINS bins are reliable.
     """
     spectra = _measured_spectra(scans, tip_radii)
@@ -128,9 +128,8 @@ def sample_spectra(
 ) -> Iterator[tuple[Spectrum, Floats]]:
     """Yield, by generator, a spectrum of a surface within the uncertainty of the scans.
 
-    A sample varies the power in each bin, the bends between bins, the calibrations, the Hurst
-    exponent of the tail and the roll-off. Unknown tip radii are uniform in their logarithm. Also
-    yields the factors (scan,) of measured relative to true heights.
+    It varies the power and the bends of the curve, the calibrations, unknown tip radii, the tail
+    and the roll-off. Also yields the factors (scan,) of measured relative to true heights.
     """
     spectra = _measured_spectra(scans, tip_radii)
     for rng in rngs:
@@ -157,7 +156,7 @@ def sample_spectra(
 def _sample_band(
     rng: np.random.Generator, scan: HeightMap, radius: float | None, band: ReliableBand
 ) -> ReliableBand:
-    """Return the band of a scan; a map of unknown tip radius gets a sampled radius."""
+    """Return the band of a scan; if the tip of a map is unknown, with a sampled tip radius."""
     if radius is not None or scan.kind != "map":
         return band
     tip_radius = float(np.exp(rng.uniform(*np.log(UNKNOWN_TIP_RADII))))
@@ -190,16 +189,11 @@ def _extrapolate_curve(
 
 @dataclass(frozen=True, eq=False, repr=False)
 class ScanSpectrum(Spectrum):
-    """C_iso in nm⁴ of the scans of a surface, over growing wavevectors in rad/nm.
+    """C_iso in nm⁴ of the scans of a surface, over growing wavevectors in rad/nm."""
 
-    joined: the result of `joined_spectrum`, over all scales, with the reliable bins of each scan.
-    skewness: the largest skewness of the heights of a map; 0 without a map.
-    is_extrapolated: whether C_iso continues beyond the reliable wavelengths of the scans.
-    """
-
-    joined: xr.Dataset
-    skewness: float
-    is_extrapolated: bool
+    joined: xr.Dataset  #: From `joined_spectrum`.
+    skewness: float  #: The largest skewness of the heights of a map; 0 without a map.
+    is_extrapolated: bool  #: Whether C_iso continues beyond the reliable wavelengths.
 
     def measured(self) -> "ScanSpectrum":
         """Return C_iso at the reliable wavelengths alone."""
@@ -214,10 +208,7 @@ class ScanSpectrum(Spectrum):
 
 
 def reliable_spectrum(joined: xr.Dataset, skewness: float) -> ScanSpectrum:
-    """Return the spectrum of `joined_spectrum` at the reliable wavelengths of the scans.
-
-    The skewness is the largest skewness of the heights of a map, 0 without a map.
-    """
+    """Return the spectrum of `joined_spectrum` at the reliable wavelengths of the scans."""
     is_measured = np.isfinite(joined.joined_psd.values)
     return ScanSpectrum(
         joined.bin_wavevector.values[is_measured],

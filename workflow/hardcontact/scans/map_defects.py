@@ -11,7 +11,7 @@ Defect = dict[str, float]
 #: Least ratio, for a lay, of the variance of profiles along its wavevector to that across.
 MIN_LAY_RATIO = 3.0
 #: Least share of a lay in the variance of heights: smaller ones are drift and noise of lines. Of
-#: 5400 self-affine maps without a roll-off (H from 0.5 to 1) two exceed ratio and share.
+#: 5400 self-affine maps without a roll-off (H from 0.5 to 1), two exceed ratio and share.
 MIN_LAY_SHARE = 0.1
 #: Pixels of the shortest wave of profiles: shorter ones are noisy.
 MIN_PIXELS_PER_WAVE = 4
@@ -26,8 +26,8 @@ MAX_UNCURVED_SHARE = 0.9
 MIN_SECOND_ORDER_RATIO = 50.0
 #: Points per row to which polynomials are fitted.
 POLYNOMIAL_POINTS = 32
-#: Smallest correlation of a step from line to line with the next step. It is 0 if heights walk at
-#: random, and -0.5 if each line is offset at random, which is noise of the instrument.
+#: Smallest correlation of a step from line to line with the next step: it is 0 if heights walk at
+#: random, -0.5 if noise of the instrument offsets each line.
 MIN_STEP_CORRELATION = -0.25
 #: Largest ratio of powers: a pattern without noise would have an infinite ratio.
 LARGEST_RATIO = 1e6
@@ -42,7 +42,7 @@ def wave_power(heights: Floats) -> Floats:
 def find_curvature(heights: Floats, pixel_size: float) -> Defect:
     """Return the radius (nm) of a curvature, and the relative rms height without it.
 
-    A curvature is the part of second order of polynomials up to the fourth order.
+    A curvature is the second order of a polynomial of the fourth order.
     """
     step = max(1, len(heights) // POLYNOMIAL_POINTS)
     points = heights[::step, ::step]
@@ -78,9 +78,9 @@ def find_line_patterns(heights: Floats, power: Floats, pixel_size: float) -> dic
 
 
 def _find_lay(power: Floats) -> tuple[Defect, float]:
-    """Return the numbers of a lay, and the ratio of squared slopes, steepest direction to across.
+    """Return the ratio of variances of profiles along the wavevector of a lay and across, if any.
 
-    The number of a lay is the ratio of the variances of profiles along its wavevector and across.
+    Also returns the ratio of squared slopes, steepest direction to across.
     """
     pixels = len(power)
     waves = np.fft.fftfreq(pixels, 1 / pixels)
@@ -137,7 +137,7 @@ def find_noise(variance: float, power: Floats) -> Defect:
     """Return the rms of white noise and the rms height without it (nm); none without noise.
 
     The spectrum of a noisy scan is flatter than any self-affine spectrum at two to four pixels, but
-    steeper at longer waves. The variance of the heights is in nm²; the power is from `wave_power`.
+    steeper at longer waves. `power` is from `wave_power`.
     """
     pixels = len(power)
     waves = np.fft.fftfreq(pixels, 1 / pixels)

@@ -10,22 +10,20 @@ from hardcontact.base.arrays import Floats
 from hardcontact.scans.measured_spectrum import CALIBRATION_SCATTER, bias_of_log, variance_of_log
 from hardcontact.surfaces.spectrum import BIN_CENTRES, BIN_WIDTH, Spectrum
 
-#: Standard deviation of the change of the slope d ln C/d ln q over a decade; it grows with the root
-#: of the decades. A roll-off changes the slope by 2 + 2H, some 3.6, once in three measured decades.
+#: Standard deviation of the change of the slope d ln C/d ln q over a decade: a roll-off changes it
+#: by 2 + 2H, some 3.6, once in three measured decades.
 SLOPE_CHANGE = 2.0
 #: A bin holds a peak, such as a grating's, if chance gives so much power with less than this
 #: probability: among 60 bins, one in 170 spectra has a false peak.
 PEAK_PROBABILITY = 1e-4
-#: Bound of the search in `match_height_variance`: no two densities of a spectrum have such a
-#: difference in ln C.
+#: Bound of the search in `match_height_variance`: no ln C changes so much.
 MAX_LOG_CHANGE = 20.0
 
 
 class MeanBins(NamedTuple):
     """The mean of all scans in each bin; NaN in bins in which no scan is reliable."""
 
-    #: (bins,) C_iso in nm⁴ from the mean of ln C, without the bias of the logarithm.
-    density: Floats
+    density: Floats  #: (bins,) C_iso in nm⁴ from the mean of ln C, without its bias.
     variance: Floats  #: (bins,) variance of ln C, from the number of modes alone.
     power: Floats  #: (bins,) mean C_iso in nm⁴.
     is_peak: NDArray[np.bool_]  #: (bins,) True where a grating, for example, adds power.
@@ -73,9 +71,9 @@ def smooth_curve(
 ) -> Curve:
     """Return a smooth curve through bins and gaps; with `rng`, a sample of the posterior.
 
-    C_iso (bins,) in nm⁴ is NaN in gaps. `variance` of ln C comes from the number of modes. The
-    slope d ln C/d ln q is a Wiener process that changes by SLOPE_CHANGE over a decade, so that the
-    posterior mean is a smoothing spline (Wahba, J. R. Stat. Soc. B 40 (1978) 364).
+    C_iso (bins,) is NaN in gaps. The slope d ln C/d ln q is a Wiener process that changes by
+    SLOPE_CHANGE over a decade, so that the posterior mean is a smoothing spline (Wahba, J. R. Stat.
+    Soc. B 40 (1978) 364).
     """
     finite = np.flatnonzero(np.isfinite(density))
     bins = slice(finite[0], finite[-1] + 1)
@@ -103,11 +101,10 @@ def smooth_curve_without_peaks(bins: MeanBins, rng: np.random.Generator | None =
 
 
 def match_height_variance(curve: Curve, power: Floats) -> Curve:
-    """Return a curve changed so that its heights have the variance of C_iso (bins,) in nm⁴.
+    """Return a curve changed so that its heights have the variance of C_iso (bins,), NaN in gaps.
 
-    Bins where C_iso is NaN have no effect. Each ln C changes in proportion to its own variance and
-    to the share of its bin in the variance of heights. To first order, this is the most likely
-    curve with this variance of heights.
+    Each ln C changes in proportion to its own variance and to the share of its bin in the variance
+    of heights. To first order, this is the most likely curve with this variance of heights.
     """
     wavevector, density, variance = curve
     power = power[np.isin(BIN_CENTRES, wavevector)]

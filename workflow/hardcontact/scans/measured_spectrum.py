@@ -1,8 +1,7 @@
 """C_iso of one scan, a map or a line scan, with the number of independent modes and local slopes.
 
-C_iso (nm⁴) is the isotropic power spectral density of a surface, C_1D (nm³) the power spectral
-density of profiles along lines. An inverse Abel transform of the slope of C_1D at all larger
-wavevectors gives C_iso (Bracewell, The Fourier Transform and Its Applications).
+A line scan has C_1D alone (`surfaces.spectrum`). An inverse Abel transform of its slope at all
+larger wavevectors gives C_iso (Bracewell, The Fourier Transform and Its Applications).
 """
 
 from dataclasses import replace
@@ -18,8 +17,8 @@ from hardcontact.surfaces.spectrum import BIN_CENTRES, BIN_EDGES, measured_psds,
 #: Share of independent modes under a Hann window, along one axis:
 #: (mean w²)² / mean w⁴ = (3/8)² / (35/128).
 INDEPENDENT_SHARE = (3 / 8) ** 2 / (35 / 128)
-#: Relative standard deviation of C_iso between scans with many modes, because microscopes
-#: have their heights calibrated to about ten per cent. It limits the weight of a scan.
+#: Relative standard deviation of C_iso between scans with many modes: heights of microscopes are
+#: calibrated to some ten percent. It limits the weight of a scan.
 CALIBRATION_SCATTER = 0.2
 #: Half the width, in ln q, of the interval to which a local slope is fitted: five bins.
 SLOPE_HALF_WIDTH = 0.25 * np.log(10)
@@ -29,15 +28,15 @@ SMOOTHING_WIDTH = 0.1 * np.log(10)
 MAX_WIDENING = 4.0
 #: Bins with fewer independent modes have a wider kernel.
 ENOUGH_MODES = 20.0
-#: Values of u with p = q cosh u in the integral. They reach a thousandth of the wavelength; shorter
-#: waves add less than a thousandth, even if C_1D ~ 1/q.
+#: Values of u with p = q cosh u in the integral, down to a thousandth of the wavelength: shorter
+#: waves add less than a thousandth.
 INTEGRATION_POINTS = np.linspace(0, 7.6, 400)
 #: Slope of the flattest C_1D of a self-affine surface, q^-1: extrapolated C_1D is no flatter.
 FLATTEST_PROFILE_SLOPE = -1.0
 
 
 def isotropic_psd(scan: HeightMap) -> Floats:
-    """Return C_iso (nm⁴) at BIN_CENTRES of a scan, which is levelled; NaN in empty bins."""
+    """Return C_iso (bins,) in nm⁴ of a scan, which is levelled; NaN in empty bins."""
     levelled = level_plane(scan)
     if scan.kind == "map":
         return measured_psds(levelled)[2]
@@ -46,10 +45,7 @@ def isotropic_psd(scan: HeightMap) -> Floats:
 
 
 def axis_ratio(scan: HeightMap) -> Floats:
-    """Return the ratio (bins,) of C_1D along both axes of a map, at least 1.
-
-    It is 1 in empty bins and for a line scan.
-    """
+    """Return the ratio (bins,), at least 1, of C_1D along both axes of a map; 1 for a line scan."""
     if scan.kind == "line scan":
         return np.ones(len(BIN_CENTRES))
     levelled = level_plane(scan)
@@ -62,8 +58,7 @@ def axis_ratio(scan: HeightMap) -> Floats:
 def independent_modes(kind: str, size: float) -> Floats:
     """Return the number of independent modes in each bin of the PSD of a map or line scan.
 
-    The size is in nm. One of each pair ±q counts, times the share that the Hann window leaves
-    independent.
+    One of each pair ±q counts, times the share that the Hann window leaves independent.
     """
     if kind == "map":
         count = np.pi / 2 * np.diff(BIN_EDGES**2) * (INDEPENDENT_SHARE * size / (2 * np.pi)) ** 2
@@ -75,17 +70,14 @@ def independent_modes(kind: str, size: float) -> Floats:
 def variance_of_log(modes: Floats) -> Floats:
     """Return the variance of ln C of a mean over independent modes: the trigamma of their number.
 
-    Squares of Fourier amplitudes are distributed exponentially, their mean as a gamma variable.
+    It is that of a gamma variable, because squares of Fourier amplitudes are exponential.
     """
     trigamma = scipy.special.polygamma(1, np.maximum(modes, 1.0))
     return np.asarray(trigamma / np.minimum(modes, 1.0))
 
 
 def bias_of_log(modes: Floats) -> Floats:
-    """Return the logarithm of the mean of C minus the mean of ln C, over independent modes.
-
-    A gamma variable of n modes has ln n minus the digamma function of n.
-    """
+    """Return the logarithm of the mean of C minus the mean of ln C: ln n - digamma(n), n modes."""
     modes = np.maximum(modes, 1.0)
     return np.asarray(np.log(modes) - scipy.special.digamma(modes), float)
 
@@ -93,8 +85,7 @@ def bias_of_log(modes: Floats) -> Floats:
 def local_slopes(wavevector: Floats, density: Floats, variance: Floats) -> tuple[Floats, Floats]:
     """Return d ln C / d ln q of a spectrum, fitted to half a decade around each bin, and its error.
 
-    Bins are weighted by the inverse variance of their ln C. The slope is NaN and the error infinite
-    where fewer than two bins lie within the half decade.
+    `variance` is that of ln C. Where a half decade has a single bin, the slope is NaN.
     """
     distance = np.log(wavevector) - np.log(wavevector)[:, None]
     is_near = np.abs(distance) <= SLOPE_HALF_WIDTH
@@ -112,8 +103,7 @@ def isotropic_from_profile(wavevector: Floats, profile: Floats, modes: Floats) -
     """Return C_iso (bins,) in nm⁴ of a surface whose profiles have a measured C_1D (bins,) in nm³.
 
     The ratio C_iso/C_1D comes from the smoothed, falling spectrum, so that the scatter of C_1D is
-    neither amplified nor made negative. `modes` (bins,) are numbers of independent modes. Empty
-    bins are NaN; all are if C_1D has fewer than two values.
+    neither amplified nor made negative. Empty bins are NaN.
     """
     finite = np.isfinite(profile)
     if finite.sum() < 2:

@@ -1,7 +1,6 @@
 """Open the bytes of a scan: unpack a container, choose a reader, refuse files without heights.
 
-This runs in a child process that cannot open files, so that modules which readers import late are
-imported here. The schema of containers is in `SurfaceTopography.Container.IO.Schema`.
+The schema of containers is in `SurfaceTopography.Container.IO.Schema`.
 """
 
 import gzip
@@ -22,7 +21,7 @@ from SurfaceTopography.Support.UnitConversion import is_length_unit
 from hardcontact.scans.heights import RefusedFile
 from hardcontact.scans.plain_text import ROW, readable_text
 
-#: Modules that readers import while they read.
+#: Modules that readers import while they read, when the child process can open no file any more.
 IMPORTED_LATE = (
     "SurfaceTopography.IO.description", "h5py", "tifffile", "zstandard", "encodings.ascii",
     "encodings.cp1252", "encodings.cp437", "encodings.latin_1", "encodings.utf_16",
@@ -34,13 +33,11 @@ for module in IMPORTED_LATE:
 GZIP = b"\x1f\x8b"
 #: The lists of scans in containers, new and old, in the order in which they are looked for.
 INDEX_FILES = ("index.json", "meta.yml")
-#: Largest number of scans in a container. Each is read in its own process, which takes
-#: 0.05 s for 512 x 512 pixels: so many take a minute.
+#: Largest number of scans in a container: to read so many takes a minute.
 MAX_SCANS = 1000
-#: Keys of the data file of a scan: the measured file, or else the processed file, whose channel is
-#: already selected and whose heights are already scaled.
+#: Keys of the data file of a scan: the measured file, or else the processed one.
 DATA_FILE_KEYS = ("original", "squeezed-netcdf")
-#: Metadata that hold for the measured file only: they are ignored for the processed file.
+#: Metadata of the measured file alone: the processed file has one channel, already scaled.
 ORIGINAL_ONLY_KEYS = ("data_source", "height_scale")
 #: SurfaceTopography's message on an unreadable file: a reader and its reason, in turn.
 READER_MESSAGE = re.compile(r"tried (\w+): \n (.*?)\n\n(?=tried |\Z)", re.S)
@@ -76,7 +73,7 @@ def list_datasets(content: bytes) -> dict[str, Any]:
 def open_scan(content: bytes, dataset: str) -> tuple[Any, dict[str, Any], list[str]]:
     """Return a reader with channels, the metadata of a scan in a container, and notes.
 
-    The metadata are empty if the file is no container. Raises RefusedFile with the remedy.
+    The metadata are empty if the file is no container.
     """
     content = _decompress(content)
     entries = _container_entries(content)
@@ -122,7 +119,7 @@ def _container_entries(content: bytes) -> list[dict[str, Any]] | None:
 
 
 def _container_entry(scan: dict[str, Any]) -> dict[str, Any]:
-    """Return the metadata of a scan in a container with its data file, and a name."""
+    """Return the metadata of a scan in a container, with its data file and a name."""
     key = next(key for key in DATA_FILE_KEYS if scan["datafile"].get(key))
     file = scan["datafile"][key]
     if not isinstance(file, str):

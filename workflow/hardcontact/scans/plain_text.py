@@ -29,11 +29,10 @@ CELL = re.compile(r"[^\s,;]+")
 POINT_COLUMNS = 3
 #: Bins of positions along an axis.
 POSITION_BINS = 2**16
-#: The factor by which zeros lengthen the transform of these bins: its peaks are then known to a
-#: sixteenth of a line.
+#: Factor by which zeros lengthen their transform, so that peaks are known to a sixteenth of a line.
 ZERO_PADDING = 8
-#: Corrections of heights on a grid: each leaves at most a quarter of the error of random offsets of
-#: a tenth of a spacing.
+#: Corrections of heights on a grid. Each leaves at most a quarter of the error, if points lie a
+#: tenth of a spacing beside the grid.
 SPLINE_ITERATIONS = 10
 #: Beginnings of texts whose readers know their own separators.
 OWN_SEPARATORS = ("X;Y;valid", "Scan Parameters")
@@ -43,7 +42,7 @@ def readable_text(content: bytes) -> tuple[bytes, list[str]]:
     """Return the bytes of a scan, as UTF-8 with blanks and decimal points if they are plain text.
 
     Points (x, y, height) on a grid with gaps gain points of undefined height; points beside a grid
-    are interpolated. Any other content stays as it is. The list has notes for the user.
+    are interpolated. Also returns notes for the user.
     """
     text = _decode_text(content)
     if text is None:
@@ -97,10 +96,7 @@ def _mark_undefined(line: str, width: int) -> str:
 
 
 def _has_decimal_commas(rows: str) -> bool:
-    """Return True if all commas in rows are decimal and other signs separate the numbers.
-
-    If every row is two whole numbers with a comma between, the comma is ambiguous: False.
-    """
+    """Return True if all commas in rows are decimal, because other signs separate the numbers."""
     has_commas_alone = "," in rows and "." not in rows and not OTHER_COMMA.search(rows)
     return has_commas_alone and bool(BETWEEN_CELLS.search(rows))
 
@@ -130,7 +126,7 @@ def _parse_points(rows: list[str]) -> Floats | None:
 def _grid_points(points: Floats) -> tuple[list[str], list[str]]:
     """Return the rows of all points of a grid, heights NaN where points are missing, and notes.
 
-    No rows if points (n, 3) share a pixel, or if their grid is complete already.
+    No rows if points (n, 3) share a pixel, or if their grid is complete.
     """
     axes = [_grid_axis(positions) for positions in points[:, :2].T]
     if not all(len(axis) for axis in axes):
@@ -179,10 +175,7 @@ def _heights_on_grid(heights: Floats, indices: NDArray[np.intp], offsets: Floats
 
 
 def _grid_axis(positions: Floats) -> Floats:
-    """Return evenly spaced positions (n,) on or about which the positions along an axis lie.
-
-    Empty if there are fewer or more than a map may have.
-    """
+    """Return evenly spaced positions (n,) on or about which the positions along an axis lie."""
     extent = float(np.ptp(positions))
     if not 0 < extent < np.inf:
         return np.empty(0)

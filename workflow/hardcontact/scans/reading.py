@@ -1,7 +1,7 @@
 """Read scans of any microscope, in a child process.
 
-The bytes of a file may be damaged or hostile. The child can open and write no file, and has limits
-of memory and time.
+The bytes of a file may be damaged or hostile. The child therefore can open and write no file, and
+has limits of memory and time.
 """
 
 import faulthandler
@@ -48,7 +48,7 @@ MAX_MESSAGE_LENGTH = 2000
 
 
 class ReadingOptions(NamedTuple):
-    """How scans are read; tip radius, unit and size serve files that do not state them."""
+    """How scans are read; tip radius, unit and size serve files that state none."""
 
     tip_radius: float | None = None  #: In nm.
     unit: str = "none"  #: Unit of length, or units of positions and of heights.
@@ -106,8 +106,8 @@ def read_in_child(
 ) -> dict[str, Any]:
     """Return the dictionary that a reader makes from the bytes of a file, in a child process.
 
-    JSON can hold the dictionary, except for an array `heights`. Its texts lose control characters.
-    Raises ValueError, one line with the path, if anything fails with the file or in the child.
+    Except for an array `heights`, JSON can hold it. Raises ValueError, one line with the path, if
+    anything fails with the file or in the child.
     """
     if path.is_dir():
         raise ValueError(

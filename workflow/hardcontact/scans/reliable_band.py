@@ -1,11 +1,12 @@
 """The reliable wavelengths of a scan: those at which it shows the surface.
 
-The reliable band ends toward short wavelengths at four pixels, at the cutoff of the tip (Sanner et
-al., Appl. Surf. Sci. Adv. 7 (2022) 100190), at a noise floor or at smoothing, whichever is longest.
-A noise floor is flatter than q^-2 (H = 0). Smoothing is steeper than q^-5, the limit for surfaces
-with facets. A slope between q^-4 (H = 1) and q^-5 is smoothing only if C_1D differs between the
-axes, because a lagging feedback smooths only along the scanned lines. Slopes near a peak, such as a
-grating's, prove neither.
+Toward short wavelengths they end at the longest of four: four pixels, the cutoff of the tip (Sanner
+et al., Appl. Surf. Sci. Adv. 7 (2022) 100190), a noise floor, or smoothing by the microscope.
+
+- A noise floor is flatter than q^-2 (H = 0).
+- Smoothing is steeper than q^-5, the limit for surfaces with facets. If C_1D differs between the
+  axes, it is steeper than q^-4 (H = 1), because a lagging feedback smooths along scan lines alone.
+- Slopes near a peak, such as a grating's, prove neither.
 """
 
 from typing import NamedTuple
@@ -28,9 +29,8 @@ from hardcontact.surfaces.spectrum import BIN_CENTRES, HALF_DECADE_BINS
 
 #: The shortest reliable wavelength in pixels.
 MIN_PIXELS = 4
-#: The ratio of the size to the longest reliable wavelength. Longer waves are few, and levelling and
-#: the window change them: for self-affine surfaces without a roll-off C_iso is 1.2 times too large
-#: at a third of the size, and 2 times at half of it.
+#: The ratio of the size to the longest reliable wavelength: levelling and the window change longer
+#: waves. Without a roll-off C_iso is 1.2 times too large at a third of the size, 2 times at half.
 MIN_WAVES_IN_SIZE = 3
 #: Flattest slope of C_iso of a self-affine surface.
 FLATTEST_SLOPE = -2.0
@@ -87,10 +87,9 @@ class ReliableBand(NamedTuple):
 def reliable_band(
     scan: HeightMap, tip_radius: float | None, density: Floats | None = None
 ) -> ReliableBand:
-    """Return the reliable wavelengths of a scan, with their limits.
+    """Return the reliable wavelengths of a scan; an unknown tip radius is None.
 
-    The radius of the tip is in nm, None if unknown. `density` (bins,) in nm⁴ comes from
-    `isotropic_psd`; None to compute it.
+    `density` (bins,) comes from `isotropic_psd`; None to compute it.
     """
     if density is None:
         density = isotropic_psd(scan)
@@ -101,7 +100,7 @@ def reliable_band(
 
 
 def limit_by_tip(band: ReliableBand, scan: HeightMap, tip_radius: float) -> ReliableBand:
-    """Return a band that ends at the cutoff of a tip with a radius in nm, if that is longer."""
+    """Return a band that ends at the cutoff of a tip, if that is longer."""
     topography = to_surface_topography(level_plane(scan))
     cutoff = topography.scanning_probe_reliability_cutoff(tip_radius, rtol=TIP_CUTOFF_ERROR)
     if cutoff is None or cutoff <= band.shortest:
@@ -147,7 +146,7 @@ def _find_bins_near_peaks(log_density: Floats, variance: Floats) -> NDArray[np.b
 
 
 def _count_unsmoothed(is_smoothed: NDArray[np.bool_], count: int) -> int:
-    """Count the leading bins, at most `count`, that do not end in half a decade with smoothing."""
+    """Count the leading bins, at most `count`, whose last half decade shows no smoothing."""
     # Between smoothing and noise the slope passes through the slopes of rough surfaces.
     while is_smoothed[max(count - HALF_DECADE_BINS, 0) : count].any():
         start = max(count - HALF_DECADE_BINS, 0)

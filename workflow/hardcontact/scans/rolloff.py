@@ -1,8 +1,8 @@
 """Extrapolation of a spectrum above the longest wavelength measured: it rises up to a roll-off.
 
 The longer waves of a surface appear in a scan as slopes and bows, which levelling removes in part.
-The roll-off follows from the variance of the levelled heights by Bayes' rule. C_iso is constant
-beyond it.
+What is left adds to the variance of heights, from which Bayes' rule gives the roll-off. C_iso is
+constant beyond it.
 """
 
 from collections.abc import Sequence
@@ -20,16 +20,15 @@ from hardcontact.surfaces.spectrum import BIN_CENTRES, BIN_WIDTH, LOG_WAVEVECTOR
 #: Ratio of the longest possible roll-off wavelength to the size of the scan: a scan shows longer
 #: waves as slopes, which levelling removes.
 MAX_ROLLOFF_OVER_SIZE = 10.0
-#: Number of directions of waves over which `levelled_share` averages: more directions change a
-#: share by less than 0.5 % (line scan) or 1e-6 (map).
+#: Number of directions of waves over which `levelled_share` averages: more change it by less than
+#: 0.5 % for a line scan, and 1e-6 for a map.
 DIRECTION_COUNT = 64
 
 
 def extrapolate_long_waves(density: Floats, longest: float, slope: float, rolloff: float) -> Floats:
-    """Return C_iso (nm⁴) on WAVEVECTORS that rises above the longest wavelength measured (nm).
+    """Return C_iso on WAVEVECTORS that rises from the longest wavelength measured to the roll-off.
 
-    It rises up to the roll-off (nm) with d ln C/d ln q = `slope`, clipped to 0 and to the
-    STEEPEST_SELF_AFFINE_SLOPE.
+    It rises with d ln C/d ln q = `slope`, clipped to 0 and to the STEEPEST_SELF_AFFINE_SLOPE.
     """
     relative = np.maximum(2 * np.pi / WAVEVECTORS / longest, 1.0)
     exponent = -np.clip(slope, STEEPEST_SELF_AFFINE_SLOPE, 0.0)
@@ -37,10 +36,7 @@ def extrapolate_long_waves(density: Floats, longest: float, slope: float, rollof
 
 
 def levelled_share(wavevector: Floats, size: float, kind: str) -> Floats:
-    """Return the share (q,) of the variance of random waves that remains in a levelled scan.
-
-    Levelling a scan of this size (nm) removes the mean and the slope along x and, for a map, y.
-    """
+    """Return the share (q,) of the variance of random waves that remains in a levelled scan."""
     angle = (np.arange(DIRECTION_COUNT) + 0.5) * np.pi / 2 / DIRECTION_COUNT
     half_phase = np.maximum(wavevector[:, None] * size / 2, 1e-3)
     mean_x, slope_x = squared_projections(half_phase * np.cos(angle))
@@ -57,7 +53,7 @@ class RolloffEvidence:
     def __init__(
         self, scans: Sequence[HeightMap], densities: Floats, bands: Sequence[ReliableBand]
     ) -> None:
-        """Store the evidence of all scans, with their PSDs (scan, bins) in nm⁴ and their bands."""
+        """Store what all scans show, with their PSDs (scan, bins) and bands."""
         longest = max(band.longest for band in bands)
         is_widest = np.array([band.longest == longest for band in bands])
         widest_scans = [scan for scan, widest in zip(scans, is_widest, strict=True) if widest]
@@ -78,11 +74,11 @@ class RolloffEvidence:
     def rolloff_quantile(
         self, density: Floats, longest: float, slope: float, probability: float
     ) -> float:
-        """Return a quantile of the roll-off wavelength in nm, for its probability.
+        """Return a quantile of the roll-off wavelength, for its probability.
 
         The prior is uniform in the logarithm of the roll-off, from the longest wavelength measured
-        (nm) to MAX_ROLLOFF_OVER_SIZE times the size of the scan. `slope` is d ln C/d ln q at this
-        wavelength. The result is this wavelength if the slope is not negative.
+        to MAX_ROLLOFF_OVER_SIZE times the size of the scan. If the `slope` d ln C/d ln q there is
+        not negative, the roll-off is the longest wavelength.
         """
         if slope >= 0:
             return longest
@@ -98,8 +94,8 @@ class RolloffEvidence:
     def _log_likelihood(self, density: Floats) -> float:
         """Return the logarithm of the likelihood of the measured variance, up to a constant.
 
-        The power of each of N independent modes is distributed exponentially, so that their sum is
-        a gamma variable of relative variance 1/N.
+        The powers of N independent modes are exponential, so that their sum is a gamma variable of
+        relative variance 1/N.
         """
         power = density * WAVEVECTORS**2 * self._levelled_share / (2 * np.pi)
         expected_variance = np.trapezoid(power, LOG_WAVEVECTORS) + self._noise_variance(density)
@@ -112,10 +108,7 @@ class RolloffEvidence:
         )
 
     def _noise_variance(self, density: Floats) -> float:
-        """Return the variance of heights (nm²) from noise at wavelengths too short to be reliable.
-
-        It is what the measured spectrum has in excess of the surface's C_iso.
-        """
+        """Return the variance of heights (nm²) from noise, the excess of unreliable short waves."""
         excess = self._measured_density - np.interp(BIN_CENTRES, WAVEVECTORS, density)
         power = (np.maximum(excess, 0) * BIN_CENTRES**2)[self._is_unreliable]
         return float(power.sum() * BIN_WIDTH / (2 * np.pi))

@@ -1,7 +1,7 @@
 """Find pairs of scans that show the same area, and pairs that contradict each other.
 
-Scans of one area, such as trace and retrace, are one sample, not two. Scans contradict each other
-because of a wrong unit or another specimen: their mean spectrum describes neither.
+Scans of one area, such as trace and retrace, are one sample, not two. Scans that contradict each
+other, because of a wrong unit or another specimen, have a mean spectrum that describes neither.
 """
 
 from collections.abc import Iterable, Sequence
@@ -29,8 +29,8 @@ from hardcontact.surfaces.spectrum import BIN_CENTRES, HALF_DECADE_BINS
 SAME_AREA_CORRELATION = 0.5
 #: Largest number of pixels per row of compared maps: means lower the noise, a pair takes 15 ms.
 COMPARED_PIXELS = 64
-#: Longest wavelength that is compared, as a share of the smaller side. Longer waves are few, so
-#: that maps of different areas correlate by chance; levelling also changes them.
+#: Longest wavelength that is compared, as a share of the smaller side: longer waves are few, so
+#: that maps of different areas correlate by chance.
 LONGEST_COMPARED_SHARE = 1 / 4
 #: Least overlap after a shift, as a share of the smaller map.
 MIN_OVERLAP = 0.5
@@ -38,8 +38,8 @@ MIN_OVERLAP = 0.5
 MIN_RELATIVE_VARIANCE_PRODUCT = 1e-9
 #: Largest ratio of the sides of two maps: a smaller part of an area shows other waves.
 MAX_SIZE_RATIO = 1.25
-#: Standard errors by which the mean logarithms of two scans differ before they contradict
-#: each other: a factor of 3.1 in C_iso, 1.8 in heights, if both have many modes.
+#: Standard errors between the mean logarithms of scans that contradict each other: a factor of 3.1
+#: in C_iso, 1.8 in heights, if both have many modes.
 MIN_CONTRADICTION_ERRORS = 4
 
 
@@ -55,10 +55,7 @@ def coarse_map(scan: HeightMap) -> HeightMap:
 
 
 def earlier_scans_of_areas(scans: Sequence[HeightMap]) -> list[int | None]:
-    """Return for each scan the index of the first scan that shows its area; None if it is new.
-
-    Scans are levelled; line scans are never compared.
-    """
+    """Return for each levelled scan the index of an earlier one of its area; None if it is new."""
     maps = [coarse_map(scan) for scan in scans]
     earlier_indices: list[int | None] = []
     for scan in maps:
@@ -80,7 +77,7 @@ def repetition_notes(scans: Sequence[HeightMap], names: Sequence[str]) -> dict[i
 def have_same_area(first: HeightMap, second: HeightMap) -> bool:
     """Return whether two levelled maps from `coarse_map` show the same area.
 
-    If its own halves correlate as much, as on a grating, correlation proves nothing.
+    If the halves of a map correlate as much, as on a grating, correlation proves nothing.
     """
     if "line scan" in (first.kind, second.kind):
         return False
@@ -152,9 +149,8 @@ def find_contradictions(
 ) -> list[Contradiction]:
     """Return the pairs of scans that contradict each other, the largest factor first.
 
-    Density (nm⁴) and `reliable` are (scan, bins); sizes are in nm. Two scans are
-    compared over all bins that they share, and over each half decade. A contradiction states the
-    range with the largest difference in standard errors.
+    Density and `reliable` are (scan, bins). Two scans are compared over all bins that they share,
+    and over each half decade: the largest difference in standard errors counts.
     """
     usable = np.asarray(reliable, bool) & np.isfinite(density)
     modes = np.array([independent_modes(*scan) for scan in zip(kinds, sizes, strict=True)])
@@ -182,10 +178,10 @@ def find_contradictions(
 
 
 def _mean_difference(difference: Floats, variance: Floats) -> tuple[float, float]:
-    """Return the mean difference of ln C over bins with these variances, and its standard error.
+    """Return the weighted mean difference of ln C over bins, and its standard error.
 
-    Bins have the weights of the joined spectrum. The calibration of a microscope is wrong by the
-    same factor at all wavelengths: no number of bins averages it out.
+    A wrong calibration is the same factor at all wavelengths, so that no number of bins averages it
+    out.
     """
     weight = 1 / (variance + 2 * CALIBRATION_SCATTER**2)
     weight /= weight.sum()

@@ -27,10 +27,7 @@ END_UNITS = dict.fromkeys(("shortest_measured", "longest_measured", "rolloff"), 
 def measurement_descriptions(
     measurements: Sequence[HeightMap], radii: Sequence[float | None], bands: Sequence[ReliableBand]
 ) -> pd.DataFrame:
-    """Return the properties of measurements, such as sizes and bands in nm, defects and paths.
-
-    The radii of the tips are in nm, None if unknown.
-    """
+    """Return the properties of measurements, such as sizes and bands in nm, defects and paths."""
     earlier_measurements = earlier_scans_of_areas(measurements)
     rows = [
         {
@@ -64,8 +61,8 @@ def add_measurements(
 ) -> xr.Dataset:
     """Return a spectrum with the measurements from which it was joined.
 
-    `joined_density` (bins,) in nm⁴ is NaN where no measurement is reliable. PSDs and `reliable`
-    are (measurement, bins). Descriptions become columns over `measurement`.
+    `joined_density` (bins,) is NaN where no measurement is reliable; PSDs and `reliable` are
+    (measurement, bins). Descriptions become variables over `measurement`.
     """
     axis = "bin_wavevector"
     axes = ("measurement", axis)
@@ -86,8 +83,8 @@ def add_measurements(
 def convert_described_spectrum(substitute: xr.Dataset, path: str) -> xr.Dataset:
     """Return a substitute spectrum in the form of a joined spectrum.
 
-    Its segments with DATA_EVIDENCE replace measurements; adjacent segments from one reference count
-    as one. Variables that only measurements have are NaN or empty.
+    In place of measurements it has its segments with DATA_EVIDENCE, adjacent ones of one reference
+    as one. What only measurements have is NaN or empty.
     """
     segments = pd.read_csv(io.StringIO(substitute.attrs["segments"]))
     runs = _runs_of_one_reference(segments[segments.evidence.isin(DATA_EVIDENCE)])
@@ -132,10 +129,9 @@ def _runs_of_one_reference(segments: pd.DataFrame) -> pd.DataFrame:
 
 
 def stack_spectra(spectra: Mapping[str, xr.Dataset], labels: Mapping[str, str]) -> xr.Dataset:
-    """Stack the joined spectra of all surfaces along the new first dimension `surface`.
+    """Stack the joined spectra of all surfaces, with labels and END_UNITS by surface.
 
-    Missing measurements are NaN, 0 or "". `label`, the name in print, and the variables of
-    END_UNITS have only the dimension `surface`.
+    Missing measurements are NaN, 0 or "".
     """
     numbered = [
         spectrum.drop_attrs(deep=False).assign_coords(

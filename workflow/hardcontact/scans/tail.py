@@ -1,8 +1,7 @@
 """The tail of a spectrum: its extrapolation below the shortest wavelength measured, down to atoms.
 
 The tail is self-affine with the Hurst exponent of the shortest decade measured. It ends early if
-the slope or the curvature over all scales would exceed those of the roughest hard surface in
-Table 1 of the paper.
+slope or curvature over all scales would exceed those of the roughest surface in Table 1.
 """
 
 from enum import StrEnum
@@ -20,11 +19,9 @@ from hardcontact.surfaces.spectrum import (
     power_law_tail,
 )
 
-#: The largest rms gradient over all scales: that of UNCD, the roughest hard surface of Table 1,
-#: with its uncertainty (1.17 + 0.28).
+#: The largest rms gradient over all scales: that of UNCD with its uncertainty (1.17 + 0.28).
 MAX_GRADIENT = 1.45
-#: The largest rms half-Laplacian in 1/nm, also of UNCD (6.32 + 1.20). A sphere of such a curvature
-#: has the radius of an atom.
+#: The largest rms half-Laplacian in 1/nm, also of UNCD (6.32 + 1.20): the curvature of an atom.
 MAX_HALF_LAPLACIAN = 7.52
 #: The shortest wave of a row of atoms in nm: two bonds of diamond, 0.154 nm each.
 ATOMIC_WAVELENGTH = 0.3
@@ -32,20 +29,19 @@ ATOMIC_WAVELENGTH = 0.3
 MIN_FITTED_DECADES = 0.39
 #: Sharpness s of a roll-off at q_r, from gradual to sharp: C_iso ~ (1 + (q/q_r)^2s)^(-(1 + H)/s).
 SHARPNESS = (1.0, 2.0, 4.0)
-#: Bounds of the fitted roll-off: factors on the lowest and the highest wavevector. Below the lower
-#: bound the fit is a power law; above the upper bound hardly a bin is left for the exponent.
+#: Bounds of the fitted roll-off: factors on the lowest and the highest wavevector. Below, the fit
+#: is a power law; above, hardly a bin is left for the exponent.
 ROLLOFF_BOUNDS = (0.1, 0.7)
-#: Number of roll-off wavelengths compared. On a scan of 10 µm, four times as many changed the
+#: Number of roll-off wavelengths compared: on a scan of 10 µm, four times as many changed the
 #: roll-off by 6 %, far less than its uncertainty, and the Hurst exponent by 0.0002.
 ROLLOFF_COUNT = 61
 #: Standard deviation of the Hurst exponent below the wavelengths measured: surfaces are self-affine
 #: over some decades at best.
 HURST_SCATTER = 0.1
-#: If a Hurst exponent within 0 to 1 is less probable, no self-affine surface fits: the usual level
-#: of significance.
+#: If a Hurst exponent within 0 to 1 is less probable, no self-affine surface fits.
 MIN_TRUNCATED_PROBABILITY = 0.05
-#: Normal distributions with a smaller share within 0 to 1 are left out of the mixture: their weight
-#: is negligible, and their mean would be a ratio of rounding errors.
+#: Normal distributions with a smaller share within 0 to 1 do not count, because their mean would be
+#: a ratio of rounding errors.
 NEGLIGIBLE_SHARE = 1e-9
 
 
@@ -54,16 +50,16 @@ class HurstFit(NamedTuple):
 
     exponent: float
     error: float  #: Standard error, HURST_SCATTER included.
-    shortest: float  #: Shortest and longest wavelength in nm of the bins fitted.
-    longest: float
+    shortest: float  #: Shortest wavelength in nm of the bins fitted.
+    longest: float  #: Longest wavelength in nm.
 
 
 def fit_hurst_exponent(wavevector: Floats, density: Floats, variance: Floats) -> HurstFit:
     """Return the Hurst exponent of at least three bins, fitted together with the roll-off.
 
-    The bins of the shortest decade give H by a weighted regression for each roll-off and
-    SHARPNESS. The prior is uniform in the logarithm of the roll-off, in SHARPNESS, and in H from 0
-    to 1. The exponent is the posterior mean; the error includes HURST_SCATTER.
+    For each roll-off and SHARPNESS, a weighted regression over the shortest decade gives H. The
+    prior is uniform in the logarithm of the roll-off, in SHARPNESS, and in H from 0 to 1. The
+    exponent is the posterior mean.
     """
     is_fitted = wavevector >= wavevector[-1] / 10 * (1 - 1e-9)
     is_fitted[-MIN_BINS:] = True
@@ -92,7 +88,7 @@ def _truncated_moments(
 ) -> tuple[Floats, Floats]:
     """Return mean and variance of a mixture of normal exponents (case,), truncated to 0 to 1.
 
-    If the probability of this range is below MIN_TRUNCATED_PROBABILITY, the mean is clipped to it.
+    If this range is improbable, they are those of the whole mixture, the mean clipped to it.
     """
     low, high = -exponents / errors, (1 - exponents) / errors
     truncated_share = scipy.special.ndtr(high) - scipy.special.ndtr(low)
@@ -132,10 +128,9 @@ class Tail(NamedTuple):
 
 
 def has_exponent(tail: Tail) -> bool:
-    """Return whether a Hurst exponent within 0 to 1 fits at least half a decade of bins.
+    """Return whether a Hurst exponent within 0 to 1 fits at least five bins, or none is needed.
 
-    Otherwise roughness below the wavelengths measured is a guess. Returns True for a spectrum that
-    is not extrapolated to short wavelengths.
+    Otherwise the extrapolation to short waves is a guess.
     """
     decades = np.log10(tail.tail_fit_longest / tail.tail_fit_shortest)
     is_physical = 0 < tail.tail_hurst < 1
@@ -147,9 +142,8 @@ def extrapolate_short_waves(
 ) -> tuple[Floats, Tail]:
     """Return C_iso (nm⁴) on WAVEVECTORS from at least three measured points, and its tail.
 
-    C_iso is constant above the longest wavelength, self-affine below the shortest. The tail ends
-    at the distance of atoms, or before all scales exceed MAX_GRADIENT or MAX_HALF_LAPLACIAN.
-    `change` adds to the Hurst exponent, which is then clipped to 0 and 1.
+    C_iso is constant above the longest wavelength, self-affine below the shortest. `change` adds to
+    the Hurst exponent, which stays within 0 and 1.
     """
     # The highest measured wavevector may exceed the highest of WAVEVECTORS by rounding.
     table = Spectrum(wavevector, density)(np.minimum(WAVEVECTORS, wavevector[-1]))

@@ -1,9 +1,8 @@
-"""Conditioning of a group of substitute scans of one surface on Table 1.
+"""Condition a group of substitute scans of one surface, so that they meet Table 1 exactly.
 
-Random scans meet published statistics only on average. A smooth gain of all amplitudes, and a
-factor on the heights of each scan, make the group meet them exactly: mean and standard deviation of
-rms heights, mean slope and mean curvature. The layer is not `paper`, because a user's study also
-has substitutes.
+Random scans meet it only on average. Here a smooth gain of all amplitudes gives the group the mean
+rms height, slope and curvature, and a factor on the heights of each scan gives it the standard
+deviation of rms heights.
 """
 
 from collections.abc import Sequence
@@ -31,18 +30,14 @@ from hardcontact.surfaces.synthesis import (
 )
 from hardcontact.surfaces.table1_calibration import AFM_ROWS, FIT_TOLERANCES, MET_ERROR
 
-#: Number of components of the gain, one for each AFM row of Table 1. The amplitudes of the second
-#: and the third component relative to the first are fitted.
+#: Number of components of the gain, one for each AFM row of Table 1.
 COMPONENT_COUNT = 3
 #: Largest ratio of the amplitudes of a component and of the first component, or its inverse.
 MAX_AMPLITUDE_RATIO = 4.0
 
 
 def scale_rms_heights(rms_heights: Floats, mean: float, std: float) -> Floats:
-    """Return rms heights (scan,) in nm, scaled and shifted to a mean and a standard deviation.
-
-    The heights keep their order and relative distances. A single scan gets the mean.
-    """
+    """Return rms heights (scan,), scaled and shifted to a mean and a standard deviation."""
     differences = rms_heights - rms_heights.mean()
     if len(rms_heights) > 1:
         differences *= std / differences.std(ddof=1)
@@ -50,11 +45,10 @@ def scale_rms_heights(rms_heights: Floats, mean: float, std: float) -> Floats:
 
 
 def component_shares(grid: ScanGrid) -> Floats:
-    """Return the shares of amplitude of three smooth components: (3, points of WAVEVECTORS).
+    """Return the shares of amplitude of long, middle and short waves: (3, points of WAVEVECTORS).
 
-    The components hold long, middle and short wavelengths, and their shares add up to one. On the
-    logarithm of wavelength, from the size of a scan to two pixels, each gives way to the next as a
-    squared sine; the middle component has its peak halfway.
+    They add up to one. On the logarithm of wavelength, from the size of a scan to two pixels, each
+    gives way to the next as a squared sine; the middle one has its peak halfway.
     """
     longest, shortest = grid.size, 2 * grid.pixel_size
     log_position = np.log(longest * WAVEVECTORS / (2 * np.pi)) / np.log(longest / shortest)
@@ -64,10 +58,7 @@ def component_shares(grid: ScanGrid) -> Floats:
 
 
 def multiply_amplitudes(spectrum: SpectrumFunction, amplitude_gain: Floats) -> SpectrumFunction:
-    """Return a spectrum whose amplitudes are multiplied by a gain, and C_iso by its square.
-
-    The gain (points of WAVEVECTORS) is interpolated between them.
-    """
+    """Return a spectrum whose amplitudes are multiplied by a gain (points of WAVEVECTORS)."""
 
     def amplified_spectrum(wavevector: Floats) -> Floats:
         with np.errstate(divide="ignore"):
@@ -78,10 +69,10 @@ def multiply_amplitudes(spectrum: SpectrumFunction, amplitude_gain: Floats) -> S
 
 
 def metric_matrices(components: Sequence[HeightMap], names: Sequence[str]) -> Floats:
-    """Return a matrix G for each metric (metric, component, component), in its unit squared.
+    """Return a matrix G (component, component) for each metric.
 
-    The squared metric of the sum of a_k h_k is aᵀ G a, where h_k are the levelled components. The
-    names are `metrics.METRICS` whose square is quadratic in the heights.
+    The squared metric of a sum a_k h_k of levelled components h_k is aᵀ G a, because the squares of
+    rms metrics are quadratic in the heights.
     """
 
     def squared_metrics(heights: np.ndarray) -> Floats:
@@ -140,8 +131,7 @@ def condition_group(
     """Return the gain of amplitudes of a group of scans, and each scan's factor on its heights.
 
     ``amplitude_gain`` (wavevector) and ``factor`` (scan) are 1 without targets. The attribute
-    ``table1_rows_met`` lists the rows met by construction. Raises ValueError if an rms height would
-    be negative.
+    ``table1_rows_met`` lists the rows met. Raises ValueError if an rms height would be negative.
     """
     grid = substitute.grid
     amplitude_gain = np.ones_like(WAVEVECTORS)
@@ -187,9 +177,9 @@ def conditioned_scan(
     conditioning: xr.Dataset,
     sphere_radius: float | None = None,
 ) -> HeightMap:
-    """Return a scan with the gain of its group and its own factor, from `condition_group`.
+    """Return a scan with the gain and the factor of `condition_group`.
 
-    `sphere_radius` is the radius in nm of a sphere that the scan shows; None for a flat surface.
+    It shows a sphere of the radius (nm), or a flat surface.
     """
     rng = substitute.generator(scan_number, "scan")
     spectrum = multiply_amplitudes(substitute.spectrum, conditioning["amplitude_gain"].values)

@@ -1,4 +1,4 @@
-"""Substitute scans of one surface with bumps or pits that agree with Table 1, in groups."""
+"""Groups of substitute scans with bumps or pits that agree with Table 1."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -26,8 +26,8 @@ from hardcontact.surfaces.substitute_spectra import sample_permitted_spectrum
 from hardcontact.surfaces.substitutes import Substitute, required_targets
 from hardcontact.surfaces.synthesis import random_surface, sample_scan
 
-#: Samples of features from which the study takes the one nearest to Table 1: enough for all of its
-#: numbers to be within half of a standard error.
+#: Samples of features, of which the nearest to Table 1 is taken: with so many, all numbers are
+#: within half a standard error.
 CANDIDATES = 100
 
 
@@ -77,10 +77,7 @@ class FeaturedSurface(NamedTuple):
 
 
 def featured_surface(substitute: Substitute) -> FeaturedSurface:
-    """Return the surface with features of a substitute.
-
-    Raises ValueError if the paper has no rms height of the surface.
-    """
+    """Return the surface with features of a substitute; its rms height must be published."""
     scan_count = int(substitute.constants["value"]["scans_per_surface"])
     means = required_targets(substitute).means
     return FeaturedSurface(substitute, published_statistics(means, substitute.table1, scan_count))
@@ -96,8 +93,7 @@ def whole_surface(
 ) -> HeightMap:
     """Return a whole surface: with features, or Gaussian with a spectrum of its own.
 
-    Table 1 and the description of the spectrum (a path) permit this spectrum; `pixel_size` is in
-    nm.
+    The spectrum is one that Table 1 and the `description` (a path) permit.
     """
     if has_features:
         return featured_surface(substitute).sample_whole_surface(number, pixels, pixel_size)
@@ -125,7 +121,7 @@ def nearest_group(
 ) -> tuple[Features, list[HeightMap]]:
     """Return the scans whose features are nearest to Table 1 among CANDIDATES samples.
 
-    Bumps and pits alternate among the samples. No force enters.
+    Bumps and pits alternate among the samples. No force enters the choice.
     """
     candidates = []
     for candidate in range(CANDIDATES):
@@ -149,10 +145,9 @@ def describe_features(features: Features, base_rms_height: float) -> dict[str, x
 def featured_group(
     substitute: Substitute, scan_numbers: Sequence[int]
 ) -> tuple[xr.Dataset, list[HeightMap]]:
-    """Return a description of the `nearest_group` of scans, and these scans.
+    """Return a description of the `nearest_group` of scans, with the rows of Table 1 that are met.
 
-    The description has the features, and the rows of Table 1 met by construction. Features are
-    accepted by the AFM rows, so these are met within their uncertainty.
+    Also returns the scans. They meet the AFM rows, which accepted the features, within uncertainty.
     """
     surface = featured_surface(substitute)
     features, scans = nearest_group(surface, scan_numbers)

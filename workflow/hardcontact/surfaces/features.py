@@ -1,8 +1,8 @@
 """Bumps or pits on a homogeneous Gaussian base: a family of surfaces that Table 1 accepts.
 
-A homogeneous Gaussian surface has nearly the same rms height in each scan. Rare features explain
-why rms heights scatter much more. All features of a surface have one Gaussian shape; their
-positions are independent.
+A homogeneous Gaussian surface has nearly the same rms height in each scan. In Table 1 rms heights
+scatter much more, as rare features would explain. All features of a surface have one Gaussian
+shape; their positions are independent.
 """
 
 from collections.abc import Mapping
@@ -24,8 +24,8 @@ GAUSSIAN = "gaussian"
 #: All kinds of surfaces.
 KINDS = (*SIGNS, GAUSSIAN)
 #: Number of features per µm². The prior is uniform in the logarithms within these bounds and the
-#: next three. The lower bound is assumed: from 0.001 on, 15 % of the bumps that Table 1 accepts for
-#: polished UNCD would be rarer than 0.01.
+#: next three. The lower bound is assumed: from 0.001 on, 15 % of the accepted bumps of polished
+#: UNCD would be rarer than 0.01.
 DENSITY_BOUNDS = (0.01, 10.0)
 #: Height of features in published mean rms heights of scans.
 HEIGHT_BOUNDS = (1.0, 60.0)
@@ -42,13 +42,10 @@ MAX_BATCHES = 200
 
 
 class ScanStatistics(NamedTuple):
-    """Published means and standard deviations over scans, and the rms height over all scales.
+    """Published means and standard deviations over scans, and the rms height over all scales."""
 
-    The arrays (3,) are of rms height (nm), slope and curvature (1/nm).
-    """
-
-    means: Floats
-    stds: Floats
+    means: Floats  #: (3,) of rms height (nm), slope and curvature (1/nm).
+    stds: Floats  #: (3,) in the same units.
     scan_count: int  #: Number of the published scans.
     all_rms_height: float  #: Published rms height (nm) over all scales.
 
@@ -66,11 +63,7 @@ class Features(NamedTuple):
 def published_statistics(
     means: Mapping[str, float], table1: pd.DataFrame, scan_count: int
 ) -> ScanStatistics:
-    """Return the statistics of Table 1 with means (by `METRICS`) on the pixels of the study.
-
-    Their standard deviations have the same ratios to the means as in Table 1. `table1` has the rows
-    of the surface.
-    """
+    """Return the statistics of a surface in Table 1, scaled to means on the pixels of the study."""
     rows = table1.loc[list(TABLE1_METRICS)]
     values = np.array([means[name] for name in TABLE1_METRICS.values()])
     stds = values * (rows["uncertainty"] / rows["value"]).to_numpy(float)
@@ -78,10 +71,9 @@ def published_statistics(
 
 
 def feature_squares(height: ArrayLike, width: ArrayLike, size: float) -> Floats:
-    """Return the increase of the squared rms values (..., 3) of a scan by one feature.
+    """Return the increase of the squared rms values (..., 3) of a levelled scan by one feature.
 
-    By Campbell's theorem the increases are integrals of the squared shape, gradient and
-    half-Laplacian over the area of the scan, without the mean plane. Lengths are in nm.
+    By Campbell's theorem these are the mean squares of its shape, gradient and half-Laplacian.
     """
     height, width = np.asarray(height), np.asarray(width)
     slope_square = (1 - width / (np.sqrt(np.pi) * size)) ** 2 * np.pi * height**2 / size**2
@@ -96,8 +88,7 @@ def expected_rms(
 ) -> Floats:
     """Return the expected rms height, slope and curvature of scans with features: (..., scan, 3).
 
-    The base has the published means times its factor. `counts` (..., scan) are numbers of features,
-    `added` (..., 3) the `feature_squares` of one feature.
+    `counts` (..., scan) are numbers of features, `added` (..., 3) the `feature_squares` of one.
     """
     base_rms = np.asarray(base_factor)[..., None, None] * statistics.means
     squares: Floats = base_rms**2 + np.asarray(counts)[..., None] * added[..., None, :]
@@ -107,8 +98,8 @@ def expected_rms(
 def standardized_differences(rms_values: Floats, statistics: ScanStatistics) -> Floats:
     """Return the differences of scans (..., scan, 3) from published statistics, in standard errors.
 
-    First the means, then, with two or more scans, the standard deviations of rms height and slope.
-    A standard deviation of n normal values has the relative standard error 1/sqrt(2(n - 1)).
+    First come the means, then, with two or more scans, the standard deviations of rms height and
+    slope, whose relative standard error is 1/sqrt(2(n - 1)).
     """
     mean_errors = statistics.stds / np.sqrt(statistics.scan_count)
     differences = (rms_values.mean(axis=-2) - statistics.means) / mean_errors
@@ -127,10 +118,7 @@ def sample_features(
     pixel_size: float,
     sign: int,
 ) -> Features:
-    """Sample features from the prior until all `standardized_differences` are below one.
-
-    The sizes of a scan and of a pixel are in nm; the sign of heights is one of SIGNS.
-    """
+    """Sample features from the prior until all `standardized_differences` are below one."""
     min_width = max(WIDTH_BOUNDS[0], MIN_WIDTH_PIXELS * pixel_size)
     bounds = (DENSITY_BOUNDS, HEIGHT_BOUNDS, (min_width, WIDTH_BOUNDS[1]), BASE_FACTOR_BOUNDS)
     low, high = np.log(bounds).T

@@ -1,7 +1,7 @@
-"""Fourier interpolation and cutoff filters of periodic surfaces.
+"""Fourier interpolation and cutoff filters of periodic, square surfaces.
 
-The order of a Fourier mode is its number of waves across the surface. Filtered masters are
-transformed in single precision, the precision of their heights.
+The order of a Fourier mode is its number of waves across the surface: a wavelength is the size over
+the order. A surface without short waves needs only the lowest orders of its transform.
 """
 
 from collections.abc import Iterator, Sequence
@@ -16,7 +16,7 @@ from hardcontact.surfaces.height_map import HeightMap
 
 #: Fourier transform over orders (y, x), in double precision.
 Transform = NDArray[np.complex128]
-#: The same in single precision.
+#: The same in single precision, as masters are transformed.
 SingleTransform = NDArray[np.complex64]
 AnyTransform = TypeVar("AnyTransform", Transform, SingleTransform)
 
@@ -25,17 +25,17 @@ BLOCK_ROWS = 64
 
 
 def lowpass(surface: HeightMap, cutoff: float) -> HeightMap:
-    """Return a periodic, square surface without waves shorter than a cutoff, on the coarsest grid.
+    """Return a surface without waves shorter than a cutoff (nm), on the coarsest grid, in float64.
 
-    The cutoff is in nm. Heights are in float64. Raises ValueError for a cutoff up to two pixels.
+    Raises ValueError for a cutoff up to two pixels.
     """
     order_limit = _order_limit(surface, cutoff)
     highest_order = int(order_limit)
-    band = _drop_higher_orders(_lowest_orders(surface, highest_order), order_limit)
-    coarse_pixels = 2 * highest_order + 2
-    heights = scipy.fft.irfft2(_pad_orders(band, coarse_pixels), s=(coarse_pixels, coarse_pixels))
-    heights *= (coarse_pixels / surface.pixels) ** 2
-    return replace(surface, heights=heights, pixel_size=surface.size / coarse_pixels)
+    pixels = 2 * highest_order + 2
+    transform = _transform_lowest_orders(surface, highest_order)
+    heights = scipy.fft.irfft2(_orders_on_grid(transform, order_limit, pixels), s=(pixels, pixels))
+    heights *= (pixels / surface.pixels) ** 2
+    return replace(surface, heights=heights, pixel_size=surface.size / pixels)
 
 
 def _order_limit(surface: HeightMap, cutoff: float) -> float:
@@ -49,8 +49,8 @@ def _order_limit(surface: HeightMap, cutoff: float) -> float:
     return order_limit
 
 
-def _lowest_orders(surface: HeightMap, highest_order: int) -> Transform:
-    """Return the transform up to an order along both axes; orders along y as in `_grid_orders`."""
+def _transform_lowest_orders(surface: HeightMap, highest_order: int) -> Transform:
+    """Return the transform up to an order along both axes, along y in `_signed_orders`."""
     pixels = surface.pixels
     transform = np.empty((pixels, highest_order + 1), complex)
     for start in range(0, pixels, BLOCK_ROWS):
@@ -58,33 +58,32 @@ def _lowest_orders(surface: HeightMap, highest_order: int) -> Transform:
         block = surface.heights[rows].astype(float)
         transform[rows] = scipy.fft.rfft(block, axis=1)[:, : highest_order + 1]
     transform = scipy.fft.fft(transform, axis=0, overwrite_x=True)
-    return transform[_grid_orders(highest_order)]
+    return transform[_signed_orders(highest_order)]
 
 
-def _grid_orders(highest_order: int) -> NDArray[np.int_]:
+def _signed_orders(highest_order: int) -> NDArray[np.int_]:
     """Return orders along y as a transform has them: 0, 1, ..., -2, -1; negatives index its end."""
     return np.append(np.arange(highest_order + 1), np.arange(-highest_order, 0))
 
 
-def _drop_higher_orders(transform: AnyTransform, order_limit: float) -> AnyTransform:
-    """Return the part of a transform up to a limit of the order in any direction."""
-    orders = _grid_orders(int(order_limit))
-    band = transform[orders, : int(order_limit) + 1]
-    band[np.hypot(orders[:, None], np.arange(int(order_limit) + 1)) > order_limit] = 0
-    return band
+def _orders_on_grid(transform: AnyTransform, order_limit: float, pixels: int) -> AnyTransform:
+    """Return the orders up to a limit in any direction, padded with zeros to a grid of pixels.
 
-
-def _pad_orders(transform: AnyTransform, pixels: int) -> AnyTransform:
-    """Return the transform from `_lowest_orders`, padded with zeros to more orders along y."""
-    padded = np.zeros((pixels, transform.shape[1]), transform.dtype)
-    padded[_grid_orders(transform.shape[1] - 1)] = transform
+    The transform comes from `_transform_lowest_orders`.
+    """
+    highest_order = int(order_limit)
+    orders = _signed_orders(highest_order)
+    low_orders = transform[orders, : highest_order + 1]
+    low_orders[np.hypot(orders[:, None], np.arange(highest_order + 1)) > order_limit] = 0
+    padded = np.zeros((pixels, highest_order + 1), transform.dtype)
+    padded[orders] = low_orders
     return padded
 
 
 def interpolate(surface: HeightMap, pixels: int) -> HeightMap:
-    """Return the trigonometric interpolation of a periodic, square surface on pixels x pixels.
+    """Return the trigonometric interpolation of a surface on pixels x pixels, in float32.
 
-    Heights are in float32. Raises ValueError if the surface has more pixels.
+    Raises ValueError if the surface has more pixels.
     """
     coarse_pixels = surface.pixels
     _refuse_coarser(coarse_pixels, pixels)
@@ -127,33 +126,29 @@ def filtered_series(
     pixels: int,
     out: NDArray[np.float32] | None = None,
 ) -> Iterator[HeightMap]:
-    """Yield a periodic, square master without the wavelengths beyond each cutoff in nm.
+    """Yield a master without the wavelengths beyond each cutoff (nm); None removes none.
 
-    The side ``"short"`` removes shorter, ``"long"`` longer wavelengths; a cutoff of None removes
-    none. Each filtered surface overwrites `out` (pixels, pixels), if given. Raises ValueError if
-    wavelengths need more pixels, or a cutoff is two pixels or less.
+    The side ``"short"`` removes shorter wavelengths, ``"long"`` longer ones. Each filtered surface
+    overwrites `out` (pixels, pixels), if given. Raises ValueError if wavelengths need more pixels,
+    or a cutoff is two pixels or less.
     """
-    size = master.size
     order_limits = [None if cutoff is None else _order_limit(master, cutoff) for cutoff in cutoffs]
-    highest_order = max((int(limit) for limit in order_limits if limit is not None), default=None)
+    highest_order = max((int(limit) for limit in order_limits if limit is not None), default=0)
     unfiltered = master
-    if side == "long" or None in cutoffs:
-        _refuse_coarser(master.pixels, pixels)
-        if master.pixels != pixels:
-            unfiltered = interpolate(master, pixels)
-    elif highest_order is not None:
+    if side == "short" and None not in cutoffs:
         _refuse_coarser(2 * highest_order + 2, pixels)
-    unfiltered = replace(unfiltered, pixel_size=size / pixels)
-    if highest_order is not None:
-        transform = _lowest_orders(master, highest_order)
-        waves = (transform * (pixels / master.pixels) ** 2).astype(np.complex64)
+    elif pixels != master.pixels:
+        unfiltered = interpolate(master, pixels)
+    unfiltered = replace(unfiltered, pixel_size=master.size / pixels)
+    scale = (pixels / master.pixels) ** 2
+    transform = (_transform_lowest_orders(master, highest_order) * scale).astype(np.complex64)
     for limit in order_limits:
         if limit is None:
             yield unfiltered
             continue
         heights = np.empty((pixels, pixels), np.float32) if out is None else out
-        for rows, band in _inverse_blocks(_pad_orders(_drop_higher_orders(waves, limit), pixels)):
-            heights[rows] = band
+        for rows, long_waves in _inverse_blocks(_orders_on_grid(transform, limit, pixels)):
+            heights[rows] = long_waves
             if side == "long":
                 np.subtract(unfiltered.heights[rows], heights[rows], out=heights[rows])
         yield replace(unfiltered, heights=heights)

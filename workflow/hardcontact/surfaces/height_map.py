@@ -1,4 +1,4 @@
-"""Scans: height maps and line scans, their files, and mirrored scans."""
+"""Height maps and line scans, their files in the study, and their mirror images."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
@@ -29,8 +29,7 @@ class HeightMap:
     periodic: bool = False
     source: str = "measured"
     path: str = "scan"  #: Path of the file, as messages name it.
-    #: Name of the scan in a container, or of the channel in any other file, as in the column of
-    #: this name in the table of surfaces. It is not an xarray dataset.
+    #: Name of the scan in a container, or of the channel in another file, as in surfaces.tsv.
     dataset: str = ""
     channel: str = ""  #: Name of the channel that was read.
     file_unit: str = "nm"  #: Unit of length that the file, or its container, states.
@@ -146,10 +145,9 @@ def to_surface_topography(scan: HeightMap) -> "Topography | UniformLineScan":
 
 
 def mirror_scan(scan: HeightMap) -> HeightMap:
-    """Return the mirrored scan, periodic and twice as wide: a map (2y, 2x) with its mirror images.
+    """Return a map (2y, 2x) of a scan and its mirror images, periodic because its edges match.
 
-    Its edges match, so that contacts can lie across them. Source: the paper, section Numerical
-    Analysis of Results.
+    Source: the paper, section Numerical Analysis of Results.
     """
     wide = np.concatenate([scan.heights, scan.heights[:, ::-1]], axis=1)
     return replace(scan, heights=np.concatenate([wide, wide[::-1]], axis=0), periodic=True)

@@ -21,7 +21,7 @@ from hardcontact.surfaces.streaks import fill_streaks
 def level_plane(scan: HeightMap) -> HeightMap:
     """Return a scan minus its least-squares plane or line.
 
-    Equal to ``detrend`` of SurfaceTopography, which is not used because its import is slow.
+    It equals ``detrend`` of SurfaceTopography, whose import would be slow.
     """
     heights = np.asarray(scan.heights, dtype=float).T
     axes = np.meshgrid(*(np.arange(count) / count for count in heights.shape), indexing="ij")
@@ -36,8 +36,8 @@ def level_plane(scan: HeightMap) -> HeightMap:
 def squared_projections(phase: Floats) -> tuple[Floats, Floats]:
     """Return the shares of the variance of waves that the mean and the slope of a line contain.
 
-    The wave is exp(2 i `phase` u) for |u| <= 1/2. `level_plane` removes its projections on 1 and
-    sqrt(12) u, the Legendre functions of degree 0 and 1: spherical Bessel functions of the phase.
+    Levelling removes them. The wave is exp(2 i `phase` u) for |u| <= 1/2. Its projections on 1 and
+    sqrt(12) u are spherical Bessel functions of the phase.
     """
     return scipy.special.spherical_jn(0, phase) ** 2, 3 * scipy.special.spherical_jn(1, phase) ** 2
 
@@ -45,8 +45,8 @@ def squared_projections(phase: Floats) -> tuple[Floats, Floats]:
 def level_lines(scan: HeightMap) -> HeightMap:
     """Return a scan without streaks, its lines along x aligned, minus its least-squares plane.
 
-    Each line loses its least-squares line, then its median: drift and jumps of the feedback, and
-    real roughness whose wavevector points along y. Source: ``ScanLineAlignedTopography``.
+    Each line loses its least-squares line and its median. This removes drift and jumps of the
+    feedback, but also real roughness whose wavevector points along y.
     """
     heights, is_filled = fill_streaks(level_plane(scan).heights)
     scan = replace(scan, heights=heights)
@@ -76,8 +76,8 @@ def remove_form(
 ) -> HeightMap:
     """Return a levelled scan; first the sphere that a map shows (radius in nm) is subtracted.
 
-    The apex of the paraboloid x²/2R is taken at the centre of the scan: elsewhere it would only
-    add a plane, which levelling removes. A line scan loses its mean line, whatever the levelling.
+    The sphere's apex is put at the centre: elsewhere it would only add a plane, which levelling
+    removes. A line scan loses its mean line, whatever the levelling.
     """
     if levelling not in LEVELLING:
         raise ValueError(f"levelling: expected {', '.join(LEVELLING)}, found {levelling}")
@@ -92,18 +92,17 @@ def remove_form(
     return LEVELLING[levelling](scan)
 
 
-#: Title of the file with the levelled scan of `level_and_mirror`.
+#: Titles of the files with the two results of `level_and_mirror`.
 LEVELLED = "levelled scan, the sphere subtracted if it shows one"
-#: Title of the file with its mirrored scan.
 MIRRORED = "scan and its mirror images, periodic"
 
 
 def level_and_mirror(
     scan: HeightMap, sphere_radius: float | None = None, levelling: str = "plane"
 ) -> tuple[xr.Dataset, xr.Dataset]:
-    """Return a levelled map and its mirrored map as datasets, heights in nm and float32.
+    """Return a levelled map and its mirrored map as datasets, in float32.
 
-    The levelled scan of a sphere (radius in nm) also has ``as_scanned``, the heights as read.
+    The levelled scan of a sphere also has ``as_scanned``, the heights as read.
     """
     refuse_line_scan(scan)
     flat = remove_form(scan, sphere_radius, levelling)

@@ -18,7 +18,7 @@ METRICS = {
     "kurtosis": ("1", "kurtosis of heights (3 for a Gaussian)"),
     "peak_to_valley": ("nm", "peak to valley"),
 }
-#: The metrics of Table 1, which does not define slope and curvature, by its rows for AFM scans.
+#: By row of Table 1 for AFM scans: its metric. The paper does not define slope and curvature.
 TABLE1_METRICS = {
     "afm_rms_height": "rms_height",
     "afm_rms_slope": "rms_gradient",

@@ -1,7 +1,9 @@
-"""Power spectral densities: tables, their rms values, models, and PSDs of scans.
+"""Power spectral densities (PSDs): tables, their rms values, models, and PSDs of scans.
 
-C_iso = |h~|²/A in nm⁴ with h_rms² = 1/(2 pi) ∫ q C_iso dq; C_1D = |h~|²/L in nm³ with h_rms² =
-(1/pi) ∫ C_1D dq; q = 2 pi/lambda in rad/nm. Source: Jacobs, Junge, Pastewka, Surf. Topogr.: Metrol.
+- C_iso = |h~|²/A in nm⁴ of a map, with h_rms² = 1/(2 pi) ∫ q C_iso dq;
+- C_1D = |h~|²/L in nm³ of profiles along a line, with h_rms² = (1/pi) ∫ C_1D dq.
+
+Wavevectors q = 2 pi/lambda are in rad/nm. Source: Jacobs, Junge, Pastewka, Surf. Topogr.: Metrol.
 Prop. 5 (2017) 013001.
 """
 
@@ -23,19 +25,16 @@ from hardcontact.surfaces.height_map import HeightMap, to_surface_topography
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-#: C_iso in nm⁴ as a function of wavevectors in rad/nm, of any shape.
+#: Returns C_iso at wavevectors of any shape.
 SpectrumFunction = Callable[[Floats], Floats]
 #: The grid on which joined spectra are tabulated: 40 points a decade, wavelengths 1 mm to 0.1 nm.
 WAVEVECTORS = 2 * np.pi * np.logspace(-6, 1, 281)
-#: Their logarithms.
 LOG_WAVEVECTORS = np.log(WAVEVECTORS)
 #: Edges of the bins of measured PSDs: ten a decade.
 BIN_EDGES = 2 * np.pi * np.logspace(-5, 1, 61)
-#: Centres of these bins.
 BIN_CENTRES = np.sqrt(BIN_EDGES[1:] * BIN_EDGES[:-1])
-#: Width of these bins in ln q.
+#: Width of a bin in ln q.
 BIN_WIDTH = float(np.log(BIN_EDGES[1] / BIN_EDGES[0]))
-#: Number of these bins in half a decade.
 HALF_DECADE_BINS = 5
 #: Fewest bins of a joined spectrum: a slope with an error needs three.
 MIN_BINS = 3
@@ -44,7 +43,7 @@ PSD_ARGUMENTS = {"window": "hann", "reliable": False, "collocation": BIN_EDGES}
 
 
 def too_few_bins_message(scans: str, count: int, bands: str) -> str:
-    """Return the message that scans, so named, are reliable in fewer than MIN_BINS bins."""
+    """Return the message that some scans are reliable in fewer than MIN_BINS bins."""
     return (
         f"expected {scans} that are reliable in at least {MIN_BINS} bins of wavelengths (ten a "
         f"decade from 0.1 nm to 100 µm), found {count}: {bands}"
@@ -94,8 +93,7 @@ class Spectrum:
     def __call__(self, wavevector: ArrayLike) -> Floats:
         """Return C_iso in nm⁴ at wavevectors in rad/nm by interpolation in log q and log C.
 
-        C_iso is constant above the longest wavelength of the table. It is zero below the shortest
-        one and where the table is zero.
+        C_iso is constant above the longest wavelength, and zero below the shortest one.
         """
         log_density = np.log(np.maximum(self.density, 1e-290))  # Zero has no logarithm.
         with np.errstate(divide="ignore"):
@@ -171,40 +169,35 @@ def all_scales_rms(spectrum: Spectrum) -> Floats:
 
 
 def peak_wavelength(spectrum: Spectrum) -> float:
-    """Return the wavelength (nm) at which q² C_iso, the variance of heights per ln q, is largest.
-
-    It is the roll-off of a self-affine surface.
-    """
+    """Return the wavelength (nm) of the largest q² C_iso: the roll-off of a self-affine surface."""
     return float(spectrum.wavelength[(spectrum.wavevector**2 * spectrum.density).argmax()])
 
 
 def self_affine(wavevector: Floats, plateau: float, rolloff: float, hurst: float) -> Floats:
-    """Return C_iso: `plateau` (nm⁴) above the roll-off wavelength (nm), ∝ q^(-2-2H) below it."""
+    """Return C_iso: the plateau (nm⁴) above the roll-off (nm), ∝ q^(-2-2H) below it."""
     return plateau * np.maximum(wavevector * rolloff / (2 * np.pi), 1.0) ** (-2 - 2 * hurst)
 
 
 def varying_hurst(
     wavevector: Floats, plateau: float, rolloff: float, hurst: float, hurst_change: float
 ) -> Floats:
-    """Return C_iso (nm⁴) whose Hurst exponent changes linearly with the logarithm of wavelength.
+    """Return C_iso whose Hurst exponent changes linearly with the logarithm of wavelength.
 
-    C_iso = C_0 10^(-(2 + 2H) x - H' x²), x = log10(q/q_r), below the roll-off wavelength (nm), and
-    C_0 above it.
+    C_iso = C_0 10^(-(2 + 2H) x - H' x²), x = log10(q/q_r), below the roll-off (nm); above, C_0.
     """
     decades = np.log10(np.maximum(wavevector * rolloff / (2 * np.pi), 1.0))
     return np.asarray(plateau * 10 ** (-(2 + 2 * hurst) * decades - hurst_change * decades**2))
 
 
 def smooth_rolloff(wavevector: Floats, plateau: float, rolloff: float, hurst: float) -> Floats:
-    """Return C_iso: `plateau` (nm⁴) [1 + (q/q_r)²]^(-1-H), roll-off wavelength in nm."""
+    """Return C_iso: the plateau (nm⁴) times [1 + (q/q_r)²]^(-1-H), with the roll-off in nm."""
     return plateau * (1 + (wavevector * rolloff / (2 * np.pi)) ** 2) ** (-1 - hurst)
 
 
 def power_law_extrapolation(density: Floats, hurst: float) -> Floats:
-    """Return C_iso ∝ q^(-2-2H) below the shortest wavelength of a spectrum, without a jump.
+    """Return C_iso ∝ q^(-2-2H) below the shortest wavelength of C_iso on WAVEVECTORS, else zero.
 
-    The density and the result are C_iso in nm⁴ on WAVEVECTORS. The result is zero at the
-    wavelengths of the spectrum. Raises ValueError if the density is zero everywhere.
+    Raises ValueError if the density is zero everywhere.
     """
     if not density.any():
         raise ValueError("power law: expected a segment at longer wavelengths, found none")
@@ -215,9 +208,8 @@ def power_law_extrapolation(density: Floats, hurst: float) -> Floats:
 
 def kept_shares(shortest: float) -> Floats:
     """Return for each of WAVEVECTORS the share of its interval in ln q above a wavelength (nm)."""
-    distance_in_steps = np.log(2 * np.pi / (shortest * WAVEVECTORS)) / np.log(
-        WAVEVECTORS[1] / WAVEVECTORS[0]
-    )
+    step = np.log(WAVEVECTORS[1] / WAVEVECTORS[0])
+    distance_in_steps = np.log(2 * np.pi / (shortest * WAVEVECTORS)) / step
     return np.asarray(np.clip(distance_in_steps + 0.5, 0, 1))
 
 

@@ -11,13 +11,12 @@ from hardcontact.base.statistics import MEDIAN_DEVIATION
 
 Mask = NDArray[np.bool_]
 
-#: Least distance of a streak from both lines beside it, in typical steps from line to line; one
+#: Least distance of a streak from both lines beside it, in typical steps from line to line: one
 #: Gaussian step in 10⁹ is so large.
 MIN_STREAK_STEPS = 6.0
 #: Least number of pixels of a streak along a line: fewer may be a particle.
 MIN_STREAK_PIXELS = 8
-#: A streak is longer than this multiple of the longest such run across the lines, which the surface
-#: itself makes.
+#: A streak is longer than this multiple of the longest run across the lines, which is real.
 MIN_LENGTH_RATIO = 2
 #: Least distance of all pixels of a streak from both lines, in typical steps.
 MIN_END_STEPS = 1.0
@@ -30,8 +29,8 @@ MAX_FILLINGS = 20
 def find_streaks(heights: Floats) -> Iterator[Mask]:
     """Yield by width the mask (y, x) of streaks along x, all above or all below other lines.
 
-    The ends of a streak may stand out less than the pixels by which it is found. A line between two
-    streaks looks like a streak of the other sign: only the sign with more pixels counts.
+    A line between two streaks looks like a streak of the other sign, so that only the sign with
+    more pixels counts.
     """
     for width in STREAK_WIDTHS:
         along = [_run_lengths(_candidates(steps)) for steps in _distances(heights, width)]
@@ -48,7 +47,7 @@ def fill_streaks(heights: Floats) -> tuple[Floats, Mask]:
     is_filled = np.zeros(heights.shape, bool)
     for _ in range(MAX_FILLINGS):
         masks = (is_filled | streaks for streaks in find_streaks(filled))
-        # Of a streak on three lines the width of two shows the middle alone, again and again.
+        # A smaller mask is no progress: a width of two shows the middle of three lines for ever.
         larger_mask = next((mask for mask in masks if mask.sum() > is_filled.sum()), None)
         if larger_mask is None:
             break
@@ -61,10 +60,9 @@ def fill_streaks(heights: Floats) -> tuple[Floats, Mask]:
 
 
 def _distances(heights: Floats, width: int) -> tuple[Floats, Floats]:
-    """Return how far each pixel lies above both, and how far below both, of two lines.
+    """Return how far each pixel lies above, and how far below, both lines at a distance of `width`.
 
-    The lines are `width` lines before and after the pixel. At a width of 1 the first and the last
-    line have only one; a wider streak at the border has none. Distances are in typical steps.
+    Distances are in typical steps. At the border a width of 1 has only one line, others none.
     """
     padded = np.pad(heights, ((width, width), (0, 0)), constant_values=np.nan)
     before, after = padded[: -2 * width], padded[2 * width :]
@@ -89,7 +87,7 @@ def _run_lengths(mask: Mask) -> NDArray[np.intp]:
 
 
 def _candidates(steps: Floats) -> Mask:
-    """Return the mask of runs of more than MIN_END_STEPS that reach MIN_STREAK_STEPS somewhere."""
+    """Return the mask of runs above MIN_END_STEPS that reach MIN_STREAK_STEPS somewhere."""
     is_certain = steps > MIN_STREAK_STEPS
     if not is_certain.any():
         return is_certain

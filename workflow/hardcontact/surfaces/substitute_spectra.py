@@ -1,7 +1,7 @@
 """Spectra of substitutes from descriptions: segments of wavelengths, each with its model.
 
-Blank parameters of a description are calibrated: scans of the spectrum then have the rms height,
-slope and curvature of the paper's Table 1.
+Blank parameters are calibrated, so that scans of the spectrum have the rms height, slope and
+curvature of the paper's Table 1.
 """
 
 from pathlib import Path
@@ -36,7 +36,7 @@ from hardcontact.surfaces.table1_calibration import (
 DESCRIPTION_NUMBERS = (
     "longest_nm", "shortest_nm", "plateau_nm4", "rolloff_nm", "hurst", "hurst_change",
 )  # fmt: skip
-#: Values of `evidence` for segments that come from data; other segments are inferred or assumed.
+#: Values of `evidence` of segments that come from data, not from inference or assumption.
 DATA_EVIDENCE = ("published", "measured")
 #: Largest factor on an assumed roll-off: NCD and MCD then reach their longest wave.
 ROLLOFF_FACTOR = 1.5
@@ -63,9 +63,8 @@ def spectrum_from_description(
 ) -> tuple[Floats, pd.DataFrame, list[str]]:
     """Return C_iso (nm⁴) on WAVEVECTORS of a description, its segments, the rows of Table 1 met.
 
-    `segments`, by default those of the CSV, go from long to short wavelengths. A segment without a
-    Hurst exponent is calibrated if its model is in CALIBRATION_ROWS. Raises ValueError, with file
-    and segment, if this fails.
+    `segments`, by default those of the file, go from long to short wavelengths. Raises ValueError,
+    with file and segment, if a calibration fails.
     """
     segments = read_segments(path) if segments is None else segments.copy()
     density = np.zeros_like(WAVEVECTORS)
@@ -112,10 +111,10 @@ def _segment_density(segment: pd.Series, longer_waves: Floats, folder: Path) -> 
 def sample_permitted_spectrum(
     rng: np.random.Generator, description: str | Path, table1: pd.DataFrame, constants: pd.DataFrame
 ) -> Spectrum:
-    """Sample a spectrum that Table 1 permits. A description without blanks permits only itself.
+    """Sample a spectrum that Table 1 permits: that of the description, if it has no blanks.
 
-    AFM rows get the errors of means over the paper's scans. A given roll-off is multiplied by a
-    factor up to ROLLOFF_FACTOR or its inverse. Raises ValueError if no sample can be calibrated.
+    AFM rows get the errors of means over the paper's scans, a given roll-off a factor up to
+    ROLLOFF_FACTOR or its inverse. Raises ValueError if no sample can be calibrated.
     """
     segments = read_segments(description)
     weights = paper_weights(constants)
@@ -141,10 +140,7 @@ def sample_permitted_spectrum(
 
 
 def described_rms_height(path: str | Path, longest: float) -> float:
-    """Return the rms height (nm) of the waves up to a wavelength (nm), from a description.
-
-    The description must not leave parameters to Table 1.
-    """
+    """Return the rms height (nm) of waves up to a wavelength, from a description without blanks."""
     no_weights = np.empty(0), np.empty((3, 0))
     density, _, _ = spectrum_from_description(path, pd.DataFrame(), no_weights)
     is_kept = 2 * np.pi / WAVEVECTORS <= longest
@@ -156,8 +152,8 @@ def substitute_spectrum(
 ) -> xr.Dataset:
     """Return the spectrum of a substitute from a description.
 
-    The dataset of `spectrum` (nm⁴) has attributes: its segments, the rows of Table 1 to which these
-    were calibrated, and the expected rms values of a scan with the paper's pixels and size.
+    Attributes are its segments, the rows of Table 1 to which these were calibrated, and the
+    expected rms values of a scan with the paper's pixels and size.
     """
     weights = paper_weights(constants)
     density, segments, calibrated = spectrum_from_description(description, table1, weights)

@@ -1,7 +1,7 @@
 """Substitutes: random surfaces in place of surfaces of the paper that were not measured here.
 
-A substitute has a spectrum calibrated on Table 1, a grid of scans, and targets: the statistics of
-the published scans that groups of its scans meet.
+A substitute has a spectrum calibrated on Table 1, a grid of scans, and targets: the published
+statistics that groups of its scans meet.
 """
 
 import math
@@ -54,8 +54,8 @@ class Substitute:
     def targets(self) -> Targets | None:
         """Targets of scans on the study's pixels; None if no rms height is published.
 
-        On the paper's pixels and size, rows to which the spectrum is calibrated are taken from
-        Table 1. Other targets are what the spectrum gives on average.
+        On the paper's pixels and size, Table 1 gives the rows to which the spectrum is calibrated.
+        Other targets are what the spectrum gives on average.
         """
         if "afm_rms_height" not in self.table1.index:
             return None
@@ -85,10 +85,9 @@ class Substitute:
 def read_substitute(
     surface_name: str, paths: Sequence[str], grid: Mapping[str, Any], seed: int
 ) -> Substitute:
-    """Read what the scans of a substitute are made of, from the paths of three files.
+    """Read a substitute from the paths of its spectrum, of Table 1 and of the paper's constants.
 
-    These are its spectrum, Table 1 and the constants of the paper; `grid` has the fields of
-    `ScanGrid`.
+    `grid` has the fields of `ScanGrid`.
     """
     spectrum_path, table1_path, constants_path = paths
     table1 = published.rows_of_surface(published.read_table1(table1_path), surface_name)

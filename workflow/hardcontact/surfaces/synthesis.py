@@ -1,8 +1,7 @@
 """Random surfaces from a spectrum, substitute scans cut out of them, and masters (Fig. 6).
 
-In a master artificial roughness replaces the waves of a scan beyond a transition. Surfaces and
-masters are periodic, scans are not. Lengths are in nm; densities are C_iso in nm⁴ of wavevectors in
-rad/nm.
+In a master random waves replace those of a scan beyond a transition. Surfaces and masters are
+periodic, scans are not.
 """
 
 from collections.abc import Mapping
@@ -37,10 +36,9 @@ def white_noise(rng: np.random.Generator, pixels: int) -> SingleTransform:
 
 
 def scale_noise(noise: SingleTransform, pixel_size: float, spectrum: SpectrumFunction) -> None:
-    """Scale the transform of white noise, in place, so that its surface has the C_iso `spectrum`.
+    """Scale the transform of white noise, in place, so that its surface has a spectrum.
 
-    White noise of unit variance has C_iso = pixel area; amplitudes are multiplied by the root of
-    the ratio of both C_iso. Wavevectors of opposite y have the same density.
+    White noise of unit variance has C_iso = pixel area. Wavevectors of opposite y have equal C_iso.
     """
     pixels = len(noise)
     row_count = pixels // 2 + 1  # Other rows have the opposite y.
@@ -69,7 +67,7 @@ def random_corner(
 ) -> HeightMap:
     """Return a corner of the random surface that a transform of white noise makes, in float32.
 
-    It is faster than `random_surface`, because only rows of the corner are transformed along x.
+    It saves time, because only rows of the corner are transformed along x.
     """
     transform = noise.copy()
     scale_noise(transform, pixel_size, spectrum)
@@ -87,7 +85,7 @@ def cut_scan(surface: HeightMap, pixels: int, factor: float = 1.0) -> HeightMap:
 def sample_scan(
     rng: np.random.Generator, spectrum: SpectrumFunction, grid: ScanGrid, factor: float = 1.0
 ) -> HeightMap:
-    """Sample a scan with C_iso `spectrum` in nm⁴, its heights times a factor."""
+    """Sample a scan with a spectrum, its heights times a factor."""
     return scan_of_noise(white_noise(rng, grid.surface_pixels), spectrum, grid, factor)
 
 
@@ -116,9 +114,8 @@ def short_edge_master(
 ) -> HeightMap:
     """Return a mirrored scan whose wavelengths below the transition (nm) are artificial.
 
-    The added random surface has the C_iso `spectrum` below the transition. Above it C_iso is
-    constant, so some long waves are added, too. Source: the paper, section Determining the Most
-    Relevant Length-scales of Roughness.
+    The random surface has a constant C_iso above the transition, so that it adds some long waves,
+    too. Source: the paper, section Determining the Most Relevant Length-scales of Roughness.
     """
     long_waves = lowpass(mirrored, transition)
     transition_q = 2 * np.pi / transition
@@ -138,8 +135,7 @@ def long_edge_master(
 ) -> HeightMap:
     """Return a mirrored scan whose wavelengths above the transition (nm) are artificial.
 
-    The scan is repeated `tiles` times along each axis. A random surface with the C_iso `spectrum`
-    replaces the wavelengths above the transition. Source: as for `short_edge_master`.
+    The scan is repeated `tiles` times along each axis. Source: as for `short_edge_master`.
     """
     repeated = replace(mirrored, heights=np.tile(mirrored.heights, (tiles, tiles)))
     long_waves = lowpass(repeated, transition)
@@ -155,8 +151,7 @@ def long_edge_master(
     return replace(repeated, heights=heights.astype(np.float32))
 
 
-#: By side: the function that makes the master, and the key of its settings that has its
-#: number of pixels or of tiles.
+#: By side: the function that makes its master, and the key of the third argument in settings.
 MASTER_MAKERS = {"short": (short_edge_master, "pixels"), "long": (long_edge_master, "tiles")}
 SIDES = tuple(MASTER_MAKERS)
 #: By side: the word that names its random numbers. Other words would change all results.
@@ -179,7 +174,7 @@ def synthesize_master(
 ) -> HeightMap:
     """Return the periodic master of a side from a mirrored scan and artificial roughness.
 
-    `settings` has ``transition`` in nm, and ``pixels`` (short side) or ``tiles`` (long side).
+    `settings` has ``transition`` in nm, and ``pixels`` (short) or ``tiles`` (long).
     """
     make_master, size_key = MASTER_MAKERS[side]
     return make_master(rng, mirrored, settings[size_key], settings["transition"], spectrum)

@@ -1,8 +1,8 @@
-"""Calibration of spectra on Table 1: parameters with which scans have its rms values.
+"""Calibrate spectra on Table 1: find parameters with which scans have its rms values.
 
-Expected rms values of a scan are weighted sums of C_iso. A model of the waves that scans show is
-fitted to rms height, slope and curvature of scans. A power law below these waves is fitted to slope
-and curvature over all scales. The layer is not `paper`: a user's study also has substitutes.
+The expected rms values of a scan are weighted sums of C_iso. A model of the waves that scans show
+is fitted to rms height, slope and curvature of scans, a power law below these waves to slope and
+curvature over all scales.
 """
 
 from collections.abc import Callable
@@ -52,8 +52,7 @@ SEARCHED_PARAMETERS = {
     "varying Hurst": ("plateau_nm4", "hurst", "hurst_change"),
 }
 LOGARITHMIC_PARAMETERS = ("plateau_nm4", "rolloff_nm")
-#: First guesses of the other parameters than the plateau, as they are searched: those of a typical
-#: polished surface.
+#: First guesses of parameters but the plateau, as they are searched: a typical polished surface.
 FIRST_GUESSES = {"rolloff_nm": np.log(1000.0), "hurst": 0.9, "hurst_change": 0.0}
 #: A fit ends when rounding alone changes it, so that its rows are met to MET_ERROR.
 FIT_TOLERANCES: dict[str, Any] = {"xtol": 1e-15, "ftol": 1e-15, "gtol": 1e-15}
@@ -63,10 +62,10 @@ TAIL_HURST_BOUNDS = (-6.0, 5.0)
 
 @cache
 def transfer_weights(pixels: int, pixel_size: float, window_pixels: int) -> Weights:
-    """Return wavevectors (bins,) and weights (3, bins) for the expected rms values of a scan.
+    """Return weights for the expected squares of rms height, gradient and half-Laplacian of a scan.
 
-    Squares of rms height, gradient and half-Laplacian are weights @ C_iso. The scan of
-    `window_pixels` is cut out of a periodic surface of `pixels` (both per row) and levelled.
+    The squares are weights (3, bins) @ C_iso. The scan of `window_pixels` per row is cut out of a
+    periodic surface of `pixels` per row and levelled.
     """
     wave_y = 2 * np.pi * np.abs(np.fft.fftfreq(pixels, pixel_size))
     wave_x = wave_y[: pixels // 2 + 1]
@@ -106,10 +105,7 @@ def paper_weights(constants: pd.DataFrame) -> Weights:
 
 
 def calibrate_model(segment: pd.Series, table1: pd.DataFrame, weights: Weights) -> dict[str, float]:
-    """Return the parameters of a segment with which its scans meet AFM_ROWS of Table 1.
-
-    Raises ValueError if no parameters meet the rows.
-    """
+    """Return the parameters of a segment with which scans meet AFM_ROWS; ValueError if none do."""
     model, names = SPECTRAL_MODELS[segment.model]
     searched = SEARCHED_PARAMETERS[segment.model]
     published_rms = table1.loc[list(AFM_ROWS), "value"].to_numpy(float)
@@ -146,8 +142,8 @@ def calibrate_tail(
 ) -> dict[str, float]:
     """Return Hurst exponent and shortest wavelength (nm) of a power law below a spectrum.
 
-    The tail adds the rms gradient and the half-Laplacian (1/nm) that the spectrum `longer_waves`
-    (nm⁴ on WAVEVECTORS, zero below its end) lacks. Raises ValueError if no power law adds both.
+    The power law adds the rms gradient and half-Laplacian (1/nm) that `longer_waves`, C_iso on
+    WAVEVECTORS, lacks. Raises ValueError if none adds both.
     """
     _, *longer_rms = all_scales_rms(Spectrum(WAVEVECTORS, longer_waves))
     missing_squares = [gradient**2 - longer_rms[0] ** 2, half_laplacian**2 - longer_rms[1] ** 2]

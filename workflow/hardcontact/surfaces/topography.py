@@ -8,7 +8,7 @@ import xarray as xr
 
 from hardcontact.base.arrays import Floats
 from hardcontact.base.dataset import stack
-from hardcontact.base.statistics import student_interval, with_interval
+from hardcontact.base.statistics import estimate_variables, student_interval
 from hardcontact.base.units import DIMENSIONLESS, NM, NM4, RAD_PER_NM
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.metrics import METRICS, measured_metrics
@@ -26,15 +26,12 @@ def measured_roughness(scan: HeightMap) -> xr.Dataset:
 
 
 def scan_averages(scans: xr.Dataset, confidence: float) -> xr.Dataset:
-    """Return for every metric (surface,) the mean over scans, its interval and standard deviation.
-
-    The metrics (surface, scan) are NaN if a surface has fewer scans.
-    """
+    """Return for every metric (surface, scan) the mean, its interval and the standard deviation."""
     variables: dict[str, Any] = {}
     for name, values in scans.data_vars.items():
         interval = student_interval(values, confidence, "scan")
         mean = values.mean("scan").values
-        variables |= with_interval(
+        variables |= estimate_variables(
             f"{name}_mean", ["surface"], mean, interval.values, values.attrs, confidence
         )
         variables[f"{name}_std"] = ("surface", values.std("scan", ddof=1).values, values.attrs)
@@ -55,9 +52,8 @@ def topography_dataset(
 ) -> xr.Dataset:
     """Return the topography of all surfaces: every scan, averages, spectra and example maps.
 
-    `scans`, by surface and number, come from `measured_roughness`, `conditionings`, by surface,
-    from `condition_group`. `examples` are levelled scans, by surface; the example of a rough sphere
-    has the variable `as_scanned`.
+    `scans` come from `measured_roughness`, by surface and number, `conditionings` from
+    `condition_group`. `examples` are levelled scans; that of a rough sphere has `as_scanned`.
     """
     surface_names = list(dict.fromkeys(surface_name for surface_name, _ in scans))
     scan_table = stack(scans, ["surface", "scan"])

@@ -13,21 +13,20 @@ from hardcontact.contact.hertz_jkr_dmt import (
 )
 from hardcontact.theory.closed_form import contact_term
 
-#: Effective modulus in Pa of ruby on diamond. It is written here, too, because an installed library
-#: has no resources/; a test compares it with `published.effective_modulus` of `constants.csv`.
+#: Effective modulus in Pa of ruby on diamond. It stands here, too, because an installed library has
+#: no resources/; a test compares it with `published.effective_modulus`.
 RUBY_ON_DIAMOND_MODULUS = 1 / ((1 - 0.29**2) / 365e9 + (1 - 0.22**2) / 1010e9)
-#: Hardness in Pa below which this modulus is not assumed: a tenth of the ruby's hardness. Moduli
-#: are ten to some hundred times the hardness (ceramics, metals), so bodies of this hardness may be
-#: ten times as compliant.
+#: Hardness in Pa below which this modulus is not assumed: a tenth of the ruby's. Moduli are ten to
+#: some hundred times the hardness, so that such bodies may be ten times as compliant.
 SOFT_HARDNESS = 2.5e9
 #: Largest relative change of the force, by missing waves or by elasticity, that is negligible.
 MAX_NEGLIGIBLE_CHANGE = 0.1
 
 
 class Elasticity(StrEnum):
-    """Whether elasticity reduces the force of a smooth sphere by more than MAX_NEGLIGIBLE_CHANGE.
+    """Whether elasticity reduces the force of a smooth sphere much (SOFT), or not (HARD).
 
-    HARD: it does not. UNKNOWN: the effective modulus is not known.
+    UNKNOWN: the effective modulus is not known.
     """
 
     HARD, SOFT, UNKNOWN = "hard", "soft", "unknown"
@@ -41,7 +40,7 @@ def assumed_modulus(hardness: float) -> float:
 def judge_tabor_parameter(contact: Contact, effective_modulus: float) -> Number:
     """Return the Tabor parameter, with the range of adhesion as spacing; its status: `Elasticity`.
 
-    The effective modulus is in Pa, NaN if it is not known.
+    An unknown modulus is NaN.
     """
     if math.isnan(effective_modulus):
         return Number("tabor_parameter", effective_modulus, status=Elasticity.UNKNOWN)

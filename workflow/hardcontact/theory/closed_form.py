@@ -1,15 +1,13 @@
 """The pull-off force of a sphere on a Gaussian surface, in closed form from the surface's spectrum.
 
-The force relative to the force of DMT, 2 pi R W, is a sum of three terms, Eq. (1) of
-workflow/report/theory.md (The mean force). That page has the derivation and the symbols. Each term
-is a mean over positions of the sphere:
+The force relative to the force of DMT, 2 pi R W, is a sum of three means over positions:
 
 1. surface term: the attraction of all points below the sphere,
 2. summit term: the attraction of the summits that touch,
 3. contact term: the attraction of the area in contact.
 
-A summit (`summits`) is rough itself. The same equation therefore gives the force on a rough summit
-relative to a smooth summit.
+This is Eq. (1) of workflow/report/theory.md (The mean force), which derives it. Summits (`summits`)
+are rough themselves: the same equation gives the force on a rough relative to a smooth summit.
 """
 
 from dataclasses import dataclass, replace
@@ -32,14 +30,14 @@ from hardcontact.theory.summits import (
     spectrum_between,
 )
 
-#: A surface counts as smooth if its force exceeds this share of the force on a smooth surface, both
-#: without the area in contact.
+#: A surface counts as smooth above this share of the force on a smooth one, both without the area
+#: in contact.
 SMOOTH_SHARE = 0.9
 #: Largest number of nested generations: summits on summits on the surface.
 GENERATIONS = 8
 #: Waves shorter than this number of half-widths of a summit are roughness on it. The number was
-#: chosen with the forces and edges of 48 designed surfaces that were not held out. If it were 2,
-#: ln F would change by 0.02 in the median and by 0.58 at most; if pi, by 0.04 and 0.44.
+#: chosen with 48 designed surfaces that were not held out. If it were 2, ln F would change by 0.02
+#: in the median and by 0.58 at most; if pi, by 0.04 and 0.44.
 SUMMIT_SIZE = 2.5
 #: Smallest rms height on a summit that counts as roughness, in ranges of adhesion.
 MIN_SUMMIT_ROUGHNESS = 0.005
@@ -76,7 +74,7 @@ def smooth_force(contact: Contact) -> float:
 
 
 def surface_term(level: ArrayLike, relative_rms: ArrayLike) -> Floats:
-    """Return the surface term, the first term of Eq. (1) in theory.md.
+    """Return the surface term, exp(s²/2 - ts) times the normal distribution at t - s.
 
     The level t of the apex and the rms height s relative to the range of adhesion broadcast.
     """
@@ -90,8 +88,8 @@ def closed_form(
 ) -> ClosedForm:
     """Return the mean pull-off force over contacts of a sphere on a Gaussian surface.
 
-    The surface has no other wavelengths than the spectrum. If `rough_close_points`, points just
-    below the sphere lie on rough summits, too; otherwise only the summits that touch are rough.
+    If `rough_close_points`, points just below the sphere lie on rough summits, too; otherwise only
+    the summits that touch are rough.
     """
     dmt_force = float(dmt_pull_off(contact.work, contact.radius))
     rough_spectrum = find_rough_spectrum(spectrum, contact.radius)
@@ -137,9 +135,8 @@ def _rough_terms(
 ) -> tuple[Floats, float]:
     """Return the surface term at each level (n,) and the mean summit term, with rough summits.
 
-    The rms height is relative to the range. A rough summit attracts with `summit_ratio` times the
-    force of a smooth summit. Points with a gap below the mean height of a summit lie on summits, so
-    the factor holds for them, too (theory.md, Close points).
+    A rough summit attracts with `summit_ratio` times the force of a smooth summit. So do points
+    with a gap below the mean height of a summit, which lie on summits (theory.md, Close points).
     """
     summit_height = 1 / max(apex.mean(), 1.0)  # relative to the rms height
 
@@ -155,9 +152,9 @@ def _rough_terms(
 def _roughness_on_summit(
     spectrum: Spectrum, apex: ApexDistribution, contact: Contact
 ) -> tuple[Spectrum, Contact] | None:
-    """Return the spectrum of the roughness on a touching summit, and the contact of the summit.
+    """Return the spectrum of the roughness on a touching summit, and the contact of this summit.
 
-    None if the roughness on the summit is negligible. `theory.md` (Rough summits) has the reasons.
+    None if this roughness is negligible. `theory.md` (Rough summits) has the reasons.
     """
     finer = spectrum_between(spectrum, 2 * np.pi / (SUMMIT_SIZE * apex.half_width), np.inf)
     if finer is None or spectral_moment(finer, 0) < (MIN_SUMMIT_ROUGHNESS * contact.rho) ** 2:
@@ -169,11 +166,7 @@ def _roughness_on_summit(
 
 
 def filtered_spectrum(spectrum: Spectrum, side: str, cutoff: float) -> Spectrum:
-    """Return a spectrum without the wavelengths below or above a cutoff (nm).
-
-    The side ``"short"`` removes wavelengths below the cutoff, ``"long"`` wavelengths above it. If
-    no wave remains, all densities are zero.
-    """
+    """Return a spectrum without the waves below (``"short"``) or above (``"long"``) a cutoff."""
     limit = 2 * np.pi / cutoff
     lowest, highest = (0.0, limit) if side == "short" else (limit, np.inf)
     filtered = spectrum_between(spectrum, lowest, highest)
@@ -183,9 +176,9 @@ def filtered_spectrum(spectrum: Spectrum, side: str, cutoff: float) -> Spectrum:
 def critical_band(spectrum: Spectrum, contact: Contact, tolerance: float) -> tuple[float, float]:
     """Return the short and the long edge (nm) of the band of wavelengths that decide the force.
 
-    If all wavelengths shorter than the short edge, or longer than the long edge, are removed, the
-    force changes by the tolerance. An edge is NaN if no cutoff does this. Summits below the sphere
-    are taken as smooth, because rough summits improve forces on held-out surfaces, but not edges.
+    Without the wavelengths beyond an edge, the force changes by the tolerance; NaN if no cutoff
+    does this. Summits below the sphere are smooth here, because rough ones improve forces on
+    held-out surfaces, but not edges.
     """
     wavelengths = spectrum.wavelength[spectrum.density > 0]
     if not len(wavelengths):
@@ -195,7 +188,7 @@ def critical_band(spectrum: Spectrum, contact: Contact, tolerance: float) -> tup
     unfiltered = closed_form(spectrum, contact, rough_close_points=False).dmt_ratio
 
     def edge_of_side(side: str, cutoffs: Floats) -> float:
-        """Return the edge (nm) of a side; no wave is removed at the first cutoff."""
+        """Return the edge of a side; no wave is removed at the first cutoff."""
         curve = [0.0]
         for cutoff in cutoffs[1:]:
             filtered = filtered_spectrum(spectrum, side, cutoff)

@@ -1,7 +1,7 @@
 """Predictions of the closed form for a spectrum: numbers with units, intervals and statuses.
 
-The errors come from designed surfaces with computed forces and edges: from the half that was held
-out while the closed form was developed (`held_out_surfaces`).
+Their errors come from designed surfaces, of which half were held out while the closed form was
+developed (`validity.held_out_surfaces`).
 """
 
 import math
@@ -35,13 +35,12 @@ from hardcontact.theory.validity import (
 MIN_RMS_HEIGHT = 0.01
 #: Largest ratio of neighbouring wavelengths: the spectrum may bend unnoticed in a wider gap.
 MAX_WAVELENGTH_RATIO = 4.0
-#: Largest skewness of heights that count as Gaussian. Of 240 self-affine maps, with roll-offs of up
-#: to four times their size, none had 0.7. On bumps with a skewness of 1 the closed form was 7 to 15
-#: times too high, on pores with -3 it was 3 times too low.
+#: Largest skewness of heights that count as Gaussian. 240 self-affine maps had less than 0.7. On
+#: bumps with a skewness of 1 the closed form was 7 to 15 times too high.
 MAX_SKEWNESS = 1.0
 #: The edges of the band among the predicted quantities.
 EDGE_NAMES = VALIDATED_QUANTITIES[1:]
-#: The point in the table of designed surfaces at which an error is read; None: it is not known.
+#: The point in the table of designed surfaces at which an error is read; None if none is known.
 KnownPoint = Mapping[str, Any] | None
 
 
@@ -56,11 +55,9 @@ def prediction(
 ) -> dict[str, Number]:
     """Predict the pull-off force and both edges of a sphere on a rough surface, in closed form.
 
-    Above its longest wavelength an extrapolated spectrum of scans rises as their rms height
-    requires; a table is constant there. ``extrapolated_force`` is the force with the spectrum
-    extrapolated to short waves. If the error is not known, intervals are NaN and the force has the
-    status OUTSIDE. For scans with steep sidewalls the force has no value. Raises ValueError if
-    `trim_spectrum` refuses the spectrum; messages call it `name`.
+    ``extrapolated_force`` is the force with the spectrum extrapolated to short waves. If the error
+    is not known, intervals are NaN and the force is OUTSIDE; with steep sidewalls it has no value.
+    Raises ValueError if `trim_spectrum` refuses the spectrum; messages call it `name`.
     """
     trimmed = trim_spectrum(spectrum, name)
     inputs = _input_numbers(trimmed, contact, tolerance)
@@ -102,9 +99,8 @@ def prediction(
 def trim_spectrum(spectrum: Spectrum, name: str = "spectrum") -> Spectrum:
     """Return a spectrum without the zeros at its ends; messages call it `name`.
 
-    Raises ValueError if densities are unknown, if wavelengths are not within WAVEVECTORS, or if
-    the rms height is below MIN_RMS_HEIGHT or above the longest wavelength: then the unit is
-    probably wrong.
+    Raises ValueError if densities are unknown, or if wavelengths or rms height are impossible,
+    because the unit is probably wrong.
     """
     if not ((np.diff(spectrum.wavevector) > 0).all() and (spectrum.density >= 0).all()):
         raise ValueError(
@@ -202,8 +198,7 @@ class _Extrapolation(NamedTuple):
 def _extrapolate(spectrum: Spectrum, trimmed: Spectrum) -> _Extrapolation | None:
     """Return a spectrum with its extrapolation to short waves; None if that is not known.
 
-    `trimmed` comes from `trim_spectrum`. A spectrum is not extrapolated below a density of zero at
-    its end, nor if it has a zero within.
+    A table with a density of zero at its end or within is not extrapolated.
     """
     if isinstance(spectrum, ScanSpectrum):
         ends = spectrum.joined.attrs
@@ -223,7 +218,7 @@ def _extrapolate(spectrum: Spectrum, trimmed: Spectrum) -> _Extrapolation | None
 def _adds_waves(extrapolation: _Extrapolation, trimmed: Spectrum) -> bool:
     """Return whether the extrapolation adds short waves, or long waves up to the roll-off.
 
-    It adds no short waves, and has no exponent, if slope or curvature are at their bounds already.
+    Without short waves it has no exponent.
     """
     return math.isfinite(extrapolation.hurst) or extrapolation.rolloff > trimmed.wavelength[0]
 
@@ -233,8 +228,7 @@ def _extrapolated_numbers(
 ) -> list[Number]:
     """Return the force and both edges of an extrapolated spectrum, and how it was extrapolated.
 
-    The tolerance defines the edges. The error of the force is known only if it is known without
-    the extrapolation.
+    `error_is_known` says whether the error is known without the extrapolation.
     """
     spectrum = trim_spectrum(Spectrum(WAVEVECTORS, extrapolation.density))
     form = closed_form(spectrum, contact)
@@ -258,9 +252,9 @@ def _force_change(name: str, changed_force: float, form: ClosedForm) -> Number:
 
 
 def _longest_octave(spectrum: Spectrum, contact: Contact, form: ClosedForm) -> Number:
-    """Return the relative change of the force if the longest octave of a spectrum is removed.
+    """Return the relative change of the force without the longest octave of a spectrum.
 
-    The change is unknown if hardly any wave would remain.
+    It is unknown if hardly any wave would remain.
     """
     is_shorter = spectrum.wavevector >= 2 * spectrum.wavevector[0]
     if is_shorter.sum() < 2:

@@ -1,19 +1,18 @@
 """The highest summits under a sphere: their height, width and number, from a spectrum alone.
 
 A summit is a group of neighbouring points above a high level. Fine roughness adds maxima to a
-summit, but no summits. Heights above the mean plane are levels t = z/sigma, with the rms height
-sigma. Lengths are in nm, wavevectors in rad/nm. The surface is Gaussian.
+summit, but no summits. Heights above the mean plane of a Gaussian surface are levels t = z/sigma,
+with the rms height sigma.
 
 A summit covers the area pi delta² on average. Its half-width delta is the distance over which the
 autocorrelation of heights falls to (1 - 1/t²) sigma². The density of summits is the share of points
-above the level, divided by this area. It equals the density of Nayak on a smooth surface (J. Lubr.
-Technol. 93 (1971) 398), and up to a constant the density of Pickands with fine roughness (Trans.
-Am. Math. Soc. 145 (1969) 51).
+above the level, divided by this area. It equals Nayak's density on a smooth surface (J. Lubr.
+Technol. 93 (1971) 398) and, up to a constant, Pickands' density with fine roughness (Trans. Am.
+Math. Soc. 145 (1969) 51).
 
 High summits are independent (Aldous, Probability Approximations via the Poisson Clumping Heuristic,
-1989). The number of summits that rise above a sphere therefore has a Poisson distribution, and the
-height of the highest point a Gumbel distribution. workflow/report/theory.md (The distribution of
-forces) has the equations.
+1989), so that the number of summits above a sphere has a Poisson distribution.
+workflow/report/theory.md (The distribution of forces) has the equations.
 """
 
 from functools import lru_cache
@@ -26,27 +25,25 @@ from scipy import special
 from hardcontact.base.arrays import Floats
 from hardcontact.surfaces.spectrum import Spectrum
 
-#: Number of points of a spectrum.
+#: Number of points of a resampled spectrum, and of distances of its autocorrelation.
 WAVE_COUNT = 300
-#: Number of distances of its autocorrelation.
 DISTANCE_COUNT = 120
-#: Levels t of the apex at closest approach: a contact wider than the roughness goes below the mean
-#: plane.
+#: Levels t of the apex at closest approach, also below the mean plane, where wide contacts go.
 LEVELS = np.linspace(-6, 8, 701)
-#: Mean number of summits in the area in contact above which their total area counts as normal.
+#: Number of summits that fill the area in contact above which their total area counts as normal.
 MAX_POISSON_SUMMITS = 50.0
-#: Below this probability p, a p computed as one minus its complement has too few digits.
+#: Smallest probability that has enough digits as one minus its complement.
 MIN_COMPLEMENT = 1e-3
 #: Logarithm of a probability that does not count beside one, to the last digit.
 LOG_NEGLIGIBLE_PROBABILITY = -45.0
 #: Summits at lower levels have the width of summits at this level, because points so low form no
 #: groups. If it were 1, ln F would change by 0.04 in the median and by 1.66 at most on 48 designed
 #: surfaces that were not held out; if 2, by 0.02 and 0.45. The value 2 is better (rms error 0.12,
-#: not 0.21), but is not used, because it was found after the held-out surfaces had been seen.
+#: not 0.21), but was found after the held-out surfaces had been seen.
 LOWEST_SUMMIT_LEVEL = 1.2
-#: A sphere follows waves whose total curvature is less than this share of its own curvature. If it
-#: were 0.05, ln F would change by 0.002 in the median and by 0.09 at most on these surfaces; if
-#: 0.2, by 0.003 and 0.10. The logarithm of the long edge would change by at most 0.44.
+#: A sphere follows waves whose total curvature is less than this share of its own. If it were 0.05,
+#: ln F would change by 0.002 in the median and by 0.09 at most on these surfaces; if 0.2, by 0.003
+#: and 0.10. The logarithm of the long edge would change by at most 0.44.
 MAX_FOLLOWED_CURVATURE = 0.1
 
 
@@ -75,20 +72,18 @@ def spectrum_between(spectrum: Spectrum, lowest: float, highest: float) -> Spect
 
 
 def spectral_moment(spectrum: Spectrum, order: int) -> float:
-    """Return the moment of an order of a spectrum, (1/2 pi) ∫ q^(1 + order) C_iso dq.
+    """Return the moment (1/2 pi) ∫ q^(1 + order) C_iso dq of a spectrum.
 
-    The order 0 gives the squared rms height, 2 the squared rms gradient, 4 the squared rms
-    Laplacian.
+    It is the squared rms height (order 0), gradient (2) or Laplacian (4).
     """
     q = spectrum.wavevector
     return float(np.trapezoid(spectrum.density * q ** (2 + order), np.log(q)) / (2 * np.pi))
 
 
 def find_rough_spectrum(spectrum: Spectrum, radius: float) -> Spectrum | None:
-    """Return the spectrum of the waves that a sphere (radius in nm) does not follow, None if none.
+    """Return the spectrum of the waves that a sphere does not follow, None if there are none.
 
-    Waves that are much flatter than the sphere lift it together with the surface. They are no
-    roughness for this sphere.
+    Waves that are much flatter than the sphere lift it, and are no roughness for it.
     """
     resampled = spectrum_between(spectrum, 0, np.inf)
     if resampled is None:
@@ -102,7 +97,7 @@ def find_rough_spectrum(spectrum: Spectrum, radius: float) -> Spectrum | None:
 
 @lru_cache(maxsize=4)
 def structure_function(spectrum: Spectrum) -> tuple[Floats, Floats]:
-    """Return distances (n,) in nm, and the fall of the autocorrelation in shares of sigma²."""
+    """Return distances (n,), and the fall of the autocorrelation there in shares of sigma²."""
     q = spectrum.wavevector
     distances = np.geomspace(0.05 / q[-1], 10 / q[0], DISTANCE_COUNT)
     integrand = spectrum.density * q**2 * (1 - special.j0(distances[:, None] * q))
@@ -111,10 +106,7 @@ def structure_function(spectrum: Spectrum) -> tuple[Floats, Floats]:
 
 
 def summit_half_width(spectrum: Spectrum, levels: ArrayLike) -> Floats:
-    """Return the half-width delta (n,) in nm of summits at levels t (n,).
-
-    At this distance the autocorrelation has fallen by the share 1/t² of sigma².
-    """
+    """Return the half-width delta (n,) in nm of summits at levels t (n,)."""
     distances, share = structure_function(spectrum)
     log_share = -2 * np.log(np.maximum(levels, LOWEST_SUMMIT_LEVEL))
     log_ascending_share = np.log(np.maximum.accumulate(share))
@@ -122,10 +114,10 @@ def summit_half_width(spectrum: Spectrum, levels: ArrayLike) -> Floats:
 
 
 def apex_distribution(spectrum: Spectrum, radius: float, area: float) -> ApexDistribution:
-    """Return the distribution of the level of the apex of a sphere that touches a given area.
+    """Return the distribution of the level of the apex of a sphere with an area (nm²) in contact.
 
-    The sphere sinks until the summits above it fill the area. `find_rough_spectrum` gives the
-    spectrum; the radius is in nm, the area, preload over hardness, in nm².
+    The sphere sinks until the summits above it fill the area, preload over hardness. The spectrum
+    comes from `find_rough_spectrum`.
     """
     half_widths, counts, bearing_areas = summits_above(spectrum, radius)
     # No summit rises above the last level; pi delta² stands for the mean area of one there.
@@ -140,10 +132,9 @@ def apex_distribution(spectrum: Spectrum, radius: float, area: float) -> ApexDis
 
 
 def summits_above(spectrum: Spectrum, radius: float) -> tuple[Floats, Floats, Floats]:
-    """Return half-width, number and area of the summits above a sphere with its apex at LEVELS.
+    """Return half-width, mean number and mean total area of summits above a sphere at LEVELS: (n,).
 
-    Each is (n,): the half-width in nm, the mean number (Lambda in theory.md) and the mean total
-    area in nm² (B). `find_rough_spectrum` gives the spectrum; the radius is in nm.
+    Number and area (nm²) are Lambda and B in theory.md.
     """
     half_widths = summit_half_width(spectrum, LEVELS)
     share_above = special.ndtr(-LEVELS)
@@ -159,10 +150,9 @@ def summits_above(spectrum: Spectrum, radius: float) -> tuple[Floats, Floats, Fl
 def search_size(spectrum: Spectrum, radius: float, area: float) -> float:
     """Return the width (nm) of the square around the apex with the summits that a sphere touches.
 
-    At the distance r from the apex the sphere is r²/2R higher. Gaussian heights above the level t
-    are rarer there by exp(-t r²/(2 R sigma)). Touching points therefore have the rms distance
-    sqrt(2 R sigma/t), half the width. A level below 1 is taken as 1. The radius is in nm, the area
-    in contact in nm². The width is 0 for a surface that the sphere follows.
+    At the distance r from the apex the sphere is r²/2R higher, and heights above it are rarer by
+    exp(-t r²/(2 R sigma)). Touching points therefore have the rms distance sqrt(2 R sigma/t), half
+    the width. The level t is at least 1. The width is 0 for a surface that the sphere follows.
     """
     rough_spectrum = find_rough_spectrum(spectrum, radius)
     if rough_spectrum is None:
@@ -180,8 +170,8 @@ def _integral_to_last_level(density: Floats) -> Floats:
 def _probability_of_smaller_area(summit_counts: Floats, area_ratio: Floats) -> Floats:
     """Return the probability (n,) that summits have a smaller total area than the contact.
 
-    The number of summits has a Poisson distribution with the means `summit_counts` (n,), the area
-    of each an exponential one; `area_ratio` (n,) is the area of the contact over the mean of these.
+    Their number is a Poisson variable of mean `summit_counts` (n,), the area of each an exponential
+    one; `area_ratio` (n,) is the area of the contact relative to the mean of these.
     """
     is_few = area_ratio <= MAX_POISSON_SUMMITS
     spread = np.sqrt(2 * np.maximum(summit_counts, 1e-300))

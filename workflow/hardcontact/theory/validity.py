@@ -1,7 +1,6 @@
 """Where the closed form is validated, and the ratios of computed to predicted values there.
 
-Ratios come from designed surfaces with computed forces and edges: from the half that was held out
-while the closed form was developed.
+Ratios come from designed surfaces that were held out while the closed form was developed.
 """
 
 import math
@@ -22,15 +21,14 @@ from hardcontact.theory.closed_form import ClosedForm
 
 #: Designed surfaces, computed and predicted; resources/validation/README.md describes the columns.
 DESIGNED_SURFACES = Path(__file__).with_name("designed_surfaces.csv")
-#: Number of surfaces nearest to an input whose ratios count. Another ratio of the same distribution
-#: lies between the smallest and the largest of n ratios with the probability (n - 1)/(n + 1): 0.9.
+#: Number of nearest surfaces whose ratios count. Another ratio lies between the smallest and the
+#: largest of n with the probability (n - 1)/(n + 1), 0.9.
 NEAREST_SURFACES = 19
 #: Smaller moduli count as this one: below the mean plane the modulus is 0 and has no logarithm.
 MIN_WEIBULL_MODULUS = 1e-3
 #: Predicted and computed quantities: columns of the table.
 VALIDATED_QUANTITIES = ("force", "short_edge", "long_edge")
-#: Parameters on which an error depends, with their units. An input must lie within their ranges in
-#: the table.
+#: Parameters within whose ranges in the table an input must lie, with their units.
 VALIDATED_PARAMETERS = {
     "rho": "nm", "radius": "nm", "weibull_modulus": "1", "contact_over_peak_wavelength": "1",
     "mean_hurst": "1", "mean_hurst_change": "1",
@@ -50,10 +48,10 @@ class Validity(StrEnum):
 
 @cache
 def held_out_surfaces() -> pd.DataFrame:
-    """Return the surfaces of the table DESIGNED_SURFACES that were held out, with ratios.
+    """Return the surfaces of DESIGNED_SURFACES that were held out, with ratios.
 
-    The column ``<name>_ratio``, for each of VALIDATED_QUANTITIES, is the computed value relative to
-    the predicted value, NaN if an edge is open or not predicted.
+    The columns ``<name>_ratio`` are computed values of VALIDATED_QUANTITIES relative to predicted
+    ones, NaN if an edge is open or not predicted.
     """
     table = pd.read_csv(DESIGNED_SURFACES)
     held_out = table[table["held_out"] == 1].copy()
@@ -66,11 +64,7 @@ def held_out_surfaces() -> pd.DataFrame:
 
 
 def table_point(spectrum: Spectrum, contact: Contact, form: ClosedForm) -> dict[str, Any]:
-    """Return the point of a spectrum and a contact in the table of designed surfaces.
-
-    It has the values of VALIDATED_PARAMETERS and the regime. The spectrum has no zeros at its
-    ends, as those of `trim_spectrum` and of mirrored maps.
-    """
+    """Return VALIDATED_PARAMETERS and the regime of a spectrum without zeros at its ends."""
     mean_hurst, mean_hurst_change = mean_hurst_and_change(spectrum, math.sqrt(contact.area))
     return {
         "rho": contact.rho,
@@ -86,9 +80,8 @@ def table_point(spectrum: Spectrum, contact: Contact, form: ClosedForm) -> dict[
 def mean_hurst_and_change(spectrum: Spectrum, contact_length: float) -> tuple[float, float]:
     """Return the mean Hurst exponent of a spectrum, and its change per decade of wavevector.
 
-    A parabola is fitted to log C_iso against log q. The fit begins at the peak wavelength
-    and ends at the length of the contact (nm), or at the shortest wave if that is longer. Both
-    numbers are NaN if the peak wavelength is shorter than the length of the contact.
+    A parabola is fitted to log C_iso against log q, from the peak wavelength to the length of the
+    contact, or to the shortest wave if that is longer. NaN if the peak wavelength is shorter.
     """
     lowest, highest = 2 * np.pi / peak_wavelength(spectrum), spectrum.wavevector[-1]
     decades = math.log10(min(highest, 2 * np.pi / contact_length) / lowest)
@@ -103,10 +96,8 @@ def mean_hurst_and_change(spectrum: Spectrum, contact_length: float) -> tuple[fl
 def nearest_ratios(point: Mapping[str, Any], name: str) -> tuple[float, float]:
     """Return the smallest and the largest ratio on the surfaces of the table nearest to a point.
 
-    The point comes from `table_point`, `name` is in VALIDATED_QUANTITIES. A ratio is the
-    computed value relative to the predicted value. The distance is Euclidean in
-    ln(weibull_modulus) and ln(contact_over_peak_wavelength), plus one in another regime. A point
-    outside the table is moved to its border.
+    The distance is Euclidean in ln(weibull_modulus) and ln(contact_over_peak_wavelength), plus one
+    in another regime. A point outside the table is moved to its border.
     """
     surfaces = held_out_surfaces().dropna(subset=f"{name}_ratio")
     axes = ["weibull_modulus", "contact_over_peak_wavelength"]
@@ -119,7 +110,7 @@ def nearest_ratios(point: Mapping[str, Any], name: str) -> tuple[float, float]:
 
 
 def is_validated(point: Mapping[str, Any]) -> bool:
-    """Return whether the table covers a point: then the error of the closed form is known."""
+    """Return whether the table covers a point, so that the error of the closed form is known."""
     return all(number.status == Validity.INSIDE for number in validated_limits(point))
 
 

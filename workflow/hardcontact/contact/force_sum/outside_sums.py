@@ -1,15 +1,14 @@
 """Sums of exp(-gap/rho) over the window of every contact of an array, smooth or rough sphere.
 
 A pixel has the reference gap g = y - u - z (`geometry`). On a smooth sphere exp(-y/rho) is a
-product of one factor per axis. The sums of all contacts are therefore one matrix product, G
-exp(z/rho) G^T; G is exp(-y/rho) along an axis for every contact. On a rough sphere the sums are the
-correlation of exp(z/rho) with the kernel exp((u - y)/rho).
+product of one factor per axis, G. The sums of all contacts are therefore one matrix product, G
+exp(z/rho) G^T. On a rough sphere they are the correlation of exp(z/rho) with exp((u - y)/rho).
 
-The sums exclude the contact pixels, which `pull_off` adds with exp(0) = 1 each. There are two ways:
+Contact pixels are excluded, because `pull_off` adds exp(0) = 1 for each. There are two ways:
 
-- `sums_by_subtraction` sums over all pixels and subtracts the contact pixels. It is fast, but loses
+- `sums_by_subtraction` sums over all pixels and subtracts those in contact. It is fast, but loses
   digits at short ranges, because a pixel that penetrates by d has the term exp(d/rho).
-- `_sums_by_omission`, for short ranges and rough spheres, sums without the contact pixels of any
+- `_sums_by_omission`, for short ranges and rough spheres, leaves out the pixels that touch in any
   contact. Then it adds to each contact the pixels of the others.
 
 Exponentials are relative to the highest points of z and u, so that none overflows.
@@ -31,9 +30,8 @@ from hardcontact.contact.numerical_limits import DEPTH_OVER_RANGE
 
 #: Looked up once: it takes milliseconds.
 LIBRARIES = ThreadpoolController()
-#: Largest penetration of a contact, in ranges of adhesion, at which contact pixels are subtracted,
-#: by the precision of the heights. Subtraction multiplies the relative error by the exponential of
-#: the penetration: by 7 at 7 digits, by 400 at 16.
+#: Largest penetration, in ranges of adhesion, at which contact pixels are subtracted, by the
+#: precision of heights. Its exponential multiplies the error: by 7 at 7 digits, by 400 at 16.
 MAX_PENETRATION = {np.float32: 2.0, np.float64: 6.0}
 
 
@@ -42,7 +40,7 @@ def outside_sums(
 ) -> Floats:
     """Return the sum (rho, contact_y, contact_x) of exp(-(g + m)/rho) outside plastic contact.
 
-    m is the height of the apex at closest approach. The contact pixels are those of the array.
+    m is the height of the apex at closest approach.
     """
     all_ranges = np.asarray(ranges, float)
     sums = np.empty((len(all_ranges), *[len(bodies.geometry.positions)] * 2))

@@ -1,7 +1,4 @@
-"""Sums over a rough sphere: the correlation of exp(z/rho) with the kernel exp((u - y)/rho).
-
-Symbols as in `outside_sums`.
-"""
+"""Sums over a rough sphere: the correlation of exp(z/rho) with the kernel exp((u - y)/rho)."""
 
 from collections.abc import Iterator, Sequence
 from itertools import product
@@ -28,7 +25,7 @@ def rough_sphere_terms(
     positions = bodies.geometry.positions
     heights = bodies.substrate.heights.astype(float)
     roughness = bodies.sphere_roughness.heights.astype(float)
-    # Flat row indices, and columns, of contact pixels from each position: (position, pixels).
+    # Rows, as flat indices, and columns of contact pixels from each position: (position, pixels).
     rows = (touched_pixels.row - positions[:, None]) % pixels * pixels
     columns = (touched_pixels.column - positions[:, None]) % pixels
     for rho in ranges:
@@ -79,8 +76,7 @@ def _correlation(
 ) -> Floats:
     """Return the sum (contact_y, contact_x) of attraction * kernel, shifted to each contact.
 
-    Fourier transforms take a third of the time of products, but their error is relative to the
-    norms of both factors. They are used if all sums are large enough.
+    Fourier transforms are three times faster than products, but inaccurate for small sums.
     """
     total = _correlation_by_transforms(attraction, kernel, positions)
     norm = np.linalg.norm(attraction) * np.linalg.norm(kernel)
@@ -92,7 +88,7 @@ def _correlation(
 def _correlation_by_transforms(
     attraction: NDArray[np.floating], kernel: Floats, positions: NDArray[np.int_]
 ) -> Floats:
-    """Return `_correlation` with an error of some 1e-16 of the norms of both factors."""
+    """Return `_correlation` with an error of 1e-16 of the norms of both factors."""
     from scipy import fft
 
     transform = fft.rfft2(attraction)

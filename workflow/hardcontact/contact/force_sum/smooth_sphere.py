@@ -1,7 +1,4 @@
-"""Sums over a smooth sphere: a matrix product, because exp(-y/rho) is a product over both axes.
-
-Symbols as in `outside_sums`; G is exp(-y/rho) along an axis for every contact.
-"""
+"""Sums over a smooth sphere: a matrix product, because exp(-y/rho) is a product over both axes."""
 
 from collections.abc import Iterable, Iterator, Sequence
 
@@ -71,7 +68,7 @@ def _contact_sums(
 ) -> Floats:
     """Return G exp((z - highest)/rho) G^T, (rho, contact_y, contact_x), from blocks of rows.
 
-    A block has its rows and, for each range, the exponentials (rows, n); `factors` has G by range.
+    A block has its rows and the exponentials (rows, n) by range; `factors` has G by range.
     """
     columns = [np.ascontiguousarray(axis_factor.T) for axis_factor in factors]
     sums = np.zeros((len(factors), *[len(factors[0])] * 2))
@@ -117,7 +114,7 @@ def _exponentials(
 def _without_mirror_images(
     heights: NDArray[np.floating], factors: list[NDArray[np.floating]]
 ) -> tuple[NDArray[np.floating], list[NDArray[np.floating]]]:
-    """Return a quarter of mirrored heights (n, n) and the factors over its mirror images.
+    """Return a quarter of mirrored heights (n, n), and the factors summed over its images.
 
     Other heights and their factors are returned as they are.
     """

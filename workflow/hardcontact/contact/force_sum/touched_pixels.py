@@ -1,7 +1,4 @@
-"""Contact pixels of an array of contacts, which the sums of exp(-gap/rho) exclude.
-
-Symbols as in `geometry`: sphere y, its roughness u, substrate z.
-"""
+"""Contact pixels of an array of contacts, which the sums of exp(-gap/rho) exclude."""
 
 from collections.abc import Callable
 from typing import NamedTuple
@@ -33,7 +30,6 @@ def exponential(heights: NDArray[np.floating], highest: float, rho: float) -> ND
 class TouchedPixels:
     """The pixels of the substrate that touch in any contact of an array, each once.
 
-    All are left out of the sum of every contact. Each contact then adds the pixels of the others.
     `row` and `column` (pixels,) are their positions on the substrate, by rows.
     """
 
@@ -60,9 +56,9 @@ class TouchedPixels:
     ) -> float:
         """Return the sum of exp(-gap/rho) outside a contact (i, j), at plastic closest approach.
 
-        `total` is the sum over the pixels that touch in no contact, `terms` (pixels,) are those of
-        the touching pixels and are overwritten. Both are for the apex at height 0, relative to
-        exp(highest/rho); `highest` is the sum of the highest z and u in nm.
+        `total` is the sum over the pixels that touch in no contact. `terms` (pixels,) are those of
+        the touching pixels, and are overwritten. Both are for the apex at height 0, relative to
+        exp(highest/rho).
         """
         terms[self._indices_of_contact[index]] = 0.0
         largest_gap = self._largest_gaps[index]

@@ -7,8 +7,8 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.base.statistics import (
-    interval_between,
     interval_ends,
+    join_ends,
     student_interval,
     student_log_interval,
 )
@@ -21,7 +21,7 @@ def as_estimate(
 ) -> xr.Dataset:
     """Return values and the ends of their intervals as an estimate; NaN for no interval."""
     zero = xr.zeros_like(value)
-    return xr.Dataset({"value": value, "value_interval": interval_between(zero + low, zero + high)})
+    return xr.Dataset({"value": value, "value_interval": join_ends(zero + low, zero + high)})
 
 
 def variable_estimate(dataset: xr.Dataset, name: str) -> xr.Dataset:

@@ -14,7 +14,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from scipy.stats import lognorm
 
-from hardcontact.base.formatting import format_with_interval
+from hardcontact.base.formatting import format_estimate
 from hardcontact.base.statistics import log_std_of_lognormal
 from hardcontact.contact.contact import PLASTIC
 from hardcontact.contact.pull_off import interpolate_to_range
@@ -84,7 +84,7 @@ def _lognormals(published: Mapping[Any, float], fit: xr.Dataset) -> tuple[Any, A
 def _label_column(column: np.ndarray, letter: str, fit: xr.Dataset, published: Any) -> None:
     """Name the surface above its linear panel, and the scatter s above its logarithmic panel."""
     style.label_panel(column[0], f"{letter}_1", str(fit["label"].item()))
-    log_std = format_with_interval(panels.value_and_bounds(fit, "log_force_std"), ".2f")
+    log_std = format_estimate(panels.value_and_bounds(fit, "log_force_std"), ".2f")
     title = f"published $s$ = {published.args[0]:.2f}\nhere {log_std}"
     style.label_panel(column[1], f"{letter}_2", title)
 

@@ -9,7 +9,7 @@ from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from hardcontact.base.formatting import format_share, format_with_interval
+from hardcontact.base.formatting import format_estimate, format_share
 from hardcontact.contact.contact import PLASTIC, RIGID
 from hardcontact.report.figures import drawing, panels, style
 
@@ -72,7 +72,7 @@ def _draw_least_error(axes: Axes, fit: xr.Dataset, set_fits: xr.Dataset) -> None
     axes.set(xscale="log", yscale="log", ylabel="mean relative error, least over $W$")
     style.label_logarithmic(axes.yaxis, digits=(1, 2, 5))
     interval_note = " over scans" if np.isfinite(best["low"]) else ""
-    title = f"smallest error {format_with_interval(best, '.2g')}{interval_note}"
+    title = f"smallest error {format_estimate(best, '.2g')}{interval_note}"
     style.label_panel(axes, "a", title)
 
 
