@@ -50,8 +50,8 @@ class Number(NamedTuple):
 
     def __repr__(self) -> str:
         """Return the name, the number and, if they exist, interval, unit and status."""
-        known = math.isfinite(self.low + self.high)
-        interval = f" [{self.low:.3g}, {self.high:.3g}]" if known else ""
+        is_bounded = math.isfinite(self.low + self.high)
+        interval = f" [{self.low:.3g}, {self.high:.3g}]" if is_bounded else ""
         unit = f" {self.unit}" if self.unit != "1" else ""
         status = f", {self.status}" if self.status else ""
         return f"Number({self.name}: {self.value:.3g}{interval}{unit}{status})"
@@ -65,8 +65,9 @@ def numbers_by_name(*numbers: Number) -> dict[str, Number]:
 def json_value(value: Any) -> Any:
     """Return a value for JSON: numbers as mappings, None in place of infinite values and NaN."""
     if isinstance(value, Number):
-        known = NumberStatus.KNOWN if math.isfinite(value.value) else NumberStatus.NOT_KNOWN
-        return json_value(value._asdict() | {"status": value.status or known})
+        is_known = math.isfinite(value.value)
+        status = value.status or (NumberStatus.KNOWN if is_known else NumberStatus.NOT_KNOWN)
+        return json_value(value._asdict() | {"status": status})
     if isinstance(value, dict):
         return {key: json_value(item) for key, item in value.items()}
     if isinstance(value, list):

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from hardcontact.commands.inventory import Entry
 from hardcontact.config.limits import MAX_CONTACT_PIXELS
-from hardcontact.contact.bearing_area import TILE_PIXELS
+from hardcontact.contact.bearing_area import TILE
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import window_pixels
 from hardcontact.contact.numerical_limits import (
@@ -131,7 +131,7 @@ def short_edge_pixels(scan: Entry, contact: Contact, max_pixels: int) -> int:
 def _contact_seconds(scan: Entry, contact: Contact, pixel_size: float) -> float:
     """Estimate the seconds for one contact and its periods on pixels of a width (nm)."""
     periods = periods_in_window(contact.window, scan.size)
-    tiles = (window_pixels(contact.window, pixel_size) / TILE_PIXELS) ** 2
+    tiles = (window_pixels(contact.window, pixel_size) / TILE) ** 2
     return contact.pixel_count(pixel_size) * periods * SECONDS_A_PIXEL + tiles * SECONDS_A_TILE
 
 

@@ -18,9 +18,9 @@ from hardcontact.contact.geometry import Bodies, largest_contact_gap
 from hardcontact.surfaces.height_map import HeightMap
 
 #: Pixels per row of a tile. This number and the next four change the speed only.
-TILE_PIXELS = 32
+TILE = 32
 #: Tiles per row of a group.
-GROUP_TILES = 16
+GROUP = 16
 #: Tiles that are read at once.
 TILES_AT_ONCE = 256
 #: Contacts that are searched at once.
@@ -35,9 +35,7 @@ class Tiles:
     """A periodic map (n, n), in nm, cut into tiles."""
 
     pixels: int  #: The period n.
-    blocks: NDArray[
-        np.floating
-    ]  #: (tiles, TILE_PIXELS, tiles, TILE_PIXELS), padded with minus infinity.
+    blocks: NDArray[np.floating]  #: (tiles, TILE, tiles, TILE), padded with minus infinity.
     maxima: NDArray[np.floating]  #: (tiles, tiles), the highest point of each.
     #: (tiles, tiles), the highest point of the group of tiles that begins at each tile.
     group_maxima: NDArray[np.floating]
@@ -56,14 +54,12 @@ class Tiles:
         last_tile = self._tile_number(start + window - 1)
         tiles = first_tile[..., None] + np.arange((last_tile - first_tile).max() + 1)
         index = tiles % count
-        offset = tiles // count * self.pixels + index * TILE_PIXELS - positions[..., None]
+        offset = tiles // count * self.pixels + index * TILE - positions[..., None]
         return offset, index, tiles <= last_tile[..., None]
 
     def _tile_number(self, pixel: NDArray[np.int_]) -> NDArray[np.int_]:
         """Return the number of the tile of a pixel along one axis, counted on over periods."""
-        return np.asarray(
-            pixel // self.pixels * len(self.maxima) + pixel % self.pixels // TILE_PIXELS
-        )
+        return np.asarray(pixel // self.pixels * len(self.maxima) + pixel % self.pixels // TILE)
 
 
 def _maxima_of_squares(maxima: NDArray[np.floating], count: int) -> NDArray[np.floating]:
@@ -75,13 +71,13 @@ def _maxima_of_squares(maxima: NDArray[np.floating], count: int) -> NDArray[np.f
 def cut_into_tiles(surface: HeightMap) -> Tiles:
     """Cut a square periodic map into tiles."""
     heights = surface.heights
-    count = -(-surface.pixels // TILE_PIXELS)
-    extra = count * TILE_PIXELS - surface.pixels
+    count = -(-surface.pixels // TILE)
+    extra = count * TILE - surface.pixels
     if extra:
         heights = np.pad(heights, ((0, extra), (0, extra)), constant_values=-np.inf)
-    blocks = heights.reshape(count, TILE_PIXELS, count, TILE_PIXELS)
+    blocks = heights.reshape(count, TILE, count, TILE)
     maxima = blocks.max(axis=1).max(axis=2)
-    return Tiles(surface.pixels, blocks, maxima, _maxima_of_squares(maxima, GROUP_TILES))
+    return Tiles(surface.pixels, blocks, maxima, _maxima_of_squares(maxima, GROUP))
 
 
 class ContactPixels(NamedTuple):
@@ -107,8 +103,7 @@ class WindowTiles(NamedTuple):
 
     def select(self, index: slice | NDArray[np.int_] | NDArray[np.bool_]) -> "WindowTiles":
         """Return some of the tiles."""
-        contacts, row, column, bounds = self
-        return WindowTiles(contacts[index], row[index], column[index], bounds[index])
+        return WindowTiles(*(values[index] for values in self))
 
     def tiles_within(self, limits: Floats) -> "WindowTiles":
         """Return the tiles whose bounds are at most the limits (contact,) in nm."""
@@ -119,56 +114,52 @@ class _Windows:
     """The tiles of the substrate in the windows of contacts, with lower bounds (nm) on their gaps.
 
     Tiles are numbered along each axis of the window. Bounds outside the window are infinite.
-    `sphere_maxima` are the highest points of the sphere's roughness over a tile of the substrate.
+    `roughness_maxima` are the highest points of the sphere's roughness over each tile.
     """
 
     def __init__(
         self,
         bodies: Bodies,
         substrate: Tiles,
-        sphere_maxima: NDArray[np.floating] | None,
+        roughness_maxima: NDArray[np.floating] | None,
         positions: NDArray[np.int_],
     ) -> None:
         self.substrate = substrate
         self.sphere_roughness = bodies.sphere_roughness
-        self.sphere_maxima = sphere_maxima
+        self.roughness_maxima = roughness_maxima
         self.geometry = geometry = bodies.geometry
-        offset, index, meets = substrate.tiles_in_window(positions, geometry.window_pixels)
-        nearest = np.maximum(np.maximum(offset, -(offset + TILE_PIXELS - 1)), 0)
-        paraboloid_minima = np.where(meets, geometry.paraboloid(nearest), np.inf)
-        padding = ((0, 0), (0, 0), (0, -paraboloid_minima.shape[-1] % GROUP_TILES))
+        offset, index, is_met = substrate.tiles_in_window(positions, geometry.window_pixels)
+        nearest = np.maximum(np.maximum(offset, -(offset + TILE - 1)), 0)
+        sphere_minima = np.where(is_met, geometry.paraboloid(nearest), np.inf)
+        padding = ((0, 0), (0, 0), (0, -sphere_minima.shape[-1] % GROUP))
         # Arrays (contact, axis, tile) of offsets, indices, and lowest points of the smooth sphere,
         # padded to whole groups by tiles outside the window.
         self.offset = np.pad(offset, padding, constant_values=geometry.window_pixels)
         self.index = np.pad(index, padding)
-        self.paraboloid_minima = np.pad(paraboloid_minima, padding, constant_values=np.inf)
+        self.sphere_minima = np.pad(sphere_minima, padding, constant_values=np.inf)
 
     def group_bounds(self) -> Floats:
         """Return the bounds (contact, group), groups numbered by rows within the window."""
-        contacts, axes, tiles = self.paraboloid_minima.shape
-        low = self.paraboloid_minima.reshape(contacts, axes, tiles // GROUP_TILES, GROUP_TILES).min(
-            axis=-1
-        )
-        groups = self.index[:, :, ::GROUP_TILES]
-        bounds = low[:, 0, :, None] + low[:, 1, None, :]
+        contacts, axes, tiles = self.sphere_minima.shape
+        minima = self.sphere_minima.reshape(contacts, axes, tiles // GROUP, GROUP).min(axis=-1)
+        groups = self.index[:, :, ::GROUP]
+        bounds = minima[:, 0, :, None] + minima[:, 1, None, :]
         bounds -= self.substrate.group_maxima[groups[:, 0, :, None], groups[:, 1, None, :]]
-        if self.sphere_maxima is not None:
-            bounds -= self.sphere_maxima.max()
+        if self.roughness_maxima is not None:
+            bounds -= self.roughness_maxima.max()
         return np.asarray(bounds.reshape(contacts, -1))
 
     def tiles_of_groups(self, contacts: NDArray[np.int_], group: NDArray[np.int_]) -> WindowTiles:
         """Return the tiles of groups (k,), in this order; `contacts` (k,) are their contacts."""
-        group_row, group_column = np.divmod(group, self.paraboloid_minima.shape[-1] // GROUP_TILES)
-        row = (group_row[:, None] * GROUP_TILES + np.arange(GROUP_TILES))[:, :, None]
-        column = (group_column[:, None] * GROUP_TILES + np.arange(GROUP_TILES))[:, None, :]
+        group_row, group_column = np.divmod(group, self.sphere_minima.shape[-1] // GROUP)
+        row = (group_row[:, None] * GROUP + np.arange(GROUP))[:, :, None]
+        column = (group_column[:, None] * GROUP + np.arange(GROUP))[:, None, :]
         contact = contacts[:, None, None]
-        bounds = (
-            self.paraboloid_minima[contact, 0, row] + self.paraboloid_minima[contact, 1, column]
-        )
+        bounds = self.sphere_minima[contact, 0, row] + self.sphere_minima[contact, 1, column]
         bounds -= self.substrate.maxima[self.index[contact, 0, row], self.index[contact, 1, column]]
-        if self.sphere_roughness is not None and self.sphere_maxima is not None:
-            sphere_tiles = self.offset % self.sphere_roughness.pixels // TILE_PIXELS
-            bounds -= self.sphere_maxima[
+        if self.sphere_roughness is not None and self.roughness_maxima is not None:
+            sphere_tiles = self.offset % self.sphere_roughness.pixels // TILE
+            bounds -= self.roughness_maxima[
                 sphere_tiles[contact, 0, row], sphere_tiles[contact, 1, column]
             ]
         contact, row, column = np.broadcast_arrays(contact, row, column)
@@ -180,8 +171,8 @@ class _Windows:
         Also returns the offsets of their rows (k, y) and columns (k, x) from the apex.
         """
         contact, row, column, _ = tiles
-        y = self.offset[contact, 0, row][:, None] + np.arange(TILE_PIXELS)
-        x = self.offset[contact, 1, column][:, None] + np.arange(TILE_PIXELS)
+        y = self.offset[contact, 0, row][:, None] + np.arange(TILE)
+        x = self.offset[contact, 1, column][:, None] + np.arange(TILE)
         tile_y, tile_x = self.index[contact, 0, row], self.index[contact, 1, column]
         gaps: Floats = self._sphere_in_window(y)[:, :, None] + self._sphere_in_window(x)[:, None, :]
         gaps -= self.substrate.blocks[tile_y, :, tile_x, :]
@@ -199,8 +190,8 @@ class _Windows:
 def _find_contact_pixels(windows: _Windows, contact_pixel_count: int) -> list[ContactPixels]:
     """Return the contact pixels of each contact; equal gaps come in the order of their offsets."""
     group_bounds = windows.group_bounds()
-    tile_count = -(-contact_pixel_count // TILE_PIXELS**2)
-    best_groups = _lowest_columns(group_bounds, -(-tile_count // GROUP_TILES**2))
+    tile_count = -(-contact_pixel_count // TILE**2)
+    best_groups = _lowest_columns(group_bounds, -(-tile_count // GROUP**2))
     contacts = np.repeat(np.arange(len(best_groups)), best_groups.shape[1])
     tiles = windows.tiles_of_groups(contacts, best_groups.ravel())
     limits = _limits_of_gaps(windows, tiles, contact_pixel_count)
@@ -225,21 +216,21 @@ def _find_contact_pixels(windows: _Windows, contact_pixel_count: int) -> list[Co
 def _limits_of_gaps(windows: _Windows, tiles: WindowTiles, contact_pixel_count: int) -> Floats:
     """Return the N-th smallest gap (contact,) in the tiles of lowest bounds: an upper limit."""
     ends = np.searchsorted(tiles.contact_numbers, np.arange(tiles.contact_numbers[-1] + 2))
-    tile_count = LIMIT_TILE_FACTOR * -(-contact_pixel_count // TILE_PIXELS**2)
+    tile_count = LIMIT_TILE_FACTOR * -(-contact_pixel_count // TILE**2)
     tile_count = min(tile_count, np.diff(ends).min())
-    best = [
+    best_tiles = [
         start + _lowest_columns(tiles.bounds[None, start:end], tile_count)[0]
         for start, end in pairwise(ends.tolist())
     ]
-    gaps, _, _ = windows.tile_gaps(tiles.select(np.concatenate(best)))
-    gaps = gaps.reshape(len(best), -1)
+    gaps, _, _ = windows.tile_gaps(tiles.select(np.concatenate(best_tiles)))
+    gaps = gaps.reshape(len(best_tiles), -1)
     if gaps.shape[1] < contact_pixel_count:
-        return np.full(len(best), np.inf)
+        return np.full(len(best_tiles), np.inf)
     return np.partition(gaps, contact_pixel_count - 1, axis=1)[:, contact_pixel_count - 1]
 
 
 def _lowest_columns(bounds: Floats, count: int) -> NDArray[np.int_]:
-    """Return the indices (row, count) of the lowest bounds (row, column), at most all."""
+    """Return the indices (row, count) of the lowest bounds (row, column)."""
     count = min(count, bounds.shape[1])
     return np.argpartition(bounds, count - 1, axis=1)[:, :count]
 
@@ -249,10 +240,10 @@ def _gaps_up_to(
 ) -> tuple[NDArray[np.int_], Floats, NDArray[np.int_]]:
     """Return contact numbers, reference gaps and offsets (gap, 2) of all gaps up to the limits."""
     gaps, rows, columns = windows.tile_gaps(tiles)
-    low = np.flatnonzero(gaps <= limits[tiles.contact_numbers, None, None])
-    tile, y, x = np.unravel_index(low, gaps.shape)
+    low_indices = np.flatnonzero(gaps <= limits[tiles.contact_numbers, None, None])
+    tile, y, x = np.unravel_index(low_indices, gaps.shape)
     offsets = np.stack([rows[tile, y], columns[tile, x]], axis=1)
-    return tiles.contact_numbers[tile], gaps.ravel()[low], offsets
+    return tiles.contact_numbers[tile], gaps.ravel()[low_indices], offsets
 
 
 def _pixels_of_smallest_gaps(
@@ -261,8 +252,8 @@ def _pixels_of_smallest_gaps(
     """Return the pixels of the smallest gaps, ascending; equal gaps in the order of offsets."""
     if gaps.size > contact_pixel_count:
         # Few gaps are left to sort, with all that equal the largest one.
-        low = gaps <= largest_contact_gap(gaps, contact_pixel_count)
-        gaps, offsets = gaps[low], offsets[low]
+        is_low = gaps <= largest_contact_gap(gaps, contact_pixel_count)
+        gaps, offsets = gaps[is_low], offsets[is_low]
     order = np.lexsort((offsets[:, 1], offsets[:, 0], gaps))[:contact_pixel_count]
     return ContactPixels(gaps[order], offsets[order])
 
@@ -270,16 +261,16 @@ def _pixels_of_smallest_gaps(
 def all_contact_pixels(bodies: Bodies, contact_pixel_count: int) -> ContactPixels:
     """Return the contact pixels (contact_y, contact_x, k) of every contact of the array."""
     substrate = cut_into_tiles(bodies.substrate)
-    sphere_maxima = None
+    roughness_maxima = None
     if bodies.sphere_roughness is not None:
         # A tile of the substrate meets three tiles along an axis of the sphere, one of them cut.
-        sphere_maxima = _maxima_of_squares(cut_into_tiles(bodies.sphere_roughness).maxima, 3)
+        roughness_maxima = _maxima_of_squares(cut_into_tiles(bodies.sphere_roughness).maxima, 3)
     apexes = bodies.geometry.apexes()
     positions = apexes.reshape(-1, 2)
     pixels: list[ContactPixels] = []
     for start in range(0, len(positions), CONTACTS_AT_ONCE):
         batch = positions[start : start + CONTACTS_AT_ONCE]
-        windows = _Windows(bodies, substrate, sphere_maxima, batch)
+        windows = _Windows(bodies, substrate, roughness_maxima, batch)
         pixels += _find_contact_pixels(windows, contact_pixel_count)
     gaps, offsets = (np.stack(arrays) for arrays in zip(*pixels, strict=True))
     shape = apexes.shape[:2]

@@ -104,13 +104,13 @@ def join_bodies(substrate: HeightMap, sphere: HeightMap | None, contact: Contact
     sphere_roughness = None
     if sphere is not None:
         sphere = _in_native_precision(sphere)
-        fine = min(substrate.pixel_size, sphere.pixel_size)
-        substrate = _refine(substrate, fine)
-        rough = _refine(sphere, fine)
+        pixel_size = min(substrate.pixel_size, sphere.pixel_size)
+        substrate = _refine(substrate, pixel_size)
+        sphere = _refine(sphere, pixel_size)
         # The origin of a mirrored map is a corner of the scan, the apex in the middle of it.
-        middle = rough.pixels // 4
-        heights = np.roll(rough.heights, (-middle, -middle), axis=(0, 1))
-        sphere_roughness = replace(rough, heights=heights)
+        middle = sphere.pixels // 4
+        heights = np.roll(sphere.heights, (-middle, -middle), axis=(0, 1))
+        sphere_roughness = replace(sphere, heights=heights)
     geometry = ContactGeometry(
         contact.radius,
         substrate.pixel_size,

@@ -16,7 +16,7 @@ from hardcontact.contact.contact import Contact
 #: Largest |x| of exp(x), by precision: it becomes infinite or loses digits beyond 87 and 708.
 EXP_LIMITS = {np.float32: 80.0, np.float64: 700.0}
 #: Largest difference in height relative to the range of adhesion. The margin to EXP_LIMITS is for
-#: other scans and masters than the checked scan, which may be higher.
+#: scans and masters that are higher than the scan which is checked.
 RELIEF_OVER_RANGE = 500.0
 #: Largest depth of a contact below the highest point, relative to the range: terms that round to
 #: zero are then less than exp(-40), 4e-18, of the term of a contact pixel.
@@ -68,7 +68,7 @@ def minimum_range(radius: float, window: float, grid: Grid) -> tuple[float, str]
 
 
 def periods_in_window(window: float, scan_size: float) -> float:
-    """Return the number of periods of a mirrored scan, twice as wide as it, within a window."""
+    """Return how many periods of a mirrored scan, twice as wide as the scan, lie in a window."""
     return max(1.0, window / (2 * scan_size)) ** 2
 
 

@@ -60,7 +60,9 @@ def ordered_curve(
     the wavelength (nm) that removes nothing, all rows begin there with zero.
     """
     computed_columns = np.flatnonzero(np.isfinite(values[0]))
-    order = computed_columns[np.argsort(cutoffs[computed_columns])][:: 1 if side == "short" else -1]
+    order = computed_columns[np.argsort(cutoffs[computed_columns])]
+    if side == "long":
+        order = order[::-1]
     cutoffs, values = cutoffs[order], values[:, order]
     if spectrum_end is not None:
         cutoffs = np.append(spectrum_end, cutoffs)

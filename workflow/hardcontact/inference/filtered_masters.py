@@ -86,8 +86,11 @@ def filtered_pull_off(
     ranges = ranges or [contact.rho]
 
     def compute_forces(surface: HeightMap) -> np.ndarray:
-        bodies = [join_bodies(surface, sphere, replace(contact, radius=radius)) for radius in radii]
-        return np.array([forces_at_loadings(both, loaded_contacts, ranges) for both in bodies])
+        contacts = [replace(contact, radius=radius) for radius in radii]
+        all_bodies = [join_bodies(surface, sphere, contact) for contact in contacts]
+        return np.array(
+            [forces_at_loadings(bodies, loaded_contacts, ranges) for bodies in all_bodies]
+        )
 
     axes: dict[str, Axis] = {
         "radius": (("radius",), radii, NM),

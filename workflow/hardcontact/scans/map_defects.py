@@ -101,12 +101,14 @@ def _find_lay(power: Floats) -> tuple[Defect, float]:
     variance_along = profile_variance(direction)
     variance_across = profile_variance(1j * direction)
     is_lay = variance_along > max(MIN_LAY_RATIO * variance_across, MIN_LAY_SHARE * power.sum())
-    slope_ratio = _ratio(squared_slopes + slope_difference, squared_slopes - slope_difference)
-    lay = {"lay_ratio": _ratio(variance_along, variance_across)} if is_lay else {}
+    slope_ratio = _limited_ratio(
+        squared_slopes + slope_difference, squared_slopes - slope_difference
+    )
+    lay = {"lay_ratio": _limited_ratio(variance_along, variance_across)} if is_lay else {}
     return lay, slope_ratio
 
 
-def _ratio(larger: float, smaller: float) -> float:
+def _limited_ratio(larger: float, smaller: float) -> float:
     """Return the ratio of two powers, at most LARGEST_RATIO; 1 if both are zero."""
     return float(larger / max(smaller, larger / LARGEST_RATIO)) if larger else 1.0
 

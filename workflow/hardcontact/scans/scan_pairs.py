@@ -156,13 +156,13 @@ def find_contradictions(
     modes = np.array([independent_modes(*scan) for scan in zip(kinds, sizes, strict=True)])
     logs = np.log(np.where(usable, density, 1.0)) + bias_of_log(modes)
     variances = variance_of_log(modes)
-    results = []
-    for left, right in combinations(range(len(logs)), 2):
-        (shared,) = np.nonzero(usable[left] & usable[right])
+    contradictions = []
+    for index, other_index in combinations(range(len(logs)), 2):
+        (shared,) = np.nonzero(usable[index] & usable[other_index])
         if not shared.size:
             continue
-        difference = logs[left] - logs[right]
-        variance = variances[left] + variances[right]
+        difference = logs[index] - logs[other_index]
+        variance = variances[index] + variances[other_index]
         half_decades = sliding_window_view(shared, min(HALF_DECADE_BINS, len(shared)))
         differences = [
             (*_mean_difference(difference[bins], variance[bins]), bins)
@@ -170,11 +170,11 @@ def find_contradictions(
         ]
         mean, error, bins = max(differences, key=lambda entry: abs(entry[0]) / entry[1])
         if abs(mean) > MIN_CONTRADICTION_ERRORS * error:
-            higher, lower = (left, right) if mean > 0 else (right, left)
+            higher, lower = (index, other_index) if mean > 0 else (other_index, index)
             shortest, longest = (2 * np.pi / BIN_CENTRES[bins[[-1, 0]]]).tolist()
             factor = float(np.exp(abs(mean)))
-            results.append(Contradiction(higher, lower, factor, (shortest, longest)))
-    return sorted(results, key=lambda result: -result.factor)
+            contradictions.append(Contradiction(higher, lower, factor, (shortest, longest)))
+    return sorted(contradictions, key=lambda contradiction: -contradiction.factor)
 
 
 def _mean_difference(difference: Floats, variance: Floats) -> tuple[float, float]:

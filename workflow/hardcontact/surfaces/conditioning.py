@@ -68,6 +68,14 @@ def multiply_amplitudes(spectrum: SpectrumFunction, amplitude_gain: Floats) -> S
     return amplified_spectrum
 
 
+def _scan_components(substitute: Substitute, shares: Floats, scan_number: int) -> list[HeightMap]:
+    """Return the levelled components of a scan, whose heights add up to the scan."""
+    grid = substitute.grid
+    noise = white_noise(substitute.generator(scan_number, "scan"), grid.surface_pixels)
+    spectra = [multiply_amplitudes(substitute.spectrum, share) for share in shares]
+    return [level_plane(scan_of_noise(noise, spectrum, grid)) for spectrum in spectra]
+
+
 def metric_matrices(components: Sequence[HeightMap], names: Sequence[str]) -> Floats:
     """Return a matrix G (component, component) for each metric.
 
@@ -133,18 +141,15 @@ def condition_group(
     ``amplitude_gain`` (wavevector) and ``factor`` (scan) are 1 without targets. The attribute
     ``table1_rows_met`` lists the rows met. Raises ValueError if an rms height would be negative.
     """
-    grid = substitute.grid
     amplitude_gain = np.ones_like(WAVEVECTORS)
     factors = np.ones(len(scan_numbers))
     met_rows = published.rows_met(substitute.spectrum_data.attrs["table1_rows_met"])
     if targets is not None:
-        shares = component_shares(grid)
-        spectra = [multiply_amplitudes(substitute.spectrum, share) for share in shares]
-        matrices = []
-        for scan_number in scan_numbers:
-            noise = white_noise(substitute.generator(scan_number, "scan"), grid.surface_pixels)
-            components = [level_plane(scan_of_noise(noise, spectrum, grid)) for spectrum in spectra]
-            matrices.append(metric_matrices(components, list(targets.means)))
+        shares = component_shares(substitute.grid)
+        matrices = [
+            metric_matrices(_scan_components(substitute, shares, number), list(targets.means))
+            for number in scan_numbers
+        ]
         amplitudes, factors, mean_errors = _fit_group(np.array(matrices), targets)
         if factors.min() <= 0:
             mean_rms_height = next(iter(targets.means.values()))

@@ -97,10 +97,10 @@ def interpolate(surface: HeightMap, pixels: int) -> HeightMap:
         padded[-nyquist_order] /= 2
         padded[nyquist_order] += padded[-nyquist_order]
         padded[:, -1] /= 2
-    fine = np.empty((pixels, pixels), np.float32)
+    fine_heights = np.empty((pixels, pixels), np.float32)
     for rows, heights in _inverse_blocks(padded):
-        fine[rows] = heights * (pixels / coarse_pixels) ** 2
-    return replace(surface, heights=fine, pixel_size=surface.size / pixels)
+        fine_heights[rows] = heights * (pixels / coarse_pixels) ** 2
+    return replace(surface, heights=fine_heights, pixel_size=surface.size / pixels)
 
 
 def _refuse_coarser(coarse_pixels: int, pixels: int) -> None:

@@ -149,8 +149,9 @@ def mirror_scan(scan: HeightMap) -> HeightMap:
 
     Source: the paper, section Numerical Analysis of Results.
     """
-    wide = np.concatenate([scan.heights, scan.heights[:, ::-1]], axis=1)
-    return replace(scan, heights=np.concatenate([wide, wide[::-1]], axis=0), periodic=True)
+    upper_half = np.concatenate([scan.heights, scan.heights[:, ::-1]], axis=1)
+    heights = np.concatenate([upper_half, upper_half[::-1]], axis=0)
+    return replace(scan, heights=heights, periodic=True)
 
 
 def mirror_in_float32(scan: HeightMap) -> HeightMap:

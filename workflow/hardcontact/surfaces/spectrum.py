@@ -164,7 +164,7 @@ def _mark_empty_bins(density: ArrayLike) -> Floats:
 def all_scales_rms(spectrum: Spectrum) -> Floats:
     """Return rms height (nm), gradient and half-Laplacian (1/nm) over all scales: (3,)."""
     q = spectrum.wavevector
-    squares = [np.trapezoid(spectrum.density * q**n * q, np.log(q)) for n in (1, 3, 5)]
+    squares = [np.trapezoid(spectrum.density * q**power * q, np.log(q)) for power in (1, 3, 5)]
     return np.sqrt(np.array(squares) / [1, 1, 4] / (2 * np.pi))
 
 

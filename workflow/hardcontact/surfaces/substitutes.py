@@ -92,8 +92,8 @@ def read_substitute(
     spectrum_path, table1_path, constants_path = paths
     table1 = published.rows_of_surface(published.read_table1(table1_path), surface_name)
     constants = published.read_constants(constants_path)
-    data = dataset.read(spectrum_path)
-    return Substitute(surface_name, data, table1, constants, ScanGrid(**grid), seed)
+    spectrum_data = dataset.read(spectrum_path)
+    return Substitute(surface_name, spectrum_data, table1, constants, ScanGrid(**grid), seed)
 
 
 def required_targets(substitute: Substitute) -> Targets:

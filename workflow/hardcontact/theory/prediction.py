@@ -111,8 +111,8 @@ def trim_spectrum(spectrum: Spectrum, name: str = "spectrum") -> Spectrum:
     if len(rough_indices) < 2:
         raise ValueError(f"{name}: expected roughness at two wavelengths or more, found less")
     rough_slice = slice(rough_indices[0], rough_indices[-1] + 1)
-    rough = Spectrum(spectrum.wavevector[rough_slice], spectrum.density[rough_slice])
-    shortest, longest = rough.wavelength[[-1, 0]]
+    trimmed = Spectrum(spectrum.wavevector[rough_slice], spectrum.density[rough_slice])
+    shortest, longest = trimmed.wavelength[[-1, 0]]
     minimum, maximum = 2 * np.pi / WAVEVECTORS[[-1, 0]]
     if shortest < minimum * (1 - 1e-9) or longest > maximum * (1 + 1e-9):
         raise ValueError(
@@ -120,14 +120,14 @@ def trim_spectrum(spectrum: Spectrum, name: str = "spectrum") -> Spectrum:
             f"{format_length(maximum)}, found {shortest:.3g} nm to {longest:.3g} nm: "
             "is the unit right?"
         )
-    height = all_scales_rms(rough)[0]
+    height = all_scales_rms(trimmed)[0]
     if not MIN_RMS_HEIGHT <= height <= longest:
         raise ValueError(
             f"{name}: expected densities of an rms height of {format_length(MIN_RMS_HEIGHT)} to "
             f"{format_length(longest)}, its longest wavelength, found {height:.3g} nm: is the unit "
             "right?"
         )
-    return rough
+    return trimmed
 
 
 def _input_numbers(spectrum: Spectrum, contact: Contact, tolerance: float) -> list[Number]:

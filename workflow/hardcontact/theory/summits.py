@@ -61,14 +61,14 @@ class ApexDistribution(NamedTuple):
 
 def spectrum_between(spectrum: Spectrum, lowest: float, highest: float) -> Spectrum | None:
     """Return a spectrum between two wavevectors (rad/nm), on a new grid; None without waves."""
-    rough = spectrum.wavevector[spectrum.density > 0]
-    if not len(rough):
+    rough_wavevectors = spectrum.wavevector[spectrum.density > 0]
+    if not len(rough_wavevectors):
         return None
-    low, high = max(lowest, rough[0]), min(highest, rough[-1])
+    low, high = max(lowest, rough_wavevectors[0]), min(highest, rough_wavevectors[-1])
     if high <= low * (1 + 1e-9):
         return None
     wavevector = np.geomspace(low, high, WAVE_COUNT)
-    return Spectrum(wavevector, spectrum(np.minimum(wavevector, rough[-1])))
+    return Spectrum(wavevector, spectrum(np.minimum(wavevector, rough_wavevectors[-1])))
 
 
 def spectral_moment(spectrum: Spectrum, order: int) -> float:
