@@ -148,7 +148,7 @@ class Chunks:
     ) -> dict[str, list[str]]:
         """Return the inputs of rule compute_filtered_forces, one file for each realization.
 
-        The job makes masters that are no files from scans and spectra.
+        Masters without files are made by the job, from scans and spectra.
         """
         files = self._files
         realizations = range(first, last + 1)

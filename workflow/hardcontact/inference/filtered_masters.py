@@ -139,7 +139,7 @@ def read_master_forces(
 
 
 def add_force_ratios(forces: xr.Dataset) -> xr.Dataset:
-    """Return forces on masters, by growing cutoff, with ratios of mean to unfiltered mean forces.
+    """Return forces on masters, by growing cutoff, with the ratios of mean to unfiltered forces.
 
     ``filtered_force_ratio`` (..., cutoff_wavelength) is NaN at cutoffs of the other side.
     ``unfiltered_wavelength`` is the same for all realizations, and loses their dimension.
@@ -158,11 +158,11 @@ def add_force_ratios(forces: xr.Dataset) -> xr.Dataset:
 
 
 def add_spectrum_shifts(scales: xr.Dataset, sampled: xr.Dataset) -> xr.Dataset:
-    """Return `scales`, and the changes with another spectrum that the scans permit (`sampled`).
+    """Return forces on masters, with the changes if the scans have another spectrum.
 
-    Both masters have the same random numbers. ``log_ratio_shift`` and
-    ``log_unfiltered_force_shift`` are the changes of the logarithms of ``filtered_force_ratio`` and
-    of the mean unfiltered force, NaN for masters without a sampled spectrum.
+    `scales` has the most likely spectra, `sampled` sampled ones, with the same random numbers.
+    ``log_ratio_shift`` and ``log_unfiltered_force_shift`` are the changes of the logarithms of
+    ``filtered_force_ratio`` and of the mean unfiltered force; NaN without a sampled spectrum.
     """
     unfiltered = "unfiltered_pull_off_force"
     ratio = sampled["filtered_force_ratio"] / scales["filtered_force_ratio"]

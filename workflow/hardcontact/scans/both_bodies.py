@@ -47,8 +47,8 @@ def _resample(surface: HeightMap, pixel_size: float) -> HeightMap:
 def combine_spectra(substrate: xr.Dataset, sphere: xr.Dataset) -> xr.Dataset:
     """Return the sum of two spectra of `joined_spectrum`, with the measurements of both bodies.
 
-    A measurement is reliable where its body has most of the power, of which ``sphere_share``
-    (bin_wavevector) is the sphere's.
+    A measurement is reliable where its body has most of the power. ``sphere_share``
+    (bin_wavevector) is the sphere's share of the power.
     """
     densities = [spectrum_of_dataset(body)(BIN_CENTRES) for body in (substrate, sphere)]
     total = sum(densities)

@@ -136,7 +136,7 @@ def _without_streaks(heights: Floats) -> tuple[Floats, Defect]:
 def _find_spikes(heights: Floats) -> Defect:
     """Return the share of spikes and the rms height (nm) without them.
 
-    On a map one neighbour of a spike may be a spike, too: pixels of a particle have three or more.
+    On a map one neighbour of a spike may be a spike, too; pixels of a particle have more.
     """
     isolation = _isolation(heights)
     # Spikes raise the rms height, so leave out pixels that are isolated by the median deviation.

@@ -102,7 +102,7 @@ def _aspect_cautions(topography: Any) -> list[str]:
 def _keep_marked_pixels(topography: Any) -> tuple[Any, list[str]]:
     """Return a map with the heights under its mask, and a caution on them.
 
-    A mask of gaps stays: it covers heights that are undefined or, if a program filled them, equal.
+    If these heights are undefined or equal, the mask marks gaps, and the map stays as it is.
     """
     unscaled_heights = topography.parent_topography.heights()
     is_marked = np.ma.getmaskarray(unscaled_heights)
@@ -185,8 +185,8 @@ def _accepted_arguments(channel: Any, metadata: dict[str, Any]) -> dict[str, Any
 def find_height_channel(reader: Any, entry: dict[str, Any], name: str) -> tuple[Any, list[str]]:
     """Return the channel of heights that the user, the container or the reader chooses, and notes.
 
-    The user's channel, by `name`, is refused if it holds no heights. Another choice without heights
-    is replaced by the first channel of heights.
+    The user's channel, by `name`, is refused if it holds no heights. If the container or the reader
+    chooses such a channel, the first channel of heights is read instead.
     """
     channels = reader.channels
     container_index = entry.get("data_source")

@@ -128,8 +128,8 @@ def sample_spectra(
 ) -> Iterator[tuple[Spectrum, Floats]]:
     """Yield, by generator, a spectrum of a surface within the uncertainty of the scans.
 
-    It varies the power and the bends of the curve, the calibrations, unknown tip radii, the tail
-    and the roll-off. Also yields the factors (scan,) of measured relative to true heights.
+    Samples differ in the power and the bends of the curve, the calibrations, unknown tip radii, the
+    tail and the roll-off. Also yields the factors (scan,) of measured relative to true heights.
     """
     spectra = _measured_spectra(scans, tip_radii)
     for rng in rngs:

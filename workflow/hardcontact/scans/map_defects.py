@@ -42,7 +42,7 @@ def wave_power(heights: Floats) -> Floats:
 def find_curvature(heights: Floats, pixel_size: float) -> Defect:
     """Return the radius (nm) of a curvature, and the relative rms height without it.
 
-    A curvature is the second order of a polynomial of the fourth order.
+    A curvature is the part of second order in a polynomial fit of fourth order.
     """
     step = max(1, len(heights) // POLYNOMIAL_POINTS)
     points = heights[::step, ::step]
@@ -78,9 +78,10 @@ def find_line_patterns(heights: Floats, power: Floats, pixel_size: float) -> dic
 
 
 def _find_lay(power: Floats) -> tuple[Defect, float]:
-    """Return the ratio of variances of profiles along the wavevector of a lay and across, if any.
+    """Return the `lay_ratio` of a lay, if there is one, and the ratio of squared slopes.
 
-    Also returns the ratio of squared slopes, steepest direction to across.
+    Both compare the steepest direction with the direction across, `lay_ratio` by the variances of
+    profiles.
     """
     pixels = len(power)
     waves = np.fft.fftfreq(pixels, 1 / pixels)

@@ -180,8 +180,7 @@ def find_contradictions(
 def _mean_difference(difference: Floats, variance: Floats) -> tuple[float, float]:
     """Return the weighted mean difference of ln C over bins, and its standard error.
 
-    A wrong calibration is the same factor at all wavelengths, so that no number of bins averages it
-    out.
+    A wrong calibration is the same factor at all wavelengths: no number of bins averages it out.
     """
     weight = 1 / (variance + 2 * CALIBRATION_SCATTER**2)
     weight /= weight.sum()

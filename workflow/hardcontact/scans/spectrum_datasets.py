@@ -83,8 +83,8 @@ def add_measurements(
 def convert_described_spectrum(substitute: xr.Dataset, path: str) -> xr.Dataset:
     """Return a substitute spectrum in the form of a joined spectrum.
 
-    In place of measurements it has its segments with DATA_EVIDENCE, adjacent ones of one reference
-    as one. What only measurements have is NaN or empty.
+    Its segments with DATA_EVIDENCE take the place of measurements; adjacent segments from one
+    reference count as one. What only measurements have is NaN or empty.
     """
     segments = pd.read_csv(io.StringIO(substitute.attrs["segments"]))
     runs = _runs_of_one_reference(segments[segments.evidence.isin(DATA_EVIDENCE)])

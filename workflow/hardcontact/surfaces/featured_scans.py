@@ -145,9 +145,10 @@ def describe_features(features: Features, base_rms_height: float) -> dict[str, x
 def featured_group(
     substitute: Substitute, scan_numbers: Sequence[int]
 ) -> tuple[xr.Dataset, list[HeightMap]]:
-    """Return a description of the `nearest_group` of scans, with the rows of Table 1 that are met.
+    """Return a description of the `nearest_group` of scans, and these scans.
 
-    Also returns the scans. They meet the AFM rows, which accepted the features, within uncertainty.
+    The description has the features, and the rows of Table 1 that are met. The AFM rows are met
+    within their uncertainty, because they accepted the features.
     """
     surface = featured_surface(substitute)
     features, scans = nearest_group(surface, scan_numbers)

@@ -62,10 +62,10 @@ TAIL_HURST_BOUNDS = (-6.0, 5.0)
 
 @cache
 def transfer_weights(pixels: int, pixel_size: float, window_pixels: int) -> Weights:
-    """Return weights for the expected squares of rms height, gradient and half-Laplacian of a scan.
+    """Return wavevectors (bins,) and weights (3, bins) for the expected rms values of a scan.
 
-    The squares are weights (3, bins) @ C_iso. The scan of `window_pixels` per row is cut out of a
-    periodic surface of `pixels` per row and levelled.
+    Squares of rms height, gradient and half-Laplacian are weights @ C_iso. The scan of
+    `window_pixels` per row is cut out of a periodic surface of `pixels` per row, and levelled.
     """
     wave_y = 2 * np.pi * np.abs(np.fft.fftfreq(pixels, pixel_size))
     wave_x = wave_y[: pixels // 2 + 1]
