@@ -124,19 +124,16 @@ def _terms(
         finer_apex = apex_distribution(finer, summit_contact.radius, summit_contact.area)
         terms = _terms(finer, finer_apex, summit_contact, rough_close_points, generations - 1)
         summit_ratio = min(sum(terms), 1.0)
-    surface_terms, summit_term = _rough_terms(apex, relative_rms, summit_ratio)
-    if not rough_close_points:
-        surface_terms = surface_term(apex.levels, relative_rms)
-    return apex.mean(surface_terms), summit_term
+    surface_terms = surface_term(apex.levels, relative_rms)
+    if rough_close_points:
+        surface_terms = surface_terms * (1 - (1 - summit_ratio) * _close_share(apex, relative_rms))
+    return apex.mean(surface_terms), summit_ratio * apex.mean(special.ndtr(-apex.levels))
 
 
-def _rough_terms(
-    apex: ApexDistribution, relative_rms: float, summit_ratio: float
-) -> tuple[Floats, float]:
-    """Return the surface term at each level (n,) and the mean summit term, with rough summits.
+def _close_share(apex: ApexDistribution, relative_rms: float) -> Floats:
+    """Return the share (n,) of attraction by points with a gap below the mean height of a summit.
 
-    A rough summit attracts with `summit_ratio` times the force of a smooth summit. So do points
-    with a gap below the mean height of a summit, which lie on summits (theory.md, Close points).
+    They lie on summits, whose roughness weakens their attraction, too (theory.md, Close points).
     """
     summit_height = 1 / max(apex.mean(), 1.0)  # relative to the rms height
 
@@ -144,9 +141,7 @@ def _rough_terms(
         return surface_term(level, relative_rms) + special.ndtr(-level)
 
     lowered = np.exp(-summit_height * relative_rms) * both_terms(apex.levels - summit_height)
-    close_share = 1 - lowered / both_terms(apex.levels)
-    surface_terms = surface_term(apex.levels, relative_rms) * (1 - (1 - summit_ratio) * close_share)
-    return surface_terms, summit_ratio * apex.mean(special.ndtr(-apex.levels))
+    return np.asarray(1 - lowered / both_terms(apex.levels))
 
 
 def _roughness_on_summit(

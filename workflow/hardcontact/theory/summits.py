@@ -15,7 +15,6 @@ High summits are independent (Aldous, Probability Approximations via the Poisson
 workflow/report/theory.md (The distribution of forces) has the equations.
 """
 
-from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -95,22 +94,16 @@ def find_rough_spectrum(spectrum: Spectrum, radius: float) -> Spectrum | None:
     return spectrum_between(spectrum, q[not_followed[0]], np.inf) if len(not_followed) else None
 
 
-@lru_cache(maxsize=4)
-def structure_function(spectrum: Spectrum) -> tuple[Floats, Floats]:
-    """Return distances (n,), and the fall of the autocorrelation there in shares of sigma²."""
-    q = spectrum.wavevector
-    distances = np.geomspace(0.05 / q[-1], 10 / q[0], DISTANCE_COUNT)
-    integrand = spectrum.density * q**2 * (1 - special.j0(distances[:, None] * q))
-    variance = 2 * np.pi * spectral_moment(spectrum, 0)
-    return distances, np.asarray(np.trapezoid(integrand, np.log(q), axis=1) / variance)
-
-
 def summit_half_width(spectrum: Spectrum, levels: ArrayLike) -> Floats:
     """Return the half-width delta (n,) in nm of summits at levels t (n,)."""
-    distances, share = structure_function(spectrum)
-    log_share = -2 * np.log(np.maximum(levels, LOWEST_SUMMIT_LEVEL))
-    log_ascending_share = np.log(np.maximum.accumulate(share))
-    return np.asarray(np.exp(np.interp(log_share, log_ascending_share, np.log(distances))))
+    q = spectrum.wavevector
+    distances = np.geomspace(0.05 / q[-1], 10 / q[0], DISTANCE_COUNT)
+    # The fall of the autocorrelation at the distances, in shares of sigma².
+    integrand = spectrum.density * q**2 * (1 - special.j0(distances[:, None] * q))
+    variance = 2 * np.pi * spectral_moment(spectrum, 0)
+    fall = np.maximum.accumulate(np.trapezoid(integrand, np.log(q), axis=1) / variance)
+    log_fall = -2 * np.log(np.maximum(levels, LOWEST_SUMMIT_LEVEL))
+    return np.asarray(np.exp(np.interp(log_fall, np.log(fall), np.log(distances))))
 
 
 def apex_distribution(spectrum: Spectrum, radius: float, area: float) -> ApexDistribution:
