@@ -4,7 +4,7 @@ import numpy as np
 import xarray as xr
 from intervals import between_multiples
 
-from hardcontact.base.statistics import estimate_variables
+from hardcontact.base.statistics import as_variables
 from hardcontact.report.own_surfaces.answer import surface_answers
 from hardcontact.report.own_surfaces.datasets import Datasets, Setting
 from hardcontact.scans.defects import DEFECT_UNITS
@@ -330,7 +330,7 @@ def sensitivity(count=1, factor=1.0):
     """Return how the force follows each octave, with intervals; `factor` multiplies all values."""
     values = factor * np.tile(SENSITIVITIES, (count, 1))
     interval = np.stack([values - 0.5, values + 0.5], axis=-1)
-    data = estimate_variables(
+    data = as_variables(
         "octave_sensitivity", ("surface", "octave"), values, interval, {}, CONFIDENCE
     )
     return xr.Dataset(data, {"surface": SURFACES[:count], "octave": OCTAVES})

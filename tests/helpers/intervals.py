@@ -2,11 +2,11 @@
 
 import numpy as np
 
-from hardcontact.base.statistics import estimate_variables
+from hardcontact.base.statistics import as_variables
 
 
 def between_multiples(name, dimensions, value, multiples, confidence, **attributes):
     """Return a variable and an interval between two multiples of it."""
     value = np.array(value, float)
     interval = np.stack([multiple * value for multiple in multiples], axis=-1)
-    return estimate_variables(name, dimensions, value, interval, attributes, confidence)
+    return as_variables(name, dimensions, value, interval, attributes, confidence)

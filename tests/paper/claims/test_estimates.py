@@ -5,7 +5,7 @@ import pytest
 import xarray as xr
 from scipy import stats
 
-from hardcontact.base.statistics import estimate_variables, interval_ends
+from hardcontact.base.statistics import as_variables, interval_ends
 from hardcontact.paper.claims import estimates
 from hardcontact.paper.claims.estimates import as_estimate
 
@@ -34,7 +34,7 @@ def test_a_variable_becomes_a_number_with_its_interval():
     )
     dataset = xr.Dataset(
         {"force": contacts, "rms_height": contacts.isel(sphere_scan=0, contact=0, drop=True)}
-        | estimate_variables("work", (), 1.0, [0.5, 2.0], {}, 0.95),
+        | as_variables("work", (), 1.0, [0.5, 2.0], {}, 0.95),
         attrs={"confidence": 0.7},
     )
     force = estimates.variable_estimate(dataset, "force")

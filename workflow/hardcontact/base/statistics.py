@@ -26,7 +26,7 @@ MEDIAN_DEVIATION = 0.6745
 ENDS = ["low", "high"]
 
 
-def estimate_variables(
+def as_variables(
     name: str,
     dimensions: str | Sequence[str],
     value: ArrayLike,
@@ -188,7 +188,7 @@ class Sampling:
         ]
         return np.stack(samples, axis=1)
 
-    def estimate_variables(
+    def as_variables(
         self,
         name: str,
         dimensions: str | Sequence[str],
@@ -198,4 +198,4 @@ class Sampling:
     ) -> dict[str, Any]:
         """Return a value (...) and the interval of its samples (sample, ...) as variables."""
         interval = percentile_interval(samples, self.confidence)
-        return estimate_variables(name, dimensions, value, interval, attributes, self.confidence)
+        return as_variables(name, dimensions, value, interval, attributes, self.confidence)

@@ -7,7 +7,7 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.base.dataset import stack
-from hardcontact.base.statistics import estimate_variables
+from hardcontact.base.statistics import as_variables
 from hardcontact.base.units import DIMENSIONLESS, NM
 from hardcontact.contact.contact import CONTACT_AXES
 from hardcontact.contact.pull_off import FORCE_ATTRS, ForcesOnSurface
@@ -62,7 +62,7 @@ def band_ratios(forces: xr.Dataset, scan_parts: ScanParts, confidence: float) ->
     )
     ratio, interval = np.exp(log_ratio), np.exp(log_interval)
     dimensions = ("band", "band_part")
-    variables = estimate_variables(
+    variables = as_variables(
         "band_force_ratio", dimensions, ratio, interval, DIMENSIONLESS, confidence
     )
     return xr.Dataset(variables, {name: forces[name] for name in dimensions})

@@ -85,12 +85,12 @@ def filtered_pull_off(
     radii = radii or [contact.radius]
     ranges = ranges or [contact.rho]
 
+    contacts = [replace(contact, radius=radius) for radius in radii]
+
     def compute_forces(surface: HeightMap) -> np.ndarray:
-        contacts = [replace(contact, radius=radius) for radius in radii]
-        all_bodies = [join_bodies(surface, sphere, contact) for contact in contacts]
-        return np.array(
-            [forces_at_loadings(bodies, loaded_contacts, ranges) for bodies in all_bodies]
-        )
+        all_bodies = (join_bodies(surface, sphere, contact) for contact in contacts)
+        forces = [forces_at_loadings(bodies, loaded_contacts, ranges) for bodies in all_bodies]
+        return np.array(forces)
 
     axes: dict[str, Axis] = {
         "radius": (("radius",), radii, NM),

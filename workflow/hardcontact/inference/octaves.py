@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from hardcontact.base.arrays import Floats
 from hardcontact.base.number import Number
-from hardcontact.base.statistics import estimate_variables
+from hardcontact.base.statistics import as_variables
 from hardcontact.base.units import DIMENSIONLESS, NM
 from hardcontact.contact.contact import CONTACT_AXES, Contact
 from hardcontact.contact.geometry import join_bodies
@@ -126,7 +126,7 @@ def octave_sensitivities(
     weak, strong = (octave_force.sel(factor=factor, drop=True) for factor in AMPLITUDE_FACTORS)
     log_ratio, log_interval = log_force_ratio(strong, weak, scan_parts, confidence)
     sensitivity, interval = log_ratio / (2 * STEP), log_interval / (2 * STEP)
-    variables = estimate_variables(
+    variables = as_variables(
         "octave_sensitivity", "octave", sensitivity, interval, DIMENSIONLESS, confidence
     )
     map_size = ((), forces.attrs["map_size"], NM)

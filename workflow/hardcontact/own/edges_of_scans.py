@@ -9,7 +9,7 @@ from operator import truediv
 import numpy as np
 import xarray as xr
 
-from hardcontact.base.statistics import estimate_variables, widen_interval
+from hardcontact.base.statistics import as_variables, widen_interval
 from hardcontact.base.units import DIMENSIONLESS
 from hardcontact.inference.edges import EdgeStatus, edges_of_curves
 from hardcontact.own.mean_forces import (
@@ -52,7 +52,7 @@ def _ratios_of_masters(master_forces: MasterForces, confidence: float) -> xr.Dat
     interval = logarithmic_interval(ratio, half_width)
     axis = "cutoff_wavelength"
     return xr.Dataset(
-        estimate_variables("filtered_force_ratio", axis, ratio, interval, DIMENSIONLESS, confidence)
+        as_variables("filtered_force_ratio", axis, ratio, interval, DIMENSIONLESS, confidence)
         | {"interval_source": master_forces.scan_parts.interval_source},
         {axis: master_forces.forces[axis].variable},
     )

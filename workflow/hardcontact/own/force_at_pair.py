@@ -11,7 +11,7 @@ import xarray as xr
 from scipy import special
 
 from hardcontact.base.dataset import stack
-from hardcontact.base.statistics import estimate_variables, interval_ends, widen_interval
+from hardcontact.base.statistics import as_variables, interval_ends, widen_interval
 from hardcontact.base.units import DIMENSIONLESS, NEWTON, NM
 from hardcontact.contact.contact import CONTACT_AXES, PLASTIC, Contact
 from hardcontact.contact.hertz_jkr_dmt import limit_forces, smooth_pull_off
@@ -131,9 +131,7 @@ def _force_variables(
     log_force_std = np.array([model_forces.log_force_std for model_forces in forces_by_model])
     scan_parts = forces_by_model[0].scan_parts[np.abs(forces.rho.values - rho).argmin()]
     contact_count = np.prod([forces.sizes[axis] for axis in CONTACT_AXES])
-    variables = estimate_variables(
-        "force", dimensions, mean, np.array(intervals), NEWTON, confidence
-    )
+    variables = as_variables("force", dimensions, mean, np.array(intervals), NEWTON, confidence)
     half_widths = [position_half_width(model, confidence) for model in forces_by_model]
     if half_widths[0] is not None:  # The sphere is rough, and its position is not known.
         factor = np.exp(np.array(half_widths))
@@ -174,7 +172,7 @@ def forces_on_masters(
         interval = logarithmic_interval(force, half_width)
         spectrum_end = float(master_forces.forces.unfiltered_wavelength)
         return xr.Dataset(
-            estimate_variables("extrapolated_force", (), force, interval, NEWTON, confidence)
+            as_variables("extrapolated_force", (), force, interval, NEWTON, confidence)
             | {
                 "extrapolated_force_interval_source": master_forces.scan_parts.interval_source,
                 "extrapolation_end": ((), spectrum_end, NM),

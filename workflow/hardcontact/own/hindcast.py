@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from hardcontact.base.arrays import Floats, generator
 from hardcontact.base.dataset import stack
-from hardcontact.base.statistics import estimate_variables, student_quantile
+from hardcontact.base.statistics import as_variables, student_quantile
 from hardcontact.base.units import DIMENSIONLESS
 from hardcontact.contact.contact import CONTACT_AXES
 from hardcontact.contact.pull_off import FORCE_ATTRS, ForcesOnSurface
@@ -156,7 +156,7 @@ def hindcast_ratios(forces: xr.Dataset, tolerance: float, confidence: float) -> 
     interval = np.exp(np.stack([log_ratio - half_width, log_ratio + half_width], axis=-1))
     lowest, highest = logarithmic_limits(tolerance)
     passes = (np.abs(log_ratio) <= half_width) | ((lowest <= log_ratio) & (log_ratio <= highest))
-    variables = estimate_variables(
+    variables = as_variables(
         "hindcast_ratio", "side", np.exp(log_ratio.values), interval, DIMENSIONLESS, confidence
     )
     return xr.Dataset(

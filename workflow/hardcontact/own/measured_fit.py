@@ -17,7 +17,7 @@ from hardcontact.base.arrays import Floats
 from hardcontact.base.dataset import stack
 from hardcontact.base.statistics import (
     Sampling,
-    estimate_variables,
+    as_variables,
     interval_ends,
     join_ends,
     percentile_interval,
@@ -65,9 +65,7 @@ def fit_measured(
         else IntervalSource.ONE_TEST
         for name, surface_tests in tests.items()
     ]
-    variables = sampling.estimate_variables(
-        "measured_force", "surface", means, test_samples, NEWTON
-    )
+    variables = sampling.as_variables("measured_force", "surface", means, test_samples, NEWTON)
     variables["interval_source"] = ("surface", interval_sources)
     for name in ("test_count", "site_count", "look_repeated"):
         counts = [int(getattr(surface_tests, name)) for surface_tests in tests.values()]
@@ -136,7 +134,7 @@ def _fit_contact_model(
     region = _common_region(joint_intervals)
     dimensions = ("surface", "rho_fine")
     return xr.Dataset(
-        estimate_variables(
+        as_variables(
             "work_by_range", dimensions, works, intervals, JOULE_PER_M2, sampling.confidence
         )
         | {"region": (("rho_fine", "end"), region, JOULE_PER_M2)}
@@ -216,7 +214,7 @@ def add_extrapolated_work(fitted: xr.Dataset, force: xr.Dataset) -> xr.Dataset:
     high = work * np.exp(np.hypot(measured_above, computed_below))
     interval = join_ends(low, high).transpose(*work.dims, "end").values
     confidence = fitted.attrs["confidence"]
-    variables = estimate_variables(
+    variables = as_variables(
         "extrapolated_work", work.dims, work.values, interval, JOULE_PER_M2, confidence
     )
     variables |= {name: surface_force[name] for name in ("extrapolation_matters", "transition")}

@@ -15,7 +15,7 @@ import xarray as xr
 from hardcontact.base.arrays import Floats
 from hardcontact.base.dataset import stack
 from hardcontact.base.published import effective_modulus
-from hardcontact.base.statistics import Sampling, estimate_variables
+from hardcontact.base.statistics import Sampling, as_variables
 from hardcontact.base.units import DIMENSIONLESS, JOULE_PER_M2, NEWTON, PASCAL
 from hardcontact.contact import hertz_jkr_dmt
 from hardcontact.contact.contact import PLASTIC
@@ -81,7 +81,7 @@ def apply_classical_models(
         sampled_numbers = _model_numbers(samples, sphere, work, forces, works)
         variables: dict[str, Any] = {}
         for name, (dimensions, unit) in MODEL_VARIABLES.items():
-            variables |= sampling.estimate_variables(
+            variables |= sampling.as_variables(
                 name, dimensions, numbers[name], sampled_numbers[name], unit
             )
         models[(metrics,)] = xr.Dataset(variables)
@@ -142,15 +142,13 @@ def _forces_and_works(
 ) -> xr.Dataset:
     """Return mean forces and effective works from arrays (surface, 3): value, low and high end."""
     ends = np.stack(list(works.values()))
-    variables = estimate_variables(
+    variables = as_variables(
         "effective_work_of_adhesion", ("force_source", "surface"), ends[..., 0], ends[..., 1:],
         JOULE_PER_M2, confidence,
     )  # fmt: skip
     for source, force in forces.items():
         name = f"{source}_mean_force"
-        variables |= estimate_variables(
-            name, "surface", force[:, 0], force[:, 1:], NEWTON, confidence
-        )
+        variables |= as_variables(name, "surface", force[:, 0], force[:, 1:], NEWTON, confidence)
     return xr.Dataset(variables)
 
 

@@ -49,12 +49,12 @@ def edges_of_masters(
     axes = ("side", "group")
     variables = edge_variables(edges, axes, shape)
     _, edge, _ = variables["edge"]
-    variables |= sampling.estimate_variables("edge", axes, edge, edge_samples, NM)
+    variables |= sampling.as_variables("edge", axes, edge, edge_samples, NM)
     changes = _changes(ratio), _changes(ratio_samples)
-    variables |= sampling.estimate_variables(
+    variables |= sampling.as_variables(
         "filtered_force_change", (*axes, "cutoff_wavelength"), *changes, DIMENSIONLESS
     )
-    variables |= sampling.estimate_variables(
+    variables |= sampling.as_variables(
         "filtered_force_ratio", RATIO_AXES, ratio, ratio_samples, DIMENSIONLESS
     )
     coordinates = {
@@ -131,7 +131,7 @@ def compute_edge_shifts(forces: xr.Dataset, tolerance: float, sampling: Sampling
     keys_without_cause = {"plasticity": (RIGID, max(ranges)), "range": (PLASTIC, min(ranges))}
     ratios = [edges[complete]["edge"] / edges[key]["edge"] for key in keys_without_cause.values()]
     ratio_samples = [samples[complete] / samples[key] for key in keys_without_cause.values()]
-    edge_shift = sampling.estimate_variables(
+    edge_shift = sampling.as_variables(
         "edge_shift", ("cause", "side", "group"), ratios, np.stack(ratio_samples, 1), DIMENSIONLESS
     )
     coordinates = {"rho": sorted_forces["rho"], "cause": list(keys_without_cause)}

@@ -8,11 +8,7 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.base.arrays import Floats
-from hardcontact.base.statistics import (
-    estimate_variables,
-    jackknife_interval,
-    student_interval,
-)
+from hardcontact.base.statistics import as_variables, jackknife_interval, student_interval
 from hardcontact.base.units import DIMENSIONLESS
 from hardcontact.contact.contact import CONTACT_AXES
 from hardcontact.inference.edges import find_edge, logarithmic_limits, ordered_curve
@@ -46,7 +42,7 @@ def force_exponent(forces: xr.Dataset, contact_area: float, confidence: float) -
     slopes = logarithms.polyfit("radius", 1)["polyfit_coefficients"].sel(degree=1, drop=True)
     interval = student_interval(slopes, confidence, "realization").transpose("surface", "end")
     exponent = slopes.mean("realization")
-    variables = estimate_variables(
+    variables = as_variables(
         "force_exponent", "surface", exponent.values, interval.values, DIMENSIONLESS, confidence
     )
     return xr.Dataset(variables, {"surface": forces["surface"]})
@@ -69,7 +65,7 @@ def edge_exponents(forces: xr.Dataset, tolerance: float, confidence: float) -> x
         jackknife_interval(np.exp(exponents), np.exp(jackknife_exponents), confidence)
     )
     dimensions = ("surface", "side", "exponent_of")
-    variables = estimate_variables(
+    variables = as_variables(
         "edge_exponent", dimensions, exponents, interval, DIMENSIONLESS, confidence
     )
     names = {name: forces[name].values for name in dimensions[:2]}

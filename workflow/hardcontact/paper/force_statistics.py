@@ -10,7 +10,7 @@ import xarray as xr
 from hardcontact.base.arrays import Floats
 from hardcontact.base.statistics import (
     Sampling,
-    estimate_variables,
+    as_variables,
     jackknife_interval,
     student_log_interval,
 )
@@ -67,7 +67,7 @@ def forces_over_reference(
     """Return mean forces (surface, ...) relative to the reference surface, with intervals."""
     ratio = means / means[reference_index]
     ratio_samples = samples / samples[:, [reference_index]]
-    return sampling.estimate_variables(name, dimensions, ratio, ratio_samples, DIMENSIONLESS)
+    return sampling.as_variables(name, dimensions, ratio, ratio_samples, DIMENSIONLESS)
 
 
 #: Statistics of the forces on one surface, with their attributes. The interval of the mean is
@@ -107,7 +107,7 @@ def force_statistics(forces: Floats, sampling: Sampling) -> xr.Dataset:
     for (name, unit), value, interval in zip(
         STATISTIC_ATTRS.items(), values, intervals, strict=True
     ):
-        variables |= estimate_variables(name, (), value, interval, unit, confidence)
+        variables |= as_variables(name, (), value, interval, unit, confidence)
     return xr.Dataset(variables)
 
 

@@ -16,7 +16,7 @@ from hardcontact.base.arrays import Floats
 from hardcontact.base.dataset import stack
 from hardcontact.base.statistics import (
     Sampling,
-    estimate_variables,
+    as_variables,
     log_std_of_lognormal,
     percentile_interval,
 )
@@ -132,5 +132,5 @@ def samples_dataset(ranges: Floats, works: Floats, confidence: float) -> xr.Data
     for name, (samples, units) in quantities.items():
         variables[f"sampled_{name}"] = ("sample", samples, units)
         interval = percentile_interval(samples, confidence)
-        variables |= estimate_variables(name, (), np.median(samples), interval, units, confidence)
+        variables |= as_variables(name, (), np.median(samples), interval, units, confidence)
     return xr.Dataset(variables)

@@ -17,7 +17,7 @@ from hardcontact.base.arrays import Floats
 from hardcontact.base.dataset import stack
 from hardcontact.base.progress import progress
 from hardcontact.base.published import read_constants, read_published_forces
-from hardcontact.base.statistics import Sampling, estimate_variables, student_log_interval
+from hardcontact.base.statistics import Sampling, as_variables, student_log_interval
 from hardcontact.base.units import DIMENSIONLESS, JOULE_PER_M2, NEWTON, NM
 from hardcontact.contact.contact import PLASTIC, RIGID
 from hardcontact.contact.pull_off import interpolate_to_ranges, mean_over_contacts
@@ -106,7 +106,7 @@ def _model_error_ratio(models: xr.Dataset, sampling: Sampling) -> dict[str, Any]
     errors = models[["best_error", "sampled_error"]]
     ratio = errors.sel(contact_model=RIGID) / errors.sel(contact_model=PLASTIC)
     value, samples = ratio["best_error"].item(), ratio["sampled_error"].values
-    return sampling.estimate_variables("model_error_ratio", (), value, samples, DIMENSIONLESS)
+    return sampling.as_variables("model_error_ratio", (), value, samples, DIMENSIONLESS)
 
 
 def fit_model(
@@ -134,9 +134,7 @@ def fit_model(
     variables = (
         _error_variables(curves[0], published_forces, ranges, threshold)
         | _fitted_variables(curves, published_forces, ranges, fitted_reference, sampling)
-        | estimate_variables(
-            "mean_force", axes, means, interval.values, NEWTON, sampling.confidence
-        )
+        | as_variables("mean_force", axes, means, interval.values, NEWTON, sampling.confidence)
         | forces_over_reference(
             "force_over_reference", axes, means, mean_samples, reference_index, sampling
         )
@@ -166,9 +164,7 @@ def _fitted_variables(
     fits["range_from_ratios"] = np.where(np.isfinite(fits["best_error"]), best_ranges, np.nan)
     variables: dict[str, Any] = {"ratio_error": ("rho_fine", errors[0], DIMENSIONLESS)}
     for name, attributes in FITTED_ATTRS.items():
-        variables |= sampling.estimate_variables(
-            name, (), fits[name][0], fits[name][1:], attributes
-        )
+        variables |= sampling.as_variables(name, (), fits[name][0], fits[name][1:], attributes)
     for name, variable in SAMPLED_VARIABLES.items():
         variables[f"sampled_{name}"] = ("sample", fits[variable][1:], FITTED_ATTRS[variable])
     return variables

@@ -8,7 +8,7 @@ import xarray as xr
 
 from hardcontact.base.arrays import Floats
 from hardcontact.base.dataset import stack
-from hardcontact.base.statistics import estimate_variables, student_interval
+from hardcontact.base.statistics import as_variables, student_interval
 from hardcontact.base.units import DIMENSIONLESS, NM, NM4, RAD_PER_NM
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.metrics import METRICS, measured_metrics
@@ -31,7 +31,7 @@ def scan_averages(scans: xr.Dataset, confidence: float) -> xr.Dataset:
     for name, values in scans.data_vars.items():
         interval = student_interval(values, confidence, "scan")
         mean = values.mean("scan").values
-        variables |= estimate_variables(
+        variables |= as_variables(
             f"{name}_mean", ["surface"], mean, interval.values, values.attrs, confidence
         )
         variables[f"{name}_std"] = ("surface", values.std("scan", ddof=1).values, values.attrs)
