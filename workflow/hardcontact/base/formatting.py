@@ -82,8 +82,7 @@ def _format_in_best_unit(
 ) -> str:
     """Return a number in the unit that fits best, with its interval if both ends are known.
 
-    `digits` counts significant digits without an interval. The `open_end`, "low" or "high", of an
-    interval is only a bound.
+    `digits` counts if there is no interval; the `open_end`, "low" or "high", is only a bound.
     """
     # 999.9 nm is printed as 1 µm, not as 1000 nm: half of the last digit is enough.
     threshold = 1 - 0.5 * 10**-digits
@@ -160,10 +159,7 @@ def format_share(share: float, form: str = "g") -> str:
 
 
 def format_estimate(estimate: Mapping[str, float], form: str) -> str:
-    """Return `value`, `low`, `high` as "0.056 [0.045, 0.068]", or the value if an end is NaN.
-
-    `form` is the format of each number, such as ".2g".
-    """
+    """Return `value`, `low`, `high` as "0.056 [0.045, 0.068]", or the value if an end is NaN."""
     value, low, high = (f"{estimate[name]:{form}}" for name in ("value", "low", "high"))
     is_bounded = math.isfinite(estimate["low"] + estimate["high"])
     return f"{value} [{low}, {high}]" if is_bounded else value

@@ -8,8 +8,7 @@ from typing import Any, NamedTuple
 class NumberStatus(StrEnum):
     """Codes of `Number.status` for any quantity.
 
-    Codes of a single quantity are in an enumeration of the module that computes it.
-    `report.quantities` and templates turn all codes into words.
+    Codes of one quantity are in the module that computes it. Pages turn codes into words.
     """
 
     #: Nothing to add to the number and its interval.

@@ -54,10 +54,7 @@ def interval_ends(dataset: xr.Dataset, name: str) -> tuple[xr.DataArray, xr.Data
 
 
 def percentile_interval(samples: ArrayLike, confidence: float) -> Floats:
-    """Return the interval (..., 2) that holds the central share `confidence` of samples (n, ...).
-
-    Samples may be NaN; the ends are if all samples are.
-    """
+    """Return the interval (..., 2) with the central share of samples (n, ...), which may be NaN."""
     samples = np.asarray(samples)
     tail = 50 * (1 - confidence)
     if not len(samples):
@@ -91,10 +88,7 @@ def student_quantile(degrees_of_freedom: Any, confidence: float) -> Any:
 
 
 def student_interval(values: xr.DataArray, confidence: float, dim: str) -> xr.DataArray:
-    """Return the interval (..., end) of a mean of independent values along a dimension.
-
-    It is Student's t; NaN for fewer than two values. Missing values are NaN.
-    """
+    """Return Student's interval (..., end) of a mean along a dimension; missing values are NaN."""
     mean = values.mean(dim)
     count = values.count(dim)
     half_width = student_quantile(count - 1, confidence) * values.std(dim, ddof=1) / np.sqrt(count)

@@ -62,10 +62,7 @@ def trace_contact(bodies: Bodies, index: tuple[int, int], contact: Contact) -> x
 def find_carrying_asperities(
     bodies: Bodies, contact: Contact, contact_indices: NDArray[np.int_], ranges: Sequence[float]
 ) -> xr.Dataset:
-    """Return ASPERITY_UNITS (contact, rho) of some plastic contacts at several ranges.
-
-    The indices (contact, 2) are row and column in the array of contacts.
-    """
+    """Return ASPERITY_UNITS (contact, rho) of plastic contacts, by row and column (contact, 2)."""
     pixel_size = bodies.geometry.pixel_size
     contact_pixel_count = contact.pixel_count(pixel_size)
     offset = bodies.geometry.offsets()

@@ -19,8 +19,7 @@ CONTACT_DIMENSIONS = ("sphere_scan", "contact", *CONTACT_AXES)
 class Contact:
     """Sphere, loading, adhesion and array that all contacts of a computation share.
 
-    Preload, hardness and `plastic` are the loading. A field that is left out is NaN; computations
-    that need it refuse it by `require`.
+    Preload, hardness and `plastic` are the loading. `require` refuses fields that are left out.
     """
 
     radius: float  #: Radius of the sphere in nm.

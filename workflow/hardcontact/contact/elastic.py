@@ -48,10 +48,7 @@ LOAD_STEP = 1e-6
 
 
 class HalfSpace:
-    """A flat elastic half space, periodic after n x n pixels, on whose pixels forces act.
-
-    The modulus is in Pa. The mean displacement is left out.
-    """
+    """A flat elastic half space, periodic after n x n pixels; its mean displacement is left out."""
 
     def __init__(self, pixels: int, pixel_size: float, modulus: float) -> None:
         wave_y = 2 * np.pi * fft.fftfreq(pixels, pixel_size)
@@ -105,8 +102,7 @@ class Wall(NamedTuple):
 def press(half_space: HalfSpace, gap: Floats, load: float) -> Wall:
     """Press a rough body onto a half space with a load (nN), from a gap (n, n) at any approach.
 
-    The lowest pixels touch first, and pixels that would overlap join them. Raises ValueError if
-    more than MAX_TOUCHING_PIXELS touch.
+    The lowest pixels touch first; pixels that would overlap join, up to MAX_TOUCHING_PIXELS.
     """
     if load == 0:  # The lowest pixel touches without a force.
         return Wall(np.zeros_like(gap), gap - gap.min())
@@ -129,10 +125,7 @@ def press(half_space: HalfSpace, gap: Floats, load: float) -> Wall:
 
 
 def pressure_at_load(gap: Floats, pixel_size: float, modulus: float, load: float) -> Floats:
-    """Return the pressure (n, n) in Pa of elastic contact without adhesion.
-
-    The gap (n, n) may be at any approach; modulus and load are in Pa and N.
-    """
+    """Return the pressure (n, n) in Pa of elastic contact without adhesion at a load (N)."""
     half_space = HalfSpace(len(gap), pixel_size, modulus)
     return press(half_space, gap, load / NANONEWTON).forces / pixel_size**2 * GIGAPASCAL
 

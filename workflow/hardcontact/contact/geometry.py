@@ -147,10 +147,7 @@ def _in_native_precision(surface: HeightMap) -> HeightMap:
 
 
 def _refine(surface: HeightMap, pixel_size: float) -> HeightMap:
-    """Return a periodic map interpolated on pixels of a size (nm).
-
-    Its period changes by up to half a pixel, to a whole number of them.
-    """
+    """Return a periodic map on pixels of a size (nm), as many as come nearest to its period."""
     pixels = max(round(surface.size / pixel_size), surface.pixels)
     if pixels != surface.pixels:
         surface = interpolate(surface, pixels)

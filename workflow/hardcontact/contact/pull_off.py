@@ -34,8 +34,7 @@ def force_of_sums(
 ) -> Floats:
     """Return the pull-off force (N, positive) from sums of exp(-gap/rho): Eq. 3.
 
-    Sums and ranges (nm) broadcast. Raises ValueError if a sum exceeds the range of floats, because
-    the highest point outside the window lies many hundred rho above the contact.
+    Raises ValueError if a sum exceeds the range of floats: rho is too short for the relief.
     """
     if not np.isfinite(sums).all():
         raise ValueError(
@@ -51,8 +50,7 @@ def attraction_sums(
 ) -> Floats:
     """Return sums (pixel count, rho, contact_y, contact_x) of exp(-gap/rho) at closest approach.
 
-    `contact_pixels` has at least as many pixels as each of the counts. If fewer of them touch, all
-    gaps are larger by the same length.
+    If fewer of the contact pixels touch, all gaps are larger by the same length.
     """
     gaps = contact_pixels.reference_gaps
     sums_outside = outside_sums(bodies, contact_pixels, ranges)
@@ -70,10 +68,7 @@ def attraction_sums(
 def forces_at_loadings(
     bodies: Bodies, loaded_contacts: Sequence[Contact], ranges: Sequence[float]
 ) -> Floats:
-    """Return the forces (loading, rho, contact_y, contact_x) of two bodies in N at 1 J/m².
-
-    The contacts differ in their loading (`Contact`) alone.
-    """
+    """Return the forces (loading, rho, contact_y, contact_x) of two bodies in N at 1 J/m²."""
     counts = pixel_counts(bodies, loaded_contacts)
     return _forces_of_pixels(bodies, all_contact_pixels(bodies, max(counts)), counts, ranges)
 
@@ -132,10 +127,7 @@ def pull_off_dataset(bodies: Bodies, contact: Contact, ranges: Sequence[float]) 
 
 
 def label_patches(pixels: NDArray[np.int_]) -> tuple[NDArray[np.int_], int]:
-    """Return the number (...) of the patch to which pixels (..., 2) belong, and the patch count.
-
-    Pixels of a patch share edges or corners.
-    """
+    """Return the patch (...) of pixels (..., 2), which share edges or corners, and their number."""
     from scipy.ndimage import label
 
     corner = pixels.reshape(-1, 2).min(axis=0)
@@ -149,8 +141,7 @@ def label_patches(pixels: NDArray[np.int_]) -> tuple[NDArray[np.int_], int]:
 def count_touched_patches(bodies: Bodies, contact_pixels: ContactPixels) -> int:
     """Return the number of patches of a mirrored scan that hold the deepest pixel of some contact.
 
-    If one particle on a flat scan carried every contact, forces would scatter little, however wrong
-    they were.
+    If one particle carried every contact, forces would scatter little, however wrong they were.
     """
     pixels = bodies.substrate.pixels
     points = (bodies.geometry.apexes()[:, :, None] + contact_pixels.offsets) % pixels
@@ -168,10 +159,7 @@ def mean_over_contacts(values: xr.DataArray) -> xr.DataArray:
 def interpolate_to_ranges(
     forces: Floats, computed_ranges: Floats, new_ranges: Floats | float
 ) -> Floats:
-    """Return forces (..., rho) at new ranges by a cubic spline in log F and log rho.
-
-    NaN beyond the computed ranges.
-    """
+    """Return forces (..., rho) at new ranges by a cubic spline in log F and log rho; NaN beyond."""
     weights = spline_weights(np.log(computed_ranges), np.log(new_ranges))
     return np.asarray(np.exp(np.log(forces) @ weights.T))
 
@@ -187,8 +175,7 @@ def interpolate_to_range(forces: xr.DataArray, rho: float) -> xr.DataArray:
 def spline_weights(points: Floats, targets: Floats | float, *, extrapolate: bool = False) -> Floats:
     """Return the weights (..., point) of a cubic spline through ascending points at targets (...).
 
-    One matrix serves all data, because a spline is linear in them. NaN beyond the points unless the
-    spline is extrapolated.
+    A spline is linear in its data, so that the weights serve all data.
     """
     from scipy.interpolate import make_interp_spline
 

@@ -94,10 +94,7 @@ def pull_off_with_checks(
 
 
 def stack_pull_off_forces(scans: DatasetsByLabels, named_surfaces: NamedSurfaces) -> xr.Dataset:
-    """Stack the results of `pull_off_with_checks` by (surface, scan).
-
-    ``contact_pixel_count`` (contact_model) is the largest of all scans.
-    """
+    """Stack `pull_off_with_checks` by (surface, scan), with the largest contact pixel count."""
     dimensions = ["surface", "scan"]
     forces = stack(scans, dimensions)
     pixel_count = forces["contact_pixel_count"].max([*dimensions, "sphere_scan"], keep_attrs=True)

@@ -89,8 +89,7 @@ def _first_outside(values: Floats, limits: tuple[float, float]) -> int:
 def interpolate_edge(cutoffs: Floats, values: Floats, limits: tuple[float, float]) -> float:
     """Return the cutoff (nm) at which the values (k,) of a curve first leave its limits.
 
-    They are interpolated linearly in the logarithm of the cutoff. NaN if no value is outside, or
-    the first one is.
+    They are linear in the logarithm of the cutoff. NaN if no value or the first one is outside.
     """
     crossing = _first_outside(values, limits)
     if crossing in (0, len(values)):

@@ -124,10 +124,9 @@ def make_master(
 def read_master_forces(
     surfaces: Iterable[str], paths: Iterable[str], realizations: int, loading: str | None = None
 ) -> xr.Dataset:
-    """Read the forces on filtered masters: one file or several for each surface.
+    """Read `add_force_ratios` (surface, realization, side, ...) up to a number of realizations.
 
-    Returns `add_force_ratios` (surface, realization, side, ...) of some realizations. If `loading`
-    names one, the result has no dimensions of loading, radius and range, which must be single.
+    With a `loading`, the result has no dimensions of loading, radius and range, which are single.
     """
     files = read_all([(name, number) for number, name in enumerate(surfaces)], paths)
     forces = stack(concatenate(files, "realization", 1), ["surface"])
@@ -142,7 +141,6 @@ def add_force_ratios(forces: xr.Dataset) -> xr.Dataset:
     """Return forces on masters, by growing cutoff, with the ratios of mean to unfiltered forces.
 
     ``filtered_force_ratio`` (..., cutoff_wavelength) is NaN at cutoffs of the other side.
-    ``unfiltered_wavelength`` is the same for all realizations, and loses their dimension.
     """
     forces = forces.sortby("cutoff_wavelength")
     contact_axes = [axis for axis in CONTACT_AXES if axis in forces.dims]

@@ -81,10 +81,7 @@ def octave_force_dataset(
 
 
 def whole_surface_forces(surface: HeightMap, contact: Contact, ranges: list[float]) -> xr.Dataset:
-    """Return `octave_force_dataset` of a periodic surface, and its mean force at all ranges.
-
-    ``pull_off_force`` (contact_model, rho) is in N at 1 J/m².
-    """
+    """Return `octave_force_dataset` of a surface, and its mean ``pull_off_force`` at all ranges."""
     limits = octave_limits(2 * surface.pixel_size, 2 * surface.size)
     pull_off = pull_off_dataset(join_bodies(surface, None, contact), contact, ranges)
     mean_force = pull_off["pull_off_force"].mean(CONTACT_AXES, keep_attrs=True)
@@ -101,8 +98,7 @@ def octaves_within(octave_starts: Floats, shortest: float, longest: float) -> ND
 def strongest_octaves(sensitivity: xr.Dataset) -> Iterator[Number]:
     """Yield the octaves whose amplitudes change the force most, and by how much.
 
-    ``octave_1`` is the shortest wavelength of the strongest octave, ``octave_1_sensitivity`` its
-    sensitivity. Octaves with NaN do not count.
+    ``octave_1`` is the shortest wavelength of the strongest octave. Octaves with NaN do not count.
     """
     finite = sensitivity.dropna("octave", subset=["octave_sensitivity"])
     strongest = np.argsort(-np.abs(finite["octave_sensitivity"].values))[:OCTAVES_NAMED]
@@ -119,8 +115,7 @@ def octave_sensitivities(
 ) -> xr.Dataset:
     """Return ``octave_sensitivity`` (octave): a central difference of logarithms of mean forces.
 
-    ``octave_force`` (map, octave, factor, contact_y, contact_x) comes from `octave_force_dataset`.
-    ``map_size`` is the width of the maps in nm.
+    ``octave_force`` comes from `octave_force_dataset`, on several maps.
     """
     octave_force = forces["octave_force"]
     weak, strong = (octave_force.sel(factor=factor, drop=True) for factor in AMPLITUDE_FACTORS)

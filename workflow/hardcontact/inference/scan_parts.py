@@ -173,8 +173,7 @@ def delete_one_logarithms(
 ) -> Floats:
     """Return the logarithms (part, ...) of a statistic over all parts except one.
 
-    The statistic (...) is a function of the mask (`map_dimension`, contact_y, contact_x) of kept
-    contacts.
+    The statistic (...) is a function of the mask (map, contact_y, contact_x) of kept contacts.
     """
     part_of_contact = xr.DataArray(scan_parts.part_of_contact, dims=(map_dimension, *CONTACT_AXES))
     parts = range(scan_parts.part_count)
@@ -191,8 +190,7 @@ def jackknife_variance(logarithms: Floats, scan_parts: ScanParts) -> Variance:
 def interval_half_width(variances: Sequence[Variance], confidence: float) -> Floats:
     """Return the half width (...) of the interval of a logarithm with independent variances.
 
-    It is that of Student's t with the degrees of freedom of Welch and Satterthwaite; NaN if a
-    variance is NaN, or if all are rounding.
+    It is Student's t with Satterthwaite's degrees of freedom; NaN if all variances are rounding.
     """
     total = np.asarray(sum(variance.value for variance in variances))
     positive = np.where(total > 0, total, 1.0)
@@ -226,8 +224,7 @@ def sample_deviations(
 ) -> Floats:
     """Sample deviations (samples, ...) of `delete_one_logarithms` from their mean, by Student's t.
 
-    With the same generator, parts that differ only in their correlation share their random numbers.
-    NaN for fewer than two parts.
+    With one generator, parts that differ in their correlation alone share random numbers.
     """
     from scipy import special
 

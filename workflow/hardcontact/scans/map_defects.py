@@ -80,8 +80,7 @@ def find_line_patterns(heights: Floats, power: Floats, pixel_size: float) -> dic
 def _find_lay(power: Floats) -> tuple[Defect, float]:
     """Return the `lay_ratio` of a lay, if there is one, and the ratio of squared slopes.
 
-    Both compare the steepest direction with the direction across, `lay_ratio` by the variances of
-    profiles.
+    Both compare the steepest direction with the one across, the first by variances of profiles.
     """
     pixels = len(power)
     waves = np.fft.fftfreq(pixels, 1 / pixels)
@@ -139,8 +138,7 @@ def _find_directional_slopes(heights: Floats, pixel_size: float) -> Defect:
 def find_noise(variance: float, power: Floats) -> Defect:
     """Return the rms of white noise and the rms height without it (nm); none without noise.
 
-    The spectrum of a noisy scan is flatter than any self-affine spectrum at two to four pixels, but
-    steeper at longer waves. `power` is from `wave_power`.
+    A noisy spectrum is flatter than any self-affine one at short waves, but steeper at longer ones.
     """
     pixels = len(power)
     waves = np.fft.fftfreq(pixels, 1 / pixels)

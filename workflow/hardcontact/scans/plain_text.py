@@ -41,8 +41,7 @@ OWN_SEPARATORS = ("X;Y;valid", "Scan Parameters")
 def readable_text(content: bytes) -> tuple[bytes, list[str]]:
     """Return the bytes of a scan, as UTF-8 with blanks and decimal points if they are plain text.
 
-    Points (x, y, height) on a grid with gaps gain points of undefined height; points beside a grid
-    are interpolated. Also returns notes for the user.
+    Points on an incomplete grid are completed, points beside a grid interpolated. Notes say so.
     """
     text = _decode_text(content)
     if text is None:
@@ -124,7 +123,7 @@ def _parse_points(rows: list[str]) -> Floats | None:
 
 
 def _grid_points(points: Floats) -> tuple[list[str], list[str]]:
-    """Return the rows of all points of a grid, heights NaN where points are missing, and notes.
+    """Return the rows of all points of a grid, NaN where points are missing, and notes.
 
     No rows if points (n, 3) share a pixel, or if their grid is complete.
     """

@@ -89,10 +89,7 @@ def read_scan(
 
 
 def list_scans(path: str | Path) -> list[str]:
-    """Return the names of a container's data files, or one empty name for any other file.
-
-    Raises ValueError, with one line, if the container cannot be used.
-    """
+    """Return the names of a container's data files, or one empty name for any other file."""
     # A file that is no archive needs no child, which `read_scan` starts for it.
     if not (Path(path).is_file() and zipfile.is_zipfile(path)):
         return [""]
@@ -106,8 +103,7 @@ def read_in_child(
 ) -> dict[str, Any]:
     """Return the dictionary that a reader makes from the bytes of a file, in a child process.
 
-    Except for an array `heights`, JSON can hold it. Raises ValueError, one line with the path, if
-    anything fails with the file or in the child.
+    Raises ValueError, one line with the path, if anything fails with the file or in the child.
     """
     if path.is_dir():
         raise ValueError(

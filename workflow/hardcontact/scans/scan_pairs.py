@@ -149,8 +149,7 @@ def find_contradictions(
 ) -> list[Contradiction]:
     """Return the pairs of scans that contradict each other, the largest factor first.
 
-    Density and `reliable` are (scan, bins). Two scans are compared over all bins that they share,
-    and over each half decade: the largest difference in standard errors counts.
+    Scans are compared over all bins (scan, bins) that they share, and over each half decade.
     """
     usable = np.asarray(reliable, bool) & np.isfinite(density)
     modes = np.array([independent_modes(*scan) for scan in zip(kinds, sizes, strict=True)])

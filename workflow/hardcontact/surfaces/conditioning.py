@@ -79,8 +79,7 @@ def _scan_components(substitute: Substitute, shares: Floats, scan_number: int) -
 def metric_matrices(components: Sequence[HeightMap], names: Sequence[str]) -> Floats:
     """Return a matrix G (component, component) for each metric.
 
-    The squared metric of a sum a_k h_k of levelled components h_k is aᵀ G a, because the squares of
-    rms metrics are quadratic in the heights.
+    The squared metric of a sum a_k h_k of components is aᵀ G a: it is quadratic in the heights.
     """
 
     def squared_metrics(heights: np.ndarray) -> Floats:
@@ -182,10 +181,7 @@ def conditioned_scan(
     conditioning: xr.Dataset,
     sphere_radius: float | None = None,
 ) -> HeightMap:
-    """Return a scan with the gain and the factor of `condition_group`.
-
-    It shows a sphere of the radius (nm), or a flat surface.
-    """
+    """Return a scan with the gain and factor of `condition_group`, flat or of a sphere."""
     rng = substitute.generator(scan_number, "scan")
     spectrum = multiply_amplitudes(substitute.spectrum, conditioning["amplitude_gain"].values)
     factor = conditioning["factor"].sel(scan=scan_number).item()

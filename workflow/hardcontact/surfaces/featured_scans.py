@@ -91,10 +91,7 @@ def whole_surface(
     pixels: int,
     pixel_size: float,
 ) -> HeightMap:
-    """Return a whole surface: with features, or Gaussian with a spectrum of its own.
-
-    The spectrum is one that Table 1 and the `description` (a path) permit.
-    """
+    """Return a whole surface: with features, or Gaussian with a spectrum that Table 1 permits."""
     if has_features:
         return featured_surface(substitute).sample_whole_surface(number, pixels, pixel_size)
     rng = substitute.generator(number, "permitted spectrum")
@@ -145,10 +142,9 @@ def describe_features(features: Features, base_rms_height: float) -> dict[str, x
 def featured_group(
     substitute: Substitute, scan_numbers: Sequence[int]
 ) -> tuple[xr.Dataset, list[HeightMap]]:
-    """Return a description of the `nearest_group` of scans, and these scans.
+    """Return a dataset on the `nearest_group` of scans, and these scans.
 
-    The description has the features, and the rows of Table 1 that are met. The AFM rows are met
-    within their uncertainty, because they accepted the features.
+    The AFM rows of Table 1, which accepted the features, are met within their uncertainty.
     """
     surface = featured_surface(substitute)
     features, scans = nearest_group(surface, scan_numbers)

@@ -67,10 +67,7 @@ def _signed_orders(highest_order: int) -> NDArray[np.int_]:
 
 
 def _orders_on_grid(transform: AnyTransform, order_limit: float, pixels: int) -> AnyTransform:
-    """Return the orders up to a limit in any direction, padded with zeros to a grid of pixels.
-
-    The transform comes from `_transform_lowest_orders`.
-    """
+    """Return the orders of a transform up to a limit, padded with zeros to a grid of pixels."""
     highest_order = int(order_limit)
     orders = _signed_orders(highest_order)
     low_orders = transform[orders, : highest_order + 1]
@@ -81,10 +78,7 @@ def _orders_on_grid(transform: AnyTransform, order_limit: float, pixels: int) ->
 
 
 def interpolate(surface: HeightMap, pixels: int) -> HeightMap:
-    """Return the trigonometric interpolation of a surface on pixels x pixels, in float32.
-
-    Raises ValueError if the surface has more pixels.
-    """
+    """Return a surface on at least as many pixels by trigonometric interpolation, in float32."""
     coarse_pixels = surface.pixels
     _refuse_coarser(coarse_pixels, pixels)
     transform = scipy.fft.rfft2(surface.heights.astype(float))

@@ -195,10 +195,7 @@ def smooth_rolloff(wavevector: Floats, plateau: float, rolloff: float, hurst: fl
 
 
 def power_law_extrapolation(density: Floats, hurst: float) -> Floats:
-    """Return C_iso ∝ q^(-2-2H) below the shortest wavelength of C_iso on WAVEVECTORS, else zero.
-
-    Raises ValueError if the density is zero everywhere.
-    """
+    """Return C_iso ∝ q^(-2-2H) below the shortest wavelength of C_iso on WAVEVECTORS, else zero."""
     if not density.any():
         raise ValueError("power law: expected a segment at longer wavelengths, found none")
     last_index = density.nonzero()[0][-1]

@@ -29,8 +29,7 @@ MAX_FILLINGS = 20
 def find_streaks(heights: Floats) -> Iterator[Mask]:
     """Yield by width the mask (y, x) of streaks along x, all above or all below other lines.
 
-    A line between two streaks looks like a streak of the other sign, so that only the sign with
-    more pixels counts.
+    Only the sign with more pixels counts: a line between two streaks seems to have the other.
     """
     for width in STREAK_WIDTHS:
         along = [_run_lengths(_candidates(steps)) for steps in _distances(heights, width)]

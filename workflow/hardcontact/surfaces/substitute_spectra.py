@@ -63,8 +63,7 @@ def spectrum_from_description(
 ) -> tuple[Floats, pd.DataFrame, list[str]]:
     """Return C_iso (nm⁴) on WAVEVECTORS of a description, its segments, the rows of Table 1 met.
 
-    `segments`, by default those of the file, go from long to short wavelengths. Raises ValueError,
-    with file and segment, if a calibration fails.
+    Segments go from long to short wavelengths. Raises ValueError if a calibration fails.
     """
     segments = read_segments(path) if segments is None else segments.copy()
     density = np.zeros_like(WAVEVECTORS)
@@ -152,8 +151,7 @@ def substitute_spectrum(
 ) -> xr.Dataset:
     """Return the spectrum of a substitute from a description.
 
-    Attributes are its segments, the rows of Table 1 to which these were calibrated, and the
-    expected rms values of a scan with the paper's pixels and size.
+    Its attributes are the segments, the calibrated rows of Table 1, and expected rms values.
     """
     weights = paper_weights(constants)
     density, segments, calibrated = spectrum_from_description(description, table1, weights)

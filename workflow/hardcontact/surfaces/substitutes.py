@@ -85,10 +85,7 @@ class Substitute:
 def read_substitute(
     surface_name: str, paths: Sequence[str], grid: Mapping[str, Any], seed: int
 ) -> Substitute:
-    """Read a substitute from the paths of its spectrum, of Table 1 and of the paper's constants.
-
-    `grid` has the fields of `ScanGrid`.
-    """
+    """Read a substitute from the paths of its spectrum, of Table 1 and of the paper's constants."""
     spectrum_path, table1_path, constants_path = paths
     table1 = published.rows_of_surface(published.read_table1(table1_path), surface_name)
     constants = published.read_constants(constants_path)

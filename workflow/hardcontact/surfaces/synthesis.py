@@ -65,12 +65,10 @@ def random_surface(
 def random_corner(
     noise: SingleTransform, corner_pixels: int, pixel_size: float, spectrum: SpectrumFunction
 ) -> HeightMap:
-    """Return a corner of the random surface that a transform of white noise makes, in float32.
-
-    It saves time, because only rows of the corner are transformed along x.
-    """
+    """Return a corner of the random surface that a transform of white noise makes, in float32."""
     transform = noise.copy()
     scale_noise(transform, pixel_size, spectrum)
+    # Only rows of the corner are transformed along x, which saves time.
     rows = scipy.fft.ifft(transform, axis=0, overwrite_x=True)[:corner_pixels]
     heights = scipy.fft.irfft(rows, len(noise), axis=1)[:, :corner_pixels]
     return HeightMap(heights, pixel_size, source="substitute")
@@ -172,9 +170,6 @@ def synthesize_master(
     settings: Mapping[str, Any],
     spectrum: SpectrumFunction,
 ) -> HeightMap:
-    """Return the periodic master of a side from a mirrored scan and artificial roughness.
-
-    `settings` has ``transition`` in nm, and ``pixels`` (short) or ``tiles`` (long).
-    """
+    """Return the periodic master of a side from a mirrored scan and random waves."""
     make_master, size_key = MASTER_MAKERS[side]
     return make_master(rng, mirrored, settings[size_key], settings["transition"], spectrum)

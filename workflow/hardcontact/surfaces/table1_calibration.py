@@ -142,8 +142,7 @@ def calibrate_tail(
 ) -> dict[str, float]:
     """Return Hurst exponent and shortest wavelength (nm) of a power law below a spectrum.
 
-    The power law adds the rms gradient and half-Laplacian (1/nm) that `longer_waves`, C_iso on
-    WAVEVECTORS, lacks. Raises ValueError if none adds both.
+    It adds the rms gradient and half-Laplacian (1/nm) that C_iso `longer_waves` lacks.
     """
     _, *longer_rms = all_scales_rms(Spectrum(WAVEVECTORS, longer_waves))
     missing_squares = [gradient**2 - longer_rms[0] ** 2, half_laplacian**2 - longer_rms[1] ** 2]

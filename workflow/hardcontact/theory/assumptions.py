@@ -38,10 +38,7 @@ def assumed_modulus(hardness: float) -> float:
 
 
 def judge_tabor_parameter(contact: Contact, effective_modulus: float) -> Number:
-    """Return the Tabor parameter, with the range of adhesion as spacing; its status: `Elasticity`.
-
-    An unknown modulus is NaN.
-    """
+    """Return the Tabor parameter, the range of adhesion as spacing; its status is `Elasticity`."""
     if math.isnan(effective_modulus):
         return Number("tabor_parameter", effective_modulus, status=Elasticity.UNKNOWN)
     value = float(tabor_parameter(contact.work, contact.radius, effective_modulus, contact.rho))

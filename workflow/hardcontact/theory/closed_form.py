@@ -88,8 +88,7 @@ def closed_form(
 ) -> ClosedForm:
     """Return the mean pull-off force over contacts of a sphere on a Gaussian surface.
 
-    If `rough_close_points`, points just below the sphere lie on rough summits, too; otherwise only
-    the summits that touch are rough.
+    If `rough_close_points`, points just below the sphere lie on rough summits, too.
     """
     dmt_force = float(dmt_pull_off(contact.work, contact.radius))
     rough_spectrum = find_rough_spectrum(spectrum, contact.radius)

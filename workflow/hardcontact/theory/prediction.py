@@ -99,8 +99,7 @@ def prediction(
 def trim_spectrum(spectrum: Spectrum, name: str = "spectrum") -> Spectrum:
     """Return a spectrum without the zeros at its ends; messages call it `name`.
 
-    Raises ValueError if densities are unknown, or if wavelengths or rms height are impossible,
-    because the unit is probably wrong.
+    Raises ValueError if densities are unknown, or wavelengths or rms height are impossible.
     """
     if not ((np.diff(spectrum.wavevector) > 0).all() and (spectrum.density >= 0).all()):
         raise ValueError(
@@ -216,20 +215,14 @@ def _extrapolate(spectrum: Spectrum, trimmed: Spectrum) -> _Extrapolation | None
 
 
 def _adds_waves(extrapolation: _Extrapolation, trimmed: Spectrum) -> bool:
-    """Return whether the extrapolation adds short waves, or long waves up to the roll-off.
-
-    Without short waves it has no exponent.
-    """
+    """Return whether the extrapolation adds short waves, or long waves up to the roll-off."""
     return math.isfinite(extrapolation.hurst) or extrapolation.rolloff > trimmed.wavelength[0]
 
 
 def _extrapolated_numbers(
     extrapolation: _Extrapolation, contact: Contact, tolerance: float, error_is_known: bool
 ) -> list[Number]:
-    """Return the force and both edges of an extrapolated spectrum, and how it was extrapolated.
-
-    `error_is_known` says whether the error is known without the extrapolation.
-    """
+    """Return the force and both edges of an extrapolated spectrum, and how it was extrapolated."""
     spectrum = trim_spectrum(Spectrum(WAVEVECTORS, extrapolation.density))
     form = closed_form(spectrum, contact)
     point = table_point(spectrum, contact, form)
@@ -252,10 +245,7 @@ def _force_change(name: str, changed_force: float, form: ClosedForm) -> Number:
 
 
 def _longest_octave(spectrum: Spectrum, contact: Contact, form: ClosedForm) -> Number:
-    """Return the relative change of the force without the longest octave of a spectrum.
-
-    It is unknown if hardly any wave would remain.
-    """
+    """Return the relative change of the force without the longest octave of a spectrum."""
     is_shorter = spectrum.wavevector >= 2 * spectrum.wavevector[0]
     if is_shorter.sum() < 2:
         return Number("longest_octave_change", math.nan, status=Effect.UNKNOWN)

@@ -109,8 +109,7 @@ def summit_half_width(spectrum: Spectrum, levels: ArrayLike) -> Floats:
 def apex_distribution(spectrum: Spectrum, radius: float, area: float) -> ApexDistribution:
     """Return the distribution of the level of the apex of a sphere with an area (nm²) in contact.
 
-    The sphere sinks until the summits above it fill the area, preload over hardness. The spectrum
-    comes from `find_rough_spectrum`.
+    The sphere sinks until the summits above it fill the area, preload over hardness.
     """
     half_widths, counts, bearing_areas = summits_above(spectrum, radius)
     # No summit rises above the last level; pi delta² stands for the mean area of one there.

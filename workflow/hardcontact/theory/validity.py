@@ -50,8 +50,7 @@ class Validity(StrEnum):
 def held_out_surfaces() -> pd.DataFrame:
     """Return the surfaces of DESIGNED_SURFACES that were held out, with ratios.
 
-    The columns ``<name>_ratio`` are computed values of VALIDATED_QUANTITIES relative to predicted
-    ones, NaN if an edge is open or not predicted.
+    ``<name>_ratio`` is the computed relative to the predicted value, NaN if an edge is open.
     """
     table = pd.read_csv(DESIGNED_SURFACES)
     held_out = table[table["held_out"] == 1].copy()
