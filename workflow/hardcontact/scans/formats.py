@@ -144,11 +144,7 @@ def _read_topography(channel: Any, metadata: dict[str, Any]) -> tuple[Any, list[
     refuse_point_counts(channel.nb_grid_pts)
     has_positions = channel.dim == 1 and channel.is_uniform is False
     size = None if has_positions else tuple(metadata.get("size") or ()) or None
-    scale = metadata.get("height_scale")
-    if size is not None and not (len(size) == channel.dim and all(0 < x < math.inf for x in size)):
-        raise RefusedFile(f"expected a size of {channel.dim} positive numbers, found {size}")
-    if scale is not None and not 0 < scale < math.inf:
-        raise RefusedFile(f"expected a positive height scale, found {scale}")
+    _refuse_impossible_metadata(channel, size, metadata.get("height_scale"))
     if channel.physical_sizes is None and size is None and not has_positions:
         lacks_unit = channel.unit is None and "unit" not in metadata
         remedy = ", and --unit nm (scan.unit: nm) the unit of the heights" if lacks_unit else ""
@@ -168,6 +164,15 @@ def _read_topography(channel: Any, metadata: dict[str, Any]) -> tuple[Any, list[
         metadata = metadata | {"size": " x ".join(f"{length:.6g}" for length in size)}
     keys = [KEY_BY_ARGUMENT[argument] for argument in arguments]
     return topography, [f"{key} {metadata[key]}" for key in keys]
+
+
+def _refuse_impossible_metadata(
+    channel: Any, size: tuple[float, ...] | None, scale: float | None
+) -> None:
+    if size is not None and not (len(size) == channel.dim and all(0 < x < math.inf for x in size)):
+        raise RefusedFile(f"expected a size of {channel.dim} positive numbers, found {size}")
+    if scale is not None and not 0 < scale < math.inf:
+        raise RefusedFile(f"expected a positive height scale, found {scale}")
 
 
 def _accepted_arguments(channel: Any, metadata: dict[str, Any]) -> dict[str, Any]:

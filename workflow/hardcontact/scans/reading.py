@@ -105,17 +105,7 @@ def read_in_child(
 
     Raises ValueError, one line with the path, if anything fails with the file or in the child.
     """
-    if path.is_dir():
-        raise ValueError(
-            f"{path}: expected a scan, found a folder: name a file in it; hardcontact "
-            "new takes all of them"
-        )
-    if not path.is_file():
-        reason = "no regular file" if path.exists() else "no such file"
-        raise ValueError(f"{path}: expected a scan, found {reason}")
-    size = path.stat().st_size
-    if not 0 < size <= MAX_FILE_BYTES:
-        raise ValueError(f"{path}: expected a scan of 1 to {MAX_FILE_BYTES} bytes, found {size}")
+    size = _file_bytes(path)
     seconds = min(MAX_SECONDS, SMALL_FILE_SECONDS + SECONDS_PER_MEGABYTE * size // 2**20)
     memory = min(MAX_MEMORY, SMALL_FILE_MEMORY + MEMORY_PER_BYTE * size)
     context = multiprocessing.get_context("fork")
@@ -146,6 +136,22 @@ def read_in_child(
     if "refused" in answer:
         raise ValueError(f"{path}: {' '.join(answer['refused'].split())}")
     return answer
+
+
+def _file_bytes(path: Path) -> int:
+    """Return the size of a file in bytes; raises ValueError if it is none, empty or too large."""
+    if path.is_dir():
+        raise ValueError(
+            f"{path}: expected a scan, found a folder: name a file in it; hardcontact "
+            "new takes all of them"
+        )
+    if not path.is_file():
+        reason = "no regular file" if path.exists() else "no such file"
+        raise ValueError(f"{path}: expected a scan, found {reason}")
+    size = path.stat().st_size
+    if not 0 < size <= MAX_FILE_BYTES:
+        raise ValueError(f"{path}: expected a scan of 1 to {MAX_FILE_BYTES} bytes, found {size}")
+    return size
 
 
 def _run_child(
