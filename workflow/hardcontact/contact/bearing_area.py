@@ -103,7 +103,8 @@ class WindowTiles(NamedTuple):
 
     def select(self, index: slice | NDArray[np.int_] | NDArray[np.bool_]) -> "WindowTiles":
         """Return some of the tiles."""
-        return WindowTiles(*(values[index] for values in self))
+        contacts, row, column, bounds = self
+        return WindowTiles(contacts[index], row[index], column[index], bounds[index])
 
     def tiles_within(self, limits: Floats) -> "WindowTiles":
         """Return the tiles whose bounds are at most the limits (contact,) in nm."""

@@ -83,7 +83,7 @@ def _sampled_forces(surface_forces: SurfaceForces, surface: str, sampling: Sampl
 
     The position at which a rough sphere touches is the same on all surfaces.
     """
-    _, mean, delete_one_log_means, scan_parts, position_variance = surface_forces
+    _, mean, delete_one_log_means, scan_parts, _, position_variance = surface_forces
     count = sampling.sample_count
     scan_deviations = [
         sample_deviations(sampling.generator("scans", surface), log_means, parts, count)
