@@ -41,6 +41,8 @@ def test_the_fit_has_the_smallest_error_of_a_fine_search():
     assert error <= search.min() + 1e-12
     assert error == pytest.approx(search.min(), rel=1e-3)
     assert fine[np.unravel_index(search.argmin(), search.shape)[0]] == pair["range_of_adhesion"]
+    curve[0, 3] = np.nan
+    assert np.isnan([*best_fit(curve, MEAN_FORCE, fine).values()]).all()
 
 
 def test_the_region_contains_exactly_the_small_errors():

@@ -66,7 +66,8 @@ def best_fit(mean_forces: Floats, measured_forces: Floats, ranges: Floats) -> di
     """Return FIT_ATTRS (...) of the best pair at given ranges; NaN if a computed force is NaN."""
     works, errors = fit_work(mean_forces, measured_forces)
     work, error = minimum_along_axis(errors, works)
-    best_range = np.where(np.isfinite(error), ranges[errors.argmin(axis=-1)], np.nan)
+    best_range = ranges[errors.argmin(axis=-1)]
+    best_range, work = (np.where(np.isfinite(error), best, np.nan) for best in (best_range, work))
     return {"range_of_adhesion": best_range, "work_of_adhesion": work, "best_error": error}
 
 

@@ -83,7 +83,7 @@ def _refuse_grids_of_paper(workflow: Any, config: Mapping[str, Any]) -> None:
 
 
 def _refuse_changed_project_study(config: Mapping[str, Any]) -> None:
-    """Refuse a study with the name of one of the project's studies, but with other values."""
+    """Refuse a study with the name of the paper's full or quick study, but with other values."""
     name = config["study"]
     project = read_yaml("config/config.yaml")
     if name == "quick":
