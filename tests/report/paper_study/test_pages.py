@@ -53,7 +53,7 @@ def test_the_page_says_first_what_came_out(page):
 
 
 def test_the_page_concludes_from_a_reason_only_if_its_interval_excludes_none():
-    """Without an effect the short end would be "1 times shorter"."""
+    """Without an effect the short edge would be "1 times shorter"."""
     table = claims()
     names = ["plasticity_moves_short_edge", "range_moves_short_edge"]
     for low, is_resolved in ((1.9, True), (0.91, False)):
