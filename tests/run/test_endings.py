@@ -14,7 +14,7 @@ from hardcontact.run import endings
 
 
 def listen_to_ctrl_c():
-    """Undo what a shell does to programs in the background, and they to theirs: ignore Ctrl-C."""
+    """Obey Ctrl-C again, which shells make programs in the background ignore."""
     signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 

@@ -169,7 +169,7 @@ def _closed_form_number(
     """Return the force in closed form for all wavelengths of the mirrored map.
 
     The force on the map agrees if it lies between the lower end of the closed form's interval and
-    the upper end times `small_scan_ratio`.
+    the upper end times `small_scan_ratio`, and the closed form was tested on such spectra.
     """
     wavevector, _, density = measured_psds(surface)
     has_waves = np.isfinite(density)

@@ -70,8 +70,8 @@ class Job(NamedTuple):
 def run_job(snakemake: Any) -> Iterator[Job]:
     """Log a script, yield its `Job`, and keep records of its outputs.
 
-    Raises ValueError at the beginning if an input differs from what the study wrote, and at the end
-    if an input changed meanwhile.
+    The job fails at the beginning if an input differs from what the study wrote, and at the end if
+    an input changed meanwhile.
     """
     # Jobs make hardly any reference cycles; looking for them takes a twentieth of their time.
     gc.disable()

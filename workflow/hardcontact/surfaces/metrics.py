@@ -35,7 +35,7 @@ def metrics(scan: HeightMap) -> dict[str, float]:
     Parameters
     ----------
     scan : HeightMap
-        Levelled, not periodic.
+        Levelled. Differences do not wrap around a periodic map.
 
     Returns
     -------
