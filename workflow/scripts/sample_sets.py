@@ -17,12 +17,12 @@ with run_job(snakemake) as job:
     pools = {surface: pool for (surface,), pool in pool_chunks.items()}
     candidates = candidates_by_surface(read_all(params["candidate_chunks"], job.input.candidates))
     inputs = SetInputs(
-        read(job.input.topography),
-        adhesion,
-        pools,
-        candidates,
-        sphere_factor(adhesion, [*pools, *candidates]),
-        read_master_forces(
+        topography=read(job.input.topography),
+        adhesion=adhesion,
+        pools=pools,
+        candidates=candidates,
+        sphere_factor=sphere_factor(adhesion, [*pools, *candidates]),
+        masters=read_master_forces(
             params["master_surfaces"], job.input.masters, params["realizations"], params["loading"]
         ),
     )

@@ -60,7 +60,7 @@ PURPOSES = {
 
 
 def filtered_settings(configuration: Mapping[str, Any], purpose: str) -> dict[str, Any]:
-    """Return the settings of the forces on filtered masters for a purpose."""
+    """Return the settings of the forces on the masters of a purpose; lengths are in nm."""
     settings = PURPOSES[purpose]
     contact = study_contact(configuration)
     radii = get_key(configuration, settings.radii_key)

@@ -204,10 +204,7 @@ def add_extrapolated_force(
 
 
 def _widen_intervals(force: xr.Dataset, hindcast: xr.Dataset | None, rho: float) -> xr.Dataset:
-    """Return forces whose intervals also include errors that other computations give.
-
-    The position of a rough sphere is unknown, roughness is artificial, and pixels are wide.
-    """
+    """Return forces with intervals for sphere position, artificial roughness and wide pixels."""
     if "position_factor" in force:
         plastic_factor = force["position_factor"].sel(contact_model=PLASTIC, drop=True)
         factor = plastic_factor.sel(rho=rho, method="nearest", drop=True)

@@ -27,9 +27,8 @@ from hardcontact.surfaces.synthesis import SEED_WORDS, random_surface
 #: The shortest and the longest wavelength in nm.
 Octave = tuple[float, float]
 
-#: Artificial octaves of a side. Trade-off of time (one force sum each) against independence of the
-#: seed. With six, the outcome depended on the seed on one scan; with twelve, the interval is 1.15
-#: times as wide as with many.
+#: Artificial octaves of a side; each costs a force sum. With six, the outcome depended on the seed
+#: on one scan; with twelve, the interval is 1.15 times as wide as with many.
 ARTIFICIAL_OCTAVES = 12
 
 
@@ -63,13 +62,8 @@ def outermost_octave(
     The scan is reliable from `shortest` to `longest`; beyond the transition its roughness is
     extrapolated. All are in nm.
     """
-    if side == "short":
-        end = max(transition, shortest)
-        octave = end, 2 * end
-    else:
-        end = min(transition, longest)
-        octave = end / 2, end
-    return octave if shortest <= octave[0] and octave[1] <= longest else None
+    start = max(transition, shortest) if side == "short" else min(transition, longest) / 2
+    return (start, 2 * start) if shortest <= start and 2 * start <= longest else None
 
 
 def hindcast_forces(
@@ -111,7 +105,7 @@ def hindcast_forces(
 def _split_at_octave(
     mirrored: HeightMap, side: str, octave: Octave
 ) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
-    """Return the heights of the waves on the inner side of an octave, and of the octave alone."""
+    """Return the heights without an octave and the waves beyond it, and those of the octave."""
     series = filtered_series(mirrored, "short", list(octave), mirrored.pixels)
     octave_and_longer, longer = (waves.heights for waves in series)
     kept_heights = longer if side == "short" else mirrored.heights - octave_and_longer

@@ -222,10 +222,7 @@ def add_extrapolated_work(fitted: xr.Dataset, force: xr.Dataset) -> xr.Dataset:
 
 
 def _logarithmic_errors(data: xr.Dataset, name: str) -> tuple[xr.DataArray, xr.DataArray]:
-    """Return the logarithmic distances of a value from both ends of its interval.
-
-    A lower end of zero is no bound, and its distance is infinite.
-    """
+    """Return the logarithmic distances of a value from its interval's ends; infinite from zero."""
     low, high = interval_ends(data, name)
     with np.errstate(divide="ignore"):
         distance_to_low: xr.DataArray = xr.apply_ufunc(np.log, data[name] / low)

@@ -89,7 +89,10 @@ def read_own_spectrum(
     if tables and len(files) > 1:
         raise ValueError(f"{tables[0]}: expected one table, or scans alone, found other files, too")
     if tables:
-        return _spectrum_of_table(tables[0])
+        spectrum = read_spectrum_table(tables[0])
+        zeros = np.count_nonzero(spectrum.density == 0)
+        note = f"left out: {zeros} rows of the table with a density of 0, no roughness there"
+        return OwnSpectrum(spectrum, (note,) if zeros else ())
     scans = [
         scan_with_defects(options.read(path, name), sphere_radius, options.levelling)
         for path in files
@@ -133,14 +136,6 @@ def _sum_of_maps(substrate: HeightMap, sphere: HeightMap, *, seed: int) -> Heigh
     mirrored = combine_maps(rng, mirror_in_float32(substrate), mirror_in_float32(sphere))
     heights = mirrored.heights[: substrate.pixels, : substrate.pixels]
     return replace(substrate, heights=heights, defects={**sphere.defects, **substrate.defects})
-
-
-def _spectrum_of_table(path: str | Path) -> OwnSpectrum:
-    """Return the spectrum of a table, with a note on rows without roughness."""
-    spectrum = read_spectrum_table(path)
-    zeros = np.count_nonzero(spectrum.density == 0)
-    note = f"left out: {zeros} rows of the table with a density of 0, no roughness there"
-    return OwnSpectrum(spectrum, (note,) if zeros else ())
 
 
 def _spectrum_of_scans(scans: Sequence[HeightMap], tip_radius: float | None = None) -> OwnSpectrum:
@@ -224,7 +219,7 @@ def read_spectrum_table(path: str | Path) -> Spectrum:
 
 
 def _find_column(table: UserTable, names: Sequence[str]) -> str:
-    """Return the one of two names that a table has as a column, with a column of its unit."""
+    """Return which of two columns a table has; the column of its unit must be there, too."""
     present = [name for name in names if name in table.header]
     if len(present) != 1:
         raise ValueError(

@@ -38,10 +38,7 @@ class Obstacle(StrEnum):
 def window_on_scans(
     rms_height: float, min_pixel_size: float, min_scan_size: float, radius: float, rho: float
 ) -> tuple[float, str]:
-    """Return the width of the window (nm) on scans, and the reason.
-
-    Lengths are in nm. The rms height is the largest of the scans; `rho` is the range of adhesion.
-    """
+    """Return the width of the window on scans, and the reason; all lengths are in nm."""
     height = BORDER_HEIGHT_IN_RANGES * rho
     height_words = f"{BORDER_HEIGHT_IN_RANGES} ranges of adhesion"
     if BORDER_HEIGHT_IN_RMS * rms_height > height:

@@ -49,13 +49,11 @@ class ScanSize(StrEnum):
 
 
 class ClosedFormStatus(StrEnum):
-    """Whether the closed form for the spectrum of a map agrees with the force on the map.
+    """Whether the closed form for the spectrum of a map agrees with the force on the map."""
 
-    AGREES: the force lies within the known error of the closed form. NOT_GAUSSIAN: the intervals of
-    both forces are disjoint. OUTSIDE: any other case.
-    """
-
-    AGREES, NOT_GAUSSIAN, OUTSIDE = "agrees", "not_gaussian", "outside"
+    AGREES = "agrees"  #: The force lies within the known error of the closed form.
+    NOT_GAUSSIAN = "not_gaussian"  #: The intervals of both forces are disjoint.
+    OUTSIDE = "outside"  #: Any other case.
 
 
 def prediction_and_scan_force(
@@ -123,10 +121,7 @@ def force_on_scan(
 def _surface_forces(
     scan: HeightMap, surface: HeightMap, body_maps: Sequence[HeightMap], contact: Contact
 ) -> SurfaceForces:
-    """Return the plastic forces (N) of a smooth sphere, or of a rough one at several positions.
-
-    `surface` is the mirrored scan. `body_maps` are the maps of substrate and rough sphere, or none.
-    """
+    """Return the plastic forces (N) of a smooth sphere, or of a rough one at several positions."""
     joined_bodies = [join_bodies(surface, None, contact)]
     if body_maps:
         substrate, sphere = (mirror_in_float32(body_map) for body_map in body_maps)

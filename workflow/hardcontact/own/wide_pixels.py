@@ -14,10 +14,7 @@ WIDE_PIXEL = 4
 
 
 def widen_pixels(surface: HeightMap) -> HeightMap:
-    """Return a map whose blocks of WIDE_PIXEL x WIDE_PIXEL pixels have their mean height.
-
-    Blocks at the last rows and columns may be smaller.
-    """
+    """Return a map whose blocks of WIDE_PIXEL x WIDE_PIXEL pixels have their mean height."""
     starts = np.arange(0, surface.pixels, WIDE_PIXEL)
     counts = np.diff(starts, append=surface.pixels)
     sums = np.add.reduceat(np.add.reduceat(surface.heights.astype(float), starts, 0), starts, 1)
@@ -27,10 +24,7 @@ def widen_pixels(surface: HeightMap) -> HeightMap:
 
 
 def pixel_forces(surface: HeightMap, sphere: HeightMap | None, contact: Contact) -> xr.Dataset:
-    """Return ``scan_force`` and ``wide_pixel_force`` (contact_y, contact_x) in N at 1 J/m².
-
-    Both bodies have wider pixels for ``wide_pixel_force``. `sphere` is None for a smooth sphere.
-    """
+    """Return ``scan_force`` and ``wide_pixel_force`` (contact_y, contact_x) in N at 1 J/m²."""
     wide_sphere = None if sphere is None else widen_pixels(sphere)
     forces = {
         "scan_force": make_force_function(contact, sphere)(surface),

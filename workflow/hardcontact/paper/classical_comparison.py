@@ -70,21 +70,14 @@ def apply_classical_models(
         source: hertz_jkr_dmt.effective_work_of_adhesion(ends, sphere.radius, coefficient)
         for source, ends in forces.items()
     }
-    work = paper["work_of_adhesion"]
-    models = {}
-    for metrics, prefix in METRIC_PREFIXES.items():
-        mean = _roughness(rows.loc[surfaces], "value", prefix)
-        uncertainty = _roughness(rows.loc[surfaces], "uncertainty", prefix)
-        rng = sampling.generator(metrics)
-        samples = sample_roughness(rng, mean, uncertainty, sampling.sample_count)
-        numbers = _model_numbers(mean, sphere, work, forces, works)
-        sampled_numbers = _model_numbers(samples, sphere, work, forces, works)
-        variables: dict[str, Any] = {}
-        for name, (dimensions, unit) in MODEL_VARIABLES.items():
-            variables |= sampling.as_variables(
-                name, dimensions, numbers[name], sampled_numbers[name], unit
-            )
-        models[(metrics,)] = xr.Dataset(variables)
+
+    def compute_numbers(roughness: Roughness) -> dict[str, Floats]:
+        return _model_numbers(roughness, sphere, paper["work_of_adhesion"], forces, works)
+
+    models = {
+        (metrics,): _models_with_intervals(rows.loc[surfaces], metrics, compute_numbers, sampling)
+        for metrics in METRIC_PREFIXES
+    }
     coordinates = {
         "surface": surfaces,
         "force_source": list(forces),
@@ -104,6 +97,27 @@ def apply_classical_models(
         )
         .assign_attrs(error_threshold=fit.attrs["error_threshold"], confidence=sampling.confidence)
     )
+
+
+def _models_with_intervals(
+    rows: pd.DataFrame,
+    metrics: str,
+    compute_numbers: Callable[[Roughness], dict[str, Floats]],
+    sampling: Sampling,
+) -> xr.Dataset:
+    """Return MODEL_VARIABLES for one kind of metrics in rows of Table 1, with intervals."""
+    mean = _roughness(rows, "value", METRIC_PREFIXES[metrics])
+    uncertainty = _roughness(rows, "uncertainty", METRIC_PREFIXES[metrics])
+    rng = sampling.generator(metrics)
+    samples = sample_roughness(rng, mean, uncertainty, sampling.sample_count)
+    numbers = compute_numbers(mean)
+    sampled_numbers = compute_numbers(samples)
+    variables: dict[str, Any] = {}
+    for name, (dimensions, unit) in MODEL_VARIABLES.items():
+        variables |= sampling.as_variables(
+            name, dimensions, numbers[name], sampled_numbers[name], unit
+        )
+    return xr.Dataset(variables)
 
 
 def _smooth_contact(sphere: ElasticSphere, paper: Mapping[Any, float]) -> xr.Dataset:
@@ -161,10 +175,7 @@ def _roughness(rows: pd.DataFrame, column: str, prefix: str) -> Roughness:
 def sample_roughness(
     rng: np.random.Generator, mean: Roughness, uncertainty: Roughness, samples: int
 ) -> Roughness:
-    """Sample the roughness (samples, surface) within its uncertainty.
-
-    Each number is normal, truncated at zero; its standard deviation is the published ±.
-    """
+    """Sample the roughness (samples, surface): normal within the published ±, truncated at zero."""
     from scipy.stats import truncnorm
 
     size = samples, len(mean.height)
@@ -226,10 +237,7 @@ def classical_error(
 
 
 def power_law_error(parameter: Floats, work: Floats) -> Floats:
-    """Return the smallest error (...) of a power law for works of adhesion (surface,).
-
-    The factor and the exponent of the parameter (..., surface) minimize the error.
-    """
+    """Return the error (...) of the best power law of a parameter for works (surface,)."""
     logarithm = np.log(parameter / parameter.mean(axis=-1, keepdims=True))[..., None]
 
     def error_at(exponents: Floats) -> Floats:

@@ -185,7 +185,7 @@ def _mean_tension(tension: Tension, spread: float, separation: float) -> tuple[f
 
 
 @lru_cache
-def _spline(tension: Tension, factor: float) -> CubicSpline:
+def _force_spline(tension: Tension, factor: float) -> CubicSpline:
     """Return a spline of ln(-ln r) by ln θ, r the relative force; nearly straight if r is not 0.
 
     The spread of heights in the unit of the compression is (factor θ²/9π²)^⅓.
@@ -198,7 +198,9 @@ def _spline(tension: Tension, factor: float) -> CubicSpline:
 
 def _relative_pull_off(tension: Tension, factor: float, index: Values) -> Values:
     """Return the pull-off force of asperities relative to as many asperities of equal height."""
-    return np.exp(-np.exp(_spline(tension, factor)(np.log(np.clip(index, *ADHESION_INDICES)))))
+    return np.exp(
+        -np.exp(_force_spline(tension, factor)(np.log(np.clip(index, *ADHESION_INDICES))))
+    )
 
 
 MODELS = {

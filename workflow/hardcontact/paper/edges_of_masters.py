@@ -41,7 +41,7 @@ def edges_of_masters(
     ratio, ratio_samples = _mean_ratios(scales, sampling)
     edges = []
     samples = []
-    for curve, sampled_values in _curves(scales, ratio, ratio_samples, tolerance):
+    for curve, sampled_values in _change_curves(scales, ratio, ratio_samples, tolerance):
         edges.append(find_edge(curve))
         samples.append(_sampled_edges(curve, sampled_values))
     shape = scales.sizes["side"], scales.sizes["surface"] + 1
@@ -50,7 +50,7 @@ def edges_of_masters(
     variables = edge_variables(edges, axes, shape)
     _, edge, _ = variables["edge"]
     variables |= sampling.as_variables("edge", axes, edge, edge_samples, NM)
-    changes = _changes(ratio), _changes(ratio_samples)
+    changes = _absolute_changes(ratio), _absolute_changes(ratio_samples)
     variables |= sampling.as_variables(
         "filtered_force_change", (*axes, "cutoff_wavelength"), *changes, DIMENSIONLESS
     )
@@ -77,13 +77,13 @@ def _mean_ratios(scales: xr.Dataset, sampling: Sampling) -> tuple[Floats, Floats
     return realizations.mean("realization").values, samples.swapaxes(1, 2)
 
 
-def _changes(ratios: Floats) -> Floats:
+def _absolute_changes(ratios: Floats) -> Floats:
     """Return |ratio - 1| (..., group, cutoff); the last group is the mean over surfaces."""
     changes = np.abs(ratios - 1)
     return np.concatenate([changes, changes.mean(axis=-2, keepdims=True)], axis=-2)
 
 
-def _curves(
+def _change_curves(
     scales: xr.Dataset, ratio: Floats, ratio_samples: Floats, tolerance: float
 ) -> Iterator[tuple[ChangeCurve, Floats]]:
     """Yield the curve of each side and group, and samples (sample, k) of its values.
@@ -93,7 +93,7 @@ def _curves(
     wavelength, where no roughness is removed.
     """
     ratios = np.concatenate([ratio[None], ratio_samples])
-    curves = np.concatenate([np.log(ratios), _changes(ratios)[:, :, -1:]], axis=2)
+    curves = np.concatenate([np.log(ratios), _absolute_changes(ratios)[:, :, -1:]], axis=2)
     cutoffs = scales["cutoff_wavelength"].values
     spectrum_ends = scales["unfiltered_wavelength"].transpose("side", "surface").values
     spectrum_ends = np.column_stack([spectrum_ends, spectrum_ends.mean(axis=1)])

@@ -78,7 +78,7 @@ def _fit_all_edges(forces: xr.Dataset, tolerance: float) -> Floats:
     log_lengths = [np.log(forces["radius"]) / 2, np.log(touching_area) / 2]
     exponents: xr.DataArray = xr.apply_ufunc(
         _fit_edges_of_surface,
-        np.log(_edges(forces, tolerance)),
+        np.log(_find_edges(forces, tolerance)),
         *log_lengths,
         input_core_dims=[["radius", "contact_area"], ["radius"], ["contact_area"]],
         output_core_dims=[["exponent_of"]],
@@ -87,7 +87,7 @@ def _fit_all_edges(forces: xr.Dataset, tolerance: float) -> Floats:
     return np.asarray(exponents.transpose("surface", "side", "exponent_of"))
 
 
-def _edges(forces: xr.Dataset, tolerance: float) -> xr.DataArray:
+def _find_edges(forces: xr.Dataset, tolerance: float) -> xr.DataArray:
     """Return the edges (surface, side, radius, contact_area) in nm, NaN if they are open."""
     cutoffs = forces["cutoff_wavelength"].values
 

@@ -121,10 +121,7 @@ def _candidate_statistics(
     pair: tuple[float, float],
     targets: Mapping[Any, float],
 ) -> xr.Dataset:
-    """Return the features and CANDIDATE_STATISTICS (candidate,) of plastic forces at a pair.
-
-    ``agrees`` is 1 if mean and median force are within MAX_FORCE_FACTOR of the targets.
-    """
+    """Return the features and CANDIDATE_STATISTICS (candidate,) of plastic forces at a pair."""
     rho, work = pair
     forces = work * interpolate_to_range(candidates["pull_off_force"] * sphere_factor, rho)
     contacts = forces.stack(contact=("scan", *CONTACT_AXES)).transpose("candidate", "contact")

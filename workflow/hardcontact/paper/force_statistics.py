@@ -40,10 +40,7 @@ def forces_at_pair(
     reference_index: int,
     sampling: Sampling,
 ) -> xr.Dataset:
-    """Return force statistics and ratios of mean forces of one contact model by surface.
-
-    The pair is a range of adhesion in nm and a work of adhesion in J/m².
-    """
+    """Return force statistics and ratios of mean forces of one contact model by surface."""
     rho, work = pair
     pair_forces = interpolate_to_range(forces, rho) * work
     means, mean_samples = mean_forces(pair_forces.expand_dims("rho"), sampling)

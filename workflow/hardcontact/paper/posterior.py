@@ -32,10 +32,7 @@ NONE_LEFT_OUT = "none"
 
 
 def log_mean_error(log_std: ArrayLike, count: int) -> Floats:
-    """Return the standard deviation of ln(mean) of some log-normal forces.
-
-    `log_std` is the standard deviation of ln F, `count` the number of independent forces.
-    """
+    """Return the deviation of ln(mean) of `count` log-normal forces; `log_std` is that of ln F."""
     return np.sqrt(np.log1p(np.expm1(np.square(log_std)) / count))
 
 
@@ -89,8 +86,7 @@ def study_posteriors(
 ) -> xr.Dataset:
     """Return the posteriors (forces_on, left_out) of all surfaces, and without each in turn.
 
-    `sets` is sets.nc in plastic contact; `forces_by_surface` are those on whole surfaces, if any,
-    as for `means_on_whole_surfaces`.
+    `sets` is sets.nc in plastic contact; whole surfaces may have no forces.
     """
     forces = {"scans": sets["mean_force"].rename(set="replicate")}
     if forces_by_surface:
@@ -111,8 +107,8 @@ def means_on_whole_surfaces(
 ) -> xr.DataArray:
     """Return sampled mean forces (replicate, surface, rho) of the rough sphere on whole surfaces.
 
-    Each surface has the forces of a smooth sphere (map, rho) in N. The sphere factor (surface, rho)
-    is the force of the rough sphere relative to a smooth sphere.
+    Forces (map, rho) are those of a smooth sphere in N; `sphere_factor` (surface, rho) makes it
+    rough.
     """
     values = {
         surface: forces.transpose("map", "rho").values

@@ -173,10 +173,7 @@ def _fitted_variables(
 def _error_variables(
     curves: Floats, published_forces: Floats, ranges: Floats, threshold: float
 ) -> dict[str, Any]:
-    """Return the error map, the region of small error, and the local minima along the range.
-
-    The minima are those of the error at the best work for each range.
-    """
+    """Return the error map, the region of small error, and the local minima along the range."""
     errors = mean_relative_error(curves, published_forces, MAPPED_WORKS)
     region_range, region_work = error_region(errors, ranges, MAPPED_WORKS, threshold)
     work, smallest_errors = fit_work(curves, published_forces)
@@ -202,10 +199,7 @@ def _error_variables(
 
 
 def local_minima(errors: Floats, count: int) -> NDArray[np.int_]:
-    """Return the indices of at most `count` local minima of errors (rho,), the smallest first.
-
-    An end of the ranges is a minimum if the error grows from it inwards.
-    """
+    """Return the indices of at most `count` local minima of errors (rho,), the smallest first."""
     run_starts = np.flatnonzero(np.diff(errors, prepend=np.inf))  # the first of equal neighbours
     change = np.diff(errors[run_starts], prepend=np.inf, append=np.inf)
     minima = run_starts[(change[:-1] < 0) & (change[1:] > 0)]
@@ -228,10 +222,7 @@ def ratio_errors(computed_forces: Floats, published_forces: Floats, reference_in
 def error_region(
     errors: Floats, ranges: Floats, works: Floats, threshold: float
 ) -> tuple[Floats, Floats]:
-    """Return the smallest and largest range (2,) and work (2,) of the pairs that fit, or NaN.
-
-    Pairs (rho, work) with an error below the threshold fit; ranges are in nm, works in J/m².
-    """
+    """Return the ranges (2,) in nm and works (2,) in J/m² between which pairs fit, or NaN."""
     rows, columns = np.nonzero(errors < threshold)
     if not rows.size:
         return np.full(2, np.nan), np.full(2, np.nan)

@@ -124,10 +124,7 @@ def adhesion_of_set(
 
 
 def scale_to_sampled_mean(forces: xr.DataArray, rng: np.random.Generator) -> xr.DataArray:
-    """Return the forces of measured scans, scaled to a mean that other scans might have.
-
-    The distribution over contacts stays the same. A single scan keeps its forces.
-    """
+    """Return the forces of several scans, scaled to a mean that other scans might have."""
     axes = ("scan", "contact_model", "rho")
     means = mean_over_contacts(forces).transpose(*axes)
     if means.sizes["scan"] < 2:
@@ -160,10 +157,7 @@ def sample_sets(
     published: PublishedForces,
     settings: SetSettings,
 ) -> xr.Dataset:
-    """Return sets.nc: of each set the values (set, claim) of claims, the fit and the edges.
-
-    ``sphere_factor`` (contact_model, surface, rho) is NaN for a substrate that keeps its scans.
-    """
+    """Return sets.nc: of each set the values (set, claim) of claims, the fit and the edges."""
     numbers = range(1, settings.set_count + 1)
     sets = []
     for set_number in progress(numbers, len(numbers), "sets"):

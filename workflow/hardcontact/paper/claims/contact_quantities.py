@@ -85,10 +85,7 @@ def median_share_above_hardness(elastic: xr.Dataset) -> xr.Dataset:
 
 
 def median_plastic_over_elastic_area(elastic: xr.Dataset) -> xr.Dataset:
-    """Return the area of plastic relative to elastic contact, median over surfaces.
-
-    The area of plastic contact is preload/hardness.
-    """
+    """Return the area of plastic relative to elastic contact, median over surfaces ()."""
     plastic_area = elastic.attrs["preload"] / elastic.attrs["hardness"] / NANOMETRE**2
     ratio = plastic_area / mean_over_contacts(elastic["elastic_contact_area"])
     return mean_over_scans(ratio, elastic.attrs["confidence"]).median("surface", skipna=False)

@@ -32,10 +32,7 @@ def mean_over_median(fit: xr.Dataset) -> xr.Dataset:
 
 
 def plastic_over_rigid(adhesion: xr.Dataset) -> xr.Dataset:
-    """Return the mean plastic relative to the rigid force at the reference range (surface).
-
-    The ratio is taken scan by scan.
-    """
+    """Return the mean plastic relative to the rigid force at the reference range (surface)."""
     mean = mean_over_contacts(_forces_at_reference(adhesion))
     plastic = mean.sel(contact_model=PLASTIC, drop=True)
     rigid = mean.sel(contact_model=RIGID, drop=True)
@@ -68,16 +65,14 @@ def shortest_range_force_over_minimum(adhesion: xr.Dataset) -> xr.Dataset:
 
 
 def smooth_sphere_change(adhesion: xr.Dataset) -> xr.Dataset:
-    """Return the relative change of the force on a smooth sphere over the ranges ().
-
-    Eq. 3 is summed on the pixels of the study; for a paraboloid the sums over both axes separate.
-    """
+    """Return the relative change of the force on a smooth sphere over the ranges ()."""
     radius = adhesion.attrs["sphere_radius"]
     pixel = adhesion.attrs["pixel_size"]
     rho = adhesion["rho"]
     # At this distance the attraction at the longest range is exp(-72) of that at the apex.
     reach = int(12 * np.sqrt(radius * rho.max()) / pixel)
     position = xr.DataArray(pixel * np.arange(-reach, reach + 1), dims="position")
+    # For a paraboloid the sums of Eq. 3 over both axes separate.
     force = np.exp(-(position**2) / (2 * radius * rho)).sum("position") ** 2 / rho
     return as_estimate(force.max() / force.min() - 1)
 
@@ -123,10 +118,7 @@ def inverse_gaussian_misfit(adhesion: xr.Dataset) -> xr.Dataset:
 def _misfit(
     adhesion: xr.Dataset, distribution: str, parameters: Callable[[Floats], tuple[Any, ...]]
 ) -> xr.Dataset:
-    """Return the Kolmogorov distance of forces to a distribution of scipy.stats by name.
-
-    `parameters` returns the parameters of the distribution for forces (n,).
-    """
+    """Return the Kolmogorov distance of forces (n,) to a distribution of scipy.stats by name."""
     from scipy.stats import kstest
 
     return _force_statistic(
@@ -229,19 +221,13 @@ def printed_effective_work(classical: xr.Dataset) -> xr.Dataset:
 
 
 def tabor_by_convention(classical: xr.Dataset) -> xr.Dataset:
-    """Return the Tabor parameter (); its interval reaches to the other convention, K = 4 E*/3.
-
-    Both are in workflow/report/departures.md, 5.
-    """
+    """Return the Tabor parameter (); its interval reaches to K = 4 E*/3 (departures.md, 5)."""
     tabor = classical["tabor_parameter"]
     return as_estimate(tabor, tabor, (9 / 4) ** (1 / 3) * tabor)
 
 
 def classical_over_numerical(classical: xr.Dataset, fit: xr.Dataset) -> xr.Dataset:
-    """Return the error of classical models relative to the error of the computed forces.
-
-    Its dimensions are (metrics, model, force_source, contact_model).
-    """
+    """Return classical over computed errors (metrics, model, force_source, contact_model)."""
     return quotient(
         variable_estimate(classical, "mean_relative_error"), variable_estimate(fit, "best_error")
     )

@@ -52,10 +52,7 @@ def find_open_end(
 
 
 def add_open_ends(claims: pd.DataFrame, bands: Sequence[xr.Dataset]) -> pd.DataFrame:
-    """Add the column `open_end` to claims, from `find_open_end` for edges, ``""`` for others.
-
-    The `bands` are edges.nc and sets.nc, whose sets have fewer cutoffs than the study.
-    """
+    """Add the column `open_end` to claims: of edges from `find_open_end`, otherwise empty."""
     sides = claims["id"].map(EDGE_CLAIMS)
     rows = zip(sides, claims["computed"], claims["low"], claims["high"], strict=True)
     ends = [find_open_end(*row, bands) if isinstance(row[0], str) else "" for row in rows]

@@ -41,10 +41,7 @@ DERIVED_QUANTITIES: dict[str, Callable[..., xr.Dataset]] = {
 def claim_values(
     claims: pd.DataFrame, datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame
 ) -> pd.Series:
-    """Return the value of every claim by ``id``, without its interval; NaN if there is none.
-
-    Raises ValueError if a claim needs a dataset, a variable or an attribute that is missing.
-    """
+    """Return the value of every claim by ``id``, without its interval; NaN if there is none."""
     values = {
         claim.id: np.nan if result is None else float(result.estimate["value"])
         for claim, result in _estimate_claims(claims, datasets, constants, np.nan)
@@ -174,10 +171,7 @@ def _judge(claim: Any, result: _ClaimResult, sets: xr.Dataset, confidence: float
 
 
 def _claim_samples(claim: Any, result: _ClaimResult, sets: xr.Dataset) -> Floats:
-    """Return the samples of a claim's value, from sets or from the posterior; empty if none.
-
-    In the dataset of a posterior they are the variable ``sampled_`` and the quantity.
-    """
+    """Return the samples of a claim's value, from sets or from the posterior; empty if none."""
     if claim.samples_from == "posterior":
         posterior = next(iter(result.datasets.values()))
         labels = {dimension: groups[0][0] for dimension, groups in result.labels.items()}

@@ -49,19 +49,16 @@ def split_selection(select: str) -> dict[str, list[list[str]]]:
 
 
 def parse_selection(estimate: xr.Dataset, select: str) -> SelectedLabels | None:
-    """Return the selected values of the coordinates; None if a coordinate lacks a label.
-
-    Raises KeyError if the estimate lacks a dimension.
-    """
+    """Return the selected values of the coordinates; None if a coordinate lacks a label."""
     labels = {
-        dim: [[_label(estimate[dim].values, label) for label in group] for group in groups]
+        dim: [[_matching_label(estimate[dim].values, label) for label in group] for group in groups]
         for dim, groups in split_selection(select).items()
     }
     lacks_label = any(None in group for groups in labels.values() for group in groups)
     return None if lacks_label else labels
 
 
-def _label(coordinate: np.ndarray, label: str) -> Any:
+def _matching_label(coordinate: np.ndarray, label: str) -> Any:
     """Return the value of a coordinate that matches a label, or None."""
     if np.issubdtype(coordinate.dtype, np.number):
         matches = np.isclose(coordinate, float(label), rtol=1e-6, atol=0)
@@ -137,10 +134,7 @@ def _are_substitutes(surfaces: list[str], topography: xr.Dataset) -> list[bool]:
 def fixed_verdict(
     claim: Any, surfaces: list[str], topography: xr.Dataset, constants: pd.DataFrame
 ) -> tuple[str, str]:
-    """Return a verdict that does not depend on the estimate, and its reason, or empty texts.
-
-    ``table1_rows_met`` of topography.nc names the rows of Table 1 that scans meet by construction.
-    """
+    """Return a verdict that does not depend on the estimate, and its reason, or empty texts."""
     if claim.needs == "construction":
         return BY_CONSTRUCTION, ""
     if claim.needs == "experiment":
