@@ -48,17 +48,17 @@ def arguments_in_messages() -> Iterator[None]:
     try:
         yield
     except ValueError as error:
-        raise ValueError(REMEDY.sub(_argument, str(error))) from None
+        raise ValueError(REMEDY.sub(_as_argument, str(error))) from None
 
 
-def _argument(remedy: re.Match[str]) -> str:
+def _as_argument(remedy: re.Match[str]) -> str:
     """Return a remedy as the argument of a function."""
     name, value = remedy.groups()
     return f"{name}={value.removesuffix('nm')}" if value[0].isdigit() else f'{name}="{value}"'
 
 
 def unit_question(quantity: str, number: float) -> str:
-    """Ask about the unit of a number, in the unit of its key, that is not usual; else return "".
+    """Return a question if a number, in the unit of its key, is not usual; otherwise no text.
 
     The question suggests the number with another prefix of the unit, if that number is usual.
     """
@@ -76,10 +76,7 @@ def unit_question(quantity: str, number: float) -> str:
 def check_read_arguments(
     files: Sequence[object], lengths: Mapping[str, object], **texts: object
 ) -> None:
-    """Refuse files that are not paths, lengths that are not positive, and texts that are none.
-
-    A length may also be None or NONE.
-    """
+    """Refuse arguments that are not paths, lengths or texts; a length may be None or NONE."""
     faults = [
         f"files: expected a path in each argument, found {' '.join(shorten(file).split())}"
         for file in files

@@ -123,10 +123,7 @@ def reading_keys(config: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def master_keys(config: Mapping[str, Any], section: str, side: str) -> dict[str, str]:
-    """Return the key of each setting of the masters that a section filters on one side.
-
-    A section inherits missing settings from `scales`.
-    """
+    """Return the keys of the masters' settings in a section, or in `scales` where it has none."""
     return {
         name: f"{section_name}.{side}.{name}"
         for section_name in ("scales", section)

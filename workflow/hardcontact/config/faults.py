@@ -43,10 +43,7 @@ def key_fault(key: str, accepted: object, value: object) -> str:
 
 
 def raise_faults(lines: Iterable[str]) -> None:
-    """Raise ValueError if there are lines, each of which reports a fault.
-
-    Beyond MAX_LINES, the last line counts the faults that are not reported.
-    """
+    """Raise ValueError if there are lines of faults; those beyond MAX_LINES are only counted."""
     reported = [*lines]
     if len(reported) > MAX_LINES:
         unreported = len(reported) - MAX_LINES + 1
@@ -69,7 +66,7 @@ def run_checks(checks: Iterable[Callable[[], Any]]) -> list[Any]:
 
 
 def spelling_question(name: str, known_names: Iterable[str]) -> str:
-    """Ask whether a known name that resembles an unknown one is meant; "" if none does."""
+    """Return a question with the known name that an unknown one resembles, or no text."""
     similar = difflib.get_close_matches(name, sorted(known_names), 1, SIMILARITY)
     return f" (did you mean {similar[0]}?)" if similar else ""
 

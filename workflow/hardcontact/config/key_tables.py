@@ -44,10 +44,7 @@ def configuration_yaml() -> str:
 
 
 def update_columns(text: str) -> str:
-    """Return Markdown with a new table of the columns of a table of surfaces.
-
-    It is between the lines ``<!-- columns: begin -->`` and ``<!-- columns: end -->``.
-    """
+    """Return Markdown with a new table of columns between ``columns: begin`` and ``end``."""
     begin, end = "<!-- columns: begin -->\n", "<!-- columns: end -->\n"
     fields = SurfaceRow.model_fields.items()
     rows = [f"| `{name}` | {_meaning(field)} | {_values(field)} |" for name, field in fields]

@@ -76,10 +76,7 @@ def _ascending(texts: Any, validate: Callable[[Any], list[float]]) -> list[float
 
 
 def study_name(max_length: int = MAX_NAME_LENGTH) -> Matching:
-    """Return the type of names of a study.
-
-    Names that end with .txt belong to the project's own files in the folder of results.
-    """
+    """Return the type of names of a study; the project's own files have the end .txt."""
     return Matching(
         rf"(?!.*\.txt$)[A-Za-z0-9][A-Za-z0-9_.-]{{0,{max_length - 1}}}",
         f"a name of up to {max_length} letters, digits, dots, dashes and underscores, without "

@@ -94,10 +94,7 @@ def study_contacts(config: dict[str, Any]) -> dict[str, NamedContact]:
 
 
 def refuse_unfit_grids(config: dict[str, Any], grids: Mapping[str, Grid]) -> None:
-    """Refuse values that the pixels of scans do not permit.
-
-    Quantities in `config` are numbers; `grids` are by surface.
-    """
+    """Refuse values that the pixels of scans do not permit; `grids` are by surface."""
     fault_series = []
     sphere_surface = config["sphere"]["surface"]
     master_sections = ["scales", "sets"] if is_paper_study(config) else ["scales"]
@@ -218,10 +215,7 @@ def _map_faults(bodies: str, pixel_size: float, *grids: Grid) -> Iterator[str]:
 def _memory_faults(
     named_contact: NamedContact, surface: str, pixel_size: float, periods: float
 ) -> Iterator[str]:
-    """Yield the fault of a load whose contact pixels do not fit into memory at once.
-
-    Each pixel (width in nm) lies `periods` times in the window.
-    """
+    """Yield the fault of a load whose contact pixels, each `periods` times, exceed the memory."""
     contact = named_contact.contact
     count_key = named_contact.contacts_per_row.removeprefix("config key ")
     reason = (

@@ -35,10 +35,7 @@ def write_pins() -> None:
 
 
 def refuse_other_versions() -> None:
-    """Raise ValueError, in one line, if an installed version is not the pinned one.
-
-    A package that only some systems need may be missing.
-    """
+    """Raise ValueError, in one line, if an installed version is not the pinned one."""
     locked = _by_plain_name(read_pins(LOCK))
     required = _by_plain_name(read_pins(ENVIRONMENT))
     if not required.items() <= locked.items():
@@ -51,6 +48,7 @@ def refuse_other_versions() -> None:
     faults = [
         f"{name} {pin}, found {installed[name] or 'none'}"
         for name, pin in locked.items()
+        # A package that only some systems need may be missing.
         if installed[name] != pin and (installed[name] or name in required)
     ]
     if faults:

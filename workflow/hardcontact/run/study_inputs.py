@@ -32,10 +32,7 @@ from hardcontact.run.start import plans_the_run, refuse
 
 
 def finished_configuration(config: Mapping[str, Any]) -> str:
-    """Return the path of the configuration of a finished study, unless it was changed.
-
-    The key `study` of the command line names the study; without it, the study is the paper's.
-    """
+    """Return the path of the configuration of a finished study, by default the paper's."""
     path = f"results/{config.get('study', 'paper')}/configuration.yaml"
     if not os.path.isfile(path):
         refuse(f"{path}: expected the configuration of a finished study, found no such file")
