@@ -7,9 +7,8 @@ import pytest
 from refusals import assert_says
 from scan_files import write_scan
 
-from hardcontact.commands.inventory import inventory, table_rows
-from hardcontact.commands.request import new_arguments
-from hardcontact.commands.scan_files import ScanFile, list_scan_files
+from hardcontact.commands.inventory import read_inventory, table_rows
+from hardcontact.commands.request import ScanFile, list_scan_files, new_arguments
 from hardcontact.scans import reading
 from hardcontact.scans.reading import ReadingOptions
 
@@ -21,7 +20,7 @@ def scan_file(path, **others):
 
 def only_entry(path, tip_radius=None, **others):
     """Return the entry of a file with one topography."""
-    ((entry,), unreadable, problems) = inventory(
+    ((entry,), unreadable, problems) = read_inventory(
         [scan_file(path, **others)], ReadingOptions(tip_radius)
     )
     assert not unreadable and not problems
@@ -51,12 +50,12 @@ def test_a_folder_stands_for_its_files_of_which_unreadable_ones_are_left_out(tmp
     (tmp_path / ".hidden").write_text("no scan")
     arguments = new_arguments(["new", "name", str(tmp_path)])
     scan_files, faults = list_scan_files(arguments, 1e5)
-    ((entry,), (line,), problems) = inventory(scan_files, ReadingOptions())
+    ((entry,), (line,), problems) = read_inventory(scan_files, ReadingOptions())
     assert entry.name == "b.nc" and not faults and not problems
     assert_says(line, "a.txt: expected")
     (tmp_path / "b.nc").unlink()
     scan_files, _ = list_scan_files(arguments, 1e5)
-    _, _, problems = inventory(scan_files, ReadingOptions())
+    _, _, problems = read_inventory(scan_files, ReadingOptions())
     assert_says(problems[0], "a.txt: expected")
 
 
@@ -71,7 +70,7 @@ def test_all_faulty_scans_and_duplicates_are_reported_at_once(tmp_path):
         write_scan(tmp_path / "again.nc", np.float32(wave() / 1e3), (0.64, 0.64), "um"),
         write_scan(tmp_path / "other.nc", 1.01 * wave(), (640.0, 640.0)),
     ]
-    _, _, problems = inventory([scan_file(path) for path in paths], ReadingOptions())
+    _, _, problems = read_inventory([scan_file(path) for path in paths], ReadingOptions())
     missing_fault, flat, text, twin = problems
     assert_says(missing_fault, "none.di", "no such file")
     assert_says(flat, "flat.nc", "expected a rough surface", "constant height")
@@ -85,7 +84,9 @@ def test_an_area_counts_once(tmp_path):
     retrace = np.roll(trace, 2, axis=0) + 0.1 * rng.standard_normal((64, 64))
     scans = {"trace": trace, "other": rng.standard_normal((64, 64)), "retrace": retrace}
     paths = [write_scan(tmp_path / f"{name}.nc", values) for name, values in scans.items()]
-    entries, left_out, problems = inventory([scan_file(path) for path in paths], ReadingOptions())
+    entries, left_out, problems = read_inventory(
+        [scan_file(path) for path in paths], ReadingOptions()
+    )
     assert [entry.name for entry in entries] == ["trace.nc", "other.nc"] and not problems
     assert left_out == ["retrace.nc: it shows the same area as trace.nc, and an area counts once"]
 

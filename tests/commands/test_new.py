@@ -10,7 +10,7 @@ from refusals import assert_says
 from repository import PAPER, ROOT, merge_configurations
 from scan_files import write_container, write_nanoscope, write_scan
 
-from hardcontact.commands import command_line, new, parser, request, scan_files
+from hardcontact.commands import command_line, new, parser, request
 from hardcontact.config.configuration import apply_effort, numeric_configuration
 from hardcontact.config.selected_surfaces import surface_table
 from hardcontact.run import checks
@@ -27,7 +27,7 @@ def folder(tmp_path, monkeypatch):
         (tmp_path / file).write_bytes((ROOT / file).read_bytes())
     for folder in ("resources", "workflow/schemas"):
         (tmp_path / folder).symlink_to(ROOT / folder)
-    for module in (new, request, scan_files):
+    for module in (new, request):
         monkeypatch.setattr(module, "ROOT", tmp_path)
     monkeypatch.chdir(tmp_path)
     return tmp_path

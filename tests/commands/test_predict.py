@@ -11,7 +11,7 @@ from known_spectra import contact_of_area, self_affine_spectrum
 from prediction_command import predict_json, predict_text
 from refusals import assert_says, refusal
 
-from hardcontact.commands.options import implausible_quantities, parse_quantities
+from hardcontact.commands.options import parse_quantities, unit_questions
 from hardcontact.commands.predict import predict_arguments
 from hardcontact.own.own_spectrum import read_spectrum_table
 from hardcontact.scans.measured_spectrum import CALIBRATION_SCATTER, isotropic_from_profile
@@ -207,7 +207,7 @@ def test_implausible_quantities_are_questioned(name, usual, questioned):
     for texts, count in ((usual, 0), (questioned, 1)):
         for text in texts:
             quantities, faults = parse_quantities(predict_arguments(["a.csv", f"--{name}", text]))
-            lines = list(implausible_quantities(quantities))
+            lines = list(unit_questions(quantities))
             assert not faults and len(lines) == count, lines
             assert all(line.startswith(f"--{name} {text}: is the unit right?") for line in lines)
 

@@ -16,7 +16,7 @@ from hardcontact.commands.contact_scans import all_search_sizes, select_contact_
 from hardcontact.commands.inventory import Entry
 from hardcontact.commands.new import values_by_key
 from hardcontact.commands.proposal import propose
-from hardcontact.commands.scan_files import ScanFile
+from hardcontact.commands.request import ScanFile
 from hardcontact.config.configuration import numeric_configuration, set_keys
 from hardcontact.config.limits import refuse_unfit_grids
 from hardcontact.contact.contact import Contact

@@ -24,7 +24,7 @@ from hardcontact.report.study_comparison import EQUAL_DIGITS, compare_answers
 from hardcontact.report.templates import Frame, render_document, render_lines
 
 ANSWER = "answer.json"
-#: Of a study that has no answer yet.
+#: What is found in place of the answer of an unfinished study.
 UNFINISHED = "none: `snakemake answer` makes it, with --configfile for any study but the paper's"
 
 
@@ -40,10 +40,7 @@ def compare_arguments(arguments: Sequence[str]) -> Namespace:
 
 
 def compare(arguments: Namespace) -> str:
-    """Return the comparison as text, and write the page that was asked for.
-
-    If the page is named -, it is returned in place of the text.
-    """
+    """Return the comparison as text, and write the page; a page named - is returned instead."""
     paths = [_answer_path(path) for path in (arguments.first, arguments.second)]
     inputs = dict.fromkeys(paths, "those compared")
     faults = [*output_faults({"html": arguments.html}, inputs, arguments.overwrite)]

@@ -24,10 +24,7 @@ Group = list[Entry]
 def all_search_sizes(
     entries: Sequence[Entry], sphere: str | None, contact: Contact
 ) -> dict[str, float]:
-    """Return the search size (nm) of each substrate: that of its roughest scan.
-
-    The sphere finds the summits that it touches within the search size. Its own roughness counts.
-    """
+    """Return the search size (nm) of each substrate, within which the sphere finds its summits."""
     sizes: dict[str, float] = {}
     sphere_densities = [entry.density for entry in entries if entry.scan_file.surface == sphere]
     sphere_density = np.fmax.reduce([np.zeros_like(BIN_CENTRES), *sphere_densities])
@@ -51,7 +48,7 @@ def select_contact_scans(
     that is large enough for every search size, or else the largest. Surfaces are thus compared on
     one size if possible.
     """
-    groups = _groups(entries)
+    groups = _group_by_grid(entries)
     sphere_groups = groups.pop(sphere) if sphere is not None else []
     large_enough = LARGE_SIZE_RATIO * max(search_sizes.values())
     interaction_radius = math.sqrt(2 * contact.radius * contact.rho)
@@ -65,17 +62,17 @@ def select_contact_scans(
             reason = "they come nearest to" if is_small else "the smallest of at least"
             reason += f" {format_length(large_enough)}, twice the search size 2 sqrt(2 R sigma/t)"
         selected += group
-        reasons.append(f"{surface}: {_group_in_words(group)}: {reason}")
+        reasons.append(f"{surface}: {_describe_group(group)}: {reason}")
     if sphere is not None:
         group = _sphere_group(sphere_groups, selected, contact.radius)
         selected += group
         reasons.append(
-            f"{sphere}: {_group_in_words(group)}, from which the sphere's shape is subtracted"
+            f"{sphere}: {_describe_group(group)}, from which the sphere's shape is subtracted"
         )
     return selected, reasons
 
 
-def _groups(entries: Sequence[Entry]) -> dict[str, list[Group]]:
+def _group_by_grid(entries: Sequence[Entry]) -> dict[str, list[Group]]:
     """Return the height maps of each surface, those on the same pixels together."""
     low, high = PIXEL_SIZES
     groups: dict[str, list[Group]] = {}
@@ -83,8 +80,10 @@ def _groups(entries: Sequence[Entry]) -> dict[str, list[Group]]:
         groups[surface] = []
         for scan in scans:
             if scan.kind == "map" and low <= scan.pixel_size <= high:
-                alike = (group for group in groups[surface] if same_grid(group[0].grid, scan.grid))
-                group = next(alike, [])
+                matching_groups = (
+                    group for group in groups[surface] if same_grid(group[0].grid, scan.grid)
+                )
+                group = next(matching_groups, [])
                 if not group:
                     groups[surface].append(group)
                 group.append(scan)
@@ -134,6 +133,6 @@ def _sphere_group(groups: list[Group], substrates: Sequence[Entry], radius: floa
     return min(groups, key=rank)
 
 
-def _group_in_words(group: Group) -> str:
+def _describe_group(group: Group) -> str:
     scans = "the scan" if len(group) == 1 else f"the {len(group)} scans"
     return f"{scans} of {format_length(group[0].size)} and {group[0].pixels} pixels"

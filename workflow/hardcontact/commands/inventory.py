@@ -4,14 +4,13 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 from pathlib import PurePath
-from typing import NamedTuple
 
 import numpy as np
 
 from hardcontact.base.arrays import Floats
 from hardcontact.base.formatting import format_length
 from hardcontact.commands.outputs import align_cells
-from hardcontact.commands.scan_files import ScanFile
+from hardcontact.commands.request import ScanFile
 from hardcontact.config.selected_surfaces import CONTACT_USE
 from hardcontact.contact.numerical_limits import Grid
 from hardcontact.scans.defects import scan_with_defects
@@ -83,21 +82,10 @@ class Entry:
         return f"{file}/{self.dataset}" if self.dataset else file
 
 
-class Inventory(NamedTuple):
-    """The usable topographies of files, lines on those that are left out, and problems."""
-
-    entries: list[Entry]
-    left_out: list[str]
-    problems: list[str]
-
-
-def inventory(
+def read_inventory(
     scan_files: Sequence[ScanFile], options: ReadingOptions, channel: str = ""
-) -> Inventory:
-    """Return the topographies of files, each area once.
-
-    `channel` is read from files that are not containers; if it is empty, the file chooses.
-    """
+) -> tuple[list[Entry], list[str], list[str]]:
+    """Return the topographies of files, each area once, what is left out, and the problems."""
     entries: list[Entry] = []
     unreadable: list[str] = []
     problems: list[str] = []
@@ -110,7 +98,7 @@ def inventory(
         problems += unreadable
     problems += _twin_faults(entries)
     kept_entries, repeated = _leave_out_repeated_scans(entries)
-    return Inventory(kept_entries, unreadable + repeated, problems)
+    return kept_entries, unreadable + repeated, problems
 
 
 def _read_file(
@@ -137,15 +125,12 @@ def _read_file(
 
 
 def _twin_faults(entries: Sequence[Entry]) -> Iterator[str]:
-    """Yield a line for each scan given twice, which would make intervals too narrow.
-
-    File formats round differently, so that twins agree within 1e-4.
-    """
+    """Yield a line for each scan given twice, which would make intervals too narrow."""
     for entry, twin in combinations(entries, 2):
         is_twin = (entry.kind, entry.pixels) == (twin.kind, twin.pixels) and np.allclose(
             (entry.size, entry.rms_height, entry.peak_to_valley),
             (twin.size, twin.rms_height, twin.peak_to_valley),
-            rtol=1e-4,
+            rtol=1e-4,  # File formats round differently.
             atol=0,
         )
         if is_twin and entry.scan_file.surface == twin.scan_file.surface:
@@ -239,10 +224,7 @@ def printed_table(entries: Sequence[Entry], contact_entries: Sequence[Entry]) ->
 def table_rows(
     entries: Sequence[Entry], contact_entries: Sequence[Entry], tip_radius: str
 ) -> list[dict[str, str]]:
-    """Return the rows of the table of surfaces by column; scans that make contacts come first.
-
-    The tip radius is a text for files that state none; it is empty if the user gave none.
-    """
+    """Return the rows of the table of surfaces by column; scans that make contacts come first."""
     contact_ids = {id(entry) for entry in contact_entries}
     return [
         {

@@ -14,21 +14,20 @@ from hardcontact.base.dataset import atomic_file
 from hardcontact.commands.inventory import (
     Entry,
     entries_by_surface,
-    inventory,
     printed_table,
+    read_inventory,
     table_rows,
 )
 from hardcontact.commands.options import (
     QuantityOption,
     contact_of_quantities,
-    implausible_quantities,
     parse_quantities,
     reading_options,
+    unit_questions,
 )
 from hardcontact.commands.proposal import Choice, Proposal, propose
-from hardcontact.commands.request import name_faults
+from hardcontact.commands.request import SPHERE, list_scan_files, name_faults, path_from_root
 from hardcontact.commands.scan_cautions import refuse_unreliable
-from hardcontact.commands.scan_files import SPHERE, list_scan_files, path_from_root
 from hardcontact.config.configuration import (
     CONTACT_QUANTITIES,
     key_field,
@@ -50,7 +49,7 @@ def new_study(arguments: Namespace) -> str:
     quantities, faults = parse_quantities(arguments)
     scan_files, file_faults = list_scan_files(arguments, quantities["radius"].number)
     tip_text = quantities["tip"].text if "tip" in quantities else ""
-    entries, left_out, scan_faults = inventory(
+    entries, left_out, scan_faults = read_inventory(
         scan_files, reading_options(arguments, quantities), arguments.channel
     )
     faults += [*file_faults, *scan_faults]
@@ -68,7 +67,7 @@ def new_study(arguments: Namespace) -> str:
     try:
         results = run_checks(checks)
     except ValueError as error:
-        lines = [str(error), *implausible_quantities(quantities)]
+        lines = [str(error), *unit_questions(quantities)]
         raise ValueError("\n".join(lines)) from None
     # With faults, `run_checks` raises. The last result is therefore that of `_propose_study`.
     proposal, choices = results[-1]
@@ -113,14 +112,11 @@ def _input_checks(
 def _propose_study(
     arguments: Namespace, quantities: Mapping[str, QuantityOption], entries: Sequence[Entry]
 ) -> tuple[Proposal, list[Choice]]:
-    """Return the proposal, and the keys of full effort.
-
-    Raises ValueError if the study would refuse these scans at either effort.
-    """
+    """Return a proposal that the study accepts at both efforts, and the keys of full effort."""
     contact = contact_of_quantities(quantities)
     sphere = SPHERE if arguments.sphere else None
     proposal = propose(entries, sphere, contact, quantities["range"].is_given)
-    proposal.cautions.extend(implausible_quantities(quantities))
+    proposal.cautions.extend(unit_questions(quantities))
     choices = [*_choices_without_scans(arguments, quantities), *proposal.choices]
     grids = {
         surface: scans[0].grid._replace(relief=max(scan.relief for scan in scans))

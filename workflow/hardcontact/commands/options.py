@@ -99,7 +99,7 @@ def reading_options(
     )
 
 
-def implausible_quantities(quantities: Mapping[str, QuantityOption]) -> Iterator[str]:
+def unit_questions(quantities: Mapping[str, QuantityOption]) -> Iterator[str]:
     """Yield a question for each quantity of the user that is not usual."""
     for name in CONTACT_QUANTITIES:
         option = quantities[name]

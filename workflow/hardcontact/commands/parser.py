@@ -18,11 +18,11 @@ class CommandLine(ArgumentParser):
 
     def error(self, message: str) -> NoReturn:
         """End the program with one line, which asks whether another word is meant."""
-        line = f"error: {message}{self._question(message)}; {self.prog} --help lists all options"
-        self.exit(2, f"{line}\n")
+        question = self._spelling_question(message)
+        self.exit(2, f"error: {message}{question}; {self.prog} --help lists all options\n")
 
-    def _question(self, message: str) -> str:
-        """Return a question if a message names an unknown word that resembles a known one."""
+    def _spelling_question(self, message: str) -> str:
+        """Return a question if a message names a word that resembles a known one, or no text."""
         if "invalid choice: " in message:
             choice = message.partition("invalid choice: '")[2].partition("'")[0]
             known_words = [word for action in self._actions for word in action.choices or ()]

@@ -58,18 +58,18 @@ def choose_contact(
     `scans` includes the scans of the sphere, `substrates` does not. Masters have at most
     `max_pixels` per row. A given range may be too short: then the study refuses it.
     """
-    window, window_reason = _window(scans, contact)
+    window, window_reason = _window_on_scans(scans, contact)
     shortest, reason = _shortest_range(scans, substrates, contact, window, max_pixels)
     range_reason = "as given" if range_given else "the paper's; --range changes it"
     if shortest > contact.rho and not range_given:
         contact = replace(contact, rho=max(contact.rho, min(shortest, LONGEST_RANGE)))
         range_reason = f"the least on these scans, where {reason}"
         # A longer range needs a wider window, which does not raise the shortest range.
-        window, window_reason = _window(scans, contact)
+        window, window_reason = _window_on_scans(scans, contact)
     return PermittedContact(replace(contact, window=window), shortest, window_reason, range_reason)
 
 
-def _window(scans: Sequence[Entry], contact: Contact) -> tuple[float, str]:
+def _window_on_scans(scans: Sequence[Entry], contact: Contact) -> tuple[float, str]:
     """Return the width of the window (nm) that a contact on scans needs, and the reason."""
     return window_on_scans(
         max(scan.rms_height for scan in scans),

@@ -18,13 +18,13 @@ from hardcontact.commands.options import (
     QuantityOption,
     add_shared_options,
     contact_of_quantities,
-    implausible_quantities,
     parse_quantities,
     reading_options,
+    unit_questions,
 )
 from hardcontact.commands.outputs import output_faults, write_output
 from hardcontact.commands.parser import CommandLine
-from hardcontact.commands.scan_cautions import one_pixel_touches
+from hardcontact.commands.scan_cautions import single_pixel_cautions
 from hardcontact.config.configuration import CONTACT_QUANTITIES
 from hardcontact.config.faults import raise_faults, run_checks
 from hardcontact.config.keys import Study
@@ -90,7 +90,7 @@ def read_inputs(arguments: Namespace) -> Inputs:
     """Return the inputs of a prediction."""
     quantities, faults = parse_quantities(arguments)
     contact = contact_of_quantities(quantities, CONTACTS_PER_ROW)
-    cautions = [*implausible_quantities(quantities)]
+    cautions = [*unit_questions(quantities)]
     wide = wide_contact_message(contact)
     if wide and not faults:
         faults.append("; ".join([f"--{wide}", *cautions]))
@@ -104,7 +104,7 @@ def read_inputs(arguments: Namespace) -> Inputs:
     _, spectrum, *sphere_spectra = run_checks([partial(raise_faults, faults), *readers])
     for sphere_spectrum in sphere_spectra:
         spectrum = add_sphere_roughness(spectrum, sphere_spectrum, PAPER_STUDY.seed)
-    cautions += one_pixel_touches(contact.area, [scan.pixel_size for scan in spectrum.scans])
+    cautions += single_pixel_cautions(contact.area, [scan.pixel_size for scan in spectrum.scans])
     notes = [*(f"{TAKE_CARE}{line}" for line in cautions), *spectrum.notes]
     return Inputs(quantities, contact, spectrum, notes)
 
@@ -150,7 +150,7 @@ def write_numbers(numbers: Mapping[str, Number], notes: Sequence[str], arguments
     return content
 
 
-def _json(numbers: Mapping[str, Number]) -> str:
+def _as_json(numbers: Mapping[str, Number]) -> str:
     """Return numbers as JSON by name; intervals and statuses are there if they are known."""
     entries: dict[str, dict[str, Any]] = {}
     for name, number in numbers.items():
@@ -162,7 +162,7 @@ def _json(numbers: Mapping[str, Number]) -> str:
     return json.dumps(entries, indent=2, allow_nan=False)
 
 
-def _csv(numbers: Mapping[str, Number]) -> str:
+def _as_csv(numbers: Mapping[str, Number]) -> str:
     """Return numbers as a table, one row each; unknown cells are empty."""
     columns = ["quantity", "value", "unit", "low", "high", "status"]
     table = pd.DataFrame([number[:6] for number in numbers.values()], columns=columns)
@@ -171,7 +171,7 @@ def _csv(numbers: Mapping[str, Number]) -> str:
 
 
 #: Writers of files of numbers, by the option that names the file.
-WRITERS: dict[str, Callable[[Mapping[str, Number]], str]] = {"json": _json, "csv": _csv}
+WRITERS: dict[str, Callable[[Mapping[str, Number]], str]] = {"json": _as_json, "csv": _as_csv}
 
 
 def _report(inputs: Inputs, numbers: Mapping[str, Number], arguments: Namespace) -> str:

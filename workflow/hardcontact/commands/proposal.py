@@ -27,9 +27,8 @@ from hardcontact.surfaces.spectrum import nearest_bin
 TRANSITION_PIXELS = 4
 #: The longest wavelength that a scan keeps, relative to its size. In the paper 1000 of 2500 nm.
 TRANSITION_SHARE = 0.4
-#: Computed ranges go from the study's range of adhesion divided by this factor to the range times
-#: it. Chosen: 0.7 to 45 nm around the paper's 5.6 nm; a wider span would leave larger steps between
-#: the 12 ranges, which are a factor 1.5 apart.
+#: Factor from the study's range of adhesion down to the shortest computed range, and up to the
+#: longest: 0.7 to 45 nm around the paper's 5.6 nm. More would put the 12 ranges further apart.
 RANGE_SPAN = 8.0
 #: The shortest cutoff in pixels, like the shortest wavelength that a scan keeps.
 MIN_CUTOFF_PIXELS = 4
@@ -37,9 +36,8 @@ MIN_CUTOFF_PIXELS = 4
 #: the long side: in the paper 2500 nm and 1.67 µm, relative to 100 nm.
 SIZE_OVER_CUTOFF = 25
 INTERACTION_RADIUS_OVER_CUTOFF = 16
-#: The smallest ratio of neighbouring cutoffs. Trial on the forces of the paper's study: each was
-#: interpolated between its neighbours. For neighbours a factor 1.1 to 1.6 apart the median error is
-#: 1 to 2 %, so that closer cutoffs gain nothing beside a tolerance of 10 %.
+#: The smallest ratio of neighbouring cutoffs. Closer ones gain nothing beside a tolerance of 10 %:
+#: between cutoffs 1.1 to 1.6 apart, interpolated forces of the paper's study err by 1 to 2 %.
 MIN_CUTOFF_RATIO = 1.15
 
 
@@ -76,14 +74,6 @@ class Choice(NamedTuple):
     reason: str
 
 
-class Transitions(NamedTuple):
-    """The wavelengths (nm) beyond which roughness is artificial."""
-
-    shortest: float
-    longest: float
-    reason: str  #: For the shorter wavelength, in words.
-
-
 class Proposal(NamedTuple):
     """The choices for scans."""
 
@@ -109,12 +99,12 @@ def propose(
     _refuse_unlike_scans(substrates)
     permitted = choose_contact(scans, substrates, contact, range_given, FULL_EFFORT.pixels)
     sphere_scans = [scan for scan in scans if scan.scan_file.surface == sphere]
-    transitions = _transitions(substrates, sphere_scans)
-    full = _choices(substrates, permitted, transitions, FULL_EFFORT)
+    transitions = _transition_choices(substrates, sphere_scans)
+    full = _effort_choices(substrates, permitted, transitions, FULL_EFFORT)
     usual = {choice.key: choice.value for choice in full}
     quick = [
         choice._replace(reason="")
-        for choice in _choices(substrates, permitted, transitions, QUICK_EFFORT)
+        for choice in _effort_choices(substrates, permitted, transitions, QUICK_EFFORT)
         if choice.value != usual[choice.key]
     ]
     if gaps := sum(entry.undefined_count > 0 for entry in entries):
@@ -137,10 +127,10 @@ def _refuse_unlike_scans(substrates: Sequence[Entry]) -> None:
         )
 
 
-def _choices(
+def _effort_choices(
     substrates: Sequence[Entry],
     permitted: PermittedContact,
-    transitions: Transitions,
+    transitions: Sequence[Choice],
     effort: Effort,
 ) -> list[Choice]:
     """Return the choices of one effort."""
@@ -150,13 +140,15 @@ def _choices(
         substrates, contact, short_pixels, effort.contacts_per_row
     )
     shortest_range = permitted.shortest_range
-    ranges = [_in_nm(rho) for rho in _ranges(contact.rho, shortest_range, effort.range_count)]
+    ranges = [
+        _format_nm(rho) for rho in _adhesion_ranges(contact.rho, shortest_range, effort.range_count)
+    ]
     limit = f"these scans permit {shortest_range:.3g} nm or more"
     master_count = _master_count(substrates, effort, is_slow)
     return [
-        Choice("contact.window", _in_nm(contact.window), permitted.window_reason),
+        Choice("contact.window", _format_nm(contact.window), permitted.window_reason),
         Choice("contact.contacts_per_row", contacts_per_row, "contacts per row of their array"),
-        Choice("adhesion.range", _in_nm(contact.rho), permitted.range_reason),
+        Choice("adhesion.range", _format_nm(contact.rho), permitted.range_reason),
         Choice("adhesion.ranges", ranges, f"for the force as a function of it; {limit}"),
         Choice("scales.realizations", master_count, "masters on each side"),
         *_master_choices(substrates, contact, transitions, effort, short_pixels),
@@ -177,7 +169,7 @@ def _master_count(substrates: Sequence[Entry], effort: Effort, is_slow: bool) ->
 def _master_choices(
     substrates: Sequence[Entry],
     contact: Contact,
-    transitions: Transitions,
+    transitions: Sequence[Choice],
     effort: Effort,
     short_pixels: int,
 ) -> Iterator[Choice]:
@@ -190,29 +182,30 @@ def _master_choices(
     interaction_radius = math.sqrt(2 * contact.radius * contact.rho)
     shortest = min(size / SIZE_OVER_CUTOFF, interaction_radius / INTERACTION_RADIUS_OVER_CUTOFF)
     shortest = max(MIN_CUTOFF_PIXELS * coarsest, shortest)
-    short_cutoffs = _cutoffs(MIN_CUTOFF_PIXELS * finest, size, effort.cutoff_count)
-    long_cutoffs = _cutoffs(shortest, size * tiles, effort.cutoff_count)
-    short_transition, long_transition, reason = transitions
-    long_reason = f"{TRANSITION_SHARE:g} of the size of the scan; above, roughness is artificial"
+    short_cutoffs = _spaced_cutoffs(MIN_CUTOFF_PIXELS * finest, size, effort.cutoff_count)
+    long_cutoffs = _spaced_cutoffs(shortest, size * tiles, effort.cutoff_count)
+    short_transition, long_transition = transitions
     tiles_reason = f"mirrored scans per row, {format_length(2 * size * tiles)}"
     yield Choice("scales.short.pixels", short_pixels, f"{format_length(finest)} a pixel")
-    yield Choice("scales.short.transition", _in_nm(short_transition), reason)
+    yield short_transition
     yield Choice("scales.short.cutoffs", short_cutoffs, "from four pixels to the size of the scan")
     yield Choice("scales.long.pixels", long_pixels, "those of the scans")
     yield Choice("scales.long.tiles", tiles, tiles_reason)
-    yield Choice("scales.long.transition", _in_nm(long_transition), long_reason)
+    yield long_transition
     yield Choice("scales.long.cutoffs", long_cutoffs, "to half the size of the master")
 
 
-def _cutoffs(shortest: float, longest: float, max_count: int) -> list[str]:
+def _spaced_cutoffs(shortest: float, longest: float, max_count: int) -> list[str]:
     """Return wavelengths (nm) as quantities of three digits, evenly spaced in their logarithm."""
     steps = int(math.log(longest / shortest) / math.log(MIN_CUTOFF_RATIO))
     wavelengths = np.geomspace(shortest, longest, min(max_count, max(steps, 1) + 1))
-    return [_in_nm(float(f"{wavelength:.3g}")) for wavelength in wavelengths]
+    return [_format_nm(float(f"{wavelength:.3g}")) for wavelength in wavelengths]
 
 
-def _transitions(substrates: Sequence[Entry], sphere_scans: Sequence[Entry]) -> Transitions:
-    """Return the wavelengths (nm) beyond which roughness is artificial, with a reason.
+def _transition_choices(
+    substrates: Sequence[Entry], sphere_scans: Sequence[Entry]
+) -> tuple[Choice, Choice]:
+    """Return the wavelengths below and above which roughness is artificial.
 
     The ends of a scan do not count at wavelengths where the other body is rougher.
     """
@@ -225,7 +218,12 @@ def _transitions(substrates: Sequence[Entry], sphere_scans: Sequence[Entry]) -> 
     limit, reason = max(limits)
     longest = float(f"{TRANSITION_SHARE * min(scan.size for scan in long_scans):.3g}")
     shortest = min(float(f"{limit:.3g}"), longest)
-    return Transitions(shortest, longest, f"{reason}; below, roughness is artificial")
+    short_reason = f"{reason}; below, roughness is artificial"
+    long_reason = f"{TRANSITION_SHARE:g} of the size of the scan; above, roughness is artificial"
+    return (
+        Choice("scales.short.transition", _format_nm(shortest), short_reason),
+        Choice("scales.long.transition", _format_nm(longest), long_reason),
+    )
 
 
 def _decisive_scans(
@@ -243,11 +241,10 @@ def _decisive_scans(
 def _is_rougher(scan: Entry, others: Sequence[Entry], wavelength: float) -> bool:
     """Return False if all scans of the other body have more power at a wavelength (nm)."""
     index = nearest_bin(wavelength)
-    exceeds = [other.density[index] > scan.density[index] for other in others]
-    return not (exceeds and all(exceeds))
+    return not others or any(not other.density[index] > scan.density[index] for other in others)
 
 
-def _ranges(rho: float, shortest_range: float, count: int) -> list[float]:
+def _adhesion_ranges(rho: float, shortest_range: float, count: int) -> list[float]:
     """Return ranges of adhesion (nm) around the range rho of the masters, and rho itself."""
     accepted = quantity_type("adhesion.range")
     shortest = min(max(shortest_range, rho / RANGE_SPAN, accepted.low), rho)
@@ -258,6 +255,6 @@ def _ranges(rho: float, shortest_range: float, count: int) -> list[float]:
     return sorted({shortest, rho, *(length for length in rounded if length > shortest)})
 
 
-def _in_nm(length: float) -> str:
+def _format_nm(length: float) -> str:
     """Return a length (nm) as the configuration has it."""
     return f"{length:.12g} nm"

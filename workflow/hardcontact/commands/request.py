@@ -1,28 +1,30 @@
-"""The command line of `hardcontact new`, and checks of the name of a study."""
+"""What the user asks of `hardcontact new`: its command line, and the names and files in it."""
 
 import os
+import re
 from argparse import Namespace
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from importlib.metadata import version
 from pathlib import Path
+from typing import NamedTuple
 
 from hardcontact.commands.options import add_shared_options
 from hardcontact.commands.parser import CommandLine
-from hardcontact.commands.scan_files import label_faults
 from hardcontact.config.key_types import MAX_NAME_LENGTH, study_name
 from hardcontact.config.keys import QUICK_SUFFIX
+from hardcontact.config.selected_surfaces import LABEL, RESERVED_IDS
 from hardcontact.records.code import ROOT
 
 #: Names that a study cannot have: the project's own files or results have them.
 RESERVED_NAMES = ("config", "paper", "quick", "store", "surfaces")
 USAGE = Path(__file__).with_name("new_help.txt").read_text("utf-8")
+#: Id and label of the sphere's surface.
+SPHERE = "sphere"
 
 
 def new_arguments(arguments: Sequence[str]) -> Namespace:
-    """Return the parsed command line, with the command; a wrong one ends the program.
-
-    It also serves `hardcontact --help` and unknown commands.
-    """
+    """Return the parsed command line, with the command; a wrong one ends the program."""
     parser = CommandLine("hardcontact", USAGE)
     parser.add_argument("--version", action="version", version=version("hardcontact"))
     parser.add_argument(
@@ -99,3 +101,83 @@ def _is_locked(study: str) -> bool:
         for path in (ROOT / ".snakemake/locks").glob("*.lock")
         for line in path.read_text("utf-8").splitlines()
     )
+
+
+class ScanFile(NamedTuple):
+    """A file with scans of one surface."""
+
+    surface: str  #: Id of the surface.
+    label: str  #: Name of the surface in figures.
+    file: str  #: Path from the working directory.
+    path: str  #: Path from the top folder, for the table of surfaces.
+    sphere_radius: float | None = None  #: In nm, of scans of the sphere.
+    is_in_folder: bool = False  #: Whether the user named its folder, which may hold other files.
+
+
+def label_faults(option: str, label: str) -> Iterator[str]:
+    """Yield a line if a label is not valid in figures."""
+    try:
+        LABEL.check(label)
+    except ValueError as error:
+        yield f"{option}: label: {error}"
+
+
+def list_scan_files(arguments: Namespace, radius: float) -> tuple[list[ScanFile], list[str]]:
+    """Return the files of all surfaces, the sphere's last, and a line for each fault."""
+    surfaces = [(arguments.name, arguments.files)] if arguments.files else []
+    surfaces += [(label, files) for label, *files in arguments.surface]
+    faults = [] if surfaces else ["FILE: expected files of scans, found none"]
+    for label, *files in arguments.surface:
+        faults += label_faults("--surface", label)
+        if not files:
+            faults.append(f"--surface {label}: expected files of scans, found none")
+    surfaces += [(SPHERE, arguments.sphere)] if arguments.sphere else []
+    scan_files: list[ScanFile] = []
+    labels: dict[str, str] = {}
+    for label, files in surfaces:
+        surface = surface_id(label)
+        if surface in labels:
+            faults.append(
+                f"--surface {labels[surface]}: expected labels that differ in their first 40 "
+                f"letters and digits, found also {label}"
+            )
+        labels.setdefault(surface, label)
+        sphere_radius = radius if files is arguments.sphere else None
+        for file in files:
+            file_paths = _files_in(file)
+            if not file_paths:
+                faults.append(f"{file}: expected a folder with files of scans, found none")
+            scan_files += [
+                ScanFile(surface, label, path, path_from_root(path), sphere_radius, path != file)
+                for path in file_paths
+            ]
+    counts = Counter(scan_file.path for scan_file in scan_files)
+    faults += [
+        f"{path}: expected each file once, found it {count} times"
+        for path, count in counts.items()
+        if count > 1
+    ]
+    return scan_files, faults
+
+
+def _files_in(file: str) -> list[str]:
+    """Return the files in a folder, without hidden ones; any other path alone."""
+    if not Path(file).is_dir():
+        return [file]
+    return sorted(str(path) for path in Path(file).glob("[!.]*") if path.is_file())
+
+
+def surface_id(label: str) -> str:
+    """Return the id of a surface: its label in lower case, other characters as underscores."""
+    name = re.sub(r"[^a-z0-9]+", "_", label.lower()).strip("_")
+    if name in RESERVED_IDS or not re.match("[a-z]", name):
+        name = f"surface_{name}".rstrip("_")
+    return name[:40].rstrip("_")
+
+
+def path_from_root(file: str) -> str:
+    """Return a path relative to the top folder; an absolute path to elsewhere stays absolute."""
+    absolute = os.path.abspath(file)
+    if os.path.isabs(file) and not Path(absolute).is_relative_to(ROOT):
+        return absolute
+    return os.path.relpath(absolute, ROOT)

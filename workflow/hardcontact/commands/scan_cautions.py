@@ -47,10 +47,7 @@ def scan_cautions(
     permitted: PermittedContact,
     search_sizes: Mapping[str, float],
 ) -> Iterator[str]:
-    """Yield sentences on all scans, and on contacts on the scans of substrates.
-
-    The usual range and the search sizes, by surface, are in nm.
-    """
+    """Yield sentences on all scans, and on contacts on substrates; lengths are in nm."""
     yield from _reading_cautions(entries)
     yield from _contact_cautions(substrates, usual_range, permitted, search_sizes)
     yield from (f"{scan.name}: reliable {scan.band}" for scan in substrates if scan.is_blind)
@@ -105,7 +102,7 @@ def _contact_cautions(
             f"the window holds {share:.0%} of the force on a smooth sphere: scans this small "
             "show too little of what the sphere feels, and forces come out too low"
         )
-    yield from one_pixel_touches(contact.area, [scan.pixel_size for scan in substrates])
+    yield from single_pixel_cautions(contact.area, [scan.pixel_size for scan in substrates])
     for surface, search_size in search_sizes.items():
         size = min(scan.size for scan in substrates if scan.scan_file.surface == surface)
         low, high = finite_scan_ratio(size, search_size)
@@ -118,7 +115,7 @@ def _contact_cautions(
             )
 
 
-def one_pixel_touches(area: float, pixel_sizes: Sequence[float]) -> Iterator[str]:
+def single_pixel_cautions(area: float, pixel_sizes: Sequence[float]) -> Iterator[str]:
     """Yield a caution if less than a pixel (width in nm) of some scan carries the preload."""
     largest_pixel = max(pixel_sizes, default=0.0) ** 2
     if area < largest_pixel:

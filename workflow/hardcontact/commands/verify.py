@@ -34,10 +34,10 @@ def verify(arguments: Namespace) -> tuple[str, int]:
     os.chdir(folder.parents[1])
     results = folder.relative_to(folder.parents[1])
     faults, summary = verify_study(results)
-    return "\n".join([*faults, *_other_keys(results), *summary]), 1 if faults else 0
+    return "\n".join([*faults, *_changed_keys(results), *summary]), 1 if faults else 0
 
 
-def _other_keys(results: Path) -> Iterator[str]:
+def _changed_keys(results: Path) -> Iterator[str]:
     """Yield a line for each key that has another value now in this repository's overlay.
 
     The overlay of a study has its name; values of the command line are in no file.

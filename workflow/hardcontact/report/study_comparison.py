@@ -105,14 +105,9 @@ class ComparedNumber(NamedTuple):
         return is_side, not is_main, AGREEMENT_RANKS.get(self.agreement, 2), -size
 
 
-class Comparison(NamedTuple):
-    """Two studies of one kind, compared."""
-
-    inputs: list[ChangedInput]
-    numbers: list[ComparedNumber]
-
-
-def compare_answers(first: Mapping[str, Any], second: Mapping[str, Any]) -> Comparison:
+def compare_answers(
+    first: Mapping[str, Any], second: Mapping[str, Any]
+) -> tuple[list[ChangedInput], list[ComparedNumber]]:
     """Return the inputs that differ between two answers, and the results that both have.
 
     Single surfaces are compared whatever their names are. Raises ValueError if one study is the
@@ -131,7 +126,7 @@ def compare_answers(first: Mapping[str, Any], second: Mapping[str, Any]) -> Comp
         # The inputs of contacts are compared as texts.
         elif number.name.replace("_", " ") not in first["contact"] and not number.is_equal:
             inputs.append(ChangedInput(number.surface, number.name, number.first, number.second))
-    return Comparison(inputs, results)
+    return inputs, results
 
 
 def _changed_contact(first: Mapping[str, Any], second: Mapping[str, Any]) -> Iterator[ChangedInput]:
