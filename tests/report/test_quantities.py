@@ -9,11 +9,11 @@ import xarray as xr
 from hardcontact.base.number import Number
 from hardcontact.report.answer import all_quantities, answer_text, numbers_of_answer
 from hardcontact.report.quantities import (
-    in_three_digits,
-    in_words,
+    describe_number,
+    describe_value,
+    describe_with_three_digits,
     number_of,
     number_without_value,
-    without_interval,
 )
 
 NAN = np.nan
@@ -52,7 +52,7 @@ def test_an_endless_interval_is_left_out():
     ],
 )  # fmt: skip
 def test_a_number_is_printed_with_its_interval_and_status(number, words):
-    assert in_words(number) == words
+    assert describe_number(number) == words
 
 
 @pytest.mark.parametrize(
@@ -66,7 +66,7 @@ def test_a_number_is_printed_with_its_interval_and_status(number, words):
     ],
 )
 def test_a_number_without_its_interval_keeps_the_digits(number, words):
-    assert without_interval(number) == words
+    assert describe_value(number) == words
 
 
 @pytest.mark.parametrize(
@@ -78,7 +78,7 @@ def test_a_number_without_its_interval_keeps_the_digits(number, words):
     ],
 )
 def test_a_number_beside_a_ratio_has_three_digits(number, words):
-    assert in_three_digits(number) == words
+    assert describe_with_three_digits(number) == words
 
 
 def test_two_quantities_of_one_name_are_refused():

@@ -108,7 +108,7 @@ def test_texts_are_large_enough_inside_the_figure_and_do_not_overlap(draw_checke
 
 def test_a_surface_has_one_colour(draw_checked, name):
     figure = draw_checked(name)
-    colours = dict(zip(LABELS, style.colours(SUBSTRATES).values(), strict=True))
+    colours = dict(zip(LABELS, style.surface_colours(SUBSTRATES).values(), strict=True))
     lines = [line for line in figure.findobj(Line2D) if line.get_label() in colours]
     assert all(same_color(line.get_color(), colours[line.get_label()]) for line in lines)
     if not lines:

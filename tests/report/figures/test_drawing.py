@@ -15,7 +15,7 @@ SURFACES = xr.Dataset(
 
 
 def figure(points: int = 10):
-    figure = drawing.create(3, SURFACES)
+    figure = drawing.create_figure(3, SURFACES)
     figure.subplots().plot(np.linspace(0, 1, points))
     return figure
 
@@ -28,7 +28,7 @@ def outputs(folder: Path) -> dict[str, str]:
 def test_drawing_twice_gives_the_same_bytes(tmp_path):
     contents = []
     for folder in (tmp_path / "first", tmp_path / "second"):
-        drawing.save(figure(), "a figure", outputs(folder))
+        drawing.save_figure(figure(), "a figure", outputs(folder))
         contents.append({path.name: path.read_bytes() for path in folder.iterdir()})
     assert contents[0] == contents[1] and len(contents[0]) == len(drawing.FILE_KINDS)
     assert contents[0]["figure.pdf"].startswith(b"%PDF") and b"<svg" in contents[0]["figure.svg"]
@@ -40,7 +40,7 @@ def test_a_figure_names_only_the_substitutes():
     (note,) = figure().texts
     assert note.get_text().startswith("substitute surfaces: NCD (")
     all_measured = SURFACES.assign(source=("surface", ["measured"] * 2))
-    assert drawing.create(3, all_measured).texts[0].get_text() == "all surfaces measured"
+    assert drawing.create_figure(3, all_measured).texts[0].get_text() == "all surfaces measured"
 
 
 def test_nothing_is_written_when_saving_fails(tmp_path, monkeypatch):
@@ -51,5 +51,5 @@ def test_nothing_is_written_when_saving_fails(tmp_path, monkeypatch):
 
     monkeypatch.setattr(Path, "write_bytes", write_half)  # of the last file, the SVG
     with pytest.raises(ValueError, match="figure.svg: expected a file to be written, found: disk"):
-        drawing.save(figure(), "a figure", outputs(tmp_path))
+        drawing.save_figure(figure(), "a figure", outputs(tmp_path))
     assert not list(tmp_path.iterdir())

@@ -12,7 +12,7 @@ def test_a_user_s_settings_change_no_figure(monkeypatch):
     monkeypatch.setitem(mpl.rcParams, "axes.facecolor", "black")
     with style.print_style():
         assert mpl.rcParams["axes.facecolor"] == mpl.rcParamsDefault["axes.facecolor"]
-        assert mpl.rcParams["font.size"] == style.RC["font.size"]
+        assert mpl.rcParams["font.size"] == style.PRINT_SETTINGS["font.size"]
 
 
 @pytest.mark.parametrize(

@@ -51,10 +51,7 @@ def numbers_of_answer(answer: Mapping[str, Any], surface: str = "") -> dict[str,
 
 
 def answer_text(answer: Mapping[str, Any]) -> str:
-    """Return the text of answer.json, as answer.schema.json describes it.
-
-    Raises ValueError if two quantities of one surface have the same name.
-    """
+    """Return the text of answer.json, as answer.schema.json describes it; refuse repeated names."""
     names = [(row["surface"], row["name"]) for row in answer["quantities"]]
     repeated = sorted({name for name in names if names.count(name) > 1})
     if repeated:
@@ -69,10 +66,7 @@ def render_page(
     frame: Frame,
     **facts: Any,
 ) -> str:
-    """Return the page as HTML from the content of answer.json and the SVG of each figure.
-
-    Further facts are those that only the templates of one kind of study name.
-    """
+    """Return the page as HTML from answer.json, the SVG of each figure, and further facts."""
     surfaces = [
         {**surface, "numbers": numbers_of_answer(answer, surface["name"])}
         for surface in answer["surfaces"]

@@ -82,7 +82,7 @@ def format_number(number: Number, digits: int = 3, end: str = "") -> str:
     return print_number(number.value, number.unit, interval, digits, open_end)
 
 
-def in_words(number: Number, digits: int = 3) -> str:
+def describe_number(number: Number, digits: int = 3) -> str:
     """Return a number with its interval in words, as its status asks for."""
     if math.isfinite(number.value):
         bound = OPEN_WORDS.get(number.status, "")
@@ -98,15 +98,15 @@ def in_words(number: Number, digits: int = 3) -> str:
     return NO_VALUE_WORDS.get(number.status, "not known")
 
 
-def without_interval(number: Number) -> str:
+def describe_value(number: Number) -> str:
     """Return a number in words without its interval, with the digits that it has beside it."""
-    return re.sub(r" \[[^]]*\]| \(.*\)", "", in_words(number, 2))
+    return re.sub(r" \[[^]]*\]| \(.*\)", "", describe_number(number, 2))
 
 
-def in_three_digits(number: Number) -> str:
+def describe_with_three_digits(number: Number) -> str:
     """Return a number in words, with three digits even if those of its interval are fewer."""
     value = format_number(number._replace(low=math.nan, high=math.nan)).partition(" ")[0]
-    return re.sub(r"\S+(?= \[)", value, in_words(number))
+    return re.sub(r"\S+(?= \[)", value, describe_number(number))
 
 
 def _open_interval_words(number: Number, digits: int) -> str:

@@ -14,7 +14,7 @@ from hardcontact.base.formatting import format_share
 from hardcontact.report import quantities
 from hardcontact.report.figures.listing import caption
 
-FOLDER = Path(__file__).parents[2] / "report/templates"
+TEMPLATES = Path(__file__).parents[2] / "report/templates"
 
 #: A space before or within an interval, before a unit, or beside ±.
 NO_BREAK = re.compile(
@@ -40,11 +40,13 @@ def render_document(template: str, frame: Frame, page: str, **facts: Any) -> str
     # Imported here: it takes longer than most jobs compute.
     from markupsafe import Markup
 
-    script = (FOLDER / "page.js").read_text("utf-8")
-    style = (FOLDER / "style.css").read_text("utf-8")
-    facts |= {"frame": frame, "page": page, "commit": _commit()}
+    script = (TEMPLATES / "page.js").read_text("utf-8")
+    style = (TEMPLATES / "style.css").read_text("utf-8")
+    facts |= {"frame": frame, "page": page, "commit": _code_commit()}
     facts |= {"style": Markup(style), "script": Markup(script)}
-    return str(_environment().get_template(template).render(policy=_policy(script), **facts))
+    return str(
+        _environment().get_template(template).render(policy=_security_policy(script), **facts)
+    )
 
 
 def render_lines(template: str, **facts: Any) -> list[str]:
@@ -67,14 +69,15 @@ def _environment() -> Any:
     from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
     environment = Environment(
-        loader=FileSystemLoader(FOLDER), autoescape=True, undefined=StrictUndefined,
+        loader=FileSystemLoader(TEMPLATES), autoescape=True, undefined=StrictUndefined,
         trim_blocks=True, lstrip_blocks=True,
     )  # fmt: skip
     environment.filters |= {
-        "format_number": quantities.format_number, "in_words": quantities.in_words,
-        "two_digit_words": lambda number: quantities.in_words(number, 2), "linked": _linked,
-        "in_three_digits": quantities.in_three_digits, "unbroken": unbroken,
-        "without_interval": quantities.without_interval,
+        "format_number": quantities.format_number, "in_words": quantities.describe_number,
+        "two_digit_words": lambda number: quantities.describe_number(number, 2),
+        "in_three_digits": quantities.describe_with_three_digits,
+        "without_interval": quantities.describe_value,
+        "unbroken": unbroken, "linked": _link_claims,
         "percent": format_share, "share_of_decades": _share_of_decades,
         # A point before a digit, as in Eq. 2, ends no sentence.
         "first_sentence": lambda text: re.split(r"(?<=\.) (?=[\"A-Z])", text, maxsplit=1)[0],
@@ -85,17 +88,17 @@ def _environment() -> Any:
     return environment
 
 
-def _commit() -> str:
+def _code_commit() -> str:
     """Return the commit of the code that makes a page, empty outside of a git repository."""
     command = ["git", "describe", "--always", "--exclude=*", "--dirty"]
     try:
-        run = subprocess.run(command, cwd=FOLDER, capture_output=True, text=True, check=False)
+        run = subprocess.run(command, cwd=TEMPLATES, capture_output=True, text=True, check=False)
     except FileNotFoundError:  # git is not installed
         return ""
     return run.stdout.strip()
 
 
-def _policy(script: str) -> str:
+def _security_policy(script: str) -> str:
     """Return the security policy of a page: only its own style, script and folder's pictures."""
     digest = base64.b64encode(hashlib.sha256(script.encode()).digest()).decode()
     allowed = f"img-src data: file: 'self'; style-src 'unsafe-inline'; script-src 'sha256-{digest}'"
@@ -113,7 +116,7 @@ def unbroken(text: Any) -> str:
     return type(text)(words) if hasattr(text, "__html__") else words  # stays escaped
 
 
-def _linked(text: str, claims: Mapping[str, Mapping[str, Any]]) -> Any:
+def _link_claims(text: str, claims: Mapping[str, Mapping[str, Any]]) -> Any:
     """Return a text in which ids of claims are links, printed as numbers of statements."""
     from markupsafe import Markup, escape
 

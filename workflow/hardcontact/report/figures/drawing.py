@@ -37,23 +37,17 @@ READERS = {
 def draw_figure(
     name: str, title: str, inputs: Mapping[str, str], outputs: Mapping[str, str]
 ) -> None:
-    """Draw a figure by the module of its name, and write its files.
-
-    Inputs are paths by the arguments of `draw`; outputs are by FILE_KINDS.
-    """
+    """Draw a figure by the module of its name; inputs are paths by the arguments of `draw`."""
     module = importlib.import_module(f"hardcontact.report.figures.{name}")
     data = {key: READERS.get(key, dataset.read)(path) for key, path in inputs.items()}
     with style.print_style():
-        save(module.draw(**data), title, outputs)
+        save_figure(module.draw(**data), title, outputs)
 
 
-def save(
+def save_figure(
     figure: Figure, title: str, outputs: Mapping[str, str], svg_resolution: float = SVG_RESOLUTION
 ) -> None:
-    """Write the files of a figure, the same bytes each time, either all or none.
-
-    Outputs are by FILE_KINDS; the resolution of images in the SVG is in dots per inch.
-    """
+    """Write the files of a figure by FILE_KINDS, the same bytes each time, all or none."""
     style.freeze_layout(figure)
     with ExitStack() as stack:
         paths = {kind: stack.enter_context(atomic_file(outputs[kind])) for kind in FILE_KINDS}
@@ -75,13 +69,9 @@ def svg_bytes(figure: Figure, title: str, resolution: float) -> bytes:
     with mpl.rc_context({"svg.fonttype": "none"}):
         figure.savefig(buffer, format="svg", dpi=resolution, metadata=metadata)
     svg = buffer.getvalue().replace(b"'DejaVu Sans'", SVG_FONTS)
-    # Hundredths of a point are enough, and indentation is a tenth of the file.
-    return re.sub(rb"\s+", b" ", re.sub(rb"<[^>]+>", _round_positions, svg))
-
-
-def _round_positions(tag: re.Match[bytes]) -> bytes:
-    """Return a tag with two decimals of each number; text between tags stays as it is."""
-    return re.sub(rb"(\.\d\d)\d+", rb"\1", tag[0])
+    # Hundredths of a point are enough in tags, and indentation is a tenth of the file.
+    svg = re.sub(rb"<[^>]+>", lambda tag: re.sub(rb"(\.\d\d)\d+", rb"\1", tag[0]), svg)
+    return re.sub(rb"\s+", b" ", svg)
 
 
 def _has_many_points(artist: Artist) -> bool:
@@ -95,7 +85,7 @@ def _has_many_points(artist: Artist) -> bool:
     return False
 
 
-def create(height: float, surfaces: xr.Dataset) -> Figure:
+def create_figure(height: float, surfaces: xr.Dataset) -> Figure:
     """Return an empty figure of print width and a height (inch).
 
     A line at its foot names the substitute surfaces. The dataset has `label(surface)` and
@@ -118,8 +108,8 @@ def create(height: float, surfaces: xr.Dataset) -> Figure:
 def create_rows(
     height: float, surfaces: xr.Dataset, *rows: tuple[float, Sequence[float]]
 ) -> tuple[Figure, list[np.ndarray]]:
-    """Return a figure of `create`, and the panels of each row: relative height and widths."""
-    figure = create(height, surfaces)
+    """Return a figure, and the panels of each row, given by its relative height and widths."""
+    figure = create_figure(height, surfaces)
     grid = figure.add_gridspec(len(rows), 1, height_ratios=[ratio for ratio, _ in rows])
     return figure, [
         grid[row].subgridspec(1, len(widths), width_ratios=widths).subplots(squeeze=False)[0]

@@ -15,7 +15,7 @@ MAPS_IN_A_ROW = 3
 def draw(topography: xr.Dataset) -> Figure:
     """Draw Fig. 1: a levelled scan of each substrate, and the sphere with and without curvature."""
     sphere = topography.attrs["sphere_surface"]
-    colours = style.colours(topography["surface"].values, sphere)
+    colours = style.surface_colours(topography["surface"].values, sphere)
     levelled = topography["example_heights"]
     maps = [(name, "", levelled.sel(surface=name)) for name in colours if name != sphere]
     maps += [
@@ -23,7 +23,7 @@ def draw(topography: xr.Dataset) -> Figure:
         (sphere, ", sphere subtracted", levelled.sel(surface=sphere)),
     ]
     rows = math.ceil(len(maps) / MAPS_IN_A_ROW)
-    figure = drawing.create(2.4 * rows + drawing.FOOTER, topography)
+    figure = drawing.create_figure(2.4 * rows + drawing.FOOTER, topography)
     grid = figure.subplots(rows, MAPS_IN_A_ROW, squeeze=False).ravel()
     for axes, letter, (surface, state, scan) in zip(grid, ascii_lowercase, maps, strict=False):
         heights = panels.mean_free_heights(scan)

@@ -43,8 +43,8 @@ def draw(
     pairs: dict[str, FitPair] = {"published": published_constants["value"], "fitted": plastic_fit}
     forces_of_all = {name: _forces_at(adhesion, pair) for name, pair in pairs.items()}
     published_forces = published_pull_off.to_dict("index")
-    colours = style.colours(fit["surface"].values)
-    figure = drawing.create(5.0, fit)
+    colours = style.surface_colours(fit["surface"].values)
+    figure = drawing.create_figure(5.0, fit)
     grid = figure.subplots(2, len(colours), squeeze=False)
     for letter, surface, column in zip(ascii_lowercase, colours, grid.T, strict=False):
         surface_forces = {  # a surface with fewer scans than others has NaN in place of theirs
@@ -104,10 +104,7 @@ def _draw_linear(axes: Axes, forces_by_pair: ForcesByPair, published: Any, colou
 def _draw_logarithmic(
     axes: Axes, forces_by_pair: ForcesByPair, lognormals: Sequence[Any], floor: float, colour: str
 ) -> None:
-    """Draw histograms and log-normals, published and computed, on logarithmic axes, in µN.
-
-    The bins are equal in the logarithm and contain every force.
-    """
+    """Draw histograms and log-normals, published and computed, on logarithmic axes, in µN."""
     all_forces = np.concatenate(list(forces_by_pair.values()))
     lowest, highest = BINS_PER_DECADE * np.log10([all_forces.min(), all_forces.max()])
     steps = np.arange(np.floor(lowest), np.ceil(highest) + 2)
@@ -129,7 +126,7 @@ def _draw_logarithmic(
 def _draw_histograms(
     axes: Axes, forces_by_pair: ForcesByPair, edges: np.ndarray, colour: str
 ) -> np.ndarray:
-    """Draw filled the histogram at the published pair, and outlined that at the fitted pair.
+    """Fill the histogram at the published pair, and outline the one at the fitted pair.
 
     Returns the densities (pair, bin) in 1/N. They count forces beyond the bins in the total.
     """
@@ -148,7 +145,7 @@ def _draw_histograms(
 
 def _legend_handles(pairs: dict[str, FitPair], floor: float) -> list[Artist]:
     """Return one entry for each kind of histogram, line and area."""
-    published, fitted = (style.print_pair(pair) for pair in pairs.values())
+    published, fitted = (panels.format_pair(pair) for pair in pairs.values())
     return [
         Patch(label=f"computed, published {published}", lw=0, **AT_PUBLISHED),
         Patch(label=f"computed, fitted {fitted}", fill=False, **AT_FIT),

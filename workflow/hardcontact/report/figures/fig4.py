@@ -42,7 +42,7 @@ def draw(
     separation.plot(contact["separation"], contact_forces, color=style.PUBLISHED_COLOUR)
     separation.set(xlabel="separation (nm)", ylabel="force (µN)")
     separation.locator_params(nbins=5)
-    style.label_panel(separation, "a_2", style.print_pair(published_constants["value"]))
+    style.label_panel(separation, "a_2", panels.format_pair(published_constants["value"]))
     published_forces = published_pull_off["mean_force"]
     work = published_constants["value"]["work_of_adhesion"]
     _draw_ratios(ratios, plastic_fit, set_fits, published_forces)
@@ -61,7 +61,7 @@ def _legend_handles(fit: xr.Dataset, published_constants: pd.DataFrame) -> list[
     """Return one entry per surface and one for each kind of line and symbol of panels b and c."""
     confidence = format_share(fit.attrs["confidence"])
     published = published_constants["value"]["range_of_adhesion"]
-    fit_label = "at the best fit, " + style.print_pair(fit).replace(", ", ",\n")
+    fit_label = "at the best fit, " + panels.format_pair(fit).replace(", ", ",\n")
     sets = format_share(panels.SHARE_OF_SETS)
     grey: style.Look = {"color": "0.3"}
     return [
@@ -91,7 +91,7 @@ def _draw_pressure(axes: Axes, contact: xr.Dataset) -> None:
     image = axes.pcolormesh(
         x, y, clipped, norm=LogNorm(bottom, top), cmap="magma", **style.PIXEL_LOOK
     )
-    reach = 1.05 * style.mask_half_width(pressure > bottom) / 1000
+    reach = 1.05 * panels.mask_half_width(pressure > bottom) / 1000
     axes.set(xlim=(-reach, reach), ylim=(-reach, reach), xlabel="x (µm)", ylabel="y (µm)")
     axes.set_aspect("equal")
     axes.locator_params(nbins=4)

@@ -9,7 +9,7 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from hardcontact.report.figures import drawing, style
+from hardcontact.report.figures import drawing, panels, style
 
 LINE_COLOURS = {"x": "#B2182B", "y": "#053061"}  # red and blue as in the paper; no surface has them
 BEFORE = "0.5"
@@ -34,7 +34,7 @@ def draw(indent: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
     )
     _draw_map(indents, contact)
     depths = contact["indentation"]
-    reach = min(2 * style.mask_half_width(depths > 0), depths["x"].values.max())
+    reach = min(2 * panels.mask_half_width(depths > 0), depths["x"].values.max())
     view = -reach, reach
     indents.set(xlim=view, ylim=view)
     for axes, letter, axis in zip(lines, "bc", LINE_COLOURS, strict=True):
@@ -68,10 +68,7 @@ def _draw_map(axes: Axes, contact: xr.Dataset) -> None:
 
 
 def _draw_line(axes: Axes, contact: xr.Dataset, axis: str) -> None:
-    """Draw the sphere's height (nm) before and after, along x or y through the deepest point.
-
-    Heights point out of the sphere, as under a microscope, so that indents point downwards.
-    """
+    """Draw the sphere's height (nm), outwards, before and after contact, along x or y."""
     other_axis = "y" if axis == "x" else "x"
     line = contact.sel({other_axis: 0})
     height_before = -line["sphere_height"]

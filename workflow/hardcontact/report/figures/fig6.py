@@ -21,7 +21,7 @@ SHOWN_TOLERANCES = (-3, 7)
 
 def draw(edges: xr.Dataset, scales: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
     """Draw Fig. 6: the force by cutoff, a panel for each side of the band."""
-    figure = drawing.create(3.6, edges)
+    figure = drawing.create_figure(3.6, edges)
     both_axes = figure.subplots(1, 2, sharey=True)
     published_edges = {
         side: published_edge(published_constants, side) for side in style.REMOVED_TITLES
@@ -48,7 +48,7 @@ def _draw_side(axes: Axes, edges: xr.Dataset) -> None:
     ratio = value_and_interval(edges, "filtered_force_ratio").dropna("cutoff_wavelength", how="all")
     is_shown = ratio["value"] < 1 + SHOWN_TOLERANCES[1] * tolerance
     panels.draw_ratios(axes, ratio.assign(ratio[["low", "high"]].where(is_shown)), tolerance)
-    for surface, look in style.looks(ratio["surface"].values).items():
+    for surface, look in style.surface_looks(ratio["surface"].values).items():
         edge = float(edges["edge"].sel(group=surface))
         if np.isnan(edge):
             continue  # The force has not left the tolerance at the last cutoff.

@@ -24,7 +24,7 @@ QUANTITIES = {  # title, axis, printed unit
 
 def draw(asperities: xr.Dataset, edges: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
     """Draw the force on (a) the strongest and (b) two asperities, (c) their number, (d) extent."""
-    figure = drawing.create(5.2, asperities)
+    figure = drawing.create_figure(5.2, asperities)
     grid = figure.subplots(2, 2, sharex=True)
     share = asperities.attrs["share"]
     for letter, axes, (name, (title, label, unit)) in zip(

@@ -60,7 +60,7 @@ def _draw_forces(axes: Axes, classical: xr.Dataset) -> None:
     axes.text(1.6, 1.7 * bottom, "no force", fontsize=7, va="center")
     axes.axvline(1.5, color="black", lw=0.6)
     labels = ["published", "computed", *classical["model_label"].values]
-    axes.set_xticks(range(len(labels)), labels, **style.TILTED)
+    axes.set_xticks(range(len(labels)), labels, **style.TILTED_LABELS)
     axes.set(xlim=(-0.5, len(labels) - 0.5), yscale="log", ylim=(bottom, top))
     axes.set_ylabel("pull-off force (µN)")
     style.label_logarithmic(axes.yaxis)
@@ -93,7 +93,7 @@ def _draw_errors(axes: Axes, classical: xr.Dataset) -> None:
         axes.plot([], [], ls="none", label=f"to {force_source} forces", **error_look)
     axes.text(-0.4, threshold / 2, f"paper: below {threshold:g}", fontsize=7, va="center")
     labels = classical["model_label"].values
-    axes.set_xticks(range(len(labels)), labels, **style.TILTED)
+    axes.set_xticks(range(len(labels)), labels, **style.TILTED_LABELS)
     axes.set(ylim=(0, 1.5), ylabel="least mean relative error")
     axes.legend(loc="upper left", borderaxespad=0.1)
     style.label_panel(axes, "b", "$W$ fitted")

@@ -15,7 +15,7 @@ def draw(edge_shifts: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
     """Draw force ratios and short edges, a column for each contact model and range of adhesion."""
     bands = edge_shifts.sel(side="short")
     cases = [(model, rho) for model in bands["contact_model"].values for rho in bands["rho"].values]
-    figure = drawing.create(4.4, edge_shifts)
+    figure = drawing.create_figure(4.4, edge_shifts)
     grid = figure.subplots(
         2, len(cases), sharex=True, sharey="row", height_ratios=(3, 1.5), squeeze=False
     )

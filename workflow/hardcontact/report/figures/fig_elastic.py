@@ -9,7 +9,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 from hardcontact.base.units import GIGAPASCAL
-from hardcontact.report.figures import drawing, style
+from hardcontact.report.figures import drawing, panels, style
 
 PRESSURE_COLOURS = "RdBu_r"  # white at the hardness
 PRESSURE_TICKS = np.array([0.1, 0.3, 1, 3, 10])  # of the pressure, over the hardness
@@ -34,7 +34,7 @@ def draw(elastic: xr.Dataset) -> Figure:
     _draw_peaks(peaks, elastic)
     _draw_forces(forces, elastic)
     for axes in (shares, peaks, forces):
-        axes.set_xticks(range(surfaces), elastic["label"].values, **style.TILTED)
+        axes.set_xticks(range(surfaces), elastic["label"].values, **style.TILTED_LABELS)
     handles = [
         Patch(color=NO_CONTACT_COLOUR, label="no contact (a)"),
         Line2D([], [], color="0.3", marker="o", ms=3, ls="none", label="one contact"),
@@ -81,7 +81,7 @@ def _draw_pressures(row: np.ndarray, elastic: xr.Dataset) -> None:
     hardness = elastic.attrs["hardness"] / GIGAPASCAL
     ticks = hardness * PRESSURE_TICKS
     pressure = elastic.set_coords("label")["pressure"].transpose("surface", "y", "x") / GIGAPASCAL
-    reach = 1.1 * style.mask_half_width((pressure > 0).any("surface"))
+    reach = 1.1 * panels.mask_half_width((pressure > 0).any("surface"))
     for position, (axes, surface_data) in enumerate(zip(row, pressure, strict=True), start=1):
         # At pixels of other surfaces there is no value.
         surface_data = surface_data.dropna("y", how="all").dropna("x", how="all")
@@ -105,7 +105,9 @@ def _draw_pressures(row: np.ndarray, elastic: xr.Dataset) -> None:
 def _draw_contacts(axes: Axes, values: xr.DataArray) -> None:
     """Draw one dot a contact, the scans of a surface side by side, and a bar at the median."""
     offsets = np.linspace(-SCAN_SPREAD / 2, SCAN_SPREAD / 2, values.sizes["scan"])[:, None]
-    for position, (surface, look) in enumerate(style.looks(values["surface"].values).items()):
+    for position, (surface, look) in enumerate(
+        style.surface_looks(values["surface"].values).items()
+    ):
         surface_data = values.sel(surface=surface).transpose("scan", "contact")
         positions = np.broadcast_to(position + offsets, surface_data.shape)
         symbols: style.Look = look | {"ls": "none", "ms": 3, "mew": 0, "alpha": 0.6}

@@ -22,7 +22,7 @@ EQUALITY_LOOK: style.Look = {"color": "0.6", "lw": 0.8}
 
 def draw(features: xr.Dataset, published_pull_off: pd.DataFrame) -> Figure:
     """Draw (a) median and (b) scatter of the forces on each candidate against their mean."""
-    figure = drawing.create(3.2, features)
+    figure = drawing.create_figure(3.2, features)
     median_axes, scatter_axes = figure.subplots(1, 2)
     for kind, look in KIND_LOOKS.items():
         candidates = features.sel(features=kind)

@@ -19,6 +19,9 @@ MODEL_LOOKS: dict[str, style.Look] = {
 }
 MAX_MAPPED_ERROR = 0.7  # the map has the works of adhesion with a smaller error at some range
 ON_MAP: style.Look = {"frameon": True, "facecolor": "0.6", "framealpha": 0.9}
+PUBLISHED_FIT: style.Look = {
+    "fmt": "o", "color": "black", "mec": "white", "mew": 0.5, "ms": 5, "lw": 1.4,
+}  # fmt: skip
 FIT_COLOUR = "#6A3D9A"  # no surface has this colour
 FIT_STAR: style.Look = {"marker": "*", "color": FIT_COLOUR, "mec": "white", "mew": 0.6, "ms": 11}
 FIT_RING: style.Look = {"marker": "o", "mfc": "white", "mec": FIT_COLOUR, "mew": 1.4, "ms": 5}
@@ -27,7 +30,7 @@ FIT_RING: style.Look = {"marker": "o", "mfc": "white", "mec": FIT_COLOUR, "mew":
 def draw(fit: xr.Dataset, sets: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
     """Draw the error of the fit (a) against the range and (b) over range and work of adhesion."""
     plastic_fit = fit.sel(contact_model=PLASTIC)
-    figure = drawing.create(3.6, fit)
+    figure = drawing.create_figure(3.6, fit)
     curves, error_map = figure.subplots(1, 2)
     _draw_least_error(curves, fit, sets.sel(contact_model=PLASTIC))
     _draw_error_map(error_map, plastic_fit, published_constants)
@@ -89,7 +92,7 @@ def _draw_error_map(axes: Axes, fit: xr.Dataset, published_constants: pd.DataFra
     axes.plot([], [], "o", color="white", ms=2.5, label="fit to a sample of the scans")
     look: style.Look = {"color": "white", "ms": 2, "alpha": 0.6, "mew": 0, "rasterized": True}
     axes.plot(fit["sampled_range"], fit["sampled_work"] / style.MILLIJOULE, ".", **look)
-    panels.draw_published_fit(axes, published_constants)
+    _mark_published_fit(axes, published_constants)
     axes.legend(loc="lower left", **ON_MAP)  # panel a names the marks of the fit
     _mark_minima(axes, fit, "work", style.MILLIJOULE)
     axes.set(xscale="log", yscale="log", ylabel="work of adhesion $W$ (mJ/m²)")
@@ -100,6 +103,15 @@ def _draw_error_map(axes: Axes, fit: xr.Dataset, published_constants: pd.DataFra
     bar = axes.figure.colorbar(image, ax=axes, label="mean relative error", pad=0.02, extend="max")
     style.label_logarithmic(bar.ax.yaxis)
     style.label_panel(axes, "b", "error over ρ and $W$, plastic contact")
+
+
+def _mark_published_fit(axes: Axes, published_constants: pd.DataFrame) -> None:
+    """Mark the published range (nm) and work of adhesion (mJ/m2) with their uncertainties."""
+    rho = published_constants.loc["range_of_adhesion"]
+    work = published_constants.loc["work_of_adhesion"]
+    values = rho["value"], work["value"] / style.MILLIJOULE
+    half_widths = work["uncertainty"] / style.MILLIJOULE, rho["uncertainty"]
+    axes.errorbar(*values, *half_widths, zorder=5, label="published fit", **PUBLISHED_FIT)
 
 
 def _mark_minima(axes: Axes, fit: xr.Dataset, ordinate: str, unit: float = 1) -> None:

@@ -46,7 +46,7 @@ def _draw_band_ratios(axes: Axes, ratios: xr.Dataset, tolerance: float) -> None:
     band_parts = ratios["band_part"].values
     positions = np.arange(len(band_parts))
     values = panels.value_and_interval(ratios, "band_force_ratio")
-    surfaces = style.looks(ratios["surface"].values)
+    surfaces = style.surface_looks(ratios["surface"].values)
     shifts = np.linspace(-0.25, 0.25, len(surfaces))
     for shift, (surface, look) in zip(shifts, surfaces.items(), strict=True):
         curve = values.sel(surface=surface)

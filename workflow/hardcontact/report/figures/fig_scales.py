@@ -54,19 +54,17 @@ def draw(topography: xr.Dataset, scales: xr.Dataset, published_constants: pd.Dat
     maps = filtered_heights(scan, band)
     titles = map_titles(band)
     _draw_maps(map_axes, scan, maps, titles)
-    radius, colour = scales.attrs["sphere_radius"], _surface_looks(topography)[surface]["color"]
+    radius, colour = scales.attrs["sphere_radius"], _looks_with_sphere(topography)[surface]["color"]
     _draw_profiles(profile_axes, scan, maps, titles, radius, colour)
     style.legend_above(figure, _legend_handles(topography, band))
     return figure
 
 
 def filtered_heights(scan: xr.Dataset, band: Sequence[float]) -> ScanMaps:
-    """Return the maps of a scan with all waves, and without those below and above a band (nm).
-
-    The scan is mirrored before the filter; its pixels resolve the short edge.
-    """
+    """Return the maps of a scan with all waves, and without those below and above a band (nm)."""
     heights = panels.mean_free_heights(scan["example_heights"])
     mirrored = mirror_scan(HeightMap(heights, scan["scan_size"].item() / len(heights)))
+    # Pixels resolve the short edge.
     pixels = max(mirrored.pixels, 2 * int(mirrored.size / band[0]) + 4)
     surface = interpolate(mirrored, pixels)
     (without_short_waves,) = filtered_series(surface, "short", [band[0]], pixels)
@@ -81,11 +79,11 @@ def map_titles(band: Sequence[float]) -> list[str]:
     return ["all wavelengths", f"none below {short}", f"none above {long}"]
 
 
-def _surface_looks(topography: xr.Dataset) -> dict[str, style.Look]:
-    """Return colour and marker of each surface, the sphere included."""
+def _looks_with_sphere(topography: xr.Dataset) -> dict[str, style.Look]:
+    """Return colour and marker of each substrate and of the sphere."""
     sphere = topography.attrs["sphere_surface"]
     substrates = [name for name in topography["surface"].values if name != sphere]
-    return style.looks(substrates) | {sphere: {"color": style.SPHERE_COLOUR, "marker": "X"}}
+    return style.surface_looks(substrates) | {sphere: {"color": style.SPHERE_COLOUR, "marker": "X"}}
 
 
 def _draw_spectra(
@@ -95,7 +93,7 @@ def _draw_spectra(
     wavelengths = 2 * np.pi / topography["wavevector"]
     shortest, longest = scales["transition"].sel(side=["short", "long"]).values
     is_artificial = (wavelengths < shortest) | (wavelengths > longest)
-    for surface, look in _surface_looks(topography).items():
+    for surface, look in _looks_with_sphere(topography).items():
         surface_topography = topography.sel(surface=surface)
         spectrum = surface_topography["spectrum"].where(lambda values: values > MIN_SPECTRUM)
         scan_spectrum = surface_topography["isotropic_psd"].mean("scan")
@@ -156,7 +154,7 @@ def _legend_handles(topography: xr.Dataset, band: Sequence[float]) -> list[Artis
     return [
         *(
             Line2D([], [], label=labels.sel(surface=surface).item(), **look)
-            for surface, look in _surface_looks(topography).items()
+            for surface, look in _looks_with_sphere(topography).items()
         ),
         Patch(label=f"published band, {short} to {long}", **BAND_LOOK),
         Line2D([], [], color="0.3", marker="o", label="mean of the scans", **SCAN_LOOK),

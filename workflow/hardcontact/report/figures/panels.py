@@ -8,6 +8,7 @@ import pandas as pd
 import xarray as xr
 from matplotlib import rcParams
 from matplotlib.axes import Axes
+from matplotlib.collections import LineCollection
 
 from hardcontact.base.formatting import format_share
 from hardcontact.base.statistics import interval_ends
@@ -18,6 +19,10 @@ from hardcontact.report.figures.style import Look
 OCTAVE_SHARE = 0.84  # of an octave that its bars cover
 SPHERE_SHARE_LOOK: Look = {"color": style.SPHERE_COLOUR, "lw": 0}  # of the bar of an octave
 UNCHANGED_LOOK: Look = {"color": "0.88", "lw": 0}  # of changes of the force that do not count
+#: Largest end of the y axis relative to the largest bar. Longer intervals are cut, because the bars
+#: would be too small beside them.
+MAX_AXIS_OVER_BAR = 2.0
+CUT_LOOK: Look = {"color": "0.25", "ms": 3.5, "mew": 0, "clip_on": False, "zorder": 4}
 #: Share of the sets of substitutes between `low` and `high`: the middle of all sets.
 SHARE_OF_SETS = 0.9
 
@@ -47,6 +52,17 @@ def summarize_sets(values: xr.DataArray) -> xr.Dataset:
 def published_edge(constants: pd.DataFrame, side: str) -> float:
     """Return the published edge (nm) of one side of the band."""
     return float(constants["value"][f"{side}_edge"])
+
+
+def mask_half_width(mask: xr.DataArray) -> float:
+    """Return the largest distance from zero, along x or y, of the true pixels of a mask."""
+    return max(float(abs(mask[axis]).where(mask).max()) for axis in "xy")
+
+
+def format_pair(pair: pd.Series | xr.Dataset) -> str:
+    """Return a pair of range and work of adhesion as text."""
+    work = float(pair["work_of_adhesion"]) / style.MILLIJOULE
+    return f"ρ = {float(pair['range_of_adhesion']):.3g} nm, $W$ = {work:.3g} mJ/m²"
 
 
 def mean_free_heights(heights: xr.DataArray) -> np.ndarray:
@@ -106,7 +122,7 @@ def draw_edges(
 
     An edge or an end of an interval at the position (nm) of an arrow lies there or beyond.
     """
-    looks = style.looks(labels["surface"].values) | {MEAN_GROUP: style.MEAN_LOOK}
+    looks = style.surface_looks(labels["surface"].values) | {MEAN_GROUP: style.MEAN_LOOK}
     for row, (group, look) in enumerate(looks.items()):
         value, low, high = edges[["value", "low", "high"]].sel(group=group).to_array().values
         axes.plot([low, high], [row, row], color=look["color"], lw=1.4)
@@ -127,7 +143,7 @@ def draw_octaves(axes: Axes, sensitivity: xr.Dataset) -> None:
     ``sphere_share`` is the dark share of a bar.
     """
     octaves = sensitivity["octave"].values
-    surfaces = style.looks(sensitivity["surface"].values)
+    surfaces = style.surface_looks(sensitivity["surface"].values)
     bars = value_and_interval(sensitivity, "octave_sensitivity")
     width = OCTAVE_SHARE / len(surfaces)
     for column, (surface, look) in enumerate(surfaces.items()):
@@ -150,6 +166,20 @@ def draw_octaves(axes: Axes, sensitivity: xr.Dataset) -> None:
     style.label_logarithmic(axes.xaxis, digits=(1, 2, 5))
 
 
+def cut_long_intervals(axes: Axes, largest_bar: float) -> None:
+    """End the y axis at MAX_AXIS_OVER_BAR, and mark intervals that go beyond by arrows there."""
+    limit = MAX_AXIS_OVER_BAR * largest_bar
+    low, high = axes.get_ylim()
+    low, high = max(low, -limit), min(high, limit)
+    axes.set_ylim(low, high)
+    lines = [artist for artist in axes.collections if isinstance(artist, LineCollection)]
+    segments = [segment for line in lines for segment in line.get_segments() if len(segment) == 2]
+    x, y = np.moveaxis(np.array(segments).reshape(-1, 2, 2), -1, 0)  # each (interval, end)
+    for end, is_beyond, arrow in ((low, y < low, "v"), (high, y > high, "^")):
+        cut_x = x[is_beyond.any(axis=1), 0]
+        axes.plot(cut_x, np.full(cut_x.size, end), arrow, **CUT_LOOK)
+
+
 def shade_artificial(axes: Axes, bands: Iterable[tuple[float, float]]) -> None:
     """Shade bands of wavelengths (nm) within the limits of logarithmic axes."""
     low, high = axes.get_xlim()
@@ -164,12 +194,3 @@ def draw_published_range(axes: Axes, published_constants: pd.DataFrame) -> None:
     axes.axvline(
         published_constants["value"]["range_of_adhesion"], **style.PUBLISHED_RANGE, zorder=1
     )
-
-
-def draw_published_fit(axes: Axes, published_constants: pd.DataFrame) -> None:
-    """Mark the published range (nm) and work of adhesion (mJ/m2) with their uncertainties."""
-    rho = published_constants.loc["range_of_adhesion"]
-    work = published_constants.loc["work_of_adhesion"]
-    values = rho["value"], work["value"] / style.MILLIJOULE
-    half_widths = work["uncertainty"] / style.MILLIJOULE, rho["uncertainty"]
-    axes.errorbar(*values, *half_widths, zorder=5, label="published fit", **style.PUBLISHED_FIT)

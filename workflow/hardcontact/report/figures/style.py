@@ -1,13 +1,12 @@
 """Style of all figures: fonts, looks of surfaces, axes, legends, marks."""
 
 from collections.abc import Iterable, Iterator, Sequence
-from functools import partial
+from contextlib import AbstractContextManager
 from itertools import cycle
 from typing import Any
 
 import matplotlib as mpl
 import numpy as np
-import pandas as pd
 import xarray as xr
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
@@ -43,12 +42,12 @@ REMOVED_TITLES = {
 }
 MEAN_LOOK: Look = {"color": "black", "marker": "h"}  # of the mean of all surfaces
 PUBLISHED_RANGE: Look = {"color": "0.25", "lw": 1.0, "ls": (0, (4, 2))}
-TILTED: Look = {"rotation": 25, "ha": "right", "rotation_mode": "anchor"}  # names on an axis
-PUBLISHED_FIT: Look = {"fmt": "o", "color": "black", "mec": "white", "mew": 0.5, "ms": 5, "lw": 1.4}
+TILTED_LABELS: Look = {"rotation": 25, "ha": "right", "rotation_mode": "anchor"}  # on an axis
 #: Maps of pixels become images, in the PDF too.
 PIXEL_LOOK: Look = {"shading": "nearest", "rasterized": True}
 
-RC: dict[Any, Any] = {
+#: Settings of Matplotlib for print; all others are those that Matplotlib ships with.
+PRINT_SETTINGS: dict[Any, Any] = {
     "font.family": "DejaVu Sans",  # ships with matplotlib: the same bytes on every machine
     "font.size": 8.0,
     "axes.titlesize": 8.0,
@@ -68,28 +67,29 @@ RC: dict[Any, Any] = {
     "svg.hashsalt": "figure",  # the same names of parts in the SVG each time
 }
 
-#: Settings of Matplotlib as it ships, in place of a user's matplotlibrc.
-SHIPPED = {name: mpl.rcParamsDefault[name] for name in mpl.rcParams if "backend" not in name}
-#: Sets the style of print for a block.
-print_style = partial(mpl.rc_context, SHIPPED | RC)
+
+def print_style() -> AbstractContextManager[None]:
+    """Set the style of print for a block, whatever the user's matplotlibrc has."""
+    names = [name for name in mpl.rcParams if "backend" not in name]
+    return mpl.rc_context({name: mpl.rcParamsDefault[name] for name in names} | PRINT_SETTINGS)
 
 
-def colours(surfaces: Iterable[str], sphere: str | None = None) -> dict[str, str]:
+def surface_colours(surfaces: Iterable[str], sphere: str | None = None) -> dict[str, str]:
     """Return the colour of each surface, in the order of substrates; grey for the sphere."""
     substrates = [str(name) for name in surfaces if str(name) != sphere]
     pairs = dict(zip(substrates, cycle(SUBSTRATE_COLOURS), strict=False))
     return pairs if sphere is None else {**pairs, sphere: SPHERE_COLOUR}
 
 
-def looks(substrates: Iterable[str]) -> dict[str, Look]:
+def surface_looks(substrates: Iterable[str]) -> dict[str, Look]:
     """Return colour and marker of each substrate, as keywords of Matplotlib."""
-    pairs = zip(colours(substrates).items(), cycle(MARKERS), strict=False)
+    pairs = zip(surface_colours(substrates).items(), cycle(MARKERS), strict=False)
     return {name: {"color": colour, "marker": marker} for (name, colour), marker in pairs}
 
 
 def iterate_surfaces(data: xr.Dataset) -> Iterator[tuple[Look, xr.Dataset]]:
     """Yield colour and marker of each substrate of a dataset, and its selection of the dataset."""
-    for surface, look in looks(data["surface"].values).items():
+    for surface, look in surface_looks(data["surface"].values).items():
         yield look, data.sel(surface=surface)
 
 
@@ -123,10 +123,7 @@ def label_panel(axes: Axes, letter: str, title: str = "") -> None:
 
 
 def label_logarithmic(*axes: Axis, digits: tuple[int, ...] = (1, 2, 3, 5)) -> None:
-    """Label logarithmic axes by plain numbers, at these digits of each decade.
-
-    Axes of more than three decades have at most one label a decade.
-    """
+    """Label logarithmic axes by plain numbers, at these digits or, beyond 3 decades, at decades."""
     for axis in axes:
         low, high = axis.get_view_interval()
         labelled_digits = (1,) if high > 1e3 * low else digits
@@ -179,14 +176,3 @@ def legend_entries(panels: Iterable[Axes]) -> dict[str, Artist]:
         for handle, label in zip(*axes.get_legend_handles_labels(), strict=True):
             entries.setdefault(label, handle)
     return entries
-
-
-def mask_half_width(mask: xr.DataArray) -> float:
-    """Return the largest distance from zero, along x or y, of the true pixels of a mask."""
-    return max(float(abs(mask[axis]).where(mask).max()) for axis in "xy")
-
-
-def print_pair(pair: pd.Series | xr.Dataset) -> str:
-    """Return a pair of range and work of adhesion as text."""
-    work = float(pair["work_of_adhesion"]) / MILLIJOULE
-    return f"ρ = {float(pair['range_of_adhesion']):.3g} nm, $W$ = {work:.3g} mJ/m²"

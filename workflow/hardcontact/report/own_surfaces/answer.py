@@ -16,7 +16,7 @@ from hardcontact.report.answer import (
     substitutes_note,
 )
 from hardcontact.report.figures import panels
-from hardcontact.report.own_surfaces.cautions import cautions
+from hardcontact.report.own_surfaces.cautions import answer_cautions
 from hardcontact.report.own_surfaces.comparison import comparison_numbers
 from hardcontact.report.own_surfaces.conclusions import Conclusion, surface_conclusion
 from hardcontact.report.own_surfaces.datasets import (
@@ -129,7 +129,7 @@ def _surface_answer(
         numbers += measured_numbers(preferred_fit(data.fit).sel(surface=name), data)
     named_numbers = numbers_by_name(*numbers)
     conclusion = surface_conclusion(named_numbers)
-    surface_cautions = cautions(data, named_numbers)
+    surface_cautions = answer_cautions(data, named_numbers)
     new_scans = next_scans([named_numbers[name] for name in EDGE_NAMES.values()], data.spectra)
     named_numbers |= numbers_by_name(
         *_caution_numbers(surface_cautions),

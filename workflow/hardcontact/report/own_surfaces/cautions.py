@@ -3,7 +3,7 @@
 A caution is a code with numbers; the template own_caution.txt has the sentence for each code.
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 
 import numpy as np
 import xarray as xr
@@ -32,26 +32,18 @@ MIN_CONTACT_PIXELS = 10
 MAX_LOPSIDEDNESS = 2.0
 
 
-def cautions(data: Datasets, numbers: Mapping[str, Number]) -> list[Caution]:
-    """Return the cautions about the answer of one surface, the grave ones first.
-
-    The numbers of edges and forces are by name.
-    """
+def answer_cautions(data: Datasets, numbers: Mapping[str, Number]) -> list[Caution]:
+    """Return the cautions about the answer of one surface, the grave ones first."""
     possible_cautions = [
         spectrum_cautions.blind_scans_caution(data),
         *spectrum_cautions.defect_cautions(data.spectra, grave=True),
         *spectrum_cautions.reading_cautions(data.spectra),
         *spectrum_cautions.repeated_scan_cautions(data.spectra),
-        _few_patches_caution(data.force),
-        _soft_bodies_caution(data.force),
-        _strong_work_caution(numbers),
+        *_contact_cautions(data.force, numbers),
         _small_scan_caution(data),
         _few_pixels_caution(data.force),
-        _few_tests_caution(numbers),
-        _repeated_tests_caution(numbers),
-        _smooth_bound_caution(data.force, numbers),
-        _conditional_intervals_caution(data.force),
-        _sphere_positions_caution(numbers),
+        *_test_cautions(numbers),
+        *_interval_cautions(data.force, numbers),
         *spectrum_cautions.defect_cautions(data.spectra, grave=False),
         spectrum_cautions.contradiction_caution(data.spectra),
         spectrum_cautions.excess_roughness_caution(data.spectra),
@@ -65,55 +57,43 @@ def cautions(data: Datasets, numbers: Mapping[str, Number]) -> list[Caution]:
     return sorted(surface_cautions, key=lambda caution: not caution.grave)
 
 
-def _few_patches_caution(force: xr.Dataset) -> Caution | None:
-    """Return a caution if the contacts on a scan touch too few patches for an interval."""
-    if force["interval_source"].item() != IntervalSource.FEW_PATCHES:
-        return None
-    numbers = [Number(name, int(force[name].item())) for name in ("contacts", "touched_patches")]
-    return Caution("few_patches", *numbers, grave=True)
-
-
-def _soft_bodies_caution(force: xr.Dataset) -> Caution | None:
-    """Return a caution if the bodies are, or may be, too soft for a hard contact."""
-    number = stored_tabor_number(force)
-    if number.status == Elasticity.HARD:
-        return None
-    return Caution("soft_bodies", number._replace(name="tabor"), grave=True)
-
-
-def _strong_work_caution(numbers: Mapping[str, Number]) -> Caution | None:
-    """Return a caution if a measured force needs more work of adhesion than any solid has."""
+def _contact_cautions(force: xr.Dataset, numbers: Mapping[str, Number]) -> Iterator[Caution]:
+    """Yield cautions if few patches are touched, or bodies are too soft, or stick like no solid."""
+    if force["interval_source"].item() == IntervalSource.FEW_PATCHES:
+        counts = [Number(name, int(force[name].item())) for name in ("contacts", "touched_patches")]
+        yield Caution("few_patches", *counts, grave=True)
+    tabor = stored_tabor_number(force)
+    if tabor.status != Elasticity.HARD:
+        yield Caution("soft_bodies", tabor._replace(name="tabor"), grave=True)
     work = numbers.get("measured_work")
-    if work is None or work.value <= STRONGEST_WORK:
-        return None
-    return Caution("strong_work", work._replace(name="work"), grave=True)
+    if work is not None and not work.value <= STRONGEST_WORK:
+        yield Caution("strong_work", work._replace(name="work"), grave=True)
 
 
-def _few_tests_caution(numbers: Mapping[str, Number]) -> Caution | None:
-    """Return a caution if the tests are too few for an estimate of their scatter."""
+def _test_cautions(numbers: Mapping[str, Number]) -> Iterator[Caution]:
+    """Yield cautions if tests are too few to estimate their scatter, or seem to repeat a site."""
     force = numbers.get("measured_force")
     if force is None:
-        return None
+        return
     above, below = np.log(force.high / force.value), np.log(force.value / force.low)
-    if not above > MAX_LOPSIDEDNESS * below:
-        return None
-    return Caution("few_tests", numbers["measured_force_sites"]._replace(name="tests"))
+    if above > MAX_LOPSIDEDNESS * below:
+        yield Caution("few_tests", numbers["measured_force_sites"]._replace(name="tests"))
+    if numbers["measured_force_looks_repeated"].value:
+        tests = numbers["measured_force_tests"]._replace(name="tests")
+        yield Caution("repeated_tests", tests, grave=True)
 
 
-def _repeated_tests_caution(numbers: Mapping[str, Number]) -> Caution | None:
-    """Return a caution if tests look as if several were made at one site."""
-    repeated = numbers.get("measured_force_looks_repeated")
-    if repeated is None or not repeated.value:
-        return None
-    tests = numbers["measured_force_tests"]._replace(name="tests")
-    return Caution("repeated_tests", tests, grave=True)
-
-
-def _smooth_bound_caution(force: xr.Dataset, numbers: Mapping[str, Number]) -> Caution | None:
-    """Return a caution if the mean force, or its upper end, is as high as on a smooth sphere."""
+def _interval_cautions(force: xr.Dataset, numbers: Mapping[str, Number]) -> Iterator[Caution]:
+    """Yield cautions on the interval of the mean force: bounds, scans, positions on the sphere."""
     mean = numbers["mean_force"]
-    is_bounded = np.nanmax([mean.value, mean.high]) >= forces_at_range(force)["smooth_bound"].item()
-    return Caution("smooth_bound") if is_bounded else None
+    if np.nanmax([mean.value, mean.high]) >= forces_at_range(force)["smooth_bound"].item():
+        yield Caution("smooth_bound")
+    if force["interval_source"].item() == IntervalSource.QUARTERS:
+        scans = Number("scans", int(force["interval_scans"].item()))
+        correlation = number_of(force, "correlation_of_parts", name="correlation")
+        yield Caution("conditional_intervals", scans, correlation)
+    if "position_factor" in numbers:
+        yield Caution("sphere_positions", numbers["position_factor"]._replace(name="factor"))
 
 
 def _small_window_caution(data: Datasets) -> Caution | None:
@@ -165,22 +145,6 @@ def _few_pixels_caution(force: xr.Dataset) -> Caution | None:
         Number("pixels", area / pixel),
         grave=area < pixel,
     )
-
-
-def _conditional_intervals_caution(force: xr.Dataset) -> Caution | None:
-    """Return a caution if intervals are conditional on the scans at hand."""
-    if force["interval_source"].item() != IntervalSource.QUARTERS:
-        return None
-    scans = Number("scans", int(force["interval_scans"].item()))
-    correlation = number_of(force, "correlation_of_parts", name="correlation")
-    return Caution("conditional_intervals", scans, correlation)
-
-
-def _sphere_positions_caution(numbers: Mapping[str, Number]) -> Caution | None:
-    """Return a caution on the unknown position of a rough sphere, which changes the force."""
-    if "position_factor" not in numbers:
-        return None
-    return Caution("sphere_positions", numbers["position_factor"]._replace(name="factor"))
 
 
 def _hindcast_cautions(data: Datasets) -> list[Caution]:

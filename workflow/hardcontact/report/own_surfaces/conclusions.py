@@ -39,6 +39,7 @@ def surface_conclusion(numbers: Mapping[str, Number]) -> Conclusion:
     force = _drop_partial_interval(numbers["mean_force"])
     sides = [side for side in SIDES if f"force_extrapolated_{side}" in numbers]
     sources = {short.source, long.source, numbers["mean_force_measured_share"].source}
+    change = numbers.get("octave_1_sensitivity")
     band = _describe_band(short, long, numbers["mean_force"])
     if band in ("few_patches", "none") or sources == {"artificial"}:
         answer = "no"
@@ -56,7 +57,7 @@ def surface_conclusion(numbers: Mapping[str, Number]) -> Conclusion:
             side for side in sides if np.isfinite(numbers[f"force_extrapolated_{side}"].value)
         ],
         octave_body=_octave_body(numbers),
-        octave_is_certain=_octave_is_certain(numbers),
+        octave_is_certain=change is None or not change.low <= 0 <= change.high,
         few_summits=numbers["weibull_modulus"].value < 1,
     )
 
@@ -78,12 +79,6 @@ def _octave_body(numbers: Mapping[str, Number]) -> str:
         return ""
     share = numbers["octave_1_sphere_share"].value
     return "sphere" if share > NEARLY_ALL else "surface" if share < 1 - NEARLY_ALL else "both"
-
-
-def _octave_is_certain(numbers: Mapping[str, Number]) -> bool:
-    """Return whether the interval of the largest change by an octave excludes no change."""
-    change = numbers.get("octave_1_sensitivity")
-    return change is None or not change.low <= 0 <= change.high
 
 
 def _drop_partial_interval(number: Number) -> Number:

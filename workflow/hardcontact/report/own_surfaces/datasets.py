@@ -17,17 +17,14 @@ MEASUREMENT_LENGTHS = ("size", "pixel_size", "shortest_reliable", "longest_relia
 
 
 class Datasets(NamedTuple):
-    """The datasets that an answer is made from, as in the files of these names.
-
-    Topography and spectra may have scans of the sphere. Without measured forces the fit is None.
-    """
+    """The datasets that an answer is made from; topography and spectra may have the sphere, too."""
 
     topography: xr.Dataset
     spectra: xr.Dataset
     edges: xr.Dataset
     force: xr.Dataset
     sensitivity: xr.Dataset
-    fit: xr.Dataset | None = None
+    fit: xr.Dataset | None = None  #: None without measured forces.
 
     def select_surface(self, surface: str) -> "Datasets":
         """Return the datasets of one surface, with the fit to the forces of all surfaces."""

@@ -38,25 +38,10 @@ def interval_status(interval_source: xr.DataArray) -> StrEnum:
     return IntervalSource.FEW_PATCHES if has_few_patches else NumberStatus.NO_INTERVAL
 
 
-def edge_number(side_edges: xr.Dataset, name: str, source: str) -> Number:
-    """Return the edge (nm) of one surface and side with its interval, or its bound if open."""
-    low, high = interval_ends(side_edges, "edge")
-    number = Number(name, side_edges["edge"].item(), "nm", low.item(), high.item(), source=source)
-    if np.isfinite(number.value):
-        return number
-    bound, status = side_edges["edge_bound"].item(), side_edges["edge_status"].item()
-    return number._replace(value=bound, status=status)
-
-
-def resolves_nothing(edges: xr.Dataset) -> bool:
-    """Return whether no cutoff changes the force on one surface, as if the surface were smooth."""
-    statuses = edges["edge_status"].sel(side=list(SIDES)).values.tolist()
-    return bool(statuses == [EdgeStatus.OPEN_ABOVE, EdgeStatus.OPEN_BELOW])
-
-
 def edge_numbers(data: Datasets) -> list[Number]:
     """Return the edges of one surface, each with its measured share and the cutoffs around it."""
-    if resolves_nothing(data.edges):
+    statuses = data.edges["edge_status"].sel(side=list(SIDES)).values.tolist()
+    if statuses == [EdgeStatus.OPEN_ABOVE, EdgeStatus.OPEN_BELOW]:  # No cutoff changes the force.
         return [Number(name, np.nan, "nm", status=NoValue.NO_BAND) for name in EDGE_NAMES.values()]
     numbers = []
     for side in SIDES:
@@ -75,10 +60,15 @@ def _edge_without_artificial_ends(data: Datasets, side: str) -> Number:
     force then rests on wrong roughness.
     """
     name = EDGE_NAMES[side]
-    has_ripples = data.edges["edge_status"].sel(side=side).item() == EdgeStatus.RIPPLES
-    if fails_hindcast(data, side) and not has_ripples:
+    side_edges = data.edges.sel(side=side)
+    status = side_edges["edge_status"].item()
+    if fails_hindcast(data, side) and status != EdgeStatus.RIPPLES:
         return Number(name, np.nan, "nm", status=NoValue.NO_HINDCAST, source="artificial")
-    edge = edge_number(data.edges.sel(side=side), name, edge_source(data, side))
+    low, high = (end.item() for end in interval_ends(side_edges, "edge"))
+    source = edge_source(data, side)
+    edge = Number(name, side_edges["edge"].item(), "nm", low, high, source=source)
+    if not np.isfinite(edge.value):
+        edge = edge._replace(value=side_edges["edge_bound"].item(), status=status)
     bands = artificial_bands(data.spectra)
     if edge.source == "artificial" or overlaps_any(edge.low, edge.low, bands):
         edge = edge._replace(low=np.nan)

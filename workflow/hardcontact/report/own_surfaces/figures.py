@@ -8,7 +8,6 @@ import numpy as np
 import xarray as xr
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
-from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
@@ -45,28 +44,19 @@ MAX_UNRELIABLE_CURVES = 3
 SYMBOLS_PER_CURVE = 12
 #: Dots per inch of height maps, which make up most of the size of a page.
 MAP_DOTS_PER_INCH = 72
-#: Largest end of the y axis relative to the largest bar. Longer intervals are cut, because the bars
-#: would be too small beside them.
-MAX_AXIS_OVER_BAR = 2.0
-CUT_INTERVAL_LOOK: style.Look = {
-    "color": "0.25", "ms": 3.5, "mew": 0, "clip_on": False, "zorder": 4,
-}  # fmt: skip
 #: Width of figures in inches: 360 pixels of a phone show 7 points as 9 pixels.
 FIGURE_WIDTH = 3.8
 
 
 def write_figures(datasets: Datasets, outputs: Mapping[str, Sequence[str]]) -> dict[str, bytes]:
-    """Write all figures of the user's surfaces, and return the SVG of each by its name.
-
-    Outputs are by FILE_KINDS, in one order of figures; a file has the name of its figure.
-    """
+    """Write the figure that each file is named for, by FILE_KINDS; return the SVG by figure."""
     pictures = {}
     for index, svg in enumerate(outputs["svg"]):
         files = {kind: outputs[kind][index] for kind in FILE_KINDS}
         name = PurePath(svg).stem
         with style.print_style():
             figure = OWN_DRAWINGS[name](datasets)
-            drawing.save(figure, describe_figure(name).title, files, MAP_DOTS_PER_INCH)
+            drawing.save_figure(figure, describe_figure(name).title, files, MAP_DOTS_PER_INCH)
         pictures[name] = Path(svg).read_bytes()
     return pictures
 
@@ -76,7 +66,7 @@ def draw_octaves(datasets: Datasets) -> Figure:
     labels = datasets.labels()
     is_shown = [shown_octaves(datasets.select_surface(surface)) for surface in labels]
     sensitivity = datasets.sensitivity.sel(surface=list(labels))
-    looks = style.looks(labels).items()
+    looks = style.surface_looks(labels).items()
     handles: list[Artist] = [Line2D([], [], label=labels[name], **look) for name, look in looks]
     if "sphere_share" in datasets.spectra:
         middles = np.sqrt(2) * sensitivity["octave"].values
@@ -86,10 +76,7 @@ def draw_octaves(datasets: Datasets) -> Figure:
         handles.append(Patch(**panels.SPHERE_SHARE_LOOK, label="the sphere's share of the power"))
     figure, axes = _single_panel(3.0)
     panels.draw_octaves(axes, sensitivity.assign(is_shown=(("surface", "octave"), is_shown)))
-    low, high = axes.get_ylim()
-    limit = MAX_AXIS_OVER_BAR * float(np.abs(sensitivity["octave_sensitivity"]).max())
-    axes.set_ylim(max(low, -limit), min(high, limit))
-    _mark_cut_intervals(axes)
+    panels.cut_long_intervals(axes, float(np.abs(sensitivity["octave_sensitivity"]).max()))
     style.legend_above(figure, handles, max_columns=2)
     return figure
 
@@ -100,7 +87,7 @@ def draw_maps(datasets: Datasets) -> Figure:
     topography = datasets.topography
     spheres = topography.sel(surface=~topography["surface"].isin(list(labels)))
     names = labels | dict(zip(spheres["surface"].values, spheres["label"].values, strict=True))
-    colours = style.colours(labels)
+    colours = style.surface_colours(labels)
     figure, column = _titled_panels(names.values(), 3.3)
     for axes, name in zip(column, names, strict=True):
         scan = topography.sel(surface=name)
@@ -164,7 +151,7 @@ def draw_forces(datasets: Datasets) -> Figure:
     figure, axes = _single_panel(3.4)
     ranges = force["rho"].values
     forces = panels.value_and_interval(force, "force") / style.MICRONEWTON
-    for surface, surface_look in style.looks(labels).items():
+    for surface, surface_look in style.surface_looks(labels).items():
         for model, model_look in zip(models, MODEL_LOOKS, strict=False):
             curve = forces.sel(surface=surface, contact_model=model)
             drawn_curve = curve if model == answer_model else curve[["value"]]
@@ -181,7 +168,7 @@ def draw_works(datasets: Datasets) -> Figure:
     labels = datasets.labels()
     names = fit["surface"].values.tolist()
     rho = fit["rho_fine"].values
-    looks = style.looks(labels)
+    looks = style.surface_looks(labels)
     figure, axes = _single_panel(3.4)
     works = panels.value_and_interval(fit, "work_by_range") / style.MILLIJOULE
     for name in names:
@@ -211,7 +198,7 @@ def _surface_panels(
     """Return a figure, and the panel (height in inches), colour and data of each surface."""
     labels = datasets.labels()
     figure, column = _titled_panels(labels.values(), height)
-    colours = style.colours(labels)
+    colours = style.surface_colours(labels)
     surface_datasets = [datasets.select_surface(surface) for surface in labels]
     return figure, zip(column, colours.values(), surface_datasets, strict=True)
 
@@ -229,17 +216,6 @@ def _titled_panels(titles: Collection[str], height: float) -> tuple[Figure, np.n
     for axes, title in zip(column, titles, strict=True):
         axes.set_title(title, loc="left")
     return figure, column
-
-
-def _mark_cut_intervals(axes: Axes) -> None:
-    """Mark the intervals that extend beyond the y axis by arrows at its ends."""
-    lines = [artist for artist in axes.collections if isinstance(artist, LineCollection)]
-    segments = [segment for line in lines for segment in line.get_segments() if len(segment) == 2]
-    x, y = np.moveaxis(np.array(segments).reshape(-1, 2, 2), -1, 0)  # each (interval, end)
-    low, high = axes.get_ylim()
-    for limit, is_beyond, arrow in ((low, y < low, "v"), (high, y > high, "^")):
-        cut_x = x[is_beyond.any(axis=1), 0]
-        axes.plot(cut_x, np.full(cut_x.size, limit), arrow, **CUT_INTERVAL_LOOK)
 
 
 def _draw_measurement(

@@ -40,7 +40,7 @@ def artificial_bands(spectra: xr.Dataset) -> list[tuple[float, float]]:
 
 
 def overlaps_any(low: float, high: float, bands: Iterable[tuple[float, float]]) -> bool:
-    """Return whether wavelengths from low to high (nm) overlap a band; False if one is NaN."""
+    """Return whether wavelengths from low to high (nm) overlap a band; False if either is NaN."""
     return any(shortest < high and low < longest for shortest, longest in bands)
 
 

@@ -13,11 +13,9 @@ SPHERE_AT_CUTOFFS = "sphere in computations of the band"
 
 
 def paper_contact(configuration: Mapping[str, Any]) -> dict[str, str]:
-    """Return the inputs of the contacts of a study of the paper, as printed.
-
-    The work of adhesion is no input, because it is fitted to the published forces.
-    """
+    """Return the inputs of the contacts of a study of the paper, as printed."""
     words = contact_words(configuration)
+    # It is fitted to the published forces.
     del words[CONTACT_QUANTITIES["work"][1]]
     sphere = "rough" if configuration["scales"]["sphere_roughness"] else "smooth"
     return words | {SPHERE_AT_CUTOFFS: sphere}
@@ -26,11 +24,7 @@ def paper_contact(configuration: Mapping[str, Any]) -> dict[str, str]:
 def changed_inputs(
     contact: Mapping[str, str], substrates: Sequence[str], table1: pd.DataFrame
 ) -> list[dict[str, str]]:
-    """Return the inputs that differ from the paper's, each with both values.
-
-    The contact comes from `paper_contact`; Table 1 lists the paper's surfaces. Other names, grids
-    and repetitions are no other inputs.
-    """
+    """Return the inputs of contacts, and the coatings, that differ from the paper's."""
     paper_inputs = paper_contact(Study().model_dump(warnings=False))
     paper_inputs["coatings"] = _join_surfaces(table1["surface"])
     inputs = {**contact, "coatings": _join_surfaces(substrates)}

@@ -37,10 +37,7 @@ def paper_page(
     citation: Mapping[str, Any],
     frame: Frame,
 ) -> str:
-    """Return the page of the paper's study.
-
-    `claims` comes from `judged_claims.add_open_ends`; SVG and captions are by figure.
-    """
+    """Return the page of the paper's study; claims have open ends, SVG and captions are by name."""
     *coatings, _ = answer["surfaces"]  # the last one is the sphere
     coating_numbers = {row["label"]: numbers_of_answer(answer, row["name"]) for row in coatings}
     numbers = numbers_of_answer(answer)
@@ -84,10 +81,7 @@ def report_pages(
     versions: Mapping[str, str],
     frame: Frame,
 ) -> dict[str, str]:
-    """Return the HTML of the pages of the report by name: `claims`, each text, and `parameters`.
-
-    `claims` comes from `judged_claims.add_open_ends`; `texts` are chapters in Markdown, by name.
-    """
+    """Return the report's pages as HTML by name: `claims`, each text in Markdown, `parameters`."""
     confidence = configuration["intervals"]["confidence"]
     facts = claim_facts(claims) | {"changed": changed, "confidence": confidence}
     pages = {"claims": render_document("claims.html", frame, "claims", **facts)}
@@ -111,7 +105,9 @@ def convert_chapter(text: str, pages: Collection[str] = ()) -> Chapter:
     if not heading.startswith("# "):
         raise ValueError(f"expected a text that begins with '# ' and a title, found {heading!r}")
     markdown = MarkdownIt("commonmark").enable("table")
-    markdown.use(dollarmath_plugin, allow_space=False, allow_digits=False, renderer=_mathml)
+    markdown.use(
+        dollarmath_plugin, allow_space=False, allow_digits=False, renderer=_formula_as_mathml
+    )
     tokens = markdown.parse(LINK.sub(lambda link: _page_link(link, pages), body))
     _keep_units(tokens)
     _label_cells(tokens)
@@ -119,7 +115,7 @@ def convert_chapter(text: str, pages: Collection[str] = ()) -> Chapter:
     return Chapter(heading[2:], markdown.renderer.render(tokens, markdown.options, {}), sections)
 
 
-def _mathml(formula: str, options: Mapping[str, bool]) -> str:
+def _formula_as_mathml(formula: str, options: Mapping[str, bool]) -> str:
     """Return a formula in LaTeX as MathML; `options` says whether it has a line of its own."""
     from latex2mathml.converter import convert
 

@@ -71,7 +71,7 @@ def add_paired_intervals(
     first_values, second_values = _set_numbers(first), _set_numbers(second)
     confidence = first["sets"].attrs["confidence"]
     return [
-        _with_interval(number, first_values[key], second_values[key], confidence)
+        _add_change_interval(number, first_values[key], second_values[key], confidence)
         if (key := (number.surface, number.name)) in first_values and key in second_values
         else number
         for number in numbers
@@ -112,7 +112,7 @@ def _set_numbers(study: Mapping[str, xr.Dataset]) -> dict[tuple[str, str], xr.Da
     return claims | fits | edges | forces
 
 
-def _with_interval(
+def _add_change_interval(
     number: ComparedNumber, first: xr.DataArray, second: xr.DataArray, confidence: float
 ) -> ComparedNumber:
     """Return a number with the interval of its change, from both numbers (set,) of each set."""
