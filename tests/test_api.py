@@ -103,13 +103,17 @@ def test_other_objects_than_spectra_are_refused_in_one_line(files):
         assert_says(message, "expected a square map of finite heights", f"found {found}")
 
 
-def test_the_page_runs_in_order(files):
+def test_the_page_runs_in_order_and_shows_what_it_prints(files, monkeypatch, capsys):
+    monkeypatch.undo()  # The page has predictions at full effort.
+    monkeypatch.chdir(files)
     (files / "resources").symlink_to(ROOT / "resources")
     page = (DOCS / "api.md").read_text("utf-8")
     assert sorted(re.findall(r"^\| `(\w+)` \|", page, re.M)) == FUNCTIONS
     names = {}
     for block in re.findall(r"^```python\n(.*?)^```", page, re.M | re.S):
         exec(block, names)
+        shown = re.findall("^# (.*)$", block, re.M)
+        assert capsys.readouterr().out.splitlines() == shown
 
 
 def test_the_notebook_shows_what_its_cells_return(monkeypatch, capsys):
