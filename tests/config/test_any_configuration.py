@@ -9,7 +9,7 @@ import yaml
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from paper_numbers import SUBSTRATES
-from repository import PAPER, ROOT, TINY, leaves, merge_configurations
+from repository import PAPER, ROOT, TINY, dotted_keys, merge_configurations
 from studies import replace_value
 
 from hardcontact.config.configuration import numeric_configuration
@@ -17,7 +17,7 @@ from hardcontact.config.selected_surfaces import selected_scans, surface_table
 from hardcontact.run import checks
 
 pytestmark = pytest.mark.usefixtures("project_folder")
-LEAVES = sorted(leaves(PAPER))
+LEAVES = sorted(dotted_keys(PAPER))
 BRANCHES = sorted({path.rpartition(".")[0] for path in LEAVES})
 MESSAGE = re.compile(r"config key [^:]+: expected .+ found .+|\S+: .*expected .+ found.+")
 

@@ -4,7 +4,7 @@ import datetime
 
 import pytest
 from refusals import NESTED_ALIASES, assert_says, refusal
-from repository import PAPER, ROOT, leaves
+from repository import PAPER, ROOT, dotted_keys
 from studies import paper_configuration
 
 from hardcontact.config import configuration, key_tables
@@ -136,7 +136,7 @@ def test_the_configuration_and_its_documentation_are_made_from_the_model():
 
 def test_the_configuration_of_the_paper_has_every_key_and_its_default():
     assert Study.model_validate(PAPER) == Study()
-    assert sorted(leaves(PAPER)) == sorted(leaves(Study().model_dump(warnings=False)))
+    assert sorted(dotted_keys(PAPER)) == sorted(dotted_keys(Study().model_dump(warnings=False)))
 
 
 def test_quantities_of_the_paper_are_assumed_unless_they_are_given():

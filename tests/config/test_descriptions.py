@@ -2,7 +2,7 @@
 
 import pytest
 from refusals import assert_says, refusal
-from repository import BANDS, ROOT
+from repository import DESCRIPTION_HEADER, ROOT
 
 from hardcontact.config.descriptions import refuse_description, refuse_paper_surface
 from hardcontact.surfaces.table1_calibration import AFM_ROWS, TAIL_ROWS
@@ -12,7 +12,9 @@ TABLE_1 = {*AFM_ROWS, *TAIL_ROWS}
 
 
 def test_all_spectra_of_the_repository_are_accepted():
-    descriptions = [path for path in SPECTRA.glob("*.csv") if path.read_text().startswith(BANDS)]
+    descriptions = [
+        path for path in SPECTRA.glob("*.csv") if path.read_text().startswith(DESCRIPTION_HEADER)
+    ]
     assert len(descriptions) > 10
     for path in descriptions:
         refuse_description(path, TABLE_1)
@@ -34,7 +36,7 @@ def test_all_spectra_of_the_repository_are_accepted():
 )
 def test_faulty_descriptions_are_refused(tmp_path, band, message_parts):
     path = tmp_path / "surface.csv"
-    path.write_text(f"{BANDS}{band}\n")
+    path.write_text(f"{DESCRIPTION_HEADER}{band}\n")
     assert_says(
         refusal(refuse_description, path, TABLE_1), "surface.csv", "expected", *message_parts
     )
@@ -42,7 +44,7 @@ def test_faulty_descriptions_are_refused(tmp_path, band, message_parts):
 
 def test_a_blank_hurst_exponent_needs_rows_of_table_1(tmp_path):
     path = tmp_path / "surface.csv"
-    path.write_text(f"{BANDS}inf,6.5,varying Hurst,,2000,,,,assumed,none\n")
+    path.write_text(f"{DESCRIPTION_HEADER}inf,6.5,varying Hurst,,2000,,,,assumed,none\n")
     assert_says(refusal(refuse_description, path, set()), "line 2", "afm_rms_height", "neither")
     refuse_description(path, TABLE_1)
 

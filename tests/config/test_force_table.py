@@ -21,13 +21,8 @@ def table(tmp_path):
 
 def test_a_table_may_have_decimal_commas_between_semicolons(table):
     commas = table("surface;median;mean;count;unit", "bare;1,0591e1;11,749;40;µN")
-    assert measured_forces(commas, SURFACES, RADIUS).iloc[0].tolist() == [
-        "bare",
-        1.1749e-5,
-        1.0591e-5,
-        40,
-        "",
-    ]
+    (row,) = measured_forces(commas, SURFACES, RADIUS).itertuples(index=False)
+    assert row == ("bare", 1.1749e-5, 1.0591e-5, 40, "")
     points = table("surface;value;unit", "bare;11.5;uN")
     assert measured_forces(points, SURFACES, RADIUS)["mean"].tolist() == [1.15e-5]
 

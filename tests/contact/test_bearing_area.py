@@ -3,14 +3,14 @@
 import numpy as np
 import pytest
 from direct_sum import gap_of_bodies
-from periodic_maps import CASES, make_bodies, periodic_noise
+from periodic_maps import MAP_CASES, make_bodies, periodic_noise
 
 from hardcontact.contact.bearing_area import all_contact_pixels
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import part_around_lowest
 
 
-@pytest.mark.parametrize("case", CASES)
+@pytest.mark.parametrize("case", MAP_CASES)
 @pytest.mark.parametrize("contact_pixel_count", [1, 9000])
 @pytest.mark.parametrize("rough", [False, True])
 def test_contact_pixels_equal_those_of_the_whole_window(case, contact_pixel_count, rough):

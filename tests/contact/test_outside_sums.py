@@ -5,7 +5,7 @@ from itertools import product
 import numpy as np
 import pytest
 from direct_sum import direct_total, gap_of_bodies
-from periodic_maps import CASES, RADIUS, make_bodies, periodic_noise
+from periodic_maps import MAP_CASES, RADIUS, make_bodies, periodic_noise
 
 from hardcontact.contact.bearing_area import all_contact_pixels
 from hardcontact.contact.force_sum.outside_sums import MAX_PENETRATION, outside_sums
@@ -22,7 +22,7 @@ def bodies_of(case, seed, rough=True):
     return make_bodies(periodic_noise(pixels, rms, seed), roughness, pixel_size, window, 3)
 
 
-@pytest.mark.parametrize("case", CASES)
+@pytest.mark.parametrize("case", MAP_CASES)
 @pytest.mark.parametrize("contact_pixel_count", [1, 17])
 @pytest.mark.parametrize("rough", [False, True])
 def test_the_force_at_every_range_is_the_direct_sum(case, contact_pixel_count, rough):
@@ -37,7 +37,7 @@ def test_the_force_at_every_range_is_the_direct_sum(case, contact_pixel_count, r
             assert total == pytest.approx(direct_total(gap, count, rho), rel=1e-9)
 
 
-@pytest.mark.parametrize("case", CASES)
+@pytest.mark.parametrize("case", MAP_CASES)
 @pytest.mark.parametrize("rough", [False, True])
 def test_the_force_keeps_its_digits_if_little_attracts_outside_contact(case, rough):
     # At a small range the other pixels attract many orders less than the contact pixels.
@@ -52,7 +52,7 @@ def test_the_force_keeps_its_digits_if_little_attracts_outside_contact(case, rou
 
 @pytest.mark.parametrize("rough", [False, True])
 def test_the_force_at_a_range_does_not_depend_on_the_other_ranges(rough):
-    bodies, ranges = bodies_of(CASES[2], 3, rough), [0.35, 20.0, 0.7, 1.4, 5.0, 2.8, 5.6, 10.0]
+    bodies, ranges = bodies_of(MAP_CASES[2], 3, rough), [0.35, 20.0, 0.7, 1.4, 5.0, 2.8, 5.6, 10.0]
     contacts = all_contact_pixels(bodies, 17)
     for rho, sums in zip(ranges, outside_sums(bodies, contacts, ranges), strict=True):
         np.testing.assert_allclose(sums, outside_sums(bodies, contacts, [rho])[0], rtol=1e-12)

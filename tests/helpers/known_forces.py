@@ -8,7 +8,7 @@ from paper_numbers import MEAN_FORCE, SUBSTRATES
 #: Axes of the pull-off forces in adhesion.nc.
 FORCE_DIMS = ("surface", "scan", "sphere_scan", "contact_model", "rho", "contact_y", "contact_x")
 RHOS = np.array([0.5, 1, 2, 3, 5, 7, 10.0])
-TABLE = pd.DataFrame({"mean_force": MEAN_FORCE}, pd.Index(SUBSTRATES, name="surface"))
+PUBLISHED_MEANS = pd.DataFrame({"mean_force": MEAN_FORCE}, pd.Index(SUBSTRATES, name="surface"))
 SLOPES = np.array([2.0, 1.3, 0.7, 0.4])
 
 

@@ -6,7 +6,7 @@ import xarray as xr
 CUTOFFS = np.array([10.0, 100.0, 1000.0, 2000.0, 4000.0])
 SHORT = [1.02, 1.3, 1.6, np.nan, np.nan]
 LONG = [np.nan, np.nan, 2.0, 1.3, 1.02]
-SURFACE = ("surface", "realization", "side")
+MASTER_DIMS = ("surface", "realization", "side")
 
 
 def master_ratios(ratios, cutoffs, surfaces=None, shortest=1.0):
@@ -15,7 +15,7 @@ def master_ratios(ratios, cutoffs, surfaces=None, shortest=1.0):
     wavelengths = [[shortest, 20e3]] * len(ratios)
     return xr.Dataset(
         {
-            "filtered_force_ratio": ((*SURFACE, "cutoff_wavelength"), ratios),
+            "filtered_force_ratio": ((*MASTER_DIMS, "cutoff_wavelength"), ratios),
             "unfiltered_wavelength": (("surface", "side"), wavelengths),
         },
         {
@@ -40,10 +40,10 @@ def scales(curves, spread=0.0, realizations=3, seed=0, count=4):
     dataset = xr.Dataset(
         {
             "pull_off_force": (
-                (*SURFACE, "cutoff_wavelength", "contact_y", "contact_x"),
+                (*MASTER_DIMS, "cutoff_wavelength", "contact_y", "contact_x"),
                 ratio * unfiltered[:, :, :, None],
             ),
-            "unfiltered_pull_off_force": ((*SURFACE, "contact_y", "contact_x"), unfiltered),
+            "unfiltered_pull_off_force": ((*MASTER_DIMS, "contact_y", "contact_x"), unfiltered),
             "unfiltered_wavelength": (("surface", "side"), [[1.0, 10e3]] * len(curves)),
             "label": ("surface", list("AB"[: len(curves)])),
             "source": ("surface", ["measured"] * len(curves)),

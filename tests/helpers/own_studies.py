@@ -10,7 +10,7 @@ from repository import ROOT, environment, run_snakemake
 from scan_files import write_nanoscope
 
 #: Real scans, which stay where they are.
-SHARED = ROOT.parent / "shared" / "scans"
+REAL_SCANS = ROOT.parent / "shared" / "scans"
 #: Height of a count of a Nanoscope file, in nm.
 COUNT = 0.1
 #: Range of adhesion in nm of the user's forces: a computed one.

@@ -21,7 +21,7 @@ CONTACT = Contact(
 LOADED_CONTACTS = [CONTACT, replace(CONTACT, preload=40e-6)]
 #: Pixels, pixel size (nm), rms height (nm), pixels of the sphere's roughness and pixels of the
 #: window; tiles of the map fit the window or not.
-CASES = [
+MAP_CASES = [
     (128, 40.0, 20.0, 128, 320),
     (100, 50.0, 3.0, 100, 250),
     (96, 50.0, 60.0, 70, 200),

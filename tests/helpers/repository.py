@@ -10,7 +10,7 @@ from forked_runs import run_program, run_programs
 
 ROOT = Path(__file__).parents[2]
 #: Files and folders that a study needs.
-PARTS = [
+STUDY_FILES = [
     "Snakefile", "environment.txt", "README.md", "CITATION.cff", "workflow", "config", "resources",
     "profiles", "tests/tiny.yaml",
 ]  # fmt: skip
@@ -19,7 +19,7 @@ TINY = "tests/tiny.yaml"
 PAPER = yaml.safe_load((ROOT / "config/config.yaml").read_text())
 ROWS = (ROOT / "config/surfaces.tsv").read_text()
 #: The header of a description of a substitute.
-BANDS = (
+DESCRIPTION_HEADER = (
     "longest_nm,shortest_nm,model,plateau_nm4,rolloff_nm,hurst,hurst_change,table,evidence,source\n"
 )
 #: Folders that tools leave in the repository.
@@ -29,7 +29,7 @@ CACHES = shutil.ignore_patterns("__pycache__", "*.egg-info")
 def copy_repository(target):
     """Copy the files that a study needs, without results; return `target`."""
     (target / "tests").mkdir(parents=True)
-    for name in PARTS:
+    for name in STUDY_FILES:
         if (ROOT / name).is_dir():
             shutil.copytree(ROOT / name, target / name, ignore=CACHES)
         else:
@@ -40,7 +40,7 @@ def copy_repository(target):
 def linked_copy(finished, folder):
     """Copy the sources of a finished study, to be changed, and link its results."""
     (folder / "tests").mkdir(parents=True)
-    for name in PARTS:
+    for name in STUDY_FILES:
         copy = shutil.copytree if (finished / name).is_dir() else shutil.copy2
         copy(finished / name, folder / name)
     for name in ("results", ".snakemake"):
@@ -97,11 +97,11 @@ def run_tiny_study(folder, *arguments, overlays=()):
     return run_snakemake(folder, *arguments, "--configfile", *files)
 
 
-def leaves(tree, path=()):
+def dotted_keys(tree, path=()):
     """Yield the keys of a configuration, with dots between their parts."""
     for key, value in tree.items():
         if isinstance(value, dict) and value:
-            yield from leaves(value, (*path, key))
+            yield from dotted_keys(value, (*path, key))
         else:
             yield ".".join((*path, key))
 

@@ -8,7 +8,7 @@ from copy import deepcopy
 import numpy as np
 import pytest
 import yaml
-from repository import BANDS, PAPER, ROOT
+from repository import DESCRIPTION_HEADER, PAPER, ROOT
 from scan_files import MAPS, write_nanoscope
 from snakemake.utils import update_config
 from SurfaceTopography import Topography
@@ -91,7 +91,7 @@ POWER = "wavelength,wavelength_unit,c_iso,c_iso_unit\n" + "".join(
     f"{10 ** (1 + k / 9):.4g},nm,{100 * 10 ** (k / 3):.4g},nm4\n" for k in range(19)
 )
 DESCRIPTION = (
-    f"{BANDS}inf,10,self-affine,1e7,1000,0.8,,,published,none\n"
+    f"{DESCRIPTION_HEADER}inf,10,self-affine,1e7,1000,0.8,,,published,none\n"
     "10,1,power law,,,0.8,,,assumed,none\n"
 )
 OVERLAY = (

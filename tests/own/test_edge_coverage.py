@@ -47,7 +47,7 @@ def forces(masters, contact):
     return named_scales.assign_attrs(rho=contact.rho, sphere_radius=contact.radius)
 
 
-def assert_held(low, high, edge, finite):
+def assert_contained(low, high, edge, finite):
     """Expect nine of ten intervals to contain the edge, and a number of finite ends."""
     assert (~(low > edge) & ~(high < edge)).mean() >= 0.9
     # An interval that is open on both sides would hold anything.
@@ -62,7 +62,7 @@ SHORT_FILTERS = Filters("short", 256, [43.0, 60.0, 85.0, 120.0, 170.0, 240.0, 34
 LONG_FILTERS = Filters("long", 128, [200.0, 280.0, 400.0, 560.0, 800.0, 1130.0, 1600.0, 2260.0])
 #: Edges in nm of the mean over 300 other scans, by `edges_of_scans` of the draws 1000 to 1299;
 #: 95 % of 2000 samples of these scans with replacement give 135 to 138 nm and 671 to 705 nm.
-TRUTH = {"short": 137.0, "long": 688.0}
+TRUE_EDGES = {"short": 137.0, "long": 688.0}
 
 
 def known_density(wavevector):
@@ -84,13 +84,13 @@ def edges_of_draw(draw):
 
 
 @pytest.mark.study
-@pytest.mark.parametrize("filters", [SHORT_FILTERS, LONG_FILTERS], ids=TRUTH)
+@pytest.mark.parametrize("filters", [SHORT_FILTERS, LONG_FILTERS], ids=TRUE_EDGES)
 def test_the_interval_from_one_scan_contains_the_edge_of_the_mean(filters):
-    truth = TRUTH[filters.side]
+    true_edge = TRUE_EDGES[filters.side]
     edges = [edges_of_draw(draw).sel(side=filters.side) for draw in range(20)]
     low, high = np.array([edge.edge_interval.values for edge in edges]).T
-    assert_held(low, high, truth, finite=24)
-    assert np.nanmedian(high) < 3 * truth and np.nanmedian(low) > truth / 3
+    assert_contained(low, high, true_edge, finite=24)
+    assert np.nanmedian(high) < 3 * true_edge and np.nanmedian(low) > true_edge / 3
     # No end lies outside the cutoffs, and none is the edge itself.
     ends = np.array([[edge.edge.item(), *edge.edge_interval.values] for edge in edges])
     finite_ends = ends[np.isfinite(ends)]
@@ -145,4 +145,4 @@ def test_the_interval_from_one_scan_and_its_spectrum_contains_the_long_edge(roll
         return self_affine(wavevector, plateau, rolloff, 0.8)
 
     low, high = np.array([interval_of_one_scan(density, number) for number in range(8)]).T
-    assert_held(low, high, edge, finite=8)
+    assert_contained(low, high, edge, finite=8)

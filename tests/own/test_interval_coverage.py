@@ -19,20 +19,25 @@ from hardcontact.surfaces.spectrum import (
     spectrum_of_dataset,
     varying_hurst,
 )
+from hardcontact.surfaces.synthesis import SIDES
 from hardcontact.theory import closed_form as closed
 from hardcontact.theory.closed_form import closed_form, filtered_spectrum
 
 pytestmark = pytest.mark.study
 
 CONTACT = contact_of_area(100e3, 5.6, 0.05, 400.0)
-TRIALS, DRAWS = 12, 8
-#: Wavelengths in nm that no scan shows: above, in the gap between map and line, below.
-HELD_BACK = 2 * np.pi / np.array([15_000.0, 110.0, 8.0])
-KNOWN_TIPS = [1e-3, 1e-3]
+#: Surfaces, half of them with a line scan.
+SURFACE_COUNT = 12
+#: Sampled spectra of each surface.
+SAMPLE_COUNT = 8
+#: Wavevectors that no scan shows: beyond the map, between map and line, and beyond the line.
+HELD_OUT_WAVEVECTORS = 2 * np.pi / np.array([15_000.0, 110.0, 8.0])
+#: So sharp that tips limit nothing.
+TIP_RADII = [1e-3, 1e-3]
 
 
-def truth(rng):
-    """Return a random spectrum, bent or straight, with an rms height of 2 to 15 nm."""
+def random_spectrum(rng):
+    """Return a spectrum, bent or straight, with an rms height of 2 to 15 nm."""
     while True:
         hurst, change = rng.uniform(0.5, 0.95), rng.uniform(-0.1, 0.1)
         rolloff, height = np.exp(rng.uniform(np.log([300, 2]), np.log([5000, 15])))
@@ -45,7 +50,7 @@ def truth(rng):
             return spectrum
 
 
-def measure_scans(rng, spectrum, has_line):
+def scan_surface(rng, spectrum, has_line):
     """Return a map of 10 µm and perhaps a line of 228 nm, calibrated to ten per cent."""
     scans = [random_map(rng, 256, 40.0, spectrum)]
     if has_line:
@@ -57,42 +62,50 @@ def measure_scans(rng, spectrum, has_line):
     ]
 
 
-def logarithms(spectrum, edges):
-    """Return ln C at held-out wavelengths, ln F, and the change of ln F at both true edges."""
+#: Position of the force among `log_quantities`.
+FORCE = len(HELD_OUT_WAVEVECTORS)
+
+
+def log_quantities(spectrum, true_band):
+    """Return the logarithms of C_iso held out, the force, and its ratios at the true edges."""
     force = closed_form(spectrum, CONTACT).force
-    changes = [
+    ratios = [
         closed_form(filtered_spectrum(spectrum, side, edge), CONTACT).force / force
         if np.isfinite(edge)
         else np.nan
-        for side, edge in zip(("short", "long"), edges, strict=True)
+        for side, edge in zip(SIDES, true_band, strict=True)
     ]
-    return np.log([*np.maximum(spectrum(HELD_BACK), 1e-99), force, *changes])
+    densities = np.maximum(spectrum(HELD_OUT_WAVEVECTORS), 1e-99)  # The logarithm of 0 is infinite.
+    return np.log([*densities, force, *ratios])
 
 
 def test_intervals_contain_spectrum_force_and_edges_of_known_surfaces(monkeypatch):
+    """An interval contains an edge if the interval of the force ratio there contains the ratio."""
     monkeypatch.setattr(closed, "CUTOFF_COUNT", 24)
-    contained, forces, force_half_widths = [], [], []
-    for number, has_line in product(range(TRIALS // 2), (0, 1)):
+    contained, true_forces, force_half_widths = [], [], []
+    for number, has_line in product(range(SURFACE_COUNT // 2), (0, 1)):
         rng = generator(31, number, has_line)
-        spectrum = truth(rng)
-        scans = measure_scans(rng, spectrum, has_line)
-        radii = KNOWN_TIPS[: len(scans)]
-        edges = closed.critical_band(spectrum, CONTACT, 0.1)
-        measured_forces = logarithms(spectrum_of_dataset(joined_spectrum(scans, radii)), edges)
-        rngs = (generator(32, number, has_line, draw) for draw in range(DRAWS))
+        spectrum = random_spectrum(rng)
+        true_band = closed.critical_band(spectrum, CONTACT, 0.1)
+        true_logs = log_quantities(spectrum, true_band)
+        scans = scan_surface(rng, spectrum, has_line)
+        radii = TIP_RADII[: len(scans)]
+        measured_spectrum = spectrum_of_dataset(joined_spectrum(scans, radii))
+        measured_logs = log_quantities(measured_spectrum, true_band)
+        rngs = (generator(32, number, has_line, draw) for draw in range(SAMPLE_COUNT))
         shifts = [
-            logarithms(sampled_spectrum, edges) - measured_forces
+            log_quantities(sampled_spectrum, true_band) - measured_logs
             for sampled_spectrum, _ in sample_spectra(rngs, scans, radii)
         ]
-        # As for the user's surfaces; the interval of an edge holds it if that of F_c/F there does.
-        half_width = stats.t.ppf(0.975, DRAWS) * np.sqrt(np.mean(np.square(shifts), axis=0))
-        true = logarithms(spectrum, edges)
-        contained.append(
-            np.where(np.isfinite(true), np.abs(measured_forces - true) <= half_width, np.nan)
-        )
-        forces.append(true[3])
-        force_half_widths.append(half_width[3])
+        # As for the user's surfaces.
+        t_quantile = stats.t.ppf(0.975, SAMPLE_COUNT)
+        half_width = t_quantile * np.sqrt(np.mean(np.square(shifts), axis=0))
+        is_contained = np.abs(measured_logs - true_logs) <= half_width
+        contained.append(np.where(np.isfinite(true_logs), is_contained, np.nan))
+        true_forces.append(true_logs[FORCE])
+        force_half_widths.append(half_width[FORCE])
     count, contained_count = np.isfinite(contained).sum(axis=0), np.nansum(contained, axis=0)
-    assert count.min() > TRIALS / 2
+    assert count.min() > SURFACE_COUNT / 2
     assert (contained_count >= stats.binom.ppf(0.01, count, 0.93)).all(), (contained_count, count)
-    assert np.median(force_half_widths) < np.std(forces)
+    # An interval as wide as the surfaces differ would say nothing.
+    assert np.median(force_half_widths) < np.std(true_forces)

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 import xarray as xr
-from known_forces import RHOS, TABLE, power_forces
+from known_forces import PUBLISHED_MEANS, RHOS, power_forces
 from paper_numbers import MEAN_FORCE, SUBSTRATES
 
 from hardcontact.base.statistics import Sampling
@@ -82,7 +82,7 @@ def make_adhesion(plastic):
     )
 
 
-PUBLISHED = PublishedForces(TABLE.iloc[::-1], (5.0, 0.04), 0.1)  # in any order
+PUBLISHED = PublishedForces(PUBLISHED_MEANS.iloc[::-1], (5.0, 0.04), 0.1)  # in any order
 
 
 def fit_published(plastic, sampling=SAMPLING):

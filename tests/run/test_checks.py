@@ -122,12 +122,8 @@ def test_scans_of_one_surface_need_equal_pixels(
 ):
     first_scan = write_scan(tmp_path / "a.nc", random_heights(512, 512), (2500.0, 2500.0))
     second_scan = write_scan(tmp_path / "b.nc", random_heights(pixels, pixels), (size, size))
-    message = refusal(
-        check_configuration,
-        paper_configuration(),
-        tmp_path,
-        table_of_own_scans(first_scan, second_scan),
-    )
+    table = table_of_own_scans(first_scan, second_scan)
+    message = refusal(check_configuration, paper_configuration(), tmp_path, table)
     assert_says(message, "b.nc", "512 pixels of 4.883 nm", message_part)
 
 

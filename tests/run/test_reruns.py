@@ -18,7 +18,7 @@ class Job:
         self.params = SimpleNamespace(parameters=parameters)
 
 
-def made(job):
+def make_with_record(job):
     """Write the file of a job with its record."""
     Path(job.output).write_text(f"made from {job.input}")
     keep_records(
@@ -37,7 +37,7 @@ def study(tmp_path, monkeypatch):
         "fit.nc": Job("fit.nc", "forces.nc", "code.py", work=0.05),
     }
     for job in jobs.values():
-        made(job)
+        make_with_record(job)
     return jobs
 
 

@@ -139,9 +139,9 @@ def test_points_beside_a_grid_are_interpolated_on_it(tmp_path, gaps):
     measurement = read_scan(path, "", "harmonic", "nm")
     assert measurement.heights.shape == MAP.shape and measurement.undefined_count == len(gaps)
     assert measurement.pixel_size == pytest.approx(10.0, rel=0.01)
-    truth = (5 * np.sin(X / 40) * np.cos(Y / 50)).reshape(MAP.shape)
+    true_heights = (5 * np.sin(X / 40) * np.cos(Y / 50)).reshape(MAP.shape)
     inner = np.s_[2:-2, 2:-2]
-    np.testing.assert_allclose(measurement.heights[inner], truth[inner], atol=0.2)
+    np.testing.assert_allclose(measurement.heights[inner], true_heights[inner], atol=0.2)
     assert_says(measurement.notes[0], "beside a grid", "interpolated")
 
 

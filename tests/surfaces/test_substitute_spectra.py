@@ -7,7 +7,7 @@ import pandas as pd
 import pytest
 from measurements import PIXEL, UNCD, uncd_density
 from paper_numbers import SUBSTRATES, SURFACES
-from repository import BANDS, ROOT
+from repository import DESCRIPTION_HEADER, ROOT
 from scipy import stats
 
 from hardcontact.base import published
@@ -67,7 +67,7 @@ def write_description(tmp_path):
 
     def write(*bands):
         path = tmp_path / "surface.csv"
-        path.write_text(BANDS + "".join(f"{band},assumed,none\n" for band in bands))
+        path.write_text(DESCRIPTION_HEADER + "".join(f"{band},assumed,none\n" for band in bands))
         return path
 
     return write

@@ -6,13 +6,13 @@ from hardcontact.base import dataset
 from hardcontact.base.dataset import PART
 
 #: Folders of files that belong to one run and not to its results.
-OF_THE_RUN = {"logs", "benchmarks", ".origin"}
+RUN_FOLDERS = {"logs", "benchmarks", ".origin"}
 
 
 def result_paths(results):
     """Return the paths in `results` of all files but those that belong to one run."""
     files = (path.relative_to(results) for path in results.rglob("*") if path.is_file())
-    return {path for path in files if not OF_THE_RUN & set(path.parts)}
+    return {path for path in files if not RUN_FOLDERS & set(path.parts)}
 
 
 def equal_files(path, reference):

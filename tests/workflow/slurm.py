@@ -19,7 +19,8 @@ PROGRAMS = ["munged", "slurmctld", "slurmd", "sbatch", "squeue", "scontrol"]
 CANCELLED = ("cutoffs", "compute_filtered_forces")
 #: Files are visible at once on one machine, and jobs are short.
 LOCAL_OPTIONS = ["--slurm-init-seconds-before-status-checks", "2", "--latency-wait", "5"]
-LIMIT = 1800  # seconds for the whole run
+#: Seconds that a run may take.
+RUN_SECONDS = 1800
 CONFIGURATION = """
 ClusterName=test
 SlurmctldHost={host}(127.0.0.1)
@@ -192,10 +193,10 @@ def run_and_cancel(study, log, targets):
     """Run targets of the tiny study through SLURM and cancel one job; return its number."""
     run = start_run(study, log, *targets, "--verbose")
     try:
-        job = until(lambda: run.poll() is not None or computing(study), "a job to cancel", LIMIT)
+        job = until(lambda: run.poll() is not None or computing(study), "a job", RUN_SECONDS)
         assert run.poll() is None, f"ended before a job could be cancelled: {log.read_text()}"
         ask("scancel", job)
-        assert run.wait(LIMIT) == 0, log.read_text()[-3000:]
+        assert run.wait(RUN_SECONDS) == 0, log.read_text()[-3000:]
     finally:
         if run.poll() is None:
             stop(run, signal.SIGINT)

@@ -10,7 +10,7 @@ import pytest
 import slurm
 import xarray as xr
 from comparison import differences
-from own_studies import SHARED, make_study, read_answer, read_quantities
+from own_studies import REAL_SCANS, make_study, read_answer, read_quantities
 from refusals import assert_says
 from repository import copy_repository
 
@@ -24,7 +24,7 @@ FAULTS = [
     ("--default-resources slurm_partition=members slurm_account=nobody", {}, "Invalid account",
      "slurm_account"),
     ("--set-resources compute_filtered_forces:runtime=1", {"STEP_DELAY": "100"},
-     "DUE TO TIME LIMIT", "runtime"),
+     "DUE TO TIME RUN_SECONDS", "runtime"),
     ("--set-resources compute_filtered_forces:mem_mb=60", {}, "exceeded memory limit", "mem_mb"),
 ]  # fmt: skip
 
@@ -55,7 +55,7 @@ def test_a_job_that_slurm_refuses_or_ends_has_one_line_with_the_remedy(
         # A run that ends removes empty folders of logs, in which others begin theirs.
         words += ["--slurm-logdir", tmp_path / f"logs-{number}"]
         runs.append(slurm.start_run(finished_copy, tmp_path / f"{number}", *words, **fault[1]))
-    codes = [run.wait(slurm.LIMIT) for run in runs]
+    codes = [run.wait(slurm.RUN_SECONDS) for run in runs]
     assert codes == [1] * len(FAULTS)
     for number, (_, _, reason, key) in enumerate(FAULTS):
         text = (tmp_path / f"{number}").read_text()
@@ -76,9 +76,9 @@ def test_slurm_recovers_a_cancelled_job_and_gives_the_same_values(cluster, finis
     assert [line for line in lines if not line.endswith(": missing")] == []
 
 
-@pytest.mark.skipif(not SHARED.is_dir(), reason=f"no real scans in {SHARED}")
+@pytest.mark.skipif(not REAL_SCANS.is_dir(), reason=f"no real scans in {REAL_SCANS}")
 def test_real_scans_give_plausible_roughness_edges_and_forces(repository):
-    files = [SHARED / name for name in ("uncd-demo-container.zip", "afm-10um-512.di")]
+    files = [REAL_SCANS / name for name in ("uncd-demo-container.zip", "afm-10um-512.di")]
     results = make_study(repository, "both", *files)
     surface = read_quantities(results)["both"]
     assert surface["scan_size"]["value"] == 10_000.0

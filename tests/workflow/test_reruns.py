@@ -16,7 +16,7 @@ from pathlib import Path
 import pytest
 import yaml
 from forked_runs import run_forked, use_library_of
-from repository import PARTS, ROOT, TINY, linked_copy, run_tiny_study, snakemake_output
+from repository import STUDY_FILES, ROOT, TINY, linked_copy, run_tiny_study, snakemake_output
 
 import hardcontact
 
@@ -136,10 +136,10 @@ def test_the_modules_that_a_script_loads_are_inputs_of_its_jobs(graph):
 # Nothing changed
 
 
-def said_otherwise(folder):
+def rewrite_files(folder):
     """Write all files again, as a checkout does: other comments, another order of keys."""
-    for key_name in PARTS:
-        for path in [folder / key_name, *(folder / key_name).rglob("*")]:
+    for part in STUDY_FILES:
+        for path in [folder / part, *(folder / part).rglob("*")]:
             if path.is_file():
                 content = path.read_bytes()
                 path.unlink()
@@ -153,7 +153,7 @@ def said_otherwise(folder):
 
 
 def test_rewritten_files_of_the_same_meaning_make_nothing(dry):
-    assert dry(change=said_otherwise) == []
+    assert dry(change=rewrite_files) == []
 
 
 def lose_metadata(folder):
@@ -172,21 +172,21 @@ def empty_metadata(folder):
 
 
 def test_records_decide_without_the_metadata_of_snakemake(dry, graph):
-    assert dry(change=lambda folder: (lose_metadata(folder), said_otherwise(folder))) == []
+    assert dry(change=lambda folder: (lose_metadata(folder), rewrite_files(folder))) == []
     jobs = dry(overlay("scales.tolerance", 0.2), empty_metadata)
     concerned = {
         "find_edges_of_masters",
         "sample_sets",
         "fit_exponents",
         "compute_edge_shifts",
-    } | KEPT
+    } | KEEPS_EVERY_KEY
     assert rules_of(jobs) == graph.following(graph.files_of_rules(concerned))
 
 
 # A key: the rules that it concerns, and all that is made from theirs
 
 #: Every value is in the configuration kept with the results and on pages.
-KEPT = {"describe_study", "answer_paper"}
+KEEPS_EVERY_KEY = {"describe_study", "answer_paper"}
 
 
 def overlay(key, value):
@@ -206,7 +206,7 @@ def overlay(key, value):
 )  # fmt: skip
 def test_a_changed_key_repeats_exactly_its_dependents(dry, graph, key, value, concerned):
     assert rules_of(dry(overlay(key, value))) == graph.following(
-        graph.files_of_rules(concerned | KEPT)
+        graph.files_of_rules(concerned | KEEPS_EVERY_KEY)
     )
 
 

@@ -10,7 +10,7 @@ from functools import cache
 
 import pytest
 import yaml
-from repository import leaves, snakemake_outputs
+from repository import dotted_keys, snakemake_outputs
 from studies import configured_files
 
 from hardcontact.config.configuration import get_key, numeric_configuration, set_keys
@@ -20,17 +20,17 @@ from hardcontact.files.settings import settings_digest, store_settings
 pytestmark = pytest.mark.study
 
 #: Keys without another value here: they name files, or a study of another kind.
-FIXED = {
+UNCHANGED_KEYS = {
     "study", "store", "surfaces", "published", "forces", "effort", "quick", "sphere.surface",
     "scans", "given",
 }  # fmt: skip
 #: Keys that change which files there are, by numbers or names in paths.
-IN_PATHS = {
+PATH_KEYS = {
     "scales.sphere_roughness", "scales.realizations", "scales.whole_surfaces", "sets.pool_size",
     "sets.count", "sets.realizations", "exponents.realizations", "substitutes.featured_surface",
 }  # fmt: skip
 #: Values of keys that are no numbers; a key takes the first that it does not have.
-WORDS = {
+OTHER_WORDS = {
     "scan.undefined_pixels": ("harmonic", "refuse"), "scan.unit": ("nm", "none"),
     "scan.map_size": ("5 um", "none"), "scan.mask": ("exclude", "keep"),
     "scan.levelling": ("lines", "plane"), "reference_surface": ("mcd", "uncd"),
@@ -52,14 +52,17 @@ STUDIES = {
 
 def other_value(key, value):
     """Return another value of a key: 2 more, a few percent less, one tile fewer, or a word."""
-    if key in WORDS:
-        return next(word for word in WORDS[key] if word != value)
+    if key in OTHER_WORDS:
+        return next(word for word in OTHER_WORDS[key] if word != value)
     if key.endswith("tiles"):
         return value - 1
-    return [moved(item) for item in value] if isinstance(value, list) else moved(value)
+    if isinstance(value, list):
+        return [other_number(item) for item in value]
+    return other_number(value)
 
 
-def moved(value):
+def other_number(value):
+    """Return another quantity, truth value or number."""
     if isinstance(value, str):
         number, unit = value.split()
         return f"{0.97 * float(number):.4g} {unit}"
@@ -80,7 +83,7 @@ def independent_keys(config, selection, kind):
         study = numeric_configuration(second_study(config, keys))
         return settings_digest(store_settings(StudyPlan(study, selection)), kind)
 
-    keys = sorted({*leaves(config)} - FIXED - IN_PATHS)
+    keys = sorted({*dotted_keys(config)} - UNCHANGED_KEYS - PATH_KEYS)
     return tuple(key for key in keys if digest(key) == digest())
 
 
@@ -89,7 +92,7 @@ def plans(request, tmp_path_factory):
     """Return a function from a fixture to Snakemake's plans for the files of its store.
 
     Each kind has the plan of a second study in which all keys outside the digest of the kind have
-    other values; the plan IN_PATHS has other values of these keys.
+    other values; the plan PATH_KEYS has other values of these keys.
     """
 
     @cache
@@ -104,7 +107,7 @@ def plans(request, tmp_path_factory):
             kind: independent_keys(config, selection, kind.rpartition("/")[2]) for kind in kinds
         }
         if fixture == "finished":
-            keys["IN_PATHS"] = IN_PATHS
+            keys["PATH_KEYS"] = PATH_KEYS
         overlays = tmp_path_factory.mktemp(fixture)
         runs = []
         for number, changed_keys in enumerate(keys.values()):
@@ -138,4 +141,4 @@ def test_keys_outside_the_digest_change_no_file(plans, fixture, kind):
 
 
 def test_values_in_paths_change_no_file(plans):
-    assert {*plans("finished")["IN_PATHS"].values()} == {"no update"}
+    assert {*plans("finished")["PATH_KEYS"].values()} == {"no update"}

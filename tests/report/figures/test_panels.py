@@ -56,11 +56,8 @@ def test_maps_of_the_question_lack_the_waves_on_one_side_of_the_band():
     heights = np.tile(long + middle + short, (pixels, 1))
     scan = xr.Dataset({"example_heights": (("row", "column"), heights), "scan_size": size})
     maps = fig_scales.filtered_heights(scan, [43.0, 1800.0])
-    assert fig_scales.map_titles([43.0, 1800.0]) == [
-        "all wavelengths",
-        "none below 43 nm",
-        "none above 1.8 µm",
-    ]
+    titles = ["all wavelengths", "none below 43 nm", "none above 1.8 µm"]
+    assert fig_scales.map_titles([43.0, 1800.0]) == titles
     for drawn, expected in zip(
         maps, (long + middle + short, long + middle, middle + short), strict=True
     ):

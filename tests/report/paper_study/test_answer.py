@@ -79,10 +79,10 @@ def test_an_edge_at_wavelengths_of_artificial_roughness_says_so():
     """Roughness is artificial below the short transition and above the large one."""
     sources = {}
     for small, large in ((20.0, 5000.0), (80.0, 1000.0)):
-        moved = datasets()["scales"].assign(transition=("side", [small, large]))
+        scales_with_transitions = datasets()["scales"].assign(transition=("side", [small, large]))
         rows = change_claim("short_edge_first", computed=50.0)
         rows.loc[rows["id"] == ANSWER_CLAIMS["long_edge_first"], "computed"] = 2000.0
-        artificial_answer = answer(rows, scales=moved)
+        artificial_answer = answer(rows, scales=scales_with_transitions)
         numbers = numbers_of_answer(artificial_answer)
         sources[small] = [numbers[name].source for name in ("short_edge_first", "long_edge_first")]
         mcd = numbers_of_answer(artificial_answer, "mcd")
