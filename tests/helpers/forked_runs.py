@@ -1,10 +1,15 @@
 """Run programs in processes of their own that have already loaded the other packages."""
 
+import ast
 import importlib
 import multiprocessing
 import os
+import runpy
+import subprocess
 import sys
 import tempfile
+import threading
+import traceback
 import warnings
 from pathlib import Path
 from types import SimpleNamespace
@@ -86,3 +91,44 @@ def call_main(module, words, environment, output):
             print(end.code)
             return 1
         return end.code or 0
+
+
+def fork_jobs():
+    """Let Snakemake run scripts in forks of this process, not in a Python that starts for each.
+
+    A fork has the packages of this process, and the library as far as earlier scripts loaded it.
+    """
+    from snakemake.benchmark import benchmarked
+    from snakemake.script import PythonScript
+
+    lock = threading.Lock()
+
+    def execute_script(script, path, edit=False):
+        with lock:  # A fork during an import would wait for its end forever.
+            for node in ast.parse(script.source).body:
+                if isinstance(node, ast.ImportFrom):
+                    importlib.import_module(node.module)
+            job = os.fork()
+        if job == 0:
+            run_script(path)
+        with benchmarked(job, script.bench_record):
+            _, status = os.waitpid(job, 0)
+        if status:
+            raise subprocess.CalledProcessError(os.waitstatus_to_exitcode(status), path)
+
+    PythonScript.execute_script = execute_script
+
+
+def run_script(path):
+    """Run a script, then end this process, without what the process would do before its end."""
+    code = 1
+    try:
+        runpy.run_path(path, run_name="__main__")
+        code = 0
+    except SystemExit as end:
+        code = end.code or 0
+    except BaseException:
+        traceback.print_exc()
+    finally:
+        sys.stdout.flush()
+        os._exit(code)

@@ -25,12 +25,10 @@ def run_new(folder, *arguments):
     return run_program(folder, "hardcontact.commands.command_line", words, environment(folder))
 
 
-def run_quick(folder, name, *arguments, overlays=()):
+def run_quick(folder, name, *arguments, overlays=(), run=run_snakemake):
     """Run a study that `new` wrote at quick effort, with further overlays (paths)."""
     files = [f"config/{name}.yaml", *overlays]
-    return run_snakemake(
-        folder, *arguments, "--configfile", *map(str, files), "--config", "effort=quick"
-    )
+    return run(folder, *arguments, "--configfile", *map(str, files), "--config", "effort=quick")
 
 
 def make_study(folder, name, *arguments, overlays=()):

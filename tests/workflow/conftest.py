@@ -5,19 +5,20 @@ import pandas as pd
 import pytest
 import xarray as xr
 from own_studies import forces_on, make_study, run_new, run_quick, uncd_heights, write_spm
-from repository import copy_repository
+from repository import copy_repository, run_snakemake_with_forks
 from scan_files import write_container, write_coordinates, write_scan
 from shared_study import shared_study
 from SurfaceTopography import UniformLineScan
 
 from hardcontact.base.arrays import generator
 
+#: How runs save time: by one realization of the masters, which is enough for the files of a study,
+#: and by jobs as forks. Jobs of the small probe start a Python each, as those of users do.
+FAST = {"overlays": ["few.yaml"], "run": run_snakemake_with_forks}
+
 
 def own_repository(folder):
-    """Copy the repository into a folder, with a folder of scans; return the copy.
-
-    A single realization of the masters, of `few.yaml`, is enough for the files of a study.
-    """
+    """Copy the repository into a folder, with a folder of scans; return the copy."""
     folder = copy_repository(folder / "study")
     (folder / "scans").mkdir()
     (folder / "few.yaml").write_text("quick: {scales: {realizations: 1}}")
@@ -60,13 +61,13 @@ def study_of_all_file_kinds(folder):
     done = run_new(folder, "several", *choices)
     assert done.returncode == 0, done.stdout
     # Forces are known once the contacts are computed.
-    run = run_quick(folder, "several", "adhesion", overlays=["few.yaml"])
+    run = run_quick(folder, "several", "adhesion", **FAST)
     assert run.returncode == 0, run.stdout[-3000:]
     adhesion = xr.load_dataset(folder / "results/several-quick/adhesion.nc")
     rng = generator(8, "tests")
     surfaces = adhesion.surface.values
     write_forces(folder, {surface: forces_on(adhesion, surface, rng) for surface in surfaces})
-    run = run_quick(folder, "several", overlays=["few.yaml"])
+    run = run_quick(folder, "several", **FAST)
     assert run.returncode == 0, run.stdout[-3000:]
     return folder
 
