@@ -6,29 +6,20 @@ import pandas as pd
 import pytest
 import yaml
 from own_studies import change_file
-from repository import snakemake_output
+from repository import snakemake_output, snakemake_outputs
 
 pytestmark = pytest.mark.study
 
 
-def run_dry(folder, *overlays):
-    """Return the output of a dry run of the study that all tests share."""
+def words_of_dry_run(*overlays):
+    """Return the words of a dry run of the study that all tests share."""
     files = ["config/several.yaml", "few.yaml", *overlays]
-    return snakemake_output(folder, "-n", "--configfile", *files, "--config", "effort=quick")
+    return ["-n", "--configfile", *files, "--config", "effort=quick"]
 
 
 def rules_of(output):
     """Return the rules in the output of a dry run."""
     return set(re.findall(r"^(?:local)?rule (\w+):\n", output, re.M)) - {"all"}
-
-
-def planned(folder, *overlays):
-    """Return the rules of a dry run."""
-    return rules_of(run_dry(folder, *overlays))
-
-
-def test_a_second_run_has_nothing_to_do(own_study):
-    assert planned(own_study) == set()
 
 
 # Rules that a change repeats
@@ -49,19 +40,24 @@ TOPOGRAPHY = {"aggregate_topography", "compute_force_at_pair", "fit_measured"}
 SCANS = {"prepare_scan", "combine_scans"} | TOPOGRAPHY
 
 
-@pytest.mark.parametrize(
-    ("key", "value", "rules"),
-    [
-        ("adhesion.work", "60 mJ/m2", {"compute_force_at_pair", "fit_measured"}),
-        ("scan.levelling", "lines", SCANS | SPECTRA | FORCES | OCTAVES | HINDCAST | MASTERS),
-        ("contact.preload", "20 uN", FORCES | OCTAVES | HINDCAST | FILTERED),
-    ],
-)
-def test_a_changed_key_repeats_exactly_its_dependents(own_study, key, value, rules):
-    for key_name in reversed(key.split(".")):
-        value = {key_name: value}
-    (own_study / "other.yaml").write_text(yaml.safe_dump(value))
-    assert planned(own_study, "other.yaml") == rules | PAGE
+#: A key, another value, and the rules that depend on it besides PAGE.
+CHANGES = [
+    ("adhesion.work", "60 mJ/m2", {"compute_force_at_pair", "fit_measured"}),
+    ("scan.levelling", "lines", SCANS | SPECTRA | FORCES | OCTAVES | HINDCAST | MASTERS),
+    ("contact.preload", "20 uN", FORCES | OCTAVES | HINDCAST | FILTERED),
+]
+
+
+def test_a_changed_key_repeats_exactly_its_dependents_and_no_change_nothing(own_study):
+    """One process plans all runs, because each process takes seconds to load the library."""
+    runs = [words_of_dry_run()]
+    for key, value, _ in CHANGES:
+        section, name = key.split(".")
+        (own_study / f"{name}.yaml").write_text(yaml.safe_dump({section: {name: value}}))
+        runs.append(words_of_dry_run(f"{name}.yaml"))
+    unchanged, *planned = map(rules_of, snakemake_outputs(own_study, runs))
+    assert unchanged == set()
+    assert planned == [rules | PAGE for _, _, rules in CHANGES]
 
 
 def test_a_changed_column_repeats_its_surface_alone(own_study):
@@ -70,7 +66,7 @@ def test_a_changed_column_repeats_its_surface_alone(own_study):
     table = pd.read_csv(path, sep="\t", dtype=str, keep_default_na=False)
     table.loc[table.surface == "twin", "tip_radius"] = "20 nm"
     with change_file(path, table.to_csv(sep="\t", index=False)):
-        output = run_dry(own_study)
+        output = snakemake_output(own_study, *words_of_dry_run())
         assert rules_of(output) == (
             {"read_scan"} | SCANS | SPECTRA | FORCES | OCTAVES | HINDCAST | MASTERS | PAGE
         )

@@ -17,7 +17,7 @@ import pytest
 from forked_runs import run_forked, run_program
 from own_studies import uncd_heights, write_spm
 from paper_study import answer
-from repository import ROOT, copy_repository, environment, snakemake_output
+from repository import ROOT, copy_repository, environment, snakemake_outputs
 from scan_files import write_container, write_scan
 
 from hardcontact.base.arrays import generator
@@ -178,7 +178,9 @@ def test_every_command_of_the_documentation_works(tmp_path):
     for readme in READMES:
         folder = copy_repository(tmp_path / readme.replace("/", "-"))
         write_files(folder)
-        for options, targets in targets_by_options(typed_in(folder, readme)).items():
-            if (options, *targets) not in planned:
-                snakemake_output(folder, *dict.fromkeys(targets), *options, *DRY)
-                planned.add((options, *targets))
+        runs = {
+            (*dict.fromkeys(targets), *options, *DRY)
+            for options, targets in targets_by_options(typed_in(folder, readme)).items()
+        }
+        snakemake_outputs(folder, sorted(runs - planned))
+        planned |= runs
