@@ -1,4 +1,4 @@
-"""Forces on filtered masters: of a single wave, of a flat surface, and against the direct sum."""
+"""Forces on filtered masters: against the direct sum, and on a flat surface in closed form."""
 
 from dataclasses import replace
 
@@ -12,47 +12,8 @@ from scipy.special import erf
 from hardcontact.base.dataset import stack
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies
-from hardcontact.inference.filtered_masters import (
-    Filters,
-    add_force_ratios,
-    filtered_pull_off,
-    forces_at_cutoffs,
-)
+from hardcontact.inference.filtered_masters import Filters, add_force_ratios, filtered_pull_off
 from hardcontact.surfaces.filters import filtered_series
-
-#: Wavelength in nm of the only wave of a master of 640 nm.
-WAVELENGTH = 80.0
-#: Amplitude in nm of this wave.
-AMPLITUDE = 2.0
-CUTOFFS = [40.0, 60.0, 120.0, 240.0]
-
-
-def curves(side):
-    x = np.arange(64) * 10.0
-    wave = AMPLITUDE * np.cos(2 * np.pi * x / WAVELENGTH)
-    master = periodic_map(np.tile(wave, (64, 1)), 10.0)
-    moments = (("moment",), [2, 4], {})
-    return forces_at_cutoffs(
-        master,
-        Filters(side, 64, CUTOFFS),
-        lambda surface: np.array([(surface.heights**power).mean() for power in (2, 4)]),
-        {"moment": moments},
-    )
-
-
-@pytest.mark.parametrize(
-    ("side", "remaining", "end"), [("short", [1, 1, 0, 0], 20.0), ("long", [0, 0, 1, 1], 640.0)]
-)
-def test_a_cutoff_keeps_the_wave_on_one_side_only(side, remaining, end):
-    forces = curves(side)
-    force = forces["pull_off_force"]
-    # The mean of cos² is 1/2, that of cos⁴ is 3/8.
-    unfiltered = np.array([AMPLITUDE**2 / 2, 3 * AMPLITUDE**4 / 8])
-    assert force.dims == ("cutoff_wavelength", "moment") and force.attrs["units"] == "N"
-    np.testing.assert_allclose(force, np.outer(remaining, unfiltered), atol=1e-4)
-    np.testing.assert_allclose(forces["unfiltered_pull_off_force"].values, unfiltered, rtol=1e-6)
-    assert forces["unfiltered_wavelength"].values == end
-    assert list(forces["cutoff_wavelength"].values) == CUTOFFS
 
 
 def master_forces(forces, unfiltered, cutoffs, end):

@@ -15,19 +15,11 @@ from hardcontact.base.progress import progress
 from hardcontact.base.units import DIMENSIONLESS, NM
 from hardcontact.contact.contact import CONTACT_AXES, Contact
 from hardcontact.contact.geometry import join_bodies
-from hardcontact.contact.pull_off import (
-    FORCE_ATTRS,
-    WORK_OF_ADHESION,
-    ForcesOnSurface,
-    forces_at_loadings,
-)
+from hardcontact.contact.pull_off import FORCE_ATTRS, WORK_OF_ADHESION, forces_at_loadings
 from hardcontact.surfaces.filters import filtered_series
 from hardcontact.surfaces.height_map import HeightMap, load_height_map
 from hardcontact.surfaces.spectrum import spectrum_of_dataset
-from hardcontact.surfaces.synthesis import synthesize_master
-
-#: Dimension, values and attributes of a coordinate.
-Axis = tuple[tuple[str], Any, dict[str, str]]
+from hardcontact.surfaces.synthesis import SIDES, master_generator, synthesize_master
 
 
 class Filters(NamedTuple):
@@ -38,34 +30,6 @@ class Filters(NamedTuple):
     cutoffs: Sequence[float]  #: In nm.
 
 
-def forces_at_cutoffs(
-    master: HeightMap, filters: Filters, compute_forces: ForcesOnSurface, axes: Mapping[str, Axis]
-) -> xr.Dataset:
-    """Return the forces on a periodic master, unfiltered and filtered at every cutoff of a side.
-
-    `axes` are the dimensions and coordinates of computed forces (...). Returns ``pull_off_force``
-    (cutoff_wavelength, ...), ``unfiltered_pull_off_force`` (...) and ``unfiltered_wavelength``, the
-    end of the unfiltered spectrum in nm.
-    """
-    side, pixels, cutoffs = filters
-    out = np.empty((pixels, pixels), np.float32)  # A new array for each surface takes longer.
-    surfaces = filtered_series(master, side, [None, *cutoffs], pixels, out)
-    surface_forces = (compute_forces(surface) for surface in surfaces)
-    unfiltered, *filtered = progress(surface_forces, 1 + len(cutoffs), "cutoffs")
-    spectrum_end = 2 * master.size / pixels if side == "short" else master.size
-    cutoff_axis = (("cutoff_wavelength",), np.asarray(cutoffs, float), NM)
-    filtered_forces = np.reshape(filtered, (len(cutoffs), *np.shape(unfiltered)))
-    return xr.Dataset(
-        {
-            "unfiltered_pull_off_force": (tuple(axes), unfiltered, FORCE_ATTRS),
-            "pull_off_force": (("cutoff_wavelength", *axes), filtered_forces, FORCE_ATTRS),
-            "unfiltered_wavelength": ((), spectrum_end, NM),
-        },
-        {"cutoff_wavelength": cutoff_axis, **axes},
-        {"work_of_adhesion": WORK_OF_ADHESION},
-    )
-
-
 def filtered_pull_off(
     master: HeightMap,
     filters: Filters,
@@ -74,14 +38,16 @@ def filtered_pull_off(
     radii: Sequence[float] | None = None,
     ranges: Sequence[float] | None = None,
 ) -> xr.Dataset:
-    """Return `forces_at_cutoffs` on a master, over (radius, loading, rho, contact_y, contact_x).
+    """Return the forces on a master, ``pull_off_force`` and ``unfiltered_pull_off_force``.
 
-    The contacts differ in their loading alone; radii and ranges are by default those of the first.
+    They are over (radius, loading, rho, contact_y, contact_x), the first one also over
+    cutoff_wavelength. The contacts differ in their loading alone; radii and ranges are by default
+    those of the first. ``unfiltered_wavelength`` (nm) ends the unfiltered spectrum,
     ``touching_area`` (loading) in nm² is the area of the touching pixels, the coordinate
     ``contact_area`` the preload over the hardness.
     """
+    side, pixels, cutoffs = filters
     contact = loaded_contacts[0]
-    pixel_size = master.size / filters.pixels
     radii = radii or [contact.radius]
     ranges = ranges or [contact.rho]
 
@@ -92,33 +58,75 @@ def filtered_pull_off(
         forces = [forces_at_loadings(bodies, loaded_contacts, ranges) for bodies in all_bodies]
         return np.array(forces)
 
-    axes: dict[str, Axis] = {
-        "radius": (("radius",), radii, NM),
-        "loading": (("loading",), [loaded.loading_name for loaded in loaded_contacts], {}),
-        "rho": (("rho",), np.asarray(ranges, float), NM),
-        **{axis: ((axis,), np.arange(contact.contacts_per_row), {}) for axis in CONTACT_AXES},
-    }
-    contact_area = ("loading", [loaded.area for loaded in loaded_contacts], {"units": "nm2"})
-    touching = [loaded.pixel_count(pixel_size) * pixel_size**2 for loaded in loaded_contacts]
-    touching_area = ("loading", touching, {"units": "nm2"})
-    filtered = forces_at_cutoffs(master, filters, compute_forces, axes)
-    return filtered.assign(touching_area=touching_area).assign_coords(contact_area=contact_area)
+    out = np.empty((pixels, pixels), np.float32)  # A new array for each surface takes longer.
+    surfaces = filtered_series(master, side, [None, *cutoffs], pixels, out)
+    surface_forces = (compute_forces(surface) for surface in surfaces)
+    unfiltered, *filtered = progress(surface_forces, 1 + len(cutoffs), "cutoffs")
+    axes = ("radius", "loading", "rho", *CONTACT_AXES)
+    pixel_size = master.size / pixels
+    spectrum_end = 2 * pixel_size if side == "short" else master.size
+    touching_areas = [loaded.pixel_count(pixel_size) * pixel_size**2 for loaded in loaded_contacts]
+    areas = [loaded.area for loaded in loaded_contacts]
+    return xr.Dataset(
+        {
+            "unfiltered_pull_off_force": (axes, unfiltered, FORCE_ATTRS),
+            "pull_off_force": (("cutoff_wavelength", *axes), np.array(filtered), FORCE_ATTRS),
+            "unfiltered_wavelength": ((), spectrum_end, NM),
+            "touching_area": ("loading", touching_areas, {"units": "nm2"}),
+        },
+        {
+            "cutoff_wavelength": ("cutoff_wavelength", np.asarray(cutoffs, float), NM),
+            "radius": ("radius", radii, NM),
+            "loading": [loaded.loading_name for loaded in loaded_contacts],
+            "rho": ("rho", np.asarray(ranges, float), NM),
+            **{axis: np.arange(contact.contacts_per_row) for axis in CONTACT_AXES},
+            "contact_area": ("loading", areas, {"units": "nm2"}),
+        },
+        {"work_of_adhesion": WORK_OF_ADHESION},
+    )
 
 
-def make_master(
-    side: str,
-    rng: np.random.Generator,
-    scan_path: str,
-    spectrum_path: str,
-    settings: Mapping[str, Any],
+def forces_on_masters(
+    settings: Mapping[str, Any], files: Mapping[str, Any], sphere: HeightMap | None
+) -> xr.Dataset:
+    """Return `filtered_pull_off` of the masters of a surface, (realization, side, ...).
+
+    `settings` are those of the purpose of the masters, with their surface and realizations;
+    `files` are those of `open_master`.
+    """
+    radii, ranges = settings["radii"], settings["ranges"]
+    array = {name: settings[name] for name in ("window", "contacts_per_row")}
+    # `filtered_pull_off` replaces the radius by each of the radii.
+    contacts = [Contact(radius=radii[0], **array, **loading) for loading in settings["loadings"]]
+    forces = {}
+    for index, realization in enumerate(settings["realizations"]):
+        for side in (side for side in SIDES if side in settings["sides"]):
+            grid = settings["sides"][side]
+            filters = Filters(side, grid["pixels"], grid["cutoffs"])
+            forces[realization, side] = filtered_pull_off(
+                open_master(side, index, settings, files), filters, contacts, sphere, radii, ranges
+            )
+    return stack(forces, ["realization", "side"])
+
+
+def open_master(
+    side: str, index: int, settings: Mapping[str, Any], files: Mapping[str, Any]
 ) -> HeightMap:
-    """Return a master made from the files of a mirrored scan and its spectrum."""
-    scan = load_height_map(scan_path)
-    spectrum_data = read(spectrum_path)
+    """Return the master of the realization at an index: from its file, or made from its scan.
+
+    `files` has a list by realization of ``short_masters`` and ``long_masters``, or of ``scans``
+    (mirrored) and their ``spectra``.
+    """
+    if master_files := files.get(f"{side}_masters"):
+        return load_height_map(master_files[index])
+    scan = load_height_map(files["scans"][index])
+    spectrum_data = read(files["spectra"][index])
     # A sampled spectrum has a factor on the heights of its scan.
-    heights = scan.heights * spectrum_data.attrs.get("height_factor", 1.0)
+    scan = replace(scan, heights=scan.heights * spectrum_data.attrs.get("height_factor", 1.0))
     spectrum = spectrum_of_dataset(spectrum_data)
-    return synthesize_master(side, rng, replace(scan, heights=heights), settings, spectrum)
+    names = settings["surface"], settings["realizations"][index], side, settings["stream"]
+    rng = master_generator(settings["seed"], *names)
+    return synthesize_master(side, rng, scan, settings["sides"][side], spectrum)
 
 
 def read_master_forces(
@@ -143,11 +151,10 @@ def add_force_ratios(forces: xr.Dataset) -> xr.Dataset:
     ``filtered_force_ratio`` (..., cutoff_wavelength) is NaN at cutoffs of the other side.
     """
     forces = forces.sortby("cutoff_wavelength")
-    contact_axes = [axis for axis in CONTACT_AXES if axis in forces.dims]
-    filtered = forces["pull_off_force"].mean(contact_axes)
-    unfiltered = forces["unfiltered_pull_off_force"].mean(contact_axes)
+    filtered = forces["pull_off_force"].mean(CONTACT_AXES)
+    unfiltered = forces["unfiltered_pull_off_force"].mean(CONTACT_AXES)
     spectrum_end = forces["unfiltered_wavelength"]
-    realizations = [axis for axis in ("realization",) if axis in forces.dims]
+    realizations = [axis for axis in spectrum_end.dims if axis == "realization"]
     ratio = (filtered / unfiltered).drop_attrs(deep=False)  # Coordinates keep their units.
     return forces.assign(
         filtered_force_ratio=ratio.assign_attrs(DIMENSIONLESS),
@@ -162,12 +169,9 @@ def add_spectrum_shifts(scales: xr.Dataset, sampled: xr.Dataset) -> xr.Dataset:
     ``log_ratio_shift`` and ``log_unfiltered_force_shift`` are the changes of the logarithms of
     ``filtered_force_ratio`` and of the mean unfiltered force; NaN without a sampled spectrum.
     """
-    unfiltered = "unfiltered_pull_off_force"
-    ratio = sampled["filtered_force_ratio"] / scales["filtered_force_ratio"]
-    mean = sampled[unfiltered].mean(CONTACT_AXES) / scales[unfiltered].mean(CONTACT_AXES)
-    shifts = xr.Dataset(
-        {"log_ratio_shift": np.log(ratio), "log_unfiltered_force_shift": np.log(mean)}
-    )
-    for shift in shifts.values():
-        shift.attrs = DIMENSIONLESS
-    return scales.merge(shifts, join="left", compat="no_conflicts")
+    force = "unfiltered_pull_off_force"
+    ratio = xr.ufuncs.log(sampled["filtered_force_ratio"] / scales["filtered_force_ratio"])
+    mean = xr.ufuncs.log(sampled[force].mean(CONTACT_AXES) / scales[force].mean(CONTACT_AXES))
+    logs = {"log_ratio_shift": ratio, "log_unfiltered_force_shift": mean}
+    shifts = {name: log.assign_attrs(DIMENSIONLESS) for name, log in logs.items()}
+    return scales.merge(xr.Dataset(shifts), join="left", compat="no_conflicts")
