@@ -4,7 +4,7 @@
 rule compute_pull_off:
     """Compute rigid and plastic pull-off of one scan on all scans of the sphere, or positions on it."""
     input:
-        substrate=STORE.mirrored_substrates,
+        substrate=lambda w: FILES.mirrored_scan_path(w.surface, int(w.scan)),
         spheres=FILES.mirrored_scan_paths(SELECTION.sphere),
     output:
         STORE.pull_off,

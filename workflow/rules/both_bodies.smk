@@ -9,7 +9,7 @@ COMBINED_SURFACES = any_name_pattern(PLAN.combined_surfaces)
 rule combine_scans:
     """Add the roughness of a scan of the sphere, at a random position, to that of a substrate."""
     input:
-        substrate=STORE.mirrored_substrates,
+        substrate=lambda w: FILES.mirrored_scan_path(w.surface, int(w.scan)),
         sphere=lambda w: FILES.mirrored_scan_path(
             SELECTION.sphere, PLAN.sphere_scan(w.surface, int(w.scan))
         ),
@@ -46,7 +46,7 @@ rule combine_spectra:
 rule combine_sampled_spectra:
     """Add a sampled spectrum of the sphere to one of a substrate."""
     input:
-        substrate=STORE.sampled_spectra.replace("{shape}", "flat"),
+        substrate=lambda w: FILES.path(STORE.sampled_spectra, w.surface, realization=w.realization),
         sphere=lambda w: FILES.path(
             STORE.sampled_spectra, SELECTION.sphere, realization=w.realization
         ),

@@ -43,7 +43,6 @@ class StorePatterns:
         self.conditioning = f"{store}/conditioning/{scans}/{_SCAN}"  # scan: the first of its group
         self.levelled_scans = f"{store}/scans/{scans}/{_SCAN}"
         self.mirrored_scans = f"{store}/mirrored/{scans}/{_SCAN}"
-        self.mirrored_substrates = self.mirrored_scans.replace("{shape}", "flat")
 
         both_surfaces = f"{{radius}}/{{loading}}/{_SURFACE}/{rough_sphere}.nc"
         self.elastic = f"{folder['elastic']}/{both_surfaces}"
