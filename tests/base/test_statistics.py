@@ -16,32 +16,24 @@ def test_percentile_interval_skips_missing_samples():
 
 
 @pytest.mark.parametrize("confidence", [0.8, 0.95])
-def test_student_interval_equals_that_of_a_t_test(confidence):
-    values = np.random.default_rng(0).normal(3.0, 1.0, (2, 5))
-    values[1, 3:] = np.nan
-    interval = statistics.student_interval(
-        xr.DataArray(values, {"surface": ["a", "b"]}, ("surface", "scan")), confidence, "scan"
-    )
-    assert interval.dims == ("surface", "end") and interval.attrs == {"confidence": confidence}
-    for row, row_values in zip(interval.values, values, strict=True):
-        t_test_interval = stats.ttest_1samp(
-            row_values[np.isfinite(row_values)], 0
-        ).confidence_interval(confidence)
-        np.testing.assert_allclose(row, t_test_interval, rtol=1e-12)
-
-
-def test_student_log_interval_equals_a_t_test_on_logarithms_about_the_mean():
+def test_student_intervals_equal_those_of_t_tests(confidence):
+    """That of logarithms is a t-test on them, moved to the logarithm of the mean."""
     values = np.random.default_rng(0).lognormal(0, 0.5, (2, 5))
     values[1, 3:] = np.nan
-    interval = statistics.student_log_interval(
-        xr.DataArray(values, {"surface": ["a", "b"]}, ("surface", "scan")), 0.9, "scan"
-    )
-    assert interval.dims == ("surface", "end") and interval.attrs == {"confidence": 0.9}
-    for row, row_values in zip(interval.values, values, strict=True):
-        logarithms = np.log(row_values[np.isfinite(row_values)])
-        t_test_interval = stats.ttest_1samp(logarithms, 0).confidence_interval(0.9)
-        shift = np.log(np.nanmean(row_values)) - logarithms.mean()
-        np.testing.assert_allclose(np.log(row), np.array(t_test_interval) + shift, rtol=1e-12)
+    forces = xr.DataArray(values, {"surface": ["a", "b"]}, ("surface", "scan"))
+    interval = statistics.student_interval(forces, confidence, "scan")
+    log_interval = statistics.student_log_interval(forces, confidence, "scan")
+    for result in (interval, log_interval):
+        assert result.dims == ("surface", "end") and result.attrs == {"confidence": confidence}
+    for row, surface_forces in enumerate((values[0], values[1, :3])):
+        logarithms = np.log(surface_forces)
+        expected, log_expected = (
+            np.array(stats.ttest_1samp(sample, 0).confidence_interval(confidence))
+            for sample in (surface_forces, logarithms)
+        )
+        np.testing.assert_allclose(interval[row], expected, rtol=1e-12)
+        shift = np.log(surface_forces.mean()) - logarithms.mean()
+        np.testing.assert_allclose(np.log(log_interval[row]), log_expected + shift, rtol=1e-12)
 
 
 def test_samples_have_the_percentiles_of_the_interval_at_every_range():

@@ -2,8 +2,7 @@
 
 import numpy as np
 import pytest
-from direct_sum import gap_of_bodies
-from periodic_maps import RADIUS, make_bodies, periodic_map, periodic_noise
+from periodic_maps import RADIUS, periodic_map, periodic_noise
 
 from hardcontact.contact import geometry
 from hardcontact.contact.contact import Contact
@@ -48,14 +47,6 @@ def test_more_sampled_contacts_include_the_fewer_and_never_repeat():
     assert {tuple(contact) for contact in all_contacts.tolist()} == set(np.ndindex(6, 6))
     other_draw = geometry.sample_contacts(np.random.default_rng(4), 6, 36)
     assert (other_draw != all_contacts).any()
-
-
-def test_a_gap_is_sphere_minus_both_roughnesses():
-    bodies = make_bodies(periodic_noise(96, 5.0, 1), periodic_noise(70, 0.5, 2), 20.0, 200, 3)
-    y, x = np.indices((200, 200)) - 100
-    gaps = geometry.reference_gaps(bodies, bodies.geometry.positions[[2, 1]], np.stack([y, x], -1))
-    for gap_map in (gaps, geometry.reference_gap_map(bodies, (2, 1))):
-        np.testing.assert_allclose(gap_map, gap_of_bodies(bodies, (2, 1)), atol=1e-12)
 
 
 @pytest.mark.parametrize("kind", [np.float32, ">f4", ">f8", np.float16, np.int64])

@@ -8,7 +8,6 @@ import xarray as xr
 from measurements import PIXEL, UNCD
 
 from hardcontact.base.arrays import generator
-from hardcontact.base.statistics import widen_interval
 from hardcontact.contact.contact import CONTACT_AXES, Contact
 from hardcontact.contact.pull_off import make_force_function
 from hardcontact.own import hindcast
@@ -66,21 +65,27 @@ def test_a_plateau_with_pits_fails():
 
 
 @pytest.mark.parametrize("side", ["short", "long"])
-def test_parts_differ_by_the_octave(side):
-    """The octave has no other waves, and the kept waves none beyond it."""
-    mirrored = mirror_scan(SCAN)
-    other_waves, octave = hindcast._split_at_octave(mirrored, side, OCTAVE)
+def test_the_octave_alone_is_replaced_and_there_are_no_waves_beyond_it(side):
+    mirrored, surfaces = mirror_scan(SCAN), []
+
+    def record_surface(surface):
+        surfaces.append(surface.heights)
+        return np.ones((1, 1))
+
+    # Without bodies nothing replaces the octave.
+    hindcast.hindcast_forces(mirrored, {side: OCTAVE}, [], record_surface)
+    with_octave, without_octave, *_ = surfaces
     wave = np.fft.fftfreq(mirrored.pixels, PIXEL)
     wavelength = 1 / np.maximum(np.hypot(wave[:, None], wave), 1e-9)
-    power = np.abs(np.fft.fft2(octave)) ** 2
+    octave_power = np.abs(np.fft.fft2(with_octave - without_octave)) ** 2
     is_inside = (wavelength >= OCTAVE[0] * 0.999) & (wavelength < OCTAVE[1] * 1.001)
-    assert power[is_inside].sum() > 0.999 * power.sum()
-    kept_power = np.abs(np.fft.fft2(other_waves + octave)) ** 2
+    assert octave_power[is_inside].sum() > 0.999 * octave_power.sum()
+    power = np.abs(np.fft.fft2(with_octave)) ** 2
     is_beyond = (
         wavelength < OCTAVE[0] * 0.999 if side == "short" else wavelength > OCTAVE[1] * 1.001
     )
     is_beyond[0, 0] = False
-    assert kept_power[is_beyond].sum() < 1e-6 * kept_power.sum()
+    assert power[is_beyond].sum() < 1e-6 * power.sum()
 
 
 def test_the_interval_has_its_confidence():
@@ -105,15 +110,6 @@ def test_a_scan_without_an_octave_proves_no_artificial_roughness():
     forces = hindcast.hindcast_forces(mirrored, {"short": None}, [], make_force_function(CONTACT))
     result = hindcast.hindcast_ratios(forces.expand_dims("map"), 0.1, 0.95).sel(side="short")
     assert np.isnan(result["hindcast_ratio"]) and result["hindcast_fails"] == 1
-
-
-def test_errors_add_in_squares():
-    interval = ("end", np.exp([-0.3, 0.4]))
-    force = xr.Dataset({"force": 1.0, "force_interval": interval}, {"end": ["low", "high"]})
-    wide = widen_interval(force, "force", xr.DataArray(np.exp(-0.4)))
-    np.testing.assert_allclose(np.log(wide["force_interval"]), [-0.5, np.hypot(0.4, 0.4)])
-    unchanged = widen_interval(force, "force", xr.DataArray(np.nan))
-    np.testing.assert_allclose(unchanged["force_interval"], force["force_interval"])
 
 
 def test_each_side_ends_with_an_octave_within_the_reliable_wavelengths():

@@ -78,7 +78,7 @@ COARSE_GRID = ScanGrid(128, 2500.0, 512)
     ("surface", "count", "grid", "rows"),
     [
         *((surface, 2, COARSE_GRID, ("afm_rms_height",)) for surface in SUBSTRATES),
-        pytest.param("mcd", 5, PAPER_GRID, AFM_ROWS, marks=pytest.mark.study),
+        pytest.param("mcd", 2, PAPER_GRID, AFM_ROWS, marks=pytest.mark.study),
     ],
 )
 def test_scans_of_the_default_study_keep_table_1(surface, count, grid, rows):

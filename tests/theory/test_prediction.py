@@ -47,14 +47,6 @@ def test_the_table_repeats_the_design_and_the_closed_form():
         )
 
 
-@pytest.mark.study
-def test_the_forces_of_a_designed_surface_are_reproduced():
-    number = int(np.argmax(TABLE["pixels"] == 1024))
-    recomputed_row = validate_prediction.compute_row(validate_prediction.design(number + 1)[number])
-    row = TABLE[list(recomputed_row)].iloc[[number]].reset_index(drop=True)
-    pd.testing.assert_frame_equal(row, pd.DataFrame([recomputed_row]), rtol=1e-3)
-
-
 @pytest.mark.parametrize("name", validity.VALIDATED_QUANTITIES)
 def test_intervals_contain_nine_tenths_of_the_other_half(name):
     """Nine of ten, fewer by chance and at the border of the set: three quarters or more."""

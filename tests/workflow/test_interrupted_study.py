@@ -1,4 +1,4 @@
-"""A whole small study ends bit-equal after four kills."""
+"""A small study ends bit-equal after four kills, and stops at the lock of another run."""
 
 import multiprocessing
 import os
@@ -9,9 +9,12 @@ import time
 import pytest
 from comparison import damaged_datasets, differences, result_paths
 from forked_runs import call_main, use_library_of
+from refusals import assert_says
 from repository import environment, run_snakemake
 
 from hardcontact.base.dataset import PART
+
+pytestmark = pytest.mark.study
 
 #: Kills of one study.
 KILLS = 4
@@ -19,8 +22,8 @@ KILLS = 4
 FILES = 5
 #: Seconds that a test waits at most for the next file.
 PATIENCE = 300
-WORDS = ["--configfile", "config/probe.yaml", "few.yaml", "--config", "effort=quick"]
-RESUME = ["--nolock", *WORDS]  # A killed run leaves Snakemake's lock.
+STUDY_WORDS = ["--configfile", "config/probe.yaml", "few.yaml", "--config", "effort=quick"]
+RESUME = ["--nolock", *STUDY_WORDS]  # A killed run leaves Snakemake's lock.
 
 
 @pytest.fixture
@@ -63,7 +66,6 @@ def kill_after_files(study):
     assert "Traceback" not in (study / "output").read_text()
 
 
-@pytest.mark.study
 def test_a_study_that_is_killed_four_times_ends_as_one_that_is_not(empty, probe):
     (empty / "results").mkdir()
     for _ in range(KILLS):
@@ -73,3 +75,15 @@ def test_a_study_that_is_killed_four_times_ends_as_one_that_is_not(empty, probe)
     assert run.returncode == 0, run.stdout
     assert differences_from(probe, empty / "results") == []
     assert not list((empty / "results").rglob(f"{PART}*"))
+
+
+def test_a_run_stops_at_the_lock_of_another_until_it_is_removed(probe):
+    folder = probe.parents[1]
+    lock = folder / ".snakemake/locks/0.output.lock"
+    lock.parent.mkdir(exist_ok=True)
+    lock.write_text(f"{probe.relative_to(folder) / 'answer.json'}\n")
+    locked = run_snakemake(folder, "answer", *STUDY_WORDS)
+    assert locked.returncode == 1
+    assert_says(locked.stdout, "cannot be locked", "--unlock")
+    assert run_snakemake(folder, "--unlock", "answer", *STUDY_WORDS).returncode == 0
+    assert not lock.exists()

@@ -39,13 +39,6 @@ def test_files_named_in_the_documentation_exist(path):
     assert [name for name in paths_named - made_by_the_user if not (ROOT / name).exists()] == []
 
 
-@pytest.mark.parametrize("path", TEXTS, ids=lambda path: str(path.relative_to(ROOT)))
-def test_no_blank_line_cuts_a_table(path):
-    """After a blank line, the line below the first row of a table has hyphens."""
-    first_rows = re.findall(r"\n\n\|.*\n(.*)", path.read_text("utf-8"))
-    assert [row for row in first_rows if not re.fullmatch(r"\|[-|: ]+\|", row)] == []
-
-
 def test_modules_named_in_the_table_of_rules_exist():
     """There `.b` after `a.c` stands for `a.b`."""
     text = HOW_IT_IS_BUILT.read_text("utf-8")

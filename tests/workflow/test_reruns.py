@@ -16,7 +16,7 @@ from pathlib import Path
 import pytest
 import yaml
 from forked_runs import run_forked, use_library_of
-from repository import STUDY_FILES, ROOT, TINY, linked_copy, run_tiny_study, snakemake_output
+from repository import ROOT, STUDY_FILES, TINY, linked_copy, run_tiny_study, snakemake_output
 
 import hardcontact
 
@@ -156,6 +156,23 @@ def test_rewritten_files_of_the_same_meaning_make_nothing(dry):
     assert dry(change=rewrite_files) == []
 
 
+# A key: the rules that it concerns, and all that is made from theirs
+
+#: Every value is in the configuration kept with the results and on pages.
+KEEPS_EVERY_KEY = {"describe_study", "answer_paper"}
+
+
+def overlay(key, value):
+    """Return the overlay that gives this value to a key with dots."""
+    for key_name in reversed(key.split(".")):
+        value = {key_name: value}
+    return value
+
+
+def keep_metadata(folder):
+    """Leave what Snakemake remembers of a run."""
+
+
 def lose_metadata(folder):
     """Remove what Snakemake remembers of a run, as a copy of the results alone does."""
     (folder / ".snakemake").unlink()
@@ -171,62 +188,25 @@ def empty_metadata(folder):
         copy.touch()
 
 
-def test_records_decide_without_the_metadata_of_snakemake(dry, graph):
-    assert dry(change=lambda folder: (lose_metadata(folder), rewrite_files(folder))) == []
-    jobs = dry(overlay("scales.tolerance", 0.2), empty_metadata)
-    concerned = {
-        "find_edges_of_masters",
-        "sample_sets",
-        "fit_exponents",
-        "compute_edge_shifts",
-    } | KEEPS_EVERY_KEY
-    assert rules_of(jobs) == graph.following(graph.files_of_rules(concerned))
-
-
-# A key: the rules that it concerns, and all that is made from theirs
-
-#: Every value is in the configuration kept with the results and on pages.
-KEEPS_EVERY_KEY = {"describe_study", "answer_paper"}
-
-
-def overlay(key, value):
-    """Return the overlay that gives this value to a key with dots."""
-    for key_name in reversed(key.split(".")):
-        value = {key_name: value}
-    return value
-
-
 @pytest.mark.parametrize(
-    ("key", "value", "concerned"),
+    ("key", "value", "concerned", "change_metadata"),
     [
-        ("sets.pool_size", 12, {"compute_pool", "sample_sets"}),
-        ("scales.short.transition", "90 nm", {
-            "synthesize_masters", "compute_filtered_forces", "aggregate_scales"}),
+        ("sets.pool_size", 12, {"compute_pool", "sample_sets"}, keep_metadata),
+        ("scales.short.transition", "90 nm",
+         {"synthesize_masters", "compute_filtered_forces", "aggregate_scales"}, lose_metadata),
+        ("scales.tolerance", 0.2,
+         {"find_edges_of_masters", "sample_sets", "fit_exponents", "compute_edge_shifts"},
+         empty_metadata),
     ],
 )  # fmt: skip
-def test_a_changed_key_repeats_exactly_its_dependents(dry, graph, key, value, concerned):
-    assert rules_of(dry(overlay(key, value))) == graph.following(
+def test_a_changed_key_repeats_exactly_its_dependents(
+    dry, graph, key, value, concerned, change_metadata
+):
+    """The study's records decide, whatever Snakemake remembers of the run."""
+    planned_jobs = dry(overlay(key, value), change_metadata)
+    assert rules_of(planned_jobs) == graph.following(
         graph.files_of_rules(concerned | KEEPS_EVERY_KEY)
     )
-
-
-def test_swept_values_share_masters(dry):
-    values = {
-        "contact": {"preload": "12 uN"},
-        "sphere": {"radius": "300 um"},
-        "adhesion": {"range": "3 nm"},
-    }
-    jobs = dry(values)
-    assert not any("/masters/" in output for _, output in jobs)
-    # Masters for exponents have radii of their own.
-    filtered = [
-        output
-        for rule, output in jobs
-        if rule == "compute_filtered_forces" and "/exponents/" not in output
-    ]
-    assert filtered
-    for token in ("F12uN", "R300um", "rho3nm"):
-        assert all(token in output for output in filtered)
 
 
 # A column, a file, a script, a module
