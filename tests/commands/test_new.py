@@ -6,7 +6,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 import yaml
-from refusals import assert_says
+from refusals import assert_line_says, assert_says
 from repository import PAPER, ROOT, merge_configurations
 from scan_files import write_container, write_nanoscope, write_scan
 
@@ -167,9 +167,7 @@ def test_all_problems_are_reported_at_once_and_nothing_is_written(folder, run):
         ["odd{1}.nc", "without {, }"], ["my.csv: line 2", "unit"], ["my.csv: line 3", "b"],
     ]  # fmt: skip
     for message_parts in messages:
-        assert any(
-            all(message_part in line for message_part in message_parts) for line in done.errors
-        ), message_parts
+        assert_line_says(done.errors, *message_parts)
     assert all(line.startswith("error: ") for line in done.errors)
     assert sorted(folder.rglob("*")) == files_before
 
@@ -205,9 +203,7 @@ def test_faulty_arguments_are_refused_in_one_line_and_nothing_is_written(folder,
     for arguments, message_parts in REFUSED:
         done = run(*arguments)
         assert done.code == 1
-        assert any(
-            all(message_part in line for message_part in message_parts) for line in done.errors
-        ), done.errors
+        assert_line_says(done.errors, *message_parts)
         assert sorted(folder.rglob("*")) == files_before
 
 

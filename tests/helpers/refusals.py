@@ -18,6 +18,11 @@ def refusal(call, *arguments):
     return message
 
 
+def assert_line_says(lines, *parts):
+    """Expect all parts in one of the lines."""
+    assert any(all(text in line for text in parts) for line in lines), (parts, lines)
+
+
 def assert_says(message, *parts):
     """Expect all parts in a message."""
     for text in parts:

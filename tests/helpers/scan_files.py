@@ -4,7 +4,7 @@ import zipfile
 
 import numpy as np
 import yaml
-from SurfaceTopography import Topography, UniformLineScan
+from SurfaceTopography import Topography
 from SurfaceTopography.Container.SurfaceContainer import InMemorySurfaceContainer
 
 
@@ -19,11 +19,6 @@ def write_scan(path, values=None, sizes=(320.0, 320.0), unit="nm"):
         str(path)
     )
     return path
-
-
-def line_scan(values, length):
-    """Return a line scan of SurfaceTopography, its heights and length in nm."""
-    return UniformLineScan(values, length, unit="nm")
 
 
 def write_container(path, entries, files):
@@ -81,7 +76,6 @@ MAPS = MAPS_AND_LINES | {
     "gwy": lambda topography, path: topography.to_gwy(str(path)),
     "x3p": lambda topography, path: topography.to_x3p(str(path)),
 }
-UNEVEN_LINES = {name: MAPS_AND_LINES[name] for name in ("nc", "xyz", "zip")}
 
 
 def write_nanoscope(path, values, size, channels=("Height",)):

@@ -9,6 +9,7 @@ from known_spectra import contact_of_area
 from measurements import PIXEL, measurement, random_line, random_map
 from prediction_command import predict_json, predict_text
 from refusals import assert_says, refusal
+from SurfaceTopography import UniformLineScan
 
 from hardcontact.base.arrays import generator
 from hardcontact.own.own_spectrum import read_own_spectrum
@@ -29,7 +30,7 @@ def test_a_scan_is_predicted_from_its_reliable_wavelengths(kind, tmp_path, capsy
     if kind == "map":
         scan_files.write_scan(path, heights.T, (size, size))
     else:
-        scan_files.write_coordinates(scan_files.line_scan(heights, size), path)
+        scan_files.write_coordinates(UniformLineScan(heights, size, unit="nm"), path)
     joined_scans = joined_spectrum([measurement(heights, PIXEL)], [None])
     spectrum = read_own_spectrum([path]).spectrum
     has_roughness = np.isfinite(joined_scans.joined_psd.values)

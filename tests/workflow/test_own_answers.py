@@ -119,48 +119,49 @@ def mean_over_contacts(values):
 
 def gaussian_relative(adhesion, rms_height):
     """Return the mean over contacts of F/(2 pi R W) in closed form (model, range)."""
-    summits = xr.apply_ufunc(stats.norm.sf, adhesion.apex_height / rms_height)
     level = adhesion.apex_height / rms_height
-    relative = xr.apply_ufunc(surface_term, level, rms_height / adhesion.rho)
-    relative = relative + summits
-    return mean_over_contacts(relative)
+    close_points = xr.apply_ufunc(surface_term, level, rms_height / adhesion.rho)
+    return mean_over_contacts(close_points + xr.apply_ufunc(stats.norm.sf, level))
 
 
-def test_a_rough_sphere_sticks_less_as_in_the_closed_form(own_study, several):
-    assert read_answer(several)["contact"]["sphere"] == "sphere"
-    adhesion = xr.load_dataset(several / "adhesion.nc").sel(surface="twin")
-    assert adhesion.sizes["sphere_scan"] == 2 * 3**2  # positions on its scans
-    page = (several / "answer.html").read_text("utf-8")
-    assert page.count("The wavelengths that matter most") == 2
-    # The sphere's shape is subtracted before its roughness is measured.
-    rms_height = xr.load_dataset(several / "topography.nc").rms_height
-    flat, ball = (rms_height.sel(surface=name, drop=True) for name in ("twin", "sphere"))
-    assert ball.values == pytest.approx(2.0, rel=0.1)
-    (own_study / "smooth.yaml").write_text(yaml.safe_dump(
-        {"sphere": {"surface": "smooth"}, "surfaces": "smooth.tsv", "study": "smooth"}
-    ))  # fmt: skip
+def adhesion_of_smooth_sphere(own_study):
+    """Return adhesion.nc of the study without the scans of its sphere."""
+    overlay = {"sphere": {"surface": "smooth"}, "surfaces": "smooth.tsv", "study": "smooth"}
+    (own_study / "smooth.yaml").write_text(yaml.safe_dump(overlay))
     table = (own_study / "config/several.tsv").read_text().splitlines(keepends=True)
     (own_study / "smooth.tsv").write_text("".join(row for row in table if row[:6] != "sphere"))
     run = run_quick(own_study, "several", "adhesion", overlays=["few.yaml", "smooth.yaml"])
     assert run.returncode == 0, run.stdout[-3000:]
-    smooth_adhesion = xr.load_dataset(own_study / "results/smooth-quick/adhesion.nc").sel(
-        surface="twin"
-    )
-    ratio = mean_over_contacts(adhesion.pull_off_force) / mean_over_contacts(
-        smooth_adhesion.pull_off_force
-    )
-    # The squares of the rms heights of independent bodies add up.
-    combined_rms = np.hypot(flat.sel(scan=1, drop=True), ball.mean())
-    gaussian_ratio = gaussian_relative(adhesion, combined_rms) / gaussian_relative(
-        smooth_adhesion, flat.sel(scan=1, drop=True)
-    )
+    return xr.load_dataset(own_study / "results/smooth-quick/adhesion.nc")
+
+
+def test_the_answer_has_the_contacts_and_the_roughness_of_a_rough_sphere(several):
+    assert read_answer(several)["contact"]["sphere"] == "sphere"
+    page = (several / "answer.html").read_text("utf-8")
+    assert page.count("The wavelengths that matter most") == 2
+    positions_on_scans = 2 * 3**2
+    assert xr.load_dataset(several / "adhesion.nc").sizes["sphere_scan"] == positions_on_scans
+    # The sphere's shape is subtracted before its roughness is measured.
+    ball = xr.load_dataset(several / "topography.nc").rms_height.sel(surface="sphere")
+    assert ball.values == pytest.approx(2.0, rel=0.1)
+
+
+def test_a_rough_sphere_sticks_less_as_in_the_closed_form(own_study, several):
+    rough = xr.load_dataset(several / "adhesion.nc").sel(surface="twin")
+    smooth = adhesion_of_smooth_sphere(own_study).sel(surface="twin")
+    rms_height = xr.load_dataset(several / "topography.nc").rms_height
+    flat = rms_height.sel(surface="twin", scan=1, drop=True)
+    ball = rms_height.sel(surface="sphere", drop=True).mean()
+    both = np.hypot(flat, ball)  # Squares of the rms heights of independent bodies add up.
+    ratio = mean_over_contacts(rough.pull_off_force) / mean_over_contacts(smooth.pull_off_force)
+    gaussian_ratio = gaussian_relative(rough, both) / gaussian_relative(smooth, flat)
     # The closed form is for many points; single peaks decide only at the shortest range.
-    touches_many = adhesion.rho > (combined_rms**2 / adhesion.apex_height).max()
-    assert (~touches_many).sum() <= 1
-    lost, lost_in_theory = (
-        1 - force_ratio.where(touches_many, drop=True) for force_ratio in (ratio, gaussian_ratio)
+    has_many_points = rough.rho > (both**2 / rough.apex_height).max()
+    assert (~has_many_points).sum() <= 1
+    loss, gaussian_loss = (
+        1 - force_ratio.where(has_many_points, drop=True) for force_ratio in (ratio, gaussian_ratio)
     )
-    np.testing.assert_allclose(lost, lost_in_theory, rtol=0.1)
+    np.testing.assert_allclose(loss, gaussian_loss, rtol=0.1)
     assert (0.01 < ratio).all() and (ratio.where(ratio.rho <= RANGE, drop=True) < 0.8).all()
 
 

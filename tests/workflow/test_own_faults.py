@@ -109,7 +109,7 @@ def flip_a_bit(path):
     os.utime(path, ns=(status.st_atime_ns, status.st_mtime_ns))
 
 
-def test_altered_files_are_refused_and_made_again(copy, own_study):
+def test_altered_files_are_refused_until_they_are_deleted_and_made_again(copy, own_study):
     (forces,) = (copy / STORE / "pull_off").glob("*/sphere/*/*/*/*/twin/*/scan-1.nc")
     (filtered,) = (copy / STORE / "filtered/scales").rglob("twin/*/*/*/*.nc")
     spectra = copy / RESULTS / "spectra.nc"
@@ -117,6 +117,7 @@ def test_altered_files_are_refused_and_made_again(copy, own_study):
     flip_a_bit(forces)
     truncate_file(filtered, 0.7)
     flip_a_bit(spectra)
+    # `verify` names them.
     verified = run(copy, "verify")
     assert verified.returncode == 1 and "to resume" not in verified.stdout
     for path in altered_files:
@@ -124,16 +125,19 @@ def test_altered_files_are_refused_and_made_again(copy, own_study):
     targets = ["force", "adhesion", "scales"]  # of the spectra, forces and filtered masters
     for name in targets[1:]:
         (copy / RESULTS / f"{name}.nc").unlink()
+    # An altered final file stops a run before its jobs remove anything.
     refused_run = run(copy, *targets)
     (line,) = errors(refused_run.stdout)
     assert refused_run.returncode == 1 and (copy / RESULTS / "force.nc").is_file()
     assert_says(line, f"{spectra.relative_to(copy)}: expected the file that the study wrote")
     spectra.unlink()
+    # An altered intermediate stops the job that reads it.
     failed_run = run(copy, *targets, "--keep-going")
     assert failed_run.returncode == 1
     messages = "\n".join(errors(failed_run.stdout))
     for path in (forces, filtered):
         assert_says(messages, f"{path.relative_to(copy)}: expected the file that the study wrote")
+    # Deleted files are made again as they were.
     for path in (forces, filtered):
         path.unlink()
     done = run(copy, *targets)
