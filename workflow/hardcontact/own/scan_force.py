@@ -69,8 +69,8 @@ def prediction_and_scan_force(
     """
     numbers = prediction(own_spectrum.spectrum, contact, tolerance, name)
     scan_numbers = force_on_scan(own_spectrum, contact, confidence)
-    form = scan_numbers.get("closed_form_on_scan")
-    if form is not None and form.status != ClosedFormStatus.AGREES:
+    closed_form_on_scan = scan_numbers.get("closed_form_on_scan")
+    if closed_form_on_scan is not None and closed_form_on_scan.status != ClosedFormStatus.AGREES:
         for quantity in numbers.keys() & set(CLOSED_FORM_NAMES):
             number = numbers[quantity]._replace(low=math.nan, high=math.nan)
             is_force = number.unit == "N" and math.isfinite(number.value)
@@ -96,10 +96,10 @@ def force_on_scan(
             no_force.append(Number("shortest_range", shortest_range, "nm"))
         return numbers_by_name(*no_force)
     scan = scans[0]
-    surface = mirror_in_float32(scan)
+    mirrored_scan = mirror_in_float32(scan)
     contact = contact_on_scan(scan, contact)
-    surface_forces = _surface_forces(scan, surface, body_maps, contact)
-    wide_pixel_ratio = _wide_pixel_ratio(scan, surface, contact)
+    surface_forces = _surface_forces(scan, mirrored_scan, body_maps, contact)
+    wide_pixel_ratio = _wide_pixel_ratio(scan, mirrored_scan, contact)
     # Finer pixels may lower forces by this factor, but not raise them.
     finer_pixel_factor = float(pixel_factor(wide_pixel_ratio))
     force = _mean_force(surface_forces, smooth_force(contact), confidence)
@@ -107,22 +107,22 @@ def force_on_scan(
     search_width = search_size(spectrum.extrapolated(), contact.radius, contact.area)
     size_status = ScanSize.SMALL if scan.size < LARGE_SIZE_RATIO * search_width else ScanSize.LARGE
     _, small_scan_ratio = finite_scan_ratio(scan.size, search_width)
-    form = _closed_form_number(surface, force, small_scan_ratio, contact)
+    closed_form_number = _closed_form_number(mirrored_scan, force, small_scan_ratio, contact)
     return numbers_by_name(
         force,
         Number("force_on_scan_over_smooth", force.value / smooth_force(contact)),
         Number("wide_pixel_ratio", wide_pixel_ratio),
         *_scatter_numbers(surface_forces, confidence),
         Number("search_size", search_width, "nm", status=size_status),
-        form._replace(low=form.low / finer_pixel_factor),
+        closed_form_number._replace(low=closed_form_number.low / finer_pixel_factor),
     )
 
 
 def _surface_forces(
-    scan: HeightMap, surface: HeightMap, body_maps: Sequence[HeightMap], contact: Contact
+    scan: HeightMap, mirrored_scan: HeightMap, body_maps: Sequence[HeightMap], contact: Contact
 ) -> SurfaceForces:
     """Return the plastic forces (N) of a smooth sphere, or of a rough one at several positions."""
-    joined_bodies = [join_bodies(surface, None, contact)]
+    joined_bodies = [join_bodies(mirrored_scan, None, contact)]
     if body_maps:
         substrate, sphere = (mirror_in_float32(body_map) for body_map in body_maps)
         contact = replace(contact, contacts_per_row=POSITION_CONTACTS_PER_ROW)
@@ -142,11 +142,11 @@ def _mean_force(surface_forces: SurfaceForces, smooth: float, confidence: float)
     return Number("force_on_scan", mean, "N", low, high, source)
 
 
-def _wide_pixel_ratio(scan: HeightMap, surface: HeightMap, contact: Contact) -> float:
-    """Return the force on wider pixels relative to the force on the mirrored scan, `surface`."""
+def _wide_pixel_ratio(scan: HeightMap, mirrored_scan: HeightMap, contact: Contact) -> float:
+    """Return the force on wider pixels relative to the force on the scan."""
     forces_on_map = make_force_function(contact)
     wide_pixel_force = forces_on_map(mirror_in_float32(widen_pixels(scan))).mean()
-    return float(wide_pixel_force / forces_on_map(surface).mean())
+    return float(wide_pixel_force / forces_on_map(mirrored_scan).mean())
 
 
 def _scatter_numbers(surface_forces: SurfaceForces, confidence: float) -> Iterator[Number]:
@@ -159,20 +159,20 @@ def _scatter_numbers(surface_forces: SurfaceForces, confidence: float) -> Iterat
 
 
 def _closed_form_number(
-    surface: HeightMap, force: Number, small_scan_ratio: float, contact: Contact
+    mirrored_scan: HeightMap, force: Number, small_scan_ratio: float, contact: Contact
 ) -> Number:
-    """Return the force in closed form for all wavelengths of the mirrored map.
+    """Return the force in closed form for all wavelengths of the mirrored scan.
 
     The force on the map agrees if it lies between the lower end of the closed form's interval and
     the upper end times `small_scan_ratio`, and the closed form was tested on such spectra.
     """
-    wavevector, _, density = measured_psds(surface)
+    wavevector, _, density = measured_psds(mirrored_scan)
     has_waves = np.isfinite(density)
     spectrum = Spectrum(wavevector[has_waves], density[has_waves])
-    form = closed_form(spectrum, contact)
-    point = table_point(spectrum, contact, form)
+    from_spectrum = closed_form(spectrum, contact)
+    point = table_point(spectrum, contact, from_spectrum)
     lowest, highest = nearest_ratios(point, "force")
-    low, high = lowest * form.force, highest * small_scan_ratio * form.force
+    low, high = lowest * from_spectrum.force, highest * small_scan_ratio * from_spectrum.force
     is_bounded = math.isfinite(force.low + force.high)
     force_low, force_high = (force.low, force.high) if is_bounded else (force.value, force.value)
     if low > force_high or high < force_low:
@@ -182,4 +182,4 @@ def _closed_form_number(
     else:
         status = ClosedFormStatus.OUTSIDE
     interval = (low, high) if status == ClosedFormStatus.AGREES else (math.nan, math.nan)
-    return Number("closed_form_on_scan", form.force, "N", *interval, status)
+    return Number("closed_form_on_scan", from_spectrum.force, "N", *interval, status)

@@ -46,7 +46,7 @@ def pool_rms_heights(targets: Targets, scan_count: int, height_count: int) -> Fl
 
 
 def compute_pool(
-    numbers: Sequence[int],
+    scan_numbers: Sequence[int],
     substitute: Substitute,
     rms_heights: Floats,
     contact: Contact,
@@ -57,13 +57,13 @@ def compute_pool(
     ``log_force`` (scan, rms_height_of_force, contact_model, rho, contact_y, contact_x) is ln(force
     in N). Rms heights and ranges of adhesion are in nm.
     """
-    scans = []
-    for number in progress(numbers, len(numbers), "scans of the pool"):
-        rng = substitute.generator(number, "pool")
+    scan_datasets = []
+    for scan_number in progress(scan_numbers, len(scan_numbers), "scans of the pool"):
+        rng = substitute.generator(scan_number, "pool")
         scan = level_plane(sample_scan(rng, substitute.spectrum, substitute.grid))
-        scans.append(_forces_at_heights(scan, rms_heights, contact, ranges))
+        scan_datasets.append(_forces_at_heights(scan, rms_heights, contact, ranges))
     targets = required_targets(substitute)
-    return xr.concat(scans, pd.Index(list(numbers), name="scan")).assign_attrs(
+    return xr.concat(scan_datasets, pd.Index(list(scan_numbers), name="scan")).assign_attrs(
         mean_rms_height=targets.means["rms_height"], rms_height_deviation=targets.rms_height_std
     )
 
