@@ -62,7 +62,11 @@ def trace_contact(bodies: Bodies, index: tuple[int, int], contact: Contact) -> x
 def find_carrying_asperities(
     bodies: Bodies, contact: Contact, contact_indices: NDArray[np.int_], ranges: Sequence[float]
 ) -> xr.Dataset:
-    """Return ASPERITY_UNITS (contact, rho) of plastic contacts, by row and column (contact, 2)."""
+    """Return the asperities that carry the force of plastic contacts.
+
+    `contact_indices` are row and column (contact, 2). Variables (contact, rho) have the names in
+    ASPERITY_UNITS.
+    """
     pixel_size = bodies.geometry.pixel_size
     contact_pixel_count = contact.pixel_count(pixel_size)
     offset = bodies.geometry.offsets()

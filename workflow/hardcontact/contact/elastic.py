@@ -204,8 +204,9 @@ def solve_elastic_contacts(
 ) -> xr.Dataset:
     """Solve some contacts of two bodies with elasticity, without plasticity.
 
-    The indices (contact, 2) are row and column in the array. Returns ELASTIC_UNITS (contact), and
-    ``pressure`` (y, x) in Pa of the first contact. Raises ValueError if no equilibrium is found.
+    The indices (contact, 2) are row and column in the array. Returns variables (contact) with the
+    names in ELASTIC_UNITS, and ``pressure`` (y, x) in Pa of the first contact. Raises ValueError if
+    no equilibrium is found.
     """
     contact.require("rho", "work")
     geometry = bodies.geometry

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from typing import NamedTuple
 
 import numpy as np
 import xarray as xr
@@ -18,16 +19,21 @@ from hardcontact.surfaces.height_map import HeightMap
 #: Pixels on either side of the deepest pixel in the maps of one contact.
 MAP_HALF_WIDTH = 32
 
-#: The units of depth, sizes and number of the indents of a contact.
+#: The units of `IndentSizes`.
 INDENT_UNITS = {"depth": "nm", "equal_area_side": "nm", "longer_side": "nm", "indent_count": "1"}
 
 
-def indent_sizes(pixels: ContactPixels, pixel_size: float) -> tuple[float, float, float, int]:
-    """Return INDENT_UNITS of one contact.
+class IndentSizes(NamedTuple):
+    """The indents of one contact; lengths are in nm."""
 
-    The depth is that of the deepest pixel. The sizes are the width of a square with the area of the
-    largest indent, and the longer side of its bounding box.
-    """
+    depth: float  #: Of the deepest pixel.
+    equal_area_side: float  #: Side of a square with the area of the largest indent.
+    longer_side: float  #: Longer side of the bounding box of the largest indent.
+    indent_count: int
+
+
+def indent_sizes(pixels: ContactPixels, pixel_size: float) -> IndentSizes:
+    """Return depth, sizes and number of the indents of one contact."""
     gaps, offsets = pixels
     labels, count = label_patches(offsets)
     indent_pixel_counts = np.bincount(labels)[labels]  # by pixel, the deepest pixel first
@@ -35,7 +41,7 @@ def indent_sizes(pixels: ContactPixels, pixel_size: float) -> tuple[float, float
     largest_indent = offsets[labels == labels[indent_pixel_counts.argmax()]]
     equal_area_side = np.sqrt(len(largest_indent)) * pixel_size
     longer_side = (np.ptp(largest_indent, axis=0).max() + 1) * pixel_size
-    return gaps[-1] - gaps[0], equal_area_side, longer_side, count
+    return IndentSizes(gaps[-1] - gaps[0], equal_area_side, longer_side, count)
 
 
 def indents_of_scans(
@@ -46,7 +52,7 @@ def indents_of_scans(
 ) -> xr.Dataset:
     """Return the indents that every substrate scan leaves in every sphere scan.
 
-    Ascending preloads (N) replace that of the contact. Returns INDENT_UNITS (scan, sphere_scan,
+    Ascending preloads (N) replace that of the contact. Returns `IndentSizes` (scan, sphere_scan,
     preload, contact_y, contact_x) and, for the contact of median depth at the largest preload, the
     maps ``indentation`` and ``sphere_height`` in nm.
     """

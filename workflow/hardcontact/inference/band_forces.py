@@ -34,7 +34,7 @@ def band_parts(surface: HeightMap, band: tuple[float, float]) -> list[HeightMap]
 def band_force_dataset(
     surface: HeightMap, bands: Mapping[str, tuple[float, float]], compute_forces: ForcesOnSurface
 ) -> xr.Dataset:
-    """Return the forces on a surface with all roughness, and with BAND_PARTS of it.
+    """Return the forces on a surface with all roughness, and with parts of it (BAND_PARTS).
 
     ``force`` (contact_y, contact_x) and ``band_force`` (band, band_part, contact_y, contact_x) are
     in N at 1 J/m²; ``band_edge`` (band, side) has the edges of the bands in nm.

@@ -63,7 +63,7 @@ def fine_ranges(ranges: Floats) -> Floats:
 
 
 def best_fit(mean_forces: Floats, measured_forces: Floats, ranges: Floats) -> dict[str, Floats]:
-    """Return FIT_ATTRS (...) of the best pair at given ranges; NaN if a computed force is NaN."""
+    """Return the best pair and its error (...), by FIT_ATTRS; NaN if a computed force is NaN."""
     works, errors = fit_work(mean_forces, measured_forces)
     work, error = minimum_along_axis(errors, works)
     best_range = ranges[errors.argmin(axis=-1)]
@@ -72,7 +72,7 @@ def best_fit(mean_forces: Floats, measured_forces: Floats, ranges: Floats) -> di
 
 
 def fit_mean_forces(mean_forces: xr.DataArray, measured_forces: pd.Series) -> xr.Dataset:
-    """Return FIT_ATTRS (...) of the best pair, at finer ranges than the computed ranges.
+    """Return the best pair and its error (...), at finer ranges than the computed ranges.
 
     Surfaces without a measured force do not enter the fit; surfaces index `measured_forces`.
     """

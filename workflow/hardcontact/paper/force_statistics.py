@@ -78,7 +78,7 @@ STATISTIC_ATTRS = {
 
 
 def force_statistics(forces: Floats, sampling: Sampling) -> xr.Dataset:
-    """Return STATISTIC_ATTRS of the computed forces of one surface, with intervals.
+    """Return mean, medians and scatter of the computed forces of one surface, with intervals.
 
     Forces (scan, sphere_scan, contact) are in N, NaN for a missing scan. Intervals are NaN if
     `sampling.sample_count` is 0.

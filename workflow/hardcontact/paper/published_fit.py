@@ -154,7 +154,7 @@ def _fitted_variables(
     reference_index: int,
     sampling: Sampling,
 ) -> dict[str, Any]:
-    """Return FITTED_ATTRS with intervals, samples of SAMPLED_VARIABLES, and ``ratio_error``.
+    """Return the best pair with intervals (FITTED_ATTRS), its samples, and ``ratio_error``.
 
     The first of the curves (k, surface, rho) has the means of forces, all others their samples.
     """

@@ -63,7 +63,7 @@ def held_out_surfaces() -> pd.DataFrame:
 
 
 def table_point(spectrum: Spectrum, contact: Contact, form: ClosedForm) -> dict[str, Any]:
-    """Return VALIDATED_PARAMETERS and the regime of a spectrum without zeros at its ends."""
+    """Return the regime of a spectrum, without zeros at its ends, and its validated parameters."""
     mean_hurst, mean_hurst_change = mean_hurst_and_change(spectrum, math.sqrt(contact.area))
     return {
         "rho": contact.rho,
@@ -114,7 +114,7 @@ def is_validated(point: Mapping[str, Any]) -> bool:
 
 
 def validated_limits(point: Mapping[str, Any]) -> Iterator[Number]:
-    """Yield VALIDATED_PARAMETERS of a point, with their limits in the table."""
+    """Yield the validated parameters of a point, with their limits in the table."""
     for name, unit in VALIDATED_PARAMETERS.items():
         lowest, highest = held_out_surfaces()[name].agg(["min", "max"])
         status = Validity.INSIDE if lowest <= point[name] <= highest else Validity.OUTSIDE
