@@ -3,7 +3,7 @@
 # What these modules add to Snakemake: `start` gives each rule a log, a benchmark and, as its input
 # `code`, the modules that its script imports; `reruns` replaces six attributes of Snakemake, named in
 # `plan_by_records`, so that records in `.origin`, not file times, decide what runs again; `endings`
-# ends a run at once at Ctrl-C, and prints its answer.
+# ends a run at once at Ctrl-C, and prints the study's answer.
 from hardcontact.run import endings, reruns, start
 
 start.prepare(workflow)

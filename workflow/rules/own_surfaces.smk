@@ -93,8 +93,8 @@ rule compute_force_at_pair:
 
 if HAS_FORCES:
 
-    # Forces on one surface permit a curve of pairs, those on several a region; `fit_published` finds
-    # the best pair.
+    # Forces on one surface fix the work at each range, those on several a region of both;
+    # `fit_published` finds the best pair.
     rule fit_measured:
         """Find all pairs of range and work of adhesion that the user's forces permit: fit.nc."""
         input:

@@ -2,7 +2,7 @@
 
 
 rule sample_spectra:
-    """Sample a spectrum for each realization, within what the measurements of a surface leave open."""
+    """Sample a spectrum for each realization, within the uncertainty of its measurements."""
     input:
         measurements=lambda w: FILES.measurement_paths(w.surface),
     output:

@@ -1,4 +1,4 @@
-"""Refuse descriptions of substitute surfaces (`resources/README.md`) without a usable spectrum."""
+"""Checks of the descriptions of substitute surfaces (`resources/README.md`)."""
 
 import math
 from collections.abc import Collection, Sequence

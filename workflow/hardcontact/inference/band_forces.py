@@ -73,5 +73,6 @@ def band_ratios_by_surface(
         (surface,): band_ratios(forces, parts_of_maps(forces, radius, rho), confidence)
         for surface, forces in forces_by_surface.items()
     }
+    # The bands are the same on all surfaces.
     edges = next(iter(forces_by_surface.values()))["band_edge"].isel(map=0, drop=True)
     return stack(surfaces, ["surface"]).assign(band_edge=edges)
