@@ -94,6 +94,14 @@ def test_keys_that_contradict_each_other_or_the_table_are_refused(
     assert_says(message, "config key", "expected", "found", *message_parts)
 
 
+def test_a_study_of_the_paper_needs_two_substrates(tmp_path, project_folder):
+    header, *rows = ROWS.splitlines()
+    text = "\n".join([header, *(row for row in rows if row.startswith(("uncd", "ruby")))])
+    names = ("indent.surface", "uncd", "substitutes.featured_surface", "none")
+    message = refusal(check_configuration, paper_configuration(*names), tmp_path, text)
+    assert_says(message, "config key surfaces", "two substrates", "found uncd")
+
+
 def test_values_at_their_limits_are_accepted(tmp_path, project_folder):
     config = paper_configuration(
         *("elastic.contacts", 401, "asperities.contacts", 401),  # all, if there are fewer

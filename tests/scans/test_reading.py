@@ -80,6 +80,17 @@ def test_a_round_aperture_is_cropped_to_the_square_inside(tmp_path):
     measurement = read_scan(write_scan(tmp_path / "a.nc", heights, (640.0, 640.0)), "", "harmonic")
     assert (measurement.pixels, measurement.undefined_count) == (45, 1)
     assert measurement.pixels == pytest.approx(64 / np.sqrt(2), abs=1)
+    small = heights[22:42, 22:42]
+    y, x = np.indices(small.shape) - 9.5
+    path = write_scan(tmp_path / "small.nc", np.ma.masked_where(np.hypot(y, x) > 10, small))
+    assert_says(refusal(read_scan, path, "", "harmonic"), "expected 16 to 8192 pixels", "found 1")
+
+
+@pytest.mark.parametrize("axis", [0, 1])
+def test_a_map_is_too_steep_along_either_axis(tmp_path, axis):
+    steps = 1e6 * (np.indices((32, 32))[axis] % 2)
+    path = write_scan(tmp_path / "a.nc", steps, (320.0, 320.0))
+    assert_says(refusal(read_scan, path), "a mean slope of at most 10")
 
 
 def test_heights_under_a_mask_count_unless_it_is_excluded(tmp_path):

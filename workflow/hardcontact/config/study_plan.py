@@ -54,8 +54,9 @@ class StudyPlan:
 
     @property
     def scan_groups(self) -> dict[tuple[int, ...], list[str]]:
-        """Groups of scans that are made together, by numbers, each with its substitutes."""
-        master_count = max(self.configuration[key]["realizations"] for key in ("sets", "exponents"))
+        """Substitutes by the scan numbers that one job makes."""
+        sections = ("scales", "sets", "exponents")
+        master_count = max(self.configuration[name]["realizations"] for name in sections)
         selection = self.selection
         groups = defaultdict[tuple[int, ...], list[str]](list)
         for surface in selection.substitutes:

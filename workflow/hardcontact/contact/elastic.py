@@ -135,8 +135,8 @@ def adhesive_pull_off(
 ) -> tuple[float, float]:
     """Return the pull-off forces (N) of one window, rigid and elastic.
 
-    The elastic force is the largest attraction less the load of the wall, over all loads (the
-    paper, elastic analysis). Raises ValueError if attraction stretches the bodies by over rho/10.
+    The elastic force is the maximum, over loads of the wall, of attraction minus load (the paper,
+    elastic analysis). Raises ValueError if attraction stretches the bodies by over rho/10.
     """
     rigid_gap = gap - gap.min()
     strength = work / rho * pixel_size**2
@@ -145,18 +145,21 @@ def adhesive_pull_off(
     half_space = HalfSpace(len(gap), pixel_size, modulus)
     elongation = half_space.displacement(attraction).max()
     if elongation > rho / 10:
-        raise ValueError(f"{EXPECTED}, found bodies stretched by {elongation:.2g} nm")
+        raise ValueError(
+            f"expected a stretch of at most rho/10 = {rho / 10:.2g} nm, found {elongation:.2g} nm"
+        )
 
     def pull(wall_load: float) -> float:
         """Return the attraction less the load of the wall (nN), from the previous attraction."""
         nonlocal attraction
-        while True:
+        for _ in range(MAX_ITERATIONS):
             wall = press(half_space, rigid_gap - half_space.displacement(attraction), wall_load)
             former_attraction = attraction
             # Gaps may be negative by MAX_OVERLAP.
             attraction = strength * np.exp(-np.maximum(wall.gap, 0) / rho)
             if np.abs(attraction - former_attraction).sum() < RELATIVE_RESIDUAL * attraction.sum():
                 return float(attraction.sum()) - wall_load
+        raise ValueError(f"{EXPECTED}, found none")
 
     step = LOAD_STEP * rigid
     elastic = pull(0.0)

@@ -68,7 +68,7 @@ def _name_faults(config: dict[str, Any], key: str, surfaces: list[str]) -> list[
     """Return the fault of a key that names a surface that is not in the table."""
     if get_key(config, key) in surfaces:
         return []
-    accepted = f"one of {', '.join(surfaces)}, surfaces of the table"
+    accepted = f"a surface of the table ({', '.join(surfaces)})"
     return [key_fault(key, accepted, get_key(config, key))]
 
 
@@ -91,6 +91,9 @@ def _paper_faults(config: dict[str, Any], contacts: pd.DataFrame) -> list[str]:
             "none` a study has any"
         )
         faults.append(key_fault("surfaces", accepted, ", ".join(unpublished)))
+    if len(substrates) == 1:
+        accepted = "two substrates or more, because range and work are fitted to their forces"
+        faults.append(key_fault("surfaces", accepted, *substrates))
     pool = config["sets"]["pool_size"]
     substitutes = contacts[(contacts.source == "substitute") & (contacts.surface != sphere)]
     scans = substitutes.surface.value_counts(sort=False)

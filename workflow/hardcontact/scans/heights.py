@@ -86,7 +86,9 @@ def _scan_fields(
             f"expected pixels and differences of height from {minimum:g} to {maximum:g} nm, "
             f"found pixels of {pixel_size:.6g} nm and heights from {low:.6g} to {high:.6g} nm"
         )
-    slope = np.abs(np.diff(heights)).mean() / pixel_size
+    slope = (
+        max(np.abs(np.diff(heights, axis=axis)).mean() for axis in range(heights.ndim)) / pixel_size
+    )
     if slope > MAX_MEAN_SLOPE:
         raise RefusedFile(f"expected a mean slope of at most {MAX_MEAN_SLOPE}, found {slope:.3g}")
     return {
@@ -107,6 +109,7 @@ def map_fields(topography: Any, factor: float, undefined_pixels: str) -> dict[st
     )
     columns, rows = heights.shape
     heights = _largest_square(heights)
+    refuse_point_counts(heights.shape)
     width = len(heights)
     if (width, width) != (columns, rows):
         caution = ""
