@@ -11,7 +11,7 @@ with run_job(snakemake) as job:
     mirrored = load_height_map(job.input.mirrored)
     sphere = load_height_map(job.input.sphere) if job.input.sphere else None
     compute_forces = make_force_function(Contact(**params["contact"]), sphere)
-    # A mirrored scan is twice as long as the scan, whose mirror images add no longer waves.
+    # Longer waves of the mirrored scan are not in the scan, so octaves end at its size.
     scan_size = mirrored.size / 2
     limits = octave_limits(2 * mirrored.pixel_size, scan_size)
     job.write(
