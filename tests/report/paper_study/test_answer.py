@@ -82,12 +82,16 @@ def test_an_edge_at_wavelengths_of_artificial_roughness_says_so():
         scales_with_transitions = datasets()["scales"].assign(transition=("side", [small, large]))
         rows = change_claim("short_edge_first", computed=50.0)
         rows.loc[rows["id"] == ANSWER_CLAIMS["long_edge_first"], "computed"] = 2000.0
+        mean_edge = datasets()["edges"]["edge"].sel(group="mean", side="short").item()
+        shift = rows["id"] == ANSWER_CLAIMS["plasticity_shift"]
+        rows.loc[shift, "computed"] = mean_edge / 50.0  # from an edge of 50 nm
         artificial_answer = answer(rows, scales=scales_with_transitions)
         numbers = numbers_of_answer(artificial_answer)
-        sources[small] = [numbers[name].source for name in ("short_edge_first", "long_edge_first")]
+        names = ("short_edge_first", "long_edge_first", "plasticity_shift")
+        sources[small] = [numbers[name].source for name in names]
         mcd = numbers_of_answer(artificial_answer, "mcd")
         assert mcd["short_edge"].source == sources[small][0]
-    assert sources == {20.0: ["computed"] * 2, 80.0: ["artificial"] * 2}
+    assert sources == {20.0: ["computed"] * 3, 80.0: ["artificial"] * 3}
 
 
 def test_forces_on_scans_equal_those_on_windows_of_their_size():

@@ -207,6 +207,9 @@ def _claim_numbers(name: str, row: Any, datasets: Mapping[str, xr.Dataset]) -> l
             source = _edge_source(datasets["scales"], side, row.computed)
         if name == edge_name and np.isnan(mean_edges.sel(side=side).item()):
             status = OPEN_STATUSES[side]
+    if name.endswith("_shift"):  # The edge without this reason may lie in artificial roughness.
+        former_edge = mean_edges.sel(side="short").item() / row.computed
+        source = _edge_source(datasets["scales"], "short", former_edge)
     return [
         Number(name, row.computed, row.unit, row.low, row.high, status, source),
         Number(f"{name}_published", row.published, row.unit, source="published"),
