@@ -80,14 +80,14 @@ def wall_forces(influence: Floats, gaps: Floats, load: float) -> tuple[Floats, f
     for _ in range(MAX_ITERATIONS):
         system = np.pad(influence[np.ix_(touching, touching)], (0, 1), constant_values=1.0)
         system[-1, -1] = 0.0
-        *solution, approach = np.linalg.solve(system, np.append(-gaps[touching], load))
+        *solution, separation = np.linalg.solve(system, np.append(-gaps[touching], load))
         forces = np.zeros(len(gaps))
         forces[touching] = solution
-        # The last unknown raises all gaps; minus this is the approach of the bodies.
-        gaps_left = gaps + influence @ forces + approach
+        # The separation raises all gaps; the approach is its negative.
+        gaps_left = gaps + influence @ forces + separation
         now_touching = np.where(touching, forces > 0, gaps_left < 0)
         if np.array_equal(now_touching, touching):
-            return forces, -approach
+            return forces, -separation
         touching = now_touching if now_touching.any() else gaps == gaps.min()
     raise ValueError(f"{EXPECTED}, found none")
 

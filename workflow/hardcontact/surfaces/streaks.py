@@ -22,7 +22,7 @@ MIN_LENGTH_RATIO = 2
 MIN_END_STEPS = 1.0
 #: Widths of streaks in lines.
 STREAK_WIDTHS = (1, 2, 3)
-#: Streaks on neighbouring lines hide each other, and appear when the others are filled.
+#: Largest number of rounds: a streak may appear only when its neighbour is filled.
 MAX_FILLINGS = 20
 
 
@@ -32,11 +32,11 @@ def find_streaks(heights: Floats) -> Iterator[Mask]:
     Only the sign with more pixels counts: a line between two streaks seems to have the other.
     """
     for width in STREAK_WIDTHS:
-        along = [_run_lengths(_candidates(steps)) for steps in _distances(heights, width)]
-        across = [_run_lengths(_candidates(steps)) for steps in _distances(heights.T, width)]
-        longest_across = max(lengths.max() for lengths in across)
-        min_length = max(MIN_STREAK_PIXELS, MIN_LENGTH_RATIO * longest_across + 1)
-        is_above, is_below = along[0] >= min_length, along[1] >= min_length
+        along_x = [_run_lengths(_candidates(steps)) for steps in _distances(heights, width)]
+        along_y = [_run_lengths(_candidates(steps)) for steps in _distances(heights.T, width)]
+        longest_along_y = max(lengths.max() for lengths in along_y)
+        min_length = max(MIN_STREAK_PIXELS, MIN_LENGTH_RATIO * longest_along_y + 1)
+        is_above, is_below = (lengths >= min_length for lengths in along_x)
         yield is_above if is_above.sum() >= is_below.sum() else is_below
 
 

@@ -1,6 +1,7 @@
 """Where the closed form is validated, and the ratios of computed to predicted values there.
 
-Ratios come from designed surfaces that were held out while the closed form was developed.
+Ratios come from designed surfaces that were held out while the closed form was developed, but for
+one choice (workflow/report/theory.md, Close points).
 """
 
 import math
@@ -28,7 +29,7 @@ NEAREST_SURFACES = 19
 MIN_WEIBULL_MODULUS = 1e-3
 #: Predicted and computed quantities: columns of the table.
 VALIDATED_QUANTITIES = ("force", "short_edge", "long_edge")
-#: Parameters within whose ranges in the table an input must lie, with their units.
+#: Parameters that must lie within the ranges of the table, with their units.
 VALIDATED_PARAMETERS = {
     "rho": "nm", "radius": "nm", "weibull_modulus": "1", "contact_over_peak_wavelength": "1",
     "mean_hurst": "1", "mean_hurst_change": "1",
@@ -40,7 +41,8 @@ FITTED_POINTS = 40
 class Validity(StrEnum):
     """Whether the closed form is validated for an input, so that its error is known.
 
-    STEEP_SIDEWALLS: heights are not Gaussian, and the closed form gives no force.
+    INSIDE: all parameters lie in the tested ranges. OUTSIDE: one does not. STEEP_SIDEWALLS: heights
+    are not Gaussian, and the closed form gives no force.
     """
 
     INSIDE, OUTSIDE, STEEP_SIDEWALLS = "inside", "outside", "steep_sidewalls"
@@ -63,7 +65,7 @@ def held_out_surfaces() -> pd.DataFrame:
 
 
 def table_point(spectrum: Spectrum, contact: Contact, form: ClosedForm) -> dict[str, Any]:
-    """Return the regime of a spectrum, without zeros at its ends, and its validated parameters."""
+    """Return the validated parameters of a spectrum that does not end in zeros, and its regime."""
     mean_hurst, mean_hurst_change = mean_hurst_and_change(spectrum, math.sqrt(contact.area))
     return {
         "rho": contact.rho,

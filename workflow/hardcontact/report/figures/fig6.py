@@ -66,7 +66,7 @@ def _legend_handles(edges: xr.Dataset, short: float, long: float) -> list[Artist
         *style.surface_handles(edges),
         Line2D([], [], lw=1.4, color="0.3", label=f"{confidence} interval (bars)"),
         Patch(label=f"change below {tolerance}", **panels.UNCHANGED_LOOK),
-        Line2D([], [], label=f"edge: crossing of {tolerance}", mec="0.3", **CROSSING),
+        Line2D([], [], label=f"edge: outermost crossing of {tolerance}", mec="0.3", **CROSSING),
         Line2D([], [], label=f"published: {short:g} and {long:g} nm", **PUBLISHED_LINE),
         Patch(label="artificial roughness", **style.ARTIFICIAL_LOOK),
     ]
