@@ -61,8 +61,10 @@ def force_dataset(
         adhesion, work=contact.work, rho=contact.rho, scan_sizes=scan_sizes, confidence=confidence
     )
     extrapolated_forces = forces_on_masters(scales, master_scans, contact.work, confidence)
+    # Both forces are compared before pixels and hindcast widen the intervals.
     force = add_extrapolated_force(force, extrapolated_forces, tolerance)
     force = _widen_intervals(force, hindcast, contact.rho)
+    # The bound also holds for widened intervals.
     force = bound_by_smooth_sphere(force, contact.area)
     names = force["surface"].values
     surface_spectra = [spectrum_of_dataset(spectra.sel(surface=name)) for name in names]
