@@ -34,36 +34,42 @@ class StorePatterns:
         folder = {kind: f"{store}/{kind}/{digest}" for kind, digest in self.digests.items()}
         rough_sphere = f"{plan.selection.sphere}/{{sphere_digest}}"
 
-        self.calibrated_spectra = f"{store}/spectra/{_SURFACE}/calibrated.nc"
-        self.measured_spectra = f"{folder['measured_spectra']}/{_SURFACE}/measured-{{shape}}.nc"
-        # A spectrum sampled within the uncertainty of the measurements.
-        self.sampled_spectra = f"{folder['sampled_spectra']}/{_REALIZATION}-{{shape}}.nc"
-        self.measurements = f"{folder['measurements']}/{MEASUREMENT}"
+        # Scans: as read, made together (named by the first of a group), levelled, mirrored.
         scans = self.digests["scans"]
-        self.conditioning = f"{store}/conditioning/{scans}/{_SCAN}"  # scan: the first of its group
+        self.measurements = f"{folder['measurements']}/{MEASUREMENT}"
+        self.conditioning = f"{store}/conditioning/{scans}/{_SCAN}"
         self.levelled_scans = f"{store}/scans/{scans}/{_SCAN}"
         self.mirrored_scans = f"{store}/mirrored/{scans}/{_SCAN}"
 
-        both_surfaces = f"{{radius}}/{{loading}}/{_SURFACE}/{rough_sphere}.nc"
-        self.elastic = f"{folder['elastic']}/{both_surfaces}"
-        self.asperities = f"{folder['asperities']}/{both_surfaces}"
+        # Spectra: of a substitute, of all measurements, and sampled within their uncertainty.
+        self.calibrated_spectra = f"{store}/spectra/{_SURFACE}/calibrated.nc"
+        self.measured_spectra = f"{folder['measured_spectra']}/{_SURFACE}/measured-{{shape}}.nc"
+        self.sampled_spectra = f"{folder['sampled_spectra']}/{_REALIZATION}-{{shape}}.nc"
 
+        # The same with the roughness of both bodies.
+        self.combined_scans = f"{folder['both_bodies']}/{_SURFACE}/scan-{{scan}}.nc"
+        self.combined_spectra = f"{folder['both_bodies']}/{_SURFACE}/spectrum.nc"
+        self.combined_sampled_spectra = f"{folder['both_bodies']}/{_REALIZATION}.nc"
+
+        # Contacts on all scans of a surface, and on one scan.
+        two_bodies = f"{{radius}}/{{loading}}/{_SURFACE}/{rough_sphere}.nc"
+        self.elastic = f"{folder['elastic']}/{two_bodies}"
+        self.asperities = f"{folder['asperities']}/{two_bodies}"
         contact = f"{{radius}}/{{loading}}/{{rho}}/{_SURFACE}"
+        scan_on_sphere = f"{rough_sphere}/{contact}/scan-{{scan}}.nc"
+        self.pull_off = f"{folder['pull_off']}/{scan_on_sphere}"
+        self.perturbed_scans = f"{folder['perturbed_scans']}/{scan_on_sphere}"
+        self.hindcast = f"{folder['hindcast']}/{scan_on_sphere}"
+
+        # Contacts on other surfaces of the same spectrum, some in each file.
         self.pool = f"{folder['pool']}/{contact}/scans-{{first}}-{{last}}.nc"
         self.whole_surfaces = f"{folder['whole_surfaces']}/{contact}/surfaces-{{first}}-{{last}}.nc"
         self.featured_candidates = (
             f"{folder['featured_candidates']}/{contact}/{{features}}/{{first}}-{{last}}.nc"
         )
-        scan_on_sphere = f"{rough_sphere}/{contact}/scan-{{scan}}.nc"
-        self.pull_off = f"{folder['pull_off']}/{scan_on_sphere}"
-        self.perturbed_scans = f"{folder['perturbed_scans']}/{scan_on_sphere}"
-        self.hindcast = f"{folder['hindcast']}/{scan_on_sphere}"
-        # The roughness of both bodies.
-        self.combined_scans = f"{folder['both_bodies']}/{_SURFACE}/scan-{{scan}}.nc"
-        self.combined_spectra = f"{folder['both_bodies']}/{_SURFACE}/spectrum.nc"
-        self.combined_sampled_spectra = f"{folder['both_bodies']}/{_REALIZATION}.nc"
+
+        # Masters, and the forces on them at lists of radii, loadings and ranges.
         self.masters = f"{folder['masters']}/{_REALIZATION}/{{side}}.nc"
-        # Forces at lists of radii, loadings and ranges.
         sweep = f"{{settings_digest}}/{{radii}}/{{loadings}}/{{ranges}}/{_SURFACE}"
         realizations = f"{rough_sphere}/realizations-{{first}}-{{last}}.nc"
         self.filtered_masters = f"{store}/filtered/{{purpose}}/{sweep}/{realizations}"
@@ -84,21 +90,21 @@ class StudyPaths:
         """Return the path of another final file, named with its suffix."""
         return f"{self.results}/{file}"
 
-    def figure(self, name: str, kind: str) -> str:
-        """Return the path of a figure, by its kind: pdf, png, svg or csv."""
-        return f"{self.results}/figures/{name}.{kind}"
+    def figure(self, name: str, suffix: str) -> str:
+        """Return the path of a figure with the suffix pdf, png, svg or csv."""
+        return f"{self.results}/figures/{name}.{suffix}"
 
     def page(self, name: str) -> str:
         """Return the path of a page of the report."""
         return f"{self.results}/report/{name}.html"
 
-    def run_file(self, kind: str, suffix: str, rule: str, output: str) -> str:
+    def run_file(self, folder: str, suffix: str, rule: str, output: str) -> str:
         """Return the path of the log or benchmark of a rule, with the wildcards of its output."""
         if "{" not in output:
-            return f"{self.results}/{kind}/{rule}{suffix}"
+            return f"{self.results}/{folder}/{rule}{suffix}"
         root = self.store if output.startswith(f"{self.store}/") else self.results
         _, *folders = PurePosixPath(output).relative_to(root).with_suffix(suffix).parts
-        return "/".join((root, kind, rule, *folders))
+        return "/".join((root, folder, rule, *folders))
 
 
 def any_name_pattern(names: Iterable[str]) -> str:
