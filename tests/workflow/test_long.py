@@ -24,7 +24,7 @@ FAULTS = [
     ("--default-resources slurm_partition=members slurm_account=nobody", {}, "Invalid account",
      "slurm_account"),
     ("--set-resources compute_filtered_forces:runtime=1", {"STEP_DELAY": "100"},
-     "DUE TO TIME RUN_SECONDS", "runtime"),
+     "DUE TO TIME LIMIT", "runtime"),
     ("--set-resources compute_filtered_forces:mem_mb=60", {}, "exceeded memory limit", "mem_mb"),
 ]  # fmt: skip
 
