@@ -69,7 +69,7 @@ def test_the_given_size_is_the_longer_side_of_files_without_a_size(tmp_path):
     path = written(tmp_path / "a.txt", matrix(" ")[:20])
     assert read_scan(path, unit="nm", map_size=240.0).pixel_size == pytest.approx(10.0)
     path = written(tmp_path / "b.txt", [*(line.replace(",", ".") for line in HEAD), *METRES])
-    measurement = read_scan(path, unit="nm", map_size=999.0)
+    measurement = read_scan(path, unit="m", map_size=240.0)
     assert measurement.pixel_size == pytest.approx(10.0) and measurement.notes == ()
 
 

@@ -86,6 +86,14 @@ def test_a_round_aperture_is_cropped_to_the_square_inside(tmp_path):
     assert_says(refusal(read_scan, path, "", "harmonic"), "expected 16 to 8192 pixels", "found 1")
 
 
+def test_a_unit_and_a_size_that_the_file_contradicts_are_not_used_in_silence(tmp_path):
+    path = write_scan(tmp_path / "a.nc", random_heights(32, 32), (320.0, 320.0))
+    assert read_scan(path, unit="nm", map_size=320.0).notes == ()
+    scan = read_scan(path, unit="um", map_size=640.0)
+    assert scan.size == pytest.approx(320.0)
+    assert_says("; ".join(scan.notes), "unit, um, is not used", "states nm", "640 nm", "320 nm")
+
+
 @pytest.mark.parametrize("axis", [0, 1])
 def test_a_map_is_too_steep_along_either_axis(tmp_path, axis):
     steps = 1e6 * (np.indices((32, 32))[axis] % 2)
@@ -176,7 +184,7 @@ def test_a_given_unit_serves_files_without_a_unit(tmp_path):
     )
     np.testing.assert_allclose(measurement.heights, 1e3 * values)
     measurement_in_nm = read_scan(write_scan(tmp_path / "a.nc"), unit="um")
-    assert measurement_in_nm.pixel_size == pytest.approx(10.0) and not measurement_in_nm.notes
+    assert measurement_in_nm.pixel_size == pytest.approx(10.0)
 
 
 @pytest.mark.parametrize("form", MAPS_AND_LINES)

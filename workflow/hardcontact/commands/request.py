@@ -30,9 +30,9 @@ def new_arguments(arguments: Sequence[str]) -> Namespace:
     parser.add_argument(
         "command", choices=["new", "predict", "verify", "compare"],
         metavar="{new,predict,verify,compare}",
-        help="new: make a study of your surfaces; predict: a force from a spectrum, see "
-        "hardcontact predict --help; verify: check the files of a finished study; compare: the "
-        "numbers of two studies",
+        help="new: make a study of your surfaces; predict: the force on a scan, or from a "
+        "spectrum, see hardcontact predict --help; verify: check the files of a finished study; "
+        "compare: the numbers of two studies",
     )  # fmt: skip
     parser.add_argument(
         "name", metavar="NAME", help="name of the study; results go to results/NAME/"

@@ -2,6 +2,7 @@
 
 import math
 import re
+from collections.abc import Iterator
 from contextlib import suppress
 from typing import Any
 
@@ -10,6 +11,7 @@ from SurfaceTopography import Topography
 from SurfaceTopography.Exceptions import MetadataAlreadyFixedByFile
 from SurfaceTopography.IO import AscReader, GWYReader, XYZReader
 
+from hardcontact.base.formatting import format_length
 from hardcontact.scans.heights import (
     LENGTH_BOUNDS,
     MAX_ASPECT_DEVIATION,
@@ -63,6 +65,7 @@ def read_fields(
     except RefusedFile as error:
         remedy = "; --unit mm,nm (scan.unit: mm,nm) gives positions and heights a unit each"
         raise RefusedFile(f"{error}{remedy if unit == topography.unit else ''}") from None
+    notes += [] if entry else _notes_on_unused_options(channel, unit, map_size)
     tip_radius, tip_notes = find_tip_radius(topography.info, entry)
     return {
         "dataset": dataset if entry or len(reader.channels) > 1 else "",
@@ -130,6 +133,19 @@ def _user_metadata(channel: Any, unit: str, map_size: float | str) -> dict[str, 
         pixel_size = float(map_size) / unit_in_nm(known_unit) / max(channel.nb_grid_pts)
         metadata["size"] = [pixel_size * count for count in channel.nb_grid_pts]
     return metadata
+
+
+def _notes_on_unused_options(channel: Any, unit: str, map_size: float | str) -> Iterator[str]:
+    """Yield a note for a unit and for a size of the user that the file contradicts."""
+    if not isinstance(channel.unit, str):
+        return
+    if unit != NOT_GIVEN and unit_in_nm(unit.partition(",")[0]) != unit_in_nm(channel.unit):
+        yield f"the given unit, {unit}, is not used: the file states {channel.unit}"
+    if map_size != NOT_GIVEN and channel.physical_sizes is not None:
+        size = max(channel.physical_sizes) * unit_in_nm(channel.unit)
+        if not math.isclose(float(map_size), size, rel_tol=0.01):
+            given, stated = format_length(float(map_size)), format_length(size)
+            yield f"the given size, {given}, is not used: the file states {stated}"
 
 
 def _read_topography(channel: Any, metadata: dict[str, Any]) -> tuple[Any, list[str]]:
