@@ -8,15 +8,13 @@ from hardcontact.surfaces.synthesis import SIDES
 MASTERS = CHUNKS.filtered_masters("scales")
 #: Masters of sampled spectra, which the user's surfaces alone have.
 SAMPLED_MASTERS = [] if IS_PAPER_STUDY else CHUNKS.filtered_masters("sampled")
-#: Masters of the paper's study are independent samples; the intervals of the user's count shared scans.
-FIND_MASTER_SCAN = SELECTION.separate_master_scan if IS_PAPER_STUDY else SELECTION.master_scan
 
 
 rule synthesize_masters:
     """Replace wavelengths of a scan beyond the transition of a side by random roughness."""
     input:
         scan=lambda w: FILES.contact_map_path(
-            w.surface, FIND_MASTER_SCAN(w.surface, int(w.realization))
+            w.surface, PLAN.master_scan(w.surface, int(w.realization))
         ),
         spectrum=lambda w: FILES.contact_spectrum_path(w.surface),
     output:

@@ -5,7 +5,7 @@ from collections import defaultdict
 from collections.abc import Iterable, Mapping
 from typing import Any, NamedTuple
 
-from hardcontact.config.configuration import combines_bodies, study_contact
+from hardcontact.config.configuration import combines_bodies, is_paper_study, study_contact
 from hardcontact.config.selected_surfaces import Selection
 
 #: Minimum number of positions on a rough sphere that touch each surface of the user. With 16 an
@@ -65,6 +65,15 @@ class StudyPlan:
             for group in range(last_group + 1):
                 groups[tuple(selection.scans_of_group(surface, group))].append(surface)
         return groups
+
+    def master_scan(self, surface: str, master_number: int) -> int:
+        """Return the number of the scan in a master, in the paper's study one for each master.
+
+        There, masters are independent samples. The intervals of the user's count shared scans.
+        """
+        if is_paper_study(self.configuration):
+            return self.selection.separate_master_scan(surface, master_number)
+        return self.selection.master_scan(surface, master_number)
 
     def sphere_radius(self, surface: str) -> float | None:
         """Return the radius (nm) of the sphere in scans of its surface, None in other scans."""

@@ -87,5 +87,5 @@ def filtered_settings(configuration: Mapping[str, Any], purpose: str) -> dict[st
 
 
 def filter_megabytes(settings: Mapping[str, Any]) -> int:
-    """Return the memory (MB) of a job that filters masters, by the larger of its two masters."""
+    """Return the memory (MB) of a job that filters masters, by its largest master."""
     return master_megabytes(max(side["pixels"] for side in settings["sides"].values()))

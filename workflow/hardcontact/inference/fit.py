@@ -66,9 +66,12 @@ def best_fit(mean_forces: Floats, measured_forces: Floats, ranges: Floats) -> di
     """Return the best pair and its error (...), by FIT_ATTRS; NaN if a computed force is NaN."""
     works, errors = fit_work(mean_forces, measured_forces)
     work, error = minimum_along_axis(errors, works)
-    best_range = ranges[errors.argmin(axis=-1)]
-    best_range, work = (np.where(np.isfinite(error), best, np.nan) for best in (best_range, work))
-    return {"range_of_adhesion": best_range, "work_of_adhesion": work, "best_error": error}
+    is_known = np.isfinite(error)
+    return {
+        "range_of_adhesion": np.where(is_known, ranges[errors.argmin(axis=-1)], np.nan),
+        "work_of_adhesion": np.where(is_known, work, np.nan),
+        "best_error": error,
+    }
 
 
 def fit_mean_forces(mean_forces: xr.DataArray, measured_forces: pd.Series) -> xr.Dataset:

@@ -182,7 +182,7 @@ def delete_one_logarithms(
 
 
 def jackknife_variance(logarithms: Floats, scan_parts: ScanParts) -> Variance:
-    """Return the corrected variance of `delete_one_logarithms`: see `variance_correction`."""
+    """Return the corrected jackknife variance of a statistic from its `delete_one_logarithms`."""
     factor, degrees_of_freedom = scan_parts.variance_correction
     return Variance((len(logarithms) - 1) * logarithms.var(axis=0) * factor, degrees_of_freedom)
 
@@ -222,9 +222,10 @@ def log_force_ratio(
 def sample_deviations(
     rng: np.random.Generator, logarithms: Floats, scan_parts: ScanParts, samples: int
 ) -> Floats:
-    """Sample deviations (samples, ...) of `delete_one_logarithms` from their mean, by Student's t.
+    """Sample deviations (samples, ...) of the logarithm of a statistic from its mean over parts.
 
-    With one generator, parts that differ in their correlation alone share random numbers.
+    They follow Student's t; `logarithms` come from `delete_one_logarithms`. With one generator,
+    parts that differ in their correlation alone share random numbers.
     """
     from scipy import special
 

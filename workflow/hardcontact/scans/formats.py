@@ -65,7 +65,8 @@ def read_fields(
     except RefusedFile as error:
         remedy = "; --unit mm,nm (scan.unit: mm,nm) gives positions and heights a unit each"
         raise RefusedFile(f"{error}{remedy if unit == topography.unit else ''}") from None
-    notes += [] if entry else _notes_on_unused_options(channel, unit, map_size)
+    if not entry:
+        notes += _notes_on_unused_options(channel, unit, map_size)
     tip_radius, tip_notes = find_tip_radius(topography.info, entry)
     return {
         "dataset": dataset if entry or len(reader.channels) > 1 else "",

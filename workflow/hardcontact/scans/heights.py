@@ -86,9 +86,8 @@ def _scan_fields(
             f"expected pixels and differences of height from {minimum:g} to {maximum:g} nm, "
             f"found pixels of {pixel_size:.6g} nm and heights from {low:.6g} to {high:.6g} nm"
         )
-    slope = (
-        max(np.abs(np.diff(heights, axis=axis)).mean() for axis in range(heights.ndim)) / pixel_size
-    )
+    mean_steps = [np.abs(np.diff(heights, axis=axis)).mean() for axis in range(heights.ndim)]
+    slope = max(mean_steps) / pixel_size
     if slope > MAX_MEAN_SLOPE:
         raise RefusedFile(f"expected a mean slope of at most {MAX_MEAN_SLOPE}, found {slope:.3g}")
     return {

@@ -36,7 +36,7 @@ def find_streaks(heights: Floats) -> Iterator[Mask]:
         along_y = [_run_lengths(_candidates(steps)) for steps in _distances(heights.T, width)]
         longest_along_y = max(lengths.max() for lengths in along_y)
         min_length = max(MIN_STREAK_PIXELS, MIN_LENGTH_RATIO * longest_along_y + 1)
-        is_above, is_below = (lengths >= min_length for lengths in along_x)
+        is_above, is_below = np.array(along_x) >= min_length
         yield is_above if is_above.sum() >= is_below.sum() else is_below
 
 

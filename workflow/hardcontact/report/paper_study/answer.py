@@ -207,7 +207,7 @@ def _claim_numbers(name: str, row: Any, datasets: Mapping[str, xr.Dataset]) -> l
             source = _edge_source(datasets["scales"], side, row.computed)
         if name == edge_name and np.isnan(mean_edges.sel(side=side).item()):
             status = OPEN_STATUSES[side]
-    if name.endswith("_shift"):  # The edge without this reason may lie in artificial roughness.
+    if name.endswith("_shift"):  # It rests on the edge without this reason, too.
         former_edge = mean_edges.sel(side="short").item() / row.computed
         source = _edge_source(datasets["scales"], "short", former_edge)
     return [
