@@ -50,12 +50,12 @@ def compare(arguments: Namespace) -> str:
     names = [answer["study"] for answer in answers]
     if names[0] == names[1]:
         names = [arguments.first, arguments.second]
-    first, second = (_read_sets(path) for path in paths)
-    facts = {"studies": names, "digits": EQUAL_DIGITS, "pairing": pairing(first, second)}
+    first_sets, second_sets = (_read_sets(path) for path in paths)
+    facts = {"studies": names, "digits": EQUAL_DIGITS, "pairing": pairing(first_sets, second_sets)}
     facts["inputs"], numbers = compare_answers(*answers)
     if facts["pairing"] == "paired":
-        numbers = add_paired_intervals(numbers, first, second)
-        facts["confidence"] = first["sets"].attrs["confidence"]
+        numbers = add_paired_intervals(numbers, first_sets, second_sets)
+        facts["confidence"] = first_sets["sets"].attrs["confidence"]
     facts["numbers"] = sorted(numbers, key=lambda number: number.sort_key)
     if arguments.html is not None:
         page = render_document("compare.html", Frame(version("hardcontact")), "comparison", **facts)
@@ -79,8 +79,8 @@ def _answer_path(path: str) -> str:
 def _read_answer(path: str) -> dict[str, Any]:
     """Return the content of answer.json, if it is the answer of a study."""
     if not Path(path).is_file():
-        found = UNFINISHED if Path(path).parent.is_dir() else "no such folder"
-        raise ValueError(f"{path}: expected the answer of a finished study, found {found}")
+        problem = UNFINISHED if Path(path).parent.is_dir() else "no such folder"
+        raise ValueError(f"{path}: expected the answer of a finished study, found {problem}")
     try:
         answer: dict[str, Any] = json.loads(Path(path).read_text("utf-8"))
         answer["kind"], answer["quantities"]

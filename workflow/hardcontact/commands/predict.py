@@ -150,7 +150,7 @@ def write_numbers(numbers: Mapping[str, Number], notes: Sequence[str], arguments
     return content
 
 
-def _as_json(numbers: Mapping[str, Number]) -> str:
+def _write_json(numbers: Mapping[str, Number]) -> str:
     """Return numbers as JSON by name; intervals and statuses are there if they are known."""
     entries: dict[str, dict[str, Any]] = {}
     for name, number in numbers.items():
@@ -162,7 +162,7 @@ def _as_json(numbers: Mapping[str, Number]) -> str:
     return json.dumps(entries, indent=2, allow_nan=False)
 
 
-def _as_csv(numbers: Mapping[str, Number]) -> str:
+def _write_csv(numbers: Mapping[str, Number]) -> str:
     """Return numbers as a table, one row each; unknown cells are empty."""
     columns = ["quantity", "value", "unit", "low", "high", "status"]
     table = pd.DataFrame([number[:6] for number in numbers.values()], columns=columns)
@@ -171,7 +171,7 @@ def _as_csv(numbers: Mapping[str, Number]) -> str:
 
 
 #: Writers of files of numbers, by the option that names the file.
-WRITERS: dict[str, Callable[[Mapping[str, Number]], str]] = {"json": _as_json, "csv": _as_csv}
+WRITERS: dict[str, Callable[[Mapping[str, Number]], str]] = {"json": _write_json, "csv": _write_csv}
 
 
 def _report(inputs: Inputs, numbers: Mapping[str, Number], arguments: Namespace) -> str:

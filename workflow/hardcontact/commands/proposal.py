@@ -233,15 +233,16 @@ def _decisive_scans(
     bodies = [(scan, sphere_scans) for scan in substrates]
     bodies += [(scan, substrates) for scan in sphere_scans]
     rough_scans = [
-        scan for scan, others in bodies if _is_rougher(scan, others, getattr(scan.band, end))
+        scan for scan, partners in bodies if _is_rougher(scan, partners, getattr(scan.band, end))
     ]
     return rough_scans or [*substrates, *sphere_scans]
 
 
-def _is_rougher(scan: Entry, others: Sequence[Entry], wavelength: float) -> bool:
+def _is_rougher(scan: Entry, partners: Sequence[Entry], wavelength: float) -> bool:
     """Return False if all scans of the other body have more power at a wavelength (nm)."""
     index = nearest_bin(wavelength)
-    return not others or any(not other.density[index] > scan.density[index] for other in others)
+    is_lower = [partner.density[index] > scan.density[index] for partner in partners]
+    return not (partners and all(is_lower))
 
 
 def _adhesion_ranges(rho: float, shortest_range: float, count: int) -> list[float]:

@@ -48,10 +48,10 @@ def arguments_in_messages() -> Iterator[None]:
     try:
         yield
     except ValueError as error:
-        raise ValueError(REMEDY.sub(_as_argument, str(error))) from None
+        raise ValueError(REMEDY.sub(_format_argument, str(error))) from None
 
 
-def _as_argument(remedy: re.Match[str]) -> str:
+def _format_argument(remedy: re.Match[str]) -> str:
     """Return a remedy as the argument of a function."""
     name, value = remedy.groups()
     return f"{name}={value.removesuffix('nm')}" if value[0].isdigit() else f'{name}="{value}"'

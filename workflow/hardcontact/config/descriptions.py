@@ -71,10 +71,10 @@ def refuse_paper_surface(path: str | Path, surface: str, published: Collection[s
             f"({surface}), found none"
         )
     if not segments.evidence.isin(DATA_EVIDENCE).any():
-        found = ", ".join(map(quote_key, segments.evidence.unique()))
+        evidence = ", ".join(map(quote_key, segments.evidence.unique()))
         raise ValueError(
             f"{path}: expected, in a study of your surfaces, a segment whose evidence is "
-            f"{' or '.join(DATA_EVIDENCE)}, found {found}"
+            f"{' or '.join(DATA_EVIDENCE)}, found {evidence}"
         )
 
 

@@ -144,9 +144,9 @@ def _describe_unknown(model: type[BaseModel], section: type[BaseModel], names: l
     current = [RENAMED_KEYS.get(name, name) for name in names]
     matches = [difflib.get_close_matches(name, written, 1, SIMILARITY) for name in current]
     suggestions = ", ".join(dict.fromkeys(written[key] for keys in matches for key in keys))
-    expected = "a key that exists" if all(matches) else f"one of {', '.join(known_keys)}"
+    accepted = "a key that exists" if all(matches) else f"one of {', '.join(known_keys)}"
     question = f" (did you mean {suggestions}?)" if suggestions else ""
-    return f"expected {expected}; found {', '.join(sorted(names))[:200]}{question}"
+    return f"expected {accepted}; found {', '.join(sorted(names))[:200]}{question}"
 
 
 def key_fields(section: type[BaseModel], prefix: str = "") -> Iterator[tuple[str, FieldInfo]]:

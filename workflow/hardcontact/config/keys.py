@@ -308,8 +308,8 @@ class Study(Keys):
         faults = []
         if self.effort == "quick" and not self.quick:
             accepted = "full, because the section quick has no keys"
-            found = "quick (the quick study of the paper: --configfile config/quick.yaml)"
-            faults.append(key_fault("effort", accepted, found))
+            problem = "quick (the quick study of the paper: --configfile config/quick.yaml)"
+            faults.append(key_fault("effort", accepted, problem))
         repeated_names = sorted({"study", "store"} & self.quick.keys())
         if repeated_names:
             accepted = f"neither study nor store, whose names at quick effort end in {QUICK_SUFFIX}"
@@ -333,8 +333,8 @@ class Study(Keys):
             accepted = "a folder in results or outside of the project"
             faults.append(key_fault("store", accepted, self.store))
         paths = Path(folder), Path(self.store)
-        for link in dict.fromkeys(part for path in paths for part in (path, *path.parents)):
+        for link in dict.fromkeys(link for path in paths for link in (path, *path.parents)):
             if link.is_symlink() and not link.exists():
-                found = f"{link}, a link to {link.readlink()}, which is missing"
-                faults.append(key_fault("study and store", "folders, or links to folders", found))
+                problem = f"{link}, a link to {link.readlink()}, which is missing"
+                faults.append(key_fault("study and store", "folders, or links to folders", problem))
         return faults

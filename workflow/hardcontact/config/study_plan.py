@@ -128,8 +128,8 @@ class StudyPlan:
     @property
     def sphere_positions(self) -> list[int]:
         """Numbers of the positions on the sphere: those of its scans if each has one position."""
-        scans, per_row = self.selection.sphere_scans, self.positions_per_row
-        return scans if per_row == 1 else list(range(1, len(scans) * per_row**2 + 1))
+        scans, row_positions = self.selection.sphere_scans, self.positions_per_row
+        return scans if row_positions == 1 else list(range(1, len(scans) * row_positions**2 + 1))
 
     @property
     def contacts_per_row_at_position(self) -> int:

@@ -27,8 +27,8 @@ def band_parts(surface: HeightMap, band: tuple[float, float]) -> list[HeightMap]
     """
     series = filtered_series(surface, "short", band, surface.pixels)
     band_and_longer, longer = (waves.heights for waves in series)
-    parts = (band_and_longer - longer, band_and_longer, surface.heights - longer)
-    return [replace(surface, heights=heights) for heights in parts]
+    part_heights = (band_and_longer - longer, band_and_longer, surface.heights - longer)
+    return [replace(surface, heights=heights) for heights in part_heights]
 
 
 def band_force_dataset(
@@ -40,7 +40,7 @@ def band_force_dataset(
     in N at 1 J/m²; ``band_edge`` (band, side) has the edges of the bands in nm.
     """
     part_forces = [
-        [compute_forces(part) for part in band_parts(surface, band)] for band in bands.values()
+        [compute_forces(waves) for waves in band_parts(surface, band)] for band in bands.values()
     ]
     return xr.Dataset(
         {

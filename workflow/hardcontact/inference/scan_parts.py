@@ -176,8 +176,8 @@ def delete_one_logarithms(
     The statistic (...) is a function of the mask (map, contact_y, contact_x) of kept contacts.
     """
     part_of_contact = xr.DataArray(scan_parts.part_of_contact, dims=(map_dimension, *CONTACT_AXES))
-    parts = range(scan_parts.part_count)
-    statistics = [statistic(part_of_contact != part).values for part in parts]
+    part_numbers = range(scan_parts.part_count)
+    statistics = [statistic(part_of_contact != part_number).values for part_number in part_numbers]
     return np.asarray(np.log(statistics))
 
 

@@ -86,8 +86,8 @@ def _sampled_forces(surface_forces: SurfaceForces, surface: str, sampling: Sampl
     _, mean, delete_one_log_means, scan_parts, _, position_variance = surface_forces
     count = sampling.sample_count
     scan_deviations = [
-        sample_deviations(sampling.generator("scans", surface), log_means, parts, count)
-        for log_means, parts in zip(delete_one_log_means, scan_parts, strict=True)
+        sample_deviations(sampling.generator("scans", surface), log_means, range_parts, count)
+        for log_means, range_parts in zip(delete_one_log_means, scan_parts, strict=True)
     ]
     deviations = np.stack(scan_deviations, axis=1)
     if position_variance is not None:

@@ -119,14 +119,14 @@ def add_sphere_roughness(surface: OwnSpectrum, sphere: OwnSpectrum, seed: int) -
         sphere_spectrum, ScanSpectrum
     ):
         raise ValueError("--sphere: expected scans of both bodies, found a table of a spectrum")
-    joined = combine_spectra(substrate_spectrum.joined, sphere_spectrum.joined)
+    spectra = combine_spectra(substrate_spectrum.joined, sphere_spectrum.joined)
     notes = surface.notes + sphere.notes
     scans = surface.scans + sphere.scans
     if len(scans) > 2 or any(scan.kind != "map" for scan in scans):
         skewness = max(substrate_spectrum.skewness, sphere_spectrum.skewness, key=abs)
-        return OwnSpectrum(reliable_spectrum(joined, skewness), notes, scans)
+        return OwnSpectrum(reliable_spectrum(spectra, skewness), notes, scans)
     combined_map = _sum_of_maps(*scans, seed=seed)
-    spectrum = reliable_spectrum(joined, metrics(combined_map)["skewness"])
+    spectrum = reliable_spectrum(spectra, metrics(combined_map)["skewness"])
     return OwnSpectrum(spectrum, notes, (combined_map,), scans)
 
 
@@ -154,26 +154,26 @@ def _spectrum_of_scans(scans: Sequence[HeightMap], tip_radius: float | None = No
     ]
     tips = [tip_radius if scan.tip_radius is None else None for scan in scans]
     try:
-        joined = joined_spectrum(scans, tips)
+        spectra = joined_spectrum(scans, tips)
     except ValueError as error:  # Spikes, for example, look like a noise floor.
         lines = [f"{name}: expected a sound scan, found: {line}" for name, line in defects]
         raise ValueError("\n".join([str(error), *lines])) from None
     notes = [f"{TAKE_CARE}{line}" for line in repeated.values()]
-    notes += _reading_notes(scans, names, joined)
-    columns = (joined[name].values for name in ("psd", "reliable", "kind", "size"))
+    notes += _reading_notes(scans, names, spectra)
+    columns = (spectra[name].values for name in ("psd", "reliable", "kind", "size"))
     if contradictions := find_contradictions(*columns):
         notes.append(f"{TAKE_CARE}{describe_contradictions(contradictions, names)}")
     notes += [f"{TAKE_CARE}{name}: {line}" for name, line in defects]
     skewnesses = [metrics(scan)["skewness"] for scan in scans if scan.kind == "map"]
-    spectrum = reliable_spectrum(joined, max(skewnesses, key=abs, default=0.0))
+    spectrum = reliable_spectrum(spectra, max(skewnesses, key=abs, default=0.0))
     return OwnSpectrum(spectrum, tuple(notes), tuple(scans))
 
 
 def _reading_notes(
-    scans: Sequence[HeightMap], names: Sequence[str], joined: xr.Dataset
+    scans: Sequence[HeightMap], names: Sequence[str], spectra: xr.Dataset
 ) -> Iterator[str]:
     """Yield notes on the reliable band of each scan, on changes in reading it and cautions."""
-    bands = (joined[key].values for key in ("shortest_reliable", "longest_reliable", "limited_by"))
+    bands = (spectra[key].values for key in ("shortest_reliable", "longest_reliable", "limited_by"))
     for name, scan, *band in zip(names, scans, *bands, strict=True):
         changes, cautions = split_notes(scan.notes)
         yield "; ".join([f"{name}: reliable {ReliableBand(*band)}", *changes])

@@ -36,8 +36,8 @@ def write_pins() -> None:
 
 def refuse_other_versions() -> None:
     """Raise ValueError, in one line, if an installed version is not the pinned one."""
-    locked = _by_plain_name(read_pins(LOCK))
-    required = _by_plain_name(read_pins(ENVIRONMENT))
+    locked = _normalize_names(read_pins(LOCK))
+    required = _normalize_names(read_pins(ENVIRONMENT))
     if not required.items() <= locked.items():
         names = ", ".join(sorted(name for name, pin in required.items() if locked.get(name) != pin))
         raise ValueError(
@@ -55,7 +55,7 @@ def refuse_other_versions() -> None:
         raise ValueError(f"packages: expected {'; '.join(faults)} (mend it: {INSTALL})")
 
 
-def _by_plain_name(pins: dict[str, str]) -> dict[str, str]:
+def _normalize_names(pins: dict[str, str]) -> dict[str, str]:
     """Return pins by the name that pip compares: without case, ``-``, ``_`` and ``.`` alike."""
     return {re.sub(r"[-_.]+", "-", name).lower(): pin for name, pin in pins.items()}
 

@@ -123,7 +123,7 @@ def _dataset_faults(row: Row) -> Iterator[str]:
         permitted = "datasets of workflow/report/variables.tsv, with + between"
         yield f"dataset: expected {permitted}, found {quote_key(unknown[0])}{question}"
     elif not datasets <= sampled_datasets.get(row["samples_from"], datasets):
-        samples = [name for name, sampled in sampled_datasets.items() if datasets <= sampled]
+        samples = [name for name, names in sampled_datasets.items() if datasets <= names]
         permitted = f"{' or '.join(['nothing', *samples])} for the dataset {row['dataset']}"
         yield f"samples_from: expected {permitted}, found {quote_key(row['samples_from'])}"
 

@@ -77,8 +77,8 @@ def _lognormals(published: Mapping[Any, float], fit: xr.Dataset) -> tuple[Any, A
     """Return the log-normals (N) of one surface: published, and fitted to the computed forces."""
     median = published["median_force"]
     published_log_std = log_std_of_lognormal(published["mean_force"], median)
-    computed = lognorm(fit["log_force_std"].item(), scale=fit["lognormal_median"].item())
-    return lognorm(published_log_std, scale=median), computed
+    computed_lognormal = lognorm(fit["log_force_std"].item(), scale=fit["lognormal_median"].item())
+    return lognorm(published_log_std, scale=median), computed_lognormal
 
 
 def _label_column(column: np.ndarray, letter: str, fit: xr.Dataset, published: Any) -> None:

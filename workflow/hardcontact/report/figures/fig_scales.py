@@ -38,8 +38,8 @@ class ScanMaps(NamedTuple):
     """Heights (nm) of one scan, with all waves and without those on one side of a band."""
 
     unfiltered: np.ndarray
-    without_short_waves: np.ndarray
-    without_long_waves: np.ndarray
+    long_waves: np.ndarray
+    short_waves: np.ndarray
 
 
 def draw(topography: xr.Dataset, scales: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
@@ -67,9 +67,9 @@ def filtered_heights(scan: xr.Dataset, band: Sequence[float]) -> ScanMaps:
     # Pixels resolve the short edge.
     pixels = max(mirrored.pixels, 2 * int(mirrored.size / band[0]) + 4)
     surface = interpolate(mirrored, pixels)
-    (without_short_waves,) = filtered_series(surface, "short", [band[0]], pixels)
-    (without_long_waves,) = filtered_series(surface, "long", [band[1]], pixels)
-    surfaces = (surface, without_short_waves, without_long_waves)
+    (long_waves,) = filtered_series(surface, "short", [band[0]], pixels)
+    (short_waves,) = filtered_series(surface, "long", [band[1]], pixels)
+    surfaces = (surface, long_waves, short_waves)
     return ScanMaps(*(periodic.heights[: pixels // 2, : pixels // 2] for periodic in surfaces))
 
 

@@ -75,8 +75,8 @@ def _test_cautions(numbers: Mapping[str, Number]) -> Iterator[Caution]:
     force = numbers.get("measured_force")
     if force is None:
         return
-    above, below = np.log(force.high / force.value), np.log(force.value / force.low)
-    if above > MAX_LOPSIDEDNESS * below:
+    rise, fall = np.log(force.high / force.value), np.log(force.value / force.low)
+    if rise > MAX_LOPSIDEDNESS * fall:
         yield Caution("few_tests", numbers["measured_force_sites"]._replace(name="tests"))
     if numbers["measured_force_looks_repeated"].value:
         tests = numbers["measured_force_tests"]._replace(name="tests")

@@ -31,8 +31,8 @@ def comparison_numbers(data: Datasets, reference: Datasets) -> Iterator[Number]:
     force = number_of(forces_at_range(data.force), "force")
     reference_force = number_of(forces_at_range(reference.force), "force")
     ratio = force.value / reference_force.value
-    below, above = np.hypot(_log_distances(force), _log_distances(reference_force)[::-1])
-    low, high = float(ratio * np.exp(-below)), float(ratio * np.exp(above))
+    fall, rise = np.hypot(_log_distances(force), _log_distances(reference_force)[::-1])
+    low, high = float(ratio * np.exp(-fall)), float(ratio * np.exp(rise))
     status = NumberStatus.PLAIN if np.isfinite([low, high]).any() else NumberStatus.NO_INTERVAL
     yield Number("force_over_reference", ratio, "1", low, high, status)
     octaves, contributions = octave_contributions(data, reference)

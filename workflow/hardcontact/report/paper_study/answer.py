@@ -265,10 +265,10 @@ def _pairs_of_sets(datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame) 
     """
     confidence = datasets["sets"].attrs["confidence"]
     sets = datasets["sets"].sel(contact_model=PLASTIC)
-    without_decisive = sets.sel(left_out=_decisive_surface(datasets["sets"]))
+    reduced_sets = sets.sel(left_out=_decisive_surface(datasets["sets"]))
     for name, unit in PAIR_UNITS.items():
         yield _median_number(f"all_surfaces_{name}", unit, sets[name].values, confidence)
-        sample = without_decisive[WITHOUT_SURFACE[name]].values
+        sample = reduced_sets[WITHOUT_SURFACE[name]].values
         yield _median_number(f"without_decisive_{name}", unit, sample, confidence)
         yield Number(f"{name}_scatter", float(sets[name].std(ddof=1)), unit)
         uncertainty = constants["uncertainty"][name]

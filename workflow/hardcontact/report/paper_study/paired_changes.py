@@ -28,15 +28,15 @@ SAMPLING_SETTINGS = ("seed", "realizations")
 TOLERANCE = 1e-6
 
 
-def pairing(first: Mapping[str, xr.Dataset], second: Mapping[str, xr.Dataset]) -> str:
+def pairing(first_study: Mapping[str, xr.Dataset], second_study: Mapping[str, xr.Dataset]) -> str:
     """Return "paired" if two studies have the same sets of scans, otherwise why not.
 
     "no_sets": a study has no datasets. "other_scans": seeds or recorded surfaces differ.
     """
-    if not (first and second):
+    if not (first_study and second_study):
         return "no_sets"
-    surfaces = [_recorded_surfaces(study) for study in (first, second)]
-    same_seeds = _sampling(first["sets"]) == _sampling(second["sets"])
+    surfaces = [_recorded_surfaces(study) for study in (first_study, second_study)]
+    same_seeds = _sampling(first_study["sets"]) == _sampling(second_study["sets"])
     if not same_seeds or surfaces[0].sizes != surfaces[1].sizes:
         return "other_scans"
     same_surfaces = all(
@@ -64,12 +64,12 @@ def _recorded_surfaces(study: Mapping[str, xr.Dataset]) -> xr.Dataset:
 
 def add_paired_intervals(
     numbers: Iterable[ComparedNumber],
-    first: Mapping[str, xr.Dataset],
-    second: Mapping[str, xr.Dataset],
+    first_study: Mapping[str, xr.Dataset],
+    second_study: Mapping[str, xr.Dataset],
 ) -> list[ComparedNumber]:
     """Add the intervals of changes between paired studies to the numbers that sets have."""
-    first_values, second_values = _set_numbers(first), _set_numbers(second)
-    confidence = first["sets"].attrs["confidence"]
+    first_values, second_values = _set_numbers(first_study), _set_numbers(second_study)
+    confidence = first_study["sets"].attrs["confidence"]
     return [
         _add_change_interval(number, first_values[key], second_values[key], confidence)
         if (key := (number.surface, number.name)) in first_values and key in second_values

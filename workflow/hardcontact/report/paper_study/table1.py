@@ -16,7 +16,7 @@ class _Quantity(NamedTuple):
     name: str  # as in resources/paper/table1.csv
     title: str
     printed_unit: float  # in the unit of the datasets
-    computed: dict[str, str]  # titles of the variables that may correspond to it
+    variable_titles: dict[str, str]  # titles of the variables that may correspond to it
 
 
 TABLE1_QUANTITIES = (
@@ -57,7 +57,7 @@ def table1_rows(topography: xr.Dataset, published: pd.DataFrame) -> list[list[st
             _print_published(values, str(data["surface"].item()), quantity) for data in surfaces
         ]
         rows.append([f"{quantity.title}, published", *cells])
-        for variable, title in quantity.computed.items():
+        for variable, title in quantity.variable_titles.items():
             rows.append([title, *[_print_computed(data, variable, quantity) for data in surfaces]])
     return rows
 
