@@ -23,15 +23,18 @@ def test_all_spectra_of_the_repository_are_accepted():
 @pytest.mark.parametrize(
     ("band", "message_parts"),
     [
-        ("inf,20,varying Hurst,,,,,,assumed,none", ["roll-off wavelength", "none"]),
-        ("inf,20,varying Hurst,1e9,-3,1,-1,,assumed,none", ["below zero"]),
+        ("inf,20,varying Hurst,,,,,,assumed,none", ["rolloff_nm", "found none"]),
+        (
+            "inf,20,varying Hurst,1e9,-3,1,-1,,assumed,none",
+            ["rolloff_nm", "greater than or equal to 0", "-3"],
+        ),
         ("inf,20,self-affine,inf,2000,1,,,assumed,none", ["plateau_nm4", "inf"]),
         ("inf,20,varying Hurst,1e9,2000,1,-inf,,assumed,none", ["hurst_change", "-inf"]),
         ("inf,twenty,self-affine,1e9,2000,1,,,assumed,none", ["shortest_nm", "twenty"]),
         ("inf,20,self-affine,1e9,2000,1,,", ["10 cells", "found 8"]),
         ("inf,20,fractal,1e9,2000,1,,,assumed,none", ["varying Hurst", "fractal"]),
         ("inf,20,power law,,,1,,,assumed,none", ["model", "power law"]),
-        ("inf,20,self-affine,1e9,2000,-1.1,,,assumed,none", ["Hurst", "-1.1"]),
+        ("inf,20,self-affine,1e9,2000,-1.1,,,assumed,none", ["hurst", "-1.1"]),
     ],
 )
 def test_faulty_descriptions_are_refused(tmp_path, band, message_parts):

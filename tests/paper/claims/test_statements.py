@@ -39,9 +39,9 @@ def test_a_stray_character_is_refused_with_its_line_and_column(tmp_path, column)
 @pytest.mark.parametrize(
     ("column", "cell", "end"),
     [
-        ("quantity", "best_eror", "found best_eror"),
+        ("quantity", "best_eror", "found best_eror (did you mean best_error?)"),
         ("quantity", "depth", "found depth"),  # of the indents, not of the topography in this line
-        ("number", " ", "found nothing"),
+        ("number", " ", "found ''"),
         ("dataset", "topografy", "found topografy (did you mean topography?)"),
         ("select", "surface=ncdd", "ncd, mcd, ruby, found ncdd (did you mean ncd?)"),
         ("select", "surface=mcd>unc,ncd", "found unc (did you mean uncd?)"),

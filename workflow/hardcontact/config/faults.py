@@ -17,6 +17,7 @@ from pydantic.fields import FieldInfo
 EXPECTED_VALUES = {
     "bool_type": "true or false",
     "dict_type": "a mapping",
+    "float_parsing": "a number",
     "int_type": "a whole number",
     "model_type": "a mapping",
 }

@@ -8,10 +8,9 @@ from typing import Annotated, Literal
 
 import pandas as pd
 
-from hardcontact.config.faults import validate
 from hardcontact.config.key_types import FilePath, Matching, Quantity, or_word
 from hardcontact.config.keys import SMOOTH_SPHERE, Keys
-from hardcontact.config.tables import user_table
+from hardcontact.config.tables import read_rows
 from hardcontact.records.origin import digest, short_digest
 from hardcontact.surfaces.substitute_spectra import read_segments
 
@@ -174,14 +173,10 @@ def surface_table(path: str | Path) -> pd.DataFrame:
     """
     if not os.path.isfile(path):
         raise ValueError(f"config key surfaces: expected a table of surfaces, found no file {path}")
-    content = "a table of surfaces"
-    written = user_table(path, content, form=content, separator="\t")
-    fields = SurfaceRow.model_fields
-    columns = [name for name, field in fields.items() if field.is_required()]
-    layout = f"the columns {', '.join(columns)}, separated by tabs, and a row per scan"
-    written.require(columns, f"{content}, {layout}", fields)
-    rows = written.convert(lambda row: validate(SurfaceRow, row).model_dump())
-    table = pd.DataFrame.from_dict(rows, orient="index", dtype=str)
+    content = "a table of surfaces, the columns {}, separated by tabs, and a row per scan"
+    rows = read_rows(path, SurfaceRow, content, form="a table of surfaces", separator="\t")
+    cells = {line: row.model_dump() for line, row in rows.items()}
+    table = pd.DataFrame.from_dict(cells, orient="index", dtype=str)
     table["scan"] = table["scan"].astype(int)
     table["use"] = table["use"].replace("", CONTACT_USE)
     _refuse_repeated(path, table, ["surface", "scan"])

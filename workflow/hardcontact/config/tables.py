@@ -7,9 +7,11 @@ import os
 import re
 from collections.abc import Callable, Collection, Mapping, Sequence
 from pathlib import Path
-from typing import NamedTuple, TypeVar
+from typing import Annotated, Any, NamedTuple, TypeVar
 
-from hardcontact.config.faults import quote_key, raise_faults
+from pydantic import BaseModel, Field, WrapValidator
+
+from hardcontact.config.faults import quote_key, raise_faults, validate
 
 #: Largest size of a table: a hundred thousand rows.
 MAX_TABLE_BYTES = 10_000_000
@@ -18,6 +20,10 @@ DECIMAL = re.compile(r"^([-+]?\d*),(\d+(?:[eE][-+]?\d+)?)$")
 #: Cells by the name of their column.
 Row = Mapping[str, str]
 Result = TypeVar("Result")
+Model = TypeVar("Model", bound=BaseModel)
+#: A cell with a number, or a blank cell, which is NaN.
+BLANK_AS_NAN = WrapValidator(lambda cell, validate: validate(cell) if cell else math.nan)
+Number = Annotated[float, Field(strict=False), BLANK_AS_NAN]
 
 
 class UserTable(NamedTuple):
@@ -109,6 +115,22 @@ def user_table(
         raise ValueError(f"{path}: expected {form} in UTF-8, found: {error}") from None
     written_rows = [(line, cells) for line, cells in rows if any(cells)]
     return UserTable(str(path), written_rows[0][1] if written_rows else [], dict(written_rows[1:]))
+
+
+def read_rows(
+    path: str | Path, model: type[Model], content: str, **options: Any
+) -> dict[int, Model]:
+    """Return the rows of a table as a model of its columns, by line of the file.
+
+    `content` describes the table, with ``{}`` for its columns; `options` are those of `user_table`.
+    """
+    fields = model.model_fields
+    columns = [name for name, field in fields.items() if field.is_required()]
+    allowed = fields if model.model_config["extra"] == "forbid" else None
+    content = content.format(", ".join(columns))
+    table = user_table(path, content, **options)
+    table.require(columns, content, allowed)
+    return table.convert(lambda row: validate(model, row))
 
 
 def parse_number(cell: str) -> float:

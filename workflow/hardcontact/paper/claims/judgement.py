@@ -6,7 +6,7 @@ estimate, the rule and the published limits turn it into a verdict.
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, cast
 
 import numpy as np
 import pandas as pd
@@ -19,6 +19,7 @@ from hardcontact.paper.claims.estimates import variable_estimate
 from hardcontact.paper.claims.judged_claims import JUDGED_COLUMNS
 from hardcontact.paper.claims.selection import (
     WITHOUT_SCAN,
+    Claim,
     SelectedLabels,
     claim_basis,
     claim_surfaces,
@@ -93,7 +94,7 @@ def _estimate_claims(
     datasets: Mapping[str, xr.Dataset],
     constants: pd.DataFrame,
     confidence: float,
-) -> Iterator[tuple[Any, _ClaimResult | None]]:
+) -> Iterator[tuple[Claim, _ClaimResult | None]]:
     """Yield each claim and its estimate, None if the datasets lack a label."""
     complete = {
         name: _add_surface(data).assign_attrs(confidence=confidence)
@@ -101,8 +102,7 @@ def _estimate_claims(
     }
     complete["paper"] = xr.Dataset(constants["value"].to_dict())
     estimates: dict[tuple[str, str], xr.Dataset] = {}
-    rows: Iterable[Any] = claims.itertuples(index=False)
-    for claim in rows:
+    for claim in cast(Iterable[Claim], claims.itertuples(index=False)):
         with _prefix_errors(claim):
             claim_datasets = {name: complete[name] for name in claim.dataset.split("+")}
             key = claim.dataset, claim.quantity
@@ -131,7 +131,7 @@ def _add_surface(data: xr.Dataset) -> xr.Dataset:
 
 
 @contextmanager
-def _prefix_errors(claim: Any) -> Iterator[None]:
+def _prefix_errors(claim: Claim) -> Iterator[None]:
     """Put the name of the claim before the first sentence of an error.
 
     A KeyError of a missing dataset or attribute has only its name as its message.
@@ -144,7 +144,9 @@ def _prefix_errors(claim: Any) -> Iterator[None]:
         raise ValueError(f"claim {claim.id}: {reason}") from error
 
 
-def _judge(claim: Any, result: _ClaimResult, sets: xr.Dataset, confidence: float) -> dict[str, Any]:
+def _judge(
+    claim: Claim, result: _ClaimResult, sets: xr.Dataset, confidence: float
+) -> dict[str, Any]:
     """Return the columns ``computed`` to ``verdict`` of a claim, which follow from numbers."""
     value = float(result.estimate["value"])
     samples = _claim_samples(claim, result, sets)
@@ -170,7 +172,7 @@ def _judge(claim: Any, result: _ClaimResult, sets: xr.Dataset, confidence: float
     }
 
 
-def _claim_samples(claim: Any, result: _ClaimResult, sets: xr.Dataset) -> Floats:
+def _claim_samples(claim: Claim, result: _ClaimResult, sets: xr.Dataset) -> Floats:
     """Return the samples of a claim's value, from sets or from the posterior; empty if none."""
     if claim.samples_from == "posterior":
         posterior = next(iter(result.datasets.values()))

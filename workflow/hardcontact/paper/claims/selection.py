@@ -6,7 +6,7 @@ If these surfaces are substitutes, they alone may decide the verdict.
 from collections.abc import Iterable, Mapping, Sequence
 from functools import reduce
 from itertools import chain, pairwise
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 import pandas as pd
@@ -40,6 +40,23 @@ WITHOUT_SCAN = ("no scan", "no scan; assumed asperities")
 PIXEL_QUANTITIES = ("afm_rms_slope", "afm_rms_curvature", "slope_growth")
 #: Why these quantities are not testable on larger pixels.
 LARGER_PIXELS = "It depends on the size of a pixel, which is larger than the paper's."
+
+
+class Claim(Protocol):
+    """A row of resources/paper/claims.csv: the columns that decide its estimate and verdict."""
+
+    id: str
+    dataset: str
+    quantity: str
+    select: str
+    rule: str
+    published_low: float
+    published_high: float
+    needs: str
+    samples_from: str
+    note: str
+
+    def _asdict(self) -> dict[str, Any]: ...
 
 
 def split_selection(select: str) -> dict[str, list[list[str]]]:
@@ -101,7 +118,7 @@ def _smallest_ratio(groups: Iterable[xr.Dataset], dim: str) -> xr.Dataset:
 
 
 def claim_surfaces(
-    claim: Any, datasets: Mapping[str, xr.Dataset], labels: SelectedLabels, topography: xr.Dataset
+    claim: Claim, datasets: Mapping[str, xr.Dataset], labels: SelectedLabels, topography: xr.Dataset
 ) -> list[str]:
     """Return the names of the surfaces on which a claim depends.
 
@@ -120,10 +137,10 @@ def claim_surfaces(
     return [str(surface) for surface in surfaces]
 
 
-def claim_basis(claim: Any, surfaces: list[str], topography: xr.Dataset) -> str:
+def claim_basis(claim: Claim, surfaces: list[str], topography: xr.Dataset) -> str:
     """Return the basis of a claim: ``measured``, ``substitute scans`` or one of WITHOUT_SCAN."""
     if claim.needs in WITHOUT_SCAN:
-        return str(claim.needs)
+        return claim.needs
     return "substitute scans" if any(_are_substitutes(surfaces, topography)) else "measured"
 
 
@@ -132,7 +149,7 @@ def _are_substitutes(surfaces: list[str], topography: xr.Dataset) -> list[bool]:
 
 
 def fixed_verdict(
-    claim: Any, surfaces: list[str], topography: xr.Dataset, constants: pd.DataFrame
+    claim: Claim, surfaces: list[str], topography: xr.Dataset, constants: pd.DataFrame
 ) -> tuple[str, str]:
     """Return a verdict that does not depend on the estimate, and its reason, or empty texts."""
     if claim.needs == "construction":
