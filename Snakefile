@@ -1,12 +1,12 @@
 """Which scales of roughness matter for the adhesion of hard contacts: the study, end to end."""
 
-# What these modules add to Snakemake: `start` gives each rule a log, a benchmark and, as its input
-# `code`, the modules that its script imports; `reruns` replaces six attributes of Snakemake, named in
-# `plan_by_records`, so that records in `.origin`, not file times, decide what runs again; `endings`
-# ends a run at once at Ctrl-C, and prints the study's answer.
-from hardcontact.run import endings, reruns, start
+# What these modules add to Snakemake: `lifecycle` gives each rule a log, a benchmark and, as its input
+# `code`, the modules that its script imports; it ends a run at once at Ctrl-C, and prints the study's
+# answer. `reruns` replaces six attributes of Snakemake, named in `plan_by_records`, so that records in
+# `.origin`, not file times, decide what runs again.
+from hardcontact.run import lifecycle, reruns
 
-start.prepare(workflow)
+lifecycle.prepare(workflow)
 
 
 configfile: "config/config.yaml"
@@ -56,21 +56,21 @@ include: "workflow/rules/targets.smk"
 include: "workflow/rules/describe_study.smk"
 
 
-start.complete_rules(workflow, RESULTS)
+lifecycle.complete_rules(workflow, RESULTS)
 
 
 onstart:
-    start.refuse_unwritable_folders(RESULTS.results, RESULTS.store)
+    lifecycle.refuse_unwritable_folders(RESULTS.results, RESULTS.store)
     reruns.refuse_altered_files(workflow)
-    endings.stop_jobs_at_interrupt(workflow)
+    lifecycle.stop_jobs_at_interrupt(workflow)
 
 
 onsuccess:
-    endings.log_answer(workflow, RESULTS.result("answer.html"))
+    lifecycle.log_answer(workflow, RESULTS.result("answer.html"))
 
 
 onerror:
-    endings.log_how_to_resume(workflow)
+    lifecycle.log_how_to_resume(workflow)
 
 
 rule all:

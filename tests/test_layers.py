@@ -71,4 +71,4 @@ def test_only_the_start_of_a_run_imports_snakemake():
         for path in LIBRARY.rglob("*.py")
         if any(name.partition(".")[0] == "snakemake" for name in imported(path))
     }
-    assert paths == {"run/reruns.py", "run/start.py"}
+    assert paths == {"run/lifecycle.py", "run/reruns.py"}

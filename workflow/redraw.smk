@@ -1,9 +1,9 @@
 """Draw the figures and pages of a finished study again, from its datasets: no scan, no store."""
 
-from hardcontact.run import endings, reruns, start, study_inputs
-from hardcontact.records.packages import write_pins
+from hardcontact.run import lifecycle, reruns, study_inputs
+from hardcontact.records.code import write_pins
 
-start.prepare(workflow)
+lifecycle.prepare(workflow)
 
 
 configfile: study_inputs.finished_configuration(config)
@@ -31,20 +31,20 @@ else:
 include: "rules/targets.smk"
 
 
-start.complete_rules(workflow, RESULTS)
+lifecycle.complete_rules(workflow, RESULTS)
 
 
 onstart:
-    start.refuse_unwritable_folders(RESULTS.results)
+    lifecycle.refuse_unwritable_folders(RESULTS.results)
     reruns.refuse_altered_files(workflow)
 
 
 onsuccess:
-    endings.log_answer(workflow, RESULTS.result("answer.html"))
+    lifecycle.log_answer(workflow, RESULTS.result("answer.html"))
 
 
 onerror:
-    endings.log_how_to_resume(workflow)
+    lifecycle.log_how_to_resume(workflow)
 
 
 rule redraw:

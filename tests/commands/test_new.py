@@ -10,7 +10,7 @@ from refusals import assert_line_says, assert_says
 from repository import PAPER, ROOT, merge_configurations
 from scan_files import write_container, write_nanoscope, write_scan
 
-from hardcontact.commands import command_line, new, parser, request
+from hardcontact.commands import command_line, new, options, request
 from hardcontact.config.configuration import apply_effort, numeric_configuration
 from hardcontact.config.selected_surfaces import surface_table
 from hardcontact.run import checks
@@ -216,7 +216,7 @@ def test_faulty_arguments_are_refused_in_one_line_and_nothing_is_written(folder,
     ],
 )
 def test_an_unknown_choice_is_answered_in_the_words_of_each_python(capsys, message, question):
-    command_parser = parser.CommandLine("program", "")
+    command_parser = options.CommandLine("program", "")
     command_parser.add_argument("command", choices=["new", "grown"])
     with pytest.raises(SystemExit):
         command_parser.error(f"argument command: {message}")

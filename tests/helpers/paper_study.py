@@ -20,8 +20,7 @@ from paper_datasets import (
 from paper_numbers import CLAIMS, CONSTANTS
 from repository import PAPER, ROOT
 
-from hardcontact.paper.claims.judged_claims import JUDGED_COLUMNS, add_open_ends
-from hardcontact.paper.claims.verdicts import VERDICTS
+from hardcontact.paper.claims.verdicts import JUDGED_COLUMNS, VERDICTS, add_open_ends
 from hardcontact.report.answer import answer_text
 from hardcontact.report.figures.listing import PAPER_FIGURES, Caption
 from hardcontact.report.paper_study.answer import paper_answer

@@ -10,7 +10,7 @@ from hardcontact.base.published import surfaces_of_table1
 from hardcontact.config import selected_surfaces
 from hardcontact.config.configuration import numeric_configuration
 from hardcontact.config.study_plan import StudyPlan
-from hardcontact.files.surface_files import SurfaceFiles
+from hardcontact.files.paths import SurfaceFiles
 from hardcontact.run import checks
 
 #: Stands for the digest of the files of a surface.

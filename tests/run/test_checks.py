@@ -16,10 +16,10 @@ from hardcontact.config.configuration import reading_keys
 from hardcontact.contact.bearing_area import all_contact_pixels
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies
-from hardcontact.files.patterns import MEASUREMENT
+from hardcontact.files.paths import MEASUREMENT
 from hardcontact.records import origin
 from hardcontact.records.origin import Origin, canonical_json, digests, keep_records
-from hardcontact.run.scan_grids import stored_scan, surface_grid
+from hardcontact.run.checks import stored_scan, surface_grid
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
 from hardcontact.surfaces.substitute_spectra import spectrum_from_description

@@ -11,9 +11,8 @@ from repository import ROOT
 
 from hardcontact.base import dataset
 from hardcontact.config.yaml_files import read_yaml
-from hardcontact.paper.claims.judged_claims import JUDGED_COLUMNS
 from hardcontact.paper.claims.selection import WITHOUT_SCAN
-from hardcontact.paper.claims.verdicts import VERDICTS
+from hardcontact.paper.claims.verdicts import JUDGED_COLUMNS, VERDICTS
 from hardcontact.report.figures.listing import PAPER_FIGURES
 from hardcontact.report.paper_study.answer import ANSWER_CLAIMS
 

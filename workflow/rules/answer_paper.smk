@@ -2,7 +2,7 @@
 # `snakemake --report` gathers. redraw.smk makes them from final datasets and published tables alone.
 
 from hardcontact.records.code import code_inputs, page_templates
-from hardcontact.records.packages import PINS
+from hardcontact.records.code import PINS
 from hardcontact.report.figures.listing import PAPER_FIGURES, caption, describe_figure
 
 #: The datasets of the study whose numbers the answer has.

@@ -1,6 +1,6 @@
 # The roughness of both bodies in one: that of the scanned sphere, added to that of each substrate.
 
-from hardcontact.files.patterns import any_name_pattern
+from hardcontact.files.paths import any_name_pattern
 
 #: The substrates to which the roughness of a scanned sphere is added; the others stay as they are.
 COMBINED_SURFACES = any_name_pattern(PLAN.combined_surfaces)

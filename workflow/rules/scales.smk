@@ -2,7 +2,7 @@
 
 from hardcontact.config.limits import master_megabytes
 from hardcontact.config.keys import SMOOTH_SPHERE
-from hardcontact.files.master_purposes import filter_megabytes
+from hardcontact.files.settings import filter_megabytes
 from hardcontact.surfaces.synthesis import SIDES
 
 MASTERS = CHUNKS.filtered_masters("scales")

@@ -1,6 +1,6 @@
 # Scans: substitutes where none was measured; all are then prepared and measured in the same way.
 
-from hardcontact.files.patterns import any_name_pattern
+from hardcontact.files.paths import any_name_pattern
 
 
 rule calibrate_spectrum:

@@ -15,8 +15,8 @@
 
 from hardcontact.config.study_plan import StudyPlan
 from hardcontact.files.chunks import Chunks
-from hardcontact.files.patterns import wildcard_constraints as constraints
-from hardcontact.files.surface_files import SurfaceFiles
+from hardcontact.files.paths import wildcard_constraints as constraints
+from hardcontact.files.paths import SurfaceFiles
 from hardcontact.run import study_inputs
 
 SELECTION = study_inputs.checked_selection(workflow, STUDY)

@@ -5,9 +5,9 @@ from pathlib import Path
 from hardcontact.base import published
 from hardcontact.base.dataset import read
 from hardcontact.config.yaml_files import read_yaml
-from hardcontact.paper.claims.judged_claims import add_open_ends, read_judged_claims
+from hardcontact.paper.claims.verdicts import add_open_ends, read_judged_claims
+from hardcontact.records.code import read_pins
 from hardcontact.records.job import run_job
-from hardcontact.records.packages import read_pins
 from hardcontact.report.answer import answer_text
 from hardcontact.report.figures.listing import caption
 from hardcontact.report.paper_study.answer import paper_answer

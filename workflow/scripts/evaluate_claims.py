@@ -2,9 +2,9 @@
 
 from hardcontact.base import published
 from hardcontact.base.dataset import read
-from hardcontact.paper.claims.judged_claims import without_verdicts
 from hardcontact.paper.claims.judgement import judge_claims
 from hardcontact.paper.claims.statements import read_claims
+from hardcontact.paper.claims.verdicts import without_verdicts
 from hardcontact.records.job import run_job
 from hardcontact.report.paper_study.changed_inputs import changed_inputs
 

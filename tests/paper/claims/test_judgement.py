@@ -7,9 +7,8 @@ import xarray as xr
 from paper_numbers import CLAIMS, TABLES
 from scipy import stats
 
-from hardcontact.paper.claims.judged_claims import EDGE_CLAIMS, JUDGED_COLUMNS
 from hardcontact.paper.claims.judgement import claim_values, judge_claims
-from hardcontact.paper.claims.verdicts import accepted_range
+from hardcontact.paper.claims.verdicts import EDGE_CLAIMS, JUDGED_COLUMNS, accepted_range
 
 ROWS = CLAIMS.set_index("id")
 TABLE1 = pd.read_csv(TABLES / "table1.csv")

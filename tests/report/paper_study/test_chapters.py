@@ -11,8 +11,7 @@ from paper_study import claims as all_claims
 from refusals import assert_says
 from repository import PAPER, ROOT
 
-from hardcontact.paper.claims.judged_claims import count_verdicts
-from hardcontact.paper.claims.verdicts import VERDICTS
+from hardcontact.paper.claims.verdicts import VERDICTS, count_verdicts
 from hardcontact.report.figures.listing import PAPER_FIGURES
 from hardcontact.report.paper_study.conclusions import claim_facts
 from hardcontact.report.paper_study.pages import convert_chapter, report_pages

@@ -12,8 +12,8 @@ from typing import Any
 import xarray as xr
 
 from hardcontact.base.dataset import read
+from hardcontact.commands.options import CommandLine
 from hardcontact.commands.outputs import align_cells, output_faults, write_output
-from hardcontact.commands.parser import CommandLine
 from hardcontact.config.faults import raise_faults, run_checks
 from hardcontact.report.paper_study.paired_changes import (
     SET_DATASETS,

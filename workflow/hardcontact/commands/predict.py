@@ -15,6 +15,7 @@ import pandas as pd
 from hardcontact.base.formatting import format_length, format_quantity
 from hardcontact.base.number import Number, json_value
 from hardcontact.commands.options import (
+    CommandLine,
     QuantityOption,
     add_shared_options,
     contact_of_quantities,
@@ -23,7 +24,6 @@ from hardcontact.commands.options import (
     unit_questions,
 )
 from hardcontact.commands.outputs import output_faults, write_output
-from hardcontact.commands.parser import CommandLine
 from hardcontact.commands.scan_cautions import single_pixel_cautions
 from hardcontact.config.configuration import CONTACT_QUANTITIES
 from hardcontact.config.faults import raise_faults, run_checks

@@ -9,8 +9,7 @@ from importlib.metadata import version
 from pathlib import Path
 from typing import NamedTuple
 
-from hardcontact.commands.options import add_shared_options
-from hardcontact.commands.parser import CommandLine
+from hardcontact.commands.options import CommandLine, add_shared_options
 from hardcontact.config.key_types import MAX_NAME_LENGTH, study_name
 from hardcontact.config.keys import QUICK_SUFFIX
 from hardcontact.config.selected_surfaces import LABEL, RESERVED_IDS

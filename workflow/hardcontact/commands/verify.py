@@ -6,7 +6,7 @@ from argparse import Namespace
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from hardcontact.commands.parser import CommandLine
+from hardcontact.commands.options import CommandLine
 from hardcontact.config.configuration import apply_effort, key_values, merge
 from hardcontact.config.faults import shorten
 from hardcontact.config.keys import QUICK_SUFFIX

@@ -10,8 +10,8 @@ from typing import NamedTuple
 from hardcontact.base.units import path_token
 from hardcontact.config.configuration import get_key
 from hardcontact.config.keys import SMOOTH_SPHERE
-from hardcontact.files.master_purposes import MASTERS_CHUNK, PURPOSES
-from hardcontact.files.surface_files import SurfaceFiles
+from hardcontact.files.paths import SurfaceFiles
+from hardcontact.files.settings import MASTERS_CHUNK, PURPOSES
 from hardcontact.surfaces.features import GAUSSIAN, SIGNS
 from hardcontact.surfaces.synthesis import SIDES
 

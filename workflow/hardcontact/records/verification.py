@@ -5,8 +5,8 @@ from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 
+from hardcontact.records.code import PINS, installed_version
 from hardcontact.records.origin import RECORDS, Record, digest, read_record, record_path
-from hardcontact.records.packages import PINS, installed_version
 
 #: Folders of a study whose files describe runs: no record describes them.
 RUN_FOLDERS = ("logs", "benchmarks")

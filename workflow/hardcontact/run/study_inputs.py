@@ -25,10 +25,9 @@ from hardcontact.config.selected_surfaces import (
     surface_table,
 )
 from hardcontact.config.yaml_files import read_yaml, refuse_unreadable
-from hardcontact.records.code import ROOT
+from hardcontact.records.code import ROOT, write_pins
 from hardcontact.records.origin import digests, refuse_changed
-from hardcontact.records.packages import write_pins
-from hardcontact.run.start import plans_the_run, refuse
+from hardcontact.run.lifecycle import plans_the_run, refuse
 
 
 def finished_configuration(config: Mapping[str, Any]) -> str:

@@ -16,7 +16,6 @@ from hardcontact.base.arrays import Floats
 from hardcontact.base.statistics import interval_ends
 from hardcontact.paper.claims import band_quantities, contact_quantities, force_quantities
 from hardcontact.paper.claims.estimates import variable_estimate
-from hardcontact.paper.claims.judged_claims import JUDGED_COLUMNS
 from hardcontact.paper.claims.selection import (
     WITHOUT_SCAN,
     Claim,
@@ -27,7 +26,12 @@ from hardcontact.paper.claims.selection import (
     parse_selection,
     select_estimate,
 )
-from hardcontact.paper.claims.verdicts import accepted_range, interval_with_sets, samples_vary
+from hardcontact.paper.claims.verdicts import (
+    JUDGED_COLUMNS,
+    accepted_range,
+    interval_with_sets,
+    samples_vary,
+)
 from hardcontact.surfaces.metrics import TABLE1_VARIABLES
 
 #: Functions of datasets that the column `quantity` may name: the public ones of these modules.

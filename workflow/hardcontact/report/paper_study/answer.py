@@ -16,8 +16,7 @@ from hardcontact.contact.numerical_limits import SHORT_ADHESION_RANGE
 from hardcontact.inference.edges import MEAN_GROUP, EdgeStatus, edges_or_bounds
 from hardcontact.inference.fit import WITHOUT_SURFACE
 from hardcontact.inference.octaves import strongest_octaves
-from hardcontact.paper.claims.judged_claims import count_verdicts, find_open_end
-from hardcontact.paper.claims.verdicts import interval_with_sets
+from hardcontact.paper.claims.verdicts import count_verdicts, find_open_end, interval_with_sets
 from hardcontact.report.answer import all_quantities, note, substitutes_note
 from hardcontact.report.paper_study.changed_inputs import changed_inputs, paper_contact
 from hardcontact.report.paper_study.conclusions import (

@@ -8,7 +8,6 @@ import pandas as pd
 
 from hardcontact.base.formatting import format_as_paper, is_unbounded
 from hardcontact.base.number import Number, NumberStatus
-from hardcontact.paper.claims.judged_claims import count_verdicts
 from hardcontact.paper.claims.selection import LARGER_PIXELS, WITHOUT_SCAN
 from hardcontact.paper.claims.verdicts import (
     BY_CONSTRUCTION,
@@ -16,6 +15,7 @@ from hardcontact.paper.claims.verdicts import (
     ONE_SIDED,
     REPRODUCED,
     REPRODUCED_SHARE,
+    count_verdicts,
 )
 from hardcontact.report.paper_study.table1 import decimals_of
 from hardcontact.report.quantities import NO_INTERVAL_WORDS

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 from refusals import assert_says, refusal
 
-from hardcontact.records import packages
+from hardcontact.records import code
 
 #: Requirements of the same meaning: plain, and with reasons and hashes.
 PLAIN = "numpy==2.0\nattrs==25.1\n"
@@ -22,8 +22,8 @@ def write(tmp_path, monkeypatch):
     (tmp_path / "workflow").mkdir()
 
     def write_requirements(environment, lock):
-        Path(packages.ENVIRONMENT).write_text(environment)
-        Path(packages.LOCK).write_text(lock)
+        Path(code.ENVIRONMENT).write_text(environment)
+        Path(code.LOCK).write_text(lock)
 
     return write_requirements
 
@@ -33,19 +33,19 @@ def test_pins_are_read_and_other_requirements_are_not(tmp_path):
     path.write_text(
         "# numpy==0 is a comment\nnumpy==2.0\nxarray>=1\n--no-index\npytest[extra]==1\n"
     )
-    assert packages.read_pins(path) == {"numpy": "2.0", "pytest": "1"}
+    assert code.read_pins(path) == {"numpy": "2.0", "pytest": "1"}
 
 
 def test_comments_and_hashes_change_no_input(write):
     write(PLAIN, PLAIN)
-    packages.write_pins()
-    times = [Path(path).stat().st_mtime_ns for path in packages.PINS]
+    code.write_pins()
+    times = [Path(path).stat().st_mtime_ns for path in code.PINS]
     write(COMMENTED, COMMENTED)
-    packages.write_pins()
-    assert [Path(path).stat().st_mtime_ns for path in packages.PINS] == times
+    code.write_pins()
+    assert [Path(path).stat().st_mtime_ns for path in code.PINS] == times
     write(PLAIN, PLAIN.replace("25.1", "25.2"))
-    packages.write_pins()
-    assert [Path(path).read_text()[-5:] for path in packages.PINS] == ["25.1\n", "25.2\n"]
+    code.write_pins()
+    assert [Path(path).read_text()[-5:] for path in code.PINS] == ["25.1\n", "25.2\n"]
 
 
 INSTALLED = {"numpy": "2.0", "attrs": "25.1"}
@@ -60,19 +60,19 @@ INSTALLED = {"numpy": "2.0", "attrs": "25.1"}
     ],
 )
 def test_packages_other_than_pinned_are_refused(write, monkeypatch, environment, lock, found):
-    monkeypatch.setattr(packages, "installed_version", INSTALLED.get)
+    monkeypatch.setattr(code, "installed_version", INSTALLED.get)
     write(environment, lock)
-    message = refusal(packages.refuse_other_versions)
+    message = refusal(code.refuse_other_versions)
     assert_says(message, found, "pip install --require-hashes -r workflow/lock.txt")
 
 
 def test_a_package_that_another_system_needs_may_be_missing(write, monkeypatch):
-    monkeypatch.setattr(packages, "installed_version", INSTALLED.get)
+    monkeypatch.setattr(code, "installed_version", INSTALLED.get)
     write("NumPy==2.0\n", "numpy==2.0\ncolorama==0.4 ; sys_platform == 'win32'\n")
-    packages.refuse_other_versions()
+    code.refuse_other_versions()
 
 
 def test_a_list_that_was_not_made_anew_is_refused(write):
     write("numpy==2.1\n", "numpy==2.0\n")
-    message = refusal(packages.refuse_other_versions)
+    message = refusal(code.refuse_other_versions)
     assert_says(message, "workflow/lock.txt: expected numpy", ".ci/lock")

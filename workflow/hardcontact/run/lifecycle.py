@@ -1,20 +1,22 @@
-"""The beginning of a run: checks before its configuration is read, and parts of all rules."""
+"""The life of a run: checks before it, parts of all rules, Ctrl-C, its answer or failure."""
 
+import json
 import logging
 import os
+import signal
 import sys
 import tempfile
+import threading
 from pathlib import Path
 from typing import Any, NoReturn
 
+import psutil
 from snakemake.io import strip_wildcard_constraints
 from snakemake.settings.types import ExecMode
 from snakemake.utils import min_version
 
-from hardcontact.files.patterns import StudyPaths
-from hardcontact.records.code import ROOT, code_inputs
-from hardcontact.records.packages import refuse_other_versions
-from hardcontact.run.endings import end_at_interrupt
+from hardcontact.files.paths import StudyPaths
+from hardcontact.records.code import ROOT, code_inputs, refuse_other_versions
 from hardcontact.run.reruns import MIN_SNAKEMAKE, plan_by_records
 
 #: Size in bytes up to which a job keeps freed memory for its next array. Returning it to the system
@@ -103,3 +105,74 @@ def complete_rules(workflow: Any, paths: StudyPaths) -> None:
 def refuse(message: object) -> NoReturn:
     """End the run with one line per fault."""
     sys.exit("\n".join(f"error: {line}" for line in str(message).splitlines()))
+
+
+#: Logger of the study's own messages, which a terminal shows with the stages of a run.
+logger = logging.getLogger("snakemake.logging.study")
+#: The last line of a run that failed or was stopped.
+RESUME = "The run is incomplete: repeat the command to resume."
+
+
+def log_answer(workflow: Any, page: str) -> None:
+    """Log the answer at the end of a run that makes its page, and the page to open."""
+    if page in {str(path) for job in workflow.dag.jobs for path in job.output}:
+        answer = Path(page).with_name("answer.json")
+        content = json.loads(answer.read_text("utf-8"))
+        grave_notes = [note["text"] for note in content["notes"] if note["grave"]]
+        for line in [*content["headline"], *content["verdicts"], *grave_notes]:
+            logger.info(line)
+        logger.info(f"The answer is made: open {page}")
+    _cancel_timers()
+
+
+def log_how_to_resume(workflow: Any) -> None:
+    """Log, after a failed or stopped run that makes files, that its command resumes it."""
+    if any(job.output for job in workflow.dag.jobs):
+        logger.error(RESUME)
+    _cancel_timers()
+
+
+def _cancel_timers() -> None:
+    """End without waiting for Snakemake's timers, since no work is left."""
+    for thread in threading.enumerate():
+        if isinstance(thread, threading.Timer):
+            thread.cancel()
+
+
+def _stop(workflow: Any) -> NoReturn:
+    """End a run and its jobs, whose files are complete or missing, at once and in one line."""
+    for process in psutil.Process().children(recursive=True):
+        process.kill()
+    if workflow.persistence:
+        workflow.persistence.unlock()
+    os.write(2, f"{RESUME}\n".encode())
+    os._exit(130)
+
+
+def end_at_interrupt(workflow: Any) -> None:
+    """End at Ctrl-C while the run is planned."""
+    signal.signal(signal.SIGINT, lambda *_: _stop(workflow))
+
+
+def stop_jobs_at_interrupt(workflow: Any) -> None:
+    """Stop the run at Ctrl-C without passing the signal to jobs.
+
+    Jobs would print tracebacks, and Snakemake would wait for them. On a cluster Snakemake cancels
+    its jobs at the first Ctrl-C; the second stops the run.
+    """
+    if workflow.local_exec:
+        # Threads and jobs that begin from here on inherit what is blocked.
+        signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+
+        def wait() -> None:
+            signal.sigwait({signal.SIGINT})
+            _stop(workflow)
+
+        threading.Thread(target=wait, daemon=True).start()
+    else:
+
+        def interrupt(*_: object) -> NoReturn:
+            end_at_interrupt(workflow)
+            raise KeyboardInterrupt
+
+        signal.signal(signal.SIGINT, interrupt)
