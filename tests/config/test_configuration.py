@@ -10,7 +10,7 @@ from studies import paper_configuration
 from hardcontact.config import configuration, key_tables
 from hardcontact.config.faults import raise_faults, run_checks
 from hardcontact.config.keys import Study
-from hardcontact.config.yaml_files import refuse_unreadable
+from hardcontact.config.user_files import refuse_unreadable
 
 # Keys
 

@@ -17,7 +17,7 @@ from hardcontact.config.configuration import numeric_configuration
 from hardcontact.config.descriptions import refuse_description
 from hardcontact.config.force_table import measured_forces
 from hardcontact.config.selected_surfaces import surface_table
-from hardcontact.config.yaml_files import refuse_unreadable
+from hardcontact.config.user_files import refuse_unreadable
 from hardcontact.own.own_spectrum import read_own_spectrum
 from hardcontact.scans.reading import list_scans, read_scan
 from hardcontact.surfaces.substitute_spectra import described_rms_height

@@ -10,7 +10,7 @@ from paper_numbers import SUBSTRATES
 from repository import ROOT
 
 from hardcontact.base import dataset
-from hardcontact.config.yaml_files import read_yaml
+from hardcontact.config.user_files import read_yaml
 from hardcontact.paper.claims.selection import WITHOUT_SCAN
 from hardcontact.paper.claims.verdicts import JUDGED_COLUMNS, VERDICTS
 from hardcontact.report.figures.listing import PAPER_FIGURES

@@ -1,7 +1,7 @@
 # The page that answers for the user's surfaces, and its figures.
 
 from hardcontact.config.configuration import assumed_quantities, contact_words
-from hardcontact.config.yaml_files import read_yaml
+from hardcontact.config.user_files import read_yaml
 from hardcontact.records.code import page_templates
 from hardcontact.report.figures.listing import FILE_KINDS, OWN_FIGURES
 

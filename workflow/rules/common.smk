@@ -16,7 +16,7 @@
 from hardcontact.base.published import PUBLISHED_TABLES
 from hardcontact.config.configuration import is_paper_study
 from hardcontact.config.keys import NONE
-from hardcontact.config.yaml_files import read_yaml
+from hardcontact.config.user_files import read_yaml
 from hardcontact.files.paths import StudyPaths
 from hardcontact.run import study_inputs
 

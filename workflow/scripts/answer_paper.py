@@ -4,7 +4,7 @@ from pathlib import Path
 
 from hardcontact.base import published
 from hardcontact.base.dataset import read
-from hardcontact.config.yaml_files import read_yaml
+from hardcontact.config.user_files import read_yaml
 from hardcontact.paper.claims.verdicts import add_open_ends, read_judged_claims
 from hardcontact.records.code import read_pins
 from hardcontact.records.job import run_job

@@ -3,7 +3,7 @@
 import pandas as pd
 
 from hardcontact.base.dataset import read
-from hardcontact.config.yaml_files import read_yaml
+from hardcontact.config.user_files import read_yaml
 from hardcontact.records.job import run_job
 from hardcontact.report.answer import answer_text
 from hardcontact.report.figures.listing import FILE_KINDS

@@ -63,7 +63,7 @@ def refuse_faults() -> None:
     Snakemake names neither file, line nor key, and copies nested aliases until memory is full.
     """
     from hardcontact.config.faults import run_checks
-    from hardcontact.config.yaml_files import refuse_unreadable
+    from hardcontact.config.user_files import refuse_unreadable
 
     options = _options()
     checks = [partial(refuse_unreadable, path) for path in options.configfile]

@@ -40,7 +40,7 @@ from hardcontact.config.key_tables import commented_yaml
 from hardcontact.config.keys import NONE, SMOOTH_SPHERE
 from hardcontact.config.limits import refuse_unfit_grids
 from hardcontact.config.selected_surfaces import SurfaceRow
-from hardcontact.config.yaml_files import read_yaml
+from hardcontact.config.user_files import read_yaml
 from hardcontact.records.code import ROOT
 
 

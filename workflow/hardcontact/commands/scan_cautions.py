@@ -6,7 +6,7 @@ import numpy as np
 
 from hardcontact.base.formatting import format_length, format_quantity
 from hardcontact.commands.inventory import Entry, entries_by_surface
-from hardcontact.commands.permitted_contacts import PermittedContact
+from hardcontact.commands.proposed_contacts import PermittedContact
 from hardcontact.config.faults import raise_faults
 from hardcontact.contact.numerical_limits import (
     LARGE_SIZE_RATIO,

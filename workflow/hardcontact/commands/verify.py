@@ -10,7 +10,7 @@ from hardcontact.commands.options import CommandLine
 from hardcontact.config.configuration import apply_effort, key_values, merge
 from hardcontact.config.faults import shorten
 from hardcontact.config.keys import QUICK_SUFFIX
-from hardcontact.config.yaml_files import read_yaml
+from hardcontact.config.user_files import read_yaml
 from hardcontact.records.code import ROOT
 from hardcontact.records.origin import canonical_json, read_record
 from hardcontact.records.verification import verify_study

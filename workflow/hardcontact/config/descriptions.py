@@ -9,7 +9,7 @@ from pydantic import Field, model_validator
 
 from hardcontact.config.faults import quote_key
 from hardcontact.config.keys import Keys
-from hardcontact.config.tables import BLANK_AS_NAN, read_rows
+from hardcontact.config.user_files import BLANK_AS_NAN, read_rows
 from hardcontact.surfaces.substitute_spectra import (
     DATA_EVIDENCE,
     needs_calibration,

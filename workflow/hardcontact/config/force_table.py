@@ -7,10 +7,10 @@ from pathlib import Path
 
 import pandas as pd
 
-from hardcontact.base.units import NANOMETRE, parse_quantity
+from hardcontact.base.units import FACTORS, NANOMETRE, parse_quantity
 from hardcontact.config.faults import SIMILARITY, quote_key, raise_faults
 from hardcontact.config.key_types import Quantity
-from hardcontact.config.tables import Row, decode_utf8, parse_number, user_table
+from hardcontact.config.user_files import Row, decode_utf8, parse_number, user_table
 
 #: Columns of a table of single tests.
 TESTS = ("surface", "value", "unit")
@@ -24,6 +24,8 @@ SITE_SYNONYMS = dict.fromkeys(("place", "position", "location", "spot"), "site")
 FORCE_COLUMNS = ("value", "mean", "median")
 #: A column with its unit, such as "force (uN)" or "pull-off [nN]".
 COLUMN_WITH_UNIT = re.compile(r"(.*?)\s*[(\[]\s*(\S+?)\s*[)\]]")
+#: Units of force, and of force over the radius of the probe.
+FORCE_UNITS = {*FACTORS["N"], *(unit for unit in FACTORS["J/m2"] if unit.endswith("N/m"))}
 #: A pull-off force: 1 fN, below what any instrument measures, to the weight of 100 kg.
 FORCE_QUANTITY = Quantity("N", 1e-15, 1e3)
 
@@ -86,7 +88,7 @@ def _split_units(header: Sequence[str]) -> tuple[list[str], dict[str, str]]:
     units = {}
     for cell in header:
         match = COLUMN_WITH_UNIT.fullmatch(cell)
-        if match and _is_force_unit(match[2]):
+        if match and match[2] in FORCE_UNITS:
             names.append(match[1].lower())
             units[names[-1]] = match[2]
         else:
@@ -96,15 +98,6 @@ def _split_units(header: Sequence[str]) -> tuple[list[str], dict[str, str]]:
         names[names.index(name)] = "value"
         return names, {"value": unit}
     return names, {name: unit for name, unit in units.items() if name in FORCE_COLUMNS}
-
-
-def _is_force_unit(unit: str) -> bool:
-    """Return whether a unit is one of force, or of force over a radius."""
-    try:
-        _convert_to_newton("1", unit, radius=1.0)
-    except ValueError:
-        return False
-    return True
 
 
 def _convert_to_newton(number: str, unit: str, radius: float) -> float:

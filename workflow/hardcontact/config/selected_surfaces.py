@@ -10,7 +10,7 @@ import pandas as pd
 
 from hardcontact.config.key_types import FilePath, Matching, Quantity, or_word
 from hardcontact.config.keys import SMOOTH_SPHERE, Keys
-from hardcontact.config.tables import read_rows
+from hardcontact.config.user_files import read_rows
 from hardcontact.records.origin import digest, short_digest
 from hardcontact.surfaces.substitute_spectra import read_segments
 

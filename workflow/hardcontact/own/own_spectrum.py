@@ -17,7 +17,7 @@ import xarray as xr
 from hardcontact.base.arrays import generator
 from hardcontact.base.units import parse_quantity
 from hardcontact.config.faults import quote_key
-from hardcontact.config.tables import Row, UserTable, parse_number, user_table
+from hardcontact.config.user_files import Row, UserTable, parse_number, user_table
 from hardcontact.scans.both_bodies import combine_maps, combine_spectra
 from hardcontact.scans.defects import defect_sentence, scan_with_defects
 from hardcontact.scans.heights import LENGTH_BOUNDS, TAKE_CARE, split_notes

@@ -21,6 +21,12 @@ PINS = tuple(f"results/{Path(path).name}" for path in (ENVIRONMENT, LOCK))
 INSTALL = f"pip install --require-hashes -r {LOCK}"
 #: A line such as ``numpy==2.3.1``: name and version.
 PIN = re.compile(r"^([\w.-]+)(?:\[[^]]*\])?==([^\s;\\]+)", re.MULTILINE)
+#: The folder of the imported library.
+LIBRARY = Path(str(hardcontact.__file__)).resolve().parent
+#: The folder of the scripts beside it.
+SCRIPTS = LIBRARY.parent / "scripts"
+#: The top folder of the repository; studies name paths relative to it.
+ROOT = LIBRARY.parents[1]
 
 
 def read_pins(path: str | Path) -> dict[str, str]:
@@ -71,14 +77,6 @@ def installed_version(name: str) -> str | None:
         return version(name)
     except PackageNotFoundError:
         return None
-
-
-#: The folder of the imported library.
-LIBRARY = Path(str(hardcontact.__file__)).resolve().parent
-#: The folder of the scripts beside it.
-SCRIPTS = LIBRARY.parent / "scripts"
-#: The top folder of the repository; studies name paths relative to it.
-ROOT = LIBRARY.parents[1]
 
 
 def page_templates() -> list[str]:

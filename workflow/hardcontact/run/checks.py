@@ -1,8 +1,9 @@
 """Checks that the values of a study agree with each other, with its tables and its scans."""
 
-from collections.abc import Callable, Collection, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from functools import partial
 from glob import escape, glob
+from itertools import chain
 from typing import Any
 
 import numpy as np
@@ -34,6 +35,16 @@ from hardcontact.surfaces.substitute_spectra import (
     read_segments,
 )
 
+#: Upper bound on the differences in height between contacts on a substitute for a surface of the
+#: paper, in nm: about five times the largest rms height (MCD).
+SUBSTITUTE_RELIEF = 500.0
+#: The same bound relative to the rms height of all waves of a domain. The largest ratio on 24
+#: random surfaces of 10 to 40 um, from descriptions of 18 to 850 nm rms, was 3.7; this is a fifth
+#: more.
+RELIEF_OVER_RMS = 4.5
+#: A function that raises ValueError with a line for each fault.
+Check = Callable[[], object]
+
 
 def check_study(config: dict[str, Any], table: pd.DataFrame) -> None:
     """Refuse a study that would fail in a job; scans with contacts are read last."""
@@ -41,15 +52,11 @@ def check_study(config: dict[str, Any], table: pd.DataFrame) -> None:
     substitutes = table[table.source == "substitute"].drop_duplicates("surface")
     table1 = published.read_table1(published.PUBLISHED_TABLES["published_table1"])
     rows_of_table1 = {str(name): set(rows.quantity) for name, rows in table1.groupby("surface")}
-    faults = list[str]()
-    for row in substitutes.itertuples():
-        published_rows = rows_of_table1.get(str(row.surface), set())
-        faults += _faults_found_by(refuse_description, row.path, published_rows)
-    if is_paper_study(config):
-        faults += _paper_faults(config, contacts)
-    else:
-        faults += _own_surface_faults(config, table, substitutes, rows_of_table1)
-    raise_faults(dict.fromkeys(faults))
+    further_checks = _paper_checks if is_paper_study(config) else _own_surface_checks
+    substitute_checks = (
+        partial(_refuse_substitute, config, rows_of_table1, row) for row in substitutes.itertuples()
+    )
+    run_checks(chain(substitute_checks, further_checks(config, table)))
     rows_by_surface = {str(name): rows for name, rows in contacts.groupby("surface", sort=False)}
     grids = run_checks(partial(surface_grid, config, *item) for item in rows_by_surface.items())
     try:
@@ -59,13 +66,13 @@ def check_study(config: dict[str, Any], table: pd.DataFrame) -> None:
         raise
 
 
-def _faults_found_by(check: Callable[..., object], *arguments: Any) -> list[str]:
-    """Return the lines of the ValueError that a check raises, if it does."""
-    try:
-        check(*arguments)
-    except ValueError as error:
-        return str(error).splitlines()
-    return []
+def _refuse_substitute(
+    config: dict[str, Any], rows_of_table1: Mapping[str, set[str]], row: Any
+) -> None:
+    """Refuse a substitute whose description is faulty or not one of the user's surfaces."""
+    refuse_description(row.path, rows_of_table1.get(row.surface, set()))
+    if not is_paper_study(config):
+        refuse_paper_surface(row.path, row.surface, rows_of_table1)
 
 
 def _unusual_quantity_faults(config: dict[str, Any], fault: str) -> Iterator[str]:
@@ -84,8 +91,9 @@ def _name_faults(config: dict[str, Any], key: str, surfaces: list[str]) -> list[
     return [key_fault(key, accepted, get_key(config, key))]
 
 
-def _paper_faults(config: dict[str, Any], contacts: pd.DataFrame) -> list[str]:
-    """Return the faults of a study that is compared with the paper."""
+def _paper_checks(config: dict[str, Any], table: pd.DataFrame) -> Iterator[Check]:
+    """Yield the checks of a study that is compared with the paper."""
+    contacts = table[table.use == CONTACT_USE]
     sphere = config["sphere"]["surface"]
     surfaces = list(contacts.surface.unique())
     faults = _name_faults(config, "sphere.surface", surfaces)
@@ -115,39 +123,22 @@ def _paper_faults(config: dict[str, Any], contacts: pd.DataFrame) -> list[str]:
     # Imported here, as the claims would cost studies of the user's surfaces almost a second.
     from hardcontact.paper.claims.statements import check_claims
 
-    return faults + _faults_found_by(check_claims, published.CLAIMS)
+    yield partial(raise_faults, faults)
+    yield partial(check_claims, published.CLAIMS)
 
 
-def _own_surface_faults(
-    config: dict[str, Any],
-    table: pd.DataFrame,
-    substitutes: pd.DataFrame,
-    paper_surfaces: Collection[str],
-) -> list[str]:
-    """Return the faults of a study of the user's surfaces; scans under contact are not read."""
-    faults = list[str]()
+def _own_surface_checks(config: dict[str, Any], table: pd.DataFrame) -> Iterator[Check]:
+    """Yield the checks of a study of the user's surfaces; scans under contact are not read."""
     sphere = config["sphere"]["surface"]
+    makes_contact = table.use == CONTACT_USE
     if sphere != SMOOTH_SPHERE:
-        contacts = table[table.use == CONTACT_USE]
-        faults += _name_faults(config, "sphere.surface", list(contacts.surface.unique()))
-    for row in substitutes.itertuples():
-        faults += _faults_found_by(refuse_paper_surface, row.path, row.surface, paper_surfaces)
-    for row in table[table.use != CONTACT_USE].itertuples():
-        faults += _faults_found_by(stored_scan, config, row)
+        surfaces = list(table.surface[makes_contact].unique())
+        yield partial(raise_faults, _name_faults(config, "sphere.surface", surfaces))
+    for row in table[~makes_contact].itertuples():
+        yield partial(stored_scan, config, row)
     if config["forces"] != NONE:
         substrates = list(table.surface[table.surface != sphere].unique())
-        radius = config["sphere"]["radius"]
-        faults += _faults_found_by(measured_forces, config["forces"], substrates, radius)
-    return faults
-
-
-#: Upper bound on the differences in height between contacts on a substitute for a surface of the
-#: paper, in nm: about five times the largest rms height (MCD).
-SUBSTITUTE_RELIEF = 500.0
-#: The same bound relative to the rms height of all waves of a domain. The largest ratio on 24
-#: random surfaces of 10 to 40 um, from descriptions of 18 to 850 nm rms, was 3.7; this is a fifth
-#: more.
-RELIEF_OVER_RMS = 4.5
+        yield partial(measured_forces, config["forces"], substrates, config["sphere"]["radius"])
 
 
 def stored_scan(config: dict[str, Any], row: Any) -> HeightMap:

@@ -22,6 +22,10 @@ from hardcontact.run.reruns import MIN_SNAKEMAKE, plan_by_records
 #: Size in bytes up to which a job keeps freed memory for its next array. Returning it to the system
 #: costs some jobs a fifth of their time.
 REUSED_MEMORY = 256 * 1024**2
+#: Logger of the study's own messages, which a terminal shows with the stages of a run.
+logger = logging.getLogger("snakemake.logging.study")
+#: The last line of a run that failed or was stopped.
+RESUME = "The run is incomplete: repeat the command to resume."
 
 
 def prepare(workflow: Any) -> None:
@@ -105,12 +109,6 @@ def complete_rules(workflow: Any, paths: StudyPaths) -> None:
 def refuse(message: object) -> NoReturn:
     """End the run with one line per fault."""
     sys.exit("\n".join(f"error: {line}" for line in str(message).splitlines()))
-
-
-#: Logger of the study's own messages, which a terminal shows with the stages of a run.
-logger = logging.getLogger("snakemake.logging.study")
-#: The last line of a run that failed or was stopped.
-RESUME = "The run is incomplete: repeat the command to resume."
 
 
 def log_answer(workflow: Any, page: str) -> None:

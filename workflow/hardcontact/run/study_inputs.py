@@ -24,7 +24,7 @@ from hardcontact.config.selected_surfaces import (
     selected_scans,
     surface_table,
 )
-from hardcontact.config.yaml_files import read_yaml, refuse_unreadable
+from hardcontact.config.user_files import read_yaml, refuse_unreadable
 from hardcontact.records.code import ROOT, write_pins
 from hardcontact.records.origin import digests, refuse_changed
 from hardcontact.run.lifecycle import plans_the_run, refuse

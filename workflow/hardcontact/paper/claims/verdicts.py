@@ -34,6 +34,18 @@ VERDICTS = (
 ONE_SIDED = ("below", "above", "order")
 #: Share of the sets that must agree with a statement, or disagree: the usual level of significance.
 REPRODUCED_SHARE = 0.95
+#: Columns of the claims.csv of a study. `evidence` says where the limits of the paper come from,
+#: `basis` on which scans the computed number rests.
+JUDGED_COLUMNS = (
+    "id", "main", "section", "statement", "number", "published", "computed", "low", "high", "unit",
+    "rule", "evidence", "accepted_low", "accepted_high", "agreeing_share", "verdict",
+    "follows_from", "basis", "note",
+)  # fmt: skip
+#: Claims about an edge of the band, with its side.
+EDGE_CLAIMS = {
+    "short_edge_first": "short", "short_edge_mean": "short", "short_edge_mean_at_least": "short",
+    "long_edge_first": "long", "long_edge_mean": "long", "long_edge_mean_at_most": "long",
+}  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -147,20 +159,6 @@ def interval_with_sets(
     ends = sets_interval(samples, confidence) if samples_vary(samples) else np.array(interval)
     low, high = stretch_interval(ends, value)
     return float(low), float(high)
-
-
-#: Columns of the claims.csv of a study. `evidence` says where the limits of the paper come from,
-#: `basis` on which scans the computed number rests.
-JUDGED_COLUMNS = (
-    "id", "main", "section", "statement", "number", "published", "computed", "low", "high", "unit",
-    "rule", "evidence", "accepted_low", "accepted_high", "agreeing_share", "verdict",
-    "follows_from", "basis", "note",
-)  # fmt: skip
-#: Claims about an edge of the band, with its side.
-EDGE_CLAIMS = {
-    "short_edge_first": "short", "short_edge_mean": "short", "short_edge_mean_at_least": "short",
-    "long_edge_first": "long", "long_edge_mean": "long", "long_edge_mean_at_most": "long",
-}  # fmt: skip
 
 
 def read_judged_claims(path: str | Path) -> pd.DataFrame:
