@@ -70,9 +70,9 @@ def read_scan(
     path: str | Path,
     dataset: str = "",
     undefined_pixels: str = "refuse",
-    unit: str = "none",
-    map_size: float | str = "none",
-    mask: str = "keep",
+    unit: str = DEFAULT_OPTIONS.unit,
+    map_size: float | str = DEFAULT_OPTIONS.map_size,
+    mask: str = DEFAULT_OPTIONS.mask,
 ) -> HeightMap:
     """Read the central square of a map, or a line scan, in nm, not levelled.
 
