@@ -28,7 +28,7 @@ Row = Mapping[str, str]
 Result = TypeVar("Result")
 Model = TypeVar("Model", bound=BaseModel)
 #: A cell with a number, or a blank cell, which is NaN.
-BLANK_AS_NAN = WrapValidator(lambda cell, validate: validate(cell) if cell else math.nan)
+BLANK_AS_NAN = WrapValidator(lambda cell, parse: parse(cell) if cell else math.nan)
 Number = Annotated[float, Field(strict=False), BLANK_AS_NAN]
 
 
