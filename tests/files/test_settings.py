@@ -20,9 +20,7 @@ def test_rules_of_intermediates_take_no_values_of_the_configuration_but_settings
     assert [text for text in parameters if values.search(text)] == []
 
 
-@pytest.mark.parametrize(
-    "kind", ["both_bodies", "hindcast", "perturbed_scans", "masters", "sampled"]
-)
+@pytest.mark.parametrize("kind", ["both_bodies", "hindcast", "octave_forces", "masters", "sampled"])
 def test_files_with_the_roughness_of_another_sphere_have_another_digest(project_folder, kind):
     plan = study_files("published", "none", measured_surfaces=["uncd", "ruby"]).plan
     digests = set()

@@ -27,7 +27,7 @@ def rules_of(output):
 PAGE = {"answer_surfaces", "describe_study"}
 EDGES = {"find_edges_of_scans", "compute_force_at_pair"}
 FORCES = {"compute_pull_off", "aggregate_adhesion", "fit_measured"} | EDGES
-OCTAVES = {"compute_perturbed_scan_forces", "aggregate_sensitivity"}
+OCTAVES = {"compute_octave_forces", "aggregate_sensitivity"}
 HINDCAST = {"compute_hindcast_forces", "aggregate_hindcast"} | EDGES
 FILTERED = {"compute_filtered_forces", "aggregate_scales"}
 MASTERS = {"synthesize_masters"} | FILTERED | EDGES

@@ -45,7 +45,7 @@ STUDIES = {
     ]),
     "own_study": ("several-quick", [
         "measurements", "measured_spectra", "sampled_spectra", "scans", "both_bodies", "pull_off",
-        "perturbed_scans", "hindcast", "masters", "filtered/scales", "filtered/sampled",
+        "octave_forces", "hindcast", "masters", "filtered/scales", "filtered/sampled",
     ]),
 }  # fmt: skip
 

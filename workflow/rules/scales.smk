@@ -1,4 +1,4 @@
-# Scales: forces without the waves beyond each cutoff, and with each octave amplified or weakened.
+# Scales: forces without the waves beyond each cutoff, and with each octave changed.
 
 from hardcontact.config.limits import master_megabytes
 from hardcontact.config.keys import SMOOTH_SPHERE
@@ -73,7 +73,7 @@ rule aggregate_scales:
 
 
 rule compute_whole_surface_forces:
-    """Compute the forces on whole substitute surfaces, also with each octave amplified or weakened."""
+    """Compute the forces on whole substitute surfaces, also with each octave changed."""
     input:
         **DESCRIPTION_INPUTS,
         **SUBSTITUTE_INPUTS,
@@ -90,17 +90,17 @@ rule compute_whole_surface_forces:
         "../scripts/compute_whole_surface_forces.py"
 
 
-rule compute_perturbed_scan_forces:
-    """Compute the forces on a scan with each octave amplified or weakened."""
+rule compute_octave_forces:
+    """Compute the forces on a scan with each octave changed."""
     input:
         mirrored=lambda w: FILES.contact_map_path(w.surface, int(w.scan)),
         sphere=SPHERE_SCAN,
     output:
-        STORE.perturbed_scans,
+        STORE.octave_forces,
     params:
-        parameters=lambda w: dict(scan=int(w.scan), **SETTINGS["perturbed_scans"]),
+        parameters=lambda w: dict(scan=int(w.scan), **SETTINGS["octave_forces"]),
     script:
-        "../scripts/compute_perturbed_scan_forces.py"
+        "../scripts/compute_octave_forces.py"
 
 
 rule aggregate_sensitivity:
@@ -108,7 +108,7 @@ rule aggregate_sensitivity:
     input:
         forces=[
             *FILES.paths(STORE.whole_surfaces, CHUNKS.whole_surfaces),
-            *FILES.paths(STORE.perturbed_scans, PLAN.measured_scan_ids),
+            *FILES.paths(STORE.octave_forces, PLAN.measured_scan_ids),
         ],
         adhesion=RESULTS.dataset("adhesion") if PLAN.measured_scan_ids else [],
     output:

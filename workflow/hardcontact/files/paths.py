@@ -58,7 +58,7 @@ class StorePatterns:
         contact = f"{{radius}}/{{loading}}/{{rho}}/{_SURFACE}"
         scan_on_sphere = f"{rough_sphere}/{contact}/scan-{{scan}}.nc"
         self.pull_off = f"{folder['pull_off']}/{scan_on_sphere}"
-        self.perturbed_scans = f"{folder['perturbed_scans']}/{scan_on_sphere}"
+        self.octave_forces = f"{folder['octave_forces']}/{scan_on_sphere}"
         self.hindcast = f"{folder['hindcast']}/{scan_on_sphere}"
 
         # Contacts on other surfaces of the same spectrum, some in each file.

@@ -13,9 +13,9 @@ Most kinds have the name of their attribute of `StorePatterns`. The kinds hold:
 - ``both_bodies``: scans and spectra with the roughness of substrate and sphere;
 - ``pull_off``: forces on a scan, with all scans of the sphere;
 - ``elastic``, ``asperities``: elastic contacts of a surface, and the asperities that carry forces;
-- ``perturbed_scans``: forces on a scan with each octave amplified or weakened;
+- ``octave_forces``: forces on a scan with each octave changed;
 - ``hindcast``: forces on a scan with random roughness in place of its outermost octaves;
-- ``whole_surfaces``: forces on whole substitute surfaces, also with perturbed octaves;
+- ``whole_surfaces``: forces on whole substitute surfaces, also with each octave changed;
 - ``band_forces``: forces on the band alone, which are a result and not in the store;
 - ``pool``, ``featured_candidates``: forces on scans for the sets, without and with features;
 - ``masters``: scans with artificial roughness;
@@ -87,7 +87,7 @@ MADE_FROM = {
     "scans": ["measured_scans", "substitute_scans"],
     **dict.fromkeys(("pull_off", "elastic", "asperities"), ["scans"]),
     "both_bodies": ["scans", "measured_spectra", "sampled_spectra"],
-    **dict.fromkeys(("perturbed_scans", "hindcast", "masters"), ["both_bodies"]),
+    **dict.fromkeys(("octave_forces", "hindcast", "masters"), ["both_bodies"]),
     **{
         name: ["masters"] if purpose.masters_are_files else ["both_bodies"]
         for name, purpose in PURPOSES.items()
@@ -148,7 +148,7 @@ def _contact_settings(plan: StudyPlan) -> dict[str, dict[str, Any]]:
         },
         "elastic": {**seed, "contact": contact, **study["elastic"]},
         "asperities": {**seed, "contact": contact, "asperities": study["asperities"]},
-        "perturbed_scans": {"contact": contact_at_range},
+        "octave_forces": {"contact": contact_at_range},
         "hindcast": {**seed, "contact": contact_at_range, "transitions": transitions},
         "whole_surfaces": {**whole_surface, "ranges": long_ranges},
         "band_forces": whole_surface,

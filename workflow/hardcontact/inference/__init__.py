@@ -1,4 +1,4 @@
-"""Forces on filtered and perturbed surfaces, and what both kinds of study conclude from forces.
+"""Forces on surfaces without some waves, or with other amplitudes, and conclusions from forces.
 
-These are the band, the octaves that matter, and range and work of adhesion.
+Both kinds of study conclude the band, the octaves that matter, and range and work of adhesion.
 """

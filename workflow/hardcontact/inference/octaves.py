@@ -1,6 +1,6 @@
 """The sensitivity d ln F / d ln a of the mean force F to the amplitude a of each octave of waves.
 
-The waves of one octave are amplified, and attenuated, on the same surface. The ratio of both forces
+The amplitude of one octave is changed, up and down, on the same surface. The ratio of both forces
 scatters little, because all other waves are the same.
 """
 
@@ -55,12 +55,12 @@ def octave_forces(
     surface: HeightMap, limits: Sequence[float] | Floats, compute_forces: ForcesOnSurface
 ) -> Floats:
     """Return forces (octave, factor, ...) with one octave multiplied by AMPLITUDE_FACTORS."""
-    amplified_surface = replace(surface, heights=np.empty_like(surface.heights))
+    changed_surface = replace(surface, heights=np.empty_like(surface.heights))
 
     def force(octave: HeightMap, factor: float) -> Floats:
-        np.multiply(octave.heights, factor - 1, out=amplified_surface.heights)
-        np.add(amplified_surface.heights, surface.heights, out=amplified_surface.heights)
-        return compute_forces(amplified_surface)
+        np.multiply(octave.heights, factor - 1, out=changed_surface.heights)
+        np.add(changed_surface.heights, surface.heights, out=changed_surface.heights)
+        return compute_forces(changed_surface)
 
     octaves = split_octaves(surface, limits)
     return np.array([[force(octave, factor) for factor in AMPLITUDE_FACTORS] for octave in octaves])

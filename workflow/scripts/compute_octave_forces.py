@@ -1,4 +1,4 @@
-"""Forces on a scan with each octave of waves amplified or weakened."""
+"""Forces on a scan with each octave of waves changed."""
 
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.pull_off import make_force_function
@@ -18,5 +18,5 @@ with run_job(snakemake) as job:
         octave_force_dataset(mirrored, limits, compute_forces)
         .expand_dims(map=[params["scan"]])
         .assign_attrs(map_size=scan_size),
-        title="pull-off forces of one scan with each octave amplified or weakened",
+        title="pull-off forces of one scan with each octave changed",
     )
