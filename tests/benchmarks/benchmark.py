@@ -24,7 +24,7 @@ sys.path.insert(0, str(Path(__file__).parents[1] / "helpers"))
 
 from direct_sum import direct_total, gap_of_bodies
 from elastic_libraries import library_pressure, library_pull_off
-from measurements import uncd_density
+from measurements import cut_scan, uncd_density
 
 from hardcontact.base.arrays import generator
 from hardcontact.contact.bearing_area import all_contact_pixels
@@ -36,7 +36,7 @@ from hardcontact.contact.pull_off import attraction_sums
 from hardcontact.surfaces.filters import interpolate, lowpass
 from hardcontact.surfaces.height_map import mirror_scan
 from hardcontact.surfaces.levelling import level_plane
-from hardcontact.surfaces.synthesis import cut_scan, random_surface
+from hardcontact.surfaces.synthesis import random_surface
 
 RADIUS, RHO = 250e3, 5.6
 CONTACTS = 20

@@ -29,7 +29,7 @@ from hardcontact.surfaces.height_map import mirror_scan
 from hardcontact.surfaces.levelling import level_plane
 from hardcontact.surfaces.spectrum import spectrum_of_dataset
 from hardcontact.surfaces.substitute_spectra import substitute_spectrum
-from hardcontact.surfaces.synthesis import cut_scan, random_surface
+from hardcontact.surfaces.synthesis import random_surface
 
 RESOURCES = Path(__file__).parents[2] / "resources"
 TABLE = RESOURCES / "validation/scan_size.nc"
@@ -56,9 +56,11 @@ WINDOW_CONTACT = replace(CONTACT, contacts_per_row=5)
 
 def mirrored_windows(surface, size):
     """Yield levelled windows of an edge (nm), which mirrored are periodic over twice that size."""
+    pixels = round(size / surface.pixel_size)
     for start in np.arange(WINDOW_COUNT) * (surface.pixels // WINDOW_COUNT):
-        shifted = replace(surface, heights=np.roll(surface.heights, (-start, -start), (0, 1)))
-        yield mirror_scan(level_plane(cut_scan(shifted, round(size / surface.pixel_size))))
+        shifted_heights = np.roll(surface.heights, (-start, -start), (0, 1))
+        heights = shifted_heights[:pixels, :pixels].astype(float)
+        yield mirror_scan(level_plane(replace(surface, heights=heights, periodic=False)))
 
 
 def mean_force(surface, contact):

@@ -14,8 +14,8 @@ from refusals import assert_says, refusal
 from hardcontact.commands.options import parse_quantities, unit_questions
 from hardcontact.commands.predict import predict_arguments
 from hardcontact.own.own_spectrum import read_spectrum_table
+from hardcontact.scans.extrapolation import extrapolate_short_waves, fit_hurst_exponent
 from hardcontact.scans.measured_spectrum import CALIBRATION_SCATTER, isotropic_from_profile
-from hardcontact.scans.tail import extrapolate_short_waves, fit_hurst_exponent
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
 from hardcontact.theory.closed_form import closed_form, critical_band
 from hardcontact.theory.prediction import trim_spectrum

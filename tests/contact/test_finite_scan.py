@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import xarray as xr
+from measurements import cut_scan
 
 from hardcontact.base.arrays import generator
 from hardcontact.contact.contact import Contact
@@ -18,9 +19,9 @@ from hardcontact.contact.pull_off import pull_off_dataset
 from hardcontact.own.force_at_pair import add_sizes
 from hardcontact.surfaces.height_map import mirror_scan
 from hardcontact.surfaces.levelling import level_plane
-from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, smooth_rolloff
-from hardcontact.surfaces.synthesis import cut_scan, random_surface
-from hardcontact.theory.summits import search_size, spectral_moment, spectrum_between
+from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, smooth_rolloff, spectral_moment
+from hardcontact.surfaces.synthesis import random_surface
+from hardcontact.theory.summits import search_size, spectrum_between
 
 RADIUS, PIXEL = 250e3, 10e3 / 256
 

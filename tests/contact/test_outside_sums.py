@@ -1,16 +1,17 @@
 """The force sum against the direct sum over every pixel, and Derjaguin's force."""
 
+from dataclasses import replace
 from itertools import product
 
 import numpy as np
 import pytest
 from direct_sum import direct_total, gap_of_bodies
-from periodic_maps import MAP_CASES, RADIUS, make_bodies, periodic_noise
+from periodic_maps import CONTACT, MAP_CASES, RADIUS, make_bodies, periodic_noise
 
 from hardcontact.contact.bearing_area import all_contact_pixels
 from hardcontact.contact.force_sum.outside_sums import MAX_PENETRATION, outside_sums
 from hardcontact.contact.numerical_limits import DEPTH_OVER_RANGE
-from hardcontact.contact.pull_off import attraction_sums, force_of_sums
+from hardcontact.contact.pull_off import attraction_sums, forces_at_loadings
 
 #: Error of sums over heights in single precision, on a smooth sphere and unless the range is short.
 SINGLE = 1e-6
@@ -89,10 +90,9 @@ def plastic_totals(bodies, pixel_counts, rho):
 
 def test_a_smooth_sphere_on_a_flat_has_derjaguin_s_force():
     # 2 pi R W, 72.7 µN at the paper's work of adhesion, whatever the range.
-    work, pixel_size = 46.3e-3, 50.0
+    work, rigid_contact = 46.3e-3, replace(CONTACT, plastic=False)
     for rho, window in ((2.0, 300), (5.6, 400)):
-        flat = make_bodies(np.zeros((250, 250)), None, pixel_size, window, 1)
-        (total,) = plastic_totals(flat, [1], rho)
-        force = force_of_sums(total, rho, pixel_size, work).item()
+        flat = make_bodies(np.zeros((250, 250)), None, 50.0, window, 1)
+        force = work * forces_at_loadings(flat, [rigid_contact], [rho]).item()
         assert force == pytest.approx(2 * np.pi * RADIUS * 1e-9 * work, rel=1e-4)
         assert force == pytest.approx(72.7e-6, rel=1e-3)

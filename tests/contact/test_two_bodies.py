@@ -34,10 +34,11 @@ def test_indents_of_scans_equal_those_of_each_pair():
     assert indents.sphere_height.shape == (2 * MAP_HALF_WIDTH + 1,) * 2
 
 
-def test_elastic_contacts_carry_the_preload():
+def test_elastic_contacts_carry_the_preload(monkeypatch):
+    monkeypatch.setattr("hardcontact.contact.elastic.PULL_OFF_WINDOW", 600.0)
     bodies = make_bodies(periodic_noise(96, 2.0, 1), periodic_noise(96, 0.3, 2), 8.0, 512, 3)
     positions = sample_contacts(np.random.default_rng(1), 3, 2)
-    solved = solve_elastic_contacts(bodies, CONTACT, positions, MODULUS, 600.0)
+    solved = solve_elastic_contacts(bodies, CONTACT, positions, MODULUS)
     assert {name: solved[name].units for name in ELASTIC_UNITS} == ELASTIC_UNITS
     assert solved.sizes["contact"] == 2
     load = solved.elastic_contact_area * 1e-18 * solved.mean_pressure

@@ -1,5 +1,6 @@
 """Maps and line scans of known surfaces, most with the published spectrum of UNCD."""
 
+from dataclasses import replace
 from functools import cache, partial
 
 import numpy as np
@@ -8,7 +9,7 @@ from hardcontact.base.arrays import generator
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.levelling import level_plane
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, smooth_rolloff
-from hardcontact.surfaces.synthesis import cut_scan, random_surface
+from hardcontact.surfaces.synthesis import random_surface
 
 PIXEL = 2500 / 512  # nm, of the paper's scans
 
@@ -24,6 +25,12 @@ def gentle_density(q):
 
 
 UNCD = Spectrum(WAVEVECTORS, uncd_density(WAVEVECTORS))
+
+
+def cut_scan(surface, pixels):
+    """Return the corner (pixels, pixels) of a periodic surface, in double precision."""
+    heights = surface.heights[:pixels, :pixels].astype(float)
+    return replace(surface, heights=heights, periodic=False)
 
 
 def levelled_scan(rng, pixels, pixel_size=PIXEL):

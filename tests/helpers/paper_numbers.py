@@ -7,7 +7,7 @@ from hardcontact.base import published
 from hardcontact.paper.claims.statements import read_claims
 from hardcontact.paper.classical_models import ElasticSphere, Roughness
 from hardcontact.surfaces.features import ScanStatistics
-from hardcontact.theory.assumptions import RUBY_ON_DIAMOND_MODULUS
+from hardcontact.theory.validity import RUBY_ON_DIAMOND_MODULUS
 
 SUBSTRATES = ["polished_uncd", "uncd", "ncd", "mcd"]
 LABELS = ["polished UNCD", "UNCD", "NCD", "MCD"]

@@ -3,7 +3,7 @@
 from functools import cache
 
 import pandas as pd
-from measurements import UNCD
+from measurements import UNCD, cut_scan
 
 from hardcontact.base.arrays import generator
 from hardcontact.contact.contact import Contact
@@ -11,7 +11,7 @@ from hardcontact.paper.pool import compute_pool, pool_rms_heights
 from hardcontact.surfaces.levelling import level_plane
 from hardcontact.surfaces.spectrum import spectrum_dataset
 from hardcontact.surfaces.substitutes import Substitute
-from hardcontact.surfaces.synthesis import ScanGrid, cut_scan, random_surface
+from hardcontact.surfaces.synthesis import ScanGrid, random_surface
 
 GRID = ScanGrid(pixels=64, size=640.0, surface_pixels=128)
 CONTACT = Contact(radius=250e3, preload=10e-6, hardness=25e9, window=1600.0, contacts_per_row=2)

@@ -5,6 +5,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+from measurements import cut_scan
 
 from hardcontact.base.arrays import generator
 from hardcontact.base.dataset import stack
@@ -22,7 +23,6 @@ from hardcontact.surfaces.height_map import HeightMap, mirror_scan
 from hardcontact.surfaces.levelling import level_plane
 from hardcontact.surfaces.spectrum import self_affine, smooth_rolloff, spectrum_of_dataset
 from hardcontact.surfaces.synthesis import (
-    cut_scan,
     long_edge_master,
     random_surface,
     short_edge_master,

@@ -9,9 +9,9 @@ from measurements import measurement, random_line, random_map
 from scipy import stats
 
 from hardcontact.base.arrays import generator
+from hardcontact.scans.extrapolation import MAX_GRADIENT, MAX_HALF_LAPLACIAN
 from hardcontact.scans.joined_spectrum import joined_spectrum, sample_spectra
 from hardcontact.scans.measured_spectrum import CALIBRATION_SCATTER
-from hardcontact.scans.tail import MAX_GRADIENT, MAX_HALF_LAPLACIAN
 from hardcontact.surfaces.spectrum import (
     WAVEVECTORS,
     Spectrum,

@@ -17,7 +17,7 @@ from hardcontact.paper.featured_candidates import (
     compute_candidates,
 )
 from hardcontact.paper.published_fit import PublishedForces
-from hardcontact.surfaces.featured_scans import FeaturedSurface, sample_group
+from hardcontact.surfaces.features import FeaturedSurface, sample_group
 from hardcontact.surfaces.height_map import mirror_scan
 from hardcontact.surfaces.levelling import level_plane
 from hardcontact.surfaces.metrics import metrics

@@ -6,10 +6,10 @@ from measurements import gentle_density, measurement, random_line, random_map, t
 from refusals import assert_says, refusal
 
 from hardcontact.base.arrays import generator
+from hardcontact.scans.extrapolation import HURST_SCATTER
 from hardcontact.scans.joined_spectrum import joined_spectrum, sample_spectra
 from hardcontact.scans.measured_spectrum import CALIBRATION_SCATTER, isotropic_psd
 from hardcontact.scans.reliable_band import reliable_band
-from hardcontact.scans.tail import HURST_SCATTER
 from hardcontact.surfaces.spectrum import BIN_CENTRES, WAVEVECTORS, smooth_rolloff
 
 
@@ -116,7 +116,8 @@ def test_only_reliable_wavelengths_are_joined():
     joined_data = joined_spectrum(scans, [None] * 3)
     wavelength = 2 * np.pi / joined_data["bin_wavevector"].values
     for number, scan in enumerate(scans):
-        band, measurement_data = reliable_band(scan, None), joined_data.isel(measurement=number)
+        band = reliable_band(scan, None, isotropic_psd(scan))
+        measurement_data = joined_data.isel(measurement=number)
         is_in_band = (wavelength >= band.shortest) & (wavelength <= band.longest)
         np.testing.assert_array_equal(
             measurement_data["reliable"] == 1, is_in_band & np.isfinite(measurement_data["psd"])

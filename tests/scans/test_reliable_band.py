@@ -16,6 +16,11 @@ from hardcontact.surfaces.synthesis import random_surface
 PIXEL = 10.0
 
 
+def band_of(scan, tip_radius):
+    """Return the reliable band of a scan."""
+    return reliable_band(scan, tip_radius, isotropic_psd(scan))
+
+
 def steep(q):
     """C_iso ~ q^-4.5: facets, or polished UNCD after Table 1."""
     return smooth_rolloff(q, 1e6, 740.0, 1.25)
@@ -25,7 +30,7 @@ def steep(q):
 @pytest.mark.parametrize("density", [uncd_density, steep])
 def test_a_faithful_scan_is_limited_by_its_pixels_and_its_size(make, density):
     for k in range(3):
-        band = reliable_band(make(generator(1, k), 256, PIXEL, density), None)
+        band = band_of(make(generator(1, k), 256, PIXEL, density), None)
         assert band.shortest == 4 * PIXEL and band.limited_by == "pixels"
         assert band.longest == pytest.approx(256 * PIXEL / 3)
 
@@ -45,7 +50,7 @@ def test_a_tip_limits_the_band_where_its_image_leaves_the_surface():
     image = imaged_by_tip(heights, pixel, radius)
     true = measurement(heights[32:-32, 32:-32].astype(float), pixel)
     imaged = measurement(image[32:-32, 32:-32].astype(float), pixel)
-    band = reliable_band(imaged, radius)
+    band = band_of(imaged, radius)
     cutoff = to_surface_topography(level_plane(imaged)).scanning_probe_reliability_cutoff(radius)
     assert band.shortest == pytest.approx(cutoff, rel=1e-3)
     assert band.limited_by == "tip"
@@ -63,7 +68,7 @@ def test_a_tip_limits_the_band_where_its_image_leaves_the_surface():
 def test_a_floor_of_white_noise_is_cut_above_where_it_passes_the_surface(make, pixels):
     scan = make(generator(4), pixels, PIXEL)
     noisy = measurement(scan.heights + generator(5).normal(0, 10.0, scan.heights.shape), PIXEL)
-    band = reliable_band(noisy, None)
+    band = band_of(noisy, None)
     wavevector = BIN_CENTRES
     density = isotropic_psd(noisy)
     wavelength = 2 * np.pi / wavevector
@@ -78,11 +83,11 @@ def test_a_floor_of_white_noise_is_cut_above_where_it_passes_the_surface(make, p
 
 def test_a_plateau_before_the_rolloff_is_no_floor():
     early = random_map(generator(6), 256, PIXEL, lambda q: smooth_rolloff(q, 1e6, 150.0, 0.9))
-    assert reliable_band(early, None).shortest == 4 * PIXEL
+    assert band_of(early, None).shortest == 4 * PIXEL
 
 
 def test_white_noise_alone_is_nowhere_reliable():
-    band = reliable_band(measurement(generator(7).normal(size=(128, 128)), PIXEL), None)
+    band = band_of(measurement(generator(7).normal(size=(128, 128)), PIXEL), None)
     assert band.shortest > band.longest and band.limited_by == "noise"
 
 
@@ -95,7 +100,7 @@ def test_smoothing_limits_the_band(is_along_lines):
         smoothed = gaussian_filter(surface, 3.0, mode="wrap")
     true = measurement(surface[:256, :256], PIXEL)
     scan = measurement(smoothed[:256, :256], PIXEL)
-    band = reliable_band(scan, None)
+    band = band_of(scan, None)
     assert band.limited_by == "smoothing"
     wavevector = BIN_CENTRES
     density = isotropic_psd(scan)
@@ -110,5 +115,5 @@ def test_noise_does_not_hide_smoothing():
     surface = random_surface(generator(9), 512, PIXEL, uncd_density).heights.astype(float)
     smoothed = gaussian_filter(surface, 4.0, mode="wrap")[:256, :256]
     noisy = measurement(smoothed + generator(10).normal(0, 0.3, smoothed.shape), PIXEL)
-    clean = reliable_band(measurement(smoothed, PIXEL), None)
-    assert reliable_band(noisy, None).shortest == pytest.approx(clean.shortest, rel=0.3)
+    clean = band_of(measurement(smoothed, PIXEL), None)
+    assert band_of(noisy, None).shortest == pytest.approx(clean.shortest, rel=0.3)

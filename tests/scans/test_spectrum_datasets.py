@@ -6,9 +6,9 @@ from measurements import random_map, two_sizes_and_a_line
 
 from hardcontact.base import dataset
 from hardcontact.base.arrays import generator
+from hardcontact.scans.extrapolation import Tail
 from hardcontact.scans.joined_spectrum import joined_spectrum
 from hardcontact.scans.spectrum_datasets import convert_described_spectrum, stack_spectra
-from hardcontact.scans.tail import Tail
 from hardcontact.surfaces.spectrum import WAVEVECTORS, self_affine, spectrum_dataset
 
 SEGMENTS = pd.DataFrame(

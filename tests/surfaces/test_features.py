@@ -9,12 +9,13 @@ from measurements import UNCD
 from paper_numbers import POLISHED
 from periodic_maps import periodic_map
 
-from hardcontact.surfaces.featured_scans import FeaturedSurface, nearest_group
 from hardcontact.surfaces.features import (
+    FeaturedSurface,
     Features,
     add_features,
     expected_rms,
     feature_squares,
+    nearest_group,
     published_statistics,
     sample_features,
     standardized_differences,
@@ -77,7 +78,7 @@ def test_mean_and_variance_of_squares_follow_campbells_theorem():
 def test_sampled_features_have_the_published_statistics(sign, scans):
     rng = np.random.default_rng(scans)
     for _ in range(3):
-        features = sample_features(rng, POLISHED, scans, SIZE, PIXEL, sign)
+        features = sample_features(rng, POLISHED, scans, ScanGrid(PIXELS, SIZE, PIXELS), sign)
         assert np.sign(features.height) == sign and len(features.counts) == scans
         rms_values = expected_rms_of(features)
         means = rms_values.mean(axis=0)
@@ -112,7 +113,7 @@ SOURCE = FeaturedSurface(SUBSTITUTE, POLISHED)
 
 
 def test_the_nearest_group_is_one_of_bumps_or_pits(monkeypatch):
-    monkeypatch.setattr("hardcontact.surfaces.featured_scans.CANDIDATES", 4)
+    monkeypatch.setattr("hardcontact.surfaces.features.CANDIDATES", 4)
     features, scans = nearest_group(SOURCE, [1, 2])
     candidates = [
         SOURCE.sample_features(kind, 2, 1, candidate)

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from measurements import PIXEL, uncd_density
+from measurements import PIXEL, cut_scan, uncd_density
 
 from hardcontact.base.arrays import generator
 from hardcontact.surfaces.height_map import HeightMap
@@ -10,7 +10,6 @@ from hardcontact.surfaces.levelling import remove_form
 from hardcontact.surfaces.synthesis import (
     ScanGrid,
     add_sphere_shape,
-    cut_scan,
     random_surface,
     sample_scan,
 )
@@ -31,5 +30,5 @@ def test_a_scan_is_the_corner_of_a_random_surface():
     scan = sample_scan(generator(1), uncd_density, ScanGrid(64, 64 * PIXEL, 128), 0.7)
     assert not scan.periodic
     assert scan.pixel_size == pytest.approx(PIXEL)
-    corner = cut_scan(random_surface(generator(1), 128, PIXEL, uncd_density), 64, 0.7)
-    np.testing.assert_array_equal(scan.heights, corner.heights)
+    corner = cut_scan(random_surface(generator(1), 128, PIXEL, uncd_density), 64)
+    np.testing.assert_array_equal(scan.heights, 0.7 * corner.heights)

@@ -5,7 +5,7 @@ from functools import cache
 import numpy as np
 import pandas as pd
 import pytest
-from measurements import PIXEL, UNCD, uncd_density
+from measurements import PIXEL, UNCD, cut_scan, uncd_density
 from paper_numbers import SUBSTRATES, SURFACES
 from repository import DESCRIPTION_HEADER, ROOT
 from scipy import stats
@@ -16,7 +16,7 @@ from hardcontact.surfaces import spectrum, substitute_spectra, table1_calibratio
 from hardcontact.surfaces.levelling import level_plane
 from hardcontact.surfaces.metrics import metrics
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_rms
-from hardcontact.surfaces.synthesis import cut_scan, random_surface
+from hardcontact.surfaces.synthesis import random_surface
 from hardcontact.surfaces.table1_calibration import expected_scan_rms, transfer_weights
 
 

@@ -13,11 +13,10 @@ sys.path.insert(0, str(ROOT / "tests/benchmarks"))
 import validate_prediction
 
 from hardcontact.base.arrays import generator
-from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, varying_hurst
+from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, spectral_moment, varying_hurst
 from hardcontact.surfaces.synthesis import random_surface
 from hardcontact.theory import prediction, validity
 from hardcontact.theory.closed_form import closed_form
-from hardcontact.theory.summits import spectral_moment
 
 TABLE = pd.read_csv(validity.DESIGNED_SURFACES)
 

@@ -8,10 +8,10 @@ from known_spectra import gaussian_spectrum, self_affine_spectrum
 from scipy import integrate, stats
 
 from hardcontact.base.arrays import generator
-from hardcontact.surfaces.spectrum import Spectrum, smooth_rolloff
+from hardcontact.surfaces.spectrum import Spectrum, smooth_rolloff, spectral_moment
 from hardcontact.surfaces.synthesis import random_surface
 from hardcontact.theory import summits
-from hardcontact.theory.summits import search_size, spectral_moment, spectrum_between
+from hardcontact.theory.summits import search_size, spectrum_between
 
 RADIUS = 250e3
 #: Radius of a sphere so flat that its highest summits obey the laws of high apex.

@@ -45,7 +45,7 @@ from hardcontact.surfaces.levelling import remove_form
 from hardcontact.surfaces.metrics import metrics as metrics
 from hardcontact.surfaces.spectrum import Spectrum
 from hardcontact.surfaces.spectrum import measured_psds as measured_psds
-from hardcontact.theory.assumptions import wide_contact_message
+from hardcontact.theory.validity import wide_contact_message
 
 if TYPE_CHECKING:
     from SurfaceTopography import Topography
@@ -199,8 +199,8 @@ def read_spectrum(
     )
     options = reading.ReadingOptions(tip_radius, unit, map_size, levelling, mask, undefined_pixels)
     with arguments_in_messages():
-        own = read_own_spectrum(files, options, dataset=dataset, sphere_radius=sphere_radius)
-    spectrum = own.spectrum
+        surface = read_own_spectrum(files, options, dataset=dataset, sphere_radius=sphere_radius)
+    spectrum = surface.spectrum
     if extrapolated and isinstance(spectrum, ScanSpectrum):
         return spectrum.extrapolated()
     return spectrum

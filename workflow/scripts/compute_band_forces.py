@@ -7,7 +7,7 @@ from hardcontact.contact.pull_off import make_force_function
 from hardcontact.inference.band_forces import band_force_dataset
 from hardcontact.inference.edges import mean_band
 from hardcontact.records.job import run_job
-from hardcontact.surfaces.featured_scans import whole_surface
+from hardcontact.surfaces.features import whole_surface
 from hardcontact.surfaces.substitutes import read_substitute
 
 with run_job(snakemake) as job:

@@ -3,7 +3,7 @@
 from hardcontact.contact.contact import Contact
 from hardcontact.paper.featured_candidates import compute_candidates
 from hardcontact.records.job import run_job
-from hardcontact.surfaces.featured_scans import featured_surface
+from hardcontact.surfaces.features import featured_surface
 from hardcontact.surfaces.substitutes import read_substitute
 
 with run_job(snakemake) as job:

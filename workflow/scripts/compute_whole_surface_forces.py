@@ -5,7 +5,7 @@ from hardcontact.base.progress import progress
 from hardcontact.contact.contact import Contact
 from hardcontact.inference.octaves import whole_surface_forces
 from hardcontact.records.job import run_job
-from hardcontact.surfaces.featured_scans import whole_surface
+from hardcontact.surfaces.features import whole_surface
 from hardcontact.surfaces.substitutes import read_substitute
 
 with run_job(snakemake) as job:

@@ -2,7 +2,7 @@
 
 from hardcontact.records.job import run_job
 from hardcontact.surfaces.conditioning import condition_group, conditioned_scan
-from hardcontact.surfaces.featured_scans import featured_group
+from hardcontact.surfaces.features import featured_group
 from hardcontact.surfaces.levelling import LEVELLED, MIRRORED, level_and_mirror
 from hardcontact.surfaces.substitutes import read_substitute
 

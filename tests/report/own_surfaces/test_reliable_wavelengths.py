@@ -3,7 +3,7 @@
 import numpy as np
 from answer_inputs import MEASUREMENTS, SURFACES, spectra
 
-from hardcontact.report.own_surfaces.datasets import without_padding
+from hardcontact.report.own_surfaces.datasets import drop_padding
 from hardcontact.report.own_surfaces.reliable_wavelengths import artificial_bands, reliable_scans
 
 
@@ -33,5 +33,5 @@ def test_an_unreliable_scan_closes_no_gap():
 def test_empty_entries_are_no_measurements():
     twin = spectra(2).sel(surface=SURFACES[1])
     assert twin.sizes["measurement"] == 3
-    assert without_padding(twin)["path"].values.tolist() == ["scans/fine.spm", "scans/coarse.spm"]
+    assert drop_padding(twin)["path"].values.tolist() == ["scans/fine.spm", "scans/coarse.spm"]
     assert artificial_bands(twin)[-1] == (5000.0, np.inf)

@@ -113,7 +113,7 @@ def _read_file(
     faults = []
     for dataset in datasets:
         try:
-            scan = options.read(scan_file.file, dataset or channel)
+            scan = options.read_scan(scan_file.file, dataset or channel)
             entries.append(_measure_scan(scan_file, scan, options))
         except ValueError as error:
             file = f"{scan_file.file}: "

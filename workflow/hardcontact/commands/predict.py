@@ -33,7 +33,7 @@ from hardcontact.own.own_spectrum import OwnSpectrum, add_sphere_roughness, read
 from hardcontact.own.scan_force import prediction_and_scan_force
 from hardcontact.own.wide_pixels import WIDE_PIXEL
 from hardcontact.scans.heights import TAKE_CARE
-from hardcontact.theory.assumptions import (
+from hardcontact.theory.validity import (
     MAX_NEGLIGIBLE_CHANGE,
     assumed_modulus,
     judge_tabor_parameter,

@@ -1,4 +1,4 @@
-"""What all contacts of a computation share: sphere, loading, adhesion, array; contact models."""
+"""A contact: sphere, loading, adhesion and array, which all contacts of a computation share."""
 
 import math
 from dataclasses import dataclass

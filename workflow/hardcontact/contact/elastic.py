@@ -203,7 +203,6 @@ def solve_elastic_contacts(
     contact: Contact,
     contact_indices: NDArray[np.int_],
     modulus: float,
-    pull_off_window: float = PULL_OFF_WINDOW,
 ) -> xr.Dataset:
     """Solve some contacts of two bodies with elasticity, without plasticity.
 
@@ -215,7 +214,7 @@ def solve_elastic_contacts(
     geometry = bodies.geometry
     pixel_size = geometry.pixel_size
     period_pixels = min(bodies.substrate.pixels, geometry.window_pixels)
-    pull_off_pixels = min(window_pixels(pull_off_window, pixel_size), period_pixels)
+    pull_off_pixels = min(window_pixels(PULL_OFF_WINDOW, pixel_size), period_pixels)
     metrics = []
     pressures = []
     # More threads take twice the processor time and give the same numbers.
@@ -250,6 +249,6 @@ def solve_elastic_contacts(
 
 
 def stack_elastic_contacts(scans: DatasetsByLabels) -> xr.Dataset:
-    """Stack the results of `solve_elastic_contacts` by (scan,); keep the pressure of the first."""
+    """Stack results of `solve_elastic_contacts` by (scan,), with the pressure of the first scan."""
     numbers = {key: scan.drop_vars(["pressure", "y", "x"]) for key, scan in scans.items()}
     return stack(numbers, ["scan"]).assign(pressure=next(iter(scans.values()))["pressure"])

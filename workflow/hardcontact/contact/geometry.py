@@ -100,10 +100,10 @@ def join_bodies(substrate: HeightMap, sphere: HeightMap | None, contact: Contact
     The sphere is its mirrored roughness, or None for a smooth sphere.
     """
     contact.require("window")
-    substrate = _in_native_precision(substrate)
+    substrate = _convert_precision(substrate)
     sphere_roughness = None
     if sphere is not None:
-        sphere = _in_native_precision(sphere)
+        sphere = _convert_precision(sphere)
         pixel_size = min(substrate.pixel_size, sphere.pixel_size)
         substrate = _refine(substrate, pixel_size)
         sphere = _refine(sphere, pixel_size)
@@ -140,7 +140,7 @@ def read_bodies(substrate: str, sphere: str | None, contact: Contact) -> Bodies:
     return join_bodies(load_height_map(substrate), sphere_map, contact)
 
 
-def _in_native_precision(surface: HeightMap) -> HeightMap:
+def _convert_precision(surface: HeightMap) -> HeightMap:
     """Return a map whose heights are in double precision, unless they are in single precision."""
     precision = np.float32 if surface.heights.dtype == np.float32 else np.float64
     return replace(surface, heights=surface.heights.astype(precision, copy=False))

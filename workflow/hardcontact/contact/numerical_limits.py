@@ -68,7 +68,7 @@ def minimum_range(radius: float, window: float, grid: Grid) -> tuple[float, str]
 
 
 def periods_in_window(window: float, scan_size: float) -> float:
-    """Return how many periods of a mirrored scan, twice as wide as the scan, lie in a window."""
+    """Return the number of periods of a mirrored scan in a window; a period is two scans wide."""
     return max(1.0, window / (2 * scan_size)) ** 2
 
 

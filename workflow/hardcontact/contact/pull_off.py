@@ -10,7 +10,7 @@ from dataclasses import replace
 
 import numpy as np
 import xarray as xr
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from hardcontact.base.arrays import Floats
 from hardcontact.base.units import DIMENSIONLESS, NANOMETRE, NEWTON, NM
@@ -27,22 +27,6 @@ ForcesOnSurface = Callable[[HeightMap], Floats]
 WORK_OF_ADHESION = 1.0
 #: Attributes of a computed force.
 FORCE_ATTRS = NEWTON | {"long_name": "pull-off force at W = 1 J/m2"}
-
-
-def force_of_sums(
-    sums: ArrayLike, rho: ArrayLike, pixel_size: float, work: float = WORK_OF_ADHESION
-) -> Floats:
-    """Return the pull-off force (N, positive) from sums of exp(-gap/rho): Eq. 3.
-
-    Raises ValueError if a sum exceeds the range of floats: rho is too short for the relief.
-    """
-    if not np.isfinite(sums).all():
-        raise ValueError(
-            f"rho = {np.min(rho):g} nm: expected a longer range of adhesion, because the surface "
-            f"rises over {EXP_LIMITS[np.float64]:g} ranges above a contact, more than exp() holds"
-        )
-    pixel_force = work / np.asarray(rho) * pixel_size**2 * NANOMETRE
-    return np.asarray(pixel_force * np.asarray(sums))
 
 
 def attraction_sums(
@@ -92,10 +76,19 @@ def make_force_function(contact: Contact, sphere: HeightMap | None = None) -> Fo
 def _forces_of_pixels(
     bodies: Bodies, contact_pixels: ContactPixels, counts: Sequence[int], ranges: Sequence[float]
 ) -> Floats:
-    """Return the forces (pixel count, rho, contact_y, contact_x) in N at 1 J/m²."""
+    """Return the forces (pixel count, rho, contact_y, contact_x) in N at 1 J/m²: Eq. 3.
+
+    Raises ValueError if a sum exceeds the range of floats: a range is too short for the relief.
+    """
     sums = attraction_sums(bodies, contact_pixels, counts, ranges)
+    if not np.isfinite(sums).all():
+        raise ValueError(
+            f"rho = {min(ranges):g} nm: expected a longer range of adhesion, because the surface "
+            f"rises over {EXP_LIMITS[np.float64]:g} ranges above a contact, more than exp() holds"
+        )
     rho_column = np.asarray(ranges, float)[:, None, None]
-    return force_of_sums(sums, rho_column, bodies.geometry.pixel_size)
+    pixel_area = bodies.geometry.pixel_size**2
+    return np.asarray(WORK_OF_ADHESION / rho_column * pixel_area * NANOMETRE * sums)
 
 
 def pull_off_dataset(bodies: Bodies, contact: Contact, ranges: Sequence[float]) -> xr.Dataset:

@@ -17,7 +17,7 @@ from hardcontact.surfaces.filters import interpolate
 def pull_off_on_spheres(
     all_bodies: Mapping[int, Bodies], contact: Contact, ranges: Sequence[float]
 ) -> xr.Dataset:
-    """Return the variables (sphere_scan, ...) of `pull_off_dataset` for bodies of one substrate.
+    """Return `pull_off_dataset` for each scan of the sphere on one substrate: (sphere_scan, ...).
 
     Contacts are numbered, because their positions differ between pixel sizes.
     """
@@ -32,7 +32,7 @@ def pull_off_on_spheres(
 def finer_pixel_ratio(bodies: Bodies, contact: Contact, forces: xr.DataArray) -> float:
     """Return the mean plastic force on interpolated pixels of half the size, relative to `forces`.
 
-    The forces (...) in N at 1 J/m² are those on the bodies' pixels, at the range of the contact.
+    The `forces` (...) in N at 1 J/m² belong to the bodies' own pixels and the range of the contact.
     """
     geometry = bodies.geometry
     substrate = bodies.substrate

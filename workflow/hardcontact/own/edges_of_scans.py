@@ -40,7 +40,7 @@ def edges_of_scans(
         curves = _widen_ratios(curves, hindcast["hindcast_ratio"])
     edges = edges_of_curves(curves, tolerance)
     if hindcast is not None:
-        edges = _without_rippled_edges(edges, hindcast["filtered_scan_ratio"], tolerance)
+        edges = _remove_rippled_edges(edges, hindcast["filtered_scan_ratio"], tolerance)
     interval_source = curves["interval_source"].isel(side=0, drop=True)
     return edges.merge(curves.assign(interval_source=interval_source))
 
@@ -69,7 +69,7 @@ def _widen_ratios(curves: xr.Dataset, hindcast_ratio: xr.DataArray) -> xr.Datase
     return widen_interval(curves, "filtered_force_ratio", np.exp(np.minimum(log_error, log_ratio)))
 
 
-def _without_rippled_edges(
+def _remove_rippled_edges(
     edges: xr.Dataset, filtered_scan_ratio: xr.DataArray, tolerance: float
 ) -> xr.Dataset:
     """Return edges without the short edges of surfaces on which the filter makes ripples.

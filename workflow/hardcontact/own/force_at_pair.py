@@ -30,9 +30,9 @@ from hardcontact.own.mean_forces import (
 )
 from hardcontact.own.wide_pixels import pixel_factors
 from hardcontact.surfaces.spectrum import spectrum_of_dataset
-from hardcontact.theory.assumptions import assumed_modulus, judge_tabor_parameter
 from hardcontact.theory.closed_form import closed_form
 from hardcontact.theory.summits import search_size
+from hardcontact.theory.validity import assumed_modulus, judge_tabor_parameter
 
 #: Quantiles of the forces of single contacts: the middle half and the middle 90 %.
 FORCE_QUANTILES = [0.05, 0.25, 0.5, 0.75, 0.95]

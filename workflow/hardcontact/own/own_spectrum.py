@@ -94,7 +94,7 @@ def read_own_spectrum(
         note = f"left out: {zeros} rows of the table with a density of 0, no roughness there"
         return OwnSpectrum(spectrum, (note,) if zeros else ())
     scans = [
-        scan_with_defects(options.read(path, name), sphere_radius, options.levelling)
+        scan_with_defects(options.read_scan(path, name), sphere_radius, options.levelling)
         for path in files
         for name in ([dataset] if dataset else list_scans(path))
     ]
@@ -119,7 +119,7 @@ def add_sphere_roughness(surface: OwnSpectrum, sphere: OwnSpectrum, seed: int) -
         sphere_spectrum, ScanSpectrum
     ):
         raise ValueError("--sphere: expected scans of both bodies, found a table of a spectrum")
-    spectra = combine_spectra(substrate_spectrum.joined, sphere_spectrum.joined)
+    spectra = combine_spectra(substrate_spectrum.joined_dataset, sphere_spectrum.joined_dataset)
     notes = surface.notes + sphere.notes
     scans = surface.scans + sphere.scans
     if len(scans) > 2 or any(scan.kind != "map" for scan in scans):

@@ -19,10 +19,9 @@ from hardcontact.contact.contact import CONTACT_AXES, PLASTIC, Contact
 from hardcontact.contact.pull_off import interpolate_to_range
 from hardcontact.paper.pool import smooth_sphere_forces
 from hardcontact.paper.published_fit import PublishedForces
-from hardcontact.surfaces.featured_scans import FeaturedSurface, describe_features, sample_group
-from hardcontact.surfaces.features import KINDS, SIGNS
+from hardcontact.surfaces.features import KINDS, SIGNS, FeaturedSurface, sample_group
 from hardcontact.surfaces.levelling import level_plane
-from hardcontact.surfaces.metrics import TABLE1_METRICS, measured_metrics
+from hardcontact.surfaces.metrics import TABLE1_METRICS, metrics_dataset
 
 #: Largest factor between computed and published force of a candidate that agrees. It holds for the
 #: mean and for the median force, at the published range and work of adhesion.
@@ -53,10 +52,9 @@ def compute_candidates(
         scan_results = {}
         for index, scan in enumerate(map(level_plane, scans), 1):
             forces = smooth_sphere_forces(scan, contact, ranges)
-            roughness = measured_metrics(scan, TABLE1_METRICS.values())
+            roughness = metrics_dataset(scan, TABLE1_METRICS.values())
             scan_results[(index,)] = roughness.assign(pull_off_force=forces)
-        description = describe_features(features, featured.mean_rms_height)
-        candidates.append(stack(scan_results, ["scan"]).assign(description))
+        candidates.append(stack(scan_results, ["scan"]).assign(featured.describe(features)))
     return xr.concat(candidates, pd.Index(list(numbers), name="candidate"))
 
 

@@ -20,7 +20,7 @@ from hardcontact.contact.pull_off import pull_off_dataset, spline_weights
 from hardcontact.surfaces.conditioning import scale_rms_heights
 from hardcontact.surfaces.height_map import HeightMap, mirror_scan
 from hardcontact.surfaces.levelling import level_plane
-from hardcontact.surfaces.metrics import TABLE1_METRICS, measured_metrics
+from hardcontact.surfaces.metrics import TABLE1_METRICS, metrics_dataset
 from hardcontact.surfaces.substitutes import Substitute, Targets, required_targets
 from hardcontact.surfaces.synthesis import sample_scan
 
@@ -72,7 +72,7 @@ def _forces_at_heights(
     scan: HeightMap, rms_heights: Floats, contact: Contact, ranges: list[float]
 ) -> xr.Dataset:
     """Return the metrics of a levelled scan, and ``log_force`` on it at other rms heights."""
-    roughness = measured_metrics(scan, TABLE1_METRICS.values())
+    roughness = metrics_dataset(scan, TABLE1_METRICS.values())
     factors = rms_heights / roughness["rms_height"].item()
     forces = [
         smooth_sphere_forces(replace(scan, heights=factor * scan.heights), contact, ranges)

@@ -11,8 +11,8 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from hardcontact.base.units import DIMENSIONLESS
+from hardcontact.scans.extrapolation import Tail
 from hardcontact.scans.reliable_band import OTHER_BODY
-from hardcontact.scans.tail import Tail
 from hardcontact.surfaces.filters import interpolate, lowpass
 from hardcontact.surfaces.height_map import HeightMap, mirror_in_float32
 from hardcontact.surfaces.spectrum import (
@@ -45,7 +45,7 @@ def _resample(surface: HeightMap, pixel_size: float) -> HeightMap:
 
 
 def combine_spectra(substrate: xr.Dataset, sphere: xr.Dataset) -> xr.Dataset:
-    """Return the sum of two spectra of `joined_spectrum`, with the measurements of both bodies.
+    """Return the sum of two joined spectra, with the measurements of both bodies.
 
     A measurement is reliable where its body has most of the power. ``sphere_share``
     (bin_wavevector) is the sphere's share of the power.

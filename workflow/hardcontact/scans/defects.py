@@ -24,8 +24,7 @@ from hardcontact.scans.map_defects import (
     wave_power,
 )
 from hardcontact.surfaces.height_map import HeightMap
-from hardcontact.surfaces.levelling import remove_form
-from hardcontact.surfaces.streaks import MIN_STREAK_STEPS, fill_streaks
+from hardcontact.surfaces.levelling import MIN_STREAK_STEPS, fill_streaks, remove_form
 
 #: Sentences on defects by code, with the names of their numbers in braces.
 SENTENCES: dict[str, str] = yaml.safe_load(
@@ -97,7 +96,7 @@ def scan_defects(
             defects["equal_lines"] = {"equal_line_share": share}
             measured_heights = raw_heights[~rows][:, ~columns]
         if not is_masked("line_patterns"):
-            levelled_heights, defects["streaks"] = _without_streaks(levelled_heights)
+            levelled_heights, defects["streaks"] = _fill_streaks(levelled_heights)
             power = wave_power(levelled_heights)
             defects |= find_line_patterns(levelled_heights, power, pixel_size)
     defects["spikes"] = _find_spikes(levelled_heights)
@@ -114,13 +113,13 @@ def scan_defects(
 def scan_with_defects(
     scan: HeightMap, sphere_radius: float | None = None, levelling: str = "plane"
 ) -> HeightMap:
-    """Return a scan, levelled as by `remove_form`, with its defects."""
+    """Level a scan by `remove_form`, and add its defects."""
     flat = remove_form(scan, sphere_radius, levelling)
     return replace(flat, defects=scan_defects(scan.heights, flat.heights, scan.pixel_size))
 
 
-def _without_streaks(heights: Floats) -> tuple[Floats, Defect]:
-    """Return heights without streaks, and the numbers of the streaks."""
+def _fill_streaks(heights: Floats) -> tuple[Floats, Defect]:
+    """Return heights whose streaks are filled, and the numbers of the streaks."""
     filled_heights, is_filled = fill_streaks(heights)
     lines = np.flatnonzero(is_filled.any(axis=1)) + 1
     if not lines.size:

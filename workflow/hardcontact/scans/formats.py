@@ -145,8 +145,8 @@ def _notes_on_unused_options(channel: Any, unit: str, map_size: float | str) -> 
     if map_size != NOT_GIVEN and channel.physical_sizes is not None:
         size = max(channel.physical_sizes) * unit_in_nm(channel.unit)
         if not math.isclose(float(map_size), size, rel_tol=0.01):
-            given, stated = format_length(float(map_size)), format_length(size)
-            yield f"the given size, {given}, is not used: the file states {stated}"
+            given_size, file_size = format_length(float(map_size)), format_length(size)
+            yield f"the given size, {given_size}, is not used: the file states {file_size}"
 
 
 def _read_topography(channel: Any, metadata: dict[str, Any]) -> tuple[Any, list[str]]:

@@ -34,7 +34,7 @@ POSITION_ROUNDING = 0.05
 
 
 class RefusedFile(Exception):
-    """A file that cannot be used; the text names what was expected and what was found."""
+    """A file that cannot be used; the message has the form "expected ..., found ..."."""
 
 
 def split_notes(notes: Sequence[str]) -> tuple[list[str], list[str]]:
@@ -117,11 +117,12 @@ def map_fields(topography: Any, factor: float, undefined_pixels: str) -> dict[st
             caution = f"{TAKE_CARE}only {share} of this strip is used: "
         notes.append(f"{caution}cropped from {columns} x {rows} to {width} x {width} pixels")
     undefined_count, undefined_notes = _count_undefined(heights, undefined_pixels)
-    filled = heights.data
+    filled_heights = heights.data
     if undefined_count:
-        topography = Topography(heights, heights.shape)
-        filled = np.asarray(topography.interpolate_undefined_data(undefined_pixels).heights())
-    return _scan_fields(filled.T * factor, pixel_size, notes + undefined_notes, undefined_count)
+        square = Topography(heights, heights.shape)
+        filled_heights = np.asarray(square.interpolate_undefined_data(undefined_pixels).heights())
+    notes += undefined_notes
+    return _scan_fields(filled_heights.T * factor, pixel_size, notes, undefined_count)
 
 
 def _largest_square(heights: np.ma.MaskedArray) -> np.ma.MaskedArray:
@@ -183,7 +184,7 @@ def _mask_undefined(heights: Floats) -> np.ma.MaskedArray:
 
 
 def _count_undefined(heights: np.ma.MaskedArray, undefined_pixels: str) -> tuple[int, list[str]]:
-    """Return the number of undefined pixels and a note; refuse too many, or any if told so."""
+    """Return the number of undefined pixels and a note; refuse too many, or any by option."""
     count = int(heights.mask.sum())
     if count > MAX_UNDEFINED_SHARE * heights.size:
         raise RefusedFile(
@@ -207,9 +208,9 @@ def line_scan_fields(line_scan: Any, factor: float, undefined_pixels: str) -> di
     undefined_count, undefined_notes = _count_undefined(heights, undefined_pixels)
     grid, notes = _uniform_grid(positions)
     defined = ~heights.mask
-    filled = np.interp(grid, positions[defined], heights.data[defined]) * factor
+    filled_heights = np.interp(grid, positions[defined], heights.data[defined]) * factor
     pixel_size = float((grid[-1] - grid[0]) / (len(grid) - 1))
-    return _scan_fields(filled, pixel_size, notes + undefined_notes, undefined_count)
+    return _scan_fields(filled_heights, pixel_size, notes + undefined_notes, undefined_count)
 
 
 def _uniform_grid(positions: Floats) -> tuple[Floats, list[str]]:

@@ -1,7 +1,7 @@
 """One spectrum of a surface from all scans of it: maps of several sizes, and line scans."""
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
@@ -9,6 +9,15 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from hardcontact.base.arrays import Floats
+from hardcontact.scans.extrapolation import (
+    HurstFit,
+    RolloffEvidence,
+    Tail,
+    extrapolate_long_waves,
+    extrapolate_short_waves,
+    fit_hurst_exponent,
+    is_tail_known,
+)
 from hardcontact.scans.mean_spectrum import (
     Curve,
     MeanBins,
@@ -23,15 +32,7 @@ from hardcontact.scans.measured_spectrum import (
     local_slopes,
 )
 from hardcontact.scans.reliable_band import ReliableBand, limit_by_tip, reliable_band
-from hardcontact.scans.rolloff import RolloffEvidence, extrapolate_long_waves
 from hardcontact.scans.spectrum_datasets import add_measurements, measurement_descriptions
-from hardcontact.scans.tail import (
-    HurstFit,
-    Tail,
-    extrapolate_short_waves,
-    fit_hurst_exponent,
-    has_exponent,
-)
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import (
     BIN_CENTRES,
@@ -91,7 +92,7 @@ def _measured_spectra(
 def joined_spectrum(scans: Sequence[HeightMap], tip_radii: Sequence[float | None]) -> xr.Dataset:
     """Return the spectrum of a surface, joined from its levelled scans in their bands.
 
-    A tip radius of None stands for that of the file. ``spectrum`` (wavevector) in nm⁴ has all
+    For a tip radius of None the file states the tip. ``spectrum`` (wavevector) in nm⁴ has all
     scales; ``joined_psd`` (bin_wavevector) is the smooth mean, NaN in unreliable bins. Raises
     ValueError, in one line, if fewer than MIN_BINS bins are reliable.
     """
@@ -116,7 +117,7 @@ def joined_spectrum(scans: Sequence[HeightMap], tip_radii: Sequence[float | None
         shortest_measured=min(band.shortest for band in used_bands),
         longest_measured=max(band.longest for band in used_bands),
         rolloff=rolloff,
-        tail_known=int(has_exponent(tail)),
+        tail_known=int(is_tail_known(tail)),
         **tail._asdict(),
     )
 
@@ -191,29 +192,18 @@ def _extrapolate_curve(
 class ScanSpectrum(Spectrum):
     """C_iso in nm⁴ of the scans of a surface, over growing wavevectors in rad/nm."""
 
-    joined: xr.Dataset  #: From `joined_spectrum`.
+    joined_dataset: xr.Dataset  #: From `joined_spectrum`.
     skewness: float  #: The largest skewness of the heights of a map; 0 without a map.
     is_extrapolated: bool  #: Whether C_iso continues beyond the reliable wavelengths.
 
-    def measured(self) -> "ScanSpectrum":
-        """Return C_iso at the reliable wavelengths alone."""
-        return reliable_spectrum(self.joined, self.skewness)
-
     def extrapolated(self) -> "ScanSpectrum":
         """Return C_iso extrapolated beyond the reliable wavelengths, as in spectra of masters."""
-        spectrum = spectrum_of_dataset(self.joined)
-        return ScanSpectrum(
-            spectrum.wavevector, spectrum.density, self.joined, self.skewness, is_extrapolated=True
-        )
+        spectrum = spectrum_of_dataset(self.joined_dataset)
+        return replace(self, **vars(spectrum), is_extrapolated=True)
 
 
-def reliable_spectrum(joined: xr.Dataset, skewness: float) -> ScanSpectrum:
-    """Return the spectrum of `joined_spectrum` at the reliable wavelengths of the scans."""
-    is_measured = np.isfinite(joined.joined_psd.values)
-    return ScanSpectrum(
-        joined.bin_wavevector.values[is_measured],
-        joined.joined_psd.values[is_measured],
-        joined,
-        skewness,
-        is_extrapolated=False,
-    )
+def reliable_spectrum(joined_dataset: xr.Dataset, skewness: float) -> ScanSpectrum:
+    """Return a joined spectrum at the reliable wavelengths of its scans."""
+    density = joined_dataset["joined_psd"].dropna("bin_wavevector")
+    wavevector = density["bin_wavevector"].values
+    return ScanSpectrum(wavevector, density.values, joined_dataset, skewness, is_extrapolated=False)

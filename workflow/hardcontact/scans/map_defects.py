@@ -123,7 +123,7 @@ def _find_line_offsets(heights: Floats) -> Defect:
 
 
 def _correlation_of_steps(steps: Floats) -> float:
-    """Return the correlation of steps with the next ones along the first axis."""
+    """Return the correlation of each step with the next step along the first axis."""
     return float((steps[1:] * steps[:-1]).mean() / max((steps**2).mean(), np.finfo(float).tiny))
 
 
@@ -138,7 +138,8 @@ def _find_directional_slopes(heights: Floats, pixel_size: float) -> Defect:
 def find_noise(variance: float, power: Floats) -> Defect:
     """Return the rms of white noise and the rms height without it (nm); none without noise.
 
-    A noisy spectrum is flatter than any self-affine one at short waves, but steeper at longer ones.
+    At short waves noise makes a spectrum flatter than self-affine surfaces have; at longer waves it
+    is steeper.
     """
     pixels = len(power)
     waves = np.fft.fftfreq(pixels, 1 / pixels)

@@ -70,7 +70,7 @@ def independent_modes(kind: str, size: float) -> Floats:
 def variance_of_log(modes: Floats) -> Floats:
     """Return the variance of ln C of a mean over independent modes: the trigamma of their number.
 
-    It is that of a gamma variable, because squares of Fourier amplitudes are exponential.
+    The mean is a gamma variable, because squares of Fourier amplitudes are exponential.
     """
     trigamma = scipy.special.polygamma(1, np.maximum(modes, 1.0))
     return np.asarray(trigamma / np.minimum(modes, 1.0))
@@ -85,7 +85,7 @@ def bias_of_log(modes: Floats) -> Floats:
 def local_slopes(wavevector: Floats, density: Floats, variance: Floats) -> tuple[Floats, Floats]:
     """Return d ln C / d ln q of a spectrum, fitted to half a decade around each bin, and its error.
 
-    `variance` is that of ln C. Where a half decade has a single bin, the slope is NaN.
+    `variance` (bins,) belongs to ln C. Where a half decade has a single bin, the slope is NaN.
     """
     distance = np.log(wavevector) - np.log(wavevector)[:, None]
     is_near = np.abs(distance) <= SLOPE_HALF_WIDTH
@@ -103,7 +103,7 @@ def isotropic_from_profile(wavevector: Floats, profile: Floats, modes: Floats) -
     """Return C_iso (bins,) in nm⁴ of a surface whose profiles have a measured C_1D (bins,) in nm³.
 
     The ratio C_iso/C_1D comes from the smoothed, falling spectrum, so that the scatter of C_1D is
-    neither amplified nor made negative. Empty bins are NaN.
+    neither enlarged nor made negative. Empty bins are NaN.
     """
     finite = np.isfinite(profile)
     if finite.sum() < 2:

@@ -41,7 +41,7 @@ OWN_SEPARATORS = ("X;Y;valid", "Scan Parameters")
 def readable_text(content: bytes) -> tuple[bytes, list[str]]:
     """Return the bytes of a scan, as UTF-8 with blanks and decimal points if they are plain text.
 
-    Points on an incomplete grid are completed, points beside a grid interpolated. Notes say so.
+    Incomplete grids of points are completed, and points beside a grid interpolated, with a note.
     """
     text = _decode_text(content)
     if text is None:
@@ -155,7 +155,7 @@ def _grid_points(points: Floats) -> tuple[list[str], list[str]]:
 
 
 def _heights_on_grid(heights: Floats, indices: NDArray[np.intp], offsets: Floats) -> Floats:
-    """Return the heights (x, y) whose cubic spline has these heights beside the grid.
+    """Return heights (x, y) on a grid whose cubic spline passes through points beside it.
 
     Points have indices (n, 2) and offsets (n, 2) in spacings. Missing points stay NaN.
     """
@@ -174,7 +174,7 @@ def _heights_on_grid(heights: Floats, indices: NDArray[np.intp], offsets: Floats
 
 
 def _grid_axis(positions: Floats) -> Floats:
-    """Return evenly spaced positions (n,) on or about which the positions along an axis lie."""
+    """Return the evenly spaced positions (n,) of a grid, on or near which all positions lie."""
     extent = float(np.ptp(positions))
     if not 0 < extent < np.inf:
         return np.empty(0)
@@ -189,7 +189,7 @@ def _grid_axis(positions: Floats) -> Floats:
 
 
 def _crowded_axis(positions: Floats, extent: float) -> Floats:
-    """Return the evenly spaced positions (n,) about which positions crowd most."""
+    """Return the evenly spaced positions (n,) near which positions crowd most."""
     counts, edges = np.histogram(positions, POSITION_BINS)
     crowding = np.fft.rfft(counts, ZERO_PADDING * POSITION_BINS)
     minimum, maximum = (ZERO_PADDING * (count - 1) for count in PIXEL_BOUNDS)

@@ -57,8 +57,8 @@ class ReadingOptions(NamedTuple):
     mask: str = MASKS[0]
     undefined_pixels: str = "harmonic"  #: They are filled, so that the scan can be measured.
 
-    def read(self, path: str | Path, dataset: str) -> HeightMap:
-        """Return the height map or line scan of `read_scan`."""
+    def read_scan(self, path: str | Path, dataset: str) -> HeightMap:
+        """Read a scan with these options."""
         return read_scan(path, dataset, self.undefined_pixels, self.unit, self.map_size, self.mask)
 
 
@@ -139,7 +139,7 @@ def read_in_child(
 
 
 def _file_bytes(path: Path) -> int:
-    """Return the size of a file in bytes; raises ValueError if it is none, empty or too large."""
+    """Return the size of a file in bytes; raises ValueError for no file, or a wrong size."""
     if path.is_dir():
         raise ValueError(
             f"{path}: expected a scan, found a folder: name a file in it; hardcontact "
@@ -163,7 +163,7 @@ def _run_child(
     path: Path,
     *arguments: str | float,
 ) -> None:
-    """Send the dictionary or the refusal of a file, and suppress what readers log and print."""
+    """Send the dictionary or the refusal of a file, without the log and the prints of readers."""
     faulthandler.disable()
     logging.disable()
     warnings.simplefilter("ignore")

@@ -1,4 +1,4 @@
-"""The reliable wavelengths of a scan: those at which it shows the surface.
+"""The reliable wavelengths of a scan, which show the surface.
 
 Toward short wavelengths they end at the longest of four: four pixels, the cutoff of the tip (Sanner
 et al., Appl. Surf. Sci. Adv. 7 (2022) 100190), a noise floor, or smoothing by the microscope.
@@ -19,7 +19,6 @@ from hardcontact.base.formatting import format_length
 from hardcontact.scans.measured_spectrum import (
     axis_ratio,
     independent_modes,
-    isotropic_psd,
     local_slopes,
     variance_of_log,
 )
@@ -84,15 +83,8 @@ class ReliableBand(NamedTuple):
         return f"from {shortest} ({limit}) to {longest} (a third of the size)"
 
 
-def reliable_band(
-    scan: HeightMap, tip_radius: float | None, density: Floats | None = None
-) -> ReliableBand:
-    """Return the reliable wavelengths of a scan; an unknown tip radius is None.
-
-    `density` (bins,) comes from `isotropic_psd`; None to compute it.
-    """
-    if density is None:
-        density = isotropic_psd(scan)
+def reliable_band(scan: HeightMap, tip_radius: float | None, density: Floats) -> ReliableBand:
+    """Return the reliable wavelengths of a scan with a C_iso (bins,); None for an unknown tip."""
     pixels = MIN_PIXELS * scan.pixel_size, "pixels"
     shortest, limit = max([pixels, *_spectral_ends(scan, density)])
     band = ReliableBand(shortest, scan.size / MIN_WAVES_IN_SIZE, limit)

@@ -55,7 +55,7 @@ def coarse_map(scan: HeightMap) -> HeightMap:
 
 
 def earlier_scans_of_areas(scans: Sequence[HeightMap]) -> list[int | None]:
-    """Return for each levelled scan the index of an earlier one of its area; None if it is new."""
+    """Return for each levelled scan the index of an earlier scan of its area; None if it is new."""
     maps = [coarse_map(scan) for scan in scans]
     earlier_indices: list[int | None] = []
     for scan in maps:
@@ -74,17 +74,17 @@ def repetition_notes(scans: Sequence[HeightMap], names: Sequence[str]) -> dict[i
     }
 
 
-def have_same_area(first: HeightMap, second: HeightMap) -> bool:
-    """Return whether two levelled maps from `coarse_map` show the same area.
+def have_same_area(scan: HeightMap, other_scan: HeightMap) -> bool:
+    """Return True if two levelled maps from `coarse_map` show the same area.
 
     If the halves of a map correlate as much, as on a grating, correlation proves nothing.
     """
-    if "line scan" in (first.kind, second.kind):
+    if "line scan" in (scan.kind, other_scan.kind):
         return False
-    smaller, larger = sorted([first, second], key=lambda scan: scan.size)
+    smaller, larger = sorted([scan, other_scan], key=lambda compared: compared.size)
     if larger.size > MAX_SIZE_RATIO * smaller.size:
         return False
-    pixel_size = max(first.pixel_size, second.pixel_size)
+    pixel_size = max(scan.pixel_size, other_scan.pixel_size)
     longest_pixels = LONGEST_COMPARED_SHARE * smaller.size / pixel_size
     waves = _short_waves(smaller, pixel_size, longest_pixels)
     other_waves = _short_waves(larger, pixel_size, longest_pixels)
@@ -105,20 +105,20 @@ def _short_waves(scan: HeightMap, pixel_size: float, longest_pixels: float) -> F
     return np.asarray(heights - scipy.ndimage.gaussian_filter(heights, width), float)
 
 
-def _best_correlation(first: Floats, second: Floats) -> float:
+def _best_correlation(heights: Floats, other_heights: Floats) -> float:
     """Return the largest correlation of two maps over all shifts that overlap enough."""
 
     def sums_over_shifts(fixed: Floats, shifted: Floats) -> Floats:
         return np.asarray(scipy.signal.fftconvolve(fixed, shifted[::-1, ::-1]))
 
-    first_weights, second_weights = np.ones(first.shape), np.ones(second.shape)
-    overlap = sums_over_shifts(first_weights, second_weights)
-    variance_products = sums_over_shifts(first**2, second_weights)
-    variance_products *= sums_over_shifts(first_weights, second**2)
+    weights, other_weights = np.ones(heights.shape), np.ones(other_heights.shape)
+    overlap = sums_over_shifts(weights, other_weights)
+    variance_products = sums_over_shifts(heights**2, other_weights)
+    variance_products *= sums_over_shifts(weights, other_heights**2)
     # Where one map is constant, such as in unmeasured lines, rounding leaves no variance to trust.
-    is_comparable = overlap >= MIN_OVERLAP * min(first.size, second.size)
+    is_comparable = overlap >= MIN_OVERLAP * min(heights.size, other_heights.size)
     is_comparable &= variance_products > MIN_RELATIVE_VARIANCE_PRODUCT * variance_products.max()
-    covariances = sums_over_shifts(first, second)
+    covariances = sums_over_shifts(heights, other_heights)
     correlations = covariances[is_comparable] / np.sqrt(variance_products[is_comparable])
     return float(correlations.max(initial=0.0))
 

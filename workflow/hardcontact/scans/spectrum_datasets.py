@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 from hardcontact.base.arrays import Floats
 from hardcontact.base.units import NM4, RAD_PER_NM
 from hardcontact.scans.defects import DEFECT_UNITS
+from hardcontact.scans.extrapolation import Tail
 from hardcontact.scans.reliable_band import ReliableBand
 from hardcontact.scans.scan_pairs import earlier_scans_of_areas
-from hardcontact.scans.tail import Tail
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import BIN_CENTRES, WAVEVECTORS, spectrum_of_dataset
 from hardcontact.surfaces.substitute_spectra import DATA_EVIDENCE
@@ -59,7 +59,7 @@ def add_measurements(
     reliable: NDArray[np.bool_],
     descriptions: pd.DataFrame,
 ) -> xr.Dataset:
-    """Return a spectrum with the measurements from which it was joined.
+    """Add to a joined spectrum the measurements behind it.
 
     `joined_density` (bins,) is NaN where no measurement is reliable; PSDs and `reliable` are
     (measurement, bins). Descriptions become variables over `measurement`.
@@ -83,8 +83,8 @@ def add_measurements(
 def convert_described_spectrum(substitute: xr.Dataset, path: str) -> xr.Dataset:
     """Return a substitute spectrum in the form of a joined spectrum.
 
-    Its segments with DATA_EVIDENCE take the place of measurements; adjacent segments from one
-    reference count as one. What only measurements have is NaN or empty.
+    Its segments with DATA_EVIDENCE take the place of measurements. Adjacent segments from one
+    reference become one. Properties of measurements alone are NaN or empty.
     """
     segments = pd.read_csv(io.StringIO(substitute.attrs["segments"]))
     runs = _runs_of_one_reference(segments[segments.evidence.isin(DATA_EVIDENCE)])

@@ -1,7 +1,7 @@
 """Height maps and spectra: levelling, metrics, filters, random surfaces, and substitutes.
 
-Begin with `height_map` and `spectrum`. `streaks`, `levelling`, `metrics` and `filters` treat maps,
+Begin with `height_map` and `spectrum`. `levelling`, `metrics` and `filters` treat maps,
 `synthesis` makes random surfaces and masters. `topography` gathers the metrics and spectra of all
 surfaces. A substitute (`substitutes`) has a spectrum from a description (`substitute_spectra`). Its
-scans meet Table 1: by `conditioning`, or with bumps or pits from `featured_scans`.
+scans meet Table 1: by `conditioning`, or with bumps or pits from `features`.
 """

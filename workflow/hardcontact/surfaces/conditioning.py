@@ -1,13 +1,12 @@
 """Condition a group of substitute scans of one surface, so that they meet Table 1 exactly.
 
-Random scans meet it only on average. Here a smooth gain of all amplitudes gives the group the mean
-rms height, slope and curvature, and a factor on the heights of each scan gives it the standard
+Random scans meet it only on average. A smooth gain of amplitudes gives the group the mean rms
+height, slope and curvature. A factor on the heights of each scan gives the group the standard
 deviation of rms heights.
 """
 
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import NamedTuple
 
 import numpy as np
 import scipy
@@ -60,12 +59,12 @@ def component_shares(grid: ScanGrid) -> Floats:
 def multiply_amplitudes(spectrum: SpectrumFunction, amplitude_gain: Floats) -> SpectrumFunction:
     """Return a spectrum whose amplitudes are multiplied by a gain (points of WAVEVECTORS)."""
 
-    def amplified_spectrum(wavevector: Floats) -> Floats:
+    def multiplied_spectrum(wavevector: Floats) -> Floats:
         with np.errstate(divide="ignore"):
             factors = np.interp(np.log(wavevector), np.log(WAVEVECTORS), amplitude_gain)
         return spectrum(wavevector) * factors**2
 
-    return amplified_spectrum
+    return multiplied_spectrum
 
 
 def _scan_components(substitute: Substitute, shares: Floats, scan_number: int) -> list[HeightMap]:
@@ -97,16 +96,12 @@ def metric_matrices(components: Sequence[HeightMap], names: Sequence[str]) -> Fl
     return matrices
 
 
-class GroupFit(NamedTuple):
-    """Amplitudes and factors with which a group of scans meets its targets."""
+def _fit_group(matrices: Floats, targets: Targets) -> tuple[Floats, Floats, Floats]:
+    """Return the amplitudes (component,) and factors (scan,) that make scans meet their targets.
 
-    amplitudes: Floats  #: (component,)
-    factors: Floats  #: (scan,) Factors on the heights, with the mean 1.
-    mean_errors: Floats  #: (3,) Relative errors of mean rms height, slope and curvature.
-
-
-def _fit_group(matrices: Floats, targets: Targets) -> GroupFit:
-    """Return the fit to `matrices` (scan, metric, component, component) of `metric_matrices`."""
+    The factors on heights have the mean 1. Also returns the relative errors (3,) of the mean rms
+    height, slope and curvature. The `matrices` are (scan, metric, component, component).
+    """
     means = np.array(list(targets.means.values()))
 
     def errors_and_factors(log_amplitudes: Floats) -> tuple[Floats, Floats]:
@@ -129,7 +124,7 @@ def _fit_group(matrices: Floats, targets: Targets) -> GroupFit:
     mean_errors, factors = errors_and_factors(fit.x)
     mean_factor = factors.mean()
     amplitudes = mean_factor * np.exp(np.append(0.0, fit.x))
-    return GroupFit(amplitudes, factors / mean_factor, mean_errors)
+    return amplitudes, factors / mean_factor, mean_errors
 
 
 def condition_group(
@@ -181,7 +176,7 @@ def conditioned_scan(
     conditioning: xr.Dataset,
     sphere_radius: float | None = None,
 ) -> HeightMap:
-    """Return a scan with the gain and factor of `condition_group`, flat or of a sphere."""
+    """Return a conditioned scan: flat, or of a sphere."""
     rng = substitute.generator(scan_number, "scan")
     spectrum = multiply_amplitudes(substitute.spectrum, conditioning["amplitude_gain"].values)
     factor = conditioning["factor"].sel(scan=scan_number).item()

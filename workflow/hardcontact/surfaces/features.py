@@ -1,21 +1,26 @@
-"""Bumps or pits on a homogeneous Gaussian base: a family of surfaces that Table 1 accepts.
+"""Substitute scans with bumps or pits on a Gaussian base, which agree with Table 1.
 
 A homogeneous Gaussian surface has nearly the same rms height in each scan. In Table 1 rms heights
 scatter much more, as rare features would explain. All features of a surface have one Gaussian
 shape; their positions are independent.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
 import pandas as pd
+import xarray as xr
 from numpy.typing import ArrayLike
 
 from hardcontact.base.arrays import Floats
+from hardcontact.base.units import DIMENSIONLESS, NM
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.metrics import TABLE1_METRICS
+from hardcontact.surfaces.substitute_spectra import sample_permitted_spectrum
+from hardcontact.surfaces.substitutes import Substitute, required_targets
+from hardcontact.surfaces.synthesis import ScanGrid, random_surface, sample_scan
 
 #: Signs of the heights of features, by their names.
 SIGNS = {"bumps": 1, "pits": -1}
@@ -39,6 +44,9 @@ MIN_WIDTH_PIXELS = 2.5
 BATCH_SIZE = 1000
 #: Largest number of batches until Table 1 accepts a sample.
 MAX_BATCHES = 200
+#: Samples of features, of which the nearest to Table 1 is taken: with so many, all numbers are
+#: within half a standard error.
+CANDIDATES = 100
 
 
 class ScanStatistics(NamedTuple):
@@ -114,20 +122,20 @@ def sample_features(
     rng: np.random.Generator,
     statistics: ScanStatistics,
     scan_count: int,
-    size: float,
-    pixel_size: float,
+    grid: ScanGrid,
     sign: int,
 ) -> Features:
     """Sample features from the prior until all `standardized_differences` are below one."""
-    min_width = max(WIDTH_BOUNDS[0], MIN_WIDTH_PIXELS * pixel_size)
+    min_width = max(WIDTH_BOUNDS[0], MIN_WIDTH_PIXELS * grid.pixel_size)
     bounds = (DENSITY_BOUNDS, HEIGHT_BOUNDS, (min_width, WIDTH_BOUNDS[1]), BASE_FACTOR_BOUNDS)
     low, high = np.log(bounds).T
     for _ in range(MAX_BATCHES):
         samples = np.exp(rng.uniform(low, high, (BATCH_SIZE, 4)))
         number_density, relative_height, width, base_factor = samples.T
-        counts = rng.poisson(number_density[:, None] * (size / 1e3) ** 2, (BATCH_SIZE, scan_count))
+        mean_counts = number_density[:, None] * (grid.size / 1e3) ** 2
+        counts = rng.poisson(mean_counts, (BATCH_SIZE, scan_count))
         height = sign * relative_height * statistics.means[0]
-        added = feature_squares(height, width, size)
+        added = feature_squares(height, width, grid.size)
         rms_values = expected_rms(base_factor, counts, added, statistics)
         differences = np.abs(standardized_differences(rms_values, statistics))
         is_accepted = (differences <= 1).all(axis=-1)
@@ -147,12 +155,6 @@ def sample_features(
     )
 
 
-def no_features(statistics: ScanStatistics, scan_count: int) -> Features:
-    """Return a Gaussian base alone, with the published rms height over all scales."""
-    factor = statistics.all_rms_height / float(statistics.means[0])
-    return Features(0.0, 0.0, np.nan, factor, (0,) * scan_count)
-
-
 def add_features(
     rng: np.random.Generator, surface: HeightMap, features: Features, count: int
 ) -> HeightMap:
@@ -165,3 +167,121 @@ def add_features(
     shape_y, shape_x = np.exp(-(distance**2) / (2 * features.width**2))
     feature_heights = (features.height * shape_y.T) @ shape_x
     return replace(surface, heights=surface.heights + feature_heights.astype(surface.heights.dtype))
+
+
+class FeaturedSurface(NamedTuple):
+    """The substitute, and the published statistics of its scans, to make scans with features."""
+
+    substitute: Substitute  #: Its spectrum is that of the base, before its factor.
+    statistics: ScanStatistics
+
+    def sample_features(self, kind: str, scan_count: int, *names: object) -> Features:
+        """Sample the features of a surface of a kind: bumps, pits or gaussian.
+
+        A Gaussian surface is the base alone, with the published rms height over all scales.
+        """
+        if kind == GAUSSIAN:
+            base_factor = self.statistics.all_rms_height / float(self.statistics.means[0])
+            return Features(0.0, 0.0, np.nan, base_factor, (0,) * scan_count)
+        rng = self.substitute.generator(kind, *names, "features")
+        return sample_features(rng, self.statistics, scan_count, self.substitute.grid, SIGNS[kind])
+
+    def describe(self, features: Features) -> dict[str, xr.Variable]:
+        """Return features as variables."""
+        base_rms_height = features.base_factor * float(self.statistics.means[0])
+        return {
+            "feature_density": xr.Variable((), features.number_density, {"units": "um-2"}),
+            "feature_height": xr.Variable((), features.height, NM),
+            "feature_width": xr.Variable((), features.width, NM),
+            "base_rms_height": xr.Variable((), base_rms_height, NM),
+        }
+
+
+def featured_surface(substitute: Substitute) -> FeaturedSurface:
+    """Return the surface with features of a substitute; its rms height must be published."""
+    scan_count = int(substitute.constants["value"]["scans_per_surface"])
+    means = required_targets(substitute).means
+    return FeaturedSurface(substitute, published_statistics(means, substitute.table1, scan_count))
+
+
+def whole_surface(
+    substitute: Substitute,
+    has_features: bool,
+    description: str,
+    number: int,
+    pixels: int,
+    pixel_size: float,
+) -> HeightMap:
+    """Return a whole surface: with features, or Gaussian with a spectrum that Table 1 permits."""
+    if has_features:
+        return _whole_featured_surface(featured_surface(substitute), number, pixels, pixel_size)
+    rng = substitute.generator(number, "permitted spectrum")
+    table1, constants = substitute.table1, substitute.constants
+    spectrum = sample_permitted_spectrum(rng, description, table1, constants)
+    rng = substitute.generator(number, "whole surface")
+    return random_surface(rng, pixels, pixel_size, spectrum)
+
+
+def _whole_featured_surface(
+    surface: FeaturedSurface, number: int, pixels: int, pixel_size: float
+) -> HeightMap:
+    """Sample a periodic surface; bumps if its number is odd, pits if it is even."""
+    kind = list(SIGNS)[(number - 1) % len(SIGNS)]
+    scan_count = surface.statistics.scan_count
+    features = surface.sample_features(kind, scan_count, number, "whole surface")
+    substitute = surface.substitute
+    rng = substitute.generator(number, "whole surface")
+    base = random_surface(rng, pixels, pixel_size, substitute.spectrum)
+    base = replace(base, heights=np.float32(features.base_factor) * base.heights)
+    rng = substitute.generator(number, "whole surface", "features")
+    count = rng.poisson(features.number_density * (base.size / 1e3) ** 2)
+    return add_features(rng, base, features, count)
+
+
+def sample_group(
+    surface: FeaturedSurface, kind: str, scan_numbers: Sequence[int], *names: object
+) -> tuple[Features, list[HeightMap]]:
+    """Sample features of a kind, and scans with these features; `names` name random numbers."""
+    substitute = surface.substitute
+    features = surface.sample_features(kind, len(scan_numbers), *names)
+    scans = []
+    for scan_number, count in zip(scan_numbers, features.counts, strict=True):
+        rng = substitute.generator(kind, *names, scan_number, "featured scan")
+        base = sample_scan(rng, substitute.spectrum, substitute.grid, features.base_factor)
+        scans.append(add_features(rng, base, features, count))
+    return features, scans
+
+
+def nearest_group(
+    surface: FeaturedSurface, scan_numbers: Sequence[int]
+) -> tuple[Features, list[HeightMap]]:
+    """Return the scans whose features are nearest to Table 1 among CANDIDATES samples.
+
+    Bumps and pits alternate among the samples. No force enters the choice.
+    """
+    candidates = []
+    for candidate in range(CANDIDATES):
+        kind = list(SIGNS)[candidate % len(SIGNS)]
+        features = surface.sample_features(kind, len(scan_numbers), scan_numbers[0], candidate)
+        added = feature_squares(features.height, features.width, surface.substitute.grid.size)
+        rms_values = expected_rms(features.base_factor, features.counts, added, surface.statistics)
+        differences = standardized_differences(rms_values, surface.statistics)
+        candidates.append((float(np.linalg.norm(differences)), kind, candidate))
+    _, kind, candidate = min(candidates)
+    return sample_group(surface, kind, scan_numbers, scan_numbers[0], candidate)
+
+
+def featured_group(
+    substitute: Substitute, scan_numbers: Sequence[int]
+) -> tuple[xr.Dataset, list[HeightMap]]:
+    """Return a dataset on the `nearest_group` of scans, and these scans.
+
+    The AFM rows of Table 1, which accepted the features, are met within their uncertainty.
+    """
+    surface = featured_surface(substitute)
+    features, scans = nearest_group(surface, scan_numbers)
+    variables = surface.describe(features)
+    variables["feature_count"] = xr.Variable("scan", list(features.counts), DIMENSIONLESS)
+    met_rows = substitute.spectrum_data.attrs["table1_rows_met"]
+    attributes = {"source": "substitute", "table1_rows_met": met_rows}
+    return xr.Dataset(variables, {"scan": list(scan_numbers)}, attributes), scans

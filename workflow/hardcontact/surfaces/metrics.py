@@ -75,7 +75,7 @@ TABLE1_VARIABLES = {row: f"{metric}_mean" for row, metric in TABLE1_METRICS.item
 }
 
 
-def measured_metrics(scan: HeightMap, names: Iterable[str]) -> xr.Dataset:
+def metrics_dataset(scan: HeightMap, names: Iterable[str]) -> xr.Dataset:
     """Return some of the METRICS of a scan, by their names."""
     scan_metrics = metrics(scan)
     variables = {}

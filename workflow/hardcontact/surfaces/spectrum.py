@@ -161,11 +161,20 @@ def _mark_empty_bins(density: ArrayLike) -> Floats:
     return np.where(density > 0, density, np.nan)
 
 
+def spectral_moment(spectrum: Spectrum, order: int) -> float:
+    """Return the moment (1/2 pi) ∫ q^(1 + order) C_iso dq.
+
+    It is the squared rms height (order 0), gradient (2) or Laplacian (4).
+    """
+    q = spectrum.wavevector
+    density = spectrum.density * q ** (1 + order)
+    return float(np.trapezoid(density * q, np.log(q)) / (2 * np.pi))
+
+
 def all_scales_rms(spectrum: Spectrum) -> Floats:
     """Return rms height (nm), gradient and half-Laplacian (1/nm) over all scales: (3,)."""
-    q = spectrum.wavevector
-    squares = [np.trapezoid(spectrum.density * q**power * q, np.log(q)) for power in (1, 3, 5)]
-    return np.sqrt(np.array(squares) / [1, 1, 4] / (2 * np.pi))
+    moments = [spectral_moment(spectrum, order) for order in (0, 2, 4)]
+    return np.sqrt(np.array(moments) / [1, 1, 4])
 
 
 def peak_wavelength(spectrum: Spectrum) -> float:
@@ -203,7 +212,7 @@ def power_law_extrapolation(density: Floats, hurst: float) -> Floats:
     return np.where(relative > 1, density[last_index] * relative ** (-2 - 2 * hurst), 0.0)
 
 
-def kept_shares(shortest: float) -> Floats:
+def shares_of_longer_waves(shortest: float) -> Floats:
     """Return for each of WAVEVECTORS the share of its interval in ln q above a wavelength (nm)."""
     step = np.log(WAVEVECTORS[1] / WAVEVECTORS[0])
     distance_in_steps = np.log(2 * np.pi / (shortest * WAVEVECTORS)) / step
@@ -212,7 +221,7 @@ def kept_shares(shortest: float) -> Floats:
 
 def power_law_tail(density: Floats, hurst: float, shortest: float) -> Floats:
     """Return the `power_law_extrapolation` down to a shortest wavelength (nm)."""
-    return power_law_extrapolation(density, hurst) * kept_shares(shortest)
+    return power_law_extrapolation(density, hurst) * shares_of_longer_waves(shortest)
 
 
 def profile_over_isotropic(wavevector: Floats, hurst: float) -> Floats:

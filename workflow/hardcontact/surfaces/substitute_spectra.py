@@ -16,8 +16,8 @@ from hardcontact.surfaces.spectrum import (
     Spectrum,
     all_scales_rms,
     isotropic_through_points,
-    kept_shares,
     power_law_extrapolation,
+    shares_of_longer_waves,
     spectrum_dataset,
 )
 from hardcontact.surfaces.table1_calibration import (
@@ -83,7 +83,7 @@ def spectrum_from_description(
         segments.loc[i] = segment
     last_segment = segments.iloc[-1]
     if last_segment.model == "power law":
-        density *= kept_shares(last_segment.shortest_nm)
+        density *= shares_of_longer_waves(last_segment.shortest_nm)
     return density, segments, calibrated
 
 
@@ -91,7 +91,7 @@ def _segment_density(segment: pd.Series, longer_waves: Floats, folder: Path) -> 
     """Return C_iso of one segment on WAVEVECTORS, zero outside it."""
     if segment.model == "power law":
         return power_law_extrapolation(longer_waves, segment.hurst) * (
-            kept_shares(segment.shortest_nm) > 0
+            shares_of_longer_waves(segment.shortest_nm) > 0
         )
     if segment.model == "profile":
         columns = ["wavelength_nm", "c1d_nm3"]

@@ -32,7 +32,7 @@ class Targets(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Substitute:
-    """Everything from which the scans of a substitute are made."""
+    """A substitute: its spectrum, its published statistics, and the grid of its scans."""
 
     surface_name: str
     spectrum_data: xr.Dataset  #: Its calibrated spectrum.
@@ -54,8 +54,8 @@ class Substitute:
     def targets(self) -> Targets | None:
         """Targets of scans on the study's pixels; None if no rms height is published.
 
-        On the paper's pixels and size, Table 1 gives the rows to which the spectrum is calibrated.
-        Other targets are what the spectrum gives on average.
+        Table 1 gives the calibrated rows, if the pixels and the size are the paper's. The mean of
+        the spectrum's scans gives the other targets.
         """
         if "afm_rms_height" not in self.table1.index:
             return None
@@ -67,13 +67,10 @@ class Substitute:
             weights = transfer_weights(4 * grid.pixels, grid.pixel_size, grid.pixels)
             rms_values = expected_scan_rms(self.spectrum, weights)
         calibrated_rows = published.rows_met(self.spectrum_data.attrs["table1_rows_met"])
-        met_rows = []
-        for i, (row, is_published) in enumerate(
-            zip(AFM_ROWS, (same_size, same_pixels, same_pixels), strict=True)
-        ):
-            if is_published and row in calibrated_rows:
-                rms_values[i] = self.table1.loc[row, "value"]
-                met_rows.append(row)
+        is_published = dict(zip(AFM_ROWS, (same_size, same_pixels, same_pixels), strict=True))
+        met_rows = [row for row in AFM_ROWS if is_published[row] and row in calibrated_rows]
+        for row in met_rows:
+            rms_values[AFM_ROWS.index(row)] = self.table1.loc[row, "value"]
         height = self.table1.loc["afm_rms_height"]
         return Targets(
             dict(zip(TABLE1_METRICS.values(), rms_values.tolist(), strict=True)),

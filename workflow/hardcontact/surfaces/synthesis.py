@@ -62,24 +62,6 @@ def random_surface(
     return HeightMap(heights, pixel_size, periodic=True, source="substitute")
 
 
-def random_corner(
-    noise: SingleTransform, corner_pixels: int, pixel_size: float, spectrum: SpectrumFunction
-) -> HeightMap:
-    """Return a corner of the random surface that a transform of white noise makes, in float32."""
-    transform = noise.copy()
-    scale_noise(transform, pixel_size, spectrum)
-    # Only rows of the corner are transformed along x, which saves time.
-    rows = scipy.fft.ifft(transform, axis=0, overwrite_x=True)[:corner_pixels]
-    heights = scipy.fft.irfft(rows, len(noise), axis=1)[:, :corner_pixels]
-    return HeightMap(heights, pixel_size, source="substitute")
-
-
-def cut_scan(surface: HeightMap, pixels: int, factor: float = 1.0) -> HeightMap:
-    """Return the corner (pixels, pixels) of a periodic surface, with heights times a factor."""
-    heights = factor * surface.heights[:pixels, :pixels].astype(float)
-    return replace(surface, heights=heights, periodic=False)
-
-
 def sample_scan(
     rng: np.random.Generator, spectrum: SpectrumFunction, grid: ScanGrid, factor: float = 1.0
 ) -> HeightMap:
@@ -91,8 +73,12 @@ def scan_of_noise(
     noise: SingleTransform, spectrum: SpectrumFunction, grid: ScanGrid, factor: float = 1.0
 ) -> HeightMap:
     """Return the scan that a transform of white noise makes: the corner of a random surface."""
-    surface = random_corner(noise, grid.pixels, grid.pixel_size, spectrum)
-    return cut_scan(surface, grid.pixels, factor)
+    transform = noise.copy()
+    scale_noise(transform, grid.pixel_size, spectrum)
+    # Only rows of the corner are transformed along x, which saves time.
+    rows = scipy.fft.ifft(transform, axis=0, overwrite_x=True)[: grid.pixels]
+    heights = scipy.fft.irfft(rows, len(noise), axis=1)[:, : grid.pixels]
+    return HeightMap(factor * heights.astype(float), grid.pixel_size, source="substitute")
 
 
 def add_sphere_shape(rng: np.random.Generator, roughness: HeightMap, radius: float) -> HeightMap:

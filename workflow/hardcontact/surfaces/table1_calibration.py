@@ -1,4 +1,4 @@
-"""Calibrate spectra on Table 1: find parameters with which scans have its rms values.
+"""Calibrate spectra on Table 1: find parameters that give scans its rms values.
 
 The expected rms values of a scan are weighted sums of C_iso. A model of the waves that scans show
 is fitted to rms height, slope and curvature of scans, a power law below these waves to slope and
@@ -105,7 +105,7 @@ def paper_weights(constants: pd.DataFrame) -> Weights:
 
 
 def calibrate_model(segment: pd.Series, table1: pd.DataFrame, weights: Weights) -> dict[str, float]:
-    """Return the parameters of a segment with which scans meet AFM_ROWS; ValueError if none do."""
+    """Return parameters of a segment that make scans meet AFM_ROWS; ValueError if none do."""
     model, names = SPECTRAL_MODELS[segment.model]
     searched = SEARCHED_PARAMETERS[segment.model]
     published_rms = table1.loc[list(AFM_ROWS), "value"].to_numpy(float)

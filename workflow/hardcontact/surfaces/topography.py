@@ -11,7 +11,7 @@ from hardcontact.base.dataset import stack
 from hardcontact.base.statistics import as_variables, student_interval
 from hardcontact.base.units import DIMENSIONLESS, NM, NM4, RAD_PER_NM
 from hardcontact.surfaces.height_map import HeightMap
-from hardcontact.surfaces.metrics import METRICS, measured_metrics
+from hardcontact.surfaces.metrics import METRICS, metrics_dataset
 from hardcontact.surfaces.spectrum import all_scales_rms, measured_psds, spectrum_of_dataset
 
 
@@ -19,7 +19,7 @@ def measured_roughness(scan: HeightMap) -> xr.Dataset:
     """Return the METRICS of a scan, and its PSD over wavevector in nm⁴."""
     wavevector, _, isotropic_psd = measured_psds(scan)
     attributes = NM4 | {"long_name": "C_iso"}
-    return measured_metrics(scan, METRICS).assign(
+    return metrics_dataset(scan, METRICS).assign(
         isotropic_psd=("wavevector", isotropic_psd, attributes),
         wavevector=("wavevector", wavevector, RAD_PER_NM),
     )

@@ -21,12 +21,11 @@ from hardcontact.base.arrays import Floats
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.hertz_jkr_dmt import dmt_pull_off, smooth_pull_off
 from hardcontact.inference.edges import interpolate_edge, logarithmic_limits
-from hardcontact.surfaces.spectrum import Spectrum
+from hardcontact.surfaces.spectrum import Spectrum, spectral_moment
 from hardcontact.theory.summits import (
     ApexDistribution,
     apex_distribution,
     find_rough_spectrum,
-    spectral_moment,
     spectrum_between,
 )
 

@@ -1,6 +1,6 @@
 """Predictions of the closed form for a spectrum: numbers with units, intervals and statuses.
 
-Their errors come from designed surfaces, of which half were held out while the closed form was
+Their errors come from designed surfaces. Half of these were held out while the closed form was
 developed (`validity.held_out_surfaces`).
 """
 
@@ -16,13 +16,13 @@ from hardcontact.base.formatting import format_length
 from hardcontact.base.number import Number, numbers_by_name
 from hardcontact.contact.contact import Contact
 from hardcontact.inference.edges import EdgeStatus
-from hardcontact.scans.joined_spectrum import ScanSpectrum
+from hardcontact.scans.extrapolation import TailEnd, extrapolate_short_waves, fit_hurst_exponent
+from hardcontact.scans.joined_spectrum import ScanSpectrum, reliable_spectrum
 from hardcontact.scans.measured_spectrum import CALIBRATION_SCATTER
-from hardcontact.scans.tail import TailEnd, extrapolate_short_waves, fit_hurst_exponent
 from hardcontact.surfaces.spectrum import MIN_BINS, WAVEVECTORS, Spectrum, all_scales_rms
-from hardcontact.theory.assumptions import MAX_NEGLIGIBLE_CHANGE
 from hardcontact.theory.closed_form import ClosedForm, closed_form, critical_band, smooth_force
 from hardcontact.theory.validity import (
+    MAX_NEGLIGIBLE_CHANGE,
     VALIDATED_QUANTITIES,
     Validity,
     is_validated,
@@ -62,7 +62,7 @@ def prediction(
     trimmed = trim_spectrum(spectrum, name)
     inputs = _input_numbers(trimmed, contact, tolerance)
     scans = spectrum if isinstance(spectrum, ScanSpectrum) else None
-    if scans is not None and scans.joined["sidewall_slope_share"].notnull().any():
+    if scans is not None and scans.joined_dataset["sidewall_slope_share"].notnull().any():
         force = Number("closed_form_force", math.nan, "N", status=Validity.STEEP_SIDEWALLS)
         return numbers_by_name(*inputs, force)
     form = closed_form(trimmed, contact)
@@ -159,8 +159,9 @@ def _spectrum_checks(
 def _is_measured_error_known(
     scans: ScanSpectrum, contact: Contact, tolerance: float, name: str
 ) -> bool:
-    """Return whether the error of the force is known without the scans' extrapolated waves."""
-    numbers = prediction(scans.measured(), contact, tolerance, name)
+    """Return True if the error of the force is known without the scans' extrapolated waves."""
+    reliable_waves = reliable_spectrum(scans.joined_dataset, scans.skewness)
+    numbers = prediction(reliable_waves, contact, tolerance, name)
     return numbers.get("extrapolated_force", numbers["closed_form_force"]).status == Validity.INSIDE
 
 
@@ -191,7 +192,7 @@ class _Extrapolation(NamedTuple):
     density: Floats  #: C_iso in nm⁴ at WAVEVECTORS.
     rolloff: float  #: In nm.
     hurst: float  #: Hurst exponent of the extrapolated waves; NaN if there are none.
-    ended_by: str  #: What ends the tail: `scans.tail.Tail.tail_ended_by`.
+    ended_by: str  #: What ends the tail: `Tail.tail_ended_by`.
 
 
 def _extrapolate(spectrum: Spectrum, trimmed: Spectrum) -> _Extrapolation | None:
@@ -200,10 +201,10 @@ def _extrapolate(spectrum: Spectrum, trimmed: Spectrum) -> _Extrapolation | None
     A table with a density of zero at its end or within is not extrapolated.
     """
     if isinstance(spectrum, ScanSpectrum):
-        ends = spectrum.joined.attrs
+        ends = spectrum.joined_dataset.attrs
         if not ends["tail_known"]:
             return None
-        density = spectrum.joined["spectrum"].values
+        density = spectrum.joined_dataset["spectrum"].values
         return _Extrapolation(density, ends["rolloff"], ends["tail_hurst"], ends["tail_ended_by"])
     if spectrum.density[-1] == 0 or len(trimmed.density) < MIN_BINS or not trimmed.density.all():
         return None
@@ -215,7 +216,7 @@ def _extrapolate(spectrum: Spectrum, trimmed: Spectrum) -> _Extrapolation | None
 
 
 def _adds_waves(extrapolation: _Extrapolation, trimmed: Spectrum) -> bool:
-    """Return whether the extrapolation adds short waves, or long waves up to the roll-off."""
+    """Return True if the extrapolation adds short waves, or long waves up to the roll-off."""
     return math.isfinite(extrapolation.hurst) or extrapolation.rolloff > trimmed.wavelength[0]
 
 

@@ -22,7 +22,7 @@ from numpy.typing import ArrayLike
 from scipy import special
 
 from hardcontact.base.arrays import Floats
-from hardcontact.surfaces.spectrum import Spectrum
+from hardcontact.surfaces.spectrum import Spectrum, spectral_moment
 
 #: Number of points of a resampled spectrum, and of distances of its autocorrelation.
 WAVE_COUNT = 300
@@ -70,17 +70,8 @@ def spectrum_between(spectrum: Spectrum, lowest: float, highest: float) -> Spect
     return Spectrum(wavevector, spectrum(np.minimum(wavevector, rough_wavevectors[-1])))
 
 
-def spectral_moment(spectrum: Spectrum, order: int) -> float:
-    """Return the moment (1/2 pi) ∫ q^(1 + order) C_iso dq of a spectrum.
-
-    It is the squared rms height (order 0), gradient (2) or Laplacian (4).
-    """
-    q = spectrum.wavevector
-    return float(np.trapezoid(spectrum.density * q ** (2 + order), np.log(q)) / (2 * np.pi))
-
-
 def find_rough_spectrum(spectrum: Spectrum, radius: float) -> Spectrum | None:
-    """Return the spectrum of the waves that a sphere does not follow, None if there are none.
+    """Return the spectrum of the waves that a sphere does not follow; None if it follows all.
 
     Waves that are much flatter than the sphere lift it, and are no roughness for it.
     """

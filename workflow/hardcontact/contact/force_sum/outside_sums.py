@@ -58,7 +58,7 @@ def outside_sums(
 def _are_shallow(
     bodies: Bodies, contact_pixels: ContactPixels, ranges: Floats
 ) -> NDArray[np.bool_]:
-    """Return the mask of ranges (rho,) at which `sums_by_subtraction` keeps enough digits.
+    """Return the mask of ranges (rho,) that leave `sums_by_subtraction` enough digits.
 
     It is False for rough spheres: their maps are small, so that exact sums cost little.
     """

@@ -24,8 +24,9 @@ def sums_by_subtraction(
     factors: list[NDArray[np.floating]] = [
         axis_factors(len(heights), bodies.geometry, rho).astype(precision) for rho in ranges
     ]
-    quarter, quarter_factors = _without_mirror_images(heights, factors)
-    all_sums = _contact_sums(_row_blocks(quarter, precision, highest, ranges), quarter_factors)
+    quarter, quarter_factors = _fold_mirror_images(heights, factors)
+    blocks = _row_blocks(quarter, precision, highest, ranges)
+    all_sums = _contact_sums(blocks, quarter_factors)
     gaps = contact_pixels.reference_gaps
     largest_gap = gaps[..., -1]
     sums = np.empty_like(all_sums)
@@ -42,7 +43,8 @@ def smooth_sphere_terms(
     row = touched_pixels.row
     column = touched_pixels.column
     factors = [axis_factors(bodies.substrate.pixels, bodies.geometry, rho) for rho in ranges]
-    blocks = _row_blocks_without_contacts(bodies.substrate.heights, touched_pixels, ranges)
+    heights = bodies.substrate.heights
+    blocks = _row_blocks(heights, np.float64, float(heights.max()), ranges, touched_pixels)
     totals = _contact_sums(blocks, factors)
     for total, axis_factor in zip(totals, factors, strict=True):
 
@@ -83,27 +85,23 @@ def _row_blocks(
     precision: type[np.floating],
     highest: float,
     ranges: Sequence[float],
+    touched_pixels: TouchedPixels | None = None,
 ) -> Iterator[tuple[slice, list[NDArray[np.floating]]]]:
-    """Yield the rows of each block and its exponentials, in a precision."""
+    """Yield the rows of each block and its exponentials, in a precision; zero at touched pixels."""
     for start in range(0, len(heights), ROWS):
         rows = slice(start, start + ROWS)
-        yield rows, _exponentials(heights[rows].astype(precision, copy=False), highest, ranges)
-
-
-def _row_blocks_without_contacts(
-    heights: NDArray[np.floating], touched_pixels: TouchedPixels, ranges: Sequence[float]
-) -> Iterator[tuple[slice, list[NDArray[np.floating]]]]:
-    """Yield the rows of each block and its exponentials, zero at contact pixels."""
-    for rows, attractions in _row_blocks(heights, np.float64, float(heights.max()), ranges):
-        for attraction in attractions:
-            touched_pixels.leave_out(attraction, rows.start)
+        block = heights[rows].astype(precision, copy=False)
+        attractions = _exponentials(block, highest, ranges)
+        if touched_pixels is not None:
+            for attraction in attractions:
+                touched_pixels.leave_out(attraction, start)
         yield rows, attractions
 
 
 def _exponentials(
     heights: NDArray[np.floating], highest: float, ranges: Sequence[float]
 ) -> list[NDArray[np.floating]]:
-    """Return `exponential` at every range; at rho/2 it is the square of that at rho."""
+    """Return `exponential` at every range; at rho/2 it is the square of its value at rho."""
     attractions: dict[float, NDArray[np.floating]] = {}
     for rho in sorted(ranges, reverse=True):
         longer = attractions.get(2 * rho)
@@ -111,7 +109,7 @@ def _exponentials(
     return [attractions[rho] for rho in ranges]
 
 
-def _without_mirror_images(
+def _fold_mirror_images(
     heights: NDArray[np.floating], factors: list[NDArray[np.floating]]
 ) -> tuple[NDArray[np.floating], list[NDArray[np.floating]]]:
     """Return a quarter of mirrored heights (n, n), and the factors summed over its images.

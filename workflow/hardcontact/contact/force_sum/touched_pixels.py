@@ -56,8 +56,8 @@ class TouchedPixels:
     ) -> float:
         """Return the sum of exp(-gap/rho) outside a contact (i, j), at plastic closest approach.
 
-        `total` is the sum over the pixels that touch in no contact. `terms` (pixels,) are those of
-        the touching pixels, and are overwritten. Both are for the apex at height 0, relative to
+        `total` is the sum over the pixels that touch in no contact. The `terms` (pixels,) of the
+        touching pixels are overwritten. Both are for the apex at height 0, relative to
         exp(highest/rho).
         """
         terms[self._indices_of_contact[index]] = 0.0

@@ -23,7 +23,7 @@ from hardcontact.report.own_surfaces.datasets import (
 from hardcontact.report.own_surfaces.spectrum_cautions import Caution
 from hardcontact.report.quantities import number_of, number_without_value
 from hardcontact.surfaces.synthesis import SIDES
-from hardcontact.theory.assumptions import Elasticity
+from hardcontact.theory.validity import Elasticity
 
 #: Fewest pixels in contact: below, rounding to whole pixels may change the area by over 5 %.
 MIN_CONTACT_PIXELS = 10

@@ -74,7 +74,7 @@ def forces_at_range(force: xr.Dataset) -> xr.Dataset:
     )
 
 
-def without_padding(spectra: xr.Dataset) -> xr.Dataset:
+def drop_padding(spectra: xr.Dataset) -> xr.Dataset:
     """Return the spectra of one surface without the padding along `measurement`."""
     return spectra.isel(measurement=np.isin(spectra["kind"].values.astype(str), MEASUREMENT_KINDS))
 
@@ -94,6 +94,6 @@ def measurement_name(measurement: xr.Dataset) -> str:
 
 def split_measurements(spectra: xr.Dataset) -> list[xr.Dataset]:
     """Return a dataset for each measurement of one surface."""
-    measurements = without_padding(spectra)
+    measurements = drop_padding(spectra)
     count = measurements.sizes["measurement"]
     return [measurements.isel(measurement=index) for index in range(count)]

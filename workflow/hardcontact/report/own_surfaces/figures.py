@@ -17,11 +17,11 @@ from hardcontact.report.figures import drawing, panels, style
 from hardcontact.report.figures.listing import FILE_KINDS, describe_figure
 from hardcontact.report.own_surfaces.datasets import (
     Datasets,
+    drop_padding,
     fails_hindcast,
     measurement_name,
     preferred_model,
     split_measurements,
-    without_padding,
 )
 from hardcontact.report.own_surfaces.reliable_wavelengths import artificial_bands, shown_octaves
 from hardcontact.scans.both_bodies import sphere_share
@@ -126,7 +126,7 @@ def draw_spectra(datasets: Datasets) -> Figure:
     figure, surface_panels = _surface_panels(datasets, 3.6)
     for axes, colour, data in surface_panels:
         wavelengths = 2 * np.pi / data.spectra["bin_wavevector"].values
-        all_measurements = without_padding(data.spectra)
+        all_measurements = drop_padding(data.spectra)
         has_data = np.isfinite(all_measurements["psd"].values).any(axis=0)
         shows_unreliable = all_measurements.sizes["measurement"] <= MAX_UNRELIABLE_CURVES
         measurements = split_measurements(all_measurements)

@@ -10,7 +10,7 @@ import xarray as xr
 
 from hardcontact.inference.edges import computed_cutoffs
 from hardcontact.inference.octaves import octaves_within
-from hardcontact.report.own_surfaces.datasets import Datasets, without_padding
+from hardcontact.report.own_surfaces.datasets import Datasets, drop_padding
 
 #: Smallest share of a change that counts as the whole change: a choice.
 NEARLY_ALL = 0.9
@@ -18,7 +18,7 @@ NEARLY_ALL = 0.9
 
 def reliable_scans(spectra: xr.Dataset) -> xr.Dataset:
     """Return the spectra of one surface without measurements that are reliable nowhere."""
-    measurements = without_padding(spectra)
+    measurements = drop_padding(spectra)
     return measurements.isel(measurement=(measurements["reliable"].values == 1).any(axis=1))
 
 

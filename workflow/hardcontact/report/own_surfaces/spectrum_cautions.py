@@ -8,9 +8,9 @@ import xarray as xr
 from hardcontact.base.number import Number, numbers_by_name
 from hardcontact.report.own_surfaces.datasets import (
     Datasets,
+    drop_padding,
     measurement_name,
     split_measurements,
-    without_padding,
 )
 from hardcontact.report.quantities import number_of, number_without_value
 from hardcontact.scans.defects import DEFECTS, defect_sentence
@@ -47,7 +47,7 @@ class Caution:
 
 def blind_scans_caution(data: Datasets) -> Caution | None:
     """Return a caution if the maps on which contacts are made are reliable nowhere."""
-    scans = without_padding(data.spectra)
+    scans = drop_padding(data.spectra)
     makes_contacts = (scans["kind"].values.astype(str) == "map") & np.isclose(
         scans["pixel_size"].values ** 2, data.force["pixel_area"].item()
     )
@@ -94,7 +94,7 @@ def repeated_scan_cautions(spectra: xr.Dataset) -> list[Caution]:
 
 def contradiction_caution(spectra: xr.Dataset) -> Caution | None:
     """Return a caution about the two measurements that contradict each other most, if any do."""
-    scans = without_padding(spectra)
+    scans = drop_padding(spectra)
     arrays = [scans[name].values for name in ("psd", "reliable", "kind", "size")]
     contradictions = find_contradictions(*arrays)
     if not contradictions:
@@ -115,7 +115,7 @@ def excess_roughness_caution(spectra: xr.Dataset) -> Caution | None:
     """Return a caution if the added roughness exceeds that in the scans, which may be smoothed."""
     q = spectra["bin_wavevector"].values
     wavelength = 2 * np.pi / q
-    scans = without_padding(spectra)
+    scans = drop_padding(spectra)
     is_resolved = wavelength >= NYQUIST_PIXELS * scans["pixel_size"].values[:, None]
     densities = np.where(is_resolved & np.isfinite(scans["psd"].values), scans["psd"].values, 0.0)
     scan_density = densities.max(axis=0, initial=0.0)

@@ -6,17 +6,18 @@ from known_spectra import BINS
 from measurements import measurement, uncd_density
 
 from hardcontact.base.arrays import generator
-from hardcontact.scans.joined_spectrum import joined_spectrum, sample_spectra
-from hardcontact.scans.rolloff import extrapolate_long_waves, levelled_share
-from hardcontact.scans.tail import (
+from hardcontact.scans.extrapolation import (
     ATOMIC_WAVELENGTH,
     MAX_GRADIENT,
     MAX_HALF_LAPLACIAN,
     Tail,
+    extrapolate_long_waves,
     extrapolate_short_waves,
     fit_hurst_exponent,
-    has_exponent,
+    is_tail_known,
+    share_after_levelling,
 )
+from hardcontact.scans.joined_spectrum import joined_spectrum, sample_spectra
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_rms, self_affine
 from hardcontact.surfaces.synthesis import random_surface
 
@@ -46,7 +47,7 @@ def test_levelling_leaves_what_a_plane_does_not_fit(kind, order):
         direction = np.array([np.cos(angle), np.sin(angle)])[: len(grid)]
         wave = np.sqrt(2) * np.cos(2 * np.pi * order * direction @ grid + phase)
         remaining.append(((wave - plane @ (plane.T @ wave)) ** 2).mean())
-    share = levelled_share(np.array([2 * np.pi * order]), 1.0, kind).item()
+    share = share_after_levelling(np.array([2 * np.pi * order]), 1.0, kind).item()
     error = np.std(remaining) / np.sqrt(len(remaining))
     assert share == pytest.approx(np.mean(remaining), abs=4 * error + 0.01 * share)
 
@@ -91,14 +92,13 @@ def test_a_power_law_is_extrapolated_to_atoms_and_constant_at_long_waves():
 
 
 @pytest.mark.parametrize(
-    ("hurst", "bins", "is_exponent"),
+    ("hurst", "bins", "is_known"),
     [(0.8, 11, True), (1.0, 11, False), (0.0, 11, False), (0.8, 3, False)],
 )
-def test_an_exponent_at_a_bound_or_from_few_bins_is_unknown(hurst, bins, is_exponent):
-    assert (
-        has_exponent(Tail(hurst, 0.1, 45.0, 45.0 * 10 ** ((bins - 1) / 10), "atoms")) == is_exponent
-    )
-    assert has_exponent(Tail(tail_ended_by="gradient"))
+def test_an_exponent_at_a_bound_or_from_few_bins_is_unknown(hurst, bins, is_known):
+    tail = Tail(hurst, 0.1, 45.0, 45.0 * 10 ** ((bins - 1) / 10), "atoms")
+    assert is_tail_known(tail) == is_known
+    assert is_tail_known(Tail(tail_ended_by="gradient"))
 
 
 @pytest.mark.parametrize(("slope", "hurst"), [(-1.2, 0.0), (-2.6, 0.3), (-4.7, 1.0)])

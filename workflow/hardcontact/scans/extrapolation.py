@@ -1,9 +1,15 @@
-"""The tail of a spectrum: its extrapolation below the shortest wavelength measured, down to atoms.
+"""The extrapolation of a spectrum beyond the wavelengths measured: a tail and a roll-off.
 
-The tail is self-affine with the Hurst exponent of the shortest decade measured. It ends early if
-slope or curvature over all scales would exceed those of the roughest surface in Table 1.
+The tail lies below the shortest wavelength measured. It is self-affine, with the Hurst exponent of
+the shortest decade measured, and ends at atoms, or where slope or curvature over all scales would
+exceed those of the roughest surface in Table 1.
+
+The roll-off lies above the longest wavelength measured. C_iso rises up to it, and is constant
+beyond. In a scan such long waves are slopes and bows. Levelling leaves some of their variance, from
+which Bayes' rule gives the roll-off.
 """
 
+from collections.abc import Sequence
 from enum import StrEnum
 from typing import NamedTuple
 
@@ -11,7 +17,12 @@ import numpy as np
 import scipy
 
 from hardcontact.base.arrays import Floats
+from hardcontact.scans.reliable_band import STEEPEST_SELF_AFFINE_SLOPE, ReliableBand
+from hardcontact.surfaces.height_map import HeightMap
+from hardcontact.surfaces.levelling import level_plane, squared_projections
 from hardcontact.surfaces.spectrum import (
+    BIN_CENTRES,
+    BIN_WIDTH,
     LOG_WAVEVECTORS,
     MIN_BINS,
     WAVEVECTORS,
@@ -43,6 +54,12 @@ MIN_TRUNCATED_PROBABILITY = 0.05
 #: Normal distributions with a smaller share within 0 to 1 do not count, because their mean would be
 #: a ratio of rounding errors.
 NEGLIGIBLE_SHARE = 1e-9
+#: Ratio of the longest possible roll-off wavelength to the size of the scan: a scan shows longer
+#: waves as slopes, which levelling removes.
+MAX_ROLLOFF_OVER_SIZE = 10.0
+#: Number of directions of waves over which `share_after_levelling` averages: more change it by less
+#: than 0.5 % for a line scan, and 1e-6 for a map.
+DIRECTION_COUNT = 64
 
 
 class HurstFit(NamedTuple):
@@ -88,7 +105,7 @@ def _truncated_moments(
 ) -> tuple[Floats, Floats]:
     """Return mean and variance of a mixture of normal exponents (case,), truncated to 0 to 1.
 
-    If this range is improbable, they are those of the whole mixture, the mean clipped to it.
+    If this range is improbable, the whole mixture counts, and its mean is clipped to the range.
     """
     low, high = -exponents / errors, (1 - exponents) / errors
     truncated_share = scipy.special.ndtr(high) - scipy.special.ndtr(low)
@@ -127,8 +144,8 @@ class Tail(NamedTuple):
     tail_ended_by: TailEnd = TailEnd.NONE
 
 
-def has_exponent(tail: Tail) -> bool:
-    """Return whether a Hurst exponent within 0 to 1 fits at least five bins, or none is needed.
+def is_tail_known(tail: Tail) -> bool:
+    """Return True if a Hurst exponent within 0 to 1 fits at least five bins, or none is needed.
 
     Otherwise the extrapolation to short waves is a guess.
     """
@@ -180,3 +197,92 @@ def _find_tail_end(density: Floats) -> tuple[int, TailEnd]:
     last_indices = {end: int(np.append(mask, True).argmax()) - 1 for end, mask in exceeded.items()}
     ended_by = min(last_indices, key=lambda end: last_indices[end])
     return last_indices[ended_by], ended_by
+
+
+def extrapolate_long_waves(density: Floats, longest: float, slope: float, rolloff: float) -> Floats:
+    """Return C_iso on WAVEVECTORS that rises from the longest wavelength measured to the roll-off.
+
+    It rises with d ln C/d ln q = `slope`, clipped to 0 and to the STEEPEST_SELF_AFFINE_SLOPE.
+    """
+    relative = np.maximum(2 * np.pi / WAVEVECTORS / longest, 1.0)
+    exponent = -np.clip(slope, STEEPEST_SELF_AFFINE_SLOPE, 0.0)
+    return np.asarray(density * np.minimum(relative, max(rolloff / longest, 1.0)) ** exponent)
+
+
+def share_after_levelling(wavevector: Floats, size: float, kind: str) -> Floats:
+    """Return the share (q,) of the variance of random waves that remains in a levelled scan."""
+    angle = (np.arange(DIRECTION_COUNT) + 0.5) * np.pi / 2 / DIRECTION_COUNT
+    half_phase = np.maximum(wavevector[:, None] * size / 2, 1e-3)
+    mean_x, slope_x = squared_projections(half_phase * np.cos(angle))
+    if kind == "line scan":
+        return np.asarray((1 - mean_x - slope_x).mean(axis=1))
+    mean_y, slope_y = squared_projections(half_phase * np.sin(angle))
+    removed = mean_x * mean_y + slope_x * mean_y + mean_x * slope_y
+    return np.asarray((1 - removed).mean(axis=1))
+
+
+class RolloffEvidence:
+    """The rms height of the scans of a surface that show the longest waves, as evidence."""
+
+    def __init__(
+        self, scans: Sequence[HeightMap], densities: Floats, bands: Sequence[ReliableBand]
+    ) -> None:
+        """Keep the evidence of the widest scans; PSDs (scan, bins) and bands are of all scans."""
+        longest = max(band.longest for band in bands)
+        is_widest = np.array([band.longest == longest for band in bands])
+        widest_scans = [scan for scan, widest in zip(scans, is_widest, strict=True) if widest]
+        kind = widest_scans[0].kind
+        self.size = widest_scans[0].size
+        self.count = len(widest_scans)
+        #: The mean variance of the levelled heights in nm².
+        self.variance = float(np.mean([level_plane(scan).heights.T.var() for scan in widest_scans]))
+        self._measured_density = np.nan_to_num(densities[is_widest]).mean(axis=0)
+        shortest = min(band.shortest for band in bands if band.longest == longest)
+        self._is_unreliable = 2 * np.pi / BIN_CENTRES < shortest
+        self._share_after_levelling = share_after_levelling(WAVEVECTORS, self.size, kind)
+        # Independent modes per ln q: q²L²/4π in a map, qL/2π along a line, and 1 for waves longer
+        # than the scan, which appear as a bow.
+        waves = WAVEVECTORS * self.size / (2 * np.pi)
+        self._mode_count = np.maximum(waves if kind == "line scan" else np.pi * waves**2, 1)
+
+    def rolloff_quantile(
+        self, density: Floats, longest: float, slope: float, probability: float
+    ) -> float:
+        """Return a quantile of the roll-off wavelength, for its probability.
+
+        The prior is uniform in the logarithm of the roll-off, from the longest wavelength measured
+        to MAX_ROLLOFF_OVER_SIZE times the size of the scan. If the `slope` d ln C/d ln q there is
+        not negative, the roll-off is the longest wavelength.
+        """
+        if slope >= 0:
+            return longest
+        rolloffs = np.geomspace(
+            longest, max(MAX_ROLLOFF_OVER_SIZE * self.size, 1.01 * longest), ROLLOFF_COUNT
+        )
+        spectra = (extrapolate_long_waves(density, longest, slope, rolloff) for rolloff in rolloffs)
+        log_likelihoods = np.array([self._log_likelihood(spectrum) for spectrum in spectra])
+        posterior = np.exp(log_likelihoods - log_likelihoods.max())
+        cumulative = (np.cumsum(posterior) - posterior / 2) / posterior.sum()
+        return float(np.exp(np.interp(probability, cumulative, np.log(rolloffs))))
+
+    def _log_likelihood(self, density: Floats) -> float:
+        """Return the logarithm of the likelihood of the measured variance, up to a constant.
+
+        The powers of N independent modes are exponential, so that their sum is a gamma variable of
+        relative variance 1/N.
+        """
+        power = density * WAVEVECTORS**2 * self._share_after_levelling / (2 * np.pi)
+        expected_variance = np.trapezoid(power, LOG_WAVEVECTORS) + self._noise_variance(density)
+        variance_of_variance = np.trapezoid(power**2 / self._mode_count, LOG_WAVEVECTORS)
+        shape = expected_variance**2 / variance_of_variance * self.count
+        scale = expected_variance / shape
+        ratio = self.variance / scale
+        return float(
+            (shape - 1) * np.log(ratio) - ratio - scipy.special.gammaln(shape) - np.log(scale)
+        )
+
+    def _noise_variance(self, density: Floats) -> float:
+        """Return the variance of heights (nm²) from noise, the excess of unreliable short waves."""
+        excess = self._measured_density - np.interp(BIN_CENTRES, WAVEVECTORS, density)
+        power = (np.maximum(excess, 0) * BIN_CENTRES**2)[self._is_unreliable]
+        return float(power.sum() * BIN_WIDTH / (2 * np.pi))
