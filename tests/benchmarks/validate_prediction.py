@@ -15,15 +15,17 @@ from typing import Any
 
 import numpy as np
 import pandas as pd
+import xarray as xr
 from scipy.stats import qmc
 
 from hardcontact.base.arrays import generator
 from hardcontact.contact.contact import Contact
 from hardcontact.inference.edges import (
-    edge_interval,
-    find_edge,
+    CUTOFF,
+    edge_intervals,
+    edges_or_bounds,
+    find_edges,
     logarithmic_limits,
-    ordered_curve,
 )
 from hardcontact.inference.filtered_masters import Filters, filtered_pull_off
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, self_affine, varying_hurst
@@ -169,15 +171,15 @@ def compute_row(row: dict[str, Any]) -> dict[str, Any]:
 def describe_edge(side: str, name: str, cutoffs: np.ndarray, ratios: np.ndarray) -> dict[str, Any]:
     """Return an edge of ratios (realization, cutoff) or its bound, with its interval."""
     log_ratios = np.log([ratios.mean(axis=0), ratios.min(axis=0), ratios.max(axis=0)])
-    curve, (lowest, highest) = ordered_curve(
-        side, cutoffs, log_ratios, logarithmic_limits(TOLERANCE)
-    )
-    edge = find_edge(curve)
-    low, high = edge_interval(curve, lowest, highest)
-    status = {"found": "found", "open_above": "at least", "open_below": "at most"}[edge.status]
+    coordinates = {CUTOFF: cutoffs, "side": side}
+    curve, lowest, highest = xr.DataArray(log_ratios, coordinates, ("statistic", CUTOFF))
+    limits = logarithmic_limits(TOLERANCE)
+    edge = find_edges(curve, limits)
+    low, high = edge_intervals(curve, lowest, highest, limits).values
+    status = {"found": "found", "open_above": "at least", "open_below": "at most"}
     return {
-        f"{name}_edge": edge.value if edge.status == "found" else edge.bound,
-        f"{name}_edge_status": status,
+        f"{name}_edge": edges_or_bounds(edge).item(),
+        f"{name}_edge_status": status[edge["edge_status"].item()],
         f"{name}_edge_low": low,
         f"{name}_edge_high": high,
     }

@@ -23,7 +23,7 @@ from hardcontact.base.statistics import student_log_interval
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import window_pixels
 from hardcontact.contact.pull_off import FORCE_ATTRS, make_force_function
-from hardcontact.inference.edges import edges_of_curves
+from hardcontact.inference.edges import edges_of_ratios
 from hardcontact.surfaces.filters import filtered_series
 from hardcontact.surfaces.height_map import mirror_scan
 from hardcontact.surfaces.levelling import level_plane
@@ -120,7 +120,7 @@ def window_edges(all_forces):
     ratio = all_forces["filtered_force_ratio"].mean("realization", keep_attrs=True)
     interval = student_log_interval(all_forces["filtered_force_ratio"], CONFIDENCE, "realization")
     ratios = xr.Dataset({"filtered_force_ratio": ratio, "filtered_force_ratio_interval": interval})
-    edges = edges_of_curves(ratios.assign_coords(side="long"), TOLERANCE)
+    edges = edges_of_ratios(ratios.assign_coords(side="long"), TOLERANCE)
     force = all_forces["pull_off_force"]
     largest = force.isel(map_size=-1, drop=True)
     relative_force = force.mean("realization") / largest.mean("realization")

@@ -14,8 +14,8 @@ from hardcontact.base.arrays import generator
 from hardcontact.base.number import Number
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.pull_off import make_force_function
+from hardcontact.own.hindcast import WIDE_PIXEL
 from hardcontact.own.scan_contact import contact_on_scan
-from hardcontact.own.wide_pixels import WIDE_PIXEL
 from hardcontact.surfaces.height_map import HeightMap, mirror_in_float32
 from hardcontact.surfaces.levelling import level_plane
 from hardcontact.surfaces.spectrum import smooth_rolloff

@@ -2,39 +2,48 @@
 
 import numpy as np
 import pytest
+import xarray as xr
 from measurements import UNCD
 
 import hardcontact as hc
 from hardcontact.base.arrays import generator
 from hardcontact.inference.edges import (
-    ChangeCurve,
-    edge_interval,
-    find_edge,
-    interpolate_edge,
-    shows_ripples,
+    CUTOFF,
+    edge_intervals,
+    find_edges,
+    show_ripples,
 )
 from hardcontact.surfaces.synthesis import random_surface
 
 CUTOFFS = np.array([10.0, 100.0, 1000.0])
+LIMITS = (np.log(0.9), np.log(1.1))
 
 
-def edge_of_ratios(side, cutoffs, ratio, low, high):
-    """The edge of one surface, whose ratios have a sign, and its interval."""
-    curve = ChangeCurve(side, cutoffs, np.log(ratio), (np.log(0.9), np.log(1.1)))
-    return find_edge(curve).value, edge_interval(curve, np.log(low), np.log(high))
+def make_curve(side, cutoffs, values):
+    """The curve of values (cutoff,) of a side."""
+    return xr.DataArray(values, {CUTOFF: cutoffs, "side": side}, [CUTOFF])
+
+
+def edge_of_ratios(side, cutoffs, *ratios):
+    """The edge of one surface, whose ratios have a sign, and its interval, from their intervals."""
+    curve, low, high = (make_curve(side, cutoffs, np.log(ratio)) for ratio in ratios)
+    return find_edges(curve, LIMITS)["edge"].item(), edge_intervals(curve, low, high, LIMITS)
 
 
 def test_an_edge_is_interpolated_in_log_wavelength():
-    cutoffs, changes = np.array([1.0, 10.0, 100.0]), np.array([0.0, 0.05, 0.15])
-    limits = (-0.1, 0.1)
-    assert interpolate_edge(cutoffs, changes, limits) == pytest.approx(10**1.5)
-    assert interpolate_edge(cutoffs, -changes, limits) == pytest.approx(10**1.5)
-    assert interpolate_edge(cutoffs, 2 * changes, limits) == pytest.approx(10.0)
-    assert np.isnan(interpolate_edge(cutoffs, np.array([0.0, 0.05, 0.1]), limits))
-    assert np.isnan(interpolate_edge(cutoffs, np.array([0.2, 0.3, 0.4]), limits))
+    def edge(*values, spectrum_end=np.nan):
+        curve = make_curve("short", [1.0, 10.0, 100.0], np.array(values))
+        return find_edges(curve, (-0.1, 0.1), spectrum_end)["edge"].item()
+
+    assert edge(0, 0.05, 0.15) == pytest.approx(10**1.5)
+    assert edge(0, -0.05, -0.15) == pytest.approx(10**1.5)
+    assert edge(0, 0.1, 0.3) == pytest.approx(10.0)
+    assert np.isnan([edge(0, 0.05, 0.1), edge(0.2, 0.3, 0.4)]).all()
+    assert edge(0.2, 0.3, 0.4, spectrum_end=0.1) == pytest.approx(10**-0.5)
+    # A cutoff that the curve does not have changes nothing.
+    assert edge(0, np.nan, 0.2) == pytest.approx(10.0)
     # From -0.1 to 0.2 through zero: two thirds of the decade, not none of it.
-    through = np.array([0.0, -0.1, 0.2])
-    assert interpolate_edge(cutoffs, through, limits) == pytest.approx(10 ** (1 + 2 / 3))
+    assert edge(0, -0.1, 0.2) == pytest.approx(10 ** (1 + 2 / 3))
 
 
 def test_the_edge_of_a_ratio_that_crosses_one_is_where_it_leaves_the_tolerance():
@@ -76,8 +85,7 @@ def test_the_bracket_holds_the_edge_of_a_curve_that_is_not_straight(spread):
 )
 def test_a_force_that_falls_without_short_waves_shows_ripples(side, ratio, ripples):
     cutoffs = CUTOFFS if side == "short" else CUTOFFS[::-1]
-    limits = (np.log(0.9), np.log(1.1))
-    assert shows_ripples(ChangeCurve(side, cutoffs, np.log(ratio), limits)) == ripples
+    assert show_ripples(make_curve(side, cutoffs, np.log(ratio)), LIMITS) == ripples
 
 
 def test_pillars_have_no_short_edge_and_a_gaussian_surface_has_one():

@@ -10,6 +10,7 @@ from scipy import stats
 
 from hardcontact.base.arrays import generator
 from hardcontact.base.statistics import student_interval
+from hardcontact.inference.mean_forces import MasterScans
 from hardcontact.own.force_at_pair import (
     add_extrapolated_force,
     bound_by_smooth_sphere,
@@ -18,7 +19,6 @@ from hardcontact.own.force_at_pair import (
     forces_on_masters,
     forces_on_scans,
 )
-from hardcontact.own.mean_forces import MasterScans
 
 RHOS = [1.0, 5.0, 20.0]
 OPTIONS = {"work": 0.05, "rho": 5.0, "scan_sizes": {"a": 2500.0, "b": 2500.0}, "confidence": 0.9}

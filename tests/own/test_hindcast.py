@@ -11,8 +11,7 @@ from hardcontact.base.arrays import generator
 from hardcontact.contact.contact import CONTACT_AXES, Contact
 from hardcontact.contact.pull_off import make_force_function
 from hardcontact.own import hindcast
-from hardcontact.own.hindcast import RandomBody
-from hardcontact.own.wide_pixels import pixel_forces, widen_pixels
+from hardcontact.own.hindcast import RandomBody, pixel_forces, widen_pixels
 from hardcontact.surfaces.height_map import mirror_scan
 from hardcontact.surfaces.synthesis import random_surface
 

@@ -11,12 +11,12 @@ from small_pool import CONTACT, GRID, SUBSTITUTE
 
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import pull_off_dataset
+from hardcontact.inference.published_fit import PublishedForces
 from hardcontact.paper.featured_candidates import (
     candidate_of_set,
     compare_features,
     compute_candidates,
 )
-from hardcontact.paper.published_fit import PublishedForces
 from hardcontact.surfaces.features import FeaturedSurface, sample_group
 from hardcontact.surfaces.height_map import mirror_scan
 from hardcontact.surfaces.levelling import level_plane

@@ -8,7 +8,7 @@ from paper_numbers import CLAIMS, CONSTANTS, MEAN_FORCE, SUBSTRATES
 from set_inputs import CONFIDENCE, SCANS, make_adhesion, make_inputs, make_masters
 
 from hardcontact.base.statistics import Sampling
-from hardcontact.paper.published_fit import PublishedForces, fit_published
+from hardcontact.inference.published_fit import PublishedForces, fit_published
 from hardcontact.paper.sets import (
     SetSettings,
     adhesion_of_set,

@@ -33,7 +33,7 @@ from hardcontact.contact.contact import PLASTIC, Contact
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import WORK_OF_ADHESION, pull_off_dataset
 from hardcontact.contact.scan_pull_off import wider_window_change
-from hardcontact.inference.edges import edges_of_curves
+from hardcontact.inference.edges import edges_of_ratios
 from hardcontact.inference.filtered_masters import Filters, add_force_ratios, filtered_pull_off
 from hardcontact.own.own_spectrum import OwnSpectrum, read_own_spectrum, spectrum_of_map
 from hardcontact.own.scan_force import prediction_and_scan_force
@@ -340,7 +340,7 @@ def force_ratios(
         side_forces = filtered_pull_off(surface, filters, [contact], rough_sphere)
         forces[(side,)] = side_forces.isel(radius=0, loading=0, rho=0, drop=True)
     ratios = add_force_ratios(stack(forces, ["side"]))[["filtered_force_ratio"]]
-    edges = edges_of_curves(ratios, tolerance)[["edge", "edge_status", "edge_bound"]]
+    edges = edges_of_ratios(ratios, tolerance)[["edge", "edge_status", "edge_bound"]]
     return edges.assign(ratios).assign_attrs(rho=rho, tolerance=tolerance)
 
 

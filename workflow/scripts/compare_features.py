@@ -1,8 +1,8 @@
 """Forces, at the published range and work, of surfaces with features: features.nc."""
 
 from hardcontact.base.dataset import read, read_all
+from hardcontact.inference.published_fit import PublishedForces
 from hardcontact.paper.featured_candidates import compare_features
-from hardcontact.paper.published_fit import PublishedForces
 from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:

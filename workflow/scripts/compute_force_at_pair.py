@@ -2,9 +2,9 @@
 
 from hardcontact.base.dataset import read
 from hardcontact.contact.contact import Contact
+from hardcontact.inference.mean_forces import MasterScans
 from hardcontact.inference.scan_parts import fewest_touched_patches
 from hardcontact.own.force_at_pair import force_dataset
-from hardcontact.own.mean_forces import MasterScans
 from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:

@@ -3,8 +3,7 @@
 from hardcontact.base.dataset import read
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.pull_off import make_force_function
-from hardcontact.own.hindcast import RandomBody, hindcast_forces, outermost_octaves
-from hardcontact.own.wide_pixels import pixel_forces
+from hardcontact.own.hindcast import RandomBody, hindcast_forces, outermost_octaves, pixel_forces
 from hardcontact.records.job import run_job
 from hardcontact.surfaces.height_map import load_height_map
 from hardcontact.surfaces.spectrum import load_spectrum

@@ -2,9 +2,9 @@
 
 from hardcontact.base.dataset import read
 from hardcontact.inference.edges import labelled_edges
+from hardcontact.inference.edges_of_scans import edges_of_scans
+from hardcontact.inference.mean_forces import MasterScans
 from hardcontact.inference.scan_parts import fewest_touched_patches
-from hardcontact.own.edges_of_scans import edges_of_scans
-from hardcontact.own.mean_forces import MasterScans
 from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:

@@ -3,8 +3,8 @@
 from hardcontact.base.dataset import read
 from hardcontact.base.statistics import Sampling
 from hardcontact.config.force_table import measured_forces
-from hardcontact.own.measured_fit import add_extrapolated_work, fit_measured
-from hardcontact.own.wide_pixels import pixel_factors
+from hardcontact.inference.measured_fit import add_extrapolated_work, fit_measured
+from hardcontact.own.hindcast import pixel_factors
 from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:

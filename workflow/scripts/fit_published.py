@@ -2,7 +2,7 @@
 
 from hardcontact.base.dataset import read
 from hardcontact.base.statistics import Sampling
-from hardcontact.paper.published_fit import PublishedForces, fit_published
+from hardcontact.inference.published_fit import PublishedForces, fit_published
 from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:

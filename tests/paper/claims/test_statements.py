@@ -8,13 +8,13 @@ from repository import ROOT
 from hardcontact.base.published import CLAIMS
 from hardcontact.contact.contact import CONTACT_MODELS
 from hardcontact.inference.band_forces import BAND_PARTS
+from hardcontact.inference.published_fit import PAIRS
 from hardcontact.paper.claims.selection import LABELS, SURFACES
 from hardcontact.paper.claims.statements import check_claims
 from hardcontact.paper.classical_comparison import METRIC_PREFIXES
 from hardcontact.paper.classical_models import MODELS, Roughness
 from hardcontact.paper.exponents import SCALED_QUANTITIES
 from hardcontact.paper.posterior import NONE_LEFT_OUT
-from hardcontact.paper.published_fit import PAIRS
 from hardcontact.surfaces.synthesis import SIDES
 
 TABLE = pd.read_csv(ROOT / CLAIMS, dtype=str, keep_default_na=False)

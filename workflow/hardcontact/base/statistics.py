@@ -174,22 +174,32 @@ class Sampling:
         """Return the random generator of one sampled quantity."""
         return generator(self.seed, *self.stream, *names)
 
-    def sample_means(self, name: str, values_by_surface: Mapping[str, Floats]) -> Floats:
-        """Return `student_log_samples` (sample, surface, ...) of the values of each surface."""
+    def sample_means(self, name: str, values: xr.DataArray, dim: str) -> xr.DataArray:
+        """Return means over scans along a dimension, then samples (1 + sample, surface, ...).
+
+        Missing scans are NaN. Random numbers depend on this name and on the surface alone.
+        """
+        values = values.transpose("surface", dim, ...)
+        means = values.mean(dim)
         samples = [
-            student_log_samples(self.generator(name, surface), values, self.sample_count)
-            for surface, values in values_by_surface.items()
+            student_log_samples(
+                self.generator(name, surface),
+                values.sel(surface=surface).dropna(dim, how="all").values,
+                self.sample_count,
+            )
+            for surface in values["surface"].values.tolist()
         ]
-        return np.stack(samples, axis=1)
+        sampled_means = np.concatenate([means.values[None], np.stack(samples, axis=1)])
+        return xr.DataArray(sampled_means, means.coords, ("sample", *means.dims))
 
     def as_variables(
         self,
         name: str,
         dimensions: str | Sequence[str],
-        value: ArrayLike,
-        samples: ArrayLike,
+        sampled_values: Floats,
         attributes: dict[str, Any],
     ) -> dict[str, Any]:
-        """Return a value (...) and the interval of its samples (sample, ...) as variables."""
-        interval = percentile_interval(samples, self.confidence)
+        """Return a value (...) and the interval of its samples, from both (1 + sample, ...)."""
+        interval = percentile_interval(sampled_values[1:], self.confidence)
+        value = sampled_values[0]
         return as_variables(name, dimensions, value, interval, attributes, self.confidence)

@@ -29,9 +29,9 @@ from hardcontact.config.configuration import CONTACT_QUANTITIES
 from hardcontact.config.faults import raise_faults, run_checks
 from hardcontact.config.keys import Study
 from hardcontact.contact.contact import Contact
+from hardcontact.own.hindcast import WIDE_PIXEL
 from hardcontact.own.own_spectrum import OwnSpectrum, add_sphere_roughness, read_own_spectrum
 from hardcontact.own.scan_force import prediction_and_scan_force
-from hardcontact.own.wide_pixels import WIDE_PIXEL
 from hardcontact.scans.heights import TAKE_CARE
 from hardcontact.theory.validity import (
     MAX_NEGLIGIBLE_CHANGE,

@@ -1,16 +1,17 @@
 """The edges of the band: the cutoffs at which the change of the force exceeds a tolerance.
 
-The masters of substitutes are independent, those of the user's surfaces share few scans. Intervals
-therefore come from `paper.edges_of_masters` or from `own.edges_of_scans`.
+A curve (..., cutoff_wavelength) is the change of the force with the cutoff: ln(ratio) for a single
+surface, the mean of |ratio - 1| for several. Its coordinate ``side`` is short if wavelengths below
+the cutoff are removed, long if those above it are. It is NaN at cutoffs that it does not have. A
+change between the lower and the upper one of its `limits` does not count. Intervals come from
+`edges_of_masters`, if masters are independent, or from `edges_of_scans`, if they share few scans.
 """
 
-from collections.abc import Hashable, Sequence
 from enum import StrEnum
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 import xarray as xr
-from numpy.typing import NDArray
 
 from hardcontact.base.arrays import Floats
 from hardcontact.base.statistics import ENDS
@@ -18,15 +19,8 @@ from hardcontact.base.units import NM
 
 #: The group of all surfaces.
 MEAN_GROUP = "mean"
-
-
-class ChangeCurve(NamedTuple):
-    """The change of the force with the cutoff on one side; it is zero without a filter."""
-
-    side: str  #: short: wavelengths below the cutoff are removed; long: wavelengths above it.
-    cutoffs: Floats  #: (k,) in nm, by growing effect: ascending if short, descending if long.
-    values: Floats  #: (k,) ln(ratio) for a single surface, the mean of |ratio - 1| for several.
-    limits: tuple[float, float]  #: Lower and upper limit; a change within them does not count.
+#: The dimension of a curve.
+CUTOFF = "cutoff_wavelength"
 
 
 class EdgeStatus(StrEnum):
@@ -39,166 +33,130 @@ class EdgeStatus(StrEnum):
     NO_EDGE = "none"  #: No cutoff changes the force in closed form by the tolerance.
 
 
-class Edge(NamedTuple):
-    """The edge of a curve, or a bound of it."""
-
-    value: float  #: In nm; NaN if the edge is open.
-    bound: float  #: Cutoff in nm beyond which an open edge lies; NaN for another status.
-    status: EdgeStatus
-
-
-def ordered_curve(
-    side: str,
-    cutoffs: Floats,
-    values: Floats,
-    limits: tuple[float, float],
-    spectrum_end: float | None = None,
-) -> tuple[ChangeCurve, Floats]:
-    """Return the curve of the first row of values (row, k), and the other rows at its cutoffs.
-
-    Cutoffs are sorted; those with NaN in the first row are left out. If `spectrum_end` is known,
-    the wavelength (nm) that removes nothing, all rows begin there with zero.
-    """
-    computed_columns = np.flatnonzero(np.isfinite(values[0]))
-    order = computed_columns[np.argsort(cutoffs[computed_columns])]
-    if side == "long":
-        order = order[::-1]
-    cutoffs, values = cutoffs[order], values[:, order]
-    if spectrum_end is not None:
-        cutoffs = np.append(spectrum_end, cutoffs)
-        values = np.pad(values, ((0, 0), (1, 0)))
-    return ChangeCurve(side, cutoffs, values[0], limits), values[1:]
-
-
 def logarithmic_limits(tolerance: float) -> tuple[float, float]:
     """Return both limits of ln(ratio) for a relative change of the force, such as 0.1."""
     return float(np.log1p(-tolerance)), float(np.log1p(tolerance))
 
 
-def _first_true(mask: NDArray[np.bool_]) -> int:
-    """Return the index of the first True of a mask (k,), or k if all are False."""
-    return int(mask.argmax()) if mask.any() else len(mask)
+def find_edges(
+    curves: xr.DataArray,
+    limits: tuple[float, float],
+    spectrum_ends: xr.DataArray | float = np.nan,
+) -> xr.Dataset:
+    """Return ``edge``, ``edge_bound`` (...) in nm and ``edge_status`` of curves.
 
-
-def _first_outside(values: Floats, limits: tuple[float, float]) -> int:
-    """Return the index of the first value (k,) outside the limits, or k if all are within."""
-    lower, upper = limits
-    return _first_true((values < lower) | (values > upper))
-
-
-def interpolate_edge(cutoffs: Floats, values: Floats, limits: tuple[float, float]) -> float:
-    """Return the cutoff (nm) at which the values (k,) of a curve first leave its limits.
-
-    They are linear in the logarithm of the cutoff. NaN if no value or the first one is outside.
+    A curve is linear in the logarithm of the cutoff, and zero at its spectrum end (nm), if known,
+    where nothing is removed. An edge is open, NaN, if no value or the first one is outside the
+    limits; it then lies beyond its bound.
     """
-    crossing = _first_outside(values, limits)
-    if crossing in (0, len(values)):
-        return np.nan
     lower, upper = limits
-    limit = upper if values[crossing] > upper else lower
-    share = (limit - values[crossing - 1]) / (values[crossing] - values[crossing - 1])
-    step = np.log(cutoffs[crossing] / cutoffs[crossing - 1])
-    return float(np.exp(np.log(cutoffs[crossing - 1]) + share * step))
+    values = _variable(curves)
+    effects = _effects(curves)
+    crossing, last_inside = _first_and_before(effects, (values < lower) | (values > upper))
+    value, value_inside = (
+        values.where(effects == effect).max(CUTOFF) for effect in (crossing, last_inside)
+    )
+    cutoff_inside = abs(last_inside).fillna(xr.as_variable(spectrum_ends))
+    value_inside = value_inside.fillna(0.0)
+    share = (value.clip(lower, upper) - value_inside) / (value - value_inside)
+    edge = np.exp(np.log(cutoff_inside) + share * np.log(abs(crossing) / cutoff_inside))
+    is_open = edge.isnull()
+    bound = last_inside.fillna(crossing).where(is_open)
+    is_short = bound > 0
+    is_open_below = crossing.notnull() == is_short
+    open_status = np.where(is_open_below, EdgeStatus.OPEN_BELOW, EdgeStatus.OPEN_ABOVE)
+    return xr.Dataset(
+        {
+            "edge": (edge.dims, edge.values, NM),
+            "edge_bound": (edge.dims, abs(bound).values, NM),
+            "edge_status": (edge.dims, np.where(is_open, open_status, EdgeStatus.FOUND)),
+        },
+        {dim: curves[dim] for dim in edge.dims},
+    )
 
 
-def find_edge(curve: ChangeCurve) -> Edge:
-    """Return the edge of a curve, open if no value or the first one is outside the limits."""
-    edge = interpolate_edge(curve.cutoffs, curve.values, curve.limits)
-    if np.isfinite(edge):
-        return Edge(edge, np.nan, EdgeStatus.FOUND)
-    is_outside_at_once = _first_outside(curve.values, curve.limits) == 0
-    bound = float(curve.cutoffs[0 if is_outside_at_once else -1])
-    # The first cutoff of a short side is its shortest, the first of a long side its longest.
-    is_open_below = is_outside_at_once == (curve.side == "short")
-    return Edge(np.nan, bound, EdgeStatus.OPEN_BELOW if is_open_below else EdgeStatus.OPEN_ABOVE)
+def _variable(array: xr.DataArray) -> Any:
+    """Return an array without its labels, because aligning them would take most of the time."""
+    return array.variable
 
 
-def shows_ripples(curve: ChangeCurve) -> bool:
-    """Return whether a curve of ln(ratio) shows the ripples of the filter, not the roughness.
+def _effects(curves: xr.DataArray) -> Any:
+    """Return the cutoffs of curves, negative on the long side: they grow with their effect."""
+    is_short = _variable(curves["side"]) == "short"
+    cutoffs = _variable(curves[CUTOFF]) * (2 * is_short - 1)
+    return cutoffs.where(_variable(curves).notnull()).transpose(*curves.dims)
+
+
+def _first_and_before(effects: Any, is_true: Any) -> tuple[Any, Any]:
+    """Return the first effect (...) at which a mask is true, and the last effect before it."""
+    first = effects.where(is_true).min(CUTOFF)
+    return first, effects.where(~(effects >= first)).max(CUTOFF)
+
+
+def edge_intervals(
+    curves: xr.DataArray, lowest: xr.DataArray, highest: xr.DataArray, limits: tuple[float, float]
+) -> xr.Variable:
+    """Return the cutoffs (..., end) in nm between which edges lie, from intervals of curves.
+
+    An edge lies between the last cutoff before an interval reaches beyond the limits, and the first
+    cutoff with an interval wholly outside. NaN for an end beyond the cutoffs, or without intervals.
+    """
+    lower, upper = limits
+    low, high = _variable(lowest), _variable(highest)
+    effects = _effects(curves)
+    is_known = ((low.notnull() & high.notnull()) | effects.isnull()).all(CUTOFF)
+    effects = effects.where(is_known)
+    _, surely_inside = _first_and_before(effects, (low < lower) | (high > upper))
+    surely_outside, _ = _first_and_before(effects, (high < lower) | (low > upper))
+    is_short = _variable(curves["side"]) == "short"
+    shorter = surely_inside.where(is_short, surely_outside)
+    longer = surely_outside.where(is_short, surely_inside)
+    interval = abs(np.stack([shorter, longer], axis=-1))
+    return xr.Variable((*shorter.dims, "end"), interval, NM)
+
+
+def edges_of_ratios(ratios: xr.Dataset, tolerance: float) -> xr.Dataset:
+    """Return the edges of ``filtered_force_ratio`` (..., cutoff_wavelength) of single surfaces.
+
+    If the ratios have intervals, so have the edges. A curve with ripples has no edge.
+    """
+    ratio = ratios["filtered_force_ratio"]
+    curves = xr.ufuncs.log(ratio)
+    limits = logarithmic_limits(tolerance)
+    edges = find_edges(curves, limits)
+    if "filtered_force_ratio_interval" in ratios:
+        interval = ratios["filtered_force_ratio_interval"]
+        # If only some ratios have no interval, they are equal in all parts: zero width.
+        interval = interval.fillna(ratio.where(interval.notnull().any([CUTOFF, "end"])))
+        with np.errstate(divide="ignore"):  # the lower end of an interval without bounds is zero
+            lowest, highest = (xr.ufuncs.log(interval.isel(end=end, drop=True)) for end in (0, 1))
+        edges["edge_interval"] = edge_intervals(curves, lowest, highest, limits)
+        edges = edges.assign_coords(end=ENDS)
+    return remove_rippled_edges(edges, show_ripples(curves, limits))
+
+
+def show_ripples(curves: xr.DataArray, limits: tuple[float, float]) -> xr.DataArray:
+    """Return whether curves of ln(ratio) show the ripples of the filter, not the roughness.
 
     Without its short waves a random surface has lower summits, so that the force rises. If it falls
     first, the filter has made higher summits: ripples near steps.
     """
-    crossing = _first_outside(curve.values, curve.limits)
-    value_outside = curve.values[crossing : crossing + 1]  # empty if the curve never leaves them
-    return curve.side == "short" and bool((value_outside < 0).any())
+    lower, upper = limits
+    falls_at = curves[CUTOFF].where(curves < lower).min(CUTOFF)
+    rises_at = curves[CUTOFF].where(curves > upper).min(CUTOFF)
+    return falls_at.notnull() & ~(rises_at < falls_at) & (curves["side"] == "short")
 
 
-def edge_interval(curve: ChangeCurve, lowest: Floats, highest: Floats) -> Floats:
-    """Return the cutoffs (2,) in nm between which the edge lies, from the intervals of a curve.
-
-    `lowest` and `highest` (k,) are the ends of the intervals of its values. The edge lies between
-    the last cutoff before an interval reaches beyond the limits, and the first cutoff with an
-    interval wholly outside. NaN for an end beyond the cutoffs, or without intervals.
-    """
-    if np.isnan([lowest, highest]).any():
-        return np.full(2, np.nan)
-    bounds = np.concatenate([[np.nan], curve.cutoffs, [np.nan]])
-    lower, upper = curve.limits
-    possibly_outside = _first_true((lowest < lower) | (highest > upper))
-    surely_outside = _first_true((highest < lower) | (lowest > upper))
-    interval = np.array(
-        [bounds[possibly_outside], bounds[surely_outside + 1] if surely_outside else np.nan]
-    )
-    return interval if curve.side == "short" else interval[::-1]
-
-
-def edges_of_curves(ratios: xr.Dataset, tolerance: float) -> xr.Dataset:
-    """Return the edges of several curves of force ratios, with their bounds and intervals in nm.
-
-    ``filtered_force_ratio`` (..., cutoff_wavelength), with its coordinate ``side``, may have an
-    interval, and is NaN at cutoffs that a curve does not have. Open edges and ends are NaN.
-    """
-    dimensions = [dim for dim in ratios["filtered_force_ratio"].dims if dim != "cutoff_wavelength"]
-    shape = [ratios.sizes[dim] for dim in dimensions]
-    edges = []
-    intervals = []  # A curve with ripples has neither edge nor interval.
-    for index in np.ndindex(*shape):
-        curve, (lowest, highest) = _curve_with_interval(
-            ratios.isel(dict(zip(dimensions, index, strict=True))), tolerance
-        )
-        if shows_ripples(curve):
-            edges.append(Edge(np.nan, np.nan, EdgeStatus.RIPPLES))
-            intervals.append(np.full(2, np.nan))
-        else:
-            edges.append(find_edge(curve))
-            intervals.append(edge_interval(curve, lowest, highest))
-    variables = edge_variables(edges, dimensions, shape)
-    variables["edge_interval"] = ((*dimensions, "end"), np.reshape(intervals, (*shape, 2)), NM)
-    return xr.Dataset(variables, {dim: ratios[dim] for dim in dimensions} | {"end": ENDS})
-
-
-def _curve_with_interval(ratios: xr.Dataset, tolerance: float) -> tuple[ChangeCurve, np.ndarray]:
-    """Return one curve with the low and the high ends (2, k) of the intervals of its values."""
-    ratio = ratios["filtered_force_ratio"].values
-    unknown = np.full((len(ratio), 2), np.nan)
-    interval = np.asarray(ratios.get("filtered_force_ratio_interval", unknown))
-    if not np.isnan(interval).all():
-        # If only some ratios have no interval, they are equal in all parts: zero width.
-        interval = np.where(np.isnan(interval), ratio[:, None], interval)
-    with np.errstate(divide="ignore"):  # the lower end of an interval without bounds is zero
-        log_ratios = np.log([ratio, *interval.T])
-    cutoffs = ratios["cutoff_wavelength"].values
-    limits = logarithmic_limits(tolerance)
-    return ordered_curve(str(ratios["side"].item()), cutoffs, log_ratios, limits)
-
-
-def edge_variables(
-    edges: Sequence[Edge], dimensions: Sequence[Hashable], shape: Sequence[int]
-) -> dict[str, Any]:
-    """Return ``edge``, ``edge_bound`` and ``edge_status`` as variables of this shape."""
-    values, bounds, statuses = (np.reshape(column, shape) for column in zip(*edges, strict=True))
-    return {
-        "edge": (dimensions, values, NM),
-        "edge_bound": (dimensions, bounds, NM),
-        "edge_status": (dimensions, statuses),
-    }
+def remove_rippled_edges(edges: xr.Dataset, are_rippled: xr.DataArray) -> xr.Dataset:
+    """Return edges with the status `RIPPLES` instead of an edge where there are ripples."""
+    status = edges["edge_status"].where(~are_rippled, EdgeStatus.RIPPLES)
+    return edges.where(~are_rippled).assign(edge_status=status)
 
 
 def computed_cutoffs(values: xr.DataArray) -> Floats:
     """Return the ascending cutoffs (nm) at which any value (..., cutoff_wavelength) is finite."""
-    dimensions = [dim for dim in values.dims if dim != "cutoff_wavelength"]
-    return np.sort(values["cutoff_wavelength"].values[values.notnull().any(dimensions).values])
+    dimensions = [dim for dim in values.dims if dim != CUTOFF]
+    return np.sort(values[CUTOFF].values[values.notnull().any(dimensions).values])
 
 
 def last_cutoff(values: xr.DataArray, side: str) -> float:

@@ -4,15 +4,10 @@ In all functions `mean_forces` (..., surface, rho) are computed at 1 J/m², and 
 work of adhesion. They are compared with `measured_forces` (surface,). Forces are in N.
 """
 
-from collections.abc import Sequence
-
 import numpy as np
-import pandas as pd
-import xarray as xr
 
 from hardcontact.base.arrays import Floats
 from hardcontact.base.units import DIMENSIONLESS, JOULE_PER_M2, NM
-from hardcontact.contact.pull_off import interpolate_to_ranges
 
 #: Number of ranges of adhesion of a fit: steps between 0.05 and 40 nm are 0.8 %, far below the
 #: interval of a fitted range.
@@ -72,29 +67,3 @@ def best_fit(mean_forces: Floats, measured_forces: Floats, ranges: Floats) -> di
         "work_of_adhesion": np.where(is_known, work, np.nan),
         "best_error": error,
     }
-
-
-def fit_mean_forces(mean_forces: xr.DataArray, measured_forces: pd.Series) -> xr.Dataset:
-    """Return the best pair and its error (...), at finer ranges than the computed ranges.
-
-    Surfaces without a measured force do not enter the fit; surfaces index `measured_forces`.
-    """
-    measured_forces = measured_forces.reindex(mean_forces["surface"].values).dropna()
-    dimensions = [dim for dim in mean_forces.dims if dim not in ("surface", "rho")]
-    forces = mean_forces.sel(surface=measured_forces.index).transpose(*dimensions, "surface", "rho")
-    ranges = fine_ranges(forces["rho"].values)
-    fine_forces = interpolate_to_ranges(forces.values, forces["rho"].values, ranges)
-    fit = best_fit(fine_forces, measured_forces.to_numpy(), ranges)
-    return xr.Dataset(
-        {name: (dimensions, fit[name], attributes) for name, attributes in FIT_ATTRS.items()},
-        {dim: forces[dim] for dim in dimensions},
-    )
-
-
-def fit_without_each_surface(mean_forces: xr.DataArray, measured_forces: pd.Series) -> xr.Dataset:
-    """Return the best pair (left_out, ...) without one surface at a time, named WITHOUT_SURFACE."""
-    surfaces: Sequence[str] = mean_forces["surface"].values.tolist()
-    fits = [
-        fit_mean_forces(mean_forces.drop_sel(surface=name), measured_forces) for name in surfaces
-    ]
-    return xr.concat(fits, pd.Index(surfaces, name="left_out")).rename(WITHOUT_SURFACE)

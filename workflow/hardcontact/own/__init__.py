@@ -1,1 +1,1 @@
-"""What only studies of the user's surfaces need: forces on few scans, predictions, fits."""
+"""What only studies of the user's surfaces need: tests of the extrapolation, predicted forces."""

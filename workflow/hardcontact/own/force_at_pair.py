@@ -16,7 +16,7 @@ from hardcontact.base.units import DIMENSIONLESS, NEWTON, NM
 from hardcontact.contact.contact import CONTACT_AXES, PLASTIC, Contact
 from hardcontact.contact.hertz_jkr_dmt import limit_forces, smooth_pull_off
 from hardcontact.contact.numerical_limits import finite_scan_ratio, window_share
-from hardcontact.own.mean_forces import (
+from hardcontact.inference.mean_forces import (
     SINGLE_CONTACT_AXES,
     MasterForces,
     MasterScans,
@@ -28,7 +28,7 @@ from hardcontact.own.mean_forces import (
     position_half_width,
     summarize_masters,
 )
-from hardcontact.own.wide_pixels import pixel_factors
+from hardcontact.own.hindcast import pixel_factors
 from hardcontact.surfaces.spectrum import spectrum_of_dataset
 from hardcontact.theory.closed_form import closed_form
 from hardcontact.theory.summits import search_size

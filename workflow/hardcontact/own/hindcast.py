@@ -2,6 +2,7 @@
 
 A hindcast replaces the outermost octave that a scan shows by artificial roughness. If the force
 changes, a random surface cannot extrapolate this scan. On a Gaussian surface it changes little.
+Wider pixels show how much finer pixels may change the force.
 """
 
 from collections.abc import Mapping, Sequence
@@ -16,8 +17,8 @@ from hardcontact.base.arrays import Floats, generator
 from hardcontact.base.dataset import stack
 from hardcontact.base.statistics import as_variables, student_quantile
 from hardcontact.base.units import DIMENSIONLESS
-from hardcontact.contact.contact import CONTACT_AXES
-from hardcontact.contact.pull_off import FORCE_ATTRS, ForcesOnSurface
+from hardcontact.contact.contact import CONTACT_AXES, Contact
+from hardcontact.contact.pull_off import FORCE_ATTRS, ForcesOnSurface, make_force_function
 from hardcontact.inference.edges import logarithmic_limits
 from hardcontact.surfaces.filters import filtered_series
 from hardcontact.surfaces.height_map import HeightMap, mirror_scan
@@ -30,6 +31,8 @@ Octave = tuple[float, float]
 #: Artificial octaves of a side; each costs a force sum. With six, the outcome depended on the seed
 #: on one scan; with twelve, the interval is 1.15 times as wide as with many.
 ARTIFICIAL_OCTAVES = 12
+#: Pixels per row of a block with one height.
+WIDE_PIXEL = 4
 
 
 class RandomBody(NamedTuple):
@@ -131,6 +134,41 @@ def _artificial_octave(
     folded = np.minimum(unfolded, 2 * scan_pixels - 1 - unfolded)
     corner = replace(surface, heights=surface.heights[np.ix_(folded, folded)])
     return np.asarray(mirror_scan(corner).heights)
+
+
+def widen_pixels(surface: HeightMap) -> HeightMap:
+    """Return a map whose blocks of WIDE_PIXEL x WIDE_PIXEL pixels have their mean height."""
+    starts = np.arange(0, surface.pixels, WIDE_PIXEL)
+    counts = np.diff(starts, append=surface.pixels)
+    sums = np.add.reduceat(np.add.reduceat(surface.heights.astype(float), starts, 0), starts, 1)
+    means = sums / np.outer(counts, counts)
+    heights = means.repeat(counts, 0).repeat(counts, 1)
+    return replace(surface, heights=heights.astype(surface.heights.dtype))
+
+
+def pixel_forces(surface: HeightMap, sphere: HeightMap | None, contact: Contact) -> xr.Dataset:
+    """Return ``scan_force`` and ``wide_pixel_force`` (contact_y, contact_x) in N at 1 J/m²."""
+    wide_sphere = None if sphere is None else widen_pixels(sphere)
+    forces = {
+        "scan_force": make_force_function(contact, sphere)(surface),
+        "wide_pixel_force": make_force_function(contact, wide_sphere)(widen_pixels(surface)),
+    }
+    return xr.Dataset({name: (CONTACT_AXES, force, FORCE_ATTRS) for name, force in forces.items()})
+
+
+def pixel_factor(wide_pixel_ratio: np.ndarray | float) -> np.ndarray:
+    """Return the largest factor by which finer pixels may lower a force; 1 where the ratio is NaN.
+
+    It is the factor by which wider pixels raise the force
+    (tests/benchmarks/validate_random_surfaces.py).
+    """
+    return np.asarray(np.fmax(wide_pixel_ratio, 1.0))
+
+
+def pixel_factors(force: xr.Dataset) -> xr.DataArray:
+    """Return the factors (surface) by which finer pixels may lower forces, 1 for substitutes."""
+    ratios = force.get("wide_pixel_ratio", xr.ones_like(force["surface"], dtype=float))
+    return ratios.copy(data=pixel_factor(ratios.values))
 
 
 def hindcast_ratios(forces: xr.Dataset, tolerance: float, confidence: float) -> xr.Dataset:

@@ -18,15 +18,15 @@ from hardcontact.contact.hertz_jkr_dmt import limit_forces
 from hardcontact.contact.numerical_limits import LARGE_SIZE_RATIO, finite_scan_ratio
 from hardcontact.contact.pull_off import make_force_function
 from hardcontact.contact.scan_pull_off import pull_off_on_spheres
-from hardcontact.own.mean_forces import (
+from hardcontact.inference.mean_forces import (
     SurfaceForces,
     forces_of_surface,
     mean_intervals,
     position_half_width,
 )
+from hardcontact.own.hindcast import pixel_factor, widen_pixels
 from hardcontact.own.own_spectrum import OwnSpectrum
 from hardcontact.own.scan_contact import Obstacle, contact_on_scan, find_obstacle
-from hardcontact.own.wide_pixels import pixel_factor, widen_pixels
 from hardcontact.scans.joined_spectrum import ScanSpectrum
 from hardcontact.surfaces.height_map import HeightMap, mirror_in_float32
 from hardcontact.surfaces.spectrum import Spectrum, measured_psds

@@ -1,6 +1,6 @@
-"""What only the study of the paper needs: fits to published forces, sets of scans, claims.
+"""What only the study of the paper needs: sets of scans, classical models, claims.
 
-`published_fit` and `posterior` infer range and work of adhesion, `edges_of_masters` finds the band,
-`exponents` its dependence on radius and load, `classical_comparison` applies classical models.
-`sets` repeats this with other scans, from `pool` and `featured_candidates`. `claims` judges.
+`sets` repeats band and fit with other scans, from `pool` and `featured_candidates`. `posterior`
+weighs ranges and works of adhesion by these sets, `exponents` describes how the band depends on
+radius and load, `classical_comparison` applies classical models. `claims` judges.
 """

@@ -109,14 +109,10 @@ def _models_with_intervals(
     mean = _roughness(rows, "value", METRIC_PREFIXES[metrics])
     uncertainty = _roughness(rows, "uncertainty", METRIC_PREFIXES[metrics])
     rng = sampling.generator(metrics)
-    samples = sample_roughness(rng, mean, uncertainty, sampling.sample_count)
-    numbers = compute_numbers(mean)
-    sampled_numbers = compute_numbers(samples)
+    numbers = compute_numbers(sample_roughness(rng, mean, uncertainty, sampling.sample_count))
     variables: dict[str, Any] = {}
     for name, (dimensions, unit) in MODEL_VARIABLES.items():
-        variables |= sampling.as_variables(
-            name, dimensions, numbers[name], sampled_numbers[name], unit
-        )
+        variables |= sampling.as_variables(name, dimensions, numbers[name], unit)
     return xr.Dataset(variables)
 
 
@@ -175,16 +171,18 @@ def _roughness(rows: pd.DataFrame, column: str, prefix: str) -> Roughness:
 def sample_roughness(
     rng: np.random.Generator, mean: Roughness, uncertainty: Roughness, samples: int
 ) -> Roughness:
-    """Sample the roughness (samples, surface): normal within the published ±, truncated at zero."""
+    """Return a roughness (1 + samples, surface): the mean, then samples within the published ±.
+
+    Samples are normal, truncated at zero.
+    """
     from scipy.stats import truncnorm
 
     size = samples, len(mean.height)
-    return Roughness(
-        *(
-            truncnorm.rvs(-centre / spread, np.inf, centre, spread, size=size, random_state=rng)
-            for centre, spread in zip(mean, uncertainty, strict=True)
-        )
-    )
+    sampled_rows = [
+        truncnorm.rvs(-centre / spread, np.inf, centre, spread, size=size, random_state=rng)
+        for centre, spread in zip(mean, uncertainty, strict=True)
+    ]
+    return Roughness(*(np.vstack(rows) for rows in zip(mean, sampled_rows, strict=True)))
 
 
 def _model_numbers(

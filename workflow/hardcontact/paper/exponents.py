@@ -11,7 +11,7 @@ from hardcontact.base.arrays import Floats
 from hardcontact.base.statistics import as_variables, jackknife_interval, student_interval
 from hardcontact.base.units import DIMENSIONLESS
 from hardcontact.contact.contact import CONTACT_AXES
-from hardcontact.inference.edges import find_edge, logarithmic_limits, ordered_curve
+from hardcontact.inference.edges import find_edges, logarithmic_limits
 
 #: Labels of the fitted exponents: those of the square roots of the sphere's radius, and of the area
 #: in contact.
@@ -76,36 +76,19 @@ def _fit_all_edges(forces: xr.Dataset, tolerance: float) -> Floats:
     """Return the exponents (surface, side, exponent_of) of the edges of all surfaces."""
     touching_area = forces["touching_area"].isel(surface=0, realization=0)
     log_lengths = [np.log(forces["radius"]) / 2, np.log(touching_area) / 2]
+    ratios = forces["filtered_force_ratio"].mean("realization", skipna=False)
+    edges = find_edges(
+        xr.ufuncs.log(ratios), logarithmic_limits(tolerance), forces["unfiltered_wavelength"]
+    )
     exponents: xr.DataArray = xr.apply_ufunc(
         _fit_edges_of_surface,
-        np.log(_find_edges(forces, tolerance)),
+        np.log(edges["edge"]),
         *log_lengths,
         input_core_dims=[["radius", "contact_area"], ["radius"], ["contact_area"]],
         output_core_dims=[["exponent_of"]],
         vectorize=True,
     )
     return np.asarray(exponents.transpose("surface", "side", "exponent_of"))
-
-
-def _find_edges(forces: xr.Dataset, tolerance: float) -> xr.DataArray:
-    """Return the edges (surface, side, radius, contact_area) in nm, NaN if they are open."""
-    cutoffs = forces["cutoff_wavelength"].values
-
-    def edge(ratios: Floats, spectrum_end: float, side: str) -> float:
-        """Return the edge of a side; the ratios (cutoff,) are NaN at cutoffs of the other side."""
-        limits = logarithmic_limits(tolerance)
-        curve, _ = ordered_curve(side, cutoffs, np.log(ratios)[None], limits, spectrum_end)
-        return find_edge(curve).value
-
-    edges: xr.DataArray = xr.apply_ufunc(
-        edge,
-        forces["filtered_force_ratio"].mean("realization", skipna=False),
-        forces["unfiltered_wavelength"],
-        forces["side"],
-        input_core_dims=[["cutoff_wavelength"], [], []],
-        vectorize=True,
-    )
-    return edges
 
 
 def _fit_edges_of_surface(log_edge: Floats, log_radius: Floats, log_area: Floats) -> Floats:

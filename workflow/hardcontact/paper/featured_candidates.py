@@ -17,8 +17,8 @@ from hardcontact.base.statistics import log_std_of_lognormal
 from hardcontact.base.units import DIMENSIONLESS, NEWTON
 from hardcontact.contact.contact import CONTACT_AXES, PLASTIC, Contact
 from hardcontact.contact.pull_off import interpolate_to_range
+from hardcontact.inference.published_fit import PublishedForces
 from hardcontact.paper.pool import smooth_sphere_forces
-from hardcontact.paper.published_fit import PublishedForces
 from hardcontact.surfaces.features import KINDS, SIGNS, FeaturedSurface, sample_group
 from hardcontact.surfaces.levelling import level_plane
 from hardcontact.surfaces.metrics import TABLE1_METRICS, metrics_dataset

@@ -5,8 +5,6 @@ of the means on whole surfaces. All replicates weigh the same. The priors of ran
 uniform in their logarithms.
 """
 
-from collections.abc import Mapping
-
 import numpy as np
 import pandas as pd
 import xarray as xr
@@ -80,19 +78,21 @@ def posterior(mean_forces: xr.DataArray, published: pd.DataFrame, sampling: Samp
 
 def study_posteriors(
     sets: xr.Dataset,
-    forces_by_surface: Mapping[str, xr.DataArray],
+    whole_surface_forces: xr.DataArray | None,
     published: pd.DataFrame,
     sampling: Sampling,
 ) -> xr.Dataset:
     """Return the posteriors (forces_on, left_out) of all surfaces, and without each in turn.
 
-    `sets` is sets.nc in plastic contact; whole surfaces may have no forces.
+    `sets` is sets.nc in plastic contact. Forces on whole surfaces (surface, map, rho), if any, are
+    those of a smooth sphere in N.
     """
     forces = {"scans": sets["mean_force"].rename(set="replicate")}
-    if forces_by_surface:
-        forces["whole surfaces"] = means_on_whole_surfaces(
-            forces_by_surface, sets["sphere_factor"], sampling
-        )
+    if whole_surface_forces is not None:
+        means = sampling.sample_means("whole surfaces", whole_surface_forces, "map")
+        samples = means.isel(sample=slice(1, None)).rename(sample="replicate")
+        # The factor makes the sphere rough.
+        forces["whole surfaces"] = samples * sets["sphere_factor"].sel(rho=samples["rho"])
     posteriors = {}
     for name, mean_forces in forces.items():
         for left_out in (NONE_LEFT_OUT, *mean_forces["surface"].values.tolist()):
@@ -100,25 +100,6 @@ def study_posteriors(
             posteriors[name, left_out] = posterior(other_forces, published, sampling)
     result = stack(posteriors, ["forces_on", "left_out"]).assign_coords(surface=sets["surface"])
     return result.assign_attrs(confidence=sampling.confidence)
-
-
-def means_on_whole_surfaces(
-    forces_by_surface: Mapping[str, xr.DataArray], sphere_factor: xr.DataArray, sampling: Sampling
-) -> xr.DataArray:
-    """Return sampled mean forces (replicate, surface, rho) of the rough sphere on whole surfaces.
-
-    Forces (map, rho) are those of a smooth sphere in N; `sphere_factor` (surface, rho) makes it
-    rough.
-    """
-    values = {
-        surface: forces.transpose("map", "rho").values
-        for surface, forces in forces_by_surface.items()
-    }
-    samples = sampling.sample_means("whole surfaces", values)
-    rho = next(iter(forces_by_surface.values()))["rho"]
-    coordinates = {"surface": list(forces_by_surface), "rho": rho}
-    means = xr.DataArray(samples, coordinates, ("replicate", "surface", "rho"))
-    return means * sphere_factor.sel(rho=rho)
 
 
 def samples_dataset(ranges: Floats, works: Floats, confidence: float) -> xr.Dataset:

@@ -18,12 +18,12 @@ from hardcontact.base.statistics import Sampling, student_log_samples
 from hardcontact.base.units import DIMENSIONLESS
 from hardcontact.contact.contact import CONTACT_AXES
 from hardcontact.contact.pull_off import mean_over_contacts
+from hardcontact.inference.edges_of_masters import edges_of_masters
 from hardcontact.inference.fit import WITHOUT_SURFACE
+from hardcontact.inference.published_fit import PublishedForces, fit_published
 from hardcontact.paper.claims.judgement import claim_values
-from hardcontact.paper.edges_of_masters import edges_of_masters
 from hardcontact.paper.featured_candidates import candidate_of_set
 from hardcontact.paper.pool import scans_of_set
-from hardcontact.paper.published_fit import PublishedForces, fit_published
 from hardcontact.surfaces.metrics import TABLE1_METRICS
 from hardcontact.surfaces.topography import scan_averages
 

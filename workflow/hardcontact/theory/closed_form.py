@@ -14,13 +14,14 @@ from dataclasses import dataclass, replace
 from enum import StrEnum
 
 import numpy as np
+import xarray as xr
 from numpy.typing import ArrayLike
 from scipy import special
 
 from hardcontact.base.arrays import Floats
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.hertz_jkr_dmt import dmt_pull_off, smooth_pull_off
-from hardcontact.inference.edges import interpolate_edge, logarithmic_limits
+from hardcontact.inference.edges import CUTOFF, find_edges, logarithmic_limits
 from hardcontact.surfaces.spectrum import Spectrum, spectral_moment
 from hardcontact.theory.summits import (
     ApexDistribution,
@@ -189,6 +190,7 @@ def critical_band(spectrum: Spectrum, contact: Contact, tolerance: float) -> tup
             curve.append(np.log(dmt_ratio / unfiltered))
             if not limits[0] <= curve[-1] <= limits[1]:
                 break
-        return interpolate_edge(cutoffs[: len(curve)], np.array(curve), limits)
+        coordinates = {CUTOFF: cutoffs[: len(curve)], "side": side}
+        return float(find_edges(xr.DataArray(curve, coordinates, [CUTOFF]), limits)["edge"])
 
     return edge_of_side("short", cutoffs), edge_of_side("long", cutoffs[::-1])

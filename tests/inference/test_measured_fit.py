@@ -7,9 +7,10 @@ import xarray as xr
 from known_forces import FORCE_DIMS
 
 from hardcontact.base.statistics import Sampling, interval_ends
-from hardcontact.own.measured_fit import add_extrapolated_work, fit_measured
-from hardcontact.own.measured_tests import (
+from hardcontact.inference.measured_fit import (
     MeasuredTests,
+    add_extrapolated_work,
+    fit_measured,
     look_repeated,
     measured_tests,
     sampled_means,

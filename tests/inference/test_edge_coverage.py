@@ -10,14 +10,14 @@ from measurements import cut_scan
 from hardcontact.base.arrays import generator
 from hardcontact.base.dataset import stack
 from hardcontact.contact.contact import Contact
+from hardcontact.inference.edges_of_scans import edges_of_scans
 from hardcontact.inference.filtered_masters import (
     Filters,
     add_force_ratios,
     add_spectrum_shifts,
     filtered_pull_off,
 )
-from hardcontact.own.edges_of_scans import edges_of_scans
-from hardcontact.own.mean_forces import MasterScans
+from hardcontact.inference.mean_forces import MasterScans
 from hardcontact.scans.joined_spectrum import joined_spectrum, sample_spectra
 from hardcontact.surfaces.height_map import HeightMap, mirror_scan
 from hardcontact.surfaces.levelling import level_plane

@@ -8,9 +8,9 @@ from paper_numbers import MEAN_FORCE, SUBSTRATES
 
 from hardcontact.base.statistics import Sampling
 from hardcontact.contact.pull_off import interpolate_to_ranges
+from hardcontact.inference import published_fit as fit
 from hardcontact.inference.fit import best_fit, mean_relative_error
-from hardcontact.paper import published_fit as fit
-from hardcontact.paper.published_fit import PublishedForces
+from hardcontact.inference.published_fit import PublishedForces
 
 SAMPLING = Sampling(1, 50, 0.95)
 

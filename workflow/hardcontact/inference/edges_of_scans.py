@@ -1,7 +1,7 @@
 """The edges of the band of the user's surfaces.
 
 Intervals come from parts of the scans, because the user's masters share few scans. In the paper's
-study each master has a scan of its own (`paper.edges_of_masters`).
+study each master has a scan of its own (`edges_of_masters`).
 """
 
 from operator import truediv
@@ -11,8 +11,8 @@ import xarray as xr
 
 from hardcontact.base.statistics import as_variables, widen_interval
 from hardcontact.base.units import DIMENSIONLESS
-from hardcontact.inference.edges import EdgeStatus, edges_of_curves
-from hardcontact.own.mean_forces import (
+from hardcontact.inference.edges import edges_of_ratios, remove_rippled_edges
+from hardcontact.inference.mean_forces import (
     MasterForces,
     MasterScans,
     half_width_over_masters,
@@ -38,9 +38,12 @@ def edges_of_scans(
     )
     if hindcast is not None:
         curves = _widen_ratios(curves, hindcast["hindcast_ratio"])
-    edges = edges_of_curves(curves, tolerance)
+    edges = edges_of_ratios(curves, tolerance)
     if hindcast is not None:
-        edges = _remove_rippled_edges(edges, hindcast["filtered_scan_ratio"], tolerance)
+        # Masters may hide ripples, because artificial roughness lowers their forces.
+        ratio = hindcast["filtered_scan_ratio"].reindex(surface=edges["surface"])
+        are_rippled = (edges["side"] == "short") & (ratio < 1 - tolerance)
+        edges = remove_rippled_edges(edges, are_rippled).transpose("surface", "side", ...)
     interval_source = curves["interval_source"].isel(side=0, drop=True)
     return edges.merge(curves.assign(interval_source=interval_source))
 
@@ -67,17 +70,3 @@ def _widen_ratios(curves: xr.Dataset, hindcast_ratio: xr.DataArray) -> xr.Datase
     log_error = abs(np.log(hindcast_ratio.reindex(surface=curves["surface"]).fillna(1)))
     log_ratio = abs(np.log(curves["filtered_force_ratio"]))
     return widen_interval(curves, "filtered_force_ratio", np.exp(np.minimum(log_error, log_ratio)))
-
-
-def _remove_rippled_edges(
-    edges: xr.Dataset, filtered_scan_ratio: xr.DataArray, tolerance: float
-) -> xr.Dataset:
-    """Return edges without the short edges of surfaces on which the filter makes ripples.
-
-    Masters may hide ripples (`shows_ripples`), because artificial roughness lowers their forces.
-    `filtered_scan_ratio` is the force on the filtered scan relative to that on the scan.
-    """
-    ratio = filtered_scan_ratio.reindex(surface=edges["surface"])
-    is_kept = ~(ratio < 1 - tolerance) | (edges["side"] != "short")
-    status = edges["edge_status"].where(is_kept, EdgeStatus.RIPPLES)
-    return edges.where(is_kept).assign(edge_status=status).transpose("surface", "side", ...)

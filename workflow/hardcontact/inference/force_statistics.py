@@ -1,6 +1,5 @@
 """Statistics of pull-off forces for fit.nc: means over scans, ratios and distribution."""
 
-from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -19,19 +18,15 @@ from hardcontact.contact.contact import CONTACT_AXES
 from hardcontact.contact.pull_off import interpolate_to_range, mean_over_contacts
 
 
-def mean_forces(forces: xr.DataArray, sampling: Sampling) -> tuple[Floats, Floats]:
-    """Return mean forces over all scans of each surface, and samples of this mean.
+def mean_forces(forces: xr.DataArray, sampling: Sampling) -> Floats:
+    """Return mean forces (1 + sample, surface, rho) over all scans: the means, then their samples.
 
-    Forces (surface, scan, rho, ...) are in N, NaN for a missing scan. Samples (sample, surface,
-    rho) are NaN for a surface with a single scan. Random numbers depend on the surface alone:
-    contact models share them.
+    Forces (surface, scan, rho, ...) are in N, NaN for a missing scan. Samples are NaN for a surface
+    with a single scan. Random numbers depend on the surface alone: contact models share them.
     """
-    scans = mean_over_contacts(forces).transpose("surface", "scan", "rho")
-    values = {
-        surface: scans.sel(surface=surface).dropna("scan").values
-        for surface in scans.surface.values.tolist()
-    }
-    return scans.mean("scan").values, sampling.sample_means("adhesion", values)
+    scans = mean_over_contacts(forces)
+    means = sampling.sample_means("adhesion", scans, "scan")
+    return np.asarray(means.transpose("sample", "surface", "rho"))
 
 
 def forces_at_pair(
@@ -43,28 +38,14 @@ def forces_at_pair(
     """Return force statistics and ratios of mean forces of one contact model by surface."""
     rho, work = pair
     pair_forces = interpolate_to_range(forces, rho) * work
-    means, mean_samples = mean_forces(pair_forces.expand_dims("rho"), sampling)
+    means = mean_forces(pair_forces.expand_dims("rho"), sampling)[..., 0]
     contact_forces = pair_forces.transpose("surface", "scan", "sphere_scan", *CONTACT_AXES).values
     contact_forces = contact_forces.reshape(*contact_forces.shape[:3], -1)
     statistics = [force_statistics(surface_forces, sampling) for surface_forces in contact_forces]
-    ratios = forces_over_reference(
-        "ratio_at_pair", "surface", means[:, 0], mean_samples[..., 0], reference_index, sampling
+    ratios = sampling.as_variables(
+        "ratio_at_pair", "surface", means / means[:, [reference_index]], DIMENSIONLESS
     )
     return xr.concat(statistics, pd.Index(forces.surface.values, name="surface")).assign(ratios)
-
-
-def forces_over_reference(
-    name: str,
-    dimensions: str | Sequence[str],
-    means: Floats,
-    samples: Floats,
-    reference_index: int,
-    sampling: Sampling,
-) -> dict[str, Any]:
-    """Return mean forces (surface, ...) relative to the reference surface, with intervals."""
-    ratio = means / means[reference_index]
-    ratio_samples = samples / samples[:, [reference_index]]
-    return sampling.as_variables(name, dimensions, ratio, ratio_samples, DIMENSIONLESS)
 
 
 #: Statistics of the forces on one surface, with their attributes. The interval of the mean is

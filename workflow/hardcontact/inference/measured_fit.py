@@ -2,12 +2,16 @@
 
 Forces are proportional to the work of adhesion. So at each range rho a measured force F and a
 computed force f, at 1 J/m², agree for the work W = F/f(rho). One surface gives a curve W(rho);
-several give a region, the pairs within the intervals of all. `paper.published_fit` has an error
-threshold instead, because the paper prints no intervals.
+several give a region, the pairs within the intervals of all. `published_fit` has an error threshold
+instead, because the paper prints no intervals.
+
+Measured forces scatter between sites of a surface, so that sites, not tests, are the independent
+samples.
 """
 
 from collections.abc import Mapping
-from typing import Any
+from statistics import NormalDist
+from typing import Any, NamedTuple
 
 import numpy as np
 import pandas as pd
@@ -16,18 +20,88 @@ import xarray as xr
 from hardcontact.base.arrays import Floats
 from hardcontact.base.dataset import stack
 from hardcontact.base.statistics import (
+    MAX_LOG_DEVIATION,
     Sampling,
     as_variables,
     interval_ends,
     join_ends,
+    log_std_of_lognormal,
     percentile_interval,
 )
 from hardcontact.base.units import DIMENSIONLESS, JOULE_PER_M2, NEWTON, NM
 from hardcontact.contact.pull_off import interpolate_to_ranges
 from hardcontact.inference.fit import FIT_ATTRS, best_fit, fine_ranges
+from hardcontact.inference.mean_forces import SurfaceForces, forces_by_surface
 from hardcontact.inference.scan_parts import IntervalSource, sample_deviations
-from hardcontact.own.mean_forces import SurfaceForces, forces_by_surface
-from hardcontact.own.measured_tests import measured_tests, sampled_means
+
+#: Chance that independent tests are mistaken for tests at repeated sites.
+REPEATED_BY_CHANCE = 1e-3
+
+
+class MeasuredTests(NamedTuple):
+    """Tests that measure the pull-off force on one surface, log-normal between sites."""
+
+    mean: float  #: Mean over sites in N.
+    log_std: float  #: Standard deviation between sites of the logarithm; NaN for a single site.
+    site_count: int  #: Number of sites, each an independent sample.
+    test_count: int  #: Number of tests.
+    look_repeated: bool = False  #: Whether tests without sites look as if several share a site.
+
+
+def measured_tests(forces: pd.DataFrame) -> MeasuredTests:
+    """Return the tests on one surface from its rows of the table of measured forces.
+
+    Tests at one site are one sample, their mean; a test without a site has its own.
+    """
+    count = int(forces["count"].sum())
+    if len(forces) == 1:
+        mean, median = float(forces["mean"].iloc[0]), forces["median"].iloc[0]
+        log_std = float(log_std_of_lognormal(mean, median)) if count > 1 else np.nan
+        return MeasuredTests(mean, log_std, count, count)
+    has_site = forces["site"] != ""
+    sites = forces["site"].where(has_site, forces.index)
+    means = forces["mean"].groupby(sites, sort=False).mean()
+    log_std = float(np.log(means).std(ddof=1))
+    return MeasuredTests(float(means.mean()), log_std, len(means), count, look_repeated(forces))
+
+
+def look_repeated(forces: pd.DataFrame) -> bool:
+    """Return whether tests on one surface without sites look as if several share a site.
+
+    True if at most half of the values are distinct, or if von Neumann's ratio is significantly
+    below one, its value for independent tests, at some lag of rows. The ratio is half the mean
+    squared difference of ln F at this lag, relative to the variance of ln F.
+    """
+    logs = np.log(forces["mean"].to_numpy(float))
+    if (forces["site"] != "").any() or len(logs) < 3:
+        return False
+    if 2 * len(np.unique(logs)) <= len(logs):
+        return True
+    lags = np.arange(1, len(logs) // 2 + 1)
+    ratios = [np.mean((logs[lag:] - logs[:-lag]) ** 2) / (2 * logs.var(ddof=1)) for lag in lags]
+    # Standard deviations of von Neumann's ratio, and a chance that all lags share.
+    quantile = NormalDist().inv_cdf(REPEATED_BY_CHANCE / len(lags))
+    return bool((ratios < 1 + quantile / np.sqrt(len(logs) - lags)).any())
+
+
+def sampled_means(rng: np.random.Generator, tests: MeasuredTests, sample_count: int) -> np.ndarray:
+    """Return the mean force in N, and random means that it may be (1 + sample,).
+
+    ln(mean) is the mean of ln F plus half its variance. A sample draws the variance, from a
+    chi-squared number, and then an error of the mean of ln F. NaN for one site, whose scatter is
+    unknown. Source: generalized pivot of Krishnamoorthy and Mathew, J. Stat. Plan. Inference 115
+    (2003) 103.
+    """
+    if tests.site_count < 2:
+        return np.append(tests.mean, np.full(sample_count, np.nan))
+    degrees_of_freedom = tests.site_count - 1
+    variance = tests.log_std**2
+    chi_squared = rng.chisquare(degrees_of_freedom, sample_count)
+    sampled_variance = variance * degrees_of_freedom / chi_squared
+    errors = rng.standard_normal(sample_count) * np.sqrt(sampled_variance / tests.site_count)
+    deviation = (sampled_variance - variance) / 2 - errors
+    deviation = np.clip(deviation, -MAX_LOG_DEVIATION, MAX_LOG_DEVIATION)
+    return np.append(tests.mean, tests.mean * np.exp(deviation))
 
 
 def fit_measured(
@@ -45,18 +119,17 @@ def fit_measured(
     measured_surfaces = set(forces["surface"])
     surfaces = [name for name in adhesion["surface"].values.tolist() if name in measured_surfaces]
     tests = {name: measured_tests(forces[forces["surface"] == name]) for name in surfaces}
-    means = np.array([surface_tests.mean for surface_tests in tests.values()])
-    samples = [
+    means = [
         sampled_means(sampling.generator("tests", name), surface_tests, sampling.sample_count)
         for name, surface_tests in tests.items()
     ]
-    test_samples = np.stack(samples, axis=1)
+    measured_forces = np.stack(means, axis=1)
     measured_adhesion = adhesion.sel(surface=surfaces)
     fits = {}
     for model in adhesion["contact_model"].values.tolist():
         surface_forces = forces_by_surface(measured_adhesion.sel(contact_model=model), scan_sizes)
         fits[(model,)] = _fit_contact_model(
-            surface_forces, means, test_samples, pixel_factors, sampling
+            surface_forces, measured_forces, pixel_factors, sampling
         )
     # The tests and the parts of scans are the same for all models.
     interval_sources = [
@@ -65,7 +138,7 @@ def fit_measured(
         else IntervalSource.ONE_TEST
         for name, surface_tests in tests.items()
     ]
-    variables = sampling.as_variables("measured_force", "surface", means, test_samples, NEWTON)
+    variables = sampling.as_variables("measured_force", "surface", measured_forces, NEWTON)
     variables["interval_source"] = ("surface", interval_sources)
     for name in ("test_count", "site_count", "look_repeated"):
         counts = [int(getattr(surface_tests, name)) for surface_tests in tests.values()]
@@ -79,8 +152,9 @@ def fit_measured(
 
 
 def _sampled_forces(surface_forces: SurfaceForces, surface: str, sampling: Sampling) -> Floats:
-    """Return random mean forces (sample, rho) of a surface, with the same numbers at every range.
+    """Return the mean forces (1 + sample, rho) of a surface, and samples of them.
 
+    The samples have the same random numbers at every range.
     The position at which a rough sphere touches is the same on all surfaces.
     """
     _, mean, delete_one_log_means, scan_parts, _, position_variance = surface_forces
@@ -94,17 +168,16 @@ def _sampled_forces(surface_forces: SurfaceForces, surface: str, sampling: Sampl
         rng = sampling.generator("place on the sphere")
         samples = rng.standard_t(position_variance.degrees_of_freedom, (count, 1))
         deviations += samples * np.sqrt(position_variance.value)
-    return np.asarray(mean * np.exp(deviations))
+    return np.vstack([mean, mean * np.exp(deviations)])
 
 
 def _fit_contact_model(
     computed_forces: Mapping[str, SurfaceForces],
     measured_forces: Floats,
-    measured_samples: Floats,
     pixel_factors: Mapping[str, float],
     sampling: Sampling,
 ) -> xr.Dataset:
-    """Return the fit of one contact model to measured forces (surface,) and their samples, in N.
+    """Return the fit of one contact model to measured forces (1 + sample, surface) in N.
 
     ``work_by_range`` (surface, rho_fine) is in J/m². ``region`` (rho_fine, end) is the lowest and
     the highest work in J/m² that all surfaces allow, or NaN.
@@ -112,13 +185,13 @@ def _fit_contact_model(
     computed_ranges = next(iter(computed_forces.values())).ranges
     # The curves contain the computed ranges, so that the works at these are exact.
     ranges = np.union1d(fine_ranges(computed_ranges), computed_ranges)
-    means = np.array([surface_forces.mean for surface_forces in computed_forces.values()])
-    curves = interpolate_to_ranges(means, computed_ranges, ranges)
-    computed_samples = [
+    sampled_forces = [
         _sampled_forces(surface_forces, name, sampling)
         for name, surface_forces in computed_forces.items()
     ]
-    sampled_works = measured_samples[:, :, None] / np.stack(computed_samples, axis=1)
+    means = np.stack(sampled_forces, axis=1)
+    curves = interpolate_to_ranges(means[0], computed_ranges, ranges)
+    sampled_works = measured_forces[1:, :, None] / means[1:]
     # Finer pixels lower the computed force, so that the work may be higher by this factor.
     widening = np.array([[[1.0, pixel_factors[name]]] for name in computed_forces])
     # All intervals of n independent surfaces contain the true pair with the confidence c if each
@@ -130,7 +203,7 @@ def _fit_contact_model(
     joint_intervals = widening * _work_intervals(
         sampled_works, computed_ranges, ranges, joint_confidence
     )
-    works = measured_forces[:, None] / curves
+    works = measured_forces[0, :, None] / curves
     region = _common_region(joint_intervals)
     dimensions = ("surface", "rho_fine")
     return xr.Dataset(
@@ -139,7 +212,7 @@ def _fit_contact_model(
         )
         | {"region": (("rho_fine", "end"), region, JOULE_PER_M2)}
         | _region_extent(region, ranges)
-        | _best_pair(curves, measured_forces, ranges),
+        | _best_pair(curves, measured_forces[0], ranges),
         {"surface": list(computed_forces), "rho_fine": ("rho_fine", ranges, NM)},
     )
 

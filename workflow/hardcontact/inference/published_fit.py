@@ -2,7 +2,7 @@
 
 Forces are computed at a work of adhesion of 1 J/m², to which they are proportional. Statistics of
 forces are given for two pairs of range and work, the published and the fitted one.
-`own.measured_fit` finds all pairs within intervals instead, because its user may have few forces.
+`measured_fit` finds all pairs within intervals instead, because its user may have few forces.
 """
 
 from pathlib import Path
@@ -23,13 +23,13 @@ from hardcontact.contact.contact import PLASTIC, RIGID
 from hardcontact.contact.pull_off import interpolate_to_ranges, mean_over_contacts
 from hardcontact.inference.fit import (
     FIT_ATTRS,
+    WITHOUT_SURFACE,
     best_fit,
     fine_ranges,
-    fit_without_each_surface,
     fit_work,
     mean_relative_error,
 )
-from hardcontact.paper.force_statistics import forces_at_pair, forces_over_reference, mean_forces
+from hardcontact.inference.force_statistics import forces_at_pair, mean_forces
 
 #: Labels of the pairs of range and work of adhesion.
 PAIRS = ["published", "fitted"]
@@ -90,8 +90,7 @@ def fit_published(
         fits[(model,)] = fit.merge(xr.concat(statistics, pd.Index(PAIRS, name="pair")))
     models = stack(fits, ["contact_model"])
     return (
-        models.merge(fit_without_each_surface(models["mean_force"], published.forces.mean_force))
-        .assign(_model_error_ratio(models, sampling))
+        models.assign(_model_error_ratio(models, sampling))
         .assign(label=adhesion.label, source=adhesion.source)
         .assign_attrs(
             error_threshold=published.error_threshold,
@@ -105,8 +104,8 @@ def _model_error_ratio(models: xr.Dataset, sampling: Sampling) -> dict[str, Any]
     """Return the smallest error of rigid contact relative to plastic contact, with an interval."""
     errors = models[["best_error", "sampled_error"]]
     ratio = errors.sel(contact_model=RIGID) / errors.sel(contact_model=PLASTIC)
-    value, samples = ratio["best_error"].item(), ratio["sampled_error"].values
-    return sampling.as_variables("model_error_ratio", (), value, samples, DIMENSIONLESS)
+    ratios = np.append(ratio["best_error"], ratio["sampled_error"])
+    return sampling.as_variables("model_error_ratio", (), ratios, DIMENSIONLESS)
 
 
 def fit_model(
@@ -122,11 +121,12 @@ def fit_model(
     missing scan. Surfaces whose published force is NaN do not enter the fit.
     """
     ranges = fine_ranges(forces.rho.values)
-    means, mean_samples = mean_forces(forces, sampling)
+    means = mean_forces(forces, sampling)
     is_published = np.isfinite(published_forces)
     published_forces = published_forces[is_published]
-    fitted_means = np.concatenate([means[None], mean_samples])[:, is_published]
-    curves = interpolate_to_ranges(fitted_means, forces.rho.values, ranges)
+    curves = interpolate_to_ranges(means[:, is_published], forces.rho.values, ranges)
+    surfaces = forces.surface.values
+    are_kept = surfaces[is_published] != surfaces[:, None]
     fitted_reference = int(is_published[:reference_index].sum())
     axes = ("surface", "rho")
     scans = mean_over_contacts(forces).transpose(..., *axes)
@@ -134,9 +134,12 @@ def fit_model(
     variables = (
         _error_variables(curves[0], published_forces, ranges, threshold)
         | _fitted_variables(curves, published_forces, ranges, fitted_reference, sampling)
-        | as_variables("mean_force", axes, means, interval.values, NEWTON, sampling.confidence)
-        | forces_over_reference(
-            "force_over_reference", axes, means, mean_samples, reference_index, sampling
+        | _fits_without_surface(
+            forces.rho.values, means[0, is_published], published_forces, are_kept
+        )
+        | as_variables("mean_force", axes, means[0], interval.values, NEWTON, sampling.confidence)
+        | sampling.as_variables(
+            "force_over_reference", axes, means / means[:, [reference_index]], DIMENSIONLESS
         )
     )
     coordinates = {
@@ -144,7 +147,8 @@ def fit_model(
         "work": ("work", MAPPED_WORKS, JOULE_PER_M2),
         "minimum": np.arange(1, MAX_MINIMA + 1),
     }
-    return xr.Dataset(variables, {"surface": forces.surface, "rho": forces.rho} | coordinates)
+    axes_of_forces = {"surface": forces.surface, "left_out": surfaces, "rho": forces.rho}
+    return xr.Dataset(variables, axes_of_forces | coordinates)
 
 
 def _fitted_variables(
@@ -164,10 +168,32 @@ def _fitted_variables(
     fits["range_from_ratios"] = np.where(np.isfinite(fits["best_error"]), best_ranges, np.nan)
     variables: dict[str, Any] = {"ratio_error": ("rho_fine", errors[0], DIMENSIONLESS)}
     for name, attributes in FITTED_ATTRS.items():
-        variables |= sampling.as_variables(name, (), fits[name][0], fits[name][1:], attributes)
+        variables |= sampling.as_variables(name, (), fits[name], attributes)
     for name, variable in SAMPLED_VARIABLES.items():
         variables[f"sampled_{name}"] = ("sample", fits[variable][1:], FITTED_ATTRS[variable])
     return variables
+
+
+def _fits_without_surface(
+    computed_ranges: Floats, means: Floats, published_forces: Floats, are_kept: NDArray[np.bool_]
+) -> dict[str, Any]:
+    """Return the best pairs (left_out,), named WITHOUT_SURFACE, of the kept surfaces of each row.
+
+    Mean forces are (surface, rho), `are_kept` is (left_out, surface).
+    """
+    ranges = fine_ranges(computed_ranges)
+    fits = [
+        best_fit(
+            interpolate_to_ranges(means[kept], computed_ranges, ranges),
+            published_forces[kept],
+            ranges,
+        )
+        for kept in are_kept
+    ]
+    return {
+        WITHOUT_SURFACE[name]: ("left_out", [fit[name] for fit in fits], attributes)
+        for name, attributes in FIT_ATTRS.items()
+    }
 
 
 def _error_variables(
@@ -178,23 +204,16 @@ def _error_variables(
     region_range, region_work = error_region(errors, ranges, MAPPED_WORKS, threshold)
     work, smallest_errors = fit_work(curves, published_forces)
     minima = local_minima(smallest_errors, MAX_MINIMA)
-    padding = (0, MAX_MINIMA - len(minima))
+    at_minima = np.full((3, MAX_MINIMA), np.nan)
+    at_minima[:, : len(minima)] = ranges[minima], work[minima], smallest_errors[minima]
     return {
         "mean_relative_error": (("rho_fine", "work"), errors, DIMENSIONLESS),
         "best_error_by_range": ("rho_fine", smallest_errors, DIMENSIONLESS),
         "region_range": ("end", region_range, NM),
         "region_work": ("end", region_work, JOULE_PER_M2),
-    } | {
-        f"{name}_at_minimum": (
-            "minimum",
-            np.pad(values[minima], padding, constant_values=np.nan),
-            attributes,
-        )
-        for name, values, attributes in (
-            ("range", ranges, NM),
-            ("work", work, JOULE_PER_M2),
-            ("error", smallest_errors, DIMENSIONLESS),
-        )
+        "range_at_minimum": ("minimum", at_minima[0], NM),
+        "work_at_minimum": ("minimum", at_minima[1], JOULE_PER_M2),
+        "error_at_minimum": ("minimum", at_minima[2], DIMENSIONLESS),
     }
 
 

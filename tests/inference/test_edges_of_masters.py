@@ -6,7 +6,7 @@ from known_masters import master_ratios
 
 from hardcontact.base.statistics import Sampling, interval_ends, student_log_interval
 from hardcontact.contact.contact import CONTACT_MODELS
-from hardcontact.paper.edges_of_masters import compute_edge_shifts, edges_of_masters
+from hardcontact.inference.edges_of_masters import compute_edge_shifts, edges_of_masters
 
 CUTOFFS = [10.0, 100.0, 1000.0, 10000.0]
 LONG = [np.nan, np.nan, 3.0, 1.0]

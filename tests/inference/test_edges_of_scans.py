@@ -5,8 +5,8 @@ import pytest
 import xarray as xr
 from known_masters import LONG, SHORT, scales
 
-from hardcontact.own.edges_of_scans import edges_of_scans
-from hardcontact.own.mean_forces import MasterScans
+from hardcontact.inference.edges_of_scans import edges_of_scans
+from hardcontact.inference.mean_forces import MasterScans
 
 
 def edges(curves, scans, hindcast=None, **options):

@@ -1,0 +1,79 @@
+"""Edges of the band of substitutes (edges.nc), and what shifts them (edge_shifts.nc).
+
+Each master of a substitute has a scan of its own, so that samples of the mean over masters give the
+scatter of an edge. The user's masters share scans (`edges_of_scans`). The group `mean` of edges is
+the mean over coatings, because the paper has one band for all.
+"""
+
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from hardcontact.base.statistics import Sampling
+from hardcontact.base.units import DIMENSIONLESS, NM
+from hardcontact.contact.contact import CONTACT_MODELS, PLASTIC, RIGID
+from hardcontact.inference.edges import (
+    CUTOFF,
+    MEAN_GROUP,
+    edges_or_bounds,
+    find_edges,
+    logarithmic_limits,
+)
+
+
+def edges_of_masters(
+    scales: xr.Dataset, tolerance: float, sampling: Sampling
+) -> tuple[xr.Dataset, xr.DataArray]:
+    """Return force ratios, changes of the force and edges (..., side, group), and sampled edges.
+
+    `scales` has ``filtered_force_ratio`` (..., surface, realization, side, cutoff_wavelength), NaN
+    at cutoffs of the other side, and ``unfiltered_wavelength`` (surface, side) in nm. The first
+    sampled edge (1 + sample, ..., side, group) is the edge, NaN if open; others have the bound.
+    """
+    ratios = sampling.sample_means("scales", scales["filtered_force_ratio"], "realization")
+    ratios = ratios.transpose("sample", ..., "side", "surface", CUTOFF)
+    group_ratios = ratios.rename(surface="group")
+    changes = abs(group_ratios - 1)
+    # The mean over surfaces is that of |ratio - 1|, because signs would cancel.
+    mean_change = changes.mean("group", skipna=False).expand_dims(group=[MEAN_GROUP], axis=-2)
+    spectrum_ends = scales["unfiltered_wavelength"].rename(surface="group")
+    group_edges = [
+        find_edges(xr.ufuncs.log(group_ratios), logarithmic_limits(tolerance), spectrum_ends),
+        find_edges(mean_change, (-np.inf, tolerance), spectrum_ends.mean("group")),
+    ]
+    edges = xr.concat(group_edges, "group")
+    sampled_edges = edges["edge"].where(edges["sample"] == 0, edges_or_bounds(edges))
+    variables: dict[str, Any] = {}
+    for name, values, attributes in (
+        ("edge", sampled_edges, NM),
+        ("filtered_force_change", xr.concat([changes, mean_change], "group"), DIMENSIONLESS),
+        ("filtered_force_ratio", ratios, DIMENSIONLESS),
+    ):
+        dimensions = [str(dim) for dim in values.dims[1:]]
+        variables |= sampling.as_variables(name, dimensions, values.values, attributes)
+    result = edges.isel(sample=0, drop=True).assign_coords(ratios.coords).assign(variables)
+    return result, sampled_edges
+
+
+def compute_edge_shifts(forces: xr.Dataset, tolerance: float, sampling: Sampling) -> xr.Dataset:
+    """Return the edges of plastic and rigid contact at each range of adhesion, and their shifts.
+
+    Forces come from `read_master_forces`, with one radius and two loadings. ``edge_shift`` (cause,
+    side, group) is the edge of plastic contact at the longest range, relative to rigid contact
+    (``"plasticity"``) or to the shortest range (``"range"``).
+    """
+    forces = forces.squeeze("radius", drop=True).sortby("contact_area").drop_vars("contact_area")
+    forces = forces.rename(loading="contact_model").assign_coords(contact_model=CONTACT_MODELS)
+    edges, sampled_edges = edges_of_masters(forces, tolerance, sampling)
+    shortest, longest = forces["rho"].min().item(), forces["rho"].max().item()
+    complete = sampled_edges.sel(contact_model=PLASTIC, rho=longest, drop=True)
+    without_cause = {
+        "plasticity": {"contact_model": RIGID, "rho": longest},
+        "range": {"contact_model": PLASTIC, "rho": shortest},
+    }
+    shifts = [complete / sampled_edges.sel(labels, drop=True) for labels in without_cause.values()]
+    edge_shift = sampling.as_variables(
+        "edge_shift", ("cause", "side", "group"), np.stack(shifts, axis=1), DIMENSIONLESS
+    )
+    return edges.assign_coords(cause=list(without_cause)).assign(edge_shift)
