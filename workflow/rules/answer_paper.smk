@@ -1,8 +1,7 @@
 # The figures, the answer of the paper's study, and the pages of its report, which
 # `snakemake --report` gathers. redraw.smk makes them from final datasets and published tables alone.
 
-from hardcontact.records.code import code_inputs, page_templates
-from hardcontact.records.code import PINS
+from hardcontact.records.code import PINS, code_inputs, page_templates
 from hardcontact.report.figures.listing import PAPER_FIGURES, caption, describe_figure
 
 #: The datasets of the study whose numbers the answer has.

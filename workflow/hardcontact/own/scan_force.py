@@ -65,7 +65,7 @@ def prediction_and_scan_force(
 ) -> dict[str, Number]:
     """Return the numbers of the closed form for a spectrum, and of the force on its only map.
 
-    If the closed form disagrees with the force on the map, its numbers lose their intervals.
+    Unless the closed form agrees with the force on the map, its numbers lose their intervals.
     """
     numbers = prediction(own_spectrum.spectrum, contact, tolerance, name)
     scan_numbers = force_on_scan(own_spectrum, contact, confidence)

@@ -105,7 +105,7 @@ def _models_with_intervals(
     compute_numbers: Callable[[Roughness], dict[str, Floats]],
     sampling: Sampling,
 ) -> xr.Dataset:
-    """Return forces and works by classical models for one kind of metrics, with intervals."""
+    """Return forces and errors of classical models for one kind of metrics, with intervals."""
     mean = _roughness(rows, "value", METRIC_PREFIXES[metrics])
     uncertainty = _roughness(rows, "uncertainty", METRIC_PREFIXES[metrics])
     rng = sampling.generator(metrics)
