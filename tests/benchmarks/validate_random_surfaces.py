@@ -1,69 +1,145 @@
 """Forces that `hardcontact predict` has of forty random surfaces, against finer pixels.
 
-    nice python tests/benchmarks/validate_random_surfaces.py [--seed 0] [--surfaces 40]
+    nice python tests/benchmarks/validate_random_surfaces.py [SURFACES]
 
-Each row is a scan of 128, 192 or 256 pixels per row of a surface with pixels four times finer,
-see tests/helpers/random_surfaces.py. Forces and their intervals are relative to the mean force on
-the finer pixels at the same contacts. A scan without reliable wavelengths is refused. The last line
-counts the intervals without 1.
+Surfaces are of six families, their scans have pixels four times as wide. Random are rms height,
+roll-off, Hurst exponent, number, width and heights of features, pixels, radius, preload, and
+whether a pixel of the scan has a mean or a single height. Each row has the forces that have an
+interval, relative to the mean force on the finer pixels at the same contacts. A scan without
+reliable wavelengths is refused.
 """
 
-import argparse
 import sys
 import warnings
-from pathlib import Path
+from functools import partial
+from typing import NamedTuple
 
-sys.path.insert(0, str(Path(__file__).parents[1] / "helpers"))
+import numpy as np
 
-from random_surfaces import (
-    FAMILIES,
-    FORCES,
-    forces_with_intervals,
-    predicted_numbers,
-    random_case,
-    true_force,
-)
+import hardcontact as hc
+from hardcontact.base.arrays import generator
+from hardcontact.base.number import Number
+from hardcontact.contact.contact import Contact
+from hardcontact.contact.pull_off import make_force_function
+from hardcontact.own.hindcast import WIDE_PIXEL
+from hardcontact.own.scan_contact import contact_on_scan
+from hardcontact.surfaces.height_map import HeightMap, mirror_in_float32
+from hardcontact.surfaces.levelling import level_plane
+from hardcontact.surfaces.spectrum import smooth_rolloff
+from hardcontact.surfaces.synthesis import random_surface
 
+FAMILIES = ("gaussian", "plateau", "pits", "peaks", "pillars", "steps")
+#: Forces that `hardcontact predict` may print of a map.
+FORCES = ("force_on_scan", "closed_form_on_scan", "closed_form_force", "extrapolated_force")
+#: Pixels per row of the scans.
 PIXELS = (128, 192, 256)
 
 
+class Case(NamedTuple):
+    """A surface on fine pixels, the levelled scan of it, and a contact."""
+
+    fine: HeightMap
+    scan: HeightMap
+    contact: Contact
+
+
+def random_case(family, seed, pixels):
+    """Return a case; the scan has a number of pixels per row."""
+    rng = generator(seed, family)
+    fine_pixel = _between(rng, 8, 40) / WIDE_PIXEL
+    rolloff = pixels * _between(rng, 1 / 20, 1 / 2)
+    heights = _heights(family, rng, WIDE_PIXEL * pixels, WIDE_PIXEL * rolloff)
+    heights *= _between(rng, 1, 50) / heights.std()
+    fine = level_plane(HeightMap(heights, fine_pixel))
+    blocks = fine.heights.reshape(pixels, WIDE_PIXEL, pixels, WIDE_PIXEL)
+    coarse = blocks.mean(axis=(1, 3)) if rng.uniform() < 0.5 else blocks[:, 1, :, 1]
+    contact = Contact(
+        radius=_between(rng, 10e3, 150e3),
+        rho=5.6,
+        work=0.0463,
+        preload=_between(rng, 1e-6, 30e-6),
+        hardness=25e9,
+        contacts_per_row=20,
+    )
+    return Case(fine, level_plane(HeightMap(coarse, WIDE_PIXEL * fine_pixel)), contact)
+
+
+def _between(rng, low, high):
+    """Return a random number, uniform in its logarithm."""
+    return float(np.exp(rng.uniform(np.log(low), np.log(high))))
+
+
+def _heights(family, rng, pixels, rolloff):
+    """Return heights (y, x) of a family; the roll-off is in pixels."""
+    waves = partial(_waves, rng, pixels, rng.uniform(0.5, 0.95))
+    if family == "gaussian":
+        return waves(rolloff)
+    base = _between(rng, 0.02, 0.3) * waves(rolloff / 4)
+    if family == "plateau":
+        return base + np.minimum(waves(rolloff), rng.uniform(-0.5, 0.5))
+    if family == "steps":
+        return base + np.round(rng.uniform(0.5, 2) * waves(pixels))
+    features = _features(rng, pixels, _between(rng, 0.1, 0.5) * rolloff, family == "pillars")
+    return base - features if family == "pits" else base + features
+
+
+def _waves(rng, pixels, hurst, rolloff):
+    """Return Gaussian heights of unit rms, cut out of a surface of twice the size."""
+    density = partial(smooth_rolloff, plateau=1.0, rolloff=rolloff, hurst=hurst)
+    heights = random_surface(rng, 2 * pixels, 1.0, density).heights[:pixels, :pixels]
+    return (heights - heights.mean()) / heights.std()
+
+
+def _features(rng, pixels, width, are_flat):
+    """Return the sum (y, x) of squares or Gaussian shapes of random heights at random positions."""
+    count = round(_between(rng, 10, 200))
+    distance = (np.arange(pixels) - rng.uniform(0, pixels, (2, count, 1))) / width
+    shape_y, shape_x = np.abs(distance) < 1 if are_flat else np.exp(-(distance**2) / 2)
+    return (rng.uniform(0.3, 1, count) * shape_y.T) @ shape_x
+
+
+def true_force(case):
+    """Return the mean plastic force (N) on the fine pixels, at the contacts on the scan."""
+    contact = contact_on_scan(case.scan, case.contact)
+    return contact.work * make_force_function(contact)(mirror_in_float32(case.fine)).mean()
+
+
+def predicted_numbers(case):
+    """Return the numbers that `hardcontact predict` has of the scan."""
+    contact = case.contact
+    return hc.predict(
+        case.scan, radius=contact.radius, preload=contact.preload, hardness=contact.hardness,
+        rho=contact.rho, work=contact.work,
+    )  # fmt: skip
+
+
+def forces_with_intervals(numbers):
+    """Return the forces of a prediction that have an interval, by name."""
+    forces = [numbers.get(name, Number(name, np.nan)) for name in FORCES]
+    return {force.name: force for force in forces if np.isfinite(force.low + force.high)}
+
+
 def main():
-    """Print the table."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--seed", type=int, default=0, help="of the first surface of each family")
-    parser.add_argument("--surfaces", type=int, default=40)
-    arguments = parser.parse_args()
+    """Print the table, and how many intervals exclude the force on the finer pixels."""
     warnings.simplefilter("ignore")
-    print("surface", "pixel_nm", "rms_nm", "radius_um", "share_of_smooth", *FORCES, sep="\t")
     excluded = total = 0
-    for number in range(arguments.surfaces):
-        family, seed = FAMILIES[number % len(FAMILIES)], arguments.seed + number // len(FAMILIES)
+    for number in range(int(sys.argv[1]) if len(sys.argv) > 1 else 40):
+        family, seed = FAMILIES[number % len(FAMILIES)], number // len(FAMILIES)
         case = random_case(family, seed, PIXELS[seed % len(PIXELS)])
         force = true_force(case)
         try:
-            numbers = predicted_numbers(case)
+            intervals = forces_with_intervals(predicted_numbers(case))
         except ValueError as error:
             print(f"{family} {seed}", f"refused: {error}", sep="\t")
             continue
-        intervals = forces_with_intervals(numbers)
         total += len(intervals)
         excluded += sum(not item.low <= force <= item.high for item in intervals.values())
-        lengths = case.scan.pixel_size, case.scan.heights.std(), case.contact.radius / 1e3
-        share = force / numbers["smooth_force"].value
-        cells = [_cell(numbers.get(name), force, name in intervals) for name in FORCES]
-        print(
-            f"{family} {seed}", *(f"{value:.3g}" for value in (*lengths, share)), *cells,
-            sep="\t", flush=True,
-        )  # fmt: skip
+        ratios = [
+            f"{item.name} {np.divide([item.low, item.value, item.high], force).round(3)}"
+            for item in intervals.values()
+        ]
+        print(f"{family} {seed}", *ratios, sep="\t", flush=True)
     print(f"{excluded} of {total} intervals exclude the force on the finer pixels")
-
-
-def _cell(number, force, has_interval):
-    """Return a predicted relative to the true force, with its interval and status."""
-    if number is None:
-        return ""
-    interval = f" [{number.low / force:.3g}, {number.high / force:.3g}]" if has_interval else ""
-    return f"{number.value / force:.3g}{interval} {number.status}"
 
 
 if __name__ == "__main__":

@@ -1,12 +1,6 @@
 """The long edges in the table of scan sizes follow from its force ratios."""
 
-import sys
-
 import numpy as np
-from repository import ROOT
-
-sys.path.insert(0, str(ROOT / "tests/benchmarks"))
-
 from validate_scan_sizes import TABLE, TOLERANCE
 
 from hardcontact.base import dataset

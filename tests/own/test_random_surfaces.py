@@ -1,7 +1,7 @@
 """Six of the forty surfaces of tests/benchmarks/validate_random_surfaces.py."""
 
 import pytest
-from random_surfaces import (
+from validate_random_surfaces import (
     FAMILIES,
     forces_with_intervals,
     predicted_numbers,

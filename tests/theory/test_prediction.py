@@ -1,16 +1,10 @@
 """The table of designed surfaces agrees with the closed form that it validates."""
 
-import sys
-
 import numpy as np
 import pandas as pd
 import pytest
-from known_spectra import contact_of_area, self_affine_spectrum
-from repository import ROOT
-
-sys.path.insert(0, str(ROOT / "tests/benchmarks"))
-
 import validate_prediction
+from known_spectra import contact_of_area, self_affine_spectrum
 
 from hardcontact.base.arrays import generator
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, spectral_moment, varying_hurst
