@@ -31,11 +31,11 @@ def run_quick(folder, name, *arguments, overlays=(), run=run_snakemake):
     return run(folder, *arguments, "--configfile", *map(str, files), "--config", "effort=quick")
 
 
-def make_study(folder, name, *arguments, overlays=()):
-    """Make a study from files by both commands; return its results."""
+def make_study(folder, name, *arguments, **options):
+    """Make a study from files by both commands, with options of `run_quick`; return its results."""
     done = run_new(folder, name, *arguments)
     assert done.returncode == 0, done.stdout
-    run = run_quick(folder, name, overlays=overlays)
+    run = run_quick(folder, name, **options)
     assert run.returncode == 0, run.stdout[-3000:]
     return folder / "results" / f"{name}-quick"
 

@@ -13,7 +13,7 @@ from SurfaceTopography import UniformLineScan
 from hardcontact.base.arrays import generator
 
 #: How runs save time: by one realization of the masters, which is enough for the files of a study,
-#: and by jobs as forks. Jobs of the small probe start a Python each, as those of users do.
+#: and by jobs as forks.
 FAST = {"overlays": ["few.yaml"], "run": run_snakemake_with_forks}
 
 
@@ -94,5 +94,5 @@ def study_of_a_small_probe(folder):
     write_spm(folder / "scans/probe.001", uncd_heights(generator(4), 128, 1000.0, 3.0), 1000.0)
     options = ["--radius", "5um", "--hardness", "5GPa", "--preload", "100nN", "--range", "2nm"]
     options += ["--work", "30 mJ/m2"]
-    make_study(folder, "probe", "scans/probe.001", *options, overlays=["few.yaml"])
+    make_study(folder, "probe", "scans/probe.001", *options, **FAST)
     return folder

@@ -1,4 +1,4 @@
-"""A small study ends bit-equal after four kills, and stops at the lock of another run."""
+"""A small study ends bit-equal after four kills, once the lock of the first is removed."""
 
 import multiprocessing
 import os
@@ -8,9 +8,9 @@ import time
 
 import pytest
 from comparison import damaged_datasets, differences, result_paths
-from forked_runs import call_main, use_library_of
+from forked_runs import call_main, fork_jobs, use_library_of
 from refusals import assert_says
-from repository import environment, run_snakemake
+from repository import environment, run_snakemake, run_snakemake_with_forks
 
 from hardcontact.base.dataset import PART
 
@@ -23,7 +23,6 @@ FILES = 5
 #: Seconds that a test waits at most for the next file.
 PATIENCE = 300
 STUDY_WORDS = ["--configfile", "config/probe.yaml", "few.yaml", "--config", "effort=quick"]
-RESUME = ["--nolock", *STUDY_WORDS]  # A killed run leaves Snakemake's lock.
 
 
 @pytest.fixture
@@ -42,13 +41,14 @@ def differences_from(probe, results):
     ]
 
 
-def kill_after_files(study):
+def kill_after_files(study, *options):
     """Resume the study in a process group of its own; kill the group after FILES more."""
 
     def run_as_group():
         os.setsid()
         use_library_of(study)
-        words = ["--cores", "1", *RESUME]  # A second job would be repeated as well.
+        fork_jobs()
+        words = ["--cores", "1", *options, *STUDY_WORDS]  # A second job would be repeated, too.
         with open(study / "output", "w") as output:
             call_main("snakemake.cli", words, environment(study), output.fileno())
 
@@ -68,22 +68,14 @@ def kill_after_files(study):
 
 def test_a_study_that_is_killed_four_times_ends_as_one_that_is_not(empty, probe):
     (empty / "results").mkdir()
-    for _ in range(KILLS):
-        kill_after_files(empty)
+    for number in range(KILLS):
+        kill_after_files(empty, *["--nolock"] * (number > 0))  # The first leaves Snakemake's lock.
         assert damaged_datasets(empty / "results") == []
-    run = run_snakemake(empty, *RESUME)
+    locked = run_snakemake(empty, *STUDY_WORDS)
+    assert locked.returncode == 1
+    assert_says(locked.stdout, "cannot be locked", "--unlock")
+    assert run_snakemake(empty, "--unlock", *STUDY_WORDS).returncode == 0
+    run = run_snakemake_with_forks(empty, *STUDY_WORDS)
     assert run.returncode == 0, run.stdout
     assert differences_from(probe, empty / "results") == []
     assert not list((empty / "results").rglob(f"{PART}*"))
-
-
-def test_a_run_stops_at_the_lock_of_another_until_it_is_removed(probe):
-    folder = probe.parents[1]
-    lock = folder / ".snakemake/locks/0.output.lock"
-    lock.parent.mkdir(exist_ok=True)
-    lock.write_text(f"{probe.relative_to(folder) / 'answer.json'}\n")
-    locked = run_snakemake(folder, "answer", *STUDY_WORDS)
-    assert locked.returncode == 1
-    assert_says(locked.stdout, "cannot be locked", "--unlock")
-    assert run_snakemake(folder, "--unlock", "answer", *STUDY_WORDS).returncode == 0
-    assert not lock.exists()
