@@ -49,18 +49,25 @@ def measure_pages(pages, folder):
     return _run_in_browser(frames + PROBE, folder)
 
 
-def run_on_page(html, script, folder):
-    """Open a page and return the result of a script that acts on it.
+def run_on_pages(actions, folder):
+    """Open pages, act on each in turn by a script, and return the results.
 
-    `script` is the body of a function of the page's `document` and `window`. JSON can hold its
-    result.
+    An action is a page and the body of a function of its `document` and `window`. JSON can hold
+    the result.
     """
-    page = f'<iframe width="1200" height="844" srcdoc="{escape(html)}"></iframe>'
+    pages = "".join(
+        f'<iframe width="1200" height="844" srcdoc="{escape(html)}"></iframe>'
+        for html, _ in actions
+    )
+    functions = ", ".join(f"async (document, window) => {{{script}}}" for _, script in actions)
     act = f"""<script>onload = async () => {{
-      const window = document.querySelector("iframe").contentWindow;
-      const result = await (async (document, window) => {{{script}}})(window.document, window);
-      document.body.dataset.shown = JSON.stringify(result); }}</script>"""
-    return _run_in_browser(page + act, folder)
+      const results = [];
+      for (const [number, act] of [{functions}].entries()) {{
+        const page = window.frames[number];
+        results.push(await act(page.document, page));
+      }}
+      document.body.dataset.shown = JSON.stringify(results); }}</script>"""
+    return _run_in_browser(pages + act, folder)
 
 
 def audit_page(html, folder, scheme):

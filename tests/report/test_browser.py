@@ -5,7 +5,7 @@ from functools import cache
 
 import pytest
 from answer_inputs import datasets, fit, open_edges, setting, spectra, topography
-from browser import WIDTHS, audit_page, measure_pages, needs_browser, run_on_page
+from browser import WIDTHS, audit_page, measure_pages, needs_browser, run_on_pages
 from html_page import Page
 from paper_study import CITATION, FRAME, make_page, open_claims, svg
 from repository import PAPER, ROOT
@@ -74,32 +74,15 @@ SORT = """
     return [...table.tBodies[0].rows].map(row => row.cells[%d].textContent);
   });
 """
-
-
-def test_tables_sort_numbers_by_their_size(tmp_path):
-    ascending, descending = run_on_page(page_of("parameters"), SORT % (1, 1), tmp_path)
-    assert [text.replace("\N{NO-BREAK SPACE}", " ") for text in ascending] == LENGTHS
-    assert descending[-1] == "" and descending[:-1] == ascending[-2::-1]
-
-
-def test_sorted_rows_of_a_surface_stay_together(tmp_path):
-    for surfaces in run_on_page(page_of("own"), SORT % (2, 0), tmp_path):
-        changes = [
-            name for name, before in zip(surfaces, ["", *surfaces], strict=False) if name != before
-        ]
-        assert len(changes) == len(set(surfaces)) == 2
-
-
 #: Copies the first table of claims, follows a link to a folded row, and prints.
 USE = """
   let copied;
   Object.defineProperty(window.navigator, "clipboard", {value: {writeText: text => copied = text}});
-  const rest = () => new Promise(resolve => setTimeout(resolve, 100));
   document.querySelector("#statements ~ details .tools button").click();
   const folds = [...document.querySelectorAll("details")], folded = folds.at(-1);
   const target = folded.querySelector("td[id]");
   window.location.hash = target.id;
-  await rest();
+  await new Promise(resolve => setTimeout(resolve, 100));
   const menu = document.querySelector(".menu").getBoundingClientRect();
   const result = {copied, opened: folds.map(fold => fold.open),
     below: target.getBoundingClientRect().top - menu.bottom, menu: menu.top};
@@ -108,10 +91,60 @@ USE = """
   window.dispatchEvent(new window.Event("afterprint"));
   return result;
 """
+#: Returns the links to other files when pictures had time to load.
+LINKS = """
+  await new Promise(resolve => setTimeout(resolve, 500));
+  const links = [...document.querySelectorAll("a[href]")].map(link => link.getAttribute("href"));
+  return links.filter(link => !/^#|^https:/.test(link));
+"""
+#: Opens the first figure, then presses Escape.
+OPEN = """
+  const figure = document.querySelector(".zoom");
+  figure.querySelector("summary").click();
+  await new Promise(resolve => setTimeout(resolve, 100));
+  const width = figure.querySelector("img").clientWidth;
+  window.dispatchEvent(new window.KeyboardEvent("keydown", {key: "Escape"}));
+  return {width, open: figure.open};
+"""
+#: By their results: a page and what is done on it.
+ACTIONS = {
+    "sorted numbers": ("parameters", SORT % (1, 1)),
+    "sorted surfaces": ("own", SORT % (2, 0)),
+    "used claims": ("claims", USE),
+    "opened figure": ("own", OPEN),
+    "answer": ("answer", LINKS),
+    "own": ("own", LINKS),
+}
 
 
-def test_claims_copy_with_their_cells_apart_and_open_for_a_link_and_for_the_printer(tmp_path):
-    result = run_on_page(page_of("claims"), USE, tmp_path)
+def act(names, folder):
+    """Return the results of actions by their names, all in one browser."""
+    actions = [(page_of(page), script) for page, script in map(ACTIONS.get, names)]
+    return dict(zip(names, run_on_pages(actions, folder), strict=True))
+
+
+@pytest.fixture(scope="module")
+def outcomes(tmp_path_factory):
+    """Act on pages without any file beside them."""
+    return act([*ACTIONS], tmp_path_factory.mktemp("pages"))
+
+
+def test_tables_sort_numbers_by_their_size(outcomes):
+    ascending, descending = outcomes["sorted numbers"]
+    assert [text.replace("\N{NO-BREAK SPACE}", " ") for text in ascending] == LENGTHS
+    assert descending[-1] == "" and descending[:-1] == ascending[-2::-1]
+
+
+def test_sorted_rows_of_a_surface_stay_together(outcomes):
+    for surfaces in outcomes["sorted surfaces"]:
+        changes = [
+            name for name, before in zip(surfaces, ["", *surfaces], strict=False) if name != before
+        ]
+        assert len(changes) == len(set(surfaces)) == 2
+
+
+def test_claims_copy_with_their_cells_apart_and_open_for_a_link_and_for_the_printer(outcomes):
+    result = outcomes["used claims"]
     head, row = result["copied"].split("\n")[:2]
     statement, location = row.split("\t")[0].split("; ")[:2]
     claim = open_claims().iloc[int(location.split(" · ")[0].removeprefix("Statement ")) - 1]
@@ -122,37 +155,16 @@ def test_claims_copy_with_their_cells_apart_and_open_for_a_link_and_for_the_prin
     assert all(result["printed"])
 
 
-#: Returns the links to other files when pictures had time to load.
-LINKS = """
-  await new Promise(resolve => setTimeout(resolve, 500));
-  const links = [...document.querySelectorAll("a[href]")].map(link => link.getAttribute("href"));
-  return links.filter(link => !/^#|^https:/.test(link));
-"""
-
-
-@pytest.mark.parametrize("name", ["answer", "own"])
-def test_page_links_to_other_files_only_beside_its_folder(name, tmp_path):
-    page = page_of(name)
-    links = [tag["href"] for tag in Page(page).attributes["a"] if tag["href"][0] not in "#h"]
-    assert "answer.json" in links
-    assert run_on_page(page, LINKS, tmp_path) == []
+def test_page_links_to_other_files_only_beside_its_folder(outcomes, tmp_path):
     (tmp_path / "figures").mkdir()
     for figure in (*PAPER_FIGURES, *OWN_FIGURES):
         (tmp_path / f"figures/{figure}.svg").write_bytes(svg("#bbb"))
-    assert run_on_page(page, LINKS, tmp_path) == links
+    for name, links_beside_files in act(["answer", "own"], tmp_path).items():
+        links = [tag["href"] for tag in Page(page_of(name)).attributes["a"]]
+        assert outcomes[name] == [] and "answer.json" in links_beside_files
+        assert links_beside_files == [link for link in links if link[0] not in "#h"]
 
 
-#: Opens the first figure, then presses Escape.
-OPEN = """
-  const figure = document.querySelector(".zoom");
-  figure.querySelector("summary").click();
-  await new Promise(resolve => setTimeout(resolve, 100));
-  const width = figure.querySelector("img").clientWidth;
-  window.dispatchEvent(new window.KeyboardEvent("keydown", {key: "Escape"}));
-  return {width, open: figure.open};
-"""
-
-
-def test_figures_open_at_full_size_and_close_on_escape(tmp_path):
-    result = run_on_page(page_of("own"), OPEN, tmp_path)
+def test_figures_open_at_full_size_and_close_on_escape(outcomes):
+    result = outcomes["opened figure"]
     assert result["width"] >= 1100 and not result["open"]
