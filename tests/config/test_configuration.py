@@ -3,7 +3,7 @@
 import datetime
 
 import pytest
-from refusals import NESTED_ALIASES, assert_says, refusal
+from refusals import assert_says, refusal
 from repository import PAPER, ROOT, dotted_keys
 from studies import paper_configuration
 
@@ -71,6 +71,11 @@ def test_a_link_to_a_missing_folder_is_refused(tmp_path, monkeypatch, link):
 
 
 # Files
+
+#: Ten lines, each of ten times the line before: 1, 11, 111, ... values, in all 1.23e9.
+NESTED_ALIASES = b"a0: &a0 1\n" + b"".join(
+    b"a%d: &a%d [%s]\n" % (n, n, b", ".join([b"*a%d" % (n - 1)] * 10)) for n in range(1, 10)
+)
 
 
 @pytest.mark.parametrize(

@@ -6,16 +6,8 @@ import xarray as xr
 from known_forces import power_forces
 from scipy.stats import lognorm
 
-from hardcontact.base.statistics import (
-    Sampling,
-    interval_ends,
-    student_log_interval,
-)
-from hardcontact.inference.force_statistics import (
-    STATISTIC_ATTRS,
-    force_statistics,
-    mean_forces,
-)
+from hardcontact.base.statistics import Sampling, interval_ends, student_log_interval
+from hardcontact.inference.force_statistics import STATISTIC_ATTRS, force_statistics, mean_forces
 
 
 def test_missing_scans_change_no_mean():

@@ -4,11 +4,7 @@ import numpy as np
 import xarray as xr
 from periodic_maps import periodic_map
 
-from hardcontact.inference.band_forces import (
-    BAND_PARTS,
-    band_force_dataset,
-    band_ratios,
-)
+from hardcontact.inference.band_forces import BAND_PARTS, band_force_dataset, band_ratios
 from hardcontact.inference.octaves import (
     STEP,
     octave_force_dataset,

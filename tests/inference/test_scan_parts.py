@@ -6,11 +6,7 @@ from scipy import fft
 
 from hardcontact.contact.geometry import contact_positions
 from hardcontact.inference import scan_parts
-from hardcontact.inference.scan_parts import (
-    interval_half_width,
-    jackknife_variance,
-    parts_of_scans,
-)
+from hardcontact.inference.scan_parts import interval_half_width, jackknife_variance, parts_of_scans
 
 
 def half_width_of(left_out, scan_parts, confidence):

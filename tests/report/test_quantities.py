@@ -7,7 +7,7 @@ import pytest
 import xarray as xr
 
 from hardcontact.base.number import Number
-from hardcontact.report.answer import all_quantities, answer_text, numbers_of_answer
+from hardcontact.report.answer import all_quantities, answer_text, note, numbers_of_answer
 from hardcontact.report.quantities import (
     describe_number,
     describe_value,
@@ -96,3 +96,8 @@ def test_numbers_come_back_from_answer_json_as_they_were():
     read_again = numbers_of_answer(json.loads(text), "film")
     assert repr(list(read_again.values())) == repr(numbers)
     assert numbers_of_answer(json.loads(text)) == {}
+
+
+def test_the_gravity_of_a_note_may_come_from_a_comparison_of_numpy():
+    written = json.loads(json.dumps(note("caution", "Few pixels.", grave=np.float64(0.5) < 0.9)))
+    assert written["grave"] is True

@@ -25,14 +25,13 @@ def test_a_tilt_does_not_change_the_spectrum():
 
 def test_line_scans_have_the_spectrum_of_their_surface():
     lines = [random_line(generator(3, k), 1000, 10.0) for k in range(40)]
-    wavevector = BIN_CENTRES
     mean = np.mean([isotropic_psd(line) for line in lines], axis=0)
-    wavelength = 2 * np.pi / wavevector
+    wavelength = 2 * np.pi / BIN_CENTRES
     is_reliable = np.isfinite(mean) & (wavelength > 40) & (wavelength < lines[0].size / 3)
     np.testing.assert_allclose(
-        np.log(mean[is_reliable] / uncd_density(wavevector[is_reliable])), 0, atol=0.5
+        np.log(mean[is_reliable] / uncd_density(BIN_CENTRES[is_reliable])), 0, atol=0.5
     )
-    assert np.median(mean[is_reliable] / uncd_density(wavevector[is_reliable])) == pytest.approx(
+    assert np.median(mean[is_reliable] / uncd_density(BIN_CENTRES[is_reliable])) == pytest.approx(
         1, abs=0.07
     )
 
@@ -45,9 +44,8 @@ def test_spectra_scatter_by_their_number_of_independent_modes(kind):
         else random_line(generator(5, k), 256, 20.0)
         for k in range(100)
     ]
-    wavevector = BIN_CENTRES
     logs = np.log([isotropic_psd(draw) for draw in draws])
-    wavelength = 2 * np.pi / wavevector
+    wavelength = 2 * np.pi / BIN_CENTRES
     is_reliable = (
         np.isfinite(logs).all(axis=0) & (wavelength > 60) & (wavelength < draws[0].size / 3)
     )

@@ -54,10 +54,9 @@ def test_a_tip_limits_the_band_where_its_image_leaves_the_surface():
     cutoff = to_surface_topography(level_plane(imaged)).scanning_probe_reliability_cutoff(radius)
     assert band.shortest == pytest.approx(cutoff, rel=1e-3)
     assert band.limited_by == "tip"
-    wavevector = BIN_CENTRES
     density = isotropic_psd(imaged)
     ratio = density / isotropic_psd(true)
-    wavelength = 2 * np.pi / wavevector
+    wavelength = 2 * np.pi / BIN_CENTRES
     is_in_band = (wavelength > band.shortest) & (wavelength < band.longest)
     is_short = (wavelength > 4 * pixel) & (wavelength < band.shortest / 3)
     assert is_in_band.sum() >= 3 and is_short.sum() >= 3
@@ -69,9 +68,8 @@ def test_a_floor_of_white_noise_is_cut_above_where_it_passes_the_surface(make, p
     scan = make(generator(4), pixels, PIXEL)
     noisy = measurement(scan.heights + generator(5).normal(0, 10.0, scan.heights.shape), PIXEL)
     band = band_of(noisy, None)
-    wavevector = BIN_CENTRES
     density = isotropic_psd(noisy)
-    wavelength = 2 * np.pi / wavevector
+    wavelength = 2 * np.pi / BIN_CENTRES
     excess = density / isotropic_psd(scan)
     assert band.limited_by == "noise"
     is_in_band = (wavelength > band.shortest) & (wavelength < band.longest)
@@ -102,10 +100,9 @@ def test_smoothing_limits_the_band(is_along_lines):
     scan = measurement(smoothed[:256, :256], PIXEL)
     band = band_of(scan, None)
     assert band.limited_by == "smoothing"
-    wavevector = BIN_CENTRES
     density = isotropic_psd(scan)
     transfer = density / isotropic_psd(true)
-    wavelength = 2 * np.pi / wavevector
+    wavelength = 2 * np.pi / BIN_CENTRES
     is_in_band = (wavelength > band.shortest) & (wavelength < band.longest)
     assert is_in_band.sum() >= 5 and (transfer[is_in_band] > 0.4).all()
     assert (transfer[(wavelength > 4 * PIXEL) & (wavelength < band.shortest / 2)] < 0.4).all()
