@@ -1,4 +1,4 @@
-"""Tests that take long or install something: real scans, and a cluster on this machine."""
+"""Tests that take long: real scans, and a cluster on this machine."""
 
 import os
 import re
