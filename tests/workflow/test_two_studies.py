@@ -36,16 +36,16 @@ OTHER_WORDS = {
     "scan.levelling": ("lines", "plane"), "reference_surface": ("mcd", "uncd"),
     "indent.surface": ("mcd", "uncd"), "substitutes.featured_surface": ("mcd",),
 }  # fmt: skip
-#: By the fixture of a finished study: its name, and the kinds of intermediates in its store.
+#: By the fixture of a finished study: its name, and the kinds of intermediates in its store, one of
+#: each rule.
 STUDIES = {
     "finished": ("tiny", [
         "scans", "pull_off", "elastic", "asperities", "whole_surfaces", "pool",
-        "featured_candidates", "masters", "filtered/scales", "filtered/sets", "filtered/exponents",
-        "filtered/edge_shifts",
+        "featured_candidates", "masters", "filtered/scales",
     ]),
     "own_study": ("several-quick", [
-        "measurements", "measured_spectra", "sampled_spectra", "scans", "both_bodies", "pull_off",
-        "octave_forces", "hindcast", "masters", "filtered/scales", "filtered/sampled",
+        "measurements", "measured_spectra", "sampled_spectra", "scans", "both_bodies",
+        "octave_forces", "hindcast", "filtered/sampled",
     ]),
 }  # fmt: skip
 
