@@ -1,7 +1,6 @@
 """Studies of the user's surfaces: small scans in the files of microscopes, and the two commands."""
 
 import json
-from contextlib import contextmanager
 
 import numpy as np
 from forked_runs import run_program
@@ -70,14 +69,3 @@ def forces_on(adhesion, surface, rng):
     surface_forces = adhesion.pull_off_force.sel(surface=surface, contact_model="plastic")
     mean = WORK * float(surface_forces.sel(rho=RANGE, method="nearest").mean()) * 1e6
     return mean * np.exp(rng.normal(-(0.5**2) / 2, 0.5, size=40))
-
-
-@contextmanager
-def change_file(path, text):
-    """Replace the text of a file inside a block."""
-    original = path.read_text()
-    path.write_text(text)
-    try:
-        yield
-    finally:
-        path.write_text(original)

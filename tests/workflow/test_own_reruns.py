@@ -5,8 +5,7 @@ import re
 import pandas as pd
 import pytest
 import yaml
-from own_studies import change_file
-from repository import snakemake_output, snakemake_outputs
+from repository import snakemake_outputs
 
 pytestmark = pytest.mark.study
 
@@ -40,34 +39,30 @@ TOPOGRAPHY = {"aggregate_topography", "compute_force_at_pair", "fit_measured"}
 SCANS = {"prepare_scan", "combine_scans"} | TOPOGRAPHY
 
 
-#: A key, another value, and the rules that depend on it besides PAGE.
+COLUMN = {"read_scan"} | SCANS | SPECTRA | FORCES | OCTAVES | HINDCAST | MASTERS
+#: An overlay, and the rules that depend on what it changes besides PAGE.
 CHANGES = [
-    ("adhesion.work", "60 mJ/m2", {"compute_force_at_pair", "fit_measured"}),
-    ("scan.levelling", "lines", SCANS | SPECTRA | FORCES | OCTAVES | HINDCAST | MASTERS),
-    ("contact.preload", "20 uN", FORCES | OCTAVES | HINDCAST | FILTERED),
+    ({"adhesion": {"work": "60 mJ/m2"}}, {"compute_force_at_pair", "fit_measured"}),
+    ({"scan": {"levelling": "lines"}}, SCANS | SPECTRA | FORCES | OCTAVES | HINDCAST | MASTERS),
+    ({"contact": {"preload": "20 uN"}}, FORCES | OCTAVES | HINDCAST | FILTERED),
+    ({"surfaces": "changed.tsv"}, COLUMN),
 ]
 
 
-def test_a_changed_key_repeats_exactly_its_dependents_and_no_change_nothing(own_study):
-    """One process plans all runs, because each process takes seconds to load the library."""
-    runs = [words_of_dry_run()]
-    for key, value, _ in CHANGES:
-        section, name = key.split(".")
-        (own_study / f"{name}.yaml").write_text(yaml.safe_dump({section: {name: value}}))
-        runs.append(words_of_dry_run(f"{name}.yaml"))
-    unchanged, *planned = map(rules_of, snakemake_outputs(own_study, runs))
-    assert unchanged == set()
-    assert planned == [rules | PAGE for _, _, rules in CHANGES]
-
-
-def test_a_changed_column_repeats_its_surface_alone(own_study):
+def test_a_change_repeats_exactly_its_dependents_and_no_change_nothing(own_study):
     """The digest of the rows of a surface is part of the paths of all its files."""
-    path = own_study / "config/several.tsv"
-    table = pd.read_csv(path, sep="\t", dtype=str, keep_default_na=False)
+    table = pd.read_csv(
+        own_study / "config/several.tsv", sep="\t", dtype=str, keep_default_na=False
+    )
     table.loc[table.surface == "twin", "tip_radius"] = "20 nm"
-    with change_file(path, table.to_csv(sep="\t", index=False)):
-        output = snakemake_output(own_study, *words_of_dry_run())
-        assert rules_of(output) == (
-            {"read_scan"} | SCANS | SPECTRA | FORCES | OCTAVES | HINDCAST | MASTERS | PAGE
-        )
-    assert "/twin/" in output and not re.search(r"^    output: .*/my_film/", output, re.M)
+    table.to_csv(own_study / "changed.tsv", sep="\t", index=False)
+    runs = [words_of_dry_run()]
+    for number, (overlay, _) in enumerate(CHANGES):
+        (own_study / f"{number}.yaml").write_text(yaml.safe_dump(overlay))
+        runs.append(words_of_dry_run(f"{number}.yaml"))
+    unchanged, *planned = snakemake_outputs(own_study, runs)
+    assert rules_of(unchanged) == set()
+    assert [rules_of(output) for output in planned] == [rules | PAGE for _, rules in CHANGES]
+    changed_row = planned[-1]
+    assert "/twin/" in changed_row
+    assert not re.search(r"^    output: .*/my_film/", changed_row, re.M)
