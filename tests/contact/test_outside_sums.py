@@ -1,17 +1,16 @@
-"""The force sum against the direct sum over every pixel, and Derjaguin's force."""
+"""The force sum against the direct sum over every pixel."""
 
-from dataclasses import replace
 from itertools import product
 
 import numpy as np
 import pytest
 from direct_sum import direct_total, gap_of_bodies
-from periodic_maps import CONTACT, MAP_CASES, RADIUS, make_bodies, periodic_noise
+from periodic_maps import MAP_CASES, make_bodies, periodic_noise
 
 from hardcontact.contact.bearing_area import all_contact_pixels
 from hardcontact.contact.force_sum.outside_sums import MAX_PENETRATION, outside_sums
 from hardcontact.contact.numerical_limits import DEPTH_OVER_RANGE
-from hardcontact.contact.pull_off import attraction_sums, forces_at_loadings
+from hardcontact.contact.pull_off import attraction_sums
 
 #: Error of sums over heights in single precision, on a smooth sphere and unless the range is short.
 SINGLE = 1e-6
@@ -80,19 +79,3 @@ def test_contact_pixels_are_subtracted_exactly_at_the_ends_of_its_use(
     assert gaps[-1] + heights.max() > 0.9 * raised * max_depth * rho
     total = attraction_sums(bodies, contacts, [4], [rho]).item()
     assert total == pytest.approx(direct_total(gap_of_bodies(bodies, (0, 0)), 4, rho), rel=error)
-
-
-def plastic_totals(bodies, pixel_counts, rho):
-    """Return the sums of exp(-gap/rho) of plastic contacts: (loading, contact_y, contact_x)."""
-    contacts = all_contact_pixels(bodies, max(pixel_counts))
-    return attraction_sums(bodies, contacts, pixel_counts, [rho])[:, 0]
-
-
-def test_a_smooth_sphere_on_a_flat_has_derjaguin_s_force():
-    # 2 pi R W, 72.7 µN at the paper's work of adhesion, whatever the range.
-    work, rigid_contact = 46.3e-3, replace(CONTACT, plastic=False)
-    for rho, window in ((2.0, 300), (5.6, 400)):
-        flat = make_bodies(np.zeros((250, 250)), None, 50.0, window, 1)
-        force = work * forces_at_loadings(flat, [rigid_contact], [rho]).item()
-        assert force == pytest.approx(2 * np.pi * RADIUS * 1e-9 * work, rel=1e-4)
-        assert force == pytest.approx(72.7e-6, rel=1e-3)

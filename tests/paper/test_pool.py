@@ -1,13 +1,12 @@
-"""Pools of scans: heights, forces against the direct sum, interpolation between heights."""
+"""Pools of scans: heights, interpolation between heights."""
 
 from dataclasses import replace
 
 import numpy as np
 import pytest
 import xarray as xr
-from direct_sum import direct_force, gap_to_sphere, mirror
 from refusals import assert_says, refusal
-from small_pool import CONTACT, GRID, HEIGHTS, RANGES, SUBSTITUTE, pool_of, raw_scan
+from small_pool import CONTACT, HEIGHTS, RANGES, SUBSTITUTE, pool_of, raw_scan
 
 from hardcontact.base.arrays import generator
 from hardcontact.base.statistics import student_log_interval
@@ -43,22 +42,6 @@ def test_interpolation_is_exact_at_its_heights_and_of_cubics():
     np.testing.assert_allclose(spline_weights(HEIGHTS, heights) @ cubic(HEIGHTS), cubic(heights))
     single_height = spline_weights(np.array([10.0]), heights, extrapolate=True)
     np.testing.assert_array_equal(single_height, np.ones((3, 1)))
-
-
-def test_forces_are_the_direct_sum_over_the_scan_at_each_height(pool):
-    count = CONTACT.pixel_count(GRID.pixel_size)
-    scan = raw_scan(4)
-    assert count > 1
-    forces = np.exp(pool["log_force"].sel(scan=4).values.astype(float))
-    window = round(CONTACT.window / GRID.pixel_size)
-    for i in (0, 6):
-        heights = mirror(HEIGHTS[i] / scan.heights.std() * scan.heights)
-        # Contacts of two per row begin a quarter of a step from the border.
-        gap = gap_to_sphere(heights, (16, 80), window, GRID.pixel_size, CONTACT.radius)
-        for k, rho in enumerate(RANGES):
-            for model, pixels in enumerate((1, count)):
-                force = direct_force(gap, pixels, rho, GRID.pixel_size)
-                assert forces[i, model, k, 0, 1] == pytest.approx(force, rel=1e-5)
 
 
 def test_a_scan_does_not_depend_on_the_other_scans(pool):

@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 from measurements import gentle_density, measurement, random_line, random_map, two_sizes_and_a_line
-from refusals import assert_says, refusal
 
 from hardcontact.base.arrays import generator
 from hardcontact.scans.extrapolation import HURST_SCATTER
@@ -32,13 +31,6 @@ def test_two_maps_and_a_line_give_the_spectrum_of_the_surface():
     assert np.sqrt(np.nanmean(errors[:, has_many_waves] ** 2)) < 0.15
     assert np.abs(np.nanmean(errors[:, has_many_waves], axis=0)).max() < 0.15
     assert not np.isfinite(errors[:, (wavelength < 15) | (wavelength > 14_000)]).any()
-
-
-def test_scans_without_reliable_bins_are_refused_with_the_reason():
-    message = refusal(
-        joined_spectrum, [random_map(generator(23), 128, 40.0, gentle_density)], [100e3]
-    )
-    assert_says(message, "reliable in at least 3 bins", "the tip at")
 
 
 def test_bins_of_few_waves_are_smoothed_and_a_gap_is_bridged_between_them():

@@ -183,8 +183,6 @@ def test_a_given_unit_serves_files_without_a_unit(tmp_path):
         "unit um (given by the user)",
     )
     np.testing.assert_allclose(measurement.heights, 1e3 * values)
-    measurement_in_nm = read_scan(write_scan(tmp_path / "a.nc"), unit="um")
-    assert measurement_in_nm.pixel_size == pytest.approx(10.0)
 
 
 @pytest.mark.parametrize("form", MAPS_AND_LINES)

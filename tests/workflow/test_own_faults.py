@@ -14,7 +14,7 @@ import pytest
 from comparison import differences
 from own_studies import run_quick
 from refusals import assert_says
-from repository import ROOT, environment
+from repository import ROOT, environment, run_snakemake_with_forks
 from scan_files import truncate_file
 
 pytestmark = pytest.mark.study
@@ -22,8 +22,8 @@ pytestmark = pytest.mark.study
 RESULTS, STORE = "results/several-quick", "results/store-several-quick"
 
 
-def run(study, *arguments):
-    return run_quick(study, "several", *arguments, overlays=["few.yaml"])
+def run(study, *arguments, **options):
+    return run_quick(study, "several", *arguments, overlays=["few.yaml"], **options)
 
 
 def errors(output):
@@ -132,7 +132,7 @@ def test_altered_files_are_refused_until_they_are_deleted_and_made_again(copy, o
     assert_says(line, f"{spectra.relative_to(copy)}: expected the file that the study wrote")
     spectra.unlink()
     # An altered intermediate stops the job that reads it.
-    failed_run = run(copy, *targets, "--keep-going")
+    failed_run = run(copy, *targets, "--keep-going", run=run_snakemake_with_forks)
     assert failed_run.returncode == 1
     messages = "\n".join(errors(failed_run.stdout))
     for path in (forces, filtered):
@@ -140,7 +140,7 @@ def test_altered_files_are_refused_until_they_are_deleted_and_made_again(copy, o
     # Deleted files are made again as they were.
     for path in (forces, filtered):
         path.unlink()
-    done = run(copy, *targets)
+    done = run(copy, *targets, run=run_snakemake_with_forks)
     assert done.returncode == 0 and errors(done.stdout) == [], done.stdout
     assert differences(copy / "results", own_study / "results") == []
 
