@@ -36,11 +36,6 @@ def topography(count=1, source="measured"):
     """Return the roughness of surfaces with SCANS scans each."""
     rng = np.random.default_rng(1)
     surfaces = SURFACES[:count]
-    q = np.hypot(np.fft.fftfreq(PIXELS)[:, None], np.fft.rfftfreq(PIXELS))
-    q[0, 0] = np.inf
-    noise = np.fft.rfft2(rng.normal(size=(count, PIXELS, PIXELS))) * q**-1.8
-    maps = np.fft.irfft2(noise)
-    maps *= 4.0 / maps.std(axis=(1, 2), keepdims=True)
     data = xr.Dataset(coords={"surface": surfaces, "scan": np.arange(1, SCANS + 1)})
     values = {
         "rms_height": 4.0, "rms_gradient": 0.31, "rms_half_laplacian": 0.021,
@@ -55,6 +50,7 @@ def topography(count=1, source="measured"):
         )
     for name, value in {"height": 6.2, "gradient": 0.74, "half_laplacian": 0.55}.items():
         data[f"all_scales_rms_{name}"] = "surface", np.full(count, value)
+    maps = rng.normal(0, 4, (count, PIXELS, PIXELS))
     data["example_heights"] = ("surface", "row", "column"), maps
     data["scan_size"] = "surface", np.full(count, SIZE)
     data["pixel_size"] = "surface", np.full(count, PIXEL_SIZE)
@@ -283,42 +279,30 @@ def fit(count=1):
     interval = data["work_by_range_interval"]
     low, high = interval.max("surface").sel(end="low"), interval.min("surface").sel(end="high")
     region = xr.concat([low, high], "end").transpose("contact_model", "rho_fine", "end")
-    best = np.nan if count == 1 else np.array([1.0, 1.0])
-    return (
-        data.assign(
-            region=region.where(low < high),
-            range_of_adhesion=("contact_model", RANGE * best * np.ones(2)),
-            work_of_adhesion=(
-                "contact_model",
-                WORK * best * np.array([0.5, 1]),
-                {"units": "J m-2"},
-            ),
-            best_error=("contact_model", 0.05 * best * np.ones(2)),
-            exact_pairs=("contact_model", [0, 0]),
-            region_range=(("contact_model", "end"), [[3.2, np.nan]] * 2),
-            region_work=(("contact_model", "end"), np.full((2, 2), np.nan)),
-            test_count=("surface", [40] * count),
-            site_count=("surface", [40] * count),
-            look_repeated=("surface", [0] * count),
-            label=("surface", LABELS[:count]),
-            interval_source=("surface", ["scans"] * count),
-        )
-        .assign(extrapolated_work(count))
-        .assign_attrs(confidence=CONFIDENCE, rho=RANGE)
-    )
+    best = np.full(2, np.nan if count == 1 else 1.0)
+    models = "contact_model"
+    data = data.assign(
+        region=region.where(low < high), range_of_adhesion=(models, RANGE * best),
+        work_of_adhesion=(models, WORK * best * [0.5, 1], {"units": "J m-2"}),
+        best_error=(models, 0.05 * best), exact_pairs=(models, [0, 0]),
+        region_range=((models, "end"), [[3.2, np.nan]] * 2),
+        region_work=((models, "end"), np.full((2, 2), np.nan)),
+        test_count=("surface", [40] * count), site_count=("surface", [40] * count),
+        look_repeated=("surface", [0] * count), label=("surface", LABELS[:count]),
+        interval_source=("surface", ["scans"] * count),
+    )  # fmt: skip
+    return data.assign(extrapolated_work(count)).assign_attrs(confidence=CONFIDENCE, rho=RANGE)
 
 
 def extrapolated_work(count):
     """Return works of adhesion with extrapolated roughness, half of WORK on each surface."""
     axes = ("surface", "side")
-    work = np.full((count, 2), WORK / 2)
-    return between_multiples(
-        "extrapolated_work", axes, work, (0.8, 1.25), CONFIDENCE, units="J m-2"
-    ) | {
-        "extrapolation_matters": (axes, [[0, 0]] * count),
-        "transition": ("side", [20.0, 1000.0]),
-        "side": SIDES,
-    }
+    work = between_multiples(
+        "extrapolated_work", axes, np.full((count, 2), WORK / 2), (0.8, 1.25), CONFIDENCE,
+        units="J m-2",
+    )  # fmt: skip
+    matters = {"extrapolation_matters": (axes, [[0, 0]] * count)}
+    return work | matters | {"transition": ("side", [20.0, 1000.0]), "side": SIDES}
 
 
 OCTAVES = [20.0, 40.0, 80.0, 160.0, 320.0]
