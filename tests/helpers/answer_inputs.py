@@ -45,9 +45,7 @@ def topography(count=1, source="measured"):
     for name, value in values.items():
         data[name] = ("surface", "scan"), value * factors
         mean = data[name].mean("scan").values
-        data = data.assign(
-            between_multiples(f"{name}_mean", "surface", mean, (0.9, 1.1), CONFIDENCE)
-        )
+        data = data.assign(between_multiples(f"{name}_mean", "surface", mean, (0.9, 1.1)))
     for name, value in {"height": 6.2, "gradient": 0.74, "half_laplacian": 0.55}.items():
         data[f"all_scales_rms_{name}"] = "surface", np.full(count, value)
     maps = rng.normal(0, 4, (count, PIXELS, PIXELS))
@@ -147,8 +145,8 @@ def edges(count=1):
     edge = np.tile([EDGES[side] for side in SIDES], (count, 1))
     data = xr.Dataset(
         between_multiples("filtered_force_ratio", ("surface", "side", "cutoff_wavelength"), ratio,
-                          (0.95, 1.05), CONFIDENCE)
-        | between_multiples("edge", ("surface", "side"), edge, (0.8, 1.25), CONFIDENCE, units="nm"),
+                          (0.95, 1.05))
+        | between_multiples("edge", ("surface", "side"), edge, (0.8, 1.25), units="nm"),
         {"surface": surfaces, "side": SIDES, "cutoff_wavelength": cutoffs},
     )  # fmt: skip
     return data.assign(
@@ -205,7 +203,7 @@ def force(count=1):
     axes = ("surface", "contact_model", "rho")
     spread = np.array([0.4, 0.7, 0.95, 1.25, 1.8])
     data = xr.Dataset(
-        between_multiples("force", axes, mean, (0.8, 1.25), CONFIDENCE, units="N"),
+        between_multiples("force", axes, mean, (0.8, 1.25), units="N"),
         {"surface": surfaces, "contact_model": MODELS, "rho": RHOS, "quantile": QUANTILES},
     )
     data["force_quantile"] = (*axes, "quantile"), mean[..., None] * spread
@@ -234,7 +232,7 @@ def extrapolated_force(count=1):
     forces = np.tile(0.64e-6 * np.arange(1, count + 1)[:, None], 2)
     axes = ("surface", "side")
     data = xr.Dataset(
-        between_multiples("extrapolated_force", axes, forces, (0.8, 1.25), CONFIDENCE, units="N"),
+        between_multiples("extrapolated_force", axes, forces, (0.8, 1.25), units="N"),
         {"surface": SURFACES[:count], "side": SIDES},
     )
     return data.assign(
@@ -271,9 +269,9 @@ def fit(count=1):
     work = WORK * (rho / RANGE) ** exponents[:, None] * np.array([0.5, 1.0])[:, None, None]
     data = xr.Dataset(
         between_multiples("work_by_range", ("contact_model", "surface", "rho_fine"), work,
-                          (0.8, 1.25), CONFIDENCE, units="J m-2")
+                          (0.8, 1.25), units="J m-2")
         | between_multiples("measured_force", "surface", [0.64e-6, 1.3e-6][:count], (0.9, 1.1),
-                            CONFIDENCE, units="N"),
+                            units="N"),
         {"contact_model": MODELS, "surface": surfaces, "rho_fine": rho},
     )  # fmt: skip
     interval = data["work_by_range_interval"]
@@ -298,7 +296,7 @@ def extrapolated_work(count):
     """Return works of adhesion with extrapolated roughness, half of WORK on each surface."""
     axes = ("surface", "side")
     work = between_multiples(
-        "extrapolated_work", axes, np.full((count, 2), WORK / 2), (0.8, 1.25), CONFIDENCE,
+        "extrapolated_work", axes, np.full((count, 2), WORK / 2), (0.8, 1.25),
         units="J m-2",
     )  # fmt: skip
     matters = {"extrapolation_matters": (axes, [[0, 0]] * count)}

@@ -60,19 +60,16 @@ def band() -> xr.Dataset:
     is_computed = np.array([np.isin(cutoffs, side_cutoffs) for side_cutoffs in CUTOFFS.values()])
     groups = [*SUBSTRATES, "mean"]
     change = xr.DataArray(np.where(is_computed, 0.1, np.nan), dims=("side", "cutoff_wavelength"))
+    edges = [[60.0] * 5, [1667.0] * 5]
     return xr.Dataset(
         {
             "filtered_force_change": change.expand_dims(group=groups),
-            "edge": (("side", "group"), [[60.0] * 5, [1667.0] * 5]),
             "edge_bound": (("side", "group"), np.full((2, 5), np.nan)),
-            "edge_interval": (
-                ("side", "group", "end"), [[[50.0, 70.0]] * 5, [[1500.0, 1900.0]] * 5]
-            ),
-        },
-        {"side": list(CUTOFFS), "cutoff_wavelength": cutoffs, "surface": SUBSTRATES,
-         "end": ["low", "high"]},
+        }
+        | between_multiples("edge", ("side", "group"), edges, (0.9, 1.15)),
+        {"side": list(CUTOFFS), "cutoff_wavelength": cutoffs, "surface": SUBSTRATES},
         {"tolerance": 0.1, "confidence": 0.9},
-    )  # fmt: skip
+    )
 
 
 def sensitivity() -> xr.Dataset:
@@ -91,16 +88,12 @@ def sensitivity() -> xr.Dataset:
 def band_forces() -> xr.Dataset:
     """Return the forces with a part of the roughness, 1.05 times those with all of it."""
     parts = ["only the band", "no shorter waves", "no longer waves"]
-    shape = len(SUBSTRATES), 2, len(parts)
-    ratio = ("surface", "band", "band_part"), np.full(shape, 1.05)
-    interval = (*ratio[0], "end"), np.broadcast_to([1.0, 1.1], (*shape, 2))
+    ratio = np.full((len(SUBSTRATES), 2, len(parts)), 1.05)
+    axes = ("surface", "band", "band_part")
     return xr.Dataset(
-        {"band_force_ratio": ratio, "band_force_ratio_interval": interval},
-        {
-            "surface": SUBSTRATES, "band": ["published", "computed"], "band_part": parts,
-            "end": ["low", "high"],
-        },
-    )  # fmt: skip
+        between_multiples("band_force_ratio", axes, ratio, (0.95, 1.05)),
+        {"surface": SUBSTRATES, "band": ["published", "computed"], "band_part": parts},
+    )
 
 
 def sets() -> xr.Dataset:
@@ -138,14 +131,12 @@ def scales(contacts: int = 20) -> xr.Dataset:
 
 def fit() -> xr.Dataset:
     """Return the mean forces of the coatings, 1 µN to 4 µN, at the published pair."""
-    mean = 1e-6 * np.arange(1.0, len(SUBSTRATES) + 1)
-    coordinates = {"surface": SUBSTRATES, "pair": ["published"], "contact_model": ["plastic"]}
-    dimensions = ["contact_model", "pair", "surface"]
-    forces = xr.Dataset(coords=coordinates | {"end": ["low", "high"]})
-    forces["mean_force_at_pair"] = dimensions, mean[None, None], {"units": "N"}
-    interval = np.stack([0.9 * mean, 1.1 * mean], axis=-1)
-    forces["mean_force_at_pair_interval"] = [*dimensions, "end"], interval[None, None]
-    return forces
+    mean = 1e-6 * np.arange(1.0, len(SUBSTRATES) + 1)[None, None]
+    axes = ("contact_model", "pair", "surface")
+    return xr.Dataset(
+        between_multiples("mean_force_at_pair", axes, mean, (0.9, 1.1), units="N"),
+        {"surface": SUBSTRATES, "pair": ["published"], "contact_model": ["plastic"]},
+    )
 
 
 def scan_size() -> xr.Dataset:

@@ -4,6 +4,7 @@ import numpy as np
 import pandas as pd
 import pytest
 import xarray as xr
+from intervals import between_multiples
 from known_forces import FORCE_DIMS
 
 from hardcontact.base.statistics import Sampling, interval_ends
@@ -194,24 +195,16 @@ def test_sampled_means_cover_the_mean_with_their_confidence(shape, number):
 
 def test_work_with_extrapolated_roughness_is_inversely_proportional_to_the_force():
     measured_force, extrapolated_force = 0.32, 0.08  # N, the latter at 0.05 J/m²
-    ends = ("surface", "end"), [[measured_force / 1.1, measured_force * 1.1]]
     fit = xr.Dataset(
-        {"measured_force": ("surface", [measured_force]), "measured_force_interval": ends},
-        {"surface": ["a"], "end": ["low", "high"]},
+        between_multiples("measured_force", "surface", [measured_force], (1 / 1.1, 1.1)),
+        {"surface": ["a"]},
         {"confidence": 0.95},
     )
     sides = ("surface", "side")
     force = xr.Dataset(
-        {
-            "extrapolated_force": (sides, [[extrapolated_force]]),
-            "extrapolated_force_interval": (
-                (*sides, "end"),
-                [[[extrapolated_force / 1.2, extrapolated_force * 1.3]]],
-            ),
-            "extrapolation_matters": (sides, [[1]]),
-            "transition": ("side", [20.0]),
-        },
-        {"surface": ["a"], "side": ["short"], "end": ["low", "high"]},
+        between_multiples("extrapolated_force", sides, [[extrapolated_force]], (1 / 1.2, 1.3))
+        | {"extrapolation_matters": (sides, [[1]]), "transition": ("side", [20.0])},
+        {"surface": ["a"], "side": ["short"]},
         {"work_of_adhesion": 0.05, "rho": 5.0},
     )
     fit_with_work = add_extrapolated_work(fit, force).sel(surface="a", side="short")

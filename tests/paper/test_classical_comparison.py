@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 import xarray as xr
+from intervals import between_multiples
 from paper_numbers import AFM, MEAN_FORCE, MODULUS, RADIUS, SPHERE, SUBSTRATES, TABLES
 from scipy.optimize import minimize
 
@@ -20,16 +21,11 @@ def make_inference(surfaces=SUBSTRATES, forces=MEAN_FORCE):
     """Mean forces of plastic contact at the published pair, to within 1 %."""
     dims = ("contact_model", "pair", "surface")
     return xr.Dataset(
-        {
-            "mean_force_at_pair": (dims, [[forces]]),
-            "mean_force_at_pair_interval": ((*dims, "end"), [[np.outer(forces, [0.99, 1.01])]]),
-            "label": ("surface", surfaces),
-            "source": ("surface", ["measured"] * len(surfaces)),
-        },
-        {"contact_model": ["plastic"], "pair": ["published"], "surface": surfaces,
-         "end": ["low", "high"]},
+        between_multiples("mean_force_at_pair", dims, [[forces]], (0.99, 1.01))
+        | {"label": ("surface", surfaces), "source": ("surface", ["measured"] * len(surfaces))},
+        {"contact_model": ["plastic"], "pair": ["published"], "surface": surfaces},
         {"sphere_radius": RADIUS, "error_threshold": 0.1},
-    )  # fmt: skip
+    )
 
 
 def apply_models(inference, seed=1):

@@ -4,6 +4,7 @@ import numpy as np
 import pandas as pd
 import pytest
 import xarray as xr
+from intervals import between_multiples
 from paper_numbers import CLAIMS, TABLES
 from scipy import stats
 
@@ -92,14 +93,10 @@ def make_datasets(substitutes=(), surfaces=SURFACES):
         {"surface": names},
         {"sphere_surface": "sphere"},
     )
-    force = np.array([1.0, 2.0, 4.0])
     forces = xr.Dataset(
-        {
-            "force": ("surface", force),
-            "force_interval": (("surface", "end"), np.outer(force, [0.9, 1.1])),
-            "change": (("surface", "scan"), np.full((3, 3), 1e-3)),
-        },
-        {"surface": SURFACES, "end": ["low", "high"]},
+        between_multiples("force", "surface", [1.0, 2.0, 4.0], (0.9, 1.1))
+        | {"change": (("surface", "scan"), np.full((3, 3), 1e-3))},
+        {"surface": SURFACES},
     )
     return {
         "topography": topography.sel(surface=[*surfaces, "sphere"]),

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 import xarray as xr
+from intervals import between_multiples
 from paper_numbers import PARAMETERS
 from scipy import constants, stats
 from scipy.integrate import quad
@@ -258,16 +259,14 @@ def band():
     cutoffs = [10.0, 43.0, 200.0, 1000.0, 1800.0, 5000.0]
     ratio = [[1.0, 1.05, 2.0, 4.0, np.nan, np.nan], [np.nan, np.nan, 0.4, 0.7, 0.95, 1.0]]
     dims = ("side", "cutoff_wavelength")
-    edges = np.array([46.0, 1750.0])
     return xr.Dataset(
         {
             "filtered_force_ratio": (dims, ratio),
             "filtered_force_change": (dims, np.abs(np.array(ratio) - 1)),
-            "edge": ("side", edges),
             "edge_bound": ("side", [1000.0, 200.0]),
-            "edge_interval": (("side", "end"), np.outer(edges, [0.9, 1.1])),
-        },
-        {"side": ["short", "long"], "cutoff_wavelength": cutoffs, "end": ["low", "high"]},
+        }
+        | between_multiples("edge", "side", [46.0, 1750.0], (0.9, 1.1)),
+        {"side": ["short", "long"], "cutoff_wavelength": cutoffs},
         {"sphere_radius": RADIUS},
     )
 
@@ -299,14 +298,13 @@ def test_the_first_edge_is_that_of_the_first_surface_to_leave():
                 ("side", "group", "cutoff_wavelength"),
                 np.stack([curve] * 3, axis=1),
             ),
-            "edge": (("side", "group"), edges),
             "edge_bound": (("side", "group"), np.where(np.isnan(edges), 20.0, np.nan)),
-            "edge_interval": (
-                ("side", "group", "end"), np.multiply.outer(edges, [0.9, 1.1])
-            ),
+        }
+        | between_multiples("edge", ("side", "group"), edges, (0.9, 1.1)),
+        {
+            "side": ["short", "long"], "group": ["uncd", "mcd", "mean"],
+            "cutoff_wavelength": cutoffs,
         },
-        {"side": ["short", "long"], "group": ["uncd", "mcd", "mean"],
-         "cutoff_wavelength": cutoffs, "end": ["low", "high"]},
     )  # fmt: skip
     first_edge = band_quantities.first_edge(band)
     near(first_edge, [40.0, 1500.0])
@@ -325,11 +323,8 @@ def test_the_force_on_a_plane_is_that_of_derjaguin():
 
 
 def test_decades_of_works_are_those_between_the_smallest_and_the_largest():
-    works = np.array([1.0, 1000.0, 10.0])
-    variables = {
-        "effective_work_of_adhesion": ("surface", works),
-        "effective_work_of_adhesion_interval": (("surface", "end"), np.outer(works, [0.1, 10])),
-    }
-    decades = force.effective_work_decades(xr.Dataset(variables, {"end": ["low", "high"]}))
+    works = [1.0, 1000.0, 10.0]
+    variables = between_multiples("effective_work_of_adhesion", "surface", works, (0.1, 10))
+    decades = force.effective_work_decades(xr.Dataset(variables))
     near(decades, 3)
     np.testing.assert_allclose(decades["value_interval"], [1, 5])
