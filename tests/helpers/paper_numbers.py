@@ -1,5 +1,7 @@
 """Statements and numbers of the paper, those of its surfaces in their order."""
 
+from functools import cache
+
 import numpy as np
 from repository import ROOT
 
@@ -7,6 +9,7 @@ from hardcontact.base import published
 from hardcontact.paper.claims.statements import read_claims
 from hardcontact.paper.classical_models import ElasticSphere, Roughness
 from hardcontact.surfaces.features import ScanStatistics
+from hardcontact.surfaces.substitute_spectra import substitute_spectrum
 from hardcontact.theory.validity import RUBY_ON_DIAMOND_MODULUS
 
 SUBSTRATES = ["polished_uncd", "uncd", "ncd", "mcd"]
@@ -40,3 +43,15 @@ TABLES = ROOT / "resources/paper"
 CLAIMS = read_claims(TABLES / "claims.csv")
 CONSTANTS = published.read_constants(TABLES / "constants.csv")
 PARAMETERS = CONSTANTS["value"]
+
+
+def table1_rows(surface):
+    """Return the rows of Table 1 of a surface."""
+    return published.rows_of_surface(published.read_table1(TABLES / "table1.csv"), surface)
+
+
+@cache
+def default_spectrum(surface):
+    """Return the stored spectrum of a default substitute."""
+    path = ROOT / f"resources/spectra/{surface}.csv"
+    return substitute_spectrum(path, table1_rows(surface), CONSTANTS)

@@ -2,19 +2,17 @@
 
 import numpy as np
 import pandas as pd
+import paper_numbers
 import pytest
 from measurements import PIXEL, UNCD, uncd_density
-from paper_numbers import SUBSTRATES
 from refusals import assert_says, refusal
-from repository import PAPER, ROOT
+from repository import PAPER
 
-from hardcontact.base import published
 from hardcontact.config.limits import random_surface_pixels
 from hardcontact.surfaces import conditioning
 from hardcontact.surfaces.levelling import level_plane
 from hardcontact.surfaces.metrics import metrics
 from hardcontact.surfaces.spectrum import spectrum_dataset
-from hardcontact.surfaces.substitute_spectra import substitute_spectrum
 from hardcontact.surfaces.substitutes import Substitute, Targets
 from hardcontact.surfaces.synthesis import ScanGrid
 from hardcontact.surfaces.table1_calibration import AFM_ROWS, expected_scan_rms, transfer_weights
@@ -77,16 +75,14 @@ COARSE_GRID = ScanGrid(128, 2500.0, 512)
 @pytest.mark.parametrize(
     ("surface", "count", "grid", "rows"),
     [
-        *((surface, 2, COARSE_GRID, ("afm_rms_height",)) for surface in SUBSTRATES),
+        *((surface, 2, COARSE_GRID, ("afm_rms_height",)) for surface in paper_numbers.SUBSTRATES),
         pytest.param("mcd", 2, PAPER_GRID, AFM_ROWS, marks=pytest.mark.study),
     ],
 )
 def test_scans_of_the_default_study_keep_table_1(surface, count, grid, rows):
-    table1 = published.read_table1(ROOT / "resources/paper/table1.csv")
-    table1 = published.rows_of_surface(table1, surface)
-    constants = published.read_constants(ROOT / "resources/paper/constants.csv")
-    spectrum = substitute_spectrum(ROOT / f"resources/spectra/{surface}.csv", table1, constants)
-    source = Substitute(surface, spectrum, table1, constants, grid, PAPER["seed"])
+    table1 = paper_numbers.table1_rows(surface)
+    spectrum = paper_numbers.default_spectrum(surface)
+    source = Substitute(surface, spectrum, table1, paper_numbers.CONSTANTS, grid, PAPER["seed"])
     targets = source.targets
     assert targets.met_rows == tuple(rows)
     published_means = table1.value[list(rows)]

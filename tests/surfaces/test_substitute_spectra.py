@@ -1,16 +1,13 @@
 """Spectra of substitutes: descriptions, calibration to Table 1, expected rms values of scans."""
 
-from functools import cache
-
 import numpy as np
 import pandas as pd
 import pytest
 from measurements import PIXEL, UNCD, cut_scan, uncd_density
-from paper_numbers import SUBSTRATES, SURFACES
-from repository import DESCRIPTION_HEADER, ROOT
+from paper_numbers import CONSTANTS, SUBSTRATES, SURFACES, default_spectrum, table1_rows
+from repository import DESCRIPTION_HEADER
 from scipy import stats
 
-from hardcontact.base import published
 from hardcontact.base.arrays import generator
 from hardcontact.surfaces import spectrum, substitute_spectra, table1_calibration
 from hardcontact.surfaces.levelling import level_plane
@@ -25,18 +22,10 @@ def band(model, rolloff=np.nan):
     return pd.Series({"model": model, "rolloff_nm": rolloff})
 
 
-@pytest.fixture(scope="module")
-def weights():
-    return transfer_weights(1024, PIXEL, 256)
-
-
-def test_no_self_affine_spectrum_has_the_scans_of_ncd(project_folder):
-    table = published.read_table1("resources/paper/table1.csv")
-    ncd = published.rows_of_surface(table, "ncd")
+def test_no_self_affine_spectrum_has_the_scans_of_ncd():
+    weights = transfer_weights(2048, PIXEL, 512)
     with pytest.raises(ValueError, match="expected a model .* missed by .* %"):
-        table1_calibration.calibrate_model(
-            band("self-affine"), ncd, transfer_weights(2048, PIXEL, 512)
-        )
+        table1_calibration.calibrate_model(band("self-affine"), table1_rows("ncd"), weights)
 
 
 @pytest.fixture
@@ -105,19 +94,9 @@ def test_bands_with_all_parameters_follow_their_models(write_description, tmp_pa
     assert (density[WAVEVECTORS > 2 * np.pi / 0.29] == 0).all()
 
 
-@cache
-def default_spectrum(surface):
-    """Rows of Table 1 and the stored spectrum of a default substitute."""
-    table1 = published.read_table1(ROOT / "resources/paper/table1.csv")
-    table1 = published.rows_of_surface(table1, surface)
-    constants = published.read_constants(ROOT / "resources/paper/constants.csv")
-    path = ROOT / f"resources/spectra/{surface}.csv"
-    return table1, substitute_spectra.substitute_spectrum(path, table1, constants)
-
-
 @pytest.mark.parametrize("surface", SURFACES)
 def test_default_spectra_are_continuous(surface):
-    density = default_spectrum(surface)[1].spectrum.values
+    density = default_spectrum(surface).spectrum.values
     density = density[density > 0][:-1]  # the last cell counts by its share
     step = np.diff(np.log(density)) / np.diff(np.log(WAVEVECTORS[: len(density)]))
     # A jump by a factor of two between two of 40 points a decade is a slope of 12.
@@ -126,7 +105,7 @@ def test_default_spectra_are_continuous(surface):
 
 @pytest.mark.parametrize("surface", SUBSTRATES)
 def test_default_spectra_meet_table_1(surface):
-    table1, default = default_spectrum(surface)
+    table1, default = table1_rows(surface), default_spectrum(surface)
     afm_rows = list(substitute_spectra.AFM_ROWS)
     tail_rows = list(substitute_spectra.TAIL_ROWS)
     assert default.attrs["table1_rows_met"] == ",".join([*afm_rows, *tail_rows])
@@ -143,17 +122,15 @@ def test_default_spectra_meet_table_1(surface):
 
 
 def test_permitted_spectra_scatter_like_the_means_of_table_1(write_description):
-    table1 = published.read_table1(ROOT / "resources/paper/table1.csv")
-    table1 = published.rows_of_surface(table1, "uncd")
-    constants = published.read_constants(ROOT / "resources/paper/constants.csv")
+    table1 = table1_rows("uncd")
     rows = list(substitute_spectra.AFM_ROWS)
     mean_errors = table1.uncertainty[rows] / np.sqrt(5)
-    weights = table1_calibration.paper_weights(constants)
+    weights = table1_calibration.paper_weights(CONSTANTS)
     path = write_description("inf,6.5,self-affine,,,,,")
     deviations = []
     for k in range(8):
         density = substitute_spectra.sample_permitted_spectrum(
-            generator(3, k), path, table1, constants
+            generator(3, k), path, table1, CONSTANTS
         )
         rms_values = expected_scan_rms(density, weights)
         deviations.append((rms_values - table1.value[rows]) / mean_errors)
@@ -163,9 +140,8 @@ def test_permitted_spectra_scatter_like_the_means_of_table_1(write_description):
 
 def test_a_description_without_blanks_permits_itself_alone(write_description):
     path = write_description("inf,6.5,self-affine,5e7,1000,0.8,,")
-    constants = published.read_constants(ROOT / "resources/paper/constants.csv")
     sampled_spectrum = substitute_spectra.sample_permitted_spectrum(
-        generator(3), path, NO_TABLE1, constants
+        generator(3), path, NO_TABLE1, CONSTANTS
     )
     described_density, *_ = substitute_spectra.spectrum_from_description(path, NO_TABLE1, WEIGHTS)
     np.testing.assert_array_equal(sampled_spectrum.density, described_density)
