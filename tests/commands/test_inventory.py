@@ -27,10 +27,10 @@ def only_entry(path, tip_radius=None, **others):
     return entry
 
 
-def wave(pixels=64, size=640.0, height=2.0, slope=0.05):
-    """Heights (x, y) in nm of eight waves along x on a tilted plane."""
-    x = (np.arange(pixels) + 0.5) / pixels
-    return height * np.cos(16 * np.pi * x)[:, None] + slope * size * np.ones((pixels, 1)) * x
+def wave(slope=0.05):
+    """Heights (x, y) in nm of eight waves along x on a tilted plane of 640 nm."""
+    x = (np.arange(64) + 0.5) / 64
+    return 2 * np.cos(16 * np.pi * x)[:, None] + slope * 640 * x
 
 
 def test_roughness_excludes_tilt_and_the_shape_of_the_sphere(tmp_path):

@@ -18,8 +18,8 @@ def sphere_gap(pixels, pixel_size, radius=RADIUS):
     return shape[:, None] + shape
 
 
-def rough_gap(rms, pixels=64, pixel_size=12.0):
-    return sphere_gap(pixels, pixel_size) - periodic_noise(pixels, rms, 4)
+def rough_gap(rms):
+    return sphere_gap(64, 12.0) - periodic_noise(64, rms, 4)
 
 
 @pytest.mark.parametrize("load", [1e-6, 10e-6])

@@ -157,16 +157,14 @@ def edges(count=1):
     ).assign_attrs(tolerance=0.1, confidence=CONFIDENCE)
 
 
-def move_edge(edge, low, high, side="short"):
-    """Return edges with another edge on a side; the change grows with its fourth power."""
-    data = edges()
-    data["edge"].loc[{"side": side}] = edge
-    data["edge_interval"].loc[{"side": side}] = [low, high]
-    share = (
-        data["cutoff_wavelength"] / edge if side == "short" else edge / data["cutoff_wavelength"]
-    )
-    is_computed = data["filtered_force_ratio"].sel(side=side).notnull()
-    data["filtered_force_ratio"].loc[{"side": side}] = (1 + 0.1 * share**4).where(is_computed)
+def move_edge(edge, low, high):
+    """Return edges with another short edge; the change is as the fourth power of the cutoff."""
+    data, short = edges(), {"side": "short"}
+    data["edge"].loc[short] = edge
+    data["edge_interval"].loc[short] = [low, high]
+    ratio = 1 + 0.1 * (data["cutoff_wavelength"] / edge) ** 4
+    is_computed = data["filtered_force_ratio"].sel(short).notnull()
+    data["filtered_force_ratio"].loc[short] = ratio.where(is_computed)
     return data
 
 
@@ -182,9 +180,9 @@ def unresolved_edges():
     )
 
 
-def open_edges(count=1):
+def open_edges():
     """Return edges whose long edge is open above, with intervals from parts of one scan."""
-    data = edges(count)
+    data = edges()
     long_side = {"side": "long"}
     data["edge"].loc[long_side] = np.nan
     data["edge_interval"].loc[long_side] = np.nan
@@ -192,7 +190,7 @@ def open_edges(count=1):
     data = data.assign(edge_status=data["edge_status"].where(data["side"] != "long", "open_above"))
     ratio = data["filtered_force_ratio"].sel(side="long")
     data["filtered_force_ratio"].loc[long_side] = ratio.where(ratio.isnull(), 1.2)
-    return data.assign(interval_source=("surface", ["quarters"] * count))
+    return data.assign(interval_source=("surface", ["quarters"]))
 
 
 def force(count=1):
@@ -308,9 +306,9 @@ OCTAVES = [20.0, 40.0, 80.0, 160.0, 320.0]
 SENSITIVITIES = [-2.0, -0.2, -0.9, -0.4, np.nan]
 
 
-def sensitivity(count=1, factor=1.0):
-    """Return how the force follows each octave, with intervals; `factor` multiplies all values."""
-    values = factor * np.tile(SENSITIVITIES, (count, 1))
+def sensitivity(count=1):
+    """Return how the force follows each octave, with intervals."""
+    values = np.tile(SENSITIVITIES, (count, 1))
     interval = np.stack([values - 0.5, values + 0.5], axis=-1)
     data = as_variables(
         "octave_sensitivity", ("surface", "octave"), values, interval, {}, CONFIDENCE

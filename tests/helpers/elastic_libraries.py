@@ -16,28 +16,24 @@ def half_space_and_body(heights, pixel_size, modulus):
     return half_space, Topography(heights, size, periodic=True)
 
 
-def library_pressure(gap, pixel_size, modulus, load, overlap=1e-5):
+def library_pressure(gap, pixel_size, modulus, load):
     """Return the pressure (n, n) in Pa at a load (N), by constrained conjugate gradients."""
     # The solver finds no contact if all heights are below zero.
     system = NonSmoothContactSystem(*half_space_and_body(gap.mean() - gap, pixel_size, modulus))
-    solution = system.minimize_proxy(external_force=load * 1e9, pentol=overlap)
+    solution = system.minimize_proxy(external_force=load * 1e9, pentol=1e-5)
     assert solution.success and solution.nit > 1
     return solution.jac / pixel_size**2 * 1e9
 
 
-def library_pull_off(gap, pixel_size, modulus, work, rho, step=1e-3, residual=1e-5):
-    """Return the elastic pull-off force (N), by L-BFGS-B outside a hard wall at each approach.
-
-    The step of the approach is relative to the elongation, the residual force on a pixel to the
-    largest attraction on a pixel.
-    """
+def library_pull_off(gap, pixel_size, modulus, work, rho):
+    """Return the elastic pull-off force (N), by L-BFGS-B outside a hard wall at each approach."""
     heights = gap.min() - gap
     attraction = work / rho * pixel_size**2 * np.exp(heights / rho)
     half_space, body = half_space_and_body(heights, pixel_size, modulus)
     system = BoundedSmoothContactSystem(half_space, Exponential(work, rho), body)
     displacement = half_space.evaluate_disp(attraction)
     elongation = -displacement.min()
-    options = {"ftol": 0, "gtol": residual * attraction.max(), "maxiter": 5000}
+    options = {"ftol": 0, "gtol": 1e-5 * attraction.max(), "maxiter": 5000}
 
     def force(offset):
         nonlocal displacement
@@ -50,6 +46,6 @@ def library_pull_off(gap, pixel_size, modulus, work, rho, step=1e-3, residual=1e
         force,
         bounds=(-1.5 * elongation, 3 * elongation),
         method="bounded",
-        options={"xatol": step * elongation},
+        options={"xatol": 1e-3 * elongation},
     )
     return -optimum.fun * 1e-9

@@ -109,7 +109,7 @@ def make_page(rows=None, configuration=PAPER, **changed):
     return paper_page(content, open_claims(rows, **changed), figures(), captions(), CITATION, FRAME)
 
 
-def make_figures_page(rows=None):
+def make_figures_page():
     """Return the page of all figures."""
     table1 = table1_rows(datasets()["topography"], published_table1())
-    return figures_page(answer(rows), table1, figures(), captions(), FRAME)
+    return figures_page(answer(), table1, figures(), captions(), FRAME)

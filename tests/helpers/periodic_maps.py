@@ -43,11 +43,11 @@ def periodic_map(heights, pixel_size):
     return HeightMap(heights, pixel_size, True, "substitute")
 
 
-def make_bodies(heights, roughness, pixel_size, window, contacts, radius=RADIUS):
+def make_bodies(heights, roughness, pixel_size, window, contacts):
     """Return a substrate (n, n) under a sphere of roughness (m, m), or a smooth one (None)."""
     positions = contact_positions(len(heights), contacts)
     return Bodies(
         periodic_map(heights, pixel_size),
         None if roughness is None else periodic_map(roughness, pixel_size),
-        ContactGeometry(radius, pixel_size, window, positions),
+        ContactGeometry(RADIUS, pixel_size, window, positions),
     )

@@ -153,11 +153,11 @@ def test_a_summary_is_equivalent_to_its_single_tests():
     assert measured_tests(summary).log_std == pytest.approx(single.log_std, rel=0.05)
 
 
-def repeated_forces(seed, sites=5, tests=40):
-    """Forces (site, test) that scatter between sites, but hardly at one of them."""
+def repeated_forces(seed):
+    """Forces (5 sites, 40 tests) that scatter between sites, but hardly at one of them."""
     rng = np.random.default_rng(seed)
-    between = np.exp(0.6 * rng.standard_normal((sites, 1)))
-    return between * np.exp(0.01 * rng.standard_normal((sites, tests)))
+    between = np.exp(0.6 * rng.standard_normal((5, 1)))
+    return between * np.exp(0.01 * rng.standard_normal((5, 40)))
 
 
 def test_tests_at_one_site_count_once():

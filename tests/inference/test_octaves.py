@@ -26,10 +26,8 @@ def wavy(*wavelengths):
     return periodic_map(np.tile(profile[:, None], PIXELS), PIXEL_SIZE)
 
 
-def whole_parts(count):
-    """Parts of some maps: the maps themselves."""
-    numbers = np.broadcast_to(np.arange(count)[:, None, None], (count, 1, 1))
-    return ScanParts(numbers, np.eye(count), count)
+#: Parts of three maps: the maps themselves.
+WHOLE_PARTS = ScanParts(np.arange(3)[:, None, None], np.eye(3), 3)
 
 
 def test_octaves_end_within_the_waves_of_a_map():
@@ -57,7 +55,7 @@ def test_the_sensitivity_of_a_power_is_its_exponent():
         for scale in (1.0, 2.0, 3.0)
     ]
     forces = xr.concat(maps, "map").assign_attrs(map_size=2560.0)
-    result = octave_sensitivities(forces, whole_parts(3), 0.95)
+    result = octave_sensitivities(forces, WHOLE_PARTS, 0.95)
     exponent = -1.5 * np.arctanh(STEP) / STEP
     np.testing.assert_allclose(result.octave_sensitivity, [0.0, exponent], atol=1e-6)
     assert result.octave.values.tolist() == [80.0, 160.0]
@@ -73,7 +71,7 @@ def test_ratios_of_a_band_are_relative_to_the_force_with_all_roughness():
         )
         for scale in (1.0, 2.0, 3.0)
     ]
-    ratios = band_ratios(xr.concat(maps, "map"), whole_parts(3), 0.95)
+    ratios = band_ratios(xr.concat(maps, "map"), WHOLE_PARTS, 0.95)
     assert ratios.band_part.values.tolist() == list(BAND_PARTS)
     np.testing.assert_allclose(
         ratios.band_force_ratio, [[1 / 3, 2 / 3, 2 / 3], [1, 1, 1]], rtol=1e-6

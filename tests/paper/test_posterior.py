@@ -9,12 +9,10 @@ COUNT = 40_000
 LOG_RANGES = np.linspace(np.log(0.01), np.log(1000.0), 2001)
 
 
-def sample(exponents, log_targets, errors, draws=1, scatter=0.0):
+def sample(exponents, log_targets, errors):
     """Samples of ln range and ln work if forces are powers of the range."""
     rng = np.random.default_rng(1)
-    curves = np.multiply.outer(exponents, LOG_RANGES) + scatter * rng.standard_normal(
-        (draws, len(exponents), 1)
-    )
+    curves = np.multiply.outer(exponents, LOG_RANGES)[None]
     index, log_work = posterior_samples(curves, np.array(log_targets), np.array(errors), rng, COUNT)
     return LOG_RANGES[index], log_work
 

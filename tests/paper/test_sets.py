@@ -45,7 +45,7 @@ def scans(rng, heights):
     } | {"rms_height": ("scan", heights, {"units": "nm"})}
 
 
-def make_pool(surface, count=12):
+def make_pool(surface):
     """Return a pool whose forces fall with the height, near those of the paper."""
     rng = np.random.default_rng(SUBSTRATES.index(surface))
     mean = HEIGHTS[surface]
@@ -54,12 +54,12 @@ def make_pool(surface, count=12):
     log_force = (
         np.log(force * CURVES)[:, :, None, None]
         - (force_heights / mean - 1)[:, None, None, None, None]
-        + rng.normal(0, 0.5, (count, 1, 1, 1, CONTACTS, CONTACTS))
+        + rng.normal(0, 0.5, (12, 1, 1, 1, CONTACTS, CONTACTS))
     )
     return xr.Dataset(
-        scans(rng, mean * rng.uniform(0.8, 1.2, count))
+        scans(rng, mean * rng.uniform(0.8, 1.2, 12))
         | {"log_force": (("scan", "rms_height_of_force", *AXES), log_force)},
-        {"scan": range(1, count + 1), "rms_height_of_force": force_heights}
+        {"scan": range(1, 13), "rms_height_of_force": force_heights}
         | contact_coordinates(CONTACTS),
         {"mean_rms_height": mean, "rms_height_deviation": 0.2 * mean},
     )
@@ -103,12 +103,12 @@ def make_adhesion():
     )
 
 
-def make_masters(realizations=6):
+def make_masters():
     """Return ratios whose distance from one is as the cutoff, or as its inverse if long."""
     rng = np.random.default_rng(12)
     cutoffs = np.array([*CUTOFFS["short"], *CUTOFFS["long"]])
-    slope = rng.uniform(0.5, 1.5, (4, realizations, 1))
-    ratio = np.full((4, realizations, 2, len(cutoffs)), np.nan)
+    slope = rng.uniform(0.5, 1.5, (4, 6, 1))
+    ratio = np.full((4, 6, 2, len(cutoffs)), np.nan)
     ratio[:, :, 0, :3] = 1 + 0.1 * slope * cutoffs[:3] / 43
     ratio[:, :, 1, 3:] = 1 - 0.1 * slope * 1800 / cutoffs[3:]
     return master_ratios(ratio, cutoffs, SUBSTRATES, 2.44)

@@ -23,8 +23,8 @@ def rough(seed, rms_height, hurst=0.7, rolloff=SIZE / 10):
     return heights - heights.mean()
 
 
-def defects_of(heights, pixel_size=PIXEL, **options):
-    return scan_with_defects(measurement(heights, pixel_size), **options).defects
+def defects_of(heights):
+    return scan_with_defects(measurement(heights, PIXEL)).defects
 
 
 def add_spikes(seed, share):

@@ -25,11 +25,11 @@ SIZE, PIXELS = 5000.0, 128
 KNOWN_TIP = [1e-3]
 
 
-def scan_of(rng, rolloff, hurst=0.8, level=1e4):
+def scan_of(rng, rolloff, level=1e4):
     """A scan cut out of a random surface ten times as large, and its density."""
 
     def density(q):
-        return self_affine(q, level * (rolloff / 100) ** (2 + 2 * hurst), rolloff, hurst)
+        return self_affine(q, level * (rolloff / 100) ** 3.6, rolloff, 0.8)
 
     surface = random_surface(rng, 10 * PIXELS, SIZE / PIXELS, density)
     return measurement(surface.heights[:PIXELS, :PIXELS].astype(float), surface.pixel_size), density
@@ -64,10 +64,10 @@ def test_noise_does_not_lengthen_the_rolloff():
     assert noisy - clean < 0.02
 
 
-def extrapolate(density, wavevector=BINS):
-    values = density(wavevector) if callable(density) else density
-    fit = fit_hurst_exponent(wavevector, values, np.full(wavevector.shape, 1e-4))
-    return extrapolate_short_waves(wavevector, values, fit)
+def extrapolate(density):
+    values = density(BINS) if callable(density) else density
+    fit = fit_hurst_exponent(BINS, values, np.full(BINS.shape, 1e-4))
+    return extrapolate_short_waves(BINS, values, fit)
 
 
 def test_a_power_law_is_extrapolated_to_atoms_and_constant_at_long_waves():

@@ -11,9 +11,9 @@ from hardcontact.scans.measured_spectrum import CALIBRATION_SCATTER, variance_of
 from hardcontact.surfaces.spectrum import BIN_CENTRES, smooth_rolloff
 
 
-def pattern(kind, seed, pixels=192, pixel=50.0):
+def pattern(kind, seed):
     """A height map (nm) of a grating, a step or waves without a roll-off, with some roughness."""
-    rng = generator(61, seed)
+    rng, pixels, pixel = generator(61, seed), 192, 50.0
     position = np.arange(pixels) * pixel
     period, edge = pixels * pixel / rng.uniform(4, 12), pixels * pixel * rng.uniform(0.2, 0.8)
     heights = {

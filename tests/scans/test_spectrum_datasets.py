@@ -21,15 +21,11 @@ SEGMENTS = pd.DataFrame(
 )
 
 
-def substitute(segments=SEGMENTS):
-    """Return the spectrum of a substitute."""
-    return spectrum_dataset(self_affine(WAVEVECTORS, 1e9, 2000.0, 0.8)).assign_attrs(
-        source="substitute", table1_rows_met="", segments=segments.to_csv(index=False)
-    )
-
-
 def test_only_published_or_measured_bands_are_known():
-    spectrum = convert_described_spectrum(substitute(), "x.csv")
+    substitute = spectrum_dataset(self_affine(WAVEVECTORS, 1e9, 2000.0, 0.8)).assign_attrs(
+        source="substitute", table1_rows_met="", segments=SEGMENTS.to_csv(index=False)
+    )
+    spectrum = convert_described_spectrum(substitute, "x.csv")
     assert spectrum.notes.values.tolist() == ["a", "b"]
     np.testing.assert_allclose(spectrum.longest_reliable, [1e6, 100.0])
     np.testing.assert_allclose(spectrum.shortest_reliable, [1e3, 10.0])

@@ -17,15 +17,11 @@ from hardcontact.surfaces.synthesis import random_surface
 from hardcontact.surfaces.table1_calibration import expected_scan_rms, transfer_weights
 
 
-def band(model, rolloff=np.nan):
-    """A band of a description whose other parameters are left to Table 1."""
-    return pd.Series({"model": model, "rolloff_nm": rolloff})
-
-
 def test_no_self_affine_spectrum_has_the_scans_of_ncd():
+    band = pd.Series({"model": "self-affine", "rolloff_nm": np.nan})
     weights = transfer_weights(2048, PIXEL, 512)
     with pytest.raises(ValueError, match="expected a model .* missed by .* %"):
-        table1_calibration.calibrate_model(band("self-affine"), table1_rows("ncd"), weights)
+        table1_calibration.calibrate_model(band, table1_rows("ncd"), weights)
 
 
 @pytest.fixture

@@ -14,8 +14,8 @@ def scalar(value, low=np.nan, high=np.nan):
     return as_estimate(xr.DataArray(value), low, high)
 
 
-def ends(dataset, name="value"):
-    return [end.values.tolist() for end in interval_ends(dataset, name)]
+def ends(dataset):
+    return [end.values.tolist() for end in interval_ends(dataset, "value")]
 
 
 def test_intervals_contain_the_mean_with_their_confidence():

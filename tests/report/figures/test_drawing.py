@@ -14,9 +14,9 @@ SURFACES = xr.Dataset(
 )
 
 
-def figure(points: int = 10):
+def figure():
     figure = drawing.create_figure(3, SURFACES)
-    figure.subplots().plot(np.linspace(0, 1, points))
+    figure.subplots().plot(np.linspace(0, 1, 10))
     return figure
 
 

@@ -26,11 +26,6 @@ def change_claim(name, **values):
     return table
 
 
-def numbers_of(rows=None, **changed):
-    """Numbers of the whole study, by name."""
-    return numbers_of_answer(answer(rows, **changed))
-
-
 def test_the_answer_follows_its_schema_and_has_the_numbers_of_the_claims():
     content = answer()
     Draft202012Validator(SCHEMA).validate(content)
@@ -113,7 +108,7 @@ def test_table_1_compares_values_and_marks_those_by_construction():
 
 
 def test_forces_on_features_are_medians_over_samples():
-    numbers = numbers_of()
+    numbers = numbers_of_answer(answer())
     number = numbers["bumps_mean_force"]
     assert number.value == pytest.approx(14e-6)
     assert 8e-6 < number.low < number.value < number.high < 20e-6
