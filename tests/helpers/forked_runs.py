@@ -93,6 +93,19 @@ def call_main(module, words, environment, output):
         return end.code or 0
 
 
+#: Packages that many jobs need, and that take a second to load.
+JOB_PACKAGES = (
+    "snakemake.cli", "matplotlib.pyplot", "matplotlib.backends.backend_pdf",
+    "matplotlib.backends.backend_svg", "scipy.stats", "SurfaceTopography",
+)  # fmt: skip
+
+
+def load_job_packages():
+    """Load JOB_PACKAGES in this process, from which forks have them."""
+    for name in JOB_PACKAGES:
+        importlib.import_module(name)
+
+
 def fork_jobs():
     """Let Snakemake run scripts in forks of this process, not in a Python that starts for each.
 

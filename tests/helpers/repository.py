@@ -6,7 +6,7 @@ import sys
 from pathlib import Path
 
 import yaml
-from forked_runs import fork_jobs, run_program, run_programs
+from forked_runs import fork_jobs, load_job_packages, run_program, run_programs
 
 ROOT = Path(__file__).parents[2]
 #: Files and folders that a study needs.
@@ -67,6 +67,7 @@ def run_snakemake(folder, *arguments):
 
 def run_snakemake_with_forks(folder, *arguments):
     """As `run_snakemake`, with jobs as forks: most take less time than a Python needs to start."""
+    load_job_packages()
     (run,) = run_programs(folder, "snakemake.cli", [arguments], environment(folder), fork_jobs)
     return run
 

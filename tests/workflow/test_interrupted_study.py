@@ -8,7 +8,7 @@ import time
 
 import pytest
 from comparison import damaged_datasets, differences, result_paths
-from forked_runs import call_main, fork_jobs, use_library_of
+from forked_runs import call_main, fork_jobs, load_job_packages, use_library_of
 from refusals import assert_says
 from repository import environment, run_snakemake, run_snakemake_with_forks
 
@@ -52,6 +52,7 @@ def kill_after_files(study, *options):
         with open(study / "output", "w") as output:
             call_main("snakemake.cli", words, environment(study), output.fileno())
 
+    load_job_packages()
     count = len(result_paths(study / "results")) + FILES
     run = multiprocessing.get_context("fork").Process(target=run_as_group)
     run.start()
