@@ -25,7 +25,7 @@ pytestmark = pytest.mark.study
 READMES = ("README.md", "config/README.md")
 COMMAND = re.compile(r"(?:snakemake|hardcontact|python|python3|pip|conda|source|sh|rm)\b.*")
 #: Words of the user, or a command that is only named.
-NOT_TYPED = re.compile(r".*\b(FILE|NAME)\b.*|hardcontact new( --overwrite)?")
+NOT_TYPED = re.compile(r".*\b(FILE|NAME)\b.*|hardcontact (predict|new( --overwrite)?)")
 #: Programs that need no environment.
 SYSTEM_PROGRAMS = {"rm", "sh", "source"}
 
