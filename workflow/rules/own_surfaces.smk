@@ -93,7 +93,7 @@ rule compute_force_at_pair:
 
 if HAS_FORCES:
 
-    # Forces on one surface fix the work at each range, those on several a region of both;
+    # Forces on one surface give one work for each range, those on several a region of pairs;
     # `fit_published` finds the best pair.
     rule fit_measured:
         """Find all pairs of range and work of adhesion that the user's forces permit: fit.nc."""

@@ -20,5 +20,5 @@ with run_job(snakemake) as job:
     whole_surface_forces = stack(maps, ["surface"])["pull_off_force"] if maps else None
     job.write(
         study_posteriors(sets, whole_surface_forces, published_forces, sampling),
-        title="range and work of adhesion that explain the published forces, by weight",
+        title="range and work of adhesion that explain the published forces",
     )

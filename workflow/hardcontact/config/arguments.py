@@ -138,7 +138,9 @@ def check_contact(surface: HeightMap, contact: Contact, ranges: Sequence[float])
             f"scan: expected a pixel_size of {low:g} to {high:g} nm, found "
             f"{surface.pixel_size:g} nm: is the unit right?"
         )
-    shortest = min(ranges, default=math.nan)
+    if not len(ranges):
+        raise ValueError("rho: expected at least one range, found none")
+    shortest = min(ranges)
     count = contact.contacts_per_row
     check_positive(window=contact.window, contacts_per_row=count, rho=shortest)
     if count != int(count):

@@ -34,7 +34,7 @@ def attraction_sums(
 ) -> Floats:
     """Return sums (pixel count, rho, contact_y, contact_x) of exp(-gap/rho) at closest approach.
 
-    If fewer of the contact pixels touch, all gaps are larger by the same length.
+    At each count the bodies approach until that many pixels touch.
     """
     gaps = contact_pixels.reference_gaps
     sums_outside = outside_sums(bodies, contact_pixels, ranges)

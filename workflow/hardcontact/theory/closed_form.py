@@ -1,6 +1,6 @@
 """The pull-off force of a sphere on a Gaussian surface, in closed form from the surface's spectrum.
 
-The force relative to the force of DMT, 2 pi R W, is a sum of three means over positions:
+The force relative to the force of DMT, 2 pi R W, has three terms, averaged over positions:
 
 1. surface term: the attraction of all points below the sphere,
 2. summit term: the attraction of the summits that touch,
