@@ -41,6 +41,7 @@ def test_a_stray_character_is_refused_with_its_line_and_column(tmp_path, column)
     [
         ("quantity", "best_eror", "found best_eror (did you mean best_error?)"),
         ("quantity", "depth", "found depth"),  # of the indents, not of the topography in this line
+        ("id", TABLE.id[1], f"each once, found {TABLE.id[1]} again"),
         ("number", " ", "found ''"),
         ("dataset", "topografy", "found topografy (did you mean topography?)"),
         ("select", "surface=ncdd", "ncd, mcd, ruby, found ncdd (did you mean ncd?)"),

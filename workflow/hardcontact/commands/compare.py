@@ -14,7 +14,7 @@ import xarray as xr
 from hardcontact.base.dataset import read
 from hardcontact.commands.options import CommandLine
 from hardcontact.commands.outputs import align_cells, output_faults, write_output
-from hardcontact.config.faults import raise_faults, run_checks
+from hardcontact.config.faults import run_checks
 from hardcontact.report.paper_study.paired_changes import (
     SET_DATASETS,
     add_paired_intervals,
@@ -43,10 +43,8 @@ def compare(arguments: Namespace) -> str:
     """Return the comparison as text, and write the page; a page named - is returned instead."""
     paths = [_answer_path(path) for path in (arguments.first, arguments.second)]
     inputs = dict.fromkeys(paths, "those compared")
-    faults = [*output_faults({"html": arguments.html}, inputs, arguments.overwrite)]
-    _, *answers = run_checks(
-        [partial(raise_faults, faults), *(partial(_read_answer, path) for path in paths)]
-    )
+    faults = output_faults({"html": arguments.html}, inputs, arguments.overwrite)
+    answers = run_checks([partial(_read_answer, path) for path in paths], faults)
     names = [answer["study"] for answer in answers]
     if names[0] == names[1]:
         names = [arguments.first, arguments.second]

@@ -34,7 +34,7 @@ from hardcontact.config.configuration import (
     numeric_configuration,
     set_keys,
 )
-from hardcontact.config.faults import raise_faults, run_checks, validate
+from hardcontact.config.faults import run_checks, validate
 from hardcontact.config.force_table import measured_forces
 from hardcontact.config.key_tables import commented_yaml
 from hardcontact.config.keys import NONE, SMOOTH_SPHERE
@@ -47,25 +47,20 @@ from hardcontact.records.code import ROOT
 def new_study(arguments: Namespace) -> str:
     """Write the files of a study of the user's surfaces; return a report in words."""
     quantities, faults = parse_quantities(arguments)
-    scan_files, file_faults = list_scan_files(arguments, quantities["radius"].number)
+    radius = quantities["radius"].number
+    scan_files, file_faults = list_scan_files(arguments, radius)
     tip_text = quantities["tip"].text if "tip" in quantities else ""
     entries, left_out, scan_faults = read_inventory(
         scan_files, reading_options(arguments, quantities), arguments.channel
     )
     faults += [*file_faults, *scan_faults]
-    checks: list[Callable[[], Any]] = [
-        partial(raise_faults, [*name_faults(arguments), *faults]),
-        *_input_checks(
-            arguments,
-            table_rows(entries, contact_entries=[], tip_radius=tip_text),
-            [scan_file.surface for scan_file in scan_files],
-            quantities["radius"].number,
-        ),
-    ]
+    surfaces = [scan_file.surface for scan_file in scan_files]
+    checked_rows = table_rows(entries, contact_entries=[], tip_radius=tip_text)
+    checks = [*_input_checks(arguments, checked_rows, surfaces, radius)]
     if not faults:  # Faults of the input can cause faults of the proposal.
         checks.append(partial(_propose_study, arguments, quantities, entries))
     try:
-        results = run_checks(checks)
+        results = run_checks(checks, [*name_faults(arguments), *faults])
     except ValueError as error:
         lines = [str(error), *unit_questions(quantities)]
         raise ValueError("\n".join(lines)) from None

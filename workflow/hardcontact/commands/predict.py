@@ -26,7 +26,7 @@ from hardcontact.commands.options import (
 from hardcontact.commands.outputs import output_faults, write_output
 from hardcontact.commands.scan_cautions import single_pixel_cautions
 from hardcontact.config.configuration import CONTACT_QUANTITIES
-from hardcontact.config.faults import raise_faults, run_checks
+from hardcontact.config.faults import run_checks
 from hardcontact.config.keys import Study
 from hardcontact.contact.contact import Contact
 from hardcontact.own.hindcast import WIDE_PIXEL
@@ -101,7 +101,7 @@ def read_inputs(arguments: Namespace) -> Inputs:
     if arguments.sphere is not None:
         radius = quantities["radius"].number
         readers.append(partial(reader, [arguments.sphere], sphere_radius=radius))
-    _, spectrum, *sphere_spectra = run_checks([partial(raise_faults, faults), *readers])
+    spectrum, *sphere_spectra = run_checks(readers, faults)
     for sphere_spectrum in sphere_spectra:
         spectrum = add_sphere_roughness(spectrum, sphere_spectrum, PAPER_STUDY.seed)
     cautions += single_pixel_cautions(contact.area, [scan.pixel_size for scan in spectrum.scans])
@@ -123,10 +123,8 @@ def compute_numbers(inputs: Inputs, arguments: Namespace) -> dict[str, Number]:
     numbers |= prediction_and_scan_force(
         own_spectrum, contact, tolerance, confidence, arguments.file
     )
-    modulus = assumed_modulus(contact.hardness)
-    numbers["modulus"] = Number("modulus", modulus, "Pa", status=QuantityStatus.FROM_PAPER)
-    if "modulus" in quantities:
-        numbers["modulus"] = _quantity_number("modulus", quantities["modulus"])
+    modulus = QuantityOption("", assumed_modulus(contact.hardness), "Pa", is_given=False)
+    numbers["modulus"] = _quantity_number("modulus", quantities.get("modulus", modulus))
     numbers["tabor_parameter"] = judge_tabor_parameter(contact, numbers["modulus"].value)
     return numbers
 
