@@ -11,8 +11,12 @@ from matplotlib.patches import Patch
 
 from hardcontact.base.formatting import format_share
 from hardcontact.report.figures import drawing, panels, style
-from hardcontact.report.figures.panels import published_edge, value_and_interval
 
+#: Title of the panel with the cutoffs of each side of the band.
+TITLES = {
+    "short": "roughness below the cutoff removed",
+    "long": "roughness above the cutoff removed",
+}
 PUBLISHED_LINE: style.Look = {"color": "0.25", "lw": 1.0, "ls": "--"}
 CROSSING: style.Look = {"ls": "none", "marker": "o", "mfc": "white", "mew": 1.3, "ms": 5.5}
 #: Lowest and highest change of the ratio drawn, relative to the tolerance, whose strip stays wide.
@@ -23,39 +27,36 @@ def draw(edges: xr.Dataset, scales: xr.Dataset, published_constants: pd.DataFram
     """Draw Fig. 6: the force by cutoff, a panel for each side of the band."""
     figure = drawing.create_figure(3.6, edges)
     both_axes = figure.subplots(1, 2, sharey=True)
-    published_edges = {
-        side: published_edge(published_constants, side) for side in style.REMOVED_TITLES
-    }
-    for letter, side, axes in zip("ab", published_edges, both_axes, strict=True):
+    band = panels.published_band(published_constants)
+    for letter, side, edge, axes in zip("ab", TITLES, band, both_axes, strict=True):
         _draw_side(axes, edges.sel(side=side))
-        axes.axvline(published_edges[side], zorder=1, **PUBLISHED_LINE)
+        axes.axvline(edge, zorder=1, **PUBLISHED_LINE)
         transition = float(scales["transition"].sel(side=side))
         artificial = (0.0, transition) if side == "short" else (transition, np.inf)
         panels.shade_artificial(axes, [artificial])
         axes.set_xlabel("cutoff wavelength (nm)")
-        style.label_panel(axes, letter, style.REMOVED_TITLES[side])
+        style.label_panel(axes, letter, TITLES[side])
     low, high = edges.attrs["tolerance"] * np.array(SHOWN_TOLERANCES)
     both_axes[0].set(yscale="linear", ylim=(1 + low, 1 + high))
     rho = scales.attrs["rho"]
     both_axes[0].set_ylabel(f"force / force with all roughness\n(range of adhesion {rho:g} nm)")
-    style.legend_above(figure, _legend_handles(edges, *published_edges.values()))
+    style.legend_above(figure, _legend_handles(edges, *band))
     return figure
 
 
 def _draw_side(axes: Axes, edges: xr.Dataset) -> None:
     """Draw the ratios of one side of the band, and a ring where each leaves the tolerance."""
     tolerance = edges.attrs["tolerance"]
-    ratio = value_and_interval(edges, "filtered_force_ratio").dropna("cutoff_wavelength", how="all")
+    ratio = panels.value_and_interval(edges, "filtered_force_ratio")
+    ratio = ratio.dropna("cutoff_wavelength", how="all")
     is_shown = ratio["value"] < 1 + SHOWN_TOLERANCES[1] * tolerance
     panels.draw_ratios(axes, ratio.assign(ratio[["low", "high"]].where(is_shown)), tolerance)
-    for surface, look in style.surface_looks(ratio["surface"].values).items():
-        edge = float(edges["edge"].sel(group=surface))
-        if np.isnan(edge):
-            continue  # The force has not left the tolerance at the last cutoff.
-        curve = ratio["value"].sel(surface=surface)
-        change = np.interp(edge, curve["cutoff_wavelength"], curve) - 1
-        height = 1 + np.copysign(tolerance, change)
-        axes.plot(edge, height, mec=look["color"], zorder=5, **CROSSING)
+    for look, curve in style.iterate_surfaces(ratio["value"]):
+        edge = edges["edge"].sel(group=curve["surface"].item()).item()
+        if np.isfinite(edge):  # otherwise the force is within the tolerance at the last cutoff
+            change = np.interp(edge, curve["cutoff_wavelength"], curve) - 1
+            height = 1 + np.copysign(tolerance, change)
+            axes.plot(edge, height, mec=look["color"], zorder=5, **CROSSING)
 
 
 def _legend_handles(edges: xr.Dataset, short: float, long: float) -> list[Artist]:

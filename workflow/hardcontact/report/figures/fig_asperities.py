@@ -72,7 +72,7 @@ def _draw_long_edge(axes: Axes, edges: xr.Dataset, published_constants: pd.DataF
     mean_band = edges.sel(side="long", group=MEAN_GROUP)
     edge = panels.value_and_bounds(mean_band, "edge")
     value, low, high = np.array([edge["value"], edge["low"], edge["high"]]) / MICROMETRE
-    published = panels.published_edge(published_constants, "long")
+    _, published = panels.published_band(published_constants)
     confidence = format_share(edges.attrs["confidence"])
     axes.axhline(value, color="0.4", lw=1.0, label="long edge $λ_L$ (d)")
     if np.isfinite([low, high]).all():

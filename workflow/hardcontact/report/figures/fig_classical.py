@@ -47,8 +47,8 @@ def _draw_forces(axes: Axes, classical: xr.Dataset) -> None:
     # The strip above the bottom is for smaller forces.
     bottom, top = drawn_values.min() / 12, drawn_values.max() * 6
     offsets = np.linspace(-0.3, 0.3, classical.sizes["surface"])
-    for (look, surface_data), offset in zip(
-        style.iterate_surfaces(classical), offsets, strict=True
+    for offset, (look, surface_data) in zip(
+        offsets, style.iterate_surfaces(classical), strict=True
     ):
         for x, variable in enumerate(names[:2]):
             force = panels.value_and_interval(surface_data, variable) / style.MICRONEWTON

@@ -19,7 +19,7 @@ def draw(edge_shifts: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
     grid = figure.subplots(
         2, len(cases), sharex=True, sharey="row", height_ratios=(3, 1.5), squeeze=False
     )
-    edge = panels.published_edge(published_constants, "short")
+    edge, _ = panels.published_band(published_constants)
     for letter, (model, rho), (ratio_panel, edge_panel) in zip("abcd", cases, grid.T, strict=True):
         _draw_case(ratio_panel, edge_panel, bands.sel(contact_model=model, rho=rho))
         for axes in (ratio_panel, edge_panel):

@@ -105,10 +105,8 @@ def _draw_pressures(row: np.ndarray, elastic: xr.Dataset) -> None:
 def _draw_contacts(axes: Axes, values: xr.DataArray) -> None:
     """Draw one dot a contact, the scans of a surface side by side, and a bar at the median."""
     offsets = np.linspace(-SCAN_SPREAD / 2, SCAN_SPREAD / 2, values.sizes["scan"])[:, None]
-    for position, (surface, look) in enumerate(
-        style.surface_looks(values["surface"].values).items()
-    ):
-        surface_data = values.sel(surface=surface).transpose("scan", "contact")
+    values = values.transpose("surface", "scan", "contact")
+    for position, (look, surface_data) in enumerate(style.iterate_surfaces(values)):
         positions = np.broadcast_to(position + offsets, surface_data.shape)
         symbols: style.Look = look | {"ls": "none", "ms": 3, "mew": 0, "alpha": 0.6}
         axes.plot(positions.ravel(), surface_data.values.ravel(), **symbols)

@@ -23,8 +23,7 @@ def draw(
 ) -> Figure:
     """Draw the sensitivity to each octave, and the force with only a part of the roughness."""
     figure, (top, bottom) = drawing.create_rows(5.4, sensitivity, (3, [1]), (2.2, [1, 1]))
-    band = [panels.published_edge(published_constants, side) for side in ("short", "long")]
-    top[0].axvspan(*band, **PUBLISHED_BAND_LOOK)
+    top[0].axvspan(*panels.published_band(published_constants), **PUBLISHED_BAND_LOOK)
     panels.draw_octaves(top[0], sensitivity)
     style.label_panel(top[0], "a", "change of the force with the amplitude a of one octave")
     tolerance = edges.attrs["tolerance"]
@@ -46,10 +45,8 @@ def _draw_band_ratios(axes: Axes, ratios: xr.Dataset, tolerance: float) -> None:
     band_parts = ratios["band_part"].values
     positions = np.arange(len(band_parts))
     values = panels.value_and_interval(ratios, "band_force_ratio")
-    surfaces = style.surface_looks(ratios["surface"].values)
-    shifts = np.linspace(-0.25, 0.25, len(surfaces))
-    for shift, (surface, look) in zip(shifts, surfaces.items(), strict=True):
-        curve = values.sel(surface=surface)
+    shifts = np.linspace(-0.25, 0.25, values.sizes["surface"])
+    for shift, (look, curve) in zip(shifts, style.iterate_surfaces(values), strict=True):
         panels.draw_bars(axes, positions + shift, curve, ls="none", width=0.9, **look)
     axes.set_xticks(positions, band_parts)
     axes.set_xlim(-0.5, len(band_parts) - 0.5)

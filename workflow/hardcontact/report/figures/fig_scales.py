@@ -1,7 +1,6 @@
 """The question as a picture: spectra of all surfaces, and one scan without short or long waves."""
 
 from collections.abc import Sequence
-from typing import NamedTuple
 
 import matplotlib as mpl
 import numpy as np
@@ -34,34 +33,25 @@ MIN_SPECTRUM = 1e-12
 SHOWN_DECADES = 14  # of the spectra
 
 
-class ScanMaps(NamedTuple):
-    """Heights (nm) of one scan, with all waves and without those on one side of a band."""
-
-    unfiltered: np.ndarray
-    long_waves: np.ndarray
-    short_waves: np.ndarray
-
-
 def draw(topography: xr.Dataset, scales: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
     """Draw (a) the spectra of all surfaces, (b-d) maps of one scan, (e) their profiles."""
-    band = [panels.published_edge(published_constants, side) for side in ("short", "long")]
+    band = panels.published_band(published_constants)
     figure, ((spectrum_axes,), map_axes, (profile_axes,)) = drawing.create_rows(
         7.4, topography, (2.3, [1]), (2.1, [1, 1, 1]), (1.4, [1])
     )
     _draw_spectra(spectrum_axes, topography, scales, band)
-    surface = topography.attrs["reference_surface"]
+    surface, sphere = (topography.attrs[f"{kind}_surface"] for kind in ("reference", "sphere"))
+    colour = style.surface_colours(topography["surface"].values, sphere)[surface]
     scan = topography.sel(surface=surface)
-    maps = filtered_heights(scan, band)
-    titles = map_titles(band)
-    _draw_maps(map_axes, scan, maps, titles)
-    radius, colour = scales.attrs["sphere_radius"], _looks_with_sphere(topography)[surface]["color"]
-    _draw_profiles(profile_axes, scan, maps, titles, radius, colour)
+    maps = dict(zip(map_titles(band), filtered_heights(scan, band), strict=True))
+    _draw_maps(map_axes, scan, maps)
+    _draw_profiles(profile_axes, scan, maps, scales.attrs["sphere_radius"], colour)
     style.legend_above(figure, _legend_handles(topography, band))
     return figure
 
 
-def filtered_heights(scan: xr.Dataset, band: Sequence[float]) -> ScanMaps:
-    """Return the maps of a scan with all waves, and without those below and above a band (nm)."""
+def filtered_heights(scan: xr.Dataset, band: Sequence[float]) -> list[np.ndarray]:
+    """Return the heights (nm) of a scan: all waves, none below a band (nm), none above it."""
     heights = panels.mean_free_heights(scan["example_heights"])
     mirrored = mirror_scan(HeightMap(heights, scan["scan_size"].item() / len(heights)))
     # Pixels resolve the short edge.
@@ -70,20 +60,13 @@ def filtered_heights(scan: xr.Dataset, band: Sequence[float]) -> ScanMaps:
     (long_waves,) = filtered_series(surface, "short", [band[0]], pixels)
     (short_waves,) = filtered_series(surface, "long", [band[1]], pixels)
     surfaces = (surface, long_waves, short_waves)
-    return ScanMaps(*(periodic.heights[: pixels // 2, : pixels // 2] for periodic in surfaces))
+    return [periodic.heights[: pixels // 2, : pixels // 2] for periodic in surfaces]
 
 
 def map_titles(band: Sequence[float]) -> list[str]:
-    """Return the title of each of the `ScanMaps` for a band (nm)."""
+    """Return the titles of the maps of `filtered_heights`."""
     short, long = (format_length(edge) for edge in band)
     return ["all wavelengths", f"none below {short}", f"none above {long}"]
-
-
-def _looks_with_sphere(topography: xr.Dataset) -> dict[str, style.Look]:
-    """Return colour and marker of each substrate and of the sphere."""
-    sphere = topography.attrs["sphere_surface"]
-    substrates = [name for name in topography["surface"].values if name != sphere]
-    return style.surface_looks(substrates) | {sphere: {"color": style.SPHERE_COLOUR, "marker": "X"}}
 
 
 def _draw_spectra(
@@ -93,8 +76,7 @@ def _draw_spectra(
     wavelengths = 2 * np.pi / topography["wavevector"]
     shortest, longest = scales["transition"].sel(side=["short", "long"]).values
     is_artificial = (wavelengths < shortest) | (wavelengths > longest)
-    for surface, look in _looks_with_sphere(topography).items():
-        surface_topography = topography.sel(surface=surface)
+    for look, surface_topography in style.iterate_surfaces(topography):
         spectrum = surface_topography["spectrum"].where(lambda values: values > MIN_SPECTRUM)
         scan_spectrum = surface_topography["isotropic_psd"].mean("scan")
         line: style.Look = look | {"marker": ""}
@@ -112,11 +94,12 @@ def _draw_spectra(
     style.label_panel(axes, "a", "power spectral densities")
 
 
-def _draw_maps(row: np.ndarray, scan: xr.Dataset, maps: ScanMaps, titles: Sequence[str]) -> None:
+def _draw_maps(row: np.ndarray, scan: xr.Dataset, maps: dict[str, np.ndarray]) -> None:
     """Map the heights on one scale, with a bar of SCALE_BAR and the line of the profiles."""
     size = scan["scan_size"].item()
-    height_limits = {"vmin": maps.unfiltered.min(), "vmax": maps.unfiltered.max()}
-    for axes, letter, heights, title in zip(row, "bcd", maps, titles, strict=True):
+    unfiltered, *_ = maps.values()
+    height_limits = {"vmin": unfiltered.min(), "vmax": unfiltered.max()}
+    for axes, letter, (title, heights) in zip(row, "bcd", maps.items(), strict=True):
         image = axes.imshow(heights, cmap=MAP_COLOURS, extent=(0, size, size, 0), **height_limits)
         axes.axhline(size / 2, color="white", lw=0.7, ls=":")
         start = 0.05 * size
@@ -129,15 +112,16 @@ def _draw_maps(row: np.ndarray, scan: xr.Dataset, maps: ScanMaps, titles: Sequen
 
 
 def _draw_profiles(
-    axes: Axes, scan: xr.Dataset, maps: ScanMaps, titles: Sequence[str], radius: float, colour: str
+    axes: Axes, scan: xr.Dataset, maps: dict[str, np.ndarray], radius: float, colour: str
 ) -> None:
     """Draw the heights along the middle of each map, and the smooth sphere (nm) that touches it."""
-    for look, heights, title in zip(PROFILE_LOOKS, maps, titles, strict=True):
+    for look, (title, heights) in zip(PROFILE_LOOKS, maps.items(), strict=True):
         x = (0.5 + np.arange(len(heights))) * scan["scan_size"].item() / len(heights)
         line: style.Look = {"color": colour} | look
         axes.plot(x, heights[len(heights) // 2], label=title, **line)
     parabola = (x - x.mean()) ** 2 / (2 * radius)
-    profile = maps.unfiltered[len(x) // 2]
+    unfiltered, *_ = maps.values()
+    profile = unfiltered[len(x) // 2]
     label = f"smooth sphere, radius {format_length(radius)}"
     axes.plot(x, parabola + (profile - parabola).max(), **SPHERE_LOOK, label=label)
     axes.set(xlabel="position (nm)", ylabel="height (nm)", xlim=(0, scan["scan_size"].item()))
@@ -149,13 +133,9 @@ def _draw_profiles(
 
 def _legend_handles(topography: xr.Dataset, band: Sequence[float]) -> list[Artist]:
     """Return one entry per surface and one for each kind of mark."""
-    labels = topography["label"]
     short, long = (format_length(edge) for edge in band)
     return [
-        *(
-            Line2D([], [], label=labels.sel(surface=surface).item(), **look)
-            for surface, look in _looks_with_sphere(topography).items()
-        ),
+        *style.surface_handles(topography),
         Patch(label=f"published band, {short} to {long}", **BAND_LOOK),
         Line2D([], [], color="0.3", marker="o", label="mean of the scans", **SCAN_LOOK),
         Patch(label="artificial roughness (dashed)", **style.ARTIFICIAL_LOOK),

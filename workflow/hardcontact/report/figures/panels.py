@@ -49,9 +49,9 @@ def summarize_sets(values: xr.DataArray) -> xr.Dataset:
     return xr.Dataset({name: quantile.drop_vars("quantile") for name, quantile in ends})
 
 
-def published_edge(constants: pd.DataFrame, side: str) -> float:
-    """Return the published edge (nm) of one side of the band."""
-    return float(constants["value"][f"{side}_edge"])
+def published_band(constants: pd.DataFrame) -> list[float]:
+    """Return the short and the long published edge (nm)."""
+    return [float(constants["value"][f"{side}_edge"]) for side in ("short", "long")]
 
 
 def mask_half_width(mask: xr.DataArray) -> float:
@@ -143,19 +143,17 @@ def draw_octaves(axes: Axes, sensitivity: xr.Dataset) -> None:
     ``sphere_share`` is the dark share of a bar.
     """
     octaves = sensitivity["octave"].values
-    surfaces = style.surface_looks(sensitivity["surface"].values)
-    bars = value_and_interval(sensitivity, "octave_sensitivity")
-    width = OCTAVE_SHARE / len(surfaces)
-    for column, (surface, look) in enumerate(surfaces.items()):
+    surfaces = sensitivity.assign(value_and_interval(sensitivity, "octave_sensitivity"))
+    width = OCTAVE_SHARE / surfaces.sizes["surface"]
+    for column, (look, curve) in enumerate(style.iterate_surfaces(surfaces)):
         positions = octaves * 2 ** ((1 - OCTAVE_SHARE) / 2 + width * column)
-        curve = bars.sel(surface=surface)
-        if "is_shown" in sensitivity:
-            for position in positions[~sensitivity["is_shown"].sel(surface=surface).values]:
+        if "is_shown" in curve:
+            for position in positions[~curve["is_shown"].values]:
                 axes.axvspan(position, position * 2**width, zorder=-1, **style.ARTIFICIAL_LOOK)
         widths = positions * (2**width - 1)
         axes.bar(positions, curve["value"], widths, align="edge", color=look["color"])
-        if "sphere_share" in sensitivity:
-            dark = curve["value"] * sensitivity["sphere_share"].sel(surface=surface)
+        if "sphere_share" in curve:
+            dark = curve["value"] * curve["sphere_share"]
             axes.bar(positions, dark, widths, align="edge", **SPHERE_SHARE_LOOK)
         symbol: Look = look | {"mec": "white", "mew": 0.6, "ms": 4}
         middles = positions * 2 ** (width / 2)

@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import AbstractContextManager
 from itertools import cycle
-from typing import Any
+from typing import Any, TypeVar
 
 import matplotlib as mpl
 import numpy as np
@@ -32,14 +32,12 @@ MICRONEWTON = 1e-6
 MILLIJOULE = 1e-3
 
 Look = dict[str, Any]  # of an artist, as matplotlib takes it
+Data = TypeVar("Data", xr.Dataset, xr.DataArray)
+
+SPHERE_LOOK: Look = {"color": SPHERE_COLOUR, "marker": "X"}
 
 #: Look of artificial wavelengths in every figure.
 ARTIFICIAL_LOOK: Look = {"facecolor": "#FBF4E6", "edgecolor": "#EADBBB", "hatch": "//", "lw": 0.0}
-#: Title of the panel with the cutoffs of each side of the band.
-REMOVED_TITLES = {
-    "short": "roughness below the cutoff removed",
-    "long": "roughness above the cutoff removed",
-}
 MEAN_LOOK: Look = {"color": "black", "marker": "h"}  # of the mean of all surfaces
 PUBLISHED_RANGE: Look = {"color": "0.25", "lw": 1.0, "ls": (0, (4, 2))}
 TILTED_LABELS: Look = {"rotation": 25, "ha": "right", "rotation_mode": "anchor"}  # on an axis
@@ -74,22 +72,23 @@ def print_style() -> AbstractContextManager[None]:
     return mpl.rc_context({name: mpl.rcParamsDefault[name] for name in names} | PRINT_SETTINGS)
 
 
-def surface_colours(surfaces: Iterable[str], sphere: str | None = None) -> dict[str, str]:
-    """Return the colour of each surface, in the order of substrates; grey for the sphere."""
+def surface_looks(surfaces: Iterable[str], sphere: str | None = None) -> dict[str, Look]:
+    """Return colour and marker of each substrate, in their order, then those of the sphere."""
     substrates = [str(name) for name in surfaces if str(name) != sphere]
-    pairs = dict(zip(substrates, cycle(SUBSTRATE_COLOURS), strict=False))
-    return pairs if sphere is None else {**pairs, sphere: SPHERE_COLOUR}
+    triples = zip(substrates, cycle(SUBSTRATE_COLOURS), cycle(MARKERS), strict=False)
+    looks = {name: {"color": colour, "marker": marker} for name, colour, marker in triples}
+    return looks | {str(name): SPHERE_LOOK for name in surfaces if str(name) == sphere}
 
 
-def surface_looks(substrates: Iterable[str]) -> dict[str, Look]:
-    """Return colour and marker of each substrate, as keywords of Matplotlib."""
-    pairs = zip(surface_colours(substrates).items(), cycle(MARKERS), strict=False)
-    return {name: {"color": colour, "marker": marker} for (name, colour), marker in pairs}
+def surface_colours(surfaces: Iterable[str], sphere: str | None = None) -> dict[str, str]:
+    """Return the colours of `surface_looks`."""
+    return {name: look["color"] for name, look in surface_looks(surfaces, sphere).items()}
 
 
-def iterate_surfaces(data: xr.Dataset) -> Iterator[tuple[Look, xr.Dataset]]:
-    """Yield colour and marker of each substrate of a dataset, and its selection of the dataset."""
-    for surface, look in surface_looks(data["surface"].values).items():
+def iterate_surfaces(data: Data) -> Iterator[tuple[Look, Data]]:
+    """Yield colour and marker of each surface of a dataset, and its selection of the dataset."""
+    sphere = data.attrs.get("sphere_surface")
+    for surface, look in surface_looks(data["surface"].values, sphere).items():
         yield look, data.sel(surface=surface)
 
 
@@ -153,7 +152,7 @@ def end_near_values(axes: Axes) -> None:
 
 
 def surface_handles(dataset: xr.Dataset, **look: Any) -> list[Line2D | Patch]:
-    """Return one entry of a legend for each substrate of a dataset with `label(surface)`."""
+    """Return one entry of a legend for each surface of a dataset with `label(surface)`."""
     return [
         Line2D([], [], **surface_look | look, label=str(data["label"].item()))
         for surface_look, data in iterate_surfaces(dataset)
