@@ -96,6 +96,15 @@ def band_forces() -> xr.Dataset:
     )
 
 
+def edge_shifts() -> xr.Dataset:
+    """Return short edges of 50 nm, of each contact model and range."""
+    return xr.Dataset(
+        {"edge": (("contact_model", "rho", "side", "group"), np.full((2, 2, 1, 5), 50.0))},
+        {"contact_model": ["rigid", "plastic"], "rho": [1.0, 5.6], "side": ["short"],
+         "group": [*SUBSTRATES, "mean"]},
+    )  # fmt: skip
+
+
 def sets() -> xr.Dataset:
     """Return sets with fewer cutoffs, whose ranges lie on either side of 5 nm, as the study's."""
     scatter = np.random.default_rng(1).lognormal(0, 0.1, (SETS, 2))

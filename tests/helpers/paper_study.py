@@ -8,6 +8,7 @@ import yaml
 from paper_datasets import (
     band,
     band_forces,
+    edge_shifts,
     features,
     fit,
     published_table1,
@@ -21,11 +22,11 @@ from paper_numbers import CLAIMS, CONSTANTS
 from repository import PAPER, ROOT
 
 from hardcontact.paper.claims.verdicts import JUDGED_COLUMNS, VERDICTS, add_open_ends
-from hardcontact.report.answer import answer_text
-from hardcontact.report.figures.listing import PAPER_FIGURES, Caption
+from hardcontact.report.figures.listing import PAPER_FIGURES, Description
 from hardcontact.report.paper_study.answer import paper_answer
 from hardcontact.report.paper_study.pages import figures_page, paper_page
-from hardcontact.report.paper_study.table1 import table1_rows
+from hardcontact.report.paper_study.tables import table1_rows
+from hardcontact.report.quantities import answer_text
 from hardcontact.report.templates import Frame
 
 CITATION = yaml.safe_load((ROOT / "CITATION.cff").read_text("utf-8"))
@@ -56,6 +57,7 @@ def datasets(contacts=20, pixels=512):
         "topography": topography(pixels),
         "scales": scales(contacts),
         "edges": band(),
+        "edge_shifts": edge_shifts(),
         "sensitivity": sensitivity(),
         "band_forces": band_forces(),
         "sets": sets(),
@@ -98,7 +100,7 @@ def figures():
 def captions():
     """Return a caption for each figure."""
     return {
-        name: Caption(f"Of {name}: a < b", f"It shows {name}: 1 < 2.", "And more.")
+        name: Description(f"Of {name}: a < b", f"It shows {name}: 1 < 2.", "And more.")
         for name in PAPER_FIGURES
     }
 

@@ -11,10 +11,10 @@ from paper_study import CITATION, FRAME, make_page, open_claims, svg
 from repository import PAPER, ROOT
 
 from hardcontact.paper.claims.verdicts import VERDICTS
-from hardcontact.report.answer import answer_text
 from hardcontact.report.figures.listing import OWN_FIGURES, PAPER_FIGURES
 from hardcontact.report.own_surfaces.answer import own_answer, own_page
 from hardcontact.report.paper_study.pages import report_pages
+from hardcontact.report.quantities import answer_text
 from hardcontact.report.templates import Frame
 
 pytestmark = [needs_browser, pytest.mark.study]

@@ -7,14 +7,17 @@ import pytest
 import xarray as xr
 
 from hardcontact.base.number import Number
-from hardcontact.report.answer import all_quantities, answer_text, note, numbers_of_answer
 from hardcontact.report.quantities import (
+    all_quantities,
+    answer_text,
     describe_number,
     describe_value,
     describe_with_three_digits,
     number_of,
     number_without_value,
+    numbers_of_answer,
 )
+from hardcontact.report.templates import render_note
 
 NAN = np.nan
 
@@ -99,5 +102,6 @@ def test_numbers_come_back_from_answer_json_as_they_were():
 
 
 def test_the_gravity_of_a_note_may_come_from_a_comparison_of_numpy():
-    written = json.loads(json.dumps(note("caution", "Few pixels.", grave=np.float64(0.5) < 0.9)))
-    assert written["grave"] is True
+    facts = {"grave": np.float64(0.5) < 0.9, "substitutes": ["UNCD"]}
+    note = render_note("substitutes.txt", "caution", **facts)
+    assert json.loads(json.dumps(note))["grave"] is True

@@ -2,13 +2,15 @@
 # `snakemake --report` gathers. redraw.smk makes them from final datasets and published tables alone.
 
 from hardcontact.records.code import PINS, code_inputs, page_templates
-from hardcontact.report.figures.listing import PAPER_FIGURES, caption, describe_figure
+from hardcontact.report.figures.listing import PAPER_FIGURES, caption
 
 #: The datasets of the study whose numbers the answer has.
-DATASETS_OF_ANSWER = "topography scales edges sensitivity band_forces sets features fit".split()
+DATASETS_OF_ANSWER = (
+    "topography scales edges edge_shifts sensitivity band_forces sets features fit".split()
+)
 
 for name in PAPER_FIGURES:
-    figure = describe_figure(name)
+    figure = caption(name, config)
 
     rule:
         """Draw a figure."""
@@ -31,7 +33,7 @@ for name in PAPER_FIGURES:
             svg=RESULTS.figure(name, "svg"),
         params:
             parameters=dict(figure=name, title=figure.title, inputs=figure.inputs),
-            caption="\n\n".join(caption(name, config)[:3]),
+            caption="\n\n".join([figure.title, figure.caption, figure.details]),
         script:
             "../scripts/draw_figure.py"
 

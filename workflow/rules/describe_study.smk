@@ -14,6 +14,7 @@ rule describe_study:
     input:
         surfaces=STUDY["surfaces"],
         datasets=sorted(FINAL_DATASETS),
+        template="workflow/report/templates/datasets.md",
     output:
         configuration=RESULTS.result("configuration.yaml"),
         surfaces=RESULTS.result("surfaces.tsv"),

@@ -8,11 +8,11 @@ from hardcontact.config.user_files import read_yaml
 from hardcontact.paper.claims.verdicts import add_open_ends, read_judged_claims
 from hardcontact.records.code import read_pins
 from hardcontact.records.job import run_job
-from hardcontact.report.answer import answer_text
 from hardcontact.report.figures.listing import caption
 from hardcontact.report.paper_study.answer import paper_answer
 from hardcontact.report.paper_study.pages import figures_page, paper_page, report_pages
-from hardcontact.report.paper_study.table1 import table1_rows
+from hardcontact.report.paper_study.tables import table1_rows
+from hardcontact.report.quantities import answer_text
 from hardcontact.report.templates import Frame
 
 with run_job(snakemake) as job:

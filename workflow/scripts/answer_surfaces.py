@@ -5,11 +5,11 @@ import pandas as pd
 from hardcontact.base.dataset import read
 from hardcontact.config.user_files import read_yaml
 from hardcontact.records.job import run_job
-from hardcontact.report.answer import answer_text
 from hardcontact.report.figures.listing import FILE_KINDS
 from hardcontact.report.own_surfaces.answer import own_answer, own_page
 from hardcontact.report.own_surfaces.datasets import Datasets, Setting
 from hardcontact.report.own_surfaces.figures import write_figures
+from hardcontact.report.quantities import answer_text
 from hardcontact.report.templates import Frame
 
 with run_job(snakemake) as job:

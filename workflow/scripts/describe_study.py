@@ -6,10 +6,10 @@ import yaml
 
 from hardcontact.base.dataset import read
 from hardcontact.records.job import run_job
-from hardcontact.report.dataset_dictionary import dictionary_page
+from hardcontact.report.templates import render_template
 
 with run_job(snakemake) as job:
     job.write_text(yaml.safe_dump(job.parameters, allow_unicode=True), "configuration")
     job.copy(job.input.surfaces, "surfaces")
     datasets = {Path(path).stem: read(path) for path in job.input.datasets}
-    job.write_text(dictionary_page(datasets), "variables")
+    job.write_text(render_template("datasets.md", datasets=datasets), "variables")

@@ -21,8 +21,8 @@ from answer_inputs import (
 from jsonschema import Draft202012Validator
 from repository import ROOT
 
-from hardcontact.report.answer import answer_text
 from hardcontact.report.own_surfaces.answer import own_answer
+from hardcontact.report.quantities import answer_text
 
 SCHEMA = json.loads((ROOT / "workflow/schemas/answer.schema.json").read_text("utf-8"))
 

@@ -19,10 +19,10 @@ from answer_inputs import (
 
 from hardcontact.base.number import Number, json_value
 from hardcontact.report.own_surfaces.answer import surface_answers
-from hardcontact.report.own_surfaces.conclusions import surface_conclusion
-from hardcontact.report.own_surfaces.reliable_wavelengths import (
+from hardcontact.report.own_surfaces.edges import (
     edge_source,
     reliable_and_artificial_change,
+    surface_conclusion,
 )
 
 

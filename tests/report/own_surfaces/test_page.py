@@ -30,11 +30,11 @@ from matplotlib.text import Text
 from paper_study import CITATION, svg
 from refusals import assert_says
 
-from hardcontact.report.answer import answer_text
 from hardcontact.report.figures import style
 from hardcontact.report.figures.listing import OWN_FIGURES
 from hardcontact.report.own_surfaces import figures
 from hardcontact.report.own_surfaces.answer import own_answer, own_page
+from hardcontact.report.quantities import answer_text
 from hardcontact.report.templates import Frame
 
 FORCES = "two substitutes, forces"

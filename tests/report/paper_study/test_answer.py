@@ -6,14 +6,14 @@ import numpy as np
 import pytest
 from jsonschema import Draft202012Validator
 from paper_datasets import published_table1, scan_size, topography
-from paper_numbers import SUBSTRATES
+from paper_numbers import LABELS, SUBSTRATES
 from paper_study import answer, claims, datasets
 from repository import PAPER, ROOT, merge_configurations
 
 from hardcontact.base.number import Number
-from hardcontact.report.answer import numbers_of_answer
 from hardcontact.report.paper_study.answer import ANSWER_CLAIMS
-from hardcontact.report.paper_study.table1 import table1_rows
+from hardcontact.report.paper_study.tables import table1_rows
+from hardcontact.report.quantities import numbers_of_answer
 
 SCHEMA = json.loads((ROOT / "workflow/schemas/answer.schema.json").read_text("utf-8"))
 
@@ -71,22 +71,38 @@ def test_a_study_of_other_contacts_names_what_is_not_the_paper_s(overlay, inputs
 
 
 def test_an_edge_at_wavelengths_of_artificial_roughness_says_so():
-    """Roughness is artificial below the short transition and above the large one."""
+    """Roughness is artificial below the short transition and above the large one.
+
+    Without plasticity, and at a short range, the edge is at 50 nm.
+    """
     sources = {}
     for small, large in ((20.0, 5000.0), (80.0, 1000.0)):
         scales_with_transitions = datasets()["scales"].assign(transition=("side", [small, large]))
         rows = change_claim("short_edge_first", computed=50.0)
         rows.loc[rows["id"] == ANSWER_CLAIMS["long_edge_first"], "computed"] = 2000.0
-        mean_edge = datasets()["edges"]["edge"].sel(group="mean", side="short").item()
-        shift = rows["id"] == ANSWER_CLAIMS["plasticity_shift"]
-        rows.loc[shift, "computed"] = mean_edge / 50.0  # from an edge of 50 nm
         artificial_answer = answer(rows, scales=scales_with_transitions)
         numbers = numbers_of_answer(artificial_answer)
-        names = ("short_edge_first", "long_edge_first", "plasticity_shift")
+        names = ("short_edge_first", "long_edge_first", "plasticity_shift", "range_shift")
         sources[small] = [numbers[name].source for name in names]
         mcd = numbers_of_answer(artificial_answer, "mcd")
         assert mcd["short_edge"].source == sources[small][0]
-    assert sources == {20.0: ["computed"] * 3, 80.0: ["artificial"] * 3}
+    assert sources == {20.0: ["computed"] * 4, 80.0: ["artificial"] * 4}
+
+
+def test_the_headline_names_the_coatings_with_the_outermost_edges():
+    edges = datasets()["edges"].copy(deep=True)
+    for side, values in {"short": [53, 37, 66, 60], "long": [2000, 1800, 2800, 1900]}.items():
+        edges["edge"].loc[{"side": side, "group": list(SUBSTRATES)}] = values
+    headline = " ".join(answer(edges=edges)["headline"])
+    short, _, long = headline.partition("; the long edge is ")
+    assert f", on {LABELS[1]}" in short.rpartition("The short edge is ")[2]
+    assert f", on {LABELS[2]}" in long.partition("Each is ")[0]
+
+
+@pytest.mark.parametrize(("published", "nearer"), [(1.8, "bumps"), (0.3, "pits")])
+def test_features_are_those_with_the_nearer_scatter(published, nearer):
+    features = datasets()["features"].assign_attrs(published_log_force_std=published)
+    assert f"{nearer} explain it better" in answer(features=features)["notes"][-1]["text"]
 
 
 def test_forces_on_scans_equal_those_on_windows_of_their_size():

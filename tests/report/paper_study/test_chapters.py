@@ -13,8 +13,8 @@ from repository import PAPER, ROOT
 
 from hardcontact.paper.claims.verdicts import VERDICTS, count_verdicts
 from hardcontact.report.figures.listing import PAPER_FIGURES
-from hardcontact.report.paper_study.conclusions import claim_facts
 from hardcontact.report.paper_study.pages import convert_chapter, report_pages
+from hardcontact.report.paper_study.tables import claim_facts
 
 HOSTILE = 'a < b & "c" <script>alert(1)</script>'
 

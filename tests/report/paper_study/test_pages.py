@@ -12,8 +12,8 @@ from repository import PAPER, merge_configurations
 
 from hardcontact.base.formatting import format_as_paper
 from hardcontact.paper.claims.verdicts import VERDICTS
-from hardcontact.report.answer import numbers_of_answer
 from hardcontact.report.figures.listing import PAPER_FIGURES
+from hardcontact.report.quantities import numbers_of_answer
 
 
 @pytest.fixture(scope="module")
@@ -73,7 +73,7 @@ def test_the_page_of_figures_has_each_with_its_caption_and_its_file():
     assert pictures(page) == list(figures().values())
     for name in PAPER_FIGURES:
         assert f"../figures/{name}.pdf" in page.values("href")
-        assert any(captions()[name].short in text for text in page.texts["figcaption"])
+        assert any(captions()[name].caption in text for text in page.texts["figcaption"])
     assert any("AFM scans: rms height (nm), published" in row[0] for row in page.rows)
 
 

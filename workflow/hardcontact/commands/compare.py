@@ -15,12 +15,13 @@ from hardcontact.base.dataset import read
 from hardcontact.commands.options import CommandLine
 from hardcontact.commands.outputs import align_cells, output_faults, write_output
 from hardcontact.config.faults import run_checks
-from hardcontact.report.paper_study.paired_changes import (
+from hardcontact.report.study_comparison import (
+    EQUAL_DIGITS,
     SET_DATASETS,
     add_paired_intervals,
+    compare_answers,
     pairing,
 )
-from hardcontact.report.study_comparison import EQUAL_DIGITS, compare_answers
 from hardcontact.report.templates import Frame, render_document, render_lines
 
 ANSWER = "answer.json"

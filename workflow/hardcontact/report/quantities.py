@@ -1,16 +1,19 @@
-"""Numbers of an answer, read from datasets and printed in words."""
+"""Numbers of an answer: read from datasets, as answer.json lists them, and printed in words."""
 
+import json
 import math
 import re
+from collections.abc import Iterable, Mapping
 from enum import StrEnum
+from typing import Any
 
 import xarray as xr
+import yaml
 
 from hardcontact.base.formatting import PRINTED_UNITS, format_as_paper, format_quantity
-from hardcontact.base.number import Number, NumberStatus
+from hardcontact.base.number import Number, NumberStatus, json_value
 from hardcontact.base.statistics import interval_ends
-from hardcontact.inference.edges import EdgeStatus
-from hardcontact.inference.scan_parts import IntervalSource
+from hardcontact.report import TEXTS
 
 
 class NoValue(StrEnum):
@@ -25,21 +28,13 @@ class NoValue(StrEnum):
 
 #: Names of the edges of the band among the numbers of an answer, by their side.
 EDGE_NAMES = {"short": "short_edge", "long": "long_edge"}
+_WORDS = yaml.safe_load((TEXTS / "templates/number_words.yaml").read_text("utf-8"))
 #: Words in place of an unknown value, by its status.
-NO_VALUE_WORDS: dict[str, str] = {
-    NoValue.NO_BAND: "no band",
-    NoValue.NO_HINDCAST: "not answered: nothing shows that artificial roughness fits these scans",
-    EdgeStatus.RIPPLES: "none: the filter's ripples beside steps or pits change the force",
-    NoValue.NO_EXPONENT: "not answered: the scans do not tell how their roughness goes on",
-    NoValue.NO_AGREEMENT: "none agrees",
-}
+NO_VALUE_WORDS: dict[str, str] = _WORDS["no_value"]
 #: Words after a value without an interval, by its status.
-NO_INTERVAL_WORDS: dict[str, str] = {
-    NumberStatus.NO_INTERVAL: "not bounded by these scans",
-    IntervalSource.FEW_PATCHES: "not bounded: contacts touch too few patches",
-}
+NO_INTERVAL_WORDS: dict[str, str] = _WORDS["no_interval"]
 #: Words before a value that is a bound, by its status.
-OPEN_WORDS: dict[str, str] = {EdgeStatus.OPEN_ABOVE: "at least ", EdgeStatus.OPEN_BELOW: "at most "}
+OPEN_WORDS: dict[str, str] = _WORDS["open"]
 
 
 def number_of(
@@ -65,6 +60,40 @@ def number_without_value(name: str, low: float, high: float, unit: str = "1") ->
     is_known = math.isfinite(low) or math.isfinite(high)
     status = NumberStatus.ONLY_ENDS if is_known else NumberStatus.NOT_KNOWN
     return Number(name, math.nan, unit, low, high, status)
+
+
+def all_quantities(
+    study_numbers: Iterable[Number], surface_numbers: Mapping[str, Iterable[Number]]
+) -> list[dict[str, Any]]:
+    """Return the numbers of the whole study, then of each surface, as the list of answer.json."""
+    return [
+        {"surface": surface, **json_value(number)}
+        for surface, numbers in {"": study_numbers, **surface_numbers}.items()
+        for number in numbers
+    ]
+
+
+def numbers_of_answer(answer: Mapping[str, Any], surface: str = "") -> dict[str, Number]:
+    """Return the numbers of one surface, or of the whole study, in answer.json by name."""
+    numbers = {}
+    for quantity in answer["quantities"]:
+        if quantity["surface"] == surface:
+            values: dict[str, Any] = {
+                key: math.nan if quantity[key] is None else quantity[key] for key in Number._fields
+            }
+            if values["status"] in (NumberStatus.KNOWN, NumberStatus.NOT_KNOWN):
+                values["status"] = ""
+            numbers[values["name"]] = Number(**values)
+    return numbers
+
+
+def answer_text(answer: Mapping[str, Any]) -> str:
+    """Return the text of answer.json, as answer.schema.json describes it; refuse repeated names."""
+    names = [(row["surface"], row["name"]) for row in answer["quantities"]]
+    repeated = sorted({name for name in names if names.count(name) > 1})
+    if repeated:
+        raise ValueError(f"expected quantities with different names, found twice: {repeated}")
+    return json.dumps(answer, ensure_ascii=False, allow_nan=False, indent=1) + "\n"
 
 
 def format_number(number: Number, digits: int = 3, end: str = "") -> str:

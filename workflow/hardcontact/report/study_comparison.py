@@ -1,17 +1,27 @@
-"""The numbers of two studies side by side, from their answer.json."""
+"""The numbers of two studies side by side, from their answer.json, and the intervals of changes.
 
+If two studies of the paper have the same sets of scans, their scatter cancels from the change in
+each set. Random numbers of a set depend on the seed, the surface and the number of the set alone.
+"""
+
+import json
 import math
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from enum import StrEnum
+from itertools import product
 from typing import Any, NamedTuple
 
 import numpy as np
+import xarray as xr
 
 from hardcontact.base.number import Number, NumberStatus
+from hardcontact.contact.contact import PLASTIC
 from hardcontact.inference.edges import EdgeStatus
-from hardcontact.report.answer import numbers_of_answer
-from hardcontact.report.quantities import NO_INTERVAL_WORDS
+from hardcontact.paper.claims.verdicts import sets_interval, stretch_interval
+from hardcontact.report.paper_study.answer import ANSWER_CLAIMS, FORCE_UNITS, PAIR_UNITS
+from hardcontact.report.quantities import EDGE_NAMES, NO_INTERVAL_WORDS, numbers_of_answer
+from hardcontact.surfaces.metrics import TABLE1_METRICS
 
 #: Digits to which equal numbers agree. Processors with other kernels move numbers by up to 1.7e-10.
 EQUAL_DIGITS = 8
@@ -25,6 +35,16 @@ NO_HIGH_END = (EdgeStatus.OPEN_ABOVE, NumberStatus.INTERVAL_OPEN_HIGH, *NO_INTER
 MAIN_NUMBERS = re.compile("(short|long)_edge(_first)?|mean_force|(range|work)_of_adhesion")
 #: Numbers beside the answer, by the beginning or end of their names; they come last.
 SIDE_NUMBERS = re.compile("(bumps|pits|gaussian|verdicts)_.*|.*_(scatter|agreeing_share)")
+
+#: Datasets of a study with sets of scans.
+SET_DATASETS = ("sets", "topography", "scales", "features")
+#: Parameters of sets.nc that decide which scans and masters a set has.
+SAMPLING_PARAMETERS = (
+    "pool_chunks", "candidate_chunks", "master_surfaces", "realizations",
+)  # fmt: skip
+SAMPLING_SETTINGS = ("seed", "realizations")
+#: Relative difference of equal surfaces: far more than other processors cause, 7e-16.
+TOLERANCE = 1e-6
 
 
 class Agreement(StrEnum):
@@ -180,3 +200,86 @@ def bounds(number: Number) -> tuple[float, float]:
     no_low_end = math.isnan(low) or number.status in NO_LOW_END
     no_high_end = math.isnan(high) or number.status in NO_HIGH_END
     return -math.inf if no_low_end else low, math.inf if no_high_end else high
+
+
+def pairing(first_study: Mapping[str, xr.Dataset], second_study: Mapping[str, xr.Dataset]) -> str:
+    """Return "paired" if two studies have the same sets of scans, otherwise why not.
+
+    "no_sets": a study has no datasets. "other_scans": seeds or recorded surfaces differ.
+    """
+    if not (first_study and second_study):
+        return "no_sets"
+    surfaces = [_recorded_surfaces(study) for study in (first_study, second_study)]
+    same_seeds = _sampling(first_study["sets"]) == _sampling(second_study["sets"])
+    if not same_seeds or surfaces[0].sizes != surfaces[1].sizes:
+        return "other_scans"
+    same_surfaces = all(
+        np.allclose(surfaces[0][name], surfaces[1][name], TOLERANCE, 0, equal_nan=True)
+        for name in surfaces[0]
+    )
+    return "paired" if same_surfaces else "other_scans"
+
+
+def _sampling(sets: xr.Dataset) -> list[Any]:
+    """Return the parameters of sets.nc that decide which scans and masters a set has."""
+    parameters = json.loads(sets.attrs["parameters"])
+    settings = [parameters["settings"][name] for name in SAMPLING_SETTINGS]
+    return [parameters[name] for name in SAMPLING_PARAMETERS] + settings
+
+
+def _recorded_surfaces(study: Mapping[str, xr.Dataset]) -> xr.Dataset:
+    """Return what a study records of its scans, and of its masters."""
+    scans = study["topography"][list(TABLE1_METRICS.values())]
+    return xr.merge([scans, study["scales"][["unfiltered_wavelength", "transition"]]], join="outer")
+
+
+def add_paired_intervals(
+    numbers: Iterable[ComparedNumber],
+    first_study: Mapping[str, xr.Dataset],
+    second_study: Mapping[str, xr.Dataset],
+) -> list[ComparedNumber]:
+    """Add the intervals of changes between paired studies to the numbers that sets have."""
+    first_values, second_values = _set_numbers(first_study), _set_numbers(second_study)
+    confidence = first_study["sets"].attrs["confidence"]
+    return [
+        _add_change_interval(number, first_values[key], second_values[key], confidence)
+        if (key := (number.surface, number.name)) in first_values and key in second_values
+        else number
+        for number in numbers
+    ]
+
+
+def _set_numbers(study: Mapping[str, xr.Dataset]) -> dict[tuple[str, str], xr.DataArray]:
+    """Return the numbers (set,) or (sample,) by the label of the surface and their name.
+
+    The label is empty for the whole study, and names are as in answer.json.
+    """
+    sets, features = study["sets"], study["features"]
+    labels = study["topography"]["label"].to_series()[sets["surface"].values]
+    claims = {("", name): claim for name, claim in ANSWER_CLAIMS.items()}
+    claims |= {(label, "mean_force"): f"mean_force_{surface}" for surface, label in labels.items()}
+    known_claims = sets["claim"].values
+    numbers = {
+        key: sets["value"].sel(claim=claim)
+        for key, claim in claims.items()
+        if claim in known_claims
+    }
+    for name in PAIR_UNITS:
+        fit = sets[name].sel(contact_model=PLASTIC)
+        numbers |= {("", name): fit, ("", f"all_surfaces_{name}"): fit}
+    for (surface, label), (side, name) in product(labels.items(), EDGE_NAMES.items()):
+        numbers[label, name] = sets["edge"].sel(side=side, group=surface)
+    for kind, name in product(features["features"].values, FORCE_UNITS):
+        key = "", f"{kind}_{name.removesuffix('_at_pair')}"
+        numbers[key] = features[name].sel(features=kind)
+    return numbers
+
+
+def _add_change_interval(
+    number: ComparedNumber, first: xr.DataArray, second: xr.DataArray, confidence: float
+) -> ComparedNumber:
+    """Return a number with the interval of its change, from both numbers (set,) of each set."""
+    changes = second / first if number.change.name == "ratio" else second - first
+    interval = sets_interval(changes.values, confidence)
+    low, high = stretch_interval(interval, number.change.value)
+    return number._replace(change_interval=(float(low), float(high)))

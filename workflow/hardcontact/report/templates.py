@@ -1,20 +1,19 @@
-"""Pages from templates: one self-contained HTML document, with its style and its script."""
+"""Pages and notes from templates: a page is one HTML document, with its style and its script."""
 
 import base64
 import hashlib
 import math
 import re
 import subprocess
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import cache
-from pathlib import Path
 from typing import Any, NamedTuple
 
 from hardcontact.base.formatting import format_share
-from hardcontact.report import quantities
+from hardcontact.report import TEXTS, quantities
 from hardcontact.report.figures.listing import caption
 
-TEMPLATES = Path(__file__).parents[2] / "report/templates"
+TEMPLATES = TEXTS / "templates"
 
 #: A space before or within an interval, before a unit, or beside ±.
 NO_BREAK = re.compile(
@@ -44,23 +43,55 @@ def render_document(template: str, frame: Frame, page: str, **facts: Any) -> str
     style = (TEMPLATES / "style.css").read_text("utf-8")
     facts |= {"frame": frame, "page": page, "commit": _code_commit()}
     facts |= {"style": Markup(style), "script": Markup(script)}
-    return str(
-        _environment().get_template(template).render(policy=_security_policy(script), **facts)
-    )
+    return render_template(template, policy=_security_policy(script), **facts)
+
+
+def render_page(
+    answer: Mapping[str, Any],
+    figures: Mapping[str, bytes],
+    citation: Mapping[str, Any],
+    frame: Frame,
+    **facts: Any,
+) -> str:
+    """Return the page of an answer from answer.json, the SVG of each figure, and further facts."""
+    surfaces = [
+        {**surface, "numbers": quantities.numbers_of_answer(answer, surface["name"])}
+        for surface in answer["surfaces"]
+    ]
+    facts |= {"answer": answer, "figures": figures, "citation": citation}
+    facts |= {"numbers": quantities.numbers_of_answer(answer), "surfaces": surfaces}
+    return render_document("answer.html", frame, "answer", **facts)
+
+
+def render_template(template: str, **facts: Any) -> str:
+    """Return a template with the facts that it names, as it stands."""
+    return str(_environment().get_template(template).render(**facts))
 
 
 def render_lines(template: str, **facts: Any) -> list[str]:
     """Return the lines of a template that are not empty, as plain text."""
     from markupsafe import Markup
 
-    text = _environment().get_template(template).render(**facts)
+    text = render_template(template, **facts)
     lines = [Markup(line).striptags() for line in text.splitlines()]
     return [line for line in lines if line]
 
 
-def render_text(template: str, **facts: Any) -> str:
-    """Return a template as one paragraph of plain text."""
-    return " ".join(render_lines(template, **facts))
+def render_note(
+    template: str, kind: str, code: str = "", surface: str = "", grave: bool = False, **facts: Any
+) -> dict[str, Any]:
+    """Return a note for answer.json, one paragraph; grave ones stand at the top of the page."""
+    text = " ".join(render_lines(template, **facts))
+    # A comparison with an attribute of a dataset is a NumPy truth value, which JSON lacks.
+    return {"surface": surface, "kind": kind, "code": code, "grave": bool(grave), "text": text}
+
+
+def substitutes_note(labels: Sequence[str]) -> list[dict[str, Any]]:
+    """Return the note that these surfaces are substitutes, or none if all are measured."""
+    if not labels:
+        return []
+    facts = {"substitutes": labels, "grave": True}
+    return [render_note("substitutes.txt", "caution", "substitutes", **facts)]
 
 
 @cache

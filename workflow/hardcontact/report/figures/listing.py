@@ -4,41 +4,31 @@ They stand in workflow/report/figures.yaml, so that rules and pages read them wi
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass
-from pathlib import Path
-from typing import Any, NamedTuple
+from dataclasses import dataclass, replace
+from typing import Any
 
 import yaml
 
 from hardcontact.base.formatting import format_share
+from hardcontact.report import TEXTS
 
-FILE = Path(__file__).parents[3] / "report/figures.yaml"
 #: Files of each figure.
 FILE_KINDS = ("pdf", "png", "svg")
 
 
 @dataclass(frozen=True)
 class Description:
-    """A figure as listed; alternative text, caption and details are templates."""
+    """A figure as listed; its texts are templates, or the texts made from these."""
 
     title: str
     caption: str
     details: str = ""
-    alt: str = ""
+    alt: str = ""  #: What the picture shows, for those who cannot see it.
     chapter: str = ""  #: Of the report of the paper's study.
     inputs: tuple[str, ...] = ()  #: Final datasets, or keys of `base.published.PUBLISHED_TABLES`.
 
 
-class Caption(NamedTuple):
-    """The texts of a figure, plain, each in one line."""
-
-    title: str
-    short: str
-    details: str = ""
-    alt: str = ""  #: What the picture shows, for those who cannot see it.
-
-
-_LISTED = yaml.safe_load(FILE.read_text("utf-8"))
+_LISTED = yaml.safe_load((TEXTS / "figures.yaml").read_text("utf-8"))
 #: Figures about the statements of the paper.
 PAPER_FIGURES = tuple(_LISTED["paper"])
 #: Figures of the user's surfaces; "works" needs measured forces.
@@ -50,12 +40,13 @@ def describe_figure(name: str) -> Description:
     return Description(**(_LISTED["paper"] | _LISTED["own"])[name])
 
 
-def caption(name: str, facts: Mapping[str, Any]) -> Caption:
-    """Return the texts of a figure with the facts that its templates name."""
+def caption(name: str, facts: Mapping[str, Any]) -> Description:
+    """Return the description of a figure with the facts that its templates name."""
     from jinja2 import Environment, StrictUndefined
 
     environment = Environment(undefined=StrictUndefined)
     environment.filters["percent"] = format_share
     figure = describe_figure(name)
-    templates = (figure.title, figure.caption, figure.details, figure.alt or figure.title)
-    return Caption(*(environment.from_string(text).render(facts) for text in templates))
+    texts = {key: getattr(figure, key) for key in ("title", "caption", "details", "alt")}
+    rendered = {key: environment.from_string(text).render(facts) for key, text in texts.items()}
+    return replace(figure, **rendered)

@@ -8,38 +8,47 @@ import xarray as xr
 
 from hardcontact.base.number import Number, numbers_by_name
 from hardcontact.inference.octaves import strongest_octaves
-from hardcontact.report.answer import (
-    all_quantities,
-    note,
-    numbers_of_answer,
-    render_page,
-    substitutes_note,
-)
 from hardcontact.report.figures import panels
-from hardcontact.report.own_surfaces.cautions import answer_cautions
-from hardcontact.report.own_surfaces.comparison import comparison_numbers
-from hardcontact.report.own_surfaces.conclusions import Conclusion, surface_conclusion
+from hardcontact.report.own_surfaces.cautions import Caution, answer_cautions
 from hardcontact.report.own_surfaces.datasets import (
     MEASUREMENT_LENGTHS,
     Datasets,
     Setting,
     measurement_name,
     preferred_model,
+    shown_octaves,
     split_measurements,
     stored_tabor_number,
 )
-from hardcontact.report.own_surfaces.edges import NextScan, edge_numbers, next_scans
+from hardcontact.report.own_surfaces.edges import (
+    NEARLY_ALL,
+    Conclusion,
+    NextScan,
+    edge_numbers,
+    next_scans,
+    surface_conclusion,
+)
 from hardcontact.report.own_surfaces.forces import (
+    comparison_numbers,
     fit_numbers,
     force_numbers,
     measured_numbers,
     pair_numbers,
     preferred_fit,
 )
-from hardcontact.report.own_surfaces.reliable_wavelengths import NEARLY_ALL, shown_octaves
-from hardcontact.report.own_surfaces.spectrum_cautions import Caution
-from hardcontact.report.quantities import EDGE_NAMES, number_of, number_without_value
-from hardcontact.report.templates import Frame, render_lines, render_text
+from hardcontact.report.quantities import (
+    EDGE_NAMES,
+    all_quantities,
+    number_of,
+    number_without_value,
+)
+from hardcontact.report.templates import (
+    Frame,
+    render_lines,
+    render_note,
+    render_page,
+    substitutes_note,
+)
 from hardcontact.scans.both_bodies import sphere_share
 from hardcontact.scans.reliable_band import LIMIT_NAMES, MIN_PIXELS, MIN_WAVES_IN_SIZE, OTHER_BODY
 from hardcontact.surfaces.metrics import METRICS
@@ -70,7 +79,10 @@ def own_answer(datasets: Datasets, setting: Setting) -> dict[str, Any]:
     surfaces = surface_answers(datasets, setting)
     chosen_inputs = _chosen_inputs(datasets.force, setting)
     numbers = numbers_by_name(*_study_numbers(datasets, setting))
-    fit_text = render_text("own_fit.txt", n=numbers) if "fit_range" in numbers else ""
+    fit_notes = []
+    if "fit_range" in numbers:
+        code = numbers["fit_region_range"].status
+        fit_notes.append(render_note("own_fit.txt", "fit", code, n=numbers))
     return {
         "study": setting.study,
         "version": setting.version,
@@ -83,7 +95,8 @@ def own_answer(datasets: Datasets, setting: Setting) -> dict[str, Any]:
             effort=setting.effort,
             contact=setting.contact_words,
             assumed=setting.assumed,
-            fit=fit_text if len(surfaces) > 1 else "",
+            nearly_all=NEARLY_ALL,
+            fit_notes=fit_notes,
         ),
         "verdicts": [],
         "contact": {**setting.contact_words, "contact model": preferred_model(datasets.force)},
@@ -91,7 +104,7 @@ def own_answer(datasets: Datasets, setting: Setting) -> dict[str, Any]:
         "assumed": list(setting.assumed),
         "chosen": chosen_inputs,
         "surfaces": [_surface_head(surface, datasets.spectra) for surface in surfaces],
-        "notes": _notes(surfaces, numbers, fit_text),
+        "notes": [*_surface_notes(surfaces), *fit_notes],
         "quantities": all_quantities(
             numbers.values(), {surface.name: surface.numbers.values() for surface in surfaces}
         ),
@@ -137,14 +150,9 @@ def _surface_answer(
         *_topography_numbers(data.topography),
         *_measurement_numbers(data.spectra),
     )
+    source = str(data.topography["source"].item())
     return SurfaceAnswer(
-        name=name,
-        label=label,
-        source=str(data.topography["source"].item()),
-        numbers=named_numbers,
-        conclusion=conclusion,
-        cautions=surface_cautions,
-        next_scans=new_scans,
+        name, label, source, named_numbers, conclusion, surface_cautions, new_scans
     )
 
 
@@ -171,26 +179,19 @@ def _study_numbers(datasets: Datasets, setting: Setting) -> list[Number]:
     ]
 
 
-def _notes(
-    surfaces: list[SurfaceAnswer], numbers: Mapping[str, Number], fit_text: str
-) -> list[dict[str, Any]]:
-    """Return the notes in words: cautions, measurements to make next, the fit."""
-    notes = substitutes_note(
-        [surface.label for surface in surfaces if surface.source != "measured"]
-    )
-    several = len(surfaces) > 1
+def _surface_notes(surfaces: list[SurfaceAnswer]) -> Iterator[dict[str, Any]]:
+    """Yield the notes in words on the surfaces: cautions, and measurements to make next."""
+    yield from substitutes_note([row.label for row in surfaces if row.source != "measured"])
+    limits = {"min_pixels": MIN_PIXELS, "min_waves": MIN_WAVES_IN_SIZE}
     for surface in surfaces:
-        facts = {"label": surface.label, "several": several}
+        facts: dict[str, Any] = {"label": surface.label, "several": len(surfaces) > 1}
         for caution in surface.cautions:
-            text = render_text("own_caution.txt", caution=caution, **facts)
-            notes.append(note("caution", text, caution.code, surface.name, grave=caution.grave))
-        limits = {"min_pixels": MIN_PIXELS, "min_waves": MIN_WAVES_IN_SIZE}
-        for measurement in surface.next_scans:
-            text = render_text("own_next.txt", measurement=measurement, **facts, **limits)
-            notes.append(note("next", text, measurement.code, surface.name))
-    if fit_text:
-        notes.append(note("fit", fit_text, numbers["fit_region_range"].status))
-    return notes
+            head = ("caution", caution.code, surface.name, caution.grave)
+            yield render_note("own_caution.txt", *head, caution=caution, **facts)
+        for scan in surface.next_scans:
+            yield render_note(
+                "own_next.txt", "next", scan.code, surface.name, scan=scan, **facts, **limits
+            )
 
 
 def _caution_numbers(surface_cautions: list[Caution]) -> Iterator[Number]:
@@ -210,8 +211,8 @@ def _topography_numbers(topography: xr.Dataset) -> Iterator[Number]:
     scans = topography.dropna("scan", subset=["rms_height"])
     for index in range(scans.sizes["scan"]):
         for name in SHOWN_METRICS:
-            number = number_of(scans.isel(scan=index), name, METRICS[name][0])
-            yield number._replace(name=f"scan_{index + 1}_{name}")
+            scan, unit = scans.isel(scan=index), METRICS[name][0]
+            yield number_of(scan, name, unit, name=f"scan_{index + 1}_{name}")
     for name in SHOWN_METRICS:
         if f"all_scales_{name}" in topography:
             yield number_of(topography, f"all_scales_{name}", METRICS[name][0])
@@ -219,35 +220,32 @@ def _topography_numbers(topography: xr.Dataset) -> Iterator[Number]:
 
 def _measurement_numbers(spectra: xr.Dataset) -> Iterator[Number]:
     """Yield the lengths of each measurement of one surface: size, pixels, reliable band, tip."""
-    for index, measurement in enumerate(split_measurements(spectra), start=1):
+    for index, scan in enumerate(split_measurements(spectra), start=1):
         for name in MEASUREMENT_LENGTHS:
-            number = number_of(measurement, name, "nm", source="file")
-            yield number._replace(name=f"measurement_{index}_{name}")
-
-
-def _limit_name(scan: xr.Dataset) -> str:
-    """Return what limits the shortest reliable wavelengths; an empty text if none is reliable."""
-    limit = str(scan["limited_by"].item())
-    return limit if scan["reliable"].any() or limit == OTHER_BODY else ""
+            yield number_of(scan, name, "nm", name=f"measurement_{index}_{name}", source="file")
 
 
 def _surface_head(surface: SurfaceAnswer, spectra: xr.Dataset) -> dict[str, Any]:
-    """Return the head of one surface in answer.json: its name, conclusion and measurements."""
-    scans = split_measurements(spectra.sel(surface=surface.name))
+    """Return the head of one surface in answer.json: its name, conclusion and measurements.
+
+    What limits the shortest reliable wavelengths is empty for a scan that is reliable nowhere.
+    """
+    measurements = []
+    for scan in split_measurements(spectra.sel(surface=surface.name)):
+        limit = str(scan["limited_by"].item())
+        has_limit = scan["reliable"].any() or limit == OTHER_BODY
+        measurements.append({
+            "name": measurement_name(scan),
+            "kind": str(scan["kind"].item()),
+            "limited_by": limit if has_limit else "",
+            "notes": str(scan["notes"].item()).replace("\n", "; "),
+        })  # fmt: skip
     return {
         "name": surface.name,
         "label": surface.label,
         "source": surface.source,
         "answered": surface.conclusion.answer,
-        "measurements": [
-            {
-                "name": measurement_name(scan),
-                "kind": str(scan["kind"].item()),
-                "limited_by": _limit_name(scan),
-                "notes": str(scan["notes"].item()).replace("\n", "; "),
-            }
-            for scan in scans
-        ],
+        "measurements": measurements,
     }
 
 
@@ -258,10 +256,5 @@ def own_page(
     frame: Frame,
 ) -> str:
     """Return the page of a study of the user's surfaces; the SVG of figures is by name."""
-    limits = {"limit_names": LIMIT_NAMES, "min_pixels": MIN_PIXELS, "min_waves": MIN_WAVES_IN_SIZE}
-    conclusions = {
-        surface["name"]: surface_conclusion(numbers_of_answer(answer, surface["name"]))
-        for surface in answer["surfaces"]
-    }
-    facts = limits | {"nearly_all": NEARLY_ALL, "conclusions": conclusions}
-    return render_page(answer, figures, citation, frame, **facts)
+    limits = {"min_pixels": MIN_PIXELS, "min_waves": MIN_WAVES_IN_SIZE, "nearly_all": NEARLY_ALL}
+    return render_page(answer, figures, citation, frame, limit_names=LIMIT_NAMES, **limits)

@@ -1,27 +1,33 @@
-"""Cautions about the answer of a surface, and those on its forces, tests and intervals.
+"""Cautions about the answer of a surface: on its scans, spectrum, forces, tests and intervals.
 
 A caution is a code with numbers; the template own_caution.txt has the sentence for each code.
 """
 
 from collections.abc import Iterator, Mapping
+from statistics import NormalDist
 
 import numpy as np
 import xarray as xr
 
-from hardcontact.base.number import Number
+from hardcontact.base.number import Number, numbers_by_name
 from hardcontact.contact.hertz_jkr_dmt import STRONGEST_WORK
 from hardcontact.contact.numerical_limits import MIN_WINDOW_SHARE, SMALLEST_SIZE_RATIO
 from hardcontact.inference.edges import EdgeStatus
 from hardcontact.inference.scan_parts import IntervalSource
-from hardcontact.report.own_surfaces import spectrum_cautions
 from hardcontact.report.own_surfaces.datasets import (
     Datasets,
+    drop_padding,
     fails_hindcast,
     forces_at_range,
+    measurement_name,
+    split_measurements,
     stored_tabor_number,
 )
-from hardcontact.report.own_surfaces.spectrum_cautions import Caution
 from hardcontact.report.quantities import number_of, number_without_value
+from hardcontact.scans.defects import DEFECTS, defect_sentence
+from hardcontact.scans.heights import split_notes
+from hardcontact.scans.reliable_band import OTHER_BODY
+from hardcontact.scans.scan_pairs import find_contradictions
 from hardcontact.surfaces.synthesis import SIDES
 from hardcontact.theory.validity import Elasticity
 
@@ -30,30 +36,55 @@ MIN_CONTACT_PIXELS = 10
 #: Largest ln(high / mean) relative to ln(mean / low) of a measured force without a caution.
 #: If tests are few, the upper end is much farther, because they may scatter more than it seems.
 MAX_LOPSIDEDNESS = 2.0
+#: Pixels in the shortest wavelength that a scan resolves, by the sampling theorem.
+NYQUIST_PIXELS = 2
+#: Largest ratio of added power to the power in the scans without a caution. The choice of 2 lets
+#: amplitudes differ by up to 1.4.
+MAX_POWER_RATIO = 2.0
+#: Codes of defects that change the highest points, and thus the force.
+MISLEADING_DEFECTS = frozenset({"spikes", "equal_lines", "highest"})
+
+
+class Caution:
+    """A caution about the answer of one surface: a code, and what its sentence needs.
+
+    A grave caution changes the force by more than the tolerance of the band. `measurement` is the
+    number of the measurement with a defect, 0 for other cautions. `texts` are names of scans and
+    the like, by their role in the sentence.
+    """
+
+    def __init__(
+        self, code: str, *numbers: Number, grave: bool = False, measurement: int = 0, **texts: str
+    ) -> None:
+        self.code = code
+        self.numbers = numbers_by_name(*numbers)
+        self.grave = grave
+        self.measurement = measurement
+        self.texts = texts
 
 
 def answer_cautions(data: Datasets, numbers: Mapping[str, Number]) -> list[Caution]:
     """Return the cautions about the answer of one surface, the grave ones first."""
-    possible_cautions = [
-        spectrum_cautions.blind_scans_caution(data),
-        *spectrum_cautions.defect_cautions(data.spectra, grave=True),
-        *spectrum_cautions.reading_cautions(data.spectra),
-        *spectrum_cautions.repeated_scan_cautions(data.spectra),
+    has_ripples = (data.edges["edge_status"] == EdgeStatus.RIPPLES).any()
+    surface_cautions = [
+        *_blind_scans_caution(data),
+        *_defect_cautions(data.spectra, grave=True),
+        *_reading_cautions(data.spectra),
+        *_repeated_scan_cautions(data.spectra),
         *_contact_cautions(data.force, numbers),
-        _small_scan_caution(data),
-        _few_pixels_caution(data.force),
+        *_small_scan_caution(data),
+        *_few_pixels_caution(data.force),
         *_test_cautions(numbers),
         *_interval_cautions(data.force, numbers),
-        *spectrum_cautions.defect_cautions(data.spectra, grave=False),
-        spectrum_cautions.contradiction_caution(data.spectra),
-        spectrum_cautions.excess_roughness_caution(data.spectra),
+        *_defect_cautions(data.spectra, grave=False),
+        *_contradiction_caution(data.spectra),
+        *_excess_roughness_caution(data.spectra),
         *_hindcast_cautions(data),
-        Caution("ripples") if (data.edges["edge_status"] == EdgeStatus.RIPPLES).any() else None,
-        spectrum_cautions.tail_caution(data),
-        spectrum_cautions.long_wave_caution(data),
-        _small_window_caution(data),
+        *([Caution("ripples")] if has_ripples else []),
+        _tail_caution(data),
+        *_long_wave_caution(data),
+        *_small_window_caution(data),
     ]
-    surface_cautions = [caution for caution in possible_cautions if caution is not None]
     return sorted(surface_cautions, key=lambda caution: not caution.grave)
 
 
@@ -96,18 +127,18 @@ def _interval_cautions(force: xr.Dataset, numbers: Mapping[str, Number]) -> Iter
         yield Caution("sphere_positions", numbers["position_factor"]._replace(name="factor"))
 
 
-def _small_window_caution(data: Datasets) -> Caution | None:
-    """Return a caution if the window holds too little of the force at any range of adhesion."""
+def _small_window_caution(data: Datasets) -> Iterator[Caution]:
+    """Yield a caution if the window holds too little of the force at any range of adhesion."""
     shares = data.force["window_share"]
     answer_share = forces_at_range(data.force)["window_share"]
     small_shares = shares[shares < MIN_WINDOW_SHARE]
     if not small_shares.size:
-        return None
+        return
     lowers_answer = answer_share.item() < MIN_WINDOW_SHARE
     # The share falls with the range of adhesion, so that the longest range has the smallest.
     shown_share = answer_share if lowers_answer else shares.sel(rho=shares["rho"].max())
     first_range = np.nan if lowers_answer else small_shares["rho"].min().item()
-    return Caution(
+    yield Caution(
         "window",
         Number("share", shown_share.item()),
         Number("window", float(data.force.attrs["window"]), "nm"),
@@ -117,11 +148,11 @@ def _small_window_caution(data: Datasets) -> Caution | None:
     )
 
 
-def _small_scan_caution(data: Datasets) -> Caution | None:
-    """Return a caution if scans are smaller than contacts need, with the effect on the force."""
+def _small_scan_caution(data: Datasets) -> Iterator[Caution]:
+    """Yield a caution if scans are smaller than contacts need, with the effect on the force."""
     low, high = data.force["finite_scan_ratio"].values.tolist()
     if high == 1:
-        return None
+        return
     size = number_of(data.topography, "scan_size", "nm", name="size")
     search_size = number_of(data.force, "search_size", "nm")
     share = size.value / search_size.value
@@ -129,34 +160,142 @@ def _small_scan_caution(data: Datasets) -> Caution | None:
     numbers = [size, search_size, Number("share", share), ratio]
     if share < SMALLEST_SIZE_RATIO:
         numbers.append(Number("smallest_share", SMALLEST_SIZE_RATIO))
-    return Caution("small_scan", *numbers, grave=low > 1 + data.edges.attrs["tolerance"])
+    yield Caution("small_scan", *numbers, grave=low > 1 + data.edges.attrs["tolerance"])
 
 
-def _few_pixels_caution(force: xr.Dataset) -> Caution | None:
-    """Return a caution if few pixels, or only a part of a pixel, carry the preload."""
+def _few_pixels_caution(force: xr.Dataset) -> Iterator[Caution]:
+    """Yield a caution if few pixels, or only a part of a pixel, carry the preload."""
     area = float(force.attrs["contact_area"])
     pixel = force["pixel_area"].item()
     if area >= MIN_CONTACT_PIXELS * pixel:
-        return None
-    return Caution(
-        "few_pixels",
-        Number("area", area, "nm2"),
-        Number("pixel_area", pixel, "nm2"),
-        Number("pixels", area / pixel),
-        grave=area < pixel,
-    )
+        return
+    areas = Number("area", area, "nm2"), Number("pixel_area", pixel, "nm2")
+    yield Caution("few_pixels", *areas, Number("pixels", area / pixel), grave=area < pixel)
 
 
-def _hindcast_cautions(data: Datasets) -> list[Caution]:
-    """Return a caution with the hindcast ratio of each side, grave if the hindcast fails."""
-    if "hindcast_ratio" not in data.force:
-        return []
-    side_cautions = []
-    for side in SIDES:
+def _hindcast_cautions(data: Datasets) -> Iterator[Caution]:
+    """Yield a caution with the hindcast ratio of each side, grave if the hindcast fails."""
+    for side in SIDES if "hindcast_ratio" in data.force else ():
         force = data.force.sel(side=side)
         ratio = number_of(force, "hindcast_ratio", name="ratio")
         fails = fails_hindcast(data, side)
         if fails or np.isfinite(ratio.value):
             start = number_of(force, "transition", "nm", name="start")
-            side_cautions.append(Caution(f"hindcast_{side}", ratio, start, grave=fails, side=side))
-    return side_cautions
+            yield Caution(f"hindcast_{side}", ratio, start, grave=fails, side=side)
+
+
+def _blind_scans_caution(data: Datasets) -> Iterator[Caution]:
+    """Yield a caution if the maps on which contacts are made are reliable nowhere."""
+    scans = drop_padding(data.spectra)
+    makes_contacts = (scans["kind"].values.astype(str) == "map") & np.isclose(
+        scans["pixel_size"].values ** 2, data.force["pixel_area"].item()
+    )
+    is_reliable = (scans["reliable"].values == 1).any(axis=1)
+    makes_contacts &= scans["limited_by"].values.astype(str) != OTHER_BODY
+    is_blind = makes_contacts.any() and not is_reliable[makes_contacts].any()
+    if is_blind:
+        yield Caution("blind_scans", grave=True)
+
+
+def _defect_cautions(spectra: xr.Dataset, *, grave: bool) -> Iterator[Caution]:
+    """Yield a caution for each defect of the measurements, grave for MISLEADING_DEFECTS."""
+    for index, measurement in enumerate(split_measurements(spectra), start=1):
+        for code, units in DEFECTS.items():
+            values = {name: measurement[name].item() for name in units}
+            if (code in MISLEADING_DEFECTS) != grave or not np.isfinite([*values.values()]).all():
+                continue
+            numbers = [Number(name, values[name], units[name], source="file") for name in units]
+            names = {
+                "scan": measurement_name(measurement),
+                "sentence": defect_sentence(code, values),
+            }
+            yield Caution(code, *numbers, grave=grave, measurement=index, **names)
+
+
+def _reading_cautions(spectra: xr.Dataset) -> Iterator[Caution]:
+    """Yield the cautions that reading the file of each measurement gave, as sentences."""
+    for scan in split_measurements(spectra):
+        for line in split_notes(str(scan["notes"].item()).splitlines())[1]:
+            yield Caution("reading", scan=measurement_name(scan), sentence=line)
+
+
+def _repeated_scan_cautions(spectra: xr.Dataset) -> Iterator[Caution]:
+    """Yield a caution for each scan of an area that an earlier scan shows."""
+    for scan in split_measurements(spectra):
+        if earlier := str(scan["earlier_scan"].item()):
+            name = measurement_name(scan)
+            yield Caution("repeated_scan", grave=True, scan=name, earlier=earlier)
+
+
+def _contradiction_caution(spectra: xr.Dataset) -> Iterator[Caution]:
+    """Yield a caution about the two measurements that contradict each other most, if any do."""
+    scans = drop_padding(spectra)
+    arrays = [scans[name].values for name in ("psd", "reliable", "kind", "size")]
+    contradictions = find_contradictions(*arrays)
+    if not contradictions:
+        return
+    worst = contradictions[0]
+    names = [measurement_name(scan) for scan in split_measurements(scans)]
+    yield Caution(
+        "contradiction",
+        number_without_value("band", *worst.wavelengths, "nm"),
+        Number("factor", worst.factor),
+        Number("more_pairs", len(contradictions) - 1),
+        higher=names[worst.higher],
+        lower=names[worst.lower],
+    )
+
+
+def _excess_roughness_caution(spectra: xr.Dataset) -> Iterator[Caution]:
+    """Yield a caution if the added roughness exceeds that in the scans, which may be smoothed."""
+    q = spectra["bin_wavevector"].values
+    wavelength = 2 * np.pi / q
+    scans = drop_padding(spectra)
+    is_resolved = wavelength >= NYQUIST_PIXELS * scans["pixel_size"].values[:, None]
+    densities = np.where(is_resolved & np.isfinite(scans["psd"].values), scans["psd"].values, 0.0)
+    scan_density = densities.max(axis=0, initial=0.0)
+    added_density = np.interp(q, spectra["wavevector"].values, spectra["spectrum"].values)
+    is_added = wavelength < spectra["shortest_measured"].item()
+    is_excess = is_added & (scan_density > 0) & (added_density > MAX_POWER_RATIO * scan_density)
+    if not is_excess.any():
+        return
+    shortest, longest = wavelength[is_excess].min(), wavelength[is_excess].max()
+    factor = (added_density[is_excess] / scan_density[is_excess]).max()
+    band = number_without_value("band", float(shortest), float(longest), "nm")
+    yield Caution("more_than_measured", band, Number("factor", float(factor)))
+
+
+def _tail_caution(data: Datasets) -> Caution:
+    """Return the caution on the extrapolation of the spectrum to short wavelengths."""
+    spectra = data.spectra
+    wavelength = 2 * np.pi / spectra["wavevector"].values[spectra["spectrum"].values > 0]
+    quantile = NormalDist().inv_cdf((1 + data.edges.attrs["confidence"]) / 2)
+    hurst = spectra["tail_hurst"].item()
+    half_width = quantile * spectra["tail_hurst_error"].item()
+    low, high = max(hurst - half_width, 0.0), min(hurst + half_width, 1.0)
+    shortest, longest = spectra["tail_fit_shortest"].item(), spectra["tail_fit_longest"].item()
+    return Caution(
+        "tail",
+        Number("hurst", hurst, "1", low, high, source="extrapolated"),
+        Number("exponent_known", int(spectra["tail_known"].item() == 1)),
+        number_without_value("fitted_band", shortest, longest, "nm"),
+        Number("spectrum_end", float(wavelength.min()), "nm"),
+        ended_by=spectra["tail_ended_by"].item(),
+    )
+
+
+def _long_wave_caution(data: Datasets) -> Iterator[Caution]:
+    """Yield a caution on the extrapolation of the spectrum to long wavelengths, if any."""
+    rolloff = data.spectra["rolloff"].item()
+    if not np.isfinite(rolloff):
+        return
+    numbers = [
+        Number("rolloff", rolloff, "nm", source="extrapolated"),
+        number_of(data.spectra, "longest_measured", "nm"),
+    ]
+    if "sphere_share" not in data.spectra:  # Otherwise the spectrum is of both bodies.
+        numbers += [
+            Number("scan_rms_height", float(data.topography["rms_height"].mean()), "nm"),
+            number_of(data.topography, "all_scales_rms_height", "nm"),
+        ]
+    yield Caution("long_waves", *numbers)

@@ -1,6 +1,10 @@
-"""The final datasets of a study of the user's surfaces, and selections of them."""
+"""The final datasets of a study of the user's surfaces: forces, measurements, reliable wavelengths.
 
-from collections.abc import Mapping, Sequence
+At wavelengths at which no scan is reliable roughness is artificial: random, with an extrapolated
+spectrum.
+"""
+
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -8,6 +12,7 @@ import xarray as xr
 
 from hardcontact.base.number import Number
 from hardcontact.contact.contact import PLASTIC
+from hardcontact.inference.octaves import octaves_within
 
 #: Kinds of measurement; a substitute has a description instead. The datasets of a surface with
 #: fewer measurements than another are padded, without a kind.
@@ -97,3 +102,33 @@ def split_measurements(spectra: xr.Dataset) -> list[xr.Dataset]:
     measurements = drop_padding(spectra)
     count = measurements.sizes["measurement"]
     return [measurements.isel(measurement=index) for index in range(count)]
+
+
+def artificial_bands(spectra: xr.Dataset) -> list[tuple[float, float]]:
+    """Return the bands of wavelengths at which no measurement of a surface is reliable.
+
+    A band is its shortest and its longest wavelength (nm). The first begins at 0, the last ends at
+    infinity; between them lie gaps between scans.
+    """
+    scans = drop_padding(spectra)
+    scans = scans.isel(measurement=(scans["reliable"].values == 1).any(axis=1))
+    ends = (scans[name].values.tolist() for name in ("shortest_reliable", "longest_reliable"))
+    longest_covered = float(spectra["shortest_measured"])
+    bands = [(0.0, longest_covered)]
+    for shortest, longest in sorted(zip(*ends, strict=True)):
+        if shortest > longest_covered:
+            bands.append((longest_covered, shortest))
+        longest_covered = max(longest_covered, longest)
+    return [*bands, (float(spectra["longest_measured"]), np.inf)]
+
+
+def overlaps_any(low: float, high: float, bands: Iterable[tuple[float, float]]) -> bool:
+    """Return whether wavelengths from low to high (nm) overlap a band; False if either is NaN."""
+    return any(shortest < high and low < longest for shortest, longest in bands)
+
+
+def shown_octaves(data: Datasets) -> np.ndarray:
+    """Return a mask (octave,) of the octaves at whose middle a scan of one surface is reliable."""
+    octaves = data.sensitivity["octave"].values
+    hidden = [octaves_within(octaves, *band) for band in artificial_bands(data.spectra)]
+    return np.asarray(np.logical_not(hidden).all(axis=0))

@@ -1,7 +1,6 @@
-"""The edges of the band of a user's surface, and what to measure next to find them."""
+"""The edges of the band of a user's surface, the answer from them, and what to measure next."""
 
-from collections.abc import Iterable
-from enum import StrEnum
+from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
 import numpy as np
@@ -11,16 +10,34 @@ from hardcontact.base.number import Number, NumberStatus
 from hardcontact.base.statistics import interval_ends
 from hardcontact.inference.edges import EdgeStatus, computed_cutoffs
 from hardcontact.inference.scan_parts import IntervalSource
-from hardcontact.report.own_surfaces.datasets import Datasets, fails_hindcast
-from hardcontact.report.own_surfaces.reliable_wavelengths import (
+from hardcontact.report.own_surfaces.datasets import (
+    Datasets,
     artificial_bands,
-    edge_source,
-    measured_share_at_edge,
+    fails_hindcast,
     overlaps_any,
 )
 from hardcontact.report.quantities import EDGE_NAMES, OPEN_WORDS, NoValue, number_without_value
 from hardcontact.scans.both_bodies import sphere_share
 from hardcontact.surfaces.synthesis import SIDES
+
+#: Smallest share of a change that counts as the whole change: a choice.
+NEARLY_ALL = 0.9
+
+
+class Conclusion(NamedTuple):
+    """The answer of one surface in short; printed intervals have both ends."""
+
+    #: "yes" if both edges are found, edges and force come from wavelengths at which a scan is
+    #: reliable, and no extrapolated force differs; "no" if none of the three comes from there, or
+    #: if there is no band or too few patches are touched; otherwise "partly".
+    answer: str
+    #: "few_patches"; "none" if no resolved wavelength changes the force; "unknown" if a hindcast
+    #: fails or the filter makes ripples; "overlapping" if the short edge is longer; or "found".
+    band: str
+    short_edge: Number
+    long_edge: Number
+    force: Number
+    extrapolated: list[str]  #: Sides with a known force with extrapolated roughness.
 
 
 class NextScan(NamedTuple):
@@ -32,10 +49,17 @@ class NextScan(NamedTuple):
     body: str = ""  #: "sphere" or "surface", the rougher one there; "" under a smooth sphere.
 
 
-def interval_status(interval_source: xr.DataArray) -> StrEnum:
-    """Return the status of a number without interval: few patches touch, or no scan bounds it."""
+def add_status(number: Number, interval_source: xr.DataArray) -> Number:
+    """Return a number with a status that says why it has no interval, if it has none.
+
+    Either few patches touch, or no scan bounds the number.
+    """
+    is_bounded = np.isfinite([number.low, number.high]).any()
+    if is_bounded or number.status not in ("", NumberStatus.NO_INTERVAL):
+        return number
     has_few_patches = interval_source.item() == IntervalSource.FEW_PATCHES
-    return IntervalSource.FEW_PATCHES if has_few_patches else NumberStatus.NO_INTERVAL
+    status = IntervalSource.FEW_PATCHES if has_few_patches else NumberStatus.NO_INTERVAL
+    return number._replace(status=status)
 
 
 def edge_numbers(data: Datasets) -> list[Number]:
@@ -74,9 +98,7 @@ def _edge_without_artificial_ends(data: Datasets, side: str) -> Number:
         edge = edge._replace(low=np.nan)
     if edge.source == "artificial" or overlaps_any(edge.high, edge.high, bands):
         edge = edge._replace(high=np.nan)
-    if edge.status or np.isfinite([edge.low, edge.high]).any():
-        return edge
-    return edge._replace(status=interval_status(data.edges["interval_source"]))
+    return add_status(edge, data.edges["interval_source"])
 
 
 def _cutoffs_around(edge: Number, side_edges: xr.Dataset) -> Number:
@@ -84,6 +106,100 @@ def _cutoffs_around(edge: Number, side_edges: xr.Dataset) -> Number:
     cutoffs = computed_cutoffs(side_edges["filtered_force_ratio"])
     index = np.clip(np.searchsorted(cutoffs, edge.value), 1, len(cutoffs) - 1)
     return number_without_value(f"{edge.name}_cutoffs", cutoffs[index - 1], cutoffs[index], "nm")
+
+
+def reliable_and_artificial_change(
+    data: Datasets, side: str, shortest: float = 0.0, longest: float = np.inf
+) -> tuple[float, float]:
+    """Return how much reliable and how much artificial wavelengths of one surface change the force.
+
+    Roughness is removed on the `side`. A change is the sum of |d ln F| between `shortest` and
+    `longest` (nm); ln F is interpolated linearly over the logarithm of the cutoff.
+    """
+    side_edges = data.edges.sel(side=side)
+    cutoffs = computed_cutoffs(side_edges["filtered_force_ratio"])
+    log_ratio = np.log(side_edges["filtered_force_ratio"].sel(cutoff_wavelength=cutoffs).values)
+    # At the end of the extrapolated spectrum nothing is removed, and the ratio is one.
+    end_index = 0 if side == "short" else len(cutoffs)
+    end = data.force["extrapolation_end"].sel(side=side).item()
+    wavelength = np.insert(cutoffs, end_index, end)
+    log_ratio = np.insert(log_ratio, end_index, 0.0)
+    bands = artificial_bands(data.spectra)
+    limits = max(shortest, wavelength[0]), min(longest, wavelength[-1])
+    ends = np.unique(np.clip([*wavelength, *limits, *np.ravel(bands)], *limits))
+    change = np.abs(np.diff(np.interp(np.log(ends), np.log(wavelength), log_ratio)))
+    middle = np.sqrt(ends[1:] * ends[:-1])
+    artificial = np.any([(low < middle) & (middle < high) for low, high in bands], axis=0)
+    return float(change[~artificial].sum()), float(change[artificial].sum())
+
+
+def reliable_share(changes: tuple[float, float]) -> float:
+    """Return the share of the first of both changes, NaN without any change."""
+    return changes[0] / sum(changes) if sum(changes) > 0 else np.nan
+
+
+def measured_share_at_edge(data: Datasets, side: str) -> float:
+    """Return the share of reliable wavelengths in the change at an edge, NaN for an open edge."""
+    edge = data.edges["edge"].sel(side=side).item()
+    ends = (0.0, edge) if side == "short" else (edge, np.inf)
+    if np.isnan(edge):
+        return np.nan
+    return reliable_share(reliable_and_artificial_change(data, side, *ends))
+
+
+def edge_source(data: Datasets, side: str) -> str:
+    """Return whether an edge rests on artificial roughness, as the source of its number.
+
+    "artificial": the edge, or its bound, lies at an artificial wavelength, or artificial roughness
+    causes more than 90 % of the change. "partly_artificial": it causes 10 to 90 % of the change.
+    "interval_artificial": only the interval reaches artificial wavelengths. Otherwise "measured".
+    """
+    side_edges = data.edges.sel(side=side)
+    bands = artificial_bands(data.spectra)
+    edge = float(side_edges["edge"].fillna(side_edges["edge_bound"]))
+    share = measured_share_at_edge(data, side)
+    if overlaps_any(edge, edge, bands) or share < 1 - NEARLY_ALL:
+        return "artificial"
+    if share < NEARLY_ALL:
+        return "partly_artificial"
+    low, high = side_edges["edge_interval"].fillna(edge).values
+    return "interval_artificial" if overlaps_any(low, high, bands) else "measured"
+
+
+def surface_conclusion(numbers: Mapping[str, Number]) -> Conclusion:
+    """Return the conclusion on one surface from its numbers by name."""
+    short = _drop_partial_interval(numbers["short_edge"])
+    long = _drop_partial_interval(numbers["long_edge"])
+    force = _drop_partial_interval(numbers["mean_force"])
+    sides = [side for side in SIDES if f"force_extrapolated_{side}" in numbers]
+    sources = {short.source, long.source, numbers["mean_force_measured_share"].source}
+    band = _describe_band(short, long, numbers["mean_force"])
+    if band in ("few_patches", "none") or sources == {"artificial"}:
+        answer = "no"
+    elif sources == {"measured"} and not sides and not short.status and not long.status:
+        answer = "yes"
+    else:
+        answer = "partly"
+    known = [side for side in sides if np.isfinite(numbers[f"force_extrapolated_{side}"].value)]
+    return Conclusion(answer, band, short, long, force, known)
+
+
+def _describe_band(short: Number, long: Number, force: Number) -> str:
+    """Return what is known of the band of one surface, as `Conclusion.band`."""
+    if force.status == IntervalSource.FEW_PATCHES:
+        return "few_patches"
+    if short.status == NoValue.NO_BAND:
+        return "none"
+    if {NoValue.NO_HINDCAST, EdgeStatus.RIPPLES} & {short.status, long.status}:
+        return "unknown"
+    return "overlapping" if short.value >= long.value else "found"
+
+
+def _drop_partial_interval(number: Number) -> Number:
+    """Return a number without its interval if only one end of it is known."""
+    is_whole = np.isfinite([number.low, number.high]).all() or np.isnan(number.value)
+    status = number.status if number.status in OPEN_WORDS else NumberStatus.PLAIN
+    return number if is_whole else number._replace(low=np.nan, high=np.nan, status=status)
 
 
 def next_scans(edges: Iterable[Number], spectra: xr.Dataset) -> list[NextScan]:

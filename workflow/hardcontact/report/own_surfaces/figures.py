@@ -6,10 +6,8 @@ from pathlib import Path, PurePath
 
 import numpy as np
 import xarray as xr
-from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 from hardcontact.inference.edges import computed_cutoffs
@@ -17,13 +15,14 @@ from hardcontact.report.figures import drawing, panels, style
 from hardcontact.report.figures.listing import FILE_KINDS, describe_figure
 from hardcontact.report.own_surfaces.datasets import (
     Datasets,
+    artificial_bands,
     drop_padding,
     fails_hindcast,
     measurement_name,
     preferred_model,
+    shown_octaves,
     split_measurements,
 )
-from hardcontact.report.own_surfaces.reliable_wavelengths import artificial_bands, shown_octaves
 from hardcontact.scans.both_bodies import sphere_share
 
 #: Label and look of the curve for each side of the band.
@@ -66,8 +65,7 @@ def draw_octaves(datasets: Datasets) -> Figure:
     labels = datasets.labels()
     is_shown = [shown_octaves(datasets.select_surface(surface)) for surface in labels]
     sensitivity = datasets.sensitivity.sel(surface=list(labels))
-    looks = style.surface_looks(labels).items()
-    handles: list[Artist] = [Line2D([], [], label=labels[name], **look) for name, look in looks]
+    handles = style.surface_handles(sensitivity.assign(label=("surface", [*labels.values()])))
     if "sphere_share" in datasets.spectra:
         middles = np.sqrt(2) * sensitivity["octave"].values
         spectra = [datasets.spectra.sel(surface=surface) for surface in labels]

@@ -1,6 +1,7 @@
-"""Predicted and measured forces of the user's surfaces as numbers of the answer, and their fit."""
+"""Predicted and measured forces of the user's surfaces as numbers, their ratios and their fit."""
 
-from collections.abc import Mapping, Sequence
+import math
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -9,28 +10,26 @@ import xarray as xr
 from hardcontact.base.arrays import Floats
 from hardcontact.base.number import Number, NumberStatus
 from hardcontact.contact.hertz_jkr_dmt import dmt_pull_off
+from hardcontact.inference.octaves import OCTAVES_NAMED
 from hardcontact.report.own_surfaces.datasets import (
     Datasets,
     fails_hindcast,
     forces_at_range,
     preferred_model,
+    shown_octaves,
 )
-from hardcontact.report.own_surfaces.edges import interval_status
-from hardcontact.report.own_surfaces.reliable_wavelengths import (
+from hardcontact.report.own_surfaces.edges import (
     NEARLY_ALL,
+    add_status,
     reliable_and_artificial_change,
     reliable_share,
 )
 from hardcontact.report.quantities import NoValue, number_of, number_without_value
+from hardcontact.surfaces.spectrum import spectrum_of_dataset
 from hardcontact.surfaces.synthesis import SIDES
 
-
-def add_status(number: Number, interval_source: xr.DataArray) -> Number:
-    """Return a number with a status that says why it has no interval, if it has none."""
-    is_bounded = np.isfinite([number.low, number.high]).any()
-    if is_bounded or number.status not in ("", NumberStatus.NO_INTERVAL):
-        return number
-    return number._replace(status=interval_status(interval_source))
+#: Wavevectors per octave at which a spectrum is integrated.
+WAVEVECTORS_PER_OCTAVE = 33
 
 
 def force_numbers(data: Datasets) -> list[Number]:
@@ -212,3 +211,53 @@ def _widest_gap(rho: np.ndarray, agrees: np.ndarray) -> Number:
     widest = steps.argmax()
     low, high = rho[indices[widest : widest + 2]].tolist()
     return number_without_value("fit_gap", low, high, "nm")
+
+
+def comparison_numbers(data: Datasets, reference: Datasets) -> Iterator[Number]:
+    """Yield the ratio of the forces on a surface and a reference, and the octaves that cause it.
+
+    ``force_over_reference_octave_1`` is the shortest wavelength of the octave that contributes
+    most, ``force_over_reference_octave_1_factor`` its factor in the ratio. An octave adds to
+    ln(ratio) the change of its ln(amplitude) times the mean sensitivity d ln F / d ln a.
+    """
+    force = number_of(forces_at_range(data.force), "force")
+    reference_force = number_of(forces_at_range(reference.force), "force")
+    ratio = force.value / reference_force.value
+    # Scans are independent, so that the errors of both logarithms add in squares.
+    fall, rise = np.hypot(_log_distances(force), _log_distances(reference_force)[::-1])
+    low, high = float(ratio * np.exp(-fall)), float(ratio * np.exp(rise))
+    status = NumberStatus.PLAIN if np.isfinite([low, high]).any() else NumberStatus.NO_INTERVAL
+    yield Number("force_over_reference", ratio, "1", low, high, status)
+    octaves, contributions = _octave_contributions(data, reference)
+    # Some octaves may change the ratio in the opposite direction.
+    shares = contributions * np.log(ratio)
+    strongest = [index for index in np.argsort(-shares)[:OCTAVES_NAMED] if shares[index] > 0]
+    for rank, index in enumerate(strongest, start=1):
+        name = f"force_over_reference_octave_{rank}"
+        yield Number(name, float(octaves[index]), "nm")
+        yield Number(f"{name}_factor", math.exp(contributions[index]))
+
+
+def _log_distances(number: Number) -> Floats:
+    """Return the distances (2,) of both ends of an interval from its value, in logarithms."""
+    with np.errstate(divide="ignore"):
+        return np.abs(np.log(np.array([number.low, number.high]) / number.value))
+
+
+def _octave_contributions(data: Datasets, reference: Datasets) -> tuple[Floats, Floats]:
+    """Return octaves (nm) that scans of both surfaces show, and their contributions to ln(F/F')."""
+    is_shown = shown_octaves(data) & shown_octaves(reference)
+    octaves = data.sensitivity["octave"].values[is_shown]
+    name = "octave_sensitivity"
+    sensitivities = [data.sensitivity[name].values, reference.sensitivity[name].values]
+    amplitude_ratio = _octave_amplitudes(data, octaves) / _octave_amplitudes(reference, octaves)
+    contributions = np.mean(sensitivities, axis=0)[is_shown] * np.log(amplitude_ratio)
+    is_known = np.isfinite(contributions)
+    return octaves[is_known], contributions[is_known]
+
+
+def _octave_amplitudes(data: Datasets, octaves: Floats) -> Floats:
+    """Return the rms heights (octave,) in nm of the waves of each octave of one surface."""
+    spectrum = spectrum_of_dataset(data.spectra)
+    q = 2 * np.pi / octaves[:, None] * np.geomspace(0.5, 1, WAVEVECTORS_PER_OCTAVE)
+    return np.asarray(np.sqrt(np.trapezoid(q * spectrum(q), q) / (2 * np.pi)))

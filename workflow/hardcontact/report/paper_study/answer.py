@@ -1,7 +1,6 @@
 """The answer of the paper's study, from claims and datasets: the content of its answer.json."""
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -11,21 +10,16 @@ import xarray as xr
 from hardcontact.base.number import Number, NumberStatus, numbers_by_name
 from hardcontact.base.statistics import interval_ends, percentile_interval
 from hardcontact.config.configuration import numeric_configuration
-from hardcontact.contact.contact import PLASTIC
+from hardcontact.contact.contact import PLASTIC, RIGID
 from hardcontact.contact.numerical_limits import SHORT_ADHESION_RANGE
 from hardcontact.inference.edges import MEAN_GROUP, EdgeStatus, edges_or_bounds
 from hardcontact.inference.fit import WITHOUT_SURFACE
 from hardcontact.inference.octaves import strongest_octaves
 from hardcontact.paper.claims.verdicts import count_verdicts, find_open_end, interval_with_sets
-from hardcontact.report.answer import all_quantities, note, substitutes_note
 from hardcontact.report.paper_study.changed_inputs import changed_inputs, paper_contact
-from hardcontact.report.paper_study.conclusions import (
-    claim_facts,
-    features_by_scatter,
-    most_sensitive_coatings,
-)
-from hardcontact.report.quantities import EDGE_NAMES, number_of
-from hardcontact.report.templates import render_lines, render_text
+from hardcontact.report.paper_study.tables import claim_facts
+from hardcontact.report.quantities import EDGE_NAMES, all_quantities, number_of
+from hardcontact.report.templates import render_lines, render_note, substitutes_note
 
 #: Claims with numbers in the answer, by the names of these numbers.
 ANSWER_CLAIMS = {
@@ -45,33 +39,14 @@ ANSWER_CLAIMS = {
 }
 #: Status of an edge that lies beyond the cutoffs, by its side.
 OPEN_STATUSES = {"short": EdgeStatus.OPEN_ABOVE, "long": EdgeStatus.OPEN_BELOW}
+#: Contact model of edge_shifts.nc, and the index of its range, without each reason of an edge.
+FORMER_EDGES = {"plasticity_shift": (RIGID, -1), "range_shift": (PLASTIC, 0)}
 #: Parameters that are fitted to the forces of each set of scans, with units.
 PAIR_UNITS = {"range_of_adhesion": "nm", "work_of_adhesion": "J/m2"}
 #: Statistics of the forces on surfaces with features, with units.
 FORCE_UNITS = {"mean_force_at_pair": "N", "median_force_at_pair": "N", "log_force_std": "1"}
-#: Part of the roughness whose force says whether the published band is sufficient.
-BAND_ALONE = {"band": "published", "band_part": "only the band"}
-#: Sets of scans below which the ends of a 95 % interval rest on one or two outermost sets.
-MIN_SETS = 50
 #: Grids that are coarse if they are smaller than the paper's.
 COMPARED_GRIDS = ("scan_pixels", "contacts_per_row")
-#: Sizes in the study that the paper also prints, with units.
-GRID_UNITS = {"scan_pixels": "1", "scan_size": "nm", "contacts_per_row": "1"}
-
-
-@dataclass(frozen=True)
-class StudyFacts:
-    """What templates say of the whole study, by the names that they use."""
-
-    numbers: dict[str, Number]
-    surfaces: dict[str, dict[str, Number]]  #: The numbers of each substrate.
-    is_substitute: bool  #: Whether any surface is a substitute.
-    featured: str  #: Label of the coating with rare bumps or pits, if any.
-    most_sensitive: dict[str, str]  #: As `most_sensitive_coatings` returns.
-    is_coarse: bool  #: Whether a grid is smaller than the paper's.
-    has_few_sets: bool
-    roughness_lowers_force: bool  #: In each of the three strongest octaves.
-    reasons_are_resolved: bool  #: Whether intervals show that plasticity and range matter.
 
 
 def paper_answer(
@@ -86,73 +61,51 @@ def paper_answer(
     """Return the content of answer.json: a head, notes in words, and all numbers.
 
     `claims` comes from `add_open_ends`, `constants` and `table1` from `published`. The
-    datasets are `topography`, `scales`, `edges`, `sensitivity`, `band_forces`, `sets`, `features`,
-    `fit`, and `scan_size` from resources/validation.
+    datasets are `topography`, `scales`, `edges`, `edge_shifts`, `sensitivity`, `band_forces`,
+    `sets`, `features`, `fit`, and `scan_size` from resources/validation.
     """
-    topography = datasets["topography"]
-    facts = _study_facts(claims, datasets, constants)
-    heads = topography[["label", "source"]].to_dataframe()
+    heads = datasets["topography"][["label", "source"]].to_dataframe()
+    numbers = numbers_by_name(*study_numbers(claims, datasets, constants))
+    substrates = [str(name) for name in datasets["edges"]["surface"].values]
+    coatings = {name: surface_numbers(name, datasets) for name in substrates}
+    sizes = [(numbers[name].value, numbers[f"{name}_published"].value) for name in COMPARED_GRIDS]
     contact = paper_contact(numeric_configuration(configuration))
-    changed = changed_inputs(contact, list(facts.surfaces), table1)
+    changed = changed_inputs(contact, substrates, table1)
+    facts = claim_facts(claims) | {
+        "numbers": numbers,
+        "coatings": [
+            {"label": heads["label"][name], "numbers": coatings[name]} for name in coatings
+        ],
+        "substitutes": heads.loc[heads["source"] == "substitute", "label"].tolist(),
+        "featured": datasets["features"].attrs["label"],
+        "is_coarse": any(size < published for size, published in sizes),
+        "changed": changed,
+    }
+    notes = substitutes_note(facts["substitutes"])
+    if facts["featured"]:
+        notes.append(render_note("paper_features.txt", "features", **facts))
     verdict_numbers = [] if changed else _verdict_numbers(claims)
-    template_names = vars(facts) | claim_facts(claims)
     return {
         "study": configuration["study"],
         "version": version,
-        "effort": "quick" if facts.is_coarse else configuration["effort"],
+        "effort": "quick" if facts["is_coarse"] else configuration["effort"],
         "kind": "paper",
-        "headline": render_lines("paper_headline.txt", changed=changed, **template_names),
-        "verdicts": [] if changed else render_lines("paper_verdicts.txt", **template_names),
+        "headline": render_lines("paper_headline.txt", **facts),
+        "verdicts": [] if changed else render_lines("paper_verdicts.txt", **facts),
         "contact": contact,
         "changed": changed,
         "assumed": [],
         "chosen": [],
         "surfaces": [
             {"name": name, "label": heads["label"][name], "source": heads["source"][name]}
-            for name in (*facts.surfaces, topography.attrs["sphere_surface"])
+            for name in (*substrates, datasets["topography"].attrs["sphere_surface"])
         ],
-        "notes": _notes(topography, facts),
+        "notes": notes,
         "quantities": all_quantities(
-            [*facts.numbers.values(), *verdict_numbers],
-            {name: numbers.values() for name, numbers in facts.surfaces.items()},
+            [*numbers.values(), *verdict_numbers],
+            {name: coatings[name].values() for name in coatings},
         ),
     }
-
-
-def _study_facts(
-    claims: pd.DataFrame, datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame
-) -> StudyFacts:
-    """Return what the headline and the notes say of the study."""
-    topography = datasets["topography"]
-    labels = topography["label"].to_series()
-    numbers = numbers_by_name(*study_numbers(claims, datasets, constants))
-    substrates = [str(name) for name in datasets["edges"]["surface"].values]
-    surfaces = {name: surface_numbers(name, datasets) for name in substrates}
-    sizes = [(numbers[name].value, numbers[f"{name}_published"].value) for name in COMPARED_GRIDS]
-    octaves = [numbers[f"octave_{rank}_sensitivity"].value for rank in (1, 2, 3)]
-    shifts = [numbers.get(name) for name in ("plasticity_shift", "range_shift")]
-    return StudyFacts(
-        numbers=numbers,
-        surfaces=surfaces,
-        is_substitute=bool((topography["source"] == "substitute").any()),
-        featured=datasets["features"].attrs["label"],
-        most_sensitive=most_sensitive_coatings({labels[name]: surfaces[name] for name in surfaces}),
-        is_coarse=any(size < published for size, published in sizes),
-        has_few_sets=numbers["sets"].value < MIN_SETS,
-        roughness_lowers_force=max(octaves) < 0,
-        reasons_are_resolved=all(shift is not None and shift.low > 1 for shift in shifts),
-    )
-
-
-def _notes(topography: xr.Dataset, facts: StudyFacts) -> list[dict[str, Any]]:
-    """Return the notes on substitutes and on rare bumps or pits."""
-    is_substitute = (topography["source"] == "substitute").values
-    notes = substitutes_note(topography["label"].values[is_substitute].tolist())
-    if facts.featured:
-        nearer = features_by_scatter(facts.numbers)
-        text = render_text("paper_features.txt", features_by_scatter=nearer, **vars(facts))
-        notes.append(note("features", text))
-    return notes
 
 
 def study_numbers(
@@ -206,8 +159,10 @@ def _claim_numbers(name: str, row: Any, datasets: Mapping[str, xr.Dataset]) -> l
             source = _edge_source(datasets["scales"], side, row.computed)
         if name == edge_name and np.isnan(mean_edges.sel(side=side).item()):
             status = OPEN_STATUSES[side]
-    if name.endswith("_shift"):  # It rests on the edge without this reason, too.
-        former_edge = mean_edges.sel(side="short").item() / row.computed
+    if name in FORMER_EDGES:  # It rests on the edge without this reason, too.
+        model, end = FORMER_EDGES[name]
+        shifts = datasets["edge_shifts"].sel(side="short", group=MEAN_GROUP, contact_model=model)
+        former_edge = shifts["edge"].sortby("rho").isel(rho=end).item()
         source = _edge_source(datasets["scales"], "short", former_edge)
     return [
         Number(name, row.computed, row.unit, row.low, row.high, status, source),
@@ -234,8 +189,8 @@ def surface_numbers(surface: str, datasets: Mapping[str, xr.Dataset]) -> dict[st
         numbers[name] = Number(name, value, "nm", low, high, status, source)
     fit = datasets["fit"].sel(contact_model=PLASTIC, pair="published", surface=surface)
     numbers["mean_force"] = number_of(fit, "mean_force_at_pair", name="mean_force")
-    band_force = datasets["band_forces"].sel(BAND_ALONE).sel(surface=surface)
-    numbers["band_force_ratio"] = number_of(band_force, "band_force_ratio")
+    band_forces = datasets["band_forces"].sel(band="published", band_part="only the band")
+    numbers["band_force_ratio"] = number_of(band_forces.sel(surface=surface), "band_force_ratio")
     small_scan = _small_scan_forces(datasets)
     if surface in small_scan["surface"].values:
         numbers["small_scan_ratio"] = number_of(
@@ -251,20 +206,16 @@ def _small_scan_forces(datasets: Mapping[str, xr.Dataset]) -> xr.Dataset:
     return windows.sel(map_size=datasets["topography"]["scan_size"].min(), method="nearest")
 
 
-def _decisive_surface(sets: xr.Dataset) -> str:
-    """Return the surface without which the best ranges of the sets scatter least."""
-    ranges = sets["range_without_surface"].sel(contact_model=PLASTIC).transpose("left_out", "set")
-    return str(ranges["left_out"].values[np.log(ranges.values).std(axis=1).argmin()])
-
-
 def _pairs_of_sets(datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame) -> Iterator[Number]:
     """Yield the best range and work of adhesion of the sets, with and without the decisive surface.
 
-    Yields also the standard deviation of each over the sets, and its printed uncertainty.
+    Without it the best ranges scatter least. Yields also the standard deviation of each over the
+    sets, and its printed uncertainty.
     """
     confidence = datasets["sets"].attrs["confidence"]
     sets = datasets["sets"].sel(contact_model=PLASTIC)
-    reduced_sets = sets.sel(left_out=_decisive_surface(datasets["sets"]))
+    log_ranges = np.log(sets["range_without_surface"].transpose("left_out", "set").values)
+    reduced_sets = sets.isel(left_out=log_ranges.std(axis=1).argmin())
     for name, unit in PAIR_UNITS.items():
         yield _median_number(f"all_surfaces_{name}", unit, sets[name].values, confidence)
         sample = reduced_sets[WITHOUT_SURFACE[name]].values
@@ -299,12 +250,12 @@ def _settings(datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame) -> It
     topography = datasets["topography"]
     scales = datasets["scales"]
     sizes = {
-        "scan_pixels": topography.sizes["row"],
-        "scan_size": topography["scan_size"].min().item(),
-        "contacts_per_row": scales.sizes["contact_y"],
+        "scan_pixels": (topography.sizes["row"], "1"),
+        "scan_size": (topography["scan_size"].min().item(), "nm"),
+        "contacts_per_row": (scales.sizes["contact_y"], "1"),
     }
-    for name, unit in GRID_UNITS.items():
-        yield Number(name, sizes[name], unit, source="given")
+    for name, (size, unit) in sizes.items():
+        yield Number(name, size, unit, source="given")
         yield Number(f"{name}_published", constants["value"][name], unit, source="published")
     yield Number("range_of_band", float(scales.attrs["rho"]), "nm", source="given")
     yield Number("short_range", SHORT_ADHESION_RANGE, "nm", source="given")

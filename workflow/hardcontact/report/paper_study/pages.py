@@ -11,11 +11,11 @@ from markdown_it import MarkdownIt
 from markdown_it.token import Token
 from mdit_py_plugins.dollarmath import dollarmath_plugin
 
-from hardcontact.report.answer import numbers_of_answer, render_page
-from hardcontact.report.figures.listing import PAPER_FIGURES, Caption, describe_figure
+from hardcontact.report.figures.listing import PAPER_FIGURES, Description, describe_figure
 from hardcontact.report.paper_study.answer import ANSWER_CLAIMS
-from hardcontact.report.paper_study.conclusions import claim_facts, most_sensitive_coatings
-from hardcontact.report.templates import Frame, render_document, unbroken
+from hardcontact.report.paper_study.tables import claim_facts
+from hardcontact.report.quantities import numbers_of_answer
+from hardcontact.report.templates import Frame, render_document, render_page, unbroken
 
 #: A link of Markdown within the repository: its words, the document without `.md`, and the anchor.
 LINK = re.compile(r"\[([^\]]+)\]\((?!https?:)([^)#]+?)(?:\.md)?(#[^)]*)?\)")
@@ -33,21 +33,18 @@ def paper_page(
     answer: Mapping[str, Any],
     claims: pd.DataFrame,
     figures: Mapping[str, bytes],
-    captions: Mapping[str, Caption],
+    captions: Mapping[str, Description],
     citation: Mapping[str, Any],
     frame: Frame,
 ) -> str:
     """Return the page of the paper's study; claims have open ends, SVG and captions are by name."""
-    *coatings, _ = answer["surfaces"]  # the last one is the sphere
-    coating_numbers = {row["label"]: numbers_of_answer(answer, row["name"]) for row in coatings}
     numbers = numbers_of_answer(answer)
-    facts = claim_facts(claims) | {"captions": captions}
-    facts["most_sensitive"] = most_sensitive_coatings(coating_numbers)
-    facts["artificial_claims"] = [
+    artificial_claims = [
         claim
         for name, claim in ANSWER_CLAIMS.items()
         if name in numbers and numbers[name].source == "artificial"
     ]
+    facts = claim_facts(claims) | {"captions": captions, "artificial_claims": artificial_claims}
     return render_page(answer, figures, citation, frame, **facts)
 
 
@@ -55,22 +52,14 @@ def figures_page(
     answer: Mapping[str, Any],
     table1: Sequence[Sequence[str]],
     figures: Mapping[str, bytes],
-    captions: Mapping[str, Caption],
+    captions: Mapping[str, Description],
     frame: Frame,
 ) -> str:
     """Return the page of all figures of the paper's study, and of Table 1 from `table1_rows`."""
     chapters = groupby(PAPER_FIGURES, key=lambda name: describe_figure(name).chapter)
-    return render_document(
-        "figures.html",
-        frame,
-        "figures",
-        notes=answer["notes"],
-        surfaces=answer["surfaces"],
-        table1=table1,
-        figures=figures,
-        captions=captions,
-        chapters=[(heading, list(names)) for heading, names in chapters],
-    )
+    facts = {"answer": answer, "table1": table1, "figures": figures, "captions": captions}
+    facts["chapters"] = [(heading, list(names)) for heading, names in chapters]
+    return render_document("figures.html", frame, "figures", **facts)
 
 
 def report_pages(

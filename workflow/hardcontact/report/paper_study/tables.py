@@ -1,13 +1,17 @@
-"""Conclusions from the claims and numbers of the paper's study, which templates put into words."""
+"""The tables of the paper's study as printed: its statements with their verdicts, and Table 1."""
 
+import math
 from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 import pandas as pd
+import xarray as xr
+import yaml
 
 from hardcontact.base.formatting import format_as_paper, is_unbounded
-from hardcontact.base.number import Number, NumberStatus
+from hardcontact.base.number import NumberStatus
+from hardcontact.base.published import rows_met
 from hardcontact.paper.claims.selection import LARGER_PIXELS, WITHOUT_SCAN
 from hardcontact.paper.claims.verdicts import (
     BY_CONSTRUCTION,
@@ -17,8 +21,9 @@ from hardcontact.paper.claims.verdicts import (
     REPRODUCED_SHARE,
     count_verdicts,
 )
-from hardcontact.report.paper_study.table1 import decimals_of
+from hardcontact.report import TEXTS
 from hardcontact.report.quantities import NO_INTERVAL_WORDS
+from hardcontact.surfaces.metrics import TABLE1_VARIABLES
 
 
 def claim_facts(claims: pd.DataFrame) -> dict[str, Any]:
@@ -91,21 +96,60 @@ def _print_accepted_range(low: float, high: float, unit: str) -> str:
         return f"{low_text} {low_unit} to {high_text} {high_unit}"
     # Equally many decimals: at most those that the upper end has with three digits.
     printed = max(len(text.partition(".")[2]) for text in (low_text, high_text))
-    decimals = min(printed, decimals_of(float(high_text), 0.0))
+    decimals = min(printed, _decimals_of(float(high_text), 0.0))
     return f"{float(low_text):.{decimals}f} to {float(high_text):.{decimals}f} {high_unit}".rstrip()
 
 
-def most_sensitive_coatings(coatings: Mapping[str, Mapping[str, Number]]) -> dict[str, str]:
-    """Return the label of the coating whose force changes first, by edge; coatings are by label."""
-    return {
-        "short_edge": min(coatings, key=lambda label: coatings[label]["short_edge"].value),
-        "long_edge": max(coatings, key=lambda label: coatings[label]["long_edge"].value),
-    }
+def table1_rows(topography: xr.Dataset, published: pd.DataFrame) -> list[list[str]]:
+    """Return the rows of Table 1 as printed: a title, then the value for each surface.
+
+    Values of scans are mean and standard deviation over the scans of a surface. Values over all
+    scales are those of the joined spectrum. A dagger marks what substitutes meet by construction.
+    """
+    surfaces = [topography.sel(surface=name) for name in topography["surface"].values]
+    table1 = yaml.safe_load((TEXTS / "templates/table1.yaml").read_text("utf-8"))
+    rows = []
+    for name, quantity in table1.items():
+        unit = quantity["unit"]
+        values = published[published["quantity"] == name].set_index("surface")
+        cells = [_print_published(values, str(data["surface"].item()), unit) for data in surfaces]
+        rows.append([f"{quantity['title']}, published", *cells])
+        for variable, title in quantity["computed"].items():
+            cells = [_print_computed(data, variable, name, unit) for data in surfaces]
+            rows.append([title, *cells])
+    return rows
 
 
-def features_by_scatter(numbers: Mapping[str, Number]) -> str:
-    """Return which features scatter ln F more like the published forces: "bumps" or "pits"."""
-    bumps = numbers["bumps_log_force_std"].value
-    pits = numbers["pits_log_force_std"].value
-    published = numbers["featured_log_force_std_published"].value
-    return "bumps" if abs(bumps - published) < abs(pits - published) else "pits"
+def _print_published(values: pd.DataFrame, surface: str, unit: float) -> str:
+    """Return a published value and its uncertainty, with equally many decimals."""
+    if surface not in values.index:
+        return "–"
+    value, uncertainty = values.loc[surface, ["value", "uncertainty"]].to_numpy(float) / unit
+    decimals = max(len(f"{number:g}".partition(".")[2]) for number in (value, uncertainty))
+    return _print_with_uncertainty(value, uncertainty, decimals)
+
+
+def _print_computed(surface: xr.Dataset, variable: str, quantity: str, unit: float) -> str:
+    """Return a computed value: mean over scans, or rms value of the joined spectrum."""
+    name, spread = variable, math.nan
+    if f"{variable}_mean" in surface:
+        name, spread = f"{variable}_mean", surface[f"{variable}_std"].item() / unit
+    value = surface[name].item() / unit
+    meets_by_construction = quantity in rows_met(surface["table1_rows_met"].item())
+    mark = " †" if meets_by_construction and TABLE1_VARIABLES[quantity] == name else ""
+    return _print_with_uncertainty(value, spread, _decimals_of(value, spread)) + mark
+
+
+def _print_with_uncertainty(value: float, uncertainty: float, decimals: int) -> str:
+    if not math.isfinite(value):
+        return "–"
+    if not math.isfinite(uncertainty):
+        return f"{value:.3g}"
+    return f"{value:.{decimals}f} ± {uncertainty:.{decimals}f}"
+
+
+def _decimals_of(value: float, uncertainty: float) -> int:
+    """Return the decimals for two digits of the uncertainty and at most three of the value."""
+    digits = [1 - math.floor(math.log10(uncertainty))] if uncertainty > 0 else []
+    digits += [2 - math.floor(math.log10(abs(value)))] if value and math.isfinite(value) else []
+    return max(0, min(digits, default=2))

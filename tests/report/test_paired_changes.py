@@ -8,8 +8,7 @@ import xarray as xr
 
 from hardcontact.base.number import Number
 from hardcontact.report.paper_study.answer import FORCE_UNITS
-from hardcontact.report.paper_study.paired_changes import add_paired_intervals, pairing
-from hardcontact.report.study_comparison import ComparedNumber
+from hardcontact.report.study_comparison import ComparedNumber, add_paired_intervals, pairing
 from hardcontact.surfaces.metrics import TABLE1_METRICS
 
 SETS = 20_000

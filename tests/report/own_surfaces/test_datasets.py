@@ -3,8 +3,7 @@
 import numpy as np
 from answer_inputs import MEASUREMENTS, SURFACES, spectra
 
-from hardcontact.report.own_surfaces.datasets import drop_padding
-from hardcontact.report.own_surfaces.reliable_wavelengths import artificial_bands, reliable_scans
+from hardcontact.report.own_surfaces.datasets import artificial_bands, drop_padding
 
 
 def select_first(data):
@@ -27,7 +26,6 @@ def test_an_unreliable_scan_closes_no_gap():
     coarse = data["path"].values == "scans/coarse.spm"
     data["reliable"] = data["reliable"].where(~coarse[:, None], 0)
     assert (320.0, 800.0) in artificial_bands(data)
-    assert reliable_scans(data).sizes["measurement"] == len(MEASUREMENTS) - 1
 
 
 def test_empty_entries_are_no_measurements():
