@@ -90,8 +90,7 @@ def substitutes_note(labels: Sequence[str]) -> list[dict[str, Any]]:
     """Return the note that these surfaces are substitutes, or none if all are measured."""
     if not labels:
         return []
-    facts = {"substitutes": labels, "grave": True}
-    return [render_note("substitutes.txt", "caution", "substitutes", **facts)]
+    return [render_note("substitutes.txt", "caution", "substitutes", "", True, substitutes=labels)]
 
 
 @cache

@@ -9,6 +9,7 @@ import xarray as xr
 from hardcontact.base.number import Number, numbers_by_name
 from hardcontact.inference.octaves import strongest_octaves
 from hardcontact.report.figures import panels
+from hardcontact.report.own_surfaces import edges, forces
 from hardcontact.report.own_surfaces.cautions import Caution, answer_cautions
 from hardcontact.report.own_surfaces.datasets import (
     MEASUREMENT_LENGTHS,
@@ -20,24 +21,7 @@ from hardcontact.report.own_surfaces.datasets import (
     split_measurements,
     stored_tabor_number,
 )
-from hardcontact.report.own_surfaces.edges import (
-    NEARLY_ALL,
-    Conclusion,
-    NextScan,
-    edge_numbers,
-    next_scans,
-    surface_conclusion,
-)
-from hardcontact.report.own_surfaces.forces import (
-    comparison_numbers,
-    fit_numbers,
-    force_numbers,
-    measured_numbers,
-    pair_numbers,
-    preferred_fit,
-)
 from hardcontact.report.quantities import (
-    EDGE_NAMES,
     all_quantities,
     number_of,
     number_without_value,
@@ -56,6 +40,10 @@ from hardcontact.surfaces.metrics import METRICS
 #: Names of the range and the work of adhesion among the inputs of contacts.
 RANGE = "range of adhesion"
 WORK = "work of adhesion"
+#: Limits that templates name.
+LIMITS = {
+    "min_pixels": MIN_PIXELS, "min_waves": MIN_WAVES_IN_SIZE, "nearly_all": edges.NEARLY_ALL,
+}  # fmt: skip
 #: Metrics of a scan, of `METRICS`.
 SHOWN_METRICS = (
     "rms_height", "rms_gradient", "rms_half_laplacian", "peak_to_valley", "skewness", "kurtosis",
@@ -69,9 +57,9 @@ class SurfaceAnswer(NamedTuple):
     label: str
     source: str  #: measured or substitute.
     numbers: dict[str, Number]
-    conclusion: Conclusion
+    conclusion: edges.Conclusion
     cautions: list[Caution]
-    next_scans: list[NextScan]
+    next_scans: list[edges.NextScan]
 
 
 def own_answer(datasets: Datasets, setting: Setting) -> dict[str, Any]:
@@ -95,8 +83,8 @@ def own_answer(datasets: Datasets, setting: Setting) -> dict[str, Any]:
             effort=setting.effort,
             contact=setting.contact_words,
             assumed=setting.assumed,
-            nearly_all=NEARLY_ALL,
             fit_notes=fit_notes,
+            **LIMITS,
         ),
         "verdicts": [],
         "contact": {**setting.contact_words, "contact model": preferred_model(datasets.force)},
@@ -132,18 +120,18 @@ def _surface_answer(
     name: str, label: str, data: Datasets, reference: Datasets, setting: Setting
 ) -> SurfaceAnswer:
     """Return the answer of one surface; the reference is the first surface."""
-    numbers = [*_octave_numbers(data), *edge_numbers(data), *force_numbers(data)]
+    numbers = [*_octave_numbers(data), *edges.edge_numbers(data), *forces.force_numbers(data)]
     if data.force["surface"].item() != reference.force["surface"].item():
-        numbers += comparison_numbers(data, reference)
+        numbers += forces.comparison_numbers(data, reference)
     # A user who gave measured forces, or both range and work of adhesion, has a pair.
     if data.fit is None and {RANGE, WORK} & set(setting.assumed):
-        numbers += pair_numbers(data.force, setting.pairs)
+        numbers += forces.pair_numbers(data.force, setting.pairs)
     if data.fit is not None and name in data.fit["surface"].values:
-        numbers += measured_numbers(preferred_fit(data.fit).sel(surface=name), data)
+        numbers += forces.measured_numbers(forces.preferred_fit(data.fit).sel(surface=name), data)
     named_numbers = numbers_by_name(*numbers)
-    conclusion = surface_conclusion(named_numbers)
+    conclusion = edges.surface_conclusion(named_numbers)
     surface_cautions = answer_cautions(data, named_numbers)
-    new_scans = next_scans([named_numbers[name] for name in EDGE_NAMES.values()], data.spectra)
+    new_scans = edges.next_scans(named_numbers, data.spectra)
     named_numbers |= numbers_by_name(
         *_caution_numbers(surface_cautions),
         *(scan.limit._replace(name=f"{scan.edge}_{scan.code}_limit") for scan in new_scans),
@@ -167,31 +155,28 @@ def _octave_numbers(data: Datasets) -> Iterator[Number]:
 
 def _study_numbers(datasets: Datasets, setting: Setting) -> list[Number]:
     """Return the numbers of the whole study: settings and, with measured forces, the fit."""
-    force, edges = datasets.force.attrs, datasets.edges.attrs
+    contact, band = datasets.force.attrs, datasets.edges.attrs
     sources = {name: "assumed" if name in setting.assumed else "given" for name in (RANGE, WORK)}
     return [
-        Number("range_of_adhesion", force["rho"], "nm", source=sources[RANGE]),
-        Number("work_of_adhesion", force["work_of_adhesion"], "J m-2", source=sources[WORK]),
-        Number("tolerance", edges["tolerance"], source="given"),
-        Number("confidence", edges["confidence"], source="given"),
+        Number("range_of_adhesion", contact["rho"], "nm", source=sources[RANGE]),
+        Number("work_of_adhesion", contact["work_of_adhesion"], "J m-2", source=sources[WORK]),
+        Number("tolerance", band["tolerance"], source="given"),
+        Number("confidence", band["confidence"], source="given"),
         stored_tabor_number(datasets.force),
-        *([] if datasets.fit is None else fit_numbers(preferred_fit(datasets.fit))),
+        *([] if datasets.fit is None else forces.fit_numbers(forces.preferred_fit(datasets.fit))),
     ]
 
 
 def _surface_notes(surfaces: list[SurfaceAnswer]) -> Iterator[dict[str, Any]]:
     """Yield the notes in words on the surfaces: cautions, and measurements to make next."""
     yield from substitutes_note([row.label for row in surfaces if row.source != "measured"])
-    limits = {"min_pixels": MIN_PIXELS, "min_waves": MIN_WAVES_IN_SIZE}
     for surface in surfaces:
-        facts: dict[str, Any] = {"label": surface.label, "several": len(surfaces) > 1}
+        facts: dict[str, Any] = {"label": surface.label, "several": len(surfaces) > 1} | LIMITS
         for caution in surface.cautions:
             head = ("caution", caution.code, surface.name, caution.grave)
             yield render_note("own_caution.txt", *head, caution=caution, **facts)
         for scan in surface.next_scans:
-            yield render_note(
-                "own_next.txt", "next", scan.code, surface.name, scan=scan, **facts, **limits
-            )
+            yield render_note("own_next.txt", "next", scan.code, surface.name, scan=scan, **facts)
 
 
 def _caution_numbers(surface_cautions: list[Caution]) -> Iterator[Number]:
@@ -256,5 +241,4 @@ def own_page(
     frame: Frame,
 ) -> str:
     """Return the page of a study of the user's surfaces; the SVG of figures is by name."""
-    limits = {"min_pixels": MIN_PIXELS, "min_waves": MIN_WAVES_IN_SIZE, "nearly_all": NEARLY_ALL}
-    return render_page(answer, figures, citation, frame, limit_names=LIMIT_NAMES, **limits)
+    return render_page(answer, figures, citation, frame, limit_names=LIMIT_NAMES, **LIMITS)

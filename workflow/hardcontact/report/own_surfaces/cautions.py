@@ -192,24 +192,20 @@ def _blind_scans_caution(data: Datasets) -> Iterator[Caution]:
     )
     is_reliable = (scans["reliable"].values == 1).any(axis=1)
     makes_contacts &= scans["limited_by"].values.astype(str) != OTHER_BODY
-    is_blind = makes_contacts.any() and not is_reliable[makes_contacts].any()
-    if is_blind:
+    if makes_contacts.any() and not is_reliable[makes_contacts].any():
         yield Caution("blind_scans", grave=True)
 
 
 def _defect_cautions(spectra: xr.Dataset, *, grave: bool) -> Iterator[Caution]:
     """Yield a caution for each defect of the measurements, grave for MISLEADING_DEFECTS."""
-    for index, measurement in enumerate(split_measurements(spectra), start=1):
+    for index, scan in enumerate(split_measurements(spectra), start=1):
         for code, units in DEFECTS.items():
-            values = {name: measurement[name].item() for name in units}
+            values = {name: scan[name].item() for name in units}
             if (code in MISLEADING_DEFECTS) != grave or not np.isfinite([*values.values()]).all():
                 continue
             numbers = [Number(name, values[name], units[name], source="file") for name in units]
-            names = {
-                "scan": measurement_name(measurement),
-                "sentence": defect_sentence(code, values),
-            }
-            yield Caution(code, *numbers, grave=grave, measurement=index, **names)
+            texts = {"scan": measurement_name(scan), "sentence": defect_sentence(code, values)}
+            yield Caution(code, *numbers, grave=grave, measurement=index, **texts)
 
 
 def _reading_cautions(spectra: xr.Dataset) -> Iterator[Caution]:

@@ -1,6 +1,6 @@
 """The edges of the band of a user's surface, the answer from them, and what to measure next."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from typing import NamedTuple
 
 import numpy as np
@@ -202,11 +202,11 @@ def _drop_partial_interval(number: Number) -> Number:
     return number if is_whole else number._replace(low=np.nan, high=np.nan, status=status)
 
 
-def next_scans(edges: Iterable[Number], spectra: xr.Dataset) -> list[NextScan]:
+def next_scans(numbers: Mapping[str, Number], spectra: xr.Dataset) -> list[NextScan]:
     """Return a measurement to make next for each edge that is open or extrapolated."""
     return [
         _next_scan(edge, spectra)
-        for edge in edges
+        for edge in (numbers["short_edge"], numbers["long_edge"])
         if edge.status in (*OPEN_WORDS, NoValue.NO_BAND)
         or edge.source in ("artificial", "partly_artificial")
     ]

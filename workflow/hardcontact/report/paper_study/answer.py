@@ -39,7 +39,7 @@ ANSWER_CLAIMS = {
 }
 #: Status of an edge that lies beyond the cutoffs, by its side.
 OPEN_STATUSES = {"short": EdgeStatus.OPEN_ABOVE, "long": EdgeStatus.OPEN_BELOW}
-#: Contact model of edge_shifts.nc, and the index of its range, without each reason of an edge.
+#: Contact model and index of the range at which edge_shifts.nc has the edge without each reason.
 FORMER_EDGES = {"plasticity_shift": (RIGID, -1), "range_shift": (PLASTIC, 0)}
 #: Parameters that are fitted to the forces of each set of scans, with units.
 PAIR_UNITS = {"range_of_adhesion": "nm", "work_of_adhesion": "J/m2"}
