@@ -47,6 +47,7 @@ def caption(name: str, facts: Mapping[str, Any]) -> Description:
     environment = Environment(undefined=StrictUndefined)
     environment.filters["percent"] = format_share
     figure = describe_figure(name)
-    texts = {key: getattr(figure, key) for key in ("title", "caption", "details", "alt")}
-    rendered = {key: environment.from_string(text).render(facts) for key, text in texts.items()}
-    return replace(figure, **rendered)
+    texts: dict[str, Any] = {}
+    for key in ("title", "caption", "details", "alt"):
+        texts[key] = environment.from_string(getattr(figure, key)).render(facts)
+    return replace(figure, **texts)

@@ -56,10 +56,10 @@ def figures_page(
     frame: Frame,
 ) -> str:
     """Return the page of all figures of the paper's study, and of Table 1 from `table1_rows`."""
-    chapters = groupby(PAPER_FIGURES, key=lambda name: describe_figure(name).chapter)
+    groups = groupby(PAPER_FIGURES, key=lambda name: describe_figure(name).chapter)
+    chapters = [(heading, list(names)) for heading, names in groups]
     facts = {"answer": answer, "table1": table1, "figures": figures, "captions": captions}
-    facts["chapters"] = [(heading, list(names)) for heading, names in chapters]
-    return render_document("figures.html", frame, "figures", **facts)
+    return render_document("figures.html", frame, "figures", chapters=chapters, **facts)
 
 
 def report_pages(
