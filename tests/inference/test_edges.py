@@ -60,6 +60,12 @@ def test_the_edge_of_a_ratio_that_crosses_one_is_where_it_leaves_the_tolerance()
     np.testing.assert_allclose(interval, [1450, 5380])
 
 
+def test_a_curve_that_begins_outside_its_limits_has_no_interval():
+    ratio = np.array([1.3, 1.5, 2.0])
+    value, interval = edge_of_ratios("long", CUTOFFS[::-1], ratio, 0.9 * ratio, 1.1 * ratio)
+    assert np.isnan([value, *interval]).all()
+
+
 @pytest.mark.parametrize("spread", [0.02, 0.3])
 def test_the_bracket_holds_the_edge_of_a_curve_that_is_not_straight(spread):
     rng = np.random.default_rng(5)

@@ -99,7 +99,8 @@ def edge_intervals(
     """Return the cutoffs (..., end) in nm between which edges lie, from intervals of curves.
 
     An edge lies between the last cutoff before an interval reaches beyond the limits, and the first
-    cutoff with an interval wholly outside. NaN for an end beyond the cutoffs, or without intervals.
+    cutoff with an interval wholly outside. NaN for an end beyond the cutoffs, if the first interval
+    is wholly outside, or without intervals.
     """
     lower, upper = limits
     low, high = _variable(lowest), _variable(highest)
@@ -107,12 +108,12 @@ def edge_intervals(
     is_known = ((low.notnull() & high.notnull()) | effects.isnull()).all(CUTOFF)
     effects = effects.where(is_known)
     _, surely_inside = _first_and_before(effects, (low < lower) | (high > upper))
-    surely_outside, _ = _first_and_before(effects, (high < lower) | (low > upper))
+    surely_outside, before = _first_and_before(effects, (high < lower) | (low > upper))
+    surely_outside = surely_outside.where(before.notnull())
     is_short = _variable(curves["side"]) == "short"
     shorter = surely_inside.where(is_short, surely_outside)
     longer = surely_outside.where(is_short, surely_inside)
-    interval = abs(np.stack([shorter, longer], axis=-1))
-    return xr.Variable((*shorter.dims, "end"), interval, NM)
+    return xr.Variable((*shorter.dims, "end"), abs(np.stack([shorter, longer], axis=-1)), NM)
 
 
 def edges_of_ratios(ratios: xr.Dataset, tolerance: float) -> xr.Dataset:
