@@ -15,14 +15,13 @@ def noise():
     return periodic_map(np.random.default_rng(0).standard_normal((64, 64)), 10.0)
 
 
-def test_interpolation_reproduces_a_wave():
-    x = np.arange(24) / 24
-    wave = np.cos(2 * np.pi * (3 * x[:, None] - 5 * x))
-    u = np.arange(100) / 100
-    fine_wave = np.cos(2 * np.pi * (3 * u[:, None] - 5 * u))
-    np.testing.assert_allclose(
-        interpolate(periodic_map(wave, 10.0), 100).heights, fine_wave, atol=1e-6
+def test_interpolation_reproduces_waves_down_to_two_pixels():
+    coarse_wave, fine_wave = (
+        np.cos(2 * np.pi * (3 * x[:, None] - 5 * x)) + np.cos(24 * np.pi * x[:, None])
+        for x in (np.arange(24) / 24, np.arange(100) / 100)
     )
+    surface = interpolate(periodic_map(coarse_wave, 10.0), 100)
+    np.testing.assert_allclose(surface.heights, fine_wave, atol=1e-6)
 
 
 @pytest.mark.parametrize("cutoff", [25.0, 60.0, 333.0])
