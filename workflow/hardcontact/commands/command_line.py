@@ -29,7 +29,7 @@ def main() -> int:
             print(f"error: {line}", file=sys.stderr)
         code = 1
     except KeyboardInterrupt:
-        print("Stopped before anything was written.", file=sys.stderr)
+        print("Stopped.", file=sys.stderr)
         code = 130
     return code
 
@@ -61,7 +61,11 @@ def join_units(words: Sequence[str]) -> list[str]:
     arguments = list[str]()
     for word in words:
         is_unit = any(re.sub(r"\^2|²", "2", word) in units for units in FACTORS.values())
-        if is_unit and arguments and re.fullmatch(r"(--\w+=)?[0-9.]+(e-?[0-9]+)?", arguments[-1]):
+        if (
+            is_unit
+            and arguments
+            and re.fullmatch(r"(?i)(--\w+=)?[\d.]+(e[+-]?\d+)?", arguments[-1])
+        ):
             arguments[-1] += word
         else:
             arguments.append(word)

@@ -95,9 +95,9 @@ def check_read_arguments(
     )
 
 
-def check_positive_numbers(name: str, numbers: object) -> None:
+def check_positive_numbers(name: str, numbers: Any) -> None:
     """Refuse an argument that is not a sequence of positive numbers."""
-    if not isinstance(numbers, Sequence | np.ndarray) or isinstance(numbers, str):
+    if np.ndim(numbers) != 1 or not np.size(numbers):
         raise ValueError(f"{name}: expected several numbers, found {shorten(numbers)}")
     for number in numbers:
         check_positive(**{name: number})
@@ -138,8 +138,6 @@ def check_contact(surface: HeightMap, contact: Contact, ranges: Sequence[float])
             f"scan: expected a pixel_size of {low:g} to {high:g} nm, found "
             f"{surface.pixel_size:g} nm: is the unit right?"
         )
-    if not len(ranges):
-        raise ValueError("rho: expected at least one range, found none")
     shortest = min(ranges)
     count = contact.contacts_per_row
     check_positive(window=contact.window, contacts_per_row=count, rho=shortest)
