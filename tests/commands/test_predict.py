@@ -11,6 +11,7 @@ from known_spectra import contact_of_area, self_affine_spectrum
 from prediction_command import predict_json, predict_text
 from refusals import assert_says, refusal
 
+from hardcontact.commands.command_line import join_units
 from hardcontact.commands.options import parse_quantities, unit_questions
 from hardcontact.commands.predict import predict_arguments
 from hardcontact.own.own_spectrum import read_spectrum_table
@@ -191,6 +192,13 @@ def test_short_waves_missing_from_the_table_are_extrapolated(table):
         numbers = predict_json(table(*ended))
         assert "extrapolated_force" not in numbers
         assert numbers["extrapolated_change"]["status"] == "negligible"
+
+
+def test_the_word_after_a_number_is_its_unit():
+    words = ["a.txt", "--size", "5e+3", "nm", "--range=1E-1", "nm", "--work", "1.5", "J/m^2"]
+    joined_words = ["a.txt", "--size", "5e+3nm", "--range=1E-1nm", "--work", "1.5J/m^2"]
+    assert join_units(words) == joined_words
+    assert join_units(["scan1", "nm"]) == ["scan1", "nm"]
 
 
 @pytest.mark.parametrize(

@@ -61,11 +61,7 @@ def join_units(words: Sequence[str]) -> list[str]:
     arguments = list[str]()
     for word in words:
         is_unit = any(re.sub(r"\^2|²", "2", word) in units for units in FACTORS.values())
-        if (
-            is_unit
-            and arguments
-            and re.fullmatch(r"(?i)(--\w+=)?[\d.]+(e[+-]?\d+)?", arguments[-1])
-        ):
+        if is_unit and arguments and re.fullmatch(r"(?i)(--\w+=)?[\d.]+(e.\d*)?", arguments[-1]):
             arguments[-1] += word
         else:
             arguments.append(word)
