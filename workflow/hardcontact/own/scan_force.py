@@ -169,10 +169,10 @@ def _closed_form_number(
     wavevector, _, density = measured_psds(mirrored_scan)
     has_waves = np.isfinite(density)
     spectrum = Spectrum(wavevector[has_waves], density[has_waves])
-    prediction = closed_form(spectrum, contact)
-    point = table_point(spectrum, contact, prediction)
+    formula = closed_form(spectrum, contact)
+    point = table_point(spectrum, contact, formula)
     lowest, highest = nearest_ratios(point, "force")
-    low, high = lowest * prediction.force, highest * small_scan_ratio * prediction.force
+    low, high = lowest * formula.force, highest * small_scan_ratio * formula.force
     is_bounded = math.isfinite(force.low + force.high)
     force_low, force_high = (force.low, force.high) if is_bounded else (force.value, force.value)
     if low > force_high or high < force_low:
@@ -182,4 +182,4 @@ def _closed_form_number(
     else:
         status = ClosedFormStatus.OUTSIDE
     interval = (low, high) if status == ClosedFormStatus.AGREES else (math.nan, math.nan)
-    return Number("closed_form_on_scan", prediction.force, "N", *interval, status)
+    return Number("closed_form_on_scan", formula.force, "N", *interval, status)

@@ -201,7 +201,7 @@ def _model_numbers(
         for model in MODELS.values()
     ]
     power_law_errors = [
-        [power_law_error(parameter, work[:, 0]) for work in works.values()]
+        [power_law_error(parameter, effective_work[:, 0]) for effective_work in works.values()]
         for parameter in roughness
     ]
     model_forces = [model.force(work, roughness, sphere) for model in MODELS.values()]

@@ -49,10 +49,10 @@ def posterior_samples(
     residuals = log_works - best_log_works[:, None]
     misfit = (residuals**2 * precision[:, None]).sum(axis=1)
     weights = np.exp((misfit.min() - misfit) / 2).ravel()
-    pairs = rng.choice(weights.size, count, p=weights / weights.sum())
+    flat_index = rng.choice(weights.size, count, p=weights / weights.sum())
     work_deviation = 1 / np.sqrt(precision.sum())
-    log_work = best_log_works.ravel()[pairs] + work_deviation * rng.standard_normal(count)
-    return pairs % log_curves.shape[2], log_work
+    log_work = best_log_works.ravel()[flat_index] + work_deviation * rng.standard_normal(count)
+    return flat_index % log_curves.shape[2], log_work
 
 
 def posterior(mean_forces: xr.DataArray, published: pd.DataFrame, sampling: Sampling) -> xr.Dataset:

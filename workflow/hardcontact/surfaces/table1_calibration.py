@@ -83,10 +83,10 @@ def transfer_weights(pixels: int, pixel_size: float, window_pixels: int) -> Weig
         mean_y, slope_y = mean[rows, None], slope[rows, None]
         removed = mean_y * mean_x + slope_y * mean_x + mean_y * slope_x
         laplacian = difference[rows, None] + difference_x
-        radius = np.hypot(wave_y[rows, None], wave_x)
+        wavevector_norm = np.hypot(wave_y[rows, None], wave_x)
         if start == 0:
-            radius[0, 0] = wave_x[1]  # The mean has no weight, but needs a bin.
-        index = np.searchsorted(edges, radius.ravel()) - 1
+            wavevector_norm[0, 0] = wave_x[1]  # The mean has no weight, but needs a bin.
+        index = np.searchsorted(edges, wavevector_norm.ravel()) - 1
         for k, factor in enumerate((1 - removed, laplacian, laplacian**2 / 4)):
             weights[k] += np.bincount(index, (wave_count * factor).ravel(), BIN_COUNT)
     return np.sqrt(edges[1:] * edges[:-1]), weights / (pixels * pixel_size) ** 2

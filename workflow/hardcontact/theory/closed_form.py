@@ -34,11 +34,11 @@ from hardcontact.theory.summits import (
 #: in contact.
 SMOOTH_SHARE = 0.9
 #: Largest number of nested generations: summits on summits on the surface.
-GENERATIONS = 8
+MAX_GENERATIONS = 8
 #: Waves shorter than this number of half-widths of a summit are roughness on it. The number was
 #: chosen with 48 designed surfaces that were not held out. If it were 2, ln F would change by 0.02
 #: in the median and by 0.58 at most; if pi, by 0.04 and 0.44.
-SUMMIT_SIZE = 2.5
+SUMMIT_WAVELENGTH = 2.5
 #: Smallest rms height on a summit that counts as roughness, in ranges of adhesion.
 MIN_SUMMIT_ROUGHNESS = 0.005
 #: Number of cutoffs between both ends of the spectrum at which edges are looked for.
@@ -112,7 +112,7 @@ def _terms(
     apex: ApexDistribution,
     contact: Contact,
     rough_close_points: bool,
-    generations: int = GENERATIONS,
+    generations: int = MAX_GENERATIONS,
 ) -> tuple[float, float]:
     """Return the surface term and the summit term, averaged over levels of the apex."""
     relative_rms = np.sqrt(spectral_moment(spectrum, 0)) / contact.rho
@@ -150,7 +150,7 @@ def _roughness_on_summit(
 
     None if this roughness is negligible. `theory.md` (Rough summits) has the reasons.
     """
-    finer = spectrum_between(spectrum, 2 * np.pi / (SUMMIT_SIZE * apex.half_width), np.inf)
+    finer = spectrum_between(spectrum, 2 * np.pi / (SUMMIT_WAVELENGTH * apex.half_width), np.inf)
     if finer is None or spectral_moment(finer, 0) < (MIN_SUMMIT_ROUGHNESS * contact.rho) ** 2:
         return None
     sigma = np.sqrt(spectral_moment(spectrum, 0))
