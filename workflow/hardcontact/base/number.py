@@ -19,9 +19,9 @@ class NumberStatus(StrEnum):
     ONLY_ENDS = "ends"
     #: Neither the value nor an end is known.
     NOT_KNOWN = "not_known"
-    #: The interval has no known low end: `low` is only a bound of it.
+    #: The interval has no known low end, which lies below `low`.
     INTERVAL_OPEN_LOW = "interval_open_low"
-    #: The interval has no known high end: `high` is only a bound of it.
+    #: The interval has no known high end, which lies above `high`.
     INTERVAL_OPEN_HIGH = "interval_open_high"
     #: Scans do not bound the number.
     NO_INTERVAL = "no_interval"

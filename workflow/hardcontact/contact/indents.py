@@ -100,7 +100,7 @@ def _median_contact(sizes: xr.Dataset) -> tuple[tuple[int, int], tuple[int, int]
 def _add_height_maps(
     sizes: xr.Dataset, bodies: Bodies, loaded_contacts: Sequence[Contact], index: tuple[int, int]
 ) -> xr.Dataset:
-    """Add maps of the penetration in one contact at every preload, and of the sphere there."""
+    """Add maps of the indentation in one contact at every preload, and of the sphere there."""
     counts = np.array(pixel_counts(bodies, loaded_contacts))
     contact_pixels = all_contact_pixels(bodies, int(counts.max()))
     steps = np.arange(-MAP_HALF_WIDTH, MAP_HALF_WIDTH + 1)

@@ -214,7 +214,7 @@ def line_scan_fields(line_scan: Any, factor: float, undefined_pixels: str) -> di
 
 
 def _uniform_grid(positions: Floats) -> tuple[Floats, list[str]]:
-    """Return uniform positions (nm) on the median spacing, and a note if they were not uniform."""
+    """Return the positions (nm) if uniform, else a grid of their median spacing, and a note."""
     spacings = np.diff(positions)
     if not (spacings > 0).all():
         raise RefusedFile(

@@ -20,8 +20,9 @@ if TYPE_CHECKING:
 class HeightMap:
     """Heights in nm on square pixels (y, x) of a map, or at the points (x,) of a line scan.
 
-    Heights grow out of the material. The pixel size in nm is the spacing of a line scan. A periodic
-    map repeats beyond its borders. The source is ``"measured"`` or ``"substitute"``.
+    Heights increase away from the material. The pixel size (nm) is also the spacing of the points
+    of a line scan. A periodic map repeats beyond its borders. The source is ``"measured"`` or
+    ``"substitute"``.
     """
 
     heights: np.ndarray

@@ -137,7 +137,8 @@ def level_and_mirror(
 def find_streaks(heights: Floats) -> Iterator[Mask]:
     """Yield by width the mask (y, x) of streaks along x, all above or all below other lines.
 
-    Only the sign with more pixels counts: a line between two streaks seems to have the other.
+    Only the sign with more pixels counts, because a true line between two raised streaks looks
+    like a sunken one.
     """
     for width in STREAK_WIDTHS:
         x_lengths = [_run_lengths(_candidates(steps)) for steps in _distances(heights, width)]

@@ -1,8 +1,8 @@
 """Calibrate spectra on Table 1: find parameters that give scans its rms values.
 
 The expected rms values of a scan are weighted sums of C_iso. A model of the waves that scans show
-is fitted to rms height, slope and curvature of scans, a power law below these waves to slope and
-curvature over all scales.
+is fitted to rms height, slope and curvature of the scans. A power law for shorter waves is fitted
+to slope and curvature over all scales.
 """
 
 from collections.abc import Callable

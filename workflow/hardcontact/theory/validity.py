@@ -119,7 +119,7 @@ def held_out_surfaces() -> pd.DataFrame:
 
 
 def table_point(spectrum: Spectrum, contact: Contact, form: ClosedForm) -> dict[str, Any]:
-    """Return the validated parameters of a spectrum that does not end in zeros, and its regime."""
+    """Return the validated parameters and the regime of a spectrum, which must not end in zeros."""
     mean_hurst, mean_hurst_change = mean_hurst_and_change(spectrum, math.sqrt(contact.area))
     return {
         "rho": contact.rho,
