@@ -56,6 +56,22 @@ def test_a_ratio_may_differ_from_one_by_the_tolerance(ratio, fails):
     assert bool(result["hindcast_fails"].item()) == fails
 
 
+@pytest.mark.parametrize(("log_scatter", "fails"), [(0.01, True), (0.05, False)])
+def test_a_ratio_that_may_be_within_the_tolerance_passes(log_scatter, fails):
+    """The interval of 1.15 is 1.12 to 1.18, or 1.02 to 1.30: this one reaches below 1.1."""
+    draws = np.random.default_rng(2).standard_normal(12)
+    logs = np.log(1.15) + log_scatter * (draws - draws.mean()) / draws.std(ddof=1)
+    dimensions = ("side", "realization", "map", *CONTACT_AXES)
+    forces = {
+        "scan_octave_force": xr.DataArray(
+            np.ones((1, 1, 1, 1)), {"side": ["short"]}, dimensions[:1] + dimensions[2:]
+        ),
+        "artificial_octave_force": (dimensions, np.exp(logs)[None, :, None, None, None]),
+    }
+    result = hindcast.hindcast_ratios(xr.Dataset(forces), 0.1, 0.95)
+    assert bool(result["hindcast_fails"].item()) == fails
+
+
 def test_a_plateau_with_pits_fails():
     """Cut off all heights above the mean: the force is higher, and no random octave has it."""
     heights = np.minimum(SCAN.heights, 0) * 2
