@@ -230,6 +230,7 @@ FAULTY = [
     (hc.pull_off_forces, {"radius": "50 um"}, ["radius: expected a positive", "found '50 um'"]),
     (hc.pull_off_forces, {"work": np.nan}, ["work: expected a positive number, found nan"]),
     (hc.pull_off_forces, {"rho": []}, ["rho: expected several numbers, found []"]),
+    (hc.pull_off_forces, {"rho": [[1], [1, 2]]}, ["rho: expected a positive number, found [1]"]),
     (hc.pull_off_forces, {"rho": None}, ["rho: expected several numbers, found None"]),
     (hc.pull_off_forces, {"rho": ["5.6 nm"]}, ["rho: expected a positive", "'5.6 nm'"]),
     (hc.pull_off_forces, {"rho": [1e-4]}, ["rho: expected at least", "found 0.0001 nm"]),

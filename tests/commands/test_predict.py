@@ -198,7 +198,8 @@ def test_the_word_after_a_number_is_its_unit():
     words = ["a.txt", "--size", "5e+3", "nm", "--range=1E-1", "nm", "--work", "1.5", "J/m^2"]
     joined_words = ["a.txt", "--size", "5e+3nm", "--range=1E-1nm", "--work", "1.5J/m^2"]
     assert join_units(words) == joined_words
-    assert join_units(["scan1", "nm"]) == ["scan1", "nm"]
+    for words in (["scan1", "nm"], ["5ex", "nm"], ["5e", "nm"]):
+        assert join_units(words) == words
 
 
 @pytest.mark.parametrize(

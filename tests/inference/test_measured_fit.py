@@ -8,10 +8,9 @@ from intervals import between_multiples
 from known_forces import FORCE_DIMS
 
 from hardcontact.base.statistics import Sampling, interval_ends
-from hardcontact.inference.measured_fit import (
+from hardcontact.inference.measured_fit import add_extrapolated_work, fit_measured
+from hardcontact.inference.measured_tests import (
     MeasuredTests,
-    add_extrapolated_work,
-    fit_measured,
     look_repeated,
     measured_tests,
     sampled_means,

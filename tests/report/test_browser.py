@@ -12,10 +12,10 @@ from repository import PAPER, ROOT
 
 from hardcontact.paper.claims.verdicts import VERDICTS
 from hardcontact.report.figures.listing import OWN_FIGURES, PAPER_FIGURES
-from hardcontact.report.own_surfaces.answer import own_answer, own_page
+from hardcontact.report.own_surfaces.answer import LIMITS, own_answer
 from hardcontact.report.paper_study.pages import report_pages
 from hardcontact.report.quantities import answer_text
-from hardcontact.report.templates import Frame
+from hardcontact.report.templates import Frame, render_page
 
 pytestmark = [needs_browser, pytest.mark.study]
 #: Words of cells in the order of their numbers, the last without any.
@@ -25,7 +25,8 @@ LENGTHS = ["<5 nm", "43 [40, 50] nm", "250 nm to 1 mm", "1.8 µm", "0.5 mm", ""]
 def surfaces_page(own_datasets):
     """The page of the user's surfaces."""
     answer = json.loads(answer_text(own_answer(own_datasets, setting())))
-    return own_page(answer, dict.fromkeys(OWN_FIGURES, svg("#bbb")), CITATION, Frame("1.2.3"))
+    pictures = dict.fromkeys(OWN_FIGURES, svg("#bbb"))
+    return render_page(answer, pictures, CITATION, Frame("1.2.3"), **LIMITS)
 
 
 @cache

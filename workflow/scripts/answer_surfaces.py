@@ -6,11 +6,11 @@ from hardcontact.base.dataset import read
 from hardcontact.config.user_files import read_yaml
 from hardcontact.records.job import run_job
 from hardcontact.report.figures.listing import FILE_KINDS
-from hardcontact.report.own_surfaces.answer import own_answer, own_page
+from hardcontact.report.own_surfaces.answer import LIMITS, own_answer
 from hardcontact.report.own_surfaces.datasets import Datasets, Setting
 from hardcontact.report.own_surfaces.figures import write_figures
 from hardcontact.report.quantities import answer_text
-from hardcontact.report.templates import Frame
+from hardcontact.report.templates import Frame, render_page
 
 with run_job(snakemake) as job:
     paths = {name: job.input[name] for name in Datasets._fields}
@@ -20,4 +20,5 @@ with run_job(snakemake) as job:
     job.write_text(answer_text(answer), "json")
     figures = write_figures(datasets, {kind: job.output[kind] for kind in FILE_KINDS})
     citation = read_yaml(job.input.citation)
-    job.write_text(own_page(answer, figures, citation, Frame(answer["version"])), "page")
+    frame = Frame(answer["version"])
+    job.write_text(render_page(answer, figures, citation, frame, **LIMITS), "page")

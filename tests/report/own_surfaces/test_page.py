@@ -33,9 +33,9 @@ from refusals import assert_says
 from hardcontact.report.figures import style
 from hardcontact.report.figures.listing import OWN_FIGURES
 from hardcontact.report.own_surfaces import figures
-from hardcontact.report.own_surfaces.answer import own_answer, own_page
+from hardcontact.report.own_surfaces.answer import LIMITS, own_answer
 from hardcontact.report.quantities import answer_text
-from hardcontact.report.templates import Frame
+from hardcontact.report.templates import Frame, render_page
 
 FORCES = "two substitutes, forces"
 LONG = "/scans/" + "a-very-long-name-of-a-scan-" * 5 + "1.spm"
@@ -62,7 +62,7 @@ PICTURES = {name: svg(f"#{index:03}") for index, name in enumerate(OWN_FIGURES)}
 def page_of(own_datasets, own_setting=None):
     """The page of an answer as answer.json has it."""
     answer = json.loads(answer_text(own_answer(own_datasets, own_setting or setting())))
-    return own_page(answer, PICTURES, CITATION, Frame("1.2.3"))
+    return render_page(answer, PICTURES, CITATION, Frame("1.2.3"), **LIMITS)
 
 
 @cache

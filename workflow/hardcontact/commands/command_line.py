@@ -58,10 +58,11 @@ def _run(words: Sequence[str]) -> tuple[str, int]:
 
 def join_units(words: Sequence[str]) -> list[str]:
     """Return the words of a command line, each number and the unit after it as one word."""
+    number = r"(--\w+=)?[0-9.]+([eE][+-]?[0-9]+)?"
     arguments = list[str]()
     for word in words:
         is_unit = any(re.sub(r"\^2|²", "2", word) in units for units in FACTORS.values())
-        if is_unit and arguments and re.fullmatch(r"(?i)(--\w+=)?[\d.]+(e.\d*)?", arguments[-1]):
+        if is_unit and arguments and re.fullmatch(number, arguments[-1]):
             arguments[-1] += word
         else:
             arguments.append(word)

@@ -97,7 +97,8 @@ def check_read_arguments(
 
 def check_positive_numbers(name: str, numbers: Any) -> None:
     """Refuse an argument that is not a sequence of positive numbers."""
-    if np.ndim(numbers) != 1 or not np.size(numbers):
+    is_sequence = isinstance(numbers, Sequence | np.ndarray) and not isinstance(numbers, str)
+    if not (is_sequence and len(numbers)):
         raise ValueError(f"{name}: expected several numbers, found {shorten(numbers)}")
     for number in numbers:
         check_positive(**{name: number})

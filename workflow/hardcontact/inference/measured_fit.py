@@ -4,14 +4,10 @@ Forces are proportional to the work of adhesion. So at each range rho a measured
 computed force f, at 1 J/m², agree for the work W = F/f(rho). One surface gives a curve W(rho);
 several give a region, the pairs within the intervals of all. `published_fit` has an error threshold
 instead, because the paper prints no intervals.
-
-Measured forces scatter between sites of a surface, so that sites, not tests, are the independent
-samples.
 """
 
 from collections.abc import Mapping
-from statistics import NormalDist
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -20,88 +16,18 @@ import xarray as xr
 from hardcontact.base.arrays import Floats
 from hardcontact.base.dataset import stack
 from hardcontact.base.statistics import (
-    MAX_LOG_DEVIATION,
     Sampling,
     as_variables,
     interval_ends,
     join_ends,
-    log_std_of_lognormal,
     percentile_interval,
 )
 from hardcontact.base.units import DIMENSIONLESS, JOULE_PER_M2, NEWTON, NM
 from hardcontact.contact.pull_off import interpolate_to_ranges
 from hardcontact.inference.fit import FIT_ATTRS, best_fit, fine_ranges
 from hardcontact.inference.mean_forces import SurfaceForces, forces_by_surface
+from hardcontact.inference.measured_tests import measured_tests, sampled_means
 from hardcontact.inference.scan_parts import IntervalSource, sample_deviations
-
-#: Chance that independent tests are mistaken for tests at repeated sites.
-REPEATED_BY_CHANCE = 1e-3
-
-
-class MeasuredTests(NamedTuple):
-    """Tests that measure the pull-off force on one surface, log-normal between sites."""
-
-    mean: float  #: Mean over sites in N.
-    log_std: float  #: Standard deviation between sites of the logarithm; NaN for a single site.
-    site_count: int  #: Number of sites, each an independent sample.
-    test_count: int  #: Number of tests.
-    look_repeated: bool = False  #: Whether tests without sites look as if several share a site.
-
-
-def measured_tests(forces: pd.DataFrame) -> MeasuredTests:
-    """Return the tests on one surface from its rows of the table of measured forces.
-
-    Tests at one site are one sample, their mean; a test without a site has its own.
-    """
-    count = int(forces["count"].sum())
-    if len(forces) == 1:
-        mean, median = float(forces["mean"].iloc[0]), forces["median"].iloc[0]
-        log_std = float(log_std_of_lognormal(mean, median)) if count > 1 else np.nan
-        return MeasuredTests(mean, log_std, count, count)
-    has_site = forces["site"] != ""
-    sites = forces["site"].where(has_site, forces.index)
-    means = forces["mean"].groupby(sites, sort=False).mean()
-    log_std = float(np.log(means).std(ddof=1))
-    return MeasuredTests(float(means.mean()), log_std, len(means), count, look_repeated(forces))
-
-
-def look_repeated(forces: pd.DataFrame) -> bool:
-    """Return whether tests on one surface without sites look as if several share a site.
-
-    True if at most half of the values are distinct, or if von Neumann's ratio is significantly
-    below one, its value for independent tests, at some lag of rows. The ratio is half the mean
-    squared difference of ln F at this lag, relative to the variance of ln F.
-    """
-    logs = np.log(forces["mean"].to_numpy(float))
-    if (forces["site"] != "").any() or len(logs) < 3:
-        return False
-    if 2 * len(np.unique(logs)) <= len(logs):
-        return True
-    lags = np.arange(1, len(logs) // 2 + 1)
-    ratios = [np.mean((logs[lag:] - logs[:-lag]) ** 2) / (2 * logs.var(ddof=1)) for lag in lags]
-    # Standard deviations of von Neumann's ratio, and a chance that all lags share.
-    quantile = NormalDist().inv_cdf(REPEATED_BY_CHANCE / len(lags))
-    return bool((ratios < 1 + quantile / np.sqrt(len(logs) - lags)).any())
-
-
-def sampled_means(rng: np.random.Generator, tests: MeasuredTests, sample_count: int) -> np.ndarray:
-    """Return the mean force in N, and random means that it may be (1 + sample,).
-
-    ln(mean) is the mean of ln F plus half its variance. A sample draws the variance, from a
-    chi-squared number, and then an error of the mean of ln F. NaN for one site, whose scatter is
-    unknown. Source: generalized pivot of Krishnamoorthy and Mathew, J. Stat. Plan. Inference 115
-    (2003) 103.
-    """
-    if tests.site_count < 2:
-        return np.append(tests.mean, np.full(sample_count, np.nan))
-    degrees_of_freedom = tests.site_count - 1
-    variance = tests.log_std**2
-    chi_squared = rng.chisquare(degrees_of_freedom, sample_count)
-    sampled_variance = variance * degrees_of_freedom / chi_squared
-    errors = rng.standard_normal(sample_count) * np.sqrt(sampled_variance / tests.site_count)
-    deviation = (sampled_variance - variance) / 2 - errors
-    deviation = np.clip(deviation, -MAX_LOG_DEVIATION, MAX_LOG_DEVIATION)
-    return np.append(tests.mean, tests.mean * np.exp(deviation))
 
 
 def fit_measured(

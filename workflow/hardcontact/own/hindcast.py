@@ -176,7 +176,7 @@ def hindcast_ratios(forces: xr.Dataset, tolerance: float, confidence: float) -> 
 
     The ratio is the mean force with artificial octaves relative to that with the octave of the
     scans. Its interval is for another random octave. The hindcast fails if there is no octave, or
-    if this whole interval lies outside the tolerance, so that no other seed is likely to pass.
+    if this whole interval lies outside the tolerance.
     """
     dimensions = ["map", *CONTACT_AXES]
     scan_log = xr.DataArray(np.log(forces["scan_octave_force"].mean(dimensions)))

@@ -1,6 +1,6 @@
 """The answer of a study of the user's surfaces: the content of its answer.json, and its page."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -21,18 +21,8 @@ from hardcontact.report.own_surfaces.datasets import (
     split_measurements,
     stored_tabor_number,
 )
-from hardcontact.report.quantities import (
-    all_quantities,
-    number_of,
-    number_without_value,
-)
-from hardcontact.report.templates import (
-    Frame,
-    render_lines,
-    render_note,
-    render_page,
-    substitutes_note,
-)
+from hardcontact.report.quantities import all_quantities, number_of, number_without_value
+from hardcontact.report.templates import render_lines, render_note, substitutes_note
 from hardcontact.scans.both_bodies import sphere_share
 from hardcontact.scans.reliable_band import LIMIT_NAMES, MIN_PIXELS, MIN_WAVES_IN_SIZE, OTHER_BODY
 from hardcontact.surfaces.metrics import METRICS
@@ -40,9 +30,10 @@ from hardcontact.surfaces.metrics import METRICS
 #: Names of the range and the work of adhesion among the inputs of contacts.
 RANGE = "range of adhesion"
 WORK = "work of adhesion"
-#: Limits that templates name.
+#: Limits, and their names, that templates show.
 LIMITS = {
     "min_pixels": MIN_PIXELS, "min_waves": MIN_WAVES_IN_SIZE, "nearly_all": edges.NEARLY_ALL,
+    "limit_names": LIMIT_NAMES,
 }  # fmt: skip
 #: Metrics of a scan, of `METRICS`.
 SHOWN_METRICS = (
@@ -232,13 +223,3 @@ def _surface_head(surface: SurfaceAnswer, spectra: xr.Dataset) -> dict[str, Any]
         "answered": surface.conclusion.answer,
         "measurements": measurements,
     }
-
-
-def own_page(
-    answer: Mapping[str, Any],
-    figures: Mapping[str, bytes],
-    citation: Mapping[str, Any],
-    frame: Frame,
-) -> str:
-    """Return the page of a study of the user's surfaces; the SVG of figures is by name."""
-    return render_page(answer, figures, citation, frame, limit_names=LIMIT_NAMES, **LIMITS)
