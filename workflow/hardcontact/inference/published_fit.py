@@ -134,9 +134,7 @@ def fit_model(
     variables = (
         _error_variables(curves[0], published_forces, ranges, threshold)
         | _fitted_variables(curves, published_forces, ranges, fitted_reference, sampling)
-        | _fits_without_surface(
-            forces.rho.values, means[0, is_published], published_forces, are_kept
-        )
+        | _fits_without_surface(curves[0], published_forces, ranges, are_kept)
         | as_variables("mean_force", axes, means[0], interval.values, NEWTON, sampling.confidence)
         | sampling.as_variables(
             "force_over_reference", axes, means / means[:, [reference_index]], DIMENSIONLESS
@@ -175,21 +173,13 @@ def _fitted_variables(
 
 
 def _fits_without_surface(
-    computed_ranges: Floats, means: Floats, published_forces: Floats, are_kept: NDArray[np.bool_]
+    curves: Floats, published_forces: Floats, ranges: Floats, are_kept: NDArray[np.bool_]
 ) -> dict[str, Any]:
     """Return the best pairs (left_out,), named WITHOUT_SURFACE, of the kept surfaces of each row.
 
-    Mean forces are (surface, rho), `are_kept` is (left_out, surface).
+    The curves of mean forces are (surface, rho), `are_kept` is (left_out, surface).
     """
-    ranges = fine_ranges(computed_ranges)
-    fits = [
-        best_fit(
-            interpolate_to_ranges(means[kept], computed_ranges, ranges),
-            published_forces[kept],
-            ranges,
-        )
-        for kept in are_kept
-    ]
+    fits = [best_fit(curves[kept], published_forces[kept], ranges) for kept in are_kept]
     return {
         WITHOUT_SURFACE[name]: ("left_out", [fit[name] for fit in fits], attributes)
         for name, attributes in FIT_ATTRS.items()
