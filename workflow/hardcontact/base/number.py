@@ -2,7 +2,7 @@
 
 import math
 from enum import StrEnum
-from typing import Any, NamedTuple
+from typing import Any, Literal, NamedTuple
 
 
 class NumberStatus(StrEnum):
@@ -27,6 +27,13 @@ class NumberStatus(StrEnum):
     NO_INTERVAL = "no_interval"
 
 
+#: Codes for the origin of a number.
+NumberSource = Literal[
+    "computed", "measured", "from_measured", "extrapolated", "artificial", "partly_artificial",
+    "interval_artificial", "published", "given", "assumed", "file",
+]  # fmt: skip
+
+
 class Number(NamedTuple):
     """A number with its interval; an unknown value or end is NaN or infinite.
 
@@ -34,9 +41,7 @@ class Number(NamedTuple):
     value, low, high: the number and the ends of its interval, in `unit`.
     unit: a unit of datasets: "nm", "N", "J m-2", "1".
     status: a code for what is known of the number, such as why it has no interval.
-    source: a code for the origin of the number: "computed", "measured", "from_measured",
-        "extrapolated", "artificial", "partly_artificial", "interval_artificial", "published",
-        "given", "assumed", "file".
+    source: a code for the origin of the number.
     """
 
     name: str
@@ -45,7 +50,7 @@ class Number(NamedTuple):
     low: float = math.nan
     high: float = math.nan
     status: StrEnum = NumberStatus.PLAIN
-    source: str = "computed"
+    source: NumberSource = "computed"
 
     def __repr__(self) -> str:
         """Return the name, the number and, if they exist, interval, unit and status."""

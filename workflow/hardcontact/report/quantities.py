@@ -11,7 +11,7 @@ import xarray as xr
 import yaml
 
 from hardcontact.base.formatting import PRINTED_UNITS, format_as_paper, format_quantity
-from hardcontact.base.number import Number, NumberStatus, json_value
+from hardcontact.base.number import Number, NumberSource, NumberStatus, json_value
 from hardcontact.base.statistics import interval_ends
 from hardcontact.report import TEXTS
 
@@ -38,7 +38,12 @@ OPEN_WORDS: dict[str, str] = _WORDS["open"]
 
 
 def number_of(
-    dataset: xr.Dataset, variable: str, unit: str = "", *, name: str = "", source: str = "computed"
+    dataset: xr.Dataset,
+    variable: str,
+    unit: str = "",
+    *,
+    name: str = "",
+    source: NumberSource = "computed",
 ) -> Number:
     """Return a variable without dimensions, with its `<variable>_interval` if there is one.
 

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import xarray as xr
 
-from hardcontact.base.number import Number, numbers_by_name
+from hardcontact.base.number import Number, NumberSource, numbers_by_name
 from hardcontact.inference.octaves import strongest_octaves
 from hardcontact.report.figures import panels
 from hardcontact.report.own_surfaces import edges, forces
@@ -147,7 +147,9 @@ def _octave_numbers(data: Datasets) -> Iterator[Number]:
 def _study_numbers(datasets: Datasets, setting: Setting) -> list[Number]:
     """Return the numbers of the whole study: settings and, with measured forces, the fit."""
     contact, band = datasets.force.attrs, datasets.edges.attrs
-    sources = {name: "assumed" if name in setting.assumed else "given" for name in (RANGE, WORK)}
+    sources: dict[str, NumberSource] = {
+        name: "assumed" if name in setting.assumed else "given" for name in (RANGE, WORK)
+    }
     return [
         Number("range_of_adhesion", contact["rho"], "nm", source=sources[RANGE]),
         Number("work_of_adhesion", contact["work_of_adhesion"], "J m-2", source=sources[WORK]),

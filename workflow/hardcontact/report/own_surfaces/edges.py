@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 import xarray as xr
 
-from hardcontact.base.number import Number, NumberStatus
+from hardcontact.base.number import Number, NumberSource, NumberStatus
 from hardcontact.base.statistics import interval_ends
 from hardcontact.inference.edges import EdgeStatus, computed_cutoffs
 from hardcontact.inference.scan_parts import IntervalSource
@@ -147,7 +147,7 @@ def measured_share_at_edge(data: Datasets, side: str) -> float:
     return reliable_share(reliable_and_artificial_change(data, side, *ends))
 
 
-def edge_source(data: Datasets, side: str) -> str:
+def edge_source(data: Datasets, side: str) -> NumberSource:
     """Return whether an edge rests on artificial roughness, as the source of its number.
 
     "artificial": the edge, or its bound, lies at an artificial wavelength, or artificial roughness

@@ -8,7 +8,7 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.base.arrays import Floats
-from hardcontact.base.number import Number, NumberStatus
+from hardcontact.base.number import Number, NumberSource, NumberStatus
 from hardcontact.contact.hertz_jkr_dmt import dmt_pull_off
 from hardcontact.inference.octaves import OCTAVES_NAMED
 from hardcontact.report.own_surfaces.datasets import (
@@ -65,7 +65,7 @@ def _measured_share(data: Datasets) -> Number:
     """
     reliable, artificial = reliable_and_artificial_change(data, "short")
     share = reliable_share((reliable, artificial))
-    source = "artificial" if share < 1 - NEARLY_ALL else "partly_artificial"
+    source: NumberSource = "artificial" if share < 1 - NEARLY_ALL else "partly_artificial"
     if artificial <= np.log1p(data.edges.attrs["tolerance"]):
         source = "measured"
     return Number("mean_force_measured_share", share, source=source)

@@ -7,7 +7,7 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from hardcontact.base.number import Number, NumberStatus, numbers_by_name
+from hardcontact.base.number import Number, NumberSource, NumberStatus, numbers_by_name
 from hardcontact.base.statistics import interval_ends, percentile_interval
 from hardcontact.config.configuration import numeric_configuration
 from hardcontact.contact.contact import PLASTIC, RIGID
@@ -137,7 +137,7 @@ def _verdict_numbers(claims: pd.DataFrame) -> Iterator[Number]:
         yield Number(f"{name}_independent", row["independent"])
 
 
-def _edge_source(scales: xr.Dataset, side: str, edge: float) -> str:
+def _edge_source(scales: xr.Dataset, side: str, edge: float) -> NumberSource:
     """Return the source of an edge (nm): whether the roughness beyond it is artificial."""
     transition = scales["transition"].sel(side=side).item()
     is_artificial = edge < transition if side == "short" else edge > transition
@@ -151,7 +151,7 @@ def _interval_status(end: str) -> NumberStatus:
 
 def _claim_numbers(name: str, row: Any, datasets: Mapping[str, xr.Dataset]) -> list[Number]:
     """Return the computed and the published number of a claim."""
-    source = "computed"
+    source: NumberSource = "computed"
     status: NumberStatus | EdgeStatus = _interval_status(row.open_end)
     mean_edges = datasets["edges"]["edge"].sel(group=MEAN_GROUP)
     for side, edge_name in EDGE_NAMES.items():
