@@ -371,7 +371,7 @@ def predict(
         ``high`` of its interval, and ``status``. Forces are in N, lengths in nm.
 
         - Force in closed form: ``closed_form_force``, ``force_over_smooth`` (relative to
-          ``smooth_force``). The status ``"outside"`` means that the error is not known,
+          ``smooth_force``). The status ``"outside"``, also of an edge, means an unknown error,
           ``"steep_sidewalls"`` that the heights are not Gaussian, so that there is no value.
         - Band: ``short_edge``, ``long_edge``, for the change ``tolerance`` of the force.
         - Roughness beyond the spectrum: ``extrapolated_change``, the relative change of the force.

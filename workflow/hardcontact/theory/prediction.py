@@ -179,10 +179,14 @@ def _force_number(name: str, form: ClosedForm, point: KnownPoint) -> Number:
 
 
 def _edge_numbers(prefix: str, band: tuple[float, float], point: KnownPoint) -> Iterator[Number]:
-    """Yield the edges (nm) of a band with their intervals, named by a prefix and EDGE_NAMES."""
+    """Yield the edges (nm) of a band, named by a prefix and EDGE_NAMES, with their intervals.
+
+    An edge is OUTSIDE if its error is not known, as the force is.
+    """
+    found = EdgeStatus.FOUND if point is not None else Validity.OUTSIDE
     for name, edge in zip(EDGE_NAMES, band, strict=True):
         interval = _validated_interval(name, edge, point)
-        status = EdgeStatus.FOUND if math.isfinite(edge) else EdgeStatus.NO_EDGE
+        status = found if math.isfinite(edge) else EdgeStatus.NO_EDGE
         yield Number(f"{prefix}{name}", edge, "nm", *interval, status)
 
 
