@@ -12,10 +12,10 @@ from measurements import uncd_density
 from refusals import assert_says, refusal
 from repository import PAPER
 
+from hardcontact.commands.contact_scans import all_search_sizes, select_contact_scans
 from hardcontact.commands.inventory import Entry
 from hardcontact.commands.new import values_by_key
 from hardcontact.commands.proposal import propose
-from hardcontact.commands.proposed_contacts import all_search_sizes, select_contact_scans
 from hardcontact.commands.request import ScanFile
 from hardcontact.config.configuration import numeric_configuration, set_keys
 from hardcontact.config.limits import refuse_unfit_grids

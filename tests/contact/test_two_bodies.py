@@ -8,7 +8,7 @@ from paper_numbers import MODULUS
 from periodic_maps import CONTACT, RADIUS, make_bodies, periodic_map, periodic_noise
 
 from hardcontact.contact.bearing_area import ContactPixels, all_contact_pixels
-from hardcontact.contact.elastic import ELASTIC_UNITS, solve_elastic_contacts
+from hardcontact.contact.elastic_contacts import ELASTIC_UNITS, solve_elastic_contacts
 from hardcontact.contact.geometry import join_bodies, sample_contacts
 from hardcontact.contact.hertz_jkr_dmt import hertz_contact
 from hardcontact.contact.indents import MAP_HALF_WIDTH, indent_sizes, indents_of_scans
@@ -35,7 +35,7 @@ def test_indents_of_scans_equal_those_of_each_pair():
 
 
 def test_elastic_contacts_carry_the_preload(monkeypatch):
-    monkeypatch.setattr("hardcontact.contact.elastic.PULL_OFF_WINDOW", 600.0)
+    monkeypatch.setattr("hardcontact.contact.elastic_contacts.PULL_OFF_WINDOW", 600.0)
     bodies = make_bodies(periodic_noise(96, 2.0, 1), periodic_noise(96, 0.3, 2), 8.0, 512, 3)
     positions = sample_contacts(np.random.default_rng(1), 3, 2)
     solved = solve_elastic_contacts(bodies, CONTACT, positions, MODULUS)

@@ -7,7 +7,7 @@ from known_forces import PUBLISHED_MEANS, RHOS, power_forces
 from paper_numbers import MEAN_FORCE, SUBSTRATES
 
 from hardcontact.base.statistics import Sampling
-from hardcontact.contact.pull_off import interpolate_to_ranges
+from hardcontact.contact.force_interpolation import interpolate_to_ranges
 from hardcontact.inference import published_fit as fit
 from hardcontact.inference.fit import best_fit, mean_relative_error
 from hardcontact.inference.published_fit import PublishedForces

@@ -8,14 +8,13 @@ from typing import NamedTuple
 import numpy as np
 
 from hardcontact.base.formatting import format_length
+from hardcontact.commands.contact_scans import all_search_sizes, select_contact_scans
 from hardcontact.commands.inventory import FILLING, Entry
 from hardcontact.commands.proposed_contacts import (
     PermittedContact,
     affordable_contacts,
-    all_search_sizes,
     choose_contact,
     count_tiles,
-    select_contact_scans,
     short_edge_pixels,
 )
 from hardcontact.commands.scan_cautions import scan_cautions

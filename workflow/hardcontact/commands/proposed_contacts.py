@@ -1,35 +1,23 @@
-"""The proposed contacts: their scans, and the window, range and number that these permit."""
+"""The proposed contacts: the window, range and number that their scans permit."""
 
 import math
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
-import numpy as np
-
-from hardcontact.base.formatting import format_length
-from hardcontact.commands.inventory import Entry, entries_by_surface
-from hardcontact.config.faults import raise_faults
-from hardcontact.config.limits import MAX_CONTACT_PIXELS, MAX_MAP_PIXELS, PIXEL_SIZES, same_grid
+from hardcontact.commands.inventory import Entry
+from hardcontact.config.limits import MAX_CONTACT_PIXELS
 from hardcontact.contact.bearing_area import TILE
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import window_pixels
 from hardcontact.contact.numerical_limits import (
-    LARGE_SIZE_RATIO,
     PENETRATION_OVER_RANGE,
     minimum_range,
     penetration_depth,
     periods_in_window,
 )
 from hardcontact.own.scan_contact import window_on_scans
-from hardcontact.surfaces.spectrum import BIN_CENTRES, Spectrum
-from hardcontact.theory.summits import search_size
 
-#: Fewest pixels that the interaction radius sqrt(D rho) spans on a scan that resolves it well: a
-#: tenth of the 343 pixels in the paper (1.7 µm at 5.6 nm, on pixels of 4.9 nm).
-MIN_RADIUS_PIXELS = 32
-#: Scans of one surface with equal numbers and sizes of pixels.
-Group = list[Entry]
 #: The longest range of adhesion (nm) that is proposed if none is given, as in the paper's study.
 LONGEST_RANGE = 40.0
 #: Width of the long-edge master relative to a scan.
@@ -47,123 +35,6 @@ MAX_CONTACT_SECONDS = 2.0
 SECONDS_A_PIXEL = 4e-7
 #: Measured seconds for a tile of the map in the window.
 SECONDS_A_TILE = 1e-8
-
-
-def all_search_sizes(
-    entries: Sequence[Entry], sphere: str | None, contact: Contact
-) -> dict[str, float]:
-    """Return the search size (nm) of each substrate, within which the sphere finds its summits."""
-    sizes: dict[str, float] = {}
-    sphere_densities = [entry.density for entry in entries if entry.scan_file.surface == sphere]
-    sphere_density = np.fmax.reduce([np.zeros_like(BIN_CENTRES), *sphere_densities])
-    for entry in entries:
-        surface = entry.scan_file.surface
-        is_measured = np.isfinite(entry.density)
-        if surface != sphere:
-            density = entry.density + sphere_density
-            spectrum = Spectrum(BIN_CENTRES[is_measured], density[is_measured])
-            size = search_size(spectrum, contact.radius, contact.area)
-            sizes[surface] = max(size, sizes.get(surface, 0.0))
-    return sizes
-
-
-def select_contact_scans(
-    entries: Sequence[Entry], sphere: str | None, contact: Contact, search_sizes: dict[str, float]
-) -> tuple[list[Entry], list[str]]:
-    """Return the scans that contacts are made on, and the reasons in words.
-
-    The scans of a surface have one grid: of those that resolve the interaction radius the smallest
-    that is large enough for every search size, or else the largest. Surfaces are thus compared on
-    one size if possible.
-    """
-    groups = _group_by_grid(entries)
-    sphere_groups = groups.pop(sphere) if sphere is not None else []
-    large_enough = LARGE_SIZE_RATIO * max(search_sizes.values())
-    interaction_radius = math.sqrt(2 * contact.radius * contact.rho)
-    selected: list[Entry] = []
-    reasons = []
-    for surface, surface_groups in groups.items():
-        group = _best_group(surface_groups, interaction_radius, large_enough)
-        reason = "no others can be used"
-        if len(surface_groups) > 1:
-            is_small = group[0].size < large_enough
-            reason = "they come nearest to" if is_small else "the smallest of at least"
-            reason += f" {format_length(large_enough)}, twice the search size 2 sqrt(2 R sigma/t)"
-        selected += group
-        reasons.append(f"{surface}: {_describe_group(group)}: {reason}")
-    if sphere is not None:
-        group = _sphere_group(sphere_groups, selected, contact.radius)
-        selected += group
-        reasons.append(
-            f"{sphere}: {_describe_group(group)}, from which the sphere's shape is subtracted"
-        )
-    return selected, reasons
-
-
-def _group_by_grid(entries: Sequence[Entry]) -> dict[str, list[Group]]:
-    """Return the height maps of each surface, those on the same pixels together."""
-    low, high = PIXEL_SIZES
-    groups: dict[str, list[Group]] = {}
-    for surface, scans in entries_by_surface(entries).items():
-        groups[surface] = []
-        for scan in scans:
-            if scan.kind == "map" and low <= scan.pixel_size <= high:
-                matching_groups = (
-                    group for group in groups[surface] if same_grid(group[0].grid, scan.grid)
-                )
-                group = next(matching_groups, [])
-                if not group:
-                    groups[surface].append(group)
-                group.append(scan)
-    raise_faults(
-        f"surface {surface}: expected a height map, on which contacts are made, with pixels of "
-        f"{low:g} to {high:g} nm, found none; for line scans alone, `hardcontact predict` gives "
-        "force and band"
-        for surface, surface_groups in groups.items()
-        if not surface_groups
-    )
-    return groups
-
-
-def _best_group(groups: list[Group], interaction_radius: float, large_enough: float) -> Group:
-    """Return the group of scans of a surface that contacts are made on; lengths are in nm."""
-
-    def rank(group: Group) -> tuple[bool, bool, bool, float, int, float]:
-        size = group[0].size
-        pixel_size = group[0].pixel_size
-        count = len(group)
-        blind = all(entry.is_blind for entry in group)
-        if interaction_radius < MIN_RADIUS_PIXELS * pixel_size:  # Then the finest pixels.
-            return blind, True, False, pixel_size, -count, -size
-        is_small = size < large_enough
-        return blind, False, is_small, -size if is_small else size, -count, pixel_size
-
-    return min(groups, key=rank)
-
-
-def _sphere_group(groups: list[Group], substrates: Sequence[Entry], radius: float) -> Group:
-    """Return the scans of the sphere: those on the substrates' grid, or the largest group.
-
-    Both bodies are computed on the finer pixels of the two, so that different grids make large
-    maps.
-    """
-
-    def rank(group: Group) -> tuple[bool, bool, int, float]:
-        scan = group[0]
-        is_too_large = any(
-            2 * max(scan.size, substrate.size) / min(scan.pixel_size, substrate.pixel_size)
-            > MAX_MAP_PIXELS
-            for substrate in substrates
-        )
-        matches = all(same_grid(scan.grid, substrate.grid) for substrate in substrates)
-        return is_too_large or scan.size > radius, not matches, -len(group), -scan.size
-
-    return min(groups, key=rank)
-
-
-def _describe_group(group: Group) -> str:
-    scans = "the scan" if len(group) == 1 else f"the {len(group)} scans"
-    return f"{scans} of {format_length(group[0].size)} and {group[0].pixels} pixels"
 
 
 class PermittedContact(NamedTuple):

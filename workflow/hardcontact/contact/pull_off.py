@@ -1,4 +1,4 @@
-"""Pull-off forces of two bodies: at several loadings and ranges, and interpolated between ranges.
+"""Pull-off forces of two bodies at several loadings and ranges of adhesion.
 
 A pixel at the gap g attracts with the pressure (W/rho) exp(-g/rho), Eq. 2 of the paper. The force
 is W/rho times the pixel area times the sum of exp(-g/rho) over all pixels at closest approach, Eq.
@@ -147,30 +147,3 @@ def count_touched_patches(bodies: Bodies, contact_pixels: ContactPixels) -> int:
 def mean_over_contacts(values: xr.DataArray) -> xr.DataArray:
     """Return the mean over the contacts of one scan and over the scans of the sphere."""
     return values.mean([dim for dim in CONTACT_DIMENSIONS if dim in values.dims])
-
-
-def interpolate_to_ranges(
-    forces: Floats, computed_ranges: Floats, new_ranges: Floats | float
-) -> Floats:
-    """Return forces (..., rho) at new ranges by a cubic spline in log F and log rho; NaN beyond."""
-    weights = spline_weights(np.log(computed_ranges), np.log(new_ranges))
-    return np.asarray(np.exp(np.log(forces) @ weights.T))
-
-
-def interpolate_to_range(forces: xr.DataArray, rho: float) -> xr.DataArray:
-    """Return forces (..., rho, ...) at one range by the spline of `interpolate_to_ranges`."""
-    interpolated: xr.DataArray = xr.apply_ufunc(
-        interpolate_to_ranges, forces, forces["rho"], rho, input_core_dims=[["rho"], ["rho"], []]
-    )
-    return interpolated
-
-
-def spline_weights(points: Floats, targets: Floats | float, *, extrapolate: bool = False) -> Floats:
-    """Return the weights (..., point) of a cubic spline through ascending points at targets (...).
-
-    A spline is linear in its data, so that the weights serve all data.
-    """
-    from scipy.interpolate import make_interp_spline
-
-    spline = make_interp_spline(points, np.eye(len(points)), k=min(3, len(points) - 1))
-    return np.asarray(spline(targets, extrapolate=extrapolate))

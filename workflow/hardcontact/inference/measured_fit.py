@@ -23,7 +23,7 @@ from hardcontact.base.statistics import (
     percentile_interval,
 )
 from hardcontact.base.units import DIMENSIONLESS, JOULE_PER_M2, NEWTON, NM
-from hardcontact.contact.pull_off import interpolate_to_ranges
+from hardcontact.contact.force_interpolation import interpolate_to_ranges
 from hardcontact.inference.fit import FIT_ATTRS, best_fit, fine_ranges
 from hardcontact.inference.mean_forces import SurfaceForces, forces_by_surface
 from hardcontact.inference.measured_tests import measured_tests, sampled_means

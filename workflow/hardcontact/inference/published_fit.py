@@ -20,7 +20,8 @@ from hardcontact.base.published import read_constants, read_published_forces
 from hardcontact.base.statistics import Sampling, as_variables, student_log_interval
 from hardcontact.base.units import DIMENSIONLESS, JOULE_PER_M2, NEWTON, NM
 from hardcontact.contact.contact import PLASTIC, RIGID
-from hardcontact.contact.pull_off import interpolate_to_ranges, mean_over_contacts
+from hardcontact.contact.force_interpolation import interpolate_to_ranges
+from hardcontact.contact.pull_off import mean_over_contacts
 from hardcontact.inference.fit import (
     FIT_ATTRS,
     WITHOUT_SURFACE,

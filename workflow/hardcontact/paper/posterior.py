@@ -19,7 +19,7 @@ from hardcontact.base.statistics import (
     percentile_interval,
 )
 from hardcontact.base.units import JOULE_PER_M2, NM
-from hardcontact.contact.pull_off import interpolate_to_ranges
+from hardcontact.contact.force_interpolation import interpolate_to_ranges
 from hardcontact.inference.fit import fine_ranges
 
 #: Number of independent forces in a published mean. The paper used at least six spheres; tests with

@@ -1,0 +1,107 @@
+"""Some contacts of a scan, solved with elasticity: contact area, pressure and pull-off force."""
+
+import numpy as np
+import xarray as xr
+from numpy.typing import NDArray
+from threadpoolctl import threadpool_limits
+
+from hardcontact.base.arrays import Floats
+from hardcontact.base.dataset import DatasetsByLabels, stack, variables_of_columns
+from hardcontact.base.progress import progress
+from hardcontact.base.units import NM, PASCAL
+from hardcontact.contact.contact import Contact
+from hardcontact.contact.elastic import adhesive_pull_off, pressure_at_load
+from hardcontact.contact.geometry import (
+    Bodies,
+    part_around_lowest,
+    reference_gap_map,
+    window_pixels,
+)
+from hardcontact.contact.hertz_jkr_dmt import hertz_contact
+
+#: Largest number of pixels per row of the map of the pressure in one contact.
+PRESSURE_MAP_PIXELS = 64
+#: Width in nm of the window about a contact in which elastic and rigid pull-off are compared.
+PULL_OFF_WINDOW = 2500.0
+#: Units of what elasticity gives for each contact.
+ELASTIC_UNITS = {
+    "elastic_contact_area": "nm2",
+    "share_above_hardness": "1",
+    "peak_pressure": "Pa",
+    "mean_pressure": "Pa",
+    "rigid_pull_off_force": "N",
+    "elastic_pull_off_force": "N",
+}
+
+
+def _pressure_metrics(pressure: Floats, pixel_size: float, hardness: float) -> tuple[float, ...]:
+    """Return area (nm²), share above the hardness, peak and mean of a pressure (n, n) in Pa."""
+    touching = pressure[pressure > 0]
+    share = float(np.mean(touching > hardness))
+    return touching.size * pixel_size**2, share, touching.max(), touching.mean()
+
+
+def _pressure_around_peak(pressure: Floats, pixel_size: float) -> xr.DataArray:
+    """Return the pressure (y, x) in Pa about its peak, at most PRESSURE_MAP_PIXELS wide."""
+    pixels = min(PRESSURE_MAP_PIXELS, len(pressure))
+    # The highest pressure is the lowest negative pressure.
+    around_peak = -part_around_lowest(-pressure, pixels)
+    position = (np.arange(pixels) - pixels // 2) * pixel_size
+    coordinates = {axis: (axis, position, NM) for axis in ("y", "x")}
+    return xr.DataArray(around_peak, coordinates, ("y", "x"), attrs=PASCAL)
+
+
+def solve_elastic_contacts(
+    bodies: Bodies,
+    contact: Contact,
+    contact_indices: NDArray[np.int_],
+    modulus: float,
+) -> xr.Dataset:
+    """Solve some contacts of two bodies with elasticity, without plasticity.
+
+    The indices (contact, 2) are row and column in the array. Returns variables (contact) with the
+    names in ELASTIC_UNITS, and ``pressure`` (y, x) in Pa of the first contact. Raises ValueError if
+    no equilibrium is found.
+    """
+    contact.require("rho", "work")
+    geometry = bodies.geometry
+    pixel_size = geometry.pixel_size
+    period_pixels = min(bodies.substrate.pixels, geometry.window_pixels)
+    pull_off_pixels = min(window_pixels(PULL_OFF_WINDOW, pixel_size), period_pixels)
+    metrics = []
+    pressures = []
+    # More threads take twice the processor time and give the same numbers.
+    with threadpool_limits(1, "blas"):
+        for index in progress(contact_indices, len(contact_indices), "elastic contacts"):
+            gap = reference_gap_map(bodies, index)
+            period_gap = part_around_lowest(gap, period_pixels)
+            window_gap = part_around_lowest(gap, pull_off_pixels)
+            pressure = pressure_at_load(period_gap, pixel_size, modulus, contact.preload)
+            forces = adhesive_pull_off(window_gap, pixel_size, modulus, contact.work, contact.rho)
+            metrics.append((*_pressure_metrics(pressure, pixel_size, contact.hardness), *forces))
+            pressures.append(pressure)
+    variables = variables_of_columns(np.array(metrics), "contact", ELASTIC_UNITS)
+    hertz = hertz_contact(contact.preload, geometry.radius, modulus)
+    return xr.Dataset(
+        variables | {"pressure": _pressure_around_peak(pressures[0], pixel_size)},
+        {
+            "contact_y": ("contact", contact_indices[:, 0]),
+            "contact_x": ("contact", contact_indices[:, 1]),
+        },
+        {
+            "hardness": contact.hardness,
+            "preload": contact.preload,
+            "effective_modulus": modulus,
+            "rho": contact.rho,
+            "work_of_adhesion": contact.work,
+            "window": pull_off_pixels * pixel_size,
+            "sphere_radius": geometry.radius,
+            "hertz_peak_pressure": hertz.peak_pressure,
+        },
+    )
+
+
+def stack_elastic_contacts(scans: DatasetsByLabels) -> xr.Dataset:
+    """Stack results of `solve_elastic_contacts` by (scan,), with the pressure of the first scan."""
+    numbers = {key: scan.drop_vars(["pressure", "y", "x"]) for key, scan in scans.items()}
+    return stack(numbers, ["scan"]).assign(pressure=next(iter(scans.values()))["pressure"])
