@@ -6,17 +6,17 @@ import xarray as xr
 from known_forces import RHOS, power_curves, power_forces
 from repository import PAPER
 
-from hardcontact.contact.force_interpolation import forces_at_range, interpolate_to_ranges
+from hardcontact.contact.force_interpolation import interpolate_forces, interpolate_to_ranges
 
 
 def test_interpolation_between_ranges_follows_power_laws():
     forces = power_forces(rho=4.0, work=0.05)
-    forces_at_four = forces_at_range(forces, 4.0)
+    forces_at_four = interpolate_forces(forces, 4.0)
     np.testing.assert_allclose(
         forces_at_four.isel(scan=0, sphere_scan=0, contact_y=0, contact_x=0) * 0.05,
         power_curves(4.0, 1.0)[:, 4] * (4 / 5) ** np.array([2, 1.3, 0.7, 0.4]),
     )
-    assert forces_at_range(forces, 0.49).isnull().all()
+    assert interpolate_forces(forces, 0.49).isnull().all()
     fine = np.geomspace(0.5, 10, 33)
     power_laws = power_curves()[:, :1] * (fine / 0.5) ** np.array([2, 1.3, 0.7, 0.4])[:, None]
     np.testing.assert_allclose(interpolate_to_ranges(power_curves(), RHOS, fine), power_laws)
@@ -44,4 +44,4 @@ def test_the_study_s_ranges_are_close_enough_for_interpolation():
     forces = xr.DataArray(sphere_on_steps(ranges), {"rho": ranges}, "rho")
     for rho in (0.05, 0.07, 5.6, 13.3, 39.0, 40.0):
         exact_force = sphere_on_steps(np.array([rho]))[0]
-        assert float(forces_at_range(forces, rho)) == pytest.approx(exact_force, rel=0.02)
+        assert float(interpolate_forces(forces, rho)) == pytest.approx(exact_force, rel=0.02)

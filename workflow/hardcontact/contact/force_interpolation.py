@@ -24,7 +24,7 @@ def interpolate_to_ranges(
     return np.asarray(np.exp(np.log(forces) @ weights.T))
 
 
-def forces_at_range(forces: xr.DataArray, rho: float) -> xr.DataArray:
+def interpolate_forces(forces: xr.DataArray, rho: float) -> xr.DataArray:
     """Return forces (..., rho, ...) at one range by the spline of `interpolate_to_ranges`."""
     interpolated: xr.DataArray = xr.apply_ufunc(
         interpolate_to_ranges, forces, forces["rho"], rho, input_core_dims=[["rho"], ["rho"], []]

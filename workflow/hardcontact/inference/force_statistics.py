@@ -15,7 +15,7 @@ from hardcontact.base.statistics import (
 )
 from hardcontact.base.units import DIMENSIONLESS, NEWTON
 from hardcontact.contact.contact import CONTACT_AXES
-from hardcontact.contact.force_interpolation import forces_at_range
+from hardcontact.contact.force_interpolation import interpolate_forces
 from hardcontact.contact.pull_off import mean_over_contacts
 
 
@@ -38,7 +38,7 @@ def forces_at_pair(
 ) -> xr.Dataset:
     """Return force statistics and ratios of mean forces of one contact model by surface."""
     rho, work = pair
-    pair_forces = forces_at_range(forces, rho) * work
+    pair_forces = interpolate_forces(forces, rho) * work
     means = mean_forces(pair_forces.expand_dims("rho"), sampling)[..., 0]
     contact_forces = pair_forces.transpose("surface", "scan", "sphere_scan", *CONTACT_AXES).values
     contact_forces = contact_forces.reshape(*contact_forces.shape[:3], -1)

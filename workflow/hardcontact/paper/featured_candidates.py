@@ -16,7 +16,7 @@ from hardcontact.base.progress import progress
 from hardcontact.base.statistics import log_std_of_lognormal
 from hardcontact.base.units import DIMENSIONLESS, NEWTON
 from hardcontact.contact.contact import CONTACT_AXES, PLASTIC, Contact
-from hardcontact.contact.force_interpolation import forces_at_range
+from hardcontact.contact.force_interpolation import interpolate_forces
 from hardcontact.inference.published_fit import PublishedForces
 from hardcontact.paper.pool import smooth_sphere_forces
 from hardcontact.surfaces.features import KINDS, SIGNS, FeaturedSurface, sample_group
@@ -121,7 +121,7 @@ def _candidate_statistics(
 ) -> xr.Dataset:
     """Return the features and CANDIDATE_STATISTICS (candidate,) of plastic forces at a pair."""
     rho, work = pair
-    forces = work * forces_at_range(candidates["pull_off_force"] * sphere_factor, rho)
+    forces = work * interpolate_forces(candidates["pull_off_force"] * sphere_factor, rho)
     contacts = forces.stack(contact=("scan", *CONTACT_AXES)).transpose("candidate", "contact")
     mean = contacts.values.mean(axis=1)
     median = np.median(contacts, axis=1)

@@ -17,7 +17,7 @@ from scipy.stats import lognorm
 from hardcontact.base.formatting import format_estimate
 from hardcontact.base.statistics import log_std_of_lognormal
 from hardcontact.contact.contact import PLASTIC
-from hardcontact.contact.force_interpolation import forces_at_range
+from hardcontact.contact.force_interpolation import interpolate_forces
 from hardcontact.report.figures import drawing, panels, style
 
 LINEAR_BINS = 24
@@ -70,7 +70,7 @@ def _forces_at(adhesion: xr.Dataset, pair: FitPair) -> xr.DataArray:
     """Return the forces (N) of all plastic contacts at a range and work of adhesion."""
     forces = adhesion["pull_off_force"].sel(contact_model=PLASTIC)
     work: float = float(pair["work_of_adhesion"]) / adhesion.attrs["work_of_adhesion"]
-    return forces_at_range(forces, float(pair["range_of_adhesion"])) * work
+    return interpolate_forces(forces, float(pair["range_of_adhesion"])) * work
 
 
 def _lognormals(published: Mapping[Any, float], fit: xr.Dataset) -> tuple[Any, Any]:
