@@ -17,7 +17,7 @@ from hardcontact.paper.featured_candidates import (
     compare_features,
     compute_candidates,
 )
-from hardcontact.surfaces.features import FeaturedSurface, sample_group
+from hardcontact.surfaces.features import FeaturedSurface, sample_featured_scans
 from hardcontact.surfaces.height_map import mirror_scan
 from hardcontact.surfaces.levelling import level_plane
 from hardcontact.surfaces.metrics import metrics
@@ -34,7 +34,7 @@ def candidates():
 
 
 def test_forces_and_roughness_are_those_of_the_scans_of_the_candidate(candidates):
-    features, scans = sample_group(FEATURED, "pits", [1, 2], 2)
+    features, scans = sample_featured_scans(FEATURED, "pits", [1, 2], 2)
     scan = level_plane(scans[1])
     candidate = candidates["pits"].sel(candidate=2, scan=2)
     bodies = join_bodies(mirror_scan(scan), None, CONTACT)

@@ -15,9 +15,9 @@ from hardcontact.surfaces.features import (
     add_features,
     expected_rms,
     feature_squares,
-    nearest_group,
+    nearest_featured_scans,
     published_statistics,
-    sample_features,
+    sample_permitted_features,
     standardized_differences,
 )
 from hardcontact.surfaces.levelling import level_plane
@@ -78,7 +78,9 @@ def test_mean_and_variance_of_squares_follow_campbells_theorem():
 def test_sampled_features_have_the_published_statistics(sign, scans):
     rng = np.random.default_rng(scans)
     for _ in range(3):
-        features = sample_features(rng, POLISHED, scans, ScanGrid(PIXELS, SIZE, PIXELS), sign)
+        features = sample_permitted_features(
+            rng, POLISHED, scans, ScanGrid(PIXELS, SIZE, PIXELS), sign
+        )
         assert np.sign(features.height) == sign and len(features.counts) == scans
         rms_values = expected_rms_of(features)
         means = rms_values.mean(axis=0)
@@ -113,8 +115,8 @@ SOURCE = FeaturedSurface(SUBSTITUTE, POLISHED)
 
 
 def test_the_nearest_group_is_one_of_bumps_or_pits(monkeypatch):
-    monkeypatch.setattr("hardcontact.surfaces.features.CANDIDATES", 4)
-    features, scans = nearest_group(SOURCE, [1, 2])
+    monkeypatch.setattr("hardcontact.surfaces.features.PERMITTED_SAMPLES", 4)
+    features, scans = nearest_featured_scans(SOURCE, [1, 2])
     candidates = [
         SOURCE.sample_features(kind, 2, 1, candidate)
         for candidate, kind in enumerate(["bumps", "pits", "bumps", "pits"])

@@ -2,7 +2,7 @@
 
 from hardcontact.records.job import run_job
 from hardcontact.surfaces.conditioning import condition_group, conditioned_scan
-from hardcontact.surfaces.features import featured_group
+from hardcontact.surfaces.features import make_featured_scans
 from hardcontact.surfaces.levelling import LEVELLED, MIRRORED, level_and_mirror
 from hardcontact.surfaces.substitutes import read_substitute
 
@@ -13,7 +13,7 @@ with run_job(snakemake) as job:
     )
     scan_numbers = params["scan_numbers"]
     if params["has_features"]:
-        conditioning, scans = featured_group(substitute, scan_numbers)
+        conditioning, scans = make_featured_scans(substitute, scan_numbers)
     else:
         conditioning = condition_group(substitute, substitute.targets, scan_numbers)
         scans = [

@@ -19,7 +19,7 @@ from hardcontact.contact.contact import CONTACT_AXES, PLASTIC, Contact
 from hardcontact.contact.force_interpolation import interpolate_forces
 from hardcontact.inference.published_fit import PublishedForces
 from hardcontact.paper.pool import smooth_sphere_forces
-from hardcontact.surfaces.features import KINDS, SIGNS, FeaturedSurface, sample_group
+from hardcontact.surfaces.features import KINDS, SIGNS, FeaturedSurface, sample_featured_scans
 from hardcontact.surfaces.levelling import level_plane
 from hardcontact.surfaces.metrics import TABLE1_METRICS, metrics_dataset
 
@@ -48,7 +48,7 @@ def compute_candidates(
     """
     candidates = []
     for number in progress(numbers, len(numbers), "surfaces with features"):
-        features, scans = sample_group(featured, kind, range(1, scan_count + 1), number)
+        features, scans = sample_featured_scans(featured, kind, range(1, scan_count + 1), number)
         scan_results = {}
         for index, scan in enumerate(map(level_plane, scans), 1):
             forces = smooth_sphere_forces(scan, contact, ranges)

@@ -28,25 +28,25 @@ SIGNS = {"bumps": 1, "pits": -1}
 GAUSSIAN = "gaussian"
 #: All kinds of surfaces.
 KINDS = (*SIGNS, GAUSSIAN)
-#: Number of features per µm². The prior is uniform in the logarithms within these bounds and the
-#: next three. The lower bound is assumed: from 0.001 on, 15 % of the accepted bumps of polished
+#: Number of features per µm². These bounds and the next three are assumed; the prior is uniform in
+#: the logarithms within them. If densities began at 0.001, 15 % of the permitted bumps of polished
 #: UNCD would be rarer than 0.01.
 DENSITY_BOUNDS = (0.01, 10.0)
-#: Height of features in published mean rms heights of scans.
+#: Height of features relative to the published mean rms height of scans.
 HEIGHT_BOUNDS = (1.0, 60.0)
 #: Width of features in nm.
 WIDTH_BOUNDS = (20.0, 300.0)
-#: Amplitude of the base relative to the published mean.
+#: Factor on the heights of the base: its rms height relative to the published mean of scans.
 BASE_FACTOR_BOUNDS = (0.2, 1.2)
 #: Smallest width in pixels: the pixels then resolve the curvature of a feature to 4 %.
 MIN_WIDTH_PIXELS = 2.5
-#: Number of samples of features in a batch.
+#: Number of samples from the prior in a batch.
 BATCH_SIZE = 1000
-#: Largest number of batches until Table 1 accepts a sample.
+#: Largest number of batches until Table 1 permits a sample.
 MAX_BATCHES = 200
-#: Samples of features, of which the nearest to Table 1 is taken: with so many, all numbers are
-#: within half a standard error.
-CANDIDATES = 100
+#: Number of permitted samples, of which the nearest to Table 1 is taken: with so many, all its
+#: numbers are within half a standard error.
+PERMITTED_SAMPLES = 100
 
 
 class ScanStatistics(NamedTuple):
@@ -84,6 +84,9 @@ def feature_squares(height: ArrayLike, width: ArrayLike, size: float) -> Floats:
     By Campbell's theorem these are the mean squares of its shape, gradient and half-Laplacian.
     """
     height, width = np.asarray(height), np.asarray(width)
+    # The squared shape, exp(-x²/w²) along an axis, lies w/sqrt(pi) from its centre on average.
+    # As centres are uniform in the scan, the mean share w/(sqrt(pi) L) lies outside; the squares of
+    # derivatives get the same share.
     slope_square = (1 - width / (np.sqrt(np.pi) * size)) ** 2 * np.pi * height**2 / size**2
     # Levelling removes three functions, each with the square of the mean of a feature.
     removed = 3 * (2 * np.pi * height * width**2 / size**2) ** 2
@@ -118,14 +121,17 @@ def standardized_differences(rms_values: Floats, statistics: ScanStatistics) -> 
     return np.concatenate([differences, spread], axis=-1)
 
 
-def sample_features(
+def sample_permitted_features(
     rng: np.random.Generator,
     statistics: ScanStatistics,
     scan_count: int,
     grid: ScanGrid,
     sign: int,
 ) -> Features:
-    """Sample features from the prior until all `standardized_differences` are below one."""
+    """Sample features from the prior until Table 1 permits them.
+
+    It does if no `standardized_differences` exceeds one. Raises ValueError if none is found.
+    """
     min_width = max(WIDTH_BOUNDS[0], MIN_WIDTH_PIXELS * grid.pixel_size)
     bounds = (DENSITY_BOUNDS, HEIGHT_BOUNDS, (min_width, WIDTH_BOUNDS[1]), BASE_FACTOR_BOUNDS)
     low, high = np.log(bounds).T
@@ -138,9 +144,9 @@ def sample_features(
         added = feature_squares(height, width, grid.size)
         rms_values = expected_rms(base_factor, counts, added, statistics)
         differences = np.abs(standardized_differences(rms_values, statistics))
-        is_accepted = (differences <= 1).all(axis=-1)
-        if is_accepted.any():
-            index = int(np.argmax(is_accepted))
+        is_permitted = (differences <= 1).all(axis=-1)
+        if is_permitted.any():
+            index = int(np.argmax(is_permitted))
             return Features(
                 number_density=number_density[index].item(),
                 height=height[index].item(),
@@ -183,8 +189,9 @@ class FeaturedSurface(NamedTuple):
         if kind == GAUSSIAN:
             base_factor = self.statistics.all_rms_height / float(self.statistics.means[0])
             return Features(0.0, 0.0, np.nan, base_factor, (0,) * scan_count)
+        grid = self.substitute.grid
         rng = self.substitute.generator(kind, *names, "features")
-        return sample_features(rng, self.statistics, scan_count, self.substitute.grid, SIGNS[kind])
+        return sample_permitted_features(rng, self.statistics, scan_count, grid, SIGNS[kind])
 
     def describe(self, features: Features) -> dict[str, xr.Variable]:
         """Return features as variables."""
@@ -238,7 +245,7 @@ def _whole_featured_surface(
     return add_features(rng, base, features, count)
 
 
-def sample_group(
+def sample_featured_scans(
     surface: FeaturedSurface, kind: str, scan_numbers: Sequence[int], *names: object
 ) -> tuple[Features, list[HeightMap]]:
     """Sample features of a kind, and scans with these features; `names` name random numbers."""
@@ -252,34 +259,34 @@ def sample_group(
     return features, scans
 
 
-def nearest_group(
+def nearest_featured_scans(
     surface: FeaturedSurface, scan_numbers: Sequence[int]
 ) -> tuple[Features, list[HeightMap]]:
-    """Return the scans whose features are nearest to Table 1 among CANDIDATES samples.
+    """Return the scans whose features are nearest to Table 1 among PERMITTED_SAMPLES.
 
     Bumps and pits alternate among the samples. No force enters the choice.
     """
-    candidates = []
-    for candidate in range(CANDIDATES):
-        kind = list(SIGNS)[candidate % len(SIGNS)]
-        features = surface.sample_features(kind, len(scan_numbers), scan_numbers[0], candidate)
+    choices = []
+    for sample_number in range(PERMITTED_SAMPLES):
+        kind = list(SIGNS)[sample_number % len(SIGNS)]
+        features = surface.sample_features(kind, len(scan_numbers), scan_numbers[0], sample_number)
         added = feature_squares(features.height, features.width, surface.substitute.grid.size)
         rms_values = expected_rms(features.base_factor, features.counts, added, surface.statistics)
         differences = standardized_differences(rms_values, surface.statistics)
-        candidates.append((float(np.linalg.norm(differences)), kind, candidate))
-    _, kind, candidate = min(candidates)
-    return sample_group(surface, kind, scan_numbers, scan_numbers[0], candidate)
+        choices.append((float(np.linalg.norm(differences)), kind, sample_number))
+    _, kind, sample_number = min(choices)
+    return sample_featured_scans(surface, kind, scan_numbers, scan_numbers[0], sample_number)
 
 
-def featured_group(
+def make_featured_scans(
     substitute: Substitute, scan_numbers: Sequence[int]
 ) -> tuple[xr.Dataset, list[HeightMap]]:
-    """Return a dataset on the `nearest_group` of scans, and these scans.
+    """Return a dataset on the features of the `nearest_featured_scans`, and these scans.
 
-    The AFM rows of Table 1, which accepted the features, are met within their uncertainty.
+    The scans meet the AFM rows of Table 1, which permits their features, within the uncertainty.
     """
     surface = featured_surface(substitute)
-    features, scans = nearest_group(surface, scan_numbers)
+    features, scans = nearest_featured_scans(surface, scan_numbers)
     variables = surface.describe(features)
     variables["feature_count"] = xr.Variable("scan", list(features.counts), DIMENSIONLESS)
     met_rows = substitute.spectrum_data.attrs["table1_rows_met"]
