@@ -13,7 +13,8 @@ from hardcontact.base.units import NEWTON, NM
 from hardcontact.contact.bearing_area import ContactPixels, all_contact_pixels
 from hardcontact.contact.contact import CONTACT_AXES, Contact
 from hardcontact.contact.geometry import Bodies, join_bodies, reference_gaps
-from hardcontact.contact.pull_off import label_patches, pixel_counts
+from hardcontact.contact.patches import label_patches
+from hardcontact.contact.pull_off import pixel_counts
 from hardcontact.surfaces.height_map import HeightMap
 
 #: Pixels on either side of the deepest pixel in the maps of one contact.

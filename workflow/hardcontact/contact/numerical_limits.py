@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from hardcontact.base.formatting import format_length, round_to_three_digits
 from hardcontact.contact.contact import Contact
 
-#: Largest |x| of exp(x), by precision: it becomes infinite or loses digits beyond 87 and 708.
+#: Largest |x| of exp(x), by precision: exp becomes infinite or loses digits beyond 87 and 708.
 EXP_LIMITS = {np.float32: 80.0, np.float64: 700.0}
 #: Largest difference in height relative to the range of adhesion. The margin to EXP_LIMITS is for
 #: scans and masters that are higher than the scan which is checked.
@@ -29,7 +29,7 @@ SHORT_ADHESION_RANGE = 1.0
 #: 11 of 16 digits, because exp(25) is 7e10.
 PENETRATION_OVER_RANGE = 25.0
 #: Upper limits of scan width / search size, with the lowest and highest mean force on a mirrored
-#: scan relative to the 20 µm surface from which it was cut. Larger scans had 0.95 to 1.14. Source:
+#: scan relative to the 20 µm surface from which it was cut; larger scans had 0.95 to 1.14. Source:
 #: scans of 0.6 to 10 µm on ten Gaussian surfaces (rms height 2 to 50 nm, roll-off 300 to 2000 nm, H
 #: = 0.5 to 0.84), 24 realizations each; R = 20 to 250 µm, rho = 2 and 5.6 nm.
 FINITE_SCAN_RATIOS = (
@@ -81,7 +81,10 @@ def penetration_depth(contact: Contact, relief: float) -> float:
 
 
 def finite_scan_ratio(size: float, search_size: float) -> tuple[float, float]:
-    """Return the smallest and largest force on a scan, by its size, relative to a large scan."""
+    """Return the smallest and largest force on a scan of a size (nm), relative to a large scan.
+
+    Both are 1 from LARGE_SIZE_RATIO on, where they were 0.95 to 1.14.
+    """
     candidates = (ratios for limit, ratios in FINITE_SCAN_RATIOS if size < limit * search_size)
     return next(candidates, (1.0, 1.0))
 

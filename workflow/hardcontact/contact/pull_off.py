@@ -10,7 +10,6 @@ from dataclasses import replace
 
 import numpy as np
 import xarray as xr
-from numpy.typing import NDArray
 
 from hardcontact.base.arrays import Floats
 from hardcontact.base.units import DIMENSIONLESS, NANOMETRE, NEWTON, NM
@@ -19,6 +18,7 @@ from hardcontact.contact.contact import CONTACT_AXES, CONTACT_DIMENSIONS, CONTAC
 from hardcontact.contact.force_sum.outside_sums import outside_sums
 from hardcontact.contact.geometry import Bodies, join_bodies
 from hardcontact.contact.numerical_limits import EXP_LIMITS
+from hardcontact.contact.patches import count_touched_patches
 from hardcontact.surfaces.height_map import HeightMap
 
 #: Returns the forces on a surface, of any shape.
@@ -117,31 +117,6 @@ def pull_off_dataset(bodies: Bodies, contact: Contact, ranges: Sequence[float]) 
         | {axis: (axis, positions, NM) for axis in CONTACT_AXES},
         {"work_of_adhesion": WORK_OF_ADHESION, "pixel_size": pixel_size},
     )
-
-
-def label_patches(pixels: NDArray[np.int_]) -> tuple[NDArray[np.int_], int]:
-    """Return the patch (...) of pixels (..., 2), which share edges or corners, and their number."""
-    from scipy.ndimage import label
-
-    corner = pixels.reshape(-1, 2).min(axis=0)
-    rows, columns = np.moveaxis(pixels - corner, -1, 0)
-    is_set = np.zeros((rows.max() + 1, columns.max() + 1), bool)
-    is_set[rows, columns] = True
-    labels, count = label(is_set, np.ones((3, 3)))
-    return labels[rows, columns], count
-
-
-def count_touched_patches(bodies: Bodies, contact_pixels: ContactPixels) -> int:
-    """Return the number of patches of a mirrored scan that hold the deepest pixel of some contact.
-
-    If one particle carried every contact, forces would scatter little, however wrong they were.
-    """
-    pixels = bodies.substrate.pixels
-    points = (bodies.geometry.apexes()[:, :, None] + contact_pixels.offsets) % pixels
-    # Fold the mirror images back onto the scan, a quarter of the map.
-    patch, _ = label_patches(np.minimum(points, pixels - 1 - points))
-    # The first pixel of a contact has its lowest gap.
-    return len(np.unique(patch[..., 0]))
 
 
 def mean_over_contacts(values: xr.DataArray) -> xr.DataArray:

@@ -22,7 +22,7 @@ class HeightMap:
 
     Heights increase away from the material. The pixel size (nm) is also the spacing of the points
     of a line scan. A periodic map repeats beyond its borders. The source is ``"measured"`` or
-    ``"substitute"``.
+    ``"substitute"``. Maps that are read are square, as `pixels` and `size` assume.
     """
 
     heights: np.ndarray
@@ -30,9 +30,10 @@ class HeightMap:
     periodic: bool = False
     source: str = "measured"
     path: str = "scan"  #: Path of the file, as messages name it.
-    #: Name of the scan in a container, or of the channel in another file, as in surfaces.tsv.
+    #: Which scan of a container, or which channel of another file, was read, as in surfaces.tsv;
+    #: empty if the file has only one, or chose itself.
     dataset: str = ""
-    channel: str = ""  #: Name of the channel that was read.
+    channel: str = ""  #: Name of the channel that was read, whoever chose it.
     file_unit: str = "nm"  #: Unit of length that the file, or its container, states.
     tip_radius: float | None = None  #: In nm, if the file or its container states one.
     notes: tuple[str, ...] = ()  #: What was changed or chosen in reading, each in one line.
@@ -51,7 +52,7 @@ class HeightMap:
 
     @property
     def name(self) -> str:
-        """The path of the file and, if the file has several scans, the name of this one in it."""
+        """The path of the file and, if it is not empty, the dataset in it."""
         return f"{self.path}: {self.dataset}" if self.dataset else self.path
 
     @property
@@ -61,7 +62,7 @@ class HeightMap:
 
     @property
     def pixels(self) -> int:
-        """Pixels per row of a square map, or points of a line scan."""
+        """Pixels along each side of a square map, or points of a line scan."""
         return int(self.heights.shape[0])
 
     @property

@@ -1,7 +1,7 @@
 """Predictions of the closed form for a spectrum: numbers with units, intervals and statuses.
 
-Their errors come from designed surfaces. Half of these were held out while the closed form was
-developed (`validity.held_out_surfaces`).
+Their errors come from the designed surfaces that were held out while the closed form was developed
+(`validity.held_out_surfaces`).
 """
 
 import math
@@ -55,9 +55,9 @@ def prediction(
 ) -> dict[str, Number]:
     """Predict the pull-off force and both edges of a sphere on a rough surface, in closed form.
 
-    ``extrapolated_force`` is the force with the spectrum extrapolated to short waves. If the error
-    is not known, intervals are NaN and the force is OUTSIDE; with steep sidewalls it has no value.
-    Raises ValueError if `trim_spectrum` refuses the spectrum; messages call it `name`.
+    ``extrapolated_force`` is the force of the extrapolated spectrum. If the error is not known,
+    intervals are NaN, and the force is OUTSIDE; with steep sidewalls it has no value. Raises
+    ValueError if `trim_spectrum` refuses the spectrum; messages call it `name`.
     """
     trimmed = trim_spectrum(spectrum, name)
     inputs = _input_numbers(trimmed, contact, tolerance)
@@ -67,20 +67,20 @@ def prediction(
         return numbers_by_name(*inputs, force)
     form = closed_form(trimmed, contact)
     checks = _spectrum_checks(trimmed, contact, form, 0.0 if scans is None else scans.skewness)
-    error_is_known = all(number.status == Effect.NEGLIGIBLE for number in checks)
+    assumptions_hold = all(number.status == Effect.NEGLIGIBLE for number in checks)
     if scans is not None and scans.is_extrapolated:
-        error_is_known &= _is_measured_error_known(scans, contact, tolerance, name)
+        assumptions_hold &= _is_measured_error_known(scans, contact, tolerance, name)
     extrapolated: list[Number] = []
     change = Number("extrapolated_change", math.nan, status=Effect.NEGLIGIBLE)
     extrapolation = _extrapolate(spectrum, trimmed)
     if extrapolation is None and spectrum.density[-1] > 0:
         change = change._replace(status=Effect.UNKNOWN)
     elif extrapolation is not None and _adds_waves(extrapolation, trimmed):
-        extrapolated = _extrapolated_numbers(extrapolation, contact, tolerance, error_is_known)
+        extrapolated = _extrapolated_numbers(extrapolation, contact, tolerance, assumptions_hold)
         change = _force_change("extrapolated_change", extrapolated[0].value, form)
     point = table_point(trimmed, contact, form)
-    error_is_known &= change.status == Effect.NEGLIGIBLE and is_validated(point)
-    known_point = point if error_is_known else None
+    is_complete = change.status == Effect.NEGLIGIBLE
+    known_point = point if assumptions_hold and is_complete and is_validated(point) else None
     numbers = [
         *inputs,
         _force_number("closed_form_force", form, known_point),
@@ -145,12 +145,12 @@ def _input_numbers(spectrum: Spectrum, contact: Contact, tolerance: float) -> li
 def _spectrum_checks(
     spectrum: Spectrum, contact: Contact, form: ClosedForm, skewness: float
 ) -> list[Number]:
-    """Return longest octave, widest gap and skewness; all NEGLIGIBLE if the closed form holds."""
+    """Return the checks of a spectrum: all are NEGLIGIBLE if its assumptions hold."""
     gap = float((spectrum.wavevector[1:] / spectrum.wavevector[:-1]).max())
     gap_status = Effect.UNKNOWN if gap > MAX_WAVELENGTH_RATIO else Effect.NEGLIGIBLE
     skewness_status = Effect.MATTERS if abs(skewness) > MAX_SKEWNESS else Effect.NEGLIGIBLE
     return [
-        _longest_octave(spectrum, contact, form),
+        _longest_octave_change(spectrum, contact, form),
         Number("widest_gap", gap, status=gap_status),
         Number("skewness", skewness, status=skewness_status),
     ]
@@ -159,7 +159,7 @@ def _spectrum_checks(
 def _is_measured_error_known(
     scans: ScanSpectrum, contact: Contact, tolerance: float, name: str
 ) -> bool:
-    """Return True if the error of the force is known without the scans' extrapolated waves."""
+    """Return True if the error of the force is known without extrapolated waves of the scans."""
     reliable_waves = reliable_spectrum(scans.joined_dataset, scans.skewness)
     numbers = prediction(reliable_waves, contact, tolerance, name)
     return numbers.get("extrapolated_force", numbers["closed_form_force"]).status == Validity.INSIDE
@@ -191,18 +191,18 @@ def _edge_numbers(prefix: str, band: tuple[float, float], point: KnownPoint) -> 
 
 
 class _Extrapolation(NamedTuple):
-    """A spectrum that is extrapolated to short waves."""
+    """A spectrum that is extrapolated to short waves, and to long waves up to a roll-off."""
 
-    density: Floats  #: C_iso in nm⁴ at WAVEVECTORS.
-    rolloff: float  #: In nm.
-    hurst: float  #: Hurst exponent of the extrapolated waves; NaN if there are none.
-    ended_by: str  #: What ends the tail: `Tail.tail_ended_by`.
+    density: Floats  #: C_iso in nm⁴ at WAVEVECTORS, constant above the roll-off.
+    rolloff: float  #: Roll-off in nm; the longest given wavelength for a table.
+    hurst: float  #: Hurst exponent of the extrapolated short waves; NaN if there are none.
+    ended_by: str  #: What ends the extrapolated short waves: `Tail.tail_ended_by`.
 
 
 def _extrapolate(spectrum: Spectrum, trimmed: Spectrum) -> _Extrapolation | None:
-    """Return a spectrum with its extrapolation to short waves; None if that is not known.
+    """Return the extrapolation of a spectrum; None if it is not known.
 
-    A table with a density of zero at its end or within is not extrapolated.
+    Scans have theirs. A table with a density of zero at its short end or within has none.
     """
     if isinstance(spectrum, ScanSpectrum):
         ends = spectrum.joined_dataset.attrs
@@ -220,18 +220,18 @@ def _extrapolate(spectrum: Spectrum, trimmed: Spectrum) -> _Extrapolation | None
 
 
 def _adds_waves(extrapolation: _Extrapolation, trimmed: Spectrum) -> bool:
-    """Return True if the extrapolation adds short waves, or long waves up to the roll-off."""
+    """Return True if an extrapolation adds short waves, or long waves below its roll-off."""
     return math.isfinite(extrapolation.hurst) or extrapolation.rolloff > trimmed.wavelength[0]
 
 
 def _extrapolated_numbers(
-    extrapolation: _Extrapolation, contact: Contact, tolerance: float, error_is_known: bool
+    extrapolation: _Extrapolation, contact: Contact, tolerance: float, assumptions_hold: bool
 ) -> list[Number]:
     """Return the force and both edges of an extrapolated spectrum, and how it was extrapolated."""
     spectrum = trim_spectrum(Spectrum(WAVEVECTORS, extrapolation.density))
     form = closed_form(spectrum, contact)
     point = table_point(spectrum, contact, form)
-    known_point = point if error_is_known and is_validated(point) else None
+    known_point = point if assumptions_hold and is_validated(point) else None
     band = critical_band(spectrum, contact, tolerance)
     return [
         _force_number("extrapolated_force", form, known_point),
@@ -249,7 +249,7 @@ def _force_change(name: str, changed_force: float, form: ClosedForm) -> Number:
     return Number(name, change, status=Effect.MATTERS if matters else Effect.NEGLIGIBLE)
 
 
-def _longest_octave(spectrum: Spectrum, contact: Contact, form: ClosedForm) -> Number:
+def _longest_octave_change(spectrum: Spectrum, contact: Contact, form: ClosedForm) -> Number:
     """Return the relative change of the force without the longest octave of a spectrum."""
     is_shorter = spectrum.wavevector >= 2 * spectrum.wavevector[0]
     if is_shorter.sum() < 2:

@@ -1,8 +1,8 @@
 """The limits of the closed form: its assumptions on a contact, and the inputs that validate it.
 
 It assumes hard bodies and a small contact area. Its errors are the ratios of computed to predicted
-values on designed surfaces. These were held out while it was developed, but for one choice
-(workflow/report/theory.md, Close points).
+values on designed surfaces. These were held out while it was developed, but for two choices: close
+points lie on rough summits, and edges leave this out (workflow/report/theory.md, Close points).
 """
 
 import math

@@ -1,0 +1,31 @@
+"""Patches of pixels: groups that share edges or corners."""
+
+import numpy as np
+import scipy
+from numpy.typing import NDArray
+
+from hardcontact.contact.bearing_area import ContactPixels
+from hardcontact.contact.geometry import Bodies
+
+
+def label_patches(pixels: NDArray[np.int_]) -> tuple[NDArray[np.int_], int]:
+    """Return the patch (...) of pixels (..., 2), which share edges or corners, and their number."""
+    corner = pixels.reshape(-1, 2).min(axis=0)
+    rows, columns = np.moveaxis(pixels - corner, -1, 0)
+    is_set = np.zeros((rows.max() + 1, columns.max() + 1), bool)
+    is_set[rows, columns] = True
+    labels, count = scipy.ndimage.label(is_set, np.ones((3, 3)))
+    return labels[rows, columns], count
+
+
+def count_touched_patches(bodies: Bodies, contact_pixels: ContactPixels) -> int:
+    """Return the number of patches of a mirrored scan that hold the deepest pixel of some contact.
+
+    If one particle carried every contact, forces would scatter little, however wrong they were.
+    """
+    pixels = bodies.substrate.pixels
+    points = (bodies.geometry.apexes()[:, :, None] + contact_pixels.offsets) % pixels
+    # Fold the mirror images back onto the scan, a quarter of the map.
+    patch, _ = label_patches(np.minimum(points, pixels - 1 - points))
+    # The first pixel of a contact has its lowest gap.
+    return len(np.unique(patch[..., 0]))
