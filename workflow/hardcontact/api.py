@@ -1,8 +1,9 @@
 """The functions for programs, which ``import hardcontact as hc`` gives.
 
 They compute as the study and its commands do. Lengths and heights are in nm, wavevectors in rad/nm,
-forces in N, works of adhesion in J/m², pressures in Pa. All raise ValueError with one line for each
-fault of their input. They warn of unusual quantities of a contact, because the unit may be wrong.
+forces in N, works of adhesion in J/m², pressures in Pa. Each function raises ValueError if its
+input is invalid, with one line for each fault. It warns if a quantity of a contact is unusual,
+because its unit may be wrong.
 """
 
 from collections.abc import Mapping, Sequence
@@ -72,27 +73,31 @@ def read_scan(
     Parameters
     ----------
     path : str or Path
-        Any format that SurfaceTopography reads, or a container of scans.
+        The file of the scan, in any format that SurfaceTopography reads, or a container of scans.
     dataset : str
-        Scan of a container, or channel of any other file; empty for the file's choice.
+        Name of the scan in a container, or name or number (from 1) of the channel in any other
+        file. If it is empty, the file's default channel is read. A container needs a name.
     undefined_pixels : str
-        ``"refuse"`` a scan with undefined pixels, or fill them with a ``"harmonic"`` function.
-    unit, map_size : str, float or str
-        For a file that states none: a unit such as ``"nm"``, or ``"mm,nm"`` for positions and
-        heights; the longer side in nm.
+        ``"refuse"`` raises ValueError if pixels are undefined. ``"harmonic"`` fills them with a
+        harmonic function.
+    unit : str
+        Unit of length if the file states none, such as ``"nm"``. ``"mm,nm"`` is a unit for
+        positions and another one for heights.
+    map_size : float or str
+        Longer side of the map in nm if the file states none.
     mask : str
-        ``"keep"`` or ``"exclude"`` the heights under a mask in a file of Gwyddion.
+        Whether to ``"keep"`` or to ``"exclude"`` the heights under a mask in a file of Gwyddion.
     levelling : str
-        ``"plane"``; ``"lines"``, which fills streaks and aligns lines first; or ``"quadratic"``,
-        which also subtracts the bow of a scanner.
+        ``"plane"`` subtracts a plane. ``"lines"`` fills streaks and aligns lines before.
+        ``"quadratic"`` subtracts the bow of a scanner, too.
     sphere_radius : float or None
-        Radius in nm of the sphere that the scan shows, which is subtracted; None for a flat
-        surface.
+        Radius in nm of the sphere that the scan shows. The sphere is subtracted. None stands for a
+        flat surface.
 
     Returns
     -------
     HeightMap
-        ``heights`` (y, x) in nm, in float32, and ``pixel_size`` in nm.
+        Its ``heights`` (y, x) are in nm, in single precision; its ``pixel_size`` is in nm.
 
     Examples
     --------
@@ -115,19 +120,21 @@ def from_topography(
     levelling: str = "plane",
     sphere_radius: float | None = None,
 ) -> HeightMap:
-    """Return a levelled height map from SurfaceTopography, as `read_scan` does from a file.
+    """Return the levelled height map of an object of SurfaceTopography.
+
+    The function prepares the map as `read_scan` prepares the map of a file.
 
     Parameters
     ----------
     topography : SurfaceTopography.Topography
-        A map with physical sizes and a unit of length.
+        A map that has physical sizes and a unit of length.
     undefined_pixels, levelling, sphere_radius : str, str, float or None
         As for `read_scan`.
 
     Returns
     -------
     HeightMap
-        As of `read_scan`.
+        The same as `read_scan` returns.
 
     Examples
     --------
@@ -167,27 +174,31 @@ def read_spectrum(
     sphere_radius: float | None = None,
     extrapolated: bool = False,
 ) -> Spectrum:
-    """Return C_iso of one surface from a table, or joined from the spectra of scans.
+    """Return the spectrum C_iso of one surface, from a table or from scans.
+
+    The spectra of several scans are joined at their reliable wavelengths.
 
     Parameters
     ----------
     *files : str or Path
-        One table of a spectrum, described by ``hardcontact predict --help``; or height maps, line
-        scans and containers.
+        Either one table of a spectrum, as ``hardcontact predict --help`` describes it, or height
+        maps, line scans and containers.
     dataset : str
-        Name of the only scan in a container to read; empty: all scans.
+        Name of the scan to read in a container, or of the channel in any other file. If it is
+        empty, all scans of a container are read.
     tip_radius : float or None
-        Radius of the tip in nm for scans whose files do not state it.
+        Radius of the tip in nm if the files do not state it. None stands for an unknown radius.
     undefined_pixels, unit, map_size, mask, levelling, sphere_radius : str, float or None
         As for `read_scan`.
     extrapolated : bool
-        Whether the spectrum of scans is extrapolated beyond their reliable wavelengths, as a study
-        does: to long waves up to a roll-off, to short waves as self-affine.
+        Whether to extrapolate the spectrum of scans beyond their reliable wavelengths, as a study
+        does. Long waves are added up to a roll-off, short waves with the Hurst exponent of the
+        shortest reliable ones.
 
     Returns
     -------
     Spectrum
-        ``wavevector`` in rad/nm and ``density`` in nm⁴.
+        Its ``wavevector`` is in rad/nm, its ``density`` in nm⁴.
 
     Examples
     --------
@@ -223,25 +234,37 @@ def pull_off_forces(
     Parameters
     ----------
     scan : HeightMap
-        The levelled scan; if it is not periodic, it is mirrored.
-    radius, preload, hardness : float
-        Radius of the sphere in nm, load on a contact in N, hardness of the softer body in Pa.
-    rho, work : float or sequence of float, float
-        One or several ranges of adhesion in nm; work of adhesion in J/m².
-    window, contacts_per_row : float, int
-        Width in nm of the square around a contact in which attraction is summed; contacts per row
-        of the square array.
+        A levelled scan. It is mirrored unless it is periodic.
+    radius : float
+        Radius of the sphere in nm.
+    preload : float
+        Load in N that presses the sphere on the scan at each contact.
+    hardness : float
+        Hardness of the softer body in Pa.
+    rho : float or sequence of float
+        Range of adhesion in nm, or several ranges.
+    work : float
+        Work of adhesion in J/m².
+    window : float
+        Width in nm of the square around each contact in which attraction is summed.
+    contacts_per_row : int
+        Number of contacts in each row of the square array.
     sphere : HeightMap or None
-        Levelled roughness of the sphere where it touches; None for a smooth sphere.
+        Levelled roughness of the sphere where it touches. None stands for a smooth sphere.
 
     Returns
     -------
     xarray.Dataset
-        - ``pull_off_force`` (contact_model, rho, contact_y, contact_x) in N, rigid and plastic.
-        - ``apex_height`` in nm, of the sphere above the mean plane at closest approach.
-        - ``touched_patches``, the number of patches that contacts touch.
-        - ``wider_window_change``, the relative change of forces at the longest range if the window
-          is wider by a period of the map on each side.
+        Its variables are
+
+        - ``pull_off_force`` (contact_model, rho, contact_y, contact_x) in N, for rigid and for
+          plastic contact.
+        - ``apex_height`` (contact_model, contact_y, contact_x) in nm: the height of the sphere's
+          apex above the mean plane at closest approach.
+        - ``contact_pixel_count`` (contact_model): the number of pixels in contact.
+        - ``touched_patches``: the number of patches of the scan that the contacts touch.
+        - ``wider_window_change``: the largest relative change of plastic forces at the longest
+          range if the window is wider by a period of the map on each side.
 
     Examples
     --------
@@ -272,7 +295,7 @@ def pull_off_forces(
 def _periodic_maps(
     scan: HeightMap, sphere: HeightMap | None, contact: Contact, ranges: Sequence[float]
 ) -> tuple[HeightMap, HeightMap | None]:
-    """Return the mirrored maps of both bodies; refuse a contact on them beyond the limits."""
+    """Return the periodic maps of both bodies; refuse a contact on them beyond the limits."""
     surface = make_periodic(scan)
     rough_sphere = None if sphere is None else make_periodic(sphere, "sphere")
     check_contact(surface, contact, ranges)
@@ -292,31 +315,39 @@ def force_ratios(
     contacts_per_row: int = PAPER_CONTACT.contacts_per_row,
     sphere: HeightMap | None = None,
 ) -> xr.Dataset:
-    """Return forces without the roughness beyond cutoffs, relative to the force on the whole scan.
+    """Return forces on a scan without the roughness beyond cutoffs, and the edges of the band.
 
-    The edges are those of the scan alone, whereas a study adds extrapolated roughness.
+    An edge is the cutoff at which the force has changed by the tolerance. The edges are those of
+    the scan alone, whereas a study adds extrapolated roughness.
 
     Parameters
     ----------
     scan : HeightMap
         As for `pull_off_forces`.
     cutoffs : mapping of str to sequence of float
-        Wavelengths in nm of more than two pixels, on the side ``"short"``, which removes shorter
-        wavelengths, the side ``"long"``, which removes longer ones, or both.
-    rho, tolerance : float
-        Range of adhesion in nm; relative change of the force that defines an edge.
-    radius, preload, hardness, window, contacts_per_row, sphere : float, int, HeightMap or None
+        Cutoff wavelengths in nm, longer than two pixels. The side ``"short"`` removes the shorter
+        wavelengths, the side ``"long"`` the longer ones. One side is enough.
+    radius, preload, hardness : float
+        As for `pull_off_forces`.
+    rho : float
+        Range of adhesion in nm.
+    tolerance : float
+        Relative change of the force that defines an edge.
+    window, contacts_per_row, sphere : float, int, HeightMap or None
         As for `pull_off_forces`.
 
     Returns
     -------
     xarray.Dataset
-        - ``edge`` (side) in nm, the cutoff at which the force leaves its tolerance.
-        - ``edge_status`` (side): ``"found"``; ``"open_above"`` or ``"open_below"`` if the edge lies
-          above or below ``edge_bound`` (side) in nm; ``"ripples"`` if ripples of the filter at
-          steps, not roughness, change the force.
-        - ``filtered_force_ratio`` (side, cutoff_wavelength), the mean plastic force relative to the
-          force on the unfiltered scan; NaN at cutoffs of the other side.
+        Its variables are
+
+        - ``filtered_force_ratio`` (side, cutoff_wavelength): the mean plastic force relative to the
+          force on the unfiltered scan. It is NaN at cutoffs of the other side.
+        - ``edge`` (side) in nm. It is NaN unless it was found.
+        - ``edge_status`` (side). ``"found"`` is an edge. ``"open_above"`` and ``"open_below"`` mean
+          that the edge lies above or below ``edge_bound``. ``"ripples"`` means that ripples of the
+          filter at steps, not the roughness, change the force.
+        - ``edge_bound`` (side) in nm: the cutoff beyond which an open edge lies, NaN for others.
 
     Examples
     --------
@@ -354,48 +385,54 @@ def predict(
     work: float,
     tolerance: float = PAPER_TOLERANCE,
 ) -> dict[str, Number]:
-    """Predict the force of a smooth sphere from a spectrum, or from a map on which it is computed.
+    """Predict the pull-off force of a smooth sphere from a spectrum, or from a map.
+
+    The force follows in closed form from the spectrum. On a map it is also summed over the pixels.
 
     Parameters
     ----------
     roughness : Spectrum or HeightMap
-        C_iso in nm⁴ over growing wavevectors in rad/nm, without gaps; or a levelled map, whose
-        spectrum is measured at its reliable wavelengths.
-    radius, preload, hardness, work, rho, tolerance : float
+        Either a spectrum C_iso in nm⁴ over growing wavevectors in rad/nm, without gaps, or a
+        levelled map, whose spectrum is measured at its reliable wavelengths.
+    radius, preload, hardness, rho, work, tolerance : float
         As for `pull_off_forces` and `force_ratios`.
 
     Returns
     -------
     dict of str to Number
-        Numbers of ``hardcontact predict --json``, each with ``value``, ``unit``, ``low`` and
-        ``high`` of its interval, and ``status``. Forces are in N, lengths in nm.
+        The numbers of ``hardcontact predict --json`` by name. Each has a ``value``, a ``unit``, the
+        ends ``low`` and ``high`` of its interval, and a ``status``. Forces are in N, lengths in nm.
 
-        - Force in closed form: ``closed_form_force``, ``force_over_smooth`` (relative to
-          ``smooth_force``). The status ``"outside"``, also of an edge, means an unknown error,
-          ``"steep_sidewalls"`` that the heights are not Gaussian, so that there is no value.
-        - Band: ``short_edge``, ``long_edge``, for the change ``tolerance`` of the force.
-        - Roughness beyond the spectrum: ``extrapolated_change``, the relative change of the force.
-          If its status is ``"matters"``, use ``extrapolated_force``, ``extrapolated_short_edge``
-          and ``extrapolated_long_edge``. ``extrapolated_to`` is the shortest wavelength of this
-          spectrum; it also has ``extrapolated_rolloff`` and ``extrapolated_hurst``.
-        - Contact: ``apex_height``, of the sphere above the mean plane; ``weibull_modulus``, above 1
-          if many points carry the force, below 1 if single peaks do.
-        - Spectrum: ``rms_height``, ``rms_gradient``, ``shortest_wavelength``,
+        - Force: ``closed_form_force``, and ``force_over_smooth`` relative to ``smooth_force``, the
+          force on a smooth surface. The status ``"outside"`` means that the error is not known.
+          The status ``"steep_sidewalls"`` means that there is no value, because heights are not
+          Gaussian.
+        - Band: ``short_edge`` and ``long_edge``, where the force has changed by ``tolerance``. The
+          status ``"outside"`` means that the error is not known.
+        - Extrapolated spectrum: ``extrapolated_change`` is the relative change of the force by
+          waves beyond the spectrum. If its status is ``"matters"``, use ``extrapolated_force``,
+          ``extrapolated_short_edge`` and ``extrapolated_long_edge``. ``extrapolated_to`` is the
+          shortest wavelength of this spectrum, ``extrapolated_rolloff`` its roll-off, and
+          ``extrapolated_hurst`` the Hurst exponent of the short waves.
+        - Contact: ``apex_height`` is the height of the sphere's apex above the mean plane.
+          ``weibull_modulus`` is above 1 if many points carry the force, below 1 if single peaks do.
+        - Spectrum: ``rms_height``, ``rms_gradient``, ``shortest_wavelength`` and
           ``longest_wavelength``.
         - Checks whether the error is known: ``longest_octave_change``, ``widest_gap``,
-          ``skewness``, ``validated_...``.
+          ``skewness`` and ``validated_...``.
 
-        For a map also:
+        For a map there are also
 
-        - Force on its pixels: ``force_on_scan``, ``force_on_scan_over_smooth``, and
-          ``log_force_std``, the standard deviation of ln F over contacts. If the map is too large,
-          or `rho` below ``shortest_range``, the force has no value, and the numbers below are
-          missing.
-        - ``closed_form_on_scan``, for all waves of the map. Unless its status is ``"agrees"``, no
-          number of the closed form has an interval.
-        - Size: ``wide_pixel_ratio``, the force on pixels four times wider relative to the map;
-          ``touched_patches``; ``search_size``, the width of the square in which the sphere finds
-          the summits that it touches.
+        - ``force_on_scan``, the mean force over contacts, summed over the pixels, and
+          ``force_on_scan_over_smooth``. The force has no value if the map is too large, or if `rho`
+          is below ``shortest_range``. Then the numbers below are missing.
+        - ``log_force_std``, the standard deviation of ln F over contacts.
+        - ``closed_form_on_scan``, the force in closed form for all waves of the map. Unless its
+          status is ``"agrees"``, no number of the closed form has an interval.
+        - ``wide_pixel_ratio``, the force on pixels four times wider relative to the map.
+        - ``touched_patches``, the number of patches of the map that the contacts touch.
+        - ``search_size``, the width of the square in which the sphere finds the summits that it
+          touches.
 
     Examples
     --------
