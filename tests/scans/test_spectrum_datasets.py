@@ -21,11 +21,16 @@ SEGMENTS = pd.DataFrame(
 )
 
 
-def test_only_published_or_measured_bands_are_known():
+def described_spectrum():
+    """Return the spectrum of SEGMENTS in the form of a joined spectrum."""
     substitute = spectrum_dataset(self_affine(WAVEVECTORS, 1e9, 2000.0, 0.8)).assign_attrs(
         source="substitute", table1_rows_met="", segments=SEGMENTS.to_csv(index=False)
     )
-    spectrum = convert_described_spectrum(substitute, "x.csv")
+    return convert_described_spectrum(substitute, "x.csv")
+
+
+def test_only_published_or_measured_bands_are_known():
+    spectrum = described_spectrum()
     assert spectrum.notes.values.tolist() == ["a", "b"]
     np.testing.assert_allclose(spectrum.longest_reliable, [1e6, 100.0])
     np.testing.assert_allclose(spectrum.shortest_reliable, [1e3, 10.0])
@@ -36,6 +41,16 @@ def test_only_published_or_measured_bands_are_known():
     np.testing.assert_allclose(spectrum.joined_psd, density, rtol=0.03)
     assert np.isnan(spectrum.attrs["tail_hurst"])
     assert set(spectrum.limited_by.values) == {"source"}
+
+
+def test_described_and_measured_spectra_have_the_same_variables():
+    measured = joined_spectrum([random_map(generator(21), 128, 10.0)], [None])
+    described = described_spectrum()
+    assert {*described.variables} == {*measured.variables}
+    assert {*described.attrs} >= {*measured.attrs}
+    for name, values in measured.variables.items():
+        assert described[name].dtype.kind == values.dtype.kind, name
+        assert described[name].attrs == values.attrs, name
 
 
 def test_surfaces_are_stacked_with_their_limits_and_empty_entries(tmp_path):

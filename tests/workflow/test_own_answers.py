@@ -11,7 +11,7 @@ from comparison import undescribed_variables
 from html_page import Page, dead_links
 from jsonschema import Draft202012Validator
 from own_studies import RANGE, WORK, read_answer, read_quantities, run_quick
-from repository import ROOT
+from repository import ROOT, copy_repository, run_snakemake_with_forks
 from scipy import stats
 
 from hardcontact.report.figures.listing import FILE_KINDS, OWN_FIGURES
@@ -176,3 +176,30 @@ def test_a_colloidal_probe_has_a_force_below_the_smooth_limit(probe):
     assert study["work_of_adhesion"]["value"] == pytest.approx(0.03)
     # Less than the smooth limit 2 pi R W, by the roughness.
     assert surface["mean_force"]["value"] < 0.5 * 2 * np.pi * 5e-6 * 0.03
+
+
+# A spectrum from a publication
+
+#: The study of `config/crn.yaml` on one of its surfaces and small grids.
+DESCRIBED = {
+    "study": "described",
+    "surfaces": "described.tsv",
+    "quick": {
+        "substitutes": {"pixels": 128},
+        "contact": {"contacts_per_row": 4},
+        "scales": {
+            "short": {"pixels": 256, "transition": "160 nm", "cutoffs": ["100 nm", "200 nm"]},
+            "long": {"pixels": 512, "cutoffs": ["1000 nm", "8000 nm"]},
+        },
+    },
+}
+
+
+def test_a_described_spectrum_has_an_answer(tmp_path):
+    study = copy_repository(tmp_path / "study")
+    header, row = (study / "config/crn.tsv").read_text().splitlines(keepends=True)[:2]
+    (study / "described.tsv").write_text(header + row)
+    (study / "described.yaml").write_text(yaml.safe_dump(DESCRIBED))
+    run = run_quick(study, "crn", overlays=["described.yaml"], run=run_snakemake_with_forks)
+    assert run.returncode == 0, run.stdout[-3000:]
+    check_answer(study / "results/described-quick", missing_figures={"works"})

@@ -32,7 +32,7 @@ from hardcontact.scans.measured_spectrum import (
     local_slopes,
 )
 from hardcontact.scans.reliable_band import ReliableBand, limit_by_tip, reliable_band
-from hardcontact.scans.spectrum_datasets import add_measurements, measurement_descriptions
+from hardcontact.scans.spectrum_datasets import add_measurements, scan_properties
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import (
     BIN_CENTRES,
@@ -110,7 +110,7 @@ def joined_spectrum(scans: Sequence[HeightMap], tip_radii: Sequence[float | None
         joined_density,
         spectra.densities,
         reliable,
-        measurement_descriptions(scans, spectra.radii, spectra.bands),
+        scan_properties(scans, spectra.radii, spectra.bands),
     ).assign_attrs(
         source="measured",
         table1_rows_met="",

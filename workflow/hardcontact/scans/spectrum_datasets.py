@@ -22,31 +22,37 @@ from hardcontact.surfaces.substitute_spectra import DATA_EVIDENCE
 END_UNITS = dict.fromkeys(("shortest_measured", "longest_measured", "rolloff"), "nm") | dict(
     zip((*Tail._fields, "tail_known"), ("1", "1", "nm", "nm", "", "1"), strict=True)
 )
+#: Properties of a measurement, which is a scan or a segment of a description, with their units; no
+#: unit for a text.
+PROPERTY_UNITS = (
+    dict.fromkeys(("kind", "path", "dataset", "notes", "earlier_scan", "limited_by"), "")
+    | dict.fromkeys(("size", "pixel_size", "shortest_reliable", "longest_reliable"), "nm")
+    | {"tip_radius": "nm"}
+    | DEFECT_UNITS
+)
 
 
-def measurement_descriptions(
-    measurements: Sequence[HeightMap], radii: Sequence[float | None], bands: Sequence[ReliableBand]
+def scan_properties(
+    scans: Sequence[HeightMap], radii: Sequence[float | None], bands: Sequence[ReliableBand]
 ) -> pd.DataFrame:
-    """Return the properties of measurements, such as sizes and bands in nm, defects and paths."""
-    earlier_measurements = earlier_scans_of_areas(measurements)
+    """Return the PROPERTY_UNITS of scans, one scan a row; defects that no scan has are left out."""
     rows = [
         {
-            "kind": measurement.kind,
-            "size": measurement.size,
-            "pixel_size": measurement.pixel_size,
+            "kind": scan.kind,
+            "size": scan.size,
+            "pixel_size": scan.pixel_size,
             "shortest_reliable": band.shortest,
             "longest_reliable": band.longest,
             "limited_by": band.limited_by,
-            "path": measurement.path,
-            "dataset": measurement.dataset,
+            "path": scan.path,
+            "dataset": scan.dataset,
             "tip_radius": np.nan if radius is None else radius,
-            "notes": "\n".join(measurement.notes),
-            "earlier_scan": "" if earlier is None else measurements[earlier].name,
-            **dict.fromkeys(DEFECT_UNITS, np.nan),
-            **{name: defect[name] for defect in measurement.defects.values() for name in defect},
+            "notes": "\n".join(scan.notes),
+            "earlier_scan": "" if earlier is None else scans[earlier].name,
+            **{name: defect[name] for defect in scan.defects.values() for name in defect},
         }
-        for measurement, radius, band, earlier in zip(
-            measurements, radii, bands, earlier_measurements, strict=True
+        for scan, radius, band, earlier in zip(
+            scans, radii, bands, earlier_scans_of_areas(scans), strict=True
         )
     ]
     return pd.DataFrame(rows)
@@ -57,18 +63,20 @@ def add_measurements(
     joined_density: Floats,
     psds: Floats,
     reliable: NDArray[np.bool_],
-    descriptions: pd.DataFrame,
+    properties: pd.DataFrame,
 ) -> xr.Dataset:
     """Add to a joined spectrum the measurements behind it.
 
     `joined_density` (bins,) is NaN where no measurement is reliable; PSDs and `reliable` are
-    (measurement, bins). Descriptions become variables over `measurement`.
+    (measurement, bins). All PROPERTY_UNITS become variables over `measurement`, NaN or "" if
+    `properties` (a row per measurement) does not have them.
     """
     axis = "bin_wavevector"
     axes = ("measurement", axis)
     columns = {}
-    for name, values in descriptions.to_dict("list").items():
-        unit = DEFECT_UNITS.get(str(name), "" if isinstance(values[0], str) else "nm")
+    for name, unit in PROPERTY_UNITS.items():
+        missing = [np.nan if unit else ""] * len(properties)
+        values = properties[name].to_list() if name in properties else missing
         columns[name] = ("measurement", values, {"units": unit} if unit else {})
     return spectrum.assign(
         {
@@ -84,32 +92,30 @@ def convert_described_spectrum(substitute: xr.Dataset, path: str) -> xr.Dataset:
     """Return a substitute spectrum in the form of a joined spectrum.
 
     Its segments with DATA_EVIDENCE take the place of measurements. Adjacent segments from one
-    reference become one. Properties of measurements alone are NaN or empty.
+    reference become one.
     """
     segments = pd.read_csv(io.StringIO(substitute.attrs["segments"]))
     runs = _runs_of_one_reference(segments[segments.evidence.isin(DATA_EVIDENCE)])
-    descriptions = runs.assign(
+    properties = runs.assign(
         longest_reliable=runs.longest_reliable.clip(upper=2 * np.pi / WAVEVECTORS[0]),
         kind="description",
         path=path,
-        dataset="",
         limited_by="source",
-        **dict.fromkeys(("size", "pixel_size", "tip_radius", *DEFECT_UNITS), np.nan),
     )
     wavelength = 2 * np.pi / BIN_CENTRES
     density = spectrum_of_dataset(substitute)(BIN_CENTRES)
-    shortest = descriptions.shortest_reliable.to_numpy()[:, None]
-    longest = descriptions.longest_reliable.to_numpy()[:, None]
+    shortest = properties.shortest_reliable.to_numpy()[:, None]
+    longest = properties.longest_reliable.to_numpy()[:, None]
     reliable = (shortest < wavelength) & (wavelength <= longest)
     joined_density = np.where(reliable.any(axis=0), density, np.nan)
     psds = np.where(reliable, density, np.nan)
     return add_measurements(
-        substitute[["spectrum"]], joined_density, psds, reliable, descriptions
+        substitute[["spectrum"]], joined_density, psds, reliable, properties
     ).assign_attrs(
         source="substitute",
         table1_rows_met=substitute.attrs["table1_rows_met"],
-        shortest_measured=descriptions.shortest_reliable.min(),
-        longest_measured=descriptions.longest_reliable.max(),
+        shortest_measured=properties.shortest_reliable.min(),
+        longest_measured=properties.longest_reliable.max(),
         **Tail()._asdict(),
         tail_known=1,
         rolloff=np.nan,
