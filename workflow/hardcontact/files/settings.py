@@ -25,7 +25,13 @@ Most kinds have the name of their attribute of `StorePatterns`. The kinds hold:
 from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
-from hardcontact.config.configuration import get_key, master_keys, reading_keys, study_contact
+from hardcontact.config.configuration import (
+    get_key,
+    is_paper_study,
+    master_keys,
+    reading_keys,
+    study_contact,
+)
 from hardcontact.config.limits import master_megabytes, random_surface_pixels
 from hardcontact.config.study_plan import StudyPlan
 from hardcontact.contact.numerical_limits import SHORT_ADHESION_RANGE, SHORTEST_WHOLE_RANGE
@@ -129,7 +135,10 @@ def _contact_settings(plan: StudyPlan) -> dict[str, dict[str, Any]]:
     seed = {"seed": study["seed"]}
     scales = study["scales"]
     ranges = sorted({*study["adhesion"]["ranges"], study["adhesion"]["range"]})
-    long_ranges = [rho for rho in ranges if rho >= SHORTEST_WHOLE_RANGE]
+    # The posterior needs all ranges that whole surfaces permit, and only the paper's study has it.
+    whole_ranges = [study["adhesion"]["range"]]
+    if is_paper_study(study):
+        whole_ranges = [rho for rho in ranges if rho >= SHORTEST_WHOLE_RANGE]
     contact = study["contact"] | {"radius": study["sphere"]["radius"]}
     contact_at_range = contact | {"rho": study["adhesion"]["range"]}
     transitions = {side: scales[side]["transition"] for side in SIDES}
@@ -150,7 +159,7 @@ def _contact_settings(plan: StudyPlan) -> dict[str, dict[str, Any]]:
         "asperities": {**seed, "contact": contact, "asperities": study["asperities"]},
         "octave_forces": {"contact": contact_at_range},
         "hindcast": {**seed, "contact": contact_at_range, "transitions": transitions},
-        "whole_surfaces": {**whole_surface, "ranges": long_ranges},
+        "whole_surfaces": {**whole_surface, "ranges": whole_ranges},
         "band_forces": whole_surface,
         "pool": {**set_scan, "rms_height_count": study["sets"]["rms_height_count"]},
         "featured_candidates": set_scan,
