@@ -15,6 +15,8 @@ from hardcontact.base import units
         ("1 bar", "Pa", 1e5),
         ("72 erg/cm2", "J/m2", 0.072),
         ("-3 nm", "nm", -3),
+        (".5 nm", "nm", 0.5),
+        ("5. nm", "nm", 5),
         ("46.3 mJ/m^2", "J/m2", 0.0463),
         ("46.3 mJ/m²", "J/m2", 0.0463),
         ("50 mN/m", "J/m2", 0.05),
@@ -27,7 +29,8 @@ def test_a_quantity_becomes_a_number_in_its_unit(text, unit, value):
 @pytest.mark.parametrize(
     "text",
     ["10", "nm", "", "ten nm", "10 N", "nan nm", "inf nm", "9**9**9 nm", "1e999 nm", "2*3 nm",
-     "10 foo", "10 Nm", "10 nm2", "10 mmm", "١ nm", 10, None, ["1 nm"], "__import__('os') nm"],
+     "10 foo", "10 Nm", "10 nm2", "10 mmm", ". nm", "١ nm", 10,
+     None, ["1 nm"], "__import__('os') nm"],
 )  # fmt: skip
 def test_other_texts_than_lengths_are_refused_in_one_line(text):
     with pytest.raises(

@@ -44,7 +44,7 @@ PASCAL = {"units": "Pa"}
 JOULE_PER_M2 = {"units": "J m-2"}
 DIMENSIONLESS = {"units": "1"}
 _QUANTITY = re.compile(
-    r"\s*([+-]?[0-9]+(?:\.[0-9]*)?(?:[eE][+-]?[0-9]{1,3})?)\s*([A-Za-zµμÅ/]+)(\^?2|²)?\s*"
+    r"\s*([+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)\s*([A-Za-zµμÅ/]+)(\^?2|²)?\s*"
 )
 #: Prefixes that units are printed with.
 _PRINTED_PREFIXES = ("G", "M", "k", "", "m", "µ", "n", "p", "f")
