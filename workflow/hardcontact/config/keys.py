@@ -308,17 +308,17 @@ class Study(Keys):
         faults = []
         if self.effort == "quick" and not self.quick:
             accepted = "full, because the section quick has no keys"
-            problem = "quick (the quick study of the paper: --configfile config/quick.yaml)"
-            faults.append(key_fault("effort", accepted, problem))
+            found_value = "quick (the quick study of the paper: --configfile config/quick.yaml)"
+            faults.append(key_fault("effort", accepted, found_value))
         repeated_names = sorted({"study", "store"} & self.quick.keys())
         if repeated_names:
             accepted = f"neither study nor store, whose names at quick effort end in {QUICK_SUFFIX}"
             faults.append(key_fault("quick", accepted, " and ".join(repeated_names)))
-        for key in ("study", "store"):
-            name = getattr(self, key)
+        for name_key in ("study", "store"):
+            name = getattr(self, name_key)
             if self.quick and self.effort != "quick" and name.endswith(QUICK_SUFFIX):
                 accepted = f"a name without the end {QUICK_SUFFIX}, which marks effort: quick"
-                faults.append(key_fault(key, accepted, name))
+                faults.append(key_fault(name_key, accepted, name))
         return faults
 
     def _folder_faults(self) -> list[str]:
@@ -335,6 +335,7 @@ class Study(Keys):
         paths = Path(folder), Path(self.store)
         for link in dict.fromkeys(link for path in paths for link in (path, *path.parents)):
             if link.is_symlink() and not link.exists():
-                problem = f"{link}, a link to {link.readlink()}, which is missing"
-                faults.append(key_fault("study and store", "folders, or links to folders", problem))
+                accepted = "folders, or links to folders"
+                found_value = f"{link}, a link to {link.readlink()}, which is missing"
+                faults.append(key_fault("study and store", accepted, found_value))
         return faults
