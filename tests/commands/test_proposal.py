@@ -206,7 +206,7 @@ def test_roughness_is_artificial_below_the_reliable_wavelengths(shortest, transi
         (
             entry(100, 512, 4.7), contact(),
             [f"{math.erf(1000 / math.sqrt(2 * 250e3 * 5.6)) ** 2:.0%} of the force",
-             "8 to 17 times too high"],
+             "8 to 17 times too high on scans of 12% of this size, the smallest tested"],
         ),
         # 20 nm² are less than a pixel of 19.5 nm.
         (entry(10000), contact(5e3, 100e-9, 5e9, 2.0), ["less than a pixel"]),

@@ -11,6 +11,7 @@ from hardcontact.config.faults import raise_faults
 from hardcontact.contact.numerical_limits import (
     LARGE_SIZE_RATIO,
     MIN_WINDOW_SHARE,
+    SMALLEST_SIZE_RATIO,
     finite_scan_ratio,
     window_share,
 )
@@ -19,8 +20,8 @@ from hardcontact.scans.heights import split_notes
 from hardcontact.scans.scan_pairs import describe_contradictions, find_contradictions
 from hardcontact.surfaces.spectrum import MIN_BINS, too_few_bins_message
 
-#: Share of undefined pixels from which the user is told how they are filled.
-MANY_UNDEFINED = 0.05
+#: Largest share of undefined pixels without a caution, which says how they are filled.
+MAX_UNDEFINED_SHARE = 0.05
 
 
 def refuse_unreliable(entries: Sequence[Entry]) -> None:
@@ -107,29 +108,31 @@ def _contact_cautions(
         size = min(scan.size for scan in substrates if scan.scan_file.surface == surface)
         low, high = finite_scan_ratio(size, search_size)
         if high > 1:
+            is_untested = size < SMALLEST_SIZE_RATIO * search_size
+            where = f" on scans of {SMALLEST_SIZE_RATIO:.0%} of this size, the smallest tested"
             yield (
                 f"{surface}: the sphere finds its highest summits within some "
                 f"{format_length(search_size)}. Scans of {LARGE_SIZE_RATIO:g} times this size are "
                 f"large enough, these are {format_length(size)} wide: forces come out {low:g} to "
-                f"{high:g} times too high"
+                f"{high:g} times too high{where if is_untested else ''}"
             )
 
 
 def single_pixel_cautions(area: float, pixel_sizes: Sequence[float]) -> Iterator[str]:
     """Yield a caution if less than a pixel (width in nm) of some scan carries the preload."""
-    largest_pixel = max(pixel_sizes, default=0.0) ** 2
-    if area < largest_pixel:
+    largest_pixel_area = max(pixel_sizes, default=0.0) ** 2
+    if area < largest_pixel_area:
         yield (
             f"the preload is carried by {area:.3g} nm², less than a pixel of the scans "
-            f"({largest_pixel:.3g} nm²): one pixel touches, and hardness and preload do not matter "
-            "on the scans"
+            f"({largest_pixel_area:.3g} nm²): one pixel touches, and hardness and preload do not "
+            "matter on the scans"
         )
 
 
 def _filling_cautions(entries: Sequence[Entry]) -> Iterator[str]:
     """Yield a sentence on each scan with many undefined pixels."""
     for entry in entries:
-        if entry.undefined_share > MANY_UNDEFINED:
+        if entry.undefined_share > MAX_UNDEFINED_SHARE:
             yield (
                 f"{entry.name}: {entry.undefined_share:.0%} of its pixels are undefined, and "
                 "filled with heights smoother than the surface"
