@@ -189,6 +189,22 @@ def test_scans_like_the_paper_s_get_about_its_grids():
     assert long_side["cutoffs"][0] <= 100 and long_side["cutoffs"][-1] == 10000
 
 
+@pytest.mark.parametrize("preload", [5e-6, 20e-6, 25e-6])
+def test_ranges_of_adhesion_lie_apart_however_short_a_range_scans_permit(preload):
+    """Their shortest range grows with the depth of the contact, sqrt(preload/hardness)/25."""
+    settings = contact(5e3, preload, 5e9, 3.0)
+    for config in both_efforts(settings, propose([entry()], None, settings, range_given=True)):
+        ranges = np.array(config["adhesion"]["ranges"])
+        assert 3.0 in ranges and len(ranges) in (5, 12)
+        assert (ranges[1:] / ranges[:-1]).min() > 1.05  # a ratio of 1.1, rounded to two digits
+
+
+def test_a_slow_contact_is_told():
+    settings = contact(preload=2e-3, hardness=1e9)
+    reasons = {choice.key: choice.reason for choice in propose([entry()], None, settings).choices}
+    assert_says(reasons["contact.contacts_per_row"], "the fewest", "each filtered surface takes")
+
+
 @pytest.mark.parametrize(("shortest", "transition"), [(120.0, "120 nm"), (2000.0, "1000 nm")])
 def test_roughness_is_artificial_below_the_reliable_wavelengths(shortest, transition):
     scan = entry(band=ReliableBand(shortest, 833.0, "tip"))

@@ -11,10 +11,11 @@ from hardcontact.base.formatting import format_length
 from hardcontact.commands.contact_scans import all_search_sizes, select_contact_scans
 from hardcontact.commands.inventory import FILLING, Entry
 from hardcontact.commands.proposed_contacts import (
+    MAX_CONTACT_SECONDS,
     PermittedContact,
     affordable_contacts,
     choose_contact,
-    count_tiles,
+    master_scans_per_row,
     short_edge_pixels,
 )
 from hardcontact.commands.scan_cautions import scan_cautions
@@ -30,6 +31,9 @@ TRANSITION_SHARE = 0.4
 #: Factor from the study's range of adhesion down to the shortest computed range, and up to the
 #: longest: 0.7 to 45 nm around the paper's 5.6 nm. More would put the 12 ranges further apart.
 RANGE_SPAN = 8.0
+#: The smallest ratio of neighbouring ranges, apart from rounding: forces at closer ranges tell
+#: nothing new beside a tolerance of 10 %.
+MIN_RANGE_RATIO = 1.1
 #: The shortest cutoff in pixels, like the shortest wavelength that a scan keeps.
 MIN_CUTOFF_PIXELS = 4
 #: The size of the scan, and the interaction radius sqrt(D rho), relative to the shortest cutoff of
@@ -136,9 +140,13 @@ def _effort_choices(
     """Return the choices of one effort."""
     contact = permitted.contact
     short_pixels = max(short_edge_pixels(scan, contact, effort.pixels) for scan in substrates)
-    contacts_per_row, is_slow = affordable_contacts(
+    contacts_per_row, seconds = affordable_contacts(
         substrates, contact, short_pixels, effort.contacts_per_row
     )
+    is_slow = seconds > MAX_CONTACT_SECONDS
+    contacts_reason = "contacts per row of their array"
+    if is_slow:
+        contacts_reason += f": the fewest, and yet each filtered surface takes {seconds:.2g} s"
     shortest_range = permitted.shortest_range
     ranges = [
         _format_nm(rho) for rho in _adhesion_ranges(contact.rho, shortest_range, effort.range_count)
@@ -147,7 +155,7 @@ def _effort_choices(
     master_count = _master_count(substrates, effort, is_slow)
     return [
         Choice("contact.window", _format_nm(contact.window), permitted.window_reason),
-        Choice("contact.contacts_per_row", contacts_per_row, "contacts per row of their array"),
+        Choice("contact.contacts_per_row", contacts_per_row, contacts_reason),
         Choice("adhesion.range", _format_nm(contact.rho), permitted.range_reason),
         Choice("adhesion.ranges", ranges, f"for the force as a function of it; {limit}"),
         Choice("scales.realizations", master_count, "masters on each side"),
@@ -174,8 +182,8 @@ def _master_choices(
     short_pixels: int,
 ) -> Iterator[Choice]:
     """Yield the settings of masters and their filters."""
-    tiles = count_tiles(substrates, contact.window, effort.pixels)
-    long_pixels = max(2 * scan.pixels for scan in substrates) * tiles
+    scans_per_row = master_scans_per_row(substrates, contact.window, effort.pixels)
+    long_pixels = max(2 * scan.pixels for scan in substrates) * scans_per_row
     size = min(scan.size for scan in substrates)
     finest = max(2 * scan.size / short_pixels for scan in substrates)
     coarsest = max(scan.pixel_size for scan in substrates)
@@ -183,14 +191,14 @@ def _master_choices(
     shortest = min(size / SIZE_OVER_CUTOFF, interaction_radius / INTERACTION_RADIUS_OVER_CUTOFF)
     shortest = max(MIN_CUTOFF_PIXELS * coarsest, shortest)
     short_cutoffs = _spaced_cutoffs(MIN_CUTOFF_PIXELS * finest, size, effort.cutoff_count)
-    long_cutoffs = _spaced_cutoffs(shortest, size * tiles, effort.cutoff_count)
+    long_cutoffs = _spaced_cutoffs(shortest, size * scans_per_row, effort.cutoff_count)
     short_transition, long_transition = transitions
-    tiles_reason = f"mirrored scans per row, {format_length(2 * size * tiles)}"
+    tiles_reason = f"mirrored scans per row, {format_length(2 * size * scans_per_row)}"
     yield Choice("scales.short.pixels", short_pixels, f"{format_length(finest)} a pixel")
     yield short_transition
     yield Choice("scales.short.cutoffs", short_cutoffs, "from four pixels to the size of the scan")
     yield Choice("scales.long.pixels", long_pixels, "those of the scans")
-    yield Choice("scales.long.tiles", tiles, tiles_reason)
+    yield Choice("scales.long.tiles", scans_per_row, tiles_reason)
     yield long_transition
     yield Choice("scales.long.cutoffs", long_cutoffs, "to half the size of the master")
 
@@ -246,14 +254,18 @@ def _is_rougher(scan: Entry, partners: Sequence[Entry], wavelength: float) -> bo
 
 
 def _adhesion_ranges(rho: float, shortest_range: float, count: int) -> list[float]:
-    """Return ranges of adhesion (nm) around the range rho of the masters, and rho itself."""
+    """Return ranges of adhesion (nm) around the range rho of the masters, and rho itself.
+
+    Half of them are shorter, if the shortest possible range leaves room for them.
+    """
     accepted = quantity_type("adhesion.range")
     shortest = min(max(shortest_range, rho / RANGE_SPAN, accepted.low), rho)
     longest = min(rho * RANGE_SPAN, accepted.high)
-    shorter = np.geomspace(shortest, rho, count // 2 + 1)[:-1]
-    longer = np.geomspace(rho, longest, count - count // 2)[1:]
+    shorter_count = min(count // 2, int(math.log(rho / shortest) / math.log(MIN_RANGE_RATIO)))
+    shorter = np.geomspace(shortest, rho, shorter_count + 1)[:-1]
+    longer = np.geomspace(rho, longest, count - shorter_count)[1:]
     rounded = {float(f"{length:.2g}") for length in (*shorter[1:], *longer)}
-    return sorted({shortest, rho, *(length for length in rounded if length > shortest)})
+    return sorted({*shorter[:1], rho, *(length for length in rounded if length > shortest)})
 
 
 def _format_nm(length: float) -> str:

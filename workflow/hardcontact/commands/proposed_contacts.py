@@ -88,29 +88,29 @@ def _shortest_range(
     max_pixels: int,
 ) -> tuple[float, str]:
     """Return the shortest range of adhesion (nm) that scans and masters permit, and the reason."""
-    tiles = count_tiles(substrates, window, max_pixels)
-    limits = [minimum_range(contact.radius, window, scan.grid) for scan in scans]
+    scans_per_row = master_scans_per_row(substrates, window, max_pixels)
+    permitted_ranges = [minimum_range(contact.radius, window, scan.grid) for scan in scans]
     for scan in substrates:
-        master = scan.grid._replace(size=scan.size * tiles)
-        limits.append(minimum_range(contact.radius, window, master))
+        master = scan.grid._replace(size=scan.size * scans_per_row)
+        permitted_ranges.append(minimum_range(contact.radius, window, master))
         depth = penetration_depth(contact, scan.relief)
         depth_reason = f"the preload presses the bodies some {depth:.3g} nm into each other"
         # Half a per cent more, so that rounding to three digits gives no shorter range.
-        limits.append((float(f"{1.005 * depth / PENETRATION_OVER_RANGE:.3g}"), depth_reason))
-    return max(limits)
+        shortest = float(f"{1.005 * depth / PENETRATION_OVER_RANGE:.3g}")
+        permitted_ranges.append((shortest, depth_reason))
+    return max(permitted_ranges)
 
 
-def count_tiles(substrates: Sequence[Entry], window: float, pixels: int) -> int:
-    """Return the number of mirrored scans per row of long-edge masters.
+def master_scans_per_row(substrates: Sequence[Entry], window: float, pixels: int) -> int:
+    """Return the number of mirrored scans per row of long-edge masters: key scales.long.tiles.
 
     If pixels suffice, the master is eight scans wide, as in the paper, and wider than the window
     (nm).
     """
     size = min(scan.size for scan in substrates)
-    tiles = math.ceil(
-        max(MASTER_OVER_SCAN * size, MASTER_OVER_WINDOW * window) / (2 * size) * (1 - 1e-9)
-    )
-    return max(1, min(tiles, pixels // max(2 * scan.pixels for scan in substrates)))
+    master_size = max(MASTER_OVER_SCAN * size, MASTER_OVER_WINDOW * window)
+    scans_per_row = math.ceil(master_size / (2 * size) * (1 - 1e-9))
+    return max(1, min(scans_per_row, pixels // max(2 * scan.pixels for scan in substrates)))
 
 
 def short_edge_pixels(scan: Entry, contact: Contact, max_pixels: int) -> int:
@@ -131,17 +131,19 @@ def short_edge_pixels(scan: Entry, contact: Contact, max_pixels: int) -> int:
 def _contact_seconds(scan: Entry, contact: Contact, pixel_size: float) -> float:
     """Estimate the seconds for one contact and its periods on pixels of a width (nm)."""
     periods = periods_in_window(contact.window, scan.size)
-    tiles = (window_pixels(contact.window, pixel_size) / TILE) ** 2
-    return contact.pixel_count(pixel_size) * periods * SECONDS_A_PIXEL + tiles * SECONDS_A_TILE
+    tile_count = (window_pixels(contact.window, pixel_size) / TILE) ** 2
+    pixel_count = contact.pixel_count(pixel_size) * periods
+    return pixel_count * SECONDS_A_PIXEL + tile_count * SECONDS_A_TILE
 
 
 def affordable_contacts(
     substrates: Sequence[Entry], contact: Contact, short_pixels: int, max_contacts_per_row: int
-) -> tuple[int, bool]:
-    """Return the contacts per row that time and memory permit, and whether they take long.
+) -> tuple[int, float]:
+    """Return the contacts per row that time and memory permit, and their seconds on one surface.
 
     The pixels of all contacts stay in memory: on masters, and on scans with all periods in the
-    window.
+    window. If not even the fewest contacts fit, these are returned: more seconds than
+    MAX_CONTACT_SECONDS only make the study slow, and the study itself refuses too many pixels.
     """
     seconds = 0.0
     kept_pixels = 0.0
@@ -153,8 +155,8 @@ def affordable_contacts(
             kept_pixels = max(kept_pixels, contact.pixel_count(pixel_size) * period_count)
     for contacts_per_row in CONTACTS_PER_ROW_CHOICES:
         contact_count = contacts_per_row**2
-        is_slow = contact_count * seconds > MAX_CONTACT_SECONDS
+        is_fast = contact_count * seconds <= MAX_CONTACT_SECONDS
         fits = contact_count * kept_pixels <= MAX_CONTACT_PIXELS
-        if fits and not is_slow and contacts_per_row <= max_contacts_per_row:
+        if fits and is_fast and contacts_per_row <= max_contacts_per_row:
             break
-    return contacts_per_row, is_slow
+    return contacts_per_row, contact_count * seconds
