@@ -1,25 +1,11 @@
-"""The settings of each kind of intermediate, which its rule passes to its jobs.
+"""The settings of each kind of intermediate: all that its rule takes from the configuration.
 
-Paths have the digest of these settings, so that a changed setting makes new files. Other parameters
-of these rules are wildcards, or rows of the table of surfaces, whose digest paths have, too.
+A path has a digest of these settings and of those of the kinds that the file is made from, so that
+a changed setting makes new files. Wildcards and the digest of the surface's row also stand in the
+path; from them and the table of surfaces follow all other parameters of these rules.
 
-Most kinds have the name of their attribute of `StorePatterns`. The kinds hold:
-
-- ``measurements``: scans of files, as read;
-- ``measured_spectra``: the spectrum of a surface, from all its measurements;
-- ``sampled_spectra``: such spectra, sampled within the uncertainty of the measurements;
-- ``measured_scans``, ``substitute_scans``: how a scan is made; both are parts of ``scans``;
-- ``scans``: levelled and mirrored scans, and the conditioning of substitutes on Table 1;
-- ``both_bodies``: scans and spectra with the roughness of substrate and sphere;
-- ``pull_off``: forces on a scan, with all scans of the sphere;
-- ``elastic``, ``asperities``: elastic contacts of a surface, and the asperities that carry forces;
-- ``octave_forces``: forces on a scan with each octave changed;
-- ``hindcast``: forces on a scan with random roughness in place of its outermost octaves;
-- ``whole_surfaces``: forces on whole substitute surfaces, also with each octave changed;
-- ``band_forces``: forces on the band alone, which are a result and not in the store;
-- ``pool``, ``featured_candidates``: forces on scans for the sets, without and with features;
-- ``masters``: scans with artificial roughness;
-- purposes of `PURPOSES`: forces on filtered masters.
+Most kinds have the name of their attribute of `StorePatterns`. Forces on filtered masters have a
+kind for each of `PURPOSES`.
 """
 
 from collections.abc import Mapping, Sequence
@@ -38,8 +24,8 @@ from hardcontact.contact.numerical_limits import SHORT_ADHESION_RANGE, SHORTEST_
 from hardcontact.records.origin import short_digest
 from hardcontact.surfaces.synthesis import SIDES
 
-#: Realizations in one job: few enough to keep all cores busy, but so many that a job takes much
-#: longer than its start, half a second.
+#: Masters, or whole surfaces, in one job: few enough to keep all cores busy, but so many that a job
+#: takes much longer than its start, half a second.
 MASTERS_CHUNK = 5
 
 
@@ -104,8 +90,8 @@ MADE_FROM = {
 def store_settings(plan: StudyPlan) -> dict[str, dict[str, Any]]:
     """Return the settings of each kind of intermediate."""
     study = plan.configuration
-    filtered_masters = {purpose: filtered_settings(study, purpose) for purpose in PURPOSES}
-    return _surface_settings(plan) | _contact_settings(plan) | filtered_masters
+    master_forces = {name: _master_force_settings(study, name) for name in PURPOSES}
+    return _surface_settings(plan) | _contact_settings(plan) | master_forces
 
 
 def _surface_settings(plan: StudyPlan) -> dict[str, dict[str, Any]]:
@@ -115,16 +101,23 @@ def _surface_settings(plan: StudyPlan) -> dict[str, dict[str, Any]]:
     scales = study["scales"]
     levelling = {"levelling": study["scan"]["levelling"]}
     sphere = [plan.selection.sphere, plan.selection.sphere_digest, study["sphere"]["radius"]]
-    master_keys = {"short": ("pixels", "transition"), "long": ("tiles", "transition")}
-    sides = {side: {key: scales[side][key] for key in keys} for side, keys in master_keys.items()}
+    side_keys = {"short": ("pixels", "transition"), "long": ("tiles", "transition")}
+    sides = {side: {key: scales[side][key] for key in keys} for side, keys in side_keys.items()}
     return {
+        # Measured scans, as their files have them.
         "measurements": reading_keys(study),
+        # The spectrum of a surface, from all its measurements.
         "measured_spectra": levelling,
+        # Such spectra, sampled within the uncertainty of the measurements.
         "sampled_spectra": {**seed, **levelling},
+        # How a scan is made: both are parts of `scans`, and no folders.
         "measured_scans": levelling,
         "substitute_scans": _featured_surface(study),
+        # Levelled scans, mirrored scans, and the conditioning of substitutes on Table 1.
         "scans": {},
+        # Scans and spectra with the roughness of substrate and sphere.
         "both_bodies": {**seed, "sphere": sphere} if plan.combined_surfaces else {},
+        # Scans with artificial roughness.
         "masters": {**seed, "sides": sides},
     }
 
@@ -149,18 +142,25 @@ def _contact_settings(plan: StudyPlan) -> dict[str, dict[str, Any]]:
     set_contact = contact | {"contacts_per_row": study["sets"]["contacts_per_row"]}
     set_scan = {**_random_surface(study), "contact": set_contact, "ranges": ranges}
     return {
+        # Forces on a scan, with all scans of the sphere.
         "pull_off": {
             "sphere_positions": plan.sphere_positions,
             "positions_per_row": plan.positions_per_row,
             "contact": contact_at_range | {"contacts_per_row": plan.contacts_per_row_at_position},
             "ranges": ranges,
         },
+        # Elastic contacts of a surface, and the asperities that carry the forces on it.
         "elastic": {**seed, "contact": contact, **study["elastic"]},
         "asperities": {**seed, "contact": contact, "asperities": study["asperities"]},
+        # Forces on a scan with each octave changed.
         "octave_forces": {"contact": contact_at_range},
+        # Forces on a scan with random roughness in place of its outermost octaves.
         "hindcast": {**seed, "contact": contact_at_range, "transitions": transitions},
+        # Forces on whole substitute surfaces, also with each octave changed.
         "whole_surfaces": {**whole_surface, "ranges": whole_ranges},
+        # Forces on the band alone: a result, which is not in the store.
         "band_forces": whole_surface,
+        # Forces on scans for the sets, without and with features.
         "pool": {**set_scan, "rms_height_count": study["sets"]["rms_height_count"]},
         "featured_candidates": set_scan,
     }
@@ -184,30 +184,30 @@ def settings_digest(settings: Mapping[str, dict[str, Any]], kind: str) -> str:
     return short_digest([settings[kind], *sources])
 
 
-def filtered_settings(configuration: Mapping[str, Any], purpose: str) -> dict[str, Any]:
+def _master_force_settings(study: Mapping[str, Any], purpose_name: str) -> dict[str, Any]:
     """Return the settings of the forces on the masters of a purpose; lengths are in nm."""
-    settings = PURPOSES[purpose]
-    contact = study_contact(configuration)
-    radii = get_key(configuration, settings.radii_key)
+    purpose = PURPOSES[purpose_name]
+    contact = study_contact(study)
+    radii = get_key(study, purpose.radii_key)
     return {
-        "seed": configuration["seed"],
-        "stream": settings.stream,
+        "seed": study["seed"],
+        "stream": purpose.stream,
         "window": contact.window,
-        "contacts_per_row": get_key(configuration, settings.contacts_key),
+        "contacts_per_row": get_key(study, purpose.contacts_key),
         "sides": {
             side: {
-                name: get_key(configuration, key)
-                for name, key in master_keys(configuration, settings.section, side).items()
+                name: get_key(study, key)
+                for name, key in master_keys(study, purpose.section, side).items()
             }
-            for side in settings.sides
+            for side in purpose.sides
         },
         "radii": radii if isinstance(radii, list) else [radii],
         "loadings": [
             {"preload": share * contact.preload, "hardness": contact.hardness, "plastic": plastic}
-            for share in settings.preload_shares
-            for plastic in settings.plastic
+            for share in purpose.preload_shares
+            for plastic in purpose.plastic
         ],
-        "ranges": [*settings.further_ranges, contact.rho],
+        "ranges": [*purpose.further_ranges, contact.rho],
     }
 
 
