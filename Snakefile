@@ -1,9 +1,9 @@
 """Which scales of roughness matter for the adhesion of hard contacts: the study, end to end."""
 
 # What these modules add to Snakemake: `lifecycle` gives each rule a log, a benchmark and, as its input
-# `code`, the modules that its script imports; it ends a run at once at Ctrl-C, and prints the study's
-# answer. `reruns` replaces six attributes of Snakemake, named in `plan_by_records`, so that records in
-# `.origin`, not file times, decide what runs again.
+# `code`, the modules that its script imports; it kills a run at Ctrl-C (on a cluster at the second),
+# and prints the study's answer. `reruns` replaces six attributes of Snakemake, named in
+# `plan_by_records`, so that records in `.origin`, not file times, decide what runs again.
 from hardcontact.run import lifecycle, reruns
 
 lifecycle.prepare(workflow)
@@ -62,7 +62,7 @@ lifecycle.complete_rules(workflow, RESULTS)
 onstart:
     lifecycle.refuse_unwritable_folders(RESULTS.results, RESULTS.store)
     reruns.refuse_altered_files(workflow)
-    lifecycle.stop_jobs_at_interrupt(workflow)
+    lifecycle.kill_at_interrupt_of_jobs(workflow)
 
 
 onsuccess:

@@ -29,18 +29,21 @@ RESUME = "The run is incomplete: repeat the command to resume."
 
 
 def prepare(workflow: Any) -> None:
-    """Refuse a run that would fail with any configuration."""
+    """Refuse a run that would fail with any configuration; otherwise prepare this process.
+
+    Jobs keep freed memory, Ctrl-C kills the run, and records decide what runs again.
+    """
     min_version(MIN_SNAKEMAKE)
     # On a full disk Snakemake's own log cannot be written: what it prints is enough, no tracebacks.
     logging.raiseExceptions = False
     _refuse_elsewhere(workflow)
-    # The jobs inherit them; those that a user has set stay.
+    # Jobs inherit these variables; values set by the user are kept.
     os.environ.setdefault("MALLOC_MMAP_THRESHOLD_", str(REUSED_MEMORY))
     os.environ.setdefault("MALLOC_TRIM_THRESHOLD_", str(REUSED_MEMORY))
     refuse_unwritable_folders(".snakemake")  # Snakemake's own attempt ends in a traceback.
     if plans_the_run(workflow):
         _refuse_touch()
-        end_at_interrupt(workflow)
+        kill_at_next_interrupt(workflow)
         try:
             refuse_other_versions()
         except ValueError as error:
@@ -79,7 +82,7 @@ def plans_the_run(workflow: Any) -> bool:
 
 
 def _refuse_touch() -> None:
-    """Refuse to renew times, which decide nothing; without files Snakemake ends in a traceback."""
+    """Refuse `--touch`, because file times do not decide what runs again."""
     if {"--touch", "-t"} & {*sys.argv[1:]}:
         refuse(
             "snakemake: --touch has no effect, because records of inputs, not file times, decide "
@@ -137,8 +140,8 @@ def _cancel_timers() -> None:
             thread.cancel()
 
 
-def _stop(workflow: Any) -> NoReturn:
-    """End a run and its jobs, whose files are complete or missing, at once and in one line."""
+def _kill_run(workflow: Any) -> NoReturn:
+    """Kill the run and its jobs, whose files are complete or missing, and print RESUME."""
     for process in psutil.Process().children(recursive=True):
         process.kill()
     if workflow.persistence:
@@ -147,16 +150,16 @@ def _stop(workflow: Any) -> NoReturn:
     os._exit(130)
 
 
-def end_at_interrupt(workflow: Any) -> None:
-    """End at Ctrl-C while the run is planned."""
-    signal.signal(signal.SIGINT, lambda *_: _stop(workflow))
+def kill_at_next_interrupt(workflow: Any) -> None:
+    """Kill the run, and its jobs if there are any, at the next Ctrl-C."""
+    signal.signal(signal.SIGINT, lambda *_: _kill_run(workflow))
 
 
-def stop_jobs_at_interrupt(workflow: Any) -> None:
-    """Stop the run at Ctrl-C without passing the signal to jobs.
+def kill_at_interrupt_of_jobs(workflow: Any) -> None:
+    """Kill the run at Ctrl-C while jobs run, which do not receive the signal.
 
-    Jobs would print tracebacks, and Snakemake would wait for them. On a cluster Snakemake cancels
-    its jobs at the first Ctrl-C; the second stops the run.
+    Jobs would print tracebacks, and Snakemake would wait for them. On a cluster the first Ctrl-C
+    lets Snakemake cancel the jobs; the second kills the run.
     """
     if workflow.local_exec:
         # Threads and jobs that begin from here on inherit what is blocked.
@@ -164,13 +167,13 @@ def stop_jobs_at_interrupt(workflow: Any) -> None:
 
         def wait() -> None:
             signal.sigwait({signal.SIGINT})
-            _stop(workflow)
+            _kill_run(workflow)
 
         threading.Thread(target=wait, daemon=True).start()
     else:
 
         def interrupt(*_: object) -> NoReturn:
-            end_at_interrupt(workflow)
+            kill_at_next_interrupt(workflow)
             raise KeyboardInterrupt
 
         signal.signal(signal.SIGINT, interrupt)
