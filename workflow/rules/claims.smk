@@ -2,7 +2,7 @@
 
 from hardcontact.base.published import CLAIMS
 from hardcontact.paper.claims.statements import datasets_of_claims
-from hardcontact.report.paper_study.changed_inputs import paper_contact
+from hardcontact.paper.changed_inputs import paper_contact
 
 CLAIM_DATASETS = datasets_of_claims(CLAIMS)
 

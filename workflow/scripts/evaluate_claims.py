@@ -2,11 +2,11 @@
 
 from hardcontact.base import published
 from hardcontact.base.dataset import read
+from hardcontact.paper.changed_inputs import changed_inputs
 from hardcontact.paper.claims.judgement import judge_claims
 from hardcontact.paper.claims.statements import read_claims
 from hardcontact.paper.claims.verdicts import without_verdicts
 from hardcontact.records.job import run_job
-from hardcontact.report.paper_study.changed_inputs import changed_inputs
 
 with run_job(snakemake) as job:
     params = job.parameters

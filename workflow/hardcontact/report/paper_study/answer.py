@@ -15,8 +15,8 @@ from hardcontact.contact.numerical_limits import SHORT_ADHESION_RANGE
 from hardcontact.inference.edges import MEAN_GROUP, EdgeStatus, edges_or_bounds
 from hardcontact.inference.fit import WITHOUT_SURFACE
 from hardcontact.inference.octaves import strongest_octaves
+from hardcontact.paper.changed_inputs import changed_inputs, paper_contact
 from hardcontact.paper.claims.verdicts import count_verdicts, find_open_end, interval_with_sets
-from hardcontact.report.paper_study.changed_inputs import changed_inputs, paper_contact
 from hardcontact.report.paper_study.tables import claim_facts
 from hardcontact.report.quantities import EDGE_NAMES, all_quantities, number_of
 from hardcontact.report.templates import render_lines, render_note, substitutes_note
