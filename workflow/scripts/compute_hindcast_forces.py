@@ -3,7 +3,12 @@
 from hardcontact.base.dataset import read
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.pull_off import make_force_function
-from hardcontact.own.hindcast import RandomBody, hindcast_forces, outermost_octaves, pixel_forces
+from hardcontact.own.hindcast import (
+    hindcast_forces,
+    outermost_octaves,
+    pixel_forces,
+    random_bodies,
+)
 from hardcontact.records.job import run_job
 from hardcontact.surfaces.height_map import load_height_map
 from hardcontact.surfaces.spectrum import load_spectrum
@@ -15,14 +20,8 @@ with run_job(snakemake) as job:
     sphere = load_height_map(job.input.sphere) if job.input.sphere else None
     measurements = read(job.input.spectrum).isel(measurement=params["measurement_indices"])
     octaves = outermost_octaves(measurements, params["transitions"])
-    # The substrate's scan is half as wide as its mirrored map; a scan of the sphere may follow.
-    sizes = [mirrored.size / 2, *measurements["size"].values[1:]]
-    bodies = [
-        RandomBody(load_spectrum(path), size, params["seed"], scan)
-        for path, size, scan in zip(
-            job.input.body_spectra, sizes, params["body_scans"], strict=True
-        )
-    ]
+    spectra = [load_spectrum(path) for path in job.input.body_spectra]
+    bodies = random_bodies(mirrored, measurements, spectra, params["body_scans"], params["seed"])
     forces = hindcast_forces(mirrored, octaves, bodies, make_force_function(contact, sphere))
     job.write(
         forces.merge(pixel_forces(mirrored, sphere, contact)).expand_dims(map=[params["scan"]]),

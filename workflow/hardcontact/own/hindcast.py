@@ -44,6 +44,23 @@ class RandomBody(NamedTuple):
     scan: Sequence[str | int]  #: Surface and number of the scan, which name its random numbers.
 
 
+def random_bodies(
+    mirrored: HeightMap,
+    measurements: xr.Dataset,
+    spectra: Sequence[SpectrumFunction],
+    scans: Sequence[Sequence[str | int]],
+    seed: int,
+) -> list[RandomBody]:
+    """Return the bodies of a mirrored map: the substrate, and the sphere if its roughness is added.
+
+    `measurements` (measurement), `spectra` and `scans` have one entry for each, in this order.
+    """
+    # The width of the substrate's scan that is used: half of its mirrored map.
+    sizes = [mirrored.size / 2, *measurements["size"].values[1:]]
+    bodies = zip(spectra, sizes, scans, strict=True)
+    return [RandomBody(spectrum, size, seed, scan) for spectrum, size, scan in bodies]
+
+
 def outermost_octaves(
     measurements: xr.Dataset, transitions: Mapping[str, float]
 ) -> dict[str, Octave | None]:
