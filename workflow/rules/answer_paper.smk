@@ -1,12 +1,20 @@
 # The figures, the answer of the paper's study, and the pages of its report, which
 # `snakemake --report` gathers. redraw.smk makes them from final datasets and published tables alone.
 
-from hardcontact.records.code import PINS, code_inputs, page_templates
+from hardcontact.records.code import ENVIRONMENT_PINS, code_inputs, page_templates
 from hardcontact.report.figures.listing import PAPER_FIGURES, caption
 
 #: The datasets of the study whose numbers the answer has.
 DATASETS_OF_ANSWER = (
-    "topography scales edges edge_shifts sensitivity band_forces sets features fit".split()
+    "topography",
+    "scales",
+    "edges",
+    "edge_shifts",
+    "sensitivity",
+    "band_forces",
+    "sets",
+    "features",
+    "fit",
 )
 
 for name in PAPER_FIGURES:
@@ -57,7 +65,7 @@ rule answer_paper:
         pages="workflow/report/pages.yaml",
         captions="workflow/report/figures.yaml",
         citation="CITATION.cff",
-        environment=PINS[0],
+        environment=ENVIRONMENT_PINS,
         templates=page_templates(),
     output:
         **{

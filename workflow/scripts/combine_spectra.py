@@ -1,4 +1,4 @@
-"""C_iso of both bodies: the sum of that of a substrate and that of the sphere."""
+"""C_iso of both bodies: the spectrum of the substrate plus that of the sphere."""
 
 from hardcontact.base.dataset import read
 from hardcontact.records.job import run_job

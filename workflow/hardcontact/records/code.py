@@ -16,7 +16,8 @@ ENVIRONMENT = "environment.txt"
 #: The file of these packages and of all that they need in turn.
 LOCK = "workflow/lock.txt"
 #: Copies of both without comments and hashes. Jobs depend on these: no comment makes a file stale.
-PINS = tuple(f"results/{Path(path).name}" for path in (ENVIRONMENT, LOCK))
+ENVIRONMENT_PINS, LOCK_PINS = "results/environment.txt", "results/lock.txt"
+PINS = (ENVIRONMENT_PINS, LOCK_PINS)
 #: The command that installs the pinned versions.
 INSTALL = f"pip install --require-hashes -r {LOCK}"
 #: A line such as ``numpy==2.3.1``: name and version.
