@@ -29,6 +29,7 @@ rule compute_band_forces:
         **DESCRIPTION_INPUTS,
         **SUBSTITUTE_INPUTS,
         edges=RESULTS.dataset("edges"),
+        published_constants=PUBLISHED_TABLES["published_constants"],
     output:
         BAND_FORCES,
     params:

@@ -1,5 +1,6 @@
 """Forces on whole substitute surfaces with a part of their roughness, by the limits of a band."""
 
+from hardcontact.base import published
 from hardcontact.base.dataset import read, stack
 from hardcontact.base.progress import progress
 from hardcontact.contact.contact import Contact
@@ -17,8 +18,11 @@ with run_job(snakemake) as job:
     substitute = read_substitute(
         params["surface"], job.input.substitute, params["scan_grid"], params["seed"]
     )
-    published_band = substitute.constants["value"][["short_edge", "long_edge"]]
-    bands = {"published": tuple(published_band), "computed": mean_band(read(job.input.edges))}
+    constants = published.read_constants(job.input.published_constants)["value"]
+    bands = {
+        "published": (constants["short_edge"], constants["long_edge"]),
+        "computed": mean_band(read(job.input.edges)),
+    }
     forces = {}
     for number in progress(surface_numbers, len(surface_numbers), "surfaces"):
         surface = whole_surface(
