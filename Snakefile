@@ -15,8 +15,8 @@ configfile: "config/config.yaml"
 # These two files define the names that all rules use; each begins with a list of them.
 include: "workflow/rules/common.smk"
 include: "workflow/rules/surfaces.smk"
-# The path of a height map: scans, contacts on them, forces by cutoff wavelength and by octave. For the
-# user's surfaces, spectra are sampled, and the roughness of a scanned sphere is added.
+# The path of a height map: scans, contacts on them, forces by cutoff wavelength (masters) and by octave.
+# For the user's surfaces, spectra are sampled, and the roughness of a scanned sphere is added.
 include: "workflow/rules/scans.smk"
 
 
@@ -27,7 +27,8 @@ if not IS_PAPER_STUDY:
 
 
 include: "workflow/rules/adhesion.smk"
-include: "workflow/rules/scales.smk"
+include: "workflow/rules/masters.smk"
+include: "workflow/rules/octaves.smk"
 
 
 if IS_PAPER_STUDY:

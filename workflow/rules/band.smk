@@ -1,11 +1,11 @@
 # The band of the paper's study: its edges, the force on the band alone, and how radius, load, plasticity
 # and range of adhesion move the edges.
 
-EXPONENT_MASTERS = CHUNKS.filtered_masters("exponents")
-EDGE_SHIFT_MASTERS = CHUNKS.filtered_masters("edge_shifts")
+EXPONENT_CHUNKS = CHUNKS.master_forces("exponents")
+EDGE_SHIFT_CHUNKS = CHUNKS.master_forces("edge_shifts")
 #: Bands need whole surfaces: scans are too small for their long waves.
 BAND_SURFACES = SELECTION.substitute_substrates
-#: Not in the store: these forces are of the band that the study itself found.
+#: Not in the store, because these forces are of the band that the study itself found.
 BAND_FORCES = RESULTS.dataset("band/{surface}")
 
 
@@ -65,13 +65,12 @@ rule aggregate_band_forces:
 rule fit_exponents:
     """Fit exponents of forces and edges to radius and load: exponents.nc."""
     input:
-        masters=FILES.paths(STORE.filtered_masters, EXPONENT_MASTERS),
+        master_forces=FILES.paths(STORE.master_forces, EXPONENT_CHUNKS),
     output:
         RESULTS.dataset("exponents"),
     params:
         parameters=dict(
-            surfaces=[row.surface for row in EXPONENT_MASTERS],
-            realizations=STUDY["exponents"]["realizations"],
+            surfaces=[chunk.surface for chunk in EXPONENT_CHUNKS],
             tolerance=STUDY["scales"]["tolerance"],
             contact_area=PLAN.contact.area,
             confidence=STUDY["intervals"]["confidence"],
@@ -84,13 +83,12 @@ rule fit_exponents:
 rule compute_edge_shifts:
     """Compute how far plasticity and a long range move the short edge: edge_shifts.nc."""
     input:
-        masters=FILES.paths(STORE.filtered_masters, EDGE_SHIFT_MASTERS),
+        master_forces=FILES.paths(STORE.master_forces, EDGE_SHIFT_CHUNKS),
     output:
         RESULTS.dataset("edge_shifts"),
     params:
         parameters=dict(
-            surfaces=[row.surface for row in EDGE_SHIFT_MASTERS],
-            realizations=STUDY["exponents"]["realizations"],
+            surfaces=[chunk.surface for chunk in EDGE_SHIFT_CHUNKS],
             tolerance=STUDY["scales"]["tolerance"],
             sampling=SAMPLING,
             **LABELS_AND_SOURCES,

@@ -7,11 +7,11 @@ from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:
     params = job.parameters
-    count, loading = params["realizations"], params["loading"]
-    forces = read_master_forces(params["surfaces"], job.input.masters, count, loading)
-    if job.input.sampled:  # There are none if all surfaces are substitutes.
+    loading = params["loading"]
+    forces = read_master_forces(params["surfaces"], job.input.master_forces, loading)
+    if job.input.sampled_master_forces:  # There are none if all surfaces are substitutes.
         sampled_forces = read_master_forces(
-            params["sampled_surfaces"], job.input.sampled, count, loading
+            params["sampled_surfaces"], job.input.sampled_master_forces, loading
         )
         forces = add_spectrum_shifts(forces, sampled_forces)
     transitions = [params["transitions"][side] for side in forces["side"].values]

@@ -10,7 +10,7 @@ with run_job(snakemake) as job:
     params = job.parameters
     tolerance = params["tolerance"]
     sampling = Sampling.from_parameters(params["sampling"])
-    forces = read_master_forces(params["surfaces"], job.input.masters, params["realizations"])
+    forces = read_master_forces(params["surfaces"], job.input.master_forces)
     edges = compute_edge_shifts(forces, tolerance, sampling)
     job.write(
         add_surface_names(edges, params).assign_attrs(

@@ -7,7 +7,7 @@ from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:
     params = job.parameters
-    forces = read_master_forces(params["surfaces"], job.input.masters, params["realizations"])
+    forces = read_master_forces(params["surfaces"], job.input.master_forces)
     exponents = fit_exponents(
         forces, params["contact_area"], params["tolerance"], params["confidence"]
     )

@@ -22,8 +22,8 @@ with run_job(snakemake) as job:
         pools=pools,
         candidates=candidates,
         sphere_factor=sphere_factor(adhesion, [*pools, *candidates]),
-        masters=read_master_forces(
-            params["master_surfaces"], job.input.masters, params["realizations"], params["loading"]
+        master_forces=read_master_forces(
+            params["master_surfaces"], job.input.master_forces, params["loading"]
         ),
     )
     sets = sample_sets(

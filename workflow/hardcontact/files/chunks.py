@@ -38,8 +38,8 @@ class CandidateChunk(NamedTuple):
     last: int
 
 
-class FilteredMasters(NamedTuple):
-    """The first and the last realization of masters; radii, loadings, ranges as parts of paths."""
+class MasterForcesChunk(NamedTuple):
+    """The forces on the masters of some realizations; each field is a part of their path."""
 
     purpose: str
     settings_digest: str
@@ -105,15 +105,15 @@ class Chunks:
 
     # Masters
 
-    def filtered_masters(self, purpose: str) -> list[FilteredMasters]:
-        """Return the masters of a purpose: outputs of rule compute_filtered_forces."""
+    def master_forces(self, purpose: str) -> list[MasterForcesChunk]:
+        """Return the forces on the masters of a purpose: outputs of compute_filtered_forces."""
         count = get_key(self._configuration, PURPOSES[purpose].realizations_key)
         spans = _spans(count, PURPOSES[purpose].realizations_in_job)
         digest = self._files.patterns.digests[purpose]
         sweep = self._files.patterns.settings[purpose]
         loadings = [replace(self._plan.contact, **loading) for loading in sweep["loadings"]]
         return [
-            FilteredMasters(
+            MasterForcesChunk(
                 purpose=purpose,
                 settings_digest=digest,
                 surface=surface,
@@ -124,11 +124,11 @@ class Chunks:
                 loadings="+".join(contact.loading_name for contact in loadings),
                 ranges="+".join(f"rho{path_token(rho, 'nm')}" for rho in sweep["ranges"]),
             )
-            for surface in self._master_surfaces(purpose)
+            for surface in self._substrates_with_masters(purpose)
             for first, last in spans
         ]
 
-    def _master_surfaces(self, purpose: str) -> list[str]:
+    def _substrates_with_masters(self, purpose: str) -> list[str]:
         """Return the substrates with masters; only spectra of measured surfaces are sampled."""
         substrates = self._selection.substrates
         if PURPOSES[purpose].samples_spectra:

@@ -72,7 +72,7 @@ class StorePatterns:
         self.masters = f"{folder['masters']}/{_REALIZATION}/{{side}}.nc"
         sweep = f"{{settings_digest}}/{{radii}}/{{loadings}}/{{ranges}}/{_SURFACE}"
         realizations = f"{rough_sphere}/realizations-{{first}}-{{last}}.nc"
-        self.filtered_masters = f"{store}/filtered/{{purpose}}/{sweep}/{realizations}"
+        self.master_forces = f"{store}/filtered/{{purpose}}/{sweep}/{realizations}"
 
 
 class StudyPaths:

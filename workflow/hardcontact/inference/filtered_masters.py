@@ -38,13 +38,15 @@ def filtered_pull_off(
     radii: Sequence[float] | None = None,
     ranges: Sequence[float] | None = None,
 ) -> xr.Dataset:
-    """Return the forces on a master, ``pull_off_force`` and ``unfiltered_pull_off_force``.
+    """Return the forces on a master, at each combination of radius, loading and range.
 
-    They are over (radius, loading, rho, contact_y, contact_x), the first one also over
-    cutoff_wavelength. The contacts differ in their loading alone; radii and ranges are by default
-    those of the first. ``unfiltered_wavelength`` (nm) ends the unfiltered spectrum,
-    ``touching_area`` (loading) in nm² is the area of the touching pixels, the coordinate
-    ``contact_area`` the preload over the hardness.
+    - ``unfiltered_pull_off_force`` (radius, loading, rho, contact_y, contact_x) in N at 1 J/m²;
+    - ``pull_off_force`` (cutoff_wavelength, radius, ...), likewise on each filtered surface;
+    - ``unfiltered_wavelength`` (nm), at which the unfiltered spectrum ends;
+    - ``touching_area`` (loading) of the touching pixels in nm²;
+    - ``contact_area`` (loading), a coordinate: preload over hardness in nm².
+
+    The contacts differ in their loading alone. By default radius and range are those of the first.
     """
     side, pixels, cutoffs = filters
     contact = loaded_contacts[0]
@@ -86,20 +88,20 @@ def filtered_pull_off(
     )
 
 
-def forces_on_masters(
+def compute_master_forces(
     settings: Mapping[str, Any], files: Mapping[str, Any], sphere: HeightMap | None
 ) -> xr.Dataset:
     """Return `filtered_pull_off` of the masters of a surface, (realization, side, ...).
 
-    `settings` are those of the purpose of the masters, with their surface and realizations;
-    `files` are those of `open_master`.
+    `settings` are those of the purpose of the masters, with their surface and the numbers of their
+    realizations; `files` are those of `open_master`.
     """
     radii, ranges = settings["radii"], settings["ranges"]
     array = {name: settings[name] for name in ("window", "contacts_per_row")}
     # `filtered_pull_off` replaces the radius by each of the radii.
     contacts = [Contact(radius=radii[0], **array, **loading) for loading in settings["loadings"]]
     forces = {}
-    for index, realization in enumerate(settings["realizations"]):
+    for index, realization in enumerate(settings["realization_numbers"]):
         for side in (side for side in SIDES if side in settings["sides"]):
             grid = settings["sides"][side]
             filters = Filters(side, grid["pixels"], grid["cutoffs"])
@@ -124,21 +126,21 @@ def open_master(
     # A sampled spectrum has a factor on the heights of its scan.
     scan = replace(scan, heights=scan.heights * spectrum_data.attrs.get("height_factor", 1.0))
     spectrum = spectrum_of_dataset(spectrum_data)
-    names = settings["surface"], settings["realizations"][index], side, settings["stream"]
-    rng = master_generator(settings["seed"], *names)
+    number = settings["realization_numbers"][index]
+    rng = master_generator(settings["seed"], settings["surface"], number, side, settings["stream"])
     return synthesize_master(side, rng, scan, settings["sides"][side], spectrum)
 
 
 def read_master_forces(
-    surfaces: Iterable[str], paths: Iterable[str], realizations: int, loading: str | None = None
+    surfaces: Iterable[str], paths: Iterable[str], loading: str | None = None
 ) -> xr.Dataset:
-    """Read `add_force_ratios` (surface, realization, side, ...) up to a number of realizations.
+    """Read forces (surface, realization, side, ...) on masters, and add their ratios.
 
-    With a `loading`, the result has no dimensions of loading, radius and range, which are single.
+    Each path belongs to the surface at its position. With a `loading`, the result has no dimensions
+    of loading, radius and range, which are single.
     """
     files = read_all([(name, number) for number, name in enumerate(surfaces)], paths)
     forces = stack(concatenate(files, "realization", 1), ["surface"])
-    forces = forces.sel(realization=forces["realization"] <= realizations)
     if loading is not None:
         forces = forces.sel(loading=loading, drop=True).squeeze(["radius", "rho"], drop=True)
         forces = forces.drop_vars("touching_area")
@@ -154,11 +156,11 @@ def add_force_ratios(forces: xr.Dataset) -> xr.Dataset:
     filtered = forces["pull_off_force"].mean(CONTACT_AXES)
     unfiltered = forces["unfiltered_pull_off_force"].mean(CONTACT_AXES)
     spectrum_end = forces["unfiltered_wavelength"]
-    realizations = [axis for axis in spectrum_end.dims if axis == "realization"]
+    realization_axes = [axis for axis in spectrum_end.dims if axis == "realization"]
     ratio = (filtered / unfiltered).drop_attrs(deep=False)  # Coordinates keep their units.
     return forces.assign(
         filtered_force_ratio=ratio.assign_attrs(DIMENSIONLESS),
-        unfiltered_wavelength=spectrum_end.max(realizations, keep_attrs=True),
+        unfiltered_wavelength=spectrum_end.max(realization_axes, keep_attrs=True),
     )
 
 

@@ -44,7 +44,7 @@ class SetInputs(NamedTuple):
     pools: Mapping[str, xr.Dataset]  #: From `compute_pool`, by substrate.
     candidates: Mapping[str, Mapping[str, xr.Dataset]]  #: From `candidates_by_surface`.
     sphere_factor: xr.DataArray  #: (contact_model, surface, rho), from the function of this name.
-    masters: xr.Dataset  #: From `read_master_forces` at one load.
+    master_forces: xr.Dataset  #: From `read_master_forces` at one load.
 
 
 class SetSettings(NamedTuple):
@@ -135,19 +135,19 @@ def scale_to_sampled_mean(forces: xr.DataArray, rng: np.random.Generator) -> xr.
 
 
 def edges_of_set(
-    masters: xr.Dataset, realizations: int, tolerance: float, sampling: Sampling, set_number: int
+    forces: xr.Dataset, realizations: int, tolerance: float, sampling: Sampling, set_number: int
 ) -> xr.Dataset:
-    """Return the band of masters of each substrate, sampled with replacement."""
+    """Return the band from forces on masters of each substrate, sampled with replacement."""
     surface_ratios = []
-    for surface in masters["surface"].values.tolist():
-        ratio = masters["filtered_force_ratio"].sel(surface=surface, drop=True)
+    for surface in forces["surface"].values.tolist():
+        ratio = forces["filtered_force_ratio"].sel(surface=surface, drop=True)
         ratio = ratio.dropna("realization", how="all")
         rng = generator(sampling.seed, surface, set_number, "set", "masters")
         ratio = ratio.sel(realization=rng.choice(ratio["realization"], realizations))
         surface_ratios.append(ratio.assign_coords(realization=range(realizations)))
-    ratio = xr.concat(surface_ratios, masters["surface"])
-    set_masters = masters.drop_dims("realization").assign(filtered_force_ratio=ratio)
-    return edges_of_masters(set_masters, tolerance, sampling)[0]
+    ratio = xr.concat(surface_ratios, forces["surface"])
+    set_forces = forces.drop_dims("realization").assign(filtered_force_ratio=ratio)
+    return edges_of_masters(set_forces, tolerance, sampling)[0]
 
 
 def sample_sets(
@@ -183,7 +183,7 @@ def _set_datasets(
     sampled_scans = sample_set_scans(inputs, settings.seed, set_number)
     adhesion = adhesion_of_set(inputs, sampled_scans, settings.seed, set_number)
     edges = edges_of_set(
-        inputs.masters, settings.realizations, settings.tolerance, sampling, set_number
+        inputs.master_forces, settings.realizations, settings.tolerance, sampling, set_number
     )
     return {
         "topography": topography_of_set(inputs, sampled_scans, settings.confidence),

@@ -1,0 +1,73 @@
+# Masters: scans with artificial roughness, and forces on them without the waves beyond each cutoff.
+
+from hardcontact.config.limits import master_megabytes
+from hardcontact.config.keys import SMOOTH_SPHERE
+from hardcontact.files.settings import filter_megabytes
+from hardcontact.surfaces.synthesis import SIDES
+
+SCALES_CHUNKS = CHUNKS.master_forces("scales")
+#: Masters of sampled spectra, which the user's surfaces alone have.
+SAMPLED_CHUNKS = [] if IS_PAPER_STUDY else CHUNKS.master_forces("sampled")
+
+
+rule synthesize_masters:
+    """Replace wavelengths of a scan beyond the transition of a side by random roughness."""
+    input:
+        scan=lambda w: FILES.contact_map_path(
+            w.surface, PLAN.master_scan(w.surface, int(w.realization))
+        ),
+        spectrum=lambda w: FILES.contact_spectrum_path(w.surface),
+    output:
+        **{side: STORE.masters.replace("{side}", side) for side in SIDES},
+    resources:
+        mem_mb=master_megabytes(SETTINGS["masters"]["sides"]["short"]["pixels"]),
+    params:
+        parameters=lambda w: dict(
+            surface=w.surface,
+            realization=int(w.realization),
+            **SETTINGS["masters"],
+        ),
+    script:
+        "../scripts/synthesize_masters.py"
+
+
+# The band, its sampled spectra, the sets, the exponents and the shifts of edges have masters of their
+# own. Each is a purpose of `PURPOSES` in files/settings.py.
+rule compute_filtered_forces:
+    """Compute the forces on masters of a purpose, unfiltered and without waves beyond each cutoff."""
+    input:
+        unpack(lambda w: CHUNKS.master_inputs(w.purpose, w.surface, int(w.first), int(w.last))),
+        sphere=lambda w: [] if w.sphere_digest == SMOOTH_SPHERE else FILES.masters_sphere_path,
+    output:
+        STORE.master_forces,
+    resources:
+        mem_mb=lambda w: filter_megabytes(SETTINGS[w.purpose]),
+    params:
+        parameters=lambda w: dict(
+            surface=w.surface,
+            realization_numbers=list(range(int(w.first), int(w.last) + 1)),
+            **SETTINGS[w.purpose],
+        ),
+    script:
+        "../scripts/compute_filtered_forces.py"
+
+
+rule aggregate_scales:
+    """Gather the forces on all filtered masters of the band: scales.nc."""
+    input:
+        master_forces=FILES.paths(STORE.master_forces, SCALES_CHUNKS),
+        sampled_master_forces=FILES.paths(STORE.master_forces, SAMPLED_CHUNKS),
+    output:
+        RESULTS.dataset("scales"),
+    params:
+        parameters=dict(
+            surfaces=[chunk.surface for chunk in SCALES_CHUNKS],
+            sampled_surfaces=[chunk.surface for chunk in SAMPLED_CHUNKS],
+            loading=PLAN.contact.loading_name,
+            **LABELS_AND_SOURCES,
+            rho=STUDY["adhesion"]["range"],
+            sphere_radius=STUDY["sphere"]["radius"],
+            transitions={side: STUDY["scales"][side]["transition"] for side in SIDES},
+        ),
+    script:
+        "../scripts/aggregate_scales.py"
