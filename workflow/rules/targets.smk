@@ -1,4 +1,4 @@
-# Named targets: what each stage leaves in the results, figures one by one, and the check of files.
+# Named targets: datasets by subject, figures one by one, pages, and the check of files.
 
 from hardcontact.report.figures.listing import FILE_KINDS, PAPER_FIGURES
 
@@ -44,7 +44,7 @@ TARGETS = OTHER_TARGETS | {
 for target, files in (TARGETS | FIGURE_FILES).items():
 
     rule:
-        """Make one stage of the study, or one figure, and what it needs."""
+        """Make the files of a target, such as datasets or a figure, and what they need."""
         name:
             target
         input:
