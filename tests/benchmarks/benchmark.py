@@ -24,7 +24,7 @@ from hardcontact.contact.bearing_area import all_contact_pixels
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.elastic import adhesive_pull_off, pressure_at_load
 from hardcontact.contact.force_sum.outside_sums import outside_sums
-from hardcontact.contact.geometry import join_bodies, part_around_lowest, reference_gap_map
+from hardcontact.contact.geometry import join_bodies, reference_gap_map, square_around_lowest
 from hardcontact.contact.pull_off import attraction_sums
 from hardcontact.surfaces.filters import interpolate, lowpass
 from hardcontact.surfaces.height_map import mirror_scan
@@ -98,7 +98,7 @@ def rough_sphere():
 
 def elastic_contact(pixels=512):
     bodies, _ = bodies_in_contact(mirrored_scan(1, 1.0))
-    window = part_around_lowest(reference_gap_map(bodies, (3, 5)), pixels)
+    window = square_around_lowest(reference_gap_map(bodies, (3, 5)), pixels)
     problem = window, bodies.geometry.pixel_size, MODULUS
     seconds, pressure = timed(pressure_at_load, *problem, CONTACT.preload)
     library_seconds, expected = timed(library_pressure, *problem, CONTACT.preload)

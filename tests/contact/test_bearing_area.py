@@ -7,7 +7,7 @@ from periodic_maps import MAP_CASES, make_bodies, periodic_noise
 
 from hardcontact.contact.bearing_area import all_contact_pixels
 from hardcontact.contact.contact import Contact
-from hardcontact.contact.geometry import part_around_lowest
+from hardcontact.contact.geometry import square_around_lowest
 
 
 @pytest.mark.parametrize("case", MAP_CASES)
@@ -42,7 +42,7 @@ def test_part_around_the_lowest_point_ends_at_the_edges(pixels):
     for y, x in np.ndindex(size, size):
         gap = np.arange(1.0, size**2 + 1).reshape(size, size)
         gap[y, x] = 0.0
-        gap_part = part_around_lowest(gap, pixels)
+        gap_part = square_around_lowest(gap, pixels)
         assert gap_part.shape == (pixels, pixels)
         lowest_indices = np.unravel_index(gap_part.argmin(), gap_part.shape)
         for index, lowest_index in zip((y, x), lowest_indices, strict=True):

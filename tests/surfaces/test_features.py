@@ -13,8 +13,8 @@ from hardcontact.surfaces.features import (
     FeaturedSurface,
     Features,
     add_features,
-    expected_rms,
     feature_squares,
+    featured_rms,
     nearest_featured_scans,
     published_statistics,
     sample_permitted_features,
@@ -39,9 +39,9 @@ def squares(scan):
     return np.array([values[name] ** 2 for name in TABLE1_METRICS.values()])
 
 
-def expected_rms_of(features):
+def rms_of(features):
     added = feature_squares(features.height, features.width, SIZE)
-    return expected_rms(features.base_factor, features.counts, added, POLISHED)
+    return featured_rms(features.base_factor, features.counts, added, POLISHED)
 
 
 @pytest.mark.parametrize("periodic", [False, True])
@@ -82,7 +82,7 @@ def test_sampled_features_have_the_published_statistics(sign, scans):
             rng, POLISHED, scans, ScanGrid(PIXELS, SIZE, PIXELS), sign
         )
         assert np.sign(features.height) == sign and len(features.counts) == scans
-        rms_values = expected_rms_of(features)
+        rms_values = rms_of(features)
         means = rms_values.mean(axis=0)
         assert (np.abs(means - POLISHED.means) <= POLISHED.stds / np.sqrt(5)).all()
         if scans > 1:
@@ -122,7 +122,7 @@ def test_the_nearest_group_is_one_of_bumps_or_pits(monkeypatch):
         for candidate, kind in enumerate(["bumps", "pits", "bumps", "pits"])
     ]
     distances = [
-        np.linalg.norm(standardized_differences(expected_rms_of(candidate), POLISHED))
+        np.linalg.norm(standardized_differences(rms_of(candidate), POLISHED))
         for candidate in candidates
     ]
     assert features == candidates[int(np.argmin(distances))]

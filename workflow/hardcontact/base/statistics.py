@@ -177,7 +177,7 @@ class Sampling:
     def sample_means(self, name: str, values: xr.DataArray, dim: str) -> xr.DataArray:
         """Return means over scans along a dimension, then samples (1 + sample, surface, ...).
 
-        Missing scans are NaN. Random numbers depend on this name and on the surface alone.
+        Missing scans are NaN. Random numbers depend on `name` and on the surface alone.
         """
         values = values.transpose("surface", dim, ...)
         means = values.mean(dim)

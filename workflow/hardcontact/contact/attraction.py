@@ -112,8 +112,8 @@ def least_carrying_attraction(attraction: Floats, share: float) -> float:
     total = attraction.sum()
     # No pixel below (1 - share) of the mean is needed: all together carry less than 1 - share.
     strong = np.sort(attraction[attraction > (1 - share) * total / attraction.size])[::-1]
-    weakest = np.searchsorted(np.cumsum(strong), share * total)
-    return float(strong[min(weakest, len(strong) - 1)])
+    weakest_index = np.searchsorted(np.cumsum(strong), share * total)
+    return float(strong[min(weakest_index, len(strong) - 1)])
 
 
 def _diameter_in_pixels(attraction: Floats, share: float) -> int:

@@ -17,7 +17,7 @@ from hardcontact.base.arrays import Floats
 from hardcontact.contact.geometry import Bodies, largest_contact_gap
 from hardcontact.surfaces.height_map import HeightMap
 
-#: Pixels per row of a tile. This number and the next four change the speed only.
+#: Pixels per row of a tile. This number and the next four only change the speed.
 TILE = 32
 #: Tiles per row of a group.
 GROUP = 16

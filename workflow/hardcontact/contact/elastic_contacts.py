@@ -9,12 +9,12 @@ from hardcontact.base.arrays import Floats
 from hardcontact.base.dataset import DatasetsByLabels, stack, variables_of_columns
 from hardcontact.base.progress import progress
 from hardcontact.base.units import NM, PASCAL
-from hardcontact.contact.contact import Contact
+from hardcontact.contact.contact import CONTACT_AXES, Contact
 from hardcontact.contact.elastic import adhesive_pull_off, pressure_at_load
 from hardcontact.contact.geometry import (
     Bodies,
-    part_around_lowest,
     reference_gap_map,
+    square_around_lowest,
     window_pixels,
 )
 from hardcontact.contact.hertz_jkr_dmt import hertz_contact
@@ -23,7 +23,7 @@ from hardcontact.contact.hertz_jkr_dmt import hertz_contact
 PRESSURE_MAP_PIXELS = 64
 #: Width in nm of the window about a contact in which elastic and rigid pull-off are compared.
 PULL_OFF_WINDOW = 2500.0
-#: Units of what elasticity gives for each contact.
+#: Quantities of each elastic contact, with their units.
 ELASTIC_UNITS = {
     "elastic_contact_area": "nm2",
     "share_above_hardness": "1",
@@ -45,7 +45,7 @@ def _pressure_around_peak(pressure: Floats, pixel_size: float) -> xr.DataArray:
     """Return the pressure (y, x) in Pa about its peak, at most PRESSURE_MAP_PIXELS wide."""
     pixels = min(PRESSURE_MAP_PIXELS, len(pressure))
     # The highest pressure is the lowest negative pressure.
-    around_peak = -part_around_lowest(-pressure, pixels)
+    around_peak = -square_around_lowest(-pressure, pixels)
     position = (np.arange(pixels) - pixels // 2) * pixel_size
     coordinates = {axis: (axis, position, NM) for axis in ("y", "x")}
     return xr.DataArray(around_peak, coordinates, ("y", "x"), attrs=PASCAL)
@@ -74,8 +74,8 @@ def solve_elastic_contacts(
     with threadpool_limits(1, "blas"):
         for index in progress(contact_indices, len(contact_indices), "elastic contacts"):
             gap = reference_gap_map(bodies, index)
-            period_gap = part_around_lowest(gap, period_pixels)
-            window_gap = part_around_lowest(gap, pull_off_pixels)
+            period_gap = square_around_lowest(gap, period_pixels)
+            window_gap = square_around_lowest(gap, pull_off_pixels)
             pressure = pressure_at_load(period_gap, pixel_size, modulus, contact.preload)
             forces = adhesive_pull_off(window_gap, pixel_size, modulus, contact.work, contact.rho)
             metrics.append((*_pressure_metrics(pressure, pixel_size, contact.hardness), *forces))
@@ -84,10 +84,7 @@ def solve_elastic_contacts(
     hertz = hertz_contact(contact.preload, geometry.radius, modulus)
     return xr.Dataset(
         variables | {"pressure": _pressure_around_peak(pressures[0], pixel_size)},
-        {
-            "contact_y": ("contact", contact_indices[:, 0]),
-            "contact_x": ("contact", contact_indices[:, 1]),
-        },
+        {axis: ("contact", contact_indices[:, k]) for k, axis in enumerate(CONTACT_AXES)},
         {
             "hardness": contact.hardness,
             "preload": contact.preload,

@@ -159,8 +159,8 @@ def reference_gaps(bodies: Bodies, apex: NDArray[np.int_], offsets: NDArray[np.i
     y, x = np.moveaxis((apex + offsets) % bodies.substrate.pixels, -1, 0)
     gaps = bodies.geometry.paraboloid(offsets).sum(axis=-1) - bodies.substrate.heights[y, x]
     if bodies.sphere_roughness is not None:
-        v, u = np.moveaxis(offsets % bodies.sphere_roughness.pixels, -1, 0)
-        gaps -= bodies.sphere_roughness.heights[v, u]
+        sphere_y, sphere_x = np.moveaxis(offsets % bodies.sphere_roughness.pixels, -1, 0)
+        gaps -= bodies.sphere_roughness.heights[sphere_y, sphere_x]
     return np.asarray(gaps)
 
 
@@ -189,7 +189,7 @@ def largest_contact_gap(gap: Floats, contact_pixel_count: int) -> float:
     return float(np.partition(gap.ravel(), contact_pixel_count - 1)[contact_pixel_count - 1])
 
 
-def part_around_lowest(gap: Floats, pixels: int) -> Floats:
+def square_around_lowest(gap: Floats, pixels: int) -> Floats:
     """Return the square (pixels, pixels) about the lowest point of a gap map (n, n)."""
     lowest = np.unravel_index(gap.argmin(), gap.shape)
     row, column = np.clip(np.array(lowest) - pixels // 2, 0, gap.shape[0] - pixels)

@@ -94,7 +94,7 @@ def feature_squares(height: ArrayLike, width: ArrayLike, size: float) -> Floats:
     return np.stack([height_square, slope_square, slope_square / (2 * width**2)], axis=-1)
 
 
-def expected_rms(
+def featured_rms(
     base_factor: ArrayLike, counts: ArrayLike, added: Floats, statistics: ScanStatistics
 ) -> Floats:
     """Return the expected rms height, slope and curvature of scans with features: (..., scan, 3).
@@ -142,7 +142,7 @@ def sample_permitted_features(
         counts = rng.poisson(mean_counts, (BATCH_SIZE, scan_count))
         height = sign * relative_height * statistics.means[0]
         added = feature_squares(height, width, grid.size)
-        rms_values = expected_rms(base_factor, counts, added, statistics)
+        rms_values = featured_rms(base_factor, counts, added, statistics)
         differences = np.abs(standardized_differences(rms_values, statistics))
         is_permitted = (differences <= 1).all(axis=-1)
         if is_permitted.any():
@@ -271,7 +271,7 @@ def nearest_featured_scans(
         kind = list(SIGNS)[sample_number % len(SIGNS)]
         features = surface.sample_features(kind, len(scan_numbers), scan_numbers[0], sample_number)
         added = feature_squares(features.height, features.width, surface.substitute.grid.size)
-        rms_values = expected_rms(features.base_factor, features.counts, added, surface.statistics)
+        rms_values = featured_rms(features.base_factor, features.counts, added, surface.statistics)
         differences = standardized_differences(rms_values, surface.statistics)
         choices.append((float(np.linalg.norm(differences)), kind, sample_number))
     _, kind, sample_number = min(choices)

@@ -98,6 +98,7 @@ def interpolate(surface: HeightMap, pixels: int) -> HeightMap:
 
 
 def _refuse_coarser(coarse_pixels: int, pixels: int) -> None:
+    """Raise ValueError for fewer pixels per row than a surface or its waves need."""
     if pixels < coarse_pixels:
         raise ValueError(
             f"pixels: expected at least {coarse_pixels} pixels to interpolate to, found {pixels}"

@@ -141,8 +141,8 @@ def find_streaks(heights: Floats) -> Iterator[Mask]:
     like a sunken one.
     """
     for width in STREAK_WIDTHS:
-        x_lengths = [_run_lengths(_candidates(steps)) for steps in _distances(heights, width)]
-        y_lengths = [_run_lengths(_candidates(steps)) for steps in _distances(heights.T, width)]
+        x_lengths = [_run_lengths(_candidates(steps)) for steps in _rise_and_fall(heights, width)]
+        y_lengths = [_run_lengths(_candidates(steps)) for steps in _rise_and_fall(heights.T, width)]
         longest_along_y = max(lengths.max() for lengths in y_lengths)
         min_length = max(MIN_STREAK_PIXELS, MIN_LENGTH_RATIO * longest_along_y + 1)
         is_above, is_below = np.array(x_lengths) >= min_length
@@ -167,10 +167,11 @@ def fill_streaks(heights: Floats) -> tuple[Floats, Mask]:
     return filled_heights, is_filled
 
 
-def _distances(heights: Floats, width: int) -> tuple[Floats, Floats]:
-    """Return the heights of pixels above, and below, both lines at a distance of `width`.
+def _rise_and_fall(heights: Floats, width: int) -> tuple[Floats, Floats]:
+    """Return how far pixels rise above, and fall below, both lines `width` lines away.
 
-    Heights are in typical steps. At the border a width of 1 has only one line, others none.
+    Heights are in typical steps. At the border there is only one line if the width is 1; other
+    widths have NaN there.
     """
     padded = np.pad(heights, ((width, width), (0, 0)), constant_values=np.nan)
     line_before, line_after = padded[: -2 * width], padded[2 * width :]

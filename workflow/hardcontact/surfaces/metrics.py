@@ -27,20 +27,20 @@ TABLE1_METRICS = {
 
 
 def metrics(scan: HeightMap) -> dict[str, float]:
-    """Return the METRICS of a scan.
+    """Return the rms height, gradient and curvature of a scan, and its other METRICS.
 
     Derivatives are finite differences between neighbouring pixels, as in SurfaceTopography, at the
-    pixels that have both derivatives.
+    pixels that have both derivatives. They do not wrap around a periodic map.
 
     Parameters
     ----------
     scan : HeightMap
-        Levelled. Differences do not wrap around a periodic map.
+        A levelled map.
 
     Returns
     -------
     dict of str to float
-        By name, such as ``rms_height``, in powers of nm.
+        The metrics by name, such as ``rms_height``. Heights are in nm, curvatures in 1/nm.
 
     Examples
     --------

@@ -35,10 +35,12 @@ BIN_EDGES = 2 * np.pi * np.logspace(-5, 1, 61)
 BIN_CENTRES = np.sqrt(BIN_EDGES[1:] * BIN_EDGES[:-1])
 #: Width of a bin in ln q.
 BIN_WIDTH = float(np.log(BIN_EDGES[1] / BIN_EDGES[0]))
+#: Bins in half a decade.
 HALF_DECADE_BINS = 5
 #: Fewest bins of a joined spectrum: a slope with an error needs three.
 MIN_BINS = 3
-#: Arguments with which SurfaceTopography measures PSDs; `scans.reliable_band` finds their limits.
+#: Arguments with which SurfaceTopography measures PSDs at all wavelengths: `scans.reliable_band`
+#: finds the reliable ones.
 PSD_ARGUMENTS = {"window": "hann", "reliable": False, "collocation": BIN_EDGES}
 
 
@@ -126,19 +128,21 @@ def spectrum_dataset(density: Floats) -> xr.Dataset:
 
 
 def measured_psds(scan: HeightMap) -> tuple[Floats, Floats, Floats]:
-    """Return power spectral densities of a scan, measured with a Hann window.
+    """Return the power spectral densities of a map at all its wavelengths, with a Hann window.
 
     Parameters
     ----------
     scan : HeightMap
-        Levelled.
+        A levelled map.
 
     Returns
     -------
     wavevector : numpy.ndarray
-        (bins,) rad/nm, ten a decade.
-    profile, isotropic : numpy.ndarray
-        (bins,) C_1D along x in nm³ and C_iso in nm⁴, NaN in empty bins.
+        Centres (bins,) of the bins in rad/nm, ten a decade.
+    profile : numpy.ndarray
+        C_1D (bins,) along x in nm³, NaN in empty bins.
+    isotropic : numpy.ndarray
+        C_iso (bins,) in nm⁴, NaN in empty bins.
 
     Examples
     --------

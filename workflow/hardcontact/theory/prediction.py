@@ -81,7 +81,7 @@ def prediction(
     point = table_point(trimmed, contact, form)
     is_complete = change.status == Effect.NEGLIGIBLE
     known_point = point if assumptions_hold and is_complete and is_validated(point) else None
-    numbers = [
+    return numbers_by_name(
         *inputs,
         _force_number("closed_form_force", form, known_point),
         *extrapolated,
@@ -92,8 +92,7 @@ def prediction(
         *checks,
         change,
         *validated_limits(point),
-    ]
-    return numbers_by_name(*numbers)
+    )
 
 
 def trim_spectrum(spectrum: Spectrum, name: str = "spectrum") -> Spectrum:

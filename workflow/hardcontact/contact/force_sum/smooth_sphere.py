@@ -11,7 +11,7 @@ from hardcontact.contact.force_sum.touched_pixels import SphereTerms, TouchedPix
 from hardcontact.contact.geometry import Bodies, ContactGeometry
 
 #: Rows of the substrate in a block: few enough for the cache.
-ROWS = 64
+BLOCK_ROWS = 64
 
 
 def sums_by_subtraction(
@@ -88,8 +88,8 @@ def _row_blocks(
     touched_pixels: TouchedPixels | None = None,
 ) -> Iterator[tuple[slice, list[NDArray[np.floating]]]]:
     """Yield the rows of each block and its exponentials, in a precision; zero at touched pixels."""
-    for start in range(0, len(heights), ROWS):
-        rows = slice(start, start + ROWS)
+    for start in range(0, len(heights), BLOCK_ROWS):
+        rows = slice(start, start + BLOCK_ROWS)
         block = heights[rows].astype(precision, copy=False)
         attractions = _exponentials(block, highest, ranges)
         if touched_pixels is not None:

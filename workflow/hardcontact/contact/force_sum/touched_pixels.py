@@ -22,9 +22,9 @@ class SphereTerms(NamedTuple):
 
 def exponential(heights: NDArray[np.floating], highest: float, rho: float) -> NDArray[np.floating]:
     """Return exp((heights - highest)/rho) in the precision of the heights (nm)."""
-    attraction = heights - highest
-    attraction /= rho
-    return np.asarray(np.exp(attraction, out=attraction))
+    exponents = heights - highest
+    exponents /= rho
+    return np.asarray(np.exp(exponents, out=exponents))
 
 
 class TouchedPixels:
