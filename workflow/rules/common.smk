@@ -10,8 +10,8 @@
 #   PAGES          the category and the title of each page of the report
 #   ANSWER         answer.html and answer.json
 #   PUBLISHED_TABLES  the tables of the paper, by name
-# surfaces.smk defines the names that depend on the table of surfaces. All names defined in other files
-# are local to these, except TARGETS of targets.smk.
+# surfaces.smk defines the names that depend on the table of surfaces. Names of other files are used
+# there alone, except TARGETS of targets.smk, which redraw.smk uses.
 
 from hardcontact.base.published import PUBLISHED_TABLES
 from hardcontact.config.configuration import is_paper_study

@@ -1,8 +1,8 @@
 # Single contacts: one as it separates, for Fig. 4a; elastic ones; the indents that they leave in the
 # sphere; the asperities that carry their force.
 
-# The paper does not say which contact Fig. 4a shows. This one is in the middle of the first
-# scans of the reference surface.
+# The paper does not say which contact Fig. 4a shows. This one is in the middle of the array on the
+# first scan of the reference surface, with the first scan of the sphere.
 TRACED = {
     **SELECTION.attributes(STUDY["reference_surface"]),
     "scan": SELECTION.contact_scans(STUDY["reference_surface"])[0],

@@ -4,14 +4,15 @@
 #   SELECTION          the surfaces of the table, with their labels, scans and source files
 #   LABELS_AND_SOURCES the label of each surface, and whether it was measured or is a substitute
 #   PLAN               which scans, bodies and positions contacts are made on, with their settings
-#   FILES              the paths of each surface: spectra, scans, scans of both bodies in one
 #   STORE              the path of each kind of intermediate, with wildcards in braces
-#   SETTINGS           the settings of each kind of intermediate, all that its rule takes from STUDY
-#   CHUNKS             what one job computes together: scans of pools, masters, whole surfaces
-#   CONTACT_ARGUMENTS  of class Contact: the keys of `contact`, and the sphere's radius
+#   FILES              the paths of the files of a surface: `FILES.path` fills in the wildcards
+#   SETTINGS           the settings of each kind of intermediate: all that its rule takes from STUDY
+#   CHUNKS             what one job computes together: some scans of a pool, masters, whole surfaces
+#   CONTACT_ARGUMENTS  the arguments of class Contact that are keys: all of `contact`, and the radius
 #   DESCRIPTION_INPUTS the description of a substitute, and the tables that it names
-#   SUBSTITUTE_INPUTS  from which random surfaces like a substitute are made
-#   SPHERE_SCAN        the scan of the sphere; none if its roughness was added to that of substrates
+#   SUBSTITUTE_INPUTS  the files from which other random surfaces like a substitute are made
+#   SPHERE_SCAN        the scan of the sphere that meets changed scans; none if the sphere is smooth,
+#                      or if its roughness was added to that of the substrates
 
 from hardcontact.config.study_plan import StudyPlan
 from hardcontact.files.chunks import Chunks

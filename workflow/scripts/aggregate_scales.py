@@ -1,4 +1,4 @@
-"""Pull-off forces of every filtered master, and their ratio to the unfiltered force."""
+"""Pull-off forces on every filtered master, relative to the unfiltered one: scales.nc."""
 
 from hardcontact.base.dataset import add_surface_names
 from hardcontact.base.units import NM

@@ -1,4 +1,4 @@
-"""Table 1 and the PSDs: every scan, and their averages."""
+"""The metrics of Table 1 and the PSDs of every scan, and their averages: topography.nc."""
 
 from hardcontact.base.dataset import read_by_name
 from hardcontact.records.job import run_job

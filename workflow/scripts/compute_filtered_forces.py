@@ -1,4 +1,4 @@
-"""Pull-off on masters of one surface, unfiltered and filtered at every cutoff."""
+"""Pull-off forces on masters of one surface, unfiltered and filtered at every cutoff."""
 
 from hardcontact.inference.filtered_masters import compute_master_forces
 from hardcontact.records.job import run_job

@@ -1,4 +1,4 @@
-"""Statements of the paper, each with its computed number; with the paper's inputs, its verdict."""
+"""Statements of the paper with computed numbers, and verdicts if the inputs are the paper's."""
 
 from hardcontact.base import published
 from hardcontact.base.dataset import read

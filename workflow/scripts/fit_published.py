@@ -1,4 +1,4 @@
-"""Range and work of adhesion and force statistics of every contact model."""
+"""Range and work of adhesion of every contact model, and statistics of its forces: fit.nc."""
 
 from hardcontact.base.dataset import read
 from hardcontact.base.statistics import Sampling
