@@ -49,11 +49,10 @@ def filtered_pull_off(
     The contacts differ in their loading alone. By default radius and range are those of the first.
     """
     side, pixels, cutoffs = filters
-    contact = loaded_contacts[0]
-    radii = radii or [contact.radius]
-    ranges = ranges or [contact.rho]
-
-    contacts = [replace(contact, radius=radius) for radius in radii]
+    first_contact = loaded_contacts[0]
+    radii = radii or [first_contact.radius]
+    ranges = ranges or [first_contact.rho]
+    contacts = [replace(first_contact, radius=radius) for radius in radii]
 
     def compute_forces(surface: HeightMap) -> np.ndarray:
         all_bodies = (join_bodies(surface, sphere, contact) for contact in contacts)
@@ -81,7 +80,7 @@ def filtered_pull_off(
             "radius": ("radius", radii, NM),
             "loading": [loaded.loading_name for loaded in loaded_contacts],
             "rho": ("rho", np.asarray(ranges, float), NM),
-            **{axis: np.arange(contact.contacts_per_row) for axis in CONTACT_AXES},
+            **{axis: np.arange(first_contact.contacts_per_row) for axis in CONTACT_AXES},
             "contact_area": ("loading", areas, {"units": "nm2"}),
         },
         {"work_of_adhesion": WORK_OF_ADHESION},
@@ -94,7 +93,7 @@ def compute_master_forces(
     """Return `filtered_pull_off` of the masters of a surface, (realization, side, ...).
 
     `settings` are those of the purpose of the masters, with their surface and the numbers of their
-    realizations; `files` are those of `open_master`.
+    realizations; `files` are those of `load_or_synthesize_master`.
     """
     radii, ranges = settings["radii"], settings["ranges"]
     array = {name: settings[name] for name in ("window", "contacts_per_row")}
@@ -105,19 +104,20 @@ def compute_master_forces(
         for side in (side for side in SIDES if side in settings["sides"]):
             grid = settings["sides"][side]
             filters = Filters(side, grid["pixels"], grid["cutoffs"])
+            master = load_or_synthesize_master(side, index, settings, files)
             forces[realization, side] = filtered_pull_off(
-                open_master(side, index, settings, files), filters, contacts, sphere, radii, ranges
+                master, filters, contacts, sphere, radii, ranges
             )
     return stack(forces, ["realization", "side"])
 
 
-def open_master(
+def load_or_synthesize_master(
     side: str, index: int, settings: Mapping[str, Any], files: Mapping[str, Any]
 ) -> HeightMap:
-    """Return the master of the realization at an index: from its file, or made from its scan.
+    """Return the master of a side, and of the realization at an index of their numbers.
 
-    `files` has a list by realization of ``short_masters`` and ``long_masters``, or of ``scans``
-    (mirrored) and their ``spectra``.
+    `files` has ``short_masters`` and ``long_masters``, or mirrored ``scans`` and their ``spectra``,
+    from which masters are synthesized. Each is a list by realization.
     """
     if master_files := files.get(f"{side}_masters"):
         return load_height_map(master_files[index])
