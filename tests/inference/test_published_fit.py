@@ -8,19 +8,25 @@ from paper_numbers import MEAN_FORCE, SUBSTRATES
 
 from hardcontact.base.statistics import Sampling
 from hardcontact.contact.force_interpolation import interpolate_to_ranges
-from hardcontact.inference import published_fit as fit
+from hardcontact.inference import published_fit
 from hardcontact.inference.fit import best_fit, mean_relative_error
 from hardcontact.inference.published_fit import PublishedForces
 
 SAMPLING = Sampling(1, 50, 0.95)
+#: Position of the reference surface among the surfaces.
+REFERENCE_INDEX = 1
+#: Relative error below which a pair fits.
+THRESHOLD = 0.1
 
 
-def fit_model(forces, published=MEAN_FORCE, sampling=SAMPLING):
-    return fit.fit_model(forces, published, 1, 0.1, sampling)
+def fit_forces(forces, published_forces=MEAN_FORCE):
+    return published_fit.fit_contact_model(
+        forces, published_forces, REFERENCE_INDEX, THRESHOLD, SAMPLING
+    )
 
 
 def test_the_fit_finds_the_range_and_work_that_made_the_forces():
-    fits = fit_model(power_forces())
+    fits = fit_forces(power_forces())
     assert float(fits.range_of_adhesion) == pytest.approx(4.0, rel=0.01)
     assert float(fits.range_from_ratios) == pytest.approx(4.0, rel=0.01)
     assert float(fits.work_of_adhesion) == pytest.approx(0.05, rel=0.02)
@@ -48,9 +54,9 @@ def test_the_fit_has_the_smallest_error_of_a_fine_search():
 def test_the_region_contains_exactly_the_small_errors():
     errors = np.ones((4, 5))
     errors[1, 2] = errors[2, 3] = 0.05
-    ranges, works = fit.error_region(errors, RHOS[:4], np.arange(5.0), 0.1)
+    ranges, works = published_fit.error_region(errors, RHOS[:4], np.arange(5.0), 0.1)
     assert ranges.tolist() == [1.0, 2.0] and works.tolist() == [2.0, 3.0]
-    assert np.isnan(fit.error_region(np.ones((4, 5)), RHOS[:4], np.ones(5), 0.1)).all()
+    assert np.isnan(published_fit.error_region(np.ones((4, 5)), RHOS[:4], np.ones(5), 0.1)).all()
 
 
 def two_ranges():
@@ -63,7 +69,7 @@ def two_ranges():
 
 
 def test_ratios_met_at_two_ranges_give_two_minima():
-    fits = fit.fit_model(two_ranges(), np.array([1.0, 0.05]), 1, 0.1, SAMPLING)
+    fits = fit_forces(two_ranges(), np.array([1.0, 0.05]))
     assert sorted(fits.range_at_minimum.values[:2]) == pytest.approx([1.0, 8.0], rel=1e-9)
     np.testing.assert_allclose(fits.work_at_minimum[:2], 0.05, rtol=0.02)
     assert fits.error_at_minimum[0] <= fits.error_at_minimum[1] < 0.02
@@ -82,17 +88,17 @@ def make_adhesion(plastic):
     )
 
 
-PUBLISHED = PublishedForces(PUBLISHED_MEANS.iloc[::-1], (5.0, 0.04), 0.1)  # in any order
+PUBLISHED = PublishedForces(PUBLISHED_MEANS.iloc[::-1], (5.0, 0.04), THRESHOLD)  # in any order
 
 
 def fit_published(plastic, sampling=SAMPLING):
-    return fit.fit_published(make_adhesion(plastic), PUBLISHED, "uncd", sampling)
+    return published_fit.fit_published(make_adhesion(plastic), PUBLISHED, "uncd", sampling)
 
 
 def test_a_published_range_beyond_the_sweep_has_no_forces():
     distant = PUBLISHED._replace(pair=(11.0, 0.04))
     adhesion = make_adhesion(power_forces())
-    fits = fit.fit_published(adhesion, distant, "uncd", SAMPLING)
+    fits = published_fit.fit_published(adhesion, distant, "uncd", SAMPLING)
     assert fits.mean_force_at_pair.sel(pair="published").isnull().all()
     assert fits.ratio_at_pair_interval.sel(pair="published").isnull().all()
     assert fits.mean_force_at_pair.sel(pair="fitted").notnull().all()

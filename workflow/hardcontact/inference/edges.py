@@ -2,8 +2,8 @@
 
 A curve (..., cutoff_wavelength) is the change of the force with the cutoff: ln(ratio) for a single
 surface, the mean of |ratio - 1| for several. Its coordinate ``side`` is short if wavelengths below
-the cutoff are removed, long if those above it are. It is NaN at cutoffs that it does not have. A
-change between the lower and the upper one of its `limits` does not count. Intervals come from
+the cutoff are removed, long if those above it are. A curve is NaN at the cutoffs of the other side.
+A change between the lower and the upper of its `limits` does not count. Intervals come from
 `edges_of_masters`, if masters are independent, or from `edges_of_scans`, if they share few scans.
 """
 
@@ -39,9 +39,7 @@ def logarithmic_limits(tolerance: float) -> tuple[float, float]:
 
 
 def find_edges(
-    curves: xr.DataArray,
-    limits: tuple[float, float],
-    spectrum_ends: xr.DataArray | float = np.nan,
+    curves: xr.DataArray, limits: tuple[float, float], spectrum_ends: xr.DataArray | float = np.nan
 ) -> xr.Dataset:
     """Return ``edge``, ``edge_bound`` (...) in nm and ``edge_status`` of curves.
 
@@ -51,10 +49,10 @@ def find_edges(
     """
     lower, upper = limits
     values = _variable(curves)
-    effects = _effects(curves)
-    crossing, last_inside = _first_and_before(effects, (values < lower) | (values > upper))
+    signed_cutoffs = _signed_cutoffs(curves)
+    crossing, last_inside = _first_and_before(signed_cutoffs, (values < lower) | (values > upper))
     value, value_inside = (
-        values.where(effects == effect).max(CUTOFF) for effect in (crossing, last_inside)
+        values.where(signed_cutoffs == cutoff).max(CUTOFF) for cutoff in (crossing, last_inside)
     )
     cutoff_inside = abs(last_inside).fillna(xr.as_variable(spectrum_ends))
     value_inside = value_inside.fillna(0.0)
@@ -80,17 +78,17 @@ def _variable(array: xr.DataArray) -> Any:
     return array.variable
 
 
-def _effects(curves: xr.DataArray) -> Any:
-    """Return the cutoffs of curves, negative on the long side: they grow with their effect."""
+def _signed_cutoffs(curves: xr.DataArray) -> Any:
+    """Return the cutoffs of curves, negative on the long side: they grow with what is removed."""
     is_short = _variable(curves["side"]) == "short"
     cutoffs = _variable(curves[CUTOFF]) * (2 * is_short - 1)
     return cutoffs.where(_variable(curves).notnull()).transpose(*curves.dims)
 
 
-def _first_and_before(effects: Any, is_true: Any) -> tuple[Any, Any]:
-    """Return the first effect (...) at which a mask is true, and the last effect before it."""
-    first = effects.where(is_true).min(CUTOFF)
-    return first, effects.where(~(effects >= first)).max(CUTOFF)
+def _first_and_before(signed_cutoffs: Any, is_true: Any) -> tuple[Any, Any]:
+    """Return the first signed cutoff (...) at which a mask is true, and the last before it."""
+    first = signed_cutoffs.where(is_true).min(CUTOFF)
+    return first, signed_cutoffs.where(~(signed_cutoffs >= first)).max(CUTOFF)
 
 
 def edge_intervals(
@@ -104,11 +102,11 @@ def edge_intervals(
     """
     lower, upper = limits
     low, high = _variable(lowest), _variable(highest)
-    effects = _effects(curves)
-    is_known = ((low.notnull() & high.notnull()) | effects.isnull()).all(CUTOFF)
-    effects = effects.where(is_known)
-    _, surely_inside = _first_and_before(effects, (low < lower) | (high > upper))
-    surely_outside, before = _first_and_before(effects, (high < lower) | (low > upper))
+    signed_cutoffs = _signed_cutoffs(curves)
+    is_known = ((low.notnull() & high.notnull()) | signed_cutoffs.isnull()).all(CUTOFF)
+    signed_cutoffs = signed_cutoffs.where(is_known)
+    _, surely_inside = _first_and_before(signed_cutoffs, (low < lower) | (high > upper))
+    surely_outside, before = _first_and_before(signed_cutoffs, (high < lower) | (low > upper))
     surely_outside = surely_outside.where(before.notnull())
     is_short = _variable(curves["side"]) == "short"
     shorter = surely_inside.where(is_short, surely_outside)

@@ -31,10 +31,7 @@ def mean_forces(forces: xr.DataArray, sampling: Sampling) -> Floats:
 
 
 def forces_at_pair(
-    forces: xr.DataArray,
-    pair: tuple[float, float],
-    reference_index: int,
-    sampling: Sampling,
+    forces: xr.DataArray, pair: tuple[float, float], reference_index: int, sampling: Sampling
 ) -> xr.Dataset:
     """Return force statistics and ratios of mean forces of one contact model by surface."""
     rho, work = pair
@@ -74,24 +71,21 @@ def force_statistics(forces: Floats, sampling: Sampling) -> xr.Dataset:
     intervals = [np.full(2, np.nan)] * len(values)
     confidence = sampling.confidence
     if sampling.sample_count:
-        leave_one_out = [
-            _jackknife_statistics(np.delete(finite_forces, scan, axis=0))
-            for scan in range(scan_count)
-        ]
+        kept_forces = (np.delete(finite_forces, scan, axis=0) for scan in range(scan_count))
+        leave_one_out = [_jackknife_statistics(kept) for kept in kept_forces]
         intervals = [
             student_log_interval(mean, confidence, "scan").values,
             *jackknife_interval(jackknife_values, leave_one_out, confidence),
         ]
     variables: dict[str, Any] = {}
-    for (name, unit), value, interval in zip(
-        STATISTIC_ATTRS.items(), values, intervals, strict=True
-    ):
-        variables |= as_variables(name, (), value, interval, unit, confidence)
+    rows = zip(STATISTIC_ATTRS.items(), values, intervals, strict=True)
+    for (name, attributes), value, interval in rows:
+        variables |= as_variables(name, (), value, interval, attributes, confidence)
     return xr.Dataset(variables)
 
 
 def _jackknife_statistics(forces: Floats) -> Floats:
-    """Return median, deviation of ln F and log-normal median (3,) of all forces; NaN without."""
+    """Return median, deviation of ln F and log-normal median (3,) of forces; NaN without forces."""
     if not forces.size:
         return np.full(3, np.nan)
     logarithms = np.log(forces)

@@ -80,16 +80,19 @@ def fit_measured(
 def _sampled_forces(surface_forces: SurfaceForces, surface: str, sampling: Sampling) -> Floats:
     """Return the mean forces (1 + sample, rho) of a surface, and samples of them.
 
-    The samples have the same random numbers at every range.
-    The position at which a rough sphere touches is the same on all surfaces.
+    Samples have the same random numbers at every range. Those of the position at which a rough
+    sphere touches are the same on all surfaces.
     """
-    _, mean, delete_one_log_means, scan_parts, _, position_variance = surface_forces
     count = sampling.sample_count
+    parts_at_ranges = zip(
+        surface_forces.delete_one_log_means, surface_forces.scan_parts, strict=True
+    )
     scan_deviations = [
-        sample_deviations(sampling.generator("scans", surface), log_means, range_parts, count)
-        for log_means, range_parts in zip(delete_one_log_means, scan_parts, strict=True)
+        sample_deviations(sampling.generator("scans", surface), log_means, parts, count)
+        for log_means, parts in parts_at_ranges
     ]
     deviations = np.stack(scan_deviations, axis=1)
+    mean, position_variance = surface_forces.mean, surface_forces.position_variance
     if position_variance is not None:
         rng = sampling.generator("place on the sphere")
         samples = rng.standard_t(position_variance.degrees_of_freedom, (count, 1))

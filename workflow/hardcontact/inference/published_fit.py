@@ -80,7 +80,7 @@ def fit_published(
     fits = {}
     for model in adhesion.contact_model.values.tolist():
         forces = adhesion.pull_off_force.sel(contact_model=model)
-        fit = fit_model(
+        fit = fit_contact_model(
             forces, published_forces, reference_index, published.error_threshold, sampling
         )
         fitted = float(fit.range_of_adhesion), float(fit.work_of_adhesion)
@@ -109,7 +109,7 @@ def _model_error_ratio(models: xr.Dataset, sampling: Sampling) -> dict[str, Any]
     return sampling.as_variables("model_error_ratio", (), ratios, DIMENSIONLESS)
 
 
-def fit_model(
+def fit_contact_model(
     forces: xr.DataArray,
     published_forces: Floats,
     reference_index: int,
@@ -195,16 +195,17 @@ def _error_variables(
     region_range, region_work = error_region(errors, ranges, MAPPED_WORKS, threshold)
     work, smallest_errors = fit_work(curves, published_forces)
     minima = local_minima(smallest_errors, MAX_MINIMA)
-    at_minima = np.full((3, MAX_MINIMA), np.nan)
-    at_minima[:, : len(minima)] = ranges[minima], work[minima], smallest_errors[minima]
+    # Rows of range, work and error; NaN without a further minimum.
+    values_at_minima = np.full((3, MAX_MINIMA), np.nan)
+    values_at_minima[:, : len(minima)] = ranges[minima], work[minima], smallest_errors[minima]
     return {
         "mean_relative_error": (("rho_fine", "work"), errors, DIMENSIONLESS),
         "best_error_by_range": ("rho_fine", smallest_errors, DIMENSIONLESS),
         "region_range": ("end", region_range, NM),
         "region_work": ("end", region_work, JOULE_PER_M2),
-        "range_at_minimum": ("minimum", at_minima[0], NM),
-        "work_at_minimum": ("minimum", at_minima[1], JOULE_PER_M2),
-        "error_at_minimum": ("minimum", at_minima[2], DIMENSIONLESS),
+        "range_at_minimum": ("minimum", values_at_minima[0], NM),
+        "work_at_minimum": ("minimum", values_at_minima[1], JOULE_PER_M2),
+        "error_at_minimum": ("minimum", values_at_minima[2], DIMENSIONLESS),
     }
 
 

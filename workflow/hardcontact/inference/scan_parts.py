@@ -220,20 +220,20 @@ def log_force_ratio(
 
 
 def sample_deviations(
-    rng: np.random.Generator, logarithms: Floats, scan_parts: ScanParts, samples: int
+    rng: np.random.Generator, logarithms: Floats, scan_parts: ScanParts, sample_count: int
 ) -> Floats:
-    """Sample deviations (samples, ...) of the logarithm of a statistic from its mean over parts.
+    """Sample deviations (sample, ...) of the logarithm of a statistic from its mean over parts.
 
     They follow Student's t; `logarithms` come from `delete_one_logarithms`. With one generator,
     parts that differ in their correlation alone share random numbers.
     """
     from scipy import special
 
-    count = len(logarithms)
+    part_count = len(logarithms)
     factor, degrees_of_freedom = scan_parts.variance_correction
-    normal = rng.standard_normal((samples, count))
-    probability = rng.uniform(size=samples)
+    normal = rng.standard_normal((sample_count, part_count))
+    probability = rng.uniform(size=sample_count)
     chi_squared = 2 * special.gammaincinv(degrees_of_freedom / 2, probability)
-    scale = np.sqrt(factor * (count - 1) / count * degrees_of_freedom / chi_squared)
+    scale = np.sqrt(factor * (part_count - 1) / part_count * degrees_of_freedom / chi_squared)
     deviations = np.tensordot(scale[:, None] * normal, logarithms - logarithms.mean(axis=0), axes=1)
     return np.asarray(np.clip(deviations, -MAX_LOG_DEVIATION, MAX_LOG_DEVIATION))
