@@ -35,11 +35,11 @@ class StorePatterns:
         rough_sphere = f"{plan.selection.sphere}/{{sphere_digest}}"
 
         # Scans: as read, made together (named by the first of a group), levelled, mirrored.
-        scans = self.digests["scans"]
+        scans_digest = self.digests["scans"]
         self.measurements = f"{folder['measurements']}/{MEASUREMENT}"
-        self.conditioning = f"{store}/conditioning/{scans}/{_SCAN}"
-        self.levelled_scans = f"{store}/scans/{scans}/{_SCAN}"
-        self.mirrored_scans = f"{store}/mirrored/{scans}/{_SCAN}"
+        self.conditioning = f"{store}/conditioning/{scans_digest}/{_SCAN}"
+        self.levelled_scans = f"{store}/scans/{scans_digest}/{_SCAN}"
+        self.mirrored_scans = f"{store}/mirrored/{scans_digest}/{_SCAN}"
 
         # Spectra: of a substitute, of all measurements, and sampled within their uncertainty.
         self.calibrated_spectra = f"{store}/spectra/{_SURFACE}/calibrated.nc"
@@ -52,9 +52,9 @@ class StorePatterns:
         self.combined_sampled_spectra = f"{folder['both_bodies']}/{_REALIZATION}.nc"
 
         # Contacts on all scans of a surface, and on one scan.
-        two_bodies = f"{{radius}}/{{loading}}/{_SURFACE}/{rough_sphere}.nc"
-        self.elastic = f"{folder['elastic']}/{two_bodies}"
-        self.asperities = f"{folder['asperities']}/{two_bodies}"
+        surface_on_sphere = f"{{radius}}/{{loading}}/{_SURFACE}/{rough_sphere}.nc"
+        self.elastic = f"{folder['elastic']}/{surface_on_sphere}"
+        self.asperities = f"{folder['asperities']}/{surface_on_sphere}"
         contact = f"{{radius}}/{{loading}}/{{rho}}/{_SURFACE}"
         scan_on_sphere = f"{rough_sphere}/{contact}/scan-{{scan}}.nc"
         self.pull_off = f"{folder['pull_off']}/{scan_on_sphere}"
@@ -71,8 +71,8 @@ class StorePatterns:
         # Masters, and the forces on them at lists of radii, loadings and ranges.
         self.masters = f"{folder['masters']}/{_REALIZATION}/{{side}}.nc"
         sweep = f"{{settings_digest}}/{{radii}}/{{loadings}}/{{ranges}}/{_SURFACE}"
-        realizations = f"{rough_sphere}/realizations-{{first}}-{{last}}.nc"
-        self.master_forces = f"{store}/filtered/{{purpose}}/{sweep}/{realizations}"
+        chunk = f"{rough_sphere}/realizations-{{first}}-{{last}}.nc"
+        self.master_forces = f"{store}/filtered/{{purpose}}/{sweep}/{chunk}"
 
 
 class StudyPaths:
@@ -142,7 +142,7 @@ def wildcard_constraints(surfaces: Iterable[str]) -> dict[str, str]:
 
 
 class SurfaceFiles:
-    """The paths of spectra and scans of the surfaces of one study."""
+    """The paths of the files of each surface of one study."""
 
     def __init__(self, plan: StudyPlan) -> None:
         self.plan = plan
@@ -199,7 +199,7 @@ class SurfaceFiles:
 
     @property
     def masters_sphere_path(self) -> str:
-        """The path of the first scan of the sphere, the only one on masters and changed scans."""
+        """The path of the first scan of the sphere, which alone meets masters and changed scans."""
         return self.mirrored_scan_paths(self.selection.sphere)[0]
 
     # Both bodies

@@ -103,23 +103,23 @@ def _paper_checks(config: dict[str, Any], table: pd.DataFrame) -> Iterator[Check
     if config["substitutes"]["featured_surface"] != NONE:
         faults += _name_faults(config, "substitutes.featured_surface", substrates)
     pull_off_table = published.PUBLISHED_TABLES["published_pull_off"]
-    compared = published.read_published_forces(pull_off_table).index
-    unpublished = [surface for surface in substrates if surface not in compared]
+    published_surfaces = published.read_published_forces(pull_off_table).index
+    unpublished = [surface for surface in substrates if surface not in published_surfaces]
     if unpublished:
         accepted = (
-            f"substrates with a published pull-off force ({', '.join(compared)}); with `published: "
-            "none` a study has any"
+            f"substrates with a published pull-off force ({', '.join(published_surfaces)}); with "
+            "`published: none` any are accepted"
         )
         faults.append(key_fault("surfaces", accepted, ", ".join(unpublished)))
     if len(substrates) == 1:
         accepted = "two substrates or more, because range and work are fitted to their forces"
         faults.append(key_fault("surfaces", accepted, *substrates))
-    pool = config["sets"]["pool_size"]
+    pool_size = config["sets"]["pool_size"]
     substitutes = contacts[(contacts.source == "substitute") & (contacts.surface != sphere)]
-    scans = substitutes.surface.value_counts(sort=False)
-    if len(scans) and scans.max() > pool:
-        accepted = f"at least the {scans.max()} scans of {scans.idxmax()}"
-        faults.append(key_fault("sets.pool_size", accepted, pool))
+    scan_counts = substitutes.surface.value_counts(sort=False)
+    if len(scan_counts) and scan_counts.max() > pool_size:
+        accepted = f"at least the {scan_counts.max()} scans of {scan_counts.idxmax()}"
+        faults.append(key_fault("sets.pool_size", accepted, pool_size))
     # Imported here, as the claims would cost studies of the user's surfaces almost a second.
     from hardcontact.paper.claims.statements import check_claims
 
@@ -128,7 +128,7 @@ def _paper_checks(config: dict[str, Any], table: pd.DataFrame) -> Iterator[Check
 
 
 def _own_surface_checks(config: dict[str, Any], table: pd.DataFrame) -> Iterator[Check]:
-    """Yield the checks of a study of the user's surfaces; scans under contact are not read."""
+    """Yield the checks of a study of the user's surfaces; scans with contacts are read later."""
     sphere = config["sphere"]["surface"]
     makes_contact = table.use == CONTACT_USE
     if sphere != SMOOTH_SPHERE:
@@ -163,8 +163,8 @@ def surface_grid(config: dict[str, Any], surface: str, rows: pd.DataFrame) -> Gr
         size = config["substitutes"]["size"]
         relief = SUBSTITUTE_RELIEF
         if not needs_calibration(read_segments(path)):
-            largest = 2 * size * config["scales"]["long"]["tiles"]
-            relief = RELIEF_OVER_RMS * described_rms_height(path, largest)
+            widest_domain = 2 * size * config["scales"]["long"]["tiles"]
+            relief = RELIEF_OVER_RMS * described_rms_height(path, widest_domain)
         grid = Grid(pixels, size / pixels, size, relief)
         location = "config key substitutes.size"
     else:

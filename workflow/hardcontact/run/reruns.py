@@ -26,8 +26,8 @@ from hardcontact.records.origin import (
     versions,
 )
 
-#: Size in bytes up to which files of earlier jobs are read to see whether they changed. Of larger
-#: ones the record is believed here; the job that uses such a file compares it with its record.
+#: Size in bytes up to which files of earlier jobs are read to see whether they changed. Larger
+#: files are taken to be as recorded; the job that uses such a file compares it with its record.
 MAX_READ_SIZE = 1_000_000
 
 #: The oldest Snakemake that has all attributes that `plan_by_records` replaces.
