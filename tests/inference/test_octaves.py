@@ -1,18 +1,20 @@
 """Waves are split without loss, sensitivities are derivatives, forces on a band are relative."""
 
 import numpy as np
+import pytest
 import xarray as xr
 from periodic_maps import periodic_map
 
 from hardcontact.inference.band_forces import BAND_PARTS, band_force_dataset, band_ratios
 from hardcontact.inference.octaves import (
+    AMPLITUDE_FACTORS,
     STEP,
     octave_force_dataset,
     octave_limits,
     octave_sensitivities,
     split_octaves,
 )
-from hardcontact.inference.scan_parts import ScanParts
+from hardcontact.inference.scan_parts import ScanParts, parts_of_maps
 
 #: Pixel size (nm) of a map of 2560 nm.
 PIXEL_SIZE = 20.0
@@ -59,6 +61,25 @@ def test_the_sensitivity_of_a_power_is_its_exponent():
     exponent = -1.5 * np.arctanh(STEP) / STEP
     np.testing.assert_allclose(result.octave_sensitivity, [0.0, exponent], atol=1e-6)
     assert result.octave.values.tolist() == [80.0, 160.0]
+
+
+def test_intervals_of_few_skewed_contacts_contain_the_sensitivity_with_their_confidence():
+    # The 64 contacts of a quick study on one scan. Each octave is another draw of their forces.
+    rng = np.random.default_rng(3)
+    draws, contacts, sensitivity = 3000, (8, 8), -0.5
+    force = np.exp(0.4 * rng.standard_normal((draws, 1, *contacts)))
+    single_sensitivity = sensitivity + 1 - rng.exponential(size=force.shape)
+    change = np.array([-STEP, STEP])[:, None, None]
+    axes = ("map", "octave", "factor", "contact_y", "contact_x")
+    forces = xr.Dataset(
+        {"octave_force": (axes, (force * (1 + change * single_sensitivity))[None])},
+        {"octave": np.arange(draws), "factor": list(AMPLITUDE_FACTORS)},
+        {"map_size": 10_000.0},
+    )
+    result = octave_sensitivities(forces, parts_of_maps(forces, 50_000.0, 3.0), 0.95)
+    interval = result.octave_sensitivity_interval
+    is_inside = (interval.sel(end="low") < sensitivity) & (sensitivity < interval.sel(end="high"))
+    assert float(is_inside.mean()) == pytest.approx(0.95, abs=0.02)
 
 
 def test_ratios_of_a_band_are_relative_to_the_force_with_all_roughness():
