@@ -288,7 +288,7 @@ def test_an_open_edge_is_its_bound(band):
     near(band_quantities.band_edge(band), [1000.0, 200.0])
 
 
-def test_the_first_edge_is_that_of_the_first_surface_to_leave():
+def test_the_outermost_edge_is_that_of_the_surface_whose_force_changes_first():
     cutoffs = [20.0, 100.0, 1000.0, 5000.0]
     curve = np.array([[1, 1, np.nan, np.nan], [np.nan, np.nan, 1, 1]])
     edges = [[60.0, 40.0, 30.0], [1500.0, np.nan, 9000.0]]
@@ -306,9 +306,9 @@ def test_the_first_edge_is_that_of_the_first_surface_to_leave():
             "cutoff_wavelength": cutoffs,
         },
     )  # fmt: skip
-    first_edge = band_quantities.first_edge(band)
-    near(first_edge, [40.0, 1500.0])
-    np.testing.assert_allclose(first_edge["value_interval"].sel(side="short"), [36, 44])
+    outermost_edge = band_quantities.outermost_edge(band)
+    near(outermost_edge, [40.0, 1500.0])
+    np.testing.assert_allclose(outermost_edge["value_interval"].sel(side="short"), [36, 44])
 
 
 def test_the_force_on_a_plane_is_that_of_derjaguin():
@@ -319,7 +319,7 @@ def test_the_force_on_a_plane_is_that_of_derjaguin():
         {"side": ["short", "long"], "cutoff_wavelength": [10.0, 1000.0, 5000.0]},
         {"sphere_radius": RADIUS, "confidence": 0.95},
     )
-    near(band_quantities.flat_limit_fraction(scales), 1)
+    near(band_quantities.dmt_fraction_at_last_cutoff(scales), 1)
 
 
 def test_decades_of_works_are_those_between_the_smallest_and_the_largest():

@@ -20,11 +20,11 @@ def band_edge(edges: xr.Dataset) -> xr.Dataset:
     return as_estimate(edges_or_bounds(edges), *interval_ends(edges, "edge"))
 
 
-def first_edge(edges: xr.Dataset) -> xr.Dataset:
-    """Return the `band_edge` of the surface whose force leaves its tolerance first (side)."""
-    wavelengths = band_edge(edges).drop_sel(group=MEAN_GROUP)
-    short_edge = wavelengths.sel(side="short").min("group")
-    long_edge = wavelengths.sel(side="long").max("group")
+def outermost_edge(edges: xr.Dataset) -> xr.Dataset:
+    """Return the `band_edge` of the coating whose force changes first (side)."""
+    coating_edges = band_edge(edges).drop_sel(group=MEAN_GROUP)
+    short_edge = coating_edges.sel(side="short").min("group")
+    long_edge = coating_edges.sel(side="long").max("group")
     return xr.concat([short_edge, long_edge], "side")
 
 
@@ -38,9 +38,10 @@ def edge_over_interaction_radius(edges: xr.Dataset, paper: xr.Dataset) -> xr.Dat
 def change_outside_band(edges: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
     """Return the largest change of force by cutoffs outside the published band (side, group)."""
     cutoff = edges["cutoff_wavelength"]
-    is_short = cutoff <= paper["short_edge"]
-    is_long = cutoff >= paper["long_edge"]
-    return _largest_change(edges, is_short.where(edges["side"] == "short", is_long))
+    is_below_band = cutoff <= paper["short_edge"]
+    is_above_band = cutoff >= paper["long_edge"]
+    is_outside = is_below_band.where(edges["side"] == "short", is_above_band)
+    return _largest_change(edges, is_outside)
 
 
 def change_inside_band(edges: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
@@ -76,12 +77,12 @@ def stylus_change(edges: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
     return computed_change.sel(cutoff_wavelength=radius, method="nearest", drop=True)
 
 
-def flat_limit_fraction(scales: xr.Dataset) -> xr.Dataset:
+def dmt_fraction_at_last_cutoff(scales: xr.Dataset) -> xr.Dataset:
     """Return the force at the largest short cutoff relative to 2 pi R W of a plane (surface)."""
     force = mean_over_contacts(scales["pull_off_force"].sel(side="short"))
     force = force.sel(cutoff_wavelength=last_cutoff(force, "short"), drop=True)
-    smooth = dmt_pull_off(1.0, scales.attrs["sphere_radius"])  # the forces are at 1 J/m²
-    return mean_over_scans(force / smooth, scales.attrs["confidence"], "realization")
+    dmt_force = dmt_pull_off(1.0, scales.attrs["sphere_radius"])  # the forces are at 1 J/m²
+    return mean_over_scans(force / dmt_force, scales.attrs["confidence"], "realization")
 
 
 def mean_band_ratio(band_forces: xr.Dataset) -> xr.Dataset:
