@@ -94,8 +94,8 @@ def test_the_headline_names_the_coatings_with_the_outermost_edges():
     for side, values in {"short": [53, 37, 66, 60], "long": [2000, 1800, 2800, 1900]}.items():
         edges["edge"].loc[{"side": side, "group": list(SUBSTRATES)}] = values
     headline = " ".join(answer(edges=edges)["headline"])
-    short, _, long = headline.partition("; the long edge is ")
-    assert f", on {LABELS[1]}" in short.rpartition("The short edge is ")[2]
+    short, _, long = headline.partition("; the outermost long edge is ")
+    assert f", on {LABELS[1]}" in short.rpartition("The outermost short edge is ")[2]
     assert f", on {LABELS[2]}" in long.partition("Each is ")[0]
 
 

@@ -37,7 +37,10 @@ def paper_page(
     citation: Mapping[str, Any],
     frame: Frame,
 ) -> str:
-    """Return the page of the paper's study; claims have open ends, SVG and captions are by name."""
+    """Return the page of the paper's study.
+
+    `claims` comes from `add_open_ends`; `figures` (SVG) and `captions` are by figure name.
+    """
     numbers = numbers_of_answer(answer)
     artificial_claims = [
         claim
