@@ -44,7 +44,7 @@ def draw(
     forces_of_all = {name: _forces_at(adhesion, pair) for name, pair in pairs.items()}
     published_forces = published_pull_off.to_dict("index")
     colours = style.surface_colours(fit["surface"].values)
-    figure = drawing.create_figure(5.0, fit)
+    figure = drawing.create_figure(5.2, fit)
     grid = figure.subplots(2, len(colours), squeeze=False)
     for letter, surface, column in zip(ascii_lowercase, colours, grid.T, strict=False):
         surface_forces = {  # a surface with fewer scans than others has NaN in place of theirs
@@ -69,8 +69,8 @@ def draw(
 def _forces_at(adhesion: xr.Dataset, pair: FitPair) -> xr.DataArray:
     """Return the forces (N) of all plastic contacts at a range and work of adhesion."""
     forces = adhesion["pull_off_force"].sel(contact_model=PLASTIC)
-    work: float = float(pair["work_of_adhesion"]) / adhesion.attrs["work_of_adhesion"]
-    return interpolate_forces(forces, float(pair["range_of_adhesion"])) * work
+    work_ratio: float = float(pair["work_of_adhesion"]) / adhesion.attrs["work_of_adhesion"]
+    return interpolate_forces(forces, float(pair["range_of_adhesion"])) * work_ratio
 
 
 def _lognormals(published: Mapping[Any, float], fit: xr.Dataset) -> tuple[Any, Any]:
@@ -82,10 +82,10 @@ def _lognormals(published: Mapping[Any, float], fit: xr.Dataset) -> tuple[Any, A
 
 
 def _label_column(column: np.ndarray, letter: str, fit: xr.Dataset, published: Any) -> None:
-    """Name the surface above its linear panel, and the scatter s above its logarithmic panel."""
+    """Write the surface above its linear panel, and the std of ln F above the logarithmic one."""
     style.label_panel(column[0], f"{letter}_1", str(fit["label"].item()))
     log_std = format_estimate(panels.value_and_bounds(fit, "log_force_std"), ".2f")
-    title = f"published $s$ = {published.args[0]:.2f}\nhere {log_std}"
+    title = f"std of ln $F$\npublished {published.args[0]:.2f}\nhere {log_std}"
     style.label_panel(column[1], f"{letter}_2", title)
 
 

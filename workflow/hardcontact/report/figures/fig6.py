@@ -1,5 +1,7 @@
 """Fig. 6: length scales of roughness that change the pull-off force."""
 
+from collections.abc import Sequence
+
 import numpy as np
 import pandas as pd
 import xarray as xr
@@ -9,7 +11,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
-from hardcontact.base.formatting import format_share
+from hardcontact.base.formatting import format_length, format_share
 from hardcontact.report.figures import drawing, panels, style
 
 #: Title of the panel with the cutoffs of each side of the band.
@@ -18,8 +20,8 @@ TITLES = {
     "long": "roughness above the cutoff removed",
 }
 PUBLISHED_LINE: style.Look = {"color": "0.25", "lw": 1.0, "ls": "--"}
-CROSSING: style.Look = {"ls": "none", "marker": "o", "mfc": "white", "mew": 1.3, "ms": 5.5}
-#: Lowest and highest change of the ratio drawn, relative to the tolerance, whose strip stays wide.
+EDGE_LOOK: style.Look = {"ls": "none", "marker": "o", "mfc": "white", "mew": 1.3, "ms": 5.5}
+#: Lowest and highest change drawn, in tolerances: on a longer axis their strip would be thin.
 SHOWN_TOLERANCES = (-3, 7)
 
 
@@ -27,6 +29,8 @@ def draw(edges: xr.Dataset, scales: xr.Dataset, published_constants: pd.DataFram
     """Draw Fig. 6: the force by cutoff, a panel for each side of the band."""
     figure = drawing.create_figure(3.6, edges)
     both_axes = figure.subplots(1, 2, sharey=True)
+    low, high = edges.attrs["tolerance"] * np.array(SHOWN_TOLERANCES)
+    both_axes[0].set_ylim(1 + low, 1 + high)
     band = panels.published_band(published_constants)
     for letter, side, edge, axes in zip("ab", TITLES, band, both_axes, strict=True):
         _draw_side(axes, edges.sel(side=side))
@@ -36,38 +40,45 @@ def draw(edges: xr.Dataset, scales: xr.Dataset, published_constants: pd.DataFram
         panels.shade_artificial(axes, [artificial])
         axes.set_xlabel("cutoff wavelength (nm)")
         style.label_panel(axes, letter, TITLES[side])
-    low, high = edges.attrs["tolerance"] * np.array(SHOWN_TOLERANCES)
-    both_axes[0].set(yscale="linear", ylim=(1 + low, 1 + high))
+    both_axes[0].set_yscale("linear")
     rho = scales.attrs["rho"]
-    both_axes[0].set_ylabel(f"force / force with all roughness\n(range of adhesion {rho:g} nm)")
-    style.legend_above(figure, _legend_handles(edges, *band))
+    both_axes[0].set_ylabel(f"force / unfiltered force\n(range of adhesion {rho:g} nm)")
+    style.legend_above(figure, _legend_handles(edges, band))
     return figure
 
 
 def _draw_side(axes: Axes, edges: xr.Dataset) -> None:
-    """Draw the ratios of one side of the band, and a ring where each leaves the tolerance."""
+    """Draw the ratios of one side of the band within the y axis, and a ring at each edge.
+
+    The x axis ends at the first cutoff at which all ratios have left the y axis.
+    """
     tolerance = edges.attrs["tolerance"]
     ratio = panels.value_and_interval(edges, "filtered_force_ratio")
     ratio = ratio.dropna("cutoff_wavelength", how="all")
-    is_shown = ratio["value"] < 1 + SHOWN_TOLERANCES[1] * tolerance
-    panels.draw_ratios(axes, ratio.assign(ratio[["low", "high"]].where(is_shown)), tolerance)
+    low, high = axes.get_ylim()
+    is_shown = (low < ratio["value"]) & (ratio["value"] < high)
+    ratio = ratio.assign(ratio[["low", "high"]].where(is_shown))
+    neighbours = is_shown.any("surface").rolling(cutoff_wavelength=3, center=True, min_periods=1)
+    ratio = ratio.where(neighbours.max() > 0, drop=True)
+    panels.draw_ratios(axes, ratio, tolerance)
     for look, curve in style.iterate_surfaces(ratio["value"]):
         edge = edges["edge"].sel(group=curve["surface"].item()).item()
         if np.isfinite(edge):  # otherwise the force is within the tolerance at the last cutoff
             change = np.interp(edge, curve["cutoff_wavelength"], curve) - 1
             height = 1 + np.copysign(tolerance, change)
-            axes.plot(edge, height, mec=look["color"], zorder=5, **CROSSING)
+            axes.plot(edge, height, mec=look["color"], zorder=5, **EDGE_LOOK)
 
 
-def _legend_handles(edges: xr.Dataset, short: float, long: float) -> list[Artist]:
+def _legend_handles(edges: xr.Dataset, band: Sequence[float]) -> list[Artist]:
     """Return one entry per surface and one for each kind of line."""
     confidence = format_share(edges.attrs["confidence"])
     tolerance = format_share(edges.attrs["tolerance"])
+    published = " and ".join(format_length(edge) for edge in band)
     return [
         *style.surface_handles(edges),
         Line2D([], [], lw=1.4, color="0.3", label=f"{confidence} interval (bars)"),
         Patch(label=f"change below {tolerance}", **panels.UNCHANGED_LOOK),
-        Line2D([], [], label=f"edge: outermost crossing of {tolerance}", mec="0.3", **CROSSING),
-        Line2D([], [], label=f"published: {short:g} and {long:g} nm", **PUBLISHED_LINE),
+        Line2D([], [], label=f"edge: first change by {tolerance}", mec="0.3", **EDGE_LOOK),
+        Line2D([], [], label=f"published: {published}", **PUBLISHED_LINE),
         Patch(label="artificial roughness", **style.ARTIFICIAL_LOOK),
     ]

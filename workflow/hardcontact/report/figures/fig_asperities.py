@@ -68,14 +68,14 @@ def _draw_smooth(axes: Axes, asperities: xr.Dataset) -> None:
 
 
 def _draw_long_edge(axes: Axes, edges: xr.Dataset, published_constants: pd.DataFrame) -> None:
-    """Draw the long edge (µm) of the mean force, computed and published."""
-    mean_band = edges.sel(side="long", group=MEAN_GROUP)
-    edge = panels.value_and_bounds(mean_band, "edge")
+    """Draw the long edge (µm) of the averaged change, and the published one."""
+    mean_edge = edges.sel(side="long", group=MEAN_GROUP)
+    edge = panels.value_and_bounds(mean_edge, "edge")
     value, low, high = np.array([edge["value"], edge["low"], edge["high"]]) / MICROMETRE
     _, published = panels.published_band(published_constants)
     confidence = format_share(edges.attrs["confidence"])
-    axes.axhline(value, color="0.4", lw=1.0, label="long edge $λ_L$ (d)")
+    axes.axhline(value, color="0.4", lw=1.0, label="long edge, averaged change (d)")
     if np.isfinite([low, high]).all():
         axes.axhspan(low, high, label=f"its {confidence} interval (d)", **EDGE_INTERVAL)
-    look: style.Look = {"color": "0.4", "lw": 1.0, "ls": "--", "label": "published $λ_L$ (d)"}
+    look: style.Look = {"color": "0.4", "lw": 1.0, "ls": "--", "label": "long edge, published (d)"}
     axes.axhline(published / MICROMETRE, **look)

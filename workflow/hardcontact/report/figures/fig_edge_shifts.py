@@ -25,11 +25,11 @@ def draw(edge_shifts: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
         for axes in (ratio_panel, edge_panel):
             axes.axvline(edge, **style.PUBLISHED_RANGE)
         style.label_panel(ratio_panel, letter, f"{model}, ρ = {rho:g} nm")
-    grid[0, 0].set_ylabel("pull-off force / unfiltered")
+    grid[0, 0].set_ylabel("force / unfiltered force")
     tolerance = format_share(edge_shifts.attrs["tolerance"])
     handles = [
         *style.surface_handles(edge_shifts),
-        Line2D([], [], label="mean change of all", **style.MEAN_LOOK),
+        Line2D([], [], label="averaged change", **style.MEAN_LOOK),
         Line2D([], [], label=f"published: {edge:g} nm", **style.PUBLISHED_RANGE),
         Line2D([], [], lw=1.4, color="0.3", label="interval (bars)"),
         Patch(label=f"change below {tolerance}", **panels.UNCHANGED_LOOK),
@@ -52,4 +52,4 @@ def _draw_case(ratio_panel: Axes, edge_panel: Axes, edges: xr.Dataset) -> None:
     edge_rows = panels.value_and_interval(edges, "edge").clip(first_cutoff, last_cutoff)
     edge_rows["value"] = edge_rows["value"].fillna(last_cutoff)
     panels.draw_edges(edge_panel, edge_rows, edges["label"], {"<": first_cutoff, ">": last_cutoff})
-    edge_panel.set_xlabel("cutoff (nm)")
+    edge_panel.set_xlabel("cutoff wavelength (nm)")

@@ -25,9 +25,9 @@ def draw(
     figure, (top, bottom) = drawing.create_rows(5.4, sensitivity, (3, [1]), (2.2, [1, 1]))
     top[0].axvspan(*panels.published_band(published_constants), **PUBLISHED_BAND_LOOK)
     panels.draw_octaves(top[0], sensitivity)
-    style.label_panel(top[0], "a", "change of the force with the amplitude a of one octave")
+    style.label_panel(top[0], "a", "change of the force with the amplitude of one octave")
     tolerance = edges.attrs["tolerance"]
-    titles = {"published": "published band", "computed": "mean computed band"}
+    titles = {"published": "published band", "computed": "computed band"}
     bottom[1].sharey(bottom[0])
     for letter, axes, (band_name, title) in zip("bc", bottom, titles.items(), strict=True):
         ratios = band_forces.sel(band=band_name)
@@ -40,7 +40,7 @@ def draw(
 
 
 def _draw_band_ratios(axes: Axes, ratios: xr.Dataset, tolerance: float) -> None:
-    """Draw the force with a part of the roughness over the force with all of it."""
+    """Draw the force with each part of the roughness relative to the unfiltered force."""
     panels.draw_tolerance(axes, tolerance)
     band_parts = ratios["band_part"].values
     positions = np.arange(len(band_parts))

@@ -131,7 +131,7 @@ def draw_edges(
                 axes.plot(end, row, arrow, color=look["color"], ms=5, mew=0, clip_on=False)
         if not np.isclose(value, list(arrows.values())).any():
             axes.plot(value, row, **look)
-    axes.set_yticks(range(len(looks)), [*labels.values, "mean of all"])
+    axes.set_yticks(range(len(looks)), [*labels.values, "averaged change"])
     axes.set(ylim=(len(looks) - 0.4, -0.6))
 
 
