@@ -18,13 +18,13 @@ def scan_file(path, **others):
     return ScanFile("a", "A", str(path), path.name, **others)
 
 
-def only_entry(path, tip_radius=None, **others):
-    """Return the entry of a file with one topography."""
-    ((entry,), unreadable, problems) = read_inventory(
+def only_scan(path, tip_radius=None, **others):
+    """Return the summary of a file with one scan."""
+    ((scan,), unreadable, problems) = read_inventory(
         [scan_file(path, **others)], ReadingOptions(tip_radius)
     )
     assert not unreadable and not problems
-    return entry
+    return scan
 
 
 def wave(slope=0.05):
@@ -34,14 +34,14 @@ def wave(slope=0.05):
 
 
 def test_roughness_excludes_tilt_and_the_shape_of_the_sphere(tmp_path):
-    entry = only_entry(write_scan(tmp_path / "wave.nc", wave(), (640.0, 640.0)))
-    assert entry.rms_height == pytest.approx(np.sqrt(2), rel=1e-3)  # of a cosine of 2 nm
-    assert entry.peak_to_valley == pytest.approx(4 * np.cos(np.pi / 8), rel=1e-3)
-    assert entry.relief > 30  # with the tilt, as the study sees it
+    scan = only_scan(write_scan(tmp_path / "wave.nc", wave(), (640.0, 640.0)))
+    assert scan.rms_height == pytest.approx(np.sqrt(2), rel=1e-3)  # of a cosine of 2 nm
+    assert scan.peak_to_valley == pytest.approx(4 * np.cos(np.pi / 8), rel=1e-3)
+    assert scan.relief > 30  # with the tilt, as the study sees it
     x = (np.arange(64) - 31.5) * 10.0
     ball = -(x[:, None] ** 2 + x**2) / 2000 + wave(slope=0)
-    entry = only_entry(write_scan(tmp_path / "ball.nc", ball, (640.0, 640.0)), sphere_radius=1000.0)
-    assert entry.rms_height == pytest.approx(np.sqrt(2), rel=1e-3)
+    scan = only_scan(write_scan(tmp_path / "ball.nc", ball, (640.0, 640.0)), sphere_radius=1000.0)
+    assert scan.rms_height == pytest.approx(np.sqrt(2), rel=1e-3)
 
 
 def test_a_folder_stands_for_its_files_of_which_unreadable_ones_are_left_out(tmp_path):
@@ -50,8 +50,8 @@ def test_a_folder_stands_for_its_files_of_which_unreadable_ones_are_left_out(tmp
     (tmp_path / ".hidden").write_text("no scan")
     arguments = new_arguments(["new", "name", str(tmp_path)])
     scan_files, faults = list_scan_files(arguments, 1e5)
-    ((entry,), (line,), problems) = read_inventory(scan_files, ReadingOptions())
-    assert entry.name == "b.nc" and not faults and not problems
+    ((scan,), (line,), problems) = read_inventory(scan_files, ReadingOptions())
+    assert scan.name == "b.nc" and not faults and not problems
     assert_says(line, "a.txt: expected")
     (tmp_path / "b.nc").unlink()
     scan_files, _ = list_scan_files(arguments, 1e5)
@@ -71,11 +71,11 @@ def test_all_faulty_scans_and_duplicates_are_reported_at_once(tmp_path):
         write_scan(tmp_path / "other.nc", 1.01 * wave(), (640.0, 640.0)),
     ]
     _, _, problems = read_inventory([scan_file(path) for path in paths], ReadingOptions())
-    missing_fault, flat, text, twin = problems
+    missing_fault, flat, text, copy = problems
     assert_says(missing_fault, "none.di", "no such file")
     assert_says(flat, "flat.nc", "expected a rough surface", "constant height")
     assert_says(text, "text.txt", "expected")
-    assert_says(twin, "again.nc", "expected each scan once", "first.nc")
+    assert_says(copy, "again.nc", "expected each scan once", "first.nc")
 
 
 def test_an_area_counts_once(tmp_path):
@@ -84,10 +84,10 @@ def test_an_area_counts_once(tmp_path):
     retrace = np.roll(trace, 2, axis=0) + 0.1 * rng.standard_normal((64, 64))
     scans = {"trace": trace, "other": rng.standard_normal((64, 64)), "retrace": retrace}
     paths = [write_scan(tmp_path / f"{name}.nc", values) for name, values in scans.items()]
-    entries, left_out, problems = read_inventory(
+    scans, left_out, problems = read_inventory(
         [scan_file(path) for path in paths], ReadingOptions()
     )
-    assert [entry.name for entry in entries] == ["trace.nc", "other.nc"] and not problems
+    assert [scan.name for scan in scans] == ["trace.nc", "other.nc"] and not problems
     assert left_out == ["retrace.nc: it shows the same area as trace.nc, and an area counts once"]
 
 
@@ -104,6 +104,6 @@ def test_the_tip_option_serves_only_files_that_state_no_tip_radius(
         "read_scan",
         lambda *choices: replace(read_original(*choices), tip_radius=stated_radius),
     )
-    entry = only_entry(path, 12.0)
-    assert entry.tip_radius == used_radius
-    assert table_rows([entry], [entry], "12 nm")[0]["tip_radius"] == table_radius
+    scan = only_scan(path, 12.0)
+    assert scan.tip_radius == used_radius
+    assert table_rows([scan], [scan], "12 nm")[0]["tip_radius"] == table_radius

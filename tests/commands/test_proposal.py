@@ -13,7 +13,7 @@ from refusals import assert_says, refusal
 from repository import PAPER
 
 from hardcontact.commands.contact_scans import all_search_sizes, select_contact_scans
-from hardcontact.commands.inventory import Entry
+from hardcontact.commands.inventory import ScanSummary
 from hardcontact.commands.new import values_by_key
 from hardcontact.commands.proposal import propose
 from hardcontact.commands.request import ScanFile
@@ -36,8 +36,8 @@ def density(size, pixel, rms):
     return values * (rms / np.sqrt(np.nansum(values * BIN_CENTRES**2) * BIN / (2 * np.pi))) ** 2
 
 
-def entry(size=2500.0, pixels=512, rms=17.0, surface="a", **others):
-    """Return a height map of a surface; lengths in nm."""
+def summary(size=2500.0, pixels=512, rms=17.0, surface="a", **others):
+    """Return the summary of a height map of a surface; lengths in nm."""
     fields = {
         "dataset": "", "channel": "height", "file_unit": "nm", "kind": "map",
         "peak_to_valley": 6 * rms, "relief": 8 * rms, "tip_radius": None, "tip_given": False,
@@ -46,7 +46,7 @@ def entry(size=2500.0, pixels=512, rms=17.0, surface="a", **others):
         "defects": {},
         "coarse": HeightMap(np.zeros((2, 2)), size / 2),
     }  # fmt: skip
-    return Entry(
+    return ScanSummary(
         scan_file=ScanFile(surface, surface, "scans/one.nc", "scans/one.nc"), pixels=pixels,
         pixel_size=size / pixels, rms_height=rms, **(fields | others),
     )  # fmt: skip
@@ -62,40 +62,43 @@ def contact(radius=250e3, preload=1e-5, hardness=25e9, rho=5.6):
 BLIND = ReliableBand(3000.0, 2000.0, "tip")
 # Within 2 sqrt(2 R 4 nm) = 2.83 um a contact finds its summits; at an rms height of 17 nm, 5.83 um.
 SIZES = [500, 1000, 5000, 5000, 10000, 20000]
-BALL = [entry(size, rms=1.0, surface="sphere") for size in (2500, 2500, 6000)]
+BALL = [summary(size, rms=1.0, surface="sphere") for size in (2500, 2500, 6000)]
 
 
 @pytest.mark.parametrize(
-    ("entries", "radius", "size_counts"),
+    ("scans", "radius", "size_counts"),
     [
         # The smallest size that holds the highest points; a small sphere finds them nearby.
-        ([entry(size, rms=4.0) for size in SIZES], 250e3, {5000: 2}),
-        ([entry(size, rms=17.0) for size in SIZES], 250e3, {10000: 1}),
-        ([entry(size, rms=400.0) for size in SIZES], 250e3, {20000: 1}),
-        ([entry(size, rms=17.0) for size in SIZES], 5e3, {1000: 1}),
+        ([summary(size, rms=4.0) for size in SIZES], 250e3, {5000: 2}),
+        ([summary(size, rms=17.0) for size in SIZES], 250e3, {10000: 1}),
+        ([summary(size, rms=400.0) for size in SIZES], 250e3, {20000: 1}),
+        ([summary(size, rms=17.0) for size in SIZES], 5e3, {1000: 1}),
         # sqrt(2 R rho) = 1673 nm is 8.6 pixels of 195 nm: too coarse, unless all others are too.
-        ([entry(100e3), entry(5000)], 250e3, {5000: 1}),
-        ([entry(100e3), entry(300e3)], 250e3, {100000: 1}),
+        ([summary(100e3), summary(5000)], 250e3, {5000: 1}),
+        ([summary(100e3), summary(300e3)], 250e3, {100000: 1}),
         # Scans without a reliable wavelength come last, and line scans make no contacts.
-        ([entry(6000, band=BLIND), entry(2500)], 250e3, {2500: 1}),
-        ([entry(6000, band=BLIND)], 250e3, {6000: 1}),
-        ([entry(1e5, 3000, kind="line scan"), entry()], 250e3, {2500: 1}),
+        ([summary(6000, band=BLIND), summary(2500)], 250e3, {2500: 1}),
+        ([summary(6000, band=BLIND)], 250e3, {6000: 1}),
+        ([summary(1e5, 3000, kind="line scan"), summary()], 250e3, {2500: 1}),
         # Surfaces are compared on one grid where they have one in common.
         (
-            [entry(size, rms=rms, surface=name) for name, rms in (("a", 4.0), ("b", 17.0))
+            [summary(size, rms=rms, surface=name) for name, rms in (("a", 4.0), ("b", 17.0))
              for size in (5000, 10000)], 250e3, {10000: 2},
         ),
-        ([entry(5000, rms=4.0), entry(10000, rms=4.0, surface="b")], 250e3, {5000: 1, 10000: 1}),
+        (
+            [summary(5000, rms=4.0), summary(10000, rms=4.0, surface="b")], 250e3,
+            {5000: 1, 10000: 1},
+        ),
         # The sphere follows the substrates, but no scan is larger than the sphere itself.
-        ([entry(6000), *BALL], 250e3, {6000: 2}),
-        ([entry(7000), *BALL], 250e3, {7000: 1, 2500: 2}),
-        ([entry(6000), *BALL], 5e3, {6000: 1, 2500: 2}),
+        ([summary(6000), *BALL], 250e3, {6000: 2}),
+        ([summary(7000), *BALL], 250e3, {7000: 1, 2500: 2}),
+        ([summary(6000), *BALL], 5e3, {6000: 1, 2500: 2}),
     ],
 )  # fmt: skip
-def test_contacts_are_made_on_scans_that_hold_and_resolve_the_summits(entries, radius, size_counts):
-    sphere = "sphere" if entries[-1].scan_file.surface == "sphere" else None
-    sizes = all_search_sizes(entries, sphere, contact(radius))
-    selected_scans, _ = select_contact_scans(entries, sphere, contact(radius), sizes)
+def test_contacts_are_made_on_scans_that_hold_and_resolve_the_summits(scans, radius, size_counts):
+    sphere = "sphere" if scans[-1].scan_file.surface == "sphere" else None
+    sizes = all_search_sizes(scans, sphere, contact(radius))
+    selected_scans, _ = select_contact_scans(scans, sphere, contact(radius), sizes)
     assert Counter(round(scan.size) for scan in selected_scans) == size_counts
 
 
@@ -119,7 +122,7 @@ def both_efforts(settings, proposal):
 
 def check_study(settings, proposal):
     """Check a proposal for a smooth sphere at both efforts, as the study does."""
-    grids = {scan.scan_file.surface: scan.grid for scan in proposal.contact_entries}
+    grids = {scan.scan_file.surface: scan.grid for scan in proposal.contact_scans}
     for config in both_efforts(settings, proposal):
         refuse_unfit_grids(config, grids)
 
@@ -130,13 +133,13 @@ def random_between(low, high):
 
 
 @st.composite
-def scans(draw):
+def random_scans(draw):
     """Give one to five scans of a surface on the same pixels."""
     size, pixels = draw(random_between(100, 1e5)), draw(st.integers(64, 2048))
     rms = draw(random_between(0.1, size / 10))
     shortest = draw(random_between(2, 2 * pixels)) * size / pixels
     band = ReliableBand(shortest, size / 3, "tip")
-    return [entry(size, pixels, rms, band=band)] * draw(st.integers(1, 5))
+    return [summary(size, pixels, rms, band=band)] * draw(st.integers(1, 5))
 
 
 def check_refusal(line, scan, settings):
@@ -161,23 +164,23 @@ def check_refusal(line, scan, settings):
 
 @settings(max_examples=40, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck))
 @given(
-    scans(),
+    random_scans(),
     st.builds(
         contact, random_between(1e3, 5e6), random_between(1e-9, 1e-3), random_between(1e8, 1e12)
     ),
 )
-def test_any_scan_gives_a_valid_study_or_a_justified_refusal(entries, settings):
+def test_any_scan_gives_a_valid_study_or_a_justified_refusal(scans, settings):
     try:
-        check_study(settings, propose(entries, None, settings))
+        check_study(settings, propose(scans, None, settings))
         event("accepted")
     except ValueError as error:
         for line in str(error).splitlines():
             event(line.partition(":")[0])
-            check_refusal(line, entries[0], settings)
+            check_refusal(line, scans[0], settings)
 
 
 def test_scans_like_the_paper_s_get_about_its_grids():
-    config, _ = both_efforts(contact(), propose([entry()] * 5, None, contact()))
+    config, _ = both_efforts(contact(), propose([summary()] * 5, None, contact()))
     short_side, long_side = config["scales"]["short"], config["scales"]["long"]
     assert config["contact"]["window"] == pytest.approx(12500, rel=0.01)
     assert (
@@ -193,7 +196,7 @@ def test_scans_like_the_paper_s_get_about_its_grids():
 def test_ranges_of_adhesion_lie_apart_however_short_a_range_scans_permit(preload):
     """Their shortest range grows with the depth of the contact, sqrt(preload/hardness)/25."""
     settings = contact(5e3, preload, 5e9, 3.0)
-    for config in both_efforts(settings, propose([entry()], None, settings, range_given=True)):
+    for config in both_efforts(settings, propose([summary()], None, settings, range_given=True)):
         ranges = np.array(config["adhesion"]["ranges"])
         assert 3.0 in ranges and len(ranges) in (5, 12)
         assert (ranges[1:] / ranges[:-1]).min() > 1.05  # a ratio of 1.1, rounded to two digits
@@ -201,13 +204,13 @@ def test_ranges_of_adhesion_lie_apart_however_short_a_range_scans_permit(preload
 
 def test_a_slow_contact_is_told():
     settings = contact(preload=2e-3, hardness=1e9)
-    reasons = {choice.key: choice.reason for choice in propose([entry()], None, settings).choices}
+    reasons = {choice.key: choice.reason for choice in propose([summary()], None, settings).choices}
     assert_says(reasons["contact.contacts_per_row"], "the fewest", "each filtered surface takes")
 
 
 @pytest.mark.parametrize(("shortest", "transition"), [(120.0, "120 nm"), (2000.0, "1000 nm")])
 def test_roughness_is_artificial_below_the_reliable_wavelengths(shortest, transition):
-    scan = entry(band=ReliableBand(shortest, 833.0, "tip"))
+    scan = summary(band=ReliableBand(shortest, 833.0, "tip"))
     choices = propose([scan], None, contact()).choices
     assert {choice.key: choice.value for choice in choices}["scales.short.transition"] == transition
 
@@ -215,55 +218,58 @@ def test_roughness_is_artificial_below_the_reliable_wavelengths(shortest, transi
 @pytest.mark.parametrize(
     ("scan", "settings", "message_parts"),
     [
-        (entry(band=BLIND), contact(), ["reliable at no wavelength: the tip at 3 µm"]),
+        (summary(band=BLIND), contact(), ["reliable at no wavelength: the tip at 3 µm"]),
         # For a relief of 5600 nm, exponentials overflow at ranges below 11.2 nm.
-        (entry(20000, 512, 700.0), contact(), ["11.2 nm, not the usual 5.6 nm"]),
+        (summary(20000, 512, 700.0), contact(), ["11.2 nm, not the usual 5.6 nm"]),
         # erf(1000 nm / sqrt(2 R rho))^2 of the smooth sphere's force lie in a window of 2 um.
         (
-            entry(100, 512, 4.7), contact(),
+            summary(100, 512, 4.7), contact(),
             [f"{math.erf(1000 / math.sqrt(2 * 250e3 * 5.6)) ** 2:.0%} of the force",
              "8 to 17 times too high on scans of 12% of this size, the smallest tested"],
         ),
         # 20 nm² are less than a pixel of 19.5 nm.
-        (entry(10000), contact(5e3, 100e-9, 5e9, 2.0), ["less than a pixel"]),
-        (entry(10000, 512, 14, undefined_count=512**2 * 3 // 10), contact(), ["30% of its pixels"]),
-        (entry(defects={"highest": {"highest_share": 0.1}}), contact(), ["one.nc: 10 % of"]),
+        (summary(10000), contact(5e3, 100e-9, 5e9, 2.0), ["less than a pixel"]),
+        (
+            summary(10000, 512, 14, undefined_count=512**2 * 3 // 10), contact(),
+            ["30% of its pixels"],
+        ),
+        (summary(defects={"highest": {"highest_share": 0.1}}), contact(), ["one.nc: 10 % of"]),
     ],
 )  # fmt: skip
 def test_scans_that_spoil_the_forces_have_a_caution_with_numbers(scan, settings, message_parts):
     assert_says(" ".join(propose([scan], None, settings).cautions), *message_parts)
-    assert not propose([entry(10000, 512, 14, undefined_count=99)], None, contact()).cautions
+    assert not propose([summary(10000, 512, 14, undefined_count=99)], None, contact()).cautions
 
 
 @pytest.mark.parametrize(("radius", "stated"), [(50e3, 250e3), (50e3, 60e3), (50e3, 40e3)])
 def test_a_stated_radius_that_the_scan_of_the_sphere_contradicts_is_questioned(radius, stated):
     """Curvatures add: what is left of 1/R by another stated radius is their difference."""
     curvature_difference = abs(1 / radius - 1 / stated)
-    ball = entry(
+    ball = summary(
         defects={"curvature": {"curvature_radius": 1 / curvature_difference, "uncurved_share": 0.1}}
     )
     ball = replace(ball, scan_file=ScanFile("sphere", "sphere", "ball.nc", "ball.nc", stated))
     (caution,) = [
         line
-        for line in propose([entry(), ball], "sphere", contact(stated)).cautions
+        for line in propose([summary(), ball], "sphere", contact(stated)).cautions
         if "contradicts" in line
     ]
     assert_says(caution, f"--radius {stated / 1e3:g} µm", f"{radius / 1e3:g} µm")
 
 
 @pytest.mark.parametrize(
-    ("entries", "settings", "message_parts"),
+    ("scans", "settings", "message_parts"),
     [
-        ([entry(1e5, 3000, kind="line scan")], contact(), ["surface a: expected a height map"]),
-        ([entry(0.5)], contact(), ["0.05 to 10000 nm"]),  # pixels of 1 pm
+        ([summary(1e5, 3000, kind="line scan")], contact(), ["surface a: expected a height map"]),
+        ([summary(0.5)], contact(), ["0.05 to 10000 nm"]),  # pixels of 1 pm
         (
-            [entry(100), entry(1e5, surface="b")],
+            [summary(100), summary(1e5, surface="b")],
             contact(),
             ["100 nm on a and pixels of 195 nm on b"],
         ),
     ],
 )
-def test_unsuitable_scans_are_refused_in_one_line_each(entries, settings, message_parts):
-    message = refusal(propose, entries, None, settings)
+def test_unsuitable_scans_are_refused_in_one_line_each(scans, settings, message_parts):
+    message = refusal(propose, scans, None, settings)
     assert_says(message, *message_parts)
     assert len(message.splitlines()) == len(message_parts)

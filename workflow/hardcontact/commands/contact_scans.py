@@ -6,7 +6,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from hardcontact.base.formatting import format_length
-from hardcontact.commands.inventory import Entry, entries_by_surface
+from hardcontact.commands.inventory import ScanSummary, scans_by_surface
 from hardcontact.config.faults import raise_faults
 from hardcontact.config.limits import MAX_MAP_PIXELS, PIXEL_SIZES, same_grid
 from hardcontact.contact.contact import Contact
@@ -18,21 +18,21 @@ from hardcontact.theory.summits import search_size
 #: tenth of the 343 pixels in the paper (1.7 µm at 5.6 nm, on pixels of 4.9 nm).
 MIN_RADIUS_PIXELS = 32
 #: Scans of one surface with equal numbers and sizes of pixels.
-Group = list[Entry]
+Group = list[ScanSummary]
 
 
 def all_search_sizes(
-    entries: Sequence[Entry], sphere: str | None, contact: Contact
+    scans: Sequence[ScanSummary], sphere: str | None, contact: Contact
 ) -> dict[str, float]:
     """Return the search size (nm) of each substrate, within which the sphere finds its summits."""
     sizes: dict[str, float] = {}
-    sphere_densities = [entry.density for entry in entries if entry.scan_file.surface == sphere]
+    sphere_densities = [scan.density for scan in scans if scan.scan_file.surface == sphere]
     sphere_density = np.fmax.reduce([np.zeros_like(BIN_CENTRES), *sphere_densities])
-    for entry in entries:
-        surface = entry.scan_file.surface
-        is_measured = np.isfinite(entry.density)
+    for scan in scans:
+        surface = scan.scan_file.surface
+        is_measured = np.isfinite(scan.density)
         if surface != sphere:
-            density = entry.density + sphere_density
+            density = scan.density + sphere_density
             spectrum = Spectrum(BIN_CENTRES[is_measured], density[is_measured])
             size = search_size(spectrum, contact.radius, contact.area)
             sizes[surface] = max(size, sizes.get(surface, 0.0))
@@ -40,19 +40,22 @@ def all_search_sizes(
 
 
 def select_contact_scans(
-    entries: Sequence[Entry], sphere: str | None, contact: Contact, search_sizes: dict[str, float]
-) -> tuple[list[Entry], list[str]]:
+    scans: Sequence[ScanSummary],
+    sphere: str | None,
+    contact: Contact,
+    search_sizes: dict[str, float],
+) -> tuple[list[ScanSummary], list[str]]:
     """Return the scans that contacts are made on, and the reasons in words.
 
     The scans of a surface have one grid: of those that resolve the interaction radius the smallest
     that is large enough for every search size, or else the largest. Surfaces are thus compared on
     one size if possible.
     """
-    groups = _group_by_grid(entries)
+    groups = _group_by_grid(scans)
     sphere_groups = groups.pop(sphere) if sphere is not None else []
     large_enough = LARGE_SIZE_RATIO * max(search_sizes.values())
     interaction_radius = math.sqrt(2 * contact.radius * contact.rho)
-    selected: list[Entry] = []
+    selected: list[ScanSummary] = []
     reasons = []
     for surface, surface_groups in groups.items():
         group = _best_group(surface_groups, interaction_radius, large_enough)
@@ -72,13 +75,13 @@ def select_contact_scans(
     return selected, reasons
 
 
-def _group_by_grid(entries: Sequence[Entry]) -> dict[str, list[Group]]:
+def _group_by_grid(scans: Sequence[ScanSummary]) -> dict[str, list[Group]]:
     """Return the height maps of each surface, those on the same pixels together."""
     low, high = PIXEL_SIZES
     groups: dict[str, list[Group]] = {}
-    for surface, scans in entries_by_surface(entries).items():
+    for surface, surface_scans in scans_by_surface(scans).items():
         groups[surface] = []
-        for scan in scans:
+        for scan in surface_scans:
             if scan.kind == "map" and low <= scan.pixel_size <= high:
                 matching_groups = (
                     group for group in groups[surface] if same_grid(group[0].grid, scan.grid)
@@ -104,16 +107,16 @@ def _best_group(groups: list[Group], interaction_radius: float, large_enough: fl
         size = group[0].size
         pixel_size = group[0].pixel_size
         count = len(group)
-        blind = all(entry.is_blind for entry in group)
+        is_unreliable = not any(scan.has_reliable_wavelengths for scan in group)
         if interaction_radius < MIN_RADIUS_PIXELS * pixel_size:  # Then the finest pixels.
-            return blind, True, False, pixel_size, -count, -size
+            return is_unreliable, True, False, pixel_size, -count, -size
         is_small = size < large_enough
-        return blind, False, is_small, -size if is_small else size, -count, pixel_size
+        return is_unreliable, False, is_small, -size if is_small else size, -count, pixel_size
 
     return min(groups, key=rank)
 
 
-def _sphere_group(groups: list[Group], substrates: Sequence[Entry], radius: float) -> Group:
+def _sphere_group(groups: list[Group], substrates: Sequence[ScanSummary], radius: float) -> Group:
     """Return the scans of the sphere: those on the substrates' grid, or the largest group.
 
     Both bodies are computed on the finer pixels of the two, so that different grids make large

@@ -1,4 +1,8 @@
-"""The contents of the user's files: an entry for each topography, and tables of the entries."""
+"""The scans in the user's files: what each file states, what is measured on it, and tables.
+
+A copy is the same scan again, which is a fault. A repetition shows the area of an earlier scan, as
+trace and retrace do, and is left out.
+"""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -26,18 +30,18 @@ FILLING = DEFAULT_OPTIONS.undefined_pixels
 #: The use of scans that only enter the spectrum of their surface.
 SPECTRUM_USE = "spectrum"
 #: Columns of the table that is printed.
-ENTRY_COLUMNS = (
+PRINTED_COLUMNS = (
     "", "surface", "file", "channel", "kind", "size", "pixels", "unit", "rms", "peak to valley",
     "tip radius", "reliable", "used for",
 )  # fmt: skip
 
 
 @dataclass(frozen=True)
-class Entry:
-    """A topography: what its file states, and what is measured on it; lengths are in nm."""
+class ScanSummary:
+    """A scan: what its file states, and what is measured on it; lengths are in nm."""
 
     scan_file: ScanFile
-    dataset: str
+    dataset: str  #: Name of the scan in a container; empty for any other file.
     channel: str
     file_unit: str
     kind: str
@@ -71,9 +75,9 @@ class Entry:
         return Grid(self.pixels, self.pixel_size, self.size, self.relief)
 
     @property
-    def is_blind(self) -> bool:
-        """Whether no wavelength is reliable."""
-        return self.band.shortest > self.band.longest
+    def has_reliable_wavelengths(self) -> bool:
+        """Whether the reliable band is not empty."""
+        return self.band.shortest <= self.band.longest
 
     @property
     def name(self) -> str:
@@ -84,80 +88,81 @@ class Entry:
 
 def read_inventory(
     scan_files: Sequence[ScanFile], options: ReadingOptions, channel: str = ""
-) -> tuple[list[Entry], list[str], list[str]]:
-    """Return the topographies of files, each area once, what is left out, and the problems."""
-    entries: list[Entry] = []
+) -> tuple[list[ScanSummary], list[str], list[str]]:
+    """Return the scans of files, each area once, and lines on what is left out and on problems."""
+    scans: list[ScanSummary] = []
     unreadable: list[str] = []
     problems: list[str] = []
     for scan_file in scan_files:
-        file_entries, faults = _read_file(scan_file, options, channel)
-        entries += file_entries
-        # A dataset that cannot be used stops nothing: the user cannot take it out.
-        (unreadable if file_entries or scan_file.is_in_folder else problems).extend(faults)
-    if not entries and not problems:
+        file_scans, faults = _read_file(scan_file, options, channel)
+        scans += file_scans
+        # A faulty scan stops nothing if the user named its container or folder, not the scan.
+        (unreadable if file_scans or scan_file.is_in_folder else problems).extend(faults)
+    if not scans and not problems:
         problems += unreadable
-    problems += _twin_faults(entries)
-    kept_entries, repeated = _leave_out_repeated_scans(entries)
-    return kept_entries, unreadable + repeated, problems
+    problems += _copy_faults(scans)
+    kept_scans, repetitions = _leave_out_repetitions(scans)
+    return kept_scans, unreadable + repetitions, problems
 
 
 def _read_file(
     scan_file: ScanFile, options: ReadingOptions, channel: str
-) -> tuple[list[Entry], list[str]]:
-    """Return the entries of a file, and a line for each fault of a dataset that is not usable."""
+) -> tuple[list[ScanSummary], list[str]]:
+    """Return the usable scans of a file, and a line for each fault of the others."""
     try:
         datasets = list_scans(scan_file.file)
     except ValueError as error:
         return [], str(error).splitlines()
-    entries = []
+    summaries = []
     faults = []
     for dataset in datasets:
         try:
             scan = options.read_scan(scan_file.file, dataset or channel)
-            entries.append(_measure_scan(scan_file, scan, options))
+            summaries.append(_summarize_scan(scan_file, scan, options))
         except ValueError as error:
             file = f"{scan_file.file}: "
             faults += [
                 f"{file}{dataset}: {line.removeprefix(file)}" if dataset else line
                 for line in str(error).splitlines()
             ]
-    return entries, faults
+    return summaries, faults
 
 
-def _twin_faults(entries: Sequence[Entry]) -> Iterator[str]:
-    """Yield a line for each scan given twice, which would make intervals too narrow."""
-    for entry, twin in combinations(entries, 2):
-        is_twin = (entry.kind, entry.pixels) == (twin.kind, twin.pixels) and np.allclose(
-            (entry.size, entry.rms_height, entry.peak_to_valley),
-            (twin.size, twin.rms_height, twin.peak_to_valley),
+def _copy_faults(scans: Sequence[ScanSummary]) -> Iterator[str]:
+    """Yield a line for each copy of a scan, which would make intervals too narrow."""
+    for scan, other in combinations(scans, 2):
+        is_copy = (scan.kind, scan.pixels) == (other.kind, other.pixels) and np.allclose(
+            (scan.size, scan.rms_height, scan.peak_to_valley),
+            (other.size, other.rms_height, other.peak_to_valley),
             rtol=1e-4,  # File formats round differently.
             atol=0,
         )
-        if is_twin and entry.scan_file.surface == twin.scan_file.surface:
-            yield f"{twin.name}: expected each scan once, found that of {entry.name} again"
+        if is_copy and scan.scan_file.surface == other.scan_file.surface:
+            yield f"{other.name}: expected each scan once, found that of {scan.name} again"
 
 
-def _leave_out_repeated_scans(entries: Sequence[Entry]) -> tuple[list[Entry], list[str]]:
-    """Return the entries whose area no earlier entry shows, and a line for each other entry."""
-    kept_entries: list[Entry] = []
+def _leave_out_repetitions(scans: Sequence[ScanSummary]) -> tuple[list[ScanSummary], list[str]]:
+    """Return the scans whose area no earlier scan shows, and a line for each other scan."""
+    kept_scans: list[ScanSummary] = []
     lines: list[str] = []
-    for scans in entries_by_surface(entries).values():
-        repeated = repetition_notes([scan.coarse for scan in scans], [scan.name for scan in scans])
-        kept_entries += [scan for number, scan in enumerate(scans) if number not in repeated]
-        lines += repeated.values()
-    return kept_entries, lines
+    for surface_scans in scans_by_surface(scans).values():
+        maps = [scan.coarse for scan in surface_scans]
+        notes = repetition_notes(maps, [scan.name for scan in surface_scans])
+        kept_scans += [scan for index, scan in enumerate(surface_scans) if index not in notes]
+        lines += notes.values()
+    return kept_scans, lines
 
 
-def entries_by_surface(entries: Sequence[Entry]) -> dict[str, list[Entry]]:
-    """Return the entries of each surface, in their order."""
-    surfaces: dict[str, list[Entry]] = {}
-    for entry in entries:
-        surfaces.setdefault(entry.scan_file.surface, []).append(entry)
+def scans_by_surface(scans: Sequence[ScanSummary]) -> dict[str, list[ScanSummary]]:
+    """Return the scans of each surface, in their order."""
+    surfaces: dict[str, list[ScanSummary]] = {}
+    for scan in scans:
+        surfaces.setdefault(scan.scan_file.surface, []).append(scan)
     return surfaces
 
 
-def _measure_scan(scan_file: ScanFile, scan: HeightMap, options: ReadingOptions) -> Entry:
-    """Return the entry of one topography; raise ValueError if it cannot be used."""
+def _summarize_scan(scan_file: ScanFile, scan: HeightMap, options: ReadingOptions) -> ScanSummary:
+    """Return the summary of a scan; raise ValueError if the scan is constant or has no PSD."""
     relief = np.ptp(scan.heights)
     if relief == 0:
         raise ValueError(f"{scan_file.file}: expected a rough surface, found constant height")
@@ -165,7 +170,7 @@ def _measure_scan(scan_file: ScanFile, scan: HeightMap, options: ReadingOptions)
     peak_to_valley = float(np.ptp(flat.heights))
     density = isotropic_psd(flat)
     tip_radius = options.tip_radius if scan.tip_radius is None else scan.tip_radius
-    return Entry(
+    return ScanSummary(
         scan_file=scan_file,
         dataset=scan.dataset,
         channel=scan.channel,
@@ -187,34 +192,34 @@ def _measure_scan(scan_file: ScanFile, scan: HeightMap, options: ReadingOptions)
     )
 
 
-def printed_table(entries: Sequence[Entry], contact_entries: Sequence[Entry]) -> str:
-    """Return a table of the entries and their uses, with notes on their reading below."""
-    contact_ids = {id(entry) for entry in contact_entries}
-    rows = [ENTRY_COLUMNS]
+def printed_table(scans: Sequence[ScanSummary], contact_scans: Sequence[ScanSummary]) -> str:
+    """Return a table of the scans and their uses, with notes on their reading below."""
+    contact_ids = {id(scan) for scan in contact_scans}
+    rows = [PRINTED_COLUMNS]
     notes = []
-    for number, entry in enumerate(entries, 1):
-        is_map = entry.kind == "map"
-        band = entry.band
+    for number, scan in enumerate(scans, 1):
+        is_map = scan.kind == "map"
+        band = scan.band
         rows.append(
             (
                 str(number),
-                entry.scan_file.label,
-                entry.name,
-                entry.channel,
+                scan.scan_file.label,
+                scan.name,
+                scan.channel,
                 "height map" if is_map else "line scan",
-                format_length(entry.size),
-                f"{entry.pixels} x {entry.pixels}" if is_map else str(entry.pixels),
-                entry.file_unit,
-                format_length(entry.rms_height),
-                format_length(entry.peak_to_valley),
-                "unknown" if entry.tip_radius is None else format_length(entry.tip_radius),
-                "none"
-                if entry.is_blind
-                else f"{format_length(band.shortest)} to {format_length(band.longest)}",
-                CONTACT_USE if id(entry) in contact_ids else SPECTRUM_USE,
+                format_length(scan.size),
+                f"{scan.pixels} x {scan.pixels}" if is_map else str(scan.pixels),
+                scan.file_unit,
+                format_length(scan.rms_height),
+                format_length(scan.peak_to_valley),
+                "unknown" if scan.tip_radius is None else format_length(scan.tip_radius),
+                f"{format_length(band.shortest)} to {format_length(band.longest)}"
+                if scan.has_reliable_wavelengths
+                else "none",
+                CONTACT_USE if id(scan) in contact_ids else SPECTRUM_USE,
             )
         )
-        notes += [f"{number}: {note}" for note in split_notes(entry.notes)[0]]
+        notes += [f"{number}: {note}" for note in split_notes(scan.notes)[0]]
         if band.limited_by != "pixels":
             limit = LIMIT_NAMES[band.limited_by]
             notes.append(f"{number}: shorter wavelengths are not reliable: {limit}")
@@ -222,23 +227,23 @@ def printed_table(entries: Sequence[Entry], contact_entries: Sequence[Entry]) ->
 
 
 def table_rows(
-    entries: Sequence[Entry], contact_entries: Sequence[Entry], tip_radius: str
+    scans: Sequence[ScanSummary], contact_scans: Sequence[ScanSummary], tip_radius: str
 ) -> list[dict[str, str]]:
     """Return the rows of the table of surfaces by column; scans that make contacts come first."""
-    contact_ids = {id(entry) for entry in contact_entries}
+    contact_ids = {id(scan) for scan in contact_scans}
     return [
         {
             "surface": surface,
-            "label": entry.scan_file.label,
+            "label": scan.scan_file.label,
             "scan": str(number),
             "source": "measured",
-            "path": entry.scan_file.path,
-            "dataset": entry.dataset,
-            "use": CONTACT_USE if id(entry) in contact_ids else SPECTRUM_USE,
-            "tip_radius": tip_radius if entry.tip_given else "",
+            "path": scan.scan_file.path,
+            "dataset": scan.dataset,
+            "use": CONTACT_USE if id(scan) in contact_ids else SPECTRUM_USE,
+            "tip_radius": tip_radius if scan.tip_given else "",
         }
-        for surface, scans in entries_by_surface(entries).items()
-        for number, entry in enumerate(
-            sorted(scans, key=lambda scan: id(scan) not in contact_ids), 1
+        for surface, surface_scans in scans_by_surface(scans).items()
+        for number, scan in enumerate(
+            sorted(surface_scans, key=lambda scan: id(scan) not in contact_ids), 1
         )
     ]

@@ -12,10 +12,10 @@ from typing import Any
 
 from hardcontact.base.dataset import atomic_file
 from hardcontact.commands.inventory import (
-    Entry,
-    entries_by_surface,
+    ScanSummary,
     printed_table,
     read_inventory,
+    scans_by_surface,
     table_rows,
 )
 from hardcontact.commands.options import (
@@ -50,15 +50,15 @@ def new_study(arguments: Namespace) -> str:
     radius = quantities["radius"].number
     scan_files, file_faults = list_scan_files(arguments, radius)
     tip_text = quantities["tip"].text if "tip" in quantities else ""
-    entries, left_out, scan_faults = read_inventory(
+    scans, left_out, scan_faults = read_inventory(
         scan_files, reading_options(arguments, quantities), arguments.channel
     )
     faults += [*file_faults, *scan_faults]
     surfaces = [scan_file.surface for scan_file in scan_files]
-    checked_rows = table_rows(entries, contact_entries=[], tip_radius=tip_text)
+    checked_rows = table_rows(scans, contact_scans=[], tip_radius=tip_text)
     checks = [*_input_checks(arguments, checked_rows, surfaces, radius)]
     if not faults:  # Faults of the input can cause faults of the proposal.
-        checks.append(partial(_propose_study, arguments, quantities, entries))
+        checks.append(partial(_propose_study, arguments, quantities, scans))
     try:
         results = run_checks(checks, [*name_faults(arguments), *faults])
     except ValueError as error:
@@ -66,10 +66,10 @@ def new_study(arguments: Namespace) -> str:
         raise ValueError("\n".join(lines)) from None
     # With faults, `run_checks` raises. The last result is therefore that of `_propose_study`.
     proposal, choices = results[-1]
-    rows = table_rows(entries, proposal.contact_entries, tip_text)
+    rows = table_rows(scans, proposal.contact_scans, tip_text)
     table = "".join("\t".join(cells) + "\n" for cells in (rows[0], *(row.values() for row in rows)))
     report = [
-        *_report_lines(entries, left_out, proposal, choices),
+        *_report_lines(scans, left_out, proposal, choices),
         *_write_study(arguments.name, table, choices, proposal.quick),
     ]
     return "\n".join(report)
@@ -105,17 +105,17 @@ def _input_checks(
 
 
 def _propose_study(
-    arguments: Namespace, quantities: Mapping[str, QuantityOption], entries: Sequence[Entry]
+    arguments: Namespace, quantities: Mapping[str, QuantityOption], scans: Sequence[ScanSummary]
 ) -> tuple[Proposal, list[Choice]]:
     """Return a proposal that the study accepts at both efforts, and the keys of full effort."""
     contact = contact_of_quantities(quantities)
     sphere = SPHERE if arguments.sphere else None
-    proposal = propose(entries, sphere, contact, quantities["range"].is_given)
+    proposal = propose(scans, sphere, contact, quantities["range"].is_given)
     proposal.cautions.extend(unit_questions(quantities))
     choices = [*_choices_without_scans(arguments, quantities), *proposal.choices]
     grids = {
-        surface: scans[0].grid._replace(relief=max(scan.relief for scan in scans))
-        for surface, scans in entries_by_surface(proposal.contact_entries).items()
+        surface: surface_scans[0].grid._replace(relief=max(scan.relief for scan in surface_scans))
+        for surface, surface_scans in scans_by_surface(proposal.contact_scans).items()
     }
     full_effort_values = values_by_key(choices)
     for values in (full_effort_values, full_effort_values | values_by_key(proposal.quick)):
@@ -124,7 +124,7 @@ def _propose_study(
         refuse_unfit_grids(
             numeric_configuration(set_keys(read_yaml("config/config.yaml"), other_keys)), grids
         )
-    refuse_unreliable(entries)
+    refuse_unreliable(scans)
     return proposal, choices
 
 
@@ -165,12 +165,12 @@ def _choices_without_scans(
 
 
 def _report_lines(
-    entries: Sequence[Entry], left_out: list[str], proposal: Proposal, choices: Sequence[Choice]
+    scans: Sequence[ScanSummary], left_out: list[str], proposal: Proposal, choices: Sequence[Choice]
 ) -> Iterator[str]:
-    """Yield the lines of the report on the entries and the choices."""
+    """Yield the lines of the report on the scans and the choices."""
     yield "Found:"
-    yield printed_table(entries, proposal.contact_entries)
-    labels = {entry.scan_file.surface: entry.scan_file.label for entry in entries}
+    yield printed_table(scans, proposal.contact_scans)
+    labels = {scan.scan_file.surface: scan.scan_file.label for scan in scans}
     ids = [f"{surface} is {label}" for surface, label in labels.items() if surface != label]
     if ids:
         yield f"\nIds of surfaces in paths and tables, also in that of forces: {', '.join(ids)}"

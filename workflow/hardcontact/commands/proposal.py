@@ -9,7 +9,7 @@ import numpy as np
 
 from hardcontact.base.formatting import format_length
 from hardcontact.commands.contact_scans import all_search_sizes, select_contact_scans
-from hardcontact.commands.inventory import FILLING, Entry
+from hardcontact.commands.inventory import FILLING, ScanSummary
 from hardcontact.commands.proposed_contacts import (
     MAX_CONTACT_SECONDS,
     PermittedContact,
@@ -81,7 +81,7 @@ class Choice(NamedTuple):
 class Proposal(NamedTuple):
     """The choices for scans."""
 
-    contact_entries: list[Entry]  #: Scans that make contacts; others only enter the spectrum.
+    contact_scans: list[ScanSummary]  #: Scans that make contacts; others only enter the spectrum.
     choices: list[Choice]
     quick: list[Choice]  #: Choices that differ at quick effort.
     reasons: list[str]  #: Why these scans make contacts, a line for each surface.
@@ -89,7 +89,7 @@ class Proposal(NamedTuple):
 
 
 def propose(
-    entries: Sequence[Entry], sphere: str | None, contact: Contact, range_given: bool = False
+    scans: Sequence[ScanSummary], sphere: str | None, contact: Contact, range_given: bool = False
 ) -> Proposal:
     """Choose every key that depends on the scans.
 
@@ -97,12 +97,12 @@ def propose(
     range of adhesion, it may be longer than that of the contact. Raises ValueError if scans are too
     different for one study, or a surface has no height map.
     """
-    search_sizes = all_search_sizes(entries, sphere, contact)
-    scans, reasons = select_contact_scans(entries, sphere, contact, search_sizes)
-    substrates = [scan for scan in scans if scan.scan_file.surface != sphere]
+    search_sizes = all_search_sizes(scans, sphere, contact)
+    contact_scans, reasons = select_contact_scans(scans, sphere, contact, search_sizes)
+    substrates = [scan for scan in contact_scans if scan.scan_file.surface != sphere]
     _refuse_unlike_scans(substrates)
-    permitted = choose_contact(scans, substrates, contact, range_given, FULL_EFFORT.pixels)
-    sphere_scans = [scan for scan in scans if scan.scan_file.surface == sphere]
+    permitted = choose_contact(contact_scans, substrates, contact, range_given, FULL_EFFORT.pixels)
+    sphere_scans = [scan for scan in contact_scans if scan.scan_file.surface == sphere]
     transitions = _transition_choices(substrates, sphere_scans)
     full = _effort_choices(substrates, permitted, transitions, FULL_EFFORT)
     usual = {choice.key: choice.value for choice in full}
@@ -111,14 +111,14 @@ def propose(
         for choice in _effort_choices(substrates, permitted, transitions, QUICK_EFFORT)
         if choice.value != usual[choice.key]
     ]
-    if gaps := sum(entry.undefined_count > 0 for entry in entries):
+    if gaps := sum(scan.undefined_count > 0 for scan in scans):
         reason = f"{gaps} of the files have undefined pixels"
         full.insert(0, Choice("scan.undefined_pixels", FILLING, reason))
-    cautions = [*scan_cautions(entries, substrates, contact.rho, permitted, search_sizes)]
-    return Proposal(scans, full, quick, reasons, cautions)
+    cautions = [*scan_cautions(scans, substrates, contact.rho, permitted, search_sizes)]
+    return Proposal(contact_scans, full, quick, reasons, cautions)
 
 
-def _refuse_unlike_scans(substrates: Sequence[Entry]) -> None:
+def _refuse_unlike_scans(substrates: Sequence[ScanSummary]) -> None:
     """Refuse scans if the coarsest resolves no wavelength that the smallest holds."""
     coarsest = max(substrates, key=lambda scan: scan.pixel_size)
     smallest = min(substrates, key=lambda scan: scan.size)
@@ -132,7 +132,7 @@ def _refuse_unlike_scans(substrates: Sequence[Entry]) -> None:
 
 
 def _effort_choices(
-    substrates: Sequence[Entry],
+    substrates: Sequence[ScanSummary],
     permitted: PermittedContact,
     transitions: Sequence[Choice],
     effort: Effort,
@@ -163,7 +163,7 @@ def _effort_choices(
     ]
 
 
-def _master_count(substrates: Sequence[Entry], effort: Effort, is_slow: bool) -> int:
+def _master_count(substrates: Sequence[ScanSummary], effort: Effort, is_slow: bool) -> int:
     """Return the number of masters on each side; at full effort scans make equally many."""
     masters = effort.slow_master_count if is_slow else effort.master_count
     scan_counts = Counter(scan.scan_file.surface for scan in substrates)
@@ -175,7 +175,7 @@ def _master_count(substrates: Sequence[Entry], effort: Effort, is_slow: bool) ->
 
 
 def _master_choices(
-    substrates: Sequence[Entry],
+    substrates: Sequence[ScanSummary],
     contact: Contact,
     transitions: Sequence[Choice],
     effort: Effort,
@@ -211,7 +211,7 @@ def _spaced_cutoffs(shortest: float, longest: float, max_count: int) -> list[str
 
 
 def _transition_choices(
-    substrates: Sequence[Entry], sphere_scans: Sequence[Entry]
+    substrates: Sequence[ScanSummary], sphere_scans: Sequence[ScanSummary]
 ) -> tuple[Choice, Choice]:
     """Return the wavelengths below and above which roughness is artificial.
 
@@ -235,8 +235,8 @@ def _transition_choices(
 
 
 def _decisive_scans(
-    substrates: Sequence[Entry], sphere_scans: Sequence[Entry], end: str
-) -> list[Entry]:
+    substrates: Sequence[ScanSummary], sphere_scans: Sequence[ScanSummary], end: str
+) -> list[ScanSummary]:
     """Return the scans whose body is the rougher one at an end of their band; all if none is."""
     bodies = [(scan, sphere_scans) for scan in substrates]
     bodies += [(scan, substrates) for scan in sphere_scans]
@@ -246,7 +246,7 @@ def _decisive_scans(
     return rough_scans or [*substrates, *sphere_scans]
 
 
-def _is_rougher(scan: Entry, partners: Sequence[Entry], wavelength: float) -> bool:
+def _is_rougher(scan: ScanSummary, partners: Sequence[ScanSummary], wavelength: float) -> bool:
     """Return False if all scans of the other body have more power at a wavelength (nm)."""
     index = nearest_bin(wavelength)
     is_lower = [partner.density[index] > scan.density[index] for partner in partners]

@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping, Sequence
 import numpy as np
 
 from hardcontact.base.formatting import format_length, format_quantity
-from hardcontact.commands.inventory import Entry, entries_by_surface
+from hardcontact.commands.inventory import ScanSummary, scans_by_surface
 from hardcontact.commands.proposed_contacts import PermittedContact
 from hardcontact.config.faults import raise_faults
 from hardcontact.contact.numerical_limits import (
@@ -24,68 +24,70 @@ from hardcontact.surfaces.spectrum import MIN_BINS, too_few_bins_message
 MAX_UNDEFINED_SHARE = 0.05
 
 
-def refuse_unreliable(entries: Sequence[Entry]) -> None:
+def refuse_unreliable(scans: Sequence[ScanSummary]) -> None:
     """Refuse surfaces with too few reliable wavelengths, and name the defects of their scans."""
     faults = []
-    for surface, scans in entries_by_surface(entries).items():
-        count = int(np.any([scan.band.bins for scan in scans], axis=0).sum())
+    for surface, surface_scans in scans_by_surface(scans).items():
+        count = int(np.any([scan.band.bins for scan in surface_scans], axis=0).sum())
         if count < MIN_BINS:
-            bands = "; ".join(f"{scan.name} {scan.band}" for scan in scans)
+            bands = "; ".join(f"{scan.name} {scan.band}" for scan in surface_scans)
             message = too_few_bins_message("scans", count, bands)
             faults.append(f"{surface}: {message}; add one of another size")
             faults += [
                 f"{scan.name}: expected a sound scan, found: {defect_sentence(code, numbers)}"
-                for scan in scans
+                for scan in surface_scans
                 for code, numbers in scan.defects.items()
             ]
     raise_faults(faults)
 
 
 def scan_cautions(
-    entries: Sequence[Entry],
-    substrates: Sequence[Entry],
+    scans: Sequence[ScanSummary],
+    substrates: Sequence[ScanSummary],
     usual_range: float,
     permitted: PermittedContact,
     search_sizes: Mapping[str, float],
 ) -> Iterator[str]:
     """Yield sentences on all scans, and on contacts on substrates; lengths are in nm."""
-    yield from _reading_cautions(entries)
+    yield from _reading_cautions(scans)
     yield from _contact_cautions(substrates, usual_range, permitted, search_sizes)
-    yield from (f"{scan.name}: reliable {scan.band}" for scan in substrates if scan.is_blind)
-    yield from _contradiction_cautions(entries)
-    yield from _filling_cautions(entries)
+    for scan in substrates:
+        if not scan.has_reliable_wavelengths:
+            yield f"{scan.name}: reliable {scan.band}"
+    yield from _contradiction_cautions(scans)
+    yield from _filling_cautions(scans)
 
 
-def _reading_cautions(entries: Sequence[Entry]) -> Iterator[str]:
+def _reading_cautions(scans: Sequence[ScanSummary]) -> Iterator[str]:
     """Yield a sentence on each defect of a scan, then the cautions of its reader."""
-    for entry in entries:
-        for code, numbers in entry.defects.items():
-            yield f"{entry.name}: {defect_sentence(code, numbers)}"
-        if "curvature" in entry.defects and entry.scan_file.sphere_radius is not None:
-            yield _radius_question(entry, entry.scan_file.sphere_radius)
-    for entry in entries:
-        _, cautions = split_notes(entry.notes)
-        yield from (f"{entry.name}: {line}" for line in cautions)
+    for scan in scans:
+        for code, numbers in scan.defects.items():
+            yield f"{scan.name}: {defect_sentence(code, numbers)}"
+        if "curvature" in scan.defects and scan.scan_file.sphere_radius is not None:
+            yield _radius_question(scan, scan.scan_file.sphere_radius)
+    for scan in scans:
+        _, cautions = split_notes(scan.notes)
+        yield from (f"{scan.name}: {line}" for line in cautions)
 
 
-def _radius_question(entry: Entry, stated_radius: float) -> str:
+def _radius_question(scan: ScanSummary, stated_radius: float) -> str:
     """Return a question about the radius (nm) of a sphere whose scan stays curved.
 
     The defect has no sign: a smaller sphere leaves it, or a larger one.
     """
-    remaining = 1 / entry.defects["curvature"]["curvature_radius"]
+    remaining = 1 / scan.defects["curvature"]["curvature_radius"]
     curvatures = (1 / stated_radius + remaining, 1 / stated_radius - remaining)
     radii = " or ".join(
         format_quantity(1 / value, "nm", digits=2) for value in curvatures if value > 0
     )
     return (
-        f"{entry.name}: --radius {format_length(stated_radius)} contradicts this scan of the "
+        f"{scan.name}: --radius {format_length(stated_radius)} contradicts this scan of the "
         f"sphere, whose curvature is that of a radius of {radii}: which is right?"
     )
 
 
 def _contact_cautions(
-    substrates: Sequence[Entry],
+    substrates: Sequence[ScanSummary],
     usual_range: float,
     permitted: PermittedContact,
     search_sizes: Mapping[str, float],
@@ -129,24 +131,24 @@ def single_pixel_cautions(area: float, pixel_sizes: Sequence[float]) -> Iterator
         )
 
 
-def _filling_cautions(entries: Sequence[Entry]) -> Iterator[str]:
+def _filling_cautions(scans: Sequence[ScanSummary]) -> Iterator[str]:
     """Yield a sentence on each scan with many undefined pixels."""
-    for entry in entries:
-        if entry.undefined_share > MAX_UNDEFINED_SHARE:
+    for scan in scans:
+        if scan.undefined_share > MAX_UNDEFINED_SHARE:
             yield (
-                f"{entry.name}: {entry.undefined_share:.0%} of its pixels are undefined, and "
+                f"{scan.name}: {scan.undefined_share:.0%} of its pixels are undefined, and "
                 "filled with heights smoother than the surface"
             )
 
 
-def _contradiction_cautions(entries: Sequence[Entry]) -> Iterator[str]:
+def _contradiction_cautions(scans: Sequence[ScanSummary]) -> Iterator[str]:
     """Yield a line for each surface whose scans contradict each other."""
-    for scans in entries_by_surface(entries).values():
+    for surface_scans in scans_by_surface(scans).values():
         contradictions = find_contradictions(
-            np.array([scan.density for scan in scans]),
-            [scan.band.bins for scan in scans],
-            [scan.kind for scan in scans],
-            [scan.size for scan in scans],
+            np.array([scan.density for scan in surface_scans]),
+            [scan.band.bins for scan in surface_scans],
+            [scan.kind for scan in surface_scans],
+            [scan.size for scan in surface_scans],
         )
         if contradictions:
-            yield describe_contradictions(contradictions, [scan.name for scan in scans])
+            yield describe_contradictions(contradictions, [scan.name for scan in surface_scans])
