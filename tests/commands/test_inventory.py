@@ -19,7 +19,7 @@ def scan_file(path, **others):
 
 
 def only_scan(path, tip_radius=None, **others):
-    """Return the summary of a file with one scan."""
+    """Return the only scan of a file."""
     ((scan,), unreadable, problems) = read_inventory(
         [scan_file(path, **others)], ReadingOptions(tip_radius)
     )

@@ -13,7 +13,7 @@ from refusals import assert_says, refusal
 from repository import PAPER
 
 from hardcontact.commands.contact_scans import all_search_sizes, select_contact_scans
-from hardcontact.commands.inventory import ScanSummary
+from hardcontact.commands.inventory import UserScan
 from hardcontact.commands.new import values_by_key
 from hardcontact.commands.proposal import propose
 from hardcontact.commands.request import ScanFile
@@ -36,8 +36,8 @@ def density(size, pixel, rms):
     return values * (rms / np.sqrt(np.nansum(values * BIN_CENTRES**2) * BIN / (2 * np.pi))) ** 2
 
 
-def summary(size=2500.0, pixels=512, rms=17.0, surface="a", **others):
-    """Return the summary of a height map of a surface; lengths in nm."""
+def user_scan(size=2500.0, pixels=512, rms=17.0, surface="a", **others):
+    """Return a height map of a surface; lengths in nm."""
     fields = {
         "dataset": "", "channel": "height", "file_unit": "nm", "kind": "map",
         "peak_to_valley": 6 * rms, "relief": 8 * rms, "tip_radius": None, "tip_given": False,
@@ -46,7 +46,7 @@ def summary(size=2500.0, pixels=512, rms=17.0, surface="a", **others):
         "defects": {},
         "coarse": HeightMap(np.zeros((2, 2)), size / 2),
     }  # fmt: skip
-    return ScanSummary(
+    return UserScan(
         scan_file=ScanFile(surface, surface, "scans/one.nc", "scans/one.nc"), pixels=pixels,
         pixel_size=size / pixels, rms_height=rms, **(fields | others),
     )  # fmt: skip
@@ -62,37 +62,37 @@ def contact(radius=250e3, preload=1e-5, hardness=25e9, rho=5.6):
 BLIND = ReliableBand(3000.0, 2000.0, "tip")
 # Within 2 sqrt(2 R 4 nm) = 2.83 um a contact finds its summits; at an rms height of 17 nm, 5.83 um.
 SIZES = [500, 1000, 5000, 5000, 10000, 20000]
-BALL = [summary(size, rms=1.0, surface="sphere") for size in (2500, 2500, 6000)]
+BALL = [user_scan(size, rms=1.0, surface="sphere") for size in (2500, 2500, 6000)]
 
 
 @pytest.mark.parametrize(
     ("scans", "radius", "size_counts"),
     [
         # The smallest size that holds the highest points; a small sphere finds them nearby.
-        ([summary(size, rms=4.0) for size in SIZES], 250e3, {5000: 2}),
-        ([summary(size, rms=17.0) for size in SIZES], 250e3, {10000: 1}),
-        ([summary(size, rms=400.0) for size in SIZES], 250e3, {20000: 1}),
-        ([summary(size, rms=17.0) for size in SIZES], 5e3, {1000: 1}),
+        ([user_scan(size, rms=4.0) for size in SIZES], 250e3, {5000: 2}),
+        ([user_scan(size, rms=17.0) for size in SIZES], 250e3, {10000: 1}),
+        ([user_scan(size, rms=400.0) for size in SIZES], 250e3, {20000: 1}),
+        ([user_scan(size, rms=17.0) for size in SIZES], 5e3, {1000: 1}),
         # sqrt(2 R rho) = 1673 nm is 8.6 pixels of 195 nm: too coarse, unless all others are too.
-        ([summary(100e3), summary(5000)], 250e3, {5000: 1}),
-        ([summary(100e3), summary(300e3)], 250e3, {100000: 1}),
+        ([user_scan(100e3), user_scan(5000)], 250e3, {5000: 1}),
+        ([user_scan(100e3), user_scan(300e3)], 250e3, {100000: 1}),
         # Scans without a reliable wavelength come last, and line scans make no contacts.
-        ([summary(6000, band=BLIND), summary(2500)], 250e3, {2500: 1}),
-        ([summary(6000, band=BLIND)], 250e3, {6000: 1}),
-        ([summary(1e5, 3000, kind="line scan"), summary()], 250e3, {2500: 1}),
+        ([user_scan(6000, band=BLIND), user_scan(2500)], 250e3, {2500: 1}),
+        ([user_scan(6000, band=BLIND)], 250e3, {6000: 1}),
+        ([user_scan(1e5, 3000, kind="line scan"), user_scan()], 250e3, {2500: 1}),
         # Surfaces are compared on one grid where they have one in common.
         (
-            [summary(size, rms=rms, surface=name) for name, rms in (("a", 4.0), ("b", 17.0))
+            [user_scan(size, rms=rms, surface=name) for name, rms in (("a", 4.0), ("b", 17.0))
              for size in (5000, 10000)], 250e3, {10000: 2},
         ),
         (
-            [summary(5000, rms=4.0), summary(10000, rms=4.0, surface="b")], 250e3,
+            [user_scan(5000, rms=4.0), user_scan(10000, rms=4.0, surface="b")], 250e3,
             {5000: 1, 10000: 1},
         ),
         # The sphere follows the substrates, but no scan is larger than the sphere itself.
-        ([summary(6000), *BALL], 250e3, {6000: 2}),
-        ([summary(7000), *BALL], 250e3, {7000: 1, 2500: 2}),
-        ([summary(6000), *BALL], 5e3, {6000: 1, 2500: 2}),
+        ([user_scan(6000), *BALL], 250e3, {6000: 2}),
+        ([user_scan(7000), *BALL], 250e3, {7000: 1, 2500: 2}),
+        ([user_scan(6000), *BALL], 5e3, {6000: 1, 2500: 2}),
     ],
 )  # fmt: skip
 def test_contacts_are_made_on_scans_that_hold_and_resolve_the_summits(scans, radius, size_counts):
@@ -139,7 +139,7 @@ def random_scans(draw):
     rms = draw(random_between(0.1, size / 10))
     shortest = draw(random_between(2, 2 * pixels)) * size / pixels
     band = ReliableBand(shortest, size / 3, "tip")
-    return [summary(size, pixels, rms, band=band)] * draw(st.integers(1, 5))
+    return [user_scan(size, pixels, rms, band=band)] * draw(st.integers(1, 5))
 
 
 def check_refusal(line, scan, settings):
@@ -180,7 +180,7 @@ def test_any_scan_gives_a_valid_study_or_a_justified_refusal(scans, settings):
 
 
 def test_scans_like_the_paper_s_get_about_its_grids():
-    config, _ = both_efforts(contact(), propose([summary()] * 5, None, contact()))
+    config, _ = both_efforts(contact(), propose([user_scan()] * 5, None, contact()))
     short_side, long_side = config["scales"]["short"], config["scales"]["long"]
     assert config["contact"]["window"] == pytest.approx(12500, rel=0.01)
     assert (
@@ -196,7 +196,7 @@ def test_scans_like_the_paper_s_get_about_its_grids():
 def test_ranges_of_adhesion_lie_apart_however_short_a_range_scans_permit(preload):
     """Their shortest range grows with the depth of the contact, sqrt(preload/hardness)/25."""
     settings = contact(5e3, preload, 5e9, 3.0)
-    for config in both_efforts(settings, propose([summary()], None, settings, range_given=True)):
+    for config in both_efforts(settings, propose([user_scan()], None, settings, range_given=True)):
         ranges = np.array(config["adhesion"]["ranges"])
         assert 3.0 in ranges and len(ranges) in (5, 12)
         assert (ranges[1:] / ranges[:-1]).min() > 1.05  # a ratio of 1.1, rounded to two digits
@@ -204,13 +204,15 @@ def test_ranges_of_adhesion_lie_apart_however_short_a_range_scans_permit(preload
 
 def test_a_slow_contact_is_told():
     settings = contact(preload=2e-3, hardness=1e9)
-    reasons = {choice.key: choice.reason for choice in propose([summary()], None, settings).choices}
+    reasons = {
+        choice.key: choice.reason for choice in propose([user_scan()], None, settings).choices
+    }
     assert_says(reasons["contact.contacts_per_row"], "the fewest", "each filtered surface takes")
 
 
 @pytest.mark.parametrize(("shortest", "transition"), [(120.0, "120 nm"), (2000.0, "1000 nm")])
 def test_roughness_is_artificial_below_the_reliable_wavelengths(shortest, transition):
-    scan = summary(band=ReliableBand(shortest, 833.0, "tip"))
+    scan = user_scan(band=ReliableBand(shortest, 833.0, "tip"))
     choices = propose([scan], None, contact()).choices
     assert {choice.key: choice.value for choice in choices}["scales.short.transition"] == transition
 
@@ -218,40 +220,40 @@ def test_roughness_is_artificial_below_the_reliable_wavelengths(shortest, transi
 @pytest.mark.parametrize(
     ("scan", "settings", "message_parts"),
     [
-        (summary(band=BLIND), contact(), ["reliable at no wavelength: the tip at 3 µm"]),
+        (user_scan(band=BLIND), contact(), ["reliable at no wavelength: the tip at 3 µm"]),
         # For a relief of 5600 nm, exponentials overflow at ranges below 11.2 nm.
-        (summary(20000, 512, 700.0), contact(), ["11.2 nm, not the usual 5.6 nm"]),
+        (user_scan(20000, 512, 700.0), contact(), ["11.2 nm, not the usual 5.6 nm"]),
         # erf(1000 nm / sqrt(2 R rho))^2 of the smooth sphere's force lie in a window of 2 um.
         (
-            summary(100, 512, 4.7), contact(),
+            user_scan(100, 512, 4.7), contact(),
             [f"{math.erf(1000 / math.sqrt(2 * 250e3 * 5.6)) ** 2:.0%} of the force",
              "8 to 17 times too high on scans of 12% of this size, the smallest tested"],
         ),
         # 20 nm² are less than a pixel of 19.5 nm.
-        (summary(10000), contact(5e3, 100e-9, 5e9, 2.0), ["less than a pixel"]),
+        (user_scan(10000), contact(5e3, 100e-9, 5e9, 2.0), ["less than a pixel"]),
         (
-            summary(10000, 512, 14, undefined_count=512**2 * 3 // 10), contact(),
+            user_scan(10000, 512, 14, undefined_count=512**2 * 3 // 10), contact(),
             ["30% of its pixels"],
         ),
-        (summary(defects={"highest": {"highest_share": 0.1}}), contact(), ["one.nc: 10 % of"]),
+        (user_scan(defects={"highest": {"highest_share": 0.1}}), contact(), ["one.nc: 10 % of"]),
     ],
 )  # fmt: skip
 def test_scans_that_spoil_the_forces_have_a_caution_with_numbers(scan, settings, message_parts):
     assert_says(" ".join(propose([scan], None, settings).cautions), *message_parts)
-    assert not propose([summary(10000, 512, 14, undefined_count=99)], None, contact()).cautions
+    assert not propose([user_scan(10000, 512, 14, undefined_count=99)], None, contact()).cautions
 
 
 @pytest.mark.parametrize(("radius", "stated"), [(50e3, 250e3), (50e3, 60e3), (50e3, 40e3)])
 def test_a_stated_radius_that_the_scan_of_the_sphere_contradicts_is_questioned(radius, stated):
     """Curvatures add: what is left of 1/R by another stated radius is their difference."""
     curvature_difference = abs(1 / radius - 1 / stated)
-    ball = summary(
+    ball = user_scan(
         defects={"curvature": {"curvature_radius": 1 / curvature_difference, "uncurved_share": 0.1}}
     )
     ball = replace(ball, scan_file=ScanFile("sphere", "sphere", "ball.nc", "ball.nc", stated))
     (caution,) = [
         line
-        for line in propose([summary(), ball], "sphere", contact(stated)).cautions
+        for line in propose([user_scan(), ball], "sphere", contact(stated)).cautions
         if "contradicts" in line
     ]
     assert_says(caution, f"--radius {stated / 1e3:g} µm", f"{radius / 1e3:g} µm")
@@ -260,10 +262,10 @@ def test_a_stated_radius_that_the_scan_of_the_sphere_contradicts_is_questioned(r
 @pytest.mark.parametrize(
     ("scans", "settings", "message_parts"),
     [
-        ([summary(1e5, 3000, kind="line scan")], contact(), ["surface a: expected a height map"]),
-        ([summary(0.5)], contact(), ["0.05 to 10000 nm"]),  # pixels of 1 pm
+        ([user_scan(1e5, 3000, kind="line scan")], contact(), ["surface a: expected a height map"]),
+        ([user_scan(0.5)], contact(), ["0.05 to 10000 nm"]),  # pixels of 1 pm
         (
-            [summary(100), summary(1e5, surface="b")],
+            [user_scan(100), user_scan(1e5, surface="b")],
             contact(),
             ["100 nm on a and pixels of 195 nm on b"],
         ),

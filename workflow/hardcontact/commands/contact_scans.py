@@ -6,7 +6,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from hardcontact.base.formatting import format_length
-from hardcontact.commands.inventory import ScanSummary, scans_by_surface
+from hardcontact.commands.inventory import UserScan, scans_by_surface
 from hardcontact.config.faults import raise_faults
 from hardcontact.config.limits import MAX_MAP_PIXELS, PIXEL_SIZES, same_grid
 from hardcontact.contact.contact import Contact
@@ -18,11 +18,11 @@ from hardcontact.theory.summits import search_size
 #: tenth of the 343 pixels in the paper (1.7 µm at 5.6 nm, on pixels of 4.9 nm).
 MIN_RADIUS_PIXELS = 32
 #: Scans of one surface with equal numbers and sizes of pixels.
-Group = list[ScanSummary]
+Group = list[UserScan]
 
 
 def all_search_sizes(
-    scans: Sequence[ScanSummary], sphere: str | None, contact: Contact
+    scans: Sequence[UserScan], sphere: str | None, contact: Contact
 ) -> dict[str, float]:
     """Return the search size (nm) of each substrate, within which the sphere finds its summits."""
     sizes: dict[str, float] = {}
@@ -40,11 +40,8 @@ def all_search_sizes(
 
 
 def select_contact_scans(
-    scans: Sequence[ScanSummary],
-    sphere: str | None,
-    contact: Contact,
-    search_sizes: dict[str, float],
-) -> tuple[list[ScanSummary], list[str]]:
+    scans: Sequence[UserScan], sphere: str | None, contact: Contact, search_sizes: dict[str, float]
+) -> tuple[list[UserScan], list[str]]:
     """Return the scans that contacts are made on, and the reasons in words.
 
     The scans of a surface have one grid: of those that resolve the interaction radius the smallest
@@ -55,7 +52,7 @@ def select_contact_scans(
     sphere_groups = groups.pop(sphere) if sphere is not None else []
     large_enough = LARGE_SIZE_RATIO * max(search_sizes.values())
     interaction_radius = math.sqrt(2 * contact.radius * contact.rho)
-    selected: list[ScanSummary] = []
+    selected: list[UserScan] = []
     reasons = []
     for surface, surface_groups in groups.items():
         group = _best_group(surface_groups, interaction_radius, large_enough)
@@ -75,7 +72,7 @@ def select_contact_scans(
     return selected, reasons
 
 
-def _group_by_grid(scans: Sequence[ScanSummary]) -> dict[str, list[Group]]:
+def _group_by_grid(scans: Sequence[UserScan]) -> dict[str, list[Group]]:
     """Return the height maps of each surface, those on the same pixels together."""
     low, high = PIXEL_SIZES
     groups: dict[str, list[Group]] = {}
@@ -116,7 +113,7 @@ def _best_group(groups: list[Group], interaction_radius: float, large_enough: fl
     return min(groups, key=rank)
 
 
-def _sphere_group(groups: list[Group], substrates: Sequence[ScanSummary], radius: float) -> Group:
+def _sphere_group(groups: list[Group], substrates: Sequence[UserScan], radius: float) -> Group:
     """Return the scans of the sphere: those on the substrates' grid, or the largest group.
 
     Both bodies are computed on the finer pixels of the two, so that different grids make large

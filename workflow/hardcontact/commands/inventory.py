@@ -29,16 +29,11 @@ from hardcontact.surfaces.height_map import HeightMap
 FILLING = DEFAULT_OPTIONS.undefined_pixels
 #: The use of scans that only enter the spectrum of their surface.
 SPECTRUM_USE = "spectrum"
-#: Columns of the table that is printed.
-PRINTED_COLUMNS = (
-    "", "surface", "file", "channel", "kind", "size", "pixels", "unit", "rms", "peak to valley",
-    "tip radius", "reliable", "used for",
-)  # fmt: skip
 
 
 @dataclass(frozen=True)
-class ScanSummary:
-    """A scan: what its file states, and what is measured on it; lengths are in nm."""
+class UserScan:
+    """A scan of the user: what its file states, and what is measured on it; lengths are in nm."""
 
     scan_file: ScanFile
     dataset: str  #: Name of the scan in a container; empty for any other file.
@@ -88,9 +83,9 @@ class ScanSummary:
 
 def read_inventory(
     scan_files: Sequence[ScanFile], options: ReadingOptions, channel: str = ""
-) -> tuple[list[ScanSummary], list[str], list[str]]:
+) -> tuple[list[UserScan], list[str], list[str]]:
     """Return the scans of files, each area once, and lines on what is left out and on problems."""
-    scans: list[ScanSummary] = []
+    scans: list[UserScan] = []
     unreadable: list[str] = []
     problems: list[str] = []
     for scan_file in scan_files:
@@ -107,28 +102,28 @@ def read_inventory(
 
 def _read_file(
     scan_file: ScanFile, options: ReadingOptions, channel: str
-) -> tuple[list[ScanSummary], list[str]]:
+) -> tuple[list[UserScan], list[str]]:
     """Return the usable scans of a file, and a line for each fault of the others."""
     try:
         datasets = list_scans(scan_file.file)
     except ValueError as error:
         return [], str(error).splitlines()
-    summaries = []
+    user_scans = []
     faults = []
     for dataset in datasets:
         try:
             scan = options.read_scan(scan_file.file, dataset or channel)
-            summaries.append(_summarize_scan(scan_file, scan, options))
+            user_scans.append(_measure_scan(scan_file, scan, options))
         except ValueError as error:
             file = f"{scan_file.file}: "
             faults += [
                 f"{file}{dataset}: {line.removeprefix(file)}" if dataset else line
                 for line in str(error).splitlines()
             ]
-    return summaries, faults
+    return user_scans, faults
 
 
-def _copy_faults(scans: Sequence[ScanSummary]) -> Iterator[str]:
+def _copy_faults(scans: Sequence[UserScan]) -> Iterator[str]:
     """Yield a line for each copy of a scan, which would make intervals too narrow."""
     for scan, other in combinations(scans, 2):
         is_copy = (scan.kind, scan.pixels) == (other.kind, other.pixels) and np.allclose(
@@ -141,9 +136,9 @@ def _copy_faults(scans: Sequence[ScanSummary]) -> Iterator[str]:
             yield f"{other.name}: expected each scan once, found that of {scan.name} again"
 
 
-def _leave_out_repetitions(scans: Sequence[ScanSummary]) -> tuple[list[ScanSummary], list[str]]:
+def _leave_out_repetitions(scans: Sequence[UserScan]) -> tuple[list[UserScan], list[str]]:
     """Return the scans whose area no earlier scan shows, and a line for each other scan."""
-    kept_scans: list[ScanSummary] = []
+    kept_scans: list[UserScan] = []
     lines: list[str] = []
     for surface_scans in scans_by_surface(scans).values():
         maps = [scan.coarse for scan in surface_scans]
@@ -153,16 +148,16 @@ def _leave_out_repetitions(scans: Sequence[ScanSummary]) -> tuple[list[ScanSumma
     return kept_scans, lines
 
 
-def scans_by_surface(scans: Sequence[ScanSummary]) -> dict[str, list[ScanSummary]]:
+def scans_by_surface(scans: Sequence[UserScan]) -> dict[str, list[UserScan]]:
     """Return the scans of each surface, in their order."""
-    surfaces: dict[str, list[ScanSummary]] = {}
+    surfaces: dict[str, list[UserScan]] = {}
     for scan in scans:
         surfaces.setdefault(scan.scan_file.surface, []).append(scan)
     return surfaces
 
 
-def _summarize_scan(scan_file: ScanFile, scan: HeightMap, options: ReadingOptions) -> ScanSummary:
-    """Return the summary of a scan; raise ValueError if the scan is constant or has no PSD."""
+def _measure_scan(scan_file: ScanFile, scan: HeightMap, options: ReadingOptions) -> UserScan:
+    """Return what is stated and measured of a scan; raise ValueError if its height is constant."""
     relief = np.ptp(scan.heights)
     if relief == 0:
         raise ValueError(f"{scan_file.file}: expected a rough surface, found constant height")
@@ -170,7 +165,7 @@ def _summarize_scan(scan_file: ScanFile, scan: HeightMap, options: ReadingOption
     peak_to_valley = float(np.ptp(flat.heights))
     density = isotropic_psd(flat)
     tip_radius = options.tip_radius if scan.tip_radius is None else scan.tip_radius
-    return ScanSummary(
+    return UserScan(
         scan_file=scan_file,
         dataset=scan.dataset,
         channel=scan.channel,
@@ -192,42 +187,40 @@ def _summarize_scan(scan_file: ScanFile, scan: HeightMap, options: ReadingOption
     )
 
 
-def printed_table(scans: Sequence[ScanSummary], contact_scans: Sequence[ScanSummary]) -> str:
+def printed_table(scans: Sequence[UserScan], contact_scans: Sequence[UserScan]) -> str:
     """Return a table of the scans and their uses, with notes on their reading below."""
     contact_ids = {id(scan) for scan in contact_scans}
-    rows = [PRINTED_COLUMNS]
+    rows = []
     notes = []
     for number, scan in enumerate(scans, 1):
         is_map = scan.kind == "map"
-        band = scan.band
+        band_ends = [format_length(end) for end in (scan.band.shortest, scan.band.longest)]
         rows.append(
-            (
-                str(number),
-                scan.scan_file.label,
-                scan.name,
-                scan.channel,
-                "height map" if is_map else "line scan",
-                format_length(scan.size),
-                f"{scan.pixels} x {scan.pixels}" if is_map else str(scan.pixels),
-                scan.file_unit,
-                format_length(scan.rms_height),
-                format_length(scan.peak_to_valley),
-                "unknown" if scan.tip_radius is None else format_length(scan.tip_radius),
-                f"{format_length(band.shortest)} to {format_length(band.longest)}"
-                if scan.has_reliable_wavelengths
-                else "none",
-                CONTACT_USE if id(scan) in contact_ids else SPECTRUM_USE,
-            )
+            {
+                "": str(number),
+                "surface": scan.scan_file.label,
+                "file": scan.name,
+                "channel": scan.channel,
+                "kind": "height map" if is_map else "line scan",
+                "size": format_length(scan.size),
+                "pixels": f"{scan.pixels} x {scan.pixels}" if is_map else str(scan.pixels),
+                "unit": scan.file_unit,
+                "rms": format_length(scan.rms_height),
+                "peak to valley": format_length(scan.peak_to_valley),
+                "tip radius": format_length(scan.tip_radius) if scan.tip_radius else "unknown",
+                "reliable": " to ".join(band_ends) if scan.has_reliable_wavelengths else "none",
+                "used for": CONTACT_USE if id(scan) in contact_ids else SPECTRUM_USE,
+            }
         )
         notes += [f"{number}: {note}" for note in split_notes(scan.notes)[0]]
-        if band.limited_by != "pixels":
-            limit = LIMIT_NAMES[band.limited_by]
+        if scan.band.limited_by != "pixels":
+            limit = LIMIT_NAMES[scan.band.limited_by]
             notes.append(f"{number}: shorter wavelengths are not reliable: {limit}")
-    return "\n".join([*align_cells(rows), *notes])
+    return "\n".join([*align_cells([[*rows[0]], *([*row.values()] for row in rows)]), *notes])
 
 
 def table_rows(
-    scans: Sequence[ScanSummary], contact_scans: Sequence[ScanSummary], tip_radius: str
+    scans: Sequence[UserScan], contact_scans: Sequence[UserScan], tip_radius: str
 ) -> list[dict[str, str]]:
     """Return the rows of the table of surfaces by column; scans that make contacts come first."""
     contact_ids = {id(scan) for scan in contact_scans}

@@ -12,7 +12,7 @@ from typing import Any
 
 from hardcontact.base.dataset import atomic_file
 from hardcontact.commands.inventory import (
-    ScanSummary,
+    UserScan,
     printed_table,
     read_inventory,
     scans_by_surface,
@@ -105,7 +105,7 @@ def _input_checks(
 
 
 def _propose_study(
-    arguments: Namespace, quantities: Mapping[str, QuantityOption], scans: Sequence[ScanSummary]
+    arguments: Namespace, quantities: Mapping[str, QuantityOption], scans: Sequence[UserScan]
 ) -> tuple[Proposal, list[Choice]]:
     """Return a proposal that the study accepts at both efforts, and the keys of full effort."""
     contact = contact_of_quantities(quantities)
@@ -153,10 +153,8 @@ def _choices_without_scans(
     given_quantities = [option for option in CONTACT_QUANTITIES if quantities[option].is_given]
     if given_quantities:
         yield Choice("given", given_quantities, "known; others that equal the paper's are assumed")
-    surface, reason = (
-        (SPHERE, "its scans") if arguments.sphere else (SMOOTH_SPHERE, "no scans of it")
-    )
-    yield Choice("sphere.surface", surface, reason)
+    sphere = (SPHERE, "its scans") if arguments.sphere else (SMOOTH_SPHERE, "no scans of it")
+    yield Choice("sphere.surface", *sphere)
     for option, (key, meaning) in CONTACT_QUANTITIES.items():
         if option != "range":  # which the scans may not permit
             quantity = quantities[option]
@@ -165,7 +163,7 @@ def _choices_without_scans(
 
 
 def _report_lines(
-    scans: Sequence[ScanSummary], left_out: list[str], proposal: Proposal, choices: Sequence[Choice]
+    scans: Sequence[UserScan], left_out: list[str], proposal: Proposal, choices: Sequence[Choice]
 ) -> Iterator[str]:
     """Yield the lines of the report on the scans and the choices."""
     yield "Found:"

@@ -9,7 +9,7 @@ import numpy as np
 
 from hardcontact.base.formatting import format_length
 from hardcontact.commands.contact_scans import all_search_sizes, select_contact_scans
-from hardcontact.commands.inventory import FILLING, ScanSummary
+from hardcontact.commands.inventory import FILLING, UserScan
 from hardcontact.commands.proposed_contacts import (
     MAX_CONTACT_SECONDS,
     PermittedContact,
@@ -81,7 +81,7 @@ class Choice(NamedTuple):
 class Proposal(NamedTuple):
     """The choices for scans."""
 
-    contact_scans: list[ScanSummary]  #: Scans that make contacts; others only enter the spectrum.
+    contact_scans: list[UserScan]  #: Scans that make contacts; others only enter the spectrum.
     choices: list[Choice]
     quick: list[Choice]  #: Choices that differ at quick effort.
     reasons: list[str]  #: Why these scans make contacts, a line for each surface.
@@ -89,7 +89,7 @@ class Proposal(NamedTuple):
 
 
 def propose(
-    scans: Sequence[ScanSummary], sphere: str | None, contact: Contact, range_given: bool = False
+    scans: Sequence[UserScan], sphere: str | None, contact: Contact, range_given: bool = False
 ) -> Proposal:
     """Choose every key that depends on the scans.
 
@@ -118,7 +118,7 @@ def propose(
     return Proposal(contact_scans, full, quick, reasons, cautions)
 
 
-def _refuse_unlike_scans(substrates: Sequence[ScanSummary]) -> None:
+def _refuse_unlike_scans(substrates: Sequence[UserScan]) -> None:
     """Refuse scans if the coarsest resolves no wavelength that the smallest holds."""
     coarsest = max(substrates, key=lambda scan: scan.pixel_size)
     smallest = min(substrates, key=lambda scan: scan.size)
@@ -132,7 +132,7 @@ def _refuse_unlike_scans(substrates: Sequence[ScanSummary]) -> None:
 
 
 def _effort_choices(
-    substrates: Sequence[ScanSummary],
+    substrates: Sequence[UserScan],
     permitted: PermittedContact,
     transitions: Sequence[Choice],
     effort: Effort,
@@ -148,9 +148,7 @@ def _effort_choices(
     if is_slow:
         contacts_reason += f": the fewest, and yet each filtered surface takes {seconds:.2g} s"
     shortest_range = permitted.shortest_range
-    ranges = [
-        _format_nm(rho) for rho in _adhesion_ranges(contact.rho, shortest_range, effort.range_count)
-    ]
+    ranges = _adhesion_ranges(contact.rho, shortest_range, effort.range_count)
     limit = f"these scans permit {shortest_range:.3g} nm or more"
     master_count = _master_count(substrates, effort, is_slow)
     return [
@@ -163,7 +161,7 @@ def _effort_choices(
     ]
 
 
-def _master_count(substrates: Sequence[ScanSummary], effort: Effort, is_slow: bool) -> int:
+def _master_count(substrates: Sequence[UserScan], effort: Effort, is_slow: bool) -> int:
     """Return the number of masters on each side; at full effort scans make equally many."""
     masters = effort.slow_master_count if is_slow else effort.master_count
     scan_counts = Counter(scan.scan_file.surface for scan in substrates)
@@ -175,7 +173,7 @@ def _master_count(substrates: Sequence[ScanSummary], effort: Effort, is_slow: bo
 
 
 def _master_choices(
-    substrates: Sequence[ScanSummary],
+    substrates: Sequence[UserScan],
     contact: Contact,
     transitions: Sequence[Choice],
     effort: Effort,
@@ -211,7 +209,7 @@ def _spaced_cutoffs(shortest: float, longest: float, max_count: int) -> list[str
 
 
 def _transition_choices(
-    substrates: Sequence[ScanSummary], sphere_scans: Sequence[ScanSummary]
+    substrates: Sequence[UserScan], sphere_scans: Sequence[UserScan]
 ) -> tuple[Choice, Choice]:
     """Return the wavelengths below and above which roughness is artificial.
 
@@ -235,8 +233,8 @@ def _transition_choices(
 
 
 def _decisive_scans(
-    substrates: Sequence[ScanSummary], sphere_scans: Sequence[ScanSummary], end: str
-) -> list[ScanSummary]:
+    substrates: Sequence[UserScan], sphere_scans: Sequence[UserScan], end: str
+) -> list[UserScan]:
     """Return the scans whose body is the rougher one at an end of their band; all if none is."""
     bodies = [(scan, sphere_scans) for scan in substrates]
     bodies += [(scan, substrates) for scan in sphere_scans]
@@ -246,15 +244,15 @@ def _decisive_scans(
     return rough_scans or [*substrates, *sphere_scans]
 
 
-def _is_rougher(scan: ScanSummary, partners: Sequence[ScanSummary], wavelength: float) -> bool:
+def _is_rougher(scan: UserScan, partners: Sequence[UserScan], wavelength: float) -> bool:
     """Return False if all scans of the other body have more power at a wavelength (nm)."""
     index = nearest_bin(wavelength)
     is_lower = [partner.density[index] > scan.density[index] for partner in partners]
     return not (partners and all(is_lower))
 
 
-def _adhesion_ranges(rho: float, shortest_range: float, count: int) -> list[float]:
-    """Return ranges of adhesion (nm) around the range rho of the masters, and rho itself.
+def _adhesion_ranges(rho: float, shortest_range: float, count: int) -> list[str]:
+    """Return ranges of adhesion as quantities, around the range rho (nm) of the masters.
 
     Half of them are shorter, if the shortest possible range leaves room for them.
     """
@@ -265,7 +263,8 @@ def _adhesion_ranges(rho: float, shortest_range: float, count: int) -> list[floa
     shorter = np.geomspace(shortest, rho, shorter_count + 1)[:-1]
     longer = np.geomspace(rho, longest, count - shorter_count)[1:]
     rounded = {float(f"{length:.2g}") for length in (*shorter[1:], *longer)}
-    return sorted({*shorter[:1], rho, *(length for length in rounded if length > shortest)})
+    ranges = {*shorter[:1], rho, *(length for length in rounded if length > shortest)}
+    return [_format_nm(length) for length in sorted(ranges)]
 
 
 def _format_nm(length: float) -> str:

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
-from hardcontact.commands.inventory import ScanSummary
+from hardcontact.commands.inventory import UserScan
 from hardcontact.config.limits import MAX_CONTACT_PIXELS
 from hardcontact.contact.bearing_area import TILE
 from hardcontact.contact.contact import Contact
@@ -47,8 +47,8 @@ class PermittedContact(NamedTuple):
 
 
 def choose_contact(
-    scans: Sequence[ScanSummary],
-    substrates: Sequence[ScanSummary],
+    scans: Sequence[UserScan],
+    substrates: Sequence[UserScan],
     contact: Contact,
     range_given: bool,
     max_pixels: int,
@@ -69,7 +69,7 @@ def choose_contact(
     return PermittedContact(replace(contact, window=window), shortest, window_reason, range_reason)
 
 
-def _window_on_scans(scans: Sequence[ScanSummary], contact: Contact) -> tuple[float, str]:
+def _window_on_scans(scans: Sequence[UserScan], contact: Contact) -> tuple[float, str]:
     """Return the width of the window (nm) that a contact on scans needs, and the reason."""
     return window_on_scans(
         max(scan.rms_height for scan in scans),
@@ -81,8 +81,8 @@ def _window_on_scans(scans: Sequence[ScanSummary], contact: Contact) -> tuple[fl
 
 
 def _shortest_range(
-    scans: Sequence[ScanSummary],
-    substrates: Sequence[ScanSummary],
+    scans: Sequence[UserScan],
+    substrates: Sequence[UserScan],
     contact: Contact,
     window: float,
     max_pixels: int,
@@ -101,7 +101,7 @@ def _shortest_range(
     return max(permitted_ranges)
 
 
-def master_scans_per_row(substrates: Sequence[ScanSummary], window: float, pixels: int) -> int:
+def master_scans_per_row(substrates: Sequence[UserScan], window: float, pixels: int) -> int:
     """Return the number of mirrored scans per row of long-edge masters: key scales.long.tiles.
 
     If pixels suffice, the master is eight scans wide, as in the paper, and wider than the window
@@ -113,7 +113,7 @@ def master_scans_per_row(substrates: Sequence[ScanSummary], window: float, pixel
     return max(1, min(scans_per_row, pixels // max(2 * scan.pixels for scan in substrates)))
 
 
-def short_edge_pixels(scan: ScanSummary, contact: Contact, max_pixels: int) -> int:
+def short_edge_pixels(scan: UserScan, contact: Contact, max_pixels: int) -> int:
     """Return the pixels per row of a scan's short-edge masters: as many as time permits."""
     pixels = 2 * scan.pixels
     while 2 * pixels <= max_pixels:
@@ -128,7 +128,7 @@ def short_edge_pixels(scan: ScanSummary, contact: Contact, max_pixels: int) -> i
     return pixels
 
 
-def _contact_seconds(scan: ScanSummary, contact: Contact, pixel_size: float) -> float:
+def _contact_seconds(scan: UserScan, contact: Contact, pixel_size: float) -> float:
     """Estimate the seconds for one contact and its periods on pixels of a width (nm)."""
     periods = periods_in_window(contact.window, scan.size)
     tile_count = (window_pixels(contact.window, pixel_size) / TILE) ** 2
@@ -137,10 +137,7 @@ def _contact_seconds(scan: ScanSummary, contact: Contact, pixel_size: float) -> 
 
 
 def affordable_contacts(
-    substrates: Sequence[ScanSummary],
-    contact: Contact,
-    short_pixels: int,
-    max_contacts_per_row: int,
+    substrates: Sequence[UserScan], contact: Contact, short_pixels: int, max_contacts_per_row: int
 ) -> tuple[int, float]:
     """Return the contacts per row that time and memory permit, and their seconds on one surface.
 

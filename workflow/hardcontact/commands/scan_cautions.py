@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping, Sequence
 import numpy as np
 
 from hardcontact.base.formatting import format_length, format_quantity
-from hardcontact.commands.inventory import ScanSummary, scans_by_surface
+from hardcontact.commands.inventory import UserScan, scans_by_surface
 from hardcontact.commands.proposed_contacts import PermittedContact
 from hardcontact.config.faults import raise_faults
 from hardcontact.contact.numerical_limits import (
@@ -24,7 +24,7 @@ from hardcontact.surfaces.spectrum import MIN_BINS, too_few_bins_message
 MAX_UNDEFINED_SHARE = 0.05
 
 
-def refuse_unreliable(scans: Sequence[ScanSummary]) -> None:
+def refuse_unreliable(scans: Sequence[UserScan]) -> None:
     """Refuse surfaces with too few reliable wavelengths, and name the defects of their scans."""
     faults = []
     for surface, surface_scans in scans_by_surface(scans).items():
@@ -42,8 +42,8 @@ def refuse_unreliable(scans: Sequence[ScanSummary]) -> None:
 
 
 def scan_cautions(
-    scans: Sequence[ScanSummary],
-    substrates: Sequence[ScanSummary],
+    scans: Sequence[UserScan],
+    substrates: Sequence[UserScan],
     usual_range: float,
     permitted: PermittedContact,
     search_sizes: Mapping[str, float],
@@ -58,7 +58,7 @@ def scan_cautions(
     yield from _filling_cautions(scans)
 
 
-def _reading_cautions(scans: Sequence[ScanSummary]) -> Iterator[str]:
+def _reading_cautions(scans: Sequence[UserScan]) -> Iterator[str]:
     """Yield a sentence on each defect of a scan, then the cautions of its reader."""
     for scan in scans:
         for code, numbers in scan.defects.items():
@@ -70,7 +70,7 @@ def _reading_cautions(scans: Sequence[ScanSummary]) -> Iterator[str]:
         yield from (f"{scan.name}: {line}" for line in cautions)
 
 
-def _radius_question(scan: ScanSummary, stated_radius: float) -> str:
+def _radius_question(scan: UserScan, stated_radius: float) -> str:
     """Return a question about the radius (nm) of a sphere whose scan stays curved.
 
     The defect has no sign: a smaller sphere leaves it, or a larger one.
@@ -87,7 +87,7 @@ def _radius_question(scan: ScanSummary, stated_radius: float) -> str:
 
 
 def _contact_cautions(
-    substrates: Sequence[ScanSummary],
+    substrates: Sequence[UserScan],
     usual_range: float,
     permitted: PermittedContact,
     search_sizes: Mapping[str, float],
@@ -131,7 +131,7 @@ def single_pixel_cautions(area: float, pixel_sizes: Sequence[float]) -> Iterator
         )
 
 
-def _filling_cautions(scans: Sequence[ScanSummary]) -> Iterator[str]:
+def _filling_cautions(scans: Sequence[UserScan]) -> Iterator[str]:
     """Yield a sentence on each scan with many undefined pixels."""
     for scan in scans:
         if scan.undefined_share > MAX_UNDEFINED_SHARE:
@@ -141,7 +141,7 @@ def _filling_cautions(scans: Sequence[ScanSummary]) -> Iterator[str]:
             )
 
 
-def _contradiction_cautions(scans: Sequence[ScanSummary]) -> Iterator[str]:
+def _contradiction_cautions(scans: Sequence[UserScan]) -> Iterator[str]:
     """Yield a line for each surface whose scans contradict each other."""
     for surface_scans in scans_by_surface(scans).values():
         contradictions = find_contradictions(
