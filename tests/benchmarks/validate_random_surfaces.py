@@ -1,12 +1,12 @@
-"""Forces that `hardcontact predict` has of forty random surfaces, against finer pixels.
+"""Forces that `hardcontact predict` gives on forty random surfaces, beside those on finer pixels.
 
     nice python tests/benchmarks/validate_random_surfaces.py [SURFACES]
 
-Surfaces are of six families, their scans have pixels four times as wide. Random are rms height,
-roll-off, Hurst exponent, number, width and heights of features, pixels, radius, preload, and
-whether a pixel of the scan has a mean or a single height. Each row has the forces that have an
-interval, relative to the mean force on the finer pixels at the same contacts. A scan without
-reliable wavelengths is refused.
+Surfaces are of six families. The pixels of their scans are four times as wide, with the mean or a
+single height of the finer pixels in each. This choice is random, and so are rms height, roll-off,
+Hurst exponent, number, width and heights of features, radius and preload. Each row has the forces
+that have an interval, relative to the mean force on the finer pixels at the same contacts. A scan
+without reliable wavelengths is refused.
 """
 
 import sys

@@ -70,10 +70,10 @@ def find_carrying_asperities(
     pixel_size = bodies.geometry.pixel_size
     contact_pixel_count = contact.pixel_count(pixel_size)
     offset = bodies.geometry.offsets()
-    sphere = bodies.sphere(offset, offset)
+    sphere_heights = bodies.sphere_heights(offset, offset)
     asperity_values = []
     for index in progress(contact_indices, len(contact_indices), "contacts"):
-        gap = reference_gap_map(bodies, index, sphere)
+        gap = reference_gap_map(bodies, index, sphere_heights)
         gap = np.maximum(gap - largest_contact_gap(gap, contact_pixel_count), 0)
         for rho in ranges:
             asperity_values.append(asperity_sizes(np.exp(gap / -rho), CARRIED_SHARE, pixel_size))

@@ -28,7 +28,7 @@ class Contact:
     plastic: bool = True  #: Whether contact pixels yield; in rigid contact a single pixel touches.
     #: Width in nm of the square around each contact that attracts; only height maps need it.
     window: float = math.nan
-    contacts_per_row: int = 1  #: Of the square array of contacts.
+    contacts_per_row: int = 1  #: Number of contacts in each row of the square array.
     rho: float = math.nan  #: Range of adhesion in nm.
     work: float = math.nan  #: Work of adhesion in J/m²; most forces are computed at 1 J/m².
 
@@ -49,7 +49,7 @@ class Contact:
             raise ValueError(f"contact: expected {' and '.join(missing_fields)}, found none")
 
     def pixel_count(self, pixel_size: float) -> int:
-        """Return the least number of contact pixels (size in nm) that carry the preload.
+        """Return the least number of pixels of a size (nm) that carry the preload.
 
         It is 1 in rigid contact. Source: the paper, plastic analysis.
         """

@@ -60,13 +60,13 @@ class Bodies:
     sphere_roughness: HeightMap | None
     geometry: ContactGeometry
 
-    def sphere(self, rows: NDArray[np.int_], columns: NDArray[np.int_]) -> Floats:
-        """Return the height y - u (k, l) of a rough sphere in nm, k and l pixels from its apex."""
-        shape = self.geometry.paraboloid(rows)[:, None] + self.geometry.paraboloid(columns)
+    def sphere_heights(self, rows: NDArray[np.int_], columns: NDArray[np.int_]) -> Floats:
+        """Return the height y - u (k, l) of the sphere in nm, k and l pixels from its apex."""
+        heights = self.geometry.paraboloid(rows)[:, None] + self.geometry.paraboloid(columns)
         if self.sphere_roughness is not None:
             period = self.sphere_roughness.pixels
-            shape -= self.sphere_roughness.heights[np.ix_(rows % period, columns % period)]
-        return shape
+            heights -= self.sphere_roughness.heights[np.ix_(rows % period, columns % period)]
+        return heights
 
 
 def window_pixels(window: float, pixel_size: float) -> int:
@@ -134,10 +134,10 @@ def spheres_at_positions(sphere: HeightMap, positions_per_row: int) -> list[Heig
     ]
 
 
-def read_bodies(substrate: str, sphere: str | None, contact: Contact) -> Bodies:
+def read_bodies(substrate_path: str, sphere_path: str | None, contact: Contact) -> Bodies:
     """Bring two height maps of files of the study together, as `join_bodies` does."""
-    sphere_map = load_height_map(sphere) if sphere else None
-    return join_bodies(load_height_map(substrate), sphere_map, contact)
+    sphere = load_height_map(sphere_path) if sphere_path else None
+    return join_bodies(load_height_map(substrate_path), sphere, contact)
 
 
 def _convert_precision(surface: HeightMap) -> HeightMap:
@@ -165,19 +165,19 @@ def reference_gaps(bodies: Bodies, apex: NDArray[np.int_], offsets: NDArray[np.i
 
 
 def reference_gap_map(
-    bodies: Bodies, index: tuple[int, int] | NDArray[np.int_], sphere: Floats | None = None
+    bodies: Bodies, index: tuple[int, int] | NDArray[np.int_], sphere_heights: Floats | None = None
 ) -> Floats:
     """Return the reference gaps (n, n) of one contact of the array; the apex is at (n/2, n/2).
 
-    The `sphere` is the same for all contacts; None computes it.
+    The `sphere_heights` in the window are the same for all contacts; None computes them.
     """
     geometry = bodies.geometry
     offset = geometry.offsets()
-    if sphere is None:
-        sphere = bodies.sphere(offset, offset)
+    if sphere_heights is None:
+        sphere_heights = bodies.sphere_heights(offset, offset)
     apex = geometry.positions[list(index)]
     rows, columns = (apex[:, None] + offset) % bodies.substrate.pixels
-    return np.asarray(sphere - bodies.substrate.heights[rows].take(columns, axis=1))
+    return np.asarray(sphere_heights - bodies.substrate.heights[rows].take(columns, axis=1))
 
 
 def largest_contact_gap(gap: Floats, contact_pixel_count: int) -> float:

@@ -110,9 +110,9 @@ def _add_height_maps(
     gaps = reference_gaps(bodies, bodies.geometry.apexes()[index], offsets)
     largest_gaps = contact_pixels.reference_gaps[index][counts - 1]
     indentation = np.maximum(largest_gaps[:, None, None] - gaps, 0)
-    sphere_height = bodies.sphere(*(deepest[:, None] + steps))
+    sphere_heights = bodies.sphere_heights(*(deepest[:, None] + steps))
     position = steps * bodies.geometry.pixel_size
     return sizes.assign(
         indentation=(("preload", "y", "x"), indentation, NM),
-        sphere_height=(("y", "x"), sphere_height, NM),
+        sphere_height=(("y", "x"), sphere_heights, NM),
     ).assign_coords(y=("y", position, NM), x=("x", position, NM))

@@ -21,7 +21,7 @@ from hardcontact.contact.numerical_limits import EXP_LIMITS
 from hardcontact.contact.patches import count_touched_patches
 from hardcontact.surfaces.height_map import HeightMap
 
-#: Returns the forces on a surface, of any shape.
+#: A function that returns the forces on a surface, in an array of any shape.
 ForcesOnSurface = Callable[[HeightMap], Floats]
 #: Work of adhesion (J/m²) of all computed forces.
 WORK_OF_ADHESION = 1.0

@@ -1,8 +1,8 @@
-"""Condition a group of substitute scans of one surface, so that they meet Table 1 exactly.
+"""Condition a group of substitute scans of one surface, so that the group meets Table 1.
 
 Random scans meet it only on average. A smooth gain of amplitudes gives the group the mean rms
 height, slope and curvature. A factor on the heights of each scan gives the group the standard
-deviation of rms heights.
+deviation of rms heights. The gain is bounded, so that a group may miss slope or curvature.
 """
 
 from collections.abc import Sequence

@@ -30,8 +30,8 @@ from hardcontact.theory.summits import (
     spectrum_between,
 )
 
-#: A surface counts as smooth above this share of the force on a smooth one, both without the area
-#: in contact.
+#: Share of the force on a smooth surface above which a surface counts as smooth; both forces are
+#: without the area in contact.
 SMOOTH_SHARE = 0.9
 #: Largest number of nested generations: summits on summits on the surface.
 MAX_GENERATIONS = 8
@@ -53,7 +53,7 @@ class Regime(StrEnum):
 
 @dataclass(frozen=True)
 class ClosedForm:
-    """The mean pull-off force, its terms and its regime."""
+    """The mean pull-off force, and the height of the apex and the regime that it comes from."""
 
     force: float  #: In N.
     dmt_ratio: float  #: Force relative to the force of DMT.
@@ -114,7 +114,10 @@ def _terms(
     rough_close_points: bool,
     generations: int = MAX_GENERATIONS,
 ) -> tuple[float, float]:
-    """Return the surface term and the summit term, averaged over levels of the apex."""
+    """Return the surface term and the summit term, averaged over levels of the apex.
+
+    The roughness of a summit follows from the same terms, up to a number of generations of summits.
+    """
     relative_rms = np.sqrt(spectral_moment(spectrum, 0)) / contact.rho
     summit_ratio = 1.0
     summit = _roughness_on_summit(spectrum, apex, contact)
@@ -171,7 +174,7 @@ def critical_band(spectrum: Spectrum, contact: Contact, tolerance: float) -> tup
     """Return the short and the long edge (nm) of the band of wavelengths that decide the force.
 
     Without the wavelengths beyond an edge, the force changes by the tolerance; NaN if no cutoff
-    does this. Summits below the sphere are smooth here, because rough ones improve forces on
+    does this. Close points lie on smooth summits here, because rough ones improve forces on
     held-out surfaces, but not edges.
     """
     wavelengths = spectrum.wavelength[spectrum.density > 0]
