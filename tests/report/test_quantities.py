@@ -47,7 +47,7 @@ def test_an_endless_interval_is_left_out():
         (Number("edge", 67.0, "nm", status="no_interval"), "67 nm (not bounded by these scans)"),
         (Number("edge", 2560.0, "nm", status="open_above"), "at least 2.56 µm"),
         (Number("edge", 20.0, "nm", status="open_below"), "at most 20 nm"),
-        (Number("edge", NAN, "nm", status="no_band"), "no band"),
+        (Number("edge", NAN, "nm", status="no_band"), "not found: no cutoff changes the force"),
         (Number("edge", NAN, "nm"), "not known"),
         (number_without_value("size", 1.0, 2.0), "1 to 2"),
         (number_without_value("size", 1.0, NAN), "more than 1"),

@@ -137,7 +137,7 @@ def answer_of(data, wavelengths, force_data=None):
         (edges(), (400, 1000), ("no", "found")),
         (open_edges(), (6, 25e3), ("partly", "found")),
         (move_edge(3000.0, 2000.0, 4000.0), (6, 25e3), ("yes", "overlapping")),
-        (unresolved_edges(), (6, 25e3), ("no", "none")),
+        (unresolved_edges(), (6, 25e3), ("no", "unresolved")),
     ],
 )
 def test_the_verdict_follows_from_the_edges_and_the_scans(data, wavelengths, answer_and_band):

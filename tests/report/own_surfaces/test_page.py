@@ -19,10 +19,12 @@ from answer_inputs import (
     edges,
     fit,
     force,
+    move_edge,
     open_edges,
     setting,
     spectra,
     topography,
+    unresolved_edges,
 )  # fmt: skip
 from html_page import Page
 from intervals import between_multiples
@@ -102,6 +104,17 @@ def test_a_hindcast_that_fails_or_lacks_an_octave_leaves_no_edge(ratio, lead):
         if note["code"] == "hindcast_short"
     ]
     assert_says(note, "0.30 [0.27, 0.33]" if ratio == 0.3 else "show no octave", "below 20 nm")
+
+
+@pytest.mark.parametrize(
+    ("data", "answer"),
+    [
+        (move_edge(3000.0, 2000.0, 4000.0), "answered. No band: "),
+        (unresolved_edges(), "not answered. No roughness on these scans changes the force"),
+    ],
+)
+def test_edges_that_exclude_a_band_answer_but_edges_beyond_the_cutoffs_do_not(data, answer):
+    assert_says(headline_of(edges=data), f"{LABELS[0]}: {answer}")
 
 
 def test_the_figure_of_octaves_has_a_bar_an_octave_and_hatches_those_that_no_scan_shows():

@@ -28,11 +28,12 @@ class Conclusion(NamedTuple):
     """The answer of one surface in short; printed intervals have both ends."""
 
     #: "yes" if both edges are found, edges and force come from wavelengths at which a scan is
-    #: reliable, and no extrapolated force differs; "no" if none of the three comes from there, or
-    #: if there is no band or too few patches are touched; otherwise "partly".
+    #: reliable, and no extrapolated force differs; "no" if none of the three comes from there, if
+    #: no edge is found, or if contacts touch too few patches; otherwise "partly".
     answer: str
-    #: "few_patches"; "none" if no resolved wavelength changes the force; "unknown" if a hindcast
-    #: fails or the filter makes ripples; "overlapping" if the short edge is longer; or "found".
+    #: "few_patches" if contacts touch too few; "unresolved" if no cutoff changes the force;
+    #: "unknown" if a hindcast fails or the filter makes ripples; "overlapping" if the short edge is
+    #: longer, so that either short or long waves suffice for the force; otherwise "found".
     band: str
     short_edge: Number
     long_edge: Number
@@ -174,7 +175,7 @@ def surface_conclusion(numbers: Mapping[str, Number]) -> Conclusion:
     sides = [side for side in SIDES if f"force_extrapolated_{side}" in numbers]
     sources = {short.source, long.source, numbers["mean_force_measured_share"].source}
     band = _describe_band(short, long, numbers["mean_force"])
-    if band in ("few_patches", "none") or sources == {"artificial"}:
+    if band in ("few_patches", "unresolved") or sources == {"artificial"}:
         answer = "no"
     elif sources == {"measured"} and not sides and not short.status and not long.status:
         answer = "yes"
@@ -189,7 +190,7 @@ def _describe_band(short: Number, long: Number, force: Number) -> str:
     if force.status == IntervalSource.FEW_PATCHES:
         return "few_patches"
     if short.status == NoValue.NO_BAND:
-        return "none"
+        return "unresolved"
     if {NoValue.NO_HINDCAST, EdgeStatus.RIPPLES} & {short.status, long.status}:
         return "unknown"
     return "overlapping" if short.value >= long.value else "found"
