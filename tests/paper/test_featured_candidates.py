@@ -13,6 +13,7 @@ from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import pull_off_dataset
 from hardcontact.inference.published_fit import PublishedForces
 from hardcontact.paper.featured_candidates import (
+    MAX_FORCE_FACTOR,
     candidate_of_set,
     compare_features,
     compute_candidates,
@@ -23,9 +24,15 @@ from hardcontact.surfaces.levelling import level_plane
 from hardcontact.surfaces.metrics import metrics
 
 FEATURED = FeaturedSurface(replace(SUBSTITUTE, grid=GRID._replace(size=2500.0), seed=3), POLISHED)
-RANGES = [1.0, 5.6]
+RANGE, WORK = 5.6, 0.05  # the published pair: nm, J/m²
+RANGES = [1.0, RANGE]
 INPUTS = FEATURED, 2, CONTACT, RANGES
-PAIR = (5.6, 0.05)
+SPHERE_FACTOR = 0.5  # force on the rough sphere relative to a smooth one
+SPHERE_FACTORS = xr.DataArray(
+    np.full((1, 2, 2), SPHERE_FACTOR),
+    {"surface": ["uncd"], "contact_model": ["rigid", "plastic"], "rho": RANGES},
+    ("surface", "contact_model", "rho"),
+)
 
 
 @pytest.fixture(scope="module")
@@ -56,23 +63,42 @@ def test_each_set_has_a_candidate_of_its_own_with_bumps_and_pits_in_turn(candida
     assert np.sign(heights).tolist() == [1, -1, 1, -1]
 
 
-def test_the_comparison_has_the_forces_at_the_published_pair(candidates):
-    pull_off_forces = candidates["pits"]["pull_off_force"]
-    forces = 0.5 * 0.05 * pull_off_forces.sel(contact_model="plastic", candidate=1, rho=5.6)
-    printed = {"mean_force": [1.9 * forces.mean().item()], "median_force": [forces.median().item()]}
-    published = PublishedForces(pd.DataFrame(printed, index=["uncd"]), PAIR, 0.1)
-    factor = xr.full_like(pull_off_forces.isel(candidate=0, scan=0, contact_y=0, contact_x=0), 0.5)
-    factors = factor.expand_dims(surface=["uncd"])
+@pytest.fixture(scope="module")
+def pit_forces(candidates):
+    """The forces on a candidate with pits at the published pair."""
+    labels = {"contact_model": "plastic", "candidate": 1, "rho": RANGE}
+    return SPHERE_FACTOR * WORK * candidates["pits"]["pull_off_force"].sel(labels)
+
+
+def compare_pits(candidates, pit_forces, published_mean_ratio=1.5):
+    """The candidate with pits beside its own median, and its mean times a ratio, as published.
+
+    A log-normal distribution has a mean above its median.
+    """
+    mean, median = pit_forces.mean().item(), pit_forces.median().item()
+    printed = {"mean_force": [published_mean_ratio * mean], "median_force": [median]}
+    published = PublishedForces(pd.DataFrame(printed, index=["uncd"]), (RANGE, WORK), 0.1)
     chunks = {("uncd", kind, 1, 2): dataset for kind, dataset in candidates.items()}
-    labels = {"uncd": "UNCD"}
-    comparison = compare_features(chunks, factors, published, labels)
-    candidate = comparison.sel(features="pits", candidate=1)
-    assert candidate["mean_force_at_pair"].item() == pytest.approx(forces.mean().item())
-    assert candidate["median_force_at_pair"].item() == pytest.approx(forces.median().item())
-    assert candidate["log_force_std"].item() == pytest.approx(np.log(forces).std().item())
-    assert candidate["agrees"] == 1
-    larger_mean = published._replace(forces=published.forces * [1.2, 1])
-    comparison = compare_features(chunks, factors, larger_mean, labels)
-    assert comparison["agrees"].sel(features="pits", candidate=1) == 0
-    empty = compare_features({}, factors, published, labels)
+    comparison = compare_features(chunks, SPHERE_FACTORS, published, {"uncd": "UNCD"})
+    return comparison.sel(features="pits", candidate=1)
+
+
+def test_the_comparison_has_the_forces_at_the_published_pair(candidates, pit_forces):
+    candidate = compare_pits(candidates, pit_forces)
+    assert candidate["mean_force_at_pair"].item() == pytest.approx(pit_forces.mean().item())
+    assert candidate["median_force_at_pair"].item() == pytest.approx(pit_forces.median().item())
+    assert candidate["log_force_std"].item() == pytest.approx(np.log(pit_forces).std().item())
+
+
+@pytest.mark.parametrize(("relative_ratio", "agrees"), [(0.95, 1), (1.05, 0)])
+def test_a_candidate_agrees_within_the_largest_factor(
+    candidates, pit_forces, relative_ratio, agrees
+):
+    candidate = compare_pits(candidates, pit_forces, relative_ratio * MAX_FORCE_FACTOR)
+    assert candidate["agrees"] == agrees
+
+
+def test_a_study_without_features_has_the_same_variables(candidates, pit_forces):
+    comparison = compare_pits(candidates, pit_forces)
+    empty = compare_features({}, SPHERE_FACTORS, None, {})
     assert set(empty) <= set(comparison) and set(empty.attrs) <= set(comparison.attrs)
