@@ -45,9 +45,9 @@ def adhesion(rng, scans=5, spread=0.2, contact_spread=0.3):
     )
 
 
-def sampled_tests(rng, number=40, shape=0.6, surfaces="ab"):
+def sampled_tests(rng, count=40, log_std=0.6, surfaces="ab"):
     """Single tests, log-normal about the forces of RHO and WORK."""
-    scatter = [np.exp(shape * rng.standard_normal(number) - shape**2 / 2) for _ in surfaces]
+    scatter = [np.exp(log_std * rng.standard_normal(count) - log_std**2 / 2) for _ in surfaces]
     rows = [
         (surface, force, force, 1, "")
         for surface, factors in zip(surfaces, scatter, strict=True)
@@ -76,7 +76,7 @@ def holds(fit, rho=RHO, work=WORK):
 def test_without_scatter_range_and_work_are_recovered():
     rng = np.random.default_rng(0)
     exact = adhesion(rng, spread=1e-4, contact_spread=1e-4)
-    fit = fitted(exact, sampled_tests(rng, number=400, shape=0.01))
+    fit = fitted(exact, sampled_tests(rng, count=400, log_std=0.01))
     assert float(fit.range_of_adhesion) == pytest.approx(RHO, rel=0.02)
     assert float(fit.work_of_adhesion) == pytest.approx(WORK, rel=0.02)
     for true_value, (low, high) in ((RHO, fit.region_range.values), (WORK, fit.region_work.values)):
@@ -122,22 +122,22 @@ def test_one_surface_gives_a_curve_of_works_and_no_range():
 
 
 @pytest.mark.parametrize(
-    ("ranges", "number", "factor", "is_known"),
+    ("range_count", "test_count", "factor", "is_known"),
     [
         (6, 1, 1, [False, False]),  # a single test a surface: no scatter, no interval
         (6, 40, 1e3, [False, False]),  # forces that no range explains
         (4, 40, 1, [True, False]),  # a range at the end of those computed is no limit
     ],
 )
-def test_an_unknown_region_has_no_work(ranges, number, factor, is_known):
+def test_an_unknown_region_has_no_work(range_count, test_count, factor, is_known):
     rng = np.random.default_rng(8)
-    computed_forces = adhesion(rng).sel(rho=RHOS[:ranges])
-    tests = sampled_tests(rng, number)
+    computed_forces = adhesion(rng).sel(rho=RHOS[:range_count])
+    tests = sampled_tests(rng, test_count)
     tests.loc[tests.surface == "b", ["mean", "median"]] *= factor
     fit = fitted(computed_forces, tests)
     assert fit.region_range.notnull().values.tolist() == is_known and fit.region_work.isnull().all()
     assert fit.work_by_range.notnull().all()
-    assert fit.work_by_range_interval.notnull().all() == (number > 1)
+    assert fit.work_by_range_interval.notnull().all() == (test_count > 1)
 
 
 # Tests
@@ -181,14 +181,14 @@ def test_repeated_tests_are_recognised_and_independent_ones_are_not():
     assert sum(map(looks, independent)) <= 3  # a chance of 0.001 each
 
 
-@pytest.mark.parametrize("shape, number", [(0.7, 40), (1.5, 40), (0.7, 4)])
-def test_sampled_means_cover_the_mean_with_their_confidence(shape, number):
+@pytest.mark.parametrize("log_std, count", [(0.7, 40), (1.5, 40), (0.7, 4)])
+def test_sampled_means_cover_the_mean_with_their_confidence(log_std, count):
     rng, contained = np.random.default_rng(3), []
     for _ in range(300):
-        forces = np.exp(shape * rng.standard_normal(number))
-        tests = MeasuredTests(forces.mean(), np.log(forces).std(ddof=1), number, number)
+        forces = np.exp(log_std * rng.standard_normal(count))
+        tests = MeasuredTests(forces.mean(), np.log(forces).std(ddof=1), count, count)
         low, high = np.percentile(sampled_means(rng, tests, 400), [5, 95])
-        contained.append(low < np.exp(shape**2 / 2) < high)
+        contained.append(low < np.exp(log_std**2 / 2) < high)
     assert np.mean(contained) > 0.85
 
 

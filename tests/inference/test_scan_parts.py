@@ -5,8 +5,12 @@ import pytest
 from scipy import fft
 
 from hardcontact.contact.geometry import contact_positions
-from hardcontact.inference import scan_parts
-from hardcontact.inference.scan_parts import interval_half_width, jackknife_variance, parts_of_scans
+from hardcontact.inference.scan_parts import (
+    interval_half_width,
+    jackknife_variance,
+    parts_of_scans,
+    quarters_of_contacts,
+)
 
 
 def half_width_of(left_out, scan_parts, confidence):
@@ -20,10 +24,10 @@ def test_contacts_lie_on_the_quarters_of_the_mirrored_scan(count, tiles):
     mirrored = np.pad(scan, ((0, 1000), (0, 1000)), mode="symmetric")
     positions = contact_positions(2000 * tiles, count) % 2000
     quarters = mirrored[np.ix_(positions, positions)]
-    np.testing.assert_array_equal(scan_parts.quarters_of_contacts(count, tiles), quarters)
+    np.testing.assert_array_equal(quarters_of_contacts(count, tiles), quarters)
 
 
-QUARTERS = scan_parts.quarters_of_contacts(4, 1)
+QUARTERS = quarters_of_contacts(4, 1)
 
 
 def test_three_scans_are_independent_parts_and_fewer_are_divided_into_quarters():

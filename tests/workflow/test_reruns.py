@@ -40,7 +40,7 @@ def load(script, *names):
         for line in (line for path in pending for line in imports(path)):
             exec(line, {})
         done |= pending
-        library = (module for name, module in sys.modules.items() if name[:11] == "hardcontact")
+        library = (module for name, module in sys.modules.items() if name.startswith("hardcontact"))
         modules = {os.path.relpath(module.__file__) for module in library}
         pending = modules - done
     return modules

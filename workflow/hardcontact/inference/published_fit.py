@@ -44,11 +44,7 @@ MAX_MINIMA = 3
 FITTED_ATTRS = FIT_ATTRS | {"range_from_ratios": NM}
 
 #: Fitted variables with samples, by the end of the samples' name ``sampled_...``.
-SAMPLED_VARIABLES = {
-    "range": "range_of_adhesion",
-    "work": "work_of_adhesion",
-    "error": "best_error",
-}
+SAMPLED_FITS = {"range": "range_of_adhesion", "work": "work_of_adhesion", "error": "best_error"}
 
 
 class PublishedForces(NamedTuple):
@@ -168,7 +164,7 @@ def _fitted_variables(
     variables: dict[str, Any] = {"ratio_error": ("rho_fine", errors[0], DIMENSIONLESS)}
     for name, attributes in FITTED_ATTRS.items():
         variables |= sampling.as_variables(name, (), fits[name], attributes)
-    for name, variable in SAMPLED_VARIABLES.items():
+    for name, variable in SAMPLED_FITS.items():
         variables[f"sampled_{name}"] = ("sample", fits[variable][1:], FITTED_ATTRS[variable])
     return variables
 

@@ -50,7 +50,7 @@ def checked_configuration(workflow: Any, config: dict[str, Any]) -> dict[str, An
     """
     try:
         if plans_the_run(workflow):
-            files = map(os.path.relpath, workflow.configfiles)
+            files = [os.path.relpath(path) for path in workflow.configfiles]
             run_checks(partial(refuse_unreadable, path) for path in files)
             _refuse_grids_of_paper(workflow, config)
         command_line = workflow.config_settings.config
@@ -70,7 +70,7 @@ def checked_configuration(workflow: Any, config: dict[str, Any]) -> dict[str, An
 def _refuse_grids_of_paper(workflow: Any, config: Mapping[str, Any]) -> None:
     """Refuse the paper's quick grids for the user's surfaces, in either order of overlays."""
     quick = ROOT / "config/quick.yaml"
-    overlays = map(Path.resolve, map(Path, workflow.configfiles))
+    overlays = [Path(path).resolve() for path in workflow.configfiles]
     if not is_paper_study(config) and quick in overlays:
         raise ValueError(
             "--configfile: expected --config effort=quick for your surfaces (published: none), "
