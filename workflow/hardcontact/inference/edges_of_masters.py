@@ -59,10 +59,11 @@ def edges_of_masters(
 def compute_edge_shifts(forces: xr.Dataset, tolerance: float, sampling: Sampling) -> xr.Dataset:
     """Return the edges of plastic and rigid contact at each range of adhesion, and their shifts.
 
-    Forces come from `read_master_forces`, with one radius and two loadings. ``edge_shift`` (cause,
-    side, group) is the edge of plastic contact at the longest range, relative to rigid contact
+    Forces come from `read_master_forces`, at one radius and load. ``edge_shift`` (cause, side,
+    group) is the edge of plastic contact at the longest range, relative to rigid contact
     (``"plasticity"``) or to the shortest range (``"range"``).
     """
+    # Sorted by area, rigid contact is the first, as in CONTACT_MODELS: its area is zero.
     forces = forces.squeeze("radius", drop=True).sortby("contact_area").drop_vars("contact_area")
     forces = forces.rename(loading="contact_model").assign_coords(contact_model=CONTACT_MODELS)
     edges, sampled_edges = edges_of_masters(forces, tolerance, sampling)

@@ -156,6 +156,7 @@ def add_force_ratios(forces: xr.Dataset) -> xr.Dataset:
     filtered = forces["pull_off_force"].mean(CONTACT_AXES)
     unfiltered = forces["unfiltered_pull_off_force"].mean(CONTACT_AXES)
     spectrum_end = forces["unfiltered_wavelength"]
+    # It is the same for all realizations, and NaN for those that a surface does not have.
     realization_axes = [axis for axis in spectrum_end.dims if axis == "realization"]
     ratio = (filtered / unfiltered).drop_attrs(deep=False)  # Coordinates keep their units.
     return forces.assign(
