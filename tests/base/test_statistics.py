@@ -17,7 +17,7 @@ def test_percentile_interval_skips_missing_samples():
 
 @pytest.mark.parametrize("confidence", [0.8, 0.95])
 def test_student_intervals_equal_those_of_t_tests(confidence):
-    """That of logarithms is a t-test on them, moved to the logarithm of the mean."""
+    """The interval of positive values is a t-test on logarithms, moved to that of the mean."""
     values = np.random.default_rng(0).lognormal(0, 0.5, (2, 5))
     values[1, 3:] = np.nan
     forces = xr.DataArray(values, {"surface": ["a", "b"]}, ("surface", "scan"))

@@ -36,8 +36,8 @@ def mirrored():
 def band(surface, low, high):
     """The part with wavelengths between low and high, on the surface's own grid."""
     radius = radii(surface.pixels, surface.pixel_size)
-    keep = (radius < 2 * np.pi / low * 0.999) & (radius > 2 * np.pi / high * 1.001)
-    return np.fft.ifft2(np.fft.fft2(surface.heights) * keep).real
+    is_kept = (radius < 2 * np.pi / low * 0.999) & (radius > 2 * np.pi / high * 1.001)
+    return np.fft.ifft2(np.fft.fft2(surface.heights) * is_kept).real
 
 
 def test_short_edge_master_keeps_the_scan_above_the_transition(mirrored):
@@ -51,7 +51,8 @@ def test_short_edge_master_adds_the_spectrum_below_and_a_plateau_above(mirrored)
     # The scan's part set to zero: what is left is the added roughness alone.
     flat = HeightMap(np.zeros_like(mirrored.heights), 20.0, periodic=True, source="measured")
     masters = [short_edge_master(generator(9, k), flat, 512, 100.0, UNCD) for k in range(8)]
-    power = np.mean([np.abs(np.fft.fft2(m.heights)) ** 2 for m in masters], axis=0) * (5 / 512) ** 2
+    powers = [np.abs(np.fft.fft2(master.heights)) ** 2 for master in masters]
+    power = np.mean(powers, axis=0) * (5 / 512) ** 2
     radius = radii(512, 5.0)
     edge = 2 * np.pi / 100.0
     is_long = (radius < edge) & (radius > 0)
@@ -72,8 +73,8 @@ def test_long_edge_master_adds_the_spectrum_above_the_transition(mirrored):
     flat = HeightMap(np.zeros_like(mirrored.heights), 20.0, periodic=True, source="measured")
     masters = [long_edge_master(generator(3, k), flat, 2, 500.0, UNCD) for k in range(12)]
     pixels, radius = masters[0].pixels, radii(masters[0].pixels, 20.0)
-    power = np.mean([np.abs(np.fft.fft2(m.heights)) ** 2 for m in masters], axis=0)
-    power *= (20.0 / pixels) ** 2
+    powers = [np.abs(np.fft.fft2(master.heights)) ** 2 for master in masters]
+    power = np.mean(powers, axis=0) * (20.0 / pixels) ** 2
     is_long = (radius < 2 * np.pi / 500) & (radius > 0)
     assert (power[is_long] / uncd_density(radius[is_long])).mean() == pytest.approx(1, abs=1e-4)
     assert power[radius > 2 * np.pi / 499].max() < 1e-6 * power[is_long].mean()

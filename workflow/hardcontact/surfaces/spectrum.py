@@ -25,7 +25,7 @@ from hardcontact.surfaces.height_map import HeightMap, to_surface_topography
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-#: Returns C_iso at wavevectors of any shape.
+#: A function that returns C_iso at wavevectors of any shape.
 SpectrumFunction = Callable[[Floats], Floats]
 #: The grid on which joined spectra are tabulated: 40 points a decade, wavelengths 1 mm to 0.1 nm.
 WAVEVECTORS = 2 * np.pi * np.logspace(-6, 1, 281)
@@ -54,14 +54,14 @@ def too_few_bins_message(scans: str, count: int, bands: str) -> str:
 
 @dataclass(frozen=True, eq=False)
 class Spectrum:
-    """C_iso (points,) in nm⁴ over growing wavevectors (points,) in rad/nm, called as a function."""
+    """A table of C_iso over wavevectors, which a call interpolates."""
 
-    wavevector: Floats
-    density: Floats
+    wavevector: Floats  #: Growing wavevectors (points,) in rad/nm.
+    density: Floats  #: C_iso (points,) in nm⁴.
 
     @property
     def wavelength(self) -> Floats:
-        """The wavelengths (points,) in nm, falling."""
+        """The wavelengths (points,) in nm, the longest first."""
         return 2 * np.pi / self.wavevector
 
     def __repr__(self) -> str:
