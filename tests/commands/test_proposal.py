@@ -18,7 +18,7 @@ from hardcontact.commands.new import values_by_key
 from hardcontact.commands.proposal import propose
 from hardcontact.commands.request import ScanFile
 from hardcontact.config.configuration import numeric_configuration, set_keys
-from hardcontact.config.limits import refuse_unfit_grids
+from hardcontact.config.limits import refuse_unfit_values
 from hardcontact.contact.contact import Contact
 from hardcontact.scans.reliable_band import ReliableBand
 from hardcontact.surfaces.height_map import HeightMap
@@ -122,9 +122,9 @@ def both_efforts(settings, proposal):
 
 def check_study(settings, proposal):
     """Check a proposal for a smooth sphere at both efforts, as the study does."""
-    grids = {scan.scan_file.surface: scan.grid for scan in proposal.contact_scans}
+    extents = {scan.scan_file.surface: scan.extent for scan in proposal.contact_scans}
     for config in both_efforts(settings, proposal):
-        refuse_unfit_grids(config, grids)
+        refuse_unfit_values(config, extents)
 
 
 def random_between(low, high):

@@ -19,7 +19,7 @@ from hardcontact.contact.geometry import join_bodies
 from hardcontact.files.paths import MEASUREMENT
 from hardcontact.records import origin
 from hardcontact.records.origin import Origin, canonical_json, digests, keep_records
-from hardcontact.run.checks import stored_scan, surface_grid
+from hardcontact.run.checks import stored_scan, surface_extent
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
 from hardcontact.surfaces.substitute_spectra import spectrum_from_description
@@ -219,7 +219,7 @@ def rows(name):
 @pytest.mark.parametrize("name", ["crn_rougher", "crn_smoother_upper"])
 def test_contacts_on_a_described_surface_lie_within_its_relief(name):
     table = rows(name)
-    relief = surface_grid(CONFIG, name, table).relief
+    relief = surface_extent(CONFIG, name, table).relief
     density = Spectrum(WAVEVECTORS, spectrum_from_description(table.path[0], None, None)[0])
     contact = Contact(radius=250e3, preload=1e-5, hardness=25e9, window=12.5e3, contacts_per_row=8)
     for seed in range(2):

@@ -8,7 +8,7 @@ import numpy as np
 from hardcontact.base.formatting import format_length
 from hardcontact.commands.inventory import UserScan, scans_by_surface
 from hardcontact.config.faults import raise_faults
-from hardcontact.config.limits import MAX_MAP_PIXELS, PIXEL_SIZES, same_grid
+from hardcontact.config.limits import MAX_MAP_PIXELS, PIXEL_SIZES, same_pixels
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.numerical_limits import LARGE_SIZE_RATIO
 from hardcontact.surfaces.spectrum import BIN_CENTRES, Spectrum
@@ -81,7 +81,7 @@ def _group_by_grid(scans: Sequence[UserScan]) -> dict[str, list[Group]]:
         for scan in surface_scans:
             if scan.kind == "map" and low <= scan.pixel_size <= high:
                 matching_groups = (
-                    group for group in groups[surface] if same_grid(group[0].grid, scan.grid)
+                    group for group in groups[surface] if same_pixels(group[0].extent, scan.extent)
                 )
                 group = next(matching_groups, [])
                 if not group:
@@ -127,7 +127,7 @@ def _sphere_group(groups: list[Group], substrates: Sequence[UserScan], radius: f
             > MAX_MAP_PIXELS
             for substrate in substrates
         )
-        matches = all(same_grid(scan.grid, substrate.grid) for substrate in substrates)
+        matches = all(same_pixels(scan.extent, substrate.extent) for substrate in substrates)
         return is_too_large or scan.size > radius, not matches, -len(group), -scan.size
 
     return min(groups, key=rank)

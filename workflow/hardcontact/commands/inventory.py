@@ -16,7 +16,7 @@ from hardcontact.base.formatting import format_length
 from hardcontact.commands.outputs import align_cells
 from hardcontact.commands.request import ScanFile
 from hardcontact.config.selected_surfaces import CONTACT_USE
-from hardcontact.contact.numerical_limits import Grid
+from hardcontact.contact.numerical_limits import Extent
 from hardcontact.scans.defects import scan_with_defects
 from hardcontact.scans.heights import split_notes
 from hardcontact.scans.measured_spectrum import isotropic_psd
@@ -65,9 +65,9 @@ class UserScan:
         return self.pixels * self.pixel_size
 
     @property
-    def grid(self) -> Grid:
-        """The pixels of a map, as the checks of the study see them."""
-        return Grid(self.pixels, self.pixel_size, self.size, self.relief)
+    def extent(self) -> Extent:
+        """The extent of a map, as the checks of the study see it."""
+        return Extent(self.pixels, self.pixel_size, self.size, self.relief)
 
     @property
     def has_reliable_wavelengths(self) -> bool:

@@ -38,7 +38,7 @@ from hardcontact.config.faults import run_checks, validate
 from hardcontact.config.force_table import measured_forces
 from hardcontact.config.key_tables import commented_yaml
 from hardcontact.config.keys import NONE, SMOOTH_SPHERE
-from hardcontact.config.limits import refuse_unfit_grids
+from hardcontact.config.limits import refuse_unfit_values
 from hardcontact.config.selected_surfaces import SurfaceRow
 from hardcontact.config.user_files import read_yaml
 from hardcontact.records.code import ROOT
@@ -113,16 +113,16 @@ def _propose_study(
     proposal = propose(scans, sphere, contact, quantities["range"].is_given)
     proposal.cautions.extend(unit_questions(quantities))
     choices = [*_choices_without_scans(arguments, quantities), *proposal.choices]
-    grids = {
-        surface: surface_scans[0].grid._replace(relief=max(scan.relief for scan in surface_scans))
+    extents = {
+        surface: surface_scans[0].extent._replace(relief=max(scan.relief for scan in surface_scans))
         for surface, surface_scans in scans_by_surface(proposal.contact_scans).items()
     }
     full_effort_values = values_by_key(choices)
     for values in (full_effort_values, full_effort_values | values_by_key(proposal.quick)):
         # `name_faults` checks the names of study and store.
         other_keys = {key: value for key, value in values.items() if key not in ("study", "store")}
-        refuse_unfit_grids(
-            numeric_configuration(set_keys(read_yaml("config/config.yaml"), other_keys)), grids
+        refuse_unfit_values(
+            numeric_configuration(set_keys(read_yaml("config/config.yaml"), other_keys)), extents
         )
     refuse_unreliable(scans)
     return proposal, choices

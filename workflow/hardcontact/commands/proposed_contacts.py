@@ -89,9 +89,9 @@ def _shortest_range(
 ) -> tuple[float, str]:
     """Return the shortest range of adhesion (nm) that scans and masters permit, and the reason."""
     scans_per_row = master_scans_per_row(substrates, window, max_pixels)
-    permitted_ranges = [minimum_range(contact.radius, window, scan.grid) for scan in scans]
+    permitted_ranges = [minimum_range(contact.radius, window, scan.extent) for scan in scans]
     for scan in substrates:
-        master = scan.grid._replace(size=scan.size * scans_per_row)
+        master = scan.extent._replace(size=scan.size * scans_per_row)
         permitted_ranges.append(minimum_range(contact.radius, window, master))
         depth = penetration_depth(contact, scan.relief)
         depth_reason = f"the preload presses the bodies some {depth:.3g} nm into each other"

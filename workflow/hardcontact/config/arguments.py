@@ -19,7 +19,7 @@ from hardcontact.config.keys import NONE
 from hardcontact.config.limits import PIXEL_SIZES, NamedContact, contact_faults
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.hertz_jkr_dmt import STRONGEST_WORK
-from hardcontact.contact.numerical_limits import Grid
+from hardcontact.contact.numerical_limits import Extent
 from hardcontact.scans.reading import MASKS
 from hardcontact.surfaces.height_map import HeightMap, mirror_scan
 from hardcontact.surfaces.synthesis import SIDES
@@ -146,10 +146,10 @@ def check_contact(surface: HeightMap, contact: Contact, ranges: Sequence[float])
         raise ValueError(f"contacts_per_row: expected a whole number, found {count:g}")
     # Limits are stated for a scan, which is half as large as its periodic map.
     relief = float(np.ptp(surface.heights))
-    grid = Grid(surface.pixels // 2, surface.pixel_size, surface.size / 2, relief)
+    extent = Extent(surface.pixels // 2, surface.pixel_size, surface.size / 2, relief)
     names = ("preload", "contacts_per_row", "rho")
     named_contact = NamedContact(replace(contact, rho=shortest), *names)
-    raise_faults(islice(contact_faults(named_contact, "the map", grid), 1))
+    raise_faults(islice(contact_faults(named_contact, "the map", extent), 1))
 
 
 def check_cutoffs(cutoffs: Mapping[str, Sequence[float]], surface: HeightMap) -> None:

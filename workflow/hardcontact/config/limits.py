@@ -18,7 +18,7 @@ from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import window_pixels
 from hardcontact.contact.numerical_limits import (
     PENETRATION_OVER_RANGE,
-    Grid,
+    Extent,
     minimum_range,
     penetration_depth,
     periods_in_window,
@@ -52,10 +52,10 @@ def random_surface_pixels(pixels: int) -> int:
     return min(RANDOM_SURFACE_OVER_SCAN * pixels, MAX_MAP_PIXELS)
 
 
-def same_grid(grid: Grid, reference: Grid) -> bool:
-    """Return whether two grids have the same number and size of pixels."""
-    same_size = math.isclose(reference.pixel_size, grid.pixel_size, rel_tol=1e-3)
-    return grid.pixels == reference.pixels and same_size
+def same_pixels(extent: Extent, reference: Extent) -> bool:
+    """Return whether the scans of two extents have the same number and size of pixels."""
+    same_size = math.isclose(reference.pixel_size, extent.pixel_size, rel_tol=1e-3)
+    return extent.pixels == reference.pixels and same_size
 
 
 def master_megabytes(pixels: int) -> int:
@@ -93,18 +93,19 @@ def study_contacts(config: dict[str, Any]) -> dict[str, NamedContact]:
     }
 
 
-def refuse_unfit_grids(config: dict[str, Any], grids: Mapping[str, Grid]) -> None:
-    """Refuse values that the pixels of scans do not permit; `grids` are by surface."""
+def refuse_unfit_values(config: dict[str, Any], extents: Mapping[str, Extent]) -> None:
+    """Refuse values that the extents of scans, by surface, do not permit."""
     fault_series = []
     sphere_surface = config["sphere"]["surface"]
     master_sections = ["scales", "sets"] if is_paper_study(config) else ["scales"]
-    for surface, grid in grids.items():
-        fault_series.append(_scan_faults(config, surface, grid))
+    for surface, extent in extents.items():
+        fault_series.append(_scan_faults(config, surface, extent))
         if surface != sphere_surface:
-            sphere_grid = grids.get(sphere_surface, grid)  # for a smooth sphere: the substrate's
-            fault_series.append(_body_faults(config, surface, grid, sphere_grid))
+            # A smooth sphere has the extent of the substrate.
+            sphere_extent = extents.get(sphere_surface, extent)
+            fault_series.append(_body_faults(config, surface, extent, sphere_extent))
             fault_series += [
-                _master_faults(config, section, side, surface, grid, sphere_grid)
+                _master_faults(config, section, side, surface, extent, sphere_extent)
                 for section in master_sections
                 for side in SIDES
             ]
@@ -112,49 +113,49 @@ def refuse_unfit_grids(config: dict[str, Any], grids: Mapping[str, Grid]) -> Non
     raise_faults(filter(None, first_faults))
 
 
-def contact_faults(named_contact: NamedContact, surface: str, grid: Grid) -> Iterator[str]:
+def contact_faults(named_contact: NamedContact, surface: str, extent: Extent) -> Iterator[str]:
     """Yield the faults of a contact on a scan: load, number of contacts and range of adhesion."""
     contact, load_name, count_name, range_name = named_contact
-    row_pixels = 2 * grid.pixels
-    seen_pixels = min(window_pixels(contact.window, grid.pixel_size), row_pixels) ** 2
+    row_pixels = 2 * extent.pixels
+    seen_pixels = min(window_pixels(contact.window, extent.pixel_size), row_pixels) ** 2
     reason = f"which a quarter of the {seen_pixels // 4 * 4} pixels of {surface} can carry"
-    yield from _load_faults(load_name, contact, seen_pixels // 4, grid.pixel_size, reason)
+    yield from _load_faults(load_name, contact, seen_pixels // 4, extent.pixel_size, reason)
     if contact.contacts_per_row > row_pixels:
         accepted = f"at most the {row_pixels} pixels along the mirrored scan of {surface}"
         yield f"{count_name}: expected {accepted}, found {contact.contacts_per_row}"
-    min_rho, reason = minimum_range(contact.radius, contact.window, grid)
+    min_rho, reason = minimum_range(contact.radius, contact.window, extent)
     if contact.rho < min_rho:
         accepted = f"at least {min_rho:g} nm on {surface}, where {reason}"
         yield f"{range_name}: expected {accepted}, found {contact.rho:.4g} nm"
 
 
-def _scan_faults(config: dict[str, Any], surface: str, grid: Grid) -> Iterator[str]:
+def _scan_faults(config: dict[str, Any], surface: str, extent: Extent) -> Iterator[str]:
     """Yield the faults on the scans of a surface, and of the ranges of its masters."""
     is_sphere = surface == config["sphere"]["surface"]
     radius = config["sphere"]["radius"]
-    if is_sphere and radius < grid.size:
-        accepted = f"at least the size of its scans ({grid.size:.6g} nm)"
+    if is_sphere and radius < extent.size:
+        accepted = f"at least the size of its scans ({extent.size:.6g} nm)"
         yield key_fault("sphere.radius", accepted, f"{radius:.6g} nm")
     # The master has the size of the largest one. Its artificial pixels do not limit ranges.
-    master_grid = grid._replace(size=grid.size * config["scales"]["long"]["tiles"])
+    master_extent = extent._replace(size=extent.size * config["scales"]["long"]["tiles"])
     for stage, named_contact in study_contacts(config).items():
         uses_masters = stage in ("scales", "sets") and not is_sphere
-        yield from contact_faults(named_contact, surface, master_grid if uses_masters else grid)
+        yield from contact_faults(named_contact, surface, master_extent if uses_masters else extent)
 
 
 def _body_faults(
-    config: dict[str, Any], surface: str, grid: Grid, sphere_grid: Grid
+    config: dict[str, Any], surface: str, extent: Extent, sphere: Extent
 ) -> Iterator[str]:
     """Yield the faults on scans of a substrate and of the sphere, on common pixels."""
     window = config["contact"]["window"]
-    pixel_size = min(grid.pixel_size, sphere_grid.pixel_size)
+    pixel_size = min(extent.pixel_size, sphere.pixel_size)
     bodies = f"{surface} and the sphere"
     if window_pixels(window, pixel_size) > MAX_MAP_PIXELS:
         accepted = f"at most {MAX_MAP_PIXELS} pixels of {pixel_size:.4g} nm, on {bodies}"
         yield key_fault("contact.window", accepted, window_pixels(window, pixel_size))
-    yield from _map_faults(bodies, pixel_size, grid, sphere_grid)
+    yield from _map_faults(bodies, pixel_size, extent, sphere)
     contacts = study_contacts(config)
-    periods = periods_in_window(window, grid.size)
+    periods = periods_in_window(window, extent.size)
     for named_contact in contacts.values():
         yield from _memory_faults(named_contact, surface, pixel_size, periods)
     if "indents" in contacts and surface == config["indent"]["surface"]:
@@ -163,7 +164,7 @@ def _body_faults(
             accepted = f"at least 2 contact pixels of {pixel_size:.4g} nm at the largest"
             yield key_fault("indent.preloads", accepted, pixels)
     contact, load_name, _, range_name = contacts["scales"]
-    depth = penetration_depth(contact, grid.relief)
+    depth = penetration_depth(contact, extent.relief)
     min_rho = depth / PENETRATION_OVER_RANGE
     if contact.rho < min_rho:
         yield (
@@ -174,20 +175,20 @@ def _body_faults(
 
 
 def _master_faults(
-    config: dict[str, Any], section: str, side: str, surface: str, grid: Grid, sphere_grid: Grid
+    config: dict[str, Any], section: str, side: str, surface: str, extent: Extent, sphere: Extent
 ) -> Iterator[str]:
     """Yield the faults on the masters of one side that are built on a surface."""
     keys = master_keys(config, section, side)
     pixels = get_key(config, keys["pixels"])
     tiles = get_key(config, keys["tiles"]) if "tiles" in keys else 1
-    size = 2 * grid.size * tiles
+    size = 2 * extent.size * tiles
     pixel_size = size / pixels
-    min_pixels = 2 * grid.pixels * tiles
+    min_pixels = 2 * extent.pixels * tiles
     if pixels < min_pixels:
         accepted = f"at least the {min_pixels} of {tiles} x {tiles} mirrored scans of {surface}"
         yield key_fault(keys["pixels"], accepted, pixels)
-    filtered_pixel_size = pixel_size if side == "short" else grid.pixel_size
-    for name, finest in (("transition", grid.pixel_size), ("cutoffs", filtered_pixel_size)):
+    filtered_pixel_size = pixel_size if side == "short" else extent.pixel_size
+    for name, finest in (("transition", extent.pixel_size), ("cutoffs", filtered_pixel_size)):
         accepted = (
             f"wavelengths of more than two pixels ({2 * finest:.4g} nm) and at most the "
             f"{size:.6g} nm of a master of {section}.{side} on {surface}"
@@ -197,15 +198,15 @@ def _master_faults(
             if not 2 * finest * (1 + 1e-9) < wavelength <= size:
                 yield key_fault(keys[name], accepted, f"{wavelength:.4g} nm")
     if config["scales"]["sphere_roughness"]:
-        pixel_size = min(pixel_size, sphere_grid.pixel_size)
+        pixel_size = min(pixel_size, sphere.pixel_size)
         bodies = f"the {side}-edge masters of {surface} and the sphere"
-        yield from _map_faults(bodies, pixel_size, grid._replace(size=size / 2), sphere_grid)
+        yield from _map_faults(bodies, pixel_size, extent._replace(size=size / 2), sphere)
     yield from _memory_faults(study_contacts(config)[section], surface, pixel_size, 1)
 
 
-def _map_faults(bodies: str, pixel_size: float, *grids: Grid) -> Iterator[str]:
+def _map_faults(bodies: str, pixel_size: float, *extents: Extent) -> Iterator[str]:
     """Yield the fault of mirrored maps that are too large on the pixels (nm) of the finest map."""
-    pixels = round(max(2 * grid.size for grid in grids) / pixel_size)
+    pixels = round(max(2 * extent.size for extent in extents) / pixel_size)
     if pixels > MAX_MAP_PIXELS:
         common_pixels = f"{bodies} on common pixels of {pixel_size:.4g} nm"
         accepted = f"at most {MAX_MAP_PIXELS} pixels per row of {common_pixels}"

@@ -43,8 +43,8 @@ SMALLEST_SIZE_RATIO = 0.12
 MIN_WINDOW_SHARE = 0.99
 
 
-class Grid(NamedTuple):
-    """The grid of all scans of a surface, before mirroring doubles its size."""
+class Extent(NamedTuple):
+    """Pixels, width and relief of all scans of a surface, before mirroring doubles the width."""
 
     pixels: int  #: Per row.
     pixel_size: float  #: Width of a pixel in nm.
@@ -52,16 +52,16 @@ class Grid(NamedTuple):
     relief: float  #: Highest minus lowest height in nm.
 
 
-def minimum_range(radius: float, window: float, grid: Grid) -> tuple[float, str]:
+def minimum_range(radius: float, window: float, extent: Extent) -> tuple[float, str]:
     """Return the shortest range of adhesion (nm, three digits) that a surface permits, and why."""
-    relief = grid.relief
-    if window >= 2 * grid.size:
+    relief = extent.relief
+    if window >= 2 * extent.size:
         # The highest pixel is within half a period of every contact; the sphere curves above it.
-        relief = min(relief, grid.size**2 / radius)
+        relief = min(relief, extent.size**2 / radius)
     reasons = {
         relief / RELIEF_OVER_RANGE: f"contacts lie up to some {relief:.4g} nm apart in height",
-        2 * grid.pixel_size**2 / radius: "an interaction radius sqrt(D rho) of two pixels needs it "
-        f"at R = {format_length(radius)}",
+        2 * extent.pixel_size**2 / radius: "an interaction radius sqrt(D rho) of two pixels needs "
+        f"it at R = {format_length(radius)}",
     }
     shortest = max(reasons)
     return round_to_three_digits(shortest, math.ceil), reasons[shortest]

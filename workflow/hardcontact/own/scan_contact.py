@@ -10,7 +10,7 @@ import numpy as np
 from hardcontact.base.formatting import round_to_three_digits
 from hardcontact.config.limits import MAX_MAP_PIXELS
 from hardcontact.contact.contact import Contact
-from hardcontact.contact.numerical_limits import Grid, minimum_range, periods_in_window
+from hardcontact.contact.numerical_limits import Extent, minimum_range, periods_in_window
 from hardcontact.surfaces.height_map import HeightMap
 
 #: Height of the sphere above its apex at the border of the window, relative to the range of
@@ -76,6 +76,6 @@ def find_obstacle(scans: Sequence[HeightMap], contact: Contact) -> tuple[Obstacl
     contact_pixels *= contact.contacts_per_row**2
     if scan.pixels > MAX_QUICK_PIXELS or contact_pixels > MAX_QUICK_CONTACT_PIXELS:
         return Obstacle.TOO_LARGE, math.nan
-    grid = Grid(scan.pixels, scan.pixel_size, scan.size, float(np.ptp(scan.heights)))
-    shortest_range, _ = minimum_range(contact.radius, window, grid)
+    extent = Extent(scan.pixels, scan.pixel_size, scan.size, float(np.ptp(scan.heights)))
+    shortest_range, _ = minimum_range(contact.radius, window, extent)
     return Obstacle.SHORT_RANGE if contact.rho < shortest_range else Obstacle.NONE, shortest_range

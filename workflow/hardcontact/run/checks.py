@@ -22,9 +22,9 @@ from hardcontact.config.descriptions import refuse_description, refuse_paper_sur
 from hardcontact.config.faults import key_fault, raise_faults, run_checks
 from hardcontact.config.force_table import measured_forces
 from hardcontact.config.keys import NONE, SMOOTH_SPHERE
-from hardcontact.config.limits import PIXEL_SIZES, refuse_unfit_grids, same_grid
+from hardcontact.config.limits import PIXEL_SIZES, refuse_unfit_values, same_pixels
 from hardcontact.config.selected_surfaces import CONTACT_USE
-from hardcontact.contact.numerical_limits import Grid
+from hardcontact.contact.numerical_limits import Extent
 from hardcontact.files.paths import MEASUREMENT
 from hardcontact.records.origin import canonical_json, is_current
 from hardcontact.scans.reading import read_scan
@@ -58,9 +58,9 @@ def check_study(config: dict[str, Any], table: pd.DataFrame) -> None:
     )
     run_checks(chain(substitute_checks, further_checks(config, table)))
     rows_by_surface = {str(name): rows for name, rows in contacts.groupby("surface", sort=False)}
-    grids = run_checks(partial(surface_grid, config, *item) for item in rows_by_surface.items())
+    extents = run_checks(partial(surface_extent, config, *item) for item in rows_by_surface.items())
     try:
-        refuse_unfit_grids(config, dict(zip(rows_by_surface, grids, strict=True)))
+        refuse_unfit_values(config, dict(zip(rows_by_surface, extents, strict=True)))
     except ValueError as error:
         raise_faults(_unusual_quantity_faults(config, str(error).splitlines()[-1]))
         raise
@@ -155,8 +155,8 @@ def stored_scan(config: dict[str, Any], row: Any) -> HeightMap:
     return read_scan(row.path, **arguments)
 
 
-def surface_grid(config: dict[str, Any], surface: str, rows: pd.DataFrame) -> Grid:
-    """Return the grid of the scans of a surface, with the largest relief on scans or masters."""
+def surface_extent(config: dict[str, Any], surface: str, rows: pd.DataFrame) -> Extent:
+    """Return the extent of the scans of a surface, with the largest relief on scans or masters."""
     path = rows.path.iloc[0]
     if rows.source.iloc[0] == "substitute":
         pixels = config["substitutes"]["pixels"]
@@ -165,34 +165,34 @@ def surface_grid(config: dict[str, Any], surface: str, rows: pd.DataFrame) -> Gr
         if not needs_calibration(read_segments(path)):
             widest_domain = 2 * size * config["scales"]["long"]["tiles"]
             relief = RELIEF_OVER_RMS * described_rms_height(path, widest_domain)
-        grid = Grid(pixels, size / pixels, size, relief)
+        extent = Extent(pixels, size / pixels, size, relief)
         location = "config key substitutes.size"
     else:
-        grid = _measured_grid(config, surface, rows)
+        extent = _measured_extent(config, surface, rows)
         location = path
     low, high = PIXEL_SIZES
-    if not low <= grid.pixel_size <= high:
+    if not low <= extent.pixel_size <= high:
         raise ValueError(
             f"{location}: expected pixels of {low:g} to {high:g} nm, where spectra are known, "
-            f"found {grid.pixel_size:.6g} nm"
+            f"found {extent.pixel_size:.6g} nm"
         )
-    return grid
+    return extent
 
 
-def _measured_grid(config: dict[str, Any], surface: str, rows: pd.DataFrame) -> Grid:
-    """Return the grid of the measured scans of a surface."""
-    grids: list[Grid] = []
+def _measured_extent(config: dict[str, Any], surface: str, rows: pd.DataFrame) -> Extent:
+    """Return the extent of the measured scans of a surface."""
+    extents: list[Extent] = []
     for row in rows.itertuples():
         scan = stored_scan(config, row)
         refuse_line_scan(scan)
         relief = float(np.ptp(scan.heights))
         if relief == 0:
             raise ValueError(f"{row.path}: expected a rough surface, found constant height")
-        grids.append(Grid(scan.pixels, scan.pixel_size, scan.size, relief))
-        if not same_grid(grids[0], grids[-1]):
+        extents.append(Extent(scan.pixels, scan.pixel_size, scan.size, relief))
+        if not same_pixels(extents[0], extents[-1]):
             raise ValueError(
                 f"{row.path}: expected, as in the first scan of {surface}, "
-                f"{grids[0].pixels} pixels of {grids[0].pixel_size:.4g} nm; "
+                f"{extents[0].pixels} pixels of {extents[0].pixel_size:.4g} nm; "
                 f"found {scan.pixels} of {scan.pixel_size:.4g} nm"
             )
-    return grids[0]._replace(relief=max(grid.relief for grid in grids))
+    return extents[0]._replace(relief=max(extent.relief for extent in extents))
