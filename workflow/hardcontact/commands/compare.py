@@ -44,7 +44,7 @@ def compare(arguments: Namespace) -> str:
     """Return the comparison as text, and write the page; a page named - is returned instead."""
     paths = [_answer_path(path) for path in (arguments.first, arguments.second)]
     inputs = dict.fromkeys(paths, "those compared")
-    faults = output_faults({"html": arguments.html}, inputs, arguments.overwrite)
+    faults = output_faults("html", arguments.html, inputs, arguments.overwrite)
     answers = run_checks([partial(_read_answer, path) for path in paths], faults)
     names = [answer["study"] for answer in answers]
     if names[0] == names[1]:

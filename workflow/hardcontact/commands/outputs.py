@@ -11,30 +11,25 @@ from hardcontact.base.dataset import atomic_file
 
 
 def output_faults(
-    outputs: Mapping[str, str | None], inputs: Mapping[str, str], overwrite: bool
+    option: str, path: str | None, inputs: Mapping[str, str], overwrite: bool
 ) -> Iterator[str]:
-    """Yield a line for each output that cannot be written, or would replace a file.
+    """Yield a line if the output of an option cannot be written, or would replace a file.
 
-    `outputs` are paths by option: None if not asked for, - for the terminal. `inputs` are words
-    such as "that of the surface", by path.
+    The path is None if the output is not asked for, - for the terminal. `inputs` are words such as
+    "that of the surface", by path.
     """
-    reserved = {
-        os.path.realpath(path): f"another file than {words}" for path, words in inputs.items()
-    }
-    for option, path in outputs.items():
-        if path is None:
-            continue
-        real_path = path if path == "-" else os.path.realpath(path)
-        if real_path in reserved:
-            yield f"--{option}: expected {reserved[real_path]}, found {path}"
-        elif path != "-" and (not Path(real_path).parent.is_dir() or Path(real_path).is_dir()):
-            yield f"--{option}: expected a file in a folder that exists, found {path}"
-        elif Path(real_path).is_file() and not overwrite:
-            yield (
-                f"--{option}: expected a new file, found {path}: take another name, or add "
-                "--overwrite"
-            )
-        reserved[real_path] = f"another file than that of --{option}"
+    if path is None or path == "-":
+        return
+    real_path = Path(path).resolve()
+    names = {Path(name).resolve(): words for name, words in inputs.items()}
+    if real_path in names:
+        yield f"--{option}: expected another file than {names[real_path]}, found {path}"
+    elif not real_path.parent.is_dir() or real_path.is_dir():
+        yield f"--{option}: expected a file in a folder that exists, found {path}"
+    elif real_path.is_file() and not overwrite:
+        yield (
+            f"--{option}: expected a new file, found {path}: take another name, or add --overwrite"
+        )
 
 
 def align_cells(rows: Sequence[Sequence[str]]) -> list[str]:

@@ -4,13 +4,11 @@ import json
 import math
 import sys
 from argparse import Namespace
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from enum import StrEnum
 from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
-
-import pandas as pd
 
 from hardcontact.base.formatting import format_length, format_quantity
 from hardcontact.base.number import Number, json_value
@@ -60,9 +58,8 @@ def predict_arguments(arguments: Sequence[str]) -> Namespace:
         help="the only scan of a container to read, or the channel of another file",
     )  # fmt: skip
     parser.add_argument("--verbose", action="store_true", help="print all numbers and cautions")
-    for name in WRITERS:
-        parser.add_argument(f"--{name}", metavar="FILE", help="write the numbers; - for stdout")
-    parser.add_argument("--overwrite", action="store_true", help="replace files of numbers")
+    parser.add_argument("--json", metavar="FILE", help="write the numbers; - for stdout")
+    parser.add_argument("--overwrite", action="store_true", help="replace the file of numbers")
     return parser.parse_args(arguments)
 
 
@@ -76,14 +73,18 @@ class Inputs(NamedTuple):
 
 
 def predict(arguments: Namespace) -> str:
-    """Return the prediction in words, and write the requested files of numbers.
+    """Return the prediction in words, and write the file of numbers if it is named.
 
-    If a file is named -, its content is returned instead of the words.
+    If its name is -, the numbers are returned instead of the words.
     """
     inputs = read_inputs(arguments)
     numbers = compute_numbers(inputs, arguments)
-    report = _report(inputs, numbers, arguments)
-    return write_numbers(numbers, inputs.notes, arguments) or report
+    if arguments.json == "-":
+        sys.stderr.writelines(f"{line}\n" for line in inputs.notes)
+        return numbers_as_json(numbers)
+    if arguments.json is not None:
+        write_output(arguments.json, numbers_as_json(numbers) + "\n")
+    return _report(inputs, numbers, arguments)
 
 
 def read_inputs(arguments: Namespace) -> Inputs:
@@ -94,8 +95,9 @@ def read_inputs(arguments: Namespace) -> Inputs:
     wide = wide_contact_message(contact)
     if wide and not faults:
         faults.append("; ".join([f"--{wide}", *cautions]))
-    outputs = {name: getattr(arguments, name) for name in WRITERS}
-    faults += output_faults(outputs, {arguments.file: "that of the surface"}, arguments.overwrite)
+    faults += output_faults(
+        "json", arguments.json, {arguments.file: "that of the surface"}, arguments.overwrite
+    )
     reader = partial(read_own_spectrum, options=reading_options(arguments, quantities))
     readers = [partial(reader, [arguments.file], dataset=arguments.dataset)]
     if arguments.sphere is not None:
@@ -135,20 +137,7 @@ def _quantity_number(name: str, option: QuantityOption) -> Number:
     return Number(name, option.number, option.unit, status=status)
 
 
-def write_numbers(numbers: Mapping[str, Number], notes: Sequence[str], arguments: Namespace) -> str:
-    """Write the requested files of numbers; return the content of a file named -, or nothing."""
-    content = ""
-    for name, write in WRITERS.items():
-        path = getattr(arguments, name)
-        if path == "-":
-            sys.stderr.writelines(f"{line}\n" for line in notes)
-            content = write(numbers)
-        elif path is not None:
-            write_output(path, write(numbers) + "\n")
-    return content
-
-
-def _write_json(numbers: Mapping[str, Number]) -> str:
+def numbers_as_json(numbers: Mapping[str, Number]) -> str:
     """Return numbers as JSON by name; intervals and statuses are there if they are known."""
     entries: dict[str, dict[str, Any]] = {}
     for name, number in numbers.items():
@@ -158,18 +147,6 @@ def _write_json(numbers: Mapping[str, Number]) -> str:
         if number.status:
             entries[name]["status"] = number.status
     return json.dumps(entries, indent=2, allow_nan=False)
-
-
-def _write_csv(numbers: Mapping[str, Number]) -> str:
-    """Return numbers as a table, one row each; unknown cells are empty."""
-    columns = ["quantity", "value", "unit", "low", "high", "status"]
-    table = pd.DataFrame([number[:6] for number in numbers.values()], columns=columns)
-    finite = table.replace([math.inf, -math.inf], math.nan)
-    return str(finite.to_csv(index=False, lineterminator="\n")).rstrip("\n")
-
-
-#: Writers of files of numbers, by the option that names the file.
-WRITERS: dict[str, Callable[[Mapping[str, Number]], str]] = {"json": _write_json, "csv": _write_csv}
 
 
 def _report(inputs: Inputs, numbers: Mapping[str, Number], arguments: Namespace) -> str:

@@ -52,10 +52,7 @@ def _pressure_around_peak(pressure: Floats, pixel_size: float) -> xr.DataArray:
 
 
 def solve_elastic_contacts(
-    bodies: Bodies,
-    contact: Contact,
-    contact_indices: NDArray[np.int_],
-    modulus: float,
+    bodies: Bodies, contact: Contact, contact_indices: NDArray[np.int_], modulus: float
 ) -> xr.Dataset:
     """Solve some contacts of two bodies with elasticity, without plasticity.
 

@@ -122,11 +122,7 @@ def standardized_differences(rms_values: Floats, statistics: ScanStatistics) -> 
 
 
 def sample_permitted_features(
-    rng: np.random.Generator,
-    statistics: ScanStatistics,
-    scan_count: int,
-    grid: ScanGrid,
-    sign: int,
+    rng: np.random.Generator, statistics: ScanStatistics, scan_count: int, grid: ScanGrid, sign: int
 ) -> Features:
     """Sample features from the prior until Table 1 permits them.
 
