@@ -193,7 +193,7 @@ def read_spectrum(
     extrapolated : bool
         Whether to extrapolate the spectrum of scans beyond their reliable wavelengths, as a study
         does. Long waves are added up to a roll-off, short waves with the Hurst exponent of the
-        shortest reliable ones.
+        shortest reliable decade.
 
     Returns
     -------

@@ -120,9 +120,9 @@ def adhesive_pull_off(
 ) -> tuple[float, float]:
     """Return the pull-off forces (N) of one window, rigid and elastic.
 
-    The elastic force is the maximum, over the sum of the contact forces, of attraction minus this
-    load (the paper, elastic analysis). Raises ValueError if attraction stretches the bodies by over
-    rho/10.
+    The load is the sum of the contact forces. The elastic force is the maximum of attraction minus
+    load, over loads (the paper, elastic analysis). Raises ValueError if attraction stretches the
+    bodies by over rho/10.
     """
     rigid_gap = gap - gap.min()
     strength = work / rho * pixel_size**2
@@ -137,22 +137,24 @@ def adhesive_pull_off(
             f"expected a stretch of at most rho/10 = {rho / 10:.2g} nm, found {stretch:.2g} nm"
         )
 
-    def pull(load: float) -> float:
-        """Return the attraction minus the load (nN) in equilibrium."""
-        attraction = rigid_attraction
+    def pull(load: float, attraction: Floats) -> tuple[float, Floats]:
+        """Return the force (nN) and the attraction in equilibrium, from a first attraction."""
         for _ in range(MAX_ITERATIONS):
             pressed = press(half_space, rigid_gap - half_space.displacement(attraction), load)
             former_attraction = attraction
             # Gaps may be negative by MAX_OVERLAP.
             attraction = strength * np.exp(-np.maximum(pressed.gap, 0) / rho)
             if np.abs(attraction - former_attraction).sum() < RELATIVE_RESIDUAL * attraction.sum():
-                return float(attraction.sum()) - load
+                return float(attraction.sum()) - load, attraction
         raise ValueError(f"{EXPECTED}, found none")
 
     step = LOAD_STEP * rigid
-    elastic = pull(0.0)
+    elastic, unloaded_attraction = pull(0.0, rigid_attraction)
+
+    def negative_force(load: float) -> float:
+        return -pull(load, unloaded_attraction)[0]
+
     # A contact stiffens under its load: if the first step gains nothing, no later one does.
-    if pull(step) > elastic:
-        best = minimize_scalar(lambda load: -pull(load), bounds=(0, rigid), options={"xatol": step})
-        elastic = -best.fun
+    if negative_force(step) < -elastic:
+        elastic = -minimize_scalar(negative_force, bounds=(0, rigid), options={"xatol": step}).fun
     return rigid * NANONEWTON, elastic * NANONEWTON

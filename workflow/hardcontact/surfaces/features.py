@@ -190,7 +190,7 @@ class FeaturedSurface(NamedTuple):
         return sample_permitted_features(rng, self.statistics, scan_count, grid, SIGNS[kind])
 
     def describe(self, features: Features) -> dict[str, xr.Variable]:
-        """Return features as variables."""
+        """Return features as variables of a dataset."""
         base_rms_height = features.base_factor * float(self.statistics.means[0])
         return {
             "feature_density": xr.Variable((), features.number_density, {"units": "um-2"}),
@@ -215,7 +215,10 @@ def whole_surface(
     pixels: int,
     pixel_size: float,
 ) -> HeightMap:
-    """Return a whole surface: with features, or Gaussian with a spectrum that Table 1 permits."""
+    """Return a whole surface: with features, or Gaussian with a spectrum that Table 1 permits.
+
+    `description` is the path of the description of its spectrum, `number` that of the surface.
+    """
     if has_features:
         return _whole_featured_surface(featured_surface(substitute), number, pixels, pixel_size)
     rng = substitute.generator(number, "permitted spectrum")

@@ -35,10 +35,10 @@ class Substitute:
     """A substitute: its spectrum, its published statistics, and the grid of its scans."""
 
     surface_name: str
-    spectrum_data: xr.Dataset  #: Its calibrated spectrum.
-    table1: pd.DataFrame  #: From `rows_of_surface`.
-    constants: pd.DataFrame  #: From `read_constants`.
-    grid: ScanGrid
+    spectrum_data: xr.Dataset  #: Its calibrated spectrum, from `substitute_spectrum`.
+    table1: pd.DataFrame  #: Its rows of Table 1, from `rows_of_surface`.
+    constants: pd.DataFrame  #: Numbers of the paper, from `read_constants`.
+    grid: ScanGrid  #: Pixels and size of its scans.
     seed: int  #: Seed of the study.
 
     def generator(self, *names: object) -> np.random.Generator:

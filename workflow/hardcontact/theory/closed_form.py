@@ -41,8 +41,8 @@ MAX_GENERATIONS = 8
 #: most, the logarithm of an edge by 0.02 and 0.85; if pi, ln F by 0.04 and 0.44, an edge by 0.03
 #: and 0.63.
 SUMMIT_WAVELENGTH = 2.5
-#: Smallest rms height on a summit that counts as roughness, in ranges of adhesion. If it were 0, ln F
-#: and edges would change by less than 0.001; if 0.05, ln F by 0.002 at most, an edge by 0.03.
+#: Smallest rms height on a summit that counts as roughness, in ranges of adhesion. If it were 0,
+#: ln F and edges would change by less than 0.001; if 0.05, ln F by 0.002 at most, an edge by 0.03.
 MIN_SUMMIT_ROUGHNESS = 0.005
 #: Number of cutoffs between both ends of the spectrum at which edges are looked for.
 CUTOFF_COUNT = 60
