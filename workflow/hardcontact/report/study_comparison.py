@@ -39,9 +39,7 @@ SIDE_NUMBERS = re.compile("(bumps|pits|gaussian|verdicts)_.*|.*_(scatter|agreein
 #: Datasets of a study with sets of scans.
 SET_DATASETS = ("sets", "topography", "scales", "features")
 #: Parameters of sets.nc that decide which scans and masters a set has.
-SAMPLING_PARAMETERS = (
-    "pool_chunks", "candidate_chunks", "master_surfaces", "realizations",
-)  # fmt: skip
+SAMPLING_PARAMETERS = ("pool_chunks", "candidate_chunks", "master_surfaces", "realizations")
 SAMPLING_SETTINGS = ("seed", "realizations")
 #: Relative difference of equal surfaces: far more than other processors cause, 7e-16.
 TOLERANCE = 1e-6

@@ -16,7 +16,7 @@ from hardcontact.paper.claims.estimates import as_estimate, mean_over_scans, var
 
 
 def band_edge(edges: xr.Dataset) -> xr.Dataset:
-    """Return the edges of the band in nm, or the last cutoff if open (side, group)."""
+    """Return the edges of the band in nm, or the bounds of open edges (side, group)."""
     return as_estimate(edges_or_bounds(edges), *interval_ends(edges, "edge"))
 
 

@@ -58,7 +58,10 @@ def range_exponent_of_area(adhesion: xr.Dataset) -> xr.Dataset:
 
 
 def shortest_range_force_over_minimum(adhesion: xr.Dataset) -> xr.Dataset:
-    """Return the mean force at the shortest range over its minimum (surface, contact_model)."""
+    """Return the mean force at the shortest range relative to its minimum over the ranges.
+
+    The dimensions are (surface, contact_model).
+    """
     mean = mean_over_contacts(adhesion["pull_off_force"]).sortby("rho")
     ratio = mean.isel(rho=0, drop=True) / mean.min("rho")
     return mean_over_scans(ratio, adhesion.attrs["confidence"])
@@ -78,7 +81,7 @@ def smooth_sphere_change(adhesion: xr.Dataset) -> xr.Dataset:
 
 
 def finer_pixel_ratio(adhesion: xr.Dataset) -> xr.Dataset:
-    """Return the plastic force on pixels of half the width, at the smallest range (surface)."""
+    """Return the plastic force at the smallest range, half-size over full-size pixels (surface)."""
     return mean_over_scans(adhesion["finer_pixel_ratio"], adhesion.attrs["confidence"])
 
 
@@ -121,12 +124,11 @@ def _misfit(
     """Return the Kolmogorov distance of forces (n,) to a distribution of scipy.stats by name."""
     from scipy.stats import kstest
 
-    return _force_statistic(
-        adhesion,
-        lambda forces: float(
-            kstest(forces, distribution, parameters(forces), method="asymp").statistic
-        ),
-    )
+    def distance(forces: Floats) -> float:
+        test = kstest(forces, distribution, parameters(forces), method="asymp")
+        return float(test.statistic)
+
+    return _force_statistic(adhesion, distance)
 
 
 def force_decades(adhesion: xr.Dataset) -> xr.Dataset:
@@ -215,9 +217,8 @@ def effective_work_decades(classical: xr.Dataset) -> xr.Dataset:
 
 def printed_effective_work(classical: xr.Dataset) -> xr.Dataset:
     """Return effective works of adhesion of the published forces, without interval (surface)."""
-    return as_estimate(
-        classical["effective_work_of_adhesion"].sel(force_source="published", drop=True)
-    )
+    work = classical["effective_work_of_adhesion"]
+    return as_estimate(work.sel(force_source="published", drop=True))
 
 
 def tabor_by_convention(classical: xr.Dataset) -> xr.Dataset:

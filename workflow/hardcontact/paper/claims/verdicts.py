@@ -25,10 +25,7 @@ NOT_REPRODUCED = "not reproduced"
 BY_CONSTRUCTION = "by construction"
 UNTESTABLE = "not testable"
 EXPERIMENT = "model beside experiment"
-VERDICTS = (
-    REPRODUCED, AGREES, UNDECIDED, NOT_REPRODUCED, BY_CONSTRUCTION, UNTESTABLE,
-    EXPERIMENT,
-)  # fmt: skip
+VERDICTS = (REPRODUCED, AGREES, UNDECIDED, NOT_REPRODUCED, BY_CONSTRUCTION, UNTESTABLE, EXPERIMENT)
 
 #: Rules with a single limit. They reject the limit itself; the other rules accept their limits.
 ONE_SIDED = ("below", "above", "order")

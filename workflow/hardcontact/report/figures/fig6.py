@@ -29,8 +29,7 @@ def draw(edges: xr.Dataset, scales: xr.Dataset, published_constants: pd.DataFram
     """Draw Fig. 6: the force by cutoff, a panel for each side of the band."""
     figure = drawing.create_figure(3.6, edges)
     both_axes = figure.subplots(1, 2, sharey=True)
-    low, high = edges.attrs["tolerance"] * np.array(SHOWN_TOLERANCES)
-    both_axes[0].set_ylim(1 + low, 1 + high)
+    both_axes[0].set_ylim(1 + edges.attrs["tolerance"] * np.array(SHOWN_TOLERANCES))
     band = panels.published_band(published_constants)
     for letter, side, edge, axes in zip("ab", TITLES, band, both_axes, strict=True):
         _draw_side(axes, edges.sel(side=side))
@@ -79,6 +78,6 @@ def _legend_handles(edges: xr.Dataset, band: Sequence[float]) -> list[Artist]:
         Line2D([], [], lw=1.4, color="0.3", label=f"{confidence} interval (bars)"),
         Patch(label=f"change below {tolerance}", **panels.UNCHANGED_LOOK),
         Line2D([], [], label=f"edge: first change by {tolerance}", mec="0.3", **EDGE_LOOK),
-        Line2D([], [], label=f"published: {published}", **PUBLISHED_LINE),
+        Line2D([], [], label=f"published edges: {published}", **PUBLISHED_LINE),
         Patch(label="artificial roughness", **style.ARTIFICIAL_LOOK),
     ]

@@ -27,11 +27,12 @@ def draw(edge_shifts: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
         style.label_panel(ratio_panel, letter, f"{model}, ρ = {rho:g} nm")
     grid[0, 0].set_ylabel("force / unfiltered force")
     tolerance = format_share(edge_shifts.attrs["tolerance"])
+    confidence = format_share(edge_shifts.attrs["confidence"])
     handles = [
         *style.surface_handles(edge_shifts),
         Line2D([], [], label="averaged change", **style.MEAN_LOOK),
-        Line2D([], [], label=f"published: {edge:g} nm", **style.PUBLISHED_RANGE),
-        Line2D([], [], lw=1.4, color="0.3", label="interval (bars)"),
+        Line2D([], [], label=f"published short edge: {edge:g} nm", **style.PUBLISHED_RANGE),
+        Line2D([], [], lw=1.4, color="0.3", label=f"{confidence} interval (bars)"),
         Patch(label=f"change below {tolerance}", **panels.UNCHANGED_LOOK),
         Line2D([], [], ls="none", marker="<", ms=5, color="0.3", label="beyond the cutoffs"),
     ]

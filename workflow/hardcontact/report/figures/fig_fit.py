@@ -89,7 +89,7 @@ def _draw_error_map(axes: Axes, fit: xr.Dataset, published_constants: pd.DataFra
     if (error < threshold).any():
         axes.contour(rho, work, error.values, levels=[threshold], colors="white", linewidths=1.0)
         axes.plot([], [], color="white", lw=1.0, label=f"error < {threshold:g}")
-    axes.plot([], [], "o", color="white", ms=2.5, label="fit to a sample of the scans")
+    axes.plot([], [], "o", color="white", ms=2.5, label="fit to sampled mean forces")
     look: style.Look = {"color": "white", "ms": 2, "alpha": 0.6, "mew": 0, "rasterized": True}
     axes.plot(fit["sampled_range"], fit["sampled_work"] / style.MILLIJOULE, ".", **look)
     _mark_published_fit(axes, published_constants)
@@ -115,7 +115,7 @@ def _mark_published_fit(axes: Axes, published_constants: pd.DataFrame) -> None:
 
 
 def _mark_minima(axes: Axes, fit: xr.Dataset, ordinate: str, unit: float = 1) -> None:
-    """Mark the best fit of the study with a star, other minima of its error with rings.
+    """Mark the best fit of the study with a star, other minima of the error with rings.
 
     The `ordinate` over the range of adhesion (nm) is "work" or "error", in `unit`.
     """
@@ -124,6 +124,6 @@ def _mark_minima(axes: Axes, fit: xr.Dataset, ordinate: str, unit: float = 1) ->
     ranges = fit["range_at_minimum"][is_other]
     ordinates = fit[f"{ordinate}_at_minimum"][is_other]
     best_look: style.Look = {"ls": "none", "zorder": 6, "label": "best fit of the study"}
-    other_look: style.Look = best_look | {"label": "other minimum of it"}
+    other_look: style.Look = best_look | {"label": "other minimum of the error"}
     axes.plot(fit["range_of_adhesion"], best, **FIT_STAR, **best_look)
     axes.plot(ranges, ordinates / unit, **FIT_RING, **other_look)

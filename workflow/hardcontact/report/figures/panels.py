@@ -189,6 +189,5 @@ def shade_artificial(axes: Axes, bands: Iterable[tuple[float, float]]) -> None:
 
 def draw_published_range(axes: Axes, published_constants: pd.DataFrame) -> None:
     """Draw the published range of adhesion (nm) as a line."""
-    axes.axvline(
-        published_constants["value"]["range_of_adhesion"], **style.PUBLISHED_RANGE, zorder=1
-    )
+    rho = published_constants["value"]["range_of_adhesion"]
+    axes.axvline(rho, zorder=1, **style.PUBLISHED_RANGE)

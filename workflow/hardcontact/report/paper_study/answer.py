@@ -193,8 +193,9 @@ def surface_numbers(surface: str, datasets: Mapping[str, xr.Dataset]) -> dict[st
     numbers["band_force_ratio"] = number_of(band_forces.sel(surface=surface), "band_force_ratio")
     small_scan = _small_scan_forces(datasets)
     if surface in small_scan["surface"].values:
+        ratio = small_scan.sel(surface=surface)
         numbers["small_scan_ratio"] = number_of(
-            small_scan.sel(surface=surface), "force_over_largest", name="small_scan_ratio"
+            ratio, "force_over_largest", name="small_scan_ratio"
         )
     return numbers
 
