@@ -48,7 +48,8 @@ def find_edges(
     limits; it then lies beyond its bound.
     """
     lower, upper = limits
-    values = _variable(curves)
+    # Variables have no labels, because aligning labels would take most of the time.
+    values: Any = curves.variable
     signed_cutoffs = _signed_cutoffs(curves)
     crossing, last_inside = _first_and_before(signed_cutoffs, (values < lower) | (values > upper))
     value, value_inside = (
@@ -73,16 +74,11 @@ def find_edges(
     )
 
 
-def _variable(array: xr.DataArray) -> Any:
-    """Return an array without its labels, because aligning them would take most of the time."""
-    return array.variable
-
-
 def _signed_cutoffs(curves: xr.DataArray) -> Any:
     """Return the cutoffs of curves, negative on the long side: they grow with what is removed."""
-    is_short = _variable(curves["side"]) == "short"
-    cutoffs = _variable(curves[CUTOFF]) * (2 * is_short - 1)
-    return cutoffs.where(_variable(curves).notnull()).transpose(*curves.dims)
+    is_short = curves["side"].variable == "short"
+    cutoffs: Any = curves[CUTOFF].variable * (2 * is_short - 1)
+    return cutoffs.where(curves.variable.notnull()).transpose(*curves.dims)
 
 
 def _first_and_before(signed_cutoffs: Any, is_true: Any) -> tuple[Any, Any]:
@@ -101,14 +97,14 @@ def edge_intervals(
     is wholly outside, or without intervals.
     """
     lower, upper = limits
-    low, high = _variable(lowest), _variable(highest)
+    low, high = lowest.variable, highest.variable
     signed_cutoffs = _signed_cutoffs(curves)
     is_known = ((low.notnull() & high.notnull()) | signed_cutoffs.isnull()).all(CUTOFF)
     signed_cutoffs = signed_cutoffs.where(is_known)
     _, surely_inside = _first_and_before(signed_cutoffs, (low < lower) | (high > upper))
     surely_outside, before = _first_and_before(signed_cutoffs, (high < lower) | (low > upper))
     surely_outside = surely_outside.where(before.notnull())
-    is_short = _variable(curves["side"]) == "short"
+    is_short = curves["side"].variable == "short"
     shorter = surely_inside.where(is_short, surely_outside)
     longer = surely_outside.where(is_short, surely_inside)
     return xr.Variable((*shorter.dims, "end"), abs(np.stack([shorter, longer], axis=-1)), NM)
