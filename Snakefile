@@ -63,7 +63,7 @@ lifecycle.complete_rules(workflow, RESULTS)
 onstart:
     lifecycle.refuse_unwritable_folders(RESULTS.results, RESULTS.store)
     reruns.refuse_altered_files(workflow)
-    lifecycle.kill_at_interrupt_of_jobs(workflow)
+    lifecycle.kill_jobs_at_interrupt(workflow)
 
 
 onsuccess:

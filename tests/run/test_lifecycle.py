@@ -152,7 +152,7 @@ import time
 from types import SimpleNamespace
 from hardcontact.run import lifecycle
 
-lifecycle.kill_at_interrupt_of_jobs(SimpleNamespace(local_exec=False, persistence=None))
+lifecycle.kill_jobs_at_interrupt(SimpleNamespace(local_exec=False, persistence=None))
 for state in ("running", "cancelling"):
     try:
         print(state, flush=True)

@@ -110,7 +110,7 @@ def _surface_settings(plan: StudyPlan) -> dict[str, dict[str, Any]]:
         "measured_spectra": levelling,
         # Such spectra, sampled within the uncertainty of the measurements.
         "sampled_spectra": {**seed, **levelling},
-        # How a scan is made: both are parts of `scans`, and no folders.
+        # How a measured and a substitute scan are made: parts of the digest of `scans`.
         "measured_scans": levelling,
         "substitute_scans": _featured_surface(study),
         # Levelled scans, mirrored scans, and the conditioning of substitutes on Table 1.

@@ -43,7 +43,7 @@ def prepare(workflow: Any) -> None:
     refuse_unwritable_folders(".snakemake")  # Snakemake's own attempt ends in a traceback.
     if plans_the_run(workflow):
         _refuse_touch()
-        kill_at_next_interrupt(workflow)
+        kill_run_at_next_interrupt(workflow)
         try:
             refuse_other_versions()
         except ValueError as error:
@@ -150,13 +150,13 @@ def _kill_run(workflow: Any) -> NoReturn:
     os._exit(130)
 
 
-def kill_at_next_interrupt(workflow: Any) -> None:
+def kill_run_at_next_interrupt(workflow: Any) -> None:
     """Kill the run, and its jobs if there are any, at the next Ctrl-C."""
     signal.signal(signal.SIGINT, lambda *_: _kill_run(workflow))
 
 
-def kill_at_interrupt_of_jobs(workflow: Any) -> None:
-    """Kill the run at Ctrl-C while jobs run, which do not receive the signal.
+def kill_jobs_at_interrupt(workflow: Any) -> None:
+    """Kill the run and its jobs at Ctrl-C, which the jobs do not receive.
 
     Jobs would print tracebacks, and Snakemake would wait for them. On a cluster the first Ctrl-C
     lets Snakemake cancel the jobs; the second kills the run.
@@ -173,7 +173,7 @@ def kill_at_interrupt_of_jobs(workflow: Any) -> None:
     else:
 
         def interrupt(*_: object) -> NoReturn:
-            kill_at_next_interrupt(workflow)
+            kill_run_at_next_interrupt(workflow)
             raise KeyboardInterrupt
 
         signal.signal(signal.SIGINT, interrupt)
