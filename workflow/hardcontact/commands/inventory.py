@@ -31,7 +31,7 @@ FILLING = DEFAULT_OPTIONS.undefined_pixels
 SPECTRUM_USE = "spectrum"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)  # A scan equals no other one.
 class UserScan:
     """A scan of the user: what its file states, and what is measured on it; lengths are in nm."""
 
@@ -189,7 +189,6 @@ def _measure_scan(scan_file: ScanFile, scan: HeightMap, options: ReadingOptions)
 
 def printed_table(scans: Sequence[UserScan], contact_scans: Sequence[UserScan]) -> str:
     """Return a table of the scans and their uses, with notes on their reading below."""
-    contact_ids = {id(scan) for scan in contact_scans}
     rows = []
     notes = []
     for number, scan in enumerate(scans, 1):
@@ -209,7 +208,7 @@ def printed_table(scans: Sequence[UserScan], contact_scans: Sequence[UserScan]) 
                 "peak to valley": format_length(scan.peak_to_valley),
                 "tip radius": format_length(scan.tip_radius) if scan.tip_radius else "unknown",
                 "reliable": " to ".join(band_ends) if scan.has_reliable_wavelengths else "none",
-                "used for": CONTACT_USE if id(scan) in contact_ids else SPECTRUM_USE,
+                "used for": CONTACT_USE if scan in contact_scans else SPECTRUM_USE,
             }
         )
         notes += [f"{number}: {note}" for note in split_notes(scan.notes)[0]]
@@ -223,7 +222,6 @@ def table_rows(
     scans: Sequence[UserScan], contact_scans: Sequence[UserScan], tip_radius: str
 ) -> list[dict[str, str]]:
     """Return the rows of the table of surfaces by column; scans that make contacts come first."""
-    contact_ids = {id(scan) for scan in contact_scans}
     return [
         {
             "surface": surface,
@@ -232,11 +230,11 @@ def table_rows(
             "source": "measured",
             "path": scan.scan_file.path,
             "dataset": scan.dataset,
-            "use": CONTACT_USE if id(scan) in contact_ids else SPECTRUM_USE,
+            "use": CONTACT_USE if scan in contact_scans else SPECTRUM_USE,
             "tip_radius": tip_radius if scan.tip_given else "",
         }
         for surface, surface_scans in scans_by_surface(scans).items()
         for number, scan in enumerate(
-            sorted(surface_scans, key=lambda scan: id(scan) not in contact_ids), 1
+            sorted(surface_scans, key=lambda scan: scan not in contact_scans), 1
         )
     ]

@@ -101,8 +101,7 @@ def read_inputs(arguments: Namespace) -> Inputs:
     reader = partial(read_own_spectrum, options=reading_options(arguments, quantities))
     readers = [partial(reader, [arguments.file], dataset=arguments.dataset)]
     if arguments.sphere is not None:
-        radius = quantities["radius"].number
-        readers.append(partial(reader, [arguments.sphere], sphere_radius=radius))
+        readers.append(partial(reader, [arguments.sphere], sphere_radius=contact.radius))
     spectrum, *sphere_spectra = run_checks(readers, faults)
     for sphere_spectrum in sphere_spectra:
         spectrum = add_sphere_roughness(spectrum, sphere_spectrum, PAPER_STUDY.seed)

@@ -129,9 +129,8 @@ def _contact_settings(plan: StudyPlan) -> dict[str, dict[str, Any]]:
     scales = study["scales"]
     ranges = sorted({*study["adhesion"]["ranges"], study["adhesion"]["range"]})
     # The posterior needs all ranges that whole surfaces permit, and only the paper's study has it.
-    whole_ranges = [study["adhesion"]["range"]]
-    if is_paper_study(study):
-        whole_ranges = [rho for rho in ranges if rho >= SHORTEST_WHOLE_RANGE]
+    permitted_ranges = [rho for rho in ranges if rho >= SHORTEST_WHOLE_RANGE]
+    whole_ranges = permitted_ranges if is_paper_study(study) else [study["adhesion"]["range"]]
     contact = study["contact"] | {"radius": study["sphere"]["radius"]}
     contact_at_range = contact | {"rho": study["adhesion"]["range"]}
     transitions = {side: scales[side]["transition"] for side in SIDES}

@@ -143,7 +143,7 @@ def _spectrum_of_scans(scans: Sequence[HeightMap], tip_radius: float | None = No
 
     Later scans of the same area are left out. The tip radius (nm) serves scans without their own.
     """
-    names = [f"{scan.path} {scan.dataset}".strip() for scan in scans]
+    names = [scan.name for scan in scans]
     repeated = repetition_notes(scans, names)
     scans = [scan for number, scan in enumerate(scans) if number not in repeated]
     names = [name for number, name in enumerate(names) if number not in repeated]

@@ -79,10 +79,7 @@ def _measured_spectra(
     )
     count = int(_reliable_mask(densities, bands).any(axis=0).sum())
     if count < MIN_BINS:
-        listing = "; ".join(
-            f"{scan.path} {scan.dataset}".strip() + f" {band}"
-            for scan, band in zip(scans, bands, strict=True)
-        )
+        listing = "; ".join(f"{scan.name} {band}" for scan, band in zip(scans, bands, strict=True))
         is_too_large = min(band.shortest for band in bands) > 2 * np.pi / BIN_CENTRES[0]
         remedy = ": is the unit of length right?" if is_too_large else ""
         raise ValueError(too_few_bins_message("measurements", count, listing) + remedy)
