@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+import xarray as xr
 from answer_inputs import (
     SURFACES,
     datasets,
@@ -97,6 +98,13 @@ def test_open_and_extrapolated_edges_recommend_a_measurement(data, advice):
     # The scans are reliable from 55 nm to 25 µm.
     measurements = surface_answers(datasets(edges=data), setting())[0].next_scans
     assert [(scan.edge, scan.code, scan.limit.value) for scan in measurements] == advice
+
+
+def test_a_described_spectrum_recommends_no_measurement():
+    described = spectra()
+    described["kind"] = xr.full_like(described["kind"], "description", dtype="U11")
+    data = datasets(edges=with_long_edge("open_above"), spectra=described)
+    assert surface_answers(data, setting())[0].next_scans == []
 
 
 def test_a_missing_interval_has_a_reason():

@@ -204,7 +204,12 @@ def _drop_partial_interval(number: Number) -> Number:
 
 
 def next_scans(numbers: Mapping[str, Number], spectra: xr.Dataset) -> list[NextScan]:
-    """Return a measurement to make next for each edge that is open or extrapolated."""
+    """Return a measurement to make next for each edge that is open or extrapolated.
+
+    A described spectrum gets none: its surface cannot be measured here.
+    """
+    if (spectra["kind"] == "description").any():
+        return []
     return [
         _next_scan(edge, spectra)
         for edge in (numbers["short_edge"], numbers["long_edge"])
