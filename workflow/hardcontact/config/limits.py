@@ -67,16 +67,16 @@ class NamedContact(NamedTuple):
     """A contact, and the names of three of its quantities in messages."""
 
     contact: Contact
-    preload: str = "config key contact.preload"
-    contacts_per_row: str = "config key contact.contacts_per_row"
-    range: str = "config key adhesion.ranges"
+    load_name: str = "config key contact.preload"
+    count_name: str = "config key contact.contacts_per_row"
+    range_name: str = "config key adhesion.ranges"
 
 
 def study_contacts(config: dict[str, Any]) -> dict[str, NamedContact]:
-    """Return the contact of each stage of a study that needs the finest pixels."""
+    """Return, by stage of a study, the contact that pixels and memory limit most."""
     contact = study_contact(config)
     scan_contact = NamedContact(replace(contact, rho=config["adhesion"]["ranges"][0]))
-    master_contact = NamedContact(contact, range="config key adhesion.range")
+    master_contact = NamedContact(contact, range_name="config key adhesion.range")
     if not is_paper_study(config):
         return {"scans": scan_contact, "scales": master_contact}
     indent = replace(scan_contact.contact, preload=config["indent"]["preloads"][-1])
@@ -85,10 +85,10 @@ def study_contacts(config: dict[str, Any]) -> dict[str, NamedContact]:
     set_contact = replace(contact, radius=radius, contacts_per_row=contacts_per_row)
     return {
         "scans": scan_contact,
-        "indents": scan_contact._replace(contact=indent, preload="config key indent.preloads"),
+        "indents": scan_contact._replace(contact=indent, load_name="config key indent.preloads"),
         "scales": master_contact,
         "sets": master_contact._replace(
-            contact=set_contact, contacts_per_row="config key sets.contacts_per_row"
+            contact=set_contact, count_name="config key sets.contacts_per_row"
         ),
     }
 
@@ -218,13 +218,13 @@ def _memory_faults(
 ) -> Iterator[str]:
     """Yield the fault of a load whose contact pixels, each `periods` times, exceed the memory."""
     contact = named_contact.contact
-    count_key = named_contact.contacts_per_row.removeprefix("config key ")
+    count_key = named_contact.count_name.removeprefix("config key ")
     reason = (
         f"with which the contact pixels of {pixel_size:.4g} nm on {surface} fit into memory at "
         f"{count_key} = {contact.contacts_per_row} and contact.window = {contact.window:.6g} nm"
     )
     available_pixels = int(MAX_CONTACT_PIXELS / contact.contacts_per_row**2 / periods)
-    yield from _load_faults(named_contact.preload, contact, available_pixels, pixel_size, reason)
+    yield from _load_faults(named_contact.load_name, contact, available_pixels, pixel_size, reason)
 
 
 def _load_faults(

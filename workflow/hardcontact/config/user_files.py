@@ -29,7 +29,7 @@ Result = TypeVar("Result")
 Model = TypeVar("Model", bound=BaseModel)
 #: A cell with a number, or a blank cell, which is NaN.
 BLANK_AS_NAN = WrapValidator(lambda cell, parse: parse(cell) if cell else math.nan)
-Number = Annotated[float, Field(strict=False), BLANK_AS_NAN]
+NumberCell = Annotated[float, Field(strict=False), BLANK_AS_NAN]
 
 
 def read_yaml(path: str) -> Any:

@@ -15,7 +15,7 @@ from hardcontact.base.dataset import MEANINGS, read_meanings
 from hardcontact.config.faults import quote_key, raise_faults, spelling_question
 from hardcontact.config.key_types import Matching
 from hardcontact.config.keys import Keys
-from hardcontact.config.user_files import Number, parse_number, read_rows
+from hardcontact.config.user_files import NumberCell, parse_number, read_rows
 from hardcontact.paper.claims.judgement import DERIVED_QUANTITIES
 from hardcontact.paper.claims.selection import LABELS, split_selection
 from hardcontact.paper.claims.verdicts import accepted_range
@@ -35,9 +35,9 @@ class ClaimRow(Keys):
     section: str
     statement: str
     number: Annotated[str, Matching(r".*\w.*", "words for the quantity that the numbers give")]
-    published: Number
-    published_low: Number
-    published_high: Number
+    published: NumberCell
+    published_low: NumberCell
+    published_high: NumberCell
     unit: str
     rule: str
     evidence: Literal["published", "inferred", "assumed"]
