@@ -23,6 +23,7 @@ from hardcontact.surfaces.metrics import METRICS, TABLE1_METRICS
 from hardcontact.surfaces.topography import scan_averages
 
 CONFIDENCE, SCANS, CONTACTS = 0.95, 5, 3
+WORK = 46.3e-3  # J/m², published
 RADIUS, RHO, MODELS = 250e3, [0.05, 2.0, 4.0, 5.6, 8.0], ["rigid", "plastic"]
 CUTOFFS = {"short": [20.0, 43.0, 120.0], "long": [500.0, 1800.0, 3500.0]}
 AXES = ("contact_model", "rho", "contact_y", "contact_x")
@@ -50,7 +51,7 @@ def make_pool(surface):
     rng = np.random.default_rng(SUBSTRATES.index(surface))
     mean = HEIGHTS[surface]
     force_heights = mean * np.linspace(0.3, 1.8, 5)
-    force = MEAN_FORCE[SUBSTRATES.index(surface)] / 0.0463
+    force = MEAN_FORCE[SUBSTRATES.index(surface)] / WORK
     log_force = (
         np.log(force * CURVES)[:, :, None, None]
         - (force_heights / mean - 1)[:, None, None, None, None]
@@ -89,7 +90,7 @@ def make_adhesion():
     rng = np.random.default_rng(11)
     force = MEAN_FORCE[:, None, None] * CURVES
     spread = rng.normal(0, 0.5, (4, SCANS, 2, 1, 1, 4, 4))
-    forces = force[:, None, None, :, :, None, None] / 0.0463 * np.exp(spread)
+    forces = force[:, None, None, :, :, None, None] / WORK * np.exp(spread)
     return xr.Dataset(
         {
             "pull_off_force": (("surface", "scan", "sphere_scan", *AXES), forces, {"units": "N"}),
@@ -133,7 +134,7 @@ SETTINGS = SetSettings(
 )  # fmt: skip
 FORCES = pd.DataFrame({"mean_force": MEAN_FORCE}, index=SUBSTRATES)
 REPLICATED = CLAIMS[CLAIMS["samples_from"] == "sets"]
-PAPER = REPLICATED, CONSTANTS, PublishedForces(FORCES, (5.6, 46.3e-3), 0.1)
+PAPER = REPLICATED, CONSTANTS, PublishedForces(FORCES, (5.6, WORK), 0.1)
 
 
 @pytest.fixture(scope="module")

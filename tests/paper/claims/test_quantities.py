@@ -106,6 +106,9 @@ def test_elastic_contact_is_compared_with_rigid_and_plastic_contact():
     three = elastic.assign(elastic_contact_area=areas, share_above_hardness=shares)
     near(contact.median_share_above_hardness(three), 0.45)
     near(contact.median_plastic_over_elastic_area(three), (4 + 1) / 2)  # 400 nm² carry the preload
+
+
+def test_exponents_are_medians_over_surfaces():
     exponents = xr.Dataset({"force_exponent": ("surface", [0.7, 0.1, 0.0])})
     near(band_quantities.median_force_exponent(exponents), 0.1)
     exponents = xr.Dataset({"edge_exponent": ("surface", [-0.2, 0.6, 2.0])})

@@ -59,7 +59,7 @@ class SetSettings(NamedTuple):
 
 
 def sphere_factor(adhesion: xr.Dataset, sampled_substrates: Sequence[str]) -> xr.DataArray:
-    """Return the forces on the rough sphere relative to a smooth sphere, NaN if not sampled."""
+    """Return the forces on the rough sphere relative to a smooth one; NaN on other substrates."""
     rough = adhesion["pull_off_force"].mean(["scan", "sphere_scan", *CONTACT_AXES])
     smooth = adhesion["smooth_sphere_force"].mean("scan")
     return (rough / smooth).where(rough["surface"].isin(sampled_substrates))

@@ -107,8 +107,8 @@ def median_force_exponent(exponents: xr.Dataset) -> xr.Dataset:
 def median_edge_exponent(exponents: xr.Dataset) -> xr.Dataset:
     """Return the exponent of an edge, the median over surfaces (side, exponent_of).
 
-    NaN if the edges of a surface determine no exponent. The interval is the median of those that
-    exist.
+    NaN if the edges of a surface determine no exponent. The ends of the interval are medians over
+    the surfaces that have an interval.
     """
     exponent = variable_estimate(exponents, "edge_exponent")
     return exponent.median("surface").where(exponent["value"].notnull().all("surface"))

@@ -98,7 +98,7 @@ def _chosen_inputs(force: xr.Dataset, setting: Setting) -> list[str]:
 
 
 def surface_answers(datasets: Datasets, setting: Setting) -> list[SurfaceAnswer]:
-    """Return the answer of each surface that has a band."""
+    """Return the answer of each surface of edges.nc, which lacks the sphere."""
     labels = datasets.labels()
     reference = datasets.select_surface(next(iter(labels)))
     return [

@@ -37,7 +37,7 @@ class Datasets(NamedTuple):
         return self._replace(**{name: getattr(self, name).sel(surface=surface) for name in names})
 
     def labels(self) -> dict[str, str]:
-        """Return the printed name of each surface with a band, with a mark on substitutes."""
+        """Return the printed name of each surface of edges.nc, with a mark on substitutes."""
         topography = self.topography.sel(surface=self.edges["surface"])
         names = (topography[name].values for name in ("surface", "label", "source"))
         return {
@@ -85,7 +85,7 @@ def drop_padding(spectra: xr.Dataset) -> xr.Dataset:
 
 
 def fails_hindcast(data: Datasets, side: str) -> bool:
-    """Return whether artificial roughness in place of measured roughness changes the force."""
+    """Return whether the hindcast of a side fails, or no octave could be tested."""
     fails = data.force.get("hindcast_fails")
     return fails is not None and fails.sel(side=side).item() == 1
 

@@ -273,7 +273,7 @@ def _finish_over_range(
 ) -> None:
     """Mark the range of adhesion (nm) of the answer, scale the axes and add the legend."""
     (axes,) = figure.axes
-    _mark_positions(axes, [answer_range], "range asked for")
+    _mark_positions(axes, [answer_range], "range of the study")
     _set_logarithmic_axes(axes, "range of adhesion (nm)", y_label, ranges)
     style.label_logarithmic(axes.yaxis)
     _add_legend(figure)
