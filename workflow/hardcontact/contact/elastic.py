@@ -39,14 +39,14 @@ class HalfSpace:
         wave_x = 2 * np.pi * fft.rfftfreq(pixels, pixel_size)
         wavevector = np.hypot(wave_y[:, None], wave_x)
         wavevector[0, 0] = np.inf
-        self._shape = (pixels, pixels)
         # A wave of pressure p displaces by 2p/(E* q); a force on a pixel is p pixel_size².
         self._compliance = 2 * GIGAPASCAL / (modulus * wavevector * pixel_size**2)
-        self._response = fft.irfft2(self._compliance, s=self._shape)  # to 1 nN on the first pixel
+        # The displacements by 1 nN on the first pixel.
+        self._response = fft.irfft2(self._compliance, s=(pixels, pixels))
 
     def displacement(self, forces: Floats) -> Floats:
         """Return the displacement (n, n) in nm into the half space by forces (n, n) in nN."""
-        return np.asarray(fft.irfft2(self._compliance * fft.rfft2(forces), s=self._shape))
+        return np.asarray(fft.irfft2(self._compliance * fft.rfft2(forces), s=forces.shape))
 
     def influence(self, pixels: NDArray[np.int_]) -> Floats:
         """Return the displacements (k, k) in nm of pixels (k, 2) by 1 nN on each of them."""
