@@ -114,7 +114,7 @@ SUBSTITUTE = Substitute(
 SOURCE = FeaturedSurface(SUBSTITUTE, POLISHED)
 
 
-def test_the_nearest_group_is_one_of_bumps_or_pits(monkeypatch):
+def test_the_nearest_scans_have_bumps_or_pits(monkeypatch):
     monkeypatch.setattr("hardcontact.surfaces.features.PERMITTED_SAMPLES", 4)
     features, scans = nearest_featured_scans(SOURCE, [1, 2])
     candidates = [
