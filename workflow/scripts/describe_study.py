@@ -10,6 +10,6 @@ from hardcontact.report.templates import render_template
 
 with run_job(snakemake) as job:
     job.write_text(yaml.safe_dump(job.parameters, allow_unicode=True), "configuration")
-    job.copy(job.input.surfaces, "surfaces")
+    job.write_text(Path(job.input.surfaces).read_text("utf-8"), "surfaces")
     datasets = {Path(path).stem: read(path) for path in job.input.datasets}
     job.write_text(render_template("datasets.md", datasets=datasets), "variables")

@@ -73,12 +73,11 @@ def fit_published(
     surfaces = adhesion.surface.values.tolist()
     published_forces = published.forces.mean_force.reindex(surfaces).to_numpy()
     reference_index = surfaces.index(reference_surface)
+    threshold = published.error_threshold
     fits = {}
     for model in adhesion.contact_model.values.tolist():
         forces = adhesion.pull_off_force.sel(contact_model=model)
-        fit = fit_contact_model(
-            forces, published_forces, reference_index, published.error_threshold, sampling
-        )
+        fit = fit_contact_model(forces, published_forces, reference_index, threshold, sampling)
         fitted = float(fit.range_of_adhesion), float(fit.work_of_adhesion)
         statistics = [
             forces_at_pair(forces, pair, reference_index, sampling)
@@ -90,7 +89,7 @@ def fit_published(
         models.assign(_model_error_ratio(models, sampling))
         .assign(label=adhesion.label, source=adhesion.source)
         .assign_attrs(
-            error_threshold=published.error_threshold,
+            error_threshold=threshold,
             confidence=sampling.confidence,
             sphere_radius=adhesion.attrs["sphere_radius"],
         )

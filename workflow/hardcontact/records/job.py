@@ -4,7 +4,6 @@ import gc
 import json
 import logging
 import os
-import shutil
 import sys
 import traceback
 from collections.abc import Iterator
@@ -42,7 +41,7 @@ class Job(NamedTuple):
 
     def write(self, results: xr.Dataset, title: str, output: int | str = 0) -> None:
         """Write results, with their origin and the meanings of their variables."""
-        path = self._path(output)
+        path = self.output[output]
         described_results = dataset.describe(results, dataset.read_meanings(Path(path).stem))
         complete = described_results.assign_attrs(
             title=title,
@@ -54,16 +53,8 @@ class Job(NamedTuple):
 
     def write_text(self, text: str, output: int | str = 0) -> None:
         """Write a text completely or not at all."""
-        with atomic_file(self._path(output)) as path:
+        with atomic_file(self.output[output]) as path:
             Path(path).write_text(text, "utf-8")
-
-    def copy(self, source: str | Path, output: int | str = 0) -> None:
-        """Copy a file, byte by byte."""
-        with atomic_file(self._path(output)) as path:
-            shutil.copyfile(source, path)
-
-    def _path(self, output: int | str) -> str:
-        return str(self.output[output])
 
 
 @contextmanager
