@@ -133,9 +133,7 @@ def _choices_without_scans(
 ) -> Iterator[Choice]:
     """Yield the keys that do not depend on the scans."""
     name = arguments.name
-    yield Choice(
-        "study", name, f"results go to results/{name}/, quick ones to results/{name}-quick/"
-    )
+    yield Choice("study", name, f"results in results/{name}/, quick ones in results/{name}-quick/")
     yield Choice("store", f"results/store-{name}", "intermediates")
     yield Choice("published", NONE, "nothing of the paper is needed or judged")
     yield Choice("surfaces", f"config/{name}.tsv", "one row per scan")

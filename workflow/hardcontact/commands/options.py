@@ -58,15 +58,13 @@ def add_shared_options(parser: ArgumentParser) -> None:
     for name, (key, meaning) in CONTACT_QUANTITIES.items():
         default = key_field(key).default
         parser.add_argument(f"--{name}", help=f"{meaning} (the paper's: {default})")
-    parser.add_argument("--tip", help="radius of the tip, for the files that do not state it")
+    parser.add_argument("--tip", help="radius of the tip, for files that do not state it")
     parser.add_argument(
         "--unit", default="none",
-        help="unit of length, for the files that do not state it; for points x, y, height two "
+        help="unit of length, for files that do not state it; for points x, y, height two "
         "units, of positions and of heights, such as mm,nm",
     )  # fmt: skip
-    parser.add_argument(
-        "--size", help="longer side of the scan, for the files that do not state it"
-    )
+    parser.add_argument("--size", help="longer side of the scan, for files that do not state it")
     parser.add_argument(
         "--mask", choices=MASKS, default="keep",
         help="what pixels under a mask in a file are: heights, or gaps",

@@ -118,12 +118,10 @@ class QuantityStatus(StrEnum):
 
 def compute_numbers(inputs: Inputs, arguments: Namespace) -> dict[str, Number]:
     """Return the numbers of a prediction by name: quantities, forces, modulus."""
-    quantities, contact, own_spectrum, _ = inputs
+    quantities, contact, spectrum, _ = inputs
     numbers = {name: _quantity_number(name, quantities[name]) for name in CONTACT_QUANTITIES}
     tolerance, confidence = PAPER_STUDY.scales.tolerance, PAPER_STUDY.intervals.confidence
-    numbers |= prediction_and_scan_force(
-        own_spectrum, contact, tolerance, confidence, arguments.file
-    )
+    numbers |= prediction_and_scan_force(spectrum, contact, tolerance, confidence, arguments.file)
     modulus = QuantityOption("", assumed_modulus(contact.hardness), "Pa", is_given=False)
     numbers["modulus"] = _quantity_number("modulus", quantities.get("modulus", modulus))
     numbers["tabor_parameter"] = judge_tabor_parameter(contact, numbers["modulus"].value)

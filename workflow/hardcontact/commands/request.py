@@ -33,9 +33,7 @@ def new_arguments(arguments: Sequence[str]) -> Namespace:
         "spectrum, see hardcontact predict --help; verify: check the files of a finished study; "
         "compare: the numbers of two studies",
     )  # fmt: skip
-    parser.add_argument(
-        "name", metavar="NAME", help="name of the study; results go to results/NAME/"
-    )
+    parser.add_argument("name", metavar="NAME", help="name of the study, made in results/NAME/")
     parser.add_argument(
         "files", metavar="FILE", nargs="*",
         help="scans, line scans or containers of one surface, or folders of them",

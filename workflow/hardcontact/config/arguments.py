@@ -90,9 +90,7 @@ def check_read_arguments(
     if texts.get("mask", MASKS[0]) not in MASKS:
         faults.append(f"mask: expected {' or '.join(MASKS)}, found {shorten(texts['mask'])}")
     raise_faults(faults)
-    check_positive(
-        **{name: length for name, length in lengths.items() if length not in (None, NONE)}
-    )
+    check_positive(**{name: value for name, value in lengths.items() if value not in (None, NONE)})
 
 
 def check_positive_numbers(name: str, numbers: Any) -> None:

@@ -33,9 +33,7 @@ class SegmentRow(Keys, extra="ignore"):
     @model_validator(mode="after")
     def _check_rolloff(self) -> "SegmentRow":
         if self.model == "varying Hurst" and math.isnan(self.rolloff_nm):
-            raise ValueError(
-                "rolloff_nm: expected a number for a varying Hurst exponent, found none"
-            )
+            raise ValueError("rolloff_nm: expected a number for a varying exponent, found none")
         return self
 
 
