@@ -107,6 +107,7 @@ def test_the_closed_form_has_no_number_on_heights_that_are_not_gaussian(
     assert numbers["closed_form_on_scan"]["status"] == "not_gaussian"
     names = {"closed_form_on_scan", *scan_force.CLOSED_FORM_NAMES} & numbers.keys()
     assert names and not any("interval" in numbers[name] for name in names)
+    assert "found" not in {numbers[name]["status"] for name in names}
     (line,) = [line for line in words.splitlines() if line.startswith("closed form")]
     assert_says(line, "no number: the heights are not", f"times too {fault}")
 

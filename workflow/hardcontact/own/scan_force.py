@@ -65,7 +65,7 @@ def prediction_and_scan_force(
 ) -> dict[str, Number]:
     """Return the numbers of the closed form for a spectrum, and of the force on its only map.
 
-    Unless the closed form agrees with the force on the map, its numbers lose their intervals.
+    Unless the closed form agrees with the force on the map, its numbers are OUTSIDE.
     """
     numbers = prediction(own_spectrum.spectrum, contact, tolerance, name)
     scan_numbers = force_on_scan(own_spectrum, contact, confidence)
@@ -73,8 +73,8 @@ def prediction_and_scan_force(
     if closed_form_on_scan is not None and closed_form_on_scan.status != ClosedFormStatus.AGREES:
         for quantity in numbers.keys() & set(CLOSED_FORM_NAMES):
             number = numbers[quantity]._replace(low=math.nan, high=math.nan)
-            is_force = number.unit == "N" and math.isfinite(number.value)
-            numbers[quantity] = number._replace(status=Validity.OUTSIDE) if is_force else number
+            is_known = math.isfinite(number.value)
+            numbers[quantity] = number._replace(status=Validity.OUTSIDE) if is_known else number
     return scan_numbers | numbers
 
 
