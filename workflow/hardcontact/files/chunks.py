@@ -109,13 +109,12 @@ class Chunks:
         """Return the forces on the masters of a purpose: outputs of compute_filtered_forces."""
         count = get_key(self._configuration, PURPOSES[purpose].realizations_key)
         spans = _spans(count, PURPOSES[purpose].realizations_in_job)
-        digest = self._files.patterns.digests[purpose]
         sweep = self._files.patterns.settings[purpose]
         loadings = [replace(self._plan.contact, **loading) for loading in sweep["loadings"]]
         return [
             MasterForcesChunk(
                 purpose=purpose,
-                settings_digest=digest,
+                settings_digest=self._files.patterns.digests[purpose],
                 surface=surface,
                 sphere_digest=self._sphere_digest(purpose, surface),
                 first=first,

@@ -63,8 +63,7 @@ def forces_of_surface(
         scan_parts[0], "scan", lambda kept: scan_forces.where(kept).mean(CONTACT_AXES).mean("scan")
     )
     mean = scan_forces.mean(CONTACT_AXES).mean("scan").values
-    log_forces: xr.DataArray = xr.apply_ufunc(np.log, forces)
-    log_force_std = log_forces.std(SINGLE_CONTACT_AXES).values
+    log_force_std = xr.ufuncs.log(forces).std(SINGLE_CONTACT_AXES).values
     variance = _position_variance(forces)
     return SurfaceForces(
         scan_forces.rho.values, mean, delete_one_log_means.T, scan_parts, log_force_std, variance

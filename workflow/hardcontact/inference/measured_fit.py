@@ -227,6 +227,4 @@ def _logarithmic_errors(data: xr.Dataset, name: str) -> tuple[xr.DataArray, xr.D
     """Return the logarithmic distances of a value from its interval's ends; infinite from zero."""
     low, high = interval_ends(data, name)
     with np.errstate(divide="ignore"):
-        distance_to_low: xr.DataArray = xr.apply_ufunc(np.log, data[name] / low)
-        distance_to_high: xr.DataArray = xr.apply_ufunc(np.log, high / data[name])
-    return distance_to_low, distance_to_high
+        return xr.ufuncs.log(data[name] / low), xr.ufuncs.log(high / data[name])
