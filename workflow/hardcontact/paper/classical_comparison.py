@@ -52,9 +52,8 @@ def apply_classical_models(
     forces. NaN if the paper prints no force or no roughness of a surface.
     """
     paper = constants["value"].to_dict()
-    sphere = ElasticSphere(
-        fit.attrs["sphere_radius"], effective_modulus(paper), paper["equilibrium_spacing"]
-    )
+    radius = fit.attrs["sphere_radius"]
+    sphere = ElasticSphere(radius, effective_modulus(paper), paper["equilibrium_spacing"])
     rows = table1.pivot(index="surface", columns="quantity", values=["value", "uncertainty"])
     rows = rows.dropna()
     printed = printed.dropna(subset="mean_force")

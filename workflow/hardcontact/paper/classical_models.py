@@ -198,9 +198,8 @@ def _force_spline(tension: Tension, factor: float) -> CubicSpline:
 
 def _relative_pull_off(tension: Tension, factor: float, index: Values) -> Values:
     """Return the pull-off force of asperities relative to as many asperities of equal height."""
-    return np.exp(
-        -np.exp(_force_spline(tension, factor)(np.log(np.clip(index, *ADHESION_INDICES))))
-    )
+    log_index = np.log(np.clip(index, *ADHESION_INDICES))
+    return np.exp(-np.exp(_force_spline(tension, factor)(log_index)))
 
 
 MODELS = {

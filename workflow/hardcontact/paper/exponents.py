@@ -61,12 +61,10 @@ def edge_exponents(forces: xr.Dataset, tolerance: float, confidence: float) -> x
         for index in range(count if count > 2 else 0)
     ]
     # `jackknife_interval` works on logarithms, so it gets exp(exponent).
-    interval = np.log(
-        jackknife_interval(np.exp(exponents), np.exp(jackknife_exponents), confidence)
-    )
+    interval = jackknife_interval(np.exp(exponents), np.exp(jackknife_exponents), confidence)
     dimensions = ("surface", "side", "exponent_of")
     variables = as_variables(
-        "edge_exponent", dimensions, exponents, interval, DIMENSIONLESS, confidence
+        "edge_exponent", dimensions, exponents, np.log(interval), DIMENSIONLESS, confidence
     )
     names = {name: forces[name].values for name in dimensions[:2]}
     return xr.Dataset(variables, names | {"exponent_of": SCALED_QUANTITIES})
@@ -77,9 +75,8 @@ def _fit_all_edges(forces: xr.Dataset, tolerance: float) -> Floats:
     touching_area = forces["touching_area"].isel(surface=0, realization=0)
     log_lengths = [np.log(forces["radius"]) / 2, np.log(touching_area) / 2]
     ratios = forces["filtered_force_ratio"].mean("realization", skipna=False)
-    edges = find_edges(
-        xr.ufuncs.log(ratios), logarithmic_limits(tolerance), forces["unfiltered_wavelength"]
-    )
+    curves = xr.ufuncs.log(ratios)
+    edges = find_edges(curves, logarithmic_limits(tolerance), forces["unfiltered_wavelength"])
     exponents: xr.DataArray = xr.apply_ufunc(
         _fit_edges_of_surface,
         np.log(edges["edge"]),

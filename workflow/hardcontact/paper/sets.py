@@ -91,9 +91,8 @@ def topography_of_set(
     # Spectra, not scans, determine roughness of all scales: it is that of the study.
     all_scales = [name for name in topography if str(name).startswith("all_scales_")]
     unchanged = topography[[*all_scales, "label", "source", "table1_rows_met"]]
-    return xr.merge(
-        [unchanged, set_scans, scan_averages(set_scans, confidence)], combine_attrs="override"
-    )
+    datasets = [unchanged, set_scans, scan_averages(set_scans, confidence)]
+    return xr.merge(datasets, combine_attrs="override")
 
 
 def adhesion_of_set(

@@ -26,9 +26,8 @@ from hardcontact.paper.claims.estimates import (
 
 def mean_over_median(fit: xr.Dataset) -> xr.Dataset:
     """Return the mean relative to the median pull-off force (contact_model, pair, surface)."""
-    return quotient(
-        variable_estimate(fit, "mean_force_at_pair"), variable_estimate(fit, "median_force_at_pair")
-    )
+    mean = variable_estimate(fit, "mean_force_at_pair")
+    return quotient(mean, variable_estimate(fit, "median_force_at_pair"))
 
 
 def plastic_over_rigid(adhesion: xr.Dataset) -> xr.Dataset:
@@ -229,6 +228,5 @@ def tabor_by_convention(classical: xr.Dataset) -> xr.Dataset:
 
 def classical_over_numerical(classical: xr.Dataset, fit: xr.Dataset) -> xr.Dataset:
     """Return classical over computed errors (metrics, model, force_source, contact_model)."""
-    return quotient(
-        variable_estimate(classical, "mean_relative_error"), variable_estimate(fit, "best_error")
-    )
+    classical_error = variable_estimate(classical, "mean_relative_error")
+    return quotient(classical_error, variable_estimate(fit, "best_error"))

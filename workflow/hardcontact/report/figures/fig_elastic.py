@@ -73,7 +73,7 @@ def _draw_forces(axes: Axes, elastic: xr.Dataset) -> None:
     axes.axhline(0, color="0.6", lw=0.8, zorder=0, label="no change")
     axes.legend()
     axes.set_ylabel("change of the force (%)")
-    style.label_panel(axes, "d", f"change by elasticity: up to {abs(change).max().item():.2g} %")
+    style.label_panel(axes, "d", f"elasticity: up to {abs(change).max().item():.2g} %")
 
 
 def _draw_pressures(row: np.ndarray, elastic: xr.Dataset) -> None:

@@ -121,18 +121,16 @@ def _surface_answer(
         numbers += forces.measured_numbers(forces.preferred_fit(data.fit).sel(surface=name), data)
     named_numbers = numbers_by_name(*numbers)
     conclusion = edges.surface_conclusion(named_numbers)
-    surface_cautions = answer_cautions(data, named_numbers)
+    cautions = answer_cautions(data, named_numbers)
     new_scans = edges.next_scans(named_numbers, data.spectra)
     named_numbers |= numbers_by_name(
-        *_caution_numbers(surface_cautions),
+        *_caution_numbers(cautions),
         *(scan.limit._replace(name=f"{scan.edge}_{scan.code}_limit") for scan in new_scans),
         *_topography_numbers(data.topography),
         *_measurement_numbers(data.spectra),
     )
     source = str(data.topography["source"].item())
-    return SurfaceAnswer(
-        name, label, source, named_numbers, conclusion, surface_cautions, new_scans
-    )
+    return SurfaceAnswer(name, label, source, named_numbers, conclusion, cautions, new_scans)
 
 
 def _octave_numbers(data: Datasets) -> Iterator[Number]:

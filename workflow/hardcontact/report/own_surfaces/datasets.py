@@ -74,9 +74,8 @@ def stored_tabor_number(force: xr.Dataset) -> Number:
 def forces_at_range(force: xr.Dataset) -> xr.Dataset:
     """Return the forces of the preferred contact model at the configured range of adhesion."""
     rho = force.attrs["rho"]
-    return force.sel(contact_model=preferred_model(force)).sel(
-        rho=rho, method="nearest", tolerance=1e-6 * rho
-    )
+    model_forces = force.sel(contact_model=preferred_model(force))
+    return model_forces.sel(rho=rho, method="nearest", tolerance=1e-6 * rho)
 
 
 def drop_padding(spectra: xr.Dataset) -> xr.Dataset:

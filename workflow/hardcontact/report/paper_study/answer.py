@@ -191,12 +191,10 @@ def surface_numbers(surface: str, datasets: Mapping[str, xr.Dataset]) -> dict[st
     numbers["mean_force"] = number_of(fit, "mean_force_at_pair", name="mean_force")
     band_forces = datasets["band_forces"].sel(band="published", band_part="only the band")
     numbers["band_force_ratio"] = number_of(band_forces.sel(surface=surface), "band_force_ratio")
-    small_scan = _small_scan_forces(datasets)
-    if surface in small_scan["surface"].values:
-        ratio = small_scan.sel(surface=surface)
-        numbers["small_scan_ratio"] = number_of(
-            ratio, "force_over_largest", name="small_scan_ratio"
-        )
+    small_scans = _small_scan_forces(datasets)
+    if surface in small_scans["surface"].values:
+        scan = small_scans.sel(surface=surface)
+        numbers["small_scan_ratio"] = number_of(scan, "force_over_largest", name="small_scan_ratio")
     return numbers
 
 
