@@ -190,6 +190,11 @@ def test_a_mean_over_the_needed_contacts_keeps_the_tolerance():
     assert needed > 50 and is_within.mean() == pytest.approx(0.9, abs=0.02)
 
 
+def test_a_mean_needs_one_contact_at_least():
+    equal_forces = adhesion([3, 1], spread=0.001).pull_off_force
+    assert (contacts_needed(equal_forces, 0.1, 0.9) == 1).all()
+
+
 def test_intervals_include_the_effect_of_finer_pixels():
     scan_forces = forces_on_scans(adhesion([3, 3]), **OPTIONS)
     wide_pixels = scan_forces.assign(wide_pixel_ratio=("surface", [1.5, 0.9]))

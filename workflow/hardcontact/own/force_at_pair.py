@@ -269,11 +269,12 @@ def add_sizes(
 
 
 def contacts_needed(forces: xr.DataArray, tolerance: float, confidence: float) -> xr.DataArray:
-    """Return how many contacts give a mean force within the relative tolerance.
+    """Return how many contacts, at least one, give a mean force within the relative tolerance.
 
     The number (surface, contact_model, rho) holds with the confidence; the forces are of single
     contacts on the scans.
     """
     relative_std = forces.std(SINGLE_CONTACT_AXES) / forces.mean(SINGLE_CONTACT_AXES)
     quantile = float(special.ndtri((1 + confidence) / 2))
-    return ((quantile / tolerance * relative_std) ** 2).assign_attrs(DIMENSIONLESS)
+    count = (quantile / tolerance * relative_std) ** 2
+    return count.clip(min=1).assign_attrs(DIMENSIONLESS)
