@@ -165,7 +165,7 @@ def edges_or_bounds(edges: xr.Dataset) -> xr.DataArray:
 
 
 def mean_band(edges: xr.Dataset) -> tuple[float, float]:
-    """Return both edges (nm) of the mean change over all surfaces, or their bounds."""
+    """Return both edges (nm) of the change averaged over all surfaces, or their bounds."""
     mean_edges = edges_or_bounds(edges).sel(group=MEAN_GROUP)
     return float(mean_edges.sel(side="short")), float(mean_edges.sel(side="long"))
 
