@@ -1,5 +1,7 @@
 """Claims: the table of the paper's statements, and their judgement on a small study."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pandas as pd
 import pytest
@@ -9,6 +11,7 @@ from paper_numbers import CLAIMS, TABLES
 from scipy import stats
 
 from hardcontact.paper.claims.judgement import claim_values, judge_claims
+from hardcontact.paper.claims.selection import claim_surfaces
 from hardcontact.paper.claims.verdicts import EDGE_CLAIMS, JUDGED_COLUMNS, accepted_range
 
 ROWS = CLAIMS.set_index("id")
@@ -162,6 +165,16 @@ ORDER = {"rule": "order", "published_low": 1.0, "select": "surface=rough>middle>
 def test_a_claim_rests_on_the_scans_of_its_surfaces(changes, substitutes, basis, verdict):
     row = judge(make_datasets(substitutes), **changes)
     assert (row.basis, row.verdict) == (basis, verdict)
+
+
+def test_a_claim_does_not_rest_on_the_surface_that_it_leaves_out_alone():
+    datasets = make_datasets()
+    forces, topography = {"forces": datasets["forces"]}, datasets["topography"]
+    claim, left_out = SimpleNamespace(**CLAIM), [["middle"]]
+    surfaces = claim_surfaces(claim, forces, {"left_out": left_out}, topography)
+    assert surfaces == [*SURFACES, "sphere"]
+    selected = {"left_out": left_out, "surface": [["rough"]]}
+    assert claim_surfaces(claim, forces, selected, topography) == ["rough", "sphere"]
 
 
 @pytest.mark.parametrize(("pixel_size", "verdict"), [(9.8, "agrees"), (19.6, "not testable")])

@@ -122,14 +122,14 @@ def claim_surfaces(
 ) -> list[str]:
     """Return the names of the surfaces on which a claim depends.
 
-    These are the surfaces that it selects, or else all of its first dataset; and the sphere, unless
-    it is about topography alone. A claim that needs no scan depends on none.
+    These are the surfaces that it selects, but not by `left_out`, or else all of its first dataset;
+    and the sphere, unless it is about topography alone. A claim that needs no scan depends on none.
     """
     if claim.needs in WITHOUT_SCAN:
         return []
     study_surfaces = set(topography["surface"].values)
-    all_labels = chain.from_iterable(group for groups in labels.values() for group in groups)
-    surfaces = [label for label in all_labels if label in study_surfaces]
+    groups = chain.from_iterable(groups for dim, groups in labels.items() if dim != "left_out")
+    surfaces = [label for label in chain.from_iterable(groups) if label in study_surfaces]
     if not surfaces:
         surfaces = list(next(iter(datasets.values()))["surface"].values)
     if set(datasets) != {"topography"}:
