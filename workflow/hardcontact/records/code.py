@@ -22,6 +22,8 @@ PINS = (ENVIRONMENT_PINS, LOCK_PINS)
 INSTALL = f"pip install --require-hashes -r {LOCK}"
 #: A line such as ``numpy==2.3.1``: name and version.
 PIN = re.compile(r"^([\w.-]+)(?:\[[^]]*\])?==([^\s;\\]+)", re.MULTILINE)
+#: Conditions whose statements only type checkers run.
+TYPE_CHECKS = ("TYPE_CHECKING", "typing.TYPE_CHECKING")
 #: The folder of the imported library.
 LIBRARY = Path(str(hardcontact.__file__)).resolve().parent
 #: The folder of the scripts beside it.
@@ -81,7 +83,7 @@ def installed_version(name: str) -> str | None:
 
 
 def page_templates() -> list[str]:
-    """Return the templates of pages, with their style and script; an installed library has none."""
+    """Return the templates of pages, with their style and script."""
     return sorted(map(os.path.relpath, (LIBRARY.parent / "report/templates").iterdir()))
 
 
@@ -112,9 +114,9 @@ def _imported_files(path: Path) -> frozenset[Path]:
 def _imported_names(tree: ast.AST) -> Iterator[str]:
     """Yield the full names of the modules, and of names in modules, that a file imports."""
     for node in ast.iter_child_nodes(tree):
-        if isinstance(node, ast.If) and ast.unparse(node.test).endswith("TYPE_CHECKING"):
-            continue
-        if isinstance(node, ast.Import):
+        if isinstance(node, ast.If) and ast.unparse(node.test) in TYPE_CHECKS:
+            yield from _imported_names(ast.Module(node.orelse, []))
+        elif isinstance(node, ast.Import):
             yield from (alias.name for alias in node.names)
         elif isinstance(node, ast.ImportFrom):
             yield str(node.module)
