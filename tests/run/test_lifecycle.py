@@ -1,5 +1,6 @@
 """A run refuses faults before its first job, and obeys Ctrl-C until its end."""
 
+import json
 import logging
 import os
 import signal
@@ -64,12 +65,6 @@ def test_a_run_in_another_folder_is_refused(tmp_path, monkeypatch, rules_folder,
     assert_says(refusal_line(lifecycle.prepare, workflow), str(tmp_path), str(ROOT))
 
 
-@pytest.mark.parametrize("option", ["--touch", "-t"])
-def test_times_are_not_renewed(monkeypatch, option):
-    monkeypatch.setattr(lifecycle.sys, "argv", ["snakemake", "all", option])
-    refusal_line(lifecycle._refuse_touch, parts=["inputs, not file times", "snakemake -n"])
-
-
 def test_the_grids_of_the_paper_are_refused_for_own_surfaces():
     quick = ROOT / "config/quick.yaml"
     for configfiles in ((quick, ROOT / TINY), (ROOT / TINY, quick)):
@@ -116,6 +111,30 @@ def test_a_faulty_value_of_the_command_line_is_refused_with_its_key(text):
 
 
 # The end of a run
+
+
+@pytest.mark.parametrize("made_now", ["answer.html", "claims.csv"])
+def test_the_answer_is_logged_only_by_a_run_that_makes_it(tmp_path, caplog, made_now):
+    answer = {"headline": ["Waves matter."], "verdicts": [], "notes": []}
+    (tmp_path / "answer.json").write_text(json.dumps(answer))
+    page = str(tmp_path / "answer.html")
+    jobs = {
+        name: SimpleNamespace(output=[tmp_path / name]) for name in ("answer.html", "claims.csv")
+    }
+    dag = SimpleNamespace(jobs=[*jobs.values()], finished_jobs=[jobs[made_now]])
+    with caplog.at_level(logging.INFO, lifecycle.logger.name):
+        lifecycle.log_answer(SimpleNamespace(dag=dag), page)
+    lines = ["Waves matter.", f"The answer is made: open {page}"]
+    assert caplog.messages == (lines if made_now == "answer.html" else [])
+
+
+@pytest.mark.parametrize("page_is_made", [True, False])
+def test_a_failed_run_is_resumed_only_if_files_are_missing(caplog, page_is_made):
+    check, page = SimpleNamespace(output=[]), SimpleNamespace(output=["answer.html"])
+    unfinished = [check] if page_is_made else [check, page]
+    dag = SimpleNamespace(jobs=[check, page], needrun_jobs=lambda: unfinished)
+    lifecycle.log_how_to_resume(SimpleNamespace(dag=dag))
+    assert caplog.messages == ([] if page_is_made else [lifecycle.RESUME])
 
 
 def listen_to_ctrl_c():

@@ -16,7 +16,17 @@ from pathlib import Path
 import pytest
 import yaml
 from forked_runs import run_forked, use_library_of
-from repository import ROOT, STUDY_FILES, TINY, linked_copy, run_tiny_study, snakemake_output
+from refusals import assert_says
+from repository import (
+    ROOT,
+    STUDY_FILES,
+    TINY,
+    copy_repository,
+    linked_copy,
+    run_snakemake,
+    run_tiny_study,
+    snakemake_output,
+)
 
 import hardcontact
 
@@ -53,6 +63,14 @@ def run_dry(folder):
         r"^(?:local)?rule (\S+):\n(?:    input: .*\n)?(?:    output: (.*)\n)?", text, re.M
     )
     return [(rule, output) for rule, output in planned_jobs if output]
+
+
+@pytest.mark.parametrize("option", ["--tou", "-t", "-Ft"])
+def test_times_are_not_renewed(tmp_path, option):
+    study = copy_repository(tmp_path / "study")
+    run = run_snakemake(study, "describe_study", option, "--configfile", TINY)
+    assert run.returncode == 1
+    assert_says(run.stdout, "inputs, not file times", "snakemake -n")
 
 
 #: Rules made in loops, one per group of scans.

@@ -42,7 +42,6 @@ def prepare(workflow: Any) -> None:
     os.environ.setdefault("MALLOC_TRIM_THRESHOLD_", str(REUSED_MEMORY))
     refuse_unwritable_folders(".snakemake")  # Snakemake's own attempt ends in a traceback.
     if plans_the_run(workflow):
-        _refuse_touch()
         kill_run_at_next_interrupt(workflow)
         try:
             refuse_other_versions()
@@ -81,15 +80,6 @@ def plans_the_run(workflow: Any) -> bool:
     return bool(workflow.exec_mode == ExecMode.DEFAULT)
 
 
-def _refuse_touch() -> None:
-    """Refuse `--touch`, because file times do not decide what runs again."""
-    if {"--touch", "-t"} & {*sys.argv[1:]}:
-        refuse(
-            "snakemake: --touch has no effect, because records of inputs, not file times, decide "
-            "what runs again; `snakemake -n` lists the jobs"
-        )
-
-
 def complete_rules(workflow: Any, paths: StudyPaths) -> None:
     """Give each rule with a script a log and, if it writes files, its code and a benchmark.
 
@@ -116,7 +106,7 @@ def refuse(message: object) -> NoReturn:
 
 def log_answer(workflow: Any, page: str) -> None:
     """Log the answer at the end of a run that makes its page, and the page to open."""
-    if page in {str(path) for job in workflow.dag.jobs for path in job.output}:
+    if page in {str(path) for job in workflow.dag.finished_jobs for path in job.output}:
         answer = Path(page).with_name("answer.json")
         content = json.loads(answer.read_text("utf-8"))
         grave_notes = [note["text"] for note in content["notes"] if note["grave"]]
@@ -128,7 +118,7 @@ def log_answer(workflow: Any, page: str) -> None:
 
 def log_how_to_resume(workflow: Any) -> None:
     """Log, after a failed or stopped run that makes files, that its command resumes it."""
-    if any(job.output for job in workflow.dag.jobs):
+    if any(job.output for job in workflow.dag.needrun_jobs()):
         logger.error(RESUME)
     _cancel_timers()
 

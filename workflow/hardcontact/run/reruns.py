@@ -10,7 +10,7 @@ import sys
 from collections.abc import Iterable, Mapping
 from functools import cache
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, NoReturn
 
 from snakemake.jobs import Job
 from snakemake.persistence import ParamsChange, PersistenceBase
@@ -142,6 +142,8 @@ def plan_by_records(workflow: Any) -> None:
     Parts of Snakemake are replaced: a missing one ends the run, and
     `tests/workflow/test_reruns.py` fails if one has another meaning.
     """
+    from snakemake.dag import DAG  # It imports itself in a circle unless Snakemake runs.
+
     replacements: list[tuple[type, str, Any]] = [
         # Snakemake asks only whether parameters changed; `_recorded_change` reports all changes.
         (type(workflow), "rerun_triggers", frozenset({RerunTrigger.PARAMS})),
@@ -155,6 +157,8 @@ def plan_by_records(workflow: Any) -> None:
         (PersistenceBase, "has_outdated_metadata", lambda persistence, job: False),
         # Snakemake would compare parameters with its metadata, not with records.
         (PersistenceBase, "params_changed", _recorded_change),
+        # Snakemake calls it before it touches files. Its `--touch` would renew times alone.
+        (DAG, "check_touch_compatible", _refuse_touch),
     ]
     for owner, name, replacement in replacements:
         if not hasattr(owner, name):
@@ -168,6 +172,14 @@ def refuse_altered_files(workflow: Any) -> None:
         _reruns(workflow.persistence.dag).refuse_altered()
     except ValueError as error:
         sys.exit(f"error: {error}")
+
+
+def _refuse_touch(dag: Any) -> NoReturn:
+    """End the run, because file times do not decide what runs again."""
+    sys.exit(
+        "error: snakemake: --touch has no effect, because records of inputs, not file times, "
+        "decide what runs again; `snakemake -n` lists the jobs"
+    )
 
 
 async def _no_time(job: Any) -> None:
