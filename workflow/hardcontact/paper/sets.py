@@ -137,16 +137,22 @@ def edges_of_set(
     forces: xr.Dataset, realizations: int, tolerance: float, sampling: Sampling, set_number: int
 ) -> xr.Dataset:
     """Return the band from forces on masters of each substrate, sampled with replacement."""
-    surface_ratios = []
-    for surface in forces["surface"].values.tolist():
-        ratio = forces["filtered_force_ratio"].sel(surface=surface, drop=True)
-        ratio = ratio.dropna("realization", how="all")
-        rng = generator(sampling.seed, surface, set_number, "set", "masters")
-        ratio = ratio.sel(realization=rng.choice(ratio["realization"], realizations))
-        surface_ratios.append(ratio.assign_coords(realization=range(realizations)))
-    ratio = xr.concat(surface_ratios, forces["surface"])
+    ratio = sample_masters(forces["filtered_force_ratio"], realizations, sampling.seed, set_number)
     set_forces = forces.drop_dims("realization").assign(filtered_force_ratio=ratio)
     return edges_of_masters(set_forces, tolerance, sampling)[0]
+
+
+def sample_masters(
+    values: xr.DataArray, realizations: int, seed: int, set_number: int
+) -> xr.DataArray:
+    """Return values (surface, realization, ...) of masters that are drawn with replacement."""
+    samples = []
+    for surface in values["surface"].values.tolist():
+        masters = values.sel(surface=surface, drop=True).dropna("realization", how="all")
+        rng = generator(seed, surface, set_number, "set", "masters")
+        sample = masters.sel(realization=rng.choice(masters["realization"], realizations))
+        samples.append(sample.assign_coords(realization=range(realizations)))
+    return xr.concat(samples, values["surface"])
 
 
 def sample_sets(
