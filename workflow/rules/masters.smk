@@ -1,8 +1,7 @@
 # Masters: scans with artificial roughness, and forces on them without the waves beyond each cutoff.
 
-from hardcontact.config.limits import master_megabytes
 from hardcontact.config.keys import SMOOTH_SPHERE
-from hardcontact.files.settings import filter_megabytes
+from hardcontact.files.settings import largest_master_megabytes
 from hardcontact.surfaces.synthesis import SIDES
 
 SCALES_CHUNKS = CHUNKS.master_forces("scales")
@@ -20,7 +19,8 @@ rule synthesize_masters:
     output:
         **{side: STORE.masters.replace("{side}", side) for side in SIDES},
     resources:
-        mem_mb=master_megabytes(SETTINGS["masters"]["sides"]["short"]["pixels"]),
+        # The grid of the long side has at least the pixels of its masters.
+        mem_mb=largest_master_megabytes(SETTINGS["scales"]),
     params:
         parameters=lambda w: dict(
             surface=w.surface,
@@ -41,7 +41,7 @@ rule compute_filtered_forces:
     output:
         STORE.master_forces,
     resources:
-        mem_mb=lambda w: filter_megabytes(SETTINGS[w.purpose]),
+        mem_mb=lambda w: largest_master_megabytes(SETTINGS[w.purpose]),
     params:
         parameters=lambda w: dict(
             surface=w.surface,

@@ -210,6 +210,6 @@ def _master_force_settings(study: Mapping[str, Any], purpose_name: str) -> dict[
     }
 
 
-def filter_megabytes(settings: Mapping[str, Any]) -> int:
-    """Return the memory (MB) of a job that filters masters, by its largest master."""
+def largest_master_megabytes(settings: Mapping[str, Any]) -> int:
+    """Return the memory (MB) of a job on the masters of a purpose, by the largest grid."""
     return master_megabytes(max(side["pixels"] for side in settings["sides"].values()))
