@@ -1,7 +1,7 @@
 """Which scales of roughness matter for the adhesion of hard contacts: the study, end to end."""
 
-# What these modules add to Snakemake: `lifecycle` gives each rule a log, a benchmark and, as its input
-# `code`, the modules that its script imports; it kills a run at Ctrl-C (on a cluster at the second),
+# What these modules add to Snakemake: `lifecycle` gives each rule with a script a log and, if it writes
+# files, a benchmark and, as its input `code`, the modules that its script imports; it kills a run at Ctrl-C (on a cluster at the second),
 # and prints the study's answer. `reruns` replaces seven attributes of Snakemake, named in
 # `plan_by_records`, so that records in `.origin`, not file times, decide what runs again.
 from hardcontact.run import lifecycle, reruns

@@ -5,7 +5,7 @@ EXPONENT_CHUNKS = CHUNKS.master_forces("exponents")
 EDGE_SHIFT_CHUNKS = CHUNKS.master_forces("edge_shifts")
 #: Bands need whole surfaces: scans are too small for their long waves.
 BAND_SURFACES = SELECTION.substitute_substrates
-#: Not in the store, because these forces are of the band that the study itself found.
+#: Not in the store: forces are of the published band and of the band that the study itself found.
 BAND_FORCES = RESULTS.dataset("band/{surface}")
 
 
@@ -24,7 +24,7 @@ rule find_edges_of_masters:
 
 
 rule compute_band_forces:
-    """Compute forces on whole surfaces with the band alone, without shorter and without longer waves."""
+    """Compute forces in three cases: the band alone, no shorter waves, no longer waves."""
     input:
         **DESCRIPTION_INPUTS,
         **SUBSTITUTE_INPUTS,
