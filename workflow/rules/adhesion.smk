@@ -2,7 +2,7 @@
 
 
 rule compute_pull_off:
-    """Compute rigid and plastic pull-off of a substrate scan, at each position on scans of the sphere."""
+    """Compute rigid and plastic pull-off of a substrate scan, under each scan of the sphere."""
     input:
         substrate=lambda w: FILES.mirrored_scan_path(w.surface, int(w.scan)),
         spheres=FILES.mirrored_scan_paths(SELECTION.sphere),

@@ -15,9 +15,9 @@ from hardcontact.files.settings import MASTERS_CHUNK, PURPOSES
 from hardcontact.surfaces.features import GAUSSIAN, SIGNS
 from hardcontact.surfaces.synthesis import SIDES
 
-#: Scans of a pool, and candidates with features, in one job: a trade-off of busy cores against
-#: starts, as MASTERS_CHUNK is.
+#: Scans of a pool in one job: a trade-off of busy cores against starts, as MASTERS_CHUNK is.
 POOL_CHUNK = 15
+#: Candidates with features in one job, which take longer than scans of a pool.
 FEATURED_CANDIDATES_CHUNK = 10
 
 
@@ -135,7 +135,10 @@ class Chunks:
         return substrates
 
     def _sphere_digest(self, purpose: str, surface: str) -> str:
-        """Return the digest of the sphere, which is smooth if masters have its roughness."""
+        """Return the digest of the sphere's scans, or SMOOTH_SPHERE.
+
+        The sphere is smooth if the study or the purpose wants it, or if masters have its roughness.
+        """
         is_rough = self._configuration["scales"]["sphere_roughness"]
         is_added = surface in self._plan.combined_surfaces
         if is_added or not (is_rough and PURPOSES[purpose].rough_sphere):

@@ -71,7 +71,7 @@ def fit_published(
     contact relative to plastic contact.
     """
     surfaces = adhesion.surface.values.tolist()
-    published_forces = published.forces.mean_force.reindex(surfaces).to_numpy()
+    published_forces = published.forces.mean_force.loc[surfaces].to_numpy()
     reference_index = surfaces.index(reference_surface)
     threshold = published.error_threshold
     fits = {}
@@ -114,22 +114,19 @@ def fit_contact_model(
     """Return the fit of range and work for one contact model, with error map and force curves.
 
     Forces (surface, scan, sphere_scan, rho, contact_y, contact_x) are in N at 1 J/m², NaN for a
-    missing scan. Surfaces whose published force is NaN do not enter the fit.
+    missing scan.
     """
     ranges = fine_ranges(forces.rho.values)
     means = mean_forces(forces, sampling)
-    is_published = np.isfinite(published_forces)
-    published_forces = published_forces[is_published]
-    curves = interpolate_to_ranges(means[:, is_published], forces.rho.values, ranges)
+    curves = interpolate_to_ranges(means, forces.rho.values, ranges)
     surfaces = forces.surface.values
-    are_kept = surfaces[is_published] != surfaces[:, None]
-    fitted_reference = int(is_published[:reference_index].sum())
+    are_kept = surfaces != surfaces[:, None]
     axes = ("surface", "rho")
     scans = mean_over_contacts(forces).transpose(..., *axes)
     interval = student_log_interval(scans, sampling.confidence, "scan")
     variables = (
         _error_variables(curves[0], published_forces, ranges, threshold)
-        | _fitted_variables(curves, published_forces, ranges, fitted_reference, sampling)
+        | _fitted_variables(curves, published_forces, ranges, reference_index, sampling)
         | _fits_without_surface(curves[0], published_forces, ranges, are_kept)
         | as_variables("mean_force", axes, means[0], interval.values, NEWTON, sampling.confidence)
         | sampling.as_variables(

@@ -66,8 +66,8 @@ def apply_classical_models(
     maugis = hertz_jkr_dmt.maugis_parameter(paper["tabor_parameter"])
     coefficient = hertz_jkr_dmt.pull_off_coefficient(maugis)
     works = {
-        source: hertz_jkr_dmt.effective_work_of_adhesion(ends, sphere.radius, coefficient)
-        for source, ends in forces.items()
+        source: hertz_jkr_dmt.effective_work_of_adhesion(force_and_ends, sphere.radius, coefficient)
+        for source, force_and_ends in forces.items()
     }
 
     def compute_numbers(roughness: Roughness) -> dict[str, Floats]:
@@ -150,10 +150,10 @@ def _forces_and_works(
     forces: Mapping[str, Floats], works: Mapping[str, Floats], confidence: float
 ) -> xr.Dataset:
     """Return mean forces and effective works from arrays (surface, 3): value, low and high end."""
-    ends = np.stack(list(works.values()))
+    works_and_ends = np.stack(list(works.values()))
     variables = as_variables(
-        "effective_work_of_adhesion", ("force_source", "surface"), ends[..., 0], ends[..., 1:],
-        JOULE_PER_M2, confidence,
+        "effective_work_of_adhesion", ("force_source", "surface"),
+        works_and_ends[..., 0], works_and_ends[..., 1:], JOULE_PER_M2, confidence,
     )  # fmt: skip
     for source, force in forces.items():
         name = f"{source}_mean_force"
@@ -223,10 +223,10 @@ def classical_error(
         _, error = fit_work(model.force(1.0, roughness, sphere)[..., None], target)
         return error[..., 0]
     columns = Roughness(*(values[..., None] for values in roughness))  # (..., surface, 1)
-    ends = np.log(SEARCHED_WORKS[[0, -1]])
+    log_work_limits = np.log(SEARCHED_WORKS[[0, -1]])
 
     def error_at(log_works: Floats) -> Floats:
-        works = np.exp(np.clip(log_works, *ends))
+        works = np.exp(np.clip(log_works, *log_work_limits))
         forces = model.force(works[..., None, :], columns, sphere)
         return mean_relative_error(forces, target, np.ones(1))[..., 0]
 

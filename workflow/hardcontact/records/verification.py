@@ -67,9 +67,9 @@ def _input_faults(records: Mapping[str, Record], digests_now: Mapping[str, str])
     """Yield a line for each file whose inputs are no longer those that it was made from."""
     for path, record in sorted(records.items()):
         changed_inputs = [
-            name
-            for name, made_from in sorted(record["input_digests"].items())
-            if digests_now.get(name, made_from) != made_from
+            input_path
+            for input_path, recorded_digest in sorted(record["input_digests"].items())
+            if digests_now.get(input_path, recorded_digest) != recorded_digest
         ]
         if changed_inputs and path in digests_now:
             yield f"{path}: does not match its input {', '.join(changed_inputs)}"

@@ -54,16 +54,19 @@ class Substitute:
     def targets(self) -> Targets | None:
         """Targets of scans on the study's pixels; None if no rms height is published.
 
-        Table 1 gives the calibrated rows, if the pixels and the size are the paper's. The mean of
-        the spectrum's scans gives the other targets.
+        Table 1 gives the rows that the spectrum is calibrated on: the rms height if the scan has
+        the paper's size, slope and curvature if it has the paper's pixels, too. All other targets
+        are expected values of scans with this spectrum.
         """
         if "afm_rms_height" not in self.table1.index:
             return None
-        grid, paper_grid = self.grid, self.constants["value"]
-        same_size = math.isclose(grid.size, paper_grid["scan_size"])
-        same_pixels = same_size and grid.pixels == paper_grid["scan_pixels"]
+        grid = self.grid
+        paper_constants = self.constants["value"]
+        same_size = math.isclose(grid.size, paper_constants["scan_size"])
+        same_pixels = same_size and grid.pixels == paper_constants["scan_pixels"]
         rms_values = np.array(self.spectrum_data.attrs["expected_scan_rms"])
         if not same_pixels:
+            # Waves up to four times the scan's width change its heights, although it is levelled.
             weights = transfer_weights(4 * grid.pixels, grid.pixel_size, grid.pixels)
             rms_values = expected_scan_rms(self.spectrum, weights)
         calibrated_rows = published.rows_met(self.spectrum_data.attrs["table1_rows_met"])
