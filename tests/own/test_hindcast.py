@@ -11,7 +11,7 @@ from hardcontact.base.arrays import generator
 from hardcontact.contact.contact import CONTACT_AXES, Contact
 from hardcontact.contact.pull_off import make_force_function
 from hardcontact.own import hindcast
-from hardcontact.own.hindcast import RandomBody, pixel_forces, widen_pixels
+from hardcontact.own.hindcast import RandomBody, forces_by_pixel_width, widen_pixels
 from hardcontact.surfaces.height_map import mirror_scan
 from hardcontact.surfaces.synthesis import random_surface
 
@@ -31,6 +31,7 @@ def ratios(heights, side):
         {side: OCTAVE},
         [RandomBody(UNCD, PIXELS * PIXEL, 1, ("scan", 1))],
         make_force_function(CONTACT),
+        CONTACT.contacts_per_row,
     )
     return hindcast.hindcast_ratios(forces.expand_dims("map"), 0.1, 0.95).sel(side=side)
 
@@ -88,7 +89,7 @@ def test_the_octave_alone_is_replaced_and_there_are_no_waves_beyond_it(side):
         return np.ones((1, 1))
 
     # Without bodies nothing replaces the octave.
-    hindcast.hindcast_forces(mirrored, {side: OCTAVE}, [], record_surface)
+    hindcast.hindcast_forces(mirrored, {side: OCTAVE}, [], record_surface, 1)
     with_octave, without_octave, *_ = surfaces
     wave = np.fft.fftfreq(mirrored.pixels, PIXEL)
     wavelength = 1 / np.maximum(np.hypot(wave[:, None], wave), 1e-9)
@@ -121,8 +122,7 @@ def test_the_interval_has_its_confidence():
 
 
 def test_a_scan_without_an_octave_proves_no_artificial_roughness():
-    mirrored = mirror_scan(SCAN)
-    forces = hindcast.hindcast_forces(mirrored, {"short": None}, [], make_force_function(CONTACT))
+    forces = hindcast.hindcast_forces(mirror_scan(SCAN), {"short": None}, [], pytest.fail, 6)
     result = hindcast.hindcast_ratios(forces.expand_dims("map"), 0.1, 0.95).sel(side="short")
     assert np.isnan(result["hindcast_ratio"]) and result["hindcast_fails"] == 1
 
@@ -155,9 +155,9 @@ def test_wide_pixels_hide_summits():
     ratios = [
         float(forces["wide_pixel_force"].mean() / forces["scan_force"].mean())
         for forces in (
-            pixel_forces(mirror_scan(flat), None, CONTACT),
-            pixel_forces(rough, None, CONTACT),
-            pixel_forces(mirror_scan(flat), rough, CONTACT),
+            forces_by_pixel_width(mirror_scan(flat), None, CONTACT),
+            forces_by_pixel_width(rough, None, CONTACT),
+            forces_by_pixel_width(mirror_scan(flat), rough, CONTACT),
         )
     ]
     assert ratios[0] == pytest.approx(1) and min(ratios[1:]) > 1.02

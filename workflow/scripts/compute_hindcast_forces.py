@@ -4,9 +4,9 @@ from hardcontact.base.dataset import read
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.pull_off import make_force_function
 from hardcontact.own.hindcast import (
+    forces_by_pixel_width,
     hindcast_forces,
     outermost_octaves,
-    pixel_forces,
     random_bodies,
 )
 from hardcontact.records.job import run_job
@@ -22,8 +22,12 @@ with run_job(snakemake) as job:
     octaves = outermost_octaves(measurements, params["transitions"])
     spectra = [load_spectrum(path) for path in job.input.body_spectra]
     bodies = random_bodies(mirrored, measurements, spectra, params["body_scans"], params["seed"])
-    forces = hindcast_forces(mirrored, octaves, bodies, make_force_function(contact, sphere))
+    compute_forces = make_force_function(contact, sphere)
+    octave_forces = hindcast_forces(
+        mirrored, octaves, bodies, compute_forces, contact.contacts_per_row
+    )
+    forces = octave_forces.merge(forces_by_pixel_width(mirrored, sphere, contact))
     job.write(
-        forces.merge(pixel_forces(mirrored, sphere, contact)).expand_dims(map=[params["scan"]]),
+        forces.expand_dims(map=[params["scan"]]),
         title="pull-off forces of a scan with its outermost octave replaced, and with wider pixels",
     )

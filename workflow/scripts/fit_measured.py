@@ -4,7 +4,7 @@ from hardcontact.base.dataset import read
 from hardcontact.base.statistics import Sampling
 from hardcontact.config.force_table import measured_forces
 from hardcontact.inference.measured_fit import add_extrapolated_work, fit_measured
-from hardcontact.own.hindcast import pixel_factors
+from hardcontact.own.hindcast import surface_pixel_factors
 from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:
@@ -16,7 +16,7 @@ with run_job(snakemake) as job:
         adhesion,
         measured_forces(job.input.forces, surfaces, adhesion.attrs["sphere_radius"]),
         sizes,
-        pixel_factors(force).to_series().to_dict(),
+        surface_pixel_factors(force).to_series().to_dict(),
         Sampling.from_parameters(job.parameters),
     )
     job.write(

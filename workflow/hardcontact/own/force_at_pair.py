@@ -28,7 +28,7 @@ from hardcontact.inference.mean_forces import (
     position_half_width,
     summarize_masters,
 )
-from hardcontact.own.hindcast import pixel_factors
+from hardcontact.own.hindcast import surface_pixel_factors
 from hardcontact.surfaces.spectrum import spectrum_of_dataset
 from hardcontact.theory.closed_form import closed_form
 from hardcontact.theory.summits import search_size
@@ -222,7 +222,7 @@ def _widen_intervals(force: xr.Dataset, hindcast: xr.Dataset | None, rho: float)
 def extend_by_pixel_factors(force: xr.Dataset) -> xr.Dataset:
     """Extend the intervals of forces on scans to the forces on pixels WIDE_PIXEL times finer."""
     interval = force["force_interval"]
-    extended = interval.where(interval["end"] != "low", interval / pixel_factors(force))
+    extended = interval.where(interval["end"] != "low", interval / surface_pixel_factors(force))
     return force.assign(force_interval=extended.transpose(*interval.dims))
 
 

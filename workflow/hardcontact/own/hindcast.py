@@ -29,7 +29,8 @@ from hardcontact.surfaces.synthesis import SEED_WORDS, random_surface
 Octave = tuple[float, float]
 
 #: Artificial octaves of a side; each costs a force sum. With six, the outcome depended on the seed
-#: on one scan; with twelve, the interval is 1.15 times as wide as with many.
+#: on one scan; with twelve, the interval is 1.17 times as wide as with many: t sqrt(1 + 1/12)/1.96,
+#: with Student's t of 11 degrees of freedom, 2.20.
 ARTIFICIAL_OCTAVES = 12
 #: Pixels per row of a block with one height.
 WIDE_PIXEL = 4
@@ -41,24 +42,25 @@ class RandomBody(NamedTuple):
     spectrum: SpectrumFunction  #: C_iso in nm⁴.
     size: float  #: Width of the scan in nm.
     seed: int  #: Seed of the study.
-    scan: Sequence[str | int]  #: Surface and number of the scan, which name its random numbers.
+    random_stream: Sequence[str | int]  #: Surface and number of the scan.
 
 
 def random_bodies(
     mirrored: HeightMap,
     measurements: xr.Dataset,
     spectra: Sequence[SpectrumFunction],
-    scans: Sequence[Sequence[str | int]],
+    random_streams: Sequence[Sequence[str | int]],
     seed: int,
 ) -> list[RandomBody]:
     """Return the bodies of a mirrored map: the substrate, and the sphere if its roughness is added.
 
-    `measurements` (measurement), `spectra` and `scans` have one entry for each, in this order.
+    `measurements` (measurement), `spectra` and `random_streams` have one entry for each, in this
+    order.
     """
     # The width of the substrate's scan that is used: half of its mirrored map.
     sizes = [mirrored.size / 2, *measurements["size"].values[1:]]
-    bodies = zip(spectra, sizes, scans, strict=True)
-    return [RandomBody(spectrum, size, seed, scan) for spectrum, size, scan in bodies]
+    bodies = zip(spectra, sizes, random_streams, strict=True)
+    return [RandomBody(spectrum, size, seed, stream) for spectrum, size, stream in bodies]
 
 
 def outermost_octaves(
@@ -91,6 +93,7 @@ def hindcast_forces(
     octaves: Mapping[str, Octave | None],
     bodies: Sequence[RandomBody],
     compute_forces: ForcesOnSurface,
+    contacts_per_row: int,
 ) -> xr.Dataset:
     """Return forces in N on a mirrored scan without the waves beyond an octave, for each side.
 
@@ -101,7 +104,7 @@ def hindcast_forces(
     side_forces = {}
     for side, octave in octaves.items():
         if octave is None:
-            shape = 1 + ARTIFICIAL_OCTAVES, *compute_forces(mirrored).shape
+            shape = (1 + ARTIFICIAL_OCTAVES, contacts_per_row, contacts_per_row)
             octave_forces = np.full(shape, np.nan)
         else:
             seed_word = SEED_WORDS[side]
@@ -125,7 +128,7 @@ def hindcast_forces(
 def _split_at_octave(
     mirrored: HeightMap, side: str, octave: Octave
 ) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
-    """Return the heights without an octave and the waves beyond it, and those of the octave."""
+    """Return two maps: the heights without an octave and all waves beyond it, and the octave."""
     series = filtered_series(mirrored, "short", list(octave), mirrored.pixels)
     octave_and_longer, longer = (waves.heights for waves in series)
     kept_heights = longer if side == "short" else mirrored.heights - octave_and_longer
@@ -143,7 +146,7 @@ def _artificial_octave(
         is_inside = (shortest_wavevector < wavevector) & (wavevector <= longest_wavevector)
         return np.where(is_inside, body.spectrum(wavevector), 0.0)
 
-    rng = generator(body.seed, *body.scan, "hindcast", seed_word, index)
+    rng = generator(body.seed, *body.random_stream, "hindcast", seed_word, index)
     scan_pixels = round(body.size / mirrored.pixel_size)
     surface = random_surface(rng, 2 * scan_pixels, mirrored.pixel_size, octave_spectrum)
     # Mirror images extend a scan of the sphere that is smaller than the map, as in the map.
@@ -163,7 +166,9 @@ def widen_pixels(surface: HeightMap) -> HeightMap:
     return replace(surface, heights=heights.astype(surface.heights.dtype))
 
 
-def pixel_forces(surface: HeightMap, sphere: HeightMap | None, contact: Contact) -> xr.Dataset:
+def forces_by_pixel_width(
+    surface: HeightMap, sphere: HeightMap | None, contact: Contact
+) -> xr.Dataset:
     """Return ``scan_force`` and ``wide_pixel_force`` (contact_y, contact_x) in N at 1 J/m²."""
     wide_sphere = None if sphere is None else widen_pixels(sphere)
     forces = {
@@ -173,19 +178,19 @@ def pixel_forces(surface: HeightMap, sphere: HeightMap | None, contact: Contact)
     return xr.Dataset({name: (CONTACT_AXES, force, FORCE_ATTRS) for name, force in forces.items()})
 
 
-def pixel_factor(wide_pixel_ratio: np.ndarray | float) -> np.ndarray:
-    """Return the largest factor by which finer pixels may lower a force; 1 where the ratio is NaN.
+def finer_pixel_factors(wide_pixel_ratios: np.ndarray | float) -> np.ndarray:
+    """Return the largest factors by which finer pixels may lower forces; 1 where a ratio is NaN.
 
-    It is the factor by which wider pixels raise the force
+    They are the factors by which wider pixels raise the force
     (tests/benchmarks/validate_random_surfaces.py).
     """
-    return np.asarray(np.fmax(wide_pixel_ratio, 1.0))
+    return np.asarray(np.fmax(wide_pixel_ratios, 1.0))
 
 
-def pixel_factors(force: xr.Dataset) -> xr.DataArray:
+def surface_pixel_factors(force: xr.Dataset) -> xr.DataArray:
     """Return the factors (surface) by which finer pixels may lower forces, 1 for substitutes."""
     ratios = force.get("wide_pixel_ratio", xr.ones_like(force["surface"], dtype=float))
-    return ratios.copy(data=pixel_factor(ratios.values))
+    return ratios.copy(data=finer_pixel_factors(ratios.values))
 
 
 def hindcast_ratios(forces: xr.Dataset, tolerance: float, confidence: float) -> xr.Dataset:
@@ -218,7 +223,8 @@ def hindcast_dataset(forces: xr.Dataset, tolerance: float, confidence: float) ->
     """Return `hindcast_ratios`, and two forces relative to the force on the scans.
 
     ``wide_pixel_ratio`` is on wide pixels, ``filtered_scan_ratio`` without the waves shorter than
-    the outermost octave. The forces (map, ...) come from `hindcast_forces` and `pixel_forces`.
+    the outermost octave. The forces (map, ...) come from `hindcast_forces` and
+    `forces_by_pixel_width`.
     """
     means = forces.mean(["map", *CONTACT_AXES])
     filtered = means["scan_octave_force"].sel(side="short", drop=True) / means["scan_force"]

@@ -24,7 +24,7 @@ from hardcontact.inference.mean_forces import (
     mean_intervals,
     position_half_width,
 )
-from hardcontact.own.hindcast import pixel_factor, widen_pixels
+from hardcontact.own.hindcast import finer_pixel_factors, widen_pixels
 from hardcontact.own.own_spectrum import OwnSpectrum
 from hardcontact.own.scan_contact import Obstacle, contact_on_scan, find_obstacle
 from hardcontact.scans.joined_spectrum import ScanSpectrum
@@ -101,7 +101,7 @@ def force_on_scan(
     surface_forces = _surface_forces(scan, mirrored_scan, body_maps, contact)
     wide_pixel_ratio = _wide_pixel_ratio(scan, mirrored_scan, contact)
     # Finer pixels may lower forces by this factor, but not raise them.
-    finer_pixel_factor = float(pixel_factor(wide_pixel_ratio))
+    finer_pixel_factor = float(finer_pixel_factors(wide_pixel_ratio))
     force = _mean_force(surface_forces, smooth_force(contact), confidence)
     force = force._replace(low=force.low / finer_pixel_factor)
     search_width = search_size(spectrum.extrapolated(), contact.radius, contact.area)
