@@ -33,17 +33,13 @@ from hardcontact.theory.summits import (
 #: Share of the force on a smooth surface above which a surface counts as smooth; both forces are
 #: without the area in contact.
 SMOOTH_SHARE = 0.9
-#: Largest number of nested generations: summits on summits on the surface. If it were 4, ln F would
-#: change by 0.01 at most on 48 designed surfaces that were not held out.
+#: Largest number of nested generations: summits on summits on the surface.
 MAX_GENERATIONS = 8
-#: Waves shorter than this number of half-widths of a summit are roughness on it. The number was
-#: chosen with these surfaces. If it were 2, ln F would change by 0.02 in the median and by 0.58 at
-#: most, the logarithm of an edge by 0.02 and 0.85; if pi, ln F by 0.04 and 0.44, an edge by 0.03
-#: and 0.63.
-SUMMIT_WAVELENGTH = 2.5
-#: Smallest rms height on a summit that counts as roughness, in ranges of adhesion. If it were 0,
-#: ln F and edges would change by less than 0.001; if 0.05, ln F by 0.002 at most, an edge by 0.03.
-MIN_SUMMIT_ROUGHNESS = 0.005
+#: Waves shorter than this number of half-widths of a summit are roughness on it. Chosen, as the next
+#: constant: resources/validation/README.md says what other values would change.
+MAX_WAVELENGTH_PER_HALF_WIDTH = 2.5
+#: Smallest rms height on a summit that counts as roughness, in ranges of adhesion.
+MIN_ROUGHNESS_PER_RANGE = 0.005
 #: Number of cutoffs between both ends of the spectrum at which edges are looked for.
 CUTOFF_COUNT = 60
 
@@ -156,8 +152,10 @@ def _roughness_on_summit(
 
     None if this roughness is negligible. `theory.md` (Rough summits) has the reasons.
     """
-    finer = spectrum_between(spectrum, 2 * np.pi / (SUMMIT_WAVELENGTH * apex.half_width), np.inf)
-    if finer is None or spectral_moment(finer, 0) < (MIN_SUMMIT_ROUGHNESS * contact.rho) ** 2:
+    finer = spectrum_between(
+        spectrum, 2 * np.pi / (MAX_WAVELENGTH_PER_HALF_WIDTH * apex.half_width), np.inf
+    )
+    if finer is None or spectral_moment(finer, 0) < (MIN_ROUGHNESS_PER_RANGE * contact.rho) ** 2:
         return None
     sigma = np.sqrt(spectral_moment(spectrum, 0))
     radius = min(apex.half_width**2 * max(apex.mean(), 1.0) / (2 * sigma), contact.radius)

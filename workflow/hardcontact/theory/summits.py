@@ -36,14 +36,9 @@ MIN_COMPLEMENT = 1e-3
 #: Logarithm of a probability that does not count beside one, to the last digit.
 LOG_NEGLIGIBLE_PROBABILITY = -45.0
 #: Summits at lower levels have the width of summits at this level, because points so low form no
-#: groups. If it were 1, ln F would change by 0.04 in the median and by 1.66 at most on 48 designed
-#: surfaces that were not held out, the logarithm of an edge by 0.05 and 1.65; if 2, ln F by 0.02
-#: and 0.45, an edge by 0.04 and 1.25. The value 2 is better (rms error of ln F 0.12, not 0.21), but
-#: was found after the held-out surfaces had been seen.
+#: groups. Chosen: resources/validation/README.md says what other values would change.
 LOWEST_SUMMIT_LEVEL = 1.2
-#: A sphere follows waves whose total curvature is less than this share of its own. If it were 0.05,
-#: ln F would change by 0.002 in the median and by 0.09 at most on these surfaces, the logarithm of
-#: an edge by 0.01 and 0.92; if 0.2, ln F by 0.003 and 0.10, an edge by 0.01 and 0.67.
+#: A sphere follows waves whose total curvature is less than this share of its own. Chosen, too.
 MAX_FOLLOWED_CURVATURE = 0.1
 
 
