@@ -8,7 +8,7 @@ from measurements import measurement, random_map, self_affine_heights
 from scipy.ndimage import gaussian_filter
 
 from hardcontact.base.arrays import generator
-from hardcontact.scans.defects import DEFECTS, scan_defects, scan_with_defects
+from hardcontact.scans.defects import DEFECTS, level_and_list_defects, scan_defects
 from hardcontact.surfaces.features import Features, add_features
 from hardcontact.surfaces.spectrum import smooth_rolloff
 
@@ -24,7 +24,7 @@ def rough(seed, rms_height, hurst=0.7, rolloff=SIZE / 10):
 
 
 def defects_of(heights):
-    return scan_with_defects(measurement(heights, PIXEL)).defects
+    return level_and_list_defects(measurement(heights, PIXEL)).defects
 
 
 def add_spikes(seed, share):
@@ -149,8 +149,8 @@ def add_wide_streak(seed):
     ("heights", "largest_error"), [(add_streaks(14, 1), 25 / 5), (add_wide_streak(14), 25 / 2)]
 )
 def test_levelling_of_lines_fills_streaks(heights, largest_error):
-    flat = scan_with_defects(measurement(heights, PIXEL), levelling="lines")
-    sound = scan_with_defects(measurement(rough(14, 3.0), PIXEL), levelling="lines")
+    flat = level_and_list_defects(measurement(heights, PIXEL), levelling="lines")
+    sound = level_and_list_defects(measurement(rough(14, 3.0), PIXEL), levelling="lines")
     errors = np.abs(flat.heights - sound.heights)
     assert (errors < 0.2).mean() > 0.99 and errors.max() < largest_error
     assert not flat.defects and "3 lines" in flat.notes[-1] and not sound.notes
@@ -163,7 +163,7 @@ def test_no_self_affine_surface_has_a_defect(batch):
     for _ in range(10):
         hurst, rolloff = rng.uniform(0.3, 1), 64 * PIXEL * np.exp(rng.uniform(*np.log([0.05, 2])))
         density = partial(smooth_rolloff, plateau=1e6, rolloff=rolloff, hurst=hurst)
-        assert not scan_with_defects(random_map(rng, 64, PIXEL, density)).defects
+        assert not level_and_list_defects(random_map(rng, 64, PIXEL, density)).defects
 
 
 def with_bumps(seed):

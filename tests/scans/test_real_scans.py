@@ -3,7 +3,7 @@
 import pytest
 from repository import ROOT
 
-from hardcontact.scans.defects import scan_with_defects
+from hardcontact.scans.defects import level_and_list_defects
 from hardcontact.scans.reading import list_scans, read_scan
 from hardcontact.surfaces.levelling import level_plane
 
@@ -43,4 +43,4 @@ def test_the_real_container_is_read_whole():
 
 def test_real_scans_have_no_defect():
     files = [(AFM, ""), *((CONTAINER, dataset) for dataset in list_scans(CONTAINER))]
-    assert not any(scan_with_defects(read_scan(*file)).defects for file in files)
+    assert not any(level_and_list_defects(read_scan(*file)).defects for file in files)

@@ -1,14 +1,14 @@
 """C_iso of a measured surface: joined from all its measurements, and extrapolated beyond them."""
 
 from hardcontact.records.job import run_job
-from hardcontact.scans.defects import scan_with_defects
+from hardcontact.scans.defects import level_and_list_defects
 from hardcontact.scans.joined_spectrum import joined_spectrum
 from hardcontact.surfaces.height_map import load_height_map
 
 with run_job(snakemake) as job:
     params = job.parameters
     scans = [
-        scan_with_defects(load_height_map(file), params["sphere_radius"], params["levelling"])
+        level_and_list_defects(load_height_map(file), params["sphere_radius"], params["levelling"])
         for file in job.input.measurements
     ]
     job.write(

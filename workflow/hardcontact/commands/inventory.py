@@ -17,7 +17,7 @@ from hardcontact.commands.outputs import align_cells
 from hardcontact.commands.request import ScanFile
 from hardcontact.config.selected_surfaces import CONTACT_USE
 from hardcontact.contact.numerical_limits import Extent
-from hardcontact.scans.defects import scan_with_defects
+from hardcontact.scans.defects import level_and_list_defects
 from hardcontact.scans.heights import split_notes
 from hardcontact.scans.measured_spectrum import isotropic_psd
 from hardcontact.scans.reading import DEFAULT_OPTIONS, ReadingOptions, list_scans
@@ -161,7 +161,7 @@ def _measure_scan(scan_file: ScanFile, scan: HeightMap, options: ReadingOptions)
     relief = np.ptp(scan.heights)
     if relief == 0:
         raise ValueError(f"{scan_file.file}: expected a rough surface, found constant height")
-    flat = scan_with_defects(scan, scan_file.sphere_radius, options.levelling)
+    flat = level_and_list_defects(scan, scan_file.sphere_radius, options.levelling)
     peak_to_valley = float(np.ptp(flat.heights))
     density = isotropic_psd(flat)
     tip_radius = options.tip_radius if scan.tip_radius is None else scan.tip_radius

@@ -42,7 +42,7 @@ def filtered_pull_off(
 
     - ``unfiltered_pull_off_force`` (radius, loading, rho, contact_y, contact_x) in N at 1 J/m²;
     - ``pull_off_force`` (cutoff_wavelength, radius, ...), likewise on each filtered surface;
-    - ``unfiltered_wavelength`` (nm), at which the unfiltered spectrum ends;
+    - ``unfiltered_wavelength`` (nm): the shortest of the master, or the longest on the long side;
     - ``touching_area`` (loading) of the touching pixels in nm²;
     - ``contact_area`` (loading), a coordinate: preload over hardness in nm².
 
@@ -96,9 +96,11 @@ def compute_master_forces(
     realizations; `files` are those of `load_or_synthesize_master`.
     """
     radii, ranges = settings["radii"], settings["ranges"]
-    array = {name: settings[name] for name in ("window", "contacts_per_row")}
+    contact_grid = {name: settings[name] for name in ("window", "contacts_per_row")}
     # `filtered_pull_off` replaces the radius by each of the radii.
-    contacts = [Contact(radius=radii[0], **array, **loading) for loading in settings["loadings"]]
+    contacts = [
+        Contact(radius=radii[0], **contact_grid, **loading) for loading in settings["loadings"]
+    ]
     forces = {}
     for index, realization in enumerate(settings["realization_numbers"]):
         for side in (side for side in SIDES if side in settings["sides"]):

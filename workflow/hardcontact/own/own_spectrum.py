@@ -19,7 +19,7 @@ from hardcontact.base.units import parse_quantity
 from hardcontact.config.faults import quote_key
 from hardcontact.config.user_files import Row, UserTable, parse_number, user_table
 from hardcontact.scans.both_bodies import combine_maps, combine_spectra
-from hardcontact.scans.defects import defect_sentence, scan_with_defects
+from hardcontact.scans.defects import defect_sentence, level_and_list_defects
 from hardcontact.scans.heights import LENGTH_BOUNDS, TAKE_CARE, split_notes
 from hardcontact.scans.joined_spectrum import ScanSpectrum, joined_spectrum, reliable_spectrum
 from hardcontact.scans.measured_spectrum import ENOUGH_MODES, isotropic_from_profile
@@ -94,7 +94,7 @@ def read_own_spectrum(
         note = f"left out: {zeros} rows of the table with a density of 0, no roughness there"
         return OwnSpectrum(spectrum, (note,) if zeros else ())
     scans = [
-        scan_with_defects(options.read_scan(path, name), sphere_radius, options.levelling)
+        level_and_list_defects(options.read_scan(path, name), sphere_radius, options.levelling)
         for path in files
         for name in ([dataset] if dataset else list_scans(path))
     ]
@@ -106,7 +106,7 @@ def read_own_spectrum(
 
 def spectrum_of_map(scan: HeightMap) -> OwnSpectrum:
     """Return the spectrum of a map at its reliable wavelengths; the map is levelled once more."""
-    return _spectrum_of_scans([scan_with_defects(scan)])
+    return _spectrum_of_scans([level_and_list_defects(scan)])
 
 
 def add_sphere_roughness(surface: OwnSpectrum, sphere: OwnSpectrum, seed: int) -> OwnSpectrum:

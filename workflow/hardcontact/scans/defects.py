@@ -110,7 +110,7 @@ def scan_defects(
     return {code: defects[code] for code in DEFECTS if defects.get(code)}
 
 
-def scan_with_defects(
+def level_and_list_defects(
     scan: HeightMap, sphere_radius: float | None = None, levelling: str = "plane"
 ) -> HeightMap:
     """Level a scan by `remove_form`, and add its defects."""

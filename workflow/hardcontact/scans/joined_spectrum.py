@@ -74,40 +74,38 @@ def _measured_spectra(
     densities = np.array([isotropic_psd(scan) for scan in scans])
     bands = [reliable_band(*row) for row in zip(scans, radii, densities, strict=True)]
     modes = np.array([independent_modes(scan.kind, scan.size) for scan in scans])
-    spectra = _MeasuredSpectra(
-        radii, densities, modes, bands, RolloffEvidence(scans, densities, bands)
-    )
+    rolloff_evidence = RolloffEvidence(scans, densities, bands)
     count = int(_reliable_mask(densities, bands).any(axis=0).sum())
     if count < MIN_BINS:
         listing = "; ".join(f"{scan.name} {band}" for scan, band in zip(scans, bands, strict=True))
         is_too_large = min(band.shortest for band in bands) > 2 * np.pi / BIN_CENTRES[0]
         remedy = ": is the unit of length right?" if is_too_large else ""
         raise ValueError(too_few_bins_message("measurements", count, listing) + remedy)
-    return spectra
+    return _MeasuredSpectra(radii, densities, modes, bands, rolloff_evidence)
 
 
 def joined_spectrum(scans: Sequence[HeightMap], tip_radii: Sequence[float | None]) -> xr.Dataset:
     """Return the spectrum of a surface, joined from its levelled scans in their bands.
 
-    For a tip radius of None the file states the tip. ``spectrum`` (wavevector) in nm⁴ has all
+    If a tip radius is None, the file may state one. ``spectrum`` (wavevector) in nm⁴ has all
     scales; ``joined_psd`` (bin_wavevector) is the smooth mean, NaN in unreliable bins. Raises
     ValueError, in one line, if fewer than MIN_BINS bins are reliable.
     """
-    spectra = _measured_spectra(scans, tip_radii)
-    reliable = _reliable_mask(spectra.densities, spectra.bands)
-    bins = mean_bins(reliable, spectra.densities, spectra.modes)
+    measured = _measured_spectra(scans, tip_radii)
+    reliable = _reliable_mask(measured.densities, measured.bands)
+    bins = mean_bins(reliable, measured.densities, measured.modes)
     curve = match_height_variance(smooth_curve_without_peaks(bins), bins.power)
-    density = Spectrum(curve.wavevector, curve.density)(BIN_CENTRES)
-    joined_density = np.where(reliable.any(axis=0), density, np.nan)
+    mean_density = Spectrum(curve.wavevector, curve.density)(BIN_CENTRES)
+    joined_density = np.where(reliable.any(axis=0), mean_density, np.nan)
     hurst = _fit_hurst_without_peaks(bins)
-    spectrum, tail, rolloff = _extrapolate_curve(curve, hurst, spectra.rolloff_evidence)
-    used_bands = [band for band, mask in zip(spectra.bands, reliable, strict=True) if mask.any()]
+    density, tail, rolloff = _extrapolate_curve(curve, hurst, measured.rolloff_evidence)
+    used_bands = [band for band, mask in zip(measured.bands, reliable, strict=True) if mask.any()]
     return add_measurements(
-        spectrum_dataset(spectrum),
+        spectrum_dataset(density),
         joined_density,
-        spectra.densities,
+        measured.densities,
         reliable,
-        scan_properties(scans, spectra.radii, spectra.bands),
+        scan_properties(scans, measured.radii, measured.bands),
     ).assign_attrs(
         source="measured",
         table1_rows_met="",
@@ -129,26 +127,26 @@ def sample_spectra(
     Samples differ in the power and the bends of the curve, the calibrations, unknown tip radii, the
     tail and the roll-off. Also yields the factors (scan,) of measured relative to true heights.
     """
-    spectra = _measured_spectra(scans, tip_radii)
+    measured = _measured_spectra(scans, tip_radii)
     for rng in rngs:
         bands = [
             _sample_band(rng, *properties)
-            for properties in zip(scans, spectra.radii, spectra.bands, strict=True)
+            for properties in zip(scans, measured.radii, measured.bands, strict=True)
         ]
-        reliable = _reliable_mask(spectra.densities, bands)
+        reliable = _reliable_mask(measured.densities, bands)
         if reliable.any(axis=0).sum() < MIN_BINS:
-            reliable = _reliable_mask(spectra.densities, spectra.bands)
-        calibration = CALIBRATION_SCATTER * rng.standard_normal(len(bands))
-        mean_calibration = calibration.mean()
-        densities = spectra.densities * np.exp(calibration - mean_calibration)[:, None]
-        bins = mean_bins(reliable, densities, spectra.modes)
+            reliable = _reliable_mask(measured.densities, measured.bands)
+        log_power_factors = CALIBRATION_SCATTER * rng.standard_normal(len(bands))
+        mean_log = log_power_factors.mean()
+        densities = measured.densities * np.exp(log_power_factors - mean_log)[:, None]
+        bins = mean_bins(reliable, densities, measured.modes)
         curve = smooth_curve_without_peaks(bins, rng)
         hurst = _fit_hurst_without_peaks(bins)
         hurst_change = hurst.error * rng.standard_normal()
-        spectrum, *_ = _extrapolate_curve(
-            curve, hurst, spectra.rolloff_evidence, rng.uniform(), hurst_change
+        density, *_ = _extrapolate_curve(
+            curve, hurst, measured.rolloff_evidence, rng.uniform(), hurst_change
         )
-        yield Spectrum(WAVEVECTORS, spectrum * np.exp(mean_calibration)), np.exp(calibration / 2)
+        yield Spectrum(WAVEVECTORS, density * np.exp(mean_log)), np.exp(log_power_factors / 2)
 
 
 def _sample_band(

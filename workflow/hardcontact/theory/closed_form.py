@@ -52,7 +52,7 @@ class Regime(StrEnum):
 
 @dataclass(frozen=True)
 class ClosedForm:
-    """The mean pull-off force, and the height of the apex and the regime that it comes from."""
+    """The mean pull-off force, with the apex height and the regime."""
 
     force: float  #: In N.
     dmt_ratio: float  #: Force relative to the force of DMT.
@@ -121,9 +121,11 @@ def _terms(
     summit_ratio = 1.0
     summit = _roughness_on_summit(spectrum, apex, contact)
     if summit is not None and generations:
-        finer, summit_contact = summit
-        finer_apex = apex_distribution(finer, summit_contact.radius, summit_contact.area)
-        terms = _terms(finer, finer_apex, summit_contact, rough_close_points, generations - 1)
+        summit_spectrum, summit_contact = summit
+        summit_apex = apex_distribution(summit_spectrum, summit_contact.radius, summit_contact.area)
+        terms = _terms(
+            summit_spectrum, summit_apex, summit_contact, rough_close_points, generations - 1
+        )
         summit_ratio = min(sum(terms), 1.0)
     surface_terms = surface_term(apex.levels, relative_rms)
     if rough_close_points:
@@ -152,15 +154,16 @@ def _roughness_on_summit(
 
     None if this roughness is negligible. `theory.md` (Rough summits) has the reasons.
     """
-    finer = spectrum_between(
-        spectrum, 2 * np.pi / (MAX_WAVELENGTH_PER_HALF_WIDTH * apex.half_width), np.inf
-    )
-    if finer is None or spectral_moment(finer, 0) < (MIN_ROUGHNESS_PER_RANGE * contact.rho) ** 2:
+    lowest = 2 * np.pi / (MAX_WAVELENGTH_PER_HALF_WIDTH * apex.half_width)
+    summit_spectrum = spectrum_between(spectrum, lowest, np.inf)
+    min_variance = (MIN_ROUGHNESS_PER_RANGE * contact.rho) ** 2
+    if summit_spectrum is None or spectral_moment(summit_spectrum, 0) < min_variance:
         return None
     sigma = np.sqrt(spectral_moment(spectrum, 0))
     radius = min(apex.half_width**2 * max(apex.mean(), 1.0) / (2 * sigma), contact.radius)
     summit_load = contact.hardness * np.pi * apex.half_width**2 * 1e-18
-    return finer, replace(contact, radius=radius, preload=min(contact.preload, summit_load))
+    summit_contact = replace(contact, radius=radius, preload=min(contact.preload, summit_load))
+    return summit_spectrum, summit_contact
 
 
 def filtered_spectrum(spectrum: Spectrum, side: str, cutoff: float) -> Spectrum:
@@ -185,16 +188,16 @@ def critical_band(spectrum: Spectrum, contact: Contact, tolerance: float) -> tup
     limits = logarithmic_limits(tolerance)
     unfiltered = closed_form(spectrum, contact, rough_close_points=False).dmt_ratio
 
-    def edge_of_side(side: str, cutoffs: Floats) -> float:
+    def edge_of_side(side: str, side_cutoffs: Floats) -> float:
         """Return the edge of a side; no wave is removed at the first cutoff."""
         curve = [0.0]
-        for cutoff in cutoffs[1:]:
+        for cutoff in side_cutoffs[1:]:
             filtered = filtered_spectrum(spectrum, side, cutoff)
             dmt_ratio = closed_form(filtered, contact, rough_close_points=False).dmt_ratio
             curve.append(np.log(dmt_ratio / unfiltered))
             if not limits[0] <= curve[-1] <= limits[1]:
                 break
-        coordinates = {CUTOFF: cutoffs[: len(curve)], "side": side}
+        coordinates = {CUTOFF: side_cutoffs[: len(curve)], "side": side}
         return float(find_edges(xr.DataArray(curve, coordinates, [CUTOFF]), limits)["edge"])
 
     return edge_of_side("short", cutoffs), edge_of_side("long", cutoffs[::-1])

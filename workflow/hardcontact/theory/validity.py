@@ -1,8 +1,9 @@
 """The limits of the closed form: its assumptions on a contact, and the inputs that validate it.
 
 It assumes hard bodies and a small contact area. Its errors are the ratios of computed to predicted
-values on designed surfaces. These were held out while it was developed, but for two choices: close
-points lie on rough summits, and edges leave this out (workflow/report/theory.md, Close points).
+values on designed surfaces. These were held out while it was developed, except that they decided
+two choices: close points lie on rough summits, and edges leave this out (workflow/report/theory.md,
+Close points).
 """
 
 import math
@@ -95,8 +96,9 @@ def wide_contact_message(contact: Contact) -> str:
 class Validity(StrEnum):
     """Whether the closed form is validated for an input, so that its error is known.
 
-    INSIDE: all parameters lie in the tested ranges. OUTSIDE: one does not. STEEP_SIDEWALLS: heights
-    are not Gaussian, and the closed form gives no force.
+    INSIDE: all parameters lie in the tested ranges, and all assumptions hold. OUTSIDE: a parameter
+    lies outside, or an assumption fails. STEEP_SIDEWALLS: there is no force, because heights with
+    steep sidewalls are far from Gaussian.
     """
 
     INSIDE, OUTSIDE, STEEP_SIDEWALLS = "inside", "outside", "steep_sidewalls"
