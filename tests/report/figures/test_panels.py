@@ -39,11 +39,14 @@ def test_edges_at_the_last_cutoff_are_open(numbers, symbols):
     assert [mark.get_marker() for mark in marks] == symbols
 
 
-def test_shades_end_with_the_axes():
+def test_shades_end_with_the_axes_and_lie_above_the_strip():
     axes = Figure().subplots()
     axes.set(xscale="log", xlim=(10, 1000))
+    panels.draw_tolerance(axes, 0.1)
     panels.shade_artificial(axes, [(0.0, 20.0), (500.0, np.inf), (2000.0, 3000.0)])
-    spans = [(patch.get_x(), patch.get_x() + patch.get_width()) for patch in axes.patches]
+    strip, *shades = axes.patches
+    assert all(shade.get_zorder() > strip.get_zorder() for shade in shades)
+    spans = [(shade.get_x(), shade.get_x() + shade.get_width()) for shade in shades]
     assert np.allclose(spans, [(10, 20), (500, 1000)])
     assert axes.get_xlim() == (10, 1000)
 

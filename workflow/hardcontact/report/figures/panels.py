@@ -149,7 +149,7 @@ def draw_octaves(axes: Axes, sensitivity: xr.Dataset) -> None:
         positions = octaves * 2 ** ((1 - OCTAVE_SHARE) / 2 + width * column)
         if "is_shown" in curve:
             for position in positions[~curve["is_shown"].values]:
-                axes.axvspan(position, position * 2**width, zorder=-1, **style.ARTIFICIAL_LOOK)
+                axes.axvspan(position, position * 2**width, **style.ARTIFICIAL_LOOK)
         widths = positions * (2**width - 1)
         axes.bar(positions, curve["value"], widths, align="edge", color=look["color"])
         if "sphere_share" in curve:
@@ -183,7 +183,7 @@ def shade_artificial(axes: Axes, bands: Iterable[tuple[float, float]]) -> None:
     low, high = axes.get_xlim()
     for shortest, longest in bands:
         if longest > low and shortest < high:
-            axes.axvspan(max(shortest, low), min(longest, high), zorder=-1, **style.ARTIFICIAL_LOOK)
+            axes.axvspan(max(shortest, low), min(longest, high), **style.ARTIFICIAL_LOOK)
     axes.set_xlim(low, high)
 
 
