@@ -41,7 +41,7 @@ def test_an_endless_interval_is_left_out():
     ("number", "words"),
     [
         (Number("edge", 67.0, "nm", 47.0, 74.0), "67 [47, 74] nm"),
-        (Number("edge", 67.0, "nm", 47.0, 74.0, "interval_open_high"), "67 [at least 47] nm"),
+        (Number("edge", 67.0, "nm", 47.0, 74.0, "interval_open_high"), "67 nm (at least 47 nm)"),
         (Number("edge", 67.0, "nm", 47.0), "67 nm (at least 47 nm)"),
         (Number("edge", 67.0, "nm", high=74.0), "67 nm (at most 74 nm)"),
         (Number("edge", 67.0, "nm", status="no_interval"), "67 nm (not bounded by these scans)"),

@@ -92,8 +92,10 @@ def _format_in_best_unit(
         return f"{format_number(value / units[name], digits)} {name}".rstrip()
     scaled = [number / units[name] for number in (value, *interval, *limits)]
     number, low, high = format_value_and_ends(*scaled)
-    bounds = {"": f"{low}, {high}", "high": f"at least {low}", "low": f"at most {high}"}
-    return f"{number} [{bounds[open_end]}] {name}".rstrip()
+    if open_end:
+        bound = f"at least {low}" if open_end == "high" else f"at most {high}"
+        return f"{number} {name} ({bound} {name})"
+    return f"{number} [{low}, {high}] {name}".rstrip()
 
 
 def format_quantity(
@@ -106,7 +108,7 @@ def format_quantity(
     """Return a number with its unit and its interval: "1.7 µm" or "0.64 [0.5, 0.8] µN".
 
     Number and interval are in `unit`, a key of PRINTED_UNITS. Unknown ends are NaN; they are zero
-    and infinity if nothing is excluded. With the `open_end` "high": "0.64 [at least 0.5] µN".
+    and infinity if nothing is excluded. With the `open_end` "high": "0.64 µN (at least 0.5 µN)".
     """
     is_finite = math.isfinite(sum(interval))
     unbounded = is_finite and is_unbounded(value, *interval, unit)

@@ -104,7 +104,7 @@ def answer_text(answer: Mapping[str, Any]) -> str:
 def format_number(number: Number, digits: int = 3, end: str = "") -> str:
     """Return a known number with its interval, "67 [47, 74] nm", or its "low" or "high" end.
 
-    With the status INTERVAL_OPEN_HIGH only the other end is known: "67 [at least 47] nm".
+    With the status INTERVAL_OPEN_HIGH only the other end is known: "67 nm (at least 47 nm)".
     """
     open_end = ""
     if number.status.startswith("interval_open_"):
