@@ -5,11 +5,14 @@ import xarray as xr
 from periodic_maps import CONTACT, make_bodies, periodic_noise
 
 from hardcontact.base.dataset import stack
+from hardcontact.contact.contact import CONTACT_AXES
 from hardcontact.contact.pull_off import pull_off_dataset
 from hardcontact.contact.scan_pull_off import pull_off_with_checks, stack_pull_off_forces
 
-DESCRIBED = {"labels": {"a": "A", "b": "B"}, "source": {"a": "measured", "b": "substitute"}}
-CONTACTS = ("contact_y", "contact_x")
+LABELS_AND_SOURCES = {
+    "labels": {"a": "A", "b": "B"},
+    "source": {"a": "measured", "b": "substitute"},
+}
 RANGES = [1.0, CONTACT.rho]
 SUBSTRATE = periodic_noise(128, 20.0, 1)
 #: Bodies on different pixels, as those of spheres with different pixel sizes.
@@ -43,10 +46,10 @@ def forces_on_scan(value, pixels):
     """Return forces on one scan, with contacts by number."""
     return xr.Dataset(
         {
-            "pull_off_force": (CONTACTS, np.full((2, 2), value)),
+            "pull_off_force": (CONTACT_AXES, np.full((2, 2), value)),
             "contact_pixel_count": ("contact_model", [1, pixels], {"units": "1"}),
         },
-        {axis: [0, 1] for axis in CONTACTS},
+        {axis: [0, 1] for axis in CONTACT_AXES},
         {"work_of_adhesion": 1.0},
     )
 
@@ -62,7 +65,7 @@ def test_forces_on_all_scans_are_stacked_with_nan_for_missing_scans():
         ).assign(wider_window_change=((), change, {"units": "1"}))
         for scan, change in changes.items()
     }
-    forces = stack_pull_off_forces(scans, DESCRIBED)
+    forces = stack_pull_off_forces(scans, LABELS_AND_SOURCES)
     for k, (surface, scan, sphere_scan) in enumerate(keys):
         labels = {"surface": surface, "scan": scan, "sphere_scan": sphere_scan}
         np.testing.assert_array_equal(forces.pull_off_force.sel(labels), k)

@@ -51,8 +51,10 @@ def curves(*exponents, scatter=0.0):
 def test_exponents_of_a_known_power_law_are_recovered(exponents):
     fitted = edge_exponents(curves(*exponents, scatter=0.02), 0.1, 0.95).sel(surface="a")
     exponent = fitted["edge_exponent"]
-    of_radius, of_area = exponents
-    np.testing.assert_allclose(exponent, [exponents, (of_radius, of_area / 0.9)], atol=0.02)
+    radius_exponent, area_exponent = exponents
+    np.testing.assert_allclose(
+        exponent, [exponents, (radius_exponent, area_exponent / 0.9)], atol=0.02
+    )
     low, high = interval_ends(fitted, "edge_exponent")
     assert (low <= exponent).all() and (exponent <= high).all()
 

@@ -7,7 +7,7 @@ MASTER_CHUNKS = CHUNKS.master_forces("sets")
 
 
 rule compute_pool:
-    """Compute the forces of some scans of a pool at several heights of each."""
+    """Compute the forces of some scans of a pool, each scaled to several rms heights."""
     input:
         **SUBSTITUTE_INPUTS,
     output:

@@ -1,4 +1,4 @@
-"""Pull-off forces of some scans of the pool of one substrate, at several heights of each."""
+"""Pull-off forces of some scans of a substrate's pool, from which sets sample, by rms height."""
 
 from hardcontact.contact.contact import Contact
 from hardcontact.paper.pool import compute_pool, pool_rms_heights
@@ -7,7 +7,7 @@ from hardcontact.surfaces.substitutes import read_substitute, required_targets
 
 with run_job(snakemake) as job:
     params = job.parameters
-    numbers = range(params["first"], params["last"] + 1)
+    scan_numbers = range(params["first"], params["last"] + 1)
     substitute = read_substitute(
         params["surface"], job.input.substitute, params["scan_grid"], params["seed"]
     )
@@ -16,7 +16,7 @@ with run_job(snakemake) as job:
         required_targets(substitute), params["scan_count"], params["rms_height_count"]
     )
     job.write(
-        compute_pool(numbers, substitute, rms_heights, contact, params["ranges"]),
-        title=f"pull-off forces of scans {numbers[0]} to {numbers[-1]} "
+        compute_pool(scan_numbers, substitute, rms_heights, contact, params["ranges"]),
+        title=f"pull-off forces of scans {scan_numbers[0]} to {scan_numbers[-1]} "
         f"of the pool of {params['surface']}",
     )

@@ -9,9 +9,7 @@ from scipy import constants, stats
 from scipy.integrate import quad
 
 from hardcontact.base.statistics import interval_ends
-from hardcontact.paper.claims import band_quantities
-from hardcontact.paper.claims import contact_quantities as contact
-from hardcontact.paper.claims import force_quantities as force
+from hardcontact.paper.claims import band_quantities, contact_quantities, force_quantities
 
 RADIUS = 250e3
 #: The dataset `paper` of claims.
@@ -50,9 +48,9 @@ def test_roughness_ratios_compare_all_scales_with_afm_scans():
     topography = xr.Dataset(
         afm | {f"all_scales_{name}": value for name, value in all_scales.items()}
     )
-    near(contact.slope_growth(topography), 6)
-    near(contact.slope_growth_over_height_growth(topography), 6 / 1.5)
-    near(contact.curvature_growth_over_height_growth(topography), 60 / 1.5)
+    near(contact_quantities.slope_growth(topography), 6)
+    near(contact_quantities.slope_growth_over_height_growth(topography), 6 / 1.5)
+    near(contact_quantities.curvature_growth_over_height_growth(topography), 60 / 1.5)
 
 
 def test_apex_level_is_a_ratio_of_each_scan():
@@ -60,7 +58,7 @@ def test_apex_level_is_a_ratio_of_each_scan():
     rms = np.array([16.0, 17.0, 19.0])
     adhesion = xr.Dataset({"apex_height": (("scan", "contact"), 3.4 * rms[:, None])})
     topography = xr.Dataset({"rms_height": ("scan", rms)})
-    height = contact.apex_level(adhesion.assign_attrs(confidence=0.95), topography)
+    height = contact_quantities.apex_level(adhesion.assign_attrs(confidence=0.95), topography)
     near(height, 3.4)
     np.testing.assert_allclose(*interval_ends(height, "value"))
 
@@ -84,7 +82,7 @@ def test_surfaces_that_are_rough_for_their_stiffness_do_not_stick():
             "all_scales_rms_half_laplacian": ("surface", curvature),
         }
     )
-    near(contact.nonstickiness(topography, PAPER), repulsion / attraction, rtol=1e-3)
+    near(contact_quantities.nonstickiness(topography, PAPER), repulsion / attraction, rtol=1e-3)
 
 
 def test_elastic_contact_is_compared_with_rigid_and_plastic_contact():
@@ -99,13 +97,14 @@ def test_elastic_contact_is_compared_with_rigid_and_plastic_contact():
         },
         attrs={"hardness": 25e9, "preload": 10e-6, "confidence": 0.95},
     )
-    near(contact.elastic_change(elastic), 0.01)
+    near(contact_quantities.elastic_change(elastic), 0.01)
     # The median of three surfaces is the second one.
     scale = xr.DataArray([0.1, 1.0, 1.3], dims="surface")
     areas, shares = elastic["elastic_contact_area"] * scale, elastic["share_above_hardness"] * scale
     three = elastic.assign(elastic_contact_area=areas, share_above_hardness=shares)
-    near(contact.median_share_above_hardness(three), 0.45)
-    near(contact.median_plastic_over_elastic_area(three), (4 + 1) / 2)  # 400 nm² carry the preload
+    near(contact_quantities.median_share_above_hardness(three), 0.45)
+    # 400 nm² carry the preload.
+    near(contact_quantities.median_plastic_over_elastic_area(three), (4 + 1) / 2)
 
 
 def test_exponents_are_medians_over_surfaces():
@@ -125,7 +124,7 @@ def test_waves_of_a_sphere_s_slope_have_its_mean_pressure():
     attributes = {"effective_modulus": modulus, "hardness": 25e9}
     elastic = xr.Dataset(coords={"surface": ["mcd"]}, attrs=attributes)
     pressure = 4 * modulus * ratio / (3 * np.pi)
-    near(contact.elastic_pressure_over_hardness(topography, elastic), pressure / 25e9)
+    near(contact_quantities.elastic_pressure_over_hardness(topography, elastic), pressure / 25e9)
 
 
 def test_one_wave_has_the_deformation_energy_in_closed_form():
@@ -145,7 +144,9 @@ def test_one_wave_has_the_deformation_energy_in_closed_form():
     )
     amplitude = np.sqrt(2) * height
     relative_energy = modulus * q * 1e9 * (amplitude * 1e-9) ** 2 / 8 / work
-    near(contact.deformation_over_adhesion(topography, elastic), [relative_energy, np.nan])
+    near(
+        contact_quantities.deformation_over_adhesion(topography, elastic), [relative_energy, np.nan]
+    )
 
 
 # --- forces -----------------------------------------------------------------------------------
@@ -153,30 +154,30 @@ def test_one_wave_has_the_deformation_energy_in_closed_form():
 
 def test_a_power_law_of_the_range_gives_the_slopes_of_force_and_area():
     """The attracting area grows by one power more than the force."""
-    near(force.range_exponent_of_force(make_adhesion(powers(0.6))), [0.6, 0.6])
-    near(force.range_exponent_of_area(make_adhesion(powers(0.6))), [1.6, 1.6])
+    near(force_quantities.range_exponent_of_force(make_adhesion(powers(0.6))), [0.6, 0.6])
+    near(force_quantities.range_exponent_of_area(make_adhesion(powers(0.6))), [1.6, 1.6])
 
 
 def test_ratios_of_forces_are_taken_on_each_scan():
     forces = powers(0.5, scans=[1.0, 1.0])
     forces[1, :, 1] *= 3
-    near(force.plastic_over_rigid(make_adhesion(forces)), (2 + 6) / 2)
+    near(force_quantities.plastic_over_rigid(make_adhesion(forces)), (2 + 6) / 2)
     forces[1, 0] = forces[1, 1] * np.array([2.0, 4.0])[:, None]
-    near(force.shortest_range_force_over_minimum(make_adhesion(forces)), [1.0, 3.0])
+    near(force_quantities.shortest_range_force_over_minimum(make_adhesion(forces)), [1.0, 3.0])
 
 
 def test_the_force_on_a_smooth_sphere_changes_where_pixels_are_coarse():
     """If pixels are as wide as the disk of interaction, the sum over them is not an integral."""
     adhesion = make_adhesion(powers(0.5))
-    assert force.smooth_sphere_change(adhesion)["value"] < 1e-9
+    assert force_quantities.smooth_sphere_change(adhesion)["value"] < 1e-9
     coarse = adhesion.assign_attrs(pixel_size=np.sqrt(RADIUS * 0.05) * 4)
-    assert force.smooth_sphere_change(coarse)["value"] > 0.1
+    assert force_quantities.smooth_sphere_change(coarse)["value"] > 0.1
 
 
 DISTRIBUTIONS = {
-    force.lognormal_misfit: stats.lognorm(0.9, scale=2e-7),
-    force.half_gaussian_misfit: stats.halfnorm(scale=2e-7),
-    force.inverse_gaussian_misfit: stats.invgauss(3.0, scale=2e-7),
+    force_quantities.lognormal_misfit: stats.lognorm(0.9, scale=2e-7),
+    force_quantities.half_gaussian_misfit: stats.halfnorm(scale=2e-7),
+    force_quantities.inverse_gaussian_misfit: stats.invgauss(3.0, scale=2e-7),
 }
 
 
@@ -187,7 +188,7 @@ def test_misfit_is_small_only_for_the_right_distribution(misfit):
     for values, fits in ((forces, True), (two_values, False)):
         adhesion = make_adhesion(np.broadcast_to(values, (2, 1, 1, 1000)), [5.6])
         assert ((misfit(adhesion)["value"] < 0.05) == fits).all()
-    near(force.force_decades(adhesion), [3.0, 3.0])
+    near(force_quantities.force_decades(adhesion), [3.0, 3.0])
     fitted = DISTRIBUTIONS[misfit].dist
     shape = fitted.fit(forces, floc=0)  # of the whole sample, not the unbiased estimate
     distance = stats.kstest(forces, fitted.name, shape).statistic
@@ -212,7 +213,9 @@ def test_strength_is_the_largest_ratio_of_pressures_at_any_gap():
     gaps = np.geomspace(1e-10, 1e-6, 4001)
     casimir = np.pi**2 * constants.hbar * constants.c / (240 * gaps**4)
     ratios = 0.0463 / rho * np.exp(-gaps / rho) / casimir
-    assert force.strength_over_casimir(PAPER)["value"] == pytest.approx(ratios.max(), rel=1e-5)
+    assert force_quantities.strength_over_casimir(PAPER)["value"] == pytest.approx(
+        ratios.max(), rel=1e-5
+    )
 
 
 def test_interaction_radius_and_its_share_of_the_force():
@@ -231,9 +234,9 @@ def test_interaction_radius_and_its_share_of_the_force():
 def test_force_at_short_range_is_linear_between_ranges():
     forces = xr.Dataset({"mean_force": ("rho", [1.0, 5.0])}, {"rho": [0.1, 1.1]})
     shift = PARAMETERS["atomic_range_upper_bound"] - 0.1
-    near(force.short_range_force(forces, PAPER), 0.0463 * (1 + 4 * shift))
+    near(force_quantities.short_range_force(forces, PAPER), 0.0463 * (1 + 4 * shift))
     longer_ranges = forces.assign_coords(rho=[2.0, 3.0])
-    assert np.isnan(force.short_range_force(longer_ranges, PAPER)["value"])
+    assert np.isnan(force_quantities.short_range_force(longer_ranges, PAPER)["value"])
 
 
 def test_errors_are_read_at_short_ranges_and_at_the_second_minimum():
@@ -245,12 +248,12 @@ def test_errors_are_read_at_short_ranges_and_at_the_second_minimum():
         },
         {"minimum": [1, 2], "rho_fine": [0.3, 0.6, 5.6]},
     )
-    near(force.short_range_error(errors, PAPER), 0.2)
-    near(force.error_of_second_minimum(errors, PAPER), 0.3)
+    near(force_quantities.short_range_error(errors, PAPER), 0.2)
+    near(force_quantities.error_of_second_minimum(errors, PAPER), 0.3)
     single = errors.assign(error_at_minimum=("minimum", [0.05, np.nan]))
-    assert force.error_of_second_minimum(single, PAPER)["value"] == np.inf
+    assert force_quantities.error_of_second_minimum(single, PAPER)["value"] == np.inf
     nothing_fits = errors.assign(best_error=0.15)
-    assert np.isnan(force.error_of_second_minimum(nothing_fits, PAPER)["value"])
+    assert np.isnan(force_quantities.error_of_second_minimum(nothing_fits, PAPER)["value"])
 
 
 # --- scales -----------------------------------------------------------------------------------
@@ -328,6 +331,6 @@ def test_the_force_on_a_plane_is_that_of_derjaguin():
 def test_decades_of_works_are_those_between_the_smallest_and_the_largest():
     works = [1.0, 1000.0, 10.0]
     variables = between_multiples("effective_work_of_adhesion", "surface", works, (0.1, 10))
-    decades = force.effective_work_decades(xr.Dataset(variables))
+    decades = force_quantities.effective_work_decades(xr.Dataset(variables))
     near(decades, 3)
     np.testing.assert_allclose(decades["value_interval"], [1, 5])

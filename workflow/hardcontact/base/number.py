@@ -13,7 +13,7 @@ class NumberStatus(StrEnum):
 
     #: Nothing to add to the number and its interval.
     PLAIN = ""
-    #: The value is known.
+    #: PLAIN in JSON, where no status is empty: the value is known.
     KNOWN = "known"
     #: Only ends of the interval are known.
     ONLY_ENDS = "ends"
@@ -27,7 +27,18 @@ class NumberStatus(StrEnum):
     NO_INTERVAL = "no_interval"
 
 
-#: Codes for the origin of a number.
+#: Codes for the origin of a number:
+#: - computed: from forces on surfaces or from spectra;
+#: - measured: a measured force, or an edge that rests on measured roughness;
+#: - from_measured: computed from measured forces;
+#: - extrapolated: with roughness beyond the reliable wavelengths;
+#: - artificial: an edge at artificial wavelengths, or artificial roughness decides over 90 %;
+#: - partly_artificial: artificial roughness decides part of it;
+#: - interval_artificial: only the interval reaches artificial wavelengths;
+#: - published: in the paper;
+#: - given: a key of the configuration;
+#: - assumed: a key with the paper's value, because the user gave none;
+#: - file: a property of the file of a scan.
 NumberSource = Literal[
     "computed", "measured", "from_measured", "extrapolated", "artificial", "partly_artificial",
     "interval_artificial", "published", "given", "assumed", "file",

@@ -29,9 +29,9 @@ def nm(*lengths: float) -> list[str]:
     return [f"{length:g} nm" for length in lengths]
 
 
-def key(default: Any, paper: str = "") -> Any:
+def key(default: Any, paper_section: str = "") -> Any:
     """Describe a key: its default, and the section of the paper with this default."""
-    return Field(default=default, json_schema_extra={"paper": paper})
+    return Field(default=default, json_schema_extra={"paper": paper_section})
 
 
 class Keys(BaseModel):
