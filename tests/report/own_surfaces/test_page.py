@@ -115,6 +115,9 @@ def test_a_hindcast_that_fails_or_lacks_an_octave_leaves_no_edge(ratio, lead):
 )
 def test_edges_that_exclude_a_band_answer_but_edges_beyond_the_cutoffs_do_not(data, answer):
     assert_says(headline_of(edges=data), f"{LABELS[0]}: {answer}")
+    sentence = answer.rpartition("answered. ")[2]
+    line = headline_of(edges=data, topography=topography(source="substitute"))
+    assert_says(line, f"{LABELS[0]} (substitute): {sentence[0].lower()}{sentence[1:]}")
 
 
 def test_the_figure_of_octaves_has_a_bar_an_octave_and_hatches_those_that_no_scan_shows():
