@@ -208,8 +208,24 @@ def test_a_scan_and_its_spectrum_are_predicted_like_the_file(files):
             assert number.status == command["status"]
             assert np.isfinite(number.low) == ("interval" in command)
     assert extrapolated_numbers["closed_form_force"].status == "inside"
+    reliable_force = extrapolated_numbers["reliable_force"]
+    assert reliable_force.value == measured_numbers["closed_form_force"].value
+    assert reliable_force.status == "inside"
     for name in ("closed_form_force", "extrapolated_force", "short_edge"):
         assert scan_numbers[name].value == pytest.approx(written[name]["value"], rel=1e-4)
+
+
+def test_an_extrapolated_force_without_a_known_error_has_a_reason(files):
+    """Waves that a scan lacks matter; the extrapolated spectrum alone passes all checks."""
+    density = partial(smooth_rolloff, plateau=3e5, rolloff=1000.0, hurst=0.8)
+    scan = random_map(generator(3), 128, 20.0, density)
+    path = scan_files.write_scan(files / "narrow.nc", scan.heights.T, (2560.0, 2560.0))
+    contact = {"radius": 250e3, "rho": 5.6, "work": 0.0463} | LOAD
+    numbers = hc.predict(hc.read_spectrum(path, extrapolated=True), **contact)
+    assert numbers["closed_form_force"].status == numbers["reliable_force"].status == "outside"
+    assert numbers["longest_octave_change"].status == "negligible"
+    reliable_numbers = hc.predict(hc.read_spectrum(path), **contact)
+    assert reliable_numbers["longest_octave_change"].status == "matters"
 
 
 def test_unusual_quantities_are_questioned(files):

@@ -419,7 +419,9 @@ def predict(
         - Spectrum: ``rms_height``, ``rms_gradient``, ``shortest_wavelength`` and
           ``longest_wavelength``.
         - Checks whether the error is known: ``longest_octave_change``, ``widest_gap``,
-          ``skewness`` and ``validated_...``.
+          ``skewness`` and ``validated_...``. For an extrapolated spectrum of scans there is also
+          ``reliable_force``, the force of its reliable waves. If its status is ``"outside"``, the
+          checks of the spectrum without ``extrapolated`` say why.
 
         For a map there are also
 

@@ -69,7 +69,9 @@ def prediction(
     checks = _spectrum_checks(trimmed, contact, form, 0.0 if scans is None else scans.skewness)
     assumptions_hold = all(number.status == Effect.NEGLIGIBLE for number in checks)
     if scans is not None and scans.is_extrapolated:
-        assumptions_hold &= _is_measured_error_known(scans, contact, tolerance, name)
+        reliable_force = _reliable_force(scans, contact, tolerance, name)
+        checks.append(reliable_force)
+        assumptions_hold &= reliable_force.status == Validity.INSIDE
     extrapolated: list[Number] = []
     change = Number("extrapolated_change", math.nan, status=Effect.NEGLIGIBLE)
     extrapolation = _extrapolate(spectrum, trimmed)
@@ -155,13 +157,13 @@ def _spectrum_checks(
     ]
 
 
-def _is_measured_error_known(
-    scans: ScanSpectrum, contact: Contact, tolerance: float, name: str
-) -> bool:
-    """Return True if the error of the force is known without extrapolated waves of the scans."""
+def _reliable_force(scans: ScanSpectrum, contact: Contact, tolerance: float, name: str) -> Number:
+    """Return the force (N) of the reliable waves of scans; INSIDE if they pass all checks."""
     reliable_waves = reliable_spectrum(scans.joined_dataset, scans.skewness)
     numbers = prediction(reliable_waves, contact, tolerance, name)
-    return numbers.get("extrapolated_force", numbers["closed_form_force"]).status == Validity.INSIDE
+    force = numbers["closed_form_force"]
+    status = numbers.get("extrapolated_force", force).status
+    return Number("reliable_force", force.value, "N", status=status)
 
 
 def _validated_interval(name: str, value: float, point: KnownPoint) -> tuple[float, float]:
