@@ -95,12 +95,10 @@ def compute_master_forces(
     `settings` are those of the purpose of the masters, with their surface and the numbers of their
     realizations; `files` are those of `load_or_synthesize_master`.
     """
-    radii, ranges = settings["radii"], settings["ranges"]
+    radii, ranges, loadings = settings["radii"], settings["ranges"], settings["loadings"]
     contact_grid = {name: settings[name] for name in ("window", "contacts_per_row")}
     # `filtered_pull_off` replaces the radius by each of the radii.
-    contacts = [
-        Contact(radius=radii[0], **contact_grid, **loading) for loading in settings["loadings"]
-    ]
+    contacts = [Contact(radius=radii[0], **contact_grid, **loading) for loading in loadings]
     forces = {}
     for index, realization in enumerate(settings["realization_numbers"]):
         for side in (side for side in SIDES if side in settings["sides"]):
