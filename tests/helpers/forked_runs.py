@@ -78,7 +78,7 @@ def call_main(module, words, environment, output):
     os.environ.update(environment)
     for descriptor in (1, 2):
         os.dup2(output, descriptor)
-    sys.stdout = sys.stderr = open(1, "w", buffering=1, encoding="utf-8", closefd=False)
+    sys.stdout = sys.stderr = open_output()
     if shell := sys.modules.get("snakemake.shell"):
         shell.STDOUT = None  # Jobs write here, too, and not where pytest captures.
     sys.argv = [module, *words]
@@ -91,6 +91,11 @@ def call_main(module, words, environment, output):
             print(end.code)
             return 1
         return end.code or 0
+
+
+def open_output():
+    """Return a new stream to the standard output of this process."""
+    return open(1, "w", buffering=1, encoding="utf-8", closefd=False)
 
 
 #: Packages that many jobs need, and that take a second to load.
@@ -134,6 +139,8 @@ def fork_jobs():
 
 def run_script(path):
     """Run a script, then end this process, without what the process would do before its end."""
+    # Another thread may have held the lock of the inherited stream during the fork.
+    sys.stdout = sys.stderr = open_output()
     code = 1
     try:
         runpy.run_path(path, run_name="__main__")
