@@ -1,11 +1,12 @@
 """Edges of the band if mean forces are divided, not the forces of each master.
 
-    python tests/benchmarks/compare_normalizations.py [results/paper]
+    python tests/benchmarks/compare_normalizations.py [results/paper] [--sets 3000]
 
 The paper does not say which ratio Fig. 6 shows. The study divides the force on each filtered master
 by that on the same master, and takes the mean of these ratios. The other ratio is that of two mean
 forces, in which masters with large forces count most. For both, this prints the outermost edges of
-the study's own masters, the central 95 % of its sets, and how many sets agree with the paper.
+the study's own masters, the central 95 % of its sets, and how many sets agree with the paper. The
+first sets are those of the study; more of them show how far the share depends on their number.
 """
 
 import argparse
@@ -51,7 +52,9 @@ def main():
     """Print the edges of a finished study by both ratios, for its own masters and its sets."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("study", nargs="?", default="results/paper", type=Path)
-    study = parser.parse_args().study
+    parser.add_argument("--sets", type=int, help="number of sets (default: the study's)")
+    arguments = parser.parse_args()
+    study = arguments.study
     scales, sets = (xr.load_dataset(study / name) for name in ("scales.nc", "sets.nc"))
     parameters = json.loads(sets.attrs["parameters"])
     settings = parameters["settings"]
@@ -60,7 +63,7 @@ def main():
     set_scales = read_master_forces(surfaces, paths, parameters["loading"]).sortby("realization")
     set_forces = [set_scales[name].mean(CONTACT_AXES) for name in FORCES]
     samples = []
-    for set_number in sets["set"].values:
+    for set_number in range(1, (arguments.sets or sets.sizes["set"]) + 1):
         sample = (settings["realizations"], settings["seed"], set_number)
         ratios = both_ratios(*(sample_masters(forces, *sample) for forces in set_forces))
         samples.append(

@@ -225,7 +225,7 @@ class SetsKeys(Keys):
     """Sets of substitute scans that all agree with Table 1, from whose scatter intervals follow."""
 
     count: Annotated[int, Field(ge=1, le=10000)] = 100
-    """Sets, each with other random scans and masters. With more sets intervals scatter less."""
+    """Sets, each another choice of scans and masters. With more sets intervals scatter less."""
     pool_size: Annotated[int, Field(ge=2, le=10000)] = 60
     """Scans of each substrate in the pool, from which sets are sampled. With more scans sets share
     fewer of them."""

@@ -148,9 +148,10 @@ def read_master_forces(
 
 
 def add_force_ratios(forces: xr.Dataset) -> xr.Dataset:
-    """Return forces on masters, by growing cutoff, with the ratios of mean to unfiltered forces.
+    """Return forces on masters, by growing cutoff, with the ratios of filtered to unfiltered means.
 
-    ``filtered_force_ratio`` (..., cutoff_wavelength) is NaN at cutoffs of the other side.
+    ``filtered_force_ratio`` (..., cutoff_wavelength) divides means over the contacts of a master.
+    It is NaN at cutoffs of the other side.
     """
     forces = forces.sortby("cutoff_wavelength")
     filtered = forces["pull_off_force"].mean(CONTACT_AXES)

@@ -86,7 +86,7 @@ class Reruns:
         return self._digests[path]
 
     def refuse_altered(self) -> None:
-        """Raise ValueError if inputs that made a file stale are not as a job wrote them."""
+        """Raise ValueError if an input that causes a rerun was changed after a job wrote it."""
         recorded = filter(_complete_record, self._changed)
         refuse_changed({path: value for path in recorded if (value := self._digest(path))})
 

@@ -29,7 +29,8 @@ CELL = re.compile(r"[^\s,;]+")
 POINT_COLUMNS = 3
 #: Bins of positions along an axis.
 POSITION_BINS = 2**16
-#: Factor by which zeros lengthen their transform, so that peaks are known to a sixteenth of a line.
+#: Zeros pad the histogram of positions to this multiple of its length before its Fourier transform,
+#: so that peaks are known to a sixteenth of a line.
 ZERO_PADDING = 8
 #: Corrections of heights on a grid. Each leaves at most a quarter of the error, if points lie a
 #: tenth of a spacing beside the grid.

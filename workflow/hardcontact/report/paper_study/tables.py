@@ -68,7 +68,7 @@ def _printed_claim(row: Mapping[Any, Any]) -> dict[str, Any]:
     published = "" if row["rule"] in ONE_SIDED else format_as_paper(row["published"], unit)
     interval = (row["low"], row["high"])
     kind = "follows" if row["follows_from"] else "independent"
-    # Where no sets decide, the ends show on which side of each limit they lie.
+    # Without sets, ends of the interval are rounded so that they stay on their side of the limits.
     limits = () if row["agreeing_share"] >= 0 else (row["accepted_low"], row["accepted_high"])
     computed_text = format_as_paper(row["computed"], unit)
     if is_unbounded(row["computed"], *interval, unit):
@@ -78,13 +78,13 @@ def _printed_claim(row: Mapping[Any, Any]) -> dict[str, Any]:
         computed_text = format_as_paper(row["computed"], unit, interval, **bounds)
     return {
         "published_text": published or "as stated",
-        "accepted_text": _print_accepted_range(row["accepted_low"], row["accepted_high"], unit),
+        "accepted_text": _format_accepted_range(row["accepted_low"], row["accepted_high"], unit),
         "computed_text": computed_text,
         "kind": BY_CONSTRUCTION if row["verdict"] == BY_CONSTRUCTION else kind,
     }
 
 
-def _print_accepted_range(low: float, high: float, unit: str) -> str:
+def _format_accepted_range(low: float, high: float, unit: str) -> str:
     """Return the range of numbers that agree with a statement, in words."""
     if np.isinf(low):
         return f"below {format_as_paper(high, unit)}"
@@ -112,24 +112,24 @@ def table1_rows(topography: xr.Dataset, published: pd.DataFrame) -> list[list[st
     for name, quantity in table1.items():
         unit = quantity["unit"]
         values = published[published["quantity"] == name].set_index("surface")
-        cells = [_print_published(values, str(data["surface"].item()), unit) for data in surfaces]
+        cells = [_format_published(values, str(data["surface"].item()), unit) for data in surfaces]
         rows.append([f"{quantity['title']}, published", *cells])
         for variable, title in quantity["computed"].items():
-            cells = [_print_computed(data, variable, name, unit) for data in surfaces]
+            cells = [_format_computed(data, variable, name, unit) for data in surfaces]
             rows.append([title, *cells])
     return rows
 
 
-def _print_published(values: pd.DataFrame, surface: str, unit: float) -> str:
+def _format_published(values: pd.DataFrame, surface: str, unit: float) -> str:
     """Return a published value and its uncertainty, with equally many decimals."""
     if surface not in values.index:
         return "–"
     value, uncertainty = values.loc[surface, ["value", "uncertainty"]].to_numpy(float) / unit
     decimals = max(len(f"{number:g}".partition(".")[2]) for number in (value, uncertainty))
-    return _print_with_uncertainty(value, uncertainty, decimals)
+    return _format_with_uncertainty(value, uncertainty, decimals)
 
 
-def _print_computed(surface: xr.Dataset, variable: str, quantity: str, unit: float) -> str:
+def _format_computed(surface: xr.Dataset, variable: str, quantity: str, unit: float) -> str:
     """Return a computed value: mean over scans, or rms value of the joined spectrum."""
     name, spread = variable, math.nan
     if f"{variable}_mean" in surface:
@@ -137,10 +137,10 @@ def _print_computed(surface: xr.Dataset, variable: str, quantity: str, unit: flo
     value = surface[name].item() / unit
     meets_by_construction = quantity in rows_met(surface["table1_rows_met"].item())
     mark = " †" if meets_by_construction and TABLE1_VARIABLES[quantity] == name else ""
-    return _print_with_uncertainty(value, spread, _decimals_of(value, spread)) + mark
+    return _format_with_uncertainty(value, spread, _decimals_of(value, spread)) + mark
 
 
-def _print_with_uncertainty(value: float, uncertainty: float, decimals: int) -> str:
+def _format_with_uncertainty(value: float, uncertainty: float, decimals: int) -> str:
     if not math.isfinite(value):
         return "–"
     if not math.isfinite(uncertainty):
