@@ -22,3 +22,4 @@ def test_each_purpose_has_its_own_random_numbers():
     number = generator(3, "sampling", "classical", "scales").random()
     assert classical.generator("scales").random() == number
     assert study.generator("scales").random() == generator(3, "sampling", "scales").random()
+    assert study.generator("scales").random() != number

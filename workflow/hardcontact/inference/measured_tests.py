@@ -64,10 +64,9 @@ def look_repeated(forces: pd.DataFrame) -> bool:
 def sampled_means(rng: np.random.Generator, tests: MeasuredTests, sample_count: int) -> np.ndarray:
     """Return the mean force in N, and random means that it may be (1 + sample,).
 
-    ln(mean) is the mean of ln F plus half its variance. A sample draws the variance, from a
-    chi-squared number, and then an error of the mean of ln F. NaN for one site, whose scatter is
-    unknown. Source: generalized pivot of Krishnamoorthy and Mathew, J. Stat. Plan. Inference 115
-    (2003) 103.
+    Samples are around the arithmetic mean. Their deviations are those of the mean of ln F plus half
+    its variance, for a log-normal F (Krishnamoorthy and Mathew, J. Stat. Plan. Inference 115 (2003)
+    103). NaN for one site, whose scatter is unknown.
     """
     if tests.site_count < 2:
         return np.append(tests.mean, np.full(sample_count, np.nan))
