@@ -184,10 +184,10 @@ def _edge_numbers(prefix: str, band: tuple[float, float], point: KnownPoint) -> 
 
     An edge is OUTSIDE if its error is not known, as the force is.
     """
-    found = EdgeStatus.FOUND if point is not None else Validity.OUTSIDE
+    finite_status = Validity.OUTSIDE if point is None else EdgeStatus.FOUND
     for name, edge in zip(EDGE_NAMES, band, strict=True):
         interval = _validated_interval(name, edge, point)
-        status = found if math.isfinite(edge) else EdgeStatus.NO_EDGE
+        status = finite_status if math.isfinite(edge) else EdgeStatus.NO_EDGE
         yield Number(f"{prefix}{name}", edge, "nm", *interval, status)
 
 
