@@ -1,22 +1,22 @@
-"""Artificial wavelengths are beyond the scans or in gaps between them."""
+"""Unreliable wavelengths are beyond the scans or in gaps between them."""
 
 import numpy as np
 from answer_inputs import MEASUREMENTS, SURFACES, spectra
 
-from hardcontact.report.own_surfaces.datasets import artificial_bands, drop_padding
+from hardcontact.report.own_surfaces.datasets import drop_padding, unreliable_bands
 
 
 def select_first(data):
     return data.sel(surface=SURFACES[0])
 
 
-def test_wavelengths_beyond_the_scans_are_artificial():
-    assert artificial_bands(select_first(spectra())) == [(0.0, 55.0), (25_000.0, np.inf)]
+def test_wavelengths_beyond_the_scans_are_unreliable():
+    assert unreliable_bands(select_first(spectra())) == [(0.0, 55.0), (25_000.0, np.inf)]
 
 
-def test_a_gap_between_scans_is_artificial():
+def test_a_gap_between_scans_is_unreliable():
     distant_scans = {name: MEASUREMENTS[name] for name in ("fine.spm", "line.txt")}
-    assert artificial_bands(select_first(spectra(scans=distant_scans))) == [
+    assert unreliable_bands(select_first(spectra(scans=distant_scans))) == [
         (0.0, 55.0), (320.0, 800.0), (25_000.0, np.inf),
     ]  # fmt: skip
 
@@ -25,11 +25,11 @@ def test_an_unreliable_scan_closes_no_gap():
     data = select_first(spectra())
     coarse = data["path"].values == "scans/coarse.spm"
     data["reliable"] = data["reliable"].where(~coarse[:, None], 0)
-    assert (320.0, 800.0) in artificial_bands(data)
+    assert (320.0, 800.0) in unreliable_bands(data)
 
 
 def test_empty_entries_are_no_measurements():
     twin = spectra(2).sel(surface=SURFACES[1])
     assert twin.sizes["measurement"] == 3
     assert drop_padding(twin)["path"].values.tolist() == ["scans/fine.spm", "scans/coarse.spm"]
-    assert artificial_bands(twin)[-1] == (5000.0, np.inf)
+    assert unreliable_bands(twin)[-1] == (5000.0, np.inf)

@@ -22,7 +22,7 @@ from hardcontact.base.number import Number, json_value
 from hardcontact.report.own_surfaces.answer import surface_answers
 from hardcontact.report.own_surfaces.edges import (
     edge_source,
-    reliable_and_artificial_change,
+    reliable_and_unreliable_change,
     surface_conclusion,
 )
 
@@ -31,13 +31,13 @@ from hardcontact.report.own_surfaces.edges import (
     ("data", "source"),
     [
         (move_edge(120.0, 90.0, 150.0), ("measured", 90.0, 150.0)),
-        (move_edge(70.0, 40.0, 90.0), ("partly_artificial", None, 90.0)),
-        (move_edge(37.0, 20.0, 90.0), ("artificial", None, None)),
+        (move_edge(70.0, 40.0, 90.0), ("partly_unreliable", None, 90.0)),
+        (move_edge(37.0, 20.0, 90.0), ("unreliable", None, None)),
         (move_edge(120.0, np.nan, np.nan), ("measured", None, None)),
-        (move_edge(120.0, 40.0, 150.0), ("interval_artificial", None, 150.0)),
+        (move_edge(120.0, 40.0, 150.0), ("interval_unreliable", None, 150.0)),
     ],
 )
-def test_artificial_ends_of_intervals_are_left_out(data, source):
+def test_unreliable_ends_of_intervals_are_left_out(data, source):
     fact = json_value(numbers_of(edges=data)["short_edge"])
     assert (fact["source"], fact["low"], fact["high"]) == source
 
@@ -51,12 +51,12 @@ def test_the_change_at_an_edge_is_split_at_the_shortest_reliable_wavelength():
     unseen = low + (high - low) * np.log(55 / 40) / np.log(2)
     surface = datasets(edges=data).select_surface(SURFACES[0])
     np.testing.assert_allclose(
-        reliable_and_artificial_change(surface, "short", 0, 80), [high - unseen, unseen], 1e-4
+        reliable_and_unreliable_change(surface, "short", 0, 80), [high - unseen, unseen], 1e-4
     )
     assert numbers_of(edges=data)["short_edge_measured_share"].value == pytest.approx(
         1 - unseen / high, rel=1e-4
     )
-    assert sum(reliable_and_artificial_change(surface, "short")) == pytest.approx(
+    assert sum(reliable_and_unreliable_change(surface, "short")) == pytest.approx(
         np.log1p(0.1 * 4**4), rel=1e-4
     )
 
@@ -69,7 +69,7 @@ def test_open_edges_are_bounds():
     assert numbers_of(edges=lower_bound)["long_edge"].status == "open_below"
     lower_bound["edge_bound"].loc[{"side": "long"}] = 30_000.0
     assert (
-        edge_source(datasets(edges=lower_bound).select_surface(SURFACES[0]), "long") == "artificial"
+        edge_source(datasets(edges=lower_bound).select_surface(SURFACES[0]), "long") == "unreliable"
     )
 
 

@@ -32,16 +32,17 @@ class NumberStatus(StrEnum):
 #: - measured: a measured force, or an edge that rests on measured roughness;
 #: - from_measured: computed from measured forces;
 #: - extrapolated: with roughness beyond the reliable wavelengths;
-#: - artificial: an edge at artificial wavelengths, or artificial roughness decides over 90 %;
-#: - partly_artificial: artificial roughness decides part of it;
-#: - interval_artificial: only the interval reaches artificial wavelengths;
+#: - artificial: an edge of the paper's study at wavelengths of artificial roughness;
+#: - unreliable: an edge at wavelengths at which no scan is reliable, or these decide over 90 %;
+#: - partly_unreliable: such wavelengths decide 10 to 90 %;
+#: - interval_unreliable: only the interval reaches such wavelengths;
 #: - published: in the paper;
 #: - given: a key of the configuration;
 #: - assumed: a key with the paper's value, because the user gave none;
 #: - file: a property of the file of a scan.
 NumberSource = Literal[
-    "computed", "measured", "from_measured", "extrapolated", "artificial", "partly_artificial",
-    "interval_artificial", "published", "given", "assumed", "file",
+    "computed", "measured", "from_measured", "extrapolated", "artificial", "unreliable",
+    "partly_unreliable", "interval_unreliable", "published", "given", "assumed", "file",
 ]  # fmt: skip
 
 

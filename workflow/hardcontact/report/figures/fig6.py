@@ -36,7 +36,7 @@ def draw(edges: xr.Dataset, scales: xr.Dataset, published_constants: pd.DataFram
         axes.axvline(edge, zorder=1, **PUBLISHED_LINE)
         transition = float(scales["transition"].sel(side=side))
         artificial = (0.0, transition) if side == "short" else (transition, np.inf)
-        panels.shade_artificial(axes, [artificial])
+        panels.hatch_bands(axes, [artificial])
         axes.set_xlabel("cutoff wavelength (nm)")
         style.label_panel(axes, letter, TITLES[side])
     both_axes[0].set_yscale("linear")
@@ -79,5 +79,5 @@ def _legend_handles(edges: xr.Dataset, band: Sequence[float]) -> list[Artist]:
         Patch(label=f"change below {tolerance}", **panels.UNCHANGED_LOOK),
         Line2D([], [], label=f"edge: first change by {tolerance}", mec="0.3", **EDGE_LOOK),
         Line2D([], [], label=f"published edges: {published}", **PUBLISHED_LINE),
-        Patch(label="artificial roughness", **style.ARTIFICIAL_LOOK),
+        Patch(label="artificial roughness", **style.HATCHED_LOOK),
     ]

@@ -90,7 +90,7 @@ def _draw_spectra(
     highest = 10 * topography["spectrum"].max().item()
     axes.set_ylim(highest / 10**SHOWN_DECADES, highest)
     style.label_logarithmic(axes.xaxis)
-    panels.shade_artificial(axes, [(0.0, shortest), (longest, np.inf)])
+    panels.hatch_bands(axes, [(0.0, shortest), (longest, np.inf)])
     style.label_panel(axes, "a", "power spectral densities")
 
 
@@ -138,5 +138,5 @@ def _legend_handles(topography: xr.Dataset, band: Sequence[float]) -> list[Artis
         *style.surface_handles(topography),
         Patch(label=f"published band, {short} to {long}", **BAND_LOOK),
         Line2D([], [], color="0.3", marker="o", label="mean of the scans", **SCAN_LOOK),
-        Patch(label="artificial roughness (dashed)", **style.ARTIFICIAL_LOOK),
+        Patch(label="artificial roughness (dashed)", **style.HATCHED_LOOK),
     ]

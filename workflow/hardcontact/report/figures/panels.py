@@ -149,7 +149,7 @@ def draw_octaves(axes: Axes, sensitivity: xr.Dataset) -> None:
         positions = octaves * 2 ** ((1 - OCTAVE_SHARE) / 2 + width * column)
         if "is_shown" in curve:
             for position in positions[~curve["is_shown"].values]:
-                axes.axvspan(position, position * 2**width, **style.ARTIFICIAL_LOOK)
+                axes.axvspan(position, position * 2**width, **style.HATCHED_LOOK)
         widths = positions * (2**width - 1)
         axes.bar(positions, curve["value"], widths, align="edge", color=look["color"])
         if "sphere_share" in curve:
@@ -178,12 +178,12 @@ def cut_long_intervals(axes: Axes, largest_bar: float) -> None:
         axes.plot(cut_x, np.full(cut_x.size, end), arrow, **CUT_LOOK)
 
 
-def shade_artificial(axes: Axes, bands: Iterable[tuple[float, float]]) -> None:
-    """Shade bands of wavelengths (nm) within the limits of logarithmic axes."""
+def hatch_bands(axes: Axes, bands: Iterable[tuple[float, float]]) -> None:
+    """Hatch bands of wavelengths (nm) within the limits of logarithmic axes."""
     low, high = axes.get_xlim()
     for shortest, longest in bands:
         if longest > low and shortest < high:
-            axes.axvspan(max(shortest, low), min(longest, high), **style.ARTIFICIAL_LOOK)
+            axes.axvspan(max(shortest, low), min(longest, high), **style.HATCHED_LOOK)
     axes.set_xlim(low, high)
 
 

@@ -38,8 +38,8 @@ Data = TypeVar("Data", xr.Dataset, xr.DataArray)
 
 SPHERE_LOOK: Look = {"color": SPHERE_COLOUR, "marker": "X"}
 
-#: Look of artificial wavelengths in every figure: above grey areas, which show through.
-ARTIFICIAL_LOOK: Look = {"fc": "#F5E3C066", "ec": "#DCC797", "hatch": "//", "lw": 0, "zorder": 0.5}
+#: Look of artificial or unreliable wavelengths: above grey areas, which show through.
+HATCHED_LOOK: Look = {"fc": "#F5E3C066", "ec": "#DCC797", "hatch": "//", "lw": 0, "zorder": 0.5}
 MEAN_LOOK: Look = {"color": "black", "marker": "h"}  # of the mean of all surfaces
 PUBLISHED_RANGE: Look = {"color": "0.25", "lw": 1.0, "ls": (0, (4, 2))}
 TILTED_LABELS: Look = {"rotation": 25, "ha": "right", "rotation_mode": "anchor"}  # on an axis

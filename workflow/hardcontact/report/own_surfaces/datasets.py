@@ -1,7 +1,7 @@
 """The final datasets of a study of the user's surfaces: forces, measurements, reliable wavelengths.
 
-At wavelengths at which no scan is reliable roughness is artificial: random, with an extrapolated
-spectrum.
+Masters have random waves at most of the wavelengths at which no scan is reliable. At others, such
+as gaps between scans, they have the scan's own.
 """
 
 from collections.abc import Iterable, Mapping, Sequence
@@ -103,7 +103,7 @@ def split_measurements(spectra: xr.Dataset) -> list[xr.Dataset]:
     return [measurements.isel(measurement=index) for index in range(count)]
 
 
-def artificial_bands(spectra: xr.Dataset) -> list[tuple[float, float]]:
+def unreliable_bands(spectra: xr.Dataset) -> list[tuple[float, float]]:
     """Return the bands of wavelengths at which no measurement of a surface is reliable.
 
     A band is its shortest and its longest wavelength (nm). The first begins at 0, the last ends at
@@ -129,5 +129,5 @@ def overlaps_any(low: float, high: float, bands: Iterable[tuple[float, float]]) 
 def shown_octaves(data: Datasets) -> np.ndarray:
     """Return a mask (octave,) of the octaves at whose middle a scan of one surface is reliable."""
     octaves = data.sensitivity["octave"].values
-    hidden = [octaves_within(octaves, *band) for band in artificial_bands(data.spectra)]
+    hidden = [octaves_within(octaves, *band) for band in unreliable_bands(data.spectra)]
     return np.asarray(np.logical_not(hidden).all(axis=0))

@@ -12,9 +12,9 @@ from hardcontact.inference.edges import EdgeStatus, computed_cutoffs
 from hardcontact.inference.scan_parts import IntervalSource
 from hardcontact.report.own_surfaces.datasets import (
     Datasets,
-    artificial_bands,
     fails_hindcast,
     overlaps_any,
+    unreliable_bands,
 )
 from hardcontact.report.quantities import EDGE_NAMES, OPEN_WORDS, NoValue, number_without_value
 from hardcontact.scans.both_bodies import sphere_share
@@ -70,7 +70,7 @@ def edge_numbers(data: Datasets) -> list[Number]:
         return [Number(name, np.nan, "nm", status=NoValue.NO_BAND) for name in EDGE_NAMES.values()]
     numbers = []
     for side in SIDES:
-        edge = _edge_without_artificial_ends(data, side)
+        edge = _edge_without_unreliable_ends(data, side)
         share = measured_share_at_edge(data, side)
         numbers += [edge, Number(f"{edge.name}_measured_share", share, source=edge.source)]
         if edge.status == NumberStatus.NO_INTERVAL:
@@ -78,8 +78,8 @@ def edge_numbers(data: Datasets) -> list[Number]:
     return numbers
 
 
-def _edge_without_artificial_ends(data: Datasets, side: str) -> Number:
-    """Return an edge without the ends of its interval at artificial wavelengths.
+def _edge_without_unreliable_ends(data: Datasets, side: str) -> Number:
+    """Return an edge without the ends of its interval at unreliable wavelengths.
 
     The edge is NaN if the filter makes ripples, or if the hindcast fails, because the unfiltered
     force then rests on wrong roughness.
@@ -88,16 +88,16 @@ def _edge_without_artificial_ends(data: Datasets, side: str) -> Number:
     side_edges = data.edges.sel(side=side)
     status = side_edges["edge_status"].item()
     if fails_hindcast(data, side) and status != EdgeStatus.RIPPLES:
-        return Number(name, np.nan, "nm", status=NoValue.NO_HINDCAST, source="artificial")
+        return Number(name, np.nan, "nm", status=NoValue.NO_HINDCAST, source="unreliable")
     low, high = (end.item() for end in interval_ends(side_edges, "edge"))
     source = edge_source(data, side)
     edge = Number(name, side_edges["edge"].item(), "nm", low, high, source=source)
     if not np.isfinite(edge.value):
         edge = edge._replace(value=side_edges["edge_bound"].item(), status=status)
-    bands = artificial_bands(data.spectra)
-    if edge.source == "artificial" or overlaps_any(edge.low, edge.low, bands):
+    bands = unreliable_bands(data.spectra)
+    if edge.source == "unreliable" or overlaps_any(edge.low, edge.low, bands):
         edge = edge._replace(low=np.nan)
-    if edge.source == "artificial" or overlaps_any(edge.high, edge.high, bands):
+    if edge.source == "unreliable" or overlaps_any(edge.high, edge.high, bands):
         edge = edge._replace(high=np.nan)
     return add_status(edge, data.edges["interval_source"])
 
@@ -109,10 +109,10 @@ def _cutoffs_around(edge: Number, side_edges: xr.Dataset) -> Number:
     return number_without_value(f"{edge.name}_cutoffs", cutoffs[index - 1], cutoffs[index], "nm")
 
 
-def reliable_and_artificial_change(
+def reliable_and_unreliable_change(
     data: Datasets, side: str, shortest: float = 0.0, longest: float = np.inf
 ) -> tuple[float, float]:
-    """Return how much reliable and how much artificial wavelengths of one surface change the force.
+    """Return how much reliable, and how much unreliable wavelengths change the force.
 
     Roughness is removed on the `side`. A change is the sum of |d ln F| between `shortest` and
     `longest` (nm); ln F is interpolated linearly over the logarithm of the cutoff.
@@ -125,13 +125,13 @@ def reliable_and_artificial_change(
     end = data.force["extrapolation_end"].sel(side=side).item()
     wavelength = np.insert(cutoffs, end_index, end)
     log_ratio = np.insert(log_ratio, end_index, 0.0)
-    bands = artificial_bands(data.spectra)
+    bands = unreliable_bands(data.spectra)
     limits = max(shortest, wavelength[0]), min(longest, wavelength[-1])
     ends = np.unique(np.clip([*wavelength, *limits, *np.ravel(bands)], *limits))
     change = np.abs(np.diff(np.interp(np.log(ends), np.log(wavelength), log_ratio)))
     middle = np.sqrt(ends[1:] * ends[:-1])
-    artificial = np.any([(low < middle) & (middle < high) for low, high in bands], axis=0)
-    return float(change[~artificial].sum()), float(change[artificial].sum())
+    is_unreliable = np.any([(low < middle) & (middle < high) for low, high in bands], axis=0)
+    return float(change[~is_unreliable].sum()), float(change[is_unreliable].sum())
 
 
 def reliable_share(changes: tuple[float, float]) -> float:
@@ -145,26 +145,26 @@ def measured_share_at_edge(data: Datasets, side: str) -> float:
     ends = (0.0, edge) if side == "short" else (edge, np.inf)
     if np.isnan(edge):
         return np.nan
-    return reliable_share(reliable_and_artificial_change(data, side, *ends))
+    return reliable_share(reliable_and_unreliable_change(data, side, *ends))
 
 
 def edge_source(data: Datasets, side: str) -> NumberSource:
-    """Return whether an edge rests on artificial roughness, as the source of its number.
+    """Return whether an edge rests on unreliable wavelengths, as the source of its number.
 
-    "artificial": the edge, or its bound, lies at an artificial wavelength, or artificial roughness
-    causes more than 90 % of the change. "partly_artificial": it causes 10 to 90 % of the change.
-    "interval_artificial": only the interval reaches artificial wavelengths. Otherwise "measured".
+    "unreliable": the edge, or its bound, lies at such a wavelength, or they cause more than 90 % of
+    the change. "partly_unreliable": they cause 10 to 90 % of the change. "interval_unreliable":
+    only the interval reaches such wavelengths. Otherwise "measured".
     """
     side_edges = data.edges.sel(side=side)
-    bands = artificial_bands(data.spectra)
+    bands = unreliable_bands(data.spectra)
     edge = float(side_edges["edge"].fillna(side_edges["edge_bound"]))
     share = measured_share_at_edge(data, side)
     if overlaps_any(edge, edge, bands) or share < 1 - NEARLY_ALL:
-        return "artificial"
+        return "unreliable"
     if share < NEARLY_ALL:
-        return "partly_artificial"
+        return "partly_unreliable"
     low, high = side_edges["edge_interval"].fillna(edge).values
-    return "interval_artificial" if overlaps_any(low, high, bands) else "measured"
+    return "interval_unreliable" if overlaps_any(low, high, bands) else "measured"
 
 
 def surface_conclusion(numbers: Mapping[str, Number]) -> Conclusion:
@@ -175,7 +175,7 @@ def surface_conclusion(numbers: Mapping[str, Number]) -> Conclusion:
     sides = [side for side in SIDES if f"force_extrapolated_{side}" in numbers]
     sources = {short.source, long.source, numbers["mean_force_measured_share"].source}
     band = _describe_band(short, long, numbers["mean_force"])
-    if band in ("few_patches", "unresolved") or sources == {"artificial"}:
+    if band in ("few_patches", "unresolved") or sources == {"unreliable"}:
         answer = "no"
     elif sources == {"measured"} and not sides and not short.status and not long.status:
         answer = "yes"
@@ -214,7 +214,7 @@ def next_scans(numbers: Mapping[str, Number], spectra: xr.Dataset) -> list[NextS
         _next_scan(edge, spectra)
         for edge in (numbers["short_edge"], numbers["long_edge"])
         if edge.status in (*OPEN_WORDS, NoValue.NO_BAND)
-        or edge.source in ("artificial", "partly_artificial")
+        or edge.source in ("unreliable", "partly_unreliable")
     ]
 
 
@@ -224,7 +224,7 @@ def _next_scan(edge: Number, spectra: xr.Dataset) -> NextScan:
     Its limit is the edge, or its bound, or the nearest wavelength beyond it at which no scan is
     reliable.
     """
-    bands = artificial_bands(spectra)
+    bands = unreliable_bands(spectra)
     wavelength = edge.value
     is_finer = edge.name == "short_edge"
     if np.isnan(wavelength):

@@ -15,13 +15,13 @@ from hardcontact.report.figures import drawing, panels, style
 from hardcontact.report.figures.listing import FILE_KINDS, describe_figure
 from hardcontact.report.own_surfaces.datasets import (
     Datasets,
-    artificial_bands,
     drop_padding,
     fails_hindcast,
     measurement_name,
     preferred_model,
     shown_octaves,
     split_measurements,
+    unreliable_bands,
 )
 from hardcontact.scans.both_bodies import sphere_share
 
@@ -114,7 +114,7 @@ def draw_cutoffs(datasets: Datasets) -> Figure:
             style.label_logarithmic(axes.yaxis)
         else:
             axes.set_yscale("linear")
-        panels.shade_artificial(axes, artificial_bands(data.spectra))
+        panels.hatch_bands(axes, unreliable_bands(data.spectra))
     _add_legend(figure)
     return figure
 
@@ -135,7 +135,7 @@ def draw_spectra(datasets: Datasets) -> Figure:
         axes.plot(wavelengths[has_data], used_density, color=colour, label="used")
         axes.plot(wavelengths[has_data], joined_density, **JOINED_LOOK, label="joined")
         _set_logarithmic_axes(axes, "wavelength (nm)", "isotropic PSD (nm⁴)", wavelengths[has_data])
-        panels.shade_artificial(axes, artificial_bands(data.spectra))
+        panels.hatch_bands(axes, unreliable_bands(data.spectra))
         axes.legend(loc="lower right")
     return figure
 

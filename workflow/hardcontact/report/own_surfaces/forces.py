@@ -21,7 +21,7 @@ from hardcontact.report.own_surfaces.datasets import (
 from hardcontact.report.own_surfaces.edges import (
     NEARLY_ALL,
     add_status,
-    reliable_and_artificial_change,
+    reliable_and_unreliable_change,
     reliable_share,
 )
 from hardcontact.report.quantities import NoValue, number_of, number_without_value
@@ -61,12 +61,12 @@ def force_numbers(data: Datasets) -> list[Number]:
 def _measured_share(data: Datasets) -> Number:
     """Return the share of reliable wavelengths in what roughness takes from the force.
 
-    The source is "measured" if artificial wavelengths change the force by at most the tolerance.
+    The source is "measured" if unreliable wavelengths change the force by at most the tolerance.
     """
-    reliable, artificial = reliable_and_artificial_change(data, "short")
-    share = reliable_share((reliable, artificial))
-    source: NumberSource = "artificial" if share < 1 - NEARLY_ALL else "partly_artificial"
-    if artificial <= np.log1p(data.edges.attrs["tolerance"]):
+    reliable, unreliable = reliable_and_unreliable_change(data, "short")
+    share = reliable_share((reliable, unreliable))
+    source: NumberSource = "unreliable" if share < 1 - NEARLY_ALL else "partly_unreliable"
+    if unreliable <= np.log1p(data.edges.attrs["tolerance"]):
         source = "measured"
     return Number("mean_force_measured_share", share, source=source)
 
