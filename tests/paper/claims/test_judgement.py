@@ -193,7 +193,8 @@ def test_slopes_on_pixels_larger_than_the_papers_are_not_judged(pixel_size, verd
         (np.linspace(1.3, 2.3, 101), (1.325, 2.275), 81 / 101, "undecided"),
         (np.linspace(2.6, 3.0, 101), (2.0, 2.99), 0, "not reproduced"),  # stretched to the number
         ([2.1] * 9, (1.8, 2.2), 1, "reproduced"),  # equal sets: the number keeps its own interval
-        ([*np.linspace(1.7, 2.3, 19), np.nan], (1.7135, 2.2865), 0.95, "reproduced"),
+        ([*np.linspace(1.7, 2.3, 400), *[np.nan] * 4], (1.715, 2.285), 400 / 404, "reproduced"),
+        ([*np.linspace(1.7, 2.3, 19), np.nan], (1.7135, 2.2865), 0.95, "undecided"),
         ([*np.linspace(1.7, 2.3, 18), np.nan, np.nan], (np.nan, np.nan), 0.9, "undecided"),
     ],
 )

@@ -7,6 +7,7 @@ import pandas as pd
 import pytest
 import xarray as xr
 from refusals import assert_says, refusal
+from scipy.stats import binomtest
 
 from hardcontact.paper.claims.verdicts import (
     VERDICTS,
@@ -52,6 +53,17 @@ def test_one_limit_is_judged_like_two_with_one_far_away(number, ends, judgement)
     lower_verdict = verdict("above", 4.0, nan)
     assert lower_verdict == verdict("interval", np.nextafter(4.0, 9), 99.0)
     assert verdict("order", 4.0, nan) == lower_verdict
+
+
+@pytest.mark.parametrize("set_count", [10, 71, 72, 100, 1000])
+def test_sets_decide_if_the_exact_interval_of_their_share_does(set_count):
+    accepted = accepted_range("above", 0.0, nan)
+    for agreeing_count in range(set_count + 1):
+        values = np.where(np.arange(set_count) < agreeing_count, 1.0, -1.0)
+        share = binomtest(agreeing_count, set_count).proportion_ci(0.95)
+        decided = {"reproduced": share.low >= 0.95, "not reproduced": share.high <= 0.05}
+        expected = [verdict for verdict, holds in decided.items() if holds] or ["undecided"]
+        assert [accepted.verdict_of_sets(values, 0.95)] == expected
 
 
 def test_limits_are_accepted_by_intervals_only():

@@ -57,8 +57,11 @@ def make_pages(table=None, changed=(), **texts):
     return report_pages(table, changed, texts, configuration, {"numpy": "1", "a<b": "1<2"}, FRAME)
 
 
+SETS = 100, 0.95  # number and confidence
+
+
 def test_facts_are_the_claims_with_their_numbers_as_printed():
-    facts = claim_facts(evaluated())
+    facts = claim_facts(evaluated(), *SETS)
     rows = facts["claims"]
     assert list(rows) == ["first", "second", "third"]
     assert rows["first"]["computed_text"] == "3.2 [2.8, 3.8] nm"
@@ -71,7 +74,7 @@ def test_facts_are_the_claims_with_their_numbers_as_printed():
     assert rows["third"]["computed_text"] == "" and rows["third"]["computed"] is None
     assert [row["kind"] for row in rows.values()] == ["independent", "follows", "independent"]
     assert facts["counts"] == count_verdicts(evaluated()).to_dict("records")
-    row = claim_facts(evaluated(verdict="by construction"))["claims"]["first"]
+    row = claim_facts(evaluated(verdict="by construction"), *SETS)["claims"]["first"]
     assert row["kind"] == "by construction"
 
 
@@ -86,7 +89,7 @@ def test_facts_are_the_claims_with_their_numbers_as_printed():
     ],
 )
 def test_facts_count_independent_statements_reproduced_without_scans(values, count):
-    assert claim_facts(evaluated(**values))["without_scan"] == count
+    assert claim_facts(evaluated(**values), *SETS)["without_scan"] == count
 
 
 KINDS = ["independent", "follows", "by construction"]
@@ -97,7 +100,7 @@ def test_the_page_of_claims_has_a_row_for_each_and_counts_verdicts():
     page = Page(make_pages(table)["claims"])
     rows = [row for row in page.rows if len(row) == 6 and row[0].strip() != "statement"]
     independent_first = sorted(
-        claim_facts(table)["claims"].values(),
+        claim_facts(table, *SETS)["claims"].values(),
         key=lambda row: (VERDICTS.index(row["verdict"]), KINDS.index(row["kind"])),
     )
     for cells, claim in zip(rows, independent_first, strict=True):

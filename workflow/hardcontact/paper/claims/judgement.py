@@ -162,7 +162,7 @@ def _judge(
     if claim.samples_from == "posterior":
         verdict = accepted.verdict_of_posterior(samples, low, high)
     elif samples_vary(samples):
-        verdict = accepted.verdict_of_sets(samples)
+        verdict = accepted.verdict_of_sets(samples, confidence)
     else:
         verdict = accepted.verdict(value, low, high)
     return {

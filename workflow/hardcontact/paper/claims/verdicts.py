@@ -1,6 +1,6 @@
 """Verdicts about claims: from a number, its interval and the published limits.
 
-If many sets of scans have the number, the share of sets that agree decides. The claims.csv of a
+If many sets of scans have the number, the count of sets that agree decides. The claims.csv of a
 study has the verdicts.
 """
 
@@ -29,7 +29,8 @@ VERDICTS = (REPRODUCED, AGREES, UNDECIDED, NOT_REPRODUCED, BY_CONSTRUCTION, UNTE
 
 #: Rules with a single limit. They reject the limit itself; the other rules accept their limits.
 ONE_SIDED = ("below", "above", "order")
-#: Share of the sets that must agree with a statement, or disagree: the usual level of significance.
+#: Share of all possible sets that must agree with a statement, or disagree: the usual level of
+#: significance.
 REPRODUCED_SHARE = 0.95
 #: Columns of the claims.csv of a study. `evidence` says where the limits of the paper come from,
 #: `basis` on which scans the computed number rests.
@@ -60,12 +61,13 @@ class AcceptedRange:
             return (self.low <= values) & (values <= self.high)
         return (self.low < values) & (values < self.high)
 
-    def verdict_of_sets(self, set_values: Floats) -> str:
-        """Judge the numbers (set,) of sets by the share that agrees; a missing one does not."""
-        share = self.accepts(set_values).mean()
-        if share >= REPRODUCED_SHARE:
+    def verdict_of_sets(self, set_values: Floats, confidence: float) -> str:
+        """Judge the numbers (set,) of sets by how many agree; a missing one does not."""
+        agreeing_sets = self.accepts(set_values).sum()
+        needed_sets = sets_needed(len(set_values), confidence)
+        if agreeing_sets >= needed_sets:
             return REPRODUCED
-        return NOT_REPRODUCED if share <= 1 - REPRODUCED_SHARE else UNDECIDED
+        return NOT_REPRODUCED if agreeing_sets <= len(set_values) - needed_sets else UNDECIDED
 
     def verdict_of_posterior(self, samples: Floats, low: float, high: float) -> str:
         """Judge samples (sample,) of the posterior of a number, and their interval.
@@ -116,6 +118,17 @@ def accepted_range(rule: str, published_low: float, published_high: float) -> Ac
     if np.isnan(limits).any():
         raise ValueError(f"rule: expected the published limits of {rule!r}, found none")
     return AcceptedRange(*limits, includes_limits=rule not in ONE_SIDED)
+
+
+def sets_needed(set_count: int, confidence: float) -> int:
+    """Return how many sets must agree, so that REPRODUCED_SHARE of all possible sets surely do.
+
+    At this number the exact binomial interval of the share begins there; Clopper and Pearson,
+    Biometrika 26 (1934) 404. If it exceeds `set_count`, so few sets decide nothing.
+    """
+    from scipy.stats import binom
+
+    return int(binom.isf((1 - confidence) / 2, set_count, REPRODUCED_SHARE)) + 1
 
 
 def sets_interval(samples: Floats, confidence: float) -> Floats:

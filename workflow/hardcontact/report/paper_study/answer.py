@@ -71,7 +71,8 @@ def paper_answer(
     sizes = [(numbers[name].value, numbers[f"{name}_published"].value) for name in COMPARED_GRIDS]
     contact = paper_contact(numeric_configuration(configuration))
     changed = changed_inputs(contact, substrates, table1)
-    facts = claim_facts(claims) | {
+    sets = datasets["sets"]
+    facts = claim_facts(claims, sets.sizes["set"], sets.attrs["confidence"]) | {
         "numbers": numbers,
         "coatings": [
             {"label": heads["label"][name], "numbers": coatings[name]} for name in coatings

@@ -47,7 +47,8 @@ def paper_page(
         for name, claim in ANSWER_CLAIMS.items()
         if name in numbers and numbers[name].source == "artificial"
     ]
-    facts = claim_facts(claims) | {"captions": captions, "artificial_claims": artificial_claims}
+    facts = claim_facts(claims, int(numbers["sets"].value), numbers["confidence"].value)
+    facts |= {"captions": captions, "artificial_claims": artificial_claims}
     return render_page(answer, figures, citation, frame, **facts)
 
 
@@ -75,7 +76,8 @@ def report_pages(
 ) -> dict[str, str]:
     """Return the report's pages as HTML by name: `claims`, each text in Markdown, `parameters`."""
     confidence = configuration["intervals"]["confidence"]
-    facts = claim_facts(claims) | {"changed": changed, "confidence": confidence}
+    facts = claim_facts(claims, configuration["sets"]["count"], confidence)
+    facts |= {"changed": changed, "confidence": confidence}
     pages = {"claims": render_document("claims.html", frame, "claims", **facts)}
     for name, text in texts.items():
         chapter = convert_chapter(text, frame.pages)

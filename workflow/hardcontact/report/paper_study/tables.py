@@ -20,13 +20,14 @@ from hardcontact.paper.claims.verdicts import (
     REPRODUCED,
     REPRODUCED_SHARE,
     count_verdicts,
+    sets_needed,
 )
 from hardcontact.report import TEXTS
 from hardcontact.report.quantities import NO_INTERVAL_WORDS
 from hardcontact.surfaces.metrics import TABLE1_VARIABLES
 
 
-def claim_facts(claims: pd.DataFrame) -> dict[str, Any]:
+def claim_facts(claims: pd.DataFrame, set_count: int, confidence: float) -> dict[str, Any]:
     """Return the facts about claims that templates show, by the names that templates use."""
     # Templates test for None, because a comparison with NaN is always false.
     plain_rows = claims.astype(object).where(claims.notna(), None).to_dict("records")
@@ -52,6 +53,9 @@ def claim_facts(claims: pd.DataFrame) -> dict[str, Any]:
         "contradicted": [row for row in ordered if row["verdict"] == NOT_REPRODUCED],
         "counts": count_verdicts(claims).to_dict("records"),
         "decisive_share": REPRODUCED_SHARE,
+        "set_count": set_count,
+        # Number of sets that must agree, or disagree, for a verdict.
+        "sets_needed": sets_needed(set_count, confidence),
         # Number of statements that are reproduced without any scan.
         "without_scan": sum(
             row["basis"] in WITHOUT_SCAN for row in independent if row["verdict"] == REPRODUCED
