@@ -62,7 +62,7 @@ lifecycle.complete_rules(workflow, RESULTS)
 
 onstart:
     lifecycle.refuse_unwritable_folders(RESULTS.results, RESULTS.store)
-    reruns.refuse_altered_files(workflow)
+    reruns.refuse_edited_inputs(workflow)
     lifecycle.kill_jobs_at_interrupt(workflow)
 
 

@@ -36,7 +36,7 @@ lifecycle.complete_rules(workflow, RESULTS)
 
 onstart:
     lifecycle.refuse_unwritable_folders(RESULTS.results)
-    reruns.refuse_altered_files(workflow)
+    reruns.refuse_edited_inputs(workflow)
 
 
 onsuccess:

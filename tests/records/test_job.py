@@ -14,7 +14,7 @@ from repository import ROOT, environment
 
 from hardcontact.base import dataset
 from hardcontact.records.job import run_job
-from hardcontact.records.origin import digest, read_record
+from hardcontact.records.origin import file_digest, read_record
 
 PARAMETERS = {"surface": "uncd", "range": 5.6}
 
@@ -64,9 +64,9 @@ def test_every_file_has_a_record(snakemake, tmp_path):
     assert (tmp_path / "made/text.txt").read_bytes() == "µ\n".encode()
     for path in snakemake.output:
         record = read_record(path)
-        assert record["sha256"] == digest(path)
-        assert record["input_digests"].keys() == {"scan.txt", "script.py"}
-        assert json.loads(record["parameters"]) == PARAMETERS
+        assert record.sha256 == file_digest(path)
+        assert record.input_digests.keys() == {"scan.txt", "script.py"}
+        assert record.parameters == PARAMETERS
 
 
 @pytest.fixture

@@ -10,10 +10,10 @@ from refusals import assert_says, refusal
 from hardcontact.records.origin import (
     Origin,
     canonical_json,
-    digests,
+    file_digests,
     keep_records,
     record_path,
-    refuse_changed,
+    refuse_edited_files,
 )
 
 
@@ -50,12 +50,12 @@ def made_file(tmp_path):
 def test_a_changed_file_of_a_job_is_refused(made_file, tmp_path):
     user_file = tmp_path / "given.csv"
     user_file.write_bytes(bytes(100))
-    refuse_changed(digests([made_file, user_file]))
+    refuse_edited_files(file_digests([made_file, user_file]))
     for content in (b"\1" + bytes(99), bytes(99), bytes(101), b""):  # a bit, truncated, longer
         made_file.write_bytes(content)
         os.utime(made_file, (0, 0))
         user_file.write_bytes(content)
-        message = refusal(refuse_changed, digests([made_file, user_file]))
+        message = refusal(refuse_edited_files, file_digests([made_file, user_file]))
         assert_says(message, str(made_file), "delete it")
         assert str(user_file) not in message
 
@@ -64,5 +64,6 @@ def test_a_changed_file_of_a_job_is_refused(made_file, tmp_path):
 def test_a_damaged_record_refuses_its_file(made_file, content):
     record_path(made_file).write_bytes(content)
     assert_says(
-        refusal(refuse_changed, digests([made_file])), "made.nc: expected a complete record"
+        refusal(refuse_edited_files, file_digests([made_file])),
+        "made.nc: expected a complete record",
     )

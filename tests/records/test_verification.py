@@ -11,7 +11,13 @@ from repository import PAPER, merge_configurations
 
 from hardcontact.commands import command_line
 from hardcontact.commands.verify import verify, verify_arguments
-from hardcontact.records.origin import Origin, canonical_json, digests, keep_records, record_path
+from hardcontact.records.origin import (
+    Origin,
+    canonical_json,
+    file_digests,
+    keep_records,
+    record_path,
+)
 from hardcontact.records.verification import verify_study
 
 # A small study: source.txt -> store/a.nc -> results/final.nc -> results/table.csv
@@ -21,7 +27,7 @@ def make(path, inputs, parameters="{}"):
     """Make a file from others, with any content."""
     Path(path).parent.mkdir(exist_ok=True)
     Path(path).write_text(path)
-    keep_records([path], Origin(parameters, digests(inputs), []))
+    keep_records([path], Origin(parameters, file_digests(inputs), []))
 
 
 @pytest.fixture

@@ -18,7 +18,7 @@ from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.files.paths import MEASUREMENT
 from hardcontact.records import origin
-from hardcontact.records.origin import Origin, canonical_json, digests, keep_records
+from hardcontact.records.origin import Origin, canonical_json, file_digests, keep_records
 from hardcontact.run.checks import stored_scan, surface_extent
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
@@ -171,7 +171,7 @@ def store(row, arguments, heights):
     )
     path.parent.mkdir(parents=True)
     dataset.write(HeightMap(heights, 10.0).to_dataset(), path)
-    keep_records([path], Origin(canonical_json(arguments), digests([row.path]), []))
+    keep_records([path], Origin(canonical_json(arguments), file_digests([row.path]), []))
     return path
 
 

@@ -6,7 +6,14 @@ from types import SimpleNamespace
 import pytest
 
 from hardcontact.records import origin
-from hardcontact.records.origin import Origin, canonical_json, digests, keep_records, record_path
+from hardcontact.records.origin import (
+    Origin,
+    canonical_json,
+    file_digests,
+    keep_records,
+    record_path,
+    refuse_edited_files,
+)
 from hardcontact.run import reruns
 
 
@@ -22,7 +29,7 @@ def make_with_record(job):
     """Write the file of a job with its record."""
     Path(job.output).write_text(f"made from {job.input}")
     keep_records(
-        [job.output], Origin(canonical_json(job.params.parameters), digests(job.input), [])
+        [job.output], Origin(canonical_json(job.params.parameters), file_digests(job.input), [])
     )
 
 
@@ -112,11 +119,11 @@ def test_an_input_that_somebody_changed_is_refused_before_a_job_removes_files(st
     Path("scan.txt").write_text("another scan")  # which no job made
     plan = reruns.Reruns(needed)
     assert plan.changes(study["forces.nc"], "forces.nc").inputs == {"scan.txt"}
-    plan.refuse_altered()
+    refuse_edited_files(plan.changed_input_digests())
     Path("forces.nc").write_text("changed by hand")
     plan = reruns.Reruns(needed)
     assert plan.changes(study["fit.nc"], "fit.nc").inputs == {"forces.nc"}
     with pytest.raises(ValueError, match=r"^forces\.nc: expected the file that the study wrote"):
-        plan.refuse_altered()
+        refuse_edited_files(plan.changed_input_digests())
     record_path("forces.nc").write_text("{")  # whose file is made again
-    plan.refuse_altered()
+    refuse_edited_files(plan.changed_input_digests())

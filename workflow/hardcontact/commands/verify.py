@@ -1,6 +1,5 @@
 """The command `hardcontact verify`: it compares files of a finished study with their records."""
 
-import json
 import os
 from argparse import Namespace
 from collections.abc import Iterator, Sequence
@@ -45,7 +44,7 @@ def _changed_keys(results: Path) -> Iterator[str]:
     record = read_record(results / "configuration.yaml")
     if record is None:
         return
-    recorded = json.loads(record["parameters"])
+    recorded = record.parameters
     current = read_yaml("config/config.yaml")
     if recorded["study"] != current["study"]:
         overlay = f"config/{recorded['study'].removesuffix(QUICK_SUFFIX)}.yaml"

@@ -11,7 +11,7 @@ import pandas as pd
 from hardcontact.config.key_types import FilePath, Matching, Quantity, or_word
 from hardcontact.config.keys import SMOOTH_SPHERE, Keys
 from hardcontact.config.user_files import read_rows
-from hardcontact.records.origin import digest, short_digest
+from hardcontact.records.origin import file_digest, short_value_digest
 from hardcontact.surfaces.substitute_spectra import read_segments
 
 #: Stands for the number of a scan of a smooth sphere; scans are numbered from 1.
@@ -190,9 +190,9 @@ def surface_table(path: str | Path) -> pd.DataFrame:
 
 def digest_surfaces(rows: pd.DataFrame) -> dict[str, str]:
     """Return a digest of the rows and files of each surface, which paths of intermediates have."""
-    cells = rows.assign(path=rows.path.map(digest)).drop(columns="label").astype(str)
+    cells = rows.assign(path=rows.path.map(file_digest)).drop(columns="label").astype(str)
     surfaces = cells.groupby("surface")
-    return {str(name): short_digest(surface.to_dict("records")) for name, surface in surfaces}
+    return {str(name): short_value_digest(surface.to_dict("records")) for name, surface in surfaces}
 
 
 def selected_scans(table: pd.DataFrame, scans: Literal["all"] | list[int]) -> pd.DataFrame:

@@ -21,7 +21,7 @@ from hardcontact.config.configuration import (
 from hardcontact.config.limits import master_megabytes, random_surface_pixels
 from hardcontact.config.study_plan import StudyPlan
 from hardcontact.contact.numerical_limits import SHORT_ADHESION_RANGE, SHORTEST_WHOLE_RANGE
-from hardcontact.records.origin import short_digest
+from hardcontact.records.origin import short_value_digest
 from hardcontact.surfaces.synthesis import SIDES
 
 #: Masters, or whole surfaces, in one job: few enough to keep all cores busy, but so many that a job
@@ -180,7 +180,7 @@ def _featured_surface(study: Mapping[str, Any]) -> dict[str, Any]:
 def settings_digest(settings: Mapping[str, dict[str, Any]], kind: str) -> str:
     """Return the digest of the settings of a kind and of all kinds that it is made from."""
     sources = [settings_digest(settings, source) for source in MADE_FROM.get(kind, [])]
-    return short_digest([settings[kind], *sources])
+    return short_value_digest([settings[kind], *sources])
 
 
 def _master_force_settings(study: Mapping[str, Any], purpose_name: str) -> dict[str, Any]:

@@ -18,11 +18,11 @@ from hardcontact.base.dataset import atomic_file, remove_parts
 from hardcontact.records.origin import (
     Origin,
     canonical_json,
-    digests,
+    file_digests,
     keep_records,
     record_path,
-    refuse_changed,
-    refuse_changed_since,
+    refuse_edited_files,
+    refuse_inputs_changed_meanwhile,
 )
 
 _logger = logging.getLogger("hardcontact")
@@ -69,8 +69,8 @@ def run_job(snakemake: Any) -> Iterator[Job]:
     with job_log(snakemake.log[0]):
         inputs = snakemake.input
         canonical_parameters = canonical_json(snakemake.params.parameters)
-        input_digests = digests(inputs)
-        refuse_changed(input_digests)
+        input_digests = file_digests(inputs)
+        refuse_edited_files(input_digests)
         for path in snakemake.output:  # Snakemake's lock keeps other runs from these files.
             remove_parts(path)
             remove_parts(record_path(path))
@@ -78,7 +78,7 @@ def run_job(snakemake: Any) -> Iterator[Job]:
         code = getattr(inputs, "code", [])  # a rule that writes nothing names no code
         origin = Origin(canonical_parameters, input_digests, list(code))
         yield Job(inputs, snakemake.output, json.loads(canonical_parameters), origin)
-        refuse_changed_since(input_digests)
+        refuse_inputs_changed_meanwhile(input_digests)
         keep_records((path for path in snakemake.output if Path(path).is_file()), origin)
     gc.enable()
 

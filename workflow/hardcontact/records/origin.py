@@ -21,9 +21,15 @@ PACKAGES = ("numpy", "scipy", "xarray", "netCDF4", "SurfaceTopography", "snakema
 #: Name of the folder with the records of files, beside these files.
 RECORDS = ".origin"
 
-#: The content of a record: `Origin.attributes`, with the digests of inputs as a mapping, and the
-#: lineage and the `sha256` of the file.
-Record = dict[str, Any]
+
+class Record(NamedTuple):
+    """The origin of a file that a job made, as its record has it, and the SHA-256 of the file."""
+
+    parameters: dict[str, Any]
+    versions: dict[str, str]  #: Versions of PACKAGES, by package.
+    input_digests: dict[str, str]  #: SHA-256 by path.
+    sha256: str
+    lineage: str  #: Empty in records of former versions.
 
 
 def canonical_json(parameters: object) -> str:
@@ -36,12 +42,12 @@ def value_digest(value: object) -> str:
     return hashlib.sha256(canonical_json(value).encode()).hexdigest()
 
 
-def short_digest(value: object) -> str:
+def short_value_digest(value: object) -> str:
     """Return the first eight digits of `value_digest`, as a part of paths."""
     return value_digest(value)[:8]
 
 
-def digest(path: str | Path) -> str:
+def file_digest(path: str | Path) -> str:
     """Return the SHA-256 of the content of a file."""
     with open(path, "rb") as file:
         return hashlib.file_digest(file, "sha256").hexdigest()
@@ -62,9 +68,9 @@ def lineage(parameters: str, inputs: Mapping[str, str]) -> str:
     return value_digest([parameters, versions(), inputs])
 
 
-def digests(paths: Iterable[str | Path]) -> dict[str, str]:
+def file_digests(paths: Iterable[str | Path]) -> dict[str, str]:
     """Return the SHA-256 of each of the files, by path."""
-    return {Path(path).as_posix(): digest(path) for path in set(paths)}
+    return {Path(path).as_posix(): file_digest(path) for path in set(paths)}
 
 
 class Origin(NamedTuple):
@@ -97,14 +103,13 @@ def keep_records(paths: Iterable[str | Path], origin: Origin) -> None:
     """Keep the origin, the lineage and the SHA-256 of files that a job has made."""
     records = {path: read_record(path) for path in origin.inputs}
     lineages = {
-        path: record.get("lineage", "") if record else origin.inputs[path]
-        for path, record in records.items()
+        path: record.lineage if record else origin.inputs[path] for path, record in records.items()
     }
     shared_record = origin.attributes() | {
         "input_digests": origin.inputs,
         "lineage": lineage(origin.parameters, lineages),
     }
-    for path, sha256 in digests(paths).items():
+    for path, sha256 in file_digests(paths).items():
         record = shared_record | {"sha256": sha256}
         with atomic_file(record_path(path)) as temporary:
             Path(temporary).write_text(canonical_json(record), "utf-8")
@@ -119,9 +124,14 @@ def read_record(path: str | Path) -> Record | None:
     if not path_of_record.is_file():
         return None
     try:
-        record: Record = json.loads(path_of_record.read_text("utf-8"))
-        inputs = {"input_digests": dict(record["input_digests"])}
-        return record | inputs | {"sha256": str(record["sha256"])}
+        content = json.loads(path_of_record.read_text("utf-8"))
+        return Record(
+            dict(json.loads(content["parameters"])),
+            dict(json.loads(content["versions"])),
+            dict(content["input_digests"]),
+            str(content["sha256"]),
+            str(content.get("lineage", "")),
+        )
     except (ValueError, TypeError, KeyError) as error:
         raise ValueError(
             f"{path}: expected a complete record of its origin in {path_of_record}, found: "
@@ -129,42 +139,45 @@ def read_record(path: str | Path) -> Record | None:
         ) from None
 
 
-def is_current(path: str | Path, parameters: str, input_path: str) -> bool:
+def is_current(path: str | Path, parameters: Mapping[str, Any], input_path: str) -> bool:
     """Return whether a job would make the same file from this input with these parameters now.
 
     Raises ValueError, with one line, if the record of the file is damaged.
     """
     record = read_record(path)
-    origin = {"parameters": parameters, "versions": canonical_json(versions())}
-    if record is None or any(record.get(name) != value for name, value in origin.items()):
+    if record is None or record.versions != versions():
         return False
-    recorded = record["input_digests"] | {str(path): record["sha256"]}
-    return Path(input_path).as_posix() in recorded and all(
-        Path(name).is_file() and digest(name) == value for name, value in recorded.items()
-    )
+    has_parameters = canonical_json(record.parameters) == canonical_json(parameters)
+    has_input = Path(input_path).as_posix() in record.input_digests
+    recorded_digests = record.input_digests | {str(path): record.sha256}
+    return has_parameters and has_input and not _changed_paths(recorded_digests)
 
 
-def refuse_changed(digests_now: Mapping[str, str]) -> None:
+def _changed_paths(former_digests: Mapping[str, str]) -> list[str]:
+    """Return the files that are missing or have another SHA-256 than before."""
+    return [
+        path
+        for path, former_digest in sorted(former_digests.items())
+        if not Path(path).is_file() or file_digest(path) != former_digest
+    ]
+
+
+def refuse_edited_files(digests_now: Mapping[str, str]) -> None:
     """Raise ValueError, in one line, if a file differs from what a job wrote.
 
-    Files come with their SHA-256. Files that no job made, such as scans, cannot differ.
+    Files come with their SHA-256. Files that no job made, such as scans, may be edited.
     """
     records = {path: read_record(path) for path in sorted(digests_now)}
     lines = [
         f"{path}: expected the file that the study wrote, found another"
         for path, record in records.items()
-        if record and record["sha256"] != digests_now[path]
+        if record and record.sha256 != digests_now[path]
     ]
     if lines:
         raise ValueError("; ".join(lines) + "; delete it: a run that needs it makes it again")
 
 
-def refuse_changed_since(digests_before: Mapping[str, str]) -> None:
-    """Raise ValueError, in one line, if a file changed since a job began."""
-    changed_paths = [
-        path
-        for path, value in sorted(digests_before.items())
-        if not Path(path).is_file() or digest(path) != value
-    ]
-    if changed_paths:
+def refuse_inputs_changed_meanwhile(digests_at_begin: Mapping[str, str]) -> None:
+    """Raise ValueError, in one line, if an input changed since its job began."""
+    if changed_paths := _changed_paths(digests_at_begin):
         raise ValueError(f"inputs changed while the job ran: {', '.join(changed_paths)}; run again")

@@ -1,12 +1,11 @@
 """Compare every file of a finished or archived study with its record, without a workflow."""
 
-import json
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 
 from hardcontact.records.code import PINS, installed_version
-from hardcontact.records.origin import RECORDS, Record, digest, read_record, record_path
+from hardcontact.records.origin import RECORDS, Record, file_digest, read_record, record_path
 
 #: Folders of a study whose files describe runs: no record describes them.
 RUN_FOLDERS = ("logs", "benchmarks")
@@ -24,7 +23,7 @@ def traced_records(folder: str | Path) -> dict[str, Record]:
         record = None if path in records else read_record(path)
         if record is not None:
             records[path] = record
-            pending.extend(record["input_digests"])
+            pending.extend(record.input_digests)
     return records
 
 
@@ -37,8 +36,10 @@ def verify_study(folder: str | Path) -> tuple[list[str], list[str]]:
     records = traced_records(folder)
     if not records:
         raise ValueError(f"{folder}: expected files of a study, found none: was it run?")
-    inputs = {path for record in records.values() for path in record["input_digests"]}
-    digests_now = {path: digest(path) for path in inputs | records.keys() if Path(path).is_file()}
+    inputs = {path for record in records.values() for path in record.input_digests}
+    digests_now = {
+        path: file_digest(path) for path in inputs | records.keys() if Path(path).is_file()
+    }
     absent = inputs - digests_now.keys()
     faults = [
         *_output_faults(folder, records, digests_now),
@@ -57,7 +58,7 @@ def _output_faults(
 ) -> Iterator[str]:
     """Yield a line for each file that differs from its record, or is missing in the folder."""
     for path, record in sorted(records.items()):
-        if path in digests_now and digests_now[path] != record["sha256"]:
+        if path in digests_now and digests_now[path] != record.sha256:
             yield f"{path}: is not the file that the study wrote"
         elif path not in digests_now and Path(path).is_relative_to(folder):
             yield f"{path}: expected a file of the study, found none"
@@ -68,7 +69,7 @@ def _input_faults(records: Mapping[str, Record], digests_now: Mapping[str, str])
     for path, record in sorted(records.items()):
         changed_inputs = [
             input_path
-            for input_path, recorded_digest in sorted(record["input_digests"].items())
+            for input_path, recorded_digest in sorted(record.input_digests.items())
             if digests_now.get(input_path, recorded_digest) != recorded_digest
         ]
         if changed_inputs and path in digests_now:
@@ -99,7 +100,7 @@ def _other_versions(records: Mapping[str, Record]) -> Iterator[str]:
     """Yield a line for each version of a package that is not the installed one."""
     paths_by_version = defaultdict[str, list[str]](list)
     for path, record in sorted(records.items()):
-        for name, recorded in json.loads(record["versions"]).items():
+        for name, recorded in record.versions.items():
             if recorded != installed_version(name):
                 versions = f"{name} {recorded}, here {installed_version(name) or 'none'}"
                 paths_by_version[versions].append(path)

@@ -26,7 +26,7 @@ from hardcontact.config.limits import PIXEL_SIZES, refuse_unfit_values, same_pix
 from hardcontact.config.selected_surfaces import CONTACT_USE
 from hardcontact.contact.numerical_limits import Extent
 from hardcontact.files.paths import MEASUREMENT
-from hardcontact.records.origin import canonical_json, is_current
+from hardcontact.records.origin import is_current
 from hardcontact.scans.reading import read_scan
 from hardcontact.surfaces.height_map import HeightMap, load_height_map, refuse_line_scan
 from hardcontact.surfaces.substitute_spectra import (
@@ -150,7 +150,7 @@ def stored_scan(config: dict[str, Any], row: Any) -> HeightMap:
     file = MEASUREMENT.format(surface=row.surface, scan=row.scan, digest="*")
     arguments = reading_keys(config) | {"dataset": row.dataset}
     for stored_path in glob(f"{escape(config['store'])}/measurements/*/{file}"):
-        if is_current(stored_path, canonical_json(arguments), row.path):
+        if is_current(stored_path, arguments, row.path):
             return load_height_map(stored_path)
     return read_scan(row.path, **arguments)
 

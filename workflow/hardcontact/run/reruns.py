@@ -4,7 +4,6 @@ Times and Snakemake's own metadata do not count: they are lost or misleading aft
 loss or a clock set back.
 """
 
-import json
 import os
 import sys
 from collections.abc import Iterable, Mapping
@@ -19,10 +18,10 @@ from snakemake.settings.types import RerunTrigger
 from hardcontact.records.origin import (
     Record,
     canonical_json,
-    digest,
+    file_digest,
     lineage,
     read_record,
-    refuse_changed,
+    refuse_edited_files,
     versions,
 )
 
@@ -58,11 +57,10 @@ class Reruns:
 
     def changes(self, job: Any, path: str) -> Changes:
         """Return the changes since a job made a file."""
-        try:
-            record = read_record(path) or {}
-            recorded = _entries(json.loads(record["parameters"]) | json.loads(record["versions"]))
-        except (ValueError, KeyError, TypeError, AttributeError):  # whatever a damage leaves
+        record = _complete_record(path)
+        if record is None:
             return Changes({f"no complete record of {path}"}, set(), set())
+        recorded = _entries(record.parameters | record.versions)
         current = _entries(job.params.parameters | versions())
         changed_inputs = self._changed_inputs(job, record)
         self._changed |= changed_inputs
@@ -71,24 +69,24 @@ class Reruns:
     def _changed_inputs(self, job: Any, record: Record) -> set[str]:
         """Return inputs that changed; missing ones only if a file that leads to them changed."""
         if job not in self._inputs:
-            self._inputs[job] = {path: self._digest(path) for path in _inputs(job)}
+            self._inputs[job] = {path: self._input_digest(path) for path in _inputs(job)}
         inputs = self._inputs[job]
-        changed_paths = {path for path, _ in inputs.items() ^ record["input_digests"].items()}
+        changed_paths = {path for path, _ in inputs.items() ^ record.input_digests.items()}
         missing_paths = {path for path, value in inputs.items() if value is None}
-        if missing_paths and self._lineage(job) == record.get("lineage"):
+        if missing_paths and self._lineage(job) == record.lineage:
             return changed_paths - missing_paths
         return changed_paths
 
-    def _digest(self, path: str) -> str | None:
-        """Return the SHA-256 of a file, None if it is missing."""
+    def _input_digest(self, path: str) -> str | None:
+        """Return the presumed SHA-256 of a file, None if it is missing."""
         if path not in self._digests:
-            self._digests[path] = _file_digest(path) if Path(path).is_file() else None
+            self._digests[path] = _presumed_digest(path) if Path(path).is_file() else None
         return self._digests[path]
 
-    def refuse_altered(self) -> None:
-        """Raise ValueError if an input that causes a rerun was changed after a job wrote it."""
+    def changed_input_digests(self) -> dict[str, str]:
+        """Return the SHA-256 of the inputs that cause reruns, without missing or damaged ones."""
         recorded = filter(_complete_record, self._changed)
-        refuse_changed({path: value for path in recorded if (value := self._digest(path))})
+        return {path: value for path in recorded if (value := self._input_digest(path))}
 
     def _lineage(self, job: Any) -> str:
         """Return the lineage that the files of a job would have now."""
@@ -111,10 +109,10 @@ def _inputs(job: Any) -> set[str]:
     return {Path(path).as_posix() for path in job.input}
 
 
-def _file_digest(path: str) -> str:
+def _presumed_digest(path: str) -> str:
     """Return the SHA-256 of a file; that in its record, if the file is large and has one."""
     record = _complete_record(path) if Path(path).stat().st_size > MAX_READ_SIZE else None
-    return record["sha256"] if record else digest(path)
+    return record.sha256 if record else file_digest(path)
 
 
 def _complete_record(path: str) -> Record | None:
@@ -128,7 +126,7 @@ def _complete_record(path: str) -> Record | None:
 def _file_lineage(path: str) -> str:
     """Return the lineage of a file that no job of the run makes."""
     record = _complete_record(path)
-    return str(record.get("lineage", "")) if record else digest(path)
+    return record.lineage if record else file_digest(path)
 
 
 def _entries(values: Mapping[str, Any]) -> set[str]:
@@ -166,10 +164,10 @@ def plan_by_records(workflow: Any) -> None:
         setattr(owner, name, replacement)
 
 
-def refuse_altered_files(workflow: Any) -> None:
+def refuse_edited_inputs(workflow: Any) -> None:
     """End the run, before a job removes its outputs, if somebody changed what a job wrote."""
     try:
-        _reruns(workflow.persistence.dag).refuse_altered()
+        refuse_edited_files(_reruns(workflow.persistence.dag).changed_input_digests())
     except ValueError as error:
         sys.exit(f"error: {error}")
 

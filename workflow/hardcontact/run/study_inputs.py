@@ -26,7 +26,7 @@ from hardcontact.config.selected_surfaces import (
 )
 from hardcontact.config.user_files import read_yaml, refuse_unreadable
 from hardcontact.records.code import ROOT, write_pins
-from hardcontact.records.origin import digests, refuse_changed
+from hardcontact.records.origin import file_digests, refuse_edited_files
 from hardcontact.run.lifecycle import plans_the_run, refuse
 
 
@@ -36,7 +36,7 @@ def finished_configuration(config: Mapping[str, Any]) -> str:
     if not os.path.isfile(path):
         refuse(f"{path}: expected the configuration of a finished study, found no such file")
     try:
-        refuse_changed(digests([path]))
+        refuse_edited_files(file_digests([path]))
     except ValueError as error:
         refuse(error)
     return path
