@@ -6,7 +6,7 @@ import pytest
 from repository import ROOT
 from studies import study_files
 
-from hardcontact.files.settings import settings_digest, store_settings
+from hardcontact.files.settings import settings_digest, store_kinds
 
 
 def test_rules_of_intermediates_take_no_values_of_the_configuration_but_settings():
@@ -25,5 +25,5 @@ def test_files_with_the_roughness_of_another_sphere_have_another_digest(project_
     plan = study_files("published", "none", measured_surfaces=["uncd", "ruby"]).plan
     digests = set()
     for plan.selection.sphere_digest in ("first", "second"):
-        digests.add(settings_digest(store_settings(plan), kind))
+        digests.add(settings_digest(store_kinds(plan), kind))
     assert len(digests) == 2

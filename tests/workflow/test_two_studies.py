@@ -15,7 +15,7 @@ from studies import configured_files
 
 from hardcontact.config.configuration import get_key, numeric_configuration, set_keys
 from hardcontact.config.study_plan import StudyPlan
-from hardcontact.files.settings import settings_digest, store_settings
+from hardcontact.files.settings import settings_digest, store_kinds
 
 pytestmark = pytest.mark.study
 
@@ -81,7 +81,7 @@ def independent_keys(config, selection, kind):
 
     def digest(*keys):
         study = numeric_configuration(second_study(config, keys))
-        return settings_digest(store_settings(StudyPlan(study, selection)), kind)
+        return settings_digest(store_kinds(StudyPlan(study, selection)), kind)
 
     keys = sorted({*dotted_keys(config)} - UNCHANGED_KEYS - PATH_KEYS)
     return tuple(key for key in keys if digest(key) == digest())

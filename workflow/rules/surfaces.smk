@@ -8,12 +8,13 @@
 #   FILES              the paths of the files of a surface: `FILES.path` fills in the wildcards
 #   SETTINGS           the settings of each kind of intermediate: all that its rule takes from STUDY
 #   CHUNKS             what one job computes together: some scans of a pool, masters, whole surfaces
-#   CONTACT_ARGUMENTS  the arguments of class Contact that are keys: all of `contact`, and the radius
+#   CONTACT_ARGUMENTS  the arguments of class Contact that are keys, without the range of adhesion
 #   DESCRIPTION_INPUTS the description of a substitute, and the tables that it names
 #   SUBSTITUTE_INPUTS  the files from which other random surfaces like a substitute are made
 #   SPHERE_SCAN        the scan of the sphere that meets changed scans; none if the sphere is smooth,
 #                      or if its roughness was added to that of the substrates
 
+from hardcontact.config.configuration import contact_arguments
 from hardcontact.config.study_plan import StudyPlan
 from hardcontact.files.chunks import Chunks
 from hardcontact.files.paths import wildcard_constraints as constraints
@@ -27,7 +28,7 @@ FILES = SurfaceFiles(PLAN)
 STORE = FILES.patterns
 SETTINGS = STORE.settings
 CHUNKS = Chunks(FILES)
-CONTACT_ARGUMENTS = STUDY["contact"] | {"radius": STUDY["sphere"]["radius"]}
+CONTACT_ARGUMENTS = contact_arguments(STUDY)
 DESCRIPTION_INPUTS = {
     "description": lambda w: SELECTION.description(w.surface),
     "tables": lambda w: SELECTION.tables(w.surface),

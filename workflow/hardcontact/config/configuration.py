@@ -110,11 +110,14 @@ def set_keys(config: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str, 
     return updated
 
 
+def contact_arguments(config: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the arguments of class Contact that are keys, without the range of adhesion."""
+    return {**config["contact"], "radius": config["sphere"]["radius"]}
+
+
 def study_contact(config: Mapping[str, Any]) -> Contact:
     """Return the contact of the study."""
-    return Contact(
-        **config["contact"], radius=config["sphere"]["radius"], rho=config["adhesion"]["range"]
-    )
+    return Contact(**contact_arguments(config), rho=config["adhesion"]["range"])
 
 
 def reading_keys(config: Mapping[str, Any]) -> dict[str, Any]:

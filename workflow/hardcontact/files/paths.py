@@ -8,7 +8,7 @@ from typing import Any
 from hardcontact.base.units import path_token
 from hardcontact.config.keys import SMOOTH_SPHERE
 from hardcontact.config.study_plan import StudyPlan
-from hardcontact.files.settings import PURPOSES, settings_digest, store_settings
+from hardcontact.files.settings import PURPOSES, settings_digest, store_kinds
 from hardcontact.surfaces.features import KINDS
 
 _SURFACE = "{surface}/{digest}"
@@ -28,8 +28,9 @@ class StorePatterns:
     """
 
     def __init__(self, plan: StudyPlan) -> None:
-        self.settings = store_settings(plan)
-        self.digests = {kind: settings_digest(self.settings, kind) for kind in self.settings}
+        kinds = store_kinds(plan)
+        self.settings = {name: kind.settings for name, kind in kinds.items()}
+        self.digests = {name: settings_digest(kinds, name) for name in kinds}
         store = plan.configuration["store"]
         folder = {kind: f"{store}/{kind}/{digest}" for kind, digest in self.digests.items()}
         rough_sphere = f"{plan.selection.sphere}/{{sphere_digest}}"

@@ -12,6 +12,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
 from hardcontact.config.configuration import (
+    contact_arguments,
     get_key,
     is_paper_study,
     master_keys,
@@ -27,6 +28,13 @@ from hardcontact.surfaces.synthesis import SIDES
 #: Masters, or whole surfaces, in one job: few enough to keep all cores busy, but so many that a job
 #: takes much longer than its start, half a second.
 MASTERS_CHUNK = 5
+
+
+class Kind(NamedTuple):
+    """A kind of intermediate: its settings, and the names of the kinds that it is made from."""
+
+    settings: dict[str, Any]
+    made_from: Sequence[str] = ()
 
 
 class Purpose(NamedTuple):
@@ -73,29 +81,23 @@ PURPOSES = {
         plastic=(True, False), further_ranges=(SHORT_ADHESION_RANGE,),
     ),
 }  # fmt: skip
-#: The kinds of the inputs of each kind; `both_bodies` are the scans if no sphere is added to them.
-MADE_FROM = {
-    **dict.fromkeys(("measured_scans", "measured_spectra", "sampled_spectra"), ["measurements"]),
-    "scans": ["measured_scans", "substitute_scans"],
-    **dict.fromkeys(("pull_off", "elastic", "asperities"), ["scans"]),
-    "both_bodies": ["scans", "measured_spectra", "sampled_spectra"],
-    **dict.fromkeys(("octave_forces", "hindcast", "masters"), ["both_bodies"]),
-    **{
-        name: ["masters"] if purpose.masters_are_files else ["both_bodies"]
+
+
+def store_kinds(plan: StudyPlan) -> dict[str, Kind]:
+    """Return the kinds of intermediates by name."""
+    master_forces = {
+        name: Kind(
+            _master_force_settings(plan.configuration, purpose),
+            ["masters" if purpose.masters_are_files else "both_bodies"],
+        )
         for name, purpose in PURPOSES.items()
-    },
-}
+    }
+    contacts = _scan_contact_kinds(plan) | _random_surface_kinds(plan.configuration)
+    return _surface_kinds(plan) | contacts | master_forces
 
 
-def store_settings(plan: StudyPlan) -> dict[str, dict[str, Any]]:
-    """Return the settings of each kind of intermediate."""
-    study = plan.configuration
-    master_forces = {name: _master_force_settings(study, name) for name in PURPOSES}
-    return _surface_settings(plan) | _contact_settings(plan) | master_forces
-
-
-def _surface_settings(plan: StudyPlan) -> dict[str, dict[str, Any]]:
-    """Return the settings of measurements, spectra, scans and masters."""
+def _surface_kinds(plan: StudyPlan) -> dict[str, Kind]:
+    """Return the kinds of measurements, spectra, scans and masters."""
     study = plan.configuration
     seed = {"seed": study["seed"]}
     scales = study["scales"]
@@ -105,64 +107,84 @@ def _surface_settings(plan: StudyPlan) -> dict[str, dict[str, Any]]:
     sides = {side: {key: scales[side][key] for key in keys} for side, keys in side_keys.items()}
     return {
         # Measured scans, as their files have them.
-        "measurements": reading_keys(study),
+        "measurements": Kind(reading_keys(study)),
         # The spectrum of a surface, from all its measurements.
-        "measured_spectra": levelling,
+        "measured_spectra": Kind(levelling, ["measurements"]),
         # Such spectra, sampled within the uncertainty of the measurements.
-        "sampled_spectra": {**seed, **levelling},
-        # How a measured and a substitute scan are made: parts of the digest of `scans`.
-        "measured_scans": levelling,
-        "substitute_scans": _featured_surface(study),
+        "sampled_spectra": Kind({**seed, **levelling}, ["measurements"]),
         # Levelled scans, mirrored scans, and the conditioning of substitutes on Table 1.
-        "scans": {},
-        # Scans and spectra with the roughness of substrate and sphere.
-        "both_bodies": {**seed, "sphere": sphere} if plan.combined_surfaces else {},
+        "measured_scans": Kind(levelling, ["measurements"]),
+        "substitute_scans": Kind(_featured_surface(study)),
+        "scans": Kind({}, ["measured_scans", "substitute_scans"]),
+        # Scans and spectra with the roughness of both bodies; as they were if none is added.
+        "both_bodies": Kind(
+            {**seed, "sphere": sphere} if plan.combined_surfaces else {},
+            ["scans", "measured_spectra", "sampled_spectra"],
+        ),
         # Scans with artificial roughness.
-        "masters": {**seed, "sides": sides},
+        "masters": Kind({**seed, "sides": sides}, ["both_bodies"]),
     }
 
 
-def _contact_settings(plan: StudyPlan) -> dict[str, dict[str, Any]]:
-    """Return the settings of contacts on scans, on whole surfaces, and on scans of the sets."""
+def _scan_contact_kinds(plan: StudyPlan) -> dict[str, Kind]:
+    """Return the kinds of contacts on scans."""
     study = plan.configuration
     seed = {"seed": study["seed"]}
-    scales = study["scales"]
-    ranges = sorted({*study["adhesion"]["ranges"], study["adhesion"]["range"]})
+    contact = contact_arguments(study)
+    contact_at_range = contact | {"rho": study["adhesion"]["range"]}
+    pull_off = {
+        "sphere_positions": plan.sphere_positions,
+        "positions_per_row": plan.positions_per_row,
+        "contact": contact_at_range | {"contacts_per_row": plan.contacts_per_row_at_position},
+        "ranges": _all_ranges(study),
+    }
+    asperities = {**seed, "contact": contact, "asperities": study["asperities"]}
+    transitions = {side: study["scales"][side]["transition"] for side in SIDES}
+    hindcast = {**seed, "contact": contact_at_range, "transitions": transitions}
+    return {
+        # Forces on a scan, with all scans of the sphere.
+        "pull_off": Kind(pull_off, ["scans"]),
+        # Elastic contacts of a surface, and the asperities that carry the forces on it.
+        "elastic": Kind({**seed, "contact": contact, **study["elastic"]}, ["scans"]),
+        "asperities": Kind(asperities, ["scans"]),
+        # Forces on a scan with each octave changed.
+        "octave_forces": Kind({"contact": contact_at_range}, ["both_bodies"]),
+        # Forces on a scan with random roughness in place of its outermost octaves.
+        "hindcast": Kind(hindcast, ["both_bodies"]),
+    }
+
+
+def _random_surface_kinds(study: Mapping[str, Any]) -> dict[str, Kind]:
+    """Return the kinds of contacts on random surfaces, whole ones and scans of the sets."""
+    ranges = _all_ranges(study)
     # The posterior needs all ranges that whole surfaces permit, and only the paper's study has it.
     permitted_ranges = [rho for rho in ranges if rho >= SHORTEST_WHOLE_RANGE]
     whole_ranges = permitted_ranges if is_paper_study(study) else [study["adhesion"]["range"]]
-    contact = study["contact"] | {"radius": study["sphere"]["radius"]}
-    contact_at_range = contact | {"rho": study["adhesion"]["range"]}
-    transitions = {side: scales[side]["transition"] for side in SIDES}
+    contact = contact_arguments(study)
     # As wide as a long-edge master, with the pixels of a scan.
     pixels, size = study["substitutes"]["pixels"], study["substitutes"]["size"]
-    grid = {"pixels": 2 * scales["long"]["tiles"] * pixels, "pixel_size": size / pixels}
-    whole_surface = {**_featured_surface(study), "contact": contact_at_range, "grid": grid}
+    grid = {"pixels": 2 * study["scales"]["long"]["tiles"] * pixels, "pixel_size": size / pixels}
+    whole_surface = {
+        **_featured_surface(study),
+        "contact": contact | {"rho": study["adhesion"]["range"]},
+        "grid": grid,
+    }
     set_contact = contact | {"contacts_per_row": study["sets"]["contacts_per_row"]}
     set_scan = {**_random_surface(study), "contact": set_contact, "ranges": ranges}
     return {
-        # Forces on a scan, with all scans of the sphere.
-        "pull_off": {
-            "sphere_positions": plan.sphere_positions,
-            "positions_per_row": plan.positions_per_row,
-            "contact": contact_at_range | {"contacts_per_row": plan.contacts_per_row_at_position},
-            "ranges": ranges,
-        },
-        # Elastic contacts of a surface, and the asperities that carry the forces on it.
-        "elastic": {**seed, "contact": contact, **study["elastic"]},
-        "asperities": {**seed, "contact": contact, "asperities": study["asperities"]},
-        # Forces on a scan with each octave changed.
-        "octave_forces": {"contact": contact_at_range},
-        # Forces on a scan with random roughness in place of its outermost octaves.
-        "hindcast": {**seed, "contact": contact_at_range, "transitions": transitions},
         # Forces on whole substitute surfaces, also with each octave changed.
-        "whole_surfaces": {**whole_surface, "ranges": whole_ranges},
+        "whole_surfaces": Kind({**whole_surface, "ranges": whole_ranges}),
         # Forces on the band alone: a result, which is not in the store.
-        "band_forces": whole_surface,
+        "band_forces": Kind(whole_surface),
         # Forces on scans for the sets, without and with features.
-        "pool": {**set_scan, "rms_height_count": study["sets"]["rms_height_count"]},
-        "featured_candidates": set_scan,
+        "pool": Kind({**set_scan, "rms_height_count": study["sets"]["rms_height_count"]}),
+        "featured_candidates": Kind(set_scan),
     }
+
+
+def _all_ranges(study: Mapping[str, Any]) -> list[float]:
+    """Return the ranges of adhesion at which forces are computed, that of the study among them."""
+    return sorted({*study["adhesion"]["ranges"], study["adhesion"]["range"]})
 
 
 def _random_surface(study: Mapping[str, Any]) -> dict[str, Any]:
@@ -177,15 +199,15 @@ def _featured_surface(study: Mapping[str, Any]) -> dict[str, Any]:
     return _random_surface(study) | {"featured_surface": study["substitutes"]["featured_surface"]}
 
 
-def settings_digest(settings: Mapping[str, dict[str, Any]], kind: str) -> str:
+def settings_digest(kinds: Mapping[str, Kind], name: str) -> str:
     """Return the digest of the settings of a kind and of all kinds that it is made from."""
-    sources = [settings_digest(settings, source) for source in MADE_FROM.get(kind, [])]
-    return short_value_digest([settings[kind], *sources])
+    kind = kinds[name]
+    sources = [settings_digest(kinds, source) for source in kind.made_from]
+    return short_value_digest([kind.settings, *sources])
 
 
-def _master_force_settings(study: Mapping[str, Any], purpose_name: str) -> dict[str, Any]:
+def _master_force_settings(study: Mapping[str, Any], purpose: Purpose) -> dict[str, Any]:
     """Return the settings of the forces on the masters of a purpose; lengths are in nm."""
-    purpose = PURPOSES[purpose_name]
     contact = study_contact(study)
     radii = get_key(study, purpose.radii_key)
     return {
