@@ -145,11 +145,6 @@ def test_a_study_is_replaced_only_with_overwrite(folder, run):
     assert_says(error, f"config/{NAME}.yaml", "--overwrite")
     assert (folder / f"config/{NAME}.yaml").read_text() == "mine"
     accepted(folder, run(NAME, "one.nc", "--overwrite"))
-    locks = folder / ".snakemake/locks"
-    locks.mkdir(parents=True)
-    (locks / "0.output.lock").write_text(f"results/{NAME}-quick/answer.json\n")
-    (error,) = run(NAME, "one.nc", "--overwrite").errors
-    assert_says(error, "--overwrite: expected no run", NAME, "snakemake --unlock")
 
 
 def assert_line_says(lines, *parts):

@@ -6,14 +6,10 @@ import sys
 from pathlib import Path
 
 import pytest
-from refusals import assert_says
-from repository import PAPER, merge_configurations
 
 from hardcontact.commands import command_line
-from hardcontact.commands.verify import verify, verify_arguments
 from hardcontact.records.origin import (
     Origin,
-    canonical_json,
     file_digests,
     keep_records,
     record_path,
@@ -117,28 +113,6 @@ def test_a_command_checks_an_archive_from_elsewhere_and_writes_nothing(
     assert command_line.main() == int(faulty)
     assert "results/first: 2 files checked" in capsys.readouterr().out
     assert files_of(study) == files
-
-
-HARDER = {"contact": {"hardness": "30 GPa"}}
-
-
-@pytest.mark.parametrize(
-    ("changes", "expected"),
-    [
-        ({}, []),
-        (HARDER, ["was made with contact.hardness '30 GPa', here '25 GPa'"]),
-        ({"study": "mine"}, ["parameters were not compared, as there is no config/mine.yaml here"]),
-    ],
-)
-def test_parameters_of_an_archive_are_compared_with_those_of_now(study, changes, expected):
-    make(
-        "results/paper/configuration.yaml", [], canonical_json(merge_configurations(PAPER, changes))
-    )
-    text, code = verify(verify_arguments(["paper"]))
-    *lines, _ = text.splitlines()
-    assert code == 0 and len(lines) == len(expected)
-    for line, message_part in zip(lines, expected, strict=True):
-        assert_says(line, "results/paper", message_part)
 
 
 # The tiny study

@@ -2,7 +2,6 @@
 
 import sys
 from argparse import ArgumentParser, Namespace
-from functools import partial
 from pathlib import Path
 
 import yaml
@@ -60,18 +59,21 @@ def _has_own_surfaces() -> bool:
 def refuse_faults() -> None:
     """End a run with a line for each fault of its configuration.
 
-    Snakemake names neither file, line nor key, and copies nested aliases until memory is full.
+    Snakemake names neither file, line nor key.
     """
-    from hardcontact.config.faults import run_checks
+    from hardcontact.config.faults import collect_faults
     from hardcontact.config.user_files import refuse_unreadable
 
     options = _options()
-    checks = [partial(refuse_unreadable, path) for path in options.configfile]
-    checks += [partial(_refuse_pair, word) for word in options.config]
-    try:
-        run_checks(checks)
-    except ValueError as error:
-        sys.exit("\n".join(f"error: {fault}" for fault in str(error).splitlines()))
+    faults: list[str] = []
+    for path in options.configfile:
+        with collect_faults(faults):
+            refuse_unreadable(path)
+    for word in options.config:
+        with collect_faults(faults):
+            _refuse_pair(word)
+    if faults:
+        sys.exit("\n".join(f"error: {fault}" for fault in faults))
 
 
 def _refuse_pair(word: str) -> None:

@@ -62,6 +62,12 @@ def atomic_file(path: str | Path) -> Iterator[str]:
             temporary.unlink(missing_ok=True)
 
 
+def write_text_file(path: str | Path, text: str) -> None:
+    """Write a text by `atomic_file`; an existing file is replaced."""
+    with atomic_file(path) as temporary:
+        Path(temporary).write_text(text, "utf-8")
+
+
 def remove_parts(path: str | Path) -> None:
     """Remove incomplete versions of a file that killed processes left; no job may write it now."""
     path = Path(path)

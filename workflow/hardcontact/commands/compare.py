@@ -4,7 +4,6 @@ import json
 import os
 from argparse import Namespace
 from collections.abc import Sequence
-from functools import partial
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
@@ -14,7 +13,7 @@ import xarray as xr
 from hardcontact.base.dataset import read
 from hardcontact.commands.options import CommandLine
 from hardcontact.commands.outputs import align_cells, output_faults, write_output
-from hardcontact.config.faults import run_checks
+from hardcontact.config.faults import collect_faults, raise_faults
 from hardcontact.report.study_comparison import (
     EQUAL_DIGITS,
     SET_DATASETS,
@@ -44,8 +43,12 @@ def compare(arguments: Namespace) -> str:
     """Return the comparison as text, and write the page; a page named - is returned instead."""
     paths = [_answer_path(path) for path in (arguments.first, arguments.second)]
     inputs = dict.fromkeys(paths, "those compared")
-    faults = output_faults("html", arguments.html, inputs, arguments.overwrite)
-    answers = run_checks([partial(_read_answer, path) for path in paths], faults)
+    faults = [*output_faults("html", arguments.html, inputs, arguments.overwrite)]
+    answers = []
+    for path in paths:
+        with collect_faults(faults):
+            answers.append(_read_answer(path))
+    raise_faults(faults)
     names = [answer["study"] for answer in answers]
     if names[0] == names[1]:
         names = [arguments.first, arguments.second]

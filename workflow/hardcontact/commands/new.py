@@ -5,12 +5,10 @@ a table of surfaces. If there are problems, it prints one line for each and writ
 """
 
 from argparse import Namespace
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from functools import partial
-from pathlib import Path
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
-from hardcontact.base.dataset import atomic_file
+from hardcontact.base.dataset import write_text_file
 from hardcontact.commands.inventory import (
     UserScan,
     printed_table,
@@ -34,7 +32,7 @@ from hardcontact.config.configuration import (
     numeric_configuration,
     set_keys,
 )
-from hardcontact.config.faults import run_checks, validate
+from hardcontact.config.faults import collect_faults, raise_faults, validate
 from hardcontact.config.force_table import measured_forces
 from hardcontact.config.key_tables import commented_yaml
 from hardcontact.config.keys import NONE, SMOOTH_SPHERE
@@ -56,16 +54,13 @@ def new_study(arguments: Namespace) -> str:
     faults += [*file_faults, *scan_faults]
     surfaces = [scan_file.surface for scan_file in scan_files]
     checked_rows = table_rows(scans, contact_scans=[], tip_radius=tip_text)
-    checks = [*_input_checks(arguments, checked_rows, surfaces, radius)]
+    all_faults = [*name_faults(arguments), *faults]
+    all_faults += _cell_faults(arguments, checked_rows, surfaces, radius)
     if not faults:  # Faults of the input can cause faults of the proposal.
-        checks.append(partial(_propose_study, arguments, quantities, scans))
-    try:
-        results = run_checks(checks, [*name_faults(arguments), *faults])
-    except ValueError as error:
-        lines = [str(error), *unit_questions(quantities)]
-        raise ValueError("\n".join(lines)) from None
-    # With faults, `run_checks` raises. The last result is therefore that of `_propose_study`.
-    proposal, choices = results[-1]
+        with collect_faults(all_faults):
+            proposal, choices = _propose_study(arguments, quantities, scans)
+    if all_faults:
+        raise_faults([*all_faults, *unit_questions(quantities)])
     rows = table_rows(scans, proposal.contact_scans, tip_text)
     table = "".join("\t".join(cells) + "\n" for cells in (rows[0], *(row.values() for row in rows)))
     report = [
@@ -83,8 +78,7 @@ def _write_study(
     command = f"snakemake --configfile {overlay_path}"
     texts = {table_path: table, overlay_path: overlay_text(command, choices, quick)}
     for path, text in texts.items():
-        with atomic_file(ROOT / path) as temporary:
-            Path(temporary).write_text(text, "utf-8")
+        write_text_file(ROOT / path, text)
     return [
         f"\nWritten: {overlay_path}, {table_path}. Now run, in {ROOT}:",
         f"{command} --config effort=quick   # a first answer",
@@ -92,16 +86,20 @@ def _write_study(
     ]
 
 
-def _input_checks(
+def _cell_faults(
     arguments: Namespace, rows: Sequence[Mapping[str, str]], surfaces: Sequence[str], radius: float
-) -> Iterator[Callable[[], object]]:
-    """Yield the checks of cells of the table and of measured forces."""
+) -> list[str]:
+    """Return the faults of the cells of the table of surfaces and of measured forces."""
+    faults: list[str] = []
     # Labels are checked once, elsewhere. The id replaces them, so that no row repeats their faults.
     for row in rows:
-        yield partial(validate, SurfaceRow, {**row, "label": row["surface"]}, f"{row['path']!r}: ")
+        with collect_faults(faults):
+            validate(SurfaceRow, {**row, "label": row["surface"]}, f"{row['path']!r}: ")
     if arguments.forces is not None:
         substrates = [surface for surface in dict.fromkeys(surfaces) if surface != SPHERE]
-        yield partial(measured_forces, arguments.forces, substrates, radius, "--forces")
+        with collect_faults(faults):
+            measured_forces(arguments.forces, substrates, radius, "--forces")
+    return faults
 
 
 def _propose_study(

@@ -7,7 +7,7 @@ import os
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
-from hardcontact.base.dataset import atomic_file
+from hardcontact.base.dataset import write_text_file
 
 
 def output_faults(
@@ -48,5 +48,4 @@ def write_output(path: str, text: str) -> None:
     if Path(path).exists() and not Path(path).is_file():
         Path(path).write_text(text, "utf-8")
         return
-    with atomic_file(os.path.realpath(path)) as temporary:
-        Path(temporary).write_text(text, "utf-8")
+    write_text_file(os.path.realpath(path), text)

@@ -6,7 +6,6 @@ import sys
 from argparse import Namespace
 from collections.abc import Mapping, Sequence
 from enum import StrEnum
-from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -24,7 +23,7 @@ from hardcontact.commands.options import (
 from hardcontact.commands.outputs import output_faults, write_output
 from hardcontact.commands.scan_cautions import single_pixel_cautions
 from hardcontact.config.configuration import CONTACT_QUANTITIES
-from hardcontact.config.faults import run_checks
+from hardcontact.config.faults import collect_faults, raise_faults
 from hardcontact.config.keys import Study
 from hardcontact.contact.contact import Contact
 from hardcontact.own.hindcast import WIDE_PIXEL
@@ -98,12 +97,16 @@ def read_inputs(arguments: Namespace) -> Inputs:
     faults += output_faults(
         "json", arguments.json, {arguments.file: "that of the surface"}, arguments.overwrite
     )
-    reader = partial(read_own_spectrum, options=reading_options(arguments, quantities))
-    readers = [partial(reader, [arguments.file], dataset=arguments.dataset)]
+    options = reading_options(arguments, quantities)
+    with collect_faults(faults):
+        spectrum = read_own_spectrum([arguments.file], options, dataset=arguments.dataset)
     if arguments.sphere is not None:
-        readers.append(partial(reader, [arguments.sphere], sphere_radius=contact.radius))
-    spectrum, *sphere_spectra = run_checks(readers, faults)
-    for sphere_spectrum in sphere_spectra:
+        with collect_faults(faults):
+            sphere_spectrum = read_own_spectrum(
+                [arguments.sphere], options, sphere_radius=contact.radius
+            )
+    raise_faults(faults)
+    if arguments.sphere is not None:
         spectrum = add_sphere_roughness(spectrum, sphere_spectrum, PAPER_STUDY.seed)
     cautions += single_pixel_cautions(contact.area, [scan.pixel_size for scan in spectrum.scans])
     notes = [*(f"{TAKE_CARE}{line}" for line in cautions), *spectrum.notes]

@@ -83,21 +83,6 @@ def name_faults(arguments: Namespace) -> Iterator[str]:
         for file in (f"config/{name}.yaml", f"config/{name}.tsv", *results):
             if os.path.lexists(ROOT / file):
                 yield f"{file}: expected none, found one: take another name, or add --overwrite"
-    elif _is_locked(name):
-        yield (
-            f"--overwrite: expected no run of {name}, found its lock: wait for its end, or remove "
-            "what a killed run left with `snakemake --unlock`"
-        )
-
-
-def _is_locked(study: str) -> bool:
-    """Return whether a run of Snakemake writes results of a study, at either effort."""
-    results = (f"results/{study}/", f"results/{study}{QUICK_SUFFIX}/")
-    return any(
-        line.startswith(results)
-        for path in (ROOT / ".snakemake/locks").glob("*.lock")
-        for line in path.read_text("utf-8").splitlines()
-    )
 
 
 class ScanFile(NamedTuple):

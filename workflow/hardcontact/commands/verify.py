@@ -2,16 +2,10 @@
 
 import os
 from argparse import Namespace
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 
 from hardcontact.commands.options import CommandLine
-from hardcontact.config.configuration import apply_effort, key_values, merge
-from hardcontact.config.faults import shorten
-from hardcontact.config.keys import QUICK_SUFFIX
-from hardcontact.config.user_files import read_yaml
-from hardcontact.records.code import ROOT
-from hardcontact.records.origin import canonical_json, read_record
 from hardcontact.records.verification import verify_study
 
 
@@ -33,27 +27,4 @@ def verify(arguments: Namespace) -> tuple[str, int]:
     os.chdir(folder.parents[1])
     results = folder.relative_to(folder.parents[1])
     faults, summary = verify_study(results)
-    return "\n".join([*faults, *_changed_keys(results), *summary]), 1 if faults else 0
-
-
-def _changed_keys(results: Path) -> Iterator[str]:
-    """Yield a line for each key that has another value now in this repository's overlay.
-
-    The overlay of a study has its name; values of the command line are in no file.
-    """
-    record = read_record(results / "configuration.yaml")
-    if record is None:
-        return
-    recorded = record.parameters
-    current = read_yaml("config/config.yaml")
-    if recorded["study"] != current["study"]:
-        overlay = f"config/{recorded['study'].removesuffix(QUICK_SUFFIX)}.yaml"
-        if not (ROOT / overlay).is_file():
-            yield f"{results}: parameters were not compared, as there is no {overlay} here"
-            return
-        current = merge(current, read_yaml(overlay))
-    current = key_values(apply_effort(current | {"effort": recorded["effort"]}))
-    for key, value in key_values(recorded).items():
-        if canonical_json(value) != canonical_json(current.get(key)):
-            present_value = shorten(current[key]) if key in current else "no value"
-            yield f"{results} was made with {key} {shorten(value)}, here {present_value}"
+    return "\n".join([*faults, *summary]), 1 if faults else 0

@@ -49,17 +49,6 @@ def get_key(tree: Mapping[str, Any], key: str) -> Any:
     return reduce(getitem, key.split("."), tree)
 
 
-def key_values(tree: Mapping[str, Any], prefix: str = "") -> dict[str, Any]:
-    """Return the values of a tree by keys with dots between their parts."""
-    values = dict[str, Any]()
-    for key, value in tree.items():
-        if isinstance(value, Mapping):
-            values |= key_values(value, f"{prefix}{key}.")
-        else:
-            values[prefix + key] = value
-    return values
-
-
 def merge(config: Mapping[str, Any], overlay: Mapping[str, Any]) -> dict[str, Any]:
     """Return a configuration with the values of an overlay, merged as Snakemake does."""
     merged = dict(config)

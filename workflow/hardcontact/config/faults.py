@@ -7,7 +7,8 @@ import datetime
 import difflib
 import re
 import reprlib
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import contextmanager
 from typing import Any, TypeVar
 
 from pydantic import BaseModel, ValidationError
@@ -31,8 +32,6 @@ MAX_LINES = 30
 #: Similarity from which an unknown key is taken for a known key, 1 if equal: one letter in four may
 #: differ.
 SIMILARITY = 0.75
-#: Names of keys by their former names.
-RENAMED_KEYS = {"small": "short", "large": "long"}
 
 Model = TypeVar("Model", bound=BaseModel)
 
@@ -44,8 +43,8 @@ def key_fault(key: str, accepted: object, value: object) -> str:
 
 
 def raise_faults(lines: Iterable[str]) -> None:
-    """Raise ValueError if there are lines of faults; those beyond MAX_LINES are only counted."""
-    reported = [*lines]
+    """Raise ValueError with each line once, if there are any; beyond MAX_LINES count them."""
+    reported = [*dict.fromkeys(lines)]
     if len(reported) > MAX_LINES:
         unreported = len(reported) - MAX_LINES + 1
         reported[MAX_LINES - 1 :] = [f"and {unreported} more faults, not shown"]
@@ -53,17 +52,13 @@ def raise_faults(lines: Iterable[str]) -> None:
         raise ValueError("\n".join(reported))
 
 
-def run_checks(checks: Iterable[Callable[[], Any]], known_faults: Iterable[str] = ()) -> list[Any]:
-    """Return the results of all checks, or raise ValueError with each fault once."""
-    results = []
-    faults = [*known_faults]
-    for check in checks:
-        try:
-            results.append(check())
-        except ValueError as error:
-            faults += str(error).splitlines()
-    raise_faults(dict.fromkeys(faults))
-    return results
+@contextmanager
+def collect_faults(faults: list[str]) -> Iterator[None]:
+    """Append the lines of a ValueError that the block raises to a list of faults."""
+    try:
+        yield
+    except ValueError as error:
+        faults += str(error).splitlines()
 
 
 def spelling_question(name: str, known_names: Iterable[str]) -> str:
@@ -142,8 +137,7 @@ def _describe_unknown(model: type[BaseModel], section: type[BaseModel], names: l
     # Of keys with the same name in several sections, the first.
     written |= {key.rpartition(".")[2]: text for key, text in reversed(written.items())}
     written |= {key: key for key in known_keys}
-    current = [RENAMED_KEYS.get(name, name) for name in names]
-    matches = [difflib.get_close_matches(name, written, 1, SIMILARITY) for name in current]
+    matches = [difflib.get_close_matches(name, written, 1, SIMILARITY) for name in names]
     suggestions = ", ".join(dict.fromkeys(written[key] for keys in matches for key in keys))
     accepted = "a key that exists" if all(matches) else f"one of {', '.join(known_keys)}"
     question = f" (did you mean {suggestions}?)" if suggestions else ""

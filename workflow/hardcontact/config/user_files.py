@@ -17,8 +17,6 @@ from hardcontact.records.code import ROOT
 
 #: The most bytes of a configuration: a hundred times as many as the paper's study has.
 MAX_CONFIGURATION_BYTES = 1_000_000
-#: The most values of a configuration: a hundred times as many as the paper's study has.
-MAX_VALUES = 100_000
 #: Largest size of a table: a hundred thousand rows.
 MAX_TABLE_BYTES = 10_000_000
 #: A number with a decimal comma.
@@ -58,18 +56,7 @@ def refuse_unreadable(path: str | Path) -> None:
 
 
 class _StrictLoader(yaml.SafeLoader):
-    """A loader that refuses repeated keys, of which YAML uses the last value, and nested aliases.
-
-    A few lines of nested aliases fill the memory of the first program that copies their values.
-    """
-
-    def get_single_node(self) -> Any:
-        """Return the root of a document."""
-        root = super().get_single_node()
-        size = _expanded_size(root, {})
-        if size > MAX_VALUES:
-            raise yaml.YAMLError(f"{size:.3g} values, with aliases expanded")
-        return root
+    """A loader that refuses repeated keys, of which YAML uses the last value."""
 
     def construct_mapping(self, node: Any, deep: bool = False) -> dict[Any, Any]:
         """Return the mapping of a node."""
@@ -81,16 +68,6 @@ class _StrictLoader(yaml.SafeLoader):
                 raise yaml.MarkedYAMLError(problem=problem, problem_mark=key.start_mark)
             names.add(name)
         return super().construct_mapping(node, deep)
-
-
-def _expanded_size(node: Any, sizes: dict[int, int]) -> int:
-    """Return the number of values of a node of YAML if each alias in it were written out."""
-    if id(node) not in sizes:
-        sizes[id(node)] = 1  # An alias that holds itself adds nothing.
-        children = node.value if isinstance(node, yaml.CollectionNode) else []
-        entries = [child if isinstance(child, tuple) else (child,) for child in children]
-        sizes[id(node)] += sum(_expanded_size(item, sizes) for entry in entries for item in entry)
-    return sizes[id(node)]
 
 
 class UserTable(NamedTuple):

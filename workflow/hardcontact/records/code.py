@@ -9,7 +9,7 @@ from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
 import hardcontact
-from hardcontact.base.dataset import atomic_file, remove_parts
+from hardcontact.base.dataset import remove_parts, write_text_file
 
 #: The file of the packages that the study imports.
 ENVIRONMENT = "environment.txt"
@@ -43,8 +43,7 @@ def write_pins() -> None:
         text = "".join(f"{name}=={pin}\n" for name, pin in read_pins(source).items())
         if not Path(path).is_file() or Path(path).read_text("utf-8") != text:
             remove_parts(path)
-            with atomic_file(path) as temporary:
-                Path(temporary).write_text(text, "utf-8")
+            write_text_file(path, text)
 
 
 def refuse_other_versions() -> None:

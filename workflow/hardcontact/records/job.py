@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 import xarray as xr
 
 from hardcontact.base import dataset
-from hardcontact.base.dataset import atomic_file, remove_parts
+from hardcontact.base.dataset import remove_parts
 from hardcontact.records.origin import (
     Origin,
     canonical_json,
@@ -53,8 +53,7 @@ class Job(NamedTuple):
 
     def write_text(self, text: str, output: int | str = 0) -> None:
         """Write a text completely or not at all."""
-        with atomic_file(self.output[output]) as path:
-            Path(path).write_text(text, "utf-8")
+        dataset.write_text_file(self.output[output], text)
 
 
 @contextmanager

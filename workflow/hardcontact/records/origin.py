@@ -13,7 +13,7 @@ from importlib.metadata import version
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from hardcontact.base.dataset import atomic_file
+from hardcontact.base.dataset import write_text_file
 
 #: Packages whose versions every file names.
 PACKAGES = ("numpy", "scipy", "xarray", "netCDF4", "SurfaceTopography", "snakemake")
@@ -111,8 +111,7 @@ def keep_records(paths: Iterable[str | Path], origin: Origin) -> None:
     }
     for path, sha256 in file_digests(paths).items():
         record = shared_record | {"sha256": sha256}
-        with atomic_file(record_path(path)) as temporary:
-            Path(temporary).write_text(canonical_json(record), "utf-8")
+        write_text_file(record_path(path), canonical_json(record))
 
 
 def read_record(path: str | Path) -> Record | None:

@@ -1,9 +1,7 @@
 """Checks that the values of a study agree with each other, with its tables and its scans."""
 
-from collections.abc import Callable, Iterator, Mapping
-from functools import partial
+from collections.abc import Iterator
 from glob import escape, glob
-from itertools import chain
 from typing import Any
 
 import numpy as np
@@ -19,7 +17,7 @@ from hardcontact.config.configuration import (
     reading_keys,
 )
 from hardcontact.config.descriptions import refuse_description, refuse_paper_surface
-from hardcontact.config.faults import key_fault, raise_faults, run_checks
+from hardcontact.config.faults import collect_faults, key_fault, raise_faults
 from hardcontact.config.force_table import measured_forces
 from hardcontact.config.keys import NONE, SMOOTH_SPHERE
 from hardcontact.config.limits import PIXEL_SIZES, refuse_unfit_values, same_pixels
@@ -42,37 +40,37 @@ SUBSTITUTE_RELIEF = 500.0
 #: random surfaces of 10 to 40 um, from descriptions of 18 to 850 nm rms, was 3.7; this is a fifth
 #: more.
 RELIEF_OVER_RMS = 4.5
-#: A function that raises ValueError with a line for each fault.
-Check = Callable[[], object]
 
 
 def check_study(config: dict[str, Any], table: pd.DataFrame) -> None:
     """Refuse a study that would fail in a job; scans with contacts are read last."""
-    contacts = table[table.use == CONTACT_USE]
-    substitutes = table[table.source == "substitute"].drop_duplicates("surface")
-    table1 = published.read_table1(published.PUBLISHED_TABLES["published_table1"])
-    rows_of_table1 = {str(name): set(rows.quantity) for name, rows in table1.groupby("surface")}
-    further_checks = _paper_checks if is_paper_study(config) else _own_surface_checks
-    substitute_checks = (
-        partial(_refuse_substitute, config, rows_of_table1, row) for row in substitutes.itertuples()
-    )
-    run_checks(chain(substitute_checks, further_checks(config, table)))
-    rows_by_surface = {str(name): rows for name, rows in contacts.groupby("surface", sort=False)}
-    extents = run_checks(partial(surface_extent, config, *item) for item in rows_by_surface.items())
+    further_faults = _paper_faults if is_paper_study(config) else _own_surface_faults
+    faults = _substitute_faults(config, table) + further_faults(config, table)
+    raise_faults(faults)
+    extents: dict[str, Extent] = {}
+    for name, rows in table[table.use == CONTACT_USE].groupby("surface", sort=False):
+        with collect_faults(faults):
+            extents[str(name)] = surface_extent(config, str(name), rows)
+    raise_faults(faults)
     try:
-        refuse_unfit_values(config, dict(zip(rows_by_surface, extents, strict=True)))
+        refuse_unfit_values(config, extents)
     except ValueError as error:
         raise_faults(_unusual_quantity_faults(config, str(error).splitlines()[-1]))
         raise
 
 
-def _refuse_substitute(
-    config: dict[str, Any], rows_of_table1: Mapping[str, set[str]], row: Any
-) -> None:
-    """Refuse a substitute whose description is faulty or not one of the user's surfaces."""
-    refuse_description(row.path, rows_of_table1.get(row.surface, set()))
-    if not is_paper_study(config):
-        refuse_paper_surface(row.path, row.surface, rows_of_table1)
+def _substitute_faults(config: dict[str, Any], table: pd.DataFrame) -> list[str]:
+    """Return the faults of descriptions of substitutes."""
+    table1 = published.read_table1(published.PUBLISHED_TABLES["published_table1"])
+    rows_of_table1 = {str(name): set(rows.quantity) for name, rows in table1.groupby("surface")}
+    substitutes = table[table.source == "substitute"].drop_duplicates("surface")
+    faults: list[str] = []
+    for surface, path in zip(substitutes.surface, substitutes.path, strict=True):
+        with collect_faults(faults):
+            refuse_description(path, rows_of_table1.get(surface, set()))
+            if not is_paper_study(config):
+                refuse_paper_surface(path, surface, rows_of_table1)
+    return faults
 
 
 def _unusual_quantity_faults(config: dict[str, Any], fault: str) -> Iterator[str]:
@@ -91,8 +89,8 @@ def _name_faults(config: dict[str, Any], key: str, surfaces: list[str]) -> list[
     return [key_fault(key, accepted, get_key(config, key))]
 
 
-def _paper_checks(config: dict[str, Any], table: pd.DataFrame) -> Iterator[Check]:
-    """Yield the checks of a study that is compared with the paper."""
+def _paper_faults(config: dict[str, Any], table: pd.DataFrame) -> list[str]:
+    """Return the faults of a study that is compared with the paper."""
     contacts = table[table.use == CONTACT_USE]
     sphere = config["sphere"]["surface"]
     surfaces = list(contacts.surface.unique())
@@ -123,22 +121,27 @@ def _paper_checks(config: dict[str, Any], table: pd.DataFrame) -> Iterator[Check
     # Imported here, as the claims would cost studies of the user's surfaces almost a second.
     from hardcontact.paper.claims.statements import check_claims
 
-    yield partial(raise_faults, faults)
-    yield partial(check_claims, published.CLAIMS)
+    with collect_faults(faults):
+        check_claims(published.CLAIMS)
+    return faults
 
 
-def _own_surface_checks(config: dict[str, Any], table: pd.DataFrame) -> Iterator[Check]:
-    """Yield the checks of a study of the user's surfaces; scans with contacts are read later."""
+def _own_surface_faults(config: dict[str, Any], table: pd.DataFrame) -> list[str]:
+    """Return the faults of a study of the user's surfaces; scans with contacts are read later."""
     sphere = config["sphere"]["surface"]
     makes_contact = table.use == CONTACT_USE
+    faults: list[str] = []
     if sphere != SMOOTH_SPHERE:
         surfaces = list(table.surface[makes_contact].unique())
-        yield partial(raise_faults, _name_faults(config, "sphere.surface", surfaces))
+        faults += _name_faults(config, "sphere.surface", surfaces)
     for row in table[~makes_contact].itertuples():
-        yield partial(stored_scan, config, row)
+        with collect_faults(faults):
+            stored_scan(config, row)
     if config["forces"] != NONE:
         substrates = list(table.surface[table.surface != sphere].unique())
-        yield partial(measured_forces, config["forces"], substrates, config["sphere"]["radius"])
+        with collect_faults(faults):
+            measured_forces(config["forces"], substrates, config["sphere"]["radius"])
+    return faults
 
 
 def stored_scan(config: dict[str, Any], row: Any) -> HeightMap:

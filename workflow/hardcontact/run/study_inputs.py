@@ -2,7 +2,6 @@
 
 import os
 from collections.abc import Mapping
-from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -16,7 +15,7 @@ from hardcontact.config.configuration import (
     merge,
     numeric_configuration,
 )
-from hardcontact.config.faults import key_fields, run_checks, shorten
+from hardcontact.config.faults import collect_faults, key_fields, raise_faults, shorten
 from hardcontact.config.keys import Study
 from hardcontact.config.selected_surfaces import (
     Selection,
@@ -51,7 +50,11 @@ def checked_configuration(workflow: Any, config: dict[str, Any]) -> dict[str, An
     try:
         if plans_the_run(workflow):
             files = [os.path.relpath(path) for path in workflow.configfiles]
-            run_checks(partial(refuse_unreadable, path) for path in files)
+            faults: list[str] = []
+            for path in files:
+                with collect_faults(faults):
+                    refuse_unreadable(path)
+            raise_faults(faults)
             _refuse_grids_of_paper(workflow, config)
         command_line = workflow.config_settings.config
         nested = {key: item for key, item in command_line.items() if not isinstance(item, str)}
