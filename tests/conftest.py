@@ -9,6 +9,7 @@ import pytest
 from hypothesis import configuration, settings
 from repository import ROOT, copy_repository, run_tiny_study
 from shared_study import shared_study
+from xdist.scheduler import LoadFileScheduling
 
 # Each process has one thread, because processes share the cores. NumPy reads this when it is
 # imported, and nothing above imports it.
@@ -34,14 +35,18 @@ def pytest_xdist_auto_num_workers(config):
     return None if "not study" in config.option.markexpr else 0
 
 
+def pytest_xdist_make_scheduler(config, log):
+    """Run all tests of a file in one process, because they share fixtures."""
+    return LoadFileScheduling(config, log)
+
+
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items):
     """Mark tests that need a finished study with `study`, unless they test the system.
 
-    A process runs all tests of a file, because they share fixtures. Those with studies begin.
+    They begin, because they take longest.
     """
     for item in items:
-        item.add_marker(pytest.mark.xdist_group(item.path.name))
         if STUDIES & set(item.fixturenames) and not item.get_closest_marker("system"):
             item.add_marker("study")
     items.sort(key=lambda item: item.get_closest_marker("study") is None)

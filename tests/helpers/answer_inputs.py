@@ -1,5 +1,7 @@
 """Small datasets of the user's surfaces, as in a study: edges, forces, fits, spectra, maps."""
 
+from functools import cache
+
 import numpy as np
 import xarray as xr
 from intervals import between_multiples
@@ -316,11 +318,17 @@ def sensitivity(count=1):
     return xr.Dataset(data, {"surface": SURFACES[:count], "octave": OCTAVES})
 
 
+@cache
+def unchanged_datasets(count):
+    """Return all datasets of a number of surfaces, without a fit; not to be changed."""
+    return Datasets(
+        topography(count), spectra(count), edges(count), force(count), sensitivity(count), None
+    )
+
+
 def datasets(count=1, **others):
     """Return all datasets of a number of surfaces, without a fit; `others` replace datasets."""
-    defaults = {"topography": topography(count), "spectra": spectra(count), "edges": edges(count),
-            "force": force(count), "sensitivity": sensitivity(count), "fit": None}  # fmt: skip
-    return Datasets(**defaults | others)
+    return unchanged_datasets(count)._replace(**others)
 
 
 PAIRS = [

@@ -63,9 +63,10 @@ def test_mean_and_variance_of_squares_follow_campbells_theorem():
     density, width = 2.0, 120.0
     features = Features(density, 30.0, width, 1.0, ())
     rng = np.random.default_rng(1)
+    flat = replace(periodic_map(np.zeros((50, 50)), SIZE / 50), periodic=False)
     mean_count = density * (SIZE / 1e3) ** 2
     counts = rng.poisson(mean_count, 600)
-    values = np.array([squares(add_features(rng, FLAT, features, count)) for count in counts])
+    values = np.array([squares(add_features(rng, flat, features, count)) for count in counts])
     added = feature_squares(30.0, width, SIZE)
     np.testing.assert_allclose(values.mean(axis=0), mean_count * added, rtol=0.08)
     squared_covariance = (mean_count * added[0]) ** 2 * 2 * np.pi * width**2 / SIZE**2
