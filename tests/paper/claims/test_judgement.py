@@ -231,8 +231,14 @@ def test_numbers_of_one_surface_are_selected_by_label():
 
 def test_a_claim_about_a_missing_surface_has_no_number():
     rows = pd.DataFrame([CLAIM, CLAIM | {"id": "other", "select": "surface=rough"}])
-    numbers = claim_values(rows, make_datasets(surfaces=["smooth", "middle"]), CONSTANTS)
-    assert (numbers.index.name, numbers["claim"]) == ("id", 2.0) and np.isnan(numbers["other"])
+    datasets = make_datasets(surfaces=["smooth", "middle"])
+    datasets["forces"] = datasets["forces"].expand_dims(set=3)
+    numbers = claim_values(rows, datasets, CONSTANTS)
+    assert numbers.dims == ("set", "claim") and numbers["claim"].values.tolist() == [
+        "claim",
+        "other",
+    ]
+    np.testing.assert_array_equal(numbers, [[2.0, np.nan]] * 3)
 
 
 def test_a_claim_without_a_number_is_undecided():

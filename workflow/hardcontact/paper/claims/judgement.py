@@ -45,13 +45,16 @@ DERIVED_QUANTITIES: dict[str, Callable[..., xr.Dataset]] = {
 
 def claim_values(
     claims: pd.DataFrame, datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame
-) -> pd.Series:
-    """Return the value of every claim by ``id``, without its interval; NaN if there is none."""
+) -> xr.DataArray:
+    """Return the values (set, claim) of all claims, NaN where there is none.
+
+    The datasets have the dimension ``set``, too.
+    """
     values = {
-        claim.id: np.nan if result is None else float(result.estimate["value"])
+        claim.id: np.nan if result is None else result.estimate["value"].reset_coords(drop=True)
         for claim, result in _estimate_claims(claims, datasets, constants, np.nan)
     }
-    return pd.Series(values, dtype=float).rename_axis("id")
+    return xr.Dataset(values).to_dataarray("claim").transpose("set", "claim")
 
 
 def judge_claims(

@@ -85,7 +85,7 @@ def _matching_label(coordinate: np.ndarray, label: str) -> Any:
 
 
 def select_estimate(estimate: xr.Dataset, labels: SelectedLabels, rule: str) -> xr.Dataset:
-    """Return the single estimate that is judged, by labels from `parse_selection`.
+    """Return the single estimate that is judged, by labels from `parse_selection`; one a set.
 
     A chain of groups, ``a > b > c``, gives the smallest ratio of values of neighbouring groups. A
     rule with one limit takes the worst value along other dimensions; with two limits, more than one
@@ -94,8 +94,8 @@ def select_estimate(estimate: xr.Dataset, labels: SelectedLabels, rule: str) -> 
     for dim, groups in labels.items():
         selected = [estimate.sel({dim: group}) for group in groups]
         estimate = _smallest_ratio(selected, dim) if len(selected) > 1 else selected[0]
-    remaining = estimate["value"].dims
-    if estimate["value"].size == 1:
+    remaining = [dim for dim in estimate["value"].dims if dim != "set"]
+    if all(estimate.sizes[dim] == 1 for dim in remaining):
         return estimate.squeeze(remaining, drop=True)
     if rule not in ONE_SIDED:
         raise ValueError(
@@ -105,7 +105,7 @@ def select_estimate(estimate: xr.Dataset, labels: SelectedLabels, rule: str) -> 
     worst = estimate.max(remaining) if rule == "below" else estimate.min(remaining)
     # The worst value has no interval if any value lacks one: that value may be the worst.
     has_interval = estimate["value_interval"].notnull().all("end") | estimate["value"].isnull()
-    return worst.assign(value_interval=worst["value_interval"].where(has_interval.all()))
+    return worst.assign(value_interval=worst["value_interval"].where(has_interval.all(remaining)))
 
 
 def _smallest_ratio(groups: Iterable[xr.Dataset], dim: str) -> xr.Dataset:
