@@ -142,5 +142,5 @@ def test_the_configuration_of_the_paper_has_every_key_and_its_default():
 def test_quantities_of_the_paper_are_assumed_unless_they_are_given():
     contact = {"hardness": "5 GPa", "preload": "10 uN"}
     config = configuration.numeric_configuration({"contact": contact})
-    assumed = configuration.assumed_quantities(config | {"given": ["work", "radius"]})
+    assumed = configuration.assumed_quantities(config | {"given_quantities": ["work", "radius"]})
     assert assumed == ["preload", "range of adhesion"]

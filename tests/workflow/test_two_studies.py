@@ -22,7 +22,7 @@ pytestmark = pytest.mark.study
 #: Keys without another value here: they name files, or a study of another kind.
 UNCHANGED_KEYS = {
     "study", "store", "surfaces", "published", "forces", "effort", "quick", "sphere.surface",
-    "scans", "given",
+    "scans", "given_quantities",
 }  # fmt: skip
 #: Keys that change which files there are, by numbers or names in paths.
 PATH_KEYS = {

@@ -137,5 +137,5 @@ def assumed_quantities(config: Mapping[str, Any]) -> list[str]:
     return [
         name
         for option, (key, name) in CONTACT_QUANTITIES.items()
-        if option not in config["given"] and get_key(config, key) == get_key(paper, key)
+        if option not in config["given_quantities"] and get_key(config, key) == get_key(paper, key)
     ]

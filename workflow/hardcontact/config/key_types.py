@@ -110,7 +110,7 @@ Forces = Annotated[list[Force], IN_FILE_NAMES, ASCENDING]
 ContactsPerRow = Annotated[int, Field(ge=1, le=200)]
 ContactCount = Annotated[int, Field(ge=1, le=40000)]
 MasterCount = Annotated[int, Field(ge=1, le=1000)]
-#: An odd number has no order that its pixels halve. The largest is `limits.MAX_MAP_PIXELS`.
+#: Even, as on mirrored scans; odd numbers are not validated. The bound is `limits.MAX_MAP_PIXELS`.
 Pixels = Annotated[int, Field(ge=32, le=16384, multiple_of=2)]
 Fraction = Annotated[float, Field(ge=0.001, le=0.999, allow_inf_nan=False)]
 

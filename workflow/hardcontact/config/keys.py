@@ -266,9 +266,9 @@ class Study(Keys):
     your own surfaces."""
     forces: types.FilePath = "none"
     """With `published: none`: table of forces measured on your surfaces, or `none`."""
-    given: list[Literal["radius", "hardness", "preload", "range", "work"]] = []
-    """With `published: none`: quantities you know. Others that equal the paper's are reported as
-    assumed."""
+    given_quantities: list[Literal["radius", "hardness", "preload", "range", "work"]] = []
+    """With `published: none`: quantities whose values are yours. Others that equal the paper's are
+    reported as assumed."""
     reference_surface: types.SurfaceId = key("uncd", "Fig. 4b")
     """Substrate whose force is the denominator of ratios of forces."""
     seed: Annotated[int, Field(ge=0, le=4294967295)] = 2021
