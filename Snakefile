@@ -1,12 +1,12 @@
 """Which scales of roughness matter for the adhesion of hard contacts: the study, end to end."""
 
-# What these modules add to Snakemake: `lifecycle` gives each rule with a script a log and, if it writes
-# files, a benchmark and, as its input `code`, the modules that its script imports; it kills a run at Ctrl-C (on a cluster at the second),
-# and prints the study's answer. `reruns` replaces seven attributes of Snakemake, named in
-# `plan_by_records`, so that records in `.origin`, not file times, decide what runs again.
-from hardcontact.run import lifecycle, reruns
+# What these modules add to Snakemake: `preparation` gives each rule with a script a log and, if it writes
+# files, a benchmark and, as its input `code`, the modules that its script imports. `ending` kills a run at
+# Ctrl-C (on a cluster at the second), and prints the study's answer. `reruns` replaces seven attributes of
+# Snakemake, named in `plan_by_records`, so that records in `.origin`, not file times, decide what runs again.
+from hardcontact.run import ending, preparation, reruns
 
-lifecycle.prepare(workflow)
+preparation.prepare(workflow)
 
 
 configfile: "config/config.yaml"
@@ -57,21 +57,21 @@ include: "workflow/rules/targets.smk"
 include: "workflow/rules/describe_study.smk"
 
 
-lifecycle.complete_rules(workflow, RESULTS)
+preparation.complete_rules(workflow, RESULTS)
 
 
 onstart:
-    lifecycle.refuse_unwritable_folders(RESULTS.results, RESULTS.store)
+    preparation.refuse_unwritable_folders(RESULTS.results, RESULTS.store)
     reruns.refuse_edited_inputs(workflow)
-    lifecycle.kill_jobs_at_interrupt(workflow)
+    ending.kill_jobs_at_interrupt(workflow)
 
 
 onsuccess:
-    lifecycle.log_answer(workflow, RESULTS.result("answer.html"))
+    ending.log_answer(workflow, RESULTS.result("answer.html"))
 
 
 onerror:
-    lifecycle.log_how_to_resume(workflow)
+    ending.log_how_to_resume(workflow)
 
 
 rule all:

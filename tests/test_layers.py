@@ -78,4 +78,4 @@ def test_only_the_start_of_a_run_imports_snakemake():
         for path in LIBRARY.rglob("*.py")
         if any(name.partition(".")[0] == "snakemake" for name in imported(path))
     }
-    assert paths == {"run/lifecycle.py", "run/reruns.py"}
+    assert paths == {"run/preparation.py", "run/reruns.py"}

@@ -1,9 +1,9 @@
 """Draw the figures and pages of a finished study again, from its datasets: no scan, no store."""
 
-from hardcontact.run import lifecycle, reruns, study_inputs
+from hardcontact.run import ending, preparation, reruns, study_inputs
 from hardcontact.records.code import write_pins
 
-lifecycle.prepare(workflow)
+preparation.prepare(workflow)
 
 
 configfile: study_inputs.finished_configuration(config)
@@ -31,20 +31,20 @@ else:
 include: "rules/targets.smk"
 
 
-lifecycle.complete_rules(workflow, RESULTS)
+preparation.complete_rules(workflow, RESULTS)
 
 
 onstart:
-    lifecycle.refuse_unwritable_folders(RESULTS.results)
+    preparation.refuse_unwritable_folders(RESULTS.results)
     reruns.refuse_edited_inputs(workflow)
 
 
 onsuccess:
-    lifecycle.log_answer(workflow, RESULTS.result("answer.html"))
+    ending.log_answer(workflow, RESULTS.result("answer.html"))
 
 
 onerror:
-    lifecycle.log_how_to_resume(workflow)
+    ending.log_how_to_resume(workflow)
 
 
 rule redraw:

@@ -89,7 +89,7 @@ def snakemake_outputs(folder, runs):
 def load_library():
     """Import most of what a run imports before its jobs, and find the code of all scripts."""
     from hardcontact.records.code import SCRIPTS, code_inputs
-    from hardcontact.run import checks, lifecycle, reruns  # noqa: F401
+    from hardcontact.run import checks, preparation, reruns  # noqa: F401
 
     for script in SCRIPTS.glob("*.py"):
         code_inputs(script.name)

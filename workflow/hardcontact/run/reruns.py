@@ -5,7 +5,6 @@ loss or a clock set back.
 """
 
 import os
-import sys
 from collections.abc import Iterable, Mapping
 from functools import cache
 from pathlib import Path
@@ -24,6 +23,7 @@ from hardcontact.records.origin import (
     refuse_edited_files,
     versions,
 )
+from hardcontact.run.ending import end_run_at_fault, refuse
 
 #: Size in bytes up to which files of earlier jobs are read to see whether they changed. Larger
 #: files are taken to be as recorded; the job that uses such a file compares it with its record.
@@ -160,22 +160,20 @@ def plan_by_records(workflow: Any) -> None:
     ]
     for owner, name, replacement in replacements:
         if not hasattr(owner, name):
-            sys.exit(f"error: expected Snakemake with {owner.__name__}.{name}, found none")
+            refuse(f"expected Snakemake with {owner.__name__}.{name}, found none")
         setattr(owner, name, replacement)
 
 
 def refuse_edited_inputs(workflow: Any) -> None:
     """End the run, before a job removes its outputs, if somebody changed what a job wrote."""
-    try:
+    with end_run_at_fault():
         refuse_edited_files(_reruns(workflow.persistence.dag).changed_input_digests())
-    except ValueError as error:
-        sys.exit(f"error: {error}")
 
 
 def _refuse_touch(dag: Any) -> NoReturn:
     """End the run, because file times do not decide what runs again."""
-    sys.exit(
-        "error: snakemake: --touch has no effect, because records of inputs, not file times, "
+    refuse(
+        "snakemake: --touch has no effect, because records of inputs, not file times, "
         "decide what runs again; `snakemake -n` lists the jobs"
     )
 

@@ -26,7 +26,8 @@ from hardcontact.config.selected_surfaces import (
 from hardcontact.config.user_files import read_yaml, refuse_unreadable
 from hardcontact.records.code import ROOT, write_pins
 from hardcontact.records.origin import file_digests, refuse_edited_files
-from hardcontact.run.lifecycle import plans_the_run, refuse
+from hardcontact.run.ending import end_run_at_fault, refuse
+from hardcontact.run.preparation import plans_the_run
 
 
 def finished_configuration(config: Mapping[str, Any]) -> str:
@@ -34,10 +35,8 @@ def finished_configuration(config: Mapping[str, Any]) -> str:
     path = f"results/{config.get('study', 'paper')}/configuration.yaml"
     if not os.path.isfile(path):
         refuse(f"{path}: expected the configuration of a finished study, found no such file")
-    try:
+    with end_run_at_fault():
         refuse_edited_files(file_digests([path]))
-    except ValueError as error:
-        refuse(error)
     return path
 
 
@@ -47,7 +46,7 @@ def checked_configuration(workflow: Any, config: dict[str, Any]) -> dict[str, An
     Snakemake leaves nested values of the command line as text; here they are parsed as YAML. Keys
     under `quick` are checked even if they are not used.
     """
-    try:
+    with end_run_at_fault():
         if plans_the_run(workflow):
             files = [os.path.relpath(path) for path in workflow.configfiles]
             faults: list[str] = []
@@ -66,8 +65,6 @@ def checked_configuration(workflow: Any, config: dict[str, Any]) -> dict[str, An
         if numbers["quick"]:
             numeric_configuration(apply_effort(config | {"effort": "quick"}), "effort quick: ")
         return numbers
-    except ValueError as error:
-        refuse(error)
 
 
 def _refuse_grids_of_paper(workflow: Any, config: Mapping[str, Any]) -> None:
@@ -118,7 +115,7 @@ def yaml_values(value: Any) -> Any:
 
 def checked_selection(workflow: Any, configuration: dict[str, Any]) -> Selection:
     """Return the surfaces and scans of the study; refuse a study that would fail later."""
-    try:
+    with end_run_at_fault():
         rows = selected_scans(surface_table(configuration["surfaces"]), configuration["scans"])
         if plans_the_run(workflow):
             # Imported here, as the libraries that read scans would cost every job almost a second.
@@ -126,8 +123,6 @@ def checked_selection(workflow: Any, configuration: dict[str, Any]) -> Selection
 
             check_study(configuration, rows)
         write_pins()  # A run that is refused writes nothing.
-    except ValueError as error:
-        refuse(error)
     return Selection(
         rows, configuration["sphere"]["surface"], digest_surfaces(rows), surfaces_of_table1()
     )

@@ -1,31 +1,23 @@
-"""The life of a run: checks before it, parts of all rules, Ctrl-C, its answer or failure."""
+"""The preparation of a run: checks of its surroundings, and parts of all rules."""
 
-import json
 import logging
 import os
-import signal
-import sys
 import tempfile
-import threading
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import Any
 
-import psutil
 from snakemake.io import strip_wildcard_constraints
 from snakemake.settings.types import ExecMode
 from snakemake.utils import min_version
 
 from hardcontact.files.paths import StudyPaths
 from hardcontact.records.code import ROOT, code_inputs, refuse_other_versions
+from hardcontact.run.ending import end_run_at_fault, kill_run_at_next_interrupt, refuse
 from hardcontact.run.reruns import MIN_SNAKEMAKE, plan_by_records
 
 #: Size in bytes up to which a job keeps freed memory for its next array. Returning it to the system
 #: costs some jobs a fifth of their time.
 REUSED_MEMORY = 256 * 1024**2
-#: Logger of the study's own messages, which a terminal shows with the stages of a run.
-logger = logging.getLogger("snakemake.logging.study")
-#: The last line of a run that failed or was stopped.
-RESUME = "The run is incomplete: repeat the command to resume."
 
 
 def prepare(workflow: Any) -> None:
@@ -43,10 +35,8 @@ def prepare(workflow: Any) -> None:
     refuse_unwritable_folders(".snakemake")  # Snakemake's own attempt ends in a traceback.
     if plans_the_run(workflow):
         kill_run_at_next_interrupt(workflow)
-        try:
+        with end_run_at_fault():
             refuse_other_versions()
-        except ValueError as error:
-            refuse(error)
         plan_by_records(workflow)
 
 
@@ -97,73 +87,3 @@ def complete_rules(workflow: Any, paths: StudyPaths) -> None:
             rule.benchmark = paths.run_file("benchmarks", ".tsv", rule.name, output)
             if "code" not in rule.input.keys():
                 rule.set_input(code=code_inputs(Path(rule.script).name))
-
-
-def refuse(message: object) -> NoReturn:
-    """End the run with one line per fault."""
-    sys.exit("\n".join(f"error: {line}" for line in str(message).splitlines()))
-
-
-def log_answer(workflow: Any, page: str) -> None:
-    """Log the answer at the end of a run that makes its page, and the page to open."""
-    if page in {str(path) for job in workflow.dag.finished_jobs for path in job.output}:
-        answer = Path(page).with_name("answer.json")
-        content = json.loads(answer.read_text("utf-8"))
-        grave_notes = [note["text"] for note in content["notes"] if note["grave"]]
-        for line in [*content["headline"], *content["verdicts"], *grave_notes]:
-            logger.info(line)
-        logger.info(f"The answer is made: open {page}")
-    _cancel_timers()
-
-
-def log_how_to_resume(workflow: Any) -> None:
-    """Log, after a failed or stopped run that makes files, that its command resumes it."""
-    if any(job.output for job in workflow.dag.needrun_jobs()):
-        logger.error(RESUME)
-    _cancel_timers()
-
-
-def _cancel_timers() -> None:
-    """End without waiting for Snakemake's timers, since no work is left."""
-    for thread in threading.enumerate():
-        if isinstance(thread, threading.Timer):
-            thread.cancel()
-
-
-def _kill_run(workflow: Any) -> NoReturn:
-    """Kill the run and its jobs, whose files are complete or missing, and print RESUME."""
-    for process in psutil.Process().children(recursive=True):
-        process.kill()
-    if workflow.persistence:
-        workflow.persistence.unlock()
-    os.write(2, f"{RESUME}\n".encode())
-    os._exit(130)
-
-
-def kill_run_at_next_interrupt(workflow: Any) -> None:
-    """Kill the run, and its jobs if there are any, at the next Ctrl-C."""
-    signal.signal(signal.SIGINT, lambda *_: _kill_run(workflow))
-
-
-def kill_jobs_at_interrupt(workflow: Any) -> None:
-    """Kill the run and its jobs at Ctrl-C, which the jobs do not receive.
-
-    Jobs would print tracebacks, and Snakemake would wait for them. On a cluster the first Ctrl-C
-    lets Snakemake cancel the jobs; the second kills the run.
-    """
-    if workflow.local_exec:
-        # Threads and jobs that begin from here on inherit what is blocked.
-        signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
-
-        def wait() -> None:
-            signal.sigwait({signal.SIGINT})
-            _kill_run(workflow)
-
-        threading.Thread(target=wait, daemon=True).start()
-    else:
-
-        def interrupt(*_: object) -> NoReturn:
-            kill_run_at_next_interrupt(workflow)
-            raise KeyboardInterrupt
-
-        signal.signal(signal.SIGINT, interrupt)
