@@ -109,8 +109,7 @@ def refuse_unfit_values(config: dict[str, Any], extents: Mapping[str, Extent]) -
                 for section in master_sections
                 for side in SIDES
             ]
-    first_faults = dict.fromkeys(next(faults, "") for faults in fault_series)  # Each line once.
-    raise_faults(filter(None, first_faults))
+    raise_faults(filter(None, (next(faults, "") for faults in fault_series)))
 
 
 def contact_faults(named_contact: NamedContact, surface: str, extent: Extent) -> Iterator[str]:

@@ -15,7 +15,7 @@ from hardcontact.config.configuration import (
     merge,
     numeric_configuration,
 )
-from hardcontact.config.faults import collect_faults, key_fields, raise_faults, shorten
+from hardcontact.config.faults import key_fields, shorten
 from hardcontact.config.keys import Study
 from hardcontact.config.selected_surfaces import (
     Selection,
@@ -23,7 +23,7 @@ from hardcontact.config.selected_surfaces import (
     selected_scans,
     surface_table,
 )
-from hardcontact.config.user_files import read_yaml, refuse_unreadable
+from hardcontact.config.user_files import read_yaml
 from hardcontact.records.code import ROOT, write_pins
 from hardcontact.records.origin import file_digests, refuse_edited_files
 from hardcontact.run.ending import end_run_at_fault, refuse
@@ -48,12 +48,6 @@ def checked_configuration(workflow: Any, config: dict[str, Any]) -> dict[str, An
     """
     with end_run_at_fault():
         if plans_the_run(workflow):
-            files = [os.path.relpath(path) for path in workflow.configfiles]
-            faults: list[str] = []
-            for path in files:
-                with collect_faults(faults):
-                    refuse_unreadable(path)
-            raise_faults(faults)
             _refuse_grids_of_paper(workflow, config)
         command_line = workflow.config_settings.config
         nested = {key: item for key, item in command_line.items() if not isinstance(item, str)}
