@@ -1,9 +1,6 @@
 """Statistics of pull-off forces for fit.nc: means over scans, ratios and distribution."""
 
-from typing import Any
-
 import numpy as np
-import pandas as pd
 import xarray as xr
 
 from hardcontact.base.arrays import Floats
@@ -39,11 +36,15 @@ def forces_at_pair(
     means = mean_forces(pair_forces.expand_dims("rho"), sampling)[..., 0]
     contact_forces = pair_forces.transpose("surface", "scan", "sphere_scan", *CONTACT_AXES).values
     contact_forces = contact_forces.reshape(*contact_forces.shape[:3], -1)
-    statistics = [force_statistics(surface_forces, sampling) for surface_forces in contact_forces]
-    ratios = sampling.as_variables(
+    variables = sampling.as_variables(
         "ratio_at_pair", "surface", means / means[:, [reference_index]], DIMENSIONLESS
     )
-    return xr.concat(statistics, pd.Index(forces.surface.values, name="surface")).assign(ratios)
+    statistics = [force_statistics(surface_forces, sampling) for surface_forces in contact_forces]
+    values, intervals = (np.stack(numbers, axis=1) for numbers in zip(*statistics, strict=True))
+    rows = zip(STATISTIC_ATTRS.items(), values, intervals, strict=True)
+    for (name, attributes), value, interval in rows:
+        variables |= as_variables(name, "surface", value, interval, attributes, sampling.confidence)
+    return xr.Dataset(variables, {"surface": forces.surface.values})
 
 
 #: Statistics of the forces on one surface, with their attributes. The interval of the mean is
@@ -56,8 +57,8 @@ STATISTIC_ATTRS = {
 }
 
 
-def force_statistics(forces: Floats, sampling: Sampling) -> xr.Dataset:
-    """Return mean, medians and scatter of the computed forces of one surface, with intervals.
+def force_statistics(forces: Floats, sampling: Sampling) -> tuple[Floats, Floats]:
+    """Return STATISTIC_ATTRS (statistic,) of the forces on one surface, and intervals (..., 2).
 
     Forces (scan, sphere_scan, contact) are in N, NaN for a missing scan. Intervals are NaN if
     `sampling.sample_count` is 0.
@@ -67,21 +68,16 @@ def force_statistics(forces: Floats, sampling: Sampling) -> xr.Dataset:
     finite_forces = forces[is_finite].reshape(scan_count, is_finite.sum() // max(scan_count, 1))
     mean = xr.DataArray(finite_forces, dims=("scan", "contact")).mean("contact")
     jackknife_values = _jackknife_statistics(finite_forces)
-    values = [float(mean.mean()), *jackknife_values]
-    intervals = [np.full(2, np.nan)] * len(values)
-    confidence = sampling.confidence
-    if sampling.sample_count:
-        kept_forces = (np.delete(finite_forces, scan, axis=0) for scan in range(scan_count))
-        leave_one_out = [_jackknife_statistics(kept) for kept in kept_forces]
-        intervals = [
-            student_log_interval(mean, confidence, "scan").values,
-            *jackknife_interval(jackknife_values, leave_one_out, confidence),
-        ]
-    variables: dict[str, Any] = {}
-    rows = zip(STATISTIC_ATTRS.items(), values, intervals, strict=True)
-    for (name, attributes), value, interval in rows:
-        variables |= as_variables(name, (), value, interval, attributes, confidence)
-    return xr.Dataset(variables)
+    values = np.array([mean.mean(), *jackknife_values])
+    if not sampling.sample_count:
+        return values, np.full((len(values), 2), np.nan)
+    kept_forces = (np.delete(finite_forces, scan, axis=0) for scan in range(scan_count))
+    leave_one_out = [_jackknife_statistics(kept) for kept in kept_forces]
+    intervals = [
+        student_log_interval(mean, sampling.confidence, "scan").values,
+        *jackknife_interval(jackknife_values, leave_one_out, sampling.confidence),
+    ]
+    return values, np.array(intervals)
 
 
 def _jackknife_statistics(forces: Floats) -> Floats:
