@@ -285,7 +285,7 @@ def fit(count=1):
         best_error=(models, 0.05 * best), exact_pairs=(models, [0, 0]),
         region_range=((models, "end"), [[3.2, np.nan]] * 2),
         region_work=((models, "end"), np.full((2, 2), np.nan)),
-        test_count=("surface", [40] * count), site_count=("surface", [40] * count),
+        force_count=("surface", [40] * count), site_count=("surface", [40] * count),
         look_repeated=("surface", [0] * count), label=("surface", LABELS[:count]),
         interval_source=("surface", ["scans"] * count),
     )  # fmt: skip

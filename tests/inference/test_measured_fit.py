@@ -9,11 +9,11 @@ from known_forces import FORCE_DIMS
 
 from hardcontact.base.statistics import Sampling, interval_ends
 from hardcontact.inference.measured_fit import add_extrapolated_work, fit_measured
-from hardcontact.inference.measured_tests import (
-    MeasuredTests,
+from hardcontact.inference.measured_forces import (
+    MeasuredForces,
     look_repeated,
-    measured_tests,
     sampled_means,
+    summarize_forces,
 )
 
 RHOS = np.array([0.5, 1.0, 2.0, 4.0, 8.0, 16.0])
@@ -122,34 +122,34 @@ def test_one_surface_gives_a_curve_of_works_and_no_range():
 
 
 @pytest.mark.parametrize(
-    ("range_count", "test_count", "factor", "is_known"),
+    ("range_count", "force_count", "factor", "is_known"),
     [
         (6, 1, 1, [False, False]),  # a single test a surface: no scatter, no interval
         (6, 40, 1e3, [False, False]),  # forces that no range explains
         (4, 40, 1, [True, False]),  # a range at the end of those computed is no limit
     ],
 )
-def test_an_unknown_region_has_no_work(range_count, test_count, factor, is_known):
+def test_an_unknown_region_has_no_work(range_count, force_count, factor, is_known):
     rng = np.random.default_rng(8)
     computed_forces = adhesion(rng).sel(rho=RHOS[:range_count])
-    tests = sampled_tests(rng, test_count)
+    tests = sampled_tests(rng, force_count)
     tests.loc[tests.surface == "b", ["mean", "median"]] *= factor
     fit = fitted(computed_forces, tests)
     assert fit.region_range.notnull().values.tolist() == is_known and fit.region_work.isnull().all()
     assert fit.work_by_range.notnull().all()
-    assert fit.work_by_range_interval.notnull().all() == (test_count > 1)
+    assert fit.work_by_range_interval.notnull().all() == (force_count > 1)
 
 
-# Tests
+# Mean and scatter
 
 
 def test_a_summary_is_equivalent_to_its_single_tests():
     forces = np.exp(0.7 * np.random.default_rng(1).standard_normal(4000)) * 1e-7
     rows = [("a", force, force, 1, "") for force in forces]
-    single = measured_tests(pd.DataFrame(rows, columns=COLUMNS))
+    single = summarize_forces(pd.DataFrame(rows, columns=COLUMNS))
     assert single.mean == pytest.approx(forces.mean())
     summary = pd.DataFrame([("a", forces.mean(), np.median(forces), 4000, "")], columns=COLUMNS)
-    assert measured_tests(summary).log_std == pytest.approx(single.log_std, rel=0.05)
+    assert summarize_forces(summary).log_std == pytest.approx(single.log_std, rel=0.05)
 
 
 def repeated_forces(seed):
@@ -159,16 +159,16 @@ def repeated_forces(seed):
     return between * np.exp(0.01 * rng.standard_normal((5, 40)))
 
 
-def test_tests_at_one_site_count_once():
+def test_forces_at_one_site_count_once():
     forces = repeated_forces(0)
     rows = [("a", f, f, 1, f"p{site}") for site, row in enumerate(forces) for f in row]
-    repeated_tests = pd.DataFrame(rows, columns=COLUMNS)
+    table = pd.DataFrame(rows, columns=COLUMNS)
     means = forces.mean(axis=1)
     expected = (means.mean(), np.log(means).std(ddof=1), 5, 200, False)
-    assert measured_tests(repeated_tests) == pytest.approx(expected)
+    assert summarize_forces(table) == pytest.approx(expected)
 
 
-def test_repeated_tests_are_recognised_and_independent_ones_are_not():
+def test_repeated_sites_are_recognised_and_independent_ones_are_not():
     def looks(forces):
         rows = [("a", f, f, 1, "") for f in forces]
         return look_repeated(pd.DataFrame(rows, columns=COLUMNS))
@@ -186,8 +186,8 @@ def test_sampled_means_cover_the_mean_with_their_confidence(log_std, count):
     rng, contained = np.random.default_rng(3), []
     for _ in range(300):
         forces = np.exp(log_std * rng.standard_normal(count))
-        tests = MeasuredTests(forces.mean(), np.log(forces).std(ddof=1), count, count)
-        low, high = np.percentile(sampled_means(rng, tests, 400), [5, 95])
+        summary = MeasuredForces(forces.mean(), np.log(forces).std(ddof=1), count, count)
+        low, high = np.percentile(sampled_means(rng, summary, 400), [5, 95])
         contained.append(low < np.exp(log_std**2 / 2) < high)
     assert np.mean(contained) > 0.85
 

@@ -96,7 +96,7 @@ def test_surfaces_on_different_grids_have_their_own_answers(several):
 
 def test_the_interval_from_own_forces_contains_the_true_work(several):
     fit = xr.load_dataset(several / "fit.nc").sel(contact_model="plastic")
-    assert fit.test_count.values.tolist() == [40, 40]
+    assert fit.force_count.values.tolist() == [40, 40]
     works = fit.work_by_range_interval
     low, high = works.sel(surface="twin").sel(rho_fine=RANGE, method="nearest").values
     force = xr.load_dataset(several / "force.nc").sel(surface="twin", contact_model="plastic")

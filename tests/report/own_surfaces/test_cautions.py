@@ -87,7 +87,7 @@ CASES = [
     ("smooth_bound", forces(smooth_bound=force()["force"].isel(surface=0)), False, {}),
     ("reading", spectra("notes", 0, "cropped\ntake care: its mask marks 9 pixels"), False, {}),
     ("repeated_scan", spectra("earlier_scan", 1, "scans/trace.spm"), True, {}),
-    ("repeated_tests", {"fit": fit().assign(look_repeated=("surface", [1]))}, True, {}),
+    ("repeated_sites", {"fit": fit().assign(look_repeated=("surface", [1]))}, True, {}),
     ("highest", spectra("highest_share", 2, 0.06), True, {"highest_share": 0.06}),
 ]  # fmt: skip
 
@@ -158,10 +158,10 @@ def test_a_tail_of_unknown_exponent_gives_no_force():
 
 
 @pytest.mark.parametrize(("high", "count"), [(700.0, 0), (900.0, 1)])
-def test_a_lopsided_interval_of_few_tests_is_named(high, count):
+def test_a_lopsided_interval_of_few_sites_is_named(high, count):
     data = fit()
     data["measured_force_interval"].loc[{"end": "high"}] = 1e-9 * high
-    assert len(find_cautions("few_tests", fit=data)) == count
+    assert len(find_cautions("few_sites", fit=data)) == count
 
 
 @pytest.mark.parametrize(("work", "count"), [(10.0, 0), (50.8, 1)])

@@ -47,7 +47,7 @@ def test_the_sensitivity_to_the_range_needs_two_ranges():
 def test_own_forces_have_numbers_only_for_their_surface():
     numbers = numbers_of(fit=fit())
     assert numbers["measured_force"].source == "measured"
-    assert numbers["measured_force_tests"].value == 40
+    assert numbers["measured_force_count"].value == 40
     assert numbers["measured_work"].value == pytest.approx(WORK)
     different = fit()
     different["extrapolation_matters"].loc[{"side": "short"}] = 1

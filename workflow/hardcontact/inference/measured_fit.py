@@ -26,7 +26,7 @@ from hardcontact.base.units import DIMENSIONLESS, JOULE_PER_M2, NEWTON, NM
 from hardcontact.contact.force_interpolation import interpolate_to_ranges
 from hardcontact.inference.fit import FIT_ATTRS, best_fit, fine_ranges
 from hardcontact.inference.mean_forces import SurfaceForces, forces_by_surface
-from hardcontact.inference.measured_tests import measured_tests, sampled_means
+from hardcontact.inference.measured_forces import sampled_means, summarize_forces
 from hardcontact.inference.scan_parts import IntervalSource, sample_deviations
 
 
@@ -44,10 +44,10 @@ def fit_measured(
     """
     measured_surfaces = set(forces["surface"])
     surfaces = [name for name in adhesion["surface"].values.tolist() if name in measured_surfaces]
-    tests = {name: measured_tests(forces[forces["surface"] == name]) for name in surfaces}
+    measured = {name: summarize_forces(forces[forces["surface"] == name]) for name in surfaces}
     means = [
-        sampled_means(sampling.generator("tests", name), surface_tests, sampling.sample_count)
-        for name, surface_tests in tests.items()
+        sampled_means(sampling.generator("tests", name), summary, sampling.sample_count)
+        for name, summary in measured.items()
     ]
     measured_forces = np.stack(means, axis=1)
     measured_adhesion = adhesion.sel(surface=surfaces)
@@ -57,17 +57,17 @@ def fit_measured(
         fits[(model,)] = _fit_contact_model(
             surface_forces, measured_forces, pixel_factors, sampling
         )
-    # The tests and the parts of scans are the same for all models.
+    # Measured forces and the parts of scans are the same for all models.
     interval_sources = [
         surface_forces[name].scan_parts[0].interval_source
-        if surface_tests.site_count > 1
-        else IntervalSource.ONE_TEST
-        for name, surface_tests in tests.items()
+        if summary.site_count > 1
+        else IntervalSource.ONE_SITE
+        for name, summary in measured.items()
     ]
     variables = sampling.as_variables("measured_force", "surface", measured_forces, NEWTON)
     variables["interval_source"] = ("surface", interval_sources)
-    for name in ("test_count", "site_count", "look_repeated"):
-        counts = [int(getattr(surface_tests, name)) for surface_tests in tests.values()]
+    for name in ("force_count", "site_count", "look_repeated"):
+        counts = [int(getattr(summary, name)) for summary in measured.values()]
         variables[name] = ("surface", counts, DIMENSIONLESS)
     return (
         stack(fits, ["contact_model"])

@@ -35,8 +35,8 @@ class IntervalSource(StrEnum):
     ONE_PART = "none"
     #: No interval, because contacts touch too few patches.
     FEW_PATCHES = "few_patches"
-    #: No interval, because there is a single test.
-    ONE_TEST = "one_test"
+    #: No interval, because forces were measured at a single site.
+    ONE_SITE = "one_site"
 
 
 class Variance(NamedTuple):

@@ -1,4 +1,4 @@
-"""Cautions about the answer of a surface: on its scans, spectrum, forces, tests and intervals.
+"""Cautions about the answer of a surface: on its scans, spectrum, forces and intervals.
 
 A caution is a code with numbers; the template own_caution.txt has the sentence for each code.
 """
@@ -34,7 +34,7 @@ from hardcontact.theory.validity import Elasticity
 #: Fewest pixels in contact: below, rounding to whole pixels may change the area by over 5 %.
 MIN_CONTACT_PIXELS = 10
 #: Largest ln(high / mean) relative to ln(mean / low) of a measured force without a caution.
-#: If tests are few, the upper end is much farther, because they may scatter more than it seems.
+#: If sites are few, the upper end is much farther, because they may scatter more than it seems.
 MAX_LOPSIDEDNESS = 2.0
 #: Pixels in the shortest wavelength that a scan resolves, by the sampling theorem.
 NYQUIST_PIXELS = 2
@@ -74,7 +74,7 @@ def answer_cautions(data: Datasets, numbers: Mapping[str, Number]) -> list[Cauti
         *_contact_cautions(data.force, numbers),
         *_small_scan_caution(data),
         *_few_pixels_caution(data.force),
-        *_test_cautions(numbers),
+        *_measured_force_cautions(numbers),
         *_interval_cautions(data.force, numbers),
         *_defect_cautions(data.spectra, grave=False),
         *_contradiction_caution(data.spectra),
@@ -101,17 +101,17 @@ def _contact_cautions(force: xr.Dataset, numbers: Mapping[str, Number]) -> Itera
         yield Caution("strong_work", work._replace(name="work"), grave=True)
 
 
-def _test_cautions(numbers: Mapping[str, Number]) -> Iterator[Caution]:
-    """Yield cautions if tests are too few to estimate their scatter, or seem to repeat a site."""
+def _measured_force_cautions(numbers: Mapping[str, Number]) -> Iterator[Caution]:
+    """Yield cautions if sites are too few to estimate their scatter, or seem to be repeated."""
     force = numbers.get("measured_force")
     if force is None:
         return
     rise, fall = np.log(force.high / force.value), np.log(force.value / force.low)
     if rise > MAX_LOPSIDEDNESS * fall:
-        yield Caution("few_tests", numbers["measured_force_sites"]._replace(name="tests"))
+        yield Caution("few_sites", numbers["measured_force_sites"]._replace(name="sites"))
     if numbers["measured_force_looks_repeated"].value:
-        tests = numbers["measured_force_tests"]._replace(name="tests")
-        yield Caution("repeated_tests", tests, grave=True)
+        count = numbers["measured_force_count"]._replace(name="count")
+        yield Caution("repeated_sites", count, grave=True)
 
 
 def _interval_cautions(force: xr.Dataset, numbers: Mapping[str, Number]) -> Iterator[Caution]:

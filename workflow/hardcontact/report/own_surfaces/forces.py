@@ -155,7 +155,7 @@ def measured_numbers(fit: xr.Dataset, data: Datasets) -> list[Number]:
     fit_at_range = fit.sel(rho_fine=fit.attrs["rho"], method="nearest")
     numbers = [
         number_of(fit, "measured_force", source="measured"),
-        Number("measured_force_tests", int(fit["test_count"].item())),
+        Number("measured_force_count", int(fit["force_count"].item())),
         Number("measured_force_sites", int(fit["site_count"].item())),
         Number("measured_force_looks_repeated", int(fit["look_repeated"].item())),
         number_of(fit_at_range, "work_by_range", name="measured_work", source="from_measured"),

@@ -1,6 +1,6 @@
-"""Tests that measure pull-off forces: their mean, and its uncertainty.
+"""Measured pull-off forces on one surface: their mean, and its uncertainty.
 
-Forces scatter between sites of a surface, so that sites, not tests, are the independent samples.
+Forces scatter between sites of a surface, so that sites, not forces, are the independent samples.
 """
 
 from statistics import NormalDist
@@ -11,42 +11,42 @@ import pandas as pd
 
 from hardcontact.base.statistics import MAX_LOG_DEVIATION, log_std_of_lognormal
 
-#: Chance that independent tests are mistaken for tests at repeated sites.
+#: Chance that forces at different sites are mistaken for forces at repeated sites.
 REPEATED_BY_CHANCE = 1e-3
 
 
-class MeasuredTests(NamedTuple):
-    """Tests that measure the pull-off force on one surface, log-normal between sites."""
+class MeasuredForces(NamedTuple):
+    """Mean and scatter of the forces measured on one surface, log-normal between sites."""
 
     mean: float  #: Mean over sites in N.
     log_std: float  #: Standard deviation between sites of the logarithm; NaN for a single site.
     site_count: int  #: Number of sites, each an independent sample.
-    test_count: int  #: Number of tests.
-    look_repeated: bool = False  #: Whether tests without sites look as if several share a site.
+    force_count: int  #: Number of forces.
+    look_repeated: bool = False  #: Whether forces without sites look as if several share a site.
 
 
-def measured_tests(forces: pd.DataFrame) -> MeasuredTests:
-    """Return the tests on one surface from its rows of the table of measured forces.
+def summarize_forces(forces: pd.DataFrame) -> MeasuredForces:
+    """Return mean and scatter of one surface's rows of the table of measured forces.
 
-    Tests at one site are one sample, their mean; a test without a site has its own.
+    Forces at one site are one sample, their mean; a force without a site has its own.
     """
     count = int(forces["count"].sum())
     if len(forces) == 1:
         mean, median = float(forces["mean"].iloc[0]), forces["median"].iloc[0]
         log_std = float(log_std_of_lognormal(mean, median)) if count > 1 else np.nan
-        return MeasuredTests(mean, log_std, count, count)
+        return MeasuredForces(mean, log_std, count, count)
     has_site = forces["site"] != ""
     sites = forces["site"].where(has_site, forces.index)
     means = forces["mean"].groupby(sites, sort=False).mean()
     log_std = float(np.log(means).std(ddof=1))
-    return MeasuredTests(float(means.mean()), log_std, len(means), count, look_repeated(forces))
+    return MeasuredForces(float(means.mean()), log_std, len(means), count, look_repeated(forces))
 
 
 def look_repeated(forces: pd.DataFrame) -> bool:
-    """Return whether tests on one surface without sites look as if several share a site.
+    """Return whether forces on one surface without sites look as if several share a site.
 
     True if at most half of the values are distinct, or if von Neumann's ratio is significantly
-    below one, its value for independent tests, at some lag of rows. The ratio is half the mean
+    below one, its value for independent forces, at some lag of rows. The ratio is half the mean
     squared difference of ln F at this lag, relative to the variance of ln F.
     """
     logs = np.log(forces["mean"].to_numpy(float))
@@ -61,20 +61,22 @@ def look_repeated(forces: pd.DataFrame) -> bool:
     return bool((ratios < 1 + quantile / np.sqrt(len(logs) - lags)).any())
 
 
-def sampled_means(rng: np.random.Generator, tests: MeasuredTests, sample_count: int) -> np.ndarray:
+def sampled_means(
+    rng: np.random.Generator, forces: MeasuredForces, sample_count: int
+) -> np.ndarray:
     """Return the mean force in N, and random means that it may be (1 + sample,).
 
     Samples are around the arithmetic mean. Their deviations are those of the mean of ln F plus half
     its variance, for a log-normal F (Krishnamoorthy and Mathew, J. Stat. Plan. Inference 115 (2003)
     103). NaN for one site, whose scatter is unknown.
     """
-    if tests.site_count < 2:
-        return np.append(tests.mean, np.full(sample_count, np.nan))
-    degrees_of_freedom = tests.site_count - 1
-    variance = tests.log_std**2
+    if forces.site_count < 2:
+        return np.append(forces.mean, np.full(sample_count, np.nan))
+    degrees_of_freedom = forces.site_count - 1
+    variance = forces.log_std**2
     chi_squared = rng.chisquare(degrees_of_freedom, sample_count)
     sampled_variance = variance * degrees_of_freedom / chi_squared
-    errors = rng.standard_normal(sample_count) * np.sqrt(sampled_variance / tests.site_count)
+    errors = rng.standard_normal(sample_count) * np.sqrt(sampled_variance / forces.site_count)
     deviation = (sampled_variance - variance) / 2 - errors
     deviation = np.clip(deviation, -MAX_LOG_DEVIATION, MAX_LOG_DEVIATION)
-    return np.append(tests.mean, tests.mean * np.exp(deviation))
+    return np.append(forces.mean, forces.mean * np.exp(deviation))
