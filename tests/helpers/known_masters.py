@@ -16,7 +16,7 @@ def master_ratios(ratios, cutoffs, surfaces=None, shortest=1.0):
     return xr.Dataset(
         {
             "filtered_force_ratio": ((*MASTER_DIMS, "cutoff_wavelength"), ratios),
-            "unfiltered_wavelength": (("surface", "side"), wavelengths),
+            "spectrum_end": (("surface", "side"), wavelengths),
         },
         {
             "surface": surfaces or list("ab"[: len(ratios)]), "side": ["short", "long"],
@@ -44,7 +44,7 @@ def scales(curves, spread=0.0, realizations=3, seed=0, count=4):
                 ratio * unfiltered[:, :, :, None],
             ),
             "unfiltered_pull_off_force": ((*MASTER_DIMS, "contact_y", "contact_x"), unfiltered),
-            "unfiltered_wavelength": (("surface", "side"), [[1.0, 10e3]] * len(curves)),
+            "spectrum_end": (("surface", "side"), [[1.0, 10e3]] * len(curves)),
             "label": ("surface", list("AB"[: len(curves)])),
             "source": ("surface", ["measured"] * len(curves)),
         },

@@ -89,7 +89,7 @@ def test_each_contact_model_has_the_edge_of_its_forces():
                 surface=["a"], realization=[1, 2], side=["short"], radius=[1.0]
             )
         }
-    ).assign(unfiltered_wavelength=(("surface", "side"), [[2.0]]))
+    ).assign(spectrum_end=(("surface", "side"), [[2.0]]))
     bands = compute_edge_shifts(forces, 0.1, Sampling(1, 0, 0.95))
     model_edges = bands["edge"].sel(group="a", side="short")
     assert bands["contact_model"].values.tolist() == CONTACT_MODELS
@@ -108,7 +108,7 @@ def test_edges_that_scatter_together_have_a_certain_ratio():
     ).expand_dims(surface=["a"], side=["short"], radius=[1.0], loading=2, rho=[5.6, 1.0])
     forces = xr.Dataset(
         {"filtered_force_ratio": ratio}, {"contact_area": ("loading", [400.0, 1.0])}
-    ).assign(unfiltered_wavelength=(("surface", "side"), [[2.0]]))
+    ).assign(spectrum_end=(("surface", "side"), [[2.0]]))
     bands = compute_edge_shifts(forces, 0.1, Sampling(1, 50, 0.95)).sel(group="a")
     low, high = np.moveaxis(bands["edge_interval"].values, -1, 0)
     assert (high > 1.2 * low).all()

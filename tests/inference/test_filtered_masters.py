@@ -29,7 +29,7 @@ def master_forces(forces, unfiltered, cutoffs, end):
                 ("loading", "contact_y", "contact_x"),
                 np.multiply.outer(unfiltered, spread),
             ),
-            "unfiltered_wavelength": ((), end),
+            "spectrum_end": ((), end),
         },
         {"cutoff_wavelength": cutoffs, "loading": ["light", "heavy"]},
     )
@@ -59,7 +59,7 @@ def test_ratios_are_taken_of_mean_forces_over_contacts():
     np.testing.assert_array_equal(scales.filtered_force_ratio.sel(loading="heavy").max(), 9.0)
     assert scales.filtered_force_ratio.sel(surface="a", realization=2).isnull().all()
     assert scales.pull_off_force.dims[-2:] == ("contact_y", "contact_x")
-    assert scales.unfiltered_wavelength.sel(surface="a").values.tolist() == [1.2, 2e4]
+    assert scales.spectrum_end.sel(surface="a").values.tolist() == [1.2, 2e4]
 
 
 SPHERES = [None, periodic_map(periodic_noise(96, 0.5, 5), 10.0)]
@@ -72,7 +72,7 @@ def test_the_force_on_every_filtered_master_is_the_direct_sum(sphere, side, end)
     filtered_forces = filtered_pull_off(
         master, Filters(side, 160, cutoffs), LOADED_CONTACTS, sphere
     )
-    assert filtered_forces["unfiltered_wavelength"].item() == pytest.approx(end)
+    assert filtered_forces["spectrum_end"].item() == pytest.approx(end)
     filtered_forces = filtered_forces.isel(radius=0, rho=0)
     forces_by_cutoff = [
         filtered_forces["unfiltered_pull_off_force"],

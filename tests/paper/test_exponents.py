@@ -38,7 +38,7 @@ def curves(*exponents, scatter=0.0):
     return xr.Dataset(
         {
             "filtered_force_ratio": ratio,
-            "unfiltered_wavelength": (("surface", "side"), [[5.0, 4e4]]),
+            "spectrum_end": (("surface", "side"), [[5.0, 4e4]]),
             "touching_area": (
                 ("surface", "realization", "side", "contact_area"),
                 [[[AREAS, LONG_AREAS]] * 3],

@@ -46,7 +46,7 @@ def study(factor=1.0, scatter=0.0, rms=11.0, **settings):
     )  # fmt: skip
     metrics = {name: (("surface", "scan"), [[rms, rms + 1]]) for name in TABLE1_METRICS.values()}
     labels = {"label": ("surface", ["UNCD"])}
-    masters = {"unfiltered_wavelength": ("surface", [5.0]), "transition": ("side", [20.0, 2500.0])}
+    masters = {"spectrum_end": ("surface", [5.0]), "transition": ("side", [20.0, 2500.0])}
     coordinates = {"surface": ["uncd"]}
     return {
         "sets": sets,

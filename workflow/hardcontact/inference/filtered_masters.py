@@ -42,7 +42,7 @@ def filtered_pull_off(
 
     - ``unfiltered_pull_off_force`` (radius, loading, rho, contact_y, contact_x) in N at 1 J/m²;
     - ``pull_off_force`` (cutoff_wavelength, radius, ...), likewise on each filtered surface;
-    - ``unfiltered_wavelength`` (nm): the shortest of the master, or the longest on the long side;
+    - ``spectrum_end`` (nm): the shortest of the master, or the longest on the long side;
     - ``touching_area`` (loading) of the touching pixels in nm²;
     - ``contact_area`` (loading), a coordinate: preload over hardness in nm².
 
@@ -72,7 +72,7 @@ def filtered_pull_off(
         {
             "unfiltered_pull_off_force": (axes, unfiltered, FORCE_ATTRS),
             "pull_off_force": (("cutoff_wavelength", *axes), np.array(filtered), FORCE_ATTRS),
-            "unfiltered_wavelength": ((), spectrum_end, NM),
+            "spectrum_end": ((), spectrum_end, NM),
             "touching_area": ("loading", touching_areas, {"units": "nm2"}),
         },
         {
@@ -156,13 +156,13 @@ def add_force_ratios(forces: xr.Dataset) -> xr.Dataset:
     forces = forces.sortby("cutoff_wavelength")
     filtered = forces["pull_off_force"].mean(CONTACT_AXES)
     unfiltered = forces["unfiltered_pull_off_force"].mean(CONTACT_AXES)
-    spectrum_end = forces["unfiltered_wavelength"]
+    spectrum_end = forces["spectrum_end"]
     # It is the same for all realizations, and NaN for those that a surface does not have.
     realization_axes = [axis for axis in spectrum_end.dims if axis == "realization"]
     ratio = (filtered / unfiltered).drop_attrs(deep=False)  # Coordinates keep their units.
     return forces.assign(
         filtered_force_ratio=ratio.assign_attrs(DIMENSIONLESS),
-        unfiltered_wavelength=spectrum_end.max(realization_axes, keep_attrs=True),
+        spectrum_end=spectrum_end.max(realization_axes, keep_attrs=True),
     )
 
 

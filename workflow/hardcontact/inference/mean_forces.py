@@ -148,7 +148,7 @@ def forces_of_masters(
 ) -> MasterForces:
     """Return the forces, as in scales.nc, on the existing masters of one surface and side."""
     # The spectrum of an unfiltered long-edge master ends at the width of the master.
-    master_size = float(scales.unfiltered_wavelength.sel(surface=surface, side="long"))
+    master_size = float(scales.spectrum_end.sel(surface=surface, side="long"))
     # A tile is a mirrored scan, twice as wide as the scan.
     scan_size = master_size / master_scans.tiles / 2
     tiles = master_scans.tiles if side == "long" else 1

@@ -172,7 +172,7 @@ def forces_on_masters(
             confidence,
         )
         interval = logarithmic_interval(force, half_width)
-        spectrum_end = float(master_forces.forces.unfiltered_wavelength)
+        spectrum_end = float(master_forces.forces.spectrum_end)
         return xr.Dataset(
             as_variables("extrapolated_force", (), force, interval, NEWTON, confidence)
             | {

@@ -76,7 +76,7 @@ def _fit_all_edges(forces: xr.Dataset, tolerance: float) -> Floats:
     log_lengths = [np.log(forces["radius"]) / 2, np.log(touching_area) / 2]
     ratios = forces["filtered_force_ratio"].mean("realization", skipna=False)
     curves = xr.ufuncs.log(ratios)
-    edges = find_edges(curves, logarithmic_limits(tolerance), forces["unfiltered_wavelength"])
+    edges = find_edges(curves, logarithmic_limits(tolerance), forces["spectrum_end"])
     exponents: xr.DataArray = xr.apply_ufunc(
         _fit_edges_of_surface,
         np.log(edges["edge"]),

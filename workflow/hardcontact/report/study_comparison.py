@@ -228,7 +228,7 @@ def _sampling(sets: xr.Dataset) -> list[Any]:
 def _recorded_surfaces(study: Mapping[str, xr.Dataset]) -> xr.Dataset:
     """Return what a study records of its scans, and of its masters."""
     scans = study["topography"][list(TABLE1_METRICS.values())]
-    return xr.merge([scans, study["scales"][["unfiltered_wavelength", "transition"]]], join="outer")
+    return xr.merge([scans, study["scales"][["spectrum_end", "transition"]]], join="outer")
 
 
 def add_paired_intervals(

@@ -84,7 +84,7 @@ def _draw_spectra(
         axes.plot(wavelengths, spectrum, **look | ARTIFICIAL_LINE)
         axes.plot(wavelengths, scan_spectrum, **look | SCAN_LOOK)
     axes.axvspan(*band, zorder=0, **BAND_LOOK)
-    wavelengths_shown = scales["unfiltered_wavelength"].values
+    wavelengths_shown = scales["spectrum_end"].values
     axes.set(xscale="log", yscale="log", xlabel="wavelength (nm)", ylabel="isotropic PSD (nm⁴)")
     axes.set_xlim(wavelengths_shown.min(), wavelengths_shown.max())
     highest = 10 * topography["spectrum"].max().item()
