@@ -69,10 +69,9 @@ def test_the_share_of_a_window_matches_the_sum_over_its_pixels():
     contact = Contact(radius=RADIUS, preload=10e-6, hardness=25e9, window=window)
     sizes = {"scan_size": ("surface", [1000.0]), "pixel_size": ("surface", [10.0])}
     sized_forces = add_sizes(
-        xr.Dataset(coords={"rho": rhos, "surface": ["a"]}),
+        xr.Dataset({"search_size": ("surface", [3000.0])}, {"rho": rhos, "surface": ["a"]}),
         xr.Dataset(sizes, {"surface": ["a"]}),
         contact,
-        [3000.0],
     )
     np.testing.assert_array_equal(sized_forces.finite_scan_ratio, [dict(FINITE_SCAN_RATIOS)[0.5]])
     assert (sized_forces.pixel_area.item(), sized_forces.attrs["contact_area"]) == (

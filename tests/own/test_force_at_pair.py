@@ -1,5 +1,7 @@
 """Forces that follow from a work and a range of adhesion."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 import xarray as xr
@@ -10,6 +12,7 @@ from scipy import stats
 
 from hardcontact.base.arrays import generator
 from hardcontact.base.statistics import student_interval
+from hardcontact.contact.contact import Contact
 from hardcontact.inference.mean_forces import MasterScans
 from hardcontact.own.force_at_pair import (
     add_extrapolated_force,
@@ -21,7 +24,12 @@ from hardcontact.own.force_at_pair import (
 )
 
 RHOS = [1.0, 5.0, 20.0]
-OPTIONS = {"work": 0.05, "rho": 5.0, "scan_sizes": {"a": 2500.0, "b": 2500.0}, "confidence": 0.9}
+CONTACT = Contact(radius=5e3, preload=10e-6, hardness=25e9, work=0.05, rho=5.0)
+SCAN_SIZES = {"a": 2500.0, "b": 2500.0}
+
+
+def forces_of(computed_forces, contact=CONTACT):
+    return forces_on_scans(computed_forces, contact, SCAN_SIZES, 0.9)
 
 
 def adhesion(scans, radius=5e3, spread=0.3):
@@ -46,7 +54,7 @@ def adhesion(scans, radius=5e3, spread=0.3):
 
 def test_the_force_is_the_mean_over_contacts_times_the_work():
     computed_forces = adhesion([3, 1])
-    scan_forces = forces_on_scans(computed_forces, **OPTIONS)
+    scan_forces = forces_of(computed_forces)
     surface_b_forces = computed_forces.pull_off_force.sel(surface="b").isel(scan=0)
     mean_force = 0.05 * surface_b_forces.mean(["sphere_scan", "contact_y", "contact_x"])
     np.testing.assert_allclose(scan_forces.force.sel(surface="b"), mean_force)
@@ -60,7 +68,7 @@ def test_the_force_is_the_mean_over_contacts_times_the_work():
 
 def test_three_scans_give_student_s_interval_and_fewer_a_wider_conditional_one():
     computed_forces = adhesion([3, 1], spread=0.02).isel(sphere_scan=[0])
-    scan_forces = forces_on_scans(computed_forces, **OPTIONS)
+    scan_forces = forces_of(computed_forces)
     assert "position_factor" not in scan_forces
     selection = {"surface": "a", "contact_model": "rigid", "rho": 5.0}
     means = computed_forces.pull_off_force.sel(selection).mean(
@@ -86,7 +94,7 @@ def test_the_interval_includes_the_position_on_a_rough_sphere():
         pull_off_force=forces.transpose(*FORCE_DIMS),
         touched_patches=smooth.touched_patches.isel(sphere_scan=[0] * 16),
     )
-    scan_forces = forces_on_scans(rough_sphere, **OPTIONS)
+    scan_forces = forces_of(rough_sphere)
     # One more of 16 normal numbers lies within this distance of their mean.
     half_width = stats.t(15).ppf(0.95) * logarithms.std(ddof=1).item() * np.sqrt(1 + 1 / 16)
     np.testing.assert_allclose(scan_forces.position_factor, np.exp(half_width), rtol=1e-4)
@@ -96,10 +104,10 @@ def test_the_interval_includes_the_position_on_a_rough_sphere():
 
 
 def test_a_contact_as_wide_as_the_scan_gives_no_interval():
-    scan_forces = forces_on_scans(adhesion([3, 1], radius=1e9), **OPTIONS)
+    scan_forces = forces_of(adhesion([3, 1], radius=1e9))
     assert scan_forces.force_interval.sel(surface="b").isnull().all()
     assert scan_forces.force_interval.sel(surface="a").notnull().all()
-    message = refusal(lambda: forces_on_scans(adhesion([1, 1]), **OPTIONS | {"rho": 5.6}))
+    message = refusal(lambda: forces_of(adhesion([1, 1]), replace(CONTACT, rho=5.6)))
     assert_says(message, "1, 5, 20 nm", "found 5.6 nm")
 
 
@@ -109,7 +117,7 @@ def test_contacts_that_touch_few_patches_give_no_interval():
         few_patches = computed_forces.assign(
             touched_patches=computed_forces.touched_patches * 0 + patches
         )
-        scan_forces = forces_on_scans(few_patches, **OPTIONS)
+        scan_forces = forces_of(few_patches)
         assert scan_forces.interval_source.values.tolist() == ["scans", source]
         assert scan_forces.force_interval.sel(surface="b").notnull().all() == (patches == 4)
         assert scan_forces.force_interval.sel(surface="a").notnull().all()
@@ -120,7 +128,7 @@ def test_contacts_that_touch_few_patches_give_no_interval():
 
 
 def test_forces_are_bounded_by_that_of_a_smooth_sphere():
-    scan_forces = forces_on_scans(adhesion([3, 1]), **OPTIONS)  # newtons: far too large
+    scan_forces = forces_of(adhesion([3, 1]))  # newtons: far too large
     extrapolated_forces = xr.Dataset(
         {"extrapolated_force": ("side", [1e-9, 1.0])}, {"side": ["short", "long"]}
     ).assign(extrapolated_force_interval=("side", [1e-9, 1.0]))
@@ -196,7 +204,7 @@ def test_a_mean_needs_one_contact_at_least():
 
 
 def test_intervals_include_the_effect_of_finer_pixels():
-    scan_forces = forces_on_scans(adhesion([3, 3]), **OPTIONS)
+    scan_forces = forces_of(adhesion([3, 3]))
     wide_pixels = scan_forces.assign(wide_pixel_ratio=("surface", [1.5, 0.9]))
     result = extend_by_pixel_factors(wide_pixels).force_interval
     change = (result / scan_forces.force_interval).transpose("surface", "end", ...)

@@ -4,24 +4,35 @@ from hardcontact.base.dataset import read
 from hardcontact.contact.contact import Contact
 from hardcontact.inference.mean_forces import MasterScans
 from hardcontact.inference.scan_parts import fewest_touched_patches
-from hardcontact.own.force_at_pair import force_dataset
+from hardcontact.own.force_at_pair import (
+    add_closed_form,
+    add_sizes,
+    compare_and_bound_forces,
+    contacts_needed,
+    forces_on_masters,
+    forces_on_scans,
+)
 from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:
     params = job.parameters
-    adhesion = read(job.input.adhesion)
+    tolerance, confidence = params["tolerance"], params["confidence"]
+    contact = Contact(**params["contact"])
+    adhesion, topography = read(job.input.adhesion), read(job.input.topography)
     touched_patches = fewest_touched_patches(adhesion)
+    master_scans = MasterScans(params["scan_counts"], params["tiles"], touched_patches)
+    hindcast = read(job.input.hindcast) if job.input.hindcast else None
+    scan_sizes = topography["scan_size"].to_series().to_dict()
+    scan_forces = forces_on_scans(adhesion, contact, scan_sizes, confidence)
+    extrapolated_forces = forces_on_masters(
+        read(job.input.scales), master_scans, contact.work, confidence
+    )
+    force = compare_and_bound_forces(scan_forces, extrapolated_forces, hindcast, contact, tolerance)
+    force = add_closed_form(force, read(job.input.spectra), contact)
+    force = add_sizes(force, topography, contact)
     job.write(
-        force_dataset(
-            adhesion,
-            read(job.input.scales),
-            read(job.input.topography),
-            read(job.input.spectra),
-            read(job.input.hindcast) if job.input.hindcast else None,
-            contact=Contact(**params["contact"]),
-            master_scans=MasterScans(params["scan_counts"], params["tiles"], touched_patches),
-            tolerance=params["tolerance"],
-            confidence=params["confidence"],
+        force.assign(
+            contacts_needed=contacts_needed(adhesion["pull_off_force"], tolerance, confidence)
         ),
         title="pull-off forces at one range and work",
     )

@@ -1,4 +1,4 @@
-"""Edges of the band of substitutes (edges.nc), and what shifts them (edge_shifts.nc).
+"""Edges of the band of substitutes: edges.nc.
 
 Each master of a substitute has a scan of its own, so that samples of the mean over masters give the
 scatter of an edge. The user's masters share scans (`edges_of_scans`). The group `mean` of edges is
@@ -12,7 +12,6 @@ import xarray as xr
 
 from hardcontact.base.statistics import Sampling
 from hardcontact.base.units import DIMENSIONLESS, NM
-from hardcontact.contact.contact import CONTACT_MODELS, PLASTIC, RIGID
 from hardcontact.inference.edges import (
     CUTOFF,
     MEAN_GROUP,
@@ -54,27 +53,3 @@ def edges_of_masters(
         variables |= sampling.as_variables(name, dimensions, values.values, attributes)
     result = edges.isel(sample=0, drop=True).assign_coords(ratios.coords).assign(variables)
     return result, sampled_edges
-
-
-def compute_edge_shifts(forces: xr.Dataset, tolerance: float, sampling: Sampling) -> xr.Dataset:
-    """Return the edges of plastic and rigid contact at each range of adhesion, and their shifts.
-
-    Forces come from `read_master_forces`, at one radius and load. ``edge_shift`` (cause, side,
-    group) is the edge of plastic contact at the longest range, relative to rigid contact
-    (``"plasticity"``) or to the shortest range (``"range"``).
-    """
-    # Sorted by area, rigid contact is the first, as in CONTACT_MODELS: its area is zero.
-    forces = forces.squeeze("radius", drop=True).sortby("contact_area").drop_vars("contact_area")
-    forces = forces.rename(loading="contact_model").assign_coords(contact_model=CONTACT_MODELS)
-    edges, sampled_edges = edges_of_masters(forces, tolerance, sampling)
-    shortest, longest = forces["rho"].min().item(), forces["rho"].max().item()
-    complete = sampled_edges.sel(contact_model=PLASTIC, rho=longest, drop=True)
-    without_cause = {
-        "plasticity": {"contact_model": RIGID, "rho": longest},
-        "range": {"contact_model": PLASTIC, "rho": shortest},
-    }
-    shifts = [complete / sampled_edges.sel(labels, drop=True) for labels in without_cause.values()]
-    edge_shift = sampling.as_variables(
-        "edge_shift", ("cause", "side", "group"), np.stack(shifts, axis=1), DIMENSIONLESS
-    )
-    return edges.assign_coords(cause=list(without_cause)).assign(edge_shift)

@@ -38,59 +38,34 @@ from hardcontact.theory.validity import assumed_modulus, judge_tabor_parameter
 FORCE_QUANTILES = [0.05, 0.25, 0.5, 0.75, 0.95]
 
 
-def force_dataset(
-    adhesion: xr.Dataset,
-    scales: xr.Dataset,
-    topography: xr.Dataset,
-    spectra: xr.Dataset,
+def compare_and_bound_forces(
+    scan_forces: xr.Dataset,
+    extrapolated_forces: xr.Dataset,
     hindcast: xr.Dataset | None,
-    *,
     contact: Contact,
-    master_scans: MasterScans,
     tolerance: float,
-    confidence: float,
 ) -> xr.Dataset:
-    """Return force.nc: the forces on all surfaces at the range and work of the contact.
+    """Return forces on scans and extrapolated ones, both widened, and at most the smooth sphere's.
 
-    Forces in `adhesion` and `scales` are at 1 J/m². `hindcast` is None if all surfaces are
-    substitutes. The `tolerance` is a relative change of the force.
+    `hindcast` is None if all surfaces are substitutes; the `tolerance` is a relative change.
     """
-    sizes = topography["scan_size"].to_series()
-    scan_sizes = {str(surface): size for surface, size in sizes.items()}
-    force = forces_on_scans(
-        adhesion, work=contact.work, rho=contact.rho, scan_sizes=scan_sizes, confidence=confidence
-    )
-    extrapolated_forces = forces_on_masters(scales, master_scans, contact.work, confidence)
     # Both forces are compared before pixels and hindcast widen the intervals.
-    force = add_extrapolated_force(force, extrapolated_forces, tolerance)
+    force = add_extrapolated_force(scan_forces, extrapolated_forces, tolerance)
     force = _widen_intervals(force, hindcast, contact.rho)
     # The bound also holds for widened intervals.
-    force = bound_by_smooth_sphere(force, contact.area)
-    names = force["surface"].values
-    surface_spectra = [spectrum_of_dataset(spectra.sel(surface=name)) for name in names]
-    search_sizes = [search_size(psd, contact.radius, contact.area) for psd in surface_spectra]
-    force = add_sizes(force, topography, contact, search_sizes)
-    moduli = [closed_form(psd, contact).weibull_modulus for psd in surface_spectra]
-    needed = contacts_needed(adhesion["pull_off_force"], tolerance, confidence)
-    force = force.assign(weibull_modulus=("surface", moduli, DIMENSIONLESS), contacts_needed=needed)
-    tabor = judge_tabor_parameter(contact, assumed_modulus(contact.hardness))
-    return force.assign_attrs(tabor_parameter=tabor.value, bodies=tabor.status)
+    return bound_by_smooth_sphere(force, contact.area)
 
 
 def forces_on_scans(
-    adhesion: xr.Dataset,
-    *,
-    work: float,
-    rho: float,
-    scan_sizes: Mapping[str, float],
-    confidence: float,
+    adhesion: xr.Dataset, contact: Contact, scan_sizes: Mapping[str, float], confidence: float
 ) -> xr.Dataset:
     """Return the pull-off force of every surface at one work and all ranges of adhesion.
 
     ``force`` (surface, contact_model, rho) in N is the mean over contacts and scans,
-    ``force_quantile`` is of single contacts. `adhesion` is at 1 J/m²; `rho` and scan sizes are in
-    nm, `work` in J/m². Raises ValueError if forces at the range `rho` were not computed.
+    ``force_quantile`` is of single contacts. `adhesion` is at 1 J/m²; scan sizes are in nm. Raises
+    ValueError if forces at the range of the contact were not computed.
     """
+    work, rho = contact.work, contact.rho
     ranges = adhesion.rho.values
     if not np.isclose(ranges, rho, rtol=1e-9).any():
         raise ValueError(
@@ -247,21 +222,35 @@ def bound_by_smooth_sphere(force: xr.Dataset, area: float) -> xr.Dataset:
     return force.assign(bounded)
 
 
-def add_sizes(
-    force: xr.Dataset, topography: xr.Dataset, contact: Contact, search_sizes: Sequence[float]
-) -> xr.Dataset:
-    """Return forces (surface) with the sizes of scans, window and pixels, in nm.
+def add_closed_form(force: xr.Dataset, spectra: xr.Dataset, contact: Contact) -> xr.Dataset:
+    """Return forces with the search size (nm) and Weibull modulus (surface), and the Tabor number.
+
+    They follow from the spectra in closed form; the status of the Tabor parameter is `bodies`.
+    """
+    surface_spectra = [
+        spectrum_of_dataset(spectra.sel(surface=name)) for name in force["surface"].values
+    ]
+    search_sizes = [search_size(psd, contact.radius, contact.area) for psd in surface_spectra]
+    moduli = [closed_form(psd, contact).weibull_modulus for psd in surface_spectra]
+    tabor = judge_tabor_parameter(contact, assumed_modulus(contact.hardness))
+    return force.assign(
+        search_size=("surface", search_sizes, NM),
+        weibull_modulus=("surface", moduli, DIMENSIONLESS),
+    ).assign_attrs(tabor_parameter=tabor.value, bodies=tabor.status)
+
+
+def add_sizes(force: xr.Dataset, topography: xr.Dataset, contact: Contact) -> xr.Dataset:
+    """Return forces (surface) and search sizes with the sizes of scans, window and pixels, in nm.
 
     ``finite_scan_ratio`` (surface, end) is the force on the scan relative to a large scan,
     ``window_share`` (rho) the share of a smooth sphere's attraction within the window.
     """
     scans = topography[["scan_size", "pixel_size"]].sel(surface=force["surface"])
     ratios = [
-        finite_scan_ratio(size, search_size)
-        for size, search_size in zip(scans["scan_size"].values, search_sizes, strict=True)
+        finite_scan_ratio(*sizes)
+        for sizes in zip(scans["scan_size"].values, force["search_size"].values, strict=True)
     ]
     return force.assign(
-        search_size=("surface", search_sizes, NM),
         finite_scan_ratio=(("surface", "end"), ratios, DIMENSIONLESS),
         pixel_area=("surface", scans["pixel_size"].values ** 2, {"units": "nm2"}),
         window_share=("rho", window_share(contact, force["rho"].values), DIMENSIONLESS),
