@@ -27,7 +27,7 @@ from hardcontact.inference.edges import (
     find_edges,
     logarithmic_limits,
 )
-from hardcontact.inference.filtered_masters import Filters, filtered_pull_off
+from hardcontact.inference.forces_on_masters import Filters, filtered_pull_off
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, self_affine, varying_hurst
 from hardcontact.surfaces.synthesis import SIDES, random_surface
 from hardcontact.theory.closed_form import closed_form, critical_band

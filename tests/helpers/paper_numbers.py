@@ -6,11 +6,11 @@ import numpy as np
 from repository import ROOT
 
 from hardcontact.base import published
+from hardcontact.contact.hertz_jkr_dmt import RUBY_ON_DIAMOND_MODULUS
 from hardcontact.paper.claims.statements import read_claims
 from hardcontact.paper.classical_models import ElasticSphere, Roughness
 from hardcontact.surfaces.features import ScanStatistics
 from hardcontact.surfaces.substitute_spectra import substitute_spectrum
-from hardcontact.theory.validity import RUBY_ON_DIAMOND_MODULUS
 
 SUBSTRATES = ["polished_uncd", "uncd", "ncd", "mcd"]
 LABELS = ["polished UNCD", "UNCD", "NCD", "MCD"]

@@ -19,7 +19,7 @@ from hardcontact.own.force_at_pair import (
     bound_by_smooth_sphere,
     contacts_needed,
     extend_by_pixel_factors,
-    forces_on_masters,
+    find_extrapolated_forces,
     forces_on_scans,
 )
 
@@ -123,7 +123,7 @@ def test_contacts_that_touch_few_patches_give_no_interval():
         assert scan_forces.force_interval.sel(surface="a").notnull().all()
         assert scan_forces.contacts.values.tolist() == [16, 16]
         master_scans = MasterScans({"a": 1}, 2, {"a": patches})
-        extrapolated_forces = forces_on_masters(master_forces(), master_scans, 0.05, 0.95)
+        extrapolated_forces = find_extrapolated_forces(master_forces(), master_scans, 0.05, 0.95)
         assert extrapolated_forces.extrapolated_force_interval.notnull().all() == (patches == 4)
 
 
@@ -161,7 +161,7 @@ def test_the_extrapolated_force_is_the_mean_over_contacts_and_masters():
     forces = master_forces()
     mean = forces.unfiltered_pull_off_force.mean(["realization", "contact_y", "contact_x"])
     np.testing.assert_allclose(
-        forces_on_masters(forces, MASTERS, 0.05, 0.95).extrapolated_force, 0.05 * mean
+        find_extrapolated_forces(forces, MASTERS, 0.05, 0.95).extrapolated_force, 0.05 * mean
     )
 
 
@@ -171,7 +171,7 @@ def test_the_extrapolated_force_is_the_mean_over_contacts_and_masters():
 def test_the_extrapolated_force_differs_beyond_its_interval_and_the_tolerance(
     ratio, half_width, differs
 ):
-    extrapolated_forces = forces_on_masters(master_forces(), MASTERS, 0.05, 0.95)
+    extrapolated_forces = find_extrapolated_forces(master_forces(), MASTERS, 0.05, 0.95)
     # The force on the scans, relative to the force with extrapolated roughness below their pixels.
     relative = np.array([[[ratio]]]), np.array([[[[ratio - half_width, ratio + half_width]]]])
     unit = extrapolated_forces.extrapolated_force.sel(side="short").item()

@@ -35,7 +35,7 @@ from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import WORK_OF_ADHESION, pull_off_dataset
 from hardcontact.contact.scan_pull_off import wider_window_change
 from hardcontact.inference.edges import edges_of_ratios
-from hardcontact.inference.filtered_masters import Filters, add_force_ratios, filtered_pull_off
+from hardcontact.inference.forces_on_masters import Filters, add_force_ratios, filtered_pull_off
 from hardcontact.own.own_spectrum import OwnSpectrum, read_own_spectrum, spectrum_of_map
 from hardcontact.own.scan_force import prediction_and_scan_force
 from hardcontact.scans import reading
@@ -46,7 +46,7 @@ from hardcontact.surfaces.levelling import remove_form
 from hardcontact.surfaces.metrics import metrics as metrics
 from hardcontact.surfaces.spectrum import Spectrum
 from hardcontact.surfaces.spectrum import measured_psds as measured_psds
-from hardcontact.theory.validity import wide_contact_message
+from hardcontact.theory.closed_form import wide_contact_message
 
 if TYPE_CHECKING:
     from SurfaceTopography import Topography

@@ -2,7 +2,7 @@
 
 from hardcontact.base.dataset import add_surface_names
 from hardcontact.base.units import NM
-from hardcontact.inference.filtered_masters import add_spectrum_shifts, read_master_forces
+from hardcontact.inference.forces_on_masters import add_spectrum_shifts, read_master_forces
 from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:

@@ -1,6 +1,6 @@
 """Pull-off forces on masters of one surface, unfiltered and filtered at every cutoff."""
 
-from hardcontact.inference.filtered_masters import compute_master_forces
+from hardcontact.inference.forces_on_masters import compute_master_forces
 from hardcontact.records.job import run_job
 from hardcontact.surfaces.height_map import load_height_map
 

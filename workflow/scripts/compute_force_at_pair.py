@@ -9,7 +9,7 @@ from hardcontact.own.force_at_pair import (
     add_sizes,
     compare_and_bound_forces,
     contacts_needed,
-    forces_on_masters,
+    find_extrapolated_forces,
     forces_on_scans,
 )
 from hardcontact.records.job import run_job
@@ -24,7 +24,7 @@ with run_job(snakemake) as job:
     hindcast = read(job.input.hindcast) if job.input.hindcast else None
     scan_sizes = topography["scan_size"].to_series().to_dict()
     scan_forces = forces_on_scans(adhesion, contact, scan_sizes, confidence)
-    extrapolated_forces = forces_on_masters(
+    extrapolated_forces = find_extrapolated_forces(
         read(job.input.scales), master_scans, contact.work, confidence
     )
     force = compare_and_bound_forces(scan_forces, extrapolated_forces, hindcast, contact, tolerance)

@@ -1,7 +1,7 @@
 """Exponents of the pull-off force and of the edges of the band: exponents.nc."""
 
 from hardcontact.base.dataset import add_surface_names
-from hardcontact.inference.filtered_masters import read_master_forces
+from hardcontact.inference.forces_on_masters import read_master_forces
 from hardcontact.paper.exponents import fit_exponents
 from hardcontact.records.job import run_job
 

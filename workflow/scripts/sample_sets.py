@@ -4,7 +4,7 @@ import pandas as pd
 
 from hardcontact.base import published
 from hardcontact.base.dataset import concatenate, read, read_all
-from hardcontact.inference.filtered_masters import read_master_forces
+from hardcontact.inference.forces_on_masters import read_master_forces
 from hardcontact.inference.published_fit import PublishedForces
 from hardcontact.paper.featured_candidates import candidates_by_surface
 from hardcontact.paper.sets import SetInputs, SetSettings, sample_sets, sphere_factor

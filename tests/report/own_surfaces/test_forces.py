@@ -14,12 +14,8 @@ from answer_inputs import (
     spectra,
 )  # fmt: skip
 
-from hardcontact.report.own_surfaces.forces import (
-    comparison_numbers,
-    fit_numbers,
-    pair_numbers,
-    preferred_fit,
-)
+from hardcontact.report.own_surfaces.fits import fit_numbers, preferred_fit
+from hardcontact.report.own_surfaces.forces import comparison_numbers, pair_numbers
 
 #: The shortest wavelength (nm) of an octave that scans show.
 OCTAVE = 80.0

@@ -26,16 +26,13 @@ from hardcontact.config.configuration import CONTACT_QUANTITIES
 from hardcontact.config.faults import collect_faults, raise_faults
 from hardcontact.config.keys import Study
 from hardcontact.contact.contact import Contact
+from hardcontact.contact.hertz_jkr_dmt import assumed_modulus, judge_tabor_parameter
 from hardcontact.own.hindcast import WIDE_PIXEL
 from hardcontact.own.own_spectrum import OwnSpectrum, add_sphere_roughness, read_own_spectrum
 from hardcontact.own.scan_force import prediction_and_scan_force
 from hardcontact.scans.heights import TAKE_CARE
-from hardcontact.theory.validity import (
-    MAX_NEGLIGIBLE_CHANGE,
-    assumed_modulus,
-    judge_tabor_parameter,
-    wide_contact_message,
-)
+from hardcontact.theory.closed_form import wide_contact_message
+from hardcontact.theory.prediction import MAX_NEGLIGIBLE_CHANGE
 
 #: The paper's study, whose settings hold where a prediction has no option.
 PAPER_STUDY = Study()

@@ -4,17 +4,29 @@ Lengths are in nm, forces in N, works of adhesion W in J/m², and moduli in Pa; 
 the sphere, E* the effective modulus. Pull-off forces are positive. Arrays broadcast.
 """
 
+import math
+from enum import StrEnum
 from typing import Any, NamedTuple
 
 import numpy as np
 
+from hardcontact.base.number import Number
 from hardcontact.base.units import NANOMETRE
+from hardcontact.contact.contact import Contact
 
 #: A number or an array of any shape; arrays broadcast.
 Values = Any
 #: Work in J/m² to part diamond along (111): no known solids adhere more strongly. Source: J. E.
 #: Field, The Properties of Diamond (Academic Press, 1979).
 STRONGEST_WORK = 10.6
+#: Effective modulus in Pa of ruby on diamond. It stands here, too, because an installed library has
+#: no resources/; a test compares it with `published.effective_modulus`.
+RUBY_ON_DIAMOND_MODULUS = 1 / ((1 - 0.29**2) / 365e9 + (1 - 0.22**2) / 1010e9)
+#: Hardness in Pa below which this modulus is not assumed: a tenth of the ruby's. Moduli are ten to
+#: some hundred times the hardness, so that such bodies may be ten times as compliant.
+SOFT_HARDNESS = 2.5e9
+#: Largest relative change of the force by elasticity that is negligible.
+MAX_SOFTENING = 0.1
 
 
 class HertzContact(NamedTuple):
@@ -96,3 +108,27 @@ def pull_off_coefficient(maugis: Values) -> Values:
 def effective_work_of_adhesion(force: Values, radius: Values, coefficient: Values) -> Values:
     """Return the work F/(coefficient πR) of a smooth sphere, by its `pull_off_coefficient`."""
     return force / (coefficient * np.pi * radius * NANOMETRE)
+
+
+class Elasticity(StrEnum):
+    """Whether elasticity reduces the force of a smooth sphere much (SOFT), or not (HARD).
+
+    UNKNOWN: the effective modulus is not known.
+    """
+
+    HARD, SOFT, UNKNOWN = "hard", "soft", "unknown"
+
+
+def assumed_modulus(hardness: float) -> float:
+    """Return the effective modulus (Pa) to assume at a hardness (Pa); NaN below SOFT_HARDNESS."""
+    return RUBY_ON_DIAMOND_MODULUS if hardness >= SOFT_HARDNESS else math.nan
+
+
+def judge_tabor_parameter(contact: Contact, effective_modulus: float) -> Number:
+    """Return the Tabor parameter, the range of adhesion as spacing; its status is `Elasticity`."""
+    if math.isnan(effective_modulus):
+        return Number("tabor_parameter", effective_modulus, status=Elasticity.UNKNOWN)
+    value = float(tabor_parameter(contact.work, contact.radius, effective_modulus, contact.rho))
+    softening = 1 - float(pull_off_coefficient(maugis_parameter(value))) / 2
+    status = Elasticity.SOFT if softening > MAX_SOFTENING else Elasticity.HARD
+    return Number("tabor_parameter", value, status=status)

@@ -14,7 +14,12 @@ from hardcontact.base.dataset import stack
 from hardcontact.base.statistics import as_variables, interval_ends, widen_interval
 from hardcontact.base.units import DIMENSIONLESS, NEWTON, NM
 from hardcontact.contact.contact import CONTACT_AXES, PLASTIC, Contact
-from hardcontact.contact.hertz_jkr_dmt import limit_forces, smooth_pull_off
+from hardcontact.contact.hertz_jkr_dmt import (
+    assumed_modulus,
+    judge_tabor_parameter,
+    limit_forces,
+    smooth_pull_off,
+)
 from hardcontact.contact.numerical_limits import finite_scan_ratio, window_share
 from hardcontact.inference.mean_forces import (
     SINGLE_CONTACT_AXES,
@@ -32,7 +37,6 @@ from hardcontact.own.hindcast import surface_pixel_factors
 from hardcontact.surfaces.spectrum import spectrum_of_dataset
 from hardcontact.theory.closed_form import closed_form
 from hardcontact.theory.summits import search_size
-from hardcontact.theory.validity import assumed_modulus, judge_tabor_parameter
 
 #: Quantiles of the forces of single contacts: the middle half and the middle 90 %.
 FORCE_QUANTILES = [0.05, 0.25, 0.5, 0.75, 0.95]
@@ -129,7 +133,7 @@ def _force_variables(
     )
 
 
-def forces_on_masters(
+def find_extrapolated_forces(
     scales: xr.Dataset, master_scans: MasterScans, work: float, confidence: float
 ) -> xr.Dataset:
     """Return the mean force on unfiltered masters, which have extrapolated roughness.

@@ -19,6 +19,7 @@ from numpy.typing import ArrayLike
 from scipy import special
 
 from hardcontact.base.arrays import Floats
+from hardcontact.base.formatting import format_quantity
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.hertz_jkr_dmt import dmt_pull_off, smooth_pull_off
 from hardcontact.inference.edges import CUTOFF, find_edges, logarithmic_limits
@@ -65,6 +66,21 @@ class ClosedForm:
 def contact_term(contact: Contact) -> float:
     """Return the contact term: the force of the area in contact relative to the force of DMT."""
     return contact.area / (2 * np.pi * contact.radius * contact.rho)
+
+
+def wide_contact_message(contact: Contact) -> str:
+    """Return a message if the contact area alone attracts as strongly as a smooth sphere, or "".
+
+    It names the largest preload (N) that is valid.
+    """
+    share = contact_term(contact)
+    if share < 1:
+        return ""
+    return (
+        f"preload: expected less than {format_quantity(contact.preload / share, 'N')} at this "
+        f"hardness, radius and range, found {format_quantity(contact.preload, 'N')}: the contact "
+        "alone would stick like a smooth sphere"
+    )
 
 
 def smooth_force(contact: Contact) -> float:

@@ -22,7 +22,6 @@ from hardcontact.scans.measured_spectrum import CALIBRATION_SCATTER
 from hardcontact.surfaces.spectrum import MIN_BINS, WAVEVECTORS, Spectrum, all_scales_rms
 from hardcontact.theory.closed_form import ClosedForm, closed_form, critical_band, smooth_force
 from hardcontact.theory.validity import (
-    MAX_NEGLIGIBLE_CHANGE,
     VALIDATED_QUANTITIES,
     Validity,
     is_validated,
@@ -35,6 +34,8 @@ from hardcontact.theory.validity import (
 MIN_RMS_HEIGHT = 0.01
 #: Largest ratio of neighbouring wavelengths: the spectrum may bend unnoticed in a wider gap.
 MAX_WAVELENGTH_RATIO = 4.0
+#: Largest relative change of the force by missing waves that is negligible.
+MAX_NEGLIGIBLE_CHANGE = 0.1
 #: Largest skewness of heights that count as Gaussian. 240 self-affine maps had less than 0.7. On
 #: bumps with a skewness of 1 the closed form was 7 to 15 times too high.
 MAX_SKEWNESS = 1.0

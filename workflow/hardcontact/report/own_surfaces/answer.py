@@ -9,7 +9,7 @@ import xarray as xr
 from hardcontact.base.number import Number, NumberSource, numbers_by_name
 from hardcontact.inference.octaves import strongest_octaves
 from hardcontact.report.figures import panels
-from hardcontact.report.own_surfaces import edges, forces
+from hardcontact.report.own_surfaces import edges, fits, forces
 from hardcontact.report.own_surfaces.cautions import Caution, answer_cautions
 from hardcontact.report.own_surfaces.datasets import (
     MEASUREMENT_LENGTHS,
@@ -118,7 +118,7 @@ def _surface_answer(
     if data.fit is None and {RANGE, WORK} & set(setting.assumed):
         numbers += forces.pair_numbers(data.force, setting.pairs)
     if data.fit is not None and name in data.fit["surface"].values:
-        numbers += forces.measured_numbers(forces.preferred_fit(data.fit).sel(surface=name), data)
+        numbers += fits.measured_numbers(fits.preferred_fit(data.fit).sel(surface=name), data)
     named_numbers = numbers_by_name(*numbers)
     conclusion = edges.surface_conclusion(named_numbers)
     cautions = answer_cautions(data, named_numbers)
@@ -154,7 +154,7 @@ def _study_numbers(datasets: Datasets, setting: Setting) -> list[Number]:
         Number("tolerance", band["tolerance"], source="given"),
         Number("confidence", band["confidence"], source="given"),
         stored_tabor_number(datasets.force),
-        *([] if datasets.fit is None else forces.fit_numbers(forces.preferred_fit(datasets.fit))),
+        *([] if datasets.fit is None else fits.fit_numbers(fits.preferred_fit(datasets.fit))),
     ]
 
 

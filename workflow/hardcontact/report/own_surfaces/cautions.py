@@ -10,7 +10,7 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.base.number import Number, numbers_by_name
-from hardcontact.contact.hertz_jkr_dmt import STRONGEST_WORK
+from hardcontact.contact.hertz_jkr_dmt import STRONGEST_WORK, Elasticity
 from hardcontact.contact.numerical_limits import MIN_WINDOW_SHARE, SMALLEST_SIZE_RATIO
 from hardcontact.inference.edges import EdgeStatus
 from hardcontact.inference.scan_parts import IntervalSource
@@ -29,7 +29,6 @@ from hardcontact.scans.heights import split_notes
 from hardcontact.scans.reliable_band import OTHER_BODY
 from hardcontact.scans.scan_pairs import find_contradictions
 from hardcontact.surfaces.synthesis import SIDES
-from hardcontact.theory.validity import Elasticity
 
 #: Fewest pixels in contact: below, rounding to whole pixels may change the area by over 5 %.
 MIN_CONTACT_PIXELS = 10

@@ -1,4 +1,4 @@
-"""Forces on a master, unfiltered and filtered below or above every cutoff wavelength.
+"""Forces on masters, unfiltered and without the waves beyond each cutoff: computed, read, compared.
 
 In a master random waves replace those of a scan beyond a transition (`surfaces.synthesis`).
 """

@@ -12,7 +12,7 @@ from scipy.special import erf
 from hardcontact.base.dataset import stack
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies
-from hardcontact.inference.filtered_masters import Filters, add_force_ratios, filtered_pull_off
+from hardcontact.inference.forces_on_masters import Filters, add_force_ratios, filtered_pull_off
 from hardcontact.surfaces.filters import filtered_series
 
 
