@@ -19,11 +19,8 @@ from hardcontact.contact.geometry import Bodies, largest_contact_gap, reference_
 
 #: The results of `asperity_sizes`, with their units.
 ASPERITY_UNITS = {
-    "largest_share": "1",
-    "two_largest_share": "1",
-    "asperity_count": "1",
-    "extent": "nm",
-}
+    "largest_share": "1", "two_largest_share": "1", "asperity_count": "1", "extent": "nm",
+}  # fmt: skip
 #: Share of the force that the asperities carry together.
 CARRIED_SHARE = 0.9
 

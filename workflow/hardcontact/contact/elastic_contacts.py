@@ -25,13 +25,9 @@ PRESSURE_MAP_PIXELS = 64
 PULL_OFF_WINDOW = 2500.0
 #: Quantities of each elastic contact, with their units.
 ELASTIC_UNITS = {
-    "elastic_contact_area": "nm2",
-    "share_above_hardness": "1",
-    "peak_pressure": "Pa",
-    "mean_pressure": "Pa",
-    "rigid_pull_off_force": "N",
-    "elastic_pull_off_force": "N",
-}
+    "elastic_contact_area": "nm2", "share_above_hardness": "1", "peak_pressure": "Pa",
+    "mean_pressure": "Pa", "rigid_pull_off_force": "N", "elastic_pull_off_force": "N",
+}  # fmt: skip
 
 
 def _pressure_metrics(pressure: Floats, pixel_size: float, hardness: float) -> tuple[float, ...]:

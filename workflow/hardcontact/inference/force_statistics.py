@@ -50,11 +50,9 @@ def forces_at_pair(
 #: Statistics of the forces on one surface, with their attributes. The interval of the mean is
 #: Student's t over scans, those of the others come from the jackknife over scans.
 STATISTIC_ATTRS = {
-    "mean_force_at_pair": NEWTON,
-    "median_force_at_pair": NEWTON,
-    "log_force_std": DIMENSIONLESS,
-    "lognormal_median": NEWTON,
-}
+    "mean_force_at_pair": NEWTON, "median_force_at_pair": NEWTON,
+    "log_force_std": DIMENSIONLESS, "lognormal_median": NEWTON,
+}  # fmt: skip
 
 
 def force_statistics(forces: Floats, sampling: Sampling) -> tuple[Floats, Floats]:

@@ -5,6 +5,7 @@ the microscope does not show.
 """
 
 from collections.abc import Mapping, Sequence
+from typing import Any
 
 import numpy as np
 import xarray as xr
@@ -171,24 +172,27 @@ def add_extrapolated_force(
     ``extrapolation_matters`` (surface, side) is 1 if both differ by more than the relative
     tolerance, and the extrapolated force lies outside the interval of the force on the scans.
     """
-    rho = force.attrs["rho"]
-    scan_force = force.sel(contact_model=PLASTIC).sel(rho=rho, method="nearest", drop=True)
+    scan_force = _plastic_at_range(force, force.attrs["rho"])
     extrapolated = extrapolated_forces.extrapolated_force
     low, high = interval_ends(scan_force, "force")
     is_inside = (low <= extrapolated) & (extrapolated <= high)
     is_changed = np.abs(extrapolated / scan_force.force - 1) > tolerance
-    differs = (is_changed & ~is_inside).drop_vars("contact_model").astype(int)
+    differs = (is_changed & ~is_inside).astype(int)
     differs.attrs = DIMENSIONLESS
     return force.merge(extrapolated_forces).assign(
         extrapolation_matters=differs.transpose("surface", "side")
     )
 
 
+def _plastic_at_range(data: Any, rho: float) -> Any:
+    """Return a dataset or array in plastic contact, at the computed range nearest to rho (nm)."""
+    return data.sel(contact_model=PLASTIC, drop=True).sel(rho=rho, method="nearest", drop=True)
+
+
 def _widen_intervals(force: xr.Dataset, hindcast: xr.Dataset | None, rho: float) -> xr.Dataset:
     """Return forces with intervals for sphere position, artificial roughness and wide pixels."""
     if "position_factor" in force:
-        plastic_factor = force["position_factor"].sel(contact_model=PLASTIC, drop=True)
-        factor = plastic_factor.sel(rho=rho, method="nearest", drop=True)
+        factor = _plastic_at_range(force, rho)["position_factor"]
         force = widen_interval(force, "extrapolated_force", factor)
     if hindcast is not None:
         names = ["hindcast_ratio", "hindcast_ratio_interval", "hindcast_fails", "wide_pixel_ratio"]
@@ -215,8 +219,7 @@ def bound_by_smooth_sphere(force: xr.Dataset, area: float) -> xr.Dataset:
     work = force.attrs["work_of_adhesion"]
     radius = force.attrs["sphere_radius"]
     bound = smooth_pull_off(work, radius, areas, force["rho"])
-    plastic_bound = bound.sel(contact_model=PLASTIC, drop=True)
-    master_bound = plastic_bound.sel(rho=force.attrs["rho"], method="nearest", drop=True)
+    master_bound = _plastic_at_range(bound, force.attrs["rho"])
     bounded = {"smooth_bound": bound.assign_attrs(NEWTON)}
     for name, limit in {"force": bound, "extrapolated_force": master_bound}.items():
         for variable in (name, f"{name}_interval"):

@@ -181,13 +181,9 @@ def draw_works(datasets: Datasets) -> Figure:
 
 
 OWN_DRAWINGS: dict[str, Callable[[Datasets], Figure]] = {
-    "octaves": draw_octaves,
-    "cutoffs": draw_cutoffs,
-    "maps": draw_maps,
-    "spectra": draw_spectra,
-    "forces": draw_forces,
-    "works": draw_works,
-}
+    "octaves": draw_octaves, "cutoffs": draw_cutoffs, "maps": draw_maps,
+    "spectra": draw_spectra, "forces": draw_forces, "works": draw_works,
+}  # fmt: skip
 
 
 def _surface_panels(
