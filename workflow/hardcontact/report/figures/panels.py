@@ -19,6 +19,7 @@ from hardcontact.report.figures.style import Look
 OCTAVE_SHARE = 0.84  # of an octave that its bars cover
 SPHERE_SHARE_LOOK: Look = {"color": style.SPHERE_COLOUR, "lw": 0}  # of the bar of an octave
 UNCHANGED_LOOK: Look = {"color": "0.88", "lw": 0}  # of changes of the force that do not count
+RATIO_BAR_OPACITY = 0.45  # many opaque bars would hide the symbols
 #: Largest end of the y axis relative to the largest bar. Longer intervals are cut, because the bars
 #: would be too small beside them.
 MAX_AXIS_OVER_BAR = 2.0
@@ -88,14 +89,17 @@ def draw_band(axes: Axes, x: Any, curve: xr.Dataset, colour: str) -> None:
     axes.fill_between(x, curve["low"], curve["high"], where=is_bounded, **look)
 
 
-def draw_bars(axes: Axes, x: Any, curve: xr.Dataset, width: float = 0.8, **look: Any) -> None:
+def draw_bars(
+    axes: Axes, x: Any, curve: xr.Dataset, width: float = 0.8, opacity: float = 1.0, **look: Any
+) -> None:
     """Draw `value` against x, and bars of a width (points) from `low` to `high`, without caps.
 
     A bar may exclude its value, because the distribution behind an interval may be skewed.
     """
     low, high = (np.nan_to_num(curve[end], nan=np.nan) for end in ("low", "high"))
     colour = look.pop("ecolor", look["color"])
-    axes.vlines(x, low, high, color=colour, lw=width, zorder=look.get("zorder", 2))
+    bar_look: Look = {"color": colour, "lw": width, "alpha": opacity}
+    axes.vlines(x, low, high, zorder=look.get("zorder", 2), **bar_look)
     axes.plot(x, curve["value"], **look)
 
 
@@ -109,7 +113,7 @@ def draw_ratios(axes: Axes, ratio: xr.Dataset, tolerance: float) -> None:
     """Draw the force ratio of each surface against the cutoff (nm), and the tolerance."""
     draw_tolerance(axes, tolerance)
     for factor, look, curve in style.iterate_dodged(ratio):
-        draw_bars(axes, factor * curve["cutoff_wavelength"], curve, 0.7, **look)
+        draw_bars(axes, factor * curve["cutoff_wavelength"], curve, 0.7, RATIO_BAR_OPACITY, **look)
     axes.set(xscale="log", yscale="log")
     axes.margins(x=0.03)
     style.label_logarithmic(axes.xaxis, digits=(1, 2, 5))

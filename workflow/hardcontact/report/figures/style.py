@@ -62,6 +62,7 @@ PRINT_SETTINGS: dict[Any, Any] = {
     "lines.markersize": 3.5,
     "xtick.major.width": 0.6,
     "ytick.major.width": 0.6,
+    "hatch.linewidth": 0.5,
     "image.interpolation": "nearest",  # every pixel of a height map is shown as it is
     "pdf.fonttype": 3,  # text can be searched, as with type 42, which takes three times as long
     "svg.hashsalt": "figure",  # the same names of parts in the SVG each time
