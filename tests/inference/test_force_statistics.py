@@ -6,23 +6,23 @@ from known_forces import power_forces
 from scipy.stats import lognorm
 
 from hardcontact.base.statistics import Sampling, student_log_interval
-from hardcontact.inference.force_statistics import force_statistics, mean_forces
+from hardcontact.inference.force_statistics import force_statistics, sample_mean_forces
 
 
 def test_missing_scans_change_no_mean():
     forces = power_forces(spread=0.3, scans=5)
     incomplete_forces = forces.copy()
     incomplete_forces[0, 3:] = np.nan
-    means = mean_forces(incomplete_forces, Sampling(0, 10, 0.95))
+    means = sample_mean_forces(incomplete_forces, Sampling(0, 10, 0.95))
     remaining_forces = forces.isel(surface=[0], scan=slice(3))
-    remaining_means = mean_forces(remaining_forces, Sampling(0, 10, 0.95))
+    remaining_means = sample_mean_forces(remaining_forces, Sampling(0, 10, 0.95))
     np.testing.assert_allclose(means[:, 0], remaining_means[:, 0])
 
 
 def test_contact_models_share_random_numbers_but_surfaces_do_not():
     forces = power_forces(spread=0.3)
-    samples = mean_forces(forces, Sampling(0, 20, 0.95))[1:]
-    doubled_samples = mean_forces(2 * forces[1:], Sampling(0, 20, 0.95))[1:]
+    samples = sample_mean_forces(forces, Sampling(0, 20, 0.95))[1:]
+    doubled_samples = sample_mean_forces(2 * forces[1:], Sampling(0, 20, 0.95))[1:]
     np.testing.assert_allclose(doubled_samples, 2 * samples[:, 1:])
     assert abs(np.corrcoef(np.log(samples[:, :2, 0]).T)[0, 1]) < 0.9
 

@@ -6,12 +6,11 @@ from dataclasses import replace
 import numpy as np
 import xarray as xr
 
-from hardcontact.base.dataset import stack
 from hardcontact.base.statistics import as_variables
 from hardcontact.base.units import DIMENSIONLESS, NM
 from hardcontact.contact.contact import CONTACT_AXES
 from hardcontact.contact.pull_off import FORCE_ATTRS, ForcesOnSurface
-from hardcontact.inference.scan_parts import ScanParts, log_force_ratio, parts_of_maps
+from hardcontact.inference.scan_parts import ScanParts, log_force_ratio
 from hardcontact.surfaces.filters import filtered_series
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.synthesis import SIDES
@@ -63,16 +62,3 @@ def band_ratios(forces: xr.Dataset, scan_parts: ScanParts, confidence: float) ->
         "band_force_ratio", dimensions, ratio, interval, DIMENSIONLESS, confidence
     )
     return xr.Dataset(variables, {name: forces[name] for name in dimensions})
-
-
-def band_ratios_by_surface(
-    forces_by_surface: Mapping[str, xr.Dataset], radius: float, rho: float, confidence: float
-) -> xr.Dataset:
-    """Return ``band_force_ratio`` (surface, band, band_part) and ``band_edge`` (band, side)."""
-    surfaces = {
-        (surface,): band_ratios(forces, parts_of_maps(forces, radius, rho), confidence)
-        for surface, forces in forces_by_surface.items()
-    }
-    # The bands are the same on all surfaces.
-    edges = next(iter(forces_by_surface.values()))["band_edge"].isel(map=0, drop=True)
-    return stack(surfaces, ["surface"]).assign(band_edge=edges)

@@ -16,7 +16,7 @@ from hardcontact.contact.force_interpolation import interpolate_forces
 from hardcontact.contact.pull_off import mean_over_contacts
 
 
-def mean_forces(forces: xr.DataArray, sampling: Sampling) -> Floats:
+def sample_mean_forces(forces: xr.DataArray, sampling: Sampling) -> Floats:
     """Return mean forces (1 + sample, surface, rho) over all scans: the means, then their samples.
 
     Forces (surface, scan, rho, ...) are in N, NaN for a missing scan. Samples are NaN for a surface
@@ -33,7 +33,7 @@ def forces_at_pair(
     """Return force statistics and ratios of mean forces of one contact model by surface."""
     rho, work = pair
     pair_forces = interpolate_forces(forces, rho) * work
-    means = mean_forces(pair_forces.expand_dims("rho"), sampling)[..., 0]
+    means = sample_mean_forces(pair_forces.expand_dims("rho"), sampling)[..., 0]
     contact_forces = pair_forces.transpose("surface", "scan", "sphere_scan", *CONTACT_AXES).values
     contact_forces = contact_forces.reshape(*contact_forces.shape[:3], -1)
     variables = sampling.as_variables(

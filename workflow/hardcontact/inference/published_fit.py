@@ -30,7 +30,7 @@ from hardcontact.inference.fit import (
     fit_work,
     mean_relative_error,
 )
-from hardcontact.inference.force_statistics import forces_at_pair, mean_forces
+from hardcontact.inference.force_statistics import forces_at_pair, sample_mean_forces
 
 #: Labels of the pairs of range and work of adhesion.
 PAIRS = ["published", "fitted"]
@@ -117,7 +117,7 @@ def fit_contact_model(
     missing scan.
     """
     ranges = fine_ranges(forces.rho.values)
-    means = mean_forces(forces, sampling)
+    means = sample_mean_forces(forces, sampling)
     curves = interpolate_to_ranges(means, forces.rho.values, ranges)
     surfaces = forces.surface.values
     are_kept = surfaces != surfaces[:, None]

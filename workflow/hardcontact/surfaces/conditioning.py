@@ -109,7 +109,8 @@ def _fit_group(matrices: Floats, targets: Targets) -> tuple[Floats, Floats, Floa
         amplitudes = np.exp(np.append(0.0, log_amplitudes))
         scan_rms = np.sqrt(np.einsum("smij,i,j->sm", matrices, amplitudes, amplitudes))
         rms_heights = scan_rms[:, 0]
-        factors = scale_rms_heights(rms_heights, means[0], targets.rms_height_std) / rms_heights
+        target = targets.means["rms_height"], targets.rms_height_std
+        factors = scale_rms_heights(rms_heights, *target) / rms_heights
         return (factors[:, None] * scan_rms).mean(axis=0) / means - 1, factors
 
     def slope_and_curvature_errors(log_amplitudes: Floats) -> Floats:
@@ -146,12 +147,11 @@ def condition_group(
         ]
         amplitudes, factors, mean_errors = _fit_group(np.array(matrices), targets)
         if factors.min() <= 0:
-            mean_rms_height = next(iter(targets.means.values()))
             raise ValueError(
                 f"{substitute.surface_name}: expected rms heights above zero of {len(factors)} "
-                f"scans with the mean {mean_rms_height:.3g} nm and the standard deviation "
-                f"{targets.rms_height_std:.3g} nm, found one of zero or below: use fewer scans of "
-                "this surface, whose rms heights differ less"
+                f"scans with the mean {targets.means['rms_height']:.3g} nm and the standard "
+                f"deviation {targets.rms_height_std:.3g} nm, found one of zero or below: use fewer "
+                "scans of this surface, whose rms heights differ less"
             )
         amplitude_gain = amplitudes @ shares
         missed_rows = {
