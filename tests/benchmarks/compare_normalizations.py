@@ -28,10 +28,10 @@ from hardcontact.paper.sets import sample_masters
 FORCES = ("pull_off_force", "unfiltered_pull_off_force")
 
 
-def outermost_edges(scales, ratio, settings):
+def outermost_edges(filtered_forces, ratio, settings):
     """Return the outermost edges (side) in nm from ratios (surface, realization, ...)."""
     sampling = Sampling(settings["seed"], 0, settings["confidence"])
-    ratios = scales.drop_dims("realization").assign(filtered_force_ratio=ratio)
+    ratios = filtered_forces.drop_dims("realization").assign(filtered_force_ratio=ratio)
     edges, _ = edges_of_masters(ratios, settings["tolerance"], sampling)
     return outermost_edge(edges)["value"]
 
@@ -51,7 +51,9 @@ def main():
     parser.add_argument("--sets", type=int, help="number of sets (default: the study's)")
     arguments = parser.parse_args()
     study = arguments.study
-    scales, sets = (xr.load_dataset(study / name) for name in ("scales.nc", "sets.nc"))
+    filtered_forces, sets = (
+        xr.load_dataset(study / name) for name in ("filtered_forces.nc", "sets.nc")
+    )
     parameters = json.loads(sets.attrs["parameters"])
     settings = parameters["settings"]
     paths = [path for path in json.loads(sets.attrs["input_digests"]) if "/filtered/sets/" in path]
@@ -66,9 +68,9 @@ def main():
             {name: outermost_edges(set_scales, ratio, settings) for name, ratio in ratios.items()}
         )
     claims = read_judged_claims(study / "claims.csv").set_index("id")
-    own_ratios = both_ratios(*(scales[name].mean(CONTACT_AXES) for name in FORCES))
+    own_ratios = both_ratios(*(filtered_forces[name].mean(CONTACT_AXES) for name in FORCES))
     for name, ratio in own_ratios.items():
-        for edge in outermost_edges(scales, ratio, settings):
+        for edge in outermost_edges(filtered_forces, ratio, settings):
             side = edge["side"].item()
             claim = claims.loc[f"{side}_edge_first"]
             set_edges = np.array([edges[name].sel(side=side).item() for edges in samples])

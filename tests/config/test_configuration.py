@@ -60,15 +60,6 @@ def test_a_faulty_value_is_refused_with_its_key(key, value, message_parts):
     assert_says(refusal(paper_configuration, key, value), "config key ", "expected", *message_parts)
 
 
-@pytest.mark.parametrize("link", ["results", "results/paper", "results/store"])
-def test_a_link_to_a_missing_folder_is_refused(tmp_path, monkeypatch, link):
-    monkeypatch.chdir(tmp_path)
-    (tmp_path / link).parent.mkdir(exist_ok=True)
-    (tmp_path / link).symlink_to("nowhere")
-    (line,) = refusal(paper_configuration, "seed", 1).splitlines()
-    assert_says(line, "study and store", f"found {link}, a link to nowhere, which is missing")
-
-
 # Files
 
 

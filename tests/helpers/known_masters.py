@@ -1,4 +1,4 @@
-"""Forces on masters with known ratios to the unfiltered force, as in scales.nc."""
+"""Forces on masters with known ratios to the unfiltered force, as in filtered_forces.nc."""
 
 import numpy as np
 import xarray as xr
@@ -25,7 +25,7 @@ def master_ratios(ratios, cutoffs, surfaces=None, shortest=1.0):
     )  # fmt: skip
 
 
-def scales(curves, spread=0.0, realizations=3, seed=0, count=4):
+def filtered_forces(curves, spread=0.0, realizations=3, seed=0, count=4):
     """Return forces of known ratios (surface, side, cutoff), with scatter over contacts."""
     rng = np.random.default_rng(seed)
     curves = np.array(curves)

@@ -127,7 +127,7 @@ def sets() -> xr.Dataset:
     )
 
 
-def scales(contacts: int = 20) -> xr.Dataset:
+def filtered_forces(contacts: int = 20) -> xr.Dataset:
     """Return forces on filtered surfaces, with a number of contacts and realizations."""
     forces = ("contact_y", "realization"), np.ones((contacts, 5))
     transitions = ("side", [20.0, 1000.0])

@@ -10,9 +10,9 @@ from paper_datasets import (
     band_forces,
     edge_shifts,
     features,
+    filtered_forces,
     fit,
     published_table1,
-    scales,
     scan_size,
     sensitivity,
     sets,
@@ -55,7 +55,7 @@ def datasets(contacts=20, pixels=512):
     """Return the datasets of the page, not to be changed; the band has two edges."""
     return {
         "topography": topography(pixels),
-        "scales": scales(contacts),
+        "filtered_forces": filtered_forces(contacts),
         "edges": band(),
         "edge_shifts": edge_shifts(),
         "sensitivity": sensitivity(),

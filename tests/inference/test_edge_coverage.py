@@ -35,16 +35,18 @@ CONTACT = Contact(
 
 
 def forces(masters, contact):
-    """Return the forces on masters by realization and side, (filters, map), as in scales.nc."""
+    """Return the forces on masters as in filtered_forces.nc, by realization and side."""
     filtered = {
         ("a", number, filters.side): filtered_pull_off(master, filters, [contact]).isel(
             radius=0, loading=0, rho=0, drop=True
         )
         for number, filters, master in masters
     }
-    scales = add_force_ratios(stack(filtered, ["surface", "realization", "side"]))
-    named_scales = scales.assign(label=("surface", ["A"]), source=("surface", ["measured"]))
-    return named_scales.assign_attrs(rho=contact.rho, sphere_radius=contact.radius)
+    filtered_forces = add_force_ratios(stack(filtered, ["surface", "realization", "side"]))
+    named_forces = filtered_forces.assign(
+        label=("surface", ["A"]), source=("surface", ["measured"])
+    )
+    return named_forces.assign_attrs(rho=contact.rho, sphere_radius=contact.radius)
 
 
 def assert_contained(low, high, edge, finite):
@@ -78,9 +80,9 @@ def edges_of_draw(draw):
     mirrored = mirror_scan(level_plane(cut_scan(surface, 64)))
     short = short_edge_master(rng, mirrored, 256, 160.0, known_density)
     long = long_edge_master(rng, mirrored, 1, 1000.0, known_density)
-    scales = forces([(1, SHORT_FILTERS, short), (1, LONG_FILTERS, long)], CONTACT)
+    filtered_forces = forces([(1, SHORT_FILTERS, short), (1, LONG_FILTERS, long)], CONTACT)
     master_scans = MasterScans({"a": 1}, 1, {"a": 99})
-    return edges_of_scans(scales, None, master_scans, 0.1, 0.95).isel(surface=0)
+    return edges_of_scans(filtered_forces, None, master_scans, 0.1, 0.95).isel(surface=0)
 
 
 @pytest.mark.study
@@ -122,7 +124,7 @@ def interval_of_one_scan(number):
     spectrum = spectrum_of_dataset(joined_spectrum(measurements, [None]))
     rngs = (generator(3, number, draw) for draw in range(REALIZATIONS))
 
-    def scales(spectra):
+    def filtered_forces(spectra):
         """Return the forces on masters of spectra, each with a factor on the heights."""
         masters = (
             long_edge_master(
@@ -134,9 +136,9 @@ def interval_of_one_scan(number):
         )  # fmt: skip
         return forces(((draw, LONG, master) for draw, master in enumerate(masters, 1)), WIDE)
 
-    measured_scales = scales([(spectrum, np.ones(1))] * REALIZATIONS)
-    sampled_scales = scales(sample_spectra(rngs, measurements, [None]))
-    shifted_scales = add_spectrum_shifts(measured_scales, sampled_scales)
+    measured_forces = filtered_forces([(spectrum, np.ones(1))] * REALIZATIONS)
+    sampled_forces = filtered_forces(sample_spectra(rngs, measurements, [None]))
+    shifted_scales = add_spectrum_shifts(measured_forces, sampled_forces)
     master_scans = MasterScans({"a": 1}, TILES, {"a": 99})
     edges = edges_of_scans(shifted_scales, None, master_scans, 0.1, 0.95)
     return edges.edge_interval.sel(side="long").values.ravel()

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 import xarray as xr
-from known_masters import LONG, SHORT, scales
+from known_masters import LONG, SHORT, filtered_forces
 
 from hardcontact.inference.edges_of_scans import edges_of_scans
 from hardcontact.inference.mean_forces import MasterScans
@@ -11,7 +11,7 @@ from hardcontact.inference.mean_forces import MasterScans
 
 def edges(curves, scans, hindcast=None, **options):
     return edges_of_scans(
-        scales(curves, **options),
+        filtered_forces(curves, **options),
         hindcast,
         MasterScans({"a": scans[0], "b": scans[-1]}, 2, {"a": 99, "b": 99}),
         0.1,

@@ -44,10 +44,10 @@ def test_ratios_are_taken_of_mean_forces_over_contacts():
         for realization in range(1, count + 1)
         for side, cutoffs, end in (("short", [43.0, 20.0], 1.2), ("long", [500.0, 1e3], 2e4))
     }
-    scales = add_force_ratios(stack(masters, ["surface", "realization", "side"]))
-    assert scales.cutoff_wavelength.values.tolist() == [20.0, 43.0, 500.0, 1e3]
+    filtered_forces = add_force_ratios(stack(masters, ["surface", "realization", "side"]))
+    assert filtered_forces.cutoff_wavelength.values.tolist() == [20.0, 43.0, 500.0, 1e3]
     empty = [np.nan, np.nan]
-    ratios_of_b = scales.filtered_force_ratio.sel(surface="b", loading="light").transpose(
+    ratios_of_b = filtered_forces.filtered_force_ratio.sel(surface="b", loading="light").transpose(
         "side", "realization", ...
     )
     np.testing.assert_array_equal(
@@ -56,10 +56,12 @@ def test_ratios_are_taken_of_mean_forces_over_contacts():
     np.testing.assert_array_equal(
         ratios_of_b.sel(side="long"), [[*empty, 0.5, 0.25], [*empty, 0.5, 0.5]]
     )
-    np.testing.assert_array_equal(scales.filtered_force_ratio.sel(loading="heavy").max(), 9.0)
-    assert scales.filtered_force_ratio.sel(surface="a", realization=2).isnull().all()
-    assert scales.pull_off_force.dims[-2:] == ("contact_y", "contact_x")
-    assert scales.spectrum_end.sel(surface="a").values.tolist() == [1.2, 2e4]
+    np.testing.assert_array_equal(
+        filtered_forces.filtered_force_ratio.sel(loading="heavy").max(), 9.0
+    )
+    assert filtered_forces.filtered_force_ratio.sel(surface="a", realization=2).isnull().all()
+    assert filtered_forces.pull_off_force.dims[-2:] == ("contact_y", "contact_x")
+    assert filtered_forces.spectrum_end.sel(surface="a").values.tolist() == [1.2, 2e4]
 
 
 SPHERES = [None, periodic_map(periodic_noise(96, 0.5, 5), 10.0)]

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import xarray as xr
 from known_forces import FORCE_DIMS
-from known_masters import LONG, SHORT, scales
+from known_masters import LONG, SHORT, filtered_forces
 from refusals import assert_says, refusal
 from scipy import stats
 
@@ -154,7 +154,7 @@ MASTERS = MasterScans({"a": 1}, 2, {"a": 99})
 
 
 def master_forces(**options):
-    return scales([[SHORT, LONG]], **options).assign(transition=("side", [20.0, 4e3]))
+    return filtered_forces([[SHORT, LONG]], **options).assign(transition=("side", [20.0, 4e3]))
 
 
 def test_the_extrapolated_force_is_the_mean_over_contacts_and_masters():

@@ -51,7 +51,7 @@ def study(factor=1.0, scatter=0.0, rms=11.0, **settings):
     return {
         "sets": sets,
         "topography": xr.Dataset(metrics | labels, coordinates),
-        "scales": xr.Dataset(masters, coordinates),
+        "filtered_forces": xr.Dataset(masters, coordinates),
         "features": xr.Dataset(
             {name: (("features", "candidate"), numbers[None]) for name in FORCE_UNITS},
             {"features": ["bumps"]},

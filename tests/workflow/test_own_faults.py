@@ -111,7 +111,7 @@ def flip_a_bit(path):
 
 def test_altered_files_are_refused_until_they_are_deleted_and_made_again(copy, own_study):
     (forces,) = (copy / STORE / "pull_off").glob("*/sphere/*/*/*/*/twin/*/scan-1.nc")
-    (filtered,) = (copy / STORE / "filtered/scales").rglob("twin/*/*/*/*.nc")
+    (filtered,) = (copy / STORE / "filtered/band").rglob("twin/*/*/*/*.nc")
     spectra = copy / RESULTS / "spectra.nc"
     altered_files = (forces, filtered, spectra)
     flip_a_bit(forces)
@@ -122,7 +122,7 @@ def test_altered_files_are_refused_until_they_are_deleted_and_made_again(copy, o
     assert verified.returncode == 1 and "to resume" not in verified.stdout
     for path in altered_files:
         assert f"{path.relative_to(copy)}: is not the file" in verified.stdout
-    targets = ["force", "adhesion", "scales"]  # of the spectra, forces and filtered masters
+    targets = ["force", "adhesion", "band"]  # of the spectra, forces and filtered masters
     for name in targets[1:]:
         (copy / RESULTS / f"{name}.nc").unlink()
     # An altered final file stops a run before its jobs remove anything.

@@ -28,7 +28,7 @@ EDGES = {"find_edges_of_scans", "compute_force_at_pair"}
 FORCES = {"compute_pull_off", "aggregate_adhesion", "fit_measured"} | EDGES
 OCTAVES = {"compute_octave_forces", "aggregate_sensitivity"}
 HINDCAST = {"compute_hindcast_forces", "aggregate_hindcast"} | EDGES
-FILTERED = {"compute_filtered_forces", "aggregate_scales"}
+FILTERED = {"compute_filtered_forces", "aggregate_filtered_forces"}
 MASTERS = {"synthesize_masters"} | FILTERED | EDGES
 SPECTRA = {
     "measure_spectrum", "sample_spectra", "aggregate_spectra",

@@ -23,7 +23,7 @@ def final(results):
 
 def test_substitutes_are_labelled(final, finished):
     surfaces = {name: data for name, data in final.items() if "source" in data}
-    assert surfaces.keys() >= {"topography", "adhesion", "scales", "fit", "edges"}
+    assert surfaces.keys() >= {"topography", "adhesion", "filtered_forces", "fit", "edges"}
     for name, data in surfaces.items():
         assert set(data.source.values.ravel()) <= {"substitute"}, name
     assert set(SUBSTRATES) <= set(final["adhesion"].surface.values)

@@ -37,7 +37,7 @@ def test_the_answer_follows_its_schema_and_has_the_numbers_of_the_datasets(resul
     Draft202012Validator(schema).validate(answer)
     numbers = {row["name"]: row for row in answer["quantities"] if row["surface"] == ""}
     assert ANSWER_CLAIMS.keys() <= numbers.keys()
-    rho = dataset.read(results / "scales.nc").attrs["rho"]
+    rho = dataset.read(results / "filtered_forces.nc").attrs["rho"]
     assert numbers["range_of_band"]["value"] == rho == 5.6
     assert numbers["sets"]["value"] == dataset.read(results / "sets.nc").sizes["set"] == 10
     surfaces = {row["surface"] for row in answer["quantities"]} - {""}

@@ -41,7 +41,7 @@ OTHER_WORDS = {
 STUDIES = {
     "finished": ("tiny", [
         "scans", "pull_off", "elastic", "asperities", "whole_surfaces", "pool",
-        "featured_candidates", "masters", "filtered/scales",
+        "featured_candidates", "masters", "filtered/band",
     ]),
     "own_study": ("several-quick", [
         "measurements", "measured_spectra", "sampled_spectra", "scans", "both_bodies",

@@ -7,7 +7,7 @@ from hardcontact.report.figures.listing import PAPER_FIGURES, caption
 #: The datasets of the study whose numbers the answer has.
 DATASETS_OF_ANSWER = (
     "topography",
-    "scales",
+    "filtered_forces",
     "edges",
     "edge_shifts",
     "sensitivity",

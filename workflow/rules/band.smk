@@ -14,7 +14,7 @@ BAND_FORCES = RESULTS.dataset("band/{surface}")
 rule find_edges_of_masters:
     """Find the edges of the band of the paper's study: edges.nc."""
     input:
-        scales=RESULTS.dataset("scales"),
+        filtered_forces=RESULTS.dataset("filtered_forces"),
     output:
         RESULTS.dataset("edges"),
     params:

@@ -4,7 +4,7 @@ from hardcontact.config.keys import SMOOTH_SPHERE
 from hardcontact.files.settings import largest_master_megabytes
 from hardcontact.surfaces.synthesis import SIDES
 
-SCALES_CHUNKS = CHUNKS.master_forces("scales")
+BAND_CHUNKS = CHUNKS.master_forces("band")
 #: Masters of sampled spectra, which the user's surfaces alone have.
 SAMPLED_CHUNKS = [] if IS_PAPER_STUDY else CHUNKS.master_forces("sampled")
 
@@ -20,7 +20,7 @@ rule synthesize_masters:
         **{side: STORE.masters.replace("{side}", side) for side in SIDES},
     resources:
         # The grid of the long side has at least the pixels of its masters.
-        mem_mb=largest_master_megabytes(SETTINGS["scales"]),
+        mem_mb=largest_master_megabytes(SETTINGS["band"]),
     params:
         parameters=lambda w: dict(
             surface=w.surface,
@@ -52,16 +52,16 @@ rule compute_filtered_forces:
         "../scripts/compute_filtered_forces.py"
 
 
-rule aggregate_scales:
-    """Gather the forces on all filtered masters of the band: scales.nc."""
+rule aggregate_filtered_forces:
+    """Gather the forces on all filtered masters of the band: filtered_forces.nc."""
     input:
-        master_forces=FILES.paths(STORE.master_forces, SCALES_CHUNKS),
+        master_forces=FILES.paths(STORE.master_forces, BAND_CHUNKS),
         sampled_master_forces=FILES.paths(STORE.master_forces, SAMPLED_CHUNKS),
     output:
-        RESULTS.dataset("scales"),
+        RESULTS.dataset("filtered_forces"),
     params:
         parameters=dict(
-            surfaces=[chunk.surface for chunk in SCALES_CHUNKS],
+            surfaces=[chunk.surface for chunk in BAND_CHUNKS],
             sampled_surfaces=[chunk.surface for chunk in SAMPLED_CHUNKS],
             loading=PLAN.contact.loading_name,
             **LABELS_AND_SOURCES,
@@ -70,4 +70,4 @@ rule aggregate_scales:
             transitions={side: STUDY["scales"][side]["transition"] for side in SIDES},
         ),
     script:
-        "../scripts/aggregate_scales.py"
+        "../scripts/aggregate_filtered_forces.py"

@@ -61,7 +61,7 @@ rule find_edges_of_scans:
     """Find the edges of the band of the user's surfaces: edges.nc."""
     input:
         adhesion=RESULTS.dataset("adhesion"),
-        scales=RESULTS.dataset("scales"),
+        filtered_forces=RESULTS.dataset("filtered_forces"),
         hindcast=HINDCAST,
     output:
         RESULTS.dataset("edges"),
@@ -75,7 +75,7 @@ rule compute_force_at_pair:
     """Compute the force at one range and work, also with extrapolated roughness: force.nc."""
     input:
         adhesion=RESULTS.dataset("adhesion"),
-        scales=RESULTS.dataset("scales"),
+        filtered_forces=RESULTS.dataset("filtered_forces"),
         topography=RESULTS.dataset("topography"),
         spectra=RESULTS.dataset("spectra"),
         hindcast=HINDCAST,

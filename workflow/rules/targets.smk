@@ -11,7 +11,7 @@ if IS_PAPER_STUDY:
         "elastic": ["elastic"],
         "plasticity": ["indent", "edge_shifts"],
         "asperities": ["asperities"],
-        "scales": ["scales", "edges", "sensitivity", "band_forces", "exponents"],
+        "band": ["filtered_forces", "edges", "sensitivity", "band_forces", "exponents"],
         "fit": ["fit"],
         "classical": ["classical"],
         "sets": ["sets", "posterior", "features"],
@@ -29,7 +29,7 @@ else:
     DATASETS_OF_TARGETS = {
         "topography": ["topography", "spectra"],
         "adhesion": ["adhesion"],
-        "scales": ["scales", "edges", "sensitivity"],
+        "band": ["filtered_forces", "edges", "sensitivity"],
         "force": ["force"],
         **({"fit": ["fit"]} if HAS_FORCES else {}),
     }

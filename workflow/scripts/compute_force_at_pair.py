@@ -25,7 +25,7 @@ with run_job(snakemake) as job:
     scan_sizes = topography["scan_size"].to_series().to_dict()
     scan_forces = forces_on_scans(adhesion, contact, scan_sizes, confidence)
     extrapolated_forces = find_extrapolated_forces(
-        read(job.input.scales), master_scans, contact.work, confidence
+        read(job.input.filtered_forces), master_scans, contact.work, confidence
     )
     force = compare_and_bound_forces(scan_forces, extrapolated_forces, hindcast, contact, tolerance)
     force = add_closed_form(force, read(job.input.spectra), contact)

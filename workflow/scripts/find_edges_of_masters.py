@@ -8,10 +8,10 @@ from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:
     params = job.parameters
-    scales = read(job.input.scales)
+    filtered_forces = read(job.input.filtered_forces)
     sampling = Sampling.from_parameters(params["sampling"])
-    edges, _ = edges_of_masters(scales, params["tolerance"], sampling)
+    edges, _ = edges_of_masters(filtered_forces, params["tolerance"], sampling)
     job.write(
-        labelled_edges(edges, scales, params["tolerance"], sampling.confidence),
+        labelled_edges(edges, filtered_forces, params["tolerance"], sampling.confidence),
         title="pull-off force against cutoff wavelength, and the edges of the band",
     )

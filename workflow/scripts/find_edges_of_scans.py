@@ -9,16 +9,16 @@ from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:
     params = job.parameters
-    scales = read(job.input.scales)
+    filtered_forces = read(job.input.filtered_forces)
     touched_patches = fewest_touched_patches(read(job.input.adhesion))
     edges = edges_of_scans(
-        scales,
+        filtered_forces,
         read(job.input.hindcast) if job.input.hindcast else None,
         MasterScans(params["scan_counts"], params["tiles"], touched_patches),
         params["tolerance"],
         params["confidence"],
     )
     job.write(
-        labelled_edges(edges, scales, params["tolerance"], params["confidence"]),
+        labelled_edges(edges, filtered_forces, params["tolerance"], params["confidence"]),
         title="pull-off force against cutoff wavelength, and the edges of the band",
     )

@@ -8,11 +8,11 @@ import yaml
 
 #: Named targets of workflow/rules/targets.smk, besides single figures.
 PAPER_TARGETS = (
-    "topography", "adhesion", "elastic", "plasticity", "asperities", "scales", "fit", "classical",
+    "topography", "adhesion", "elastic", "plasticity", "asperities", "band", "fit", "classical",
     "sets", "claims", "figures", "pages", "answer",
 )  # fmt: skip
 #: `answer` makes all figures, too; `fit` needs measured forces.
-OWN_TARGETS = ("answer", "topography", "adhesion", "scales", "force", "fit")
+OWN_TARGETS = ("answer", "topography", "adhesion", "band", "force", "fit")
 
 
 def _options() -> Namespace:

@@ -256,7 +256,7 @@ def test_errors_are_read_at_short_ranges_and_at_the_second_minimum():
     assert np.isnan(force_quantities.error_of_second_minimum(nothing_fits, PAPER)["value"])
 
 
-# --- scales -----------------------------------------------------------------------------------
+# --- filtered forces --------------------------------------------------------------------------
 
 
 @pytest.fixture
@@ -320,12 +320,12 @@ def test_the_outermost_edge_is_that_of_the_surface_whose_force_changes_first():
 def test_the_force_on_a_plane_is_that_of_derjaguin():
     force_of_plane = 2 * np.pi * RADIUS * 1e-9
     forces = np.array([[[0.1, 1.0, np.nan]], [[np.nan, 0.1, 0.2]]])[..., None] * force_of_plane
-    scales = xr.Dataset(
+    filtered_forces = xr.Dataset(
         {"pull_off_force": (("side", "realization", "cutoff_wavelength", "contact_y"), forces)},
         {"side": ["short", "long"], "cutoff_wavelength": [10.0, 1000.0, 5000.0]},
         {"sphere_radius": RADIUS, "confidence": 0.95},
     )
-    near(band_quantities.dmt_fraction_at_last_cutoff(scales), 1)
+    near(band_quantities.dmt_fraction_at_last_cutoff(filtered_forces), 1)
 
 
 def test_decades_of_works_are_those_between_the_smallest_and_the_largest():

@@ -77,10 +77,10 @@ def test_an_edge_at_wavelengths_of_artificial_roughness_says_so():
     """
     sources = {}
     for small, large in ((20.0, 5000.0), (80.0, 1000.0)):
-        scales_with_transitions = datasets()["scales"].assign(transition=("side", [small, large]))
+        filtered_forces = datasets()["filtered_forces"].assign(transition=("side", [small, large]))
         rows = change_claim("short_edge_first", computed=50.0)
         rows.loc[rows["id"] == ANSWER_CLAIMS["long_edge_first"], "computed"] = 2000.0
-        artificial_answer = answer(rows, scales=scales_with_transitions)
+        artificial_answer = answer(rows, filtered_forces=filtered_forces)
         numbers = numbers_of_answer(artificial_answer)
         names = ("short_edge_first", "long_edge_first", "plasticity_shift", "range_shift")
         sources[small] = [numbers[name].source for name in names]

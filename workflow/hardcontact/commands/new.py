@@ -148,9 +148,7 @@ def _choices_without_scans(
         yield Choice("forces", path_from_root(arguments.forces), "own pull-off forces")
     given_quantities = [option for option in CONTACT_QUANTITIES if quantities[option].is_given]
     if given_quantities:
-        yield Choice(
-            "given_quantities", given_quantities, "others that equal the paper's are assumed"
-        )
+        yield Choice("given_quantities", given_quantities, "others like the paper's are assumed")
     sphere = (SPHERE, "its scans") if arguments.sphere else (SMOOTH_SPHERE, "no scans of it")
     yield Choice("sphere.surface", *sphere)
     for option, (key, meaning) in CONTACT_QUANTITIES.items():

@@ -331,10 +331,4 @@ class Study(Keys):
         if store.is_relative_to(os.getcwd()) and not store.is_relative_to(results.parent):
             accepted = "a folder in results or outside of the project"
             faults.append(key_fault("store", accepted, self.store))
-        paths = Path(folder), Path(self.store)
-        for link in dict.fromkeys(link for path in paths for link in (path, *path.parents)):
-            if link.is_symlink() and not link.exists():
-                accepted = "folders, or links to folders"
-                found_value = f"{link}, a link to {link.readlink()}, which is missing"
-                faults.append(key_fault("study and store", accepted, found_value))
         return faults

@@ -58,7 +58,7 @@ class Purpose(NamedTuple):
 #: By the name in the paths of their forces.
 PURPOSES = {
     # The band of the study.
-    "scales": Purpose(
+    "band": Purpose(
         "scales", "contact.contacts_per_row", "scales.realizations", realizations_in_job=1,
         masters_are_files=True, stream="master",
     ),

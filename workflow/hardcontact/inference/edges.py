@@ -171,12 +171,12 @@ def mean_band(edges: xr.Dataset) -> tuple[float, float]:
 
 
 def labelled_edges(
-    edges: xr.Dataset, scales: xr.Dataset, tolerance: float, confidence: float
+    edges: xr.Dataset, forces: xr.Dataset, tolerance: float, confidence: float
 ) -> xr.Dataset:
     """Return edges.nc: edges with label and source of each surface, and settings of the study."""
-    return edges.assign(label=scales["label"], source=scales["source"]).assign_attrs(
+    return edges.assign(label=forces["label"], source=forces["source"]).assign_attrs(
         tolerance=tolerance,
         confidence=confidence,
-        rho=scales.attrs["rho"],
-        sphere_radius=scales.attrs["sphere_radius"],
+        rho=forces.attrs["rho"],
+        sphere_radius=forces.attrs["sphere_radius"],
     )

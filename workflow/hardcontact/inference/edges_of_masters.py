@@ -22,21 +22,22 @@ from hardcontact.inference.edges import (
 
 
 def edges_of_masters(
-    scales: xr.Dataset, tolerance: float, sampling: Sampling
+    forces: xr.Dataset, tolerance: float, sampling: Sampling
 ) -> tuple[xr.Dataset, xr.DataArray]:
     """Return force ratios, changes of the force and edges (..., side, group), and sampled edges.
 
-    `scales` has ``filtered_force_ratio`` (..., surface, realization, side, cutoff_wavelength), NaN
+    `forces` has ``filtered_force_ratio`` (..., surface, realization, side, cutoff_wavelength), NaN
     at cutoffs of the other side, and ``spectrum_end`` (surface, side) in nm. The first
     sampled edge (1 + sample, ..., side, group) is the edge, NaN if open; others have the bound.
     """
-    ratios = sampling.sample_means("scales", scales["filtered_force_ratio"], "realization")
+    # The word is a part of the seed.
+    ratios = sampling.sample_means("scales", forces["filtered_force_ratio"], "realization")
     ratios = ratios.transpose("sample", ..., "side", "surface", CUTOFF)
     group_ratios = ratios.rename(surface="group")
     changes = abs(group_ratios - 1)
     # The mean over surfaces is that of |ratio - 1|, because signs would cancel.
     mean_change = changes.mean("group", skipna=False).expand_dims(group=[MEAN_GROUP], axis=-2)
-    spectrum_ends = scales["spectrum_end"].rename(surface="group")
+    spectrum_ends = forces["spectrum_end"].rename(surface="group")
     group_edges = [
         find_edges(xr.ufuncs.log(group_ratios), logarithmic_limits(tolerance), spectrum_ends),
         find_edges(mean_change, (-np.inf, tolerance), spectrum_ends.mean("group")),

@@ -22,7 +22,7 @@ from hardcontact.inference.mean_forces import (
 
 
 def edges_of_scans(
-    scales: xr.Dataset,
+    forces: xr.Dataset,
     hindcast: xr.Dataset | None,
     master_scans: MasterScans,
     tolerance: float,
@@ -30,11 +30,11 @@ def edges_of_scans(
 ) -> xr.Dataset:
     """Return the edges of the band of every surface, with intervals.
 
-    `scales` is scales.nc. The error of the hindcast widens the intervals of measured surfaces. A
-    ratio without bounds has an interval from zero to infinity.
+    `forces` is filtered_forces.nc. The error of the hindcast widens the intervals of measured
+    surfaces. A ratio without bounds has an interval from zero to infinity.
     """
     curves = summarize_masters(
-        scales, master_scans, lambda forces: _ratios_of_masters(forces, confidence)
+        forces, master_scans, lambda masters: _ratios_of_masters(masters, confidence)
     )
     if hindcast is not None:
         curves = _widen_ratios(curves, hindcast["hindcast_ratio"])

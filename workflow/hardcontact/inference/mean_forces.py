@@ -144,35 +144,35 @@ class MasterForces(NamedTuple):
 
 
 def forces_of_masters(
-    scales: xr.Dataset, surface: str, side: str, master_scans: MasterScans
+    filtered_forces: xr.Dataset, surface: str, side: str, master_scans: MasterScans
 ) -> MasterForces:
-    """Return the forces, as in scales.nc, on the existing masters of one surface and side."""
+    """Return the forces, of filtered_forces.nc, on the masters of one surface and side."""
     # The spectrum of an unfiltered long-edge master ends at the width of the master.
-    master_size = float(scales.spectrum_end.sel(surface=surface, side="long"))
+    master_size = float(filtered_forces.spectrum_end.sel(surface=surface, side="long"))
     # A tile is a mirrored scan, twice as wide as the scan.
     scan_size = master_size / master_scans.tiles / 2
     tiles = master_scans.tiles if side == "long" else 1
-    forces = scales.sel(surface=surface, side=side).dropna(
+    forces = filtered_forces.sel(surface=surface, side=side).dropna(
         "realization", how="all", subset=["filtered_force_ratio"]
     )
     scan_parts = parts_of_scans(
         (forces.realization.values - 1) % master_scans.counts[surface],
         quarters_of_contacts(forces.sizes["contact_y"], tiles),
         scan_size,
-        float(np.sqrt(scales.attrs["sphere_radius"] * scales.attrs["rho"])),
+        float(np.sqrt(filtered_forces.attrs["sphere_radius"] * filtered_forces.attrs["rho"])),
         master_scans.touched_patches[surface],
     )
     return MasterForces(forces, scan_parts)
 
 
 def summarize_masters(
-    scales: xr.Dataset, master_scans: MasterScans, summary: Callable[[MasterForces], xr.Dataset]
+    forces: xr.Dataset, master_scans: MasterScans, summary: Callable[[MasterForces], xr.Dataset]
 ) -> xr.Dataset:
-    """Return a summary of the forces of scales.nc, over surface and side."""
+    """Return a summary of the forces of filtered_forces.nc, over surface and side."""
     summaries = {
-        (surface, side): summary(forces_of_masters(scales, surface, side, master_scans))
-        for surface in scales.surface.values.tolist()
-        for side in scales.side.values.tolist()
+        (surface, side): summary(forces_of_masters(forces, surface, side, master_scans))
+        for surface in forces.surface.values.tolist()
+        for side in forces.side.values.tolist()
     }
     return stack(summaries, ["surface", "side"])
 

@@ -135,11 +135,11 @@ def _force_variables(
 
 
 def find_extrapolated_forces(
-    scales: xr.Dataset, master_scans: MasterScans, work: float, confidence: float
+    forces: xr.Dataset, master_scans: MasterScans, work: float, confidence: float
 ) -> xr.Dataset:
     """Return the mean force on unfiltered masters, which have extrapolated roughness.
 
-    Forces in `scales` are plastic, at 1 J/m². ``extrapolated_force`` (surface, side) is in N.
+    Forces in `forces` are plastic, at 1 J/m². ``extrapolated_force`` (surface, side) is in N.
     Roughness is artificial from the ``transition`` to the ``extrapolation_end``, both in nm.
     """
 
@@ -161,7 +161,7 @@ def find_extrapolated_forces(
             }
         )
 
-    return summarize_masters(scales, master_scans, summary).assign(transition=scales.transition)
+    return summarize_masters(forces, master_scans, summary).assign(transition=forces.transition)
 
 
 def add_extrapolated_force(

@@ -37,7 +37,7 @@ MAIN_NUMBERS = re.compile("(short|long)_edge(_first)?|mean_force|(range|work)_of
 SIDE_NUMBERS = re.compile("(bumps|pits|gaussian|verdicts)_.*|.*_(scatter|agreeing_share)")
 
 #: Datasets of a study with sets of scans.
-SET_DATASETS = ("sets", "topography", "scales", "features")
+SET_DATASETS = ("sets", "topography", "filtered_forces", "features")
 #: Parameters of sets.nc that decide which scans and masters a set has.
 SAMPLING_PARAMETERS = ("pool_chunks", "candidate_chunks", "master_surfaces", "realizations")
 SAMPLING_SETTINGS = ("seed", "realizations")
@@ -228,7 +228,7 @@ def _sampling(sets: xr.Dataset) -> list[Any]:
 def _recorded_surfaces(study: Mapping[str, xr.Dataset]) -> xr.Dataset:
     """Return what a study records of its scans, and of its masters."""
     scans = study["topography"][list(TABLE1_METRICS.values())]
-    return xr.merge([scans, study["scales"][["spectrum_end", "transition"]]], join="outer")
+    return xr.merge([scans, study["filtered_forces"][["spectrum_end", "transition"]]], join="outer")
 
 
 def add_paired_intervals(

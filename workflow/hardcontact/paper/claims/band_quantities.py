@@ -77,12 +77,12 @@ def stylus_change(edges: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
     return computed_change.sel(cutoff_wavelength=radius, method="nearest", drop=True)
 
 
-def dmt_fraction_at_last_cutoff(scales: xr.Dataset) -> xr.Dataset:
+def dmt_fraction_at_last_cutoff(forces: xr.Dataset) -> xr.Dataset:
     """Return the force at the largest short cutoff relative to 2 pi R W of a plane (surface)."""
-    force = mean_over_contacts(scales["pull_off_force"].sel(side="short"))
+    force = mean_over_contacts(forces["pull_off_force"].sel(side="short"))
     force = force.sel(cutoff_wavelength=last_cutoff(force, "short"), drop=True)
-    dmt_force = dmt_pull_off(1.0, scales.attrs["sphere_radius"])  # the forces are at 1 J/m²
-    return mean_over_scans(force / dmt_force, scales.attrs["confidence"], "realization")
+    dmt_force = dmt_pull_off(1.0, forces.attrs["sphere_radius"])  # the forces are at 1 J/m²
+    return mean_over_scans(force / dmt_force, forces.attrs["confidence"], "realization")
 
 
 def mean_band_ratio(band_forces: xr.Dataset) -> xr.Dataset:

@@ -25,7 +25,9 @@ EDGE_LOOK: style.Look = {"ls": "none", "marker": "o", "mfc": "white", "mew": 1.3
 SHOWN_TOLERANCES = (-3, 7)
 
 
-def draw(edges: xr.Dataset, scales: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
+def draw(
+    edges: xr.Dataset, filtered_forces: xr.Dataset, published_constants: pd.DataFrame
+) -> Figure:
     """Draw Fig. 6: the force by cutoff, a panel for each side of the band."""
     figure = drawing.create_figure(3.6, edges)
     both_axes = figure.subplots(1, 2, sharey=True)
@@ -34,13 +36,13 @@ def draw(edges: xr.Dataset, scales: xr.Dataset, published_constants: pd.DataFram
     for letter, side, edge, axes in zip("ab", TITLES, band, both_axes, strict=True):
         _draw_side(axes, edges.sel(side=side))
         axes.axvline(edge, zorder=1, **PUBLISHED_LINE)
-        transition = float(scales["transition"].sel(side=side))
+        transition = float(filtered_forces["transition"].sel(side=side))
         artificial = (0.0, transition) if side == "short" else (transition, np.inf)
         panels.hatch_bands(axes, [artificial])
         axes.set_xlabel("cutoff wavelength (nm)")
         style.label_panel(axes, letter, TITLES[side])
     both_axes[0].set_yscale("linear")
-    rho = scales.attrs["rho"]
+    rho = filtered_forces.attrs["rho"]
     both_axes[0].set_ylabel(f"force / unfiltered force\n(range of adhesion {rho:g} nm)")
     style.legend_above(figure, _legend_handles(edges, band))
     return figure

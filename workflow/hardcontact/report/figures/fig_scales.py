@@ -33,19 +33,21 @@ MIN_SPECTRUM = 1e-12
 SHOWN_DECADES = 14  # of the spectra
 
 
-def draw(topography: xr.Dataset, scales: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
+def draw(
+    topography: xr.Dataset, filtered_forces: xr.Dataset, published_constants: pd.DataFrame
+) -> Figure:
     """Draw (a) the spectra of all surfaces, (b-d) maps of one scan, (e) their profiles."""
     band = panels.published_band(published_constants)
     figure, ((spectrum_axes,), map_axes, (profile_axes,)) = drawing.create_rows(
         7.4, topography, (2.3, [1]), (2.1, [1, 1, 1]), (1.4, [1])
     )
-    _draw_spectra(spectrum_axes, topography, scales, band)
+    _draw_spectra(spectrum_axes, topography, filtered_forces, band)
     surface, sphere = (topography.attrs[f"{kind}_surface"] for kind in ("reference", "sphere"))
     colour = style.surface_colours(topography["surface"].values, sphere)[surface]
     scan = topography.sel(surface=surface)
     maps = dict(zip(map_titles(band), filtered_heights(scan, band), strict=True))
     _draw_maps(map_axes, scan, maps)
-    _draw_profiles(profile_axes, scan, maps, scales.attrs["sphere_radius"], colour)
+    _draw_profiles(profile_axes, scan, maps, filtered_forces.attrs["sphere_radius"], colour)
     style.legend_above(figure, _legend_handles(topography, band))
     return figure
 
@@ -70,11 +72,11 @@ def map_titles(band: Sequence[float]) -> list[str]:
 
 
 def _draw_spectra(
-    axes: Axes, topography: xr.Dataset, scales: xr.Dataset, band: Sequence[float]
+    axes: Axes, topography: xr.Dataset, filtered_forces: xr.Dataset, band: Sequence[float]
 ) -> None:
     """Draw the spectra of scans, and at all scales, dashed where roughness is artificial."""
     wavelengths = 2 * np.pi / topography["wavevector"]
-    shortest, longest = scales["transition"].sel(side=["short", "long"]).values
+    shortest, longest = filtered_forces["transition"].sel(side=["short", "long"]).values
     is_artificial = (wavelengths < shortest) | (wavelengths > longest)
     for look, surface_topography in style.iterate_surfaces(topography):
         spectrum = surface_topography["spectrum"].where(lambda values: values > MIN_SPECTRUM)
@@ -84,7 +86,7 @@ def _draw_spectra(
         axes.plot(wavelengths, spectrum, **look | ARTIFICIAL_LINE)
         axes.plot(wavelengths, scan_spectrum, **look | SCAN_LOOK)
     axes.axvspan(*band, zorder=0, **BAND_LOOK)
-    wavelengths_shown = scales["spectrum_end"].values
+    wavelengths_shown = filtered_forces["spectrum_end"].values
     axes.set(xscale="log", yscale="log", xlabel="wavelength (nm)", ylabel="isotropic PSD (nm⁴)")
     axes.set_xlim(wavelengths_shown.min(), wavelengths_shown.max())
     highest = 10 * topography["spectrum"].max().item()

@@ -61,8 +61,8 @@ def paper_answer(
     """Return the content of answer.json: a head, notes in words, and all numbers.
 
     `claims` comes from `add_open_ends`, `constants` and `table1` from `published`. The
-    datasets are `topography`, `scales`, `edges`, `edge_shifts`, `sensitivity`, `band_forces`,
-    `sets`, `features`, `fit`, and `scan_size` from resources/validation.
+    datasets are `topography`, `filtered_forces`, `edges`, `edge_shifts`, `sensitivity`,
+    `band_forces`, `sets`, `features`, `fit`, and `scan_size` from resources/validation.
     """
     heads = datasets["topography"][["label", "source"]].to_dataframe()
     numbers = numbers_by_name(*study_numbers(claims, datasets, constants))
@@ -138,9 +138,9 @@ def _verdict_numbers(claims: pd.DataFrame) -> Iterator[Number]:
         yield Number(f"{name}_independent", row["independent"])
 
 
-def _edge_source(scales: xr.Dataset, side: str, edge: float) -> NumberSource:
+def _edge_source(filtered_forces: xr.Dataset, side: str, edge: float) -> NumberSource:
     """Return the source of an edge (nm): whether the roughness beyond it is artificial."""
-    transition = scales["transition"].sel(side=side).item()
+    transition = filtered_forces["transition"].sel(side=side).item()
     is_artificial = edge < transition if side == "short" else edge > transition
     return "artificial" if is_artificial else "computed"
 
@@ -157,14 +157,14 @@ def _claim_numbers(name: str, row: Any, datasets: Mapping[str, xr.Dataset]) -> l
     mean_edges = datasets["edges"]["edge"].sel(group=MEAN_GROUP)
     for side, edge_name in EDGE_NAMES.items():
         if name.startswith(edge_name):
-            source = _edge_source(datasets["scales"], side, row.computed)
+            source = _edge_source(datasets["filtered_forces"], side, row.computed)
         if name == edge_name and np.isnan(mean_edges.sel(side=side).item()):
             status = OPEN_STATUSES[side]
     if name in FORMER_EDGES:  # It rests on the edge without this reason, too.
         model, end = FORMER_EDGES[name]
         shifts = datasets["edge_shifts"].sel(side="short", group=MEAN_GROUP, contact_model=model)
         former_edge = shifts["edge"].sortby("rho").isel(rho=end).item()
-        source = _edge_source(datasets["scales"], "short", former_edge)
+        source = _edge_source(datasets["filtered_forces"], "short", former_edge)
     return [
         Number(name, row.computed, row.unit, row.low, row.high, status, source),
         Number(f"{name}_published", row.published, row.unit, source="published"),
@@ -186,7 +186,7 @@ def surface_numbers(surface: str, datasets: Mapping[str, xr.Dataset]) -> dict[st
         interval = interval_ends(band.sel(labels), "edge")
         low, high = interval_with_sets(value, interval, samples, band.attrs["confidence"])
         status = _interval_status(find_open_end(side, value, low, high, [band, sets]))
-        source = _edge_source(datasets["scales"], side, value)
+        source = _edge_source(datasets["filtered_forces"], side, value)
         numbers[name] = Number(name, value, "nm", low, high, status, source)
     fit = datasets["fit"].sel(contact_model=PLASTIC, pair="published", surface=surface)
     numbers["mean_force"] = number_of(fit, "mean_force_at_pair", name="mean_force")
@@ -248,21 +248,21 @@ def _median_number(name: str, unit: str, sample: np.ndarray, confidence: float) 
 def _settings(datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame) -> Iterator[Number]:
     """Yield the settings of the study, and the sizes of its grids and of the paper's grids."""
     topography = datasets["topography"]
-    scales = datasets["scales"]
+    filtered_forces = datasets["filtered_forces"]
     sizes = {
         "scan_pixels": (topography.sizes["row"], "1"),
         "scan_size": (topography["scan_size"].min().item(), "nm"),
-        "contacts_per_row": (scales.sizes["contact_y"], "1"),
+        "contacts_per_row": (filtered_forces.sizes["contact_y"], "1"),
     }
     for name, (size, unit) in sizes.items():
         yield Number(name, size, unit, source="given")
         yield Number(f"{name}_published", constants["value"][name], unit, source="published")
-    yield Number("range_of_band", float(scales.attrs["rho"]), "nm", source="given")
+    yield Number("range_of_band", float(filtered_forces.attrs["rho"]), "nm", source="given")
     yield Number("short_range", SHORT_ADHESION_RANGE, "nm", source="given")
     for name in ("tolerance", "confidence"):
         yield Number(name, float(datasets["edges"].attrs[name]), source="given")
     yield Number("sets", datasets["sets"].sizes["set"], source="given")
-    yield Number("realizations", scales.sizes["realization"], source="given")
+    yield Number("realizations", filtered_forces.sizes["realization"], source="given")
     map_size = datasets["scan_size"]["map_size"]
     mirrored = _small_scan_forces(datasets)["map_size"]
     yield Number("mirrored_scan_size", float(mirrored), "nm", source="given")

@@ -1,4 +1,4 @@
-"""Pull-off forces on every filtered master, relative to the unfiltered one: scales.nc."""
+"""Pull-off forces on every filtered master, relative to the unfiltered one: filtered_forces.nc."""
 
 from hardcontact.base.dataset import add_surface_names
 from hardcontact.base.units import NM
