@@ -29,7 +29,7 @@ CONTACT = contact_of_area(100e3, 5.6, 0.05, 400.0)
 #: Surfaces, half of them with a line scan.
 SURFACE_COUNT = 12
 #: Sampled spectra of each surface.
-SAMPLE_COUNT = 8
+SAMPLE_COUNT = 6
 #: Wavevectors that no scan shows: beyond the map, between map and line, and beyond the line.
 HELD_OUT_WAVEVECTORS = 2 * np.pi / np.array([15_000.0, 110.0, 8.0])
 #: So sharp that tips limit nothing.
@@ -81,7 +81,7 @@ def log_quantities(spectrum, true_band):
 
 def test_intervals_contain_spectrum_force_and_edges_of_known_surfaces(monkeypatch):
     """An interval contains an edge if the interval of the force ratio there contains the ratio."""
-    monkeypatch.setattr(closed, "CUTOFF_COUNT", 24)
+    monkeypatch.setattr(closed, "CUTOFF_COUNT", 8)
     contained, true_forces, force_half_widths = [], [], []
     for number, has_line in product(range(SURFACE_COUNT // 2), (0, 1)):
         rng = generator(31, number, has_line)
