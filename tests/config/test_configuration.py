@@ -93,14 +93,6 @@ def test_a_file_that_is_no_configuration_is_refused(tmp_path, content, message_p
     assert len(message.splitlines()) == 1 and len(message) < len(str(path)) + 200
 
 
-def test_a_file_too_large_for_a_configuration_is_not_read(tmp_path):
-    path = tmp_path / "a.yaml"
-    with open(path, "wb") as file:
-        file.truncate(200_000_000)
-    message = refusal(refuse_unreadable, path)
-    assert_says(message, "at most 1 MB, found 200,000,000 bytes")
-
-
 # Many faults
 
 

@@ -22,7 +22,7 @@ rule aggregate_adhesion:
         RESULTS.dataset("adhesion"),
     params:
         parameters=dict(
-            scan_keys=PLAN.substrate_scan_ids,
+            scan_ids=PLAN.substrate_scan_ids,
             **LABELS_AND_SOURCES,
             sphere_radius=STUDY["sphere"]["radius"],
             rho=STUDY["adhesion"]["range"],

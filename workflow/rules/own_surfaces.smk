@@ -34,7 +34,7 @@ if PLAN.measured_scan_ids:
             RESULTS.dataset("hindcast"),
         params:
             parameters=dict(
-                scans=PLAN.measured_scan_ids,
+                scan_ids=PLAN.measured_scan_ids,
                 **LABELS_AND_SOURCES,
                 tolerance=STUDY["scales"]["tolerance"],
                 rho=STUDY["adhesion"]["range"],

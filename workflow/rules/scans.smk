@@ -111,7 +111,7 @@ rule aggregate_topography:
         RESULTS.dataset("topography"),
     params:
         parameters=dict(
-            scan_keys=PLAN.scan_ids,
+            scan_ids=PLAN.scan_ids,
             surfaces=SELECTION.surfaces,
             conditioned=SELECTION.substitutes,
             attributes=dict(

@@ -6,7 +6,7 @@ from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:
     params = job.parameters
-    forces = stack_pull_off_forces(read_all(params["scan_keys"], job.input.scans), params)
+    forces = stack_pull_off_forces(read_all(params["scan_ids"], job.input.scans), params)
     job.write(
         forces.assign_attrs({name: params[name] for name in ("rho", "sphere_radius")}),
         title="pull-off forces at a work of adhesion of 1 J/m2",

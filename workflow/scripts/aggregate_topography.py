@@ -7,7 +7,7 @@ from hardcontact.surfaces.topography import measured_roughness, topography_datas
 
 with run_job(snakemake) as job:
     params = job.parameters
-    scan_paths = zip(params["scan_keys"], job.input.scans, strict=True)
+    scan_paths = zip(params["scan_ids"], job.input.scans, strict=True)
     job.write(
         topography_dataset(
             {tuple(key): measured_roughness(load_height_map(path)) for key, path in scan_paths},

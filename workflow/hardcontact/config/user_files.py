@@ -15,8 +15,6 @@ from pydantic import BaseModel, Field, WrapValidator
 from hardcontact.config.faults import quote_key, raise_faults, validate
 from hardcontact.records.code import ROOT
 
-#: The most bytes of a configuration: a hundred times as many as the paper's study has.
-MAX_CONFIGURATION_BYTES = 1_000_000
 #: Largest size of a table: a hundred thousand rows.
 MAX_TABLE_BYTES = 10_000_000
 #: A number with a decimal comma.
@@ -41,9 +39,6 @@ def refuse_unreadable(path: str | Path) -> None:
         raise ValueError(
             f"{path}: expected a YAML file, found none (targets stand before --configfile)"
         )
-    size = os.stat(path).st_size
-    if size > MAX_CONFIGURATION_BYTES:
-        raise ValueError(f"{path}: expected a configuration of at most 1 MB, found {size:,} bytes")
     try:
         content = yaml.load(Path(path).read_bytes().decode("utf-8"), _StrictLoader)
         reason = quote_key(content) if content is not None else "nothing"

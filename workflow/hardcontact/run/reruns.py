@@ -42,7 +42,7 @@ class Changes(NamedTuple):
 
 
 class Reruns:
-    """The changes since the files of a run were made.
+    """Finds what changed since the files of a run were made.
 
     A job is Snakemake's: it has paths as `input` and a mapping as `params.parameters`.
     """
@@ -50,43 +50,43 @@ class Reruns:
     def __init__(self, dependencies: Mapping[Any, Mapping[Any, Iterable[str]]]) -> None:
         """Take the files, by job, that each job needs from other jobs."""
         self._dependencies = dependencies
-        self._digests: dict[str, str | None] = {}
-        self._inputs: dict[Any, dict[str, str | None]] = {}
-        self._lineages: dict[Any, str] = {}
-        self._changed: set[str] = set()
+        self._digests: dict[str, str | None] = {}  # By path.
+        self._input_digests: dict[Any, dict[str, str | None]] = {}  # By job.
+        self._lineages: dict[Any, str] = {}  # By job.
+        self._changed_paths: set[str] = set()
 
     def changes(self, job: Any, path: str) -> Changes:
         """Return the changes since a job made a file."""
         record = _complete_record(path)
         if record is None:
             return Changes({f"no complete record of {path}"}, set(), set())
-        recorded = _entries(record.parameters | record.versions)
-        current = _entries(job.params.parameters | versions())
+        recorded = _key_value_texts(record.parameters | record.versions)
+        current = _key_value_texts(job.params.parameters | versions())
         changed_inputs = self._changed_inputs(job, record)
-        self._changed |= changed_inputs
+        self._changed_paths |= changed_inputs
         return Changes(recorded - current, current - recorded, changed_inputs)
 
     def _changed_inputs(self, job: Any, record: Record) -> set[str]:
         """Return inputs that changed; missing ones only if a file that leads to them changed."""
-        if job not in self._inputs:
-            self._inputs[job] = {path: self._input_digest(path) for path in _inputs(job)}
-        inputs = self._inputs[job]
+        if job not in self._input_digests:
+            self._input_digests[job] = {path: self._digest(path) for path in _input_paths(job)}
+        inputs = self._input_digests[job]
         changed_paths = {path for path, _ in inputs.items() ^ record.input_digests.items()}
         missing_paths = {path for path, value in inputs.items() if value is None}
         if missing_paths and self._lineage(job) == record.lineage:
             return changed_paths - missing_paths
         return changed_paths
 
-    def _input_digest(self, path: str) -> str | None:
+    def _digest(self, path: str) -> str | None:
         """Return the presumed SHA-256 of a file, None if it is missing."""
         if path not in self._digests:
             self._digests[path] = _presumed_digest(path) if Path(path).is_file() else None
         return self._digests[path]
 
     def changed_input_digests(self) -> dict[str, str]:
-        """Return the SHA-256 of the inputs that cause reruns, without missing or damaged ones."""
-        recorded = filter(_complete_record, self._changed)
-        return {path: value for path in recorded if (value := self._input_digest(path))}
+        """Return the SHA-256 of each input that causes a rerun, if a job made it and it exists."""
+        made_paths = filter(_complete_record, self._changed_paths)
+        return {path: digest for path in made_paths if (digest := self._digest(path))}
 
     def _lineage(self, job: Any) -> str:
         """Return the lineage that the files of a job would have now."""
@@ -98,13 +98,13 @@ class Reruns:
             }
             inputs = {
                 path: self._lineage(makers[path]) if path in makers else _file_lineage(path)
-                for path in _inputs(job)
+                for path in _input_paths(job)
             }
             self._lineages[job] = lineage(canonical_json(job.params.parameters), inputs)
         return self._lineages[job]
 
 
-def _inputs(job: Any) -> set[str]:
+def _input_paths(job: Any) -> set[str]:
     """Return the inputs of a job, as records name them."""
     return {Path(path).as_posix() for path in job.input}
 
@@ -129,8 +129,8 @@ def _file_lineage(path: str) -> str:
     return record.lineage if record else file_digest(path)
 
 
-def _entries(values: Mapping[str, Any]) -> set[str]:
-    """Return each key with its value as one text."""
+def _key_value_texts(values: Mapping[str, Any]) -> set[str]:
+    """Return a text key=value for each key."""
     return {f"{key}={canonical_json(value)}" for key, value in values.items()}
 
 
@@ -198,4 +198,5 @@ def _recorded_change(persistence: Any, job: Any, file: str | None = None) -> Par
 
 @cache
 def _reruns(dag: Any) -> Reruns:
+    """Return the changes since the files of a run were made, which are found once for all jobs."""
     return Reruns(dag.dependencies)
