@@ -11,8 +11,8 @@ from hardcontact.report.quantities import (
     all_quantities,
     answer_text,
     describe_number,
-    describe_value,
     describe_with_three_digits,
+    describe_without_interval,
     number_of,
     number_without_value,
     numbers_of_answer,
@@ -69,7 +69,7 @@ def test_a_number_is_printed_with_its_interval_and_status(number, words):
     ],
 )
 def test_a_number_without_its_interval_keeps_the_digits(number, words):
-    assert describe_value(number) == words
+    assert describe_without_interval(number) == words
 
 
 @pytest.mark.parametrize(

@@ -81,9 +81,9 @@ def _signed_cutoffs(curves: xr.DataArray) -> Any:
     return cutoffs.where(curves.variable.notnull()).transpose(*curves.dims)
 
 
-def _first_and_before(signed_cutoffs: Any, is_true: Any) -> tuple[Any, Any]:
+def _first_and_before(signed_cutoffs: Any, mask: Any) -> tuple[Any, Any]:
     """Return the first signed cutoff (...) at which a mask is true, and the last before it."""
-    first = signed_cutoffs.where(is_true).min(CUTOFF)
+    first = signed_cutoffs.where(mask).min(CUTOFF)
     return first, signed_cutoffs.where(~(signed_cutoffs >= first)).max(CUTOFF)
 
 

@@ -33,19 +33,19 @@ def edges_of_scans(
     `forces` is filtered_forces.nc. The error of the hindcast widens the intervals of measured
     surfaces. A ratio without bounds has an interval from zero to infinity.
     """
-    curves = summarize_masters(
+    ratios = summarize_masters(
         forces, master_scans, lambda masters: _ratios_of_masters(masters, confidence)
     )
     if hindcast is not None:
-        curves = _widen_ratios(curves, hindcast["hindcast_ratio"])
-    edges = edges_of_ratios(curves, tolerance)
+        ratios = _widen_ratios(ratios, hindcast["hindcast_ratio"])
+    edges = edges_of_ratios(ratios, tolerance)
     if hindcast is not None:
         # Masters may hide ripples, because artificial roughness lowers their forces.
-        ratio = hindcast["filtered_scan_ratio"].reindex(surface=edges["surface"])
-        are_rippled = (edges["side"] == "short") & (ratio < 1 - tolerance)
+        scan_ratio = hindcast["filtered_scan_ratio"].reindex(surface=edges["surface"])
+        are_rippled = (edges["side"] == "short") & (scan_ratio < 1 - tolerance)
         edges = remove_rippled_edges(edges, are_rippled).transpose("surface", "side", ...)
-    interval_source = curves["interval_source"].isel(side=0, drop=True)
-    return edges.merge(curves.assign(interval_source=interval_source))
+    interval_source = ratios["interval_source"].isel(side=0, drop=True)
+    return edges.merge(ratios.assign(interval_source=interval_source))
 
 
 def _ratios_of_masters(master_forces: MasterForces, confidence: float) -> xr.Dataset:
@@ -61,12 +61,12 @@ def _ratios_of_masters(master_forces: MasterForces, confidence: float) -> xr.Dat
     )
 
 
-def _widen_ratios(curves: xr.Dataset, hindcast_ratio: xr.DataArray) -> xr.Dataset:
+def _widen_ratios(ratios: xr.Dataset, hindcast_ratio: xr.DataArray) -> xr.Dataset:
     """Return ratios whose intervals contain the error of artificial roughness (surface, side).
 
     The error of ln(ratio) is at most ln(ratio): where the filter changes nothing, there is no
     error.
     """
-    log_error = abs(np.log(hindcast_ratio.reindex(surface=curves["surface"]).fillna(1)))
-    log_ratio = abs(np.log(curves["filtered_force_ratio"]))
-    return widen_interval(curves, "filtered_force_ratio", np.exp(np.minimum(log_error, log_ratio)))
+    log_error = abs(np.log(hindcast_ratio.reindex(surface=ratios["surface"]).fillna(1)))
+    log_ratio = abs(np.log(ratios["filtered_force_ratio"]))
+    return widen_interval(ratios, "filtered_force_ratio", np.exp(np.minimum(log_error, log_ratio)))

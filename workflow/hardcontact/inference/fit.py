@@ -24,8 +24,8 @@ WITHOUT_SURFACE = {
 
 def mean_relative_error(mean_forces: Floats, measured_forces: Floats, works: Floats) -> Floats:
     """Return the mean relative error (..., rho, k) over surfaces for works (k,) in J/m²."""
-    relative = mean_forces / measured_forces[:, None]
-    return np.asarray(np.abs(relative[..., None] * works - 1).mean(axis=-3))
+    relative_forces = mean_forces / measured_forces[:, None]
+    return np.asarray(np.abs(relative_forces[..., None] * works - 1).mean(axis=-3))
 
 
 def minimum_along_axis(errors: Floats, values: Floats, axis: int = -1) -> tuple[Floats, Floats]:
@@ -41,13 +41,13 @@ def fit_work(mean_forces: Floats, measured_forces: Floats) -> tuple[Floats, Floa
     The mean relative error is piecewise linear in the work, so that at its minimum the force on one
     surface matches exactly. The works at which each surface matches are compared.
     """
-    relative = mean_forces / measured_forces[:, None]
-    candidates = 1 / relative
+    relative_forces = mean_forces / measured_forces[:, None]
+    matching_works = 1 / relative_forces
     errors = [
-        np.abs(candidates[..., [surface], :] * relative - 1).mean(axis=-2)
+        np.abs(matching_works[..., [surface], :] * relative_forces - 1).mean(axis=-2)
         for surface in range(len(measured_forces))
     ]
-    return minimum_along_axis(np.stack(errors, axis=-2), candidates, axis=-2)
+    return minimum_along_axis(np.stack(errors, axis=-2), matching_works, axis=-2)
 
 
 def fine_ranges(ranges: Floats) -> Floats:

@@ -42,7 +42,7 @@ def filtered_pull_off(
 
     - ``unfiltered_pull_off_force`` (radius, loading, rho, contact_y, contact_x) in N at 1 J/m²;
     - ``pull_off_force`` (cutoff_wavelength, radius, ...), likewise on each filtered surface;
-    - ``spectrum_end`` (nm): the shortest of the master, or the longest on the long side;
+    - ``spectrum_end`` (nm): the shortest wavelength of the master; the longest on the long side;
     - ``touching_area`` (loading) of the touching pixels in nm²;
     - ``contact_area`` (loading), a coordinate: preload over hardness in nm².
 

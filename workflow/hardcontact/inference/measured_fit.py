@@ -122,14 +122,14 @@ def _fit_contact_model(
     curves = interpolate_to_ranges(means[0], computed_ranges, ranges)
     sampled_works = measured_forces[1:, :, None] / means[1:]
     # Finer pixels lower the computed force, so that the work may be higher by this factor.
-    widening = np.array([[[1.0, pixel_factors[name]]] for name in computed_forces])
+    pixel_widening = np.array([[[1.0, pixel_factors[name]]] for name in computed_forces])
     # All intervals of n independent surfaces contain the true pair with the confidence c if each
     # has the confidence c^(1/n).
     joint_confidence = sampling.confidence ** (1 / len(computed_forces))
-    intervals = widening * _work_intervals(
+    intervals = pixel_widening * _work_intervals(
         sampled_works, computed_ranges, ranges, sampling.confidence
     )
-    joint_intervals = widening * _work_intervals(
+    joint_intervals = pixel_widening * _work_intervals(
         sampled_works, computed_ranges, ranges, joint_confidence
     )
     works = measured_forces[0, :, None] / curves

@@ -193,10 +193,10 @@ def interval_half_width(variances: Sequence[Variance], confidence: float) -> Flo
     It is Student's t with Satterthwaite's degrees of freedom; NaN if all variances are rounding.
     """
     total = np.asarray(sum(variance.value for variance in variances))
-    positive = np.where(total > 0, total, 1.0)
-    inverse = sum((cause.value / positive) ** 2 / cause.degrees_of_freedom for cause in variances)
-    inverse = np.where(total > 0, inverse, 1.0)
-    quantile = student_quantile(1 / inverse, confidence)
+    divisor = np.where(total > 0, total, 1.0)
+    terms = [(cause.value / divisor) ** 2 / cause.degrees_of_freedom for cause in variances]
+    degrees_of_freedom = 1 / np.where(total > 0, sum(terms), 1.0)
+    quantile = student_quantile(degrees_of_freedom, confidence)
     half_width = np.minimum(quantile * np.sqrt(total), MAX_LOG_DEVIATION)
     return np.where(half_width > MIN_HALF_WIDTH, half_width, np.nan)
 

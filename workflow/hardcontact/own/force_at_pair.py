@@ -50,7 +50,7 @@ def compare_and_bound_forces(
     contact: Contact,
     tolerance: float,
 ) -> xr.Dataset:
-    """Return forces on scans and extrapolated ones, both widened, and at most the smooth sphere's.
+    """Return forces on scans and extrapolated forces, with widened intervals, within their bound.
 
     `hindcast` is None if all surfaces are substitutes; the `tolerance` is a relative change.
     """
@@ -230,9 +230,9 @@ def bound_by_smooth_sphere(force: xr.Dataset, area: float) -> xr.Dataset:
 
 
 def add_closed_form(force: xr.Dataset, spectra: xr.Dataset, contact: Contact) -> xr.Dataset:
-    """Return forces with the search size (nm) and Weibull modulus (surface), and the Tabor number.
+    """Return forces with the search size (nm) and the Weibull modulus (surface) in closed form.
 
-    They follow from the spectra in closed form; the status of the Tabor parameter is `bodies`.
+    The attributes `tabor_parameter` and `bodies`, its status, say how elastic the bodies are.
     """
     surface_spectra = [
         spectrum_of_dataset(spectra.sel(surface=name)) for name in force["surface"].values

@@ -132,7 +132,7 @@ def describe_number(number: Number, digits: int = 3) -> str:
     return NO_VALUE_WORDS.get(number.status, "not known")
 
 
-def describe_value(number: Number) -> str:
+def describe_without_interval(number: Number) -> str:
     """Return a number in words without its interval, with the digits that it has beside it."""
     return re.sub(r" \[[^]]*\]| \(.*\)", "", describe_number(number, 2))
 

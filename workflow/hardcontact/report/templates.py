@@ -106,7 +106,7 @@ def _environment() -> Any:
         "format_number": quantities.format_number, "in_words": quantities.describe_number,
         "two_digit_words": lambda number: quantities.describe_number(number, 2),
         "in_three_digits": quantities.describe_with_three_digits,
-        "without_interval": quantities.describe_value,
+        "without_interval": quantities.describe_without_interval,
         "unbroken": unbroken, "linked": _link_claims,
         "percent": format_share, "share_of_decades": _share_of_decades,
         # A point before a digit, as in Eq. 2, ends no sentence.
