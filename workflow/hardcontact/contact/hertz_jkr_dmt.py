@@ -88,8 +88,8 @@ def tabor_parameter(work: Values, radius: float, modulus: float, spacing: float)
 def maugis_parameter(tabor: Values) -> Values:
     """Return the Maugis parameter λ = 2σ0 (R/πWK²)^⅓, 1.157 times the Tabor parameter.
 
-    K = 4E*/3; the cohesive stress σ0 = 16W/(9√3 z0) is the greatest one of the Lennard-Jones law.
-    Maugis, J. Colloid Interface Sci. 150 (1992) 243.
+    K = 4E*/3; the cohesive stress σ0 = 16W/(9√3 z0) is the greatest stress of the Lennard-Jones
+    law. Maugis, J. Colloid Interface Sci. 150 (1992) 243.
     """
     return 32 / (9 * np.sqrt(3)) / np.cbrt(16 * np.pi / 9) * tabor
 

@@ -84,7 +84,7 @@ def finite_scan_ratio(size: float, search_size: float) -> tuple[float, float]:
     """Return the smallest and largest force on a scan of a size (nm), relative to a large scan.
 
     Both are 1 from LARGE_SIZE_RATIO on, where they were 0.95 to 1.14. Below SMALLEST_SIZE_RATIO
-    they are those of the smallest tested scans.
+    they are the ratios of the smallest tested scans.
     """
     candidates = (ratios for limit, ratios in FINITE_SCAN_RATIOS if size < limit * search_size)
     return next(candidates, (1.0, 1.0))

@@ -46,7 +46,8 @@ def filtered_pull_off(
     - ``touching_area`` (loading) of the touching pixels in nm²;
     - ``contact_area`` (loading), a coordinate: preload over hardness in nm².
 
-    The contacts differ in their loading alone. By default radius and range are those of the first.
+    The contacts differ in their loading alone. Radius and range are those of the first contact,
+    unless `radii` and `ranges` are given.
     """
     side, pixels, cutoffs = filters
     first_contact = loaded_contacts[0]
@@ -92,8 +93,8 @@ def compute_master_forces(
 ) -> xr.Dataset:
     """Return `filtered_pull_off` of the masters of a surface, (realization, side, ...).
 
-    `settings` are those of the purpose of the masters, with their surface and the numbers of their
-    realizations; `files` are those of `load_or_synthesize_master`.
+    `settings` have the grids, contacts and seed of the masters, their surface and the numbers of
+    their realizations. `load_or_synthesize_master` explains `files`.
     """
     radii, ranges, loadings = settings["radii"], settings["ranges"], settings["loadings"]
     contact_grid = {name: settings[name] for name in ("window", "contacts_per_row")}

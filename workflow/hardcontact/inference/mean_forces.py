@@ -48,7 +48,7 @@ def forces_of_surface(
     """Return the mean forces of one surface and contact model, with and without each part.
 
     Forces (scan, sphere_scan, rho, contact_y, contact_x) are in N, NaN where a scan is missing. The
-    `size` of a scan and the `radius` of the sphere are in nm; `touched_patches` is that of
+    `size` of a scan and the `radius` of the sphere are in nm; `touched_patches` comes from
     `fewest_touched_patches`.
     """
     scan_forces = forces.dropna("scan", how="all").mean("sphere_scan")

@@ -44,10 +44,10 @@ def fit_measured(
     """
     measured_surfaces = set(forces["surface"])
     surfaces = [name for name in adhesion["surface"].values.tolist() if name in measured_surfaces]
-    measured = {name: summarize_forces(forces[forces["surface"] == name]) for name in surfaces}
+    summaries = {name: summarize_forces(forces[forces["surface"] == name]) for name in surfaces}
     means = [
         sampled_means(sampling.generator("tests", name), summary, sampling.sample_count)
-        for name, summary in measured.items()
+        for name, summary in summaries.items()
     ]
     measured_forces = np.stack(means, axis=1)
     measured_adhesion = adhesion.sel(surface=surfaces)
@@ -62,12 +62,12 @@ def fit_measured(
         surface_forces[name].scan_parts[0].interval_source
         if summary.site_count > 1
         else IntervalSource.ONE_SITE
-        for name, summary in measured.items()
+        for name, summary in summaries.items()
     ]
     variables = sampling.as_variables("measured_force", "surface", measured_forces, NEWTON)
     variables["interval_source"] = ("surface", interval_sources)
     for name in ("force_count", "site_count", "look_repeated"):
-        counts = [int(getattr(summary, name)) for summary in measured.values()]
+        counts = [int(getattr(summary, name)) for summary in summaries.values()]
         variables[name] = ("surface", counts, DIMENSIONLESS)
     return (
         stack(fits, ["contact_model"])
@@ -80,8 +80,8 @@ def fit_measured(
 def _sampled_forces(surface_forces: SurfaceForces, surface: str, sampling: Sampling) -> Floats:
     """Return the mean forces (1 + sample, rho) of a surface, and samples of them.
 
-    Samples have the same random numbers at every range. Those of the position at which a rough
-    sphere touches are the same on all surfaces.
+    Samples have the same random numbers at every range. All surfaces share the random numbers of
+    the position at which a rough sphere touches.
     """
     count = sampling.sample_count
     parts_at_ranges = zip(
@@ -155,7 +155,7 @@ def _work_intervals(
 
 
 def _common_region(intervals: Floats) -> Floats:
-    """Return the works (range, 2) in all intervals (surface, range, 2), NaN if there are none."""
+    """Return the works (range, 2) in all intervals (surface, range, 2), or NaN."""
     region = np.stack([intervals[..., 0].max(axis=0), intervals[..., 1].min(axis=0)], axis=-1)
     is_empty = ~(region[:, 0] < region[:, 1])
     return np.where(is_empty[:, None], np.nan, region)
@@ -204,8 +204,8 @@ def add_extrapolated_work(fitted: xr.Dataset, force: xr.Dataset) -> xr.Dataset:
     """Return a fit to measured forces with the work of adhesion from extrapolated roughness.
 
     ``extrapolated_work`` (surface, side) in J/m² holds at the range ``rho`` of force.nc, the only
-    one at which forces on masters are computed. The errors of the logarithms of both forces add in
-    squares.
+    range at which forces on masters are computed. The errors of the logarithms of both forces add
+    in squares.
     """
     surface_force = force.sel(surface=fitted.surface)
     computed_force = surface_force.extrapolated_force / force.attrs["work_of_adhesion"]

@@ -66,8 +66,8 @@ def sampled_means(
 ) -> np.ndarray:
     """Return the mean force in N, and random means that it may be (1 + sample,).
 
-    Samples are around the arithmetic mean. Their deviations are those of the mean of ln F plus half
-    its variance, for a log-normal F (Krishnamoorthy and Mathew, J. Stat. Plan. Inference 115 (2003)
+    Samples are around the arithmetic mean. They deviate as the mean of ln F plus half its variance
+    does for a log-normal F (Krishnamoorthy and Mathew, J. Stat. Plan. Inference 115 (2003)
     103). NaN for one site, whose scatter is unknown.
     """
     if forces.site_count < 2:

@@ -101,7 +101,7 @@ class ScanParts:
 def fewest_touched_patches(adhesion: xr.Dataset) -> dict[str, float]:
     """Return the smallest number of patches that the contacts on a scan touch, by surface.
 
-    Of several scans of the sphere, the one that touches most patches counts.
+    The scan of the sphere that touches most patches counts.
     """
     patches = adhesion.touched_patches.max("sphere_scan").min("scan")
     return {str(name): float(patches.sel(surface=name)) for name in patches.surface.values}

@@ -37,7 +37,7 @@ WIDE_PIXEL = 4
 
 
 class RandomBody(NamedTuple):
-    """Random roughness in place of that on the scan of a body: substrate or sphere."""
+    """Random roughness that replaces the scan of a body, substrate or sphere."""
 
     spectrum: SpectrumFunction  #: C_iso in nm⁴.
     size: float  #: Width of the scan in nm.
@@ -196,7 +196,7 @@ def surface_pixel_factors(force: xr.Dataset) -> xr.DataArray:
 def hindcast_ratios(forces: xr.Dataset, tolerance: float, confidence: float) -> xr.Dataset:
     """Return ``hindcast_ratio`` and ``hindcast_fails`` (side) from the forces on maps of a surface.
 
-    The ratio is the mean force with artificial octaves relative to that with the octave of the
+    The ratio is the mean force with artificial octaves relative to the force with the octave of the
     scans. Its interval is for another random octave. The hindcast fails if there is no octave, or
     if this whole interval lies outside the tolerance.
     """

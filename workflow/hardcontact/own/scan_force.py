@@ -1,4 +1,4 @@
-"""The force on the user's only map, summed over its pixels, beside the force in closed form.
+"""The force on the user's only map, summed over its pixels and compared with the closed form.
 
 The sum shows where the closed form fails, because it does not assume Gaussian heights.
 """
@@ -121,7 +121,7 @@ def force_on_scan(
 def _surface_forces(
     scan: HeightMap, mirrored_scan: HeightMap, body_maps: Sequence[HeightMap], contact: Contact
 ) -> SurfaceForces:
-    """Return the plastic forces (N) of a smooth sphere, or of a rough one at several positions."""
+    """Return the plastic forces (N) of a smooth sphere, or of a rough sphere at many positions."""
     joined_bodies = [join_bodies(mirrored_scan, None, contact)]
     if body_maps:
         substrate, sphere = (mirror_in_float32(body_map) for body_map in body_maps)

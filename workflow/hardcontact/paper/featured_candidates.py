@@ -86,7 +86,7 @@ def compare_features(
 ) -> xr.Dataset:
     """Return features.nc: CANDIDATE_STATISTICS (features, candidate) and the published ones.
 
-    `chunks` are those of `candidates_by_surface`. `sphere_factors` (surface, contact_model, rho)
+    `candidates_by_surface` explains `chunks`. `sphere_factors` (surface, contact_model, rho)
     are the forces on the rough sphere relative to a smooth sphere. The paper has one surface with
     features at most; without one the dataset is empty.
     """
@@ -137,7 +137,7 @@ def _candidate_statistics(
 
 
 def _empty_comparison() -> xr.Dataset:
-    """Return what `compare_features` returns for a study without features."""
+    """Return the empty features.nc of a study without features."""
     empty = ("features", "candidate"), np.empty((len(KINDS), 0))
     return xr.Dataset(
         {name: (*empty, unit) for name, unit in CANDIDATE_STATISTICS.items()},

@@ -30,7 +30,7 @@ NONE_LEFT_OUT = "none"
 
 
 def log_mean_error(log_std: ArrayLike, count: int) -> Floats:
-    """Return the deviation of ln(mean) of `count` log-normal forces; `log_std` is that of ln F."""
+    """Return the standard deviation of ln(mean) of `count` log-normal forces, from that of ln F."""
     return np.sqrt(np.log1p(np.expm1(np.square(log_std)) / count))
 
 

@@ -226,7 +226,7 @@ def _sampling(sets: xr.Dataset) -> list[Any]:
 
 
 def _recorded_surfaces(study: Mapping[str, xr.Dataset]) -> xr.Dataset:
-    """Return what a study records of its scans, and of its masters."""
+    """Return the roughness of the scans of a study, and the transitions and ends of its masters."""
     scans = study["topography"][list(TABLE1_METRICS.values())]
     return xr.merge([scans, study["filtered_forces"][["spectrum_end", "transition"]]], join="outer")
 

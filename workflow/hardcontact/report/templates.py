@@ -32,9 +32,8 @@ class Frame(NamedTuple):
 def render_document(template: str, frame: Frame, page: str, **facts: Any) -> str:
     """Return a page, by its name, as one HTML document that needs no network.
 
-    The template is a file of workflow/report/templates, the facts are the names that it uses. What
-    a template prints is escaped. The page allows no script but its own, which it names by its
-    digest.
+    The template is a file of workflow/report/templates, the facts are the names that it uses.
+    Printed values are escaped. The page allows no script but its own, which it names by its digest.
     """
     # Imported here: it takes longer than most jobs compute.
     from markupsafe import Markup

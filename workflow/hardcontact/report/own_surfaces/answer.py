@@ -204,7 +204,7 @@ def _measurement_numbers(spectra: xr.Dataset) -> Iterator[Number]:
 def _surface_head(surface: SurfaceAnswer, spectra: xr.Dataset) -> dict[str, Any]:
     """Return the head of one surface in answer.json: its name, conclusion and measurements.
 
-    What limits the shortest reliable wavelengths is empty for a scan that is reliable nowhere.
+    `limited_by` is the limit of the shortest reliable wavelengths, "" without reliable wavelengths.
     """
     measurements = []
     for scan in split_measurements(spectra.sel(surface=surface.name)):

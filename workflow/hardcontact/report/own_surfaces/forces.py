@@ -59,7 +59,7 @@ def force_numbers(data: Datasets) -> list[Number]:
 
 
 def _measured_share(data: Datasets) -> Number:
-    """Return the share of reliable wavelengths in what roughness takes from the force.
+    """Return the share of reliable wavelengths in the change of the force by roughness.
 
     The source is "measured" if unreliable wavelengths change the force by at most the tolerance.
     """
