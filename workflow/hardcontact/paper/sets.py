@@ -2,8 +2,8 @@
 
 A set has as many scans and masters of each substrate as the study. Its scans come from the pool of
 the substrate. Its masters are sampled with replacement from masters for all sets, and not scaled to
-Table 1 again. A surface with features has a candidate (`featured_candidates`) that no other set has.
-The scatter over sets shows how much the numbers of the study depend on its scans.
+Table 1 again. A surface with features has its own candidate (`featured_candidates`). The scatter
+over sets shows how much the numbers of the study depend on its scans.
 """
 
 from collections.abc import Mapping, Sequence
