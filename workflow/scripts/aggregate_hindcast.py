@@ -7,7 +7,7 @@ from hardcontact.records.job import run_job
 with run_job(snakemake) as job:
     params = job.parameters
     confidence = params["confidence"]
-    forces_by_surface = concatenate(read_all(params["scan_ids"], job.input.forces), "map", 1)
+    forces_by_surface = concatenate(read_all(params["scan_ids"], job.input.forces), "map")
     ratios = {
         surface: hindcast_dataset(forces, params["tolerance"], confidence)
         for surface, forces in forces_by_surface.items()

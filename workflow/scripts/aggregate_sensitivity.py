@@ -10,7 +10,7 @@ from hardcontact.records.job import run_job
 with run_job(snakemake) as job:
     params = job.parameters
     radius, rho, confidence = params["radius"], params["rho"], params["confidence"]
-    maps = concatenate(read_all(params["maps"], job.input.forces), "map", 1)
+    maps = concatenate(read_all(params["maps"], job.input.forces), "map")
     touched_patches = fewest_touched_patches(read(job.input.adhesion)) if job.input.adhesion else {}
     sensitivities = {
         (surface,): octave_sensitivities(

@@ -15,7 +15,7 @@ with run_job(snakemake) as job:
     files = read_all(params["whole_surfaces"], job.input.whole_surfaces)
     maps = {
         key: forces[["pull_off_force"]].sel(contact_model=PLASTIC)
-        for key, forces in concatenate(files, "map", 1).items()
+        for key, forces in concatenate(files, "map").items()
     }
     whole_surface_forces = stack(maps, ["surface"])["pull_off_force"] if maps else None
     job.write(

@@ -13,7 +13,7 @@ from hardcontact.records.job import run_job
 with run_job(snakemake) as job:
     params = job.parameters
     adhesion = read(job.input.adhesion)
-    pool_chunks = concatenate(read_all(params["pool_chunks"], job.input.pools), "scan", 1)
+    pool_chunks = concatenate(read_all(params["pool_chunks"], job.input.pools), "scan")
     pools = {surface: pool for (surface,), pool in pool_chunks.items()}
     candidates = candidates_by_surface(read_all(params["candidate_chunks"], job.input.candidates))
     inputs = SetInputs(

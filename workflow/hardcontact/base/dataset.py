@@ -135,7 +135,7 @@ def read_by_name(names: Iterable[str], paths: Iterable[str | Path]) -> dict[str,
 
 
 def concatenate(
-    datasets: DatasetsByLabels, dimension: str, shared_labels: int
+    datasets: DatasetsByLabels, dimension: str, shared_labels: int = 1
 ) -> dict[tuple[Any, ...], xr.Dataset]:
     """Join datasets along an existing dimension if their keys share the first `shared_labels`."""
     groups: dict[tuple[Any, ...], list[xr.Dataset]] = {}

@@ -12,7 +12,7 @@ import xarray as xr
 
 from hardcontact.base.dataset import read
 from hardcontact.commands.options import CommandLine
-from hardcontact.commands.outputs import align_cells, output_faults, write_output
+from hardcontact.commands.outputs import align_cells, output_faults, results_folder, write_output
 from hardcontact.config.faults import collect_faults, raise_faults
 from hardcontact.report.study_comparison import (
     EQUAL_DIGITS,
@@ -71,11 +71,7 @@ def compare(arguments: Namespace) -> str:
 
 def _answer_path(path: str) -> str:
     """Return the path of the answer.json that a path, or the name of a study, means."""
-    folder = os.path.join("results", path)
-    answer_or_folder = path if os.path.isdir(path) or not os.path.isdir(folder) else folder
-    if os.path.isfile(answer_or_folder):
-        return answer_or_folder
-    return os.path.join(answer_or_folder, ANSWER)
+    return path if os.path.isfile(path) else os.path.join(results_folder(path), ANSWER)
 
 
 def _read_answer(path: str) -> dict[str, Any]:

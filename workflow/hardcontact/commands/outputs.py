@@ -1,4 +1,4 @@
-"""The files and tables that commands write.
+"""The folders that commands read, and the files and tables that they write.
 
 No command replaces an input; it replaces other files only with --overwrite.
 """
@@ -8,6 +8,12 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 from hardcontact.base.dataset import write_text_file
+
+
+def results_folder(path: str) -> Path:
+    """Return the folder of a study's results, given by its path or by the name of the study."""
+    folder = Path("results", path)
+    return folder if folder.is_dir() and not Path(path).is_dir() else Path(path)
 
 
 def output_faults(

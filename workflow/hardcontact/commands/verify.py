@@ -3,9 +3,9 @@
 import os
 from argparse import Namespace
 from collections.abc import Sequence
-from pathlib import Path
 
 from hardcontact.commands.options import CommandLine
+from hardcontact.commands.outputs import results_folder
 from hardcontact.records.verification import verify_study
 
 
@@ -19,8 +19,7 @@ def verify_arguments(arguments: Sequence[str]) -> Namespace:
 
 def verify(arguments: Namespace) -> tuple[str, int]:
     """Return the files that do not match their records, in words, and the exit code."""
-    results_folder = Path("results", arguments.folder)
-    folder = (results_folder if results_folder.is_dir() else Path(arguments.folder)).resolve()
+    folder = results_folder(arguments.folder).resolve()
     if not folder.is_dir() or len(folder.parts) < 4:
         raise ValueError(f"{arguments.folder}: expected the results of a study, found none")
     # Records name files from the folder that has `results`.

@@ -31,21 +31,21 @@ FORCE_QUANTITY = Quantity("N", 1e-15, 1e3)
 
 
 def measured_forces(
-    path: str | Path, surfaces: Collection[str], radius: float, given_as: str = "config key forces"
+    path: str | Path, surfaces: Collection[str], radius: float, named_by: str = "config key forces"
 ) -> pd.DataFrame:
     """Return the user's pull-off forces on the surfaces of a study, by line of the file.
 
     The columns are surface, mean and median in N, count of tests, and site, blank if not given. A
     single test is its own mean and median. A force over the radius of the probe is multiplied by
-    the `radius` (nm). Messages name `given_as`.
+    the `radius` (nm). Messages name `named_by`.
     """
-    table = user_table(path, f"a table of forces ({given_as})", decode=_decode_forces)
+    table = user_table(path, f"a table of forces ({named_by})", decode=_decode_forces)
     header, units = _split_units(table.header)
     table = table._replace(header=header)
     columns = SUMMARIES if "mean" in header else TESTS
     defaults = {"surface": next(iter(surfaces))} if len(surfaces) == 1 else {}
     defaults |= {"unit": ""} if units else {}
-    table.require(
+    table.require_columns(
         [name for name in columns if name not in defaults],
         f"a row for each force, the columns {', '.join(TESTS)} or {', '.join(SUMMARIES)}, "
         "separated by commas; a column such as value (uN) needs no unit, one surface no name",
@@ -57,7 +57,7 @@ def measured_forces(
         for name in set(header) - KNOWN_COLUMNS
         for similar in difflib.get_close_matches(name, resembled_names, 1, SIMILARITY)
     )
-    rows = table.convert(lambda row: _parse_force(defaults | dict(row), units, surfaces, radius))
+    rows = table.map_rows(lambda row: _parse_force(defaults | dict(row), units, surfaces, radius))
     names = ["surface", "mean", "median", "count", "site"]
     forces = pd.DataFrame.from_dict(rows, orient="index", columns=names).rename_axis("line")
     if columns == SUMMARIES:

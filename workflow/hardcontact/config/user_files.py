@@ -72,7 +72,7 @@ class UserTable(NamedTuple):
     header: list[str]
     cells: dict[int, list[str]]
 
-    def require(
+    def require_columns(
         self, columns: Sequence[str], content: str, allowed: Collection[str] | None = None
     ) -> None:
         """Refuse a table without rows, or with a missing or repeated column.
@@ -86,7 +86,7 @@ class UserTable(NamedTuple):
                 f"{self.path}: expected {content}, found {header} and {len(self.cells)} rows"
             )
 
-    def convert(self, function: Callable[[Row], Result]) -> dict[int, Result]:
+    def map_rows(self, function: Callable[[Row], Result]) -> dict[int, Result]:
         """Return the results of a function of each row, by line.
 
         Raises ValueError with the faults that the function raises; rows of the same fault share a
@@ -168,8 +168,8 @@ def read_rows(
     allowed = fields if model.model_config["extra"] == "forbid" else None
     content = content.format(", ".join(columns))
     table = user_table(path, content, **options)
-    table.require(columns, content, allowed)
-    return table.convert(lambda row: validate(model, row))
+    table.require_columns(columns, content, allowed)
+    return table.map_rows(lambda row: validate(model, row))
 
 
 def parse_number(cell: str) -> float:

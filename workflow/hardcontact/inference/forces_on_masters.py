@@ -141,7 +141,7 @@ def read_master_forces(
     of loading, radius and range, which are single.
     """
     files = read_all([(name, number) for number, name in enumerate(surfaces)], paths)
-    forces = stack(concatenate(files, "realization", 1), ["surface"])
+    forces = stack(concatenate(files, "realization"), ["surface"])
     if loading is not None:
         forces = forces.sel(loading=loading, drop=True).squeeze(["radius", "rho"], drop=True)
         forces = forces.drop_vars("touching_area")

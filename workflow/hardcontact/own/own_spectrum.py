@@ -200,7 +200,7 @@ def read_spectrum_table(path: str | Path) -> Spectrum:
     table = user_table(path, "a table of a power spectral density")
     wave = _find_column(table, WAVE_COLUMNS)
     density = _find_column(table, DENSITY_COLUMNS)
-    points = table.convert(lambda row: _wavevector_and_density(row, wave, density))
+    points = table.map_rows(lambda row: _wavevector_and_density(row, wave, density))
     lines = dict[str, int]()
     for line, (wavevector, _) in points.items():
         first_line = lines.setdefault(f"{wavevector:.9g}", line)
@@ -226,7 +226,7 @@ def _find_column(table: UserTable, names: Sequence[str]) -> str:
             f"{table.path}: expected {EXPECTED_COLUMNS}, or a scan that begins with numbers or a "
             f"column x, found {quote_key(', '.join(table.header))}"
         )
-    table.require([present[0], f"{present[0]}_unit"], EXPECTED_COLUMNS)
+    table.require_columns([present[0], f"{present[0]}_unit"], EXPECTED_COLUMNS)
     return present[0]
 
 
