@@ -7,12 +7,7 @@ from measurements import UNCD
 
 import hardcontact as hc
 from hardcontact.base.arrays import generator
-from hardcontact.inference.edges import (
-    CUTOFF,
-    edge_intervals,
-    find_edges,
-    show_ripples,
-)
+from hardcontact.inference.edges import CUTOFF, edge_intervals, find_edges, show_ripples
 from hardcontact.surfaces.synthesis import random_surface
 
 CUTOFFS = np.array([10.0, 100.0, 1000.0])

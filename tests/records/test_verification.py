@@ -8,12 +8,7 @@ from pathlib import Path
 import pytest
 
 from hardcontact.commands import command_line
-from hardcontact.records.origin import (
-    Origin,
-    file_digests,
-    keep_records,
-    record_path,
-)
+from hardcontact.records.origin import Origin, file_digests, keep_records, record_path
 from hardcontact.records.verification import verify_study
 
 # A small study: source.txt -> store/a.nc -> results/final.nc -> results/table.csv

@@ -7,12 +7,7 @@ from measurements import PIXEL, cut_scan, uncd_density
 from hardcontact.base.arrays import generator
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.levelling import remove_form
-from hardcontact.surfaces.synthesis import (
-    ScanGrid,
-    add_sphere_shape,
-    random_surface,
-    sample_scan,
-)
+from hardcontact.surfaces.synthesis import ScanGrid, add_sphere_shape, random_surface, sample_scan
 
 SPHERE_RADIUS = 250e3
 

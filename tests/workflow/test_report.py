@@ -50,14 +50,6 @@ def test_modules_named_in_the_table_of_rules_exist():
         assert find_spec(f"hardcontact.{package}.{name}"), (package, name)
 
 
-def test_the_table_of_rules_has_the_files_in_the_order_of_the_snakefile():
-    text = HOW_IT_IS_BUILT.read_text("utf-8")
-    rows = re.findall(r"^\| \**`(\w+)`\** \| (?:all|paper|own) \|", text, re.M)
-    serving_all_studies = set(re.findall(r"`(\w+)\.smk`", text))
-    included = re.findall(r"rules/(\w+)\.smk", (ROOT / "Snakefile").read_text("utf-8"))
-    assert rows == [name for name in included if name not in serving_all_studies]
-
-
 def is_rounded(printed, number):
     """Whether a text is a number with fewer decimals."""
     decimals = len(printed.partition(".")[2])

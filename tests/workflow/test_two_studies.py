@@ -1,12 +1,11 @@
 """Two studies on one store: neither repeats the files of the other or finds them outdated.
 
-A second study differs in all keys that leave the digest of a kind of intermediate as it is:
-Snakemake then finds the files of this kind as they should be.
+Files of a kind of intermediate are made from files of the kinds that its digest covers. So a second
+study may differ in all other keys: Snakemake finds the files as they should be.
 """
 
 import csv
 from contextlib import chdir
-from functools import cache
 
 import pytest
 import yaml
@@ -35,18 +34,6 @@ OTHER_WORDS = {
     "scan.map_size": ("5 um", "none"), "scan.mask": ("exclude", "keep"),
     "scan.levelling": ("lines", "plane"), "reference_surface": ("mcd", "uncd"),
     "indent.surface": ("mcd", "uncd"), "substitutes.featured_surface": ("mcd",),
-}  # fmt: skip
-#: By the fixture of a finished study: its name, and the kinds of intermediates in its store, one of
-#: each rule.
-STUDIES = {
-    "finished": ("tiny", [
-        "scans", "pull_off", "elastic", "asperities", "whole_surfaces", "pool",
-        "featured_candidates", "masters", "filtered/band",
-    ]),
-    "own_study": ("several-quick", [
-        "measurements", "measured_spectra", "sampled_spectra", "scans", "both_bodies",
-        "octave_forces", "hindcast", "filtered/sampled",
-    ]),
 }  # fmt: skip
 
 
@@ -87,58 +74,60 @@ def independent_keys(config, selection, kind):
     return tuple(key for key in keys if digest(key) == digest())
 
 
-@pytest.fixture(scope="module")
-def plans(request, tmp_path_factory):
-    """Return a function from a fixture to Snakemake's plans for the files of its store.
-
-    Each kind has the plan of a second study in which all keys outside the digest of the kind have
-    other values; the plan PATH_KEYS has other values of these keys.
-    """
-
-    @cache
-    def planned(fixture):
-        study, kinds = STUDIES[fixture]
-        folder = request.getfixturevalue(fixture)
-        config = yaml.safe_load((folder / f"results/{study}/configuration.yaml").read_text())
-        config |= {"study": "second", "effort": "full", "quick": {}}
-        with chdir(folder):
-            selection = configured_files(config).selection
-        keys = {
-            kind: independent_keys(config, selection, kind.rpartition("/")[2]) for kind in kinds
-        }
-        if fixture == "finished":
-            keys["PATH_KEYS"] = PATH_KEYS
-        overlays = tmp_path_factory.mktemp(fixture)
-        runs = []
-        for number, changed_keys in enumerate(keys.values()):
-            overlay = overlays / f"{number}.yaml"
-            overlay.write_text(yaml.safe_dump(second_study(config, changed_keys)))
-            runs.append(["--detailed-summary", "--configfile", str(overlay)])
-        texts = snakemake_outputs(folder, runs)
-        plans_of_runs = [plans_of_store(text, folder, config["store"]) for text in texts]
-        return dict(zip(keys, plans_of_runs, strict=True))
-
-    return planned
-
-
-def plans_of_store(text, folder, store):
-    """Return the plan of each existing file of a store, by its path there, from a summary."""
+def summarize(folder, config, path):
+    """Return the rows of Snakemake's summary of a study, written to a path: a row by output."""
+    path.write_text(yaml.safe_dump(config))
+    (text,) = snakemake_outputs(folder, [["--detailed-summary", "--configfile", str(path)]])
     lines = text.splitlines()
     header = next(n for n, line in enumerate(lines) if line.startswith("output_file\t"))
-    return {
-        row["output_file"].removeprefix(f"{store}/"): row["plan"]
-        for row in csv.DictReader(lines[header:], delimiter="\t")
-        if row["output_file"].startswith(store) and (folder / row["output_file"]).exists()
-    }
+    return {row["output_file"]: row for row in csv.DictReader(lines[header:], delimiter="\t")}
+
+
+def covered_digests(kinds, name):
+    """Return the digests of a kind and of all kinds that it is made from."""
+    sources = (covered_digests(kinds, source) for source in kinds[name].made_from)
+    return {settings_digest(kinds, name)}.union(*sources)
+
+
+def assert_inputs_are_covered(rows, plan):
+    """Expect files of a store to have inputs of the kinds that their digest covers."""
+    kinds = store_kinds(plan)
+    covered = {settings_digest(kinds, name): covered_digests(kinds, name) for name in kinds}
+    checked_digests = set()
+    for output, row in rows.items():
+        for digest in covered.keys() & {*output.split("/")}:
+            inputs = {part for path in row["input-file(s)"].split(",") for part in path.split("/")}
+            assert covered.keys() & inputs <= covered[digest], output
+            checked_digests.add(digest)
+    assert len(checked_digests) > 5
 
 
 @pytest.mark.parametrize(
-    ("fixture", "kind"), [(fixture, kind) for fixture in STUDIES for kind in STUDIES[fixture][1]]
+    ("fixture", "study", "kind"),
+    [("finished", "tiny", "masters"), ("own_study", "several-quick", "octave_forces")],
 )
-def test_keys_outside_the_digest_change_no_file(plans, fixture, kind):
-    planned = plans(fixture)[kind]
-    assert {plan for path, plan in planned.items() if path.startswith(f"{kind}/")} == {"no update"}
+def test_keys_outside_the_digest_change_no_file(request, tmp_path, fixture, study, kind):
+    folder = request.getfixturevalue(fixture)
+    config = yaml.safe_load((folder / f"results/{study}/configuration.yaml").read_text())
+    config |= {"study": "second", "effort": "full", "quick": {}}
+    with chdir(folder):
+        selection = configured_files(config).selection
+    config = second_study(config, independent_keys(config, selection, kind))
+    rows = summarize(folder, config, tmp_path / "second.yaml")
+    assert_inputs_are_covered(rows, StudyPlan(numeric_configuration(config), selection))
+    files = [path for path in rows if f"/{kind}/" in path]
+    assert files and all((folder / path).exists() for path in files)
+    assert {rows[path]["plan"] for path in files} == {"no update"}
 
 
-def test_values_in_paths_change_no_file(plans):
-    assert {*plans("finished")["PATH_KEYS"].values()} == {"no update"}
+def test_values_in_paths_change_no_file(finished, tmp_path):
+    config = yaml.safe_load((finished / "results/tiny/configuration.yaml").read_text())
+    rows = summarize(
+        finished, second_study(config, PATH_KEYS) | {"study": "second"}, tmp_path / "second.yaml"
+    )
+    plans = {
+        row["plan"]
+        for path, row in rows.items()
+        if path.startswith(config["store"]) and (finished / path).exists()
+    }
+    assert plans == {"no update"}
