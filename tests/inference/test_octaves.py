@@ -8,7 +8,7 @@ from periodic_maps import periodic_map
 from hardcontact.inference.band_forces import BAND_PARTS, band_force_dataset, band_ratios
 from hardcontact.inference.octaves import (
     AMPLITUDE_FACTORS,
-    STEP,
+    AMPLITUDE_STEP,
     octave_force_dataset,
     octave_limits,
     octave_sensitivities,
@@ -58,7 +58,7 @@ def test_the_sensitivity_of_a_power_is_its_exponent():
     ]
     forces = xr.concat(maps, "map").assign_attrs(map_size=2560.0)
     result = octave_sensitivities(forces, WHOLE_PARTS, 0.95)
-    exponent = -1.5 * np.arctanh(STEP) / STEP
+    exponent = -1.5 * np.arctanh(AMPLITUDE_STEP) / AMPLITUDE_STEP
     np.testing.assert_allclose(result.octave_sensitivity, [0.0, exponent], atol=1e-6)
     assert result.octave.values.tolist() == [80.0, 160.0]
 
@@ -69,7 +69,7 @@ def test_intervals_of_few_skewed_contacts_contain_the_sensitivity_with_their_con
     draws, contacts, sensitivity = 3000, (8, 8), -0.5
     force = np.exp(0.4 * rng.standard_normal((draws, 1, *contacts)))
     single_sensitivity = sensitivity + 1 - rng.exponential(size=force.shape)
-    change = np.array([-STEP, STEP])[:, None, None]
+    change = np.array([-AMPLITUDE_STEP, AMPLITUDE_STEP])[:, None, None]
     axes = ("map", "octave", "factor", "contact_y", "contact_x")
     forces = xr.Dataset(
         {"octave_force": (axes, (force * (1 + change * single_sensitivity))[None])},

@@ -108,7 +108,7 @@ def test_the_interval_has_its_confidence():
     """Means of forces of a log-normal distribution: the kept one is a draw like the others."""
     rng = np.random.default_rng(3)
     trials = 2000
-    draws = np.exp(0.3 * rng.standard_normal((hindcast.ARTIFICIAL_OCTAVES + 1, trials)))
+    draws = np.exp(0.3 * rng.standard_normal((hindcast.ARTIFICIAL_OCTAVE_COUNT + 1, trials)))
     shape = dict(zip(CONTACT_AXES, (1, 1), strict=True))
     forces = xr.Dataset(
         {

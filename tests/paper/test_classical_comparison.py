@@ -14,7 +14,7 @@ from hardcontact.paper.classical_comparison import (
     classical_error,
     power_law_error,
 )
-from hardcontact.paper.classical_models import MODELS, Roughness
+from hardcontact.paper.classical_models import CLASSICAL_MODELS, Roughness
 
 
 def make_inference(surfaces=SUBSTRATES, forces=MEAN_FORCE):
@@ -69,18 +69,20 @@ def test_a_surface_that_the_paper_lacks_has_no_numbers(classical):
     assert extended["mean_relative_error"].equals(classical["mean_relative_error"])
 
 
-@pytest.mark.parametrize("name", MODELS)
+@pytest.mark.parametrize("name", CLASSICAL_MODELS)
 def test_the_forces_of_a_model_are_fitted_without_error(name):
     gentle = Roughness(np.array([0.05, 0.1]), np.array([0.1, 0.2]), np.array([0.01, 0.02]))
-    target = MODELS[name].force(0.08, gentle, SPHERE)
+    target = CLASSICAL_MODELS[name].force(0.08, gentle, SPHERE)
     amplitudes = Roughness(*(np.stack([values, 1.5 * values]) for values in gentle))
-    error = classical_error(MODELS[name], amplitudes, SPHERE, target)
+    error = classical_error(CLASSICAL_MODELS[name], amplitudes, SPHERE, target)
     assert error[0] < 1e-4 and error[1] > error[0]
 
 
 def test_forces_that_vanish_have_the_error_one():
     rough = Roughness(AFM.height, AFM.slope, 1e3 * AFM.curvature)
-    assert classical_error(MODELS["maugis"], rough, SPHERE, MEAN_FORCE) == pytest.approx(1)
+    assert classical_error(CLASSICAL_MODELS["maugis"], rough, SPHERE, MEAN_FORCE) == pytest.approx(
+        1
+    )
 
 
 def test_a_power_law_has_the_least_mean_relative_error():

@@ -10,7 +10,7 @@ from scipy.stats import norm
 
 from hardcontact.contact import hertz_jkr_dmt
 from hardcontact.paper import classical_models
-from hardcontact.paper.classical_models import MODELS, Roughness
+from hardcontact.paper.classical_models import CLASSICAL_MODELS, Roughness
 
 
 def test_rumpf_s_force_has_the_limits_of_plane_and_asperity():
@@ -41,7 +41,7 @@ def relative(model, index):
     roughness = Roughness(height, np.nan, 1.0)
     assert classical_models.adhesion_index(WORK, roughness, MODULUS) == pytest.approx(index)
     smooth = {"fuller_tabor": hertz_jkr_dmt.jkr_pull_off, "maugis": hertz_jkr_dmt.dmt_pull_off}
-    return MODELS[model].force(WORK, roughness, SPHERE) / smooth[model](WORK, RADIUS)
+    return CLASSICAL_MODELS[model].force(WORK, roughness, SPHERE) / smooth[model](WORK, RADIUS)
 
 
 @pytest.mark.parametrize("index", [0.02, 0.5, 3.0])
@@ -76,7 +76,7 @@ def test_jkr_asperities_match_brute_force(index):
 
 def test_without_roughness_every_model_has_the_force_of_its_smooth_sphere():
     flat = Roughness(*(np.array([tiny]) for tiny in (1e-7, 1e-2, 1e-9)))
-    for name, model in MODELS.items():
+    for name, model in CLASSICAL_MODELS.items():
         smooth = (
             hertz_jkr_dmt.jkr_pull_off if name == "fuller_tabor" else hertz_jkr_dmt.dmt_pull_off
         )

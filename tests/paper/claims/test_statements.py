@@ -12,7 +12,7 @@ from hardcontact.inference.published_fit import PAIRS
 from hardcontact.paper.claims.selection import LABELS, SURFACES
 from hardcontact.paper.claims.statements import check_claims
 from hardcontact.paper.classical_comparison import METRIC_PREFIXES
-from hardcontact.paper.classical_models import MODELS, Roughness
+from hardcontact.paper.classical_models import CLASSICAL_MODELS, Roughness
 from hardcontact.paper.exponents import SCALED_QUANTITIES
 from hardcontact.paper.posterior import NONE_LEFT_OUT
 from hardcontact.surfaces.synthesis import SIDES
@@ -68,8 +68,9 @@ def test_a_faulty_cell_is_refused_with_its_line_and_column(tmp_path, column, cel
 def test_labels_of_claims_are_those_of_the_library():
     library = {
         "contact_model": CONTACT_MODELS, "side": SIDES, "pair": PAIRS, "metrics": METRIC_PREFIXES,
-        "model": MODELS, "rms_parameter": Roughness._fields, "exponent_of": SCALED_QUANTITIES,
-        "band_part": BAND_PARTS, "left_out": [NONE_LEFT_OUT, *SURFACES],
+        "model": CLASSICAL_MODELS, "rms_parameter": Roughness._fields,
+        "exponent_of": SCALED_QUANTITIES, "band_part": BAND_PARTS,
+        "left_out": [NONE_LEFT_OUT, *SURFACES],
     }  # fmt: skip
     assert {name: [*labels] for name, labels in library.items()} == {
         name: [*LABELS[name]] for name in library

@@ -12,7 +12,7 @@ from hardcontact.config.keys import NONE
 from hardcontact.config.selected_surfaces import TIP_RADIUS
 from hardcontact.contact.contact import Contact
 from hardcontact.scans.reading import MASKS, ReadingOptions
-from hardcontact.surfaces.levelling import LEVELLING
+from hardcontact.surfaces.levelling import LEVELLING_METHODS
 
 
 class CommandLine(ArgumentParser):
@@ -70,7 +70,7 @@ def add_shared_options(parser: ArgumentParser) -> None:
         help="what pixels under a mask in a file are: heights, or gaps",
     )  # fmt: skip
     parser.add_argument(
-        "--levelling", choices=LEVELLING, default="plane",
+        "--levelling", choices=LEVELLING_METHODS, default="plane",
         help="what is removed from height maps: a plane, errors of lines (streaks, offsets), or a "
         "quadratic polynomial",
     )  # fmt: skip

@@ -11,7 +11,7 @@ from hardcontact.base.units import DIMENSIONLESS, JOULE_PER_M2, NM
 
 #: Number of ranges of adhesion of a fit: steps between 0.05 and 40 nm are 0.8 %, far below the
 #: interval of a fitted range.
-RANGE_COUNT = 801
+FINE_RANGE_COUNT = 801
 #: Variables of the best fit, with their units.
 FIT_ATTRS = {"range_of_adhesion": NM, "work_of_adhesion": JOULE_PER_M2, "best_error": DIMENSIONLESS}
 #: New names of these variables for a fit that leaves out one surface.
@@ -51,10 +51,10 @@ def fit_work(mean_forces: Floats, measured_forces: Floats) -> tuple[Floats, Floa
 
 
 def fine_ranges(ranges: Floats) -> Floats:
-    """Return RANGE_COUNT ranges from the shortest to the longest of the computed ranges."""
+    """Return FINE_RANGE_COUNT ranges from the shortest to the longest of the computed ranges."""
     if len(ranges) == 1:
         return ranges
-    return np.geomspace(ranges[0], ranges[-1], RANGE_COUNT)
+    return np.geomspace(ranges[0], ranges[-1], FINE_RANGE_COUNT)
 
 
 def best_fit(mean_forces: Floats, measured_forces: Floats, ranges: Floats) -> dict[str, Floats]:

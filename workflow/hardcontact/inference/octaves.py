@@ -32,11 +32,11 @@ from hardcontact.surfaces.height_map import HeightMap
 OCTAVE_LIMITS: Floats = np.ldexp(10.0, np.arange(-7, 18))
 #: Relative change of an amplitude. In smaller steps single contact pixels would decide. The error
 #: of the central difference grows with the square of the step.
-STEP = 0.05
+AMPLITUDE_STEP = 0.05
 #: Factors on the amplitude of an octave.
-AMPLITUDE_FACTORS = (1 - STEP, 1 + STEP)
+AMPLITUDE_FACTORS = (1 - AMPLITUDE_STEP, 1 + AMPLITUDE_STEP)
 #: Number of octaves that an answer names, the strongest first.
-OCTAVES_NAMED = 3
+NAMED_OCTAVE_COUNT = 3
 
 
 def octave_limits(shortest: float, longest: float) -> Floats:
@@ -101,7 +101,7 @@ def strongest_octaves(sensitivity: xr.Dataset) -> Iterator[Number]:
     ``octave_1`` is the shortest wavelength of the strongest octave. Octaves with NaN do not count.
     """
     finite = sensitivity.dropna("octave", subset=["octave_sensitivity"])
-    strongest = np.argsort(-np.abs(finite["octave_sensitivity"].values))[:OCTAVES_NAMED]
+    strongest = np.argsort(-np.abs(finite["octave_sensitivity"].values))[:NAMED_OCTAVE_COUNT]
     for rank, index in enumerate(strongest, start=1):
         octave = finite.isel(octave=index)
         low, high = octave.get("octave_sensitivity_interval", (np.nan, np.nan))
@@ -120,7 +120,7 @@ def octave_sensitivities(
     octave_force = forces["octave_force"]
     weak, strong = (octave_force.sel(factor=factor, drop=True) for factor in AMPLITUDE_FACTORS)
     log_ratio, log_interval = log_force_ratio(strong, weak, scan_parts, confidence)
-    sensitivity, interval = log_ratio / (2 * STEP), log_interval / (2 * STEP)
+    sensitivity, interval = log_ratio / (2 * AMPLITUDE_STEP), log_interval / (2 * AMPLITUDE_STEP)
     variables = as_variables(
         "octave_sensitivity", "octave", sensitivity, interval, DIMENSIONLESS, confidence
     )

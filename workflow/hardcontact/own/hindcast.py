@@ -31,7 +31,7 @@ Octave = tuple[float, float]
 #: Artificial octaves of a side; each costs a force sum. With six, the outcome depended on the seed
 #: on one scan; with twelve, the interval is 1.17 times as wide as with many: t sqrt(1 + 1/12)/1.96,
 #: with Student's t of 11 degrees of freedom, 2.20.
-ARTIFICIAL_OCTAVES = 12
+ARTIFICIAL_OCTAVE_COUNT = 12
 #: Pixels per row of a block with one height.
 WIDE_PIXEL = 4
 
@@ -104,14 +104,14 @@ def hindcast_forces(
     side_forces = {}
     for side, octave in octaves.items():
         if octave is None:
-            shape = (1 + ARTIFICIAL_OCTAVES, contacts_per_row, contacts_per_row)
+            shape = (1 + ARTIFICIAL_OCTAVE_COUNT, contacts_per_row, contacts_per_row)
             octave_forces = np.full(shape, np.nan)
         else:
             seed_word = SEED_WORDS[side]
             kept_heights, scan_octave = _split_at_octave(mirrored, side, octave)
             artificial_octaves = [
                 sum(_artificial_octave(mirrored, octave, body, seed_word, index) for body in bodies)
-                for index in range(ARTIFICIAL_OCTAVES)
+                for index in range(ARTIFICIAL_OCTAVE_COUNT)
             ]
             all_octaves = scan_octave, *artificial_octaves
             surfaces = (replace(mirrored, heights=kept_heights + waves) for waves in all_octaves)

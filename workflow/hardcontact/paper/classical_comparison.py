@@ -20,7 +20,12 @@ from hardcontact.base.units import DIMENSIONLESS, JOULE_PER_M2, NEWTON, PASCAL
 from hardcontact.contact import hertz_jkr_dmt
 from hardcontact.contact.contact import PLASTIC
 from hardcontact.inference.fit import fit_work, mean_relative_error, minimum_along_axis
-from hardcontact.paper.classical_models import MODELS, ClassicalModel, ElasticSphere, Roughness
+from hardcontact.paper.classical_models import (
+    CLASSICAL_MODELS,
+    ClassicalModel,
+    ElasticSphere,
+    Roughness,
+)
 
 #: Prefixes of the rows of Table 1: roughness of the AFM scans, and roughness of all scales.
 METRIC_PREFIXES = {"afm": "afm", "all_scales": "all"}
@@ -33,7 +38,7 @@ MODEL_VARIABLES = {
 #: Works of adhesion (J/m²) among which the best fit is searched first.
 SEARCHED_WORKS = np.geomspace(1e-3, 10, 401)
 #: Exponents of power laws of roughness parameters that are searched first.
-EXPONENTS = np.linspace(-8, 8, 321)
+SEARCHED_EXPONENTS = np.linspace(-8, 8, 321)
 #: Repeated searches, each on a 20 times finer grid about the best value: it is known to 1e-5.
 REFINEMENTS = 3
 
@@ -80,7 +85,7 @@ def apply_classical_models(
     coordinates = {
         "surface": surfaces,
         "force_source": list(forces),
-        "model": list(MODELS),
+        "model": list(CLASSICAL_MODELS),
         "rms_parameter": list(Roughness._fields),
     }
     return (
@@ -90,7 +95,7 @@ def apply_classical_models(
         .reindex(surface=fit["surface"].values)
         .merge(_smooth_contact(sphere, paper))
         .assign(
-            model_label=("model", [model.label for model in MODELS.values()]),
+            model_label=("model", [model.label for model in CLASSICAL_MODELS.values()]),
             label=fit["label"],
             source=fit["source"],
         )
@@ -197,13 +202,13 @@ def _model_numbers(
     """
     errors = [
         [classical_error(model, roughness, sphere, force[:, 0]) for force in forces.values()]
-        for model in MODELS.values()
+        for model in CLASSICAL_MODELS.values()
     ]
     power_law_errors = [
         [power_law_error(parameter, effective_work[:, 0]) for effective_work in works.values()]
         for parameter in roughness
     ]
-    model_forces = [model.force(work, roughness, sphere) for model in MODELS.values()]
+    model_forces = [model.force(work, roughness, sphere) for model in CLASSICAL_MODELS.values()]
     return {
         "model_force": np.stack(model_forces, axis=-2),
         "mean_relative_error": np.moveaxis(np.array(errors), (0, 1), (-2, -1)),
@@ -241,7 +246,7 @@ def power_law_error(parameter: Floats, work: Floats) -> Floats:
         powers = np.exp(logarithm * exponents[..., None, :])  # (..., surface, exponent)
         return fit_work(powers, work)[1]
 
-    return _search_minimum(error_at, EXPONENTS, parameter.shape[:-1])
+    return _search_minimum(error_at, SEARCHED_EXPONENTS, parameter.shape[:-1])
 
 
 def _search_minimum(

@@ -202,7 +202,7 @@ def _relative_pull_off(tension: Tension, factor: float, index: Values) -> Values
     return np.exp(-np.exp(_force_spline(tension, factor)(log_index)))
 
 
-MODELS = {
+CLASSICAL_MODELS = {
     "rumpf_height": ClassicalModel(
         "Rumpf (height)",
         lambda work, roughness, sphere: rumpf(

@@ -19,7 +19,12 @@ from hardcontact.contact.contact import CONTACT_AXES, PLASTIC, Contact
 from hardcontact.contact.force_interpolation import interpolate_forces
 from hardcontact.inference.published_fit import PublishedForces
 from hardcontact.paper.pool import smooth_sphere_forces
-from hardcontact.surfaces.features import KINDS, SIGNS, FeaturedSurface, sample_featured_scans
+from hardcontact.surfaces.features import (
+    SIGNS,
+    SURFACE_KINDS,
+    FeaturedSurface,
+    sample_featured_scans,
+)
 from hardcontact.surfaces.levelling import level_plane
 from hardcontact.surfaces.metrics import TABLE1_METRICS, metrics_dataset
 
@@ -138,9 +143,9 @@ def _candidate_statistics(
 
 def _empty_comparison() -> xr.Dataset:
     """Return the empty features.nc of a study without features."""
-    empty = ("features", "candidate"), np.empty((len(KINDS), 0))
+    empty = ("features", "candidate"), np.empty((len(SURFACE_KINDS), 0))
     return xr.Dataset(
         {name: (*empty, unit) for name, unit in CANDIDATE_STATISTICS.items()},
-        {"features": list(KINDS), "candidate": np.arange(0)},
+        {"features": list(SURFACE_KINDS), "candidate": np.arange(0)},
         {"surface": "", "label": "", "source": "substitute"},
     )

@@ -27,7 +27,7 @@ from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.levelling import MIN_STREAK_STEPS, fill_streaks, remove_form
 
 #: Sentences on defects by code, with the names of their numbers in braces.
-SENTENCES: dict[str, str] = yaml.safe_load(
+DEFECT_SENTENCES: dict[str, str] = yaml.safe_load(
     Path(__file__).with_name("defects.yaml").read_text("utf-8")
 )
 #: By code of a defect: its numbers with their units.
@@ -198,7 +198,7 @@ def defect_sentence(code: str, numbers: Mapping[str, float]) -> str:
     """Return the sentence on a defect, with its numbers and without a full stop."""
     words = {name: _format_defect_number(name, number) for name, number in numbers.items()}
     words["sidewall_pixels"] = format_share(SIDEWALL_PIXEL_SHARE)
-    return SENTENCES[code].format(**words, streak=MIN_STREAK_STEPS, spike=MIN_SPIKE_DISTANCE)
+    return DEFECT_SENTENCES[code].format(**words, streak=MIN_STREAK_STEPS, spike=MIN_SPIKE_DISTANCE)
 
 
 def _format_defect_number(name: str, number: float) -> str:

@@ -27,7 +27,7 @@ SIGNS = {"bumps": 1, "pits": -1}
 #: Name of surfaces without features.
 GAUSSIAN = "gaussian"
 #: All kinds of surfaces.
-KINDS = (*SIGNS, GAUSSIAN)
+SURFACE_KINDS = (*SIGNS, GAUSSIAN)
 #: Number of features per µm². These bounds and the next three are assumed; the prior is uniform in
 #: the logarithms within them. If densities began at 0.001, 15 % of the permitted bumps of polished
 #: UNCD would be rarer than 0.01.

@@ -84,7 +84,7 @@ def level_quadratic(scan: HeightMap) -> HeightMap:
 
 
 #: Ways to level a scan, by their names in the configuration.
-LEVELLING: dict[str, Callable[[HeightMap], HeightMap]] = {
+LEVELLING_METHODS: dict[str, Callable[[HeightMap], HeightMap]] = {
     "plane": level_plane,
     "lines": level_lines,
     "quadratic": level_quadratic,
@@ -99,8 +99,8 @@ def remove_form(
     The sphere's apex is put at the centre: elsewhere it would only add a plane, which levelling
     removes. A line scan loses its mean line, whatever the levelling.
     """
-    if levelling not in LEVELLING:
-        raise ValueError(f"levelling: expected {', '.join(LEVELLING)}, found {levelling}")
+    if levelling not in LEVELLING_METHODS:
+        raise ValueError(f"levelling: expected {', '.join(LEVELLING_METHODS)}, found {levelling}")
     if scan.kind == "line scan":
         return level_plane(scan)
     if sphere_radius is not None:
@@ -109,7 +109,7 @@ def remove_form(
         x = (np.arange(columns) - (columns - 1) / 2) * scan.pixel_size
         heights = scan.heights + (y[:, None] ** 2 + x**2) / (2 * sphere_radius)
         scan = replace(scan, heights=heights)
-    return LEVELLING[levelling](scan)
+    return LEVELLING_METHODS[levelling](scan)
 
 
 #: Titles of the files with the two results of `level_and_mirror`.
@@ -141,8 +141,8 @@ def find_streaks(heights: Floats) -> Iterator[Mask]:
     like a sunken one.
     """
     for width in STREAK_WIDTHS:
-        x_lengths = [_run_lengths(_candidates(steps)) for steps in _rise_and_fall(heights, width)]
-        y_lengths = [_run_lengths(_candidates(steps)) for steps in _rise_and_fall(heights.T, width)]
+        x_lengths = [_run_lengths(_high_runs(steps)) for steps in _rise_and_fall(heights, width)]
+        y_lengths = [_run_lengths(_high_runs(steps)) for steps in _rise_and_fall(heights.T, width)]
         longest_along_y = max(lengths.max() for lengths in y_lengths)
         min_length = max(MIN_STREAK_PIXELS, MIN_LENGTH_RATIO * longest_along_y + 1)
         is_above, is_below = np.array(x_lengths) >= min_length
@@ -197,7 +197,7 @@ def _run_lengths(mask: Mask) -> NDArray[np.intp]:
     return np.asarray(lengths[labels])
 
 
-def _candidates(steps: Floats) -> Mask:
+def _high_runs(steps: Floats) -> Mask:
     """Return the mask of runs above MIN_END_STEPS that reach MIN_STREAK_STEPS somewhere."""
     is_certain = steps > MIN_STREAK_STEPS
     if not is_certain.any():

@@ -28,8 +28,8 @@ from hardcontact.scans.reliable_band import LIMIT_NAMES, MIN_PIXELS, MIN_WAVES_I
 from hardcontact.surfaces.metrics import METRICS
 
 #: Names of the range and the work of adhesion among the inputs of contacts.
-RANGE = "range of adhesion"
-WORK = "work of adhesion"
+RANGE_NAME = "range of adhesion"
+WORK_NAME = "work of adhesion"
 #: Limits, and their names, that templates show.
 LIMITS = {
     "min_pixels": MIN_PIXELS, "min_waves": MIN_WAVES_IN_SIZE, "nearly_all": edges.NEARLY_ALL,
@@ -91,10 +91,10 @@ def own_answer(datasets: Datasets, setting: Setting) -> dict[str, Any]:
 
 
 def _chosen_inputs(force: xr.Dataset, setting: Setting) -> list[str]:
-    """Return RANGE if the range of adhesion is the shortest that the scans permit."""
+    """Return RANGE_NAME if the range of adhesion is the shortest that the scans permit."""
     ranges = force["rho"].values
     is_shortest = len(ranges) > 1 and np.isclose(force.attrs["rho"], ranges.min())
-    return [RANGE] if is_shortest and RANGE not in setting.assumed else []
+    return [RANGE_NAME] if is_shortest and RANGE_NAME not in setting.assumed else []
 
 
 def surface_answers(datasets: Datasets, setting: Setting) -> list[SurfaceAnswer]:
@@ -115,7 +115,7 @@ def _surface_answer(
     if data.force["surface"].item() != reference.force["surface"].item():
         numbers += forces.comparison_numbers(data, reference)
     # A user who gave measured forces, or both range and work of adhesion, has a pair.
-    if data.fit is None and {RANGE, WORK} & set(setting.assumed):
+    if data.fit is None and {RANGE_NAME, WORK_NAME} & set(setting.assumed):
         numbers += forces.pair_numbers(data.force, setting.pairs)
     if data.fit is not None and name in data.fit["surface"].values:
         numbers += fits.measured_numbers(fits.preferred_fit(data.fit).sel(surface=name), data)
@@ -146,11 +146,11 @@ def _study_numbers(datasets: Datasets, setting: Setting) -> list[Number]:
     """Return the numbers of the whole study: settings and, with measured forces, the fit."""
     contact, band = datasets.force.attrs, datasets.edges.attrs
     sources: dict[str, NumberSource] = {
-        name: "assumed" if name in setting.assumed else "given" for name in (RANGE, WORK)
+        name: "assumed" if name in setting.assumed else "given" for name in (RANGE_NAME, WORK_NAME)
     }
     return [
-        Number("range_of_adhesion", contact["rho"], "nm", source=sources[RANGE]),
-        Number("work_of_adhesion", contact["work_of_adhesion"], "J m-2", source=sources[WORK]),
+        Number("range_of_adhesion", contact["rho"], "nm", source=sources[RANGE_NAME]),
+        Number("work_of_adhesion", contact["work_of_adhesion"], "J m-2", source=sources[WORK_NAME]),
         Number("tolerance", band["tolerance"], source="given"),
         Number("confidence", band["confidence"], source="given"),
         stored_tabor_number(datasets.force),
@@ -162,7 +162,10 @@ def _surface_notes(surfaces: list[SurfaceAnswer]) -> Iterator[dict[str, Any]]:
     """Yield the notes in words on the surfaces: cautions, and measurements to make next."""
     yield from substitutes_note([row.label for row in surfaces if row.source != "measured"])
     for surface in surfaces:
-        facts: dict[str, Any] = {"label": surface.label, "several": len(surfaces) > 1} | LIMITS
+        facts: dict[str, Any] = {
+            "label": surface.label,
+            "several": len(surfaces) > 1,
+        } | LIMITS
         for caution in surface.cautions:
             head = ("caution", caution.code, surface.name, caution.grave)
             yield render_note("own_caution.txt", *head, caution=caution, **facts)

@@ -10,7 +10,7 @@ import xarray as xr
 from hardcontact.base.arrays import Floats
 from hardcontact.base.number import Number, NumberSource, NumberStatus
 from hardcontact.contact.hertz_jkr_dmt import dmt_pull_off
-from hardcontact.inference.octaves import OCTAVES_NAMED
+from hardcontact.inference.octaves import NAMED_OCTAVE_COUNT
 from hardcontact.report.own_surfaces.datasets import (
     Datasets,
     fails_hindcast,
@@ -163,7 +163,7 @@ def comparison_numbers(data: Datasets, reference: Datasets) -> Iterator[Number]:
     octaves, contributions = _octave_contributions(data, reference)
     # Some octaves may change the ratio in the opposite direction.
     shares = contributions * np.log(ratio)
-    strongest = [index for index in np.argsort(-shares)[:OCTAVES_NAMED] if shares[index] > 0]
+    strongest = [index for index in np.argsort(-shares)[:NAMED_OCTAVE_COUNT] if shares[index] > 0]
     for rank, index in enumerate(strongest, start=1):
         name = f"force_over_reference_octave_{rank}"
         yield Number(name, float(octaves[index]), "nm")
