@@ -6,7 +6,7 @@
 # Snakemake, named in `plan_by_records`, so that records in `.origin`, not file times, decide what runs again.
 from hardcontact.run import ending, preparation, reruns
 
-preparation.prepare(workflow)
+preparation.prepare_run(workflow)
 
 
 configfile: "config/config.yaml"

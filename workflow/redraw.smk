@@ -3,7 +3,7 @@
 from hardcontact.run import ending, preparation, reruns, study_inputs
 from hardcontact.records.code import write_pins
 
-preparation.prepare(workflow)
+preparation.prepare_run(workflow)
 
 
 configfile: study_inputs.finished_configuration(config)

@@ -15,7 +15,7 @@ from repository import PAPER
 from hardcontact.commands.contact_scans import all_search_sizes, select_contact_scans
 from hardcontact.commands.inventory import UserScan
 from hardcontact.commands.new import values_by_key
-from hardcontact.commands.proposal import propose
+from hardcontact.commands.proposal import propose_keys
 from hardcontact.commands.request import ScanFile
 from hardcontact.config.configuration import numeric_configuration, set_keys
 from hardcontact.config.limits import refuse_unfit_values
@@ -171,7 +171,7 @@ def check_refusal(line, scan, settings):
 )
 def test_any_scan_gives_a_valid_study_or_a_justified_refusal(scans, settings):
     try:
-        check_study(settings, propose(scans, None, settings))
+        check_study(settings, propose_keys(scans, None, settings))
         event("accepted")
     except ValueError as error:
         for line in str(error).splitlines():
@@ -180,7 +180,7 @@ def test_any_scan_gives_a_valid_study_or_a_justified_refusal(scans, settings):
 
 
 def test_scans_like_the_paper_s_get_about_its_grids():
-    config, _ = both_efforts(contact(), propose([user_scan()] * 5, None, contact()))
+    config, _ = both_efforts(contact(), propose_keys([user_scan()] * 5, None, contact()))
     short_side, long_side = config["scales"]["short"], config["scales"]["long"]
     assert config["contact"]["window"] == pytest.approx(12500, rel=0.01)
     assert (
@@ -196,7 +196,9 @@ def test_scans_like_the_paper_s_get_about_its_grids():
 def test_ranges_of_adhesion_lie_apart_however_short_a_range_scans_permit(preload):
     """Their shortest range grows with the depth of the contact, sqrt(preload/hardness)/25."""
     settings = contact(5e3, preload, 5e9, 3.0)
-    for config in both_efforts(settings, propose([user_scan()], None, settings, range_given=True)):
+    for config in both_efforts(
+        settings, propose_keys([user_scan()], None, settings, range_given=True)
+    ):
         ranges = np.array(config["adhesion"]["ranges"])
         assert 3.0 in ranges and len(ranges) in (5, 12)
         assert (ranges[1:] / ranges[:-1]).min() > 1.05  # a ratio of 1.1, rounded to two digits
@@ -205,7 +207,7 @@ def test_ranges_of_adhesion_lie_apart_however_short_a_range_scans_permit(preload
 def test_a_slow_contact_is_told():
     settings = contact(preload=2e-3, hardness=1e9)
     reasons = {
-        choice.key: choice.reason for choice in propose([user_scan()], None, settings).choices
+        choice.key: choice.reason for choice in propose_keys([user_scan()], None, settings).choices
     }
     assert_says(reasons["contact.contacts_per_row"], "the fewest", "each filtered surface takes")
 
@@ -213,7 +215,7 @@ def test_a_slow_contact_is_told():
 @pytest.mark.parametrize(("shortest", "transition"), [(120.0, "120 nm"), (2000.0, "1000 nm")])
 def test_roughness_is_artificial_below_the_reliable_wavelengths(shortest, transition):
     scan = user_scan(band=ReliableBand(shortest, 833.0, "tip"))
-    choices = propose([scan], None, contact()).choices
+    choices = propose_keys([scan], None, contact()).choices
     assert {choice.key: choice.value for choice in choices}["scales.short.transition"] == transition
 
 
@@ -239,8 +241,10 @@ def test_roughness_is_artificial_below_the_reliable_wavelengths(shortest, transi
     ],
 )  # fmt: skip
 def test_scans_that_spoil_the_forces_have_a_caution_with_numbers(scan, settings, message_parts):
-    assert_says(" ".join(propose([scan], None, settings).cautions), *message_parts)
-    assert not propose([user_scan(10000, 512, 14, undefined_count=99)], None, contact()).cautions
+    assert_says(" ".join(propose_keys([scan], None, settings).cautions), *message_parts)
+    assert not propose_keys(
+        [user_scan(10000, 512, 14, undefined_count=99)], None, contact()
+    ).cautions
 
 
 @pytest.mark.parametrize(("radius", "stated"), [(50e3, 250e3), (50e3, 60e3), (50e3, 40e3)])
@@ -253,7 +257,7 @@ def test_a_stated_radius_that_the_scan_of_the_sphere_contradicts_is_questioned(r
     ball = replace(ball, scan_file=ScanFile("sphere", "sphere", "ball.nc", "ball.nc", stated))
     (caution,) = [
         line
-        for line in propose([user_scan(), ball], "sphere", contact(stated)).cautions
+        for line in propose_keys([user_scan(), ball], "sphere", contact(stated)).cautions
         if "contradicts" in line
     ]
     assert_says(caution, f"--radius {stated / 1e3:g} µm", f"{radius / 1e3:g} µm")
@@ -272,6 +276,6 @@ def test_a_stated_radius_that_the_scan_of_the_sphere_contradicts_is_questioned(r
     ],
 )
 def test_unsuitable_scans_are_refused_in_one_line_each(scans, settings, message_parts):
-    message = refusal(propose, scans, None, settings)
+    message = refusal(propose_keys, scans, None, settings)
     assert_says(message, *message_parts)
     assert len(message.splitlines()) == len(message_parts)

@@ -4,13 +4,13 @@ import pytest
 import xarray as xr
 from comparison import undescribed_variables
 
-from hardcontact.base.dataset import describe, read_meanings
+from hardcontact.base.dataset import describe_variables, read_meanings
 
 
 def test_variables_are_described_and_others_keep_their_names():
     named = xr.DataArray(1.0, attrs={"units": "N", "long_name": "Own."})
     data = xr.Dataset({"force": 1.0, "force_interval": 2.0, "named": named, "scan": 3})
-    result = describe(data, {"force": "Force."})
+    result = describe_variables(data, {"force": "Force."})
     names = {name: result[name].attrs.get("long_name") for name in result}
     assert names == {
         "force": "Force.", "force_interval": "Force.", "named": "Own.", "scan": None,

@@ -55,7 +55,7 @@ def test_a_run_in_another_folder_is_refused(tmp_path, monkeypatch, rules_folder,
     monkeypatch.setattr(logging, "raiseExceptions", True)
     folder = SimpleNamespace(get_path_or_uri=lambda secret_free: tmp_path / rules_folder)
     workflow = SimpleNamespace(current_basedir=folder, main_snakefile=tmp_path / main)
-    assert_says(refusal_line(preparation.prepare, workflow), str(tmp_path), str(ROOT))
+    assert_says(refusal_line(preparation.prepare_run, workflow), str(tmp_path), str(ROOT))
 
 
 def test_the_grids_of_the_paper_are_refused_for_own_surfaces():

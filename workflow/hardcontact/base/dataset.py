@@ -92,7 +92,7 @@ def read_meanings(name: str) -> dict[str, str]:
     return dict(zip(rows.variable, rows.meaning, strict=True))
 
 
-def describe(dataset: xr.Dataset, meanings: Mapping[str, str]) -> xr.Dataset:
+def describe_variables(dataset: xr.Dataset, meanings: Mapping[str, str]) -> xr.Dataset:
     """Return a dataset whose variables have their meaning as `long_name`, and whole numbers a unit.
 
     An interval has the meaning of its variable.

@@ -23,7 +23,7 @@ from hardcontact.commands.options import (
     reading_options,
     unit_questions,
 )
-from hardcontact.commands.proposal import Choice, Proposal, propose
+from hardcontact.commands.proposal import Choice, Proposal, propose_keys
 from hardcontact.commands.request import SPHERE, list_scan_files, name_faults, path_from_root
 from hardcontact.commands.scan_cautions import refuse_unreliable
 from hardcontact.config.configuration import (
@@ -108,7 +108,7 @@ def _propose_study(
     """Return a proposal that the study accepts at both efforts, and the keys of full effort."""
     contact = contact_of_quantities(quantities)
     sphere = SPHERE if arguments.sphere else None
-    proposal = propose(scans, sphere, contact, quantities["range"].is_given)
+    proposal = propose_keys(scans, sphere, contact, quantities["range"].is_given)
     proposal.cautions.extend(unit_questions(quantities))
     choices = [*_choices_without_scans(arguments, quantities), *proposal.choices]
     extents = {

@@ -88,7 +88,7 @@ class Proposal(NamedTuple):
     cautions: list[str]  #: What the user should know before believing the answer.
 
 
-def propose(
+def propose_keys(
     scans: Sequence[UserScan], sphere: str | None, contact: Contact, range_given: bool = False
 ) -> Proposal:
     """Choose every key that depends on the scans.

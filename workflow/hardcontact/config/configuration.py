@@ -49,13 +49,13 @@ def get_key(tree: Mapping[str, Any], key: str) -> Any:
     return reduce(getitem, key.split("."), tree)
 
 
-def merge(config: Mapping[str, Any], overlay: Mapping[str, Any]) -> dict[str, Any]:
+def merge_overlay(config: Mapping[str, Any], overlay: Mapping[str, Any]) -> dict[str, Any]:
     """Return a configuration with the values of an overlay, merged as Snakemake does."""
     merged = dict(config)
     for key, value in overlay.items():
         section = merged.get(key)
         if isinstance(section, Mapping) and isinstance(value, Mapping):
-            value = merge(section, value)
+            value = merge_overlay(section, value)
         merged[key] = value
     return merged
 
@@ -69,7 +69,7 @@ def apply_effort(config: Mapping[str, Any]) -> dict[str, Any]:
     quick = config.get("quick")
     if config.get("effort") != "quick" or not isinstance(quick, dict):
         return dict(config)
-    merged = merge(config, quick)
+    merged = merge_overlay(config, quick)
     for name in ("study", "store"):
         merged[name] = str(merged[name]).removesuffix(QUICK_SUFFIX) + QUICK_SUFFIX
     return merged

@@ -93,6 +93,7 @@ def validate(model: type[Model], value: object, prefix: str = "") -> Model:
 
 
 def _fault_lines(model: type[BaseModel], error: ValidationError, prefix: str) -> list[str]:
+    """Return a line for each faulty key, and one for the unknown keys of each section."""
     faults = dict[str, str]()
     unknown = dict[tuple[int | str, ...], list[str]]()
     for fault in error.errors(include_url=False):
@@ -110,6 +111,7 @@ def _fault_lines(model: type[BaseModel], error: ValidationError, prefix: str) ->
 
 
 def _join_key(keys: tuple[int | str, ...]) -> str:
+    """Return a key as one text, with dots between its parts."""
     return ".".join(map(quote_key, keys)) or "(top level)"
 
 

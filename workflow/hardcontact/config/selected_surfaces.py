@@ -120,7 +120,7 @@ class Selection:
         uses = self._rows.use[self._rows.surface == surface]
         return [index for index, use in enumerate(uses) if use == CONTACT_USE]
 
-    def master_scan(self, surface: str, master_number: int) -> int:
+    def shared_master_scan(self, surface: str, master_number: int) -> int:
         """Return the number of the scan in a master; masters take the scans in turn."""
         scans = self.contact_scans(surface)
         return scans[(master_number - 1) % len(scans)]
@@ -132,10 +132,10 @@ class Selection:
         """
         scans = self.contact_scans(surface)
         if master_number <= len(scans) or surface in self.measured_surfaces:
-            return self.master_scan(surface, master_number)
+            return self.shared_master_scan(surface, master_number)
         return max(scans) + master_number - len(scans)
 
-    def group(self, surface: str, scan: int) -> int:
+    def group_number(self, surface: str, scan: int) -> int:
         """Return the number of the group of a substitute scan; 0 for the study's scans."""
         scans = self.contact_scans(surface)
         return 0 if scan in scans else 1 + (scan - max(scans) - 1) // len(scans)

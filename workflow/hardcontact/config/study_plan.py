@@ -61,7 +61,7 @@ class StudyPlan:
         groups = defaultdict[tuple[int, ...], list[str]](list)
         for surface in selection.substitutes:
             last_scan = selection.separate_master_scan(surface, master_count)
-            last_group = selection.group(surface, last_scan)
+            last_group = selection.group_number(surface, last_scan)
             for group in range(last_group + 1):
                 groups[tuple(selection.scans_of_group(surface, group))].append(surface)
         return groups
@@ -73,7 +73,7 @@ class StudyPlan:
         """
         if is_paper_study(self.configuration):
             return self.selection.separate_master_scan(surface, master_number)
-        return self.selection.master_scan(surface, master_number)
+        return self.selection.shared_master_scan(surface, master_number)
 
     def sphere_radius(self, surface: str) -> float | None:
         """Return the radius (nm) of the sphere in scans of its surface, None in other scans."""

@@ -163,7 +163,7 @@ class Chunks:
                 for side in SIDES
             }
         if PURPOSES[purpose].samples_spectra:
-            find_scan = self._selection.master_scan
+            find_scan = self._selection.shared_master_scan
             spectra = [files.sampled_spectrum_path(surface, number) for number in realizations]
         else:
             find_scan = self._selection.separate_master_scan

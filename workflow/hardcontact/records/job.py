@@ -42,8 +42,8 @@ class Job(NamedTuple):
     def write(self, results: xr.Dataset, title: str, output: int | str = 0) -> None:
         """Write results, with their origin and the meanings of their variables."""
         path = self.output[output]
-        described_results = dataset.describe(results, dataset.read_meanings(Path(path).stem))
-        complete = described_results.assign_attrs(
+        meanings = dataset.read_meanings(Path(path).stem)
+        complete = dataset.describe_variables(results, meanings).assign_attrs(
             title=title,
             Conventions="CF-1.11",
             history=f"made by the hardcontact study: {title}",

@@ -20,7 +20,7 @@ from hardcontact.run.reruns import MIN_SNAKEMAKE, plan_by_records
 REUSED_MEMORY = 256 * 1024**2
 
 
-def prepare(workflow: Any) -> None:
+def prepare_run(workflow: Any) -> None:
     """Refuse a run that would fail with any configuration; otherwise prepare this process.
 
     Jobs keep freed memory, Ctrl-C kills the run, and records decide what runs again.

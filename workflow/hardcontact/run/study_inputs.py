@@ -12,7 +12,7 @@ from hardcontact.config.configuration import (
     apply_effort,
     get_key,
     is_paper_study,
-    merge,
+    merge_overlay,
     numeric_configuration,
 )
 from hardcontact.config.faults import key_fields, shorten
@@ -51,7 +51,7 @@ def checked_configuration(workflow: Any, config: dict[str, Any]) -> dict[str, An
             _refuse_grids_of_paper(workflow, config)
         command_line = workflow.config_settings.config
         nested = {key: item for key, item in command_line.items() if not isinstance(item, str)}
-        config.update(apply_effort(merge(config, yaml_values(nested))))
+        config.update(apply_effort(merge_overlay(config, yaml_values(nested))))
         overwrite = yaml_values(config.pop("overwrite", False))
         numbers = numeric_configuration(config)
         if plans_the_run(workflow) and overwrite is not True:
@@ -77,7 +77,7 @@ def _refuse_changed_project_study(config: Mapping[str, Any]) -> None:
     name = config["study"]
     project = read_yaml("config/config.yaml")
     if name == "quick":
-        project = merge(project, read_yaml("config/quick.yaml"))
+        project = merge_overlay(project, read_yaml("config/quick.yaml"))
     if name != project["study"]:
         return
     project_numbers = numeric_configuration(project)
