@@ -4,7 +4,7 @@ import re
 import shutil
 
 import pytest
-from repository import copy_repository, run_snakemake
+from repository import copy_repository, run_snakemake_with_forks
 
 REDRAW = ("-s", "workflow/redraw.smk", "--config", "study=tiny")
 #: Figures that are drawn again: maps, curves against the cutoff, and sets.
@@ -26,7 +26,7 @@ def test_figures_and_pages_are_redrawn_from_the_datasets_alone(finished, tmp_pat
     ]
     for path in copied:
         shutil.copyfile(path, study / path.relative_to(finished))
-    run = run_snakemake(study, *REDRAW, "--verbose")
+    run = run_snakemake_with_forks(study, *REDRAW, "--verbose")
     assert run.returncode == 0, run.stdout[-3000:]
     jobs = set(re.findall(r"^(?:local)?rule (\w+):", run.stdout, re.M)) - {"redraw"}
     assert jobs == {f"draw_{name}" for name in DRAWN_AGAIN} | {"answer_paper"}

@@ -65,7 +65,7 @@ def run_dry(folder):
     return [(rule, output) for rule, output in planned_jobs if output]
 
 
-@pytest.mark.parametrize("option", ["--tou", "-t", "-Ft"])
+@pytest.mark.parametrize("option", ["--tou", "-Ft"])
 def test_times_are_not_renewed(tmp_path, option):
     study = copy_repository(tmp_path / "study")
     run = run_snakemake(study, "describe_study", option, "--configfile", TINY)
