@@ -27,7 +27,7 @@ NUMBER = re.compile(rb"\d+")
 NASTY = [
     b"", b"-1", b"0", b"nan", b"inf", b"1e400", b"1e-400", b"9" * 5000, b"2026-01-01", b"2.5",
     b"\0", b"\xff", b"\xef\xbb\xbf", b"\x1b[31m", b"\r", b"\n", b"\t", b'"', b"'", b",", b"{",
-    b"[" * 3000, b"*a", b"&a ", b"- ", b": ", b"!!python/object ", b"<x>", "\u2028\u202e".encode(),
+    b"[" * 1000, b"*a", b"&a ", b"- ", b": ", b"!!python/object ", b"<x>", "\u2028\u202e".encode(),
     b"x" * 10**5,
 ]  # fmt: skip
 

@@ -139,7 +139,7 @@ HOSTILE = {
     ),
     "words": (lambda path: path.write_text("sample,good\n" * 5000), "found"),
     "pickled array": (pickled_array, "found"),
-    "zip bomb": (lambda path: container(path, bytes(2**27)), "MemoryError"),
+    "zip bomb": (lambda path: container(path, bytes(2**26)), "MemoryError"),
     "lying zip": (altered(24, "<I", 1000), "Bad CRC-32"),
     "encrypted zip": (altered(8, "<H", 1), "encrypted"),
     "container in a container": (
