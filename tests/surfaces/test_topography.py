@@ -14,14 +14,6 @@ from hardcontact.surfaces.spectrum import measured_psds, spectrum_dataset
 from hardcontact.surfaces.synthesis import add_sphere_shape
 from hardcontact.surfaces.topography import measured_roughness, topography_dataset
 
-SETTINGS = dict(
-    labels={"uncd": "UNCD", "ruby": "ruby"},
-    source={"uncd": "measured", "ruby": "substitute"},
-    sphere_surface="ruby",
-    reference_surface="uncd",
-    confidence=0.9,
-)
-
 
 @pytest.fixture(scope="module")
 def maps():
@@ -43,7 +35,7 @@ def table(maps):
     }
     conditionings = {"ruby": xr.Dataset(attrs={"table1_rows_met": "afm_rms_height"})}
     scans = {key: measured_roughness(scan) for key, scan in maps.items()}
-    return topography_dataset(scans, spectra, conditionings, examples, **SETTINGS)
+    return topography_dataset(scans, spectra, conditionings, examples, 0.9)
 
 
 def test_the_table_has_every_scan_and_nan_for_missing_scans(table, maps):

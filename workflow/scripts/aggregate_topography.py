@@ -1,6 +1,6 @@
 """The metrics of Table 1 and the PSDs of every scan, and their averages: topography.nc."""
 
-from hardcontact.base.dataset import read_by_name
+from hardcontact.base.dataset import add_surface_names, read_by_name
 from hardcontact.records.job import run_job
 from hardcontact.surfaces.height_map import load_height_map
 from hardcontact.surfaces.topography import measured_roughness, topography_dataset
@@ -8,13 +8,18 @@ from hardcontact.surfaces.topography import measured_roughness, topography_datas
 with run_job(snakemake) as job:
     params = job.parameters
     scan_paths = zip(params["scan_ids"], job.input.scans, strict=True)
+    attributes = params["attributes"]
+    topography = topography_dataset(
+        {tuple(key): measured_roughness(load_height_map(path)) for key, path in scan_paths},
+        read_by_name(params["surfaces"], job.input.spectra),
+        read_by_name(params["conditioned"], job.input.conditionings),
+        read_by_name(params["surfaces"], job.input.examples),
+        attributes["confidence"],
+    )
     job.write(
-        topography_dataset(
-            {tuple(key): measured_roughness(load_height_map(path)) for key, path in scan_paths},
-            read_by_name(params["surfaces"], job.input.spectra),
-            read_by_name(params["conditioned"], job.input.conditionings),
-            read_by_name(params["surfaces"], job.input.examples),
-            **params["attributes"],
+        add_surface_names(topography, attributes).assign_attrs(
+            sphere_surface=attributes["sphere_surface"],
+            reference_surface=attributes["reference_surface"],
         ),
         title="topography of all surfaces: rms metrics and power spectral densities",
     )

@@ -43,11 +43,6 @@ def topography_dataset(
     spectra: Mapping[str, xr.Dataset],
     conditionings: Mapping[str, xr.Dataset],
     examples: Mapping[str, xr.Dataset],
-    *,
-    labels: Mapping[str, str],
-    source: Mapping[str, str],
-    sphere_surface: str,
-    reference_surface: str,
     confidence: float,
 ) -> xr.Dataset:
     """Return the topography of all surfaces: every scan, averages, spectra and example maps.
@@ -67,13 +62,8 @@ def topography_dataset(
         combine_attrs="override",
     )
     calibrated = [conditionings.get(name, spectra[name]) for name in surface_names]
-    return table.assign(
-        label=("surface", [labels[name] for name in surface_names]),
-        source=("surface", [source[name] for name in surface_names]),
-        table1_rows_met=("surface", [data.attrs["table1_rows_met"] for data in calibrated]),
-    ).assign_attrs(
-        sphere_surface=sphere_surface, reference_surface=reference_surface, confidence=confidence
-    )
+    met_rows = [data.attrs["table1_rows_met"] for data in calibrated]
+    return table.assign(table1_rows_met=("surface", met_rows)).assign_attrs(confidence=confidence)
 
 
 def _spectra(datasets: list[xr.Dataset], wavevector: Floats) -> xr.Dataset:

@@ -48,10 +48,8 @@ def draw(
     _draw_ratios(ratios, plastic_fit, set_fits, published_forces)
     _draw_forces(forces, plastic_fit, set_fits, work, published_forces)
     for axes in (ratios, forces):
-        panels.draw_published_range(axes, published_constants)
-        axes.set_xlim(plastic_fit["rho"].values[[0, -1]])
-        axes.set_xlabel("range of adhesion ρ (nm)")
-        style.label_logarithmic(axes.xaxis, axes.yaxis, digits=(1, 3))
+        panels.finish_range_axis(axes, plastic_fit["rho"].values, published_constants)
+        style.label_logarithmic(axes.yaxis, digits=(1, 3))
     key.set_axis_off()
     key.legend(handles=_legend_handles(plastic_fit, published_constants), loc="center")
     return figure

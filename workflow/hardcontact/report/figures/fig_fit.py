@@ -36,10 +36,7 @@ def draw(fit: xr.Dataset, sets: xr.Dataset, published_constants: pd.DataFrame) -
     _draw_error_map(error_map, plastic_fit, published_constants)
     style.legend_above(figure, _legend_handles(curves, fit, published_constants))
     for axes in (curves, error_map):
-        panels.draw_published_range(axes, published_constants)
-        axes.set_xlim(plastic_fit["rho"].values[[0, -1]])
-        axes.set_xlabel("range of adhesion ρ (nm)")
-        style.label_logarithmic(axes.xaxis, digits=(1, 3))
+        panels.finish_range_axis(axes, plastic_fit["rho"].values, published_constants)
     return figure
 
 

@@ -191,7 +191,9 @@ def hatch_bands(axes: Axes, bands: Iterable[tuple[float, float]]) -> None:
     axes.set_xlim(low, high)
 
 
-def draw_published_range(axes: Axes, published_constants: pd.DataFrame) -> None:
-    """Draw the published range of adhesion (nm) as a line."""
+def finish_range_axis(axes: Axes, ranges: np.ndarray, published_constants: pd.DataFrame) -> None:
+    """Draw the published range of adhesion (nm), and limit and label the x axis of ranges."""
     rho = published_constants["value"]["range_of_adhesion"]
     axes.axvline(rho, zorder=1, **style.PUBLISHED_RANGE)
+    axes.set(xlim=(ranges[0], ranges[-1]), xlabel="range of adhesion ρ (nm)")
+    style.label_logarithmic(axes.xaxis, digits=(1, 3))
