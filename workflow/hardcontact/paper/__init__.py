@@ -2,5 +2,6 @@
 
 `sets` repeats band and fit with other scans, from `pool` and `featured_candidates`. `posterior`
 weighs ranges and works of adhesion by these sets, `exponents` describes how the band depends on
-radius and load, `classical_comparison` applies classical models. `claims` judges.
+radius and load, `edge_shifts` on plasticity and range. `classical_comparison` applies classical
+models. `claims` judges.
 """
