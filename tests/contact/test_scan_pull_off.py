@@ -9,10 +9,6 @@ from hardcontact.contact.contact import CONTACT_AXES
 from hardcontact.contact.pull_off import pull_off_dataset
 from hardcontact.contact.scan_pull_off import pull_off_with_checks, stack_pull_off_forces
 
-LABELS_AND_SOURCES = {
-    "labels": {"a": "A", "b": "B"},
-    "source": {"a": "measured", "b": "substitute"},
-}
 RANGES = [1.0, CONTACT.rho]
 SUBSTRATE = periodic_noise(128, 20.0, 1)
 #: Bodies on different pixels, as those of spheres with different pixel sizes.
@@ -65,7 +61,7 @@ def test_forces_on_all_scans_are_stacked_with_nan_for_missing_scans():
         ).assign(wider_window_change=((), change, {"units": "1"}))
         for scan, change in changes.items()
     }
-    forces = stack_pull_off_forces(scans, LABELS_AND_SOURCES)
+    forces = stack_pull_off_forces(scans)
     for k, (surface, scan, sphere_scan) in enumerate(keys):
         labels = {"surface": surface, "scan": scan, "sphere_scan": sphere_scan}
         np.testing.assert_array_equal(forces.pull_off_force.sel(labels), k)
@@ -73,6 +69,4 @@ def test_forces_on_all_scans_are_stacked_with_nan_for_missing_scans():
     assert forces.contact_pixel_count.values.tolist() == [1, 13]
     assert forces.wider_window_change.dims == ("surface", "scan")
     np.testing.assert_array_equal(forces.wider_window_change, [[0.1, np.nan], [0.2, 0.3]])
-    assert forces.label.values.tolist() == ["A", "B"]
-    assert forces.source.values.tolist() == ["measured", "substitute"]
     assert forces.attrs["work_of_adhesion"] == 1.0

@@ -1,13 +1,15 @@
 """Pull-off forces of all surfaces, scans, contact models and ranges of adhesion."""
 
-from hardcontact.base.dataset import read_all
+from hardcontact.base.dataset import add_surface_names, read_all
 from hardcontact.contact.scan_pull_off import stack_pull_off_forces
 from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:
     params = job.parameters
-    forces = stack_pull_off_forces(read_all(params["scan_ids"], job.input.scans), params)
+    forces = stack_pull_off_forces(read_all(params["scan_ids"], job.input.scans))
     job.write(
-        forces.assign_attrs({name: params[name] for name in ("rho", "sphere_radius")}),
+        add_surface_names(forces, params).assign_attrs(
+            {name: params[name] for name in ("rho", "sphere_radius")}
+        ),
         title="pull-off forces at a work of adhesion of 1 J/m2",
     )

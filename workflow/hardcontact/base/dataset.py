@@ -12,7 +12,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from functools import cache
 from pathlib import Path
-from typing import Any, TypedDict
+from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -27,13 +27,6 @@ MEANINGS = Path(__file__).resolve().parents[2] / "report/variables.tsv"
 INTERVAL = "_interval"
 #: Datasets by key; a key has a label for each dimension along which they are stacked.
 DatasetsByLabels = Mapping[tuple[Any, ...], xr.Dataset]
-
-
-class NamedSurfaces(TypedDict):
-    """Label of each surface, and whether it was measured or is a substitute."""
-
-    labels: Mapping[str, str]
-    source: Mapping[str, str]
 
 
 @contextmanager
@@ -170,10 +163,10 @@ def variables_of_columns(
     }
 
 
-def add_surface_names(dataset: xr.Dataset, named_surfaces: NamedSurfaces) -> xr.Dataset:
-    """Return a dataset with the label and the source of each of its surfaces."""
+def add_surface_names(dataset: xr.Dataset, parameters: Mapping[str, Any]) -> xr.Dataset:
+    """Return a dataset with `labels` and `source` of the parameters for each of its surfaces."""
     surfaces = dataset["surface"].values.tolist()
     return dataset.assign(
-        label=("surface", [named_surfaces["labels"][surface] for surface in surfaces]),
-        source=("surface", [named_surfaces["source"][surface] for surface in surfaces]),
+        label=("surface", [parameters["labels"][surface] for surface in surfaces]),
+        source=("surface", [parameters["source"][surface] for surface in surfaces]),
     )

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple, NoReturn
 
 from hardcontact.config.arguments import unit_question
 from hardcontact.config.configuration import CONTACT_QUANTITIES, key_field, quantity_type
-from hardcontact.config.faults import spelling_question
+from hardcontact.config.faults import collect_faults, spelling_question
 from hardcontact.config.key_types import UNIT
 from hardcontact.config.keys import NONE
 from hardcontact.config.selected_surfaces import TIP_RADIUS
@@ -86,18 +86,14 @@ def parse_quantities(arguments: Namespace) -> tuple[dict[str, QuantityOption], l
     types |= {"tip": TIP_RADIUS, "size": quantity_type("scan.map_size")}
     types["modulus"] = types["hardness"]
     quantities = {}
-    faults = []
-    try:
+    faults: list[str] = []
+    with collect_faults(faults, "--unit: "):
         UNIT.check(arguments.unit)
-    except ValueError as error:
-        faults.append(f"--unit: {error}")
     for name, kind in types.items():
         text = getattr(arguments, name, None)
-        try:
-            if text is not None:
+        if text is not None:
+            with collect_faults(faults, f"--{name}: "):
                 quantities[name] = QuantityOption(text.strip(), kind.number(text), kind.unit, True)
-        except ValueError as error:
-            faults.append(f"--{name}: {error}")
         if name in CONTACT_QUANTITIES and name not in quantities:
             paper_text = key_field(CONTACT_QUANTITIES[name][0]).default
             number = kind.number(paper_text)

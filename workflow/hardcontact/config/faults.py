@@ -53,12 +53,12 @@ def raise_faults(lines: Iterable[str]) -> None:
 
 
 @contextmanager
-def collect_faults(faults: list[str]) -> Iterator[None]:
-    """Append the lines of a ValueError that the block raises to a list of faults."""
+def collect_faults(faults: list[str], prefix: str = "") -> Iterator[None]:
+    """Append the lines of a ValueError that the block raises to faults, each after the prefix."""
     try:
         yield
     except ValueError as error:
-        faults += str(error).splitlines()
+        faults += [prefix + line for line in str(error).splitlines()]
 
 
 def spelling_question(name: str, known_names: Iterable[str]) -> str:

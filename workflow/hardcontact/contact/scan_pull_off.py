@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import xarray as xr
 
-from hardcontact.base.dataset import DatasetsByLabels, NamedSurfaces, add_surface_names, stack
+from hardcontact.base.dataset import DatasetsByLabels, stack
 from hardcontact.base.units import DIMENSIONLESS
 from hardcontact.contact.contact import CONTACT_AXES, PLASTIC, Contact
 from hardcontact.contact.geometry import Bodies
@@ -93,9 +93,9 @@ def pull_off_with_checks(
     )
 
 
-def stack_pull_off_forces(scans: DatasetsByLabels, named_surfaces: NamedSurfaces) -> xr.Dataset:
+def stack_pull_off_forces(scans: DatasetsByLabels) -> xr.Dataset:
     """Stack `pull_off_with_checks` by (surface, scan), with the largest contact pixel count."""
     dimensions = ["surface", "scan"]
     forces = stack(scans, dimensions)
     pixel_count = forces["contact_pixel_count"].max([*dimensions, "sphere_scan"], keep_attrs=True)
-    return add_surface_names(forces.assign(contact_pixel_count=pixel_count), named_surfaces)
+    return forces.assign(contact_pixel_count=pixel_count)
