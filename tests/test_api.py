@@ -240,11 +240,8 @@ HOLED = np.ma.masked_greater(np.random.default_rng(1).normal(size=(32, 32)), 3)
 #: Function, faulty values among valid arguments, and parts of the refusal.
 FAULTY = [
     (hc.pull_off_forces, {"radius": -1.0}, ["radius: expected a positive number, found -1.0"]),
-    (hc.pull_off_forces, {"radius": "50 um"}, ["radius: expected a positive", "found '50 um'"]),
     (hc.pull_off_forces, {"work": np.nan}, ["work: expected a positive number, found nan"]),
     (hc.pull_off_forces, {"rho": []}, ["rho: expected several numbers, found []"]),
-    (hc.pull_off_forces, {"rho": [[1], [1, 2]]}, ["rho: expected a positive number, found [1]"]),
-    (hc.pull_off_forces, {"rho": None}, ["rho: expected several numbers, found None"]),
     (hc.pull_off_forces, {"rho": ["5.6 nm"]}, ["rho: expected a positive", "'5.6 nm'"]),
     (hc.pull_off_forces, {"rho": [1e-4]}, ["rho: expected at least", "found 0.0001 nm"]),
     (hc.pull_off_forces, {"contacts_per_row": 3.5}, ["expected a whole number, found 3.5"]),
@@ -259,7 +256,6 @@ FAULTY = [
     (hc.pull_off_forces, {"hardness": 25}, ["1 kPa to 10000 GPa, found 25 Pa: is the unit right?"]),
     (hc.force_ratios, {"cutoffs": {"short": [20.0]}}, ["found [20.0]"]),
     (hc.force_ratios, {"cutoffs": {"small": [20.0]}}, ["short, long or both"]),
-    (hc.force_ratios, {"cutoffs": [20.0]}, ["short, long or both, found [20.0]"]),
     (hc.force_ratios, {"cutoffs": {"short": 20.0}}, ["several numbers, found 20.0"]),
     (hc.predict, {"roughness": hc.Spectrum(np.array([1.0, 2.0]), np.array([1.0, np.nan]))},
      ["spectrum: expected growing wavevectors"]),
@@ -271,7 +267,6 @@ FAULTY = [
     (hc.read_scan, {"map_size": "5 um"}, ["map_size: expected a positive number"]),
     (hc.read_scan, {"levelling": "sphere"}, ["expected plane, lines"]),
     (hc.read_scan, {"path": "bare.txt"}, ["none: map_size=5000 gives", 'unit="nm"']),
-    (hc.read_scan, {"path": "bare.txt", "unit": "nm"}, ["none: map_size=5000 gives"]),
     (hc.read_scan, {"path": "line.txt"}, ['by unit="nm", or mm,nm for']),
     (hc.from_topography, {"topography": Topography(HOLED, (320, 320), unit="nm")},
      ['; undefined_pixels="harmonic" fills them']),

@@ -3,21 +3,16 @@
 import random
 import re
 import time
-from copy import deepcopy
 
 import numpy as np
 import pytest
-import yaml
-from repository import DESCRIPTION_HEADER, PAPER, ROOT
+from repository import DESCRIPTION_HEADER, ROOT
 from scan_files import MAPS, write_nanoscope
-from snakemake.utils import update_config
 from SurfaceTopography import Topography
 
-from hardcontact.config.configuration import numeric_configuration
 from hardcontact.config.descriptions import refuse_description
 from hardcontact.config.force_table import measured_forces
 from hardcontact.config.selected_surfaces import surface_table
-from hardcontact.config.user_files import refuse_unreadable
 from hardcontact.own.own_spectrum import read_own_spectrum
 from hardcontact.scans.reading import list_scans, read_scan
 from hardcontact.surfaces.substitute_spectra import described_rms_height
@@ -94,23 +89,11 @@ DESCRIPTION = (
     f"{DESCRIPTION_HEADER}inf,10,self-affine,1e7,1000,0.8,,,published,none\n"
     "10,1,power law,,,0.8,,,assumed,none\n"
 )
-OVERLAY = (
-    "study: mine\nsubstitutes: {pixels: 100, size: 2 um}\nscales:\n  realizations: 3\n  short:\n"
-    "    cutoffs: [10 nm, 20 nm]\nseed: 7\nquick:\n  seed: 8\n"
-)
 
 
 def read_bands(path):
     refuse_description(path, set())
     described_rms_height(path, 4000.0)
-
-
-def read_overlay(path):
-    refuse_unreadable(path)
-    overlay = yaml.safe_load(path.read_bytes().decode("utf-8"))
-    config = deepcopy(PAPER)
-    update_config(config, overlay)  # as Snakemake does
-    numeric_configuration(config)
 
 
 #: Kinds of input: a function that writes whole files, and a function that reads one.
@@ -130,7 +113,6 @@ KINDS = {
         },
         lambda path: surface_table(path),
     ),
-    "configuration": (lambda _: {"a.yaml": OVERLAY.encode()}, read_overlay),
 }
 
 

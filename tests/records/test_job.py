@@ -46,21 +46,16 @@ def snakemake(tmp_path, monkeypatch):
     )
 
 
-def test_a_dataset_is_written_with_its_origin(snakemake):
+def test_every_file_has_a_record_and_a_dataset_its_origin(snakemake, tmp_path):
     with run_job(snakemake) as job:
         job.write(xr.Dataset({"a": ("x", [1.0])}, attrs={"source": "measured"}), "a title", "data")
+        job.write_text("µ\n", "text")
     written = dataset.read("made/data.nc")
     assert written.a.values.tolist() == [1.0] and written.attrs["source"] == "measured"
     assert written.attrs["title"] == "a title" and written.attrs["Conventions"].startswith("CF-")
     assert json.loads(written.attrs["parameters"]) == PARAMETERS
     assert json.loads(written.attrs["input_digests"]).keys() == {"scan.txt", "script.py"}
     assert len(written.attrs["code_digest"]) == 64
-
-
-def test_every_file_has_a_record(snakemake, tmp_path):
-    with run_job(snakemake) as job:
-        job.write_text("µ\n", "text")
-        job.write_text("forces", "data")
     assert (tmp_path / "made/text.txt").read_bytes() == "µ\n".encode()
     for path in snakemake.output:
         record = read_record(path)

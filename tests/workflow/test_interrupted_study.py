@@ -1,4 +1,4 @@
-"""A small study ends bit-equal after four kills, once the lock of the first is removed."""
+"""A small study ends bit-equal after two kills, once the lock of the first is removed."""
 
 import multiprocessing
 import os
@@ -17,9 +17,9 @@ from hardcontact.base.dataset import PART
 pytestmark = pytest.mark.study
 
 #: Kills of one study.
-KILLS = 4
+KILLS = 2
 #: Files that a run may write before a kill: in all, most files of the study.
-FILES = 5
+FILES = 10
 #: Seconds that a test waits at most for the next file.
 PATIENCE = 300
 STUDY_WORDS = ["--configfile", "config/probe.yaml", "few.yaml", "--config", "effort=quick"]
@@ -67,7 +67,7 @@ def kill_after_files(study, *options):
     assert "Traceback" not in (study / "output").read_text()
 
 
-def test_a_study_that_is_killed_four_times_ends_as_one_that_is_not(empty, probe):
+def test_a_study_that_is_killed_twice_ends_as_one_that_is_not(empty, probe):
     (empty / "results").mkdir()
     for number in range(KILLS):
         kill_after_files(empty, *["--nolock"] * (number > 0))  # The first leaves Snakemake's lock.
