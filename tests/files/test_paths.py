@@ -30,5 +30,5 @@ def test_a_master_takes_its_scan(surface, function, scans):
 def test_masters_of_the_paper_have_a_scan_each_and_others_take_turns():
     plan = study_files(scans=[2, 5]).plan
     assert [plan.master_scan("uncd", number) for number in (1, 2, 3, 4)] == [2, 5, 6, 7]
-    plan.configuration = plan.configuration | {"published": "none"}
+    plan.study = plan.study | {"published": "none"}
     assert [plan.master_scan("uncd", number) for number in (1, 2, 3, 4)] == [2, 5, 2, 5]

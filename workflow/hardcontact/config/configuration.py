@@ -1,4 +1,7 @@
-"""Configurations as trees of keys, and the contacts that they describe, also in words."""
+"""Configurations as trees of keys, and the contacts that they describe, also in words.
+
+A `config` has quantities as written, a `study` has them as numbers: see `numeric_configuration`.
+"""
 
 from collections.abc import Mapping
 from functools import reduce
@@ -75,15 +78,15 @@ def apply_effort(config: Mapping[str, Any]) -> dict[str, Any]:
     return merged
 
 
-def is_paper_study(configuration: Mapping[str, Any]) -> bool:
+def is_paper_study(study: Mapping[str, Any]) -> bool:
     """Return whether a study is compared with the paper, and not about the user's surfaces."""
-    return bool(configuration["published"] == PAPER)
+    return bool(study["published"] == PAPER)
 
 
-def combines_bodies(configuration: Mapping[str, Any]) -> bool:
+def combines_bodies(study: Mapping[str, Any]) -> bool:
     """Return whether a study adds the roughness of a scanned sphere to the user's surfaces."""
-    sphere = configuration["sphere"]["surface"]
-    return bool(not is_paper_study(configuration) and sphere != SMOOTH_SPHERE)
+    sphere = study["sphere"]["surface"]
+    return bool(not is_paper_study(study) and sphere != SMOOTH_SPHERE)
 
 
 def set_keys(config: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str, Any]:
@@ -99,43 +102,43 @@ def set_keys(config: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str, 
     return updated
 
 
-def contact_arguments(config: Mapping[str, Any]) -> dict[str, Any]:
+def contact_arguments(study: Mapping[str, Any]) -> dict[str, Any]:
     """Return the arguments of class Contact that are keys, without the range of adhesion."""
-    return {**config["contact"], "radius": config["sphere"]["radius"]}
+    return {**study["contact"], "radius": study["sphere"]["radius"]}
 
 
-def study_contact(config: Mapping[str, Any]) -> Contact:
+def study_contact(study: Mapping[str, Any]) -> Contact:
     """Return the contact of the study."""
-    return Contact(**contact_arguments(config), rho=config["adhesion"]["range"])
+    return Contact(**contact_arguments(study), rho=study["adhesion"]["range"])
 
 
-def reading_keys(config: Mapping[str, Any]) -> dict[str, Any]:
+def reading_keys(study: Mapping[str, Any]) -> dict[str, Any]:
     """Return the arguments of `read_scan` that all scans of a study share."""
-    return {name: config["scan"][name] for name in ("undefined_pixels", "unit", "map_size", "mask")}
+    return {name: study["scan"][name] for name in ("undefined_pixels", "unit", "map_size", "mask")}
 
 
-def master_keys(config: Mapping[str, Any], section: str, side: str) -> dict[str, str]:
+def master_keys(study: Mapping[str, Any], section: str, side: str) -> dict[str, str]:
     """Return the keys of the masters' settings in a section, or in `scales` where it has none."""
     return {
         name: f"{section_name}.{side}.{name}"
         for section_name in ("scales", section)
-        for name in config[section_name][side]
+        for name in study[section_name][side]
     }
 
 
-def contact_words(config: Mapping[str, Any]) -> dict[str, str]:
+def contact_words(study: Mapping[str, Any]) -> dict[str, str]:
     """Return the surface of the sphere and the CONTACT_QUANTITIES, as printed."""
-    words = {"sphere": str(config["sphere"]["surface"])}
+    words = {"sphere": str(study["sphere"]["surface"])}
     for key, name in CONTACT_QUANTITIES.values():
-        words[name] = format_exact(get_key(config, key), quantity_type(key).unit)
+        words[name] = format_exact(get_key(study, key), quantity_type(key).unit)
     return words
 
 
-def assumed_quantities(config: Mapping[str, Any]) -> list[str]:
+def assumed_quantities(study: Mapping[str, Any]) -> list[str]:
     """Return the names of the CONTACT_QUANTITIES that the user did not give."""
     paper = Study().model_dump(warnings=False)
     return [
         name
         for option, (key, name) in CONTACT_QUANTITIES.items()
-        if option not in config["given_quantities"] and get_key(config, key) == get_key(paper, key)
+        if option not in study["given_quantities"] and get_key(study, key) == get_key(paper, key)
     ]

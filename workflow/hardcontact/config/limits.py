@@ -72,16 +72,16 @@ class NamedContact(NamedTuple):
     range_name: str = "config key adhesion.ranges"
 
 
-def study_contacts(config: dict[str, Any]) -> dict[str, NamedContact]:
+def study_contacts(study: dict[str, Any]) -> dict[str, NamedContact]:
     """Return, by stage of a study, the contact that pixels and memory limit most."""
-    contact = study_contact(config)
-    scan_contact = NamedContact(replace(contact, rho=config["adhesion"]["ranges"][0]))
+    contact = study_contact(study)
+    scan_contact = NamedContact(replace(contact, rho=study["adhesion"]["ranges"][0]))
     master_contact = NamedContact(contact, range_name="config key adhesion.range")
-    if not is_paper_study(config):
+    if not is_paper_study(study):
         return {"scans": scan_contact, "scales": master_contact}
-    indent = replace(scan_contact.contact, preload=config["indent"]["preloads"][-1])
-    radius = min(contact.radius, config["exponents"]["radii"][0])
-    contacts_per_row = config["sets"]["contacts_per_row"]
+    indent = replace(scan_contact.contact, preload=study["indent"]["preloads"][-1])
+    radius = min(contact.radius, study["exponents"]["radii"][0])
+    contacts_per_row = study["sets"]["contacts_per_row"]
     set_contact = replace(contact, radius=radius, contacts_per_row=contacts_per_row)
     return {
         "scans": scan_contact,
@@ -93,19 +93,19 @@ def study_contacts(config: dict[str, Any]) -> dict[str, NamedContact]:
     }
 
 
-def refuse_unfit_values(config: dict[str, Any], extents: Mapping[str, Extent]) -> None:
+def refuse_unfit_values(study: dict[str, Any], extents: Mapping[str, Extent]) -> None:
     """Refuse values that the extents of scans, by surface, do not permit."""
     fault_series = []
-    sphere_surface = config["sphere"]["surface"]
-    master_sections = ["scales", "sets"] if is_paper_study(config) else ["scales"]
+    sphere_surface = study["sphere"]["surface"]
+    master_sections = ["scales", "sets"] if is_paper_study(study) else ["scales"]
     for surface, extent in extents.items():
-        fault_series.append(_scan_faults(config, surface, extent))
+        fault_series.append(_scan_faults(study, surface, extent))
         if surface != sphere_surface:
             # A smooth sphere has the extent of the substrate.
             sphere_extent = extents.get(sphere_surface, extent)
-            fault_series.append(_body_faults(config, surface, extent, sphere_extent))
+            fault_series.append(_body_faults(study, surface, extent, sphere_extent))
             fault_series += [
-                _master_faults(config, section, side, surface, extent, sphere_extent)
+                _master_faults(study, section, side, surface, extent, sphere_extent)
                 for section in master_sections
                 for side in SIDES
             ]
@@ -128,36 +128,36 @@ def contact_faults(named_contact: NamedContact, surface: str, extent: Extent) ->
         yield f"{range_name}: expected {accepted}, found {contact.rho:.4g} nm"
 
 
-def _scan_faults(config: dict[str, Any], surface: str, extent: Extent) -> Iterator[str]:
+def _scan_faults(study: dict[str, Any], surface: str, extent: Extent) -> Iterator[str]:
     """Yield the faults on the scans of a surface, and of the ranges of its masters."""
-    is_sphere = surface == config["sphere"]["surface"]
-    radius = config["sphere"]["radius"]
+    is_sphere = surface == study["sphere"]["surface"]
+    radius = study["sphere"]["radius"]
     if is_sphere and radius < extent.size:
         accepted = f"at least the size of its scans ({extent.size:.6g} nm)"
         yield key_fault("sphere.radius", accepted, f"{radius:.6g} nm")
     # The master has the size of the largest one. Its artificial pixels do not limit ranges.
-    master_extent = extent._replace(size=extent.size * config["scales"]["long"]["tiles"])
-    for stage, named_contact in study_contacts(config).items():
+    master_extent = extent._replace(size=extent.size * study["scales"]["long"]["tiles"])
+    for stage, named_contact in study_contacts(study).items():
         uses_masters = stage in ("scales", "sets") and not is_sphere
         yield from contact_faults(named_contact, surface, master_extent if uses_masters else extent)
 
 
 def _body_faults(
-    config: dict[str, Any], surface: str, extent: Extent, sphere: Extent
+    study: dict[str, Any], surface: str, extent: Extent, sphere: Extent
 ) -> Iterator[str]:
     """Yield the faults on scans of a substrate and of the sphere, on common pixels."""
-    window = config["contact"]["window"]
+    window = study["contact"]["window"]
     pixel_size = min(extent.pixel_size, sphere.pixel_size)
     bodies = f"{surface} and the sphere"
     if window_pixels(window, pixel_size) > MAX_MAP_PIXELS:
         accepted = f"at most {MAX_MAP_PIXELS} pixels of {pixel_size:.4g} nm, on {bodies}"
         yield key_fault("contact.window", accepted, window_pixels(window, pixel_size))
     yield from _map_faults(bodies, pixel_size, extent, sphere)
-    contacts = study_contacts(config)
+    contacts = study_contacts(study)
     periods = periods_in_window(window, extent.size)
     for named_contact in contacts.values():
         yield from _memory_faults(named_contact, surface, pixel_size, periods)
-    if "indents" in contacts and surface == config["indent"]["surface"]:
+    if "indents" in contacts and surface == study["indent"]["surface"]:
         pixels = contacts["indents"].contact.pixel_count(pixel_size)
         if pixels < 2:
             accepted = f"at least 2 contact pixels of {pixel_size:.4g} nm at the largest"
@@ -174,12 +174,12 @@ def _body_faults(
 
 
 def _master_faults(
-    config: dict[str, Any], section: str, side: str, surface: str, extent: Extent, sphere: Extent
+    study: dict[str, Any], section: str, side: str, surface: str, extent: Extent, sphere: Extent
 ) -> Iterator[str]:
     """Yield the faults on the masters of one side that are built on a surface."""
-    keys = master_keys(config, section, side)
-    pixels = get_key(config, keys["pixels"])
-    tiles = get_key(config, keys["tiles"]) if "tiles" in keys else 1
+    keys = master_keys(study, section, side)
+    pixels = get_key(study, keys["pixels"])
+    tiles = get_key(study, keys["tiles"]) if "tiles" in keys else 1
     size = 2 * extent.size * tiles
     pixel_size = size / pixels
     min_pixels = 2 * extent.pixels * tiles
@@ -192,15 +192,15 @@ def _master_faults(
             f"wavelengths of more than two pixels ({2 * finest:.4g} nm) and at most the "
             f"{size:.6g} nm of a master of {section}.{side} on {surface}"
         )
-        for wavelength in np.atleast_1d(get_key(config, keys[name])):
+        for wavelength in np.atleast_1d(get_key(study, keys[name])):
             # Exactly two pixels is refused with some margin, as `filters.lowpass` does.
             if not 2 * finest * (1 + 1e-9) < wavelength <= size:
                 yield key_fault(keys[name], accepted, f"{wavelength:.4g} nm")
-    if config["scales"]["sphere_roughness"]:
+    if study["scales"]["sphere_roughness"]:
         pixel_size = min(pixel_size, sphere.pixel_size)
         bodies = f"the {side}-edge masters of {surface} and the sphere"
         yield from _map_faults(bodies, pixel_size, extent._replace(size=size / 2), sphere)
-    yield from _memory_faults(study_contacts(config)[section], surface, pixel_size, 1)
+    yield from _memory_faults(study_contacts(study)[section], surface, pixel_size, 1)
 
 
 def _map_faults(bodies: str, pixel_size: float, *extents: Extent) -> Iterator[str]:

@@ -25,10 +25,10 @@ class ScanId(NamedTuple):
 class StudyPlan:
     """Settings of a study that follow from its keys and from its selected surfaces together."""
 
-    def __init__(self, configuration: Mapping[str, Any], selection: Selection) -> None:
-        self.configuration = configuration
+    def __init__(self, study: Mapping[str, Any], selection: Selection) -> None:
+        self.study = study
         self.selection = selection
-        self.contact = study_contact(configuration)
+        self.contact = study_contact(study)
 
     # Scans that contacts are made on
 
@@ -56,7 +56,7 @@ class StudyPlan:
     def scan_groups(self) -> dict[tuple[int, ...], list[str]]:
         """Substitutes by the scan numbers that one job makes."""
         sections = ("scales", "sets", "exponents")
-        master_count = max(self.configuration[name]["realizations"] for name in sections)
+        master_count = max(self.study[name]["realizations"] for name in sections)
         selection = self.selection
         groups = defaultdict[tuple[int, ...], list[str]](list)
         for surface in selection.substitutes:
@@ -71,7 +71,7 @@ class StudyPlan:
 
         There, masters are independent samples. The intervals of the user's count shared scans.
         """
-        if is_paper_study(self.configuration):
+        if is_paper_study(self.study):
             return self.selection.separate_master_scan(surface, master_number)
         return self.selection.shared_master_scan(surface, master_number)
 
@@ -84,7 +84,7 @@ class StudyPlan:
     @property
     def featured_surfaces(self) -> list[str]:
         """The substrate whose scans have features, if it is a substitute of a published surface."""
-        surface = self.configuration["substitutes"]["featured_surface"]
+        surface = self.study["substitutes"]["featured_surface"]
         return [name for name in self.selection.sampled_substrates if name == surface]
 
     # Both bodies
@@ -93,7 +93,7 @@ class StudyPlan:
     def combined_surfaces(self) -> list[str]:
         """The measured substrates to which the roughness of a measured sphere is added."""
         measured = self.selection.measured_surfaces
-        if not combines_bodies(self.configuration) or self.selection.sphere not in measured:
+        if not combines_bodies(self.study) or self.selection.sphere not in measured:
             return []
         return [name for name in self.selection.substrates if name in measured]
 
@@ -122,7 +122,7 @@ class StudyPlan:
     @property
     def positions_per_row(self) -> int:
         """Positions per row of their square array on each scan of the sphere."""
-        minimum = SPHERE_POSITIONS if combines_bodies(self.configuration) else 1
+        minimum = SPHERE_POSITIONS if combines_bodies(self.study) else 1
         return math.ceil(math.sqrt(minimum / len(self.selection.sphere_scans)))
 
     @property

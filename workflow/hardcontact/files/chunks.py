@@ -63,7 +63,7 @@ class Chunks:
     def __init__(self, files: SurfaceFiles) -> None:
         self._files = files
         self._plan = files.plan
-        self._configuration = files.plan.configuration
+        self._study = files.plan.study
         self._selection = files.selection
 
     # Pools, candidates and whole surfaces
@@ -71,7 +71,7 @@ class Chunks:
     @property
     def pools(self) -> list[Chunk]:
         """The scans of all pools, for the sets: outputs of rule compute_pool."""
-        spans = _spans(self._configuration["sets"]["pool_size"], POOL_CHUNK)
+        spans = _spans(self._study["sets"]["pool_size"], POOL_CHUNK)
         return [
             Chunk(surface, *span)
             for surface in self._selection.sampled_substrates
@@ -86,7 +86,7 @@ class Chunks:
         Each set takes one candidate, bumps and pits in turn. Gaussian surfaces only serve for
         comparison, and make one chunk.
         """
-        set_candidates = ceil(self._configuration["sets"]["count"] / len(SIGNS))
+        set_candidates = ceil(self._study["sets"]["count"] / len(SIGNS))
         counts = dict.fromkeys(SIGNS, set_candidates)
         counts[GAUSSIAN] = min(set_candidates, FEATURED_CANDIDATES_CHUNK)
         return [
@@ -99,7 +99,7 @@ class Chunks:
     @property
     def whole_surfaces(self) -> list[Chunk]:
         """The whole surfaces of all substitutes: outputs of rule compute_whole_surface_forces."""
-        spans = _spans(self._configuration["scales"]["whole_surfaces"], MASTERS_CHUNK)
+        spans = _spans(self._study["scales"]["whole_surfaces"], MASTERS_CHUNK)
         substitutes = self._selection.substitute_substrates
         return [Chunk(surface, *span) for surface in substitutes for span in spans]
 
@@ -107,7 +107,7 @@ class Chunks:
 
     def master_forces(self, purpose: str) -> list[MasterForcesChunk]:
         """Return the forces on the masters of a purpose: outputs of compute_filtered_forces."""
-        count = get_key(self._configuration, PURPOSES[purpose].realizations_key)
+        count = get_key(self._study, PURPOSES[purpose].realizations_key)
         spans = _spans(count, PURPOSES[purpose].realizations_in_job)
         sweep = self._files.patterns.settings[purpose]
         loadings = [replace(self._plan.contact, **loading) for loading in sweep["loadings"]]
@@ -139,7 +139,7 @@ class Chunks:
 
         The sphere is smooth if the study or the purpose wants it, or if masters have its roughness.
         """
-        is_rough = self._configuration["scales"]["sphere_roughness"]
+        is_rough = self._study["scales"]["sphere_roughness"]
         is_added = surface in self._plan.combined_surfaces
         if is_added or not (is_rough and PURPOSES[purpose].rough_sphere):
             return SMOOTH_SPHERE

@@ -31,7 +31,7 @@ class StorePatterns:
         kinds = store_kinds(plan)
         self.settings = {name: kind.settings for name, kind in kinds.items()}
         self.digests = {name: settings_digest(kinds, name) for name in kinds}
-        store = plan.configuration["store"]
+        store = plan.study["store"]
         folder = {kind: f"{store}/{kind}/{digest}" for kind, digest in self.digests.items()}
         rough_sphere = f"{plan.selection.sphere}/{{sphere_digest}}"
 
@@ -79,9 +79,9 @@ class StorePatterns:
 class StudyPaths:
     """The paths of the final files of a study, and of its logs and benchmarks."""
 
-    def __init__(self, configuration: Mapping[str, Any]) -> None:
-        self.results = f"results/{configuration['study']}"
-        self.store = configuration["store"]
+    def __init__(self, study: Mapping[str, Any]) -> None:
+        self.results = f"results/{study['study']}"
+        self.store = study["store"]
 
     def dataset(self, name: str) -> str:
         """Return the path of a final dataset."""

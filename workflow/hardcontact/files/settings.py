@@ -87,18 +87,18 @@ def store_kinds(plan: StudyPlan) -> dict[str, Kind]:
     """Return the kinds of intermediates by name."""
     master_forces = {
         name: Kind(
-            _master_force_settings(plan.configuration, purpose),
+            _master_force_settings(plan.study, purpose),
             ["masters" if purpose.masters_are_files else "both_bodies"],
         )
         for name, purpose in PURPOSES.items()
     }
-    contacts = _scan_contact_kinds(plan) | _random_surface_kinds(plan.configuration)
+    contacts = _scan_contact_kinds(plan) | _random_surface_kinds(plan.study)
     return _surface_kinds(plan) | contacts | master_forces
 
 
 def _surface_kinds(plan: StudyPlan) -> dict[str, Kind]:
     """Return the kinds of measurements, spectra, scans and masters."""
-    study = plan.configuration
+    study = plan.study
     seed = {"seed": study["seed"]}
     scales = study["scales"]
     levelling = {"levelling": study["scan"]["levelling"]}
@@ -128,7 +128,7 @@ def _surface_kinds(plan: StudyPlan) -> dict[str, Kind]:
 
 def _scan_contact_kinds(plan: StudyPlan) -> dict[str, Kind]:
     """Return the kinds of contacts on scans."""
-    study = plan.configuration
+    study = plan.study
     seed = {"seed": study["seed"]}
     contact = contact_arguments(study)
     contact_at_range = contact | {"rho": study["adhesion"]["range"]}

@@ -42,24 +42,24 @@ SUBSTITUTE_RELIEF = 500.0
 RELIEF_OVER_RMS = 4.5
 
 
-def check_study(config: dict[str, Any], table: pd.DataFrame) -> None:
+def check_study(study: dict[str, Any], table: pd.DataFrame) -> None:
     """Refuse a study that would fail in a job; scans with contacts are read last."""
-    further_faults = _paper_faults if is_paper_study(config) else _own_surface_faults
-    faults = _substitute_faults(config, table) + further_faults(config, table)
+    further_faults = _paper_faults if is_paper_study(study) else _own_surface_faults
+    faults = _substitute_faults(study, table) + further_faults(study, table)
     raise_faults(faults)
     extents: dict[str, Extent] = {}
     for name, rows in table[table.use == CONTACT_USE].groupby("surface", sort=False):
         with collect_faults(faults):
-            extents[str(name)] = surface_extent(config, str(name), rows)
+            extents[str(name)] = surface_extent(study, str(name), rows)
     raise_faults(faults)
     try:
-        refuse_unfit_values(config, extents)
+        refuse_unfit_values(study, extents)
     except ValueError as error:
-        raise_faults(_unusual_quantity_faults(config, str(error).splitlines()[-1]))
+        raise_faults(_unusual_quantity_faults(study, str(error).splitlines()[-1]))
         raise
 
 
-def _substitute_faults(config: dict[str, Any], table: pd.DataFrame) -> list[str]:
+def _substitute_faults(study: dict[str, Any], table: pd.DataFrame) -> list[str]:
     """Return the faults of descriptions of substitutes."""
     table1 = published.read_table1(published.PUBLISHED_TABLES["published_table1"])
     rows_of_table1 = {str(name): set(rows.quantity) for name, rows in table1.groupby("surface")}
@@ -68,38 +68,38 @@ def _substitute_faults(config: dict[str, Any], table: pd.DataFrame) -> list[str]
     for surface, path in zip(substitutes.surface, substitutes.path, strict=True):
         with collect_faults(faults):
             refuse_description(path, rows_of_table1.get(surface, set()))
-            if not is_paper_study(config):
+            if not is_paper_study(study):
                 refuse_paper_surface(path, surface, rows_of_table1)
     return faults
 
 
-def _unusual_quantity_faults(config: dict[str, Any], fault: str) -> Iterator[str]:
+def _unusual_quantity_faults(study: dict[str, Any], fault: str) -> Iterator[str]:
     """Yield a line for each quantity of the contact that is not usual and may cause the fault."""
     for quantity, (key, name) in CONTACT_QUANTITIES.items():
-        if question := unit_question(quantity, get_key(config, key)):
-            words = f"{contact_words(config)[name]}: {question}; if it is: {fault}"
+        if question := unit_question(quantity, get_key(study, key)):
+            words = f"{contact_words(study)[name]}: {question}; if it is: {fault}"
             yield key_fault(key, "a value that the scans permit", words)
 
 
-def _name_faults(config: dict[str, Any], key: str, surfaces: list[str]) -> list[str]:
+def _name_faults(study: dict[str, Any], key: str, surfaces: list[str]) -> list[str]:
     """Return the fault of a key that names a surface that is not in the table."""
-    if get_key(config, key) in surfaces:
+    if get_key(study, key) in surfaces:
         return []
     accepted = f"a surface of the table ({', '.join(surfaces)})"
-    return [key_fault(key, accepted, get_key(config, key))]
+    return [key_fault(key, accepted, get_key(study, key))]
 
 
-def _paper_faults(config: dict[str, Any], table: pd.DataFrame) -> list[str]:
+def _paper_faults(study: dict[str, Any], table: pd.DataFrame) -> list[str]:
     """Return the faults of a study that is compared with the paper."""
     contacts = table[table.use == CONTACT_USE]
-    sphere = config["sphere"]["surface"]
+    sphere = study["sphere"]["surface"]
     surfaces = list(contacts.surface.unique())
-    faults = _name_faults(config, "sphere.surface", surfaces)
+    faults = _name_faults(study, "sphere.surface", surfaces)
     substrates = [surface for surface in surfaces if surface != sphere]
     for key in ("reference_surface", "indent.surface"):
-        faults += _name_faults(config, key, substrates)
-    if config["substitutes"]["featured_surface"] != NONE:
-        faults += _name_faults(config, "substitutes.featured_surface", substrates)
+        faults += _name_faults(study, key, substrates)
+    if study["substitutes"]["featured_surface"] != NONE:
+        faults += _name_faults(study, "substitutes.featured_surface", substrates)
     pull_off_table = published.PUBLISHED_TABLES["published_pull_off"]
     published_surfaces = published.read_published_forces(pull_off_table).index
     unpublished = [surface for surface in substrates if surface not in published_surfaces]
@@ -112,7 +112,7 @@ def _paper_faults(config: dict[str, Any], table: pd.DataFrame) -> list[str]:
     if len(substrates) == 1:
         accepted = "two substrates or more, because range and work are fitted to their forces"
         faults.append(key_fault("surfaces", accepted, *substrates))
-    pool_size = config["sets"]["pool_size"]
+    pool_size = study["sets"]["pool_size"]
     substitutes = contacts[(contacts.source == "substitute") & (contacts.surface != sphere)]
     scan_counts = substitutes.surface.value_counts(sort=False)
     if len(scan_counts) and scan_counts.max() > pool_size:
@@ -126,52 +126,52 @@ def _paper_faults(config: dict[str, Any], table: pd.DataFrame) -> list[str]:
     return faults
 
 
-def _own_surface_faults(config: dict[str, Any], table: pd.DataFrame) -> list[str]:
+def _own_surface_faults(study: dict[str, Any], table: pd.DataFrame) -> list[str]:
     """Return the faults of a study of the user's surfaces; scans with contacts are read later."""
-    sphere = config["sphere"]["surface"]
+    sphere = study["sphere"]["surface"]
     makes_contact = table.use == CONTACT_USE
     faults: list[str] = []
     if sphere != SMOOTH_SPHERE:
         surfaces = list(table.surface[makes_contact].unique())
-        faults += _name_faults(config, "sphere.surface", surfaces)
+        faults += _name_faults(study, "sphere.surface", surfaces)
     for row in table[~makes_contact].itertuples():
         with collect_faults(faults):
-            stored_scan(config, row)
-    if config["forces"] != NONE:
+            stored_scan(study, row)
+    if study["forces"] != NONE:
         substrates = list(table.surface[table.surface != sphere].unique())
         with collect_faults(faults):
-            measured_forces(config["forces"], substrates, config["sphere"]["radius"])
+            measured_forces(study["forces"], substrates, study["sphere"]["radius"])
     return faults
 
 
-def stored_scan(config: dict[str, Any], row: Any) -> HeightMap:
+def stored_scan(study: dict[str, Any], row: Any) -> HeightMap:
     """Return a measured scan of a row of the table, as `read_scan` reads it.
 
     The rule read_scan stores scans, so that a file is read here only if it, its keys or the code
     changed.
     """
     file = MEASUREMENT.format(surface=row.surface, scan=row.scan, digest="*")
-    arguments = reading_keys(config) | {"dataset": row.dataset}
-    for stored_path in glob(f"{escape(config['store'])}/measurements/*/{file}"):
+    arguments = reading_keys(study) | {"dataset": row.dataset}
+    for stored_path in glob(f"{escape(study['store'])}/measurements/*/{file}"):
         if is_current(stored_path, arguments, row.path):
             return load_height_map(stored_path)
     return read_scan(row.path, **arguments)
 
 
-def surface_extent(config: dict[str, Any], surface: str, rows: pd.DataFrame) -> Extent:
+def surface_extent(study: dict[str, Any], surface: str, rows: pd.DataFrame) -> Extent:
     """Return the extent of the scans of a surface, with the largest relief on scans or masters."""
     path = rows.path.iloc[0]
     if rows.source.iloc[0] == "substitute":
-        pixels = config["substitutes"]["pixels"]
-        size = config["substitutes"]["size"]
+        pixels = study["substitutes"]["pixels"]
+        size = study["substitutes"]["size"]
         relief = SUBSTITUTE_RELIEF
         if not needs_calibration(read_segments(path)):
-            widest_domain = 2 * size * config["scales"]["long"]["tiles"]
+            widest_domain = 2 * size * study["scales"]["long"]["tiles"]
             relief = RELIEF_OVER_RMS * described_rms_height(path, widest_domain)
         extent = Extent(pixels, size / pixels, size, relief)
         location = "config key substitutes.size"
     else:
-        extent = _measured_extent(config, surface, rows)
+        extent = _measured_extent(study, surface, rows)
         location = path
     low, high = PIXEL_SIZES
     if not low <= extent.pixel_size <= high:
@@ -182,11 +182,11 @@ def surface_extent(config: dict[str, Any], surface: str, rows: pd.DataFrame) -> 
     return extent
 
 
-def _measured_extent(config: dict[str, Any], surface: str, rows: pd.DataFrame) -> Extent:
+def _measured_extent(study: dict[str, Any], surface: str, rows: pd.DataFrame) -> Extent:
     """Return the extent of the measured scans of a surface."""
     extents: list[Extent] = []
     for row in rows.itertuples():
-        scan = stored_scan(config, row)
+        scan = stored_scan(study, row)
         refuse_line_scan(scan)
         relief = float(np.ptp(scan.heights))
         if relief == 0:

@@ -107,16 +107,14 @@ def yaml_values(value: Any) -> Any:
         return value
 
 
-def checked_selection(workflow: Any, configuration: dict[str, Any]) -> Selection:
+def checked_selection(workflow: Any, study: dict[str, Any]) -> Selection:
     """Return the surfaces and scans of the study; refuse a study that would fail later."""
     with end_run_at_fault():
-        rows = selected_scans(surface_table(configuration["surfaces"]), configuration["scans"])
+        rows = selected_scans(surface_table(study["surfaces"]), study["scans"])
         if plans_the_run(workflow):
             # Imported here, as the libraries that read scans would cost every job almost a second.
             from hardcontact.run.checks import check_study
 
-            check_study(configuration, rows)
+            check_study(study, rows)
         write_pins()  # A run that is refused writes nothing.
-    return Selection(
-        rows, configuration["sphere"]["surface"], digest_surfaces(rows), surfaces_of_table1()
-    )
+    return Selection(rows, study["sphere"]["surface"], digest_surfaces(rows), surfaces_of_table1())
