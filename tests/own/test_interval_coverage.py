@@ -27,7 +27,7 @@ pytestmark = pytest.mark.study
 
 CONTACT = contact_of_area(100e3, 5.6, 0.05, 400.0)
 #: Surfaces, half of them with a line scan.
-SURFACE_COUNT = 12
+SURFACE_COUNT = 8
 #: Sampled spectra of each surface.
 SAMPLE_COUNT = 6
 #: Wavevectors that no scan shows: beyond the map, between map and line, and beyond the line.
