@@ -31,9 +31,10 @@ CONTACT = replace(contact_of_area(RADIUS, RANGE, WORK, AREA), contacts_per_row=C
 
 
 @pytest.fixture(autouse=True, scope="module")
-def few_contacts():
+def few_contacts_and_cutoffs():
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("hardcontact.commands.predict.CONTACTS_PER_ROW", CONTACTS)
+        patch.setattr("hardcontact.theory.closed_form.CUTOFF_COUNT", 8)
         yield
 
 

@@ -29,8 +29,10 @@ def commas(lines):
 METRES = matrix("\t", "{:.6e}", 1e-9)
 
 
-@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "latin-1", "utf-16"])
-@pytest.mark.parametrize("comma", [False, True])
+@pytest.mark.parametrize(
+    ("encoding", "comma"),
+    [("utf-8", False), ("utf-8-sig", True), ("latin-1", True), ("utf-16", False)],
+)
 def test_a_matrix_with_a_header_is_read_in_every_encoding(tmp_path, encoding, comma):
     head = [line if comma else line.replace(",", ".") for line in HEAD]
     lines = [*head, *(commas(METRES) if comma else METRES)]
@@ -95,8 +97,7 @@ def coordinates(path, points, separator=" "):
     return path
 
 
-@pytest.mark.parametrize("separator", [" ", ",", ";"])
-@pytest.mark.parametrize("order", [1, -1])
+@pytest.mark.parametrize(("separator", "order"), [(" ", 1), (",", -1), (";", 1)])
 def test_missing_points_are_undefined_pixels(tmp_path, separator, order):
     points = np.delete(POINTS, GAPS, axis=0)[::order]
     path = coordinates(tmp_path / "a.xyz", points, separator)

@@ -39,14 +39,13 @@ def coordinates(path, *columns, unit="nm"):
     return path
 
 
-@pytest.mark.parametrize("form", MAPS)
+TALL = ((48, 32), np.s_[8:40, :], ["cropped from 48 x 32 to 32 x 32 pixels"])
+WIDE = ((32, 51), np.s_[:, 9:41], ["cropped from 32 x 51 to 32 x 32 pixels"])
+
+
 @pytest.mark.parametrize(
-    ("shape", "square", "notes"),
-    [
-        ((32, 32), np.s_[:, :], []),
-        ((48, 32), np.s_[8:40, :], ["cropped from 48 x 32 to 32 x 32 pixels"]),
-        ((32, 51), np.s_[:, 9:41], ["cropped from 32 x 51 to 32 x 32 pixels"]),
-    ],
+    ("form", "shape", "square", "notes"),
+    [*((form, *TALL) for form in MAPS), ("nc", *WIDE), ("nc", (32, 32), np.s_[:, :], [])],
 )
 def test_a_map_is_read_as_its_central_square(tmp_path, form, shape, square, notes):
     values = random_heights(*shape)
@@ -202,8 +201,9 @@ def test_a_line_scan_is_read_and_its_gaps_are_filled_linearly(tmp_path, form):
     assert_says(message, f"a.{form}", "expected a height map, found a line scan")
 
 
-@pytest.mark.parametrize("form", ["nc", "xyz", "zip"])
-@pytest.mark.parametrize(("unit", "nanometres"), [("nm", 1.0), ("m", 1e9)])
+@pytest.mark.parametrize(
+    ("form", "unit", "nanometres"), [("nc", "nm", 1.0), ("xyz", "m", 1e9), ("zip", "m", 1e9)]
+)
 def test_an_uneven_line_scan_is_resampled_on_its_median_spacing(tmp_path, form, unit, nanometres):
     # 1e-6 of the unit, which the reader of text takes for nothing, is 1 um for metres.
     positions = np.concatenate([np.arange(0, 300, 10.0), np.arange(300, 401, 20.0)])
