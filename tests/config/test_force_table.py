@@ -3,7 +3,7 @@
 import pytest
 from refusals import assert_says, refusal
 
-from hardcontact.config.force_table import measured_forces
+from hardcontact.config.force_table import read_forces
 
 SURFACES = ["coating", "bare"]
 RADIUS = 250e3
@@ -21,10 +21,10 @@ def table(tmp_path):
 
 def test_a_table_may_have_decimal_commas_between_semicolons(table):
     commas = table("surface;median;mean;count;unit", "bare;1,0591e1;11,749;40;µN")
-    (row,) = measured_forces(commas, SURFACES, RADIUS).itertuples(index=False)
+    (row,) = read_forces(commas, SURFACES, RADIUS).itertuples(index=False)
     assert row == ("bare", 1.1749e-5, 1.0591e-5, 40, "")
     points = table("surface;value;unit", "bare;11.5;uN")
-    assert measured_forces(points, SURFACES, RADIUS)["mean"].tolist() == [1.15e-5]
+    assert read_forces(points, SURFACES, RADIUS)["mean"].tolist() == [1.15e-5]
 
 
 @pytest.mark.parametrize(
@@ -41,26 +41,26 @@ def test_a_table_may_have_decimal_commas_between_semicolons(table):
 def test_forces_are_read_in_the_units_that_people_have(tmp_path, header, row):
     path = tmp_path / "my.csv"
     path.write_text(f"{header}\n{row}\n", "latin-1")
-    forces = measured_forces(path, SURFACES, RADIUS)
+    forces = read_forces(path, SURFACES, RADIUS)
     assert forces.iloc[0].tolist()[1:] == pytest.approx([1e-5, 1e-5, 1, ""], rel=1e-8)
 
 
 def test_a_table_of_one_surface_needs_no_name(table):
     path = table("Adhesion (nN)", "400")
-    assert measured_forces(path, ["bare"], RADIUS).iloc[0].tolist() == ["bare", 4e-7, 4e-7, 1, ""]
-    assert_says(refusal(measured_forces, path, SURFACES, RADIUS), "surface, value, unit")
+    assert read_forces(path, ["bare"], RADIUS).iloc[0].tolist() == ["bare", 4e-7, 4e-7, 1, ""]
+    assert_says(refusal(read_forces, path, SURFACES, RADIUS), "surface, value, unit")
 
 
 def test_a_second_column_of_forces_is_not_read(table):
     path = table("surface,value (nN),error (nN)", "bare,400,30")
-    assert measured_forces(path, SURFACES, RADIUS)["mean"].tolist() == [4e-7]
+    assert read_forces(path, SURFACES, RADIUS)["mean"].tolist() == [4e-7]
     path = table("surface,adhesion (nN),error (nN)", "bare,400,30")
-    assert_says(refusal(measured_forces, path, SURFACES, RADIUS), "adhesion, error")
+    assert_says(refusal(read_forces, path, SURFACES, RADIUS), "adhesion, error")
 
 
 def test_a_count_needs_a_mean_and_a_median(table):
     path = table("surface,value,unit,count", "bare,5,nN,40")
-    assert_says(refusal(measured_forces, path, SURFACES, RADIUS), "count", "found 40")
+    assert_says(refusal(read_forces, path, SURFACES, RADIUS), "count", "found 40")
 
 
 def test_each_kind_of_fault_of_a_table_of_forces_has_its_line(table):
@@ -81,7 +81,7 @@ def test_each_kind_of_fault_of_a_table_of_forces_has_its_line(table):
         (13, ["bare,1e-320,uN"], ["1 fN to 1 kN", "1e-320 uN"]),
     ]
     path = table("surface,value,unit", *(row for _, rows, _ in faults for row in rows))
-    message = refusal(measured_forces, path, SURFACES, RADIUS)
+    message = refusal(read_forces, path, SURFACES, RADIUS)
     for line, (number, _, parts) in zip(message.splitlines(), faults, strict=True):
         assert_says(line, f"{path}: line {number}", *parts)
 
@@ -96,7 +96,7 @@ def test_each_kind_of_fault_of_a_table_of_forces_has_its_line(table):
 )
 def test_a_summary_needs_one_row_per_surface_and_a_median_below_the_mean(table, row, message_parts):
     path = table("surface,mean,median,count,unit", "coating,0.4,0.3,40,uN", row)
-    assert_says(refusal(measured_forces, path, SURFACES, RADIUS), "line 3", *message_parts)
+    assert_says(refusal(read_forces, path, SURFACES, RADIUS), "line 3", *message_parts)
 
 
 @pytest.mark.parametrize(
@@ -115,7 +115,7 @@ def test_a_file_that_is_no_table_of_forces_is_refused_in_one_line(tmp_path, cont
     path = tmp_path / "my.csv"
     if content is not None:
         path.write_bytes(content)
-    message = refusal(measured_forces, path, SURFACES, RADIUS)
+    message = refusal(read_forces, path, SURFACES, RADIUS)
     assert_says(message, "my.csv", message_part)
     assert len(message.splitlines()) == 1
 
@@ -124,10 +124,10 @@ def test_a_table_of_200_mb_is_not_read(tmp_path):
     path = tmp_path / "my.csv"
     with open(path, "wb") as file:
         file.truncate(200_000_000)
-    message = refusal(measured_forces, path, SURFACES, RADIUS)
+    message = refusal(read_forces, path, SURFACES, RADIUS)
     assert_says(message, "my.csv", "of at most 10 MB, found 200 MB")
 
 
 def test_a_column_that_resembles_none_is_ignored(table):
     path = table("surface,operator,value,unit", "bare,a,1,uN")
-    assert measured_forces(path, SURFACES, RADIUS)["mean"].tolist() == [1e-6]
+    assert read_forces(path, SURFACES, RADIUS)["mean"].tolist() == [1e-6]

@@ -11,7 +11,7 @@ from scan_files import MAPS, write_nanoscope
 from SurfaceTopography import Topography
 
 from hardcontact.config.descriptions import refuse_description
-from hardcontact.config.force_table import measured_forces
+from hardcontact.config.force_table import read_forces
 from hardcontact.config.selected_surfaces import surface_table
 from hardcontact.own.own_spectrum import read_own_spectrum
 from hardcontact.scans.reading import list_scans, read_scan
@@ -103,7 +103,7 @@ KINDS = {
     "spectrum": (lambda _: {"a.csv": POWER.encode()}, lambda path: read_own_spectrum([path])),
     "forces": (
         lambda _: {"a.csv": b"surface,value,unit\na,1,uN\nb,2.5,nN\na,3,uN\n"},
-        lambda path: measured_forces(path, ["a", "b"], 250e3),
+        lambda path: read_forces(path, ["a", "b"], 250e3),
     ),
     "description": (lambda _: {"a.csv": DESCRIPTION.encode()}, read_bands),
     "surfaces": (

@@ -2,7 +2,7 @@
 
 from hardcontact.base.dataset import read
 from hardcontact.base.statistics import Sampling
-from hardcontact.config.force_table import measured_forces
+from hardcontact.config.force_table import read_forces
 from hardcontact.inference.measured_fit import add_extrapolated_work, fit_measured
 from hardcontact.own.hindcast import surface_pixel_factors
 from hardcontact.records.job import run_job
@@ -14,7 +14,7 @@ with run_job(snakemake) as job:
     sizes = read(job.input.topography)["scan_size"].to_series().to_dict()
     fitted = fit_measured(
         adhesion,
-        measured_forces(job.input.forces, surfaces, adhesion.attrs["sphere_radius"]),
+        read_forces(job.input.forces, surfaces, adhesion.attrs["sphere_radius"]),
         sizes,
         surface_pixel_factors(force).to_series().to_dict(),
         Sampling.from_parameters(job.parameters),

@@ -33,7 +33,7 @@ from hardcontact.config.configuration import (
     set_keys,
 )
 from hardcontact.config.faults import collect_faults, raise_faults, validate
-from hardcontact.config.force_table import measured_forces
+from hardcontact.config.force_table import read_forces
 from hardcontact.config.key_tables import commented_yaml
 from hardcontact.config.keys import NONE, SMOOTH_SPHERE
 from hardcontact.config.limits import refuse_unfit_values
@@ -98,7 +98,7 @@ def _cell_faults(
     if arguments.forces is not None:
         substrates = [surface for surface in dict.fromkeys(surfaces) if surface != SPHERE]
         with collect_faults(faults):
-            measured_forces(arguments.forces, substrates, radius, "--forces")
+            read_forces(arguments.forces, substrates, radius, "--forces")
     return faults
 
 

@@ -1,4 +1,4 @@
-"""Read the user's measured forces: a table of single tests, or mean and median of each surface."""
+"""Read the user's measured forces: a table of single forces, or mean and median of each surface."""
 
 import difflib
 import re
@@ -12,13 +12,13 @@ from hardcontact.config.faults import SIMILARITY, quote_key, raise_faults
 from hardcontact.config.key_types import Quantity
 from hardcontact.config.user_files import Row, decode_utf8, parse_number, user_table
 
-#: Columns of a table of single tests.
-TESTS = ("surface", "value", "unit")
+#: Columns of a table of single forces.
+SINGLE_FORCES = ("surface", "value", "unit")
 #: Columns of a table with one row per surface.
 SUMMARIES = ("surface", "mean", "median", "count", "unit")
-#: Columns that are read; `site` names the site of tests that were repeated there.
-KNOWN_COLUMNS = {*TESTS, *SUMMARIES, "site"}
-#: Other names of `site`: if it were ignored, repeated tests would count as independent.
+#: Columns that are read; `site` names the site at which a force was measured.
+KNOWN_COLUMNS = {*SINGLE_FORCES, *SUMMARIES, "site"}
+#: Other names of `site`: if it were ignored, forces at one site would count as independent.
 SITE_SYNONYMS = dict.fromkeys(("place", "position", "location", "spot"), "site")
 #: Columns whose cells are forces.
 FORCE_COLUMNS = ("value", "mean", "median")
@@ -30,24 +30,24 @@ FORCE_UNITS = {*FACTORS["N"], *(unit for unit in FACTORS["J/m2"] if unit.endswit
 FORCE_QUANTITY = Quantity("N", 1e-15, 1e3)
 
 
-def measured_forces(
+def read_forces(
     path: str | Path, surfaces: Collection[str], radius: float, named_by: str = "config key forces"
 ) -> pd.DataFrame:
     """Return the user's pull-off forces on the surfaces of a study, by line of the file.
 
-    The columns are surface, mean and median in N, count of tests, and site, blank if not given. A
-    single test is its own mean and median. A force over the radius of the probe is multiplied by
+    The columns are surface, mean and median in N, count of forces, and site, blank if not given. A
+    single force is its own mean and median. A force over the radius of the probe is multiplied by
     the `radius` (nm). Messages name `named_by`.
     """
     table = user_table(path, f"a table of forces ({named_by})", decode=_decode_forces)
     header, units = _split_units(table.header)
     table = table._replace(header=header)
-    columns = SUMMARIES if "mean" in header else TESTS
+    columns = SUMMARIES if "mean" in header else SINGLE_FORCES
     defaults = {"surface": next(iter(surfaces))} if len(surfaces) == 1 else {}
     defaults |= {"unit": ""} if units else {}
     table.require_columns(
         [name for name in columns if name not in defaults],
-        f"a row for each force, the columns {', '.join(TESTS)} or {', '.join(SUMMARIES)}, "
+        f"a row for each force, the columns {', '.join(SINGLE_FORCES)} or {', '.join(SUMMARIES)}, "
         "separated by commas; a column such as value (uN) needs no unit, one surface no name",
     )
     resembled_names = [*KNOWN_COLUMNS, *SITE_SYNONYMS]
@@ -117,7 +117,7 @@ def _parse_force(
     for name in ("mean", "median") if "mean" in row else ("value", "value"):
         if parse_number(row[name]) == 0 or row[name].startswith("<"):
             raise ValueError(
-                f"{name}: expected a force above zero, found {quote_key(row[name])}: for a test "
+                f"{name}: expected a force above zero, found {quote_key(row[name])}: for a force "
                 "below the noise write the noise, which makes the mean an upper bound"
             )
         if parse_number(row[name]) < 0:
@@ -135,12 +135,12 @@ def _parse_force(
         raise ValueError(f"surface: expected {' or '.join(surfaces)}, found {quote_key(surface)}")
     if not re.fullmatch("[1-9][0-9]{0,8}" if "mean" in row else "1", count):
         raise ValueError(
-            "count: expected a number of tests beside their mean and median, "
+            "count: expected a number of forces beside their mean and median, "
             f"found {quote_key(count)}"
         )
     if median > mean:
         raise ValueError(
-            "median: expected at most the mean, as of log-normal forces (or give single tests), "
+            "median: expected at most the mean, as of log-normal forces (or give single forces), "
             f"found {row['median']} beside {row['mean']}"
         )
     return surface, mean, median, int(count), row.get("site", "")

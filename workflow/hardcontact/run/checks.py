@@ -18,7 +18,7 @@ from hardcontact.config.configuration import (
 )
 from hardcontact.config.descriptions import refuse_description, refuse_paper_surface
 from hardcontact.config.faults import collect_faults, key_fault, raise_faults
-from hardcontact.config.force_table import measured_forces
+from hardcontact.config.force_table import read_forces
 from hardcontact.config.keys import NONE, SMOOTH_SPHERE
 from hardcontact.config.limits import PIXEL_SIZES, refuse_unfit_values, same_pixels
 from hardcontact.config.selected_surfaces import CONTACT_USE
@@ -140,7 +140,7 @@ def _own_surface_faults(study: dict[str, Any], table: pd.DataFrame) -> list[str]
     if study["forces"] != NONE:
         substrates = list(table.surface[table.surface != sphere].unique())
         with collect_faults(faults):
-            measured_forces(study["forces"], substrates, study["sphere"]["radius"])
+            read_forces(study["forces"], substrates, study["sphere"]["radius"])
     return faults
 
 
