@@ -146,7 +146,7 @@ def check_contact(surface: HeightMap, contact: Contact, ranges: Sequence[float])
     relief = float(np.ptp(surface.heights))
     extent = Extent(surface.pixels // 2, surface.pixel_size, surface.size / 2, relief)
     names = ("preload", "contacts_per_row", "rho")
-    named_contact = NamedContact(replace(contact, rho=shortest), *names)
+    named_contact = NamedContact(replace(contact, rho=shortest), *names, prefix="")
     raise_faults(islice(contact_faults(named_contact, "the map", extent), 1))
 
 

@@ -67,16 +67,17 @@ class NamedContact(NamedTuple):
     """A contact, and the names of three of its quantities in messages."""
 
     contact: Contact
-    load_name: str = "config key contact.preload"
-    count_name: str = "config key contact.contacts_per_row"
-    range_name: str = "config key adhesion.ranges"
+    load_name: str = "contact.preload"
+    count_name: str = "contact.contacts_per_row"
+    range_name: str = "adhesion.ranges"
+    prefix: str = "config key "  #: Begins messages, before the name.
 
 
 def study_contacts(study: dict[str, Any]) -> dict[str, NamedContact]:
     """Return, by stage of a study, the contact that pixels and memory limit most."""
     contact = study_contact(study)
     scan_contact = NamedContact(replace(contact, rho=study["adhesion"]["ranges"][0]))
-    master_contact = NamedContact(contact, range_name="config key adhesion.range")
+    master_contact = NamedContact(contact, range_name="adhesion.range")
     if not is_paper_study(study):
         return {"scans": scan_contact, "scales": master_contact}
     indent = replace(scan_contact.contact, preload=study["indent"]["preloads"][-1])
@@ -85,11 +86,9 @@ def study_contacts(study: dict[str, Any]) -> dict[str, NamedContact]:
     set_contact = replace(contact, radius=radius, contacts_per_row=contacts_per_row)
     return {
         "scans": scan_contact,
-        "indents": scan_contact._replace(contact=indent, load_name="config key indent.preloads"),
+        "indents": scan_contact._replace(contact=indent, load_name="indent.preloads"),
         "scales": master_contact,
-        "sets": master_contact._replace(
-            contact=set_contact, count_name="config key sets.contacts_per_row"
-        ),
+        "sets": master_contact._replace(contact=set_contact, count_name="sets.contacts_per_row"),
     }
 
 
@@ -114,18 +113,20 @@ def refuse_unfit_values(study: dict[str, Any], extents: Mapping[str, Extent]) ->
 
 def contact_faults(named_contact: NamedContact, surface: str, extent: Extent) -> Iterator[str]:
     """Yield the faults of a contact on a scan: load, number of contacts and range of adhesion."""
-    contact, load_name, count_name, range_name = named_contact
+    contact, load_name, count_name, range_name, prefix = named_contact
     row_pixels = 2 * extent.pixels
     seen_pixels = min(window_pixels(contact.window, extent.pixel_size), row_pixels) ** 2
     reason = f"which a quarter of the {seen_pixels // 4 * 4} pixels of {surface} can carry"
-    yield from _load_faults(load_name, contact, seen_pixels // 4, extent.pixel_size, reason)
+    yield from _load_faults(
+        prefix + load_name, contact, seen_pixels // 4, extent.pixel_size, reason
+    )
     if contact.contacts_per_row > row_pixels:
         accepted = f"at most the {row_pixels} pixels along the mirrored scan of {surface}"
-        yield f"{count_name}: expected {accepted}, found {contact.contacts_per_row}"
+        yield f"{prefix}{count_name}: expected {accepted}, found {contact.contacts_per_row}"
     min_rho, reason = minimum_range(contact.radius, contact.window, extent)
     if contact.rho < min_rho:
         accepted = f"at least {min_rho:g} nm on {surface}, where {reason}"
-        yield f"{range_name}: expected {accepted}, found {contact.rho:.4g} nm"
+        yield f"{prefix}{range_name}: expected {accepted}, found {contact.rho:.4g} nm"
 
 
 def _scan_faults(study: dict[str, Any], surface: str, extent: Extent) -> Iterator[str]:
@@ -162,15 +163,13 @@ def _body_faults(
         if pixels < 2:
             accepted = f"at least 2 contact pixels of {pixel_size:.4g} nm at the largest"
             yield key_fault("indent.preloads", accepted, pixels)
-    contact, load_name, _, range_name = contacts["scales"]
+    contact, load_name, _, range_name, _ = contacts["scales"]
     depth = penetration_depth(contact, extent.relief)
     min_rho = depth / PENETRATION_OVER_RANGE
     if contact.rho < min_rho:
-        yield (
-            f"{range_name}: expected at least {min_rho:.3g} nm, as "
-            f"{load_name.removeprefix('config key ')} presses the bodies some {depth:.3g} nm into "
-            f"each other, found {contact.rho:.4g} nm"
-        )
+        pressed = f"{load_name} presses the bodies some {depth:.3g} nm into each other"
+        accepted = f"at least {min_rho:.3g} nm, as {pressed}"
+        yield key_fault(range_name, accepted, f"{contact.rho:.4g} nm")
 
 
 def _master_faults(
@@ -216,14 +215,13 @@ def _memory_faults(
     named_contact: NamedContact, surface: str, pixel_size: float, periods: float
 ) -> Iterator[str]:
     """Yield the fault of a load whose contact pixels, each `periods` times, exceed the memory."""
-    contact = named_contact.contact
-    count_key = named_contact.count_name.removeprefix("config key ")
+    contact, load_name, count_name, _, prefix = named_contact
     reason = (
         f"with which the contact pixels of {pixel_size:.4g} nm on {surface} fit into memory at "
-        f"{count_key} = {contact.contacts_per_row} and contact.window = {contact.window:.6g} nm"
+        f"{count_name} = {contact.contacts_per_row} and contact.window = {contact.window:.6g} nm"
     )
     available_pixels = int(MAX_CONTACT_PIXELS / contact.contacts_per_row**2 / periods)
-    yield from _load_faults(named_contact.load_name, contact, available_pixels, pixel_size, reason)
+    yield from _load_faults(prefix + load_name, contact, available_pixels, pixel_size, reason)
 
 
 def _load_faults(
