@@ -40,7 +40,7 @@ def user_scan(size=2500.0, pixels=512, rms=17.0, surface="a", **others):
     """Return a height map of a surface; lengths in nm."""
     fields = {
         "dataset": "", "channel": "height", "file_unit": "nm", "kind": "map",
-        "peak_to_valley": 6 * rms, "relief": 8 * rms, "tip_radius": None, "tip_given": False,
+        "peak_to_valley": 6 * rms, "relief": 8 * rms, "tip_radius": None, "is_tip_given": False,
         "band": ReliableBand(4 * size / pixels, size / 3, "pixels"),
         "density": density(size, size / pixels, rms), "undefined_count": 0, "notes": (),
         "defects": {},

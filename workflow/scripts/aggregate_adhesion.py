@@ -1,12 +1,12 @@
 """Pull-off forces of all surfaces, scans, contact models and ranges of adhesion."""
 
-from hardcontact.base.dataset import add_surface_names, read_all
+from hardcontact.base.dataset import add_surface_names, read_by_key
 from hardcontact.contact.scan_pull_off import stack_pull_off_forces
 from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:
     params = job.parameters
-    forces = stack_pull_off_forces(read_all(params["scan_ids"], job.input.scans))
+    forces = stack_pull_off_forces(read_by_key(params["scan_ids"], job.input.scans))
     job.write(
         add_surface_names(forces, params).assign_attrs(
             {name: params[name] for name in ("rho", "sphere_radius")}

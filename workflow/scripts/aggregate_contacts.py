@@ -1,9 +1,9 @@
 """Single contacts on all surfaces: elastic ones, or the asperities that carry their force."""
 
-from hardcontact.base.dataset import add_surface_names, read_all, stack
+from hardcontact.base.dataset import add_surface_names, read_by_key, stack
 from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:
     params = job.parameters
-    surfaces = read_all(((surface,) for surface in params["surfaces"]), job.input.surfaces)
+    surfaces = read_by_key(((surface,) for surface in params["surfaces"]), job.input.surfaces)
     job.write(add_surface_names(stack(surfaces, ["surface"]), params), title=params["title"])

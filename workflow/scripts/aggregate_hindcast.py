@@ -1,13 +1,13 @@
 """Tests whether forces on the user's scans may be extrapolated: hindcast.nc."""
 
-from hardcontact.base.dataset import add_surface_names, concatenate, read_all, stack
+from hardcontact.base.dataset import add_surface_names, concatenate, read_by_key, stack
 from hardcontact.own.hindcast import hindcast_dataset
 from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:
     params = job.parameters
     confidence = params["confidence"]
-    forces_by_surface = concatenate(read_all(params["scan_ids"], job.input.forces), "map")
+    forces_by_surface = concatenate(read_by_key(params["scan_ids"], job.input.forces), "map")
     ratios = {
         surface: hindcast_dataset(forces, params["tolerance"], confidence)
         for surface, forces in forces_by_surface.items()

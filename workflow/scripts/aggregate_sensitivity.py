@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from hardcontact.base.dataset import add_surface_names, concatenate, read, read_all, stack
+from hardcontact.base.dataset import add_surface_names, concatenate, read, read_by_key, stack
 from hardcontact.inference.octaves import octave_sensitivities
 from hardcontact.inference.scan_parts import fewest_touched_patches, parts_of_maps
 from hardcontact.records.job import run_job
@@ -10,7 +10,7 @@ from hardcontact.records.job import run_job
 with run_job(snakemake) as job:
     params = job.parameters
     radius, rho, confidence = params["radius"], params["rho"], params["confidence"]
-    maps = concatenate(read_all(params["maps"], job.input.forces), "map")
+    maps = concatenate(read_by_key(params["maps"], job.input.forces), "map")
     touched_patches = fewest_touched_patches(read(job.input.adhesion)) if job.input.adhesion else {}
     sensitivities = {
         (surface,): octave_sensitivities(

@@ -3,7 +3,7 @@
 import pandas as pd
 
 from hardcontact.base import published
-from hardcontact.base.dataset import concatenate, read, read_all
+from hardcontact.base.dataset import concatenate, read, read_by_key
 from hardcontact.inference.forces_on_masters import read_master_forces
 from hardcontact.inference.published_fit import PublishedForces
 from hardcontact.paper.featured_candidates import candidates_by_surface
@@ -13,9 +13,11 @@ from hardcontact.records.job import run_job
 with run_job(snakemake) as job:
     params = job.parameters
     adhesion = read(job.input.adhesion)
-    pool_chunks = concatenate(read_all(params["pool_chunks"], job.input.pools), "scan")
+    pool_chunks = concatenate(read_by_key(params["pool_chunks"], job.input.pools), "scan")
     pools = {surface: pool for (surface,), pool in pool_chunks.items()}
-    candidates = candidates_by_surface(read_all(params["candidate_chunks"], job.input.candidates))
+    candidates = candidates_by_surface(
+        read_by_key(params["candidate_chunks"], job.input.candidates)
+    )
     inputs = SetInputs(
         topography=read(job.input.topography),
         adhesion=adhesion,

@@ -115,7 +115,7 @@ def read(path: str | Path) -> xr.Dataset:
         ) from None
 
 
-def read_all(
+def read_by_key(
     keys: Iterable[Sequence[Any]], paths: Iterable[str | Path]
 ) -> dict[tuple[Any, ...], xr.Dataset]:
     """Read one dataset for each key, for `stack`."""

@@ -46,7 +46,7 @@ class UserScan:
     peak_to_valley: float  #: Of the levelled scan, without the shape of a sphere.
     relief: float  #: The largest difference in height, levelled or not.
     tip_radius: float | None
-    tip_given: bool  #: Whether the user gave the radius, because the file states none.
+    is_tip_given: bool  #: Whether the user gave the radius, because the file states none.
     band: ReliableBand
     density: Floats  #: C_iso (bins,) in nm⁴
     undefined_count: int  #: Number of undefined pixels, which were filled.
@@ -177,7 +177,7 @@ def _measure_scan(scan_file: ScanFile, scan: HeightMap, options: ReadingOptions)
         peak_to_valley=peak_to_valley,
         relief=max(float(relief), peak_to_valley),
         tip_radius=tip_radius,
-        tip_given=tip_radius is not scan.tip_radius,
+        is_tip_given=tip_radius is not scan.tip_radius,
         band=reliable_band(flat, tip_radius, density),
         density=density,
         undefined_count=scan.undefined_count,
@@ -231,7 +231,7 @@ def table_rows(
             "path": scan.scan_file.path,
             "dataset": scan.dataset,
             "use": CONTACT_USE if scan in contact_scans else SPECTRUM_USE,
-            "tip_radius": tip_radius if scan.tip_given else "",
+            "tip_radius": tip_radius if scan.is_tip_given else "",
         }
         for surface, surface_scans in scans_by_surface(scans).items()
         for number, scan in enumerate(

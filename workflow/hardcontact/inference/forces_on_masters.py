@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import xarray as xr
 
-from hardcontact.base.dataset import concatenate, read, read_all, stack
+from hardcontact.base.dataset import concatenate, read, read_by_key, stack
 from hardcontact.base.progress import progress
 from hardcontact.base.units import DIMENSIONLESS, NM
 from hardcontact.contact.contact import CONTACT_AXES, Contact
@@ -140,7 +140,7 @@ def read_master_forces(
     Each path belongs to the surface at its position. With a `loading`, the result has no dimensions
     of loading, radius and range, which are single.
     """
-    files = read_all([(name, number) for number, name in enumerate(surfaces)], paths)
+    files = read_by_key([(name, number) for number, name in enumerate(surfaces)], paths)
     forces = stack(concatenate(files, "realization"), ["surface"])
     if loading is not None:
         forces = forces.sel(loading=loading, drop=True).squeeze(["radius", "rho"], drop=True)
