@@ -101,10 +101,9 @@ Work = Annotated[float, Quantity("J/m2", 1e-6, 100)]
 
 Lengths = Annotated[list[Length], Field(min_length=1), ASCENDING]
 Ranges = Annotated[list[Range], Field(min_length=1), ASCENDING]
-#: The numbers enter a file name, which holds no more of them.
-IN_FILE_NAMES = Field(min_length=1, max_length=20)
-Radii = Annotated[list[Radius], IN_FILE_NAMES, ASCENDING]
-Forces = Annotated[list[Force], IN_FILE_NAMES, ASCENDING]
+Forces = Annotated[list[Force], Field(min_length=1), ASCENDING]
+#: Radii stand in the name of a folder, which holds no more of them.
+Radii = Annotated[list[Radius], Field(min_length=1, max_length=20), ASCENDING]
 
 #: The bound permits 40 000 contacts on a scan.
 ContactsPerRow = Annotated[int, Field(ge=1, le=200)]

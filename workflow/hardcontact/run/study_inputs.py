@@ -53,12 +53,12 @@ def checked_configuration(workflow: Any, config: dict[str, Any]) -> dict[str, An
         nested = {key: item for key, item in command_line.items() if not isinstance(item, str)}
         config.update(apply_effort(merge_overlay(config, yaml_values(nested))))
         overwrite = yaml_values(config.pop("overwrite", False))
-        numbers = numeric_configuration(config)
+        study = numeric_configuration(config)
         if plans_the_run(workflow) and overwrite is not True:
             _refuse_changed_project_study(config)
-        if numbers["quick"]:
+        if study["quick"]:
             numeric_configuration(apply_effort(config | {"effort": "quick"}), "effort quick: ")
-        return numbers
+        return study
 
 
 def _refuse_grids_of_paper(workflow: Any, config: Mapping[str, Any]) -> None:
@@ -80,12 +80,12 @@ def _refuse_changed_project_study(config: Mapping[str, Any]) -> None:
         project = merge_overlay(project, read_yaml("config/quick.yaml"))
     if name != project["study"]:
         return
-    project_numbers = numeric_configuration(project)
-    numbers = numeric_configuration(config)
+    project_study = numeric_configuration(project)
+    study = numeric_configuration(config)
     changes = [
         f"{key}: {shorten(get_key(config, key))} in place of {shorten(get_key(project, key))}"
         for key, _ in key_fields(Study)
-        if key != "quick" and get_key(project_numbers, key) != get_key(numbers, key)
+        if key != "quick" and get_key(project_study, key) != get_key(study, key)
     ]
     if changes:
         raise ValueError(
