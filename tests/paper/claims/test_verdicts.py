@@ -55,7 +55,7 @@ def test_one_limit_is_judged_like_two_with_one_far_away(number, ends, judgement)
     assert verdict("order", 4.0, nan) == lower_verdict
 
 
-@pytest.mark.parametrize("set_count", [10, 71, 72, 100, 1000])
+@pytest.mark.parametrize("set_count", [71, 72, 100])
 def test_sets_decide_if_the_exact_interval_of_their_share_does(set_count):
     accepted = accepted_range("above", 0.0, nan)
     for agreeing_count in range(set_count + 1):
