@@ -2,8 +2,8 @@
 
 from hardcontact.report.figures.listing import FILE_KINDS, PAPER_FIGURES
 
-#: The datasets of each target that makes some, the files of each figure, and all other targets. `fit`
-#: of the user's surfaces needs measured forces.
+#: Three tables lead from a target to its files: datasets, figures, others. `fit` of the user's surfaces
+#: needs measured forces.
 if IS_PAPER_STUDY:
     DATASETS_OF_TARGETS = {
         "topography": ["topography"],

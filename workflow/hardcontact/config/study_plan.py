@@ -69,7 +69,7 @@ class StudyPlan:
     def master_scan(self, surface: str, master_number: int) -> int:
         """Return the number of the scan in a master, in the paper's study one for each master.
 
-        There, masters are independent samples. The intervals of the user's count shared scans.
+        Masters of a user's surface may share a scan, and their intervals take this into account.
         """
         if is_paper_study(self.study):
             return self.selection.separate_master_scan(surface, master_number)
@@ -110,7 +110,7 @@ class StudyPlan:
         return sphere_scans[self.selection.contact_scans(surface).index(scan) % len(sphere_scans)]
 
     def measurements_of_map(self, surface: str, scan: int) -> list[int]:
-        """Return the indices, in the spectrum of a surface, of the scans that a map is made of."""
+        """Return the indices, in its surface's spectrum, of the scans of the bodies in a map."""
         indices = []
         offset = 0
         for body in self.rough_bodies(surface, scan):

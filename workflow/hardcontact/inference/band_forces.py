@@ -52,7 +52,7 @@ def band_force_dataset(
 
 
 def band_ratios(forces: xr.Dataset, scan_parts: ScanParts, confidence: float) -> xr.Dataset:
-    """Return ``band_force_ratio`` (band, band_part) from forces on several maps."""
+    """Return ``band_force_ratio`` (band, band_part), from mean forces over contacts and maps."""
     log_ratio, log_interval = log_force_ratio(
         forces["band_force"], forces["force"], scan_parts, confidence
     )

@@ -1,4 +1,4 @@
-"""Posterior of range and work of adhesion: how probable the published mean forces make each pair.
+"""Posterior of range and work of adhesion: the probability of pairs, given published mean forces.
 
 A replicate is one set of possible mean forces: from a set of scans, or drawn from the distribution
 of the means on whole surfaces. All replicates weigh the same. The priors of range and work are

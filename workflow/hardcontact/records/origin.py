@@ -103,7 +103,7 @@ def keep_records(paths: Iterable[str | Path], origin: Origin) -> None:
     """Keep the origin, the lineage and the SHA-256 of files that a job has made."""
     records = {path: read_record(path) for path in origin.inputs}
     lineages = {
-        path: record.lineage if record else origin.inputs[path] for path, record in records.items()
+        path: (record and record.lineage) or origin.inputs[path] for path, record in records.items()
     }
     shared_record = origin.attributes() | {
         "input_digests": origin.inputs,
