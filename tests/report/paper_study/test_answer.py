@@ -97,7 +97,7 @@ def test_the_headline_explains_an_undecided_long_edge_of_artificial_roughness(
 ):
     rows = change_claim("long_edge_first", verdict=verdict, computed=edge)
     headline = answer(rows)["headline"][0]
-    assert f"The long edge is {verdict}{', because scans of' if explained else '.'}" in headline
+    assert f"The long edge is {verdict}{', because it rests on chance' if explained else '.'}" in headline
 
 
 @pytest.mark.parametrize(("ends", "crossed"), [((0.8, 1.0), "0.9"), ((0.8, 1.2), "0.9 and 1.1")])
@@ -121,7 +121,7 @@ def test_the_headline_names_the_coatings_with_the_outermost_edges():
 @pytest.mark.parametrize(("published", "nearer"), [(1.8, "bumps"), (0.3, "pits")])
 def test_features_are_those_with_the_nearer_scatter(published, nearer):
     features = datasets()["features"].assign_attrs(published_log_force_std=published)
-    assert f"{nearer} explain it better" in answer(features=features)["notes"][-1]["text"]
+    assert f"{nearer} come closer to it" in answer(features=features)["notes"][-1]["text"]
 
 
 def test_forces_on_scans_equal_those_on_windows_of_their_size():
