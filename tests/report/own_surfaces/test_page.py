@@ -120,6 +120,12 @@ def test_edges_that_exclude_a_band_answer_but_edges_beyond_the_cutoffs_do_not(da
     assert_says(line, f"{LABELS[0]} (substitute): {sentence[0].lower()}{sentence[1:]}")
 
 
+@pytest.mark.parametrize(("high", "overlap"), [(1000.0, False), (2000.0, True)])
+def test_the_headline_says_if_the_intervals_of_the_edges_overlap(high, overlap):
+    line = headline_of(edges=move_edge(45.0, 39.0, high))
+    assert ("These intervals overlap, so there may be no band." in line) == overlap
+
+
 def test_the_figure_of_octaves_has_a_bar_an_octave_and_hatches_those_that_no_scan_shows():
     figure = figures.draw_octaves(datasets(2))
     (axes,) = figure.axes
