@@ -14,7 +14,6 @@ from typing import Any, NamedTuple
 import xarray as xr
 
 from hardcontact.base import dataset
-from hardcontact.base.dataset import remove_parts
 from hardcontact.records.origin import (
     Origin,
     canonical_json,
@@ -65,21 +64,23 @@ def run_job(snakemake: Any) -> Iterator[Job]:
     """
     # Jobs make hardly any reference cycles; looking for them takes a twentieth of their time.
     gc.disable()
-    with job_log(snakemake.log[0]):
-        inputs = snakemake.input
-        canonical_parameters = canonical_json(snakemake.params.parameters)
-        input_digests = file_digests(inputs)
-        refuse_edited_files(input_digests)
-        for path in snakemake.output:  # Snakemake's lock keeps other runs from these files.
-            remove_parts(path)
-            remove_parts(record_path(path))
-            record_path(path).unlink(missing_ok=True)  # It would describe the old file.
-        code = getattr(inputs, "code", [])  # a rule that writes nothing names no code
-        origin = Origin(canonical_parameters, input_digests, list(code))
-        yield Job(inputs, snakemake.output, json.loads(canonical_parameters), origin)
-        refuse_inputs_changed_meanwhile(input_digests)
-        keep_records((path for path in snakemake.output if Path(path).is_file()), origin)
-    gc.enable()
+    try:
+        with job_log(snakemake.log[0]):
+            inputs = snakemake.input
+            parameters_json = canonical_json(snakemake.params.parameters)
+            input_digests = file_digests(inputs)
+            refuse_edited_files(input_digests)
+            for path in snakemake.output:  # Snakemake's lock keeps other runs from these files.
+                dataset.remove_parts(path)
+                dataset.remove_parts(record_path(path))
+                record_path(path).unlink(missing_ok=True)  # It would describe the old file.
+            code = getattr(inputs, "code", [])  # a rule that writes nothing names no code
+            origin = Origin(parameters_json, input_digests, list(code))
+            yield Job(inputs, snakemake.output, json.loads(parameters_json), origin)
+            refuse_inputs_changed_meanwhile(input_digests)
+            keep_records((path for path in snakemake.output if Path(path).is_file()), origin)
+    finally:
+        gc.enable()
 
 
 @contextmanager

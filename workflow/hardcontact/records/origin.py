@@ -59,13 +59,13 @@ def versions() -> dict[str, str]:
     return {name: version(name) for name in PACKAGES}
 
 
-def lineage(parameters: str, inputs: Mapping[str, str]) -> str:
+def lineage(parameters_json: str, input_lineages: Mapping[str, str]) -> str:
     """Return a digest of a file's parameters, of package versions and of the lineage of each input.
 
     The lineage of a file that no job made is its SHA-256. A changed scan therefore changes the
     lineage of a result even if the intermediates between both were deleted.
     """
-    return value_digest([parameters, versions(), inputs])
+    return value_digest([parameters_json, versions(), input_lineages])
 
 
 def file_digests(paths: Iterable[str | Path]) -> dict[str, str]:
@@ -76,8 +76,8 @@ def file_digests(paths: Iterable[str | Path]) -> dict[str, str]:
 class Origin(NamedTuple):
     """The parameters, inputs and code from which a file was made."""
 
-    parameters: str  #: Canonical JSON text.
-    inputs: dict[str, str]  #: SHA-256 by path.
+    parameters_json: str  #: Canonical, as `canonical_json` returns it.
+    input_digests: dict[str, str]  #: SHA-256 by path.
     code: list[str]  #: Paths among the inputs that are also digested together.
 
     def attributes(self) -> dict[str, str]:
@@ -86,10 +86,10 @@ class Origin(NamedTuple):
         The time of writing is not among them: it would differ between equal files.
         """
         return {
-            "parameters": self.parameters,
+            "parameters": self.parameters_json,
             "versions": canonical_json(versions()),
-            "code_digest": value_digest({path: self.inputs[path] for path in self.code}),
-            "input_digests": canonical_json(self.inputs),
+            "code_digest": value_digest({path: self.input_digests[path] for path in self.code}),
+            "input_digests": canonical_json(self.input_digests),
         }
 
 
@@ -101,17 +101,16 @@ def record_path(path: str | Path) -> Path:
 
 def keep_records(paths: Iterable[str | Path], origin: Origin) -> None:
     """Keep the origin, the lineage and the SHA-256 of files that a job has made."""
-    records = {path: read_record(path) for path in origin.inputs}
-    lineages = {
-        path: (record and record.lineage) or origin.inputs[path] for path, record in records.items()
-    }
+    input_lineages = {}
+    for path, digest in origin.input_digests.items():
+        record = read_record(path)
+        input_lineages[path] = (record and record.lineage) or digest
     shared_record = origin.attributes() | {
-        "input_digests": origin.inputs,
-        "lineage": lineage(origin.parameters, lineages),
+        "input_digests": origin.input_digests,
+        "lineage": lineage(origin.parameters_json, input_lineages),
     }
     for path, sha256 in file_digests(paths).items():
-        record = shared_record | {"sha256": sha256}
-        write_text_file(record_path(path), canonical_json(record))
+        write_text_file(record_path(path), canonical_json(shared_record | {"sha256": sha256}))
 
 
 def read_record(path: str | Path) -> Record | None:
