@@ -36,7 +36,8 @@ MIN_SNAKEMAKE = "9.27"
 class Changes(NamedTuple):
     """The differences between the record of a file and the file that would be made now."""
 
-    recorded: set[str]  #: Parameters and versions found only in the record.
+    #: Parameters and versions found only in the record, or one text that there is no record.
+    recorded: set[str]
     current: set[str]  #: Parameters and versions found only now.
     inputs: set[str]  #: Inputs that are new, gone, or have a different content.
 
@@ -53,7 +54,6 @@ class Reruns:
         self._digests: dict[str, str | None] = {}  # By path.
         self._input_digests: dict[Any, dict[str, str | None]] = {}  # By job.
         self._lineages: dict[Any, str] = {}  # By job.
-        self._changed_paths: set[str] = set()
 
     def changes(self, job: Any, path: str) -> Changes:
         """Return the changes since a job made a file."""
@@ -62,9 +62,7 @@ class Reruns:
             return Changes({f"no complete record of {path}"}, set(), set())
         recorded = _key_value_texts(record.parameters | record.versions)
         current = _key_value_texts(job.params.parameters | versions())
-        changed_inputs = self._changed_inputs(job, record)
-        self._changed_paths |= changed_inputs
-        return Changes(recorded - current, current - recorded, changed_inputs)
+        return Changes(recorded - current, current - recorded, self._changed_inputs(job, record))
 
     def _changed_inputs(self, job: Any, record: Record) -> set[str]:
         """Return inputs that changed; missing ones only if a file that leads to them changed."""
@@ -83,9 +81,9 @@ class Reruns:
             self._digests[path] = _presumed_digest(path) if Path(path).is_file() else None
         return self._digests[path]
 
-    def changed_input_digests(self) -> dict[str, str]:
-        """Return the SHA-256 of each input that causes a rerun, if a job made it and it exists."""
-        made_paths = filter(_complete_record, self._changed_paths)
+    def made_file_digests(self, paths: Iterable[str]) -> dict[str, str]:
+        """Return the presumed SHA-256 of each of the files that a job made and that exists."""
+        made_paths = filter(_complete_record, paths)
         return {path: digest for path in made_paths if (digest := self._digest(path))}
 
     def _lineage(self, job: Any) -> str:
@@ -96,11 +94,11 @@ class Reruns:
                 for maker, paths in self._dependencies[job].items()
                 for path in paths
             }
-            inputs = {
+            input_lineages = {
                 path: self._lineage(makers[path]) if path in makers else _file_lineage(path)
                 for path in _input_paths(job)
             }
-            self._lineages[job] = lineage(canonical_json(job.params.parameters), inputs)
+            self._lineages[job] = lineage(canonical_json(job.params.parameters), input_lineages)
         return self._lineages[job]
 
 
@@ -166,8 +164,10 @@ def plan_by_records(workflow: Any) -> None:
 
 def refuse_edited_inputs(workflow: Any) -> None:
     """End the run, before a job removes its outputs, if somebody changed what a job wrote."""
+    dag = workflow.persistence.dag
+    changed_paths = {path for job in dag.jobs for path in dag.reason(job).updated_input}
     with end_run_at_fault():
-        refuse_edited_files(_reruns(workflow.persistence.dag).changed_input_digests())
+        refuse_edited_files(_reruns(dag).made_file_digests(changed_paths))
 
 
 def _refuse_touch(dag: Any) -> NoReturn:
