@@ -44,19 +44,19 @@ RELIEF_OVER_RMS = 4.5
 
 def check_study(study: dict[str, Any], table: pd.DataFrame) -> None:
     """Refuse a study that would fail in a job; scans with contacts are read last."""
-    further_faults = _paper_faults if is_paper_study(study) else _own_surface_faults
-    faults = _substitute_faults(study, table) + further_faults(study, table)
+    find_kind_faults = _paper_faults if is_paper_study(study) else _own_surface_faults
+    faults = _substitute_faults(study, table) + find_kind_faults(study, table)
     raise_faults(faults)
     extents: dict[str, Extent] = {}
     for name, rows in table[table.use == CONTACT_USE].groupby("surface", sort=False):
         with collect_faults(faults):
             extents[str(name)] = surface_extent(study, str(name), rows)
     raise_faults(faults)
-    try:
+    with collect_faults(faults):
         refuse_unfit_values(study, extents)
-    except ValueError as error:
-        raise_faults(_unusual_quantity_faults(study, str(error).splitlines()[-1]))
-        raise
+    if faults:
+        raise_faults(_unusual_quantity_faults(study, faults[0]))
+    raise_faults(faults)
 
 
 def _substitute_faults(study: dict[str, Any], table: pd.DataFrame) -> list[str]:
@@ -92,14 +92,30 @@ def _name_faults(study: dict[str, Any], key: str, surfaces: list[str]) -> list[s
 def _paper_faults(study: dict[str, Any], table: pd.DataFrame) -> list[str]:
     """Return the faults of a study that is compared with the paper."""
     contacts = table[table.use == CONTACT_USE]
-    sphere = study["sphere"]["surface"]
     surfaces = list(contacts.surface.unique())
+    substrates = [surface for surface in surfaces if surface != study["sphere"]["surface"]]
+    return [
+        *_named_surface_faults(study, surfaces, substrates),
+        *_substrate_faults(substrates),
+        *_pool_size_faults(study, contacts[contacts.surface.isin(substrates)]),
+        *_claim_faults(),
+    ]
+
+
+def _named_surface_faults(
+    study: dict[str, Any], surfaces: list[str], substrates: list[str]
+) -> list[str]:
+    """Return the faults of keys of the paper's study that name a surface."""
     faults = _name_faults(study, "sphere.surface", surfaces)
-    substrates = [surface for surface in surfaces if surface != sphere]
     for key in ("reference_surface", "indent.surface"):
         faults += _name_faults(study, key, substrates)
     if study["substitutes"]["featured_surface"] != NONE:
         faults += _name_faults(study, "substitutes.featured_surface", substrates)
+    return faults
+
+
+def _substrate_faults(substrates: list[str]) -> Iterator[str]:
+    """Yield the faults of substrates whose forces cannot be compared with published ones."""
     pull_off_table = published.PUBLISHED_TABLES["published_pull_off"]
     published_surfaces = published.read_published_forces(pull_off_table).index
     unpublished = [surface for surface in substrates if surface not in published_surfaces]
@@ -108,19 +124,27 @@ def _paper_faults(study: dict[str, Any], table: pd.DataFrame) -> list[str]:
             f"substrates with a published pull-off force ({', '.join(published_surfaces)}); with "
             "`published: none` any are accepted"
         )
-        faults.append(key_fault("surfaces", accepted, ", ".join(unpublished)))
+        yield key_fault("surfaces", accepted, ", ".join(unpublished))
     if len(substrates) == 1:
         accepted = "two substrates or more, because range and work are fitted to their forces"
-        faults.append(key_fault("surfaces", accepted, *substrates))
+        yield key_fault("surfaces", accepted, *substrates)
+
+
+def _pool_size_faults(study: dict[str, Any], contacts: pd.DataFrame) -> Iterator[str]:
+    """Yield the fault of pools with fewer scans than the table has of a substitute substrate."""
     pool_size = study["sets"]["pool_size"]
-    substitutes = contacts[(contacts.source == "substitute") & (contacts.surface != sphere)]
-    scan_counts = substitutes.surface.value_counts(sort=False)
+    scan_counts = contacts.surface[contacts.source == "substitute"].value_counts(sort=False)
     if len(scan_counts) and scan_counts.max() > pool_size:
         accepted = f"at least the {scan_counts.max()} scans of {scan_counts.idxmax()}"
-        faults.append(key_fault("sets.pool_size", accepted, pool_size))
+        yield key_fault("sets.pool_size", accepted, pool_size)
+
+
+def _claim_faults() -> list[str]:
+    """Return the faults of the claims."""
     # Imported here, as the claims would cost studies of the user's surfaces almost a second.
     from hardcontact.paper.claims.statements import check_claims
 
+    faults: list[str] = []
     with collect_faults(faults):
         check_claims(published.CLAIMS)
     return faults
