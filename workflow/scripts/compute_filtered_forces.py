@@ -1,13 +1,45 @@
 """Pull-off forces on masters of one surface, unfiltered and filtered at every cutoff."""
 
-from hardcontact.inference.forces_on_masters import compute_master_forces
+from dataclasses import replace
+
+from hardcontact.base.dataset import read, stack
+from hardcontact.contact.contact import Contact
+from hardcontact.inference.forces_on_masters import Filters, filtered_pull_off
 from hardcontact.records.job import run_job
 from hardcontact.surfaces.height_map import load_height_map
+from hardcontact.surfaces.spectrum import spectrum_of_dataset
+from hardcontact.surfaces.synthesis import SIDES, master_generator, synthesize_master
 
 with run_job(snakemake) as job:
     params = job.parameters
+    seed, surface_name, stream = params["seed"], params["surface"], params["stream"]
+    radii, ranges = params["radii"], params["ranges"]
+    contact_grid = {name: params[name] for name in ("window", "contacts_per_row")}
+    # `filtered_pull_off` replaces the radius by each of the radii.
+    contacts = [
+        Contact(radius=radii[0], **contact_grid, **loading) for loading in params["loadings"]
+    ]
     sphere = load_height_map(job.input.sphere) if job.input.sphere else None
+    forces = {}
+    for index, realization in enumerate(params["realization_numbers"]):
+        for side in (side for side in SIDES if side in params["sides"]):
+            settings = params["sides"][side]
+            if master_paths := job.input.get(f"{side}_masters"):
+                master = load_height_map(master_paths[index])
+            else:
+                scan = load_height_map(job.input.scans[index])
+                spectrum_data = read(job.input.spectra[index])
+                # A sampled spectrum has a factor on the heights of its scan.
+                factor = spectrum_data.attrs.get("height_factor", 1.0)
+                scan = replace(scan, heights=scan.heights * factor)
+                spectrum = spectrum_of_dataset(spectrum_data)
+                rng = master_generator(seed, surface_name, realization, side, stream)
+                master = synthesize_master(side, rng, scan, settings, spectrum)
+            filters = Filters(side, settings["pixels"], settings["cutoffs"])
+            forces[realization, side] = filtered_pull_off(
+                master, filters, contacts, sphere, radii, ranges
+            )
     job.write(
-        compute_master_forces(params, job.input, sphere),
-        title=f"pull-off of filtered masters of {params['surface']}",
+        stack(forces, ["realization", "side"]),
+        title=f"pull-off of filtered masters of {surface_name}",
     )

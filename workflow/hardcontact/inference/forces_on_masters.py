@@ -3,23 +3,21 @@
 In a master random waves replace those of a scan beyond a transition (`surfaces.synthesis`).
 """
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 import xarray as xr
 
-from hardcontact.base.dataset import concatenate, read, read_by_key, stack
+from hardcontact.base.dataset import concatenate, read_by_key, stack
 from hardcontact.base.progress import progress
 from hardcontact.base.units import DIMENSIONLESS, NM
 from hardcontact.contact.contact import CONTACT_AXES, Contact
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import FORCE_ATTRS, WORK_OF_ADHESION, forces_at_loadings
 from hardcontact.surfaces.filters import filtered_series
-from hardcontact.surfaces.height_map import HeightMap, load_height_map
-from hardcontact.surfaces.spectrum import spectrum_of_dataset
-from hardcontact.surfaces.synthesis import SIDES, master_generator, synthesize_master
+from hardcontact.surfaces.height_map import HeightMap
 
 
 class Filters(NamedTuple):
@@ -86,50 +84,6 @@ def filtered_pull_off(
         },
         {"work_of_adhesion": WORK_OF_ADHESION},
     )
-
-
-def compute_master_forces(
-    settings: Mapping[str, Any], files: Mapping[str, Any], sphere: HeightMap | None
-) -> xr.Dataset:
-    """Return `filtered_pull_off` of the masters of a surface, (realization, side, ...).
-
-    `settings` have the grids, contacts and seed of the masters, their surface and the numbers of
-    their realizations. `load_or_synthesize_master` explains `files`.
-    """
-    radii, ranges, loadings = settings["radii"], settings["ranges"], settings["loadings"]
-    contact_grid = {name: settings[name] for name in ("window", "contacts_per_row")}
-    # `filtered_pull_off` replaces the radius by each of the radii.
-    contacts = [Contact(radius=radii[0], **contact_grid, **loading) for loading in loadings]
-    forces = {}
-    for index, realization in enumerate(settings["realization_numbers"]):
-        for side in (side for side in SIDES if side in settings["sides"]):
-            grid = settings["sides"][side]
-            filters = Filters(side, grid["pixels"], grid["cutoffs"])
-            master = load_or_synthesize_master(side, index, settings, files)
-            forces[realization, side] = filtered_pull_off(
-                master, filters, contacts, sphere, radii, ranges
-            )
-    return stack(forces, ["realization", "side"])
-
-
-def load_or_synthesize_master(
-    side: str, index: int, settings: Mapping[str, Any], files: Mapping[str, Any]
-) -> HeightMap:
-    """Return the master of a side, and of the realization at an index of their numbers.
-
-    `files` has ``short_masters`` and ``long_masters``, or mirrored ``scans`` and their ``spectra``,
-    from which masters are synthesized. Each is a list by realization.
-    """
-    if master_files := files.get(f"{side}_masters"):
-        return load_height_map(master_files[index])
-    scan = load_height_map(files["scans"][index])
-    spectrum_data = read(files["spectra"][index])
-    # A sampled spectrum has a factor on the heights of its scan.
-    scan = replace(scan, heights=scan.heights * spectrum_data.attrs.get("height_factor", 1.0))
-    spectrum = spectrum_of_dataset(spectrum_data)
-    number = settings["realization_numbers"][index]
-    rng = master_generator(settings["seed"], settings["surface"], number, side, settings["stream"])
-    return synthesize_master(side, rng, scan, settings["sides"][side], spectrum)
 
 
 def read_master_forces(
