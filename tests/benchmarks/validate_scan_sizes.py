@@ -2,7 +2,7 @@
 
     nice python tests/benchmarks/validate_scan_sizes.py [--table FILE] [--processes 2]
 
-A mirrored window has fewer peaks than a large surface, so that the sphere misses the highest of
+A mirrored window has fewer summits than a large surface, so that the sphere misses the highest of
 them. A window also has no waves longer than its period. If its force changes as soon as its longest
 waves are removed, the long edge is open: it is at least as long.
 
@@ -50,7 +50,7 @@ CUTOFFS = [
 CONTACT = Contact(
     radius=250e3, preload=10e-6, hardness=25e9, window=12.5e3, contacts_per_row=10, rho=5.6
 )
-#: Mirrored windows hold few peaks, so that half as many contacts per row suffice.
+#: Mirrored windows hold few summits, so that half as many contacts per row suffice.
 WINDOW_CONTACT = replace(CONTACT, contacts_per_row=5)
 
 

@@ -78,7 +78,7 @@ def test_a_single_smooth_summit_attracts_like_a_sphere_of_its_radius():
     form = closed_form(gaussian_spectrum(sigma, length), contact(rho, 0.0, flat))
     level = form.apex_height / sigma
     summit = length**2 / (sigma * level)  # its curvature is t m2/sigma
-    assert form.regime == Regime.SINGLE_PEAKS
+    assert form.regime == Regime.FEW_SUMMITS
     assert form.dmt_ratio == pytest.approx(summit / flat, rel=0.1)
 
 
@@ -106,7 +106,7 @@ def test_n_summits_attract_like_the_mean_power_of_a_gamma_variable(summits):
 
 
 @pytest.mark.parametrize(("rho", "low", "high"), [(2.0, 0.7, 0.9), (40.0, 0.99, 1.0)])
-def test_rough_close_points_lessen_the_force_where_single_peaks_decide(rho, low, high):
+def test_rough_close_points_lessen_the_force_where_few_summits_decide(rho, low, high):
     spectrum = self_affine_spectrum(30, 1000, 0.8, 5.0)
     smooth_points = closed_form(spectrum, contact(rho), rough_close_points=False)
     assert low < closed_form(spectrum, contact(rho)).force / smooth_points.force < high

@@ -155,7 +155,7 @@ def test_a_rough_sphere_sticks_less_as_in_the_closed_form(own_study, several):
     both = np.hypot(flat, ball)  # Squares of the rms heights of independent bodies add up.
     ratio = mean_over_contacts(rough.pull_off_force) / mean_over_contacts(smooth.pull_off_force)
     gaussian_ratio = gaussian_relative(rough, both) / gaussian_relative(smooth, flat)
-    # The closed form is for many points; single peaks decide only at the shortest range.
+    # The closed form is for many points; few summits decide only at the shortest range.
     has_many_points = rough.rho > (both**2 / rough.apex_height).max()
     assert (~has_many_points).sum() <= 1
     loss, gaussian_loss = (

@@ -415,7 +415,7 @@ def predict(
           shortest wavelength of this spectrum, ``extrapolated_rolloff`` its roll-off, and
           ``extrapolated_hurst`` the Hurst exponent of the short waves.
         - Contact: ``apex_height`` is the height of the sphere's apex above the mean plane.
-          ``weibull_modulus`` is above 1 if many points carry the force, below 1 if single peaks do.
+          ``weibull_modulus`` is above 1 if many points carry the force, below 1 if few summits do.
         - Spectrum: ``rms_height``, ``rms_gradient``, ``shortest_wavelength`` and
           ``longest_wavelength``.
         - Checks whether the error is known: ``longest_octave_change``, ``widest_gap``,

@@ -1,8 +1,9 @@
 """Intervals of means over scans, and random samples of uncertain quantities.
 
-Scans are the samples, not contacts, because contacts on one scan touch the same peaks. A mean over
-scans gets the interval of Student's t. A number that follows from several means gets it from random
-samples of these means. A user may have only one or two scans, which `inference.scan_parts` divides.
+Scans are the samples, not contacts, because contacts on one scan touch the same summits. A mean
+over scans gets the interval of Student's t. A number that follows from several means gets it from
+random samples of these means. A user may have only one or two scans, which `inference.scan_parts`
+divides.
 """
 
 import warnings

@@ -21,7 +21,7 @@ RELIEF_OVER_RANGE = 500.0
 #: Largest depth of a contact below the highest point, relative to the range: terms that round to
 #: zero are then less than exp(-40), 4e-18, of the term of a contact pixel.
 DEPTH_OVER_RANGE = {precision: limit - 40 for precision, limit in EXP_LIMITS.items()}
-#: Shortest range of adhesion (nm) on whole surfaces: it permits peaks 490 nm above a contact.
+#: Shortest range of adhesion (nm) on whole surfaces: it permits summits 490 nm above a contact.
 SHORTEST_WHOLE_RANGE = 490 / EXP_LIMITS[np.float64]
 #: A range of adhesion (nm) that is much shorter than the published range.
 SHORT_ADHESION_RANGE = 1.0

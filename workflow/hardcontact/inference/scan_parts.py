@@ -1,7 +1,7 @@
 """Parts of a few scans: the jackknife over the parts gives the interval of a mean force.
 
 If a surface has three scans or more, the parts are the scans. Otherwise they are the quarters of
-each scan, by which the contacts are grouped. Quarters are correlated, because the same peaks
+each scan, by which the contacts are grouped. Quarters are correlated, because the same summits
 attract contacts of several quarters, and the variance is corrected for that. If contacts touch
 fewer patches than there are quarters, some quarters share a patch, and there is no interval.
 """

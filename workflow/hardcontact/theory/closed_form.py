@@ -48,7 +48,7 @@ CUTOFF_COUNT = 60
 class Regime(StrEnum):
     """Whether roughness hardly changes the force, many points carry it, or a few summits do."""
 
-    SMOOTH, MANY_POINTS, SINGLE_PEAKS = "smooth", "many_points", "single_peaks"
+    SMOOTH, MANY_POINTS, FEW_SUMMITS = "smooth", "many_points", "few_summits"
 
 
 @dataclass(frozen=True)
@@ -116,7 +116,7 @@ def closed_form(
     dmt_ratio = mean_surface_term + summit_term + contact_term(contact)
     apex_height = float(sigma * apex.mean())
     weibull_modulus = max(contact.rho * apex_height / sigma**2, 0.0)
-    regime = Regime.SINGLE_PEAKS if weibull_modulus < 1 else Regime.MANY_POINTS
+    regime = Regime.FEW_SUMMITS if weibull_modulus < 1 else Regime.MANY_POINTS
     if mean_surface_term + summit_term > SMOOTH_SHARE:
         regime = Regime.SMOOTH
     return ClosedForm(dmt_force * dmt_ratio, dmt_ratio, sigma, apex_height, weibull_modulus, regime)
