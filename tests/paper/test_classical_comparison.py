@@ -31,7 +31,7 @@ def make_inference(surfaces=SUBSTRATES, forces=MEAN_FORCE):
 def apply_models(inference):
     return apply_classical_models(
         inference,
-        published.read_constants(TABLES / "constants.csv"),
+        published.read_constants(TABLES / "constants.csv")["value"].to_dict(),
         published.read_table1(TABLES / "table1.csv"),
         published.read_published_forces(TABLES / "pull_off.csv", dtype=str),
         Sampling(1, 20, 0.9, ("classical",)),

@@ -10,7 +10,7 @@ with run_job(snakemake) as job:
     job.write(
         apply_classical_models(
             read(job.input.fit),
-            published.read_constants(job.input.published_constants),
+            published.read_constants(job.input.published_constants)["value"].to_dict(),
             published.read_table1(job.input.published_table1),
             published.read_published_forces(job.input.published_pull_off, dtype=str),
             Sampling.from_parameters(job.parameters, "classical"),

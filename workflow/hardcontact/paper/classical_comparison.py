@@ -45,20 +45,17 @@ REFINEMENTS = 3
 
 def apply_classical_models(
     fit: xr.Dataset,
-    constants: pd.DataFrame,
+    constants: Mapping[Any, float],
     table1: pd.DataFrame,
     printed: pd.DataFrame,
     sampling: Sampling,
 ) -> xr.Dataset:
     """Return classical.nc: effective works of adhesion, forces and errors of classical models.
 
-    The fit (fit.nc) has mean forces of plastic contact at the published pair; the tables come from
-    `published`. Intervals follow from the uncertainty of Table 1 and the rounding of printed
-    forces. NaN if the paper prints no force or no roughness of a surface.
+    The fit (fit.nc) has mean forces of plastic contact at the published pair; constants and tables
+    come from `published`. Intervals follow from the uncertainty of Table 1 and the rounding of
+    printed forces. NaN if the paper prints no force or no roughness of a surface.
     """
-    paper = constants["value"].to_dict()
-    radius = fit.attrs["sphere_radius"]
-    sphere = ElasticSphere(radius, effective_modulus(paper), paper["equilibrium_spacing"])
     rows = table1.pivot(index="surface", columns="quantity", values=["value", "uncertainty"])
     rows = rows.dropna()
     printed = printed.dropna(subset="mean_force")
@@ -68,32 +65,25 @@ def apply_classical_models(
         "published": rounded_numbers(printed.loc[surfaces, "mean_force"]),
         "computed": _forces_at_published_pair(fit.sel(surface=surfaces)),
     }
-    maugis = hertz_jkr_dmt.maugis_parameter(paper["tabor_parameter"])
-    coefficient = hertz_jkr_dmt.pull_off_coefficient(maugis)
-    works = {
-        source: hertz_jkr_dmt.effective_work_of_adhesion(force_and_ends, sphere.radius, coefficient)
-        for source, force_and_ends in forces.items()
-    }
-
-    def compute_numbers(roughness: Roughness) -> dict[str, Floats]:
-        return _model_numbers(roughness, sphere, paper["work_of_adhesion"], forces, works)
-
-    models = {
-        (metrics,): _models_with_intervals(rows.loc[surfaces], metrics, compute_numbers, sampling)
-        for metrics in METRIC_PREFIXES
-    }
-    coordinates = {
-        "surface": surfaces,
-        "force_source": list(forces),
-        "model": list(CLASSICAL_MODELS),
-        "rms_parameter": list(Roughness._fields),
-    }
+    radius, work = fit.attrs["sphere_radius"], constants["work_of_adhesion"]
+    sphere = ElasticSphere(radius, effective_modulus(constants), constants["equilibrium_spacing"])
+    effective_works = _effective_works(forces, radius, constants["tabor_parameter"])
+    models = {}
+    for metrics in METRIC_PREFIXES:
+        roughness = _sampled_roughness(rows.loc[surfaces], metrics, sampling)
+        samples = _model_samples(roughness, sphere, work, forces, effective_works)
+        models[(metrics,)] = _with_intervals(samples, sampling)
     return (
         stack(models, ["metrics"])
-        .merge(_forces_and_works(forces, works, sampling.confidence))
-        .assign_coords(coordinates)
+        .merge(_forces_and_works(forces, effective_works, sampling.confidence))
+        .assign_coords(
+            surface=surfaces,
+            force_source=list(forces),
+            model=list(CLASSICAL_MODELS),
+            rms_parameter=list(Roughness._fields),
+        )
         .reindex(surface=fit["surface"].values)
-        .merge(_smooth_contact(sphere, paper))
+        .merge(_smooth_contact(sphere, work, constants["preload"]))
         .assign(
             model_label=("model", [model.label for model in CLASSICAL_MODELS.values()]),
             label=fit["label"],
@@ -103,27 +93,40 @@ def apply_classical_models(
     )
 
 
-def _models_with_intervals(
-    rows: pd.DataFrame,
-    metrics: str,
-    compute_numbers: Callable[[Roughness], dict[str, Floats]],
-    sampling: Sampling,
-) -> xr.Dataset:
-    """Return forces and errors of classical models for one kind of metrics, with intervals."""
+def _effective_works(
+    forces: Mapping[str, Floats], radius: float, tabor_parameter: float
+) -> dict[str, Floats]:
+    """Return the effective works of adhesion by source of the forces, with their interval ends.
+
+    The Tabor parameter is the printed one; the computed one differs (departures.md, 5).
+    """
+    maugis = hertz_jkr_dmt.maugis_parameter(tabor_parameter)
+    coefficient = hertz_jkr_dmt.pull_off_coefficient(maugis)
+    return {
+        source: hertz_jkr_dmt.effective_work_of_adhesion(force_and_ends, radius, coefficient)
+        for source, force_and_ends in forces.items()
+    }
+
+
+def _sampled_roughness(rows: pd.DataFrame, metrics: str, sampling: Sampling) -> Roughness:
+    """Return a roughness (1 + sample, surface) from the rows of Table 1 for one kind of metrics."""
     mean = _roughness(rows, "value", METRIC_PREFIXES[metrics])
     uncertainty = _roughness(rows, "uncertainty", METRIC_PREFIXES[metrics])
-    rng = sampling.generator(metrics)
-    numbers = compute_numbers(sample_roughness(rng, mean, uncertainty, sampling.sample_count))
+    return sample_roughness(sampling.generator(metrics), mean, uncertainty, sampling.sample_count)
+
+
+def _with_intervals(samples: Mapping[str, Floats], sampling: Sampling) -> xr.Dataset:
+    """Return MODEL_VARIABLES with intervals, from arrays with the value before its samples."""
     variables: dict[str, Any] = {}
     for name, (dimensions, unit) in MODEL_VARIABLES.items():
-        variables |= sampling.as_variables(name, dimensions, numbers[name], unit)
+        variables |= sampling.as_variables(name, dimensions, samples[name], unit)
     return xr.Dataset(variables)
 
 
-def _smooth_contact(sphere: ElasticSphere, paper: Mapping[Any, float]) -> xr.Dataset:
+def _smooth_contact(sphere: ElasticSphere, work: float, preload: float) -> xr.Dataset:
     """Return Tabor parameter and Hertz pressure of the sphere, if it is smooth."""
-    hertz = hertz_jkr_dmt.hertz_contact(paper["preload"], sphere.radius, sphere.modulus)
-    tabor = hertz_jkr_dmt.tabor_parameter(paper["work_of_adhesion"], *sphere)
+    hertz = hertz_jkr_dmt.hertz_contact(preload, sphere.radius, sphere.modulus)
+    tabor = hertz_jkr_dmt.tabor_parameter(work, sphere.radius, sphere.modulus, sphere.spacing)
     return xr.Dataset(
         {
             "tabor_parameter": ((), tabor, DIMENSIONLESS),
@@ -152,10 +155,10 @@ def _half_unit(printed: str) -> float:
 
 
 def _forces_and_works(
-    forces: Mapping[str, Floats], works: Mapping[str, Floats], confidence: float
+    forces: Mapping[str, Floats], effective_works: Mapping[str, Floats], confidence: float
 ) -> xr.Dataset:
     """Return mean forces and effective works from arrays (surface, 3): value, low and high end."""
-    works_and_ends = np.stack(list(works.values()))
+    works_and_ends = np.stack(list(effective_works.values()))
     variables = as_variables(
         "effective_work_of_adhesion", ("force_source", "surface"),
         works_and_ends[..., 0], works_and_ends[..., 1:], JOULE_PER_M2, confidence,
@@ -189,12 +192,12 @@ def sample_roughness(
     return Roughness(*(np.vstack(rows) for rows in zip(mean, sampled_rows, strict=True)))
 
 
-def _model_numbers(
+def _model_samples(
     roughness: Roughness,
     sphere: ElasticSphere,
     work: float,
     forces: Mapping[str, Floats],
-    works: Mapping[str, Floats],
+    effective_works: Mapping[str, Floats],
 ) -> dict[str, Floats]:
     """Return the values of MODEL_VARIABLES, after the dimensions of a roughness (..., surface).
 
@@ -205,7 +208,7 @@ def _model_numbers(
         for model in CLASSICAL_MODELS.values()
     ]
     power_law_errors = [
-        [power_law_error(parameter, effective_work[:, 0]) for effective_work in works.values()]
+        [power_law_error(parameter, works[:, 0]) for works in effective_works.values()]
         for parameter in roughness
     ]
     model_forces = [model.force(work, roughness, sphere) for model in CLASSICAL_MODELS.values()]
@@ -231,20 +234,20 @@ def classical_error(
     log_work_limits = np.log(SEARCHED_WORKS[[0, -1]])
 
     def error_at(log_works: Floats) -> Floats:
-        works = np.exp(np.clip(log_works, *log_work_limits))
-        forces = model.force(works[..., None, :], columns, sphere)
+        trial_works = np.exp(np.clip(log_works, *log_work_limits))
+        forces = model.force(trial_works[..., None, :], columns, sphere)
         return mean_relative_error(forces, target, np.ones(1))[..., 0]
 
     return _search_minimum(error_at, np.log(SEARCHED_WORKS), roughness.height.shape[:-1])
 
 
-def power_law_error(parameter: Floats, work: Floats) -> Floats:
+def power_law_error(parameter: Floats, effective_works: Floats) -> Floats:
     """Return the error (...) of the best power law of a parameter for works (surface,)."""
     logarithm = np.log(parameter / parameter.mean(axis=-1, keepdims=True))[..., None]
 
     def error_at(exponents: Floats) -> Floats:
         powers = np.exp(logarithm * exponents[..., None, :])  # (..., surface, exponent)
-        return fit_work(powers, work)[1]
+        return fit_work(powers, effective_works)[1]
 
     return _search_minimum(error_at, SEARCHED_EXPONENTS, parameter.shape[:-1])
 
