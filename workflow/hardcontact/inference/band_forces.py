@@ -39,7 +39,8 @@ def band_force_dataset(
     in N at 1 J/m²; ``band_edge`` (band, side) has the edges of the bands in nm.
     """
     part_forces = [
-        [compute_forces(waves) for waves in band_parts(surface, band)] for band in bands.values()
+        [compute_forces(surface_part) for surface_part in band_parts(surface, band)]
+        for band in bands.values()
     ]
     return xr.Dataset(
         {

@@ -171,8 +171,8 @@ def spectral_moment(spectrum: Spectrum, order: int) -> float:
     It is the squared rms height (order 0), gradient (2) or Laplacian (4).
     """
     q = spectrum.wavevector
-    density = spectrum.density * q ** (1 + order)
-    return float(np.trapezoid(density * q, np.log(q)) / (2 * np.pi))
+    integrand = spectrum.density * q ** (1 + order)
+    return float(np.trapezoid(integrand * q, np.log(q)) / (2 * np.pi))
 
 
 def all_scales_rms(spectrum: Spectrum) -> Floats:
@@ -242,8 +242,8 @@ def isotropic_through_points(wavevector: Floats, wavelengths: Floats, profile: F
     log_points = np.log(2 * np.pi / wavelengths)
     log_profile = np.log(profile)
     hurst = (-np.polyfit(log_points, log_profile, 1)[0] - 1) / 2
-    order = np.argsort(log_points)
-    log_points, log_profile = log_points[order], log_profile[order]
+    sort_indices = np.argsort(log_points)
+    log_points, log_profile = log_points[sort_indices], log_profile[sort_indices]
     log_wavevector = np.log(wavevector)
     # The first and the last segment are extrapolated beyond the points.
     segment = np.clip(np.searchsorted(log_points, log_wavevector) - 1, 0, len(log_points) - 2)

@@ -176,7 +176,7 @@ def error_of_second_minimum(fit: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
     return as_estimate(second_error.where(fit["best_error"] < paper["error_threshold"]))
 
 
-def least_ratio_error(fit: xr.Dataset) -> xr.Dataset:
+def minimum_ratio_error(fit: xr.Dataset) -> xr.Dataset:
     """Return the smallest mean relative error of the force ratios (contact_model)."""
     return as_estimate(fit["ratio_error"].min("rho_fine"))
 
