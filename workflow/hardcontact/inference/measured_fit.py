@@ -53,13 +53,11 @@ def fit_measured(
     measured_adhesion = adhesion.sel(surface=surfaces)
     fits = {}
     for model in adhesion["contact_model"].values.tolist():
-        surface_forces = forces_by_surface(measured_adhesion.sel(contact_model=model), scan_sizes)
-        fits[(model,)] = _fit_contact_model(
-            surface_forces, measured_forces, pixel_factors, sampling
-        )
-    # Measured forces and the parts of scans are the same for all models.
+        model_forces = forces_by_surface(measured_adhesion.sel(contact_model=model), scan_sizes)
+        fits[(model,)] = _fit_contact_model(model_forces, measured_forces, pixel_factors, sampling)
+    # The parts of scans are the same for all models, so that those of the last model serve.
     interval_sources = [
-        surface_forces[name].scan_parts[0].interval_source
+        model_forces[name].scan_parts[0].interval_source
         if summary.site_count > 1
         else IntervalSource.ONE_SITE
         for name, summary in summaries.items()
@@ -78,9 +76,9 @@ def fit_measured(
 
 
 def _sampled_forces(surface_forces: SurfaceForces, surface: str, sampling: Sampling) -> Floats:
-    """Return the mean forces (1 + sample, rho) of a surface, and samples of them.
+    """Return samples of the mean forces of a surface: (sample, rho).
 
-    Samples have the same random numbers at every range. All surfaces share the random numbers of
+    They have the same random numbers at every range. All surfaces share the random numbers of
     the position at which a rough sphere touches.
     """
     count = sampling.sample_count
@@ -92,12 +90,12 @@ def _sampled_forces(surface_forces: SurfaceForces, surface: str, sampling: Sampl
         for log_means, parts in parts_at_ranges
     ]
     deviations = np.stack(scan_deviations, axis=1)
-    mean, position_variance = surface_forces.mean, surface_forces.position_variance
+    position_variance = surface_forces.position_variance
     if position_variance is not None:
         rng = sampling.generator("place on the sphere")
         samples = rng.standard_t(position_variance.degrees_of_freedom, (count, 1))
         deviations += samples * np.sqrt(position_variance.value)
-    return np.vstack([mean, mean * np.exp(deviations)])
+    return surface_forces.mean * np.exp(deviations)
 
 
 def _fit_contact_model(
@@ -114,13 +112,14 @@ def _fit_contact_model(
     computed_ranges = next(iter(computed_forces.values())).ranges
     # The curves contain the computed ranges, so that the works at these are exact.
     ranges = np.union1d(fine_ranges(computed_ranges), computed_ranges)
+    means = np.stack([surface_forces.mean for surface_forces in computed_forces.values()])
+    curves = interpolate_to_ranges(means, computed_ranges, ranges)
     sampled_forces = [
         _sampled_forces(surface_forces, name, sampling)
         for name, surface_forces in computed_forces.items()
     ]
-    means = np.stack(sampled_forces, axis=1)
-    curves = interpolate_to_ranges(means[0], computed_ranges, ranges)
-    sampled_works = measured_forces[1:, :, None] / means[1:]
+    measured_means, measured_samples = measured_forces[0], measured_forces[1:]
+    sampled_works = measured_samples[:, :, None] / np.stack(sampled_forces, axis=1)
     # Finer pixels lower the computed force, so that the work may be higher by this factor.
     pixel_widening = np.array([[[1.0, pixel_factors[name]]] for name in computed_forces])
     # All intervals of n independent surfaces contain the true pair with the confidence c if each
@@ -132,7 +131,7 @@ def _fit_contact_model(
     joint_intervals = pixel_widening * _work_intervals(
         sampled_works, computed_ranges, ranges, joint_confidence
     )
-    works = measured_forces[0, :, None] / curves
+    works = measured_means[:, None] / curves
     region = _common_region(joint_intervals)
     dimensions = ("surface", "rho_fine")
     return xr.Dataset(
@@ -141,7 +140,7 @@ def _fit_contact_model(
         )
         | {"region": (("rho_fine", "end"), region, JOULE_PER_M2)}
         | _region_extent(region, ranges)
-        | _best_pair(curves, measured_forces[0], ranges),
+        | _best_pair(curves, measured_means, ranges),
         {"surface": list(computed_forces), "rho_fine": ("rho_fine", ranges, NM)},
     )
 
