@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from hardcontact.paper.posterior import log_mean_error, posterior_samples, samples_dataset
+from hardcontact.paper.posterior import log_mean_error, sample_range_and_work, summarize_samples
 
 COUNT = 40_000
 LOG_RANGES = np.linspace(np.log(0.01), np.log(1000.0), 2001)
@@ -13,7 +13,9 @@ def sample(exponents, log_targets, errors):
     """Samples of ln range and ln work if forces are powers of the range."""
     rng = np.random.default_rng(1)
     curves = np.multiply.outer(exponents, LOG_RANGES)[None]
-    index, log_work = posterior_samples(curves, np.array(log_targets), np.array(errors), rng, COUNT)
+    index, log_work = sample_range_and_work(
+        curves, np.array(log_targets), np.array(errors), rng, COUNT
+    )
     return LOG_RANGES[index], log_work
 
 
@@ -42,7 +44,7 @@ def test_the_error_of_a_mean_is_that_of_a_log_normal():
 
 
 def test_samples_are_described_by_median_and_interval():
-    summary = samples_dataset(np.arange(1.0, 202.0), np.arange(201.0), 0.95)
+    summary = summarize_samples(np.arange(1.0, 202.0), np.arange(201.0), 0.95)
     assert summary.range_of_adhesion == 101
     np.testing.assert_allclose(summary.work_of_adhesion_interval, [5, 195])
     assert summary.sampled_work_of_adhesion.attrs["units"] == "J m-2"

@@ -4,7 +4,7 @@ from hardcontact.base import published
 from hardcontact.base.dataset import concatenate, read, read_by_key, stack
 from hardcontact.base.statistics import Sampling
 from hardcontact.contact.contact import PLASTIC
-from hardcontact.paper.posterior import study_posteriors
+from hardcontact.paper.posterior import posterior_dataset
 from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:
@@ -19,6 +19,6 @@ with run_job(snakemake) as job:
     }
     whole_surface_forces = stack(maps, ["surface"])["pull_off_force"] if maps else None
     job.write(
-        study_posteriors(sets, whole_surface_forces, published_forces, sampling),
+        posterior_dataset(sets, whole_surface_forces, published_forces, sampling),
         title="range and work of adhesion that explain the published forces",
     )

@@ -34,7 +34,7 @@ def log_mean_error(log_std: ArrayLike, count: int) -> Floats:
     return np.sqrt(np.log1p(np.expm1(np.square(log_std)) / count))
 
 
-def posterior_samples(
+def sample_range_and_work(
     log_curves: Floats, log_targets: Floats, errors: Floats, rng: np.random.Generator, count: int
 ) -> tuple[NDArray[np.int_], Floats]:
     """Return samples of the index of the range, and of the logarithm of the work of adhesion.
@@ -55,7 +55,9 @@ def posterior_samples(
     return flat_index % log_curves.shape[2], log_work
 
 
-def posterior(mean_forces: xr.DataArray, published: pd.DataFrame, sampling: Sampling) -> xr.Dataset:
+def posterior_of_forces(
+    mean_forces: xr.DataArray, published: pd.DataFrame, sampling: Sampling
+) -> xr.Dataset:
     """Return samples of range (nm) and work (J/m²), their medians and intervals.
 
     The computed mean forces (replicate, surface, rho) are in N at 1 J/m². The published mean and
@@ -66,23 +68,23 @@ def posterior(mean_forces: xr.DataArray, published: pd.DataFrame, sampling: Samp
     ranges = fine_ranges(forces["rho"].values)
     curves = interpolate_to_ranges(forces.values, forces["rho"].values, ranges)
     log_stds = log_std_of_lognormal(targets["mean_force"], targets["median_force"])
-    index, log_works = posterior_samples(
+    index, log_works = sample_range_and_work(
         np.log(curves),
         np.log(targets["mean_force"].to_numpy()),
         log_mean_error(log_stds, INDEPENDENT_FORCES),
         sampling.generator(*forces["surface"].values.tolist()),
         sampling.sample_count,
     )
-    return samples_dataset(ranges[index], np.exp(log_works), sampling.confidence)
+    return summarize_samples(ranges[index], np.exp(log_works), sampling.confidence)
 
 
-def study_posteriors(
+def posterior_dataset(
     sets: xr.Dataset,
     whole_surface_forces: xr.DataArray | None,
     published: pd.DataFrame,
     sampling: Sampling,
 ) -> xr.Dataset:
-    """Return the posteriors (forces_on, left_out) of all surfaces, and without each in turn.
+    """Return posterior.nc: posteriors (forces_on, left_out) of all surfaces, and without each.
 
     `sets` is sets.nc in plastic contact. Forces on whole surfaces (surface, map, rho), if any, are
     those of a smooth sphere in N.
@@ -97,12 +99,13 @@ def study_posteriors(
     for name, mean_forces in forces.items():
         for left_out in (NONE_LEFT_OUT, *mean_forces["surface"].values.tolist()):
             other_forces = mean_forces.drop_sel(surface=left_out, errors="ignore")
-            posteriors[name, left_out] = posterior(other_forces, published, sampling)
+            posteriors[name, left_out] = posterior_of_forces(other_forces, published, sampling)
+    # Claims about all surfaces take their names from the coordinate.
     result = stack(posteriors, ["forces_on", "left_out"]).assign_coords(surface=sets["surface"])
     return result.assign_attrs(confidence=sampling.confidence)
 
 
-def samples_dataset(ranges: Floats, works: Floats, confidence: float) -> xr.Dataset:
+def summarize_samples(ranges: Floats, works: Floats, confidence: float) -> xr.Dataset:
     """Return samples of range (nm) and work (J/m²), their medians and intervals."""
     variables = {}
     quantities = {"range_of_adhesion": (ranges, NM), "work_of_adhesion": (works, JOULE_PER_M2)}
