@@ -74,7 +74,7 @@ import time
 from types import SimpleNamespace
 from hardcontact.run import ending
 
-ending.kill_jobs_at_interrupt(SimpleNamespace(local_exec=False, persistence=None))
+ending.stop_run_at_interrupt(SimpleNamespace(local_exec=False, persistence=None))
 for state in ("running", "cancelling"):
     try:
         print(state, flush=True)

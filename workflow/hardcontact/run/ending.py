@@ -74,11 +74,11 @@ def kill_run_at_next_interrupt(workflow: Any) -> None:
     signal.signal(signal.SIGINT, lambda *_: _kill_run(workflow))
 
 
-def kill_jobs_at_interrupt(workflow: Any) -> None:
-    """Kill the run and its jobs at Ctrl-C, which the jobs do not receive.
+def stop_run_at_interrupt(workflow: Any) -> None:
+    """Stop the run and its jobs at Ctrl-C, which the jobs do not receive.
 
-    Jobs would print tracebacks, and Snakemake would wait for them. On a cluster the first Ctrl-C
-    lets Snakemake cancel the jobs; the second kills the run.
+    Both are killed, because jobs would print tracebacks, and Snakemake would wait for them. On a
+    cluster the first Ctrl-C lets Snakemake cancel the jobs; the second kills the run.
     """
     if workflow.local_exec:
         # Threads and jobs that begin from here on inherit what is blocked.
