@@ -50,9 +50,9 @@ def spectrum():
     )
 
 
-def synthesized_metrics(source, group):
-    """Metrics of every synthesized scan of a group: a column each metric."""
-    scans = (conditioning.conditioned_scan(source, k, group) for k in group.scan.values)
+def synthesized_metrics(source, batch):
+    """Metrics of every synthesized scan of a batch: a column each metric."""
+    scans = (conditioning.conditioned_scan(source, k, batch) for k in batch.scan.values)
     return pd.DataFrame([metrics(level_plane(scan)) for scan in scans])
 
 
@@ -60,8 +60,8 @@ def synthesized_metrics(source, group):
 def test_conditioned_scans_have_the_given_statistics(spectrum, numbers):
     rms_values = spectrum.attrs["expected_scan_rms"] * np.array([1.02, 0.97, 1.01])
     targets = Targets(dict(zip(NAMES, rms_values, strict=True)), 0.2 * rms_values[0], ())
-    group = conditioning.condition_group(substitute(spectrum), targets, numbers)
-    assert_met(targets, synthesized_metrics(substitute(spectrum), group))
+    batch = conditioning.condition_batch(substitute(spectrum), targets, numbers)
+    assert_met(targets, synthesized_metrics(substitute(spectrum), batch))
 
 
 PAPER_GRID = ScanGrid(
@@ -88,8 +88,8 @@ def test_scans_of_the_default_study_keep_table_1(surface, count, grid, rows):
     published_means = table1.value[list(rows)]
     np.testing.assert_allclose(list(targets.means.values())[: len(rows)], published_means)
     assert targets.rms_height_std == pytest.approx(table1.uncertainty["afm_rms_height"])
-    group = conditioning.condition_group(source, targets, range(1, count + 1))
-    assert_met(targets, synthesized_metrics(source, group))
+    batch = conditioning.condition_batch(source, targets, range(1, count + 1))
+    assert_met(targets, synthesized_metrics(source, batch))
 
 
 def test_a_spectrum_that_is_not_calibrated_has_its_own_targets(spectrum):
@@ -108,20 +108,20 @@ def test_coarser_pixels_keep_the_rms_height(spectrum):
     rms_values = expected_scan_rms(uncd_density, transfer_weights(128, 2 * PIXEL, 32))
     np.testing.assert_allclose(list(targets.means.values()), [20.0, *rms_values[1:]], rtol=1e-3)
     assert targets.met_rows == ("afm_rms_height",)
-    group = conditioning.condition_group(source, targets, [1, 2])
-    assert group.attrs["table1_rows_met"] == "afm_rms_height,all_rms_slope"
+    batch = conditioning.condition_batch(source, targets, [1, 2])
+    assert batch.attrs["table1_rows_met"] == "afm_rms_height,all_rms_slope"
 
 
 def test_a_surface_without_published_roughness_is_not_conditioned(spectrum):
     assert substitute(spectrum, table1=TABLE1.iloc[:0]).targets is None
-    group = conditioning.condition_group(substitute(spectrum), None, [1, 2])
-    assert (group.amplitude_gain == 1).all() and (group.factor == 1).all()
-    np.testing.assert_array_equal(group.scan, [1, 2])
+    batch = conditioning.condition_batch(substitute(spectrum), None, [1, 2])
+    assert (batch.amplitude_gain == 1).all() and (batch.factor == 1).all()
+    np.testing.assert_array_equal(batch.scan, [1, 2])
 
 
 def test_negative_heights_are_refused_in_one_line(spectrum):
     targets = Targets(dict(zip(NAMES, (20.0, 0.4, 0.05), strict=True)), 40.0, ())
-    message = refusal(conditioning.condition_group, substitute(spectrum), targets, range(1, 6))
+    message = refusal(conditioning.condition_batch, substitute(spectrum), targets, range(1, 6))
     assert_says(
         message, "5 scans with the mean 20 nm and the standard deviation 40 nm", "expected", "found"
     )
@@ -131,9 +131,9 @@ def test_rows_of_table_1_beyond_a_smooth_gain_are_not_met(spectrum):
     height, slope, curvature = spectrum.attrs["expected_scan_rms"]
     rows = ("afm_rms_height", "afm_rms_slope", "afm_rms_curvature")
     targets = Targets(dict(zip(NAMES, (height, 0.05 * slope, curvature), strict=True)), 1.0, rows)
-    group = conditioning.condition_group(substitute(spectrum), targets, [1, 2, 3])
-    assert group.attrs["table1_rows_met"] == "afm_rms_height,all_rms_slope"
-    scan_metrics = synthesized_metrics(substitute(spectrum), group)
+    batch = conditioning.condition_batch(substitute(spectrum), targets, [1, 2, 3])
+    assert batch.attrs["table1_rows_met"] == "afm_rms_height,all_rms_slope"
+    scan_metrics = synthesized_metrics(substitute(spectrum), batch)
     assert scan_metrics.rms_height.mean() == pytest.approx(height, rel=1e-6)
     assert scan_metrics.rms_height.std(ddof=1) == pytest.approx(1.0, rel=1e-6)
 

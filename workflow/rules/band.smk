@@ -37,7 +37,7 @@ rule compute_band_forces:
             **SETTINGS["band_forces"],
             surface=w.surface,
             surface_numbers=list(range(1, STUDY["scales"]["whole_surfaces"] + 1)),
-            has_features=w.surface in PLAN.featured_surfaces,
+            has_features=w.surface == PLAN.featured_surface,
         ),
     script:
         "../scripts/compute_band_forces.py"

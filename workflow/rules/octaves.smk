@@ -13,7 +13,7 @@ rule compute_whole_surface_forces:
             **SETTINGS["whole_surfaces"],
             surface=w.surface,
             surface_numbers=list(range(int(w.first), int(w.last) + 1)),
-            has_features=w.surface in PLAN.featured_surfaces,
+            has_features=w.surface == PLAN.featured_surface,
         ),
     script:
         "../scripts/compute_whole_surface_forces.py"

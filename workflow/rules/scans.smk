@@ -47,10 +47,10 @@ rule measure_spectrum:
         "../scripts/measure_spectrum.py"
 
 
-for scan_numbers, surfaces in PLAN.scan_groups.items():
+for scan_numbers, surfaces in PLAN.scan_batches.items():
 
     rule:
-        """Condition a group of substitute scans on Table 1, make them, and prepare them."""
+        """Condition a batch of substitute scans on Table 1, make them, and prepare them."""
         name:
             f"make_scans_{'_'.join(map(str, scan_numbers))}"
         input:
@@ -73,7 +73,7 @@ for scan_numbers, surfaces in PLAN.scan_groups.items():
                 surface=w.surface,
                 scan_numbers=scan_numbers,
                 sphere_radius=PLAN.sphere_radius(w.surface),
-                has_features=w.surface in PLAN.featured_surfaces,
+                has_features=w.surface == PLAN.featured_surface,
                 **SETTINGS["substitute_scans"],
             ),
         script:

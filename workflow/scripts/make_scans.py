@@ -1,7 +1,7 @@
 """Substitute scans that are made together: levelled, and mirrored."""
 
 from hardcontact.records.job import run_job
-from hardcontact.surfaces.conditioning import condition_group, conditioned_scan
+from hardcontact.surfaces.conditioning import condition_batch, conditioned_scan
 from hardcontact.surfaces.features import make_featured_scans
 from hardcontact.surfaces.levelling import LEVELLED, MIRRORED, level_and_mirror
 from hardcontact.surfaces.substitutes import read_substitute
@@ -15,7 +15,7 @@ with run_job(snakemake) as job:
     if params["has_features"]:
         conditioning, scans = make_featured_scans(substitute, scan_numbers)
     else:
-        conditioning = condition_group(substitute, substitute.targets, scan_numbers)
+        conditioning = condition_batch(substitute, substitute.targets, scan_numbers)
         scans = [
             conditioned_scan(substitute, number, conditioning, params["sphere_radius"])
             for number in scan_numbers

@@ -135,16 +135,16 @@ class Selection:
             return self.shared_master_scan(surface, master_number)
         return max(scans) + master_number - len(scans)
 
-    def group_number(self, surface: str, scan: int) -> int:
-        """Return the number of the group of a substitute scan; 0 for the study's scans."""
+    def batch_number(self, surface: str, scan: int) -> int:
+        """Return the number of the batch of a substitute scan; 0 for the study's scans."""
         scans = self.contact_scans(surface)
         return 0 if scan in scans else 1 + (scan - max(scans) - 1) // len(scans)
 
-    def scans_of_group(self, surface: str, group: int) -> list[int]:
-        """Return the scans of a group: as many as the study has, conditioned together."""
+    def scans_of_batch(self, surface: str, batch: int) -> list[int]:
+        """Return the scans of a batch: as many as the study has, conditioned together."""
         scans = self.contact_scans(surface)
-        start = max(scans) + 1 + (group - 1) * len(scans)
-        return list(range(start, start + len(scans))) if group else scans
+        start = max(scans) + 1 + (batch - 1) * len(scans)
+        return list(range(start, start + len(scans))) if batch else scans
 
     def path(self, surface: str, scan: int) -> str:
         """Return the file of a measured scan, or the description of a substitute."""

@@ -53,18 +53,18 @@ class StudyPlan:
         return [ScanId(surface, scan) for surface in surfaces for scan in contact_scans(surface)]
 
     @property
-    def scan_groups(self) -> dict[tuple[int, ...], list[str]]:
+    def scan_batches(self) -> dict[tuple[int, ...], list[str]]:
         """Substitutes by the scan numbers that one job makes."""
         sections = ("scales", "sets", "exponents")
         master_count = max(self.study[name]["realizations"] for name in sections)
         selection = self.selection
-        groups = defaultdict[tuple[int, ...], list[str]](list)
+        surfaces_by_scans = defaultdict[tuple[int, ...], list[str]](list)
         for surface in selection.substitutes:
             last_scan = selection.separate_master_scan(surface, master_count)
-            last_group = selection.group_number(surface, last_scan)
-            for group in range(last_group + 1):
-                groups[tuple(selection.scans_of_group(surface, group))].append(surface)
-        return groups
+            last_batch = selection.batch_number(surface, last_scan)
+            for batch in range(last_batch + 1):
+                surfaces_by_scans[tuple(selection.scans_of_batch(surface, batch))].append(surface)
+        return surfaces_by_scans
 
     def master_scan(self, surface: str, master_number: int) -> int:
         """Return the number of the scan in a master, in the paper's study one for each master.
@@ -82,10 +82,10 @@ class StudyPlan:
     # Substitutes
 
     @property
-    def featured_surfaces(self) -> list[str]:
+    def featured_surface(self) -> str | None:
         """The substrate whose scans have features, if it is a substitute of a published surface."""
         surface = self.study["substitutes"]["featured_surface"]
-        return [name for name in self.selection.sampled_substrates if name == surface]
+        return surface if surface in self.selection.sampled_substrates else None
 
     # Both bodies
 

@@ -75,7 +75,7 @@ class Chunks:
         return [
             Chunk(surface, *span)
             for surface in self._selection.sampled_substrates
-            if surface not in self._plan.featured_surfaces
+            if surface != self._plan.featured_surface
             for span in spans
         ]
 
@@ -86,12 +86,14 @@ class Chunks:
         Each set takes one candidate, bumps and pits in turn. Gaussian surfaces only serve for
         comparison, and make one chunk.
         """
+        surface = self._plan.featured_surface
+        if surface is None:
+            return []
         set_candidates = ceil(self._study["sets"]["count"] / len(SIGNS))
         counts = dict.fromkeys(SIGNS, set_candidates)
         counts[GAUSSIAN] = min(set_candidates, FEATURED_CANDIDATES_CHUNK)
         return [
             CandidateChunk(surface, kind, *span)
-            for surface in self._plan.featured_surfaces
             for kind, count in counts.items()
             for span in _spans(count, FEATURED_CANDIDATES_CHUNK)
         ]

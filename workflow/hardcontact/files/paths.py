@@ -35,7 +35,7 @@ class StorePatterns:
         folder = {kind: f"{store}/{kind}/{digest}" for kind, digest in self.digests.items()}
         rough_sphere = f"{plan.selection.sphere}/{{sphere_digest}}"
 
-        # Scans: as read, made together (named by the first of a group), levelled, mirrored.
+        # Scans: as read, made together (named by the first of a batch), levelled, mirrored.
         scans_digest = self.digests["scans"]
         self.measurements = f"{folder['measurements']}/{MEASUREMENT}"
         self.conditioning = f"{store}/conditioning/{scans_digest}/{_SCAN}"

@@ -1,8 +1,8 @@
-"""Condition a group of substitute scans of one surface, so that the group meets Table 1.
+"""Condition a batch of substitute scans of one surface, so that the batch meets Table 1.
 
-Random scans meet it only on average. A smooth gain of amplitudes gives the group the mean rms
-height, slope and curvature. A factor on the heights of each scan gives the group the standard
-deviation of rms heights. The gain is bounded, so that a group may miss slope or curvature.
+Random scans meet it only on average. A smooth gain of amplitudes gives the batch the mean rms
+height, slope and curvature. A factor on the heights of each scan gives the batch the standard
+deviation of rms heights. The gain is bounded, so that a batch may miss slope or curvature.
 """
 
 from collections.abc import Sequence
@@ -96,7 +96,7 @@ def metric_matrices(components: Sequence[HeightMap], names: Sequence[str]) -> Fl
     return matrices
 
 
-def _fit_group(matrices: Floats, targets: Targets) -> tuple[Floats, Floats, Floats]:
+def _fit_batch(matrices: Floats, targets: Targets) -> tuple[Floats, Floats, Floats]:
     """Return the amplitudes (component,) and factors (scan,) that make scans meet their targets.
 
     The factors on heights have the mean 1. Also returns the relative errors (3,) of the mean rms
@@ -128,10 +128,10 @@ def _fit_group(matrices: Floats, targets: Targets) -> tuple[Floats, Floats, Floa
     return amplitudes, factors / mean_factor, mean_errors
 
 
-def condition_group(
+def condition_batch(
     substitute: Substitute, targets: Targets | None, scan_numbers: Sequence[int]
 ) -> xr.Dataset:
-    """Return the gain of amplitudes of a group of scans, and each scan's factor on its heights.
+    """Return the gain of amplitudes of a batch of scans, and each scan's factor on its heights.
 
     ``amplitude_gain`` (wavevector) and ``factor`` (scan) are 1 without targets. The attribute
     ``table1_rows_met`` lists the rows met. Raises ValueError if an rms height would be negative.
@@ -145,7 +145,7 @@ def condition_group(
             metric_matrices(_scan_components(substitute, shares, number), list(targets.means))
             for number in scan_numbers
         ]
-        amplitudes, factors, mean_errors = _fit_group(np.array(matrices), targets)
+        amplitudes, factors, mean_errors = _fit_batch(np.array(matrices), targets)
         if factors.min() <= 0:
             raise ValueError(
                 f"{substitute.surface_name}: expected rms heights above zero of {len(factors)} "

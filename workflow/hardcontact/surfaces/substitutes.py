@@ -1,7 +1,7 @@
 """Substitutes: random surfaces in place of surfaces of the paper that were not measured here.
 
 A substitute has a spectrum calibrated on Table 1, a grid of scans, and targets: the published
-statistics that groups of its scans meet.
+statistics that batches of its scans meet.
 """
 
 import math
@@ -23,7 +23,7 @@ from hardcontact.surfaces.table1_calibration import AFM_ROWS, expected_scan_rms,
 
 
 class Targets(NamedTuple):
-    """The statistics that a group of scans of one surface meets."""
+    """The statistics that a batch of scans of one surface meets."""
 
     means: Mapping[str, float]  #: Mean height, slope and curvature, by `metrics.METRICS`.
     rms_height_std: float  #: Standard deviation of the rms heights in nm (ddof 1).

@@ -48,7 +48,7 @@ def topography_dataset(
     """Return the topography of all surfaces: every scan, averages, spectra and example maps.
 
     `scans` come from `measured_roughness`, by surface and number, `conditionings` from
-    `condition_group`. `examples` are levelled scans; that of a rough sphere has `as_scanned`.
+    `condition_batch`. `examples` are levelled scans; that of a rough sphere has `as_scanned`.
     """
     surface_names = list(dict.fromkeys(surface_name for surface_name, _ in scans))
     scan_table = stack(scans, ["surface", "scan"])
