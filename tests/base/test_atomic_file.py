@@ -7,8 +7,12 @@ from pathlib import Path
 import pytest
 import xarray as xr
 
-from hardcontact.base import dataset
-from hardcontact.base.dataset import PART, atomic_file, remove_parts
+from hardcontact.base.dataset import (
+    INCOMPLETE_PREFIX,
+    atomic_file,
+    remove_incomplete_files,
+    write_dataset,
+)
 from hardcontact.records.origin import Origin, keep_records
 
 
@@ -22,10 +26,10 @@ def test_a_file_appears_when_the_block_has_ended(tmp_path):
 
 
 def test_parts_of_a_killed_process_are_removed_by_name(tmp_path):
-    for name in (f"{PART}0a1b-a.nc", f"{PART}0a1b-b.nc", "a.nc"):
+    for name in (f"{INCOMPLETE_PREFIX}0a1b-a.nc", f"{INCOMPLETE_PREFIX}0a1b-b.nc", "a.nc"):
         (tmp_path / name).write_text("half")
-    remove_parts(tmp_path / "a.nc")
-    assert sorted(os.listdir(tmp_path)) == [f"{PART}0a1b-b.nc", "a.nc"]
+    remove_incomplete_files(tmp_path / "a.nc")
+    assert sorted(os.listdir(tmp_path)) == [f"{INCOMPLETE_PREFIX}0a1b-b.nc", "a.nc"]
 
 
 def failing(call, number, calls):
@@ -43,7 +47,7 @@ def test_a_failure_at_any_write_leaves_complete_files(tmp_path, monkeypatch):
     path = tmp_path / "a.nc"
 
     def write(text):
-        dataset.write(xr.Dataset(attrs={"text": text}), path)
+        write_dataset(xr.Dataset(attrs={"text": text}), path)
         keep_records([path], Origin("{}", {}, []))
 
     write("old" * 1000)
@@ -55,4 +59,4 @@ def test_a_failure_at_any_write_leaves_complete_files(tmp_path, monkeypatch):
             write("new" * 1000)
         with xr.open_dataset(path) as written:
             assert written.attrs["text"] == ("old" if number < 2 else "new") * 1000
-        assert not [*tmp_path.rglob(f"{PART}*")]
+        assert not [*tmp_path.rglob(f"{INCOMPLETE_PREFIX}*")]

@@ -17,8 +17,9 @@ from pathlib import Path
 import numpy as np
 import xarray as xr
 
-from hardcontact.base import dataset, published
+from hardcontact.base import published
 from hardcontact.base.arrays import generator
+from hardcontact.base.dataset import stack, write_dataset
 from hardcontact.base.statistics import student_log_interval
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import window_pixels
@@ -177,8 +178,8 @@ def main():
     arguments = parser.parse_args()
     with ProcessPoolExecutor(arguments.processes) as pool:
         forces = zip(SURFACES, pool.map(surface_forces, SURFACES), strict=True)
-        all_forces = dataset.stack({(name,): data for name, data in forces}, ["surface"])
-    dataset.write(described_table(all_forces), arguments.table)
+        all_forces = stack({(name,): data for name, data in forces}, ["surface"])
+    write_dataset(described_table(all_forces), arguments.table)
 
 
 if __name__ == "__main__":

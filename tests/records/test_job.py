@@ -12,7 +12,7 @@ import xarray as xr
 from refusals import assert_says
 from repository import ROOT, environment
 
-from hardcontact.base import dataset
+from hardcontact.base.dataset import read_dataset
 from hardcontact.records.job import run_job
 from hardcontact.records.origin import file_digest, read_record
 
@@ -50,7 +50,7 @@ def test_every_file_has_a_record_and_a_dataset_its_origin(snakemake, tmp_path):
     with run_job(snakemake) as job:
         job.write(xr.Dataset({"a": ("x", [1.0])}, attrs={"source": "measured"}), "a title", "data")
         job.write_text("µ\n", "text")
-    written = dataset.read("made/data.nc")
+    written = read_dataset("made/data.nc")
     assert written.a.values.tolist() == [1.0] and written.attrs["source"] == "measured"
     assert written.attrs["title"] == "a title" and written.attrs["Conventions"].startswith("CF-")
     assert json.loads(written.attrs["parameters"]) == PARAMETERS

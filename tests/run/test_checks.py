@@ -11,7 +11,7 @@ from repository import ROOT
 from scan_files import random_heights, write_scan
 from studies import FILES_DIGEST, ROWS, check_configuration, paper_configuration, table_of_own_scans
 
-from hardcontact.base import dataset
+from hardcontact.base.dataset import write_dataset
 from hardcontact.config.configuration import reading_keys
 from hardcontact.contact.bearing_area import all_contact_pixels
 from hardcontact.contact.contact import Contact
@@ -170,7 +170,7 @@ def store(row, arguments, heights):
         MEASUREMENT.format(**row._asdict(), digest=FILES_DIGEST),
     )
     path.parent.mkdir(parents=True)
-    dataset.write(HeightMap(heights, 10.0).to_dataset(), path)
+    write_dataset(HeightMap(heights, 10.0).to_dataset(), path)
     keep_records([path], Origin(canonical_json(arguments), file_digests([row.path]), []))
     return path
 
@@ -187,7 +187,7 @@ def test_a_file_is_read_only_if_the_study_has_not_stored_it_as_it_is(tmp_path, m
     elif change == "keys":
         config["scan"]["undefined_pixels"] = "harmonic"
     elif change == "stored file":
-        dataset.write(HeightMap(np.ones((16, 16)), 10.0).to_dataset(), stored_path)
+        write_dataset(HeightMap(np.ones((16, 16)), 10.0).to_dataset(), stored_path)
     elif change == "source":
         row = row._replace(path=paths["b"])
     elif change == "versions":

@@ -16,7 +16,7 @@ from scan_files import (
 )
 from SurfaceTopography import NonuniformLineScan, Topography, UniformLineScan
 
-from hardcontact.base import dataset
+from hardcontact.base.dataset import write_dataset
 from hardcontact.scans.formats import find_tip_radius
 from hardcontact.scans.reading import list_scans, read_scan
 from hardcontact.surfaces.height_map import HeightMap, load_height_map, refuse_line_scan
@@ -305,7 +305,7 @@ def test_a_scan_of_a_container_is_found_by_its_file_or_a_unique_name(tmp_path):
 def test_a_stored_measurement_keeps_every_field(tmp_path, topography, statements):
     file = write_and_list(MAPS["nc"], tmp_path / "a.nc", topography)
     measurement = replace(read_scan(*file), **statements)
-    dataset.write(measurement.to_dataset(), tmp_path / "stored.nc")
+    write_dataset(measurement.to_dataset(), tmp_path / "stored.nc")
     stored_measurement = load_height_map(tmp_path / "stored.nc")
     for field in fields(HeightMap):
         stored_value = getattr(stored_measurement, field.name)

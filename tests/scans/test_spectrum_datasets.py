@@ -4,8 +4,8 @@ import numpy as np
 import pandas as pd
 from measurements import random_map, two_sizes_and_a_line
 
-from hardcontact.base import dataset
 from hardcontact.base.arrays import generator
+from hardcontact.base.dataset import read_dataset, write_dataset
 from hardcontact.scans.extrapolation import Tail
 from hardcontact.scans.joined_spectrum import joined_spectrum
 from hardcontact.scans.spectrum_datasets import convert_described_spectrum, stack_spectra
@@ -57,8 +57,8 @@ def test_surfaces_are_stacked_with_their_limits_and_empty_entries(tmp_path):
     coat = joined_spectrum(two_sizes_and_a_line(19), [None] * 3)
     rough = joined_spectrum([random_map(generator(20), 128, 10.0)], [None])
     labels = {"rough": "Rough", "coat": "My coat"}
-    dataset.write(stack_spectra({"rough": rough, "coat": coat}, labels), tmp_path / "a.nc")
-    table = dataset.read(tmp_path / "a.nc")
+    write_dataset(stack_spectra({"rough": rough, "coat": coat}, labels), tmp_path / "a.nc")
+    table = read_dataset(tmp_path / "a.nc")
     assert list(table["kind"].values[0]) == ["map", "", ""]
     assert table["reliable"].values[0, 1:].sum() == 0
     assert np.isnan(table["psd"].values[0, 1:]).all()

@@ -2,8 +2,7 @@
 
 import xarray as xr
 
-from hardcontact.base import dataset
-from hardcontact.base.dataset import PART
+from hardcontact.base.dataset import INCOMPLETE_PREFIX, read_dataset
 
 #: Folders of files that belong to one run and not to its results.
 RUN_FOLDERS = {"logs", "benchmarks", ".origin"}
@@ -40,9 +39,9 @@ def damaged_datasets(results):
     """Return the faults of all datasets in a folder that cannot be read."""
     lines = []
     for path in results.rglob("*.nc"):
-        if not path.name.startswith(PART):
+        if not path.name.startswith(INCOMPLETE_PREFIX):
             try:
-                dataset.read(path)
+                read_dataset(path)
             except ValueError as error:
                 lines.append(str(error))
     return lines
@@ -53,7 +52,7 @@ def undescribed_variables(folder):
     return [
         (path.stem, name)
         for path in folder.glob("*.nc")
-        for name, variable in dataset.read(path).variables.items()
+        for name, variable in read_dataset(path).variables.items()
         if not variable.attrs.get("long_name")
         or (variable.dtype.kind in "biuf" and not variable.attrs.get("units"))
     ]

@@ -12,7 +12,7 @@ from forked_runs import call_main, fork_jobs, load_job_packages, use_library_of
 from refusals import assert_says
 from repository import environment, run_snakemake, run_snakemake_with_forks
 
-from hardcontact.base.dataset import PART
+from hardcontact.base.dataset import INCOMPLETE_PREFIX
 
 pytestmark = pytest.mark.study
 
@@ -79,4 +79,4 @@ def test_a_study_that_is_killed_twice_ends_as_one_that_is_not(empty, probe):
     run = run_snakemake_with_forks(empty, *STUDY_WORDS)
     assert run.returncode == 0, run.stdout
     assert differences_from(probe, empty / "results") == []
-    assert not list((empty / "results").rglob(f"{PART}*"))
+    assert not list((empty / "results").rglob(f"{INCOMPLETE_PREFIX}*"))

@@ -75,11 +75,11 @@ def fill(folder, room):
 
 JOB = """
 import numpy, xarray
-from hardcontact.base import dataset
+from hardcontact.base.dataset import write_dataset
 from hardcontact.records.job import job_log
 heights = (("y", "x"), numpy.ones((512, 512)), {})
 with job_log("a.log"):
-    dataset.write(xarray.Dataset({"heights": heights}), "made/a.nc")
+    write_dataset(xarray.Dataset({"heights": heights}), "made/a.nc")
 """
 
 

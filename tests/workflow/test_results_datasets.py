@@ -8,8 +8,8 @@ from paper_numbers import SUBSTRATES
 from repository import run_tiny_study
 from scan_files import write_scan
 
-from hardcontact.base import dataset
 from hardcontact.base.arrays import generator
+from hardcontact.base.dataset import read_dataset
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.levelling import level_plane
 
@@ -17,7 +17,7 @@ from hardcontact.surfaces.levelling import level_plane
 @pytest.fixture(scope="module")
 def final(results):
     """Return the final datasets by name."""
-    return {path.stem: dataset.read(path) for path in sorted(results.glob("*.nc"))}
+    return {path.stem: read_dataset(path) for path in sorted(results.glob("*.nc"))}
 
 
 def test_substitutes_are_labelled(final, finished):
@@ -58,7 +58,7 @@ def test_a_study_may_have_an_own_scan_among_substitutes(finished_copy):
     run = run_tiny_study(folder, "topography", "adhesion", overlays=[OWN])
     assert run.returncode == 0, run.stdout[-3000:]
     topography, adhesion = (
-        dataset.read(folder / f"results/own/{name}.nc") for name in ("topography", "adhesion")
+        read_dataset(folder / f"results/own/{name}.nc") for name in ("topography", "adhesion")
     )
     uncd = topography.sel(surface="uncd")
     assert uncd.source == "measured" and topography.source.sel(surface="mcd") == "substitute"

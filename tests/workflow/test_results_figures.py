@@ -13,7 +13,7 @@ from matplotlib.text import Text
 from paper_numbers import LABELS, SUBSTRATES
 from repository import ROOT
 
-from hardcontact.base import dataset
+from hardcontact.base.dataset import read_dataset
 from hardcontact.base.published import PUBLISHED_TABLES
 from hardcontact.report.figures import drawing, style
 from hardcontact.report.figures.listing import PAPER_FIGURES, describe_figure
@@ -33,7 +33,7 @@ def read_inputs(results):
         return {
             source: drawing.READERS[source](ROOT / PUBLISHED_TABLES[source])
             if source in PUBLISHED_TABLES
-            else dataset.read(results / f"{source}.nc")
+            else read_dataset(results / f"{source}.nc")
             for source in describe_figure(name).inputs
         }
 

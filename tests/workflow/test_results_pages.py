@@ -9,7 +9,7 @@ from jsonschema import Draft202012Validator
 from paper_numbers import SUBSTRATES
 from repository import ROOT
 
-from hardcontact.base import dataset
+from hardcontact.base.dataset import read_dataset
 from hardcontact.config.user_files import read_yaml
 from hardcontact.paper.claims.selection import WITHOUT_SCAN
 from hardcontact.paper.claims.verdicts import JUDGED_COLUMNS, VERDICTS
@@ -37,9 +37,9 @@ def test_the_answer_follows_its_schema_and_has_the_numbers_of_the_datasets(resul
     Draft202012Validator(schema).validate(answer)
     numbers = {row["name"]: row for row in answer["quantities"] if row["surface"] == ""}
     assert ANSWER_CLAIMS.keys() <= numbers.keys()
-    rho = dataset.read(results / "filtered_forces.nc").attrs["rho"]
+    rho = read_dataset(results / "filtered_forces.nc").attrs["rho"]
     assert numbers["range_of_band"]["value"] == rho == 5.6
-    assert numbers["sets"]["value"] == dataset.read(results / "sets.nc").sizes["set"] == 10
+    assert numbers["sets"]["value"] == read_dataset(results / "sets.nc").sizes["set"] == 10
     surfaces = {row["surface"] for row in answer["quantities"]} - {""}
     assert surfaces == set(SUBSTRATES)
 

@@ -2,7 +2,13 @@
 
 import numpy as np
 
-from hardcontact.base.dataset import add_surface_names, concatenate, read, read_by_key, stack
+from hardcontact.base.dataset import (
+    add_surface_names,
+    concatenate,
+    read_by_key,
+    read_dataset,
+    stack,
+)
 from hardcontact.inference.octaves import octave_sensitivities
 from hardcontact.inference.scan_parts import fewest_touched_patches, parts_of_maps
 from hardcontact.records.job import run_job
@@ -11,7 +17,9 @@ with run_job(snakemake) as job:
     params = job.parameters
     radius, rho, confidence = params["radius"], params["rho"], params["confidence"]
     maps = concatenate(read_by_key(params["maps"], job.input.forces), "map")
-    touched_patches = fewest_touched_patches(read(job.input.adhesion)) if job.input.adhesion else {}
+    touched_patches = (
+        fewest_touched_patches(read_dataset(job.input.adhesion)) if job.input.adhesion else {}
+    )
     sensitivities = {
         (surface,): octave_sensitivities(
             forces,

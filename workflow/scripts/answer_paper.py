@@ -3,7 +3,7 @@
 from pathlib import Path
 
 from hardcontact.base import published
-from hardcontact.base.dataset import read
+from hardcontact.base.dataset import read_dataset
 from hardcontact.config.user_files import read_yaml
 from hardcontact.paper.claims.verdicts import add_open_ends, read_judged_claims
 from hardcontact.records.code import read_pins
@@ -17,7 +17,7 @@ from hardcontact.report.templates import Frame
 
 with run_job(snakemake) as job:
     configuration = job.parameters
-    datasets = {Path(path).stem: read(path) for path in job.input.datasets}
+    datasets = {Path(path).stem: read_dataset(path) for path in job.input.datasets}
     figures = {Path(path).stem: Path(path).read_bytes() for path in job.input.figures}
     chapters = {Path(path).stem: Path(path).read_text("utf-8") for path in job.input.chapters}
     captions = {name: caption(name, configuration) for name in figures}

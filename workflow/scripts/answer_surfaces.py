@@ -2,7 +2,7 @@
 
 import pandas as pd
 
-from hardcontact.base.dataset import read
+from hardcontact.base.dataset import read_dataset
 from hardcontact.config.user_files import read_yaml
 from hardcontact.records.job import run_job
 from hardcontact.report.figures.listing import FILE_KINDS
@@ -14,7 +14,9 @@ from hardcontact.report.templates import Frame, render_page
 
 with run_job(snakemake) as job:
     paths = {name: job.input[name] for name in Datasets._fields}
-    datasets = Datasets(**{name: read(path) if path else None for name, path in paths.items()})
+    datasets = Datasets(
+        **{name: read_dataset(path) if path else None for name, path in paths.items()}
+    )
     setting = Setting(**job.parameters, pairs=pd.read_csv(job.input.pairs).to_dict("records"))
     answer = own_answer(datasets, setting)
     job.write_text(answer_text(answer), "json")

@@ -1,7 +1,7 @@
 """Effective work of adhesion, and classical models of rough adhesion for the pull-off forces."""
 
 from hardcontact.base import published
-from hardcontact.base.dataset import read
+from hardcontact.base.dataset import read_dataset
 from hardcontact.base.statistics import Sampling
 from hardcontact.paper.classical_comparison import apply_classical_models
 from hardcontact.records.job import run_job
@@ -9,7 +9,7 @@ from hardcontact.records.job import run_job
 with run_job(snakemake) as job:
     job.write(
         apply_classical_models(
-            read(job.input.fit),
+            read_dataset(job.input.fit),
             published.read_constants(job.input.published_constants)["value"].to_dict(),
             published.read_table1(job.input.published_table1),
             published.read_published_forces(job.input.published_pull_off, dtype=str),

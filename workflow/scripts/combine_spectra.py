@@ -1,11 +1,11 @@
 """C_iso of both bodies: the spectrum of the substrate plus that of the sphere."""
 
-from hardcontact.base.dataset import read
+from hardcontact.base.dataset import read_dataset
 from hardcontact.records.job import run_job
 from hardcontact.scans.both_bodies import combine_spectra
 
 with run_job(snakemake) as job:
     job.write(
-        combine_spectra(read(job.input.substrate), read(job.input.sphere)),
+        combine_spectra(read_dataset(job.input.substrate), read_dataset(job.input.sphere)),
         title=f"power spectral density of {job.parameters['surface']} and of the sphere",
     )

@@ -1,6 +1,6 @@
 """Forces, at the published range and work, of surfaces with features: features.nc."""
 
-from hardcontact.base.dataset import read, read_by_key
+from hardcontact.base.dataset import read_by_key, read_dataset
 from hardcontact.inference.published_fit import PublishedForces
 from hardcontact.paper.featured_candidates import compare_features
 from hardcontact.records.job import run_job
@@ -10,7 +10,7 @@ with run_job(snakemake) as job:
     job.write(
         compare_features(
             read_by_key(params["candidate_chunks"], job.input.candidates),
-            read(job.input.sets)["sphere_factor"],
+            read_dataset(job.input.sets)["sphere_factor"],
             PublishedForces.read(job.input.published_pull_off, job.input.published_constants),
             params["labels"],
         ),

@@ -1,7 +1,7 @@
 """Forces on whole substitute surfaces with a part of their roughness, by the limits of a band."""
 
 from hardcontact.base import published
-from hardcontact.base.dataset import read, stack
+from hardcontact.base.dataset import read_dataset, stack
 from hardcontact.base.progress import progress
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.pull_off import make_force_function
@@ -21,7 +21,7 @@ with run_job(snakemake) as job:
     constants = published.read_constants(job.input.published_constants)["value"]
     bands = {
         "published": (constants["short_edge"], constants["long_edge"]),
-        "computed": mean_band(read(job.input.edges)),
+        "computed": mean_band(read_dataset(job.input.edges)),
     }
     forces = {}
     for number in progress(surface_numbers, len(surface_numbers), "surfaces"):

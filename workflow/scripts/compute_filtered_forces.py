@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from hardcontact.base.dataset import read, stack
+from hardcontact.base.dataset import read_dataset, stack
 from hardcontact.contact.contact import Contact
 from hardcontact.inference.forces_on_masters import Filters, filtered_pull_off
 from hardcontact.records.job import run_job
@@ -28,7 +28,7 @@ with run_job(snakemake) as job:
                 master = load_height_map(master_paths[index])
             else:
                 scan = load_height_map(job.input.scans[index])
-                spectrum_data = read(job.input.spectra[index])
+                spectrum_data = read_dataset(job.input.spectra[index])
                 # A sampled spectrum has a factor on the heights of its scan.
                 factor = spectrum_data.attrs.get("height_factor", 1.0)
                 scan = replace(scan, heights=scan.heights * factor)

@@ -1,6 +1,6 @@
 """The pull-off forces on the user's surfaces at one range and work of adhesion."""
 
-from hardcontact.base.dataset import read
+from hardcontact.base.dataset import read_dataset
 from hardcontact.contact.contact import Contact
 from hardcontact.inference.mean_forces import MasterScans
 from hardcontact.inference.scan_parts import fewest_touched_patches
@@ -18,17 +18,17 @@ with run_job(snakemake) as job:
     params = job.parameters
     tolerance, confidence = params["tolerance"], params["confidence"]
     contact = Contact(**params["contact"])
-    adhesion, topography = read(job.input.adhesion), read(job.input.topography)
+    adhesion, topography = read_dataset(job.input.adhesion), read_dataset(job.input.topography)
     touched_patches = fewest_touched_patches(adhesion)
     master_scans = MasterScans(params["scan_counts"], params["tiles"], touched_patches)
-    hindcast = read(job.input.hindcast) if job.input.hindcast else None
+    hindcast = read_dataset(job.input.hindcast) if job.input.hindcast else None
     scan_sizes = topography["scan_size"].to_series().to_dict()
     scan_forces = forces_on_scans(adhesion, contact, scan_sizes, confidence)
     extrapolated_forces = find_extrapolated_forces(
-        read(job.input.filtered_forces), master_scans, contact.work, confidence
+        read_dataset(job.input.filtered_forces), master_scans, contact.work, confidence
     )
     force = compare_and_bound_forces(scan_forces, extrapolated_forces, hindcast, contact, tolerance)
-    force = add_closed_form(force, read(job.input.spectra), contact)
+    force = add_closed_form(force, read_dataset(job.input.spectra), contact)
     force = add_sizes(force, topography, contact)
     job.write(
         force.assign(

@@ -1,6 +1,6 @@
 """Forces on a scan with random waves as its outermost octave, and with wider pixels."""
 
-from hardcontact.base.dataset import read
+from hardcontact.base.dataset import read_dataset
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.pull_off import make_force_function
 from hardcontact.own.hindcast import (
@@ -18,7 +18,7 @@ with run_job(snakemake) as job:
     contact = Contact(**params["contact"])
     mirrored = load_height_map(job.input.mirrored)
     sphere = load_height_map(job.input.sphere) if job.input.sphere else None
-    measurements = read(job.input.spectrum).isel(measurement=params["measurement_indices"])
+    measurements = read_dataset(job.input.spectrum).isel(measurement=params["measurement_indices"])
     octaves = outermost_octaves(measurements, params["transitions"])
     spectra = [load_spectrum(path) for path in job.input.body_spectra]
     bodies = random_bodies(mirrored, measurements, spectra, params["body_scans"], params["seed"])

@@ -1,7 +1,7 @@
 """Statements of the paper with computed numbers, and verdicts if the inputs are the paper's."""
 
 from hardcontact.base import published
-from hardcontact.base.dataset import read
+from hardcontact.base.dataset import read_dataset
 from hardcontact.paper.changed_inputs import changed_inputs
 from hardcontact.paper.claims.judgement import judge_claims
 from hardcontact.paper.claims.statements import read_claims
@@ -10,13 +10,13 @@ from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:
     params = job.parameters
-    datasets = {name: read(job.input[name]) for name in params["datasets"]}
+    datasets = {name: read_dataset(job.input[name]) for name in params["datasets"]}
     claims = judge_claims(
         read_claims(job.input.claims),
         datasets,
         published.read_constants(job.input.published_constants),
         params["confidence"],
-        read(job.input.sets),
+        read_dataset(job.input.sets),
     )
     substrates = datasets["edges"]["surface"].values.tolist()
     table1 = published.read_table1(job.input.published_table1)

@@ -1,6 +1,6 @@
 """The wavelengths whose removal changes the pull-off force, with their intervals."""
 
-from hardcontact.base.dataset import read
+from hardcontact.base.dataset import read_dataset
 from hardcontact.base.statistics import Sampling
 from hardcontact.inference.edges import labelled_edges
 from hardcontact.inference.edges_of_masters import edges_of_masters
@@ -8,7 +8,7 @@ from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:
     params = job.parameters
-    filtered_forces = read(job.input.filtered_forces)
+    filtered_forces = read_dataset(job.input.filtered_forces)
     sampling = Sampling.from_parameters(params["sampling"])
     edges, _ = edges_of_masters(filtered_forces, params["tolerance"], sampling)
     job.write(

@@ -1,6 +1,6 @@
 """The wavelengths whose removal changes the pull-off force on the user's surfaces."""
 
-from hardcontact.base.dataset import read
+from hardcontact.base.dataset import read_dataset
 from hardcontact.inference.edges import labelled_edges
 from hardcontact.inference.edges_of_scans import edges_of_scans
 from hardcontact.inference.mean_forces import MasterScans
@@ -9,11 +9,11 @@ from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:
     params = job.parameters
-    filtered_forces = read(job.input.filtered_forces)
-    touched_patches = fewest_touched_patches(read(job.input.adhesion))
+    filtered_forces = read_dataset(job.input.filtered_forces)
+    touched_patches = fewest_touched_patches(read_dataset(job.input.adhesion))
     edges = edges_of_scans(
         filtered_forces,
-        read(job.input.hindcast) if job.input.hindcast else None,
+        read_dataset(job.input.hindcast) if job.input.hindcast else None,
         MasterScans(params["scan_counts"], params["tiles"], touched_patches),
         params["tolerance"],
         params["confidence"],

@@ -1,6 +1,6 @@
 """Range and work of adhesion that the user's forces allow."""
 
-from hardcontact.base.dataset import read
+from hardcontact.base.dataset import read_dataset
 from hardcontact.base.statistics import Sampling
 from hardcontact.config.force_table import read_forces
 from hardcontact.inference.measured_fit import add_extrapolated_work, fit_measured
@@ -8,10 +8,10 @@ from hardcontact.own.hindcast import surface_pixel_factors
 from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:
-    adhesion = read(job.input.adhesion)
+    adhesion = read_dataset(job.input.adhesion)
     surfaces = adhesion["surface"].values.tolist()
-    force = read(job.input.force)
-    sizes = read(job.input.topography)["scan_size"].to_series().to_dict()
+    force = read_dataset(job.input.force)
+    sizes = read_dataset(job.input.topography)["scan_size"].to_series().to_dict()
     fitted = fit_measured(
         adhesion,
         read_forces(job.input.forces, surfaces, adhesion.attrs["sphere_radius"]),

@@ -1,7 +1,7 @@
 """Posterior of range and work of adhesion, from scans and from whole surfaces: posterior.nc."""
 
 from hardcontact.base import published
-from hardcontact.base.dataset import concatenate, read, read_by_key, stack
+from hardcontact.base.dataset import concatenate, read_by_key, read_dataset, stack
 from hardcontact.base.statistics import Sampling
 from hardcontact.contact.contact import PLASTIC
 from hardcontact.paper.posterior import posterior_dataset
@@ -11,7 +11,7 @@ with run_job(snakemake) as job:
     params = job.parameters
     sampling = Sampling.from_parameters(params["sampling"], "posterior")
     published_forces = published.read_published_forces(job.input.published_pull_off)
-    sets = read(job.input.sets).sel(contact_model=PLASTIC)
+    sets = read_dataset(job.input.sets).sel(contact_model=PLASTIC)
     files = read_by_key(params["whole_surfaces"], job.input.whole_surfaces)
     maps = {
         key: forces[["pull_off_force"]].sel(contact_model=PLASTIC)

@@ -3,7 +3,7 @@
 import pandas as pd
 
 from hardcontact.base import published
-from hardcontact.base.dataset import concatenate, read, read_by_key
+from hardcontact.base.dataset import concatenate, read_by_key, read_dataset
 from hardcontact.inference.forces_on_masters import read_master_forces
 from hardcontact.inference.published_fit import PublishedForces
 from hardcontact.paper.featured_candidates import candidates_by_surface
@@ -12,14 +12,14 @@ from hardcontact.records.job import run_job
 
 with run_job(snakemake) as job:
     params = job.parameters
-    adhesion = read(job.input.adhesion)
+    adhesion = read_dataset(job.input.adhesion)
     pool_chunks = concatenate(read_by_key(params["pool_chunks"], job.input.pools), "scan")
     pools = {surface: pool for (surface,), pool in pool_chunks.items()}
     candidates = candidates_by_surface(
         read_by_key(params["candidate_chunks"], job.input.candidates)
     )
     inputs = SetInputs(
-        topography=read(job.input.topography),
+        topography=read_dataset(job.input.topography),
         adhesion=adhesion,
         pools=pools,
         candidates=candidates,

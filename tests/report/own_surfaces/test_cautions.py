@@ -9,8 +9,8 @@ from answer_inputs import SURFACES, datasets, edges, fit, force, scale_extrapola
 from answer_inputs import spectra as plain_spectra
 from measurements import random_map
 
-from hardcontact.base import dataset
 from hardcontact.base.arrays import generator
+from hardcontact.base.dataset import read_dataset, write_dataset
 from hardcontact.contact.numerical_limits import SMALLEST_SIZE_RATIO
 from hardcontact.report.own_surfaces.answer import own_answer, surface_answers
 from hardcontact.report.own_surfaces.datasets import measurement_name
@@ -116,11 +116,11 @@ def test_a_caution_with_a_semicolon_stays_whole_from_the_scan_to_the_page(tmp_pa
     caution = "the file states a square; if its pixels are square, heights are stretched"
     notes = ("cropped", f"take care: {caution}")
     scan = replace(random_map(generator(21), 64, 10.0), notes=notes)
-    dataset.write(scan.to_dataset(), tmp_path / "scan.nc")
+    write_dataset(scan.to_dataset(), tmp_path / "scan.nc")
     stored_scan = load_height_map(tmp_path / "scan.nc")
     assert stored_scan.notes == notes
-    dataset.write(joined_spectrum([stored_scan], [None]), tmp_path / "spectrum.nc")
-    stored_notes = dataset.read(tmp_path / "spectrum.nc")["notes"].item()
+    write_dataset(joined_spectrum([stored_scan], [None]), tmp_path / "spectrum.nc")
+    stored_notes = read_dataset(tmp_path / "spectrum.nc")["notes"].item()
     answer = own_answer(datasets(**spectra("notes", 0, stored_notes)), setting())
     (text,) = [note["text"] for note in answer["notes"] if note["code"] == "reading"]
     assert caution in text

@@ -19,7 +19,7 @@ import pandas as pd
 import xarray as xr
 
 #: Prefix of the names of incomplete files.
-PART = ".part-"
+INCOMPLETE_PREFIX = ".part-"
 #: Table of the meanings of variables, by dataset (`*`: all datasets). No job depends on it: like a
 #: comment, a changed meaning makes no file stale.
 MEANINGS = Path(__file__).resolve().parents[2] / "report/variables.tsv"
@@ -37,7 +37,7 @@ def atomic_file(path: str | Path) -> Iterator[str]:
     ValueError, with one line, if the file cannot be written.
     """
     path = Path(path)
-    temporary = path.with_name(f"{PART}{secrets.token_hex(4)}-{path.name}")
+    temporary = path.with_name(f"{INCOMPLETE_PREFIX}{secrets.token_hex(4)}-{path.name}")
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         yield str(temporary)
@@ -61,14 +61,14 @@ def write_text_file(path: str | Path, text: str) -> None:
         Path(temporary).write_text(text, "utf-8")
 
 
-def remove_parts(path: str | Path) -> None:
+def remove_incomplete_files(path: str | Path) -> None:
     """Remove incomplete versions of a file that killed processes left; no job may write it now."""
     path = Path(path)
-    for partial_path in path.parent.glob(f"{PART}*-{glob.escape(path.name)}"):
+    for partial_path in path.parent.glob(f"{INCOMPLETE_PREFIX}*-{glob.escape(path.name)}"):
         partial_path.unlink(missing_ok=True)
 
 
-def write(dataset: xr.Dataset, path: str | Path) -> None:
+def write_dataset(dataset: xr.Dataset, path: str | Path) -> None:
     """Write a dataset by `atomic_file`; an existing file is replaced."""
     with atomic_file(path) as temporary:
         try:
@@ -100,7 +100,7 @@ def describe_variables(dataset: xr.Dataset, meanings: Mapping[str, str]) -> xr.D
     return result
 
 
-def read(path: str | Path) -> xr.Dataset:
+def read_dataset(path: str | Path) -> xr.Dataset:
     """Read a dataset into memory; raises ValueError if the file is missing or damaged.
 
     The encoding is dropped: it fixes the length of texts, and would cut longer ones when joined.
@@ -119,12 +119,12 @@ def read_by_key(
     keys: Iterable[Sequence[Any]], paths: Iterable[str | Path]
 ) -> dict[tuple[Any, ...], xr.Dataset]:
     """Read one dataset for each key, for `stack`."""
-    return {tuple(key): read(path) for key, path in zip(keys, paths, strict=True)}
+    return {tuple(key): read_dataset(path) for key, path in zip(keys, paths, strict=True)}
 
 
 def read_by_name(names: Iterable[str], paths: Iterable[str | Path]) -> dict[str, xr.Dataset]:
     """Read one dataset for each name."""
-    return {name: read(path) for name, path in zip(names, paths, strict=True)}
+    return {name: read_dataset(path) for name, path in zip(names, paths, strict=True)}
 
 
 def concatenate(

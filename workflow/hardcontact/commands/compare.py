@@ -10,7 +10,7 @@ from typing import Any
 
 import xarray as xr
 
-from hardcontact.base.dataset import read
+from hardcontact.base.dataset import read_dataset
 from hardcontact.commands.options import CommandLine
 from hardcontact.commands.outputs import align_cells, output_faults, results_folder, write_output
 from hardcontact.config.faults import collect_faults, raise_faults
@@ -92,4 +92,4 @@ def _read_sets(path: str) -> dict[str, xr.Dataset]:
     paths = {name: Path(path).parent / f"{name}.nc" for name in SET_DATASETS}
     if not all(dataset_path.is_file() for dataset_path in paths.values()):
         return {}
-    return {name: read(dataset_path) for name, dataset_path in paths.items()}
+    return {name: read_dataset(dataset_path) for name, dataset_path in paths.items()}

@@ -9,7 +9,7 @@ from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
 import hardcontact
-from hardcontact.base.dataset import remove_parts, write_text_file
+from hardcontact.base.dataset import remove_incomplete_files, write_text_file
 
 #: The file of the packages that the study imports.
 ENVIRONMENT = "environment.txt"
@@ -40,7 +40,7 @@ def write_pins() -> None:
     for source, path in zip((ENVIRONMENT, LOCK), PINS, strict=True):
         text = "".join(f"{name}=={pin}\n" for name, pin in read_pins(source).items())
         if not Path(path).is_file() or Path(path).read_text("utf-8") != text:
-            remove_parts(path)
+            remove_incomplete_files(path)
             write_text_file(path, text)
 
 

@@ -13,7 +13,13 @@ from typing import Any, NamedTuple
 
 import xarray as xr
 
-from hardcontact.base import dataset
+from hardcontact.base.dataset import (
+    describe_variables,
+    read_meanings,
+    remove_incomplete_files,
+    write_dataset,
+    write_text_file,
+)
 from hardcontact.records.origin import (
     Origin,
     canonical_json,
@@ -41,18 +47,18 @@ class Job(NamedTuple):
     def write(self, results: xr.Dataset, title: str, output: int | str = 0) -> None:
         """Write results, with their origin and the meanings of their variables."""
         path = self.output[output]
-        meanings = dataset.read_meanings(Path(path).stem)
-        complete = dataset.describe_variables(results, meanings).assign_attrs(
+        meanings = read_meanings(Path(path).stem)
+        complete = describe_variables(results, meanings).assign_attrs(
             title=title,
             Conventions="CF-1.11",
             history=f"made by the hardcontact study: {title}",
             **self.origin.attributes(),
         )
-        dataset.write(complete, path)
+        write_dataset(complete, path)
 
     def write_text(self, text: str, output: int | str = 0) -> None:
         """Write a text completely or not at all."""
-        dataset.write_text_file(self.output[output], text)
+        write_text_file(self.output[output], text)
 
 
 @contextmanager
@@ -71,8 +77,8 @@ def run_job(snakemake: Any) -> Iterator[Job]:
             input_digests = file_digests(inputs)
             refuse_edited_files(input_digests)
             for path in snakemake.output:  # Snakemake's lock keeps other runs from these files.
-                dataset.remove_parts(path)
-                dataset.remove_parts(record_path(path))
+                remove_incomplete_files(path)
+                remove_incomplete_files(record_path(path))
                 record_path(path).unlink(missing_ok=True)  # It would describe the old file.
             code = getattr(inputs, "code", [])  # a rule that writes nothing names no code
             origin = Origin(parameters_json, input_digests, list(code))

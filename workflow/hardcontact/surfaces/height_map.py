@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray as xr
 
-from hardcontact.base.dataset import read
+from hardcontact.base.dataset import read_dataset
 from hardcontact.base.formatting import format_length
 from hardcontact.base.units import NM
 
@@ -118,7 +118,7 @@ TEXT_FIELDS = ("source", "path", "channel", "file_unit")
 
 def load_height_map(path: str) -> HeightMap:
     """Load a height map from a netCDF file of the study; raises ValueError if it is unreadable."""
-    map_dataset = read(path)
+    map_dataset = read_dataset(path)
     heights = map_dataset["heights"]
     attributes = map_dataset.attrs
     texts: dict[str, Any] = {name: str(attributes[name]) for name in TEXT_FIELDS}

@@ -16,8 +16,8 @@ import scipy
 import xarray as xr
 from numpy.typing import ArrayLike
 
-from hardcontact.base import dataset
 from hardcontact.base.arrays import Floats
+from hardcontact.base.dataset import read_dataset
 from hardcontact.base.formatting import format_length
 from hardcontact.base.units import NM4, RAD_PER_NM
 from hardcontact.surfaces.height_map import HeightMap, to_surface_topography
@@ -111,7 +111,7 @@ def nearest_bin(wavelength: float) -> int:
 
 def load_spectrum(path: str) -> Spectrum:
     """Load a spectrum from a file of the study; raises ValueError if it is unreadable."""
-    return spectrum_of_dataset(dataset.read(path))
+    return spectrum_of_dataset(read_dataset(path))
 
 
 def spectrum_of_dataset(spectrum_data: xr.Dataset) -> Spectrum:

@@ -14,8 +14,9 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from hardcontact.base import dataset, published
+from hardcontact.base import published
 from hardcontact.base.arrays import generator
+from hardcontact.base.dataset import read_dataset
 from hardcontact.surfaces.metrics import TABLE1_METRICS
 from hardcontact.surfaces.spectrum import Spectrum, spectrum_of_dataset
 from hardcontact.surfaces.synthesis import ScanGrid
@@ -89,7 +90,7 @@ def read_substitute(
     spectrum_path, table1_path, constants_path = paths
     table1 = published.rows_of_surface(published.read_table1(table1_path), surface_name)
     constants = published.read_constants(constants_path)
-    spectrum_data = dataset.read(spectrum_path)
+    spectrum_data = read_dataset(spectrum_path)
     return Substitute(surface_name, spectrum_data, table1, constants, ScanGrid(**grid), seed)
 
 

@@ -17,8 +17,8 @@ from matplotlib.figure import Figure
 from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.lines import Line2D
 
-from hardcontact.base import dataset, published
-from hardcontact.base.dataset import atomic_file
+from hardcontact.base import published
+from hardcontact.base.dataset import atomic_file, read_dataset
 from hardcontact.report.figures import style
 from hardcontact.report.figures.listing import FILE_KINDS
 
@@ -39,7 +39,7 @@ def draw_figure(
 ) -> None:
     """Draw a figure by the module of its name; inputs are paths by the arguments of `draw`."""
     module = importlib.import_module(f"hardcontact.report.figures.{name}")
-    data = {key: READERS.get(key, dataset.read)(path) for key, path in inputs.items()}
+    data = {key: READERS.get(key, read_dataset)(path) for key, path in inputs.items()}
     with style.print_style():
         save_figure(module.draw(**data), title, outputs)
 
