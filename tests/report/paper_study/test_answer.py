@@ -97,7 +97,8 @@ def test_the_headline_explains_an_undecided_long_edge_of_artificial_roughness(
 ):
     rows = change_claim("long_edge_first", verdict=verdict, computed=edge)
     headline = answer(rows)["headline"][0]
-    assert f"The long edge is {verdict}{', because it rests on chance' if explained else '.'}" in headline
+    end_of_sentence = ", because it rests on chance" if explained else "."
+    assert f"The long edge is {verdict}{end_of_sentence}" in headline
 
 
 @pytest.mark.parametrize(("ends", "crossed"), [((0.8, 1.0), "0.9"), ((0.8, 1.2), "0.9 and 1.1")])
