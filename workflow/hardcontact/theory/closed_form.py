@@ -88,12 +88,12 @@ def smooth_force(contact: Contact) -> float:
     return float(smooth_pull_off(contact.work, contact.radius, contact.area, contact.rho))
 
 
-def surface_term(level: ArrayLike, relative_rms: ArrayLike) -> Floats:
+def surface_term(apex_level: ArrayLike, relative_rms: ArrayLike) -> Floats:
     """Return the surface term, exp(s²/2 - ts) times the normal distribution at t - s.
 
     The level t of the apex and the rms height s relative to the range of adhesion broadcast.
     """
-    t = np.asarray(level)
+    t = np.asarray(apex_level)
     s = np.asarray(relative_rms)
     return np.asarray(np.exp(s**2 / 2 - t * s + special.log_ndtr(t - s)))
 

@@ -1,8 +1,8 @@
 """The highest summits under a sphere: their height, width and number, from a spectrum alone.
 
 A summit is a group of neighbouring points above a high level. Fine roughness adds maxima to a
-summit, but no summits. Heights above the mean plane of a Gaussian surface are levels t = z/sigma,
-with the rms height sigma.
+summit, but no summits. A level t is a height above the mean plane relative to the rms height sigma:
+of points, of summits, or of the apex of the sphere, which the highest summits touch.
 
 A summit covers the area pi delta² on average. Its half-width delta is the distance over which the
 autocorrelation of heights falls to (1 - 1/t²) sigma². The density of summits is the share of points
@@ -131,13 +131,14 @@ def search_size(spectrum: Spectrum, radius: float, area: float) -> float:
 
     At the distance r from the apex the sphere is r²/2R higher, and heights above it are rarer by
     exp(-t r²/(2 R sigma)). Touching points therefore have the rms distance sqrt(2 R sigma/t), half
-    the width. The level t is at least 1. The width is 0 for a surface that the sphere follows.
+    the width. The level t of the apex is at least 1. The width is 0 if the sphere follows the
+    surface.
     """
     rough_spectrum = find_rough_spectrum(spectrum, radius)
     if rough_spectrum is None:
         return 0.0
-    level = max(apex_distribution(rough_spectrum, radius, area).mean(), 1.0)
-    return float(2 * np.sqrt(2 * radius * np.sqrt(spectral_moment(rough_spectrum, 0)) / level))
+    apex_level = max(apex_distribution(rough_spectrum, radius, area).mean(), 1.0)
+    return float(2 * np.sqrt(2 * radius * np.sqrt(spectral_moment(rough_spectrum, 0)) / apex_level))
 
 
 def _integral_to_last_level(density: Floats) -> Floats:
@@ -155,17 +156,17 @@ def _probability_of_smaller_area(summit_counts: Floats, area_ratio: Floats) -> F
     is_few = area_ratio <= MAX_POISSON_SUMMITS
     spread = np.sqrt(2 * np.maximum(summit_counts, 1e-300))
     probability = special.ndtr((area_ratio - summit_counts) / spread)
-    # The sum over n summits is a noncentral chi-squared distribution of 2 degrees of freedom. Its
-    # small probabilities lack digits, but count, because forces at their levels may be huge.
+    # The sum over i in theory.md is a noncentral chi-squared distribution of 2 degrees of freedom.
+    # Its small probabilities lack digits, but count, because forces at their levels may be huge.
     probability[is_few] = 1 - special.chndtr(2 * summit_counts[is_few], 2, 2 * area_ratio[is_few])
     is_rare = is_few & (probability < MIN_COMPLEMENT)
     if is_rare.any():
         means, ratios = summit_counts[is_rare], area_ratio[is_rare]
         largest = ratios.max()
-        n = np.arange(1, int(largest + 8 * np.sqrt(largest) + 25) if largest else 1)[:, None]
+        i = np.arange(1, int(largest + 8 * np.sqrt(largest) + 25) if largest else 1)[:, None]
         with np.errstate(divide="ignore"):
-            log_poisson = n * np.log(means) - means - special.gammaln(n + 1)
+            log_poisson = i * np.log(means) - means - special.gammaln(i + 1)
         row, column = np.nonzero(log_poisson > LOG_NEGLIGIBLE_PROBABILITY)
-        terms = np.exp(log_poisson[row, column]) * special.gammainc(n[row, 0], ratios[column])
+        terms = np.exp(log_poisson[row, column]) * special.gammainc(i[row, 0], ratios[column])
         probability[is_rare] = np.exp(-means) + np.bincount(column, terms, len(means))
     return np.asarray(np.clip(probability, 0, 1))
