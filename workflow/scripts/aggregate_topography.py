@@ -10,11 +10,11 @@ with run_job(snakemake) as job:
     scan_paths = zip(params["scan_ids"], job.input.scans, strict=True)
     attributes = params["attributes"]
     topography = topography_dataset(
-        {tuple(key): measured_roughness(load_height_map(path)) for key, path in scan_paths},
-        read_by_name(params["surfaces"], job.input.spectra),
-        read_by_name(params["conditioned"], job.input.conditionings),
-        read_by_name(params["surfaces"], job.input.examples),
-        attributes["confidence"],
+        scans={tuple(key): measured_roughness(load_height_map(path)) for key, path in scan_paths},
+        spectra=read_by_name(params["surfaces"], job.input.spectra),
+        conditionings=read_by_name(params["conditioned"], job.input.conditionings),
+        examples=read_by_name(params["surfaces"], job.input.examples),
+        confidence=attributes["confidence"],
     )
     job.write(
         add_surface_names(topography, attributes).assign_attrs(

@@ -12,12 +12,14 @@ with run_job(snakemake) as job:
     sampling = Sampling.from_parameters(params["sampling"], "posterior")
     published_forces = published.read_published_forces(job.input.published_pull_off)
     sets = read_dataset(job.input.sets).sel(contact_model=PLASTIC)
-    files = read_by_key(params["whole_surfaces"], job.input.whole_surfaces)
-    maps = {
+    map_forces = read_by_key(params["whole_surfaces"], job.input.whole_surfaces)
+    plastic_forces = {
         key: forces[["pull_off_force"]].sel(contact_model=PLASTIC)
-        for key, forces in concatenate(files, "map").items()
+        for key, forces in concatenate(map_forces, "map").items()
     }
-    whole_surface_forces = stack(maps, ["surface"])["pull_off_force"] if maps else None
+    whole_surface_forces = (
+        stack(plastic_forces, ["surface"])["pull_off_force"] if plastic_forces else None
+    )
     job.write(
         posterior_dataset(sets, whole_surface_forces, published_forces, sampling),
         title="range and work of adhesion that explain the published forces",

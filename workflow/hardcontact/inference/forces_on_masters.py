@@ -94,8 +94,8 @@ def read_master_forces(
     Each path belongs to the surface at its position. With a `loading`, the result has no dimensions
     of loading, radius and range, which are single.
     """
-    files = read_by_key([(name, number) for number, name in enumerate(surfaces)], paths)
-    forces = stack(concatenate(files, "realization"), ["surface"])
+    chunks = read_by_key([(name, number) for number, name in enumerate(surfaces)], paths)
+    forces = stack(concatenate(chunks, "realization"), ["surface"])
     if loading is not None:
         forces = forces.sel(loading=loading, drop=True).squeeze(["radius", "rho"], drop=True)
         forces = forces.drop_vars("touching_area")
