@@ -18,6 +18,8 @@ MODELS = ["rigid", "plastic"]
 SIDES = ["short", "long"]
 RHOS = np.array([1.0, 2.0, 5.6, 10.0, 14.0])
 RANGE, WORK = 5.6, 0.0463
+#: Force (N) of plastic contacts on the first surface, at RANGE and WORK.
+FORCE = 0.64e-6
 CUTOFFS = {
     "short": np.array([5.0, 10, 20, 40, 80, 160, 320]),
     "long": np.array([160.0, 320, 640, 1280, 2560]),
@@ -196,9 +198,9 @@ def open_edges():
 
 
 def force(count=1):
-    """Return forces of plastic contacts, 0.64 µN at RANGE, and twice that of rigid."""
+    """Return forces of plastic contacts, FORCE at RANGE, and twice that of rigid."""
     surfaces = SURFACES[:count]
-    mean = 0.64e-6 * (RHOS / RANGE) ** -0.5 * np.array([2.0, 1.0])[:, None]
+    mean = FORCE * (RHOS / RANGE) ** -0.5 * np.array([2.0, 1.0])[:, None]
     mean = mean * np.arange(1, count + 1)[:, None, None]
     axes = ("surface", "contact_model", "rho")
     spread = np.array([0.4, 0.7, 0.95, 1.25, 1.8])
@@ -229,7 +231,7 @@ def force(count=1):
 
 def extrapolated_force(count=1):
     """Return forces with extrapolated roughness, which changes no force."""
-    forces = np.tile(0.64e-6 * np.arange(1, count + 1)[:, None], 2)
+    forces = np.tile(FORCE * np.arange(1, count + 1)[:, None], 2)
     axes = ("surface", "side")
     data = xr.Dataset(
         between_multiples("extrapolated_force", axes, forces, (0.8, 1.25), units="N"),

@@ -22,15 +22,21 @@ CONTACT = contact_of_area(250e3, 5.6, 0.0463, 400.0)
 pytestmark = pytest.mark.usefixtures("quick_predictions")
 
 
-@pytest.mark.parametrize("kind", ["map", "line"])
-def test_a_scan_is_predicted_from_its_reliable_wavelengths(kind, tmp_path, capsys):
-    make, points = (random_map, 128) if kind == "map" else (random_line, 1024)
-    heights = make(generator(3), points, PIXEL).heights
-    path, size = tmp_path / ("scan.nc" if kind == "map" else "scan.xyz"), points * PIXEL
-    if kind == "map":
-        scan_files.write_scan(path, heights.T, (size, size))
-    else:
-        scan_files.write_coordinates(UniformLineScan(heights, size, unit="nm"), path)
+def test_a_map_is_predicted_from_its_reliable_wavelengths(tmp_path, capsys):
+    heights = random_map(generator(3), 128, PIXEL).heights
+    path = scan_files.write_scan(tmp_path / "scan.nc", heights.T, (128 * PIXEL, 128 * PIXEL))
+    check_prediction(path, heights, capsys)
+
+
+def test_a_line_scan_is_predicted_from_its_reliable_wavelengths(tmp_path, capsys):
+    heights = random_line(generator(3), 1024, PIXEL).heights
+    path = tmp_path / "scan.xyz"
+    scan_files.write_coordinates(UniformLineScan(heights, 1024 * PIXEL, unit="nm"), path)
+    check_prediction(path, heights, capsys)
+
+
+def check_prediction(path, heights, capsys):
+    """Compare the numbers from the file of a scan with those of the library from its heights."""
     joined_scans = joined_spectrum([measurement(heights, PIXEL)], [None])
     spectrum = read_own_spectrum([path]).spectrum
     has_roughness = np.isfinite(joined_scans.joined_psd.values)

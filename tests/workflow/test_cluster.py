@@ -42,7 +42,7 @@ def test_a_failure_has_the_reason_of_slurm_and_the_key_that_mends_it(tmp_path, m
     path = tmp_path / "7.log"
     path.write_text(f"some output\n{log}\n")
     keys = ("slurm_account", "slurm_partition", "runtime", "mem_mb")
-    job = SimpleNamespace(name="stitch", resources=dict.fromkeys(keys, 3))
+    job = SimpleNamespace(name="my_rule", resources=dict.fromkeys(keys, 3))
     reported = failure(job, message, [str(path)])
-    assert reported.startswith(f"SLURM job stitch: {line}") and reported.endswith(f", see {path}")
-    assert_says(failure(job, message, []), "SLURM job stitch: ")
+    assert reported.startswith(f"SLURM job my_rule: {line}") and reported.endswith(f", see {path}")
+    assert_says(failure(job, message, []), "SLURM job my_rule: ")

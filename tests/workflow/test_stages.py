@@ -14,7 +14,8 @@ from snakemake_interface_logger_plugins.common import LogEvent
 from snakemake_logger_plugin_stages import STUDY_LOGGER, LogHandler
 from snakemake_logger_plugin_stages.costs import Stage, read_stages
 
-JOBS = ["level_scan", "level_scan", "stitch"]
+#: Rules of jobs; `my_rule` is not in the table of stages.
+JOBS = ["prepare_scan", "prepare_scan", "my_rule"]
 
 
 def show(capsys, records, **settings):
@@ -39,24 +40,24 @@ def info(message, event=None, **fields):
 
 def run(finished):
     """Yield Snakemake's records of a run of JOBS with a number of finished jobs."""
-    yield info("long list", LogEvent.RUN_INFO, stats={"level_scan": 2, "stitch": 1, "total": 3})
+    yield info("long list", LogEvent.RUN_INFO, stats={"prepare_scan": 2, "my_rule": 1, "total": 3})
     for number, rule in enumerate(JOBS):
         yield info(f"Rule: {rule}", LogEvent.JOB_INFO, jobid=number, rule_name=rule, rule_msg=None)
     for number in range(finished):
         yield info("Finished", LogEvent.JOB_FINISHED, job_id=number)
 
 
-@pytest.mark.parametrize("ended", range(4))
-def test_a_stage_has_a_line_once_all_of_its_jobs_are_done(capsys, ended):
-    plan, *lines = show(capsys, run(ended))
+@pytest.mark.parametrize("finished", range(4))
+def test_a_stage_has_a_line_once_all_of_its_jobs_are_done(capsys, finished):
+    plan, *lines = show(capsys, run(finished))
     assert plan.startswith("3 jobs, about ")
     done = [
         name
-        for name, number_of_jobs in (("level scan", 2), ("stitch", 3))
-        if number_of_jobs <= ended
+        for name, number_of_jobs in (("levelled scans", 2), ("my rule", 3))
+        if number_of_jobs <= finished
     ]
     assert [line[:40].strip() for line in lines] == done
-    if ended == 3:
+    if finished == 3:
         assert "3 of 3" in lines[-1] and "about 0:00:00 left" in lines[-1]
 
 
@@ -68,7 +69,7 @@ def idle_machine(monkeypatch):
 def test_other_processes_lengthen_the_planned_time(capsys, monkeypatch):
     """Six processes of others beside two cores in use: the run has a quarter of both cores."""
     monkeypatch.setattr("os.cpu_count", lambda: 2)
-    stages = {"level_scan": Stage(80.0, "level scan"), "stitch": Stage(80.0, "stitch")}
+    stages = {"prepare_scan": Stage(80.0, "levelled scans"), "my_rule": Stage(80.0, "my rule")}
     monkeypatch.setattr("snakemake_logger_plugin_stages.read_stages", lambda column: stages)
     for load, minutes in ((0.0, 2), (6.0, 8)):
         monkeypatch.setattr("os.getloadavg", lambda load=load: (load, 0.0, 0.0))
@@ -76,10 +77,8 @@ def test_other_processes_lengthen_the_planned_time(capsys, monkeypatch):
 
 
 def test_time_left_counts_what_jobs_cost(capsys, monkeypatch):
-    monkeypatch.setattr(
-        "snakemake_logger_plugin_stages.read_stages",
-        lambda column: {"level_scan": Stage(1, "flat scans"), "stitch": Stage(8, "periodic scans")},
-    )
+    stages = {"prepare_scan": Stage(1.0, "levelled scans"), "my_rule": Stage(8.0, "my rule")}
+    monkeypatch.setattr("snakemake_logger_plugin_stages.read_stages", lambda column: stages)
     monkeypatch.setattr("snakemake_logger_plugin_stages.threading.Thread", MagicMock())
     clock = SimpleNamespace(monotonic=lambda: 10.0)
     monkeypatch.setattr("snakemake_logger_plugin_stages.time", clock)
@@ -92,7 +91,7 @@ def test_time_left_counts_what_jobs_cost(capsys, monkeypatch):
         yield last_record
 
     line = show(capsys, twenty_seconds())[-1]
-    assert line.startswith("flat scans")
+    assert line.startswith("levelled scans")
     # 10 s were planned, and the table weighs as much as 2 s: 8 s at (20 + 2) / (2 + 2) of the cost.
     assert "2 of 3 jobs done, about 0:00:44 left" in line
 
@@ -110,10 +109,10 @@ def test_every_rule_with_jobs_has_a_name_for_people():
 
 @pytest.mark.parametrize("has_log", [True, False])
 def test_a_job_that_fails_has_one_line_that_names_its_log(capsys, tmp_path, has_log):
-    log = tmp_path / "stitch.log"
+    log = tmp_path / "my_rule.log"
     if has_log:
         log.touch()
-    failed = {"event": LogEvent.JOB_ERROR, "rule_name": "stitch", "log": [str(log)]}
+    failed = {"event": LogEvent.JOB_ERROR, "rule_name": "my_rule", "log": [str(log)]}
     failed |= {"rule_msg": None, "indent": False}
     repeated_error = {"event": LogEvent.ERROR, "exception": "CalledProcessError"}
     errors = [
@@ -127,7 +126,7 @@ def test_a_job_that_fails_has_one_line_that_names_its_log(capsys, tmp_path, has_
         ),
     ]
     _, line = show(capsys, [*run(0), *errors])
-    assert line == "Error in rule stitch" + f": see {log}" * has_log
+    assert line == "Error in rule my_rule" + f": see {log}" * has_log
 
 
 @pytest.mark.parametrize(
@@ -152,16 +151,16 @@ def test_a_target_that_no_rule_makes_is_refused_in_one_line(
 
 def test_a_job_that_a_cluster_ends_is_shown_by_the_study_alone(capsys):
     """Snakemake reports each rule of the job, and its plugin what sacct did not answer."""
-    plan = info("long list", LogEvent.RUN_INFO, stats={"stitch": 1, "total": 1})
-    failed = {"event": LogEvent.JOB_ERROR, "rule_name": "stitch", "log": [], "indent": False}
+    plan = info("long list", LogEvent.RUN_INFO, stats={"my_rule": 1, "total": 1})
+    failed = {"event": LogEvent.JOB_ERROR, "rule_name": "my_rule", "log": [], "indent": False}
     records = [
-        (logging.ERROR, STUDY_LOGGER, "SLURM job stitch: TIMEOUT", {}),
+        (logging.ERROR, STUDY_LOGGER, "SLURM job my_rule: TIMEOUT", {}),
         (logging.ERROR, "snakemake.logging", "", failed | {"rule_msg": "SLURM-job '1' failed"}),
         (logging.ERROR, "snakemake.logging", "", {"event": LogEvent.GROUP_ERROR}),
         (logging.ERROR, "snakemake.logging", "", failed | {"rule_msg": None, "indent": True}),
         (logging.WARNING, "snakemake.logging", "No account was given, not able via sacct", {}),
     ]
-    assert show(capsys, [plan, *records])[1:] == ["SLURM job stitch: TIMEOUT"]
+    assert show(capsys, [plan, *records])[1:] == ["SLURM job my_rule: TIMEOUT"]
 
 
 @pytest.mark.parametrize(

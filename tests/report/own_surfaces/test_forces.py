@@ -2,7 +2,17 @@
 
 import numpy as np
 import pytest
-from answer_inputs import PAIRS, SURFACES, datasets, drop_interval, force, numbers_of, spectra
+from answer_inputs import (
+    FORCE,
+    PAIRS,
+    RANGE,
+    SURFACES,
+    datasets,
+    drop_interval,
+    force,
+    numbers_of,
+    spectra,
+)
 
 from hardcontact.report.own_surfaces.forces import comparison_numbers, pair_numbers
 
@@ -16,11 +26,12 @@ def test_the_force_at_other_pairs_follows_a_power_law_within_the_ranges():
     surface = datasets().select_surface(SURFACES[0])
     numbers = {number.name: number for number in pair_numbers(surface.force, PAIRS)}
     long_range = numbers["force_of_pair_long_range"]
-    assert long_range.value == pytest.approx(0.32e-6 * (10 / 5.6) ** -0.5)  # F ~ rho^-0.5
-    assert numbers["force_of_pair_long_range_share"].value == 0.58
+    # The pair has half the work, and F ~ W rho^-0.5.
+    assert long_range.value == pytest.approx(FORCE / 2 * (10 / RANGE) ** -0.5)
+    assert numbers["force_of_pair_long_range_share"].value == PAIRS[1]["share_of_sets"]
     assert numbers["force_of_pair_long_range_range"].value == 10.0
     assert np.isnan(numbers["force_of_pair_short_range"].value)
-    assert "force_of_pair_published" not in numbers  # the one asked for
+    assert "force_of_pair_published" not in numbers  # the pair of the study itself
 
 
 def test_the_sensitivity_to_the_range_needs_two_ranges():
