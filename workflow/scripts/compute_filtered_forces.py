@@ -35,6 +35,7 @@ with run_job(snakemake) as job:
                 spectrum = spectrum_of_dataset(spectrum_data)
                 rng = master_generator(seed, surface_name, realization, side, stream)
                 master = synthesize_master(side, rng, scan, settings, spectrum)
+                del scan  # The forces need the memory.
             filters = Filters(side, settings["pixels"], settings["cutoffs"])
             forces[realization, side] = filtered_pull_off(
                 master, filters, contacts, sphere, radii, ranges

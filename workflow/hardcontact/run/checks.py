@@ -95,14 +95,14 @@ def _paper_faults(study: dict[str, Any], table: pd.DataFrame) -> list[str]:
     surfaces = list(contacts.surface.unique())
     substrates = [surface for surface in surfaces if surface != study["sphere"]["surface"]]
     return [
-        *_named_surface_faults(study, surfaces, substrates),
+        *_surface_key_faults(study, surfaces, substrates),
         *_substrate_faults(substrates),
         *_pool_size_faults(study, contacts[contacts.surface.isin(substrates)]),
         *_claim_faults(),
     ]
 
 
-def _named_surface_faults(
+def _surface_key_faults(
     study: dict[str, Any], surfaces: list[str], substrates: list[str]
 ) -> list[str]:
     """Return the faults of keys of the paper's study that name a surface."""
