@@ -100,6 +100,14 @@ def test_open_and_extrapolated_edges_recommend_a_measurement(data, advice):
     assert [(scan.edge, scan.code, scan.limit.value) for scan in measurements] == advice
 
 
+@pytest.mark.parametrize(("pixel_size", "suffice"), [(5.0, True), (20.0, False)])
+def test_finer_pixels_are_asked_for_only_if_the_pixels_are_too_large(pixel_size, suffice):
+    data = datasets(edges=move_edge(70.0, 40.0, 90.0), spectra=spectra())
+    data.spectra["pixel_size"][:] = pixel_size
+    (scan,) = surface_answers(data, setting())[0].next_scans
+    assert scan.pixels_suffice == suffice
+
+
 def test_a_described_spectrum_recommends_no_measurement():
     described = spectra()
     described["kind"] = xr.full_like(described["kind"], "description", dtype="U11")

@@ -18,6 +18,7 @@ from hardcontact.report.own_surfaces.datasets import (
 )
 from hardcontact.report.quantities import EDGE_NAMES, OPEN_WORDS, NoValue, number_without_value
 from hardcontact.scans.both_bodies import sphere_share
+from hardcontact.scans.reliable_band import MIN_PIXELS
 from hardcontact.surfaces.synthesis import SIDES
 
 #: Smallest share of a change that counts as the whole change: a choice.
@@ -48,6 +49,7 @@ class NextScan(NamedTuple):
     code: str  #: finer or larger.
     limit: Number
     body: str = ""  #: "sphere" or "surface", the rougher one there; "" under a smooth sphere.
+    pixels_suffice: bool = False  #: Tip, noise or smoothing hide finer waves, not pixels.
 
 
 def add_status(number: Number, interval_source: xr.DataArray) -> Number:
@@ -241,4 +243,5 @@ def _next_scan(edge: Number, spectra: xr.Dataset) -> NextScan:
     share = sphere_share(spectra, limit)
     body = "" if np.isnan(share) else "sphere" if share > 0.5 else "surface"
     code = "finer" if is_finer else "larger"
-    return NextScan(edge.name, code, Number("limit", limit, "nm"), body)
+    pixels_suffice = is_finer and bool((MIN_PIXELS * spectra["pixel_size"] < limit).any())
+    return NextScan(edge.name, code, Number("limit", limit, "nm"), body, pixels_suffice)
