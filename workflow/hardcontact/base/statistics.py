@@ -64,6 +64,8 @@ def percentile_interval(samples: ArrayLike, confidence: float) -> Floats:
     percentile = np.nanpercentile if np.isnan(samples).any() else np.percentile
     with warnings.catch_warnings():
         warnings.filterwarnings("ignore", "All-NaN slice", RuntimeWarning)
+        # Between infinite samples an end is NaN: the interval is unknown.
+        warnings.filterwarnings("ignore", "invalid value encountered", RuntimeWarning)
         ends = percentile(samples, [tail, 100 - tail], axis=0)
     return np.moveaxis(ends, 0, -1)
 
