@@ -113,7 +113,7 @@ def test_the_table_begins_with_the_inputs_that_differ(written):
     assert lines[2].startswith("number")
     assert "0 differ" in lines[-1]
     assert all("equal" in line for line in lines[3:-2])
-    assert_says(lines[-2], "not paired", "sets.nc")
+    assert_says(lines[-2], "not paired", "same scans")
     assert {path.name for path in written.rglob("*")} == {"paper", "harder", "answer.json"}
 
 

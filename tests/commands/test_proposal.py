@@ -102,6 +102,21 @@ def test_contacts_are_made_on_scans_that_hold_and_resolve_the_summits(scans, rad
     assert Counter(round(scan.size) for scan in selected_scans) == size_counts
 
 
+@pytest.mark.parametrize(
+    ("radius", "sizes", "reason"),
+    [
+        (250e3, [2000, 5000, 10000], "the smallest of at least"),
+        (250e3, [1000, 2000], "they come nearest to"),
+        (30.0, [2000, 5000, 10000], "they have the finest pixels"),
+        (250e3, [5000], "no others can be used"),
+    ],
+)
+def test_the_reason_says_what_decided(radius, sizes, reason):
+    scans = [user_scan(size) for size in sizes]
+    _, (line,) = select_contact_scans(scans, None, contact(radius), {"a": 2000.0})
+    assert reason in line
+
+
 # Keys of the study
 
 

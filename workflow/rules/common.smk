@@ -11,7 +11,7 @@
 #   ANSWER         answer.html and answer.json
 #   PUBLISHED_TABLES  the tables of the paper, by name
 # surfaces.smk defines the names that depend on the table of surfaces. Names of other files are used
-# there alone, except TARGETS of targets.smk, which redraw.smk uses.
+# there alone, except TARGETS of targets.smk.
 
 from hardcontact.base.published import PUBLISHED_TABLES
 from hardcontact.config.configuration import is_paper_study

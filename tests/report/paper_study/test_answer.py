@@ -71,21 +71,21 @@ def test_a_study_of_other_contacts_names_what_is_not_the_paper_s(overlay, inputs
 
 
 def test_an_edge_at_wavelengths_of_artificial_roughness_says_so():
-    """Roughness is artificial below the short transition and above the large one.
+    """Roughness is artificial below the short transition and above the long one.
 
     Without plasticity, and at a short range, the edge is at 50 nm.
     """
     sources = {}
-    for small, large in ((20.0, 5000.0), (80.0, 1000.0)):
-        filtered_forces = datasets()["filtered_forces"].assign(transition=("side", [small, large]))
+    for short, long in ((20.0, 5000.0), (80.0, 1000.0)):
+        filtered_forces = datasets()["filtered_forces"].assign(transition=("side", [short, long]))
         rows = change_claim("short_edge_first", computed=50.0)
         rows.loc[rows["id"] == ANSWER_CLAIMS["long_edge_first"], "computed"] = 2000.0
         artificial_answer = answer(rows, filtered_forces=filtered_forces)
         numbers = numbers_of_answer(artificial_answer)
         names = ("short_edge_first", "long_edge_first", "plasticity_shift", "range_shift")
-        sources[small] = [numbers[name].source for name in names]
+        sources[short] = [numbers[name].source for name in names]
         mcd = numbers_of_answer(artificial_answer, "mcd")
-        assert mcd["short_edge"].source == sources[small][0]
+        assert mcd["short_edge"].source == sources[short][0]
     assert sources == {20.0: ["computed"] * 4, 80.0: ["artificial"] * 4}
 
 

@@ -27,7 +27,7 @@ LIMIT_TOLERANCE = 1e-5
 
 
 def format_number(value: float, digits: int = 3) -> str:
-    """Return a number with this many significant digits, without exponent below a million."""
+    """Return a number with this many significant digits, and no exponent near one."""
     return f"{float(f'{value:.{digits}g}'):g}"
 
 
@@ -38,7 +38,7 @@ def round_to_three_digits(value: float, rounding: Callable[[float], int]) -> flo
 
 
 def format_value_and_ends(value: float, low: float, high: float, *limits: float) -> list[str]:
-    """Return a number and both ends of its interval, with the same number of decimals.
+    """Return a number and both ends of its interval, rounded alike.
 
     The last digit is about a fifth of the interval's width or of the smallest number. A wide
     interval, with a ratio of its ends above three, has numbers of two digits instead. An end gets

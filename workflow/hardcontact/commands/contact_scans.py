@@ -55,12 +55,7 @@ def select_contact_scans(
     selected: list[UserScan] = []
     reasons = []
     for surface, surface_groups in groups.items():
-        group = _best_group(surface_groups, interaction_radius, large_enough)
-        reason = "no others can be used"
-        if len(surface_groups) > 1:
-            is_small = group[0].size < large_enough
-            reason = "they come nearest to" if is_small else "the smallest of at least"
-            reason += f" {format_length(large_enough)}, twice the search size 2 sqrt(2 R sigma/t)"
+        group, reason = _best_group(surface_groups, interaction_radius, large_enough)
         selected += group
         reasons.append(f"{surface}: {_describe_group(group)}: {reason}")
     if sphere is not None:
@@ -97,20 +92,30 @@ def _group_by_grid(scans: Sequence[UserScan]) -> dict[str, list[Group]]:
     return groups
 
 
-def _best_group(groups: list[Group], interaction_radius: float, large_enough: float) -> Group:
-    """Return the group of scans of a surface that contacts are made on; lengths are in nm."""
+def _best_group(
+    groups: list[Group], interaction_radius: float, large_enough: float
+) -> tuple[Group, str]:
+    """Return the scans of a surface that contacts are made on, and the reason; lengths in nm."""
+    reliable = [group for group in groups if any(scan.has_reliable_wavelengths for scan in group)]
+    usable = reliable or groups
+    largest_pixel = interaction_radius / MIN_RADIUS_PIXELS
+    resolved = [group for group in usable if group[0].pixel_size <= largest_pixel]
+    if not resolved:
+        reason = "they have the finest pixels"
+        group = min(usable, key=lambda group: (group[0].pixel_size, -len(group), -group[0].size))
+    else:
+        usable = resolved
+        is_large = any(group[0].size >= large_enough for group in usable)
+        reason = "the smallest of at least" if is_large else "they come nearest to"
+        reason += f" {format_length(large_enough)}, twice the search size 2 sqrt(2 R sigma²/m)"
 
-    def rank(group: Group) -> tuple[bool, bool, bool, float, int, float]:
-        size = group[0].size
-        pixel_size = group[0].pixel_size
-        count = len(group)
-        is_unreliable = not any(scan.has_reliable_wavelengths for scan in group)
-        if interaction_radius < MIN_RADIUS_PIXELS * pixel_size:  # Then the finest pixels.
-            return is_unreliable, True, False, pixel_size, -count, -size
-        is_small = size < large_enough
-        return is_unreliable, False, is_small, -size if is_small else size, -count, pixel_size
+        def rank(group: Group) -> tuple[bool, float, int, float]:
+            size = group[0].size
+            is_small = size < large_enough
+            return is_small, -size if is_small else size, -len(group), group[0].pixel_size
 
-    return min(groups, key=rank)
+        group = min(usable, key=rank)
+    return group, reason if len(usable) > 1 else "no others can be used"
 
 
 def _sphere_group(groups: list[Group], substrates: Sequence[UserScan], radius: float) -> Group:

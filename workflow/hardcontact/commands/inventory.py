@@ -124,7 +124,7 @@ def _read_file(
 
 
 def _copy_faults(scans: Sequence[UserScan]) -> Iterator[str]:
-    """Yield a line for each copy of a scan, which would make intervals too narrow."""
+    """Yield a line for each copy of a scan of one surface: it would make intervals too narrow."""
     for scan, other in combinations(scans, 2):
         is_copy = (scan.kind, scan.pixels) == (other.kind, other.pixels) and np.allclose(
             (scan.size, scan.rms_height, scan.peak_to_valley),

@@ -66,7 +66,7 @@ def random_bodies(
 def outermost_octaves(
     measurements: xr.Dataset, transitions: Mapping[str, float]
 ) -> dict[str, Octave | None]:
-    """Return the `outermost_octave` of each side within the reliable wavelengths of a surface."""
+    """Return by side the octave next to the transition that the scans still show, or None."""
     reliable = measurements.where(measurements["reliable"].any("bin_wavevector"))
     shortest = float(reliable["shortest_reliable"].min())
     longest = float(reliable["longest_reliable"].max())
@@ -139,11 +139,11 @@ def _artificial_octave(
     mirrored: HeightMap, octave: Octave, body: RandomBody, seed_word: str, index: int
 ) -> NDArray[np.float32]:
     """Return random heights of one octave, as wide as the scan of a body, and mirrored."""
-    longest_wavevector, shortest_wavevector = (2 * np.pi / end for end in octave)
+    highest, lowest = 2 * np.pi / np.array(octave)
 
     def octave_spectrum(wavevector: Floats) -> Floats:
         """Return C_iso (nm⁴) within the octave, zero outside."""
-        is_inside = (shortest_wavevector < wavevector) & (wavevector <= longest_wavevector)
+        is_inside = (lowest < wavevector) & (wavevector <= highest)
         return np.where(is_inside, body.spectrum(wavevector), 0.0)
 
     rng = generator(body.seed, *body.random_stream, "hindcast", seed_word, index)

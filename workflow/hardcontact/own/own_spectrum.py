@@ -91,7 +91,7 @@ def read_own_spectrum(
     if tables:
         spectrum = read_spectrum_table(tables[0])
         zeros = np.count_nonzero(spectrum.density == 0)
-        note = f"left out: {zeros} rows of the table with a density of 0, no roughness there"
+        note = f"no roughness in {zeros} rows of the table, with a density of 0"
         return OwnSpectrum(spectrum, (note,) if zeros else ())
     scans = [
         level_and_list_defects(options.read_scan(path, name), sphere_radius, options.levelling)
@@ -198,20 +198,20 @@ def read_spectrum_table(path: str | Path) -> Spectrum:
     end `_unit`. C_1D is converted by the inverse Abel transform. A density of 0 means no roughness.
     """
     table = user_table(path, "a table of a power spectral density")
-    wave = _find_column(table, WAVE_COLUMNS)
-    density = _find_column(table, DENSITY_COLUMNS)
-    points = table.map_rows(lambda row: _wavevector_and_density(row, wave, density))
+    wave_column = _find_column(table, WAVE_COLUMNS)
+    density_column = _find_column(table, DENSITY_COLUMNS)
+    points = table.map_rows(lambda row: _wavevector_and_density(row, wave_column, density_column))
     lines = dict[str, int]()
     for line, (wavevector, _) in points.items():
         first_line = lines.setdefault(f"{wavevector:.9g}", line)
         if first_line != line:
             message = f"line {line}: expected each wavelength once, found that of line {first_line}"
             raise ValueError(f"{path}: {message}")
-    rough = sum(value > 0 for _, value in points.values())
-    if rough < MIN_WAVELENGTHS:
-        raise ValueError(f"{path}: expected at least {MIN_WAVELENGTHS} wavelengths, found {rough}")
+    count = sum(density > 0 for _, density in points.values())
+    if count < MIN_WAVELENGTHS:
+        raise ValueError(f"{path}: expected at least {MIN_WAVELENGTHS} wavelengths, found {count}")
     wavevectors, densities = np.array(sorted(points.values())).T
-    if density == "c_1d":
+    if density_column == "c_1d":
         # A table does not state the modes of a bin: enough for the usual width of smoothing.
         modes = np.full(densities.shape, ENOUGH_MODES)
         densities = isotropic_from_profile(wavevectors, densities, modes)
@@ -230,20 +230,22 @@ def _find_column(table: UserTable, names: Sequence[str]) -> str:
     return present[0]
 
 
-def _wavevector_and_density(row: Row, wave: str, density: str) -> tuple[float, float]:
-    """Return wavevector (1/nm) and density (C_iso in nm⁴, C_1D in nm³) of a row."""
-    number = parse_number(row[wave])
-    value = parse_number(row[density])
-    power = 4 if density == "c_iso" else 3
-    if not 0 < number < math.inf:
-        raise ValueError(f"{wave}: expected a positive number, found {quote_key(row[wave])}")
-    if not (0 < value < math.inf or (power == 4 and value == 0)):
+def _wavevector_and_density(row: Row, wave_column: str, density_column: str) -> tuple[float, float]:
+    """Return wavevector (rad/nm) and density (C_iso in nm⁴, C_1D in nm³) of a row."""
+    wave = parse_number(row[wave_column])
+    density = parse_number(row[density_column])
+    power = 4 if density_column == "c_iso" else 3
+    if not 0 < wave < math.inf:
+        found = quote_key(row[wave_column])
+        raise ValueError(f"{wave_column}: expected a positive number, found {found}")
+    if not (0 < density < math.inf or (power == 4 and density == 0)):
         accepted = "a number of at least 0" if power == 4 else "a positive number"
-        raise ValueError(f"{density}: expected {accepted}, found {quote_key(row[density])}")
-    unit_length = _length_in_nm(row, wave)
-    is_wavelength = wave == "wavelength"
-    wavevector = 2 * math.pi / (number * unit_length) if is_wavelength else number / unit_length
-    return wavevector, value * _length_in_nm(row, density) ** power
+        found = quote_key(row[density_column])
+        raise ValueError(f"{density_column}: expected {accepted}, found {found}")
+    unit_length = _length_in_nm(row, wave_column)
+    is_wavelength = wave_column == "wavelength"
+    wavevector = 2 * math.pi / (wave * unit_length) if is_wavelength else wave / unit_length
+    return wavevector, density * _length_in_nm(row, density_column) ** power
 
 
 def _length_in_nm(row: Row, name: str) -> float:

@@ -61,7 +61,7 @@ def needs_calibration(segments: pd.DataFrame) -> bool:
 def spectrum_from_description(
     path: str | Path, table1: pd.DataFrame, weights: Weights, segments: pd.DataFrame | None = None
 ) -> tuple[Floats, pd.DataFrame, list[str]]:
-    """Return C_iso (nm⁴) on WAVEVECTORS of a description, its segments, the rows of Table 1 met.
+    """Return C_iso (nm⁴) on WAVEVECTORS, calibrated segments, and the rows of Table 1 they meet.
 
     Segments go from long to short wavelengths. Raises ValueError if a calibration fails.
     """

@@ -123,7 +123,7 @@ def accepted_range(rule: str, published_low: float, published_high: float) -> Ac
 def sets_needed(set_count: int, confidence: float) -> int:
     """Return how many sets must agree, so that REPRODUCED_SHARE of all possible sets surely do.
 
-    At this number the exact binomial interval of the share begins there; Clopper and Pearson,
+    From this number on the exact binomial interval of the share lies above it; Clopper and Pearson,
     Biometrika 26 (1934) 404. If it exceeds `set_count`, so few sets decide nothing.
     """
     from scipy.stats import binom

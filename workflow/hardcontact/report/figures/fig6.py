@@ -79,7 +79,7 @@ def _legend_handles(edges: xr.Dataset, band: Sequence[float]) -> list[Artist]:
         *style.surface_handles(edges),
         Line2D([], [], color="0.6", lw=0.7, label=f"{confidence} interval (bars)"),
         Patch(label=f"change below {tolerance}", **panels.UNCHANGED_LOOK),
-        Line2D([], [], label=f"edge: first change by {tolerance}", mec="0.3", **EDGE_LOOK),
+        Line2D([], [], label=f"edge: first change by {tolerance} from 1", mec="0.3", **EDGE_LOOK),
         Line2D([], [], label=f"published edges: {published}", **PUBLISHED_LINE),
         Patch(label="artificial roughness", **style.HATCHED_LOOK),
     ]
