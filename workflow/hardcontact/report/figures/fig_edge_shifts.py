@@ -25,6 +25,9 @@ def draw(edge_shifts: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
         for axes in (ratio_panel, edge_panel):
             axes.axvline(edge, **style.PUBLISHED_RANGE)
         style.label_panel(ratio_panel, letter, f"{model}, ρ = {rho:g} nm")
+    # Bars of two or three masters would stretch the axis over many decades.
+    ratios = bands["filtered_force_ratio"]
+    grid[0, 0].set_ylim(ratios.min() / 2, ratios.max() * 2)
     grid[0, 0].set_ylabel("force / unfiltered force")
     tolerance = format_share(edge_shifts.attrs["tolerance"])
     confidence = format_share(edge_shifts.attrs["confidence"])
