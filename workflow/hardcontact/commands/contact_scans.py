@@ -97,25 +97,21 @@ def _best_group(
 ) -> tuple[Group, str]:
     """Return the scans of a surface that contacts are made on, and the reason; lengths in nm."""
     reliable = [group for group in groups if any(scan.has_reliable_wavelengths for scan in group)]
-    usable = reliable or groups
     largest_pixel = interaction_radius / MIN_RADIUS_PIXELS
+    usable = reliable or groups
     resolved = [group for group in usable if group[0].pixel_size <= largest_pixel]
-    if not resolved:
-        reason = "they have the finest pixels"
-        group = min(usable, key=lambda group: (group[0].pixel_size, -len(group), -group[0].size))
+    large = [group for group in resolved if group[0].size >= large_enough]
+    goal = f"{format_length(large_enough)}, twice the search size 2 sqrt(2 R sigma²/m)"
+    if large:
+        group = min(large, key=lambda group: (group[0].size, -len(group), group[0].pixel_size))
+        reason = f"the smallest of at least {goal}"
+    elif resolved:
+        group = min(resolved, key=lambda group: (-group[0].size, -len(group), group[0].pixel_size))
+        reason = f"they come nearest to {goal}"
     else:
-        usable = resolved
-        is_large = any(group[0].size >= large_enough for group in usable)
-        reason = "the smallest of at least" if is_large else "they come nearest to"
-        reason += f" {format_length(large_enough)}, twice the search size 2 sqrt(2 R sigma²/m)"
-
-        def rank(group: Group) -> tuple[bool, float, int, float]:
-            size = group[0].size
-            is_small = size < large_enough
-            return is_small, -size if is_small else size, -len(group), group[0].pixel_size
-
-        group = min(usable, key=rank)
-    return group, reason if len(usable) > 1 else "no others can be used"
+        group = min(usable, key=lambda group: (group[0].pixel_size, -len(group), -group[0].size))
+        reason = "they have the finest pixels"
+    return group, reason if len(resolved or usable) > 1 else "no others can be used"
 
 
 def _sphere_group(groups: list[Group], substrates: Sequence[UserScan], radius: float) -> Group:

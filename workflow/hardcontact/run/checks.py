@@ -55,8 +55,7 @@ def check_study(study: dict[str, Any], table: pd.DataFrame) -> None:
     with collect_faults(faults):
         refuse_unfit_values(study, extents)
     if faults:
-        raise_faults(_unusual_quantity_faults(study, faults[0]))
-    raise_faults(faults)
+        raise_faults([*_unusual_quantity_faults(study), *faults])
 
 
 def _substitute_faults(study: dict[str, Any], table: pd.DataFrame) -> list[str]:
@@ -73,11 +72,11 @@ def _substitute_faults(study: dict[str, Any], table: pd.DataFrame) -> list[str]:
     return faults
 
 
-def _unusual_quantity_faults(study: dict[str, Any], fault: str) -> Iterator[str]:
-    """Yield a line for each quantity of the contact that is not usual and may cause the fault."""
+def _unusual_quantity_faults(study: dict[str, Any]) -> Iterator[str]:
+    """Yield a line for each quantity of the contact that is not usual and may cause a fault."""
     for quantity, (key, name) in CONTACT_QUANTITIES.items():
         if question := unit_question(quantity, get_key(study, key)):
-            words = f"{contact_words(study)[name]}: {question}; if it is: {fault}"
+            words = f"{contact_words(study)[name]}: {question}"
             yield key_fault(key, "a value that the scans permit", words)
 
 
