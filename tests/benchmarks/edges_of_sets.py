@@ -72,7 +72,7 @@ def main():
         "realization"
     )
     mean_forces = [forces_of_sets[name].mean(CONTACT_AXES) for name in FORCES]
-    masters = arguments.masters or settings["realizations"]
+    masters = arguments.masters or settings["master_count"]
     rows = []
     for set_number in range(1, (arguments.sets or sets.sizes["set"]) + 1):
         samples = (sample_masters(f, masters, settings["seed"], set_number) for f in mean_forces)

@@ -196,7 +196,7 @@ def test_any_scan_gives_a_valid_study_or_a_justified_refusal(scans, settings):
 
 def test_scans_like_the_paper_s_get_about_its_grids():
     config, _ = both_efforts(contact(), propose_keys([user_scan()] * 5, None, contact()))
-    short_side, long_side = config["scales"]["short"], config["scales"]["long"]
+    short_side, long_side = config["band"]["short"], config["band"]["long"]
     assert config["contact"]["window"] == pytest.approx(12500, rel=0.01)
     assert (
         short_side["transition"] == pytest.approx(20, rel=0.05) and long_side["transition"] == 1000
@@ -231,7 +231,7 @@ def test_a_slow_contact_is_told():
 def test_roughness_is_artificial_below_the_reliable_wavelengths(shortest, transition):
     scan = user_scan(band=ReliableBand(shortest, 833.0, "tip"))
     choices = propose_keys([scan], None, contact()).choices
-    assert {choice.key: choice.value for choice in choices}["scales.short.transition"] == transition
+    assert {choice.key: choice.value for choice in choices}["band.short.transition"] == transition
 
 
 @pytest.mark.parametrize(

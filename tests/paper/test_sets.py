@@ -129,7 +129,7 @@ def make_inputs(measured_surfaces=()):
 
 
 SETTINGS = SetSettings(
-    seed=1, set_count=2, realizations=5, reference_surface="uncd", tolerance=0.1,
+    seed=1, set_count=2, master_count=5, reference_surface="uncd", tolerance=0.1,
     confidence=CONFIDENCE,
 )  # fmt: skip
 FORCES = pd.DataFrame({"mean_force": MEAN_FORCE}, index=SUBSTRATES)

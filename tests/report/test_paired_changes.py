@@ -15,8 +15,8 @@ SETS = 20_000
 SCATTER = 0.01
 SAMPLING = {
     "pool_chunks": [["uncd", 1, 15]], "candidate_chunks": [],
-    "master_surfaces": ["uncd"], "realizations": 20, "loading": "H25GPa-F10uN",
-    "settings": {"seed": 2021, "realizations": 5, "tolerance": 0.1},
+    "master_surfaces": ["uncd"], "master_pool_size": 20, "loading": "H25GPa-F10uN",
+    "settings": {"seed": 2021, "master_count": 5, "tolerance": 0.1},
 }  # fmt: skip
 
 
@@ -88,7 +88,7 @@ def test_shared_scatter_cancels_from_the_change():
     [
         ({}, "no_sets"),
         (study(seed=2022), "other_scans"),
-        (study(realizations=4), "other_scans"),
+        (study(master_count=4), "other_scans"),
         (study(rms=11.1), "other_scans"),
     ],
 )

@@ -39,10 +39,10 @@ CONTRADICTIONS = [
     ("adhesion.ranges", ["1 nm", "0.001 um"], "ascending", "found 0.001 um after 1 nm"),
     # Wavelengths and pixels
     ("substitutes.size", "20 nm", "0.05 to 10000 nm", "found 0.0390625 nm"),
-    ("scales.short.cutoffs", ["1.2 nm"], "1.221 nm", "found 1.2"),
-    ("scales.short.cutoffs", ["6 um"], "5000 nm", "found 6000"),
-    ("scales.short.transition", "9 nm", "found 9 nm"),
-    ("scales.long.pixels", 512, "4096", "found 512"),
+    ("band.short.cutoffs", ["1.2 nm"], "1.221 nm", "found 1.2"),
+    ("band.short.cutoffs", ["6 um"], "5000 nm", "found 6000"),
+    ("band.short.transition", "9 nm", "found 9 nm"),
+    ("band.long.pixels", 512, "4096", "found 512"),
     ("sphere.radius", "2 um", "2500 nm", "found 2000 nm"),
     ("contact.window", "90 um", "16384", "found 18432"),
     # Loads
@@ -72,7 +72,7 @@ CONTRADICTING_VALUES = [
         ("contact.contacts_per_row", 200, "contact.preload", "0.5 mN"),
         *("contact.preload", "at most 160 µN", "found 500 µN"),
     ),
-    (("scales.long.tiles", 8), "sets.long.pixels", "8192", "found 4096"),
+    (("band.long.tiles", 8), "sets.long.pixels", "8192", "found 4096"),
     (
         ("exponents.radii", ["30 nm", "250 um"], "adhesion.range", "1.4 nm"),
         *("adhesion.range", "at least 1.59 nm on", "at R = 30 nm", "found 1.4 nm"),
@@ -155,7 +155,7 @@ def test_masters_under_a_rough_sphere_have_its_pixels(tmp_path, project_folder):
     ball = write_scan(tmp_path / "ball.nc", random_heights(512, 512), (400.0, 400.0))
     rows = ROWS.partition("ruby\t")[0] + f"ruby\truby\t1\tmeasured\t{ball}\t\n"
     check_configuration(paper_configuration(), tmp_path, rows)
-    rough = paper_configuration("scales.sphere_roughness", True)
+    rough = paper_configuration("band.sphere_roughness", True)
     message = refusal(check_configuration, rough, tmp_path, rows)
     assert_says(message, "16384 pixels per row of the long-edge masters of ncd", "found 25600")
 
@@ -208,7 +208,7 @@ def test_a_missing_file_is_refused_though_it_was_stored(tmp_path, monkeypatch):
 
 # How far contacts on substitutes can lie apart in height
 
-CONFIG = {"substitutes": {"pixels": 512, "size": 5000.0}, "scales": {"long": {"tiles": 2}}}
+CONFIG = {"substitutes": {"pixels": 512, "size": 5000.0}, "band": {"long": {"tiles": 2}}}
 
 
 def rows(name):

@@ -21,7 +21,7 @@ def own_repository(folder):
     """Copy the repository into a folder, with a folder of scans; return the copy."""
     folder = copy_repository(folder / "study")
     (folder / "scans").mkdir()
-    (folder / "few.yaml").write_text("quick: {scales: {realizations: 1}}")
+    (folder / "few.yaml").write_text("quick: {band: {masters: 1}}")
     return folder
 
 

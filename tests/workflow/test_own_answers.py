@@ -187,7 +187,7 @@ DESCRIBED = {
     "quick": {
         "substitutes": {"pixels": 128},
         "contact": {"contacts_per_row": 4},
-        "scales": {
+        "band": {
             "short": {"pixels": 256, "transition": "160 nm", "cutoffs": ["100 nm", "200 nm"]},
             "long": {"pixels": 512, "cutoffs": ["1000 nm", "8000 nm"]},
         },

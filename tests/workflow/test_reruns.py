@@ -210,10 +210,10 @@ def empty_metadata(folder):
     ("key", "value", "concerned", "change_metadata"),
     [
         ("sets.pool_size", 12, {"compute_pool", "sample_sets"}, keep_metadata),
-        ("scales.short.transition", "90 nm",
+        ("band.short.transition", "90 nm",
          {"synthesize_masters", "compute_filtered_forces", "aggregate_filtered_forces"},
          lose_metadata),
-        ("scales.tolerance", 0.2,
+        ("band.tolerance", 0.2,
          {"find_edges_of_masters", "sample_sets", "fit_exponents", "compute_edge_shifts"},
          empty_metadata),
     ],

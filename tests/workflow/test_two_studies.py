@@ -25,8 +25,8 @@ UNCHANGED_KEYS = {
 }  # fmt: skip
 #: Keys that change which files there are, by numbers or names in paths.
 PATH_KEYS = {
-    "scales.sphere_roughness", "scales.realizations", "scales.whole_surfaces", "sets.pool_size",
-    "sets.count", "sets.realizations", "exponents.realizations", "substitutes.featured_surface",
+    "band.sphere_roughness", "band.masters", "band.whole_surfaces", "sets.pool_size",
+    "sets.count", "sets.masters", "exponents.masters", "substitutes.featured_surface",
 }  # fmt: skip
 #: Values of keys that are no numbers; a key takes the first that it does not have.
 OTHER_WORDS = {

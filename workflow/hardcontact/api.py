@@ -29,7 +29,7 @@ from hardcontact.config.arguments import (
     make_periodic,
 )
 from hardcontact.config.faults import raise_faults
-from hardcontact.config.keys import NONE, ContactKeys, IntervalKeys, ScalesKeys
+from hardcontact.config.keys import NONE, BandKeys, ContactKeys, IntervalKeys
 from hardcontact.contact.contact import PLASTIC, Contact
 from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import WORK_OF_ADHESION, pull_off_dataset
@@ -53,7 +53,7 @@ if TYPE_CHECKING:
 
 # Defaults of the arguments.
 PAPER_CONTACT = ContactKeys()
-PAPER_TOLERANCE = ScalesKeys().tolerance
+PAPER_TOLERANCE = BandKeys().tolerance
 PAPER_CONFIDENCE = IntervalKeys().confidence
 
 

@@ -18,7 +18,7 @@ rule find_edges_of_masters:
     output:
         RESULTS.dataset("edges"),
     params:
-        parameters=dict(tolerance=STUDY["scales"]["tolerance"], sampling=SAMPLING),
+        parameters=dict(tolerance=STUDY["band"]["tolerance"], sampling=SAMPLING),
     script:
         "../scripts/find_edges_of_masters.py"
 
@@ -36,7 +36,7 @@ rule compute_band_forces:
         parameters=lambda w: dict(
             **SETTINGS["band_forces"],
             surface=w.surface,
-            surface_numbers=list(range(1, STUDY["scales"]["whole_surfaces"] + 1)),
+            surface_numbers=list(range(1, STUDY["band"]["whole_surfaces"] + 1)),
             has_features=w.surface == PLAN.featured_surface,
         ),
     script:
@@ -71,7 +71,7 @@ rule fit_exponents:
     params:
         parameters=dict(
             surfaces=[chunk.surface for chunk in EXPONENT_CHUNKS],
-            tolerance=STUDY["scales"]["tolerance"],
+            tolerance=STUDY["band"]["tolerance"],
             contact_area=PLAN.contact.area,
             confidence=STUDY["intervals"]["confidence"],
             **LABELS_AND_SOURCES,
@@ -89,7 +89,7 @@ rule compute_edge_shifts:
     params:
         parameters=dict(
             surfaces=[chunk.surface for chunk in EDGE_SHIFT_CHUNKS],
-            tolerance=STUDY["scales"]["tolerance"],
+            tolerance=STUDY["band"]["tolerance"],
             sampling=SAMPLING,
             **LABELS_AND_SOURCES,
         ),

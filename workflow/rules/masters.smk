@@ -67,7 +67,7 @@ rule aggregate_filtered_forces:
             **LABELS_AND_SOURCES,
             rho=STUDY["adhesion"]["range"],
             sphere_radius=STUDY["sphere"]["radius"],
-            transitions={side: STUDY["scales"][side]["transition"] for side in SIDES},
+            transitions={side: STUDY["band"][side]["transition"] for side in SIDES},
         ),
     script:
         "../scripts/aggregate_filtered_forces.py"

@@ -36,7 +36,7 @@ if PLAN.measured_scan_ids:
             parameters=dict(
                 scan_ids=PLAN.measured_scan_ids,
                 **LABELS_AND_SOURCES,
-                tolerance=STUDY["scales"]["tolerance"],
+                tolerance=STUDY["band"]["tolerance"],
                 rho=STUDY["adhesion"]["range"],
                 confidence=STUDY["intervals"]["confidence"],
             ),
@@ -49,8 +49,8 @@ HINDCAST = RESULTS.dataset("hindcast") if PLAN.measured_scan_ids else []
 #: The scans of masters, and how forces on them are compared.
 MASTER_PARAMETERS = {
     "scan_counts": {name: len(SELECTION.contact_scans(name)) for name in SELECTION.substrates},
-    "tiles": STUDY["scales"]["long"]["tiles"],
-    "tolerance": STUDY["scales"]["tolerance"],
+    "tiles": STUDY["band"]["long"]["tiles"],
+    "tolerance": STUDY["band"]["tolerance"],
     "confidence": STUDY["intervals"]["confidence"],
 }
 

@@ -61,15 +61,15 @@ rule sample_sets:
             pool_chunks=CHUNKS.pools,
             candidate_chunks=CHUNKS.featured_candidates,
             master_surfaces=[chunk.surface for chunk in MASTER_CHUNKS],
-            realizations=STUDY["sets"]["realizations"],  # for `hardcontact compare`
+            master_pool_size=STUDY["sets"]["masters"],  # for `hardcontact compare`
             loading=PLAN.contact.loading_name,
             claims=claims_of_sets(CLAIMS),
             settings={
                 "seed": STUDY["seed"],
                 "set_count": STUDY["sets"]["count"],
-                "realizations": STUDY["scales"]["realizations"],
+                "master_count": STUDY["band"]["masters"],
                 "reference_surface": STUDY["reference_surface"],
-                "tolerance": STUDY["scales"]["tolerance"],
+                "tolerance": STUDY["band"]["tolerance"],
                 "confidence": STUDY["intervals"]["confidence"],
             },
         ),

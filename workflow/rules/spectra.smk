@@ -8,7 +8,7 @@ rule sample_spectra:
     output:
         expand(
             STORE.sampled_spectra,
-            realization=range(1, STUDY["scales"]["realizations"] + 1),
+            realization=range(1, STUDY["band"]["masters"] + 1),
             allow_missing=True,
         ),
     params:

@@ -51,7 +51,7 @@ def test_grids_coarser_than_the_paper_s_are_recognized(grid, effort):
 @pytest.mark.parametrize(("overlay", "inputs"), [
     ({"sphere": {"radius": "62.5 um"}}, ["radius of the sphere"]),
     ({"contact": {"hardness": "30 GPa", "preload": "5 uN"}}, ["hardness", "preload"]),
-    ({"adhesion": {"range": "4 nm"}, "scales": {"sphere_roughness": True}},
+    ({"adhesion": {"range": "4 nm"}, "band": {"sphere_roughness": True}},
      ["range of adhesion", "sphere in computations of the band"]),
     ({"adhesion": {"work": "60 mJ/m2"}}, []),
     ({"study": "again", "seed": 1,

@@ -120,7 +120,7 @@ def compute_numbers(inputs: Inputs, arguments: Namespace) -> dict[str, Number]:
     """Return the numbers of a prediction by name: quantities, forces, modulus."""
     quantities, contact, spectrum, _ = inputs
     numbers = {name: _quantity_number(name, quantities[name]) for name in CONTACT_QUANTITIES}
-    tolerance, confidence = PAPER_STUDY.scales.tolerance, PAPER_STUDY.intervals.confidence
+    tolerance, confidence = PAPER_STUDY.band.tolerance, PAPER_STUDY.intervals.confidence
     numbers |= prediction_and_scan_force(spectrum, contact, tolerance, confidence, arguments.file)
     modulus = QuantityOption("", assumed_modulus(contact.hardness), "Pa", is_given=False)
     numbers["modulus"] = _quantity_number("modulus", quantities.get("modulus", modulus))

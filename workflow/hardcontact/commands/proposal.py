@@ -156,7 +156,7 @@ def _effort_choices(
         Choice("contact.contacts_per_row", contacts_per_row, contacts_reason),
         Choice("adhesion.range", _format_nm(contact.rho), permitted.range_reason),
         Choice("adhesion.ranges", ranges, f"for the force as a function of it; {limit}"),
-        Choice("scales.realizations", master_count, "masters on each side"),
+        Choice("band.masters", master_count, "masters on each side"),
         *_master_choices(substrates, contact, transitions, effort, short_pixels),
     ]
 
@@ -192,13 +192,13 @@ def _master_choices(
     long_cutoffs = _spaced_cutoffs(shortest, size * scans_per_row, effort.cutoff_count)
     short_transition, long_transition = transitions
     tiles_reason = f"mirrored scans per row, {format_length(2 * size * scans_per_row)}"
-    yield Choice("scales.short.pixels", short_pixels, f"{format_length(finest)} a pixel")
+    yield Choice("band.short.pixels", short_pixels, f"{format_length(finest)} a pixel")
     yield short_transition
-    yield Choice("scales.short.cutoffs", short_cutoffs, "from four pixels to the size of the scan")
-    yield Choice("scales.long.pixels", long_pixels, "those of the scans")
-    yield Choice("scales.long.tiles", scans_per_row, tiles_reason)
+    yield Choice("band.short.cutoffs", short_cutoffs, "from four pixels to the size of the scan")
+    yield Choice("band.long.pixels", long_pixels, "those of the scans")
+    yield Choice("band.long.tiles", scans_per_row, tiles_reason)
     yield long_transition
-    yield Choice("scales.long.cutoffs", long_cutoffs, "to half the size of the master")
+    yield Choice("band.long.cutoffs", long_cutoffs, "to half the size of the master")
 
 
 def _spaced_cutoffs(shortest: float, longest: float, max_count: int) -> list[str]:
@@ -227,8 +227,8 @@ def _transition_choices(
     short_reason = f"{reason}; below, roughness is artificial"
     long_reason = f"{TRANSITION_SHARE:g} of the size of the scan; above, roughness is artificial"
     return (
-        Choice("scales.short.transition", _format_nm(shortest), short_reason),
-        Choice("scales.long.transition", _format_nm(longest), long_reason),
+        Choice("band.short.transition", _format_nm(shortest), short_reason),
+        Choice("band.long.transition", _format_nm(longest), long_reason),
     )
 
 

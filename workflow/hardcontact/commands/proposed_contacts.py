@@ -102,7 +102,7 @@ def _shortest_range(
 
 
 def master_scans_per_row(substrates: Sequence[UserScan], window: float, pixels: int) -> int:
-    """Return the number of mirrored scans per row of long-edge masters: key scales.long.tiles.
+    """Return the number of mirrored scans per row of long-edge masters: key band.long.tiles.
 
     If pixels suffice, the master is eight scans wide, as in the paper, and wider than the window
     (nm).

@@ -118,10 +118,10 @@ def reading_keys(study: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def master_keys(study: Mapping[str, Any], section: str, side: str) -> dict[str, str]:
-    """Return the keys of the masters' settings in a section, or in `scales` where it has none."""
+    """Return the keys of the masters' settings in a section, or in `band` where it has none."""
     return {
         name: f"{section_name}.{side}.{name}"
-        for section_name in ("scales", section)
+        for section_name in ("band", section)
         for name in study[section_name][side]
     }
 

@@ -159,12 +159,12 @@ class LongSideKeys(Keys):
     """Cutoffs: at each, all roughness at longer wavelengths is removed, and the force computed."""
 
 
-class ScalesKeys(Keys):
+class BandKeys(Keys):
     """The band of wavelengths that decide the force, found on masters: partly artificial scans."""
 
     tolerance: types.Fraction = key(0.1, "Most Relevant Length-scales")
     """Relative change up to which a force counts as unchanged. Larger values narrow the band."""
-    realizations: types.MasterCount = 5
+    masters: types.MasterCount = 5
     """Masters of each substrate for each edge of the band. With more masters edges scatter less and
     cost more time."""
     whole_surfaces: Annotated[int, Field(ge=1, le=1000)] = 10
@@ -204,7 +204,7 @@ class AsperitiesKeys(Keys):
 
 
 class SetShortSideKeys(Keys):
-    """Short-edge masters of the sets; other keys are those of `scales.short`."""
+    """Short-edge masters of the sets; other keys are those of `band.short`."""
 
     pixels: types.Pixels = 4096
     """Pixels per row of a master."""
@@ -213,7 +213,7 @@ class SetShortSideKeys(Keys):
 
 
 class SetLongSideKeys(Keys):
-    """Long-edge masters of the sets; other keys are those of `scales.long`."""
+    """Long-edge masters of the sets; other keys are those of `band.long`."""
 
     pixels: types.Pixels = 4096
     """Pixels per row of a master."""
@@ -234,7 +234,7 @@ class SetsKeys(Keys):
     interpolated."""
     contacts_per_row: types.ContactsPerRow = 10
     """Contacts per row of the array on scans and masters of the sets."""
-    realizations: types.MasterCount = 20
+    masters: types.MasterCount = 20
     """Masters of each substrate for each edge, from which the bands of sets are sampled."""
     short: SetShortSideKeys = SetShortSideKeys()
     long: SetLongSideKeys = SetLongSideKeys()
@@ -243,7 +243,7 @@ class SetsKeys(Keys):
 class ExponentKeys(Keys):
     """Exponents of force and short edge over radius and load, from masters of the sets."""
 
-    realizations: types.MasterCount = 3
+    masters: types.MasterCount = 3
     """Masters of each substrate for each edge, also for `edge_shifts.nc`."""
     radii: types.Radii = key(["5 um", "62.5 um", "250 um", "1000 um"])
     """Radii of the spheres."""
@@ -283,7 +283,7 @@ class Study(Keys):
     contact: ContactKeys = ContactKeys()
     adhesion: AdhesionKeys = AdhesionKeys()
     intervals: IntervalKeys = IntervalKeys()
-    scales: ScalesKeys = ScalesKeys()
+    band: BandKeys = BandKeys()
     elastic: ElasticKeys = ElasticKeys()
     indent: IndentKeys = IndentKeys()
     asperities: AsperitiesKeys = AsperitiesKeys()
@@ -296,9 +296,9 @@ class Study(Keys):
         if self.published == PAPER and self.forces != NONE:
             faults.append(key_fault("forces", f"{NONE} with published: {PAPER}", self.forces))
         is_smooth = self.published != PAPER and self.sphere.surface == SMOOTH_SPHERE
-        if is_smooth and self.scales.sphere_roughness:
+        if is_smooth and self.band.sphere_roughness:
             accepted = f"false with sphere.surface: {SMOOTH_SPHERE}"
-            faults.append(key_fault("scales.sphere_roughness", accepted, "true"))
+            faults.append(key_fault("band.sphere_roughness", accepted, "true"))
         raise_faults(faults)
         return self
 

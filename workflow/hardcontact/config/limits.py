@@ -79,7 +79,7 @@ def study_contacts(study: dict[str, Any]) -> dict[str, NamedContact]:
     scan_contact = NamedContact(replace(contact, rho=study["adhesion"]["ranges"][0]))
     master_contact = NamedContact(contact, range_name="adhesion.range")
     if not is_paper_study(study):
-        return {"scans": scan_contact, "scales": master_contact}
+        return {"scans": scan_contact, "band": master_contact}
     indent = replace(scan_contact.contact, preload=study["indent"]["preloads"][-1])
     radius = min(contact.radius, study["exponents"]["radii"][0])
     contacts_per_row = study["sets"]["contacts_per_row"]
@@ -87,7 +87,7 @@ def study_contacts(study: dict[str, Any]) -> dict[str, NamedContact]:
     return {
         "scans": scan_contact,
         "indents": scan_contact._replace(contact=indent, load_name="indent.preloads"),
-        "scales": master_contact,
+        "band": master_contact,
         "sets": master_contact._replace(contact=set_contact, count_name="sets.contacts_per_row"),
     }
 
@@ -96,7 +96,7 @@ def refuse_unfit_values(study: dict[str, Any], extents: Mapping[str, Extent]) ->
     """Refuse values that the extents of scans, by surface, do not permit."""
     fault_series = []
     sphere_surface = study["sphere"]["surface"]
-    master_sections = ["scales", "sets"] if is_paper_study(study) else ["scales"]
+    master_sections = ["band", "sets"] if is_paper_study(study) else ["band"]
     for surface, extent in extents.items():
         fault_series.append(_scan_faults(study, surface, extent))
         if surface != sphere_surface:
@@ -137,9 +137,9 @@ def _scan_faults(study: dict[str, Any], surface: str, extent: Extent) -> Iterato
         accepted = f"at least the size of its scans ({extent.size:.6g} nm)"
         yield key_fault("sphere.radius", accepted, f"{radius:.6g} nm")
     # The master has the size of the largest one. Its artificial pixels do not limit ranges.
-    master_extent = extent._replace(size=extent.size * study["scales"]["long"]["tiles"])
+    master_extent = extent._replace(size=extent.size * study["band"]["long"]["tiles"])
     for stage, named_contact in study_contacts(study).items():
-        uses_masters = stage in ("scales", "sets") and not is_sphere
+        uses_masters = stage in ("band", "sets") and not is_sphere
         yield from contact_faults(named_contact, surface, master_extent if uses_masters else extent)
 
 
@@ -163,7 +163,7 @@ def _body_faults(
         if pixels < 2:
             accepted = f"at least 2 contact pixels of {pixel_size:.4g} nm at the largest"
             yield key_fault("indent.preloads", accepted, pixels)
-    contact, load_name, _, range_name, _ = contacts["scales"]
+    contact, load_name, _, range_name, _ = contacts["band"]
     depth = penetration_depth(contact, extent.relief)
     min_rho = depth / PENETRATION_OVER_RANGE
     if contact.rho < min_rho:
@@ -195,7 +195,7 @@ def _master_faults(
             # Exactly two pixels is refused with some margin, as `filters.lowpass` does.
             if not 2 * finest * (1 + 1e-9) < wavelength <= size:
                 yield key_fault(keys[name], accepted, f"{wavelength:.4g} nm")
-    if study["scales"]["sphere_roughness"]:
+    if study["band"]["sphere_roughness"]:
         pixel_size = min(pixel_size, sphere.pixel_size)
         bodies = f"the {side}-edge masters of {surface} and the sphere"
         yield from _map_faults(bodies, pixel_size, extent._replace(size=size / 2), sphere)

@@ -55,8 +55,8 @@ class StudyPlan:
     @property
     def scan_batches(self) -> dict[tuple[int, ...], list[str]]:
         """Substitutes by the scan numbers that one job makes."""
-        sections = ("scales", "sets", "exponents")
-        master_count = max(self.study[name]["realizations"] for name in sections)
+        sections = ("band", "sets", "exponents")
+        master_count = max(self.study[name]["masters"] for name in sections)
         selection = self.selection
         surfaces_by_scans = defaultdict[tuple[int, ...], list[str]](list)
         for surface in selection.substitutes:

@@ -101,7 +101,7 @@ class Chunks:
     @property
     def whole_surfaces(self) -> list[Chunk]:
         """The whole surfaces of all substitutes: outputs of rule compute_whole_surface_forces."""
-        spans = _spans(self._study["scales"]["whole_surfaces"], MASTERS_CHUNK)
+        spans = _spans(self._study["band"]["whole_surfaces"], MASTERS_CHUNK)
         substitutes = self._selection.substitute_substrates
         return [Chunk(surface, *span) for surface in substitutes for span in spans]
 
@@ -109,8 +109,8 @@ class Chunks:
 
     def master_forces(self, purpose: str) -> list[MasterForcesChunk]:
         """Return the forces on the masters of a purpose: outputs of compute_filtered_forces."""
-        count = get_key(self._study, PURPOSES[purpose].realizations_key)
-        spans = _spans(count, PURPOSES[purpose].realizations_in_job)
+        count = get_key(self._study, PURPOSES[purpose].masters_key)
+        spans = _spans(count, PURPOSES[purpose].masters_in_job)
         sweep = self._files.patterns.settings[purpose]
         loadings = [replace(self._plan.contact, **loading) for loading in sweep["loadings"]]
         return [
@@ -141,7 +141,7 @@ class Chunks:
 
         The sphere is smooth if the study or the purpose wants it, or if masters have its roughness.
         """
-        is_rough = self._study["scales"]["sphere_roughness"]
+        is_rough = self._study["band"]["sphere_roughness"]
         is_added = surface in self._plan.combined_surfaces
         if is_added or not (is_rough and PURPOSES[purpose].rough_sphere):
             return SMOOTH_SPHERE

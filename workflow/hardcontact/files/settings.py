@@ -42,8 +42,8 @@ class Purpose(NamedTuple):
 
     section: str  #: Section of the pixels and cutoffs of masters.
     contacts_key: str  #: Key of the number of contacts per row.
-    realizations_key: str  #: Key of the number of masters of a surface.
-    realizations_in_job: int = MASTERS_CHUNK
+    masters_key: str  #: Key of the number of masters of a surface.
+    masters_in_job: int = MASTERS_CHUNK
     masters_are_files: bool = False  #: Whether masters are files of the store.
     samples_spectra: bool = False  #: Whether each master has a sampled spectrum.
     rough_sphere: bool = True  #: Whether a study with a rough sphere uses it here.
@@ -59,25 +59,25 @@ class Purpose(NamedTuple):
 PURPOSES = {
     # The band of the study.
     "band": Purpose(
-        "scales", "contact.contacts_per_row", "scales.realizations", realizations_in_job=1,
+        "band", "contact.contacts_per_row", "band.masters", masters_in_job=1,
         masters_are_files=True, stream="master",
     ),
     # The same with sampled spectra, of measured surfaces only, and with the same random numbers.
     "sampled": Purpose(
-        "scales", "contact.contacts_per_row", "scales.realizations", realizations_in_job=1,
+        "band", "contact.contacts_per_row", "band.masters", masters_in_job=1,
         samples_spectra=True, stream="master",
     ),
     # The edges of each set of substitutes.
-    "sets": Purpose("sets", "sets.contacts_per_row", "sets.realizations"),
+    "sets": Purpose("sets", "sets.contacts_per_row", "sets.masters"),
     # How the edges depend on radius and load, on a smooth sphere. At an eighth of the preload the
     # contact still has some 30 pixels; larger loads move short edges beyond the cutoffs of sets.
     "exponents": Purpose(
-        "sets", "sets.contacts_per_row", "exponents.realizations", rough_sphere=False,
+        "sets", "sets.contacts_per_row", "exponents.masters", rough_sphere=False,
         radii_key="exponents.radii", preload_shares=(1 / 8, 1),
     ),
     # The short edge with and without plasticity and a long range of adhesion.
     "edge_shifts": Purpose(
-        "sets", "sets.contacts_per_row", "exponents.realizations", sides=("short",),
+        "sets", "sets.contacts_per_row", "exponents.masters", sides=("short",),
         plastic=(True, False), further_ranges=(SHORT_ADHESION_RANGE,),
     ),
 }  # fmt: skip
@@ -100,11 +100,11 @@ def _surface_kinds(plan: StudyPlan) -> dict[str, Kind]:
     """Return the kinds of measurements, spectra, scans and masters."""
     study = plan.study
     seed = {"seed": study["seed"]}
-    scales = study["scales"]
     levelling = {"levelling": study["scan"]["levelling"]}
     sphere = [plan.selection.sphere, plan.selection.sphere_digest, study["sphere"]["radius"]]
     side_keys = {"short": ("pixels", "transition"), "long": ("tiles", "transition")}
-    sides = {side: {key: scales[side][key] for key in keys} for side, keys in side_keys.items()}
+    band = study["band"]
+    sides = {side: {key: band[side][key] for key in keys} for side, keys in side_keys.items()}
     return {
         # Measured scans, as their files have them.
         "measurements": Kind(reading_keys(study)),
@@ -139,7 +139,7 @@ def _scan_contact_kinds(plan: StudyPlan) -> dict[str, Kind]:
         "ranges": _all_ranges(study),
     }
     asperities = {**seed, "contact": contact, "asperities": study["asperities"]}
-    transitions = {side: study["scales"][side]["transition"] for side in SIDES}
+    transitions = {side: study["band"][side]["transition"] for side in SIDES}
     hindcast = {**seed, "contact": contact_at_range, "transitions": transitions}
     return {
         # Forces on a scan, with all scans of the sphere.
@@ -163,7 +163,7 @@ def _random_surface_kinds(study: Mapping[str, Any]) -> dict[str, Kind]:
     contact = contact_arguments(study)
     # As wide as a long-edge master, with the pixels of a scan.
     pixels, size = study["substitutes"]["pixels"], study["substitutes"]["size"]
-    grid = {"pixels": 2 * study["scales"]["long"]["tiles"] * pixels, "pixel_size": size / pixels}
+    grid = {"pixels": 2 * study["band"]["long"]["tiles"] * pixels, "pixel_size": size / pixels}
     whole_surface = {
         **_featured_surface(study),
         "contact": contact | {"rho": study["adhesion"]["range"]},

@@ -8,7 +8,7 @@ import pandas as pd
 from hardcontact.config.configuration import CONTACT_QUANTITIES, contact_words
 from hardcontact.config.keys import Study
 
-#: The name of `scales.sphere_roughness` among the inputs of contacts.
+#: The name of `band.sphere_roughness` among the inputs of contacts.
 SPHERE_AT_CUTOFFS = "sphere in computations of the band"
 
 
@@ -17,7 +17,7 @@ def paper_contact(configuration: Mapping[str, Any]) -> dict[str, str]:
     words = contact_words(configuration)
     # It is fitted to the published forces.
     del words[CONTACT_QUANTITIES["work"][1]]
-    sphere = "rough" if configuration["scales"]["sphere_roughness"] else "smooth"
+    sphere = "rough" if configuration["band"]["sphere_roughness"] else "smooth"
     return words | {SPHERE_AT_CUTOFFS: sphere}
 
 

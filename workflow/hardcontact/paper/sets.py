@@ -56,7 +56,7 @@ class SetSettings(NamedTuple):
 
     seed: int  #: Seed of the study.
     set_count: int  #: Number of sets.
-    realizations: int  #: Number of masters of each substrate in a set.
+    master_count: int  #: Number of masters of each substrate in a set.
     reference_surface: str  #: Surface whose mean force is the denominator of force ratios.
     tolerance: float  #: Relative change of the force that defines an edge.
     confidence: float  #: Confidence of the intervals.
@@ -138,24 +138,24 @@ def scale_to_sampled_mean(forces: xr.DataArray, rng: np.random.Generator) -> xr.
 
 
 def edges_of_set(
-    forces: xr.Dataset, realizations: int, tolerance: float, sampling: Sampling, set_number: int
+    forces: xr.Dataset, master_count: int, tolerance: float, sampling: Sampling, set_number: int
 ) -> xr.Dataset:
     """Return the band from forces on masters of each substrate, sampled with replacement."""
-    ratio = sample_masters(forces["filtered_force_ratio"], realizations, sampling.seed, set_number)
+    ratio = sample_masters(forces["filtered_force_ratio"], master_count, sampling.seed, set_number)
     set_forces = forces.drop_dims("realization").assign(filtered_force_ratio=ratio)
     return edges_of_masters(set_forces, tolerance, sampling)[0]
 
 
 def sample_masters(
-    values: xr.DataArray, realizations: int, seed: int, set_number: int
+    values: xr.DataArray, master_count: int, seed: int, set_number: int
 ) -> xr.DataArray:
     """Return values (surface, realization, ...) of masters that are drawn with replacement."""
     samples = []
     for surface in values["surface"].values.tolist():
         masters = values.sel(surface=surface, drop=True).dropna("realization", how="all")
         rng = generator(seed, surface, set_number, "set", "masters")
-        sample = masters.sel(realization=rng.choice(masters["realization"], realizations))
-        samples.append(sample.assign_coords(realization=range(realizations)))
+        sample = masters.sel(realization=rng.choice(masters["realization"], master_count))
+        samples.append(sample.assign_coords(realization=range(master_count)))
     return xr.concat(samples, values["surface"])
 
 
@@ -198,7 +198,7 @@ def _set_datasets(
     adhesion = adhesion_of_set(inputs, sampled_scans, settings.seed, set_number)
     fit = fit_published(adhesion, published, settings.reference_surface, sampling)
     edges = edges_of_set(
-        inputs.master_forces, settings.realizations, settings.tolerance, sampling, set_number
+        inputs.master_forces, settings.master_count, settings.tolerance, sampling, set_number
     )
     return {
         "topography": topography_of_set(inputs, sampled_scans, settings.confidence),

@@ -39,8 +39,8 @@ SIDE_NUMBERS = re.compile("(bumps|pits|gaussian|verdicts)_.*|.*_(scatter|agreein
 #: Datasets of a study with sets of scans.
 SET_DATASETS = ("sets", "topography", "filtered_forces", "features")
 #: Parameters of sets.nc that decide which scans and masters a set has.
-SAMPLING_PARAMETERS = ("pool_chunks", "candidate_chunks", "master_surfaces", "realizations")
-SAMPLING_SETTINGS = ("seed", "realizations")
+SAMPLING_PARAMETERS = ("pool_chunks", "candidate_chunks", "master_surfaces", "master_pool_size")
+SAMPLING_SETTINGS = ("seed", "master_count")
 #: Relative difference of equal surfaces: far more than other processors cause, 7e-16.
 TOLERANCE = 1e-6
 

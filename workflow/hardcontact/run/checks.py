@@ -189,7 +189,7 @@ def surface_extent(study: dict[str, Any], surface: str, rows: pd.DataFrame) -> E
         size = study["substitutes"]["size"]
         relief = SUBSTITUTE_RELIEF
         if not needs_calibration(read_segments(path)):
-            widest_domain = 2 * size * study["scales"]["long"]["tiles"]
+            widest_domain = 2 * size * study["band"]["long"]["tiles"]
             relief = RELIEF_OVER_RMS * described_rms_height(path, widest_domain)
         extent = Extent(pixels, size / pixels, size, relief)
         location = "config key substitutes.size"

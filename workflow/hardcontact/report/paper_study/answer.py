@@ -262,7 +262,7 @@ def _settings(datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame) -> It
     for name in ("tolerance", "confidence"):
         yield Number(name, float(datasets["edges"].attrs[name]), source="given")
     yield Number("sets", datasets["sets"].sizes["set"], source="given")
-    yield Number("realizations", filtered_forces.sizes["realization"], source="given")
+    yield Number("masters", filtered_forces.sizes["realization"], source="given")
     map_size = datasets["scan_size"]["map_size"]
     mirrored = _small_scan_forces(datasets)["map_size"]
     yield Number("mirrored_scan_size", float(mirrored), "nm", source="given")
