@@ -110,7 +110,7 @@ def test_faulty_options_are_reported_with_the_faults_of_the_table(tmp_path):
         (["--json", str(tmp_path / "new/x.json")], ["--json: expected a file in a folder"]),
     ):
         message = refusal(predict_text, missing_file, *options)
-        assert_says(message, "none.csv", "found no file", *message_parts)
+        assert_says(message, "none.csv", "found no such file", *message_parts)
         assert len(message.splitlines()) == 1 + len(message_parts)
     assert not any(tmp_path.iterdir())
 

@@ -182,10 +182,8 @@ def _reading_notes(
 
 def is_spectrum_table(path: str | Path) -> bool:
     """Return whether a file is a table of a spectrum: a CSV whose header names no positions."""
-    if Path(path).suffix.lower() != ".csv":
+    if Path(path).suffix.lower() != ".csv" or not Path(path).is_file():
         return False
-    if not Path(path).is_file():
-        return True  # The reader of tables refuses a missing file.
     with open(path, "rb") as file:
         first_line = file.readline(MAX_HEADER_BYTES).decode("latin-1")
     return not (ROW.fullmatch(first_line.strip()) or POSITION_HEADING.match(first_line))
