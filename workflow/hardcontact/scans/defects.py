@@ -47,14 +47,6 @@ DEFECTS = {
     "sidewalls": {"sidewall_slope_share": "1"},
     "noise": {"noise_height": "nm", "rms_height_without_noise": "nm"},
 }  # fmt: skip
-#: By code of a defect: the defects beside which it is not looked for. They look like it, as equal
-#: lines look like a lay, or hide it, as sidewalls hide white noise. Line patterns are streaks, and
-#: the defects from `find_line_patterns`.
-MASKING_DEFECTS = {
-    "line_patterns": ["equal_lines"],
-    "sidewalls": ["equal_lines", "spikes"],
-    "noise": ["equal_lines", "spikes", "sidewalls", "offset_lines"],
-}
 #: The numbers of all defects with their units.
 DEFECT_UNITS = {name: unit for units in DEFECTS.values() for name, unit in units.items()}
 
@@ -62,11 +54,11 @@ DEFECT_UNITS = {name: unit for units in DEFECTS.values() for name, unit in units
 MIN_SPIKE_DISTANCE = 6.0
 #: Largest share of equal lines: so few lines change a mean force little.
 MAX_EQUAL_LINE_SHARE = 0.01
-#: Largest share of pixels at an end of an unclipped range of heights.
+#: Largest share, and number, of the pixels at the highest or lowest height of an unclipped scan.
 MAX_END_SHARE = 1e-3
 MAX_END_PIXELS = 10
-#: Their largest ratio to the number of pixels at the next height: quantised heights have less than
-#: 1, a flat summit has 2.4.
+#: Largest ratio of the number of these pixels to that at the next height: quantised heights have
+#: less than 1, a flat summit has 2.4.
 MAX_CLIPPING_RATIO = 3.0
 #: Share of the steepest pixels, which may be sidewalls.
 SIDEWALL_PIXEL_SHARE = 0.05
@@ -80,13 +72,11 @@ def scan_defects(
 ) -> dict[str, Defect]:
     """Return the defects of a scan by code, each with its numbers as in DEFECTS; empty for none.
 
-    Heights in nm, before and after levelling, are (y, x), or (n,) of a line scan.
+    Heights in nm, before and after levelling, are (y, x), or (n,) of a line scan. A defect is not
+    looked for beside others that look like it, as equal lines look like a lay, or hide it, as
+    sidewalls hide white noise.
     """
     defects: dict[str, Defect] = {}
-
-    def is_masked(code: str) -> bool:
-        return any(defects.get(masking_code) for masking_code in MASKING_DEFECTS[code])
-
     measured_heights = raw_heights
     if raw_heights.ndim == 2:
         defects["curvature"] = find_curvature(levelled_heights, pixel_size)
@@ -95,17 +85,19 @@ def scan_defects(
         if share > MAX_EQUAL_LINE_SHARE:
             defects["equal_lines"] = {"equal_line_share": share}
             measured_heights = raw_heights[~rows][:, ~columns]
-        if not is_masked("line_patterns"):
+        else:
             levelled_heights, defects["streaks"] = _fill_streaks(levelled_heights)
             power = wave_power(levelled_heights)
             defects |= find_line_patterns(levelled_heights, power, pixel_size)
     defects["spikes"] = _find_spikes(levelled_heights)
     defects |= _find_clipping(measured_heights)
-    if not is_masked("sidewalls"):
+    if not any(defects.get(code) for code in ("equal_lines", "spikes")):
         defects["sidewalls"] = _find_sidewalls(levelled_heights)
-    # Quantised heights have noise from rounding. `power` exists, because equal lines mask noise.
+    hiding_defects = ("equal_lines", "spikes", "sidewalls", "offset_lines")
+    # Quantised heights have noise from rounding.
     is_quantised = np.median(np.abs(np.diff(raw_heights, axis=0))) == 0
-    if raw_heights.ndim == 2 and not is_quantised and not is_masked("noise"):
+    is_noise_hidden = is_quantised or any(defects.get(code) for code in hiding_defects)
+    if raw_heights.ndim == 2 and not is_noise_hidden:
         defects["noise"] = find_noise(levelled_heights.var(), power)
     return {code: defects[code] for code in DEFECTS if defects.get(code)}
 
