@@ -19,17 +19,18 @@ from hardcontact.surfaces.spectrum import BIN_CENTRES, WAVEVECTORS, spectrum_of_
 from hardcontact.surfaces.substitute_spectra import DATA_EVIDENCE
 
 #: Attributes of a spectrum about its ends, with their units; no unit for a text.
-END_UNITS = dict.fromkeys(("shortest_measured", "longest_measured", "rolloff"), "nm") | dict(
-    zip((*Tail._fields, "tail_known"), ("1", "1", "nm", "nm", "", "1"), strict=True)
-)
+END_ATTRIBUTE_UNITS = {
+    "shortest_measured": "nm", "longest_measured": "nm", "rolloff": "nm", "tail_hurst": "1",
+    "tail_hurst_error": "1", "tail_fit_shortest": "nm", "tail_fit_longest": "nm",
+    "tail_ended_by": "", "tail_known": "1",
+}  # fmt: skip
 #: Properties of a measurement, which is a scan or a segment of a description, with their units; no
 #: unit for a text.
-PROPERTY_UNITS = (
-    dict.fromkeys(("kind", "path", "dataset", "notes", "earlier_scan", "limited_by"), "")
-    | dict.fromkeys(("size", "pixel_size", "shortest_reliable", "longest_reliable"), "nm")
-    | {"tip_radius": "nm"}
-    | DEFECT_UNITS
-)
+PROPERTY_UNITS = {
+    "kind": "", "path": "", "dataset": "", "notes": "", "earlier_scan": "", "limited_by": "",
+    "size": "nm", "pixel_size": "nm", "shortest_reliable": "nm", "longest_reliable": "nm",
+    "tip_radius": "nm", **DEFECT_UNITS,
+}  # fmt: skip
 
 
 def scan_properties(
@@ -135,7 +136,7 @@ def _runs_of_one_reference(segments: pd.DataFrame) -> pd.DataFrame:
 
 
 def stack_spectra(spectra: Mapping[str, xr.Dataset], labels: Mapping[str, str]) -> xr.Dataset:
-    """Stack the joined spectra of all surfaces, with labels and END_UNITS by surface.
+    """Stack the joined spectra of all surfaces, with labels and END_ATTRIBUTE_UNITS by surface.
 
     Missing measurements are NaN, 0 or "".
     """
@@ -153,7 +154,7 @@ def stack_spectra(spectra: Mapping[str, xr.Dataset], labels: Mapping[str, str]) 
     table = xr.concat(
         numbered, names, join="outer", fill_value=fill, combine_attrs="override"
     ).drop_vars("measurement")
-    for name, unit in END_UNITS.items():
+    for name, unit in END_ATTRIBUTE_UNITS.items():
         ends = [spectrum.attrs[name] for spectrum in spectra.values()]
         table[name] = ("surface", ends, {"units": unit} if unit else {})
     return table.assign(label=("surface", [labels[name] for name in spectra]))
