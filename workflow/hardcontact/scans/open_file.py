@@ -43,23 +43,26 @@ ORIGINAL_ONLY_KEYS = ("data_source", "height_scale")
 READER_MESSAGE = re.compile(r"tried (\w+): \n (.*?)\n\n(?=tried |\Z)", re.S)
 #: The unit of values that a header of a text states.
 VALUE_UNIT = re.compile(r"(?:value units|z-unit|unit data)\s*[:=]\s*(\S+)", re.I)
-#: What to do with files that hold heights in a form that no reader takes.
-EXPORT = "save the heights as text or netCDF, for example with Gwyddion"
-PICTURE = f"a picture, whose grey values are not heights: {EXPORT}"
-ARCHIVE = "an archive: unpack it, and give the scans in it"
-MODEL = "a model of triangles or points: save its points as a text of x, y, height"
-#: Kinds of files that no reader knows, in words with the remedy; values are their first bytes.
-UNREADABLE_KINDS = {
-    "a compressed file of MountainsMap: save it without compression": (b"DSCOMPRESSED",),
-    ARCHIVE: (b"PK\3\4", b"BZh", b"\xfd7zXZ", b"7z\xbc\xaf", b"Rar!"),
-    PICTURE: (b"BM", b"II*\0", b"MM\0*"),
-}
-#: The same for files without heights on a grid, for which no reader is tried.
-KINDS_WITHOUT_HEIGHTS = {
+#: What to do with a file whose heights no reader takes.
+SAVE_AS_TEXT = "save the heights as text or netCDF, for example with Gwyddion"
+PICTURE = f"a picture, whose grey values are not heights: {SAVE_AS_TEXT}"
+#: Types of files without heights on a grid, for which no reader is tried: in words with the remedy,
+#: with the first bytes of such files.
+TYPES_WITHOUT_HEIGHTS = {
     PICTURE: (b"P2\n", b"P5\n", b"\x89PNG", b"\xff\xd8\xff", b"GIF8"),
-    MODEL: (b"#VRML", b"ply\n"),
-    f"a document: {EXPORT}": (b"%PDF",),
-}
+    "a model of triangles or points: save its points as a text of x, y, height": (
+        b"#VRML", b"ply\n",
+    ),
+    f"a document: {SAVE_AS_TEXT}": (b"%PDF",),
+}  # fmt: skip
+#: The same for types of which a reader may take some files.
+TYPES_OFTEN_REFUSED = {
+    "a compressed file of MountainsMap: save it without compression": (b"DSCOMPRESSED",),
+    "an archive: unpack it, and give the scans in it": (
+        b"PK\3\4", b"BZh", b"\xfd7zXZ", b"7z\xbc\xaf", b"Rar!",
+    ),
+    PICTURE: (b"BM", b"II*\0", b"MM\0*"),
+}  # fmt: skip
 #: SurfaceTopography's messages on values that are no lengths.
 UNKNOWN_UNIT = re.compile("Unknown unit '(.*)'|.* while unit '(.*)' is of kind")
 
@@ -140,9 +143,9 @@ def _find_entry(entries: list[dict[str, Any]], dataset: str) -> dict[str, Any]:
 
 def _open_reader(content: bytes) -> Any:
     """Return a reader whose channels can be listed; refuse other files with the remedy."""
-    kind = _kind_in_words(content, KINDS_WITHOUT_HEIGHTS)
-    if kind:
-        raise RefusedFile(f"expected a scan of heights, found {kind}")
+    file_type = _file_type_in_words(content, TYPES_WITHOUT_HEIGHTS)
+    if file_type:
+        raise RefusedFile(f"expected a scan of heights, found {file_type}")
     try:
         reader = open_topography(io.BytesIO(content))
         has_channels = bool(reader.channels)
@@ -164,41 +167,49 @@ def _open_reader(content: bytes) -> Any:
     return reader
 
 
-def _kind_in_words(content: bytes, kinds: Mapping[str, tuple[bytes, ...]]) -> str:
-    """Return the kind of file that begins like this content, an empty text if none does."""
-    return next((words for words, begin in kinds.items() if content.startswith(begin)), "")
+def _file_type_in_words(content: bytes, types: Mapping[str, tuple[bytes, ...]]) -> str:
+    """Return the type of file that begins like this content, an empty text if none does."""
+    return next((words for words, begin in types.items() if content.startswith(begin)), "")
 
 
 def _describe_unread(content: bytes, reader_messages: str) -> str:
-    """Describe a file that no reader takes, with the reasons of the readers of its kind."""
+    """Describe a file that no reader takes, with the reasons of the readers of its type."""
+    file_type, reader_names = _file_type_and_readers(content)
     reasons = {
-        name: " ".join(reason.split())[:200]
+        name: f"{name}: {' '.join(reason.split())[:200]}"
         for name, reason in READER_MESSAGE.findall(reader_messages)
     }
-    lines = content[: 2**16].decode("utf-8", "replace").splitlines()
+    reader_reasons = [reasons[name] for name in reader_names if name in reasons]
+    if file_type:
+        return "; ".join([file_type, *reader_reasons])
+    return f"{'; '.join(reader_reasons) or 'one that none of its readers takes'}; {SAVE_AS_TEXT}"
+
+
+def _file_type_and_readers(content: bytes) -> tuple[str, list[str]]:
+    """Return the type of a file in words with the remedy, and the names of the readers of it.
+
+    An unknown type is an empty text.
+    """
+    if zipfile.is_zipfile(io.BytesIO(content)):
+        with zipfile.ZipFile(io.BytesIO(content)) as archive:
+            members = archive.namelist()
+        if "[Content_Types].xml" in members:
+            return f"a document of an office program: {SAVE_AS_TEXT}", []
+        if any(member.endswith("/main.xml") for member in members):
+            return "an X3P with files in a folder: zip them without the folder", ["X3PReader"]
+    else:
+        lines = content[: 2**16].decode("utf-8", "replace").splitlines()
+        if sum(ROW.fullmatch(line) is not None for line in lines) > len(lines) / 2:
+            unit = VALUE_UNIT.search("\n".join(lines))
+            if unit and not is_length_unit(unit[1]):
+                return (
+                    f"a text of values in {unit[1]}, which is no unit of length: multiply them by "
+                    "the sensitivity of the instrument, and state the unit of the heights"
+                ), []
+            words = "a text that is neither a matrix of equal rows nor columns of points"
+            return words, ["AscReader"]
     start = content[:512]
     reader_names = [
         reader.__name__ for reader in readers if reader.can_read(start) == MagicMatch.YES
     ]
-    kind = _kind_in_words(content, UNREADABLE_KINDS)
-    if zipfile.is_zipfile(io.BytesIO(content)):
-        with zipfile.ZipFile(io.BytesIO(content)) as archive:
-            if "[Content_Types].xml" in archive.namelist():
-                return f"a document of an office program: {EXPORT}"
-            if any(name.endswith("/main.xml") for name in archive.namelist()):
-                reader_names = ["X3PReader"]
-                kind = "an X3P with files in a folder: zip them without the folder"
-    elif sum(ROW.fullmatch(line) is not None for line in lines) > len(lines) / 2:
-        reader_names = ["AscReader"]
-        unit = VALUE_UNIT.search("\n".join(lines))
-        kind = "a text that is neither a matrix of equal rows nor columns of points"
-        if unit and not is_length_unit(unit[1]):
-            return (
-                f"a text of values in {unit[1]}, which is no unit of length: multiply them by the "
-                "sensitivity of the instrument, and state the unit of the heights"
-            )
-    descriptions = [f"{name}: {reasons[name]}" for name in reader_names if name in reasons]
-    if kind:
-        return "; ".join([kind, *descriptions])
-    reasons_in_words = "; ".join(descriptions) or "one that none of its readers takes"
-    return f"{reasons_in_words}; {EXPORT}"
+    return _file_type_in_words(content, TYPES_OFTEN_REFUSED), reader_names

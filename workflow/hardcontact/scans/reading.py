@@ -62,7 +62,7 @@ class ReadingOptions(NamedTuple):
         return read_scan(path, dataset, self.undefined_pixels, self.unit, self.map_size, self.mask)
 
 
-#: How scans are read if nothing is said.
+#: How scans are read if the user gives no option.
 DEFAULT_OPTIONS = ReadingOptions()
 
 
@@ -208,7 +208,7 @@ def _limit_resources(seconds: int, memory: int) -> None:
     if sys.platform == "linux":  # elsewhere the memory is not limited
         pages = int(Path("/proc/self/statm").read_text().split()[0])
         limits[resource.RLIMIT_AS] = pages * resource.getpagesize() + memory
-    for kind, limit in limits.items():
-        _, hard = resource.getrlimit(kind)
+    for limited, limit in limits.items():
+        _, hard = resource.getrlimit(limited)
         limit = limit if hard == resource.RLIM_INFINITY else min(limit, hard)
-        resource.setrlimit(kind, (limit, hard))
+        resource.setrlimit(limited, (limit, hard))
